@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "libcanopen/base/frame.hpp"
+
+namespace bus {
+
+/// What became of a frame that was handed to a port.
+enum class SendStatus : std::uint8_t {
+  Sent,    ///< the bus has taken it
+  Full,    ///< no room at the moment (ENOBUFS, EAGAIN): try later
+  Down,    ///< the interface is down or gone (ENETDOWN, ENODEV, ENXIO)
+  Failed,  ///< refused for good; trying again is of no use
+};
+
+/// Error state of the CAN controller (ISO 11898-1: error active, error passive, bus-off; warning at 96 errors).
+enum class ErrorState : std::uint8_t { Active, Warning, Passive, BusOff };
+
+/// What one call of Port::receive() found.
+struct Received {
+  enum class Kind : std::uint8_t {
+    Frame,    ///< a frame was stored
+    Nothing,  ///< nothing waits
+    Down,     ///< the interface went down or is gone; told once an event
+    Error,    ///< the controller's error state changed to `state`
+  };
+  using enum Kind;
+
+  Kind kind = Nothing;
+  ErrorState state = ErrorState::Active;  ///< error state after this call
+
+  friend constexpr bool operator==(const Received&, const Received&) = default;
+};
+
+/// One identifier that a port shall deliver; frame format and remote bit must match too.
+struct Filter {
+  std::uint32_t identifier = 0;  ///< 0..7FFh, with `extended` 0..1FFFFFFFh
+  bool remote = false;           ///< true: remote frames only, false: data frames only
+  bool extended = false;         ///< 29-bit identifier
+
+  friend constexpr bool operator==(const Filter&, const Filter&) = default;
+};
+
+/// A connection to one CAN bus; nothing here blocks, and send() and receive() neither allocate nor throw.
+class Port {
+ public:
+  Port() = default;
+  Port(const Port&) = delete;
+  Port& operator=(const Port&) = delete;
+  virtual ~Port() = default;
+
+  /// Tries to send @p frame now.
+  [[nodiscard]] virtual SendStatus send(const canopen::Frame& frame) noexcept = 0;
+  /// Takes one frame into @p frame, which is touched only when the answer is Received::Frame.
+  [[nodiscard]] virtual Received receive(canopen::Frame& frame) noexcept = 0;
+  /// Error state as last reported by the controller.
+  [[nodiscard]] virtual ErrorState error_state() const noexcept = 0;
+  /// Number of received frames that were lost because nobody read them in time.
+  [[nodiscard]] virtual std::uint64_t dropped() const noexcept = 0;
+  /// File descriptor that polls readable when receive() has something to say; the port keeps it for its lifetime.
+  [[nodiscard]] virtual int descriptor() const noexcept = 0;
+  /// Delivers from now on only frames that match one of @p filters; without a filter no frame at all.
+  virtual void accept_only(std::span<const Filter> filters) noexcept = 0;
+};
+
+}  // namespace bus

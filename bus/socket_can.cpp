@@ -1,0 +1,156 @@
+#include "bus/socket_can.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <linux/can/error.h>
+#include <sys/socket.h>
+#include <sys/uio.h>
+
+#include "bus/wire.hpp"
+
+namespace bus {
+
+namespace {
+
+// Error frames that change nothing are skipped; this many a call, so that a burst of them cannot hold the caller.
+constexpr int kSkippedFrames = 16;
+constexpr can_err_mask_t kErrorMask = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED | CAN_ERR_CNT;
+
+Descriptor open_socket() {
+  Descriptor socket{::socket(AF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW)};
+  if (socket) return socket;
+  const std::string reason = std::generic_category().message(errno);
+  if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT)
+    throw OpenError{fmt::format("kernel has no CAN (socket(AF_CAN): {})", reason)};
+  throw OpenError{fmt::format("socket(AF_CAN): {}", reason)};
+}
+
+template <class Value>
+bool set_option(const Descriptor& socket, int level, int name, const Value& value) noexcept {
+  return ::setsockopt(socket.get(), level, name, &value, sizeof value) == 0;
+}
+
+}  // namespace
+
+SocketCan::SocketCan(std::string interface, int receive_buffer)
+    : interface_{std::move(interface)}, socket_{open_socket()}, filters_{can_filter{0, 0}}, filter_count_{1} {
+  configure(receive_buffer);
+  const auto index = can_interface_index(interface_);
+  if (!index) throw index.error();
+  if (!bind_to(*index))
+    throw OpenError{fmt::format("{}: bind: {}", interface_, std::generic_category().message(errno))};
+}
+
+void SocketCan::configure(int receive_buffer) {
+  const bool configured = set_option(socket_, SOL_CAN_RAW, CAN_RAW_LOOPBACK, int{1}) &&
+                          set_option(socket_, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, int{0}) &&
+                          set_option(socket_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, kErrorMask) &&
+                          set_option(socket_, SOL_SOCKET, SO_RXQ_OVFL, int{1});
+  if (!configured)
+    throw OpenError{fmt::format("{}: setsockopt: {}", interface_, std::generic_category().message(errno))};
+  // Only an administrator may pass net.core.rmem_max; receive_buffer() tells what came of it.
+  if (!set_option(socket_, SOL_SOCKET, SO_RCVBUFFORCE, receive_buffer))
+    set_option(socket_, SOL_SOCKET, SO_RCVBUF, receive_buffer);
+}
+
+bool SocketCan::bind_to(int index) noexcept {
+  sockaddr_can address{};
+  address.can_family = AF_CAN;
+  address.can_ifindex = index;
+  // sockaddr is the common form of all socket addresses.
+  return ::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+}
+
+bool SocketCan::reopen() noexcept {
+  const auto index = can_interface_index(interface_);
+  if (!index || !bind_to(*index)) return false;
+  apply_filters();  // the kernel forgets them with the interface
+  error_state_ = ErrorState::Active;
+  link_failure_ = LinkFailure::None;
+  return true;
+}
+
+std::size_t SocketCan::receive_buffer() const noexcept {
+  int size = 0;
+  socklen_t length = sizeof size;
+  return ::getsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &size, &length) == 0 ? static_cast<std::size_t>(size)
+                                                                                 : 0;
+}
+
+void SocketCan::accept_only(std::span<const Filter> filters) noexcept {
+  if (filters.size() > filters_.size()) {
+    filters_[0] = can_filter{0, 0};
+    filter_count_ = 1;
+  } else {
+    std::transform(filters.begin(), filters.end(), filters_.begin(), [](const Filter& f) { return to_wire(f); });
+    filter_count_ = filters.size();
+  }
+  apply_filters();
+}
+
+void SocketCan::apply_filters() noexcept {
+  const auto size = static_cast<socklen_t>(filter_count_ * sizeof(can_filter));
+  if (::setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_FILTER, filters_.data(), size) == 0) return;
+  // Too many frames are harmless, too few are not.
+  set_option(socket_, SOL_CAN_RAW, CAN_RAW_FILTER, can_filter{0, 0});
+}
+
+SendStatus SocketCan::send(const canopen::Frame& frame) noexcept {
+  const can_frame wire = to_wire(frame);
+  if (::send(socket_.get(), &wire, sizeof wire, MSG_DONTWAIT) == sizeof wire) {
+    link_failure_ = LinkFailure::None;
+    return SendStatus::Sent;
+  }
+  const SendStatus status = to_send_status(errno);
+  if (status == SendStatus::Down && link_failure_ == LinkFailure::None) link_failure_ = LinkFailure::Untold;
+  return status;
+}
+
+Received SocketCan::receive(canopen::Frame& frame) noexcept {
+  // A failing send takes the socket's pending error away, so that recvmsg would never show it.
+  if (link_failure_ == LinkFailure::Untold) return failed(ENETDOWN);
+  for (int i = 0; i < kSkippedFrames; ++i) {
+    can_frame wire{};
+    if (take(wire) < 0) return failed(errno);
+    if ((wire.can_id & CAN_ERR_FLAG) == 0) {
+      frame = from_wire(wire);
+      return {Received::Frame, error_state_};
+    }
+    const ErrorState before = std::exchange(error_state_, decode_error_state(wire, error_state_));
+    if (error_state_ != before) return {Received::Error, error_state_};
+  }
+  return {Received::Nothing, error_state_};
+}
+
+ssize_t SocketCan::take(can_frame& wire) noexcept {
+  iovec part{&wire, sizeof wire};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(std::uint32_t))> control{};
+  msghdr message{};
+  message.msg_iov = &part;
+  message.msg_iovlen = 1;
+  message.msg_control = control.data();
+  message.msg_controllen = control.size();
+  const ssize_t size = ::recvmsg(socket_.get(), &message, MSG_DONTWAIT);
+  if (size < 0) return size;
+  const cmsghdr* header = CMSG_FIRSTHDR(&message);
+  if (header != nullptr && header->cmsg_level == SOL_SOCKET && header->cmsg_type == SO_RXQ_OVFL) {
+    std::uint32_t overflow = 0;
+    std::memcpy(&overflow, CMSG_DATA(header), sizeof overflow);
+    dropped_ += overflow - std::exchange(last_overflow_, overflow);  // the kernel's counter wraps
+  }
+  return size;
+}
+
+Received SocketCan::failed(int error) noexcept {
+  if (to_send_status(error) != SendStatus::Down) return {Received::Nothing, error_state_};
+  link_failure_ = LinkFailure::Told;
+  error_state_ = ErrorState::Active;  // the controller starts anew when the link comes up
+  return {Received::Down, error_state_};
+}
+
+}  // namespace bus

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include <linux/can.h>
+#include <linux/can/raw.h>
+
+#include "bus/descriptor.hpp"
+#include "bus/interface.hpp"
+#include "bus/port.hpp"
+
+namespace bus {
+
+/// A raw SocketCAN socket on one interface: classical frames only, seen by other local programs, not by itself.
+class SocketCan final : public Port {
+ public:
+  /// Receive buffer asked for (bytes); it holds a burst while the program is kept from running.
+  static constexpr int kReceiveBuffer = 1 << 20;
+
+  /// Opens @p interface, which may be down; throws OpenError if it does not exist, is no CAN, or the kernel has
+  /// none.
+  explicit SocketCan(std::string interface, int receive_buffer = kReceiveBuffer);
+
+  [[nodiscard]] SendStatus send(const canopen::Frame& frame) noexcept override;
+  [[nodiscard]] Received receive(canopen::Frame& frame) noexcept override;
+  [[nodiscard]] ErrorState error_state() const noexcept override { return error_state_; }
+  [[nodiscard]] std::uint64_t dropped() const noexcept override { return dropped_; }
+  [[nodiscard]] int descriptor() const noexcept override { return socket_.get(); }
+  /// More filters than the kernel takes (512) open the port for every frame.
+  void accept_only(std::span<const Filter> filters) noexcept override;
+
+  /// Binds the same descriptor to the interface of that name again; to be called whenever it has come up. False:
+  /// not there.
+  [[nodiscard]] bool reopen() noexcept;
+  /// Size of the receive buffer really got (bytes, as the kernel counts: twice the one asked for, or less).
+  [[nodiscard]] std::size_t receive_buffer() const noexcept;
+
+ private:
+  /// Whether receive() still has to tell that a send found the link down.
+  enum class LinkFailure : std::uint8_t { None, Untold, Told };
+
+  void configure(int receive_buffer);
+  bool bind_to(int index) noexcept;
+  void apply_filters() noexcept;
+  ssize_t take(can_frame& wire) noexcept;
+  Received failed(int error) noexcept;
+
+  std::string interface_;
+  Descriptor socket_;
+  std::array<can_filter, CAN_RAW_FILTER_MAX> filters_{};
+  std::size_t filter_count_ = 0;
+  std::uint64_t dropped_ = 0;
+  std::uint32_t last_overflow_ = 0;
+  ErrorState error_state_ = ErrorState::Active;
+  LinkFailure link_failure_ = LinkFailure::None;
+};
+
+}  // namespace bus

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+
+namespace canopen {
+
+/// Resolution of every time in the library: 1 ns.
+using Duration = std::chrono::nanoseconds;
+
+/// Tag of the time line that the owner of a node tells; the library never reads a clock.
+struct ToldClock {
+  using duration = Duration;
+  using rep = duration::rep;
+  using period = duration::period;
+  using time_point = std::chrono::time_point<ToldClock, Duration>;
+  static constexpr bool is_steady = true;
+};
+
+/// A point on the monotonic time line of the owner (on Linux: CLOCK_MONOTONIC).
+using TimePoint = ToldClock::time_point;
+
+/// "Never": later than every deadline.
+inline constexpr TimePoint kNever = TimePoint::max();
+
+}  // namespace canopen

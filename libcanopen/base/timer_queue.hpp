@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "libcanopen/base/time.hpp"
+
+namespace canopen {
+
+/// Deadlines of a fixed set of timers in a binary heap: the earliest one costs nothing to read.
+/// All memory is taken in the constructor; timers are named by their number.
+class TimerQueue {
+ public:
+  /// Room for timers 0 .. @p timers - 1, none of them armed.
+  explicit TimerQueue(std::size_t timers);
+
+  /// Sets or moves the deadline of @p timer.
+  void arm(std::size_t timer, TimePoint when) noexcept;
+  /// Takes @p timer out; nothing happens if it is not armed.
+  void cancel(std::size_t timer) noexcept;
+  /// Takes every timer out.
+  void clear() noexcept;
+
+  /// The earliest deadline, kNever if no timer is armed.
+  TimePoint earliest() const noexcept { return heap_.empty() ? kNever : heap_.front().when; }
+  /// Takes out and names the earliest timer if it is due at @p now.
+  std::optional<std::size_t> take_due(TimePoint now) noexcept;
+  /// True while @p timer has a deadline.
+  bool is_armed(std::size_t timer) const noexcept { return position_[timer] != kOut; }
+
+ private:
+  struct Node {
+    TimePoint when;
+    std::uint32_t timer;
+  };
+  static constexpr std::uint32_t kOut = UINT32_MAX;
+
+  void place(std::size_t at, Node node) noexcept;
+  void rise(std::size_t at, Node node) noexcept;
+  void sink(std::size_t at, Node node) noexcept;
+  void remove_at(std::size_t at) noexcept;
+
+  std::vector<Node> heap_;
+  std::vector<std::uint32_t> position_;
+};
+
+}  // namespace canopen

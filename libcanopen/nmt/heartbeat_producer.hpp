@@ -1,0 +1,28 @@
+#pragma once
+
+#include "libcanopen/node/context.hpp"
+
+namespace canopen {
+
+/// Sends the NMT state once a period (CiA 301, 7.2.8.3.2.2; object 1017h, in ms, 0 = off).
+class HeartbeatProducer final : public EntryOwner {
+ public:
+  /// @p timer is the number of its timer in the context's queue. Works without object 1017h, silently.
+  HeartbeatProducer(Context& context, std::size_t timer);
+
+  /// Starts over with the value of 1017h; the boot-up frame of now counts as the first heartbeat.
+  void reload() noexcept;
+  /// The period is over: sends and arms the next, one whole period after the last deadline.
+  void on_timer() noexcept;
+  Result<void> write(const Entry& entry, std::int64_t value) override;
+
+ private:
+  void start(std::int64_t period_ms, Duration delay) noexcept;
+
+  Context& context_;
+  std::size_t timer_;
+  Duration period_{};
+  TimePoint due_{};
+};
+
+}  // namespace canopen

@@ -1,0 +1,188 @@
+#include "libcanopen/od/dictionary.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace canopen {
+namespace {
+
+constexpr bool readable(Access access) noexcept {
+  return access != Access::WriteOnly;
+}
+constexpr bool writable(Access access) noexcept {
+  return access != Access::ReadOnly && access != Access::Constant;
+}
+constexpr bool receives(Access access) noexcept {
+  return access == Access::WriteOnly || access == Access::ReadWrite || access == Access::ReadWriteWrite;
+}
+constexpr bool transmits(Access access) noexcept {
+  return access == Access::ReadOnly || access == Access::ReadWrite || access == Access::ReadWriteRead;
+}
+
+constexpr std::uint32_t key(const EntryDescription& row) noexcept {
+  return std::uint32_t{row.index} << 8 | row.sub_index;
+}
+
+/// A number that orders as the values of @p type do; the stored patterns of UNSIGNED64 and REAL do not.
+constexpr std::int64_t rank(DataType type, std::int64_t value) noexcept {
+  switch (type) {
+    case DataType::Unsigned64:
+      return value ^ INT64_MIN;
+    case DataType::Real32: {
+      const std::int64_t pattern = static_cast<std::int32_t>(value);
+      return pattern < 0 ? INT32_MIN - pattern : pattern;
+    }
+    case DataType::Real64:
+      return value < 0 ? INT64_MIN - value : value;
+    default:
+      return value;
+  }
+}
+
+Entry entry_of(const EntryDescription& row) noexcept {
+  const bool limited = row.limit_check == LimitCheck::Table;
+  return Entry{
+      .index = row.index,
+      .sub_index = row.sub_index,
+      .size = size_of(row.type),
+      .readable = readable(row.access),
+      .writable = writable(row.access),
+      .receive_mappable = row.pdo_mappable && size_of(row.type) != 0 && receives(row.access),
+      .transmit_mappable = row.pdo_mappable && size_of(row.type) != 0 && transmits(row.access),
+      .is_signed = is_signed(row.type),
+      .limited = limited && (row.low || row.high),
+      .low = row.low ? rank(row.type, *row.low) : INT64_MIN,
+      .high = row.high ? rank(row.type, *row.high) : INT64_MAX,
+      .description = &row,
+  };
+}
+
+}  // namespace
+
+Dictionary::Dictionary(std::span<const EntryDescription> table, std::uint8_t node_id) : node_id_{node_id} {
+  const auto out_of_order = [](const auto& a, const auto& b) { return key(a) >= key(b); };
+  if (std::adjacent_find(table.begin(), table.end(), out_of_order) != table.end()) {
+    throw std::invalid_argument{
+        "the table of a dictionary must be sorted by index and sub-index, without duplicates"};
+  }
+  entries_.reserve(table.size());
+  pages_.emplace_back();  // page 0 stays empty: every index without a page of its own looks there
+  for (const EntryDescription& row : table) append(row);
+  image_.resize(image_.size() + 8);  // any number may be read as eight bytes
+  restore(0, 0xFFFF);
+}
+
+void Dictionary::append(const EntryDescription& row) {
+  Entry entry = entry_of(row);
+  const std::size_t capacity = std::max<std::size_t>(row.capacity, row.text.size());
+  const std::size_t bytes = entry.size != 0 ? entry.size : sizeof(std::uint32_t) + capacity;
+  const std::size_t alignment = entry.size == 0 ? 4 : std::bit_ceil(std::size_t{entry.size});
+  const std::size_t offset = (image_.size() + alignment - 1) / alignment * alignment;
+  image_.resize(offset + bytes);
+  longest_value_ = std::max(longest_value_, capacity);
+  entry.offset = static_cast<std::uint32_t>(offset);
+
+  std::uint16_t& page = page_of_[row.index >> 8];
+  if (page == 0) {
+    page = static_cast<std::uint16_t>(pages_.size());
+    pages_.emplace_back();
+  }
+  Slot& slot = pages_[page][row.index & 0xFF];
+  if (slot.count == 0) slot.first = static_cast<std::uint32_t>(entries_.size());
+  ++slot.count;
+  entries_.push_back(entry);
+}
+
+Result<const Entry*> Dictionary::find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+  const Slot& place = slot(index);
+  if (place.count == 0) return refuse(AbortCode::NoObject);
+  const Entry* const first = &entries_[place.first];
+  if (sub_index < place.count && first[sub_index].sub_index == sub_index) return first + sub_index;
+  const Entry* const end = first + place.count;  // an object with gaps between its sub-indices
+  const Entry* const found = std::find_if(first, end, [=](const Entry& e) { return e.sub_index == sub_index; });
+  if (found == end) return refuse(AbortCode::NoSubIndex);
+  return found;
+}
+
+Result<std::int64_t> Dictionary::read(const Entry& entry) const {
+  if (!entry.readable) return refuse(AbortCode::WriteOnly);
+  if (entry.size == 0) return refuse(AbortCode::UnsupportedAccess);
+  return entry.read_owner != nullptr ? entry.read_owner->read(entry, stored(entry)) : stored(entry);
+}
+
+Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {
+  if (!entry.writable) return refuse(AbortCode::ReadOnly);
+  if (entry.size == 0) return refuse(AbortCode::UnsupportedAccess);
+  if (entry.limited) {
+    const std::int64_t place = rank(entry.description->type, value);
+    if (place > entry.high) return refuse(AbortCode::ValueTooHigh);
+    if (place < entry.low) return refuse(AbortCode::ValueTooLow);
+  }
+  if (entry.write_owner != nullptr) {
+    if (auto accepted = entry.write_owner->write(entry, value); !accepted) return accepted;
+  }
+  set(entry, value);
+  return {};
+}
+
+std::span<const std::uint8_t> Dictionary::text(const Entry& entry) const noexcept {
+  const std::byte* const at = image_.data() + entry.offset;
+  return {reinterpret_cast<const std::uint8_t*>(at + sizeof(std::uint32_t)), load<std::uint32_t>(at)};
+}
+
+Result<void> Dictionary::write_text(const Entry& entry, std::span<const std::uint8_t> text) {
+  if (!entry.writable) return refuse(AbortCode::ReadOnly);
+  if (text.size() > entry.description->capacity) return refuse(AbortCode::LengthMismatch);
+  std::byte* const at = image_.data() + entry.offset;
+  store(at, static_cast<std::uint32_t>(text.size()));
+  std::copy(text.begin(), text.end(), reinterpret_cast<std::uint8_t*>(at + sizeof(std::uint32_t)));
+  return {};
+}
+
+std::int64_t Dictionary::stored(const Entry& entry) const noexcept {
+  const auto bits = load<std::uint64_t>(image_.data() + entry.offset) & byte_mask(entry.size);
+  return entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
+}
+
+void Dictionary::set(const Entry& entry, std::int64_t value) noexcept {
+  std::memcpy(image_.data() + entry.offset, &value, entry.size);
+}
+
+void Dictionary::restore(std::uint16_t first, std::uint16_t last) noexcept {
+  for (const Entry& entry : entries_) {
+    if (entry.index >= first && entry.index <= last) restore(entry);
+  }
+}
+
+void Dictionary::restore(const Entry& entry) noexcept {
+  const EntryDescription& row = *entry.description;
+  if (entry.size != 0) {
+    set(entry, row.initial + (row.node_relative ? node_id_ : 0));
+    return;
+  }
+  std::byte* const at = image_.data() + entry.offset;
+  store(at, static_cast<std::uint32_t>(row.text.size()));
+  std::copy(row.text.begin(), row.text.end(), reinterpret_cast<char*>(at + sizeof(std::uint32_t)));
+}
+
+Entry& Dictionary::existing(std::uint16_t index, std::uint8_t sub_index) {
+  const auto found = find(index, sub_index);
+  if (!found) throw std::out_of_range{"the dictionary has no such entry"};
+  return entries_[static_cast<std::size_t>(*found - entries_.data())];
+}
+
+void Dictionary::own_read(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner) {
+  existing(index, sub_index).read_owner = &owner;
+}
+
+void Dictionary::own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner) {
+  existing(index, sub_index).write_owner = &owner;
+}
+
+std::byte* Dictionary::checked_value(std::uint16_t index, std::uint8_t sub_index, std::size_t size) {
+  const Entry& entry = existing(index, sub_index);
+  if (entry.size != size) throw std::invalid_argument{"the entry has another size"};
+  return image_.data() + entry.offset;
+}
+
+}  // namespace canopen

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/od/entry.hpp"
+
+namespace canopen {
+
+/// A typed view of one entry's value, for the owner's own use in the hot path. Valid as long as the dictionary.
+template <class T>
+class Cell {
+ public:
+  explicit Cell(std::byte* at) noexcept : at_{at} {}
+  /// The value as it stands.
+  T get() const noexcept { return load<T>(at_); }
+  /// Sets the value without asking anybody.
+  void set(T value) noexcept { store(at_, value); }
+
+ private:
+  std::byte* at_;
+};
+
+/// The object dictionary of one node (CiA 301, 7.4): a table of entries and one flat image of their values.
+/// Lookup costs two loads; after construction nothing is allocated.
+class Dictionary {
+ public:
+  /// Builds the dictionary of @p table, sorted by index and sub-index without duplicates, for @p node_id 1..127.
+  /// @p table must outlive the dictionary. Throws std::invalid_argument if the table is not in order.
+  Dictionary(std::span<const EntryDescription> table, std::uint8_t node_id);
+  Dictionary(const Dictionary&) = delete;
+  Dictionary& operator=(const Dictionary&) = delete;
+
+  /// The entry @p index, @p sub_index; NoObject or NoSubIndex.
+  Result<const Entry*> find(std::uint16_t index, std::uint8_t sub_index) const noexcept;
+  /// True if any entry of @p index exists.
+  bool contains(std::uint16_t index) const noexcept { return slot(index).count != 0; }
+  /// Every entry, in order.
+  std::span<const Entry> entries() const noexcept { return entries_; }
+
+  /// Reads a number as a master would see it; asks the owner. WriteOnly, UnsupportedAccess for a string.
+  Result<std::int64_t> read(const Entry& entry) const;
+  /// Writes a number as a master would: access, limits, then the owner. ReadOnly, ValueTooHigh, ValueTooLow.
+  Result<void> write(const Entry& entry, std::int64_t value);
+  /// The bytes of a string.
+  std::span<const std::uint8_t> text(const Entry& entry) const noexcept;
+  /// Replaces the bytes of a writable string; LengthMismatch if it does not fit.
+  Result<void> write_text(const Entry& entry, std::span<const std::uint8_t> text);
+
+  /// The stored number of @p entry, without asking the owner.
+  std::int64_t stored(const Entry& entry) const noexcept;
+  /// Stores a number without asking anybody.
+  void set(const Entry& entry, std::int64_t value) noexcept;
+  /// Initial values again for the objects @p first to @p last, without asking the owners.
+  void restore(std::uint16_t first, std::uint16_t last) noexcept;
+
+  /// Registers @p owner for reads or writes of one entry that exists. Throws std::out_of_range if it does not.
+  void own_read(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner);
+  void own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner);
+
+  /// A view of a number. Throws std::out_of_range if there is no such entry, std::invalid_argument if its size
+  /// is not that of T.
+  template <class T>
+  Cell<T> cell(std::uint16_t index, std::uint8_t sub_index) {
+    return Cell<T>{checked_value(index, sub_index, sizeof(T))};
+  }
+
+  /// The values, for compiled PDO mappings. Every number can be read as eight bytes.
+  std::byte* image() noexcept { return image_.data(); }
+  const std::byte* image() const noexcept { return image_.data(); }
+
+  /// Length of the longest value, in bytes.
+  std::size_t longest_value() const noexcept { return longest_value_; }
+  std::uint8_t node_id() const noexcept { return node_id_; }
+
+ private:
+  struct Slot {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  using Page = std::array<Slot, 256>;
+
+  const Slot& slot(std::uint16_t index) const noexcept { return pages_[page_of_[index >> 8]][index & 0xFF]; }
+  Entry& existing(std::uint16_t index, std::uint8_t sub_index);
+  std::byte* checked_value(std::uint16_t index, std::uint8_t sub_index, std::size_t size);
+  void append(const EntryDescription& row);
+  void restore(const Entry& entry) noexcept;
+
+  std::vector<Entry> entries_;
+  std::array<std::uint16_t, 256> page_of_{};
+  std::vector<Page> pages_;
+  std::vector<std::byte> image_;
+  std::size_t longest_value_ = 8;
+  std::uint8_t node_id_;
+};
+
+}  // namespace canopen

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+
+#include "libcanopen/od/abort_code.hpp"
+#include "libcanopen/od/entry_description.hpp"
+
+namespace canopen {
+
+class EntryOwner;
+
+/// One entry of a dictionary at run time: the facts of its description that an access needs, in one place.
+struct Entry {
+  std::uint16_t index = 0;
+  std::uint8_t sub_index = 0;
+  std::uint8_t size = 0;  ///< bytes of a number, 0 for a string type
+  bool readable = false;
+  bool writable = false;
+  bool receive_mappable = false;   ///< may stand in an RPDO
+  bool transmit_mappable = false;  ///< may stand in a TPDO
+  bool is_signed = false;
+  bool limited = false;               ///< the dictionary checks `low` and `high`
+  std::uint32_t offset = 0;           ///< of the value in the image; of the length word for a string
+  EntryOwner* read_owner = nullptr;   ///< asked before a read, if any
+  EntryOwner* write_owner = nullptr;  ///< asked before a write, if any
+  std::int64_t low = 0;   ///< in an order that holds for every type: not the raw pattern of UNSIGNED64 and REAL
+  std::int64_t high = 0;  ///< likewise
+  const EntryDescription* description = nullptr;
+};
+
+/// What stands behind an entry. A service or the application registers itself for the entries whose reads or
+/// writes mean more than memory; all others are plain values of the dictionary.
+class EntryOwner {
+ public:
+  virtual ~EntryOwner() = default;
+  /// Gives the value of @p entry, whose last known value is @p stored.
+  virtual Result<std::int64_t> read(const Entry& entry, std::int64_t stored) {
+    (void)entry;
+    return stored;
+  }
+  /// Takes @p value, which has passed existence, access, length and limit checks. The dictionary stores the value
+  /// after success; a refusal leaves everything as it was.
+  virtual Result<void> write(const Entry& entry, std::int64_t value) {
+    (void)entry, (void)value;
+    return {};
+  }
+};
+
+}  // namespace canopen

@@ -1,0 +1,167 @@
+#include "libcanopen/pdo/parameters.hpp"
+
+#include "libcanopen/base/cob_id.hpp"
+
+namespace canopen {
+namespace {
+
+constexpr std::uint16_t kPdoNumbers = 512;
+constexpr std::uint8_t kMaximumEntries = 64;
+
+constexpr bool is_known_type(std::uint8_t type) noexcept {
+  return type <= kLastSynchronousType || type >= 0xFE;
+}
+
+constexpr std::uint16_t base_of(Direction direction) noexcept {
+  return direction == Direction::Receive ? 0x1400 : 0x1800;
+}
+
+}  // namespace
+
+PdoParameters::PdoParameters(Context& context, const Policy& policy, Direction direction,
+                             IdentifierUse& identifiers)
+    : context_{context},
+      policy_{policy},
+      direction_{direction},
+      identifiers_{identifiers},
+      communication_base_{base_of(direction)},
+      mapping_base_{static_cast<std::uint16_t>(base_of(direction) + kPdoNumbers)} {
+  for (std::uint16_t number = 0; number < kPdoNumbers; ++number) {
+    const auto index = static_cast<std::uint16_t>(communication_base_ + number);
+    if (!context_.dictionary.contains(index)) continue;
+    position_[number] = static_cast<std::uint16_t>(pdos_.size());
+    pdos_.push_back(PdoSettings{.number = number});
+    own(index);
+    own(static_cast<std::uint16_t>(mapping_base_ + number));
+  }
+}
+
+void PdoParameters::own(std::uint16_t index) {
+  for (std::uint8_t sub = 0; sub <= kMaximumEntries; ++sub) {
+    const auto entry = context_.dictionary.find(index, sub);
+    if (entry && (*entry)->writable) context_.dictionary.own_write(index, sub, *this);
+  }
+}
+
+void PdoParameters::reload() noexcept {
+  for (PdoSettings& pdo : pdos_) {
+    const auto cob_id = static_cast<std::uint32_t>(communication(pdo, pdo_sub::kCobId));
+    pdo.zero_written = false;
+    pdo.transmission_type = static_cast<std::uint8_t>(communication(pdo, pdo_sub::kTransmissionType));
+    const auto plan = compile_mapping(context_.dictionary, mapping_index(pdo), count(pdo), direction_);
+    const bool valid = plan && (cob_id & cob_id::kInvalid) == 0;
+    pdo.plan = plan.value_or(MappingPlan{});
+    pdo.identifier = valid ? static_cast<std::uint16_t>(cob_id & cob_id::kIdentifier) : std::uint16_t{0};
+  }
+}
+
+std::int64_t PdoParameters::communication(const PdoSettings& pdo, std::uint8_t sub_index) const noexcept {
+  const auto entry =
+      context_.dictionary.find(static_cast<std::uint16_t>(communication_base_ + pdo.number), sub_index);
+  return entry ? context_.dictionary.stored(**entry) : 0;
+}
+
+std::uint16_t PdoParameters::mapping_index(const PdoSettings& pdo) const noexcept {
+  return static_cast<std::uint16_t>(mapping_base_ + pdo.number);
+}
+
+std::uint8_t PdoParameters::count(const PdoSettings& pdo) const noexcept {
+  const auto entry = context_.dictionary.find(mapping_index(pdo), 0);
+  return entry ? static_cast<std::uint8_t>(context_.dictionary.stored(**entry)) : std::uint8_t{0};
+}
+
+void PdoParameters::changed(std::size_t position) noexcept {
+  if (listener_ != nullptr) listener_->on_pdo_changed(position);
+  identifiers_.on_identifiers_changed();
+}
+
+Result<void> PdoParameters::write(const Entry& entry, std::int64_t value) {
+  if (context_.state == NmtState::Operational && !policy_.pdo_changes_in_operational) {
+    return refuse(AbortCode::DeviceState);
+  }
+  if (entry.index < mapping_base_) {
+    return write_communication(position_[entry.index - communication_base_], entry.sub_index, value);
+  }
+  PdoSettings& pdo = pdos_[position_[entry.index - mapping_base_]];
+  if (pdo.is_valid()) return refuse(AbortCode::DeviceState);
+  return entry.sub_index == 0 ? write_count(pdo, static_cast<std::uint8_t>(value))
+                              : write_mapping(pdo, entry.sub_index, static_cast<std::uint32_t>(value));
+}
+
+Result<void> PdoParameters::write_communication(std::size_t position, std::uint8_t sub_index, std::int64_t value) {
+  switch (sub_index) {
+    case pdo_sub::kCobId:
+      return write_cob_id(position, static_cast<std::uint32_t>(value));
+    case pdo_sub::kTransmissionType:
+      return write_type(position, static_cast<std::uint8_t>(value));
+    case pdo_sub::kInhibitTime:
+      if (pdos_[position].is_valid()) return refuse(AbortCode::DeviceState);
+      break;
+    default:
+      break;
+  }
+  if (listener_ != nullptr) listener_->on_pdo_time_changed(position, sub_index, value);
+  return {};
+}
+
+Result<void> PdoParameters::write_cob_id(std::size_t position, std::uint32_t cob_id) {
+  PdoSettings& pdo = pdos_[position];
+  if ((cob_id & cob_id::kInvalid) != 0) {
+    pdo.identifier = 0;
+    changed(position);
+    return {};
+  }
+  const std::uint32_t identifier = cob_id & cob_id::kIdentifier;
+  if ((cob_id & cob_id::kMustBeZero) != 0 || is_restricted(identifier)) return refuse(AbortCode::InvalidValue);
+  if (pdo.is_valid()) return identifier == pdo.identifier ? Result<void>{} : refuse(AbortCode::DeviceState);
+  if (identifiers_.is_used(identifier)) return refuse(AbortCode::ParameterIncompatible);
+  const auto plan = compile_mapping(context_.dictionary, mapping_index(pdo), count(pdo), direction_);
+  if (!plan) return refuse(plan.error());
+  pdo.plan = *plan;
+  pdo.identifier = static_cast<std::uint16_t>(identifier);
+  pdo.zero_written = false;
+  changed(position);
+  return {};
+}
+
+Result<void> PdoParameters::write_type(std::size_t position, std::uint8_t type) {
+  if (!is_known_type(type)) return refuse(AbortCode::InvalidValue);
+  pdos_[position].transmission_type = type;
+  changed(position);
+  return {};
+}
+
+Result<void> PdoParameters::write_count(PdoSettings& pdo, std::uint8_t count) {
+  const auto plan = compile_mapping(context_.dictionary, mapping_index(pdo), count, direction_);
+  if (!plan) return refuse(plan.error());
+  pdo.zero_written = count == 0;
+  return {};
+}
+
+Result<void> PdoParameters::write_mapping(PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped) {
+  if (auto fits = check_mapping_entry(context_.dictionary, mapped, direction_); !fits) return fits;
+  if (policy_.count_follows_entries) {
+    return pdo.zero_written ? Result<void>{} : follow_entries(pdo, sub_index, mapped);
+  }
+  return count(pdo) == 0 ? Result<void>{} : refuse(AbortCode::DeviceState);
+}
+
+/// Sets the count to the entries before the first empty one, with @p mapped already in its place.
+Result<void> PdoParameters::follow_entries(const PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped) {
+  Dictionary& dictionary = context_.dictionary;
+  std::int64_t count = 0;
+  unsigned bits = 0;
+  for (std::uint8_t sub = 1; sub <= kMaximumEntries; ++sub, ++count) {
+    const auto entry = dictionary.find(mapping_index(pdo), sub);
+    const auto word = sub == sub_index ? mapped
+                      : entry          ? static_cast<std::uint32_t>(dictionary.stored(**entry))
+                                       : 0U;
+    if (word == 0) break;
+    bits += word & 0xFF;
+  }
+  if (bits > 64) return refuse(AbortCode::PdoLengthExceeded);
+  if (const auto entry = dictionary.find(mapping_index(pdo), 0)) dictionary.set(**entry, count);
+  return {};
+}
+
+}  // namespace canopen

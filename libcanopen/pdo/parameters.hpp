@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "libcanopen/base/identifier_use.hpp"
+#include "libcanopen/node/context.hpp"
+#include "libcanopen/node/policy.hpp"
+#include "libcanopen/pdo/mapping.hpp"
+
+namespace canopen {
+
+/// Sub-indices of a PDO communication record (CiA 301, 7.5.2.35 and 7.5.2.37).
+namespace pdo_sub {
+inline constexpr std::uint8_t kCobId = 1;
+inline constexpr std::uint8_t kTransmissionType = 2;
+inline constexpr std::uint8_t kInhibitTime = 3;
+inline constexpr std::uint8_t kEventTimer = 5;
+}  // namespace pdo_sub
+
+/// Highest synchronous transmission type; above it only the event-driven FEh and FFh are left.
+inline constexpr std::uint8_t kLastSynchronousType = 0xF0;
+
+/// What is in force of one PDO.
+struct PdoSettings {
+  std::uint16_t number = 0;      ///< 0 for 1400h or 1800h
+  std::uint16_t identifier = 0;  ///< 0 while the PDO is not valid
+  std::uint8_t transmission_type = 0;
+  bool zero_written = false;  ///< sub-index 0 of the mapping was set to 0: the entries do not count by themselves
+  MappingPlan plan{};
+
+  bool is_valid() const noexcept { return identifier != 0; }
+  bool is_synchronous() const noexcept { return transmission_type <= kLastSynchronousType; }
+};
+
+/// Communication and mapping parameters of all PDOs of one direction, with the rules for changing them
+/// (CiA 301, 7.5.2.35 to 7.5.2.38).
+class PdoParameters final : public EntryOwner {
+ public:
+  /// The service that works with the PDOs.
+  class Listener {
+   public:
+    virtual ~Listener() = default;
+    /// Identifier, type or mapping of the PDO at @p position changed.
+    virtual void on_pdo_changed(std::size_t position) noexcept = 0;
+    /// A time of the PDO at @p position was set: @p sub_index of its communication record to @p value.
+    virtual void on_pdo_time_changed(std::size_t position, std::uint8_t sub_index,
+                                     std::int64_t value) noexcept = 0;
+  };
+
+  /// Finds the PDO records in the dictionary of @p context and owns their writes.
+  PdoParameters(Context& context, const Policy& policy, Direction direction, IdentifierUse& identifiers);
+  /// Who is told of changes; set once, before the first frame.
+  void listen(Listener& listener) noexcept { listener_ = &listener; }
+
+  /// Starts over with the values in the dictionary. A PDO whose default mapping cannot be compiled stays invalid.
+  void reload() noexcept;
+  /// All PDOs that the dictionary has, in the order of their numbers.
+  std::span<const PdoSettings> pdos() const noexcept { return pdos_; }
+  /// The stored value of @p sub_index in the communication record of @p pdo, 0 if there is none.
+  std::int64_t communication(const PdoSettings& pdo, std::uint8_t sub_index) const noexcept;
+
+  Result<void> write(const Entry& entry, std::int64_t value) override;
+
+ private:
+  Result<void> write_communication(std::size_t position, std::uint8_t sub_index, std::int64_t value);
+  Result<void> write_cob_id(std::size_t position, std::uint32_t cob_id);
+  Result<void> write_type(std::size_t position, std::uint8_t type);
+  Result<void> write_count(PdoSettings& pdo, std::uint8_t count);
+  Result<void> write_mapping(PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped);
+  Result<void> follow_entries(const PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped);
+  void own(std::uint16_t index);
+  void changed(std::size_t position) noexcept;
+  std::uint8_t count(const PdoSettings& pdo) const noexcept;
+  std::uint16_t mapping_index(const PdoSettings& pdo) const noexcept;
+
+  Context& context_;
+  const Policy& policy_;
+  Direction direction_;
+  IdentifierUse& identifiers_;
+  Listener* listener_ = nullptr;
+  std::uint16_t communication_base_;
+  std::uint16_t mapping_base_;
+  std::vector<PdoSettings> pdos_;
+  std::array<std::uint16_t, 512> position_{};
+};
+
+}  // namespace canopen

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "bus/port.hpp"
+
+namespace fakes {
+
+/// A bus port in memory: what is sent is kept, what is received comes from a queue, and a rule says what is
+/// refused.
+class FakePort final : public bus::Port {
+ public:
+  /// Status of the send call with this number (0..); all are sent while no rule is set.
+  std::function<bus::SendStatus(std::size_t call)> rule;
+  std::vector<canopen::Frame> sent;    ///< frames the bus has taken
+  std::deque<canopen::Frame> arrived;  ///< frames that receive() will deliver
+  std::vector<bus::Filter> filters;    ///< as last asked for
+  std::size_t calls = 0;               ///< of send()
+  bus::ErrorState state = bus::ErrorState::Active;
+
+  bus::SendStatus send(const canopen::Frame& frame) noexcept override {
+    const bus::SendStatus status = rule ? rule(calls) : bus::SendStatus::Sent;
+    ++calls;
+    if (status == bus::SendStatus::Sent) sent.push_back(frame);
+    return status;
+  }
+  bus::Received receive(canopen::Frame& frame) noexcept override {
+    if (arrived.empty()) return {bus::Received::Nothing, state};
+    frame = arrived.front();
+    arrived.pop_front();
+    return {bus::Received::Frame, state};
+  }
+  bus::ErrorState error_state() const noexcept override { return state; }
+  std::uint64_t dropped() const noexcept override { return 0; }
+  int descriptor() const noexcept override { return -1; }
+  void accept_only(std::span<const bus::Filter> wanted) noexcept override {
+    filters.assign(wanted.begin(), wanted.end());
+  }
+};
+
+}  // namespace fakes
