@@ -1,0 +1,11 @@
+#pragma once
+
+#include "eds/catalogue.hpp"
+
+namespace eds {
+
+/// Checks what one row alone cannot show: structure of arrays and records, mandatory objects, PDO mappings.
+/// Throws CatalogueError, whose message names the object or entry and what was expected.
+void check_objects(const Catalogue& catalogue);
+
+}  // namespace eds

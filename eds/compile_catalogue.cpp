@@ -1,0 +1,70 @@
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "eds/catalogue.hpp"
+#include "eds/eds_writer.hpp"
+#include "eds/reference_writer.hpp"
+#include "eds/table_writer.hpp"
+
+namespace {
+
+constexpr const char* kUsage = "usage: compile_catalogue CATALOGUE [--table FILE] [--eds FILE] [--objects FILE]\n";
+
+/// An output that an option asks for.
+struct Output {
+  std::string_view option;
+  std::string (*write)(const eds::Catalogue&);
+};
+
+constexpr std::array kOutputs{
+    Output{"--table", eds::write_table},
+    Output{"--eds", eds::write_eds},
+    Output{"--objects", eds::write_reference},
+};
+
+std::string read_file(const std::string& path) {
+  std::ifstream file{path, std::ios::binary};
+  if (!file) throw std::runtime_error{path + ": cannot be read"};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream file{path, std::ios::binary};
+  file << text << std::flush;
+  if (!file) throw std::runtime_error{path + ": cannot be written"};
+}
+
+eds::Catalogue read_catalogue(const std::string& path) {
+  const std::string text = read_file(path);
+  try {
+    return eds::parse_catalogue(text);
+  } catch (const eds::CatalogueError& error) {
+    throw std::runtime_error{path + ": " + error.what()};
+  }
+}
+
+}  // namespace
+
+int main(int count, char** words) try {
+  const auto known = [](std::string_view word) {
+    for (const Output& output : kOutputs)
+      if (output.option == word) return &output;
+    return static_cast<const Output*>(nullptr);
+  };
+  bool usable = count >= 2 && count % 2 == 0;
+  for (int n = 2; usable && n < count; n += 2) usable = known(words[n]) != nullptr;
+  if (!usable) return std::fputs(kUsage, stderr), 2;
+
+  const eds::Catalogue catalogue = read_catalogue(words[1]);
+  for (int n = 2; n < count; n += 2) write_file(words[n + 1], known(words[n])->write(catalogue));
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,37 @@
+#include <algorithm>
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "tests/architecture/source_files.hpp"
+
+namespace architecture {
+namespace {
+
+constexpr std::size_t kLongest = 300;  // lines
+
+constexpr std::array<std::string_view, 11> kFolders{"libcanopen", "motor", "drive",   "device", "eds",  "bus",
+                                                    "daemon",     "tools", "preload", "tests",  "bench"};
+
+/// Tables, which are read by searching and not by reading, may be longer.
+constexpr std::array<std::string_view, 2> kTables{"drive/fault_table.cpp", "drive/parameter_table.cpp"};
+
+/// A line for every file that is too long.
+std::string too_long(std::string_view folder) {
+  std::string report;
+  for (const SourceFile& file : read_folder(SOURCE_FOLDER, folder))
+    if (file.lines.size() > kLongest && std::ranges::count(kTables, file.path) == 0)
+      report += file.path + ": " + std::to_string(file.lines.size()) + " lines\n";
+  return report;
+}
+
+TEST(Rooms, HaveAtMost300Lines) {
+  for (const std::string_view folder : kFolders) EXPECT_EQ(too_long(folder), "");
+}
+
+TEST(Rooms, AreFoundAtAll) {
+  EXPECT_FALSE(read_folder(SOURCE_FOLDER, "libcanopen").empty());
+}
+
+}  // namespace
+}  // namespace architecture

@@ -1,0 +1,33 @@
+#include "tests/architecture/source_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+namespace architecture {
+namespace {
+
+constexpr std::array<std::string_view, 4> kExtensions{".cpp", ".hpp", ".c", ".h"};
+
+std::vector<std::string> read_lines(const std::filesystem::path& path) {
+  std::vector<std::string> lines;
+  std::ifstream file{path};
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+std::vector<SourceFile> read_folder(const std::filesystem::path& root, std::string_view folder) {
+  std::vector<SourceFile> files;
+  if (!std::filesystem::is_directory(root / folder)) return files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{root / folder}) {
+    const bool source = std::ranges::count(kExtensions, entry.path().extension().string()) == 1;
+    if (!entry.is_regular_file() || !source) continue;
+    files.push_back({entry.path().lexically_relative(root).generic_string(), read_lines(entry.path())});
+  }
+  std::ranges::sort(files, {}, &SourceFile::path);
+  return files;
+}
+
+}  // namespace architecture
