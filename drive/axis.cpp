@@ -1,0 +1,280 @@
+#include "drive/axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drive/statusword.hpp"
+
+namespace drive {
+namespace {
+
+constexpr std::uint16_t kEnableOperationBit = 0x0008;
+constexpr std::uint16_t kAcknowledgeBit = 0x0080;
+constexpr std::uint16_t kHaltBit = 0x0100;
+
+constexpr std::uint16_t kLimitsCrossed = 7090;
+constexpr std::uint16_t kBlocked = 7900;
+constexpr std::uint16_t kOverspeed = 7901;
+constexpr std::uint16_t kConnectionAbort = 8700;
+
+constexpr std::int32_t kHaltWithPulsesOff = 0;
+
+/// p8641 by value: the reaction to F08700.
+constexpr std::array kAbortReactions{Reaction::None, Reaction::Off1, Reaction::Off2, Reaction::Off3};
+
+struct ReactionRow {
+  Reaction reaction;
+  Event event;
+};
+constexpr std::array kReactionEvents{
+    ReactionRow{Reaction::Off1, Event::FaultOff1}, ReactionRow{Reaction::Off2, Event::FaultOff2},
+    ReactionRow{Reaction::Off3, Event::FaultOff3},
+    ReactionRow{Reaction::Encoder, Event::FaultOff2},  // p0491 of a new unit
+};
+
+bool halt_requested(std::uint16_t controlword, const AxisParameters& parameters) noexcept {
+  return (controlword & kHaltBit) != 0 && parameters.halt_option >= 0;
+}
+
+/// The controlword with a halt by option code 0 expressed as a missing operation enable.
+std::uint16_t effective(std::uint16_t controlword, const AxisParameters& parameters) noexcept {
+  const bool pulses_off = halt_requested(controlword, parameters) && parameters.halt_option == kHaltWithPulsesOff;
+  return pulses_off ? static_cast<std::uint16_t>(controlword & ~kEnableOperationBit) : controlword;
+}
+
+}  // namespace
+
+Axis::Axis(const AxisConfiguration& configuration) noexcept
+    : configuration_{configuration},
+      parameters_{commissioned_parameters(configuration.machine, configuration.load)},
+      train_{configuration.machine, configuration.load} {
+  counts_to_speed_ = 2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine);
+  apply_parameters();
+}
+
+void Axis::apply_parameters() noexcept {
+  const AxisParameters& p = parameters_;
+  const double highest = configuration_.machine.maximum_torque;
+  speed_limit_ = std::min(p.maximum_speed, p.motor_maximum_speed);
+  torque_limits_ = {std::min(p.upper_torque_limit, highest), std::max(p.lower_torque_limit, -highest)};
+  const double off1 = ramp_slope(p.maximum_speed, p.ramp_down_time);
+  const double off3 = ramp_slope(p.maximum_speed, p.off3_ramp_down_time);
+  slopes_ = {RampSlopes{ramp_slope(p.maximum_speed, p.ramp_up_time), off1}, RampSlopes{off1, off1},
+             RampSlopes{off3, off3}, RampSlopes{}};
+  train_.tune({p.speed_gain, p.speed_integral_time});
+  settled_ = false;
+}
+
+void Axis::cycle(const Setpoints& setpoints, double duration) noexcept {
+  const ActualValues before = actual_;
+  sequence(setpoints.controlword, duration);
+  select_ramp(setpoints);
+  move(duration);
+  monitor(duration);
+  refresh_status();
+  settled_ = actual_ == before;
+}
+
+void Axis::sequence(std::uint16_t controlword, double duration) noexcept {
+  const bool acknowledgement = (controlword & ~controlword_ & kAcknowledgeBit) != 0;
+  controlword_ = controlword;
+  if (apply(Event::Initialised)) return;
+  if (acknowledgement) {
+    const State before = state_;
+    acknowledge();
+    if (state_ != before) return;  // Switch on disabled is seen for a cycle, whatever else the word says
+  }
+  apply(command_of(effective(controlword, parameters_)));
+  if (is_braking(state_)) check_standstill(duration);
+}
+
+void Axis::check_standstill(double duration) noexcept {
+  const StandstillMonitor::Limits limits{parameters_.standstill_threshold, parameters_.standstill_monitoring_time,
+                                         parameters_.pulse_suppression_delay};
+  if (standstill_.update(duration, actual_.speed, ramp_generator_.output(), limits)) apply(Event::Standstill);
+}
+
+bool Axis::apply(Event event) noexcept {
+  const Transition* row = find_transition(state_, event);
+  if (row == nullptr) return false;
+  if (row->to != row->from) standstill_.restart();
+  state_ = row->to;
+  perform(row->action);
+  return true;
+}
+
+void Axis::perform(Action action) noexcept {
+  switch (action) {
+    case Action::None:
+      break;
+    case Action::EnablePulses:
+      ramp_generator_.start(train_.signals().measured_speed);
+      ramp_ = Ramp::Setpoint;
+      break;
+    case Action::InhibitPulses:
+      ramp_generator_.start(0.0);
+      ramp_ = Ramp::Setpoint;
+      break;
+    case Action::FollowSetpoint:
+      ramp_ = Ramp::Setpoint;
+      break;
+    case Action::BrakeOnOff1:
+      brake_on(Ramp::Off1);
+      break;
+    case Action::BrakeOnOff3:
+      brake_on(Ramp::Off3);
+      break;
+  }
+}
+
+void Axis::brake_on(Ramp ramp) noexcept {
+  if (ramp_ == ramp) return;
+  ramp_ = ramp;
+  // A motor that has not yet reached its setpoint brakes from where it is instead of speeding up first.
+  const double speed = train_.signals().measured_speed;
+  const double setpoint = ramp_generator_.output();
+  const bool ahead = setpoint * speed < 0.0 || std::abs(setpoint) > std::abs(speed);
+  if (ahead) ramp_generator_.start(speed);
+}
+
+void Axis::select_ramp(const Setpoints& setpoints) noexcept {
+  static constexpr std::array kHaltRamps{Ramp::Setpoint, Ramp::Off1, Ramp::Off3, Ramp::TorqueLimit};
+  target_ = 0.0;
+  if (state_ != State::OperationEnabled) return;
+  if (halt_requested(setpoints.controlword, parameters_)) {
+    brake_on(kHaltRamps[static_cast<std::size_t>(parameters_.halt_option)]);
+    return;
+  }
+  ramp_ = Ramp::Setpoint;
+  target_ = std::clamp(setpoints.speed, -speed_limit_, speed_limit_);
+}
+
+void Axis::move(double duration) noexcept {
+  const int steps = std::max(1, static_cast<int>(duration / motor::kControlPeriod + 0.5));
+  const RampSlopes slopes = slopes_[static_cast<std::size_t>(ramp_)];
+  motor::Command command{pulses_enabled_in(state_), 0.0, torque_limits_};
+  double torque_demand = 0.0;
+  double torque = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    if (command.pulses_enabled)
+      command.speed_setpoint = ramp_generator_.step(motor::kControlPeriod, target_, slopes);
+    train_.step(motor::kControlPeriod, command);
+    torque_demand += train_.signals().torque_setpoint;
+    torque += train_.signals().torque;
+  }
+  const std::int64_t counts = train_.signals().encoder_counts;
+  const double moved = static_cast<double>(counts - actual_.encoder_counts);
+  actual_.speed = moved * counts_to_speed_ / (steps * motor::kControlPeriod);
+  actual_.torque_demand = torque_demand / steps;
+  actual_.torque = torque / steps;
+  actual_.encoder_counts = counts;
+  actual_.encoder_position = static_cast<std::int32_t>(static_cast<std::uint32_t>(counts));
+}
+
+void Axis::monitor(double duration) noexcept {
+  const AxisParameters& p = parameters_;
+  target_reached_ = target_monitor_.update(duration, target_ - actual_.speed,
+                                           {p.target_window, p.target_hysteresis, p.target_off_delay});
+  const bool should_turn = pulses_enabled_in(state_) && std::abs(ramp_generator_.output()) > 0.0;
+  const bool stuck =
+      should_turn && train_.signals().torque_limit_reached && std::abs(actual_.speed) < p.blocked_speed_threshold;
+  monitor_fault(kBlocked, blocked_.update(duration, stuck, p.blocked_delay));
+  monitor_fault(kOverspeed, std::abs(actual_.speed) > speed_limit_ + p.overspeed_hysteresis);
+  monitor_fault(kLimitsCrossed, p.upper_torque_limit < p.lower_torque_limit);
+}
+
+void Axis::monitor_fault(std::uint16_t number, bool cause) noexcept {
+  if (!cause && messages_.faults().empty()) return;
+  const FaultRow* row = find_fault(number);
+  if (!cause) return messages_.withdraw(*row);
+  messages_.enter(*row, 0, Cause::Present);
+  react(*row);
+}
+
+void Axis::react(const FaultRow& row) noexcept {
+  const bool abort = row.number == kConnectionAbort;
+  const Reaction reaction =
+      abort ? kAbortReactions[static_cast<std::size_t>(parameters_.abort_connection_option)] : row.reaction;
+  for (const ReactionRow& candidate : kReactionEvents)
+    if (candidate.reaction == reaction) apply(candidate.event);
+}
+
+void Axis::refresh_status() noexcept {
+  const bool pulses = pulses_enabled_in(state_);
+  actual_.state = state_;
+  actual_.pulses_enabled = pulses;
+  actual_.speed_demand = ramp_generator_.output();
+  actual_.statusword =
+      statusword(state_, {.controlword = controlword_,
+                          .fault = !messages_.faults().empty(),
+                          .alarm = !messages_.alarms().empty(),
+                          .target_reached = target_reached_,
+                          .torque_limit_reached = pulses && train_.signals().torque_limit_reached,
+                          .speed_zero = std::abs(actual_.speed) < parameters_.zero_speed_threshold});
+}
+
+bool Axis::is_quiescent() const noexcept {
+  return settled_ && !pulses_enabled_in(state_) && train_.rests();
+}
+
+void Axis::power_off() noexcept {
+  messages_.clear();
+  state_ = State::SwitchOnDisabled;
+  perform(Action::InhibitPulses);
+  controlword_ = 0;
+  refresh_status();
+  settled_ = false;
+}
+
+tl::expected<void, FaultError> Axis::raise(std::uint16_t number, std::uint32_t value, Cause cause) noexcept {
+  const FaultRow* row = find_fault(number);
+  if (row == nullptr) return tl::unexpected{FaultError::Unknown};
+  if (row->scope == Scope::ControlUnit) return tl::unexpected{FaultError::NotOnThisAxis};
+  messages_.enter(*row, value, cause);
+  react(*row);
+  refresh_status();
+  settled_ = false;
+  return {};
+}
+
+void Axis::withdraw(std::uint16_t number) noexcept {
+  const FaultRow* row = find_fault(number);
+  if (row == nullptr) return;
+  messages_.withdraw(*row);
+  refresh_status();
+  settled_ = false;
+}
+
+bool Axis::acknowledge() noexcept {
+  if (state_ == State::FaultReactionActive) return false;
+  const bool none_left = messages_.acknowledge(pulses_enabled_in(state_));
+  if (none_left) apply(Event::Acknowledged);
+  refresh_status();
+  settled_ = false;
+  return none_left;
+}
+
+void Axis::set_load_torque(double torque) noexcept {
+  train_.set_load_torque(torque);
+  settled_ = false;
+}
+
+tl::expected<double, ParameterError> Axis::read(std::uint16_t number) const noexcept {
+  return drive::read(parameters_, number);
+}
+
+tl::expected<void, ParameterError> Axis::write(std::uint16_t number, double value) noexcept {
+  const ParameterRow* row = find_parameter(number);
+  if (row != nullptr && row->access == Access::PulsesOff && pulses_enabled_in(state_))
+    return tl::unexpected{ParameterError{ParameterError::Reason::PulsesEnabled, number, row}};
+  const auto written = drive::write(parameters_, number, value);
+  if (written) apply_parameters();
+  return written;
+}
+
+void Axis::restore_parameters() noexcept {
+  parameters_ = commissioned_parameters(configuration_.machine, configuration_.load);
+  apply_parameters();
+}
+
+}  // namespace drive

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace drive {
+
+/// A fault switches the axis off and waits for an acknowledgement; an alarm comes and goes with its cause.
+enum class Kind : std::uint8_t { Fault, Alarm };
+
+/// Drive objects on which a message can appear.
+enum class Scope : std::uint8_t { Axis, ControlUnit, Both };
+
+/// What a fault does to the motor.
+enum class Reaction : std::uint8_t {
+  None,
+  Off1,     ///< ramp down on p1121, then pulses off
+  Off2,     ///< pulses off at once
+  Off3,     ///< ramp down on p1135, then pulses off
+  Encoder,  ///< p0491, from the factory OFF2
+};
+
+/// When an acknowledgement removes a fault.
+enum class Acknowledge : std::uint8_t {
+  None,          ///< an alarm
+  Immediately,   ///< as soon as the cause is gone
+  PulseInhibit,  ///< only with the pulses off
+  PowerOn,       ///< only by switching the unit off and on
+};
+
+/// One fault or alarm.
+struct FaultRow {
+  std::uint16_t number;
+  Kind kind;
+  Scope scope;
+  Reaction reaction;
+  Acknowledge acknowledge;
+  std::uint16_t emcy_code;      ///< 0 = no EMCY
+  std::uint8_t error_register;  ///< bits it sets in 1001h
+  std::string_view name;
+};
+
+/// Every fault and alarm of the unit, ascending by number.
+std::span<const FaultRow> fault_rows() noexcept;
+
+/// The row of @p number, or nullptr; numbers are unique over faults and alarms.
+const FaultRow* find_fault(std::uint16_t number) noexcept;
+
+/// "F07900" or "A08751".
+std::string fault_text(const FaultRow& row);
+
+}  // namespace drive
