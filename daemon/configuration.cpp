@@ -1,0 +1,191 @@
+#include "daemon/configuration.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "daemon/json_reader.hpp"
+#include "drive/parameter_table.hpp"
+
+namespace axisd {
+namespace {
+
+constexpr int kFirstNodeId = 1;
+constexpr int kLastNodeId = 127;
+constexpr std::size_t kMaximumAxes = 1;
+constexpr std::size_t kLongestInterface = 15;  // IFNAMSIZ without its final zero
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+constexpr double kHighestTorque = 1e6;  // N·m
+
+struct MotorPreset {
+  std::string_view name;
+  motor::MachineData data;
+};
+constexpr std::array kMotorPresets{MotorPreset{"1fk7063", motor::MachineData{}}};
+
+std::string read_file(const std::string& name) {
+  std::ifstream file{name};
+  if (!file) throw ConfigurationError{fmt::format("{}: cannot be read: {}", name, std::strerror(errno))};
+  std::string text{std::istreambuf_iterator<char>{file}, {}};
+  if (file.bad() || errno == EISDIR) throw ConfigurationError{fmt::format("{}: cannot be read", name)};
+  return text;
+}
+
+/// A key of a motor file and where its value belongs; the factor makes the unit in the key an SI unit.
+struct MotorKey {
+  const char* key;
+  double motor::MachineData::*member;
+  double factor;
+};
+constexpr std::array kMotorKeys{
+    MotorKey{"rated_speed_rpm", &motor::MachineData::rated_speed, motor::kRpm},
+    MotorKey{"maximum_speed_rpm", &motor::MachineData::maximum_speed, motor::kRpm},
+    MotorKey{"rated_torque_Nm", &motor::MachineData::rated_torque, 1.0},
+    MotorKey{"maximum_torque_Nm", &motor::MachineData::maximum_torque, 1.0},
+    MotorKey{"inertia_kgm2", &motor::MachineData::inertia, 1.0},
+};
+
+motor::MachineData read_motor_file(const std::string& name) {
+  const JsonReader json = JsonReader::parse(read_file(name), name);
+  json.expect_object(
+      {"rated_speed_rpm", "maximum_speed_rpm", "rated_torque_Nm", "maximum_torque_Nm", "inertia_kgm2"});
+  motor::MachineData data;
+  for (const MotorKey& row : kMotorKeys) {
+    constexpr double kSmallest = 1e-9;
+    if (json.has(row.key)) data.*row.member = row.factor * json.at(row.key).number(kSmallest, kUnlimited);
+  }
+  return data;
+}
+
+motor::MachineData read_motor(const JsonReader& json) {
+  const std::string motor = json.text();
+  for (const MotorPreset& preset : kMotorPresets) {
+    if (preset.name == motor) return preset.data;
+  }
+  if (motor.find_first_of("./") == std::string::npos)
+    json.fail("a motor preset (1fk7063) or the path of a motor file");
+  return read_motor_file(motor);
+}
+
+void read_load_torque(const JsonReader& json, motor::Load& load) {
+  if (!json.is_object()) {
+    load.constant_torque = json.number(-kHighestTorque, kHighestTorque);
+    return;
+  }
+  if (!json.has("type")) json.fail("a number (N·m) or an object with the key type");
+  const std::string type = json.at("type").text();
+  if (type == "hoist") {
+    json.expect_object({"type", "mass", "radius"});
+    for (const char* const key : {"mass", "radius"}) {
+      if (!json.has(key)) json.fail(fmt::format("the key {}", key));
+    }
+    load.constant_torque =
+        motor::hoist_torque(json.at("mass").number(0, kUnlimited), json.at("radius").number(0, kUnlimited));
+  } else if (type == "fan") {
+    json.expect_object({"type", "coefficient"});
+    if (!json.has("coefficient")) json.fail("the key coefficient (N·m·s²)");
+    load.fan_coefficient = json.at("coefficient").number(0, kUnlimited);
+  } else {
+    json.at("type").fail("hoist or fan");
+  }
+}
+
+motor::Load read_load(const JsonReader& json) {
+  json.expect_object({"inertia", "friction", "torque"});
+  motor::Load load;
+  if (json.has("inertia")) load.inertia = json.at("inertia").number(0, kUnlimited);
+  if (json.has("friction")) {
+    const JsonReader friction = json.at("friction");
+    friction.expect_object({"coulomb", "viscous"});
+    if (friction.has("coulomb")) load.coulomb_friction = friction.at("coulomb").number(0, kUnlimited);
+    if (friction.has("viscous")) load.viscous_friction = friction.at("viscous").number(0, kUnlimited);
+  }
+  if (json.has("torque")) read_load_torque(json.at("torque"), load);
+  return load;
+}
+
+ParameterValue read_parameter(const JsonReader& json, const std::string& text) {
+  const drive::ParameterRow* const row = drive::find_parameter(text);
+  if (row == nullptr) json.fail("a parameter of the axis such as p1120 as key");
+  const double value = json.number(-kUnlimited, kUnlimited);
+  drive::AxisParameters trial;
+  if (const auto written = drive::write(trial, row->number, value); !written)
+    json.fail(drive::message(written.error()));
+  return {row->number, value};
+}
+
+AxisConfiguration read_axis(const JsonReader& json) {
+  json.expect_object({"name", "type", "motor", "load", "parameters"});
+  AxisConfiguration axis;
+  if (json.has("name")) axis.name = json.at("name").text();
+  if (json.has("type") && json.at("type").text() != "servo") json.at("type").fail("servo");
+  if (json.has("motor")) axis.machine = read_motor(json.at("motor"));
+  if (json.has("load")) axis.load = read_load(json.at("load"));
+  if (!json.has("parameters")) return axis;
+  const JsonReader parameters = json.at("parameters");
+  if (!parameters.is_object()) parameters.fail("an object");
+  for (const std::string& text : parameters.keys())
+    axis.parameters.push_back(read_parameter(parameters.at(text), text));
+  return axis;
+}
+
+bool is_interface_name(const std::string& name) {
+  return !name.empty() && name.size() <= kLongestInterface && name.find_first_of("/ \t\n") == std::string::npos;
+}
+
+void override_with(Configuration& configuration, const Options& options) {
+  if (options.interface) configuration.interface = *options.interface;
+  if (options.node_id) configuration.node_id = *options.node_id;
+  if (!is_interface_name(configuration.interface)) {
+    throw ConfigurationError{
+        fmt::format("--interface: expected a name of 1 to {} characters without spaces, got \"{}\"",
+                    kLongestInterface, configuration.interface)};
+  }
+  if (configuration.node_id < kFirstNodeId || configuration.node_id > kLastNodeId) {
+    throw ConfigurationError{fmt::format("--node-id: expected an integer {} to {}, got {}", kFirstNodeId,
+                                         kLastNodeId, configuration.node_id)};
+  }
+  if (options.axes && *options.axes != 1) {
+    throw ConfigurationError{fmt::format("--axes: expected 1 in this version, got {}", *options.axes)};
+  }
+}
+
+}  // namespace
+
+Configuration parse_configuration(std::string_view text, const std::string& file) {
+  const JsonReader json = JsonReader::parse(text, file);
+  json.expect_object({"interface", "node_id", "axes", "sdo_block", "f08701"});
+  Configuration configuration;
+  if (json.has("interface")) {
+    configuration.interface = json.at("interface").text();
+    if (!is_interface_name(configuration.interface))
+      json.at("interface").fail("a name of 1 to 15 characters without spaces");
+  }
+  if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
+  if (json.has("sdo_block") && json.at("sdo_block").boolean()) {
+    json.at("sdo_block").fail("false (this version has no SDO block transfer)");
+  }
+  if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
+  if (!json.has("axes")) return configuration;
+  const JsonReader axes = json.at("axes");
+  axes.expect_array(1, kMaximumAxes);
+  configuration.axes.clear();
+  for (std::size_t i = 0; i < axes.size(); ++i) configuration.axes.push_back(read_axis(axes.at(i)));
+  return configuration;
+}
+
+Configuration load_configuration(const Options& options) {
+  Configuration configuration;
+  if (!options.config_file.empty()) {
+    configuration = parse_configuration(read_file(options.config_file), options.config_file);
+  }
+  override_with(configuration, options);
+  return configuration;
+}
+
+}  // namespace axisd

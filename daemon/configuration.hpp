@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/options.hpp"
+#include "motor/load.hpp"
+#include "motor/machine_data.hpp"
+
+namespace axisd {
+
+/// The configuration cannot be used; the message names file, key path and what was expected, in one line.
+struct ConfigurationError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A value for a parameter, in the parameter's own unit.
+struct ParameterValue {
+  std::uint16_t number;
+  double value;
+};
+
+/// One axis of the unit.
+struct AxisConfiguration {
+  std::string name = "X";
+  motor::MachineData machine;
+  motor::Load load;
+  std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis
+};
+
+/// The whole unit: defaults, then the file, then the command line.
+struct Configuration {
+  std::string interface = "vcan0";
+  int node_id = 2;
+  std::vector<AxisConfiguration> axes{AxisConfiguration{}};
+  bool fault_on_leaving_operational = true;  ///< key "f08701"
+};
+
+/// Reads @p text, the content of configuration file @p file; throws ConfigurationError.
+Configuration parse_configuration(std::string_view text, const std::string& file);
+
+/// The configuration that @p options ask for; reads the file they name. Throws ConfigurationError.
+Configuration load_configuration(const Options& options);
+
+}  // namespace axisd

@@ -1,0 +1,101 @@
+#include "daemon/control_methods.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "daemon/control_protocol.hpp"
+#include "daemon/daemon.hpp"
+#include "daemon/status.hpp"
+
+namespace axisd {
+namespace {
+
+using nlohmann::json;
+using Outcome = tl::expected<json, std::string>;
+
+constexpr double kHighestTorque = 1e6;  // N·m
+
+tl::unexpected<std::string> refuse(std::string message) {
+  return tl::unexpected{std::move(message)};
+}
+
+/// An integer from @p low to @p high under @p key of @p params.
+tl::expected<int, std::string> integer(const json& params, const char* key, int low, int high) {
+  const auto found = params.find(key);
+  const bool fits = found != params.end() && found->is_number_integer() && *found >= low && *found <= high;
+  if (fits) return found->get<int>();
+  const std::string expected = low == high ? std::to_string(low) : fmt::format("an integer {} to {}", low, high);
+  return refuse(
+      fmt::format("{}: expected {}, got {}", key, expected, found == params.end() ? "nothing" : found->dump()));
+}
+
+tl::expected<int, std::string> axis(const Daemon&, const json& params) {
+  return integer(params, "axis", 1, 1);
+}
+
+Outcome status(Daemon& daemon, const json&) {
+  return status_of(daemon);
+}
+
+Outcome inject_fault(Daemon& daemon, const json& params) {
+  const auto number = integer(params, "number", 1, 65535);
+  if (const auto known = axis(daemon, params); !known) return refuse(known.error());
+  if (!number) return refuse(number.error());
+  const auto raised = daemon.raise(static_cast<std::uint16_t>(*number));
+  if (raised) return json::object();
+  const bool unknown = raised.error() == drive::FaultError::Unknown;
+  return refuse(
+      fmt::format("number: {} is {}", *number,
+                  unknown ? "no fault or alarm of the unit" : "a message of the control unit, not of an axis"));
+}
+
+Outcome acknowledge_fault(Daemon& daemon, const json& params) {
+  if (const auto known = axis(daemon, params); !known) return refuse(known.error());
+  if (!daemon.acknowledge())
+    return refuse("a fault is left: its cause is still there, or the axis is still braking");
+  return json::object();
+}
+
+Outcome set_load(Daemon& daemon, const json& params) {
+  if (const auto known = axis(daemon, params); !known) return refuse(known.error());
+  const auto torque = params.find("torque_Nm");
+  if (torque == params.end() || !torque->is_number() || !(std::abs(torque->get<double>()) <= kHighestTorque)) {
+    return refuse(fmt::format("torque_Nm: expected a number -{0} to {0}, got {1}", kHighestTorque,
+                              torque == params.end() ? "nothing" : torque->dump()));
+  }
+  daemon.set_load_torque(torque->get<double>());
+  return json::object();
+}
+
+Outcome quit(Daemon& daemon, const json&) {
+  daemon.stop();
+  return json::object();
+}
+
+/// What each method does, in the order of control::Method.
+using Function = Outcome (*)(Daemon&, const json& params);
+constexpr std::array<Function, control::kMethods.size()> kFunctions{&status, &inject_fault, &acknowledge_fault,
+                                                                    &set_load, &quit};
+
+Outcome call(Daemon& daemon, const control::Request& request) {
+  const auto method = control::method_named(request.method);
+  if (!method) {
+    std::string known;
+    for (const auto& row : control::kMethods) known += fmt::format("{}{}", known.empty() ? "" : ", ", row.name);
+    return refuse(fmt::format("method: expected one of {}, got \"{}\"", known, request.method));
+  }
+  return kFunctions[static_cast<std::size_t>(*method)](daemon, request.params);
+}
+
+}  // namespace
+
+std::string answer_request(Daemon& daemon, std::string_view line) {
+  const auto request = control::parse_request(line);
+  if (!request) return control::error_line(nullptr, request.error());
+  const Outcome outcome = call(daemon, *request);
+  return outcome ? control::result_line(request->id, *outcome) : control::error_line(request->id, outcome.error());
+}
+
+}  // namespace axisd

@@ -1,0 +1,121 @@
+#include "daemon/control_server.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <sys/epoll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "daemon/control_protocol.hpp"
+#include "daemon/instance_lock.hpp"
+
+namespace axisd {
+namespace {
+
+constexpr std::size_t kMostClients = 64;
+constexpr std::size_t kMostUnreadOutput = std::size_t{1} << 20;
+constexpr int kBacklog = 16;
+
+InstanceError failure(const std::string& path, std::string_view what) {
+  return InstanceError{fmt::format("control socket {}: {}", path, what)};
+}
+
+/// True if a server answers at @p address; a socket left behind by a killed one refuses.
+bool is_served(const sockaddr_un& address) {
+  const bus::Descriptor probe{socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  return connect(probe.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+}
+
+bool is_socket(const std::string& path) {
+  struct stat status {};
+  return lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode);
+}
+
+bus::Descriptor listen_at(const std::string& path) {
+  const auto address = control::socket_address(path);
+  if (!address) throw failure(path, address.error());
+  if (is_socket(path)) {
+    if (is_served(*address)) throw failure(path, "another axisd serves it");
+    unlink(path.c_str());
+  }
+  bus::Descriptor descriptor{socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  const mode_t previous = umask(0177);  // mode 0600 from the first moment
+  const int bound = bind(descriptor.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address);
+  const int reason = errno;
+  umask(previous);
+  if (bound != 0) throw failure(path, std::strerror(reason));
+  if (listen(descriptor.get(), kBacklog) != 0) throw failure(path, std::strerror(errno));
+  return descriptor;
+}
+
+}  // namespace
+
+ControlServer::ControlServer(ServiceEvents& events, std::string path, Answer answer)
+    : events_{events}, path_{std::move(path)}, answer_{std::move(answer)}, listener_{listen_at(path_)} {
+  source_ = events_.watch(listener_.get(), EPOLLIN, &ControlServer::on_connection, this);
+}
+
+ControlServer::~ControlServer() {
+  unlink(path_.c_str());
+}
+
+int ControlServer::on_connection(sd_event_source*, int, std::uint32_t, void* self) noexcept {
+  static_cast<ControlServer*>(self)->accept();
+  return 0;
+}
+
+int ControlServer::on_client(sd_event_source*, int, std::uint32_t events, void* client) noexcept {
+  auto& known = *static_cast<Client*>(client);
+  if (!known.server->serve(known, events)) known.server->close(known);
+  return 0;
+}
+
+void ControlServer::accept() {
+  bus::Descriptor descriptor{accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK)};
+  if (!descriptor || clients_.size() >= kMostClients) return;
+  Client& client = clients_.emplace_back(Client{this, std::move(descriptor), nullptr, {}, {}});
+  client.source = events_.watch(client.descriptor.get(), EPOLLIN, &ControlServer::on_client, &client);
+}
+
+void ControlServer::close(const Client& client) {
+  clients_.remove_if([&](const Client& known) { return &known == &client; });
+}
+
+/// False if the client is to be closed.
+bool ControlServer::serve(Client& client, std::uint32_t events) {
+  if ((events & EPOLLOUT) != 0) return flush(client);
+  return read(client);
+}
+
+bool ControlServer::read(Client& client) {
+  std::array<char, 4096> chunk;
+  const ssize_t got = recv(client.descriptor.get(), chunk.data(), chunk.size(), 0);
+  if (got <= 0) return got < 0 && (errno == EAGAIN || errno == EINTR);
+  client.input.append(chunk.data(), static_cast<std::size_t>(got));
+  for (std::size_t end = client.input.find('\n'); end != std::string::npos; end = client.input.find('\n')) {
+    client.output += answer_(std::string_view{client.input}.substr(0, end));
+    client.input.erase(0, end + 1);
+  }
+  const bool too_long = client.input.size() >= control::kMaximumLine;
+  if (too_long) {
+    client.output +=
+        control::error_line(nullptr, fmt::format("a request is longer than {} bytes", control::kMaximumLine));
+  }
+  return flush(client) && !too_long;
+}
+
+bool ControlServer::flush(Client& client) const {
+  const ssize_t sent = send(client.descriptor.get(), client.output.data(), client.output.size(), MSG_NOSIGNAL);
+  if (sent < 0 && errno != EAGAIN && errno != EINTR) return false;
+  if (sent > 0) client.output.erase(0, static_cast<std::size_t>(sent));
+  if (client.output.size() > kMostUnreadOutput) return false;
+  // A client that does not read its answers is asked for no more requests until it does.
+  sd_event_source_set_io_events(client.source.get(), client.output.empty() ? EPOLLIN : EPOLLOUT);
+  return true;
+}
+
+}  // namespace axisd

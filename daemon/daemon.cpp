@@ -1,0 +1,179 @@
+#include "daemon/daemon.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include <poll.h>
+#include <sys/epoll.h>
+#include <systemd/sd-daemon.h>
+
+#include "daemon/clock.hpp"
+#include "daemon/control_methods.hpp"
+
+namespace axisd {
+namespace {
+
+constexpr canopen::Duration kForeignFrameLogPeriod = std::chrono::seconds{10};
+constexpr std::size_t kMostSubscriptions = 600;
+
+device::Configuration device_configuration(const Configuration& configuration) {
+  const AxisConfiguration& axis = configuration.axes.front();
+  device::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
+                               .axis = {.machine = axis.machine, .load = axis.load},
+                               .fault_on_leaving_operational = configuration.fault_on_leaving_operational};
+  for (const ParameterValue& parameter : axis.parameters)
+    result.presets.push_back({parameter.number, parameter.value});
+  return result;
+}
+
+constexpr std::string_view name_of(bus::ErrorState state) noexcept {
+  constexpr std::array<std::string_view, 4> kNames{"error active", "error warning", "error passive", "bus-off"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+}  // namespace
+
+Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& state_root,
+               const std::string& control, const Log& log)
+    : configuration_{configuration},
+      log_{log},
+      started_{read_clock()},
+      lock_{state_root, configuration.interface, configuration.node_id},
+      link_{configuration.interface},
+      port_{configuration.interface},
+      queue_{port_},
+      device_{device_configuration(configuration), queue_, *this},
+      events_{[this] { stop(); }},
+      load_torque_{configuration.axes.front().load.constant_torque} {
+  filters_.reserve(kMostSubscriptions);
+  link_source_ = events_.watch(link_.descriptor(), EPOLLIN, &Daemon::on_link, this);
+  if (!control.empty()) {
+    control_.emplace(events_, control, [this](std::string_view line) { return answer_request(*this, line); });
+  }
+  log_receive_buffer();
+}
+
+void Daemon::log_receive_buffer() const {
+  const std::size_t got = port_.receive_buffer() / 2;  // the kernel counts its overhead as much again
+  if (got < bus::SocketCan::kReceiveBuffer) {
+    log_.warning("{}: receive buffer of {} bytes instead of {}: raise net.core.rmem_max", configuration_.interface,
+                 got, bus::SocketCan::kReceiveBuffer);
+  } else {
+    log_.info("{}: receive buffer of {} bytes", configuration_.interface, got);
+  }
+}
+
+void Daemon::run() {
+  if (link_.state() == bus::LinkState::Up) {
+    link_up();
+  } else {
+    log_.notice("{} is down: waiting until it is up", configuration_.interface);
+    sd_notifyf(0, "STATUS=%s is down", configuration_.interface.c_str());
+  }
+  events_.dispatch();
+  while (!stopping_) turn();
+  sd_notify(0, "STOPPING=1\nSTATUS=");
+  log_.info("power-off");
+}
+
+void Daemon::turn() noexcept {
+  timer_.wake_by(std::min(device_.next_deadline(), queue_.next_retry()));
+  const bool listens = link_is_up_ && queue_.accepts_input();
+  std::array<pollfd, 3> wait{pollfd{listens ? port_.descriptor() : -1, POLLIN, 0},
+                             pollfd{timer_.descriptor(), POLLIN, 0}, pollfd{events_.descriptor(), POLLIN, 0}};
+  if (ppoll(wait.data(), wait.size(), nullptr, nullptr) <= 0) return;
+  const canopen::TimePoint now = read_clock();
+  queue_.retry(now);
+  if (wait[0].revents != 0) receive(now);
+  if (wait[1].revents != 0) timer_.acknowledge();
+  if (device_.next_deadline() <= now && link_is_up_) device_.on_time(now);
+  if (!ready_told_) tell_ready();
+  if (wait[2].revents != 0) events_.dispatch();
+}
+
+void Daemon::receive(canopen::TimePoint now) noexcept {
+  canopen::Frame frame;
+  switch (const bus::Received received = port_.receive(frame); received.kind) {
+    case bus::Received::Frame:
+      ++received_;
+      device_.on_frame(frame, now);
+      break;
+    case bus::Received::Error:
+      log_.warning("{}: {}", configuration_.interface, name_of(received.state));
+      break;
+    case bus::Received::Down:
+      link_down();
+      break;
+    case bus::Received::Nothing:
+      break;
+  }
+}
+
+void Daemon::tell_ready() noexcept {
+  if (!link_is_up_ || queue_.waiting() != 0) return;  // the boot-up frame has to be out
+  ready_told_ = true;
+  log_.info("ready: node {} on {}", configuration_.node_id, configuration_.interface);
+  sd_notifyf(0, "READY=1\nSTATUS=node %d on %s", configuration_.node_id, configuration_.interface.c_str());
+}
+
+int Daemon::on_link(sd_event_source*, int, std::uint32_t, void* self) noexcept {
+  auto& daemon = *static_cast<Daemon*>(self);
+  if (const auto state = daemon.link_.read()) {
+    daemon.link_down();
+    if (*state == bus::LinkState::Up) daemon.link_up();
+  }
+  return 0;
+}
+
+void Daemon::link_up() noexcept {
+  if (!port_.reopen()) return;
+  link_is_up_ = true;
+  queue_.discard();
+  const canopen::TimePoint now = read_clock();
+  queue_.retry(now);
+  device_.start(now);
+  if (ready_told_) log_.notice("{} is up again", configuration_.interface);
+  tell_ready();
+}
+
+void Daemon::link_down() noexcept {
+  if (!link_is_up_) return;
+  link_is_up_ = false;
+  queue_.discard();
+  log_.warning("{} is down: waiting until it is up", configuration_.interface);
+}
+
+void Daemon::on_subscriptions_changed() noexcept {
+  filters_.clear();
+  for (const std::uint32_t identifier : device_.subscriptions()) filters_.push_back({.identifier = identifier});
+  port_.accept_only(filters_);
+}
+
+void Daemon::on_foreign_frame(std::uint32_t identifier) noexcept {
+  ++foreign_frames_;
+  const canopen::TimePoint now = read_clock();
+  if (foreign_frames_ != 1 && now - foreign_logged_ < kForeignFrameLogPeriod) return;
+  foreign_logged_ = now;
+  log_.warning("{}: identifier {:03X}h came from another station: duplicate node-ID {}?", configuration_.interface,
+               identifier, configuration_.node_id);
+}
+
+tl::expected<void, drive::FaultError> Daemon::raise(std::uint16_t number) noexcept {
+  return device_.raise(number, read_clock());
+}
+
+bool Daemon::acknowledge() noexcept {
+  return device_.acknowledge(read_clock());
+}
+
+void Daemon::set_load_torque(double torque) noexcept {
+  load_torque_ = torque;
+  device_.set_load_torque(torque, read_clock());
+}
+
+double Daemon::uptime_s() const noexcept {
+  return std::chrono::duration<double>(read_clock() - started_).count();
+}
+
+}  // namespace axisd

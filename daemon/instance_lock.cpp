@@ -1,0 +1,63 @@
+#include "daemon/instance_lock.hpp"
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+namespace axisd {
+namespace {
+
+std::string in_use(const std::string& interface, int node_id) {
+  return fmt::format("{}: node {} is already served by another axisd", interface, node_id);
+}
+
+bus::Descriptor lock_folder(const std::filesystem::path& folder, const std::string& busy) {
+  bus::Descriptor descriptor{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+  if (!descriptor)
+    throw InstanceError{fmt::format("{}: cannot be opened: {}", folder.string(), std::strerror(errno))};
+  if (flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0) throw InstanceError{busy};
+  return descriptor;
+}
+
+bus::Descriptor lock_name(const std::string& name, const std::string& busy) {
+  bus::Descriptor descriptor{socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  name.copy(&address.sun_path[1], sizeof address.sun_path - 1);  // a leading zero byte makes the name abstract
+  const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  if (bind(descriptor.get(), reinterpret_cast<const sockaddr*>(&address), length) != 0) throw InstanceError{busy};
+  return descriptor;
+}
+
+}  // namespace
+
+std::filesystem::path state_root(const std::string& given) {
+  const auto variable = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr ? std::filesystem::path{value} : std::filesystem::path{};
+  };
+  if (!given.empty()) return given;
+  if (const auto from_systemd = variable("STATE_DIRECTORY"); !from_systemd.empty()) return from_systemd;
+  if (const auto xdg = variable("XDG_STATE_HOME"); !xdg.empty()) return xdg / "axisd";
+  if (const auto home = variable("HOME"); !home.empty()) return home / ".local" / "state" / "axisd";
+  throw InstanceError{"no place for the state: give --state-directory or set HOME"};
+}
+
+InstanceLock::InstanceLock(const std::filesystem::path& root, const std::string& interface, int node_id)
+    : directory_{root / fmt::format("{}-{}", interface, node_id)} {
+  std::error_code error;
+  std::filesystem::create_directories(directory_, error);
+  if (error) throw InstanceError{fmt::format("{}: cannot be created: {}", directory_.string(), error.message())};
+  const std::string busy = in_use(interface, node_id);
+  folder_ = lock_folder(directory_, busy);
+  name_ = lock_name(fmt::format("axisd/{}/{}", interface, node_id), busy);
+}
+
+}  // namespace axisd

@@ -1,0 +1,99 @@
+#include "daemon/json_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "daemon/configuration.hpp"
+
+namespace axisd {
+namespace {
+
+constexpr std::size_t kLongestQuote = 60;
+
+/// "line 3, column 7" of byte @p offset, which counts from 1.
+std::string position_of(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, std::min(text.size(), offset == 0 ? 0 : offset - 1));
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0: the first line
+  return fmt::format("line {}, column {}", line, before.size() - line_start + 1);
+}
+
+std::string quote(const nlohmann::json& value) {
+  std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (text.size() > kLongestQuote) text = text.substr(0, kLongestQuote) + "...";
+  return text;
+}
+
+}  // namespace
+
+JsonReader JsonReader::parse(std::string_view text, const std::string& file) {
+  try {
+    return JsonReader{nlohmann::json::parse(text), file, ""};
+  } catch (const nlohmann::json::parse_error& error) {
+    throw ConfigurationError{fmt::format("{}: {}: expected valid JSON", file, position_of(text, error.byte))};
+  }
+}
+
+std::string JsonReader::place() const {
+  return file_ + ": " + (path_.empty() ? "/" : path_);
+}
+
+void JsonReader::fail(const std::string& expected) const {
+  throw ConfigurationError{fmt::format("{}: expected {}, got {}", place(), expected, quote(value_))};
+}
+
+void JsonReader::expect_object(std::initializer_list<std::string_view> keys) const {
+  if (!value_.is_object()) fail("an object");
+  for (const auto& item : value_.items()) {
+    if (std::find(keys.begin(), keys.end(), item.key()) != keys.end()) continue;
+    throw ConfigurationError{fmt::format("{}/{}: unknown key, expected one of: {}", file_ + ": " + path_,
+                                         item.key(), fmt::join(keys, ", "))};
+  }
+}
+
+void JsonReader::expect_array(std::size_t low, std::size_t high) const {
+  if (value_.is_array() && value_.size() >= low && value_.size() <= high) return;
+  fail(low == high ? fmt::format("an array of {}", low) : fmt::format("an array of {} to {}", low, high));
+}
+
+JsonReader JsonReader::at(const std::string& key) const {
+  return {value_.at(key), file_, path_ + "/" + key};
+}
+
+JsonReader JsonReader::at(std::size_t position) const {
+  return {value_.at(position), file_, path_ + "/" + std::to_string(position)};
+}
+
+std::vector<std::string> JsonReader::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& item : value_.items()) keys.push_back(item.key());
+  return keys;
+}
+
+std::string JsonReader::text() const {
+  if (!value_.is_string()) fail("a string");
+  return value_.get<std::string>();
+}
+
+bool JsonReader::boolean() const {
+  if (!value_.is_boolean()) fail("true or false");
+  return value_.get<bool>();
+}
+
+int JsonReader::integer(int low, int high) const {
+  const bool fits = value_.is_number_integer() && value_ >= low && value_ <= high;
+  if (!fits) fail(fmt::format("an integer {} to {}", low, high));
+  return value_.get<int>();
+}
+
+double JsonReader::number(double low, double high) const {
+  const bool fits = value_.is_number() && value_.get<double>() >= low && value_.get<double>() <= high;
+  if (!fits)
+    fail(std::isinf(high) ? fmt::format("a number not below {}", low)
+                          : fmt::format("a number {} to {}", low, high));
+  return value_.get<double>();
+}
+
+}  // namespace axisd

@@ -1,0 +1,51 @@
+#include <cstdio>
+#include <exception>
+
+#include "bus/interface.hpp"
+#include "daemon/configuration.hpp"
+#include "daemon/control_protocol.hpp"
+#include "daemon/daemon.hpp"
+#include "daemon/instance_lock.hpp"
+#include "daemon/log.hpp"
+#include "daemon/options.hpp"
+
+namespace {
+
+constexpr int kFailure = 1;
+constexpr int kUsage = 2;
+
+std::string control_path(const axisd::Options& options, const axisd::Configuration& configuration) {
+  if (options.control == "none") return "";
+  if (!options.control.empty()) return options.control;
+  return control::default_socket_path(configuration.interface, configuration.node_id);
+}
+
+int serve(const axisd::Options& options) {
+  const axisd::Configuration configuration = axisd::load_configuration(options);
+  if (options.check_config) return 0;
+  const axisd::Log log{options.log_level};
+  axisd::Daemon daemon{configuration, axisd::state_root(options.state_directory),
+                       control_path(options, configuration), log};
+  daemon.run();
+  return 0;
+}
+
+int fail(const std::exception& error, int status) {
+  std::fprintf(stderr, "axisd: %s\n", error.what());
+  return status;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  try {
+    const auto options = axisd::parse_command_line(count, words);
+    return options ? serve(*options) : 0;
+  } catch (const axisd::UsageError& error) {
+    return fail(error, kUsage);
+  } catch (const axisd::ConfigurationError& error) {
+    return fail(error, kUsage);
+  } catch (const std::exception& error) {
+    return fail(error, kFailure);
+  }
+}

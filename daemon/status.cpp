@@ -1,0 +1,82 @@
+#include "daemon/status.hpp"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "daemon/daemon.hpp"
+#include "daemon/version.hpp"
+#include "motor/machine_data.hpp"
+
+namespace axisd {
+namespace {
+
+using nlohmann::json;
+
+/// Names of drive::State, in its order, as CiA 402 prints them.
+constexpr std::array<std::string_view, drive::kStateCount> kStateNames{
+    "Not ready to switch on", "Switch on disabled", "Ready to switch on",    "Switched on", "Operation enabled",
+    "OFF1 braking",           "Quick stop active",  "Fault reaction active", "Fault"};
+
+/// Names of bus::ErrorState, in its order.
+constexpr std::array<std::string_view, 4> kBusStateNames{"error-active", "error-warning", "error-passive",
+                                                         "bus-off"};
+
+json messages(std::span<const drive::FaultEntry> entries) {
+  json list = json::array();
+  for (const drive::FaultEntry& entry : entries) {
+    list.push_back({{"number", entry.row->number}, {"text", entry.row->name}});
+  }
+  return list;
+}
+
+json axis_status(const Daemon& daemon) {
+  const device::Device& device = daemon.device();
+  const drive::ActualValues& actual = device.axis().actual();
+  const drive::Setpoints setpoints = device.setpoints();
+  return {{"axis", 1},
+          {"name", daemon.configuration().axes.front().name},
+          {"type", "servo"},
+          {"state", kStateNames[static_cast<std::size_t>(actual.state)]},
+          {"statusword", fmt::format("0x{:04X}", actual.statusword)},
+          {"controlword", fmt::format("0x{:04X}", setpoints.controlword)},
+          {"speed_rpm", actual.speed / motor::kRpm},
+          {"setpoint_rpm", setpoints.speed / motor::kRpm},
+          {"torque_Nm", actual.torque},
+          {"load_torque_Nm", daemon.load_torque()},
+          {"position", actual.encoder_position},
+          {"faults", messages(device.axis().messages().faults())},
+          {"alarms", messages(device.axis().messages().alarms())}};
+}
+
+json bus_status(const Daemon& daemon) {
+  const auto& sent = daemon.transmit_queue().counters();
+  return {{"state", kBusStateNames[static_cast<std::size_t>(daemon.bus_state())]},
+          {"link", daemon.link_is_up() ? "up" : "down"},
+          {"received", daemon.received()},
+          {"sent", sent.sent},
+          {"dropped", daemon.receive_overflows()},
+          {"queued", sent.queued},
+          {"refused", sent.refused},
+          {"replaced", sent.replaced},
+          {"send_dropped", sent.dropped},
+          {"foreign", daemon.foreign_frames()},
+          {"short_rpdos", daemon.device().node().short_rpdos()}};
+}
+
+}  // namespace
+
+json status_of(const Daemon& daemon) {
+  return {{"version", kVersion},
+          {"interface", daemon.configuration().interface},
+          {"node_id", daemon.configuration().node_id},
+          {"nmt_state", canopen::name_of(daemon.device().node().state())},
+          {"uptime_s", daemon.uptime_s()},
+          {"bus", bus_status(daemon)},
+          {"skipped_cycles", daemon.device().skipped_cycles()},
+          {"axes", json::array({axis_status(daemon)})}};
+}
+
+}  // namespace axisd

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "device/error_objects.hpp"
+#include "device/parameter_objects.hpp"
+#include "device/process_data.hpp"
+#include "drive/axis.hpp"
+#include "libcanopen/node/node.hpp"
+#include "libcanopen/od/dictionary.hpp"
+
+namespace device {
+
+/// A value laid over a parameter of a new axis, in the parameter's own unit.
+struct ParameterPreset {
+  std::uint16_t number;
+  double value;
+};
+
+/// What the unit is made of.
+struct Configuration {
+  std::uint8_t node_id = 2;  ///< 1..127
+  drive::AxisConfiguration axis{};
+  std::vector<ParameterPreset> presets{};    ///< existing, writable and within their limits
+  bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
+};
+
+/// What the unit tells the program around it. Called from within the functions of Device.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  /// The identifiers to be received have changed: see Device::subscriptions().
+  virtual void on_subscriptions_changed() noexcept = 0;
+  /// Another station has sent @p identifier, which belongs to this node-ID.
+  virtual void on_foreign_frame(std::uint32_t identifier) noexcept = 0;
+};
+
+/// The drive unit as a CANopen node: one axis behind the objects of CiA 301 and CiA 402. It is fed frames and time
+/// and hands its frames to a sink; nothing in it reads a clock, blocks or, after construction, allocates.
+class Device final : private canopen::Application, private canopen::EntryOwner {
+ public:
+  /// Process-data cycle p8848.
+  static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
+  /// Missed cycles that are made up for; what is beyond is skipped and counted.
+  static constexpr std::int64_t kMostCyclesAtOnce = 25;
+
+  Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener);
+  ~Device() override = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  /// Power-on, or the bus is back: sends the boot-up message and starts the communication afresh.
+  void start(canopen::TimePoint now) noexcept;
+  /// A frame from the bus; SDO requests are answered within the call.
+  void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept;
+  /// Handles what is due at @p now: timers of the node and process-data cycles.
+  void on_time(canopen::TimePoint now) noexcept;
+  /// When on_time() is wanted next; kNever while nothing moves and nothing is pending.
+  canopen::TimePoint next_deadline() const noexcept;
+
+  /// Raises fault or alarm @p number on the axis.
+  tl::expected<void, drive::FaultError> raise(std::uint16_t number, canopen::TimePoint now) noexcept;
+  /// Acknowledges the faults of the axis; true if none is left.
+  bool acknowledge(canopen::TimePoint now) noexcept;
+  /// Sets the load torque of the axis (N·m, positive against positive rotation).
+  void set_load_torque(double torque, canopen::TimePoint now) noexcept;
+
+  const canopen::Node& node() const noexcept { return node_; }
+  const drive::Axis& axis() const noexcept { return axis_; }
+  /// What the axis is asked for at present.
+  drive::Setpoints setpoints() const noexcept { return process_data_.setpoints(); }
+  /// Identifiers that must be received as data frames, in ascending order.
+  std::span<const std::uint32_t> subscriptions() const noexcept { return node_.subscriptions(); }
+  /// Cycles left out because the program was kept from running for too long.
+  std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
+
+ private:
+  void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
+  void on_reset(canopen::NmtCommand command) noexcept override;
+  void on_rpdo(std::uint16_t number) noexcept override;
+  void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
+  void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
+  canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
+
+  void run_cycles() noexcept;
+  void publish() noexcept;
+  void wake() noexcept;
+  void apply_presets() noexcept;
+  canopen::TimePoint next_cycle() const noexcept { return idle_ ? canopen::kNever : last_cycle_ + kCycle; }
+
+  bool fault_on_leaving_operational_;
+  std::vector<ParameterPreset> presets_;
+  Listener& listener_;
+  drive::Axis axis_;
+  canopen::Dictionary dictionary_;
+  ProcessData process_data_;
+  ParameterObjects parameter_objects_;
+  ErrorObjects error_objects_;
+  canopen::Node node_;
+  canopen::TimePoint now_{};         ///< as last told
+  canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
+  bool idle_ = true;                 ///< nothing moves and no setpoint has come since the last cycle
+  std::uint64_t skipped_cycles_ = 0;
+};
+
+}  // namespace device

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+namespace device::object {
+
+// Communication objects of the unit that carry more than the protocol itself.
+inline constexpr std::uint16_t kErrorRegister = 0x1001;
+inline constexpr std::uint16_t kErrorField = 0x1003;
+
+// Profile objects of the first axis (CiA 402); axis n has them 800h·(n-1) higher.
+inline constexpr std::uint16_t kAbortConnectionOption = 0x6007;
+inline constexpr std::uint16_t kControlword = 0x6040;
+inline constexpr std::uint16_t kStatusword = 0x6041;
+inline constexpr std::uint16_t kHaltOption = 0x605D;
+inline constexpr std::uint16_t kModesOfOperation = 0x6060;
+inline constexpr std::uint16_t kModesOfOperationDisplay = 0x6061;
+inline constexpr std::uint16_t kPositionActual = 0x6063;
+inline constexpr std::uint16_t kVelocityDemand = 0x606B;
+inline constexpr std::uint16_t kVelocityActual = 0x606C;
+inline constexpr std::uint16_t kTargetTorque = 0x6071;
+inline constexpr std::uint16_t kTorqueDemand = 0x6074;
+inline constexpr std::uint16_t kTorqueActual = 0x6077;
+inline constexpr std::uint16_t kProfileAcceleration = 0x6083;
+inline constexpr std::uint16_t kProfileDeceleration = 0x6084;
+inline constexpr std::uint16_t kQuickStopDeceleration = 0x6085;
+inline constexpr std::uint16_t kTargetVelocity = 0x60FF;
+
+}  // namespace device::object
