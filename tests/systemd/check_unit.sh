@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# check_unit.sh verify FOLDER UNIT            the unit has no error, and no warning either
+# check_unit.sh exposure FOLDER UNIT LIMIT    its exposure, times ten, is at most LIMIT; prints the exposure
+# UNIT is a template; it is checked as the instance vcan0.
+set -euo pipefail
+
+mode=$1 folder=$2 unit=$3
+command -v systemd-analyze >/dev/null || { echo "systemd-analyze is missing: apt-get install systemd" >&2; exit 1; }
+instance=${unit/@./@vcan0.}
+
+case $mode in
+  verify)
+    # The trailing colon adds systemd's own units, such as modprobe@.service.
+    answer=$(SYSTEMD_UNIT_PATH=$folder: systemd-analyze verify "$instance" 2>&1) ||
+      { echo "$answer" >&2; exit 1; }
+    # systemd-analyze reports an unknown setting and still succeeds. What it says of other units is not about ours.
+    if grep -F "${unit%.service}" <<<"$answer" >&2; then exit 1; fi ;;
+  exposure)
+    SYSTEMD_UNIT_PATH=$folder: systemd-analyze security --offline=true --threshold="$4" --no-pager "$folder/$unit" ;;
+  *) echo "unknown mode $mode" >&2; exit 2 ;;
+esac

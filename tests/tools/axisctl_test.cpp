@@ -1,0 +1,220 @@
+#include "tests/tools/axisctl_fixture.hpp"
+
+namespace {
+
+using fakes::ControlServer;
+using fakes::Finished;
+using nlohmann::json;
+
+struct Request {
+  std::vector<std::string> words;
+  json expected;
+};
+
+TEST_F(Axisctl, SendsWhatEachCommandMeans) {
+  const std::vector<Request> requests{
+      {{"fault", "inject", "1", "7860"},
+       {{"method", "fault.inject"}, {"params", {{"axis", 1}, {"number", 7860}}}}},
+      {{"fault", "inject", "2", "F07860"},
+       {{"method", "fault.inject"}, {"params", {{"axis", 2}, {"number", 7860}}}}},
+      {{"fault", "inject", "8", "F7860"},
+       {{"method", "fault.inject"}, {"params", {{"axis", 8}, {"number", 7860}}}}},
+      {{"fault", "inject", "1", "f30001"},
+       {{"method", "fault.inject"}, {"params", {{"axis", 1}, {"number", 30001}}}}},
+      {{"fault", "ack", "3"}, {{"method", "fault.ack"}, {"params", {{"axis", 3}}}}},
+      {{"load", "1", "2.5"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", 2.5}}}}},
+      {{"load", "1", "-0.75"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", -0.75}}}}},
+      {{"load", "1", "+1e1"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", 10.0}}}}},
+      {{"quit"}, {{"method", "quit"}}},
+  };
+  for (const Request& request : requests) {
+    std::filesystem::remove(socket());
+    ControlServer server{socket(), kDone};
+    json expected = request.expected;
+    expected["id"] = 1;
+
+    const Finished run_ = run(request.words);
+
+    EXPECT_EQ(run_.status, 0) << run_.errors;
+    EXPECT_EQ(run_.output + run_.errors, "");
+    EXPECT_EQ(json::parse(server.request()), expected);
+  }
+}
+
+TEST_F(Axisctl, ShowsWhatAnAnswerHoldsBesides) {
+  ControlServer server{socket(), answer({{"acknowledged", 2}, {"left", "F07860"}})};
+
+  EXPECT_EQ(run({"fault", "ack", "1"}).output, "acknowledged: 2\nleft: F07860\n");
+}
+
+TEST_F(Axisctl, TakesTheOnlyDaemonThereIs) {
+  ControlServer server{folder.path("axisd-can7-99.sock"), kDone};
+
+  EXPECT_EQ(run({"quit"}).status, 0);
+  EXPECT_NE(server.request(), "");
+}
+
+TEST_F(Axisctl, ListsTheDaemonsIfThereAreSeveral) {
+  ControlServer first{folder.path("axisd-vcan0-2.sock"), kDone};
+  ControlServer second{folder.path("axisd-vcan0-3.sock"), kDone};
+
+  const Finished run_ = run({"quit"});
+
+  EXPECT_EQ(run_.status, 2);
+  EXPECT_EQ(run_.output, "");
+  EXPECT_EQ(run_.errors,
+            "axisctl: several daemons run; choose one with --socket, or --interface and --node-id:\n  " +
+                folder.path("axisd-vcan0-2.sock") + "\n  " + folder.path("axisd-vcan0-3.sock") + "\n");
+}
+
+TEST_F(Axisctl, ChoosesByInterfaceAndNodeWithTheDefaultForTheOther) {
+  for (const auto& [file, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"axisd-vcan0-3.sock", {"--node-id", "3", "quit"}},
+           {"axisd-can1-2.sock", {"quit", "--interface", "can1"}},
+           {"axisd-can1-3.sock", {"--interface=can1", "--node-id=3", "quit"}},
+           {"other", {"--socket", folder.path("other"), "--node-id", "3", "quit"}}}) {
+    ControlServer wanted{folder.path(file), kDone};
+    ControlServer another{folder.path("axisd-vcan1-127.sock"), kDone};
+
+    EXPECT_EQ(run(words).status, 0) << file;
+    EXPECT_NE(wanted.request(), "") << file;
+    EXPECT_EQ(another.request(), "") << file;
+    std::filesystem::remove(folder.path("axisd-vcan1-127.sock"));
+    std::filesystem::remove(folder.path(file));
+  }
+}
+
+TEST_F(Axisctl, SaysThatNoDaemonAnswers) {
+  const Finished run_ = run({"status"});
+
+  EXPECT_EQ(run_.status, 1);
+  EXPECT_EQ(run_.errors, "axisctl: " + socket() + ": no daemon answers here (No such file or directory)\n");
+}
+
+TEST_F(Axisctl, SaysThatASocketWasLeftByADeadDaemon) {
+  { const ControlServer dead{socket(), kDone}; }
+
+  const Finished run_ = run({"status"});
+
+  EXPECT_EQ(run_.status, 1);
+  EXPECT_EQ(run_.errors, "axisctl: " + socket() + ": no daemon answers here (Connection refused)\n");
+}
+
+TEST_F(Axisctl, SaysThatAPathIsTooLongForASocket) {
+  const std::string path = "/" + std::string(200, 'x');
+
+  const Finished run_ = run({"--socket", path, "status"});
+
+  EXPECT_EQ(run_.status, 1);
+  EXPECT_EQ(run_.errors, "axisctl: " + path + ": too long for a socket: 201 bytes, at most 107\n");
+}
+
+TEST_F(Axisctl, PassesTheMessageOfTheDaemonOn) {
+  ControlServer server{socket(), "{\"id\":1,\"error\":{\"message\":\"axis 9: the unit has 2\"}}\n"};
+
+  const Finished run_ = run({"fault", "ack", "9"});
+
+  EXPECT_EQ(run_.status, 1);
+  EXPECT_EQ(run_.output, "");
+  EXPECT_EQ(run_.errors, "axisctl: axis 9: the unit has 2\n");
+}
+
+struct BadAnswer {
+  std::string answer;
+  std::string complaint;
+};
+
+TEST_F(Axisctl, DoesNotTakeAnythingElseForAnAnswer) {
+  const std::vector<BadAnswer> answers{
+      {"", "closed the connection without an answer"},
+      {"{\"id\":1,\"result\":{}}", "closed the connection without an answer"},
+      {"hello\n", "not an answer: \"hello\""},
+      {"{\"id\":2,\"result\":{}}\n", "not an answer"},
+      {"\n", "not an answer"},
+      {std::string(70'000, 'x') + "\n", "longer than 65536 bytes"},
+      {std::string(65'536, ' ') + "\n", "longer than 65536 bytes"},
+  };
+  for (const BadAnswer& bad : answers) {
+    std::filesystem::remove(socket());
+    ControlServer server{socket(), bad.answer};
+
+    const Finished run_ = run({"status"});
+
+    EXPECT_EQ(run_.status, 1) << bad.answer.substr(0, 40);
+    EXPECT_EQ(run_.output, "");
+    EXPECT_NE(run_.errors.find(bad.complaint), std::string::npos) << run_.errors;
+  }
+}
+
+TEST_F(Axisctl, ReadsTheLongestAnswerThereMayBe) {
+  json result{{"text", ""}};
+  const std::size_t rest = 65'536 - answer(result).size();
+  result["text"] = std::string(rest, 'x');
+  ControlServer server{socket(), answer(result)};
+
+  EXPECT_EQ(run({"status", "--json"}).output, result.dump() + "\n");
+}
+
+TEST_F(Axisctl, RefusesWrongUsage) {
+  const std::vector<std::vector<std::string>> wrong{
+      {},
+      {"dance"},
+      {"status", "now"},
+      {"--bogus", "status"},
+      {"fault"},
+      {"fault", "inject"},
+      {"fault", "inject", "1"},
+      {"fault", "inject", "X", "7860"},
+      {"fault", "inject", "0", "7860"},
+      {"fault", "inject", "-1", "7860"},
+      {"fault", "inject", "1x", "7860"},
+      {"fault", "inject", "99999999999", "7860"},
+      {"fault", "inject", "1", "A07850"},
+      {"fault", "inject", "1", "F"},
+      {"fault", "inject", "1", "0"},
+      {"fault", "inject", "1", "65536"},
+      {"fault", "inject", "1", "78.60"},
+      {"fault", "inject", "1", "7860", "2"},
+      {"fault", "ack"},
+      {"fault", "ack", "one"},
+      {"load", "1"},
+      {"load", "1", "much"},
+      {"load", "1", "nan"},
+      {"load", "1", "inf"},
+      {"load", "1", "1e999"},
+      {"load", "1", "5Nm"},
+      {"load", "x", "5"},
+      {"--node-id", "0", "status"},
+      {"--node-id", "128", "status"},
+      {"--node-id", "two", "status"},
+      {"--socket"},
+  };
+  ControlServer server{socket(), kDone};
+  for (const auto& words : wrong) {
+    const Finished run_ = run(words);
+
+    EXPECT_EQ(run_.status, 2) << testing::PrintToString(words);
+    EXPECT_EQ(run_.output, "");
+    EXPECT_TRUE(run_.errors.starts_with("axisctl: ")) << run_.errors;
+  }
+  EXPECT_EQ(server.request(), "");
+}
+
+TEST_F(Axisctl, NamesTheWordThatIsWrong) {
+  EXPECT_EQ(run({"load", "X", "1"}).errors, "axisctl: AXIS: expected a number from 1, got \"X\"\n");
+  EXPECT_EQ(run({"load", "1", "much"}).errors, "axisctl: TORQUE: expected a number of N·m, got \"much\"\n");
+  EXPECT_EQ(run({"fault", "inject", "1", "A1"}).errors,
+            "axisctl: NUMBER: expected a fault such as 7860 or F07860, got \"A1\"\n");
+}
+
+TEST_F(Axisctl, ExplainsItself) {
+  const Finished help = run({"--help"});
+  const Finished version = run({"--version"});
+
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.output.find("fault"), std::string::npos);
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.output.rfind("axisctl ", 0), 0u);
+}
+
+}  // namespace

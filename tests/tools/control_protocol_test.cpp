@@ -1,0 +1,120 @@
+#include "daemon/control_protocol.hpp"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using nlohmann::json;
+
+/// Sets environment variables for one test.
+struct ControlSocketPath : testing::Test {
+  ControlSocketPath() {
+    ::unsetenv("RUNTIME_DIRECTORY");
+    ::unsetenv("XDG_RUNTIME_DIR");
+  }
+};
+
+TEST_F(ControlSocketPath, LiesInTheRuntimeDirectoryOfTheService) {
+  ::setenv("RUNTIME_DIRECTORY", "/run/axisd", 1);
+  ::setenv("XDG_RUNTIME_DIR", "/run/user/1000", 1);
+
+  EXPECT_EQ(control::default_socket_path("can0", 127), "/run/axisd/axisd-can0-127.sock");
+}
+
+TEST_F(ControlSocketPath, LiesInTheFirstOfSeveralRuntimeDirectories) {
+  ::setenv("RUNTIME_DIRECTORY", "/run/axisd:/run/other", 1);
+
+  EXPECT_EQ(control::default_socket_path("vcan0", 2), "/run/axisd/axisd-vcan0-2.sock");
+}
+
+TEST_F(ControlSocketPath, LiesInTheRuntimeDirectoryOfTheUserOtherwise) {
+  ::setenv("RUNTIME_DIRECTORY", "", 1);
+  ::setenv("XDG_RUNTIME_DIR", "/run/user/1000", 1);
+
+  EXPECT_EQ(control::default_socket_path("vcan0", 2), "/run/user/1000/axisd-vcan0-2.sock");
+}
+
+TEST_F(ControlSocketPath, LiesInRunOrTmpWithoutEnvironment) {
+  EXPECT_EQ(control::runtime_directory(), ::geteuid() == 0 ? "/run" : "/tmp");
+}
+
+TEST(ControlSocketName, IsRecognised) {
+  EXPECT_TRUE(control::is_socket_name("axisd-vcan0-2.sock"));
+  EXPECT_TRUE(control::is_socket_name("axisd-my-can-127.sock"));
+  for (const char* other :
+       {"axisd-vcan0.sock", "axisd--2.sock", "axisd-vcan0-.sock", "axisd-vcan0-0.sock", "axisd-vcan0-128.sock",
+        "axisd-vcan0-2x.sock", "axisd-vcan0-2.lock", "axisd.sock", "axisd-.sock", "xaxisd-vcan0-2.sock", ""})
+    EXPECT_FALSE(control::is_socket_name(other)) << other;
+}
+
+TEST(ControlSocketAddress, HoldsUpTo107Bytes) {
+  EXPECT_TRUE(control::socket_address(std::string(107, 'x')));
+  EXPECT_EQ(control::socket_address(std::string(108, 'x')).error(),
+            std::string(108, 'x') + ": too long for a socket: 108 bytes, at most 107");
+  EXPECT_FALSE(control::socket_address(""));
+}
+
+TEST(ControlMethod, IsFoundByEveryNameOfTheTable) {
+  for (const auto& row : control::kMethods) EXPECT_EQ(control::method_named(row.name), row.method);
+  EXPECT_EQ(control::method_named("fault"), std::nullopt);
+  EXPECT_EQ(control::name_of(control::Method::FaultAcknowledge), "fault.ack");
+}
+
+TEST(ControlRequest, IsUnderstoodByTheOtherSide) {
+  const auto request = control::parse_request(
+      control::request_line(7, control::Method::FaultInject, {{"axis", 1}, {"number", 7860}}));
+
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->id, 7);
+  EXPECT_EQ(request->method, "fault.inject");
+  EXPECT_EQ(request->params, (json{{"axis", 1}, {"number", 7860}}));
+}
+
+TEST(ControlRequest, MayLeaveItsParametersAndItsIdOut) {
+  const auto request = control::parse_request(R"({"method":"status"})");
+
+  ASSERT_TRUE(request);
+  EXPECT_TRUE(request->id.is_null());
+  EXPECT_EQ(request->params, json::object());
+}
+
+TEST(ControlRequest, SaysWhatIsWrongWithIt) {
+  EXPECT_EQ(control::parse_request("status").error(), R"(expected a JSON object, got "status")");
+  EXPECT_EQ(control::parse_request("[1]").error(), R"(expected a JSON object, got "[1]")");
+  EXPECT_EQ(control::parse_request("\x1b[2J").error(), R"(expected a JSON object, got "?[2J")");
+  EXPECT_EQ(control::parse_request(R"({"id":1})").error(), "method: expected a string");
+  EXPECT_EQ(control::parse_request(R"({"method":5})").error(), "method: expected a string");
+  EXPECT_EQ(control::parse_request(R"({"method":"quit","params":[1]})").error(), "params: expected an object");
+}
+
+TEST(ControlAnswer, BringsItsResult) {
+  const auto answer = control::parse_answer(control::result_line(1, {{"axis", 1}}), 1);
+
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(*answer, (json{{"axis", 1}}));
+}
+
+TEST(ControlAnswer, BringsTheMessageOfItsError) {
+  EXPECT_EQ(control::parse_answer(control::error_line(1, "axis 9: there are 2"), 1).error(),
+            "axis 9: there are 2");
+  EXPECT_EQ(control::parse_answer(control::error_line(nullptr, "not JSON"), 1).error(), "not JSON");
+}
+
+TEST(ControlAnswer, ToAnotherRequestIsNone) {
+  EXPECT_EQ(control::parse_answer(R"({"id":2,"result":{}})", 1).error(),
+            R"(not an answer: "{"id":2,"result":{}}")");
+}
+
+TEST(ControlAnswer, WithoutResultOrWithAStrangeErrorIsNone) {
+  for (const char* line : {"", "{}", "null", "5", "{\"id\":1}", "{\"id\":1,\"error\":\"x\"}",
+                           "{\"id\":1,\"error\":{\"message\":5}}", "{\"id\":1,\"result\":"})
+    EXPECT_FALSE(control::parse_answer(line, 1)) << line;
+}
+
+TEST(ControlLine, SurvivesTextThatIsNotUtf8) {
+  EXPECT_TRUE(control::parse_answer(control::result_line(1, {{"name", "\xff"}}), 1));
+}
+
+}  // namespace

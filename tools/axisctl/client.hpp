@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "daemon/control_protocol.hpp"
+
+namespace axisctl {
+
+/// What is asked of a daemon.
+struct Call {
+  control::Method method = control::Method::Status;
+  nlohmann::json params = nlohmann::json::object();
+};
+
+/// Asks the daemon at socket @p path; the result of its answer, or in one line why there is none.
+[[nodiscard]] tl::expected<nlohmann::json, std::string> ask(const std::string& path, const Call& call);
+
+}  // namespace axisctl

@@ -1,0 +1,61 @@
+#include "tools/axisctl/command.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <ostream>
+
+#include <fmt/format.h>
+
+namespace axisctl {
+
+namespace {
+
+constexpr Argument kAxis{"AXIS", "Axis of the unit, 1.."};
+constexpr std::array kInjectArguments{kAxis, Argument{"NUMBER", "Fault number: 7860, F7860 or F07860"}};
+constexpr std::array kAcknowledgeArguments{kAxis};
+constexpr std::array kLoadArguments{kAxis, Argument{"TORQUE", "Load torque at the motor shaft (N·m)"}};
+
+tl::expected<nlohmann::json, std::string> no_parameters(Words /*words*/) {
+  return nlohmann::json::object();
+}
+
+/// Prints what an answer holds besides "done", one `name: value` a line.
+void print_members(std::ostream& out, const nlohmann::json& result) {
+  if (!result.is_object()) return;
+  for (const auto& [key, value] : result.items())
+    out << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << '\n';
+}
+
+constexpr std::array kCommands{
+    Command{"",
+            "status",
+            "Show what the unit and its axes do",
+            {},
+            control::Method::Status,
+            no_parameters,
+            print_status},
+    Command{"fault", "inject", "Make a fault occur on an axis", kInjectArguments, control::Method::FaultInject,
+            fault_inject_parameters, print_members},
+    Command{"fault", "ack", "Acknowledge the faults of an axis", kAcknowledgeArguments,
+            control::Method::FaultAcknowledge, fault_ack_parameters, print_members},
+    Command{"", "load", "Set the load torque of an axis", kLoadArguments, control::Method::SetLoad,
+            load_parameters, print_members},
+    Command{"", "quit", "Switch the unit off", {}, control::Method::Quit, no_parameters, print_members},
+};
+
+}  // namespace
+
+std::span<const Command> commands() noexcept {
+  return kCommands;
+}
+
+tl::expected<int, std::string> parse_axis(const std::string& word) {
+  int axis = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, axis);
+  if (error == std::errc{} && rest == end && axis >= 1) return axis;
+  return tl::unexpected{fmt::format("AXIS: expected a number from 1, got \"{}\"", word)};
+}
+
+}  // namespace axisctl

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "tools/axisctl/client.hpp"
+
+namespace axisctl {
+
+/// One argument of a command.
+struct Argument {
+  std::string_view name;     ///< as in the usage line
+  std::string_view summary;  ///< one line
+};
+
+/// Words of the command line, one for each Argument.
+using Words = std::span<const std::string>;
+
+/// A row of the command table.
+struct Command {
+  std::string_view group;  ///< first word of a command of two words, empty otherwise
+  std::string_view name;
+  std::string_view summary;
+  std::span<const Argument> arguments;
+  control::Method method;
+  /// The parameters that @p words ask for, or in one line what is wrong with them.
+  tl::expected<nlohmann::json, std::string> (*parameters)(Words words);
+  /// Prints the result for people.
+  void (*print)(std::ostream& out, const nlohmann::json& result);
+};
+
+/// Every command of the program, those of one group side by side.
+[[nodiscard]] std::span<const Command> commands() noexcept;
+
+/// Axis number that @p word means (1..), or in one line what is wrong with it.
+[[nodiscard]] tl::expected<int, std::string> parse_axis(const std::string& word);
+
+/// Parameters of fault inject (AXIS NUMBER); NUMBER is 7860, F7860 or F07860, 1..65535.
+tl::expected<nlohmann::json, std::string> fault_inject_parameters(Words words);
+/// Parameters of fault ack (AXIS).
+tl::expected<nlohmann::json, std::string> fault_ack_parameters(Words words);
+/// Parameters of load (AXIS TORQUE in N·m).
+tl::expected<nlohmann::json, std::string> load_parameters(Words words);
+/// Prints the result of status as aligned lines.
+void print_status(std::ostream& out, const nlohmann::json& result);
+
+}  // namespace axisctl

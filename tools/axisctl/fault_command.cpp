@@ -1,0 +1,40 @@
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "tools/axisctl/command.hpp"
+
+namespace axisctl {
+
+namespace {
+
+/// Number that @p word means; the letter of the message class may be left out.
+tl::expected<std::uint16_t, std::string> parse_fault(const std::string& word) {
+  std::string_view digits{word};
+  if (digits.starts_with('F') || digits.starts_with('f')) digits.remove_prefix(1);
+  std::uint16_t number = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [rest, error] = std::from_chars(digits.data(), end, number);
+  if (error == std::errc{} && rest == end && number > 0) return number;
+  return tl::unexpected{fmt::format("NUMBER: expected a fault such as 7860 or F07860, got \"{}\"", word)};
+}
+
+}  // namespace
+
+tl::expected<nlohmann::json, std::string> fault_inject_parameters(Words words) {
+  const auto axis = parse_axis(words[0]);
+  if (!axis) return tl::unexpected{axis.error()};
+  const auto number = parse_fault(words[1]);
+  if (!number) return tl::unexpected{number.error()};
+  return nlohmann::json{{"axis", *axis}, {"number", *number}};
+}
+
+tl::expected<nlohmann::json, std::string> fault_ack_parameters(Words words) {
+  const auto axis = parse_axis(words[0]);
+  if (!axis) return tl::unexpected{axis.error()};
+  return nlohmann::json{{"axis", *axis}};
+}
+
+}  // namespace axisctl

@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "tools/axisctl/command.hpp"
+
+namespace axisctl {
+
+namespace {
+
+using nlohmann::json;
+
+/// How a member of the result is shown.
+struct Label {
+  std::string_view key;
+  std::string_view text;
+  std::string_view unit;
+};
+
+constexpr std::array kUnitLabels{
+    Label{"interface", "interface", ""},
+    Label{"node_id", "node-ID", ""},
+    Label{"nmt_state", "NMT state", ""},
+    Label{"uptime_s", "up for", " s"},
+    Label{"bus", "bus", ""},
+    Label{"skipped_cycles", "skipped cycles", ""},
+    Label{"version", "axisd version", ""},
+};
+constexpr std::array kAxisLabels{
+    Label{"state", "state", ""},
+    Label{"controlword", "controlword", ""},
+    Label{"statusword", "statusword", ""},
+    Label{"setpoint_rpm", "speed setpoint", " rpm"},
+    Label{"speed_rpm", "speed", " rpm"},
+    Label{"torque_Nm", "torque", " N·m"},
+    Label{"load_torque_Nm", "load torque", " N·m"},
+    Label{"position", "position", ""},
+    Label{"faults", "faults", ""},
+    Label{"alarms", "alarms", ""},
+};
+// Shown in the heading of an axis or below the unit.
+constexpr std::array<std::string_view, 4> kElsewhere{"axis", "name", "type", "axes"};
+constexpr int kIndent = 2;
+constexpr int kLabelWidth = 16;
+
+/// F07860, A07860: how the manuals print the number of a message.
+std::string message(char letter, const json& entry) {
+  if (!entry.is_object()) return entry.dump();
+  const json number = entry.value("number", json{});
+  const std::string code =
+      number.is_number_unsigned() ? fmt::format("{}{:05}", letter, number.get<unsigned>()) : "?";
+  const json text = entry.value("text", json{});
+  return text.is_string() ? code + ' ' + text.get<std::string>() : code;
+}
+
+std::string list(std::string_view key, const json& value) {
+  std::string text;
+  for (const json& entry : value) {
+    const std::string item = key == "faults"   ? message('F', entry)
+                             : key == "alarms" ? message('A', entry)
+                                               : entry.dump();
+    text.append(text.empty() ? "" : ", ").append(item);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string to_text(std::string_view key, const json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{:.3f}", value.get<double>());
+  if (value.is_array()) return list(key, value);
+  if (!value.is_object()) return value.dump();
+  std::string text;
+  for (const auto& [name, member] : value.items())
+    text.append(text.empty() ? "" : ", ").append(name).append(" ").append(to_text(name, member));
+  return text;
+}
+
+void print_line(std::ostream& out, int indent, std::string_view label, std::string_view text) {
+  out << fmt::format("{:{}}{:<{}}{}\n", "", indent, label, kLabelWidth, text);
+}
+
+/// Prints the members of @p object in the order of @p labels, then those that no label knows.
+template <class Labels>
+void print_members(std::ostream& out, int indent, const Labels& labels, const json& object) {
+  for (const Label& label : labels)
+    if (const auto found = object.find(label.key); found != object.end())
+      print_line(out, indent, label.text, to_text(label.key, *found).append(label.unit));
+  for (const auto& [key, value] : object.items()) {
+    const auto is_key = [&name = key](const Label& label) { return label.key == name; };
+    const bool known = std::any_of(labels.begin(), labels.end(), is_key) ||
+                       std::find(kElsewhere.begin(), kElsewhere.end(), key) != kElsewhere.end();
+    if (!known) print_line(out, indent, key, to_text(key, value));
+  }
+}
+
+void print_axis(std::ostream& out, const json& axis) {
+  out << "axis " << to_text("axis", axis.value("axis", json{}));
+  if (const auto name = axis.find("name"); name != axis.end()) out << ' ' << to_text("name", *name);
+  if (const auto type = axis.find("type"); type != axis.end()) out << " (" << to_text("type", *type) << ')';
+  out << '\n';
+  print_members(out, kIndent, kAxisLabels, axis);
+}
+
+}  // namespace
+
+void print_status(std::ostream& out, const json& result) {
+  if (!result.is_object()) {
+    out << result.dump() << '\n';
+    return;
+  }
+  print_members(out, 0, kUnitLabels, result);
+  const auto axes = result.find("axes");
+  if (axes == result.end() || !axes->is_array()) return;
+  for (const json& axis : *axes)
+    if (axis.is_object()) print_axis(out, axis);
+}
+
+}  // namespace axisctl
