@@ -87,7 +87,7 @@ void Daemon::turn() noexcept {
   queue_.retry(now);
   if (wait[0].revents != 0) receive(now);
   if (wait[1].revents != 0) timer_.acknowledge();
-  if (device_.next_deadline() <= now && link_is_up_) device_.on_time(now);
+  if (device_.next_deadline() <= now) device_.on_time(now);
   if (!ready_told_) tell_ready();
   if (wait[2].revents != 0) events_.dispatch();
 }

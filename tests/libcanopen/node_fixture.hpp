@@ -1,0 +1,90 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "libcanopen/node/node.hpp"
+#include "tests/fakes/candump.hpp"
+#include "tests/fakes/vector_bus.hpp"
+#include "tests/libcanopen/test_table.hpp"
+
+using namespace std::chrono_literals;
+
+/// Notes what a node tells its application, one word list a call.
+class RecordingApplication final : public canopen::Application {
+ public:
+  void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override {
+    told.push_back(std::string{name_of(from)} + " -> " + std::string{name_of(to)});
+  }
+  void on_reset(canopen::NmtCommand command) noexcept override {
+    told.push_back("reset " + std::to_string(static_cast<int>(command)));
+  }
+  void on_rpdo(std::uint16_t number) noexcept override { told.push_back("RPDO " + std::to_string(number)); }
+  void on_subscriptions_changed() noexcept override { ++subscription_changes; }
+  void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }
+
+  std::vector<std::string> told;
+  std::vector<std::uint32_t> foreign;
+  int subscription_changes = 0;
+};
+
+/// A line of a dialogue: what a master sends and what the node answers at once, "" for silence.
+struct Exchange {
+  std::string_view request, answer;
+};
+
+/// Node 5 over the test table on a bus of its own, with a clock that the test moves.
+class NodeTest : public testing::Test {
+ protected:
+  using Lines = std::vector<std::string>;
+
+  explicit NodeTest(const canopen::Policy& policy = {}) { node.emplace(dictionary, policy, bus, application); }
+
+  /// Boots the node and returns what it sent.
+  Lines start();
+  /// Boots the node and takes it to Operational; what it sent is forgotten.
+  void start_operational();
+  /// A frame comes from the bus; returns what the node sent, what fell due at this very moment included.
+  Lines says(std::string_view frame);
+  /// Time passes; returns what the node sent, each line with its time since construction: "100ms 705#7F".
+  Lines passes(canopen::Duration time);
+  /// The application has put @p value into @p index and tells the node so.
+  Lines sets(std::uint16_t index, std::int64_t value);
+  /// Puts @p value into the dictionary, without a word to the node.
+  void store_value(std::uint16_t index, std::uint8_t sub_index, std::int64_t value);
+  /// The number in the dictionary.
+  std::int64_t value_of(std::uint16_t index, std::uint8_t sub_index = 0) const;
+
+  /// SDO download of @p size bytes; 0 or the abort code of the answer.
+  std::uint32_t writes(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value, unsigned size);
+  std::uint32_t writes_u8(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value) {
+    return writes(index, sub_index, value, 1);
+  }
+  std::uint32_t writes_u16(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value) {
+    return writes(index, sub_index, value, 2);
+  }
+  std::uint32_t writes_u32(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value) {
+    return writes(index, sub_index, value, 4);
+  }
+  /// Plays @p exchanges in order and compares every answer.
+  void expect_dialogue(std::initializer_list<Exchange> exchanges);
+
+  std::vector<std::uint32_t> subscriptions() const {
+    return {node->subscriptions().begin(), node->subscriptions().end()};
+  }
+
+  static constexpr canopen::TimePoint kStart{1h};
+  canopen::TimePoint now = kStart;
+  fakes::VectorBus bus;
+  RecordingApplication application;
+  canopen::Dictionary dictionary{test_table(), 5};
+  std::optional<canopen::Node> node;
+
+ private:
+  Lines taken();
+};
