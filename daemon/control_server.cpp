@@ -92,7 +92,7 @@ bool ControlServer::serve(Client& client, std::uint32_t events) {
 }
 
 bool ControlServer::read(Client& client) {
-  std::array<char, 4096> chunk;
+  std::array<char, 4096> chunk{};
   const ssize_t got = recv(client.descriptor.get(), chunk.data(), chunk.size(), 0);
   if (got <= 0) return got < 0 && (errno == EAGAIN || errno == EINTR);
   client.input.append(chunk.data(), static_cast<std::size_t>(got));
@@ -108,7 +108,7 @@ bool ControlServer::read(Client& client) {
   return flush(client) && !too_long;
 }
 
-bool ControlServer::flush(Client& client) const {
+bool ControlServer::flush(Client& client) {
   const ssize_t sent = send(client.descriptor.get(), client.output.data(), client.output.size(), MSG_NOSIGNAL);
   if (sent < 0 && errno != EAGAIN && errno != EINTR) return false;
   if (sent > 0) client.output.erase(0, static_cast<std::size_t>(sent));

@@ -39,7 +39,7 @@ class ControlServer {
   void accept();
   bool serve(Client& client, std::uint32_t events);
   bool read(Client& client);
-  bool flush(Client& client) const;
+  static bool flush(Client& client);
   void close(const Client& client);
 
   ServiceEvents& events_;

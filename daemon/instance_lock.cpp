@@ -44,7 +44,7 @@ std::filesystem::path state_root(const std::string& given) {
     return value != nullptr ? std::filesystem::path{value} : std::filesystem::path{};
   };
   if (!given.empty()) return given;
-  if (const auto from_systemd = variable("STATE_DIRECTORY"); !from_systemd.empty()) return from_systemd;
+  if (auto from_systemd = variable("STATE_DIRECTORY"); !from_systemd.empty()) return from_systemd;
   if (const auto xdg = variable("XDG_STATE_HOME"); !xdg.empty()) return xdg / "axisd";
   if (const auto home = variable("HOME"); !home.empty()) return home / ".local" / "state" / "axisd";
   throw InstanceError{"no place for the state: give --state-directory or set HOME"};

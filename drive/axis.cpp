@@ -1,7 +1,9 @@
 #include "drive/axis.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "drive/statusword.hpp"
 

@@ -39,9 +39,9 @@ class SpeedController {
     const double wanted = proportional_ * (setpoint - measured) + integral_torque_;
     const double torque = limits.bound(wanted);
     limited_ = torque < wanted || torque > wanted;
+    // At a limit the model waits with the motor: nothing is left to integrate.
     reference_ = limited_ ? measured : reference_ + model_ * (setpoint - reference_);
-    if (!limited_) integral_torque_ += integral_ * (reference_ - measured);
-    integral_torque_ = limits.bound(integral_torque_);
+    integral_torque_ = limits.bound(integral_torque_ + integral_ * (reference_ - measured));
     return torque;
   }
   /// Whether the last step wanted more torque than the limits give (r1407.7).

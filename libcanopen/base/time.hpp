@@ -9,11 +9,13 @@ using Duration = std::chrono::nanoseconds;
 
 /// Tag of the time line that the owner of a node tells; the library never reads a clock.
 struct ToldClock {
+  // NOLINTBEGIN(readability-identifier-naming): the names that <chrono> asks of a clock
   using duration = Duration;
   using rep = duration::rep;
   using period = duration::period;
   using time_point = std::chrono::time_point<ToldClock, Duration>;
   static constexpr bool is_steady = true;
+  // NOLINTEND(readability-identifier-naming)
 };
 
 /// A point on the monotonic time line of the owner (on Linux: CLOCK_MONOTONIC).

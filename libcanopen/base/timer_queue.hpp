@@ -32,7 +32,7 @@ class TimerQueue {
  private:
   struct Node {
     TimePoint when;
-    std::uint32_t timer;
+    std::uint32_t timer = 0;
   };
   static constexpr std::uint32_t kOut = UINT32_MAX;
 

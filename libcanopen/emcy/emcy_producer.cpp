@@ -31,7 +31,8 @@ Result<void> EmcyProducer::write(const Entry&, std::int64_t value) {
     if ((cob_id & (cob_id::kMustBeZero | cob_id::kNoRemote)) != 0) return refuse(AbortCode::InvalidValue);
     if (is_restricted(identifier)) return refuse(AbortCode::InvalidValue);
     if (identifier_ != 0 && identifier != identifier_) return refuse(AbortCode::DeviceState);
-    if (identifier != identifier_ && identifiers_.is_used(identifier)) return refuse(AbortCode::ParameterIncompatible);
+    if (identifier != identifier_ && identifiers_.is_used(identifier))
+      return refuse(AbortCode::ParameterIncompatible);
   }
   identifier_ = identifier;
   return {};

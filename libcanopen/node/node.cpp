@@ -44,6 +44,7 @@ Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Applic
 
 void Node::start(TimePoint now) noexcept {
   context_.now = now;
+  enter(NmtState::Initialising);
   boot();
 }
 

@@ -54,6 +54,7 @@ Entry entry_of(const EntryDescription& row) noexcept {
       .low = row.low ? rank(row.type, *row.low) : INT64_MIN,
       .high = row.high ? rank(row.type, *row.high) : INT64_MAX,
       .description = &row,
+      .mask = byte_mask(size_of(row.type)),
   };
 }
 
@@ -93,21 +94,14 @@ void Dictionary::append(const EntryDescription& row) {
   entries_.push_back(entry);
 }
 
-Result<const Entry*> Dictionary::find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
-  const Slot& place = slot(index);
+/// What find() does where an object has gaps between its sub-indices.
+Result<const Entry*> Dictionary::search(const Slot& place, std::uint8_t sub_index) const noexcept {
   if (place.count == 0) return refuse(AbortCode::NoObject);
   const Entry* const first = &entries_[place.first];
-  if (sub_index < place.count && first[sub_index].sub_index == sub_index) return first + sub_index;
-  const Entry* const end = first + place.count;  // an object with gaps between its sub-indices
+  const Entry* const end = first + place.count;
   const Entry* const found = std::find_if(first, end, [=](const Entry& e) { return e.sub_index == sub_index; });
   if (found == end) return refuse(AbortCode::NoSubIndex);
   return found;
-}
-
-Result<std::int64_t> Dictionary::read(const Entry& entry) const {
-  if (!entry.readable) return refuse(AbortCode::WriteOnly);
-  if (entry.size == 0) return refuse(AbortCode::UnsupportedAccess);
-  return entry.read_owner != nullptr ? entry.read_owner->read(entry, stored(entry)) : stored(entry);
 }
 
 Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {
@@ -137,15 +131,6 @@ Result<void> Dictionary::write_text(const Entry& entry, std::span<const std::uin
   store(at, static_cast<std::uint32_t>(text.size()));
   std::copy(text.begin(), text.end(), reinterpret_cast<std::uint8_t*>(at + sizeof(std::uint32_t)));
   return {};
-}
-
-std::int64_t Dictionary::stored(const Entry& entry) const noexcept {
-  const auto bits = load<std::uint64_t>(image_.data() + entry.offset) & byte_mask(entry.size);
-  return entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
-}
-
-void Dictionary::set(const Entry& entry, std::int64_t value) noexcept {
-  std::memcpy(image_.data() + entry.offset, &value, entry.size);
 }
 
 void Dictionary::restore(std::uint16_t first, std::uint16_t last) noexcept {

@@ -32,18 +32,28 @@ class Dictionary {
   /// Builds the dictionary of @p table, sorted by index and sub-index without duplicates, for @p node_id 1..127.
   /// @p table must outlive the dictionary. Throws std::invalid_argument if the table is not in order.
   Dictionary(std::span<const EntryDescription> table, std::uint8_t node_id);
+  ~Dictionary() = default;
   Dictionary(const Dictionary&) = delete;
   Dictionary& operator=(const Dictionary&) = delete;
 
   /// The entry @p index, @p sub_index; NoObject or NoSubIndex.
-  Result<const Entry*> find(std::uint16_t index, std::uint8_t sub_index) const noexcept;
+  Result<const Entry*> find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+    const Slot& place = slot(index);
+    const Entry* const expected = entries_.data() + place.first + sub_index;
+    if (sub_index < place.count && expected->sub_index == sub_index) return expected;
+    return search(place, sub_index);
+  }
   /// True if any entry of @p index exists.
   bool contains(std::uint16_t index) const noexcept { return slot(index).count != 0; }
   /// Every entry, in order.
   std::span<const Entry> entries() const noexcept { return entries_; }
 
   /// Reads a number as a master would see it; asks the owner. WriteOnly, UnsupportedAccess for a string.
-  Result<std::int64_t> read(const Entry& entry) const;
+  Result<std::int64_t> read(const Entry& entry) const {
+    if (!entry.readable) return refuse(AbortCode::WriteOnly);
+    if (entry.size == 0) return refuse(AbortCode::UnsupportedAccess);
+    return entry.read_owner != nullptr ? entry.read_owner->read(entry, stored(entry)) : stored(entry);
+  }
   /// Writes a number as a master would: access, limits, then the owner. ReadOnly, ValueTooHigh, ValueTooLow.
   Result<void> write(const Entry& entry, std::int64_t value);
   /// The bytes of a string.
@@ -52,9 +62,14 @@ class Dictionary {
   Result<void> write_text(const Entry& entry, std::span<const std::uint8_t> text);
 
   /// The stored number of @p entry, without asking the owner.
-  std::int64_t stored(const Entry& entry) const noexcept;
+  std::int64_t stored(const Entry& entry) const noexcept {
+    const std::uint64_t bits = load<std::uint64_t>(image_.data() + entry.offset) & entry.mask;
+    return entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
+  }
   /// Stores a number without asking anybody.
-  void set(const Entry& entry, std::int64_t value) noexcept;
+  void set(const Entry& entry, std::int64_t value) noexcept {
+    store_bytes(image_.data() + entry.offset, static_cast<std::uint64_t>(value), entry.size);
+  }
   /// Initial values again for the objects @p first to @p last, without asking the owners.
   void restore(std::uint16_t first, std::uint16_t last) noexcept;
 
@@ -85,6 +100,7 @@ class Dictionary {
   using Page = std::array<Slot, 256>;
 
   const Slot& slot(std::uint16_t index) const noexcept { return pages_[page_of_[index >> 8]][index & 0xFF]; }
+  Result<const Entry*> search(const Slot& place, std::uint8_t sub_index) const noexcept;
   Entry& existing(std::uint16_t index, std::uint8_t sub_index);
   std::byte* checked_value(std::uint16_t index, std::uint8_t sub_index, std::size_t size);
   void append(const EntryDescription& row);

@@ -9,8 +9,8 @@ namespace canopen {
 
 class EntryOwner;
 
-/// One entry of a dictionary at run time: the facts of its description that an access needs, in one place.
-struct Entry {
+/// One entry of a dictionary at run time: the facts of its description that an access needs, in one cache line.
+struct alignas(64) Entry {
   std::uint16_t index = 0;
   std::uint8_t sub_index = 0;
   std::uint8_t size = 0;  ///< bytes of a number, 0 for a string type
@@ -26,7 +26,9 @@ struct Entry {
   std::int64_t low = 0;   ///< in an order that holds for every type: not the raw pattern of UNSIGNED64 and REAL
   std::int64_t high = 0;  ///< likewise
   const EntryDescription* description = nullptr;
+  std::uint64_t mask = 0;  ///< all ones in `size` bytes
 };
+static_assert(sizeof(Entry) == 64);
 
 /// What stands behind an entry. A service or the application registers itself for the entries whose reads or
 /// writes mean more than memory; all others are plain values of the dictionary.

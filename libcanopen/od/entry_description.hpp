@@ -34,11 +34,11 @@ struct EntryDescription {
   bool pdo_mappable = false;
   bool node_relative = false;  ///< the node-ID is added to `initial` ($NODEID+...)
   LimitCheck limit_check = LimitCheck::Table;
-  std::int64_t initial = 0;         ///< value after power-on, before node-ID and stored values
-  std::optional<std::int64_t> low;  ///< smallest value that may be written
-  std::optional<std::int64_t> high;
-  std::string_view text;       ///< initial value of a string type
-  std::string_view name;       ///< ParameterName in the EDS
+  std::int64_t initial = 0;           ///< value after power-on, before node-ID and stored values
+  std::optional<std::int64_t> low{};  ///< smallest value that may be written
+  std::optional<std::int64_t> high{};
+  std::string_view text{};     ///< initial value of a string type
+  std::string_view name{};     ///< ParameterName in the EDS
   std::uint16_t capacity = 0;  ///< longest value of a writable string type, in bytes
 };
 

@@ -18,7 +18,8 @@ Result<const Entry*> mapped_entry(const Dictionary& dictionary, std::uint32_t ma
 
 bool MappingPlan::append(std::uint32_t offset, std::uint8_t size) noexcept {
   if (length_ + size > 8) return false;
-  values_[count_++] = Value{.offset = offset, .size = size, .shift = static_cast<std::uint8_t>(8 * length_)};
+  values_[count_++] = Value{
+      .mask = byte_mask(size), .offset = offset, .size = size, .shift = static_cast<std::uint8_t>(8 * length_)};
   length_ = static_cast<std::uint8_t>(length_ + size);
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "libcanopen/base/little_endian.hpp"
 #include "libcanopen/od/dictionary.hpp"
@@ -22,38 +23,25 @@ class MappingPlan {
   /// The mapped values of @p image in mapping order, as they travel on the bus.
   std::uint64_t pack(const std::byte* image) const noexcept {
     std::uint64_t payload = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      payload |= (load<std::uint64_t>(image + values_[i].offset) & byte_mask(values_[i].size)) << values_[i].shift;
+    for (const Value& value : values()) {
+      payload |= (load<std::uint64_t>(image + value.offset) & value.mask) << value.shift;
     }
     return payload;
   }
   /// Stores the values of @p payload where they belong in @p image.
   void unpack(std::uint64_t payload, std::byte* image) const noexcept {
-    for (std::size_t i = 0; i < count_; ++i) {
-      const std::uint64_t value = payload >> values_[i].shift;
-      std::byte* const at = image + values_[i].offset;
-      switch (values_[i].size) {
-        case 1:
-          store(at, static_cast<std::uint8_t>(value));
-          break;
-        case 2:
-          store(at, static_cast<std::uint16_t>(value));
-          break;
-        case 4:
-          store(at, static_cast<std::uint32_t>(value));
-          break;
-        default:
-          std::memcpy(at, &value, values_[i].size);
-      }
-    }
+    for (const Value& value : values()) store_bytes(image + value.offset, payload >> value.shift, value.size);
   }
 
  private:
   struct Value {
+    std::uint64_t mask;  // all ones in `size` bytes
     std::uint32_t offset;
     std::uint8_t size;
     std::uint8_t shift;
   };
+  std::span<const Value> values() const noexcept { return {values_.data(), count_}; }
+
   std::array<Value, 8> values_{};
   std::uint8_t count_ = 0;
   std::uint8_t length_ = 0;

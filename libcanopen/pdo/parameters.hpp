@@ -31,6 +31,8 @@ struct PdoSettings {
   MappingPlan plan{};
 
   bool is_valid() const noexcept { return identifier != 0; }
+  /// Valid and with something mapped; a PDO without mapping is disabled (CiA 301, 7.5.2.36).
+  bool is_active() const noexcept { return is_valid() && plan.length() != 0; }
   bool is_synchronous() const noexcept { return transmission_type <= kLastSynchronousType; }
 };
 

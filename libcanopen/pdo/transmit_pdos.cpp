@@ -35,7 +35,7 @@ std::size_t TransmitPdos::timers_for(const Dictionary& dictionary) noexcept {
 }
 
 std::size_t TransmitPdos::timer(std::size_t position, Timer which) const noexcept {
-  return first_timer_ + position * kTimersEach + which;
+  return first_timer_ + position * kTimersEach + static_cast<std::size_t>(which);
 }
 
 std::uint64_t TransmitPdos::pack(std::size_t position) const noexcept {
@@ -54,7 +54,7 @@ void TransmitPdos::sort_out() noexcept {
   event_driven_.clear();
   for (std::size_t position = 0; position < states_.size(); ++position) {
     const PdoSettings& pdo = pdos()[position];
-    if (!pdo.is_valid()) continue;
+    if (!pdo.is_active()) continue;
     (pdo.is_synchronous() ? synchronous_ : event_driven_).push_back(static_cast<std::uint16_t>(position));
   }
 }
@@ -111,8 +111,8 @@ void TransmitPdos::request(std::size_t position, std::uint64_t payload) noexcept
   const TimePoint allowed = state.sent + state.inhibit;
   if (context_.now >= allowed) {
     transmit(position, payload);
-  } else if (!context_.timers.is_armed(timer(position, kInhibit))) {
-    context_.timers.arm(timer(position, kInhibit), allowed);
+  } else if (!context_.timers.is_armed(timer(position, Timer::Inhibit))) {
+    context_.timers.arm(timer(position, Timer::Inhibit), allowed);
   }
 }
 
@@ -128,16 +128,16 @@ void TransmitPdos::transmit(std::size_t position, std::uint64_t payload) noexcep
   state.first = false;
   state.event_elapsed = false;
   if (pdo.is_synchronous()) return;
-  if (state.inhibit.count() != 0) context_.timers.cancel(timer(position, kInhibit));
+  if (state.inhibit.count() != 0) context_.timers.cancel(timer(position, Timer::Inhibit));
   if (state.event_period.count() != 0)
-    context_.timers.arm(timer(position, kEvent), state.sent + state.event_period);
+    context_.timers.arm(timer(position, Timer::Event), state.sent + state.event_period);
 }
 
 void TransmitPdos::on_timer(std::size_t which) noexcept {
   const std::size_t position = which / kTimersEach;
   State& state = states_[position];
   const std::uint64_t payload = pack(position);
-  if (which % kTimersEach == kEvent) {
+  if (which % kTimersEach == static_cast<std::size_t>(Timer::Event)) {
     state.event_elapsed = true;
     request(position, payload);
   } else if (payload != state.payload || state.event_elapsed) {
@@ -146,7 +146,7 @@ void TransmitPdos::on_timer(std::size_t which) noexcept {
 }
 
 void TransmitPdos::on_pdo_changed(std::size_t position) noexcept {
-  for (const Timer which : {kEvent, kInhibit}) context_.timers.cancel(timer(position, which));
+  for (const Timer which : {Timer::Event, Timer::Inhibit}) context_.timers.cancel(timer(position, which));
   load_times(position);
   sort_out();
   State& state = states_[position];
@@ -154,7 +154,7 @@ void TransmitPdos::on_pdo_changed(std::size_t position) noexcept {
   state.syncs = 0;
   const PdoSettings& pdo = pdos()[position];
   state.event_elapsed = true;  // sends even if the values are those last sent
-  if (running_ && pdo.is_valid() && !pdo.is_synchronous()) request(position, pack(position));
+  if (running_ && pdo.is_active() && !pdo.is_synchronous()) request(position, pack(position));
 }
 
 void TransmitPdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_index, std::int64_t value) noexcept {
@@ -163,11 +163,11 @@ void TransmitPdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_in
   if (sub_index != pdo_sub::kEventTimer) return;
   state.event_period = event_time(value);
   const PdoSettings& pdo = pdos()[position];
-  if (!running_ || !pdo.is_valid() || pdo.is_synchronous()) return;
+  if (!running_ || !pdo.is_active() || pdo.is_synchronous()) return;
   if (value == 0) {
-    context_.timers.cancel(timer(position, kEvent));
+    context_.timers.cancel(timer(position, Timer::Event));
   } else {
-    context_.timers.arm(timer(position, kEvent), context_.now + state.event_period);
+    context_.timers.arm(timer(position, Timer::Event), context_.now + state.event_period);
   }
 }
 

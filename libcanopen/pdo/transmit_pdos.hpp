@@ -32,7 +32,8 @@ class TransmitPdos final : public PdoParameters::Listener {
   void on_pdo_time_changed(std::size_t position, std::uint8_t sub_index, std::int64_t value) noexcept override;
 
  private:
-  enum Timer : std::size_t { kEvent, kInhibit, kTimersEach };
+  enum class Timer : std::uint8_t { Event, Inhibit };
+  static constexpr std::size_t kTimersEach = 2;
   struct State {
     std::uint64_t payload = 0;  ///< as last sent
     TimePoint sent{};

@@ -62,7 +62,7 @@ void SdoServer::initiate_upload(const Frame& frame) noexcept {
     const auto value = context_.dictionary.read(**entry);
     if (!value) return abort(at, value.error());
     if (size <= 4) {
-      const auto bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(*value) & byte_mask((*entry)->size));
+      const auto bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(*value) & (*entry)->mask);
       return send(sdo::response(response_identifier_, sdo::expedited_upload((*entry)->size), at, bits));
     }
     store(buffer_.data(), *value);
@@ -147,8 +147,7 @@ bool SdoServer::continues(Transfer transfer, Command command) noexcept {
 Result<void> SdoServer::commit(const Entry& entry, std::span<const std::uint8_t> data) noexcept {
   if (entry.size == 0) return context_.dictionary.write_text(entry, data);
   if (data.size() != entry.size) return refuse(AbortCode::LengthMismatch);
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, data.data(), data.size());
+  const std::uint64_t bits = load<std::uint64_t>(data.data()) & entry.mask;
   const std::int64_t value = entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
   return context_.dictionary.write(entry, value);
 }

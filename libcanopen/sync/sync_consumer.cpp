@@ -23,7 +23,8 @@ Result<void> SyncConsumer::write(const Entry&, std::int64_t value) {
   const std::uint32_t identifier = cob_id & cob_id::kIdentifier;
   if ((cob_id & (cob_id::kProduce | cob_id::kMustBeZero)) != 0) return refuse(AbortCode::InvalidValue);
   if (is_restricted(identifier)) return refuse(AbortCode::InvalidValue);
-  if (identifier != identifier_ && identifiers_.is_used(identifier)) return refuse(AbortCode::ParameterIncompatible);
+  if (identifier != identifier_ && identifiers_.is_used(identifier))
+    return refuse(AbortCode::ParameterIncompatible);
   identifier_ = identifier;
   identifiers_.on_identifiers_changed();
   return {};

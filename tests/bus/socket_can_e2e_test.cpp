@@ -1,4 +1,3 @@
-#include <iostream>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -269,7 +268,6 @@ TEST(TransmitQueueOnCan, LosesNothingThoughTheControllerCannotTakeTheFramesAtOnc
   EXPECT_GT(queue.counters().queued, 0u);
   EXPECT_EQ(queue.counters().sent, kRounds * 254u);
   EXPECT_EQ(queue.counters().dropped, 0u);
-  std::cout << "refused " << queue.counters().refused << ", queued " << queue.counters().queued << '\n';
 }
 
 }  // namespace

@@ -184,6 +184,18 @@ TEST(AxisStates, SwitchesThePulsesOffAfterTheMonitoringTimeWhenTheMotorCannotSto
   EXPECT_GT(drive.rpm(), 100.0);
 }
 
+TEST(AxisStates, WaitsThePulseSuppressionDelayAtEveryOff1) {
+  TestAxis drive;
+  ASSERT_TRUE(drive.axis.write(1228, 0.1));
+
+  for (int i = 0; i < 3; ++i) {
+    drive.enable();
+    drive.send(0x0006);
+    const double time = drive.run_until([](const Axis& a) { return !a.actual().pulses_enabled; }, 1.0);
+    EXPECT_NEAR(time + TestAxis::kCycle, 0.1, TestAxis::kCycle) << i;
+  }
+}
+
 TEST(AxisStates, ThePowerOffOfAResetCancelsThePulsesAndLeavesNoMessage) {
   TestAxis drive;
   drive.turn_at(1000.0);

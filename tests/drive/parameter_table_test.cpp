@@ -1,5 +1,6 @@
 #include "drive/parameter_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

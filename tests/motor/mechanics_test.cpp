@@ -1,7 +1,6 @@
 #include "motor/mechanics.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 

@@ -19,15 +19,14 @@ const json kStatus = json::parse(R"({
      "faults": [{"number": 7860, "text": "External fault 1"}, {"number": 30001, "text": "Overcurrent"}],
      "alarms": [{"number": 7850, "text": "External alarm 1"}], "colour": "green"}]})");
 
-std::string answer(const json& result) {
-  TEST_F(Axisctl, ShowsTheStatusInAlignedLines) {
-    ControlServer server{socket(), answer(kStatus)};
+TEST_F(Axisctl, ShowsTheStatusInAlignedLines) {
+  ControlServer server{socket(), answer(kStatus)};
 
-    const Finished run_ = run({"status"});
+  const Finished run_ = run({"status"});
 
-    EXPECT_EQ(run_.status, 0);
-    EXPECT_EQ(run_.errors, "");
-    EXPECT_EQ(run_.output, R"(interface       vcan0
+  EXPECT_EQ(run_.status, 0);
+  EXPECT_EQ(run_.errors, "");
+  EXPECT_EQ(run_.output, R"(interface       vcan0
 node-ID         5
 NMT state       Operational
 up for          12.300 s
@@ -58,27 +57,26 @@ axis 2 Y (servo)
   alarms          A07850 External alarm 1
   colour          green
 )");
-    EXPECT_EQ(json::parse(server.request()), (json{{"id", 1}, {"method", "status"}}));
+  EXPECT_EQ(json::parse(server.request()), (json{{"id", 1}, {"method", "status"}}));
+}
+
+TEST_F(Axisctl, PrintsTheResultAsOneLineOfJson) {
+  ControlServer server{socket(), answer(kStatus)};
+
+  const Finished run_ = run({"status", "--json"});
+
+  EXPECT_EQ(run_.status, 0);
+  EXPECT_EQ(run_.output, kStatus.dump() + "\n");
+}
+
+TEST_F(Axisctl, ShowsAStatusOfAnotherShapeAsFarAsItCan) {
+  for (const char* shape : {"{}", "[1,2]", "null", R"({"axes":5})", R"({"axes":[3,{"faults":[5,{}],"axis":"x"}]})",
+                            R"({"bus":null,"uptime_s":"long","node_id":[]})"}) {
+    std::filesystem::remove(socket());
+    ControlServer server{socket(), answer(json::parse(shape))};
+
+    EXPECT_EQ(run({"status"}).status, 0) << shape;
   }
-
-  TEST_F(Axisctl, PrintsTheResultAsOneLineOfJson) {
-    ControlServer server{socket(), answer(kStatus)};
-
-    const Finished run_ = run({"status", "--json"});
-
-    EXPECT_EQ(run_.status, 0);
-    EXPECT_EQ(run_.output, kStatus.dump() + "\n");
-  }
-
-  TEST_F(Axisctl, ShowsAStatusOfAnotherShapeAsFarAsItCan) {
-    for (const char* shape :
-         {"{}", "[1,2]", "null", R"({"axes":5})", R"({"axes":[3,{"faults":[5,{}],"axis":"x"}]})",
-          R"({"bus":null,"uptime_s":"long","node_id":[]})"}) {
-      std::filesystem::remove(socket());
-      ControlServer server{socket(), answer(json::parse(shape))};
-
-      EXPECT_EQ(run({"status"}).status, 0) << shape;
-    }
-  }
+}
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST_F(Axisctl, SaysThatASocketWasLeftByADeadDaemon) {
 }
 
 TEST_F(Axisctl, SaysThatAPathIsTooLongForASocket) {
-  const std::string path = "/" + std::string(200, 'x');
+  const std::string path(201, '/');
 
   const Finished run_ = run({"--socket", path, "status"});
 
