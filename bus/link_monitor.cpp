@@ -33,7 +33,7 @@ Descriptor open_socket() {
 template <class T>
 std::optional<T> front(std::span<const std::byte> bytes) noexcept {
   if (bytes.size() < sizeof(T)) return std::nullopt;
-  T value;
+  T value{};
   std::memcpy(&value, bytes.data(), sizeof value);
   return value;
 }
@@ -97,7 +97,7 @@ LinkState LinkMonitor::start_again() noexcept {
 }
 
 std::optional<LinkState> LinkMonitor::read() noexcept {
-  alignas(nlmsghdr) std::array<std::byte, kBufferSize> buffer;
+  alignas(nlmsghdr) std::array<std::byte, kBufferSize> buffer{};
   bool changed = false;
   bool lost = false;
   for (;;) {

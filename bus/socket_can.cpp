@@ -41,7 +41,7 @@ SocketCan::SocketCan(std::string interface, int receive_buffer)
     : interface_{std::move(interface)}, socket_{open_socket()}, filters_{can_filter{0, 0}}, filter_count_{1} {
   configure(receive_buffer);
   const auto index = can_interface_index(interface_);
-  if (!index) throw index.error();
+  if (!index) throw OpenError{index.error()};
   if (!bind_to(*index))
     throw OpenError{fmt::format("{}: bind: {}", interface_, std::generic_category().message(errno))};
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -31,9 +32,11 @@ constexpr std::array kMotorPresets{MotorPreset{"1fk7063", motor::MachineData{}}}
 std::string read_file(const std::string& name) {
   std::ifstream file{name};
   if (!file) throw ConfigurationError{fmt::format("{}: cannot be read: {}", name, std::strerror(errno))};
-  std::string text{std::istreambuf_iterator<char>{file}, {}};
-  if (file.bad() || errno == EISDIR) throw ConfigurationError{fmt::format("{}: cannot be read", name)};
-  return text;
+  try {
+    return std::string{std::istreambuf_iterator<char>{file}, {}};
+  } catch (const std::ios_base::failure& error) {  // a folder opens, but cannot be read
+    throw ConfigurationError{fmt::format("{}: cannot be read: {}", name, error.code().message())};
+  }
 }
 
 /// A key of a motor file and where its value belongs; the factor makes the unit in the key an SI unit.
@@ -86,6 +89,8 @@ void read_load_torque(const JsonReader& json, motor::Load& load) {
     }
     load.constant_torque =
         motor::hoist_torque(json.at("mass").number(0, kUnlimited), json.at("radius").number(0, kUnlimited));
+    if (load.constant_torque > kHighestTorque)
+      json.fail(fmt::format("mass and radius that make at most {} N·m", kHighestTorque));
   } else if (type == "fan") {
     json.expect_object({"type", "coefficient"});
     if (!json.has("coefficient")) json.fail("the key coefficient (N·m·s²)");
@@ -109,13 +114,24 @@ motor::Load read_load(const JsonReader& json) {
   return load;
 }
 
+/// What should have been written instead of what @p error refused.
+std::string expectation(const drive::ParameterError& error) {
+  const drive::ParameterRow& row = *error.row;
+  if (error.reason == drive::ParameterError::Reason::ReadOnly)
+    return fmt::format("no value ({} is read only)", row.text);
+  const bool integer = std::holds_alternative<std::int32_t drive::AxisParameters::*>(row.member);
+  const std::string_view unit = drive::row_of(row.unit).text;
+  return fmt::format("{} {} to {}{}{}", integer ? "an integer" : "a number", row.minimum, row.maximum,
+                     unit.empty() ? "" : " ", unit);
+}
+
 ParameterValue read_parameter(const JsonReader& json, const std::string& text) {
   const drive::ParameterRow* const row = drive::find_parameter(text);
   if (row == nullptr) json.fail("a parameter of the axis such as p1120 as key");
   const double value = json.number(-kUnlimited, kUnlimited);
   drive::AxisParameters trial;
   if (const auto written = drive::write(trial, row->number, value); !written)
-    json.fail(drive::message(written.error()));
+    json.fail(expectation(written.error()));
   return {row->number, value};
 }
 

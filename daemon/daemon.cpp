@@ -6,6 +6,7 @@
 
 #include <poll.h>
 #include <sys/epoll.h>
+#include <sys/socket.h>
 #include <systemd/sd-daemon.h>
 
 #include "daemon/clock.hpp"
@@ -30,6 +31,13 @@ device::Configuration device_configuration(const Configuration& configuration) {
 constexpr std::string_view name_of(bus::ErrorState state) noexcept {
   constexpr std::array<std::string_view, 4> kNames{"error active", "error warning", "error passive", "bus-off"};
   return kNames[static_cast<std::size_t>(state)];
+}
+
+/// Takes the error that a lost link leaves in its socket: the boot-up frame would fail with it and be lost.
+void take_pending_error(int descriptor) noexcept {
+  int error = 0;
+  socklen_t length = sizeof error;
+  getsockopt(descriptor, SOL_SOCKET, SO_ERROR, &error, &length);
 }
 
 }  // namespace
@@ -78,6 +86,7 @@ void Daemon::run() {
 }
 
 void Daemon::turn() noexcept {
+  // Also without a link: the shaft turns on, and what it would send is dropped.
   timer_.wake_by(std::min(device_.next_deadline(), queue_.next_retry()));
   const bool listens = link_is_up_ && queue_.accepts_input();
   std::array<pollfd, 3> wait{pollfd{listens ? port_.descriptor() : -1, POLLIN, 0},
@@ -128,13 +137,17 @@ int Daemon::on_link(sd_event_source*, int, std::uint32_t, void* self) noexcept {
 
 void Daemon::link_up() noexcept {
   if (!port_.reopen()) return;
+  take_pending_error(port_.descriptor());
   link_is_up_ = true;
   queue_.discard();
   const canopen::TimePoint now = read_clock();
   queue_.retry(now);
   device_.start(now);
-  if (ready_told_) log_.notice("{} is up again", configuration_.interface);
-  tell_ready();
+  if (ready_told_) {
+    log_.notice("{} is up again", configuration_.interface);
+  } else {
+    tell_ready();
+  }
 }
 
 void Daemon::link_down() noexcept {

@@ -33,6 +33,8 @@ JsonReader JsonReader::parse(std::string_view text, const std::string& file) {
     return JsonReader{nlohmann::json::parse(text), file, ""};
   } catch (const nlohmann::json::parse_error& error) {
     throw ConfigurationError{fmt::format("{}: {}: expected valid JSON", file, position_of(text, error.byte))};
+  } catch (const nlohmann::json::out_of_range&) {
+    throw ConfigurationError{fmt::format("{}: expected valid JSON, got a number that is too large", file)};
   }
 }
 
@@ -90,9 +92,11 @@ int JsonReader::integer(int low, int high) const {
 
 double JsonReader::number(double low, double high) const {
   const bool fits = value_.is_number() && value_.get<double>() >= low && value_.get<double>() <= high;
-  if (!fits)
+  if (!fits) {
+    if (std::isinf(low)) fail("a number");
     fail(std::isinf(high) ? fmt::format("a number not below {}", low)
                           : fmt::format("a number {} to {}", low, high));
+  }
   return value_.get<double>();
 }
 

@@ -1,22 +1,37 @@
 #include "daemon/options.hpp"
 
+#include <algorithm>
+#include <array>
 #include <iostream>
-#include <map>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
 #include "daemon/version.hpp"
 
 namespace axisd {
+namespace {
+
+struct LevelRow {
+  std::string_view name;
+  LogLevel level;
+};
+constexpr std::array kLevels{LevelRow{"error", LogLevel::Error}, LevelRow{"warning", LogLevel::Warning},
+                             LevelRow{"notice", LogLevel::Notice}, LevelRow{"info", LogLevel::Info},
+                             LevelRow{"debug", LogLevel::Debug}};
+
+LogLevel level_named(const std::string& name) {
+  const auto row = std::find_if(kLevels.begin(), kLevels.end(), [&](const LevelRow& r) { return r.name == name; });
+  if (row != kLevels.end()) return row->level;
+  throw UsageError{"--log-level: expected error, warning, notice, info or debug, got \"" + name + '"'};
+}
+
+}  // namespace
 
 std::optional<Options> parse_command_line(int count, const char* const* words) {
   Options options;
   CLI::App app{"Puts a simulated CANopen drive unit on a SocketCAN interface.", "axisd"};
-  const std::map<std::string, LogLevel> levels{{"error", LogLevel::Error},
-                                               {"warning", LogLevel::Warning},
-                                               {"notice", LogLevel::Notice},
-                                               {"info", LogLevel::Info},
-                                               {"debug", LogLevel::Debug}};
+  std::string level = "info";
   app.set_version_flag("--version", std::string{"axisd "} + kVersion);
   app.add_option("--config", options.config_file, "JSON configuration file")->type_name("FILE");
   app.add_option("--interface", options.interface, "CAN interface (default: vcan0)")->type_name("IF");
@@ -25,9 +40,8 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   app.add_option("--state-directory", options.state_directory, "where the unit keeps its state")->type_name("DIR");
   app.add_option("--control", options.control, "control socket, or none")->type_name("SOCKET");
   app.add_flag("--check-config", options.check_config, "check the configuration and exit");
-  app.add_option("--log-level", options.log_level, "error, warning, notice, info or debug (default: info)")
-      ->type_name("LEVEL")
-      ->transform(CLI::CheckedTransformer(levels, CLI::ignore_case));
+  app.add_option("--log-level", level, "error, warning, notice, info or debug (default: info)")
+      ->type_name("LEVEL");
   try {
     app.parse(count, words);
   } catch (const CLI::Success& asked) {
@@ -36,6 +50,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   } catch (const CLI::ParseError& error) {
     throw UsageError{std::string{error.what()} + " (see axisd --help)"};
   }
+  options.log_level = level_named(level);
   return options;
 }
 

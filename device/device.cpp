@@ -115,9 +115,9 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   } else if (from == canopen::NmtState::Operational && fault_on_leaving_operational_) {
     [[maybe_unused]] const auto raised =
         axis_.raise(kLeftOperational, to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
-    error_objects_.update(node_);
-    process_data_.publish(axis_.actual());
   }
+  error_objects_.update(node_);
+  process_data_.publish(axis_.actual());
   wake();
 }
 

@@ -49,8 +49,8 @@ std::uint16_t effective(std::uint16_t controlword, const AxisParameters& paramet
 Axis::Axis(const AxisConfiguration& configuration) noexcept
     : configuration_{configuration},
       parameters_{commissioned_parameters(configuration.machine, configuration.load)},
-      train_{configuration.machine, configuration.load} {
-  counts_to_speed_ = 2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine);
+      train_{configuration.machine, configuration.load},
+      counts_to_speed_{2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine)} {
   apply_parameters();
 }
 
@@ -152,7 +152,7 @@ void Axis::select_ramp(const Setpoints& setpoints) noexcept {
 }
 
 void Axis::move(double duration) noexcept {
-  const int steps = std::max(1, static_cast<int>(duration / motor::kControlPeriod + 0.5));
+  const int steps = std::max(1, static_cast<int>(std::lround(duration / motor::kControlPeriod)));
   const RampSlopes slopes = slopes_[static_cast<std::size_t>(ramp_)];
   motor::Command command{pulses_enabled_in(state_), 0.0, torque_limits_};
   double torque_demand = 0.0;
@@ -161,11 +161,12 @@ void Axis::move(double duration) noexcept {
     if (command.pulses_enabled)
       command.speed_setpoint = ramp_generator_.step(motor::kControlPeriod, target_, slopes);
     train_.step(motor::kControlPeriod, command);
+    if (!command.pulses_enabled && train_.rests()) break;  // the other steps would change nothing
     torque_demand += train_.signals().torque_setpoint;
     torque += train_.signals().torque;
   }
   const std::int64_t counts = train_.signals().encoder_counts;
-  const double moved = static_cast<double>(counts - actual_.encoder_counts);
+  const auto moved = static_cast<double>(counts - actual_.encoder_counts);
   actual_.speed = moved * counts_to_speed_ / (steps * motor::kControlPeriod);
   actual_.torque_demand = torque_demand / steps;
   actual_.torque = torque / steps;

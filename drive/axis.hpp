@@ -115,7 +115,7 @@ class Axis {
   double speed_limit_ = 0.0;  // rad/s
   motor::TorqueLimits torque_limits_{};
   std::array<RampSlopes, kRampCount> slopes_{};
-  double counts_to_speed_ = 0.0;  // rad an increment
+  double counts_to_speed_;  // rad an increment
 
   State state_ = State::NotReadyToSwitchOn;
   std::uint16_t controlword_ = 0;

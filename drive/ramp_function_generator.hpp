@@ -23,6 +23,7 @@ class RampFunctionGenerator {
   void start(double speed) noexcept { output_ = speed; }
   /// Moves the output towards @p target (rad/s) for @p dt (s) and returns it.
   double step(double dt, double target, const RampSlopes& slopes) noexcept {
+    if (std::abs(target - output_) <= 0.0) return output_;
     const bool reversal = output_ * target < 0.0;
     const bool slower = std::abs(target) < std::abs(output_);
     const double turning_point = reversal ? 0.0 : (slower ? target : output_);

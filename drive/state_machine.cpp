@@ -1,5 +1,6 @@
 #include "drive/state_machine.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace drive {
@@ -144,12 +145,11 @@ static_assert(
 
 static_assert(
     [] {
-      for (const Transition& row : kTransitions) {
+      return std::all_of(kTransitions.begin(), kTransitions.end(), [](const Transition& row) {
         const bool changes = kStates[index(row.from)].pulses != kStates[index(row.to)].pulses;
         const bool switches = row.action == A::EnablePulses || row.action == A::InhibitPulses;
-        if (changes != switches) return false;
-      }
-      return true;
+        return changes == switches;
+      });
     }(),
     "the action switches the pulses exactly where the states differ");
 

@@ -74,7 +74,7 @@ std::int64_t check_mapped(const Catalogue& catalogue, const Object& object, cons
   const Entry* const target = find_entry(catalogue, index, sub);
   if (target == nullptr || !target->pdo_mappable)
     fail(object.index, mapping.sub_index, "a mappable entry as default");
-  if (bits != 8 * canopen::size_of(target->type))
+  if (bits != std::int64_t{8} * canopen::size_of(target->type))
     fail(object.index, mapping.sub_index, "the length of the mapped entry, in bits");
   if (!may_carry(object.index < 0x1800, target->access))
     fail(object.index, mapping.sub_index, "an entry that may be mapped in this direction");

@@ -89,7 +89,7 @@ void read_limits(const JsonFields& fields, Entry& entry) {
   if (entry.high && !ordered(entry.initial, *entry.high)) fields.fail(key, "at most \"high\"");
   if (!fields.has("limits")) return;
   entry.limit_check = fields.word("limits", kLimitChecks);
-  if (!entry.low && !entry.high) fields.fail("limits", "\"low\" or \"high\" beside it");
+  if (!entry.low && !entry.high) fields.fail("limits", R"("low" or "high" beside it)");
 }
 
 /// CiA 306: a mappable entry is short enough for a PDO and says the direction by its access.

@@ -30,7 +30,7 @@ class Encoder {
     fraction_ = position - whole;
     const auto moved = static_cast<std::int64_t>(whole);
     counts_ += moved;
-    speed_ += filter_gain_ * (static_cast<double>(moved) * speed_per_increment_ - speed_);
+    speed_ += filter_gain_ * (whole * speed_per_increment_ - speed_);
     if (moved == 0 && std::abs(speed_) < kZeroSpeed) speed_ = 0.0;
   }
   /// Increments since power-on; negative after turning backwards.

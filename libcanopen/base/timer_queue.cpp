@@ -31,8 +31,7 @@ void TimerQueue::clear() noexcept {
   heap_.clear();
 }
 
-std::optional<std::size_t> TimerQueue::take_due(TimePoint now) noexcept {
-  if (heap_.empty() || heap_.front().when > now) return std::nullopt;
+std::size_t TimerQueue::take_first() noexcept {
   const std::size_t timer = heap_.front().timer;
   remove_at(0);
   return timer;

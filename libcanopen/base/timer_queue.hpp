@@ -25,7 +25,10 @@ class TimerQueue {
   /// The earliest deadline, kNever if no timer is armed.
   TimePoint earliest() const noexcept { return heap_.empty() ? kNever : heap_.front().when; }
   /// Takes out and names the earliest timer if it is due at @p now.
-  std::optional<std::size_t> take_due(TimePoint now) noexcept;
+  std::optional<std::size_t> take_due(TimePoint now) noexcept {
+    if (heap_.empty() || heap_.front().when > now) return std::nullopt;
+    return take_first();
+  }
   /// True while @p timer has a deadline.
   bool is_armed(std::size_t timer) const noexcept { return position_[timer] != kOut; }
 
@@ -36,6 +39,7 @@ class TimerQueue {
   };
   static constexpr std::uint32_t kOut = UINT32_MAX;
 
+  std::size_t take_first() noexcept;
   void place(std::size_t at, Node node) noexcept;
   void rise(std::size_t at, Node node) noexcept;
   void sink(std::size_t at, Node node) noexcept;

@@ -39,7 +39,7 @@ constexpr std::string_view name_of(NmtState state) noexcept {
 
 /// Which services work in an NMT state (CiA 301, table "NMT states and communication objects").
 struct ServiceGate {
-  bool sdo, pdo, sync, emcy;
+  bool sdo = false, pdo = false, sync = false, emcy = false;
 };
 constexpr ServiceGate services_in(NmtState state) noexcept {
   switch (state) {

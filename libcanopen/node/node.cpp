@@ -53,16 +53,15 @@ void Node::on_frame(const Frame& frame, TimePoint now) noexcept {
   if (frame.extended || frame.remote || frame.id >= routes_.size()) return;
   context_.now = now;
   const Route route = routes_[frame.id];
-  const ServiceGate gate = services_in(context_.state);
   switch (route.service) {
     case Service::Sdo:
-      if (gate.sdo) sdo_servers_[route.position].on_frame(frame);
+      if (gate_.sdo) sdo_servers_[route.position].on_frame(frame);
       break;
     case Service::Rpdo:
-      if (gate.pdo) receive_pdos_.on_frame(route.position, frame);
+      if (gate_.pdo) receive_pdos_.on_frame(route.position, frame);
       break;
     case Service::Sync:
-      if (gate.sync && frame.length <= 1) on_sync();  // with or without a counter
+      if (gate_.sync && frame.length <= 1) on_sync();  // with or without a counter
       break;
     case Service::Nmt:
       on_nmt(frame);
@@ -146,11 +145,12 @@ void Node::enter(NmtState state) noexcept {
   const NmtState from = context_.state;
   if (state == from) return;
   context_.state = state;
+  gate_ = services_in(state);
   if (from == NmtState::Operational) {
     receive_pdos_.forget();
     transmit_pdos_.stop();
   }
-  if (!services_in(state).sdo) {
+  if (!gate_.sdo) {
     for (SdoServer& server : sdo_servers_) server.forget();
   }
   application_.on_nmt_state(from, state);
@@ -158,7 +158,7 @@ void Node::enter(NmtState state) noexcept {
 }
 
 void Node::on_sync() noexcept {
-  if (!services_in(context_.state).pdo) return;
+  if (!gate_.pdo) return;
   transmit_pdos_.on_sync();
   receive_pdos_.on_sync();
 }

@@ -44,8 +44,8 @@ class Node final : private IdentifierUse, private ReceivePdos::Receiver {
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
 
-  /// Boots: sends the boot-up message and enters the start state. Again later, when the bus was away: the dictionary
-  /// keeps its values, everything else starts afresh.
+  /// Boots: sends the boot-up message and enters the start state. Again later, when the bus was away: the
+  /// dictionary keeps its values, everything else starts afresh.
   void start(TimePoint now) noexcept;
   /// A frame from the bus.
   void on_frame(const Frame& frame, TimePoint now) noexcept;
@@ -95,6 +95,7 @@ class Node final : private IdentifierUse, private ReceivePdos::Receiver {
   Application& application_;
   TimerQueue timers_;
   Context context_;
+  ServiceGate gate_{};  ///< of the NMT state
   HeartbeatProducer heartbeat_;
   std::vector<SdoServer> sdo_servers_;
   ReceivePdos receive_pdos_;

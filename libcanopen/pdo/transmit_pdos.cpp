@@ -81,18 +81,19 @@ void TransmitPdos::stop() noexcept {
   for (std::size_t i = 0; i < states_.size() * kTimersEach; ++i) context_.timers.cancel(first_timer_ + i);
 }
 
-bool TransmitPdos::is_due(std::size_t position, std::uint64_t payload) noexcept {
-  State& state = states_[position];
-  const std::uint8_t type = pdos()[position].transmission_type;
-  if (type == 0) return state.first || payload != state.payload;
-  return ++state.syncs >= type;
+/// Notes a SYNC for @p pdo and tells whether it has to be sent with it; @p payload holds its values.
+bool TransmitPdos::is_due(const PdoSettings& pdo, State& state, std::uint64_t payload) noexcept {
+  if (pdo.transmission_type == 0) return state.first || payload != state.payload;
+  return ++state.syncs >= pdo.transmission_type;
 }
 
 void TransmitPdos::on_sync() noexcept {
   staged_.clear();
   for (const std::uint16_t position : synchronous_) {
-    const std::uint64_t payload = pack(position);
-    if (is_due(position, payload)) staged_.push_back({position, payload});
+    const PdoSettings& pdo = pdos()[position];
+    const std::uint64_t payload = pdo.plan.pack(context_.dictionary.image());
+    // Within the capacity reserved by the constructor.
+    if (is_due(pdo, states_[position], payload)) staged_.push_back({position, payload});
   }
   for (const Staged& staged : staged_) transmit(staged.position, staged.payload);
 }

@@ -23,8 +23,8 @@ class TransmitPdos final : public PdoParameters::Listener {
   void on_sync() noexcept;
   /// The owner has new values: event-driven TPDOs whose values differ from those last sent are due.
   void on_values_changed() noexcept;
-  /// Timer @p timer of this service fired, counted from its first.
-  void on_timer(std::size_t timer) noexcept;
+  /// Timer @p which of this service fired, counted from its first.
+  void on_timer(std::size_t which) noexcept;
 
   std::span<const PdoSettings> pdos() const noexcept { return parameters_.pdos(); }
 
@@ -49,7 +49,7 @@ class TransmitPdos final : public PdoParameters::Listener {
   };
 
   std::uint64_t pack(std::size_t position) const noexcept;
-  bool is_due(std::size_t position, std::uint64_t payload) noexcept;
+  static bool is_due(const PdoSettings& pdo, State& state, std::uint64_t payload) noexcept;
   void request(std::size_t position, std::uint64_t payload) noexcept;
   void transmit(std::size_t position, std::uint64_t payload) noexcept;
   void load_times(std::size_t position) noexcept;

@@ -98,7 +98,7 @@ void SdoServer::initiate_download(const Frame& frame) noexcept {
   if (command.is_expedited()) {
     const std::size_t expected = (*entry)->size != 0 ? std::min<std::size_t>((*entry)->size, 4) : 4;
     const std::size_t size = command.has_size() ? command.expedited_size() : expected;
-    const auto written = commit(**entry, {&frame.data[4], size});
+    const auto written = commit(**entry, {&frame.data[4], size}, load<std::uint32_t>(&frame.data[4]));
     return written ? acknowledge_download() : abort(at, written.error());
   }
   const std::size_t announced = load<std::uint32_t>(&frame.data[4]);
@@ -121,7 +121,7 @@ void SdoServer::download_segment(const Frame& frame) noexcept {
   done_ += bytes;
   if (command.is_last()) {
     if (size_announced_ && done_ < size_) return abort(address_, AbortCode::LengthTooLow);
-    const auto written = commit(*entry_, {buffer_.data(), done_});
+    const auto written = commit(*entry_, {buffer_.data(), done_}, load<std::uint64_t>(buffer_.data()));
     if (!written) return abort(address_, written.error());
     end();
   }
@@ -144,10 +144,12 @@ bool SdoServer::continues(Transfer transfer, Command command) noexcept {
   return true;
 }
 
-Result<void> SdoServer::commit(const Entry& entry, std::span<const std::uint8_t> data) noexcept {
+/// Writes @p data, whose first bytes are also in @p word with anything behind them.
+Result<void> SdoServer::commit(const Entry& entry, std::span<const std::uint8_t> data,
+                               std::uint64_t word) noexcept {
   if (entry.size == 0) return context_.dictionary.write_text(entry, data);
   if (data.size() != entry.size) return refuse(AbortCode::LengthMismatch);
-  const std::uint64_t bits = load<std::uint64_t>(data.data()) & entry.mask;
+  const std::uint64_t bits = word & entry.mask;
   const std::int64_t value = entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
   return context_.dictionary.write(entry, value);
 }

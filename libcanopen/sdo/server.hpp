@@ -31,7 +31,7 @@ class SdoServer {
   void download_segment(const Frame& frame) noexcept;
 
   Result<const Entry*> find(sdo::Address at) noexcept;
-  Result<void> commit(const Entry& entry, std::span<const std::uint8_t> data) noexcept;
+  Result<void> commit(const Entry& entry, std::span<const std::uint8_t> data, std::uint64_t word) noexcept;
   void begin(Transfer transfer, std::size_t size) noexcept;
   void end() noexcept;
   bool continues(Transfer transfer, sdo::Command command) noexcept;

@@ -3,7 +3,7 @@
 using canopen::Frame;
 using canopen::NmtState;
 
-NodeTest::Lines NodeTest::taken() {
+NodeTest::Lines NodeTest::sent() {
   Lines lines;
   for (const Frame& frame : bus.take()) lines.push_back(fakes::candump(frame));
   return lines;
@@ -12,7 +12,7 @@ NodeTest::Lines NodeTest::taken() {
 NodeTest::Lines NodeTest::start() {
   node->start(now);
   node->on_time(now);
-  return taken();
+  return sent();
 }
 
 void NodeTest::start_operational() {
@@ -25,7 +25,7 @@ void NodeTest::start_operational() {
 NodeTest::Lines NodeTest::says(std::string_view frame) {
   node->on_frame(fakes::frame_of(frame), now);
   node->on_time(now);
-  return taken();
+  return sent();
 }
 
 NodeTest::Lines NodeTest::passes(canopen::Duration time) {
@@ -39,7 +39,7 @@ NodeTest::Lines NodeTest::passes(canopen::Duration time) {
       return lines;
     }
     const auto at = std::chrono::duration_cast<std::chrono::milliseconds>(now - kStart).count();
-    for (const std::string& line : taken()) lines.push_back(std::to_string(at) + "ms " + line);
+    for (const std::string& line : sent()) lines.push_back(std::to_string(at) + "ms " + line);
   }
   now = end;
   return lines;
@@ -48,7 +48,7 @@ NodeTest::Lines NodeTest::passes(canopen::Duration time) {
 NodeTest::Lines NodeTest::sets(std::uint16_t index, std::int64_t value) {
   store_value(index, 0, value);
   node->on_values_changed(now);
-  return taken();
+  return sent();
 }
 
 void NodeTest::store_value(std::uint16_t index, std::uint8_t sub_index, std::int64_t value) {
@@ -61,15 +61,16 @@ std::int64_t NodeTest::value_of(std::uint16_t index, std::uint8_t sub_index) con
 
 std::uint32_t NodeTest::writes(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value, unsigned size) {
   const auto command = static_cast<std::uint8_t>(0x23U | (4 - size) << 2);
-  Frame request = canopen::sdo::response(0x605, command, {index, sub_index}, value);
+  const Frame request = canopen::sdo::response(0x605, command, {index, sub_index}, value);
   bus.take();
   node->on_frame(request, now);
-  if (bus.sent.empty() || bus.sent.front().id != 0x585) {
+  const auto found = std::ranges::find(bus.sent, 0x585U, &Frame::id);  // a PDO may come before it
+  if (found == bus.sent.end()) {
     ADD_FAILURE() << "no answer to " << fakes::candump(request);
     return 0;
   }
-  const Frame answer = bus.sent.front();
-  bus.sent.erase(bus.sent.begin());
+  const Frame answer = *found;
+  bus.sent.erase(found);
   if (answer.data[0] == 0x60) return 0;
   EXPECT_EQ(answer.data[0], 0x80) << fakes::candump(answer);
   return canopen::load<std::uint32_t>(&answer.data[4]);

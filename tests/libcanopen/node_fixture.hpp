@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -49,6 +50,8 @@ class NodeTest : public testing::Test {
   Lines start();
   /// Boots the node and takes it to Operational; what it sent is forgotten.
   void start_operational();
+  /// What the node has sent since the last of these calls.
+  Lines sent();
   /// A frame comes from the bus; returns what the node sent, what fell due at this very moment included.
   Lines says(std::string_view frame);
   /// Time passes; returns what the node sent, each line with its time since construction: "100ms 705#7F".
@@ -84,7 +87,4 @@ class NodeTest : public testing::Test {
   RecordingApplication application;
   canopen::Dictionary dictionary{test_table(), 5};
   std::optional<canopen::Node> node;
-
- private:
-  Lines taken();
 };

@@ -29,7 +29,8 @@ constexpr std::array kPlain{
                      .initial = 0x80,
                      .low = 1,
                      .high = 0x800000FF},
-    EntryDescription{.index = 0x1008, .type = VisibleString, .access = Access::Constant, .text = "Slave of the tests"},
+    EntryDescription{
+        .index = 0x1008, .type = VisibleString, .access = Access::Constant, .text = "Slave of the tests"},
     EntryDescription{.index = 0x100A, .type = VisibleString, .access = Access::Constant, .text = "1.0"},
     EntryDescription{.index = 0x1014,
                      .type = Unsigned32,
@@ -79,10 +80,11 @@ constexpr std::array kLimited{
     Limited{Integer64, -(1LL << 40), 1LL << 40, -(1LL << 40) + 1},
     Limited{Unsigned64, 16, -17, 17},  // to 0xFFFFFFFFFFFFFFEF
     Limited{Real32, real(-1.0F), real(1.0F), real(-0.5F)},
+    Limited{Real64, std::bit_cast<std::int64_t>(-2.0), std::bit_cast<std::int64_t>(2.0), 0},
 };
-constexpr std::array kUnlimited{Boolean,    Integer8,   Unsigned8,  Integer16,  Unsigned16, Integer24,
-                                Unsigned24, Integer32,  Unsigned32, Real32,     Integer40,  Unsigned48,
-                                Unsigned56, Integer64,  Unsigned64, Real64};
+constexpr std::array kUnlimited{Boolean,    Integer8,  Unsigned8,  Integer16, Unsigned16, Integer24,
+                                Unsigned24, Integer32, Unsigned32, Real32,    Integer40,  Unsigned48,
+                                Unsigned56, Integer64, Unsigned64, Real64};
 
 struct Pdo {
   std::uint16_t communication;

@@ -50,7 +50,7 @@ bool send_all(const bus::Descriptor& socket, std::string_view rest) {
 /// One line without its newline.
 tl::expected<std::string, std::string> read_line(const bus::Descriptor& socket) {
   std::string line;
-  std::array<char, 4096> part;
+  std::array<char, 4096> part{};
   while (line.size() < control::kMaximumLine) {
     const ssize_t size = ::recv(socket.get(), part.data(), part.size(), 0);
     if (size < 0 && errno == EINTR) continue;

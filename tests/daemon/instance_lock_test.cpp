@@ -1,0 +1,132 @@
+#include "daemon/instance_lock.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/fakes/temporary_directory.hpp"
+
+namespace axisd {
+namespace {
+
+/// An interface name of this process alone: the names of the locks are known to the whole network namespace.
+std::string interface() {
+  return fmt::format("t{}", ::getpid());
+}
+
+std::string refusal(const std::filesystem::path& root, int node_id) {
+  try {
+    const InstanceLock lock{root, interface(), node_id};
+  } catch (const InstanceError& error) {
+    return error.what();
+  }
+  return "granted";
+}
+
+std::string in_use(int node_id) {
+  return fmt::format("{}: node {} is already served by another axisd", interface(), node_id);
+}
+
+TEST(InstanceLock, CreatesTheFolderOfItsInstance) {
+  const fakes::TemporaryDirectory root;
+
+  const InstanceLock lock{root.path("state"), interface(), 5};
+
+  EXPECT_EQ(lock.directory(), root.path("state") + "/" + interface() + "-5");
+  EXPECT_TRUE(std::filesystem::is_directory(lock.directory()));
+}
+
+TEST(InstanceLock, RefusesASecondInstance) {
+  const fakes::TemporaryDirectory root;
+  const InstanceLock lock{root.path(), interface(), 5};
+
+  EXPECT_EQ(refusal(root.path(), 5), in_use(5));
+}
+
+TEST(InstanceLock, RefusesASecondInstanceThatKeepsItsStateElsewhere) {
+  const fakes::TemporaryDirectory root;
+  const fakes::TemporaryDirectory elsewhere;
+  const InstanceLock lock{root.path(), interface(), 5};
+
+  EXPECT_EQ(refusal(elsewhere.path(), 5), in_use(5));
+}
+
+TEST(InstanceLock, LeavesOtherNodesAlone) {
+  const fakes::TemporaryDirectory root;
+  const InstanceLock lock{root.path(), interface(), 5};
+
+  EXPECT_EQ(refusal(root.path(), 6), "granted");
+}
+
+TEST(InstanceLock, EndsWithTheInstance) {
+  const fakes::TemporaryDirectory root;
+  std::optional<InstanceLock> lock;
+  lock.emplace(root.path(), interface(), 5);
+
+  lock.reset();
+
+  EXPECT_EQ(refusal(root.path(), 5), "granted");
+}
+
+TEST(InstanceLock, IsNotHeldByARefusedInstance) {
+  const fakes::TemporaryDirectory root;
+  const fakes::TemporaryDirectory elsewhere;
+  std::optional<InstanceLock> lock;
+  lock.emplace(root.path(), interface(), 5);
+  ASSERT_EQ(refusal(elsewhere.path(), 5), in_use(5));
+
+  lock.reset();
+
+  EXPECT_EQ(refusal(elsewhere.path(), 5), "granted");
+}
+
+TEST(InstanceLock, NamesAFolderThatCannotBeCreated) {
+  const fakes::TemporaryDirectory root;
+  std::ofstream{root.path("file")} << "no folder";
+
+  EXPECT_EQ(refusal(root.path("file"), 5),
+            root.path("file") + "/" + interface() + "-5: cannot be created: Not a directory");
+}
+
+/// The environment as it was, back at the end of the test.
+class StateRoot : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* const name : kNames) {
+      const char* const value = std::getenv(name);
+      values_.push_back(value != nullptr ? std::optional<std::string>{value} : std::nullopt);
+      ::unsetenv(name);
+    }
+  }
+  void TearDown() override {
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      ::unsetenv(kNames[i]);
+      if (values_[i]) ::setenv(kNames[i], values_[i]->c_str(), 1);
+    }
+  }
+
+ private:
+  static constexpr std::array kNames{"STATE_DIRECTORY", "XDG_STATE_HOME", "HOME"};
+  std::vector<std::optional<std::string>> values_;
+};
+
+TEST_F(StateRoot, IsTheFirstOfOptionServiceXdgAndHome) {
+  EXPECT_EQ(state_root("/given"), "/given");
+  EXPECT_THROW(state_root(""), InstanceError);
+
+  ::setenv("HOME", "/home/anna", 1);
+  EXPECT_EQ(state_root(""), "/home/anna/.local/state/axisd");
+  ::setenv("XDG_STATE_HOME", "/xdg", 1);
+  EXPECT_EQ(state_root(""), "/xdg/axisd");
+  ::setenv("STATE_DIRECTORY", "/var/lib/axisd", 1);
+  EXPECT_EQ(state_root(""), "/var/lib/axisd");
+  EXPECT_EQ(state_root("/given"), "/given");
+}
+
+}  // namespace
+}  // namespace axisd
