@@ -1,0 +1,133 @@
+#!/usr/bin/env bash
+# daemon_cost.sh [--icount] [--build DIR] [--requests N]: what an SDO request costs the running daemon, as Markdown.
+#
+# By default: user-space instructions (callgrind) and system calls (strace) a request, each as the difference of 2 N and
+# N requests divided by N (2000). On vcan0; in the virtual machine of scripts/vcan-vm where this kernel has no CAN.
+#
+# --icount  instructions with those of the kernel: CPU time a request in a virtual machine where an instruction takes
+#           1 ns, beside a program that does nothing but poll, read and write (20000 requests, one start of the machine)
+# --build   the build with the programs (build/release, built first if it is this one)
+set -euo pipefail
+# shellcheck source=scripts/common.sh
+. "$(dirname "$0")/../scripts/common.sh"
+cd "$root"
+
+mode=counts build=build/release requests='' inside=''
+while (($#)); do
+  case $1 in
+    --icount) mode=kernel; shift ;;
+    --build) build=${2:?--build needs a folder}; shift 2 ;;
+    --requests) requests=${2:?--requests needs a number}; shift 2 ;;
+    --inside) inside=yes; shift ;;
+    *) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0" >&2; exit 2 ;;
+  esac
+done
+if [[ $mode == counts ]]; then : "${requests:=2000}"; else : "${requests:=20000}"; fi
+
+node=5
+axisd=("$build/bin/axisd" --interface vcan0 --node-id "$node" --control none)
+slave=''
+
+# start NAME COMMAND...: a slave in the background, until it says that it is ready; what it says goes to NAME.log.
+start() {
+  local log=$work/$1.log
+  shift
+  : >"$log"
+  "$@" 2>>"$log" &
+  slave=$!
+  until grep -q ready "$log"; do
+    kill -0 "$slave" 2>/dev/null || { cat "$log" >&2; die "$1 ended before it was ready"; }
+    sleep 0.1
+  done
+}
+
+# stop: ends the slave in order.
+stop() {
+  kill -TERM "$slave"
+  wait "$slave" || die "the slave ended with status $?"
+  slave=''
+}
+
+ask() { "$build/bin/sdo_client" vcan0 "$node" "$@"; }
+
+# instructions N: of the daemon's whole life with N requests.
+instructions() {
+  start "callgrind$1" valgrind --tool=callgrind --callgrind-out-file=/dev/null \
+    "${axisd[@]}" --state-directory "$work/state"
+  ask "$1"
+  stop
+  sed -n 's/^==[0-9]*== Collected : \([0-9]*\).*/\1/p' "$work/callgrind$1.log"
+}
+
+# system_calls N: "NAME COUNT" lines of the daemon's whole life with N requests.
+system_calls() {
+  local trace=$work/strace$1
+  start "strace$1" strace -D -f -qq -o "$trace" "${axisd[@]}" --state-directory "$work/state"
+  ask "$1"
+  stop
+  # The tracer is a process of its own and may be a little behind.
+  for ((i = 0; i < 100; ++i)); do
+    grep -q '+++ exited' "$trace" && break
+    sleep 0.1
+  done
+  sed -n 's/^[0-9]* *\([a-z0-9_]*\)(.*/\1/p' "$trace" | sort | uniq -c | awk '{print $2, $1}'
+}
+
+counts() {
+  local once twice source
+  once=$(instructions "$requests")
+  twice=$(instructions $((2 * requests)))
+  system_calls "$requests" >"$work/once"
+  system_calls $((2 * requests)) >"$work/twice"
+  echo '| axisd, per SDO request |  |'
+  echo '|---|---:|'
+  awk -v n="$requests" -v i=$((twice - once)) 'BEGIN { printf "| user-space instructions | %.0f |\n", i / n }'
+  awk -v n="$requests" '
+    NR == FNR { once[$1] = $2; next }
+    { calls = ($2 - once[$1]) / n
+      if (calls >= 0.005) { sum += calls; row = row sprintf("| of these `%s` | %.2f |\n", $1, calls) } }
+    END { printf "| system calls | %.2f |\n%s", sum, row }' "$work/once" "$work/twice"
+  source=$(</sys/devices/system/clocksource/clocksource0/current_clocksource)
+  [[ $source == tsc ]] || printf '\nThe clock source here is %s; with tsc `clock_gettime` is no system call.\n' "$source"
+}
+
+kernel() {
+  local echo_ns axisd_ns
+  # In front of the client, so that a slave always finishes its turn first and every run is like the other.
+  start echo chrt -f 50 "$build/bin/can_echo" vcan0 "$node"
+  echo_ns=$(ask "$requests" "$slave")
+  stop
+  start axisd chrt -f 50 "${axisd[@]}" --state-directory "$work/state"
+  axisd_ns=$(ask "$requests" "$slave")
+  stop
+  echo '| per SDO request, kernel included | instructions | ratio |'
+  echo '|---|---:|---:|'
+  awk -v e="$echo_ns" -v a="$axisd_ns" 'BEGIN {
+    printf "| poll + read + write | %d | 1.00 |\n| axisd | %d | %.3f |\n", e, a, a / e }'
+}
+
+# shellcheck disable=SC2317  # called by the trap
+clean_up() {
+  [[ -z $slave ]] || kill "$slave" 2>/dev/null || true
+  rm -rf "$work"
+}
+
+if [[ $inside ]]; then
+  work=$(mktemp -d)
+  trap clean_up EXIT
+  "$mode"
+  exit
+fi
+
+missing=()
+if [[ $mode == counts ]]; then
+  command -v valgrind >/dev/null || missing+=(valgrind)
+  command -v strace >/dev/null || missing+=(strace)
+fi
+((${#missing[@]} == 0)) || { echo "${0##*/}: missing Debian packages: apt-get install ${missing[*]}" >&2; exit 2; }
+[[ $build != build/release ]] || build release axisd sdo_client can_echo >&2
+command=(bench/daemon_cost.sh --inside --build "$build" --requests "$requests")
+if [[ $mode == kernel ]]; then
+  exec scripts/vcan-vm --icount -- "${command[@]}" --icount
+fi
+run_on_can "${command[@]}"

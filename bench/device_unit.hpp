@@ -1,0 +1,33 @@
+#pragma once
+
+#include "bench/frames.hpp"
+#include "device/device.hpp"
+
+namespace bench {
+
+/// The drive unit of the daemon on a counting bus, with a clock that the measurement moves.
+struct DeviceUnit final : device::Listener {
+  DeviceUnit() { unit.start(now); }
+
+  static constexpr std::uint8_t kNodeId = 2;
+
+  void on_subscriptions_changed() noexcept override {}
+  void on_foreign_frame(std::uint32_t) noexcept override {}
+
+  /// NMT start of the node.
+  void enter_operational();
+  /// SDO download of @p size bytes that has to succeed.
+  void download(canopen::sdo::Address at, std::uint32_t value, unsigned size);
+  /// SDO upload; the four value bytes.
+  std::uint32_t upload(canopen::sdo::Address at);
+  /// Lets @p time pass in process-data cycles.
+  void pass(canopen::Duration time);
+  /// Switches the axis on and lets it reach 100 rad/s.
+  void turn_axis();
+
+  canopen::TimePoint now{std::chrono::hours{1}};
+  CountingSink sink;
+  device::Device unit{{.node_id = kNodeId}, sink, *this};
+};
+
+}  // namespace bench

@@ -1,0 +1,105 @@
+#include <cmath>
+#include <vector>
+
+#include "tests/e2e/control_client.hpp"
+#include "tests/e2e/daemon_process.hpp"
+
+namespace e2e {
+namespace {
+
+using nlohmann::json;
+
+struct Control : RunningDaemon {
+  static void SetUpTestSuite() { start({.axis = {{"parameters", {{"p1120", 1.0}, {"p1121", 1.0}}}}}); }
+
+  static void run_motor() {
+    for (const auto& [word, state] : {std::pair{"205#0600", kReadyToSwitchOn}, std::pair{"205#0700", kSwitchedOn},
+                                      std::pair{"305#0F000000800C", kOperationEnabled}}) {
+      can->send(word);
+      ASSERT_TRUE(wait_for_state(*can, state));
+    }
+    ASSERT_TRUE(wait_for_drive(*can, "target reached", [](const StatusAndSpeed& drive) {
+      return drive.has(kTargetReached) && drive.speed > 0x0C000000;
+    }));
+  }
+};
+
+TEST_F(Control, TellsTheStatusOfTheUnit) {
+  const json status = daemon->status();
+
+  EXPECT_EQ(status.at("interface"), "vcan0");
+  EXPECT_EQ(status.at("node_id"), 5);
+  EXPECT_EQ(status.at("nmt_state"), "Operational");
+  EXPECT_EQ(status.at("bus").at("link"), "up");
+  EXPECT_EQ(status.at("bus").at("dropped"), 0);
+  EXPECT_EQ(status.at("axes").size(), 1u);
+  EXPECT_EQ(status.at("axes").at(0).at("state"), "Switch on disabled");
+  EXPECT_EQ(status.at("axes").at(0).at("statusword"), "0x1640");
+}
+
+TEST_F(Control, ALoadIsFeltByTheMotor) {
+  run_motor();
+
+  ASSERT_EQ(daemon->axisctl({"load", "1", "5.0"}).status, 0);
+
+  constexpr std::uint32_t kTpdo3 = 0x385;  // 6041h, 6077h in per mille of 7.3 N·m
+  EXPECT_TRUE(can->wait_until("385# with more than 60 % torque", [](const canopen::Frame& frame) {
+    if (frame.id != kTpdo3 || frame.length != 4) return false;
+    return static_cast<std::int16_t>(frame.data[2] | frame.data[3] << 8) > 600;
+  }));
+  EXPECT_DOUBLE_EQ(daemon->status().at("axes").at(0).at("load_torque_Nm").get<double>(), 5.0);
+  EXPECT_EQ(daemon->axisctl({"load", "1", "0"}).status, 0);
+}
+
+TEST_F(Control, ServesManyClientsAtOnce) {
+  constexpr int kClients = 20;
+  std::vector<ControlClient> clients;
+  for (int i = 0; i < kClients; ++i) clients.emplace_back(daemon->control_socket());
+
+  for (int i = 0; i < kClients; ++i) {
+    clients[static_cast<std::size_t>(i)].send(json{{"id", i}, {"method", "status"}}.dump() + '\n');
+  }
+
+  for (int i = kClients; i-- > 0;) {
+    const json answer = json::parse(clients[static_cast<std::size_t>(i)].line());
+    EXPECT_EQ(answer.at("id"), i);
+    EXPECT_EQ(answer.at("result").at("node_id"), 5);
+  }
+}
+
+TEST_F(Control, SurvivesGarbage) {
+  ControlClient vandal{daemon->control_socket()};
+  ControlClient witness{daemon->control_socket()};
+
+  for (const std::string& line :
+       {std::string{"\x00\xFF\xFE garbage", 11}, std::string{"{\"id\":"}, std::string{"[]"}, std::string{},
+        std::string(3000, '['), std::string{R"({"id":1,"method":7})"},
+        std::string{R"({"id":1,"method":"nonsense"})"},
+        std::string{R"({"id":1,"method":"load.set","params":{"axis":9,"torque_Nm":1}})"}}) {
+    vandal.send(line + '\n');
+    EXPECT_TRUE(json::parse(vandal.line()).contains("error")) << line;
+  }
+
+  EXPECT_EQ(witness.ask({{"id", 7}, {"method", "status"}}).at("id"), 7);
+  EXPECT_TRUE(can->ask("605#4000100000000000", "585#430010009201FFFF"));
+}
+
+TEST_F(Control, HangsUpOnAClientWithoutEnd) {
+  ControlClient vandal{daemon->control_socket()};
+
+  vandal.send(std::string(65536, 'x'));
+
+  EXPECT_TRUE(json::parse(vandal.line()).contains("error"));
+  EXPECT_THROW(vandal.line(), std::runtime_error);
+  EXPECT_EQ(daemon->axisctl({"status"}).status, 0);
+}
+
+TEST_F(Control, RefusesAnUnknownFaultInOneLine) {
+  const auto finished = daemon->axisctl({"fault", "inject", "1", "1"});
+
+  EXPECT_EQ(finished.status, 1);
+  EXPECT_NE(finished.errors.find("no fault or alarm"), std::string::npos) << finished.errors;
+}
+
+}  // namespace
+}  // namespace e2e
