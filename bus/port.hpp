@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "libcanopen/base/frame.hpp"
 
@@ -17,6 +20,12 @@ enum class SendStatus : std::uint8_t {
 
 /// Error state of the CAN controller (ISO 11898-1: error active, error passive, bus-off; warning at 96 errors).
 enum class ErrorState : std::uint8_t { Active, Warning, Passive, BusOff };
+
+/// Name of @p state as SocketCAN's tools print it.
+constexpr std::string_view name_of(ErrorState state) noexcept {
+  constexpr std::array<std::string_view, 4> kNames{"error-active", "error-warning", "error-passive", "bus-off"};
+  return kNames[static_cast<std::size_t>(state)];
+}
 
 /// What one call of Port::receive() found.
 struct Received {

@@ -35,6 +35,13 @@ bool set_option(const Descriptor& socket, int level, int name, const Value& valu
   return ::setsockopt(socket.get(), level, name, &value, sizeof value) == 0;
 }
 
+/// Takes the error that a lost link leaves in its socket: the next frame sent would fail with it and be lost.
+void take_pending_error(const Descriptor& socket) noexcept {
+  int error = 0;
+  socklen_t length = sizeof error;
+  ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &length);
+}
+
 }  // namespace
 
 SocketCan::SocketCan(std::string interface, int receive_buffer)
@@ -70,6 +77,7 @@ bool SocketCan::reopen() noexcept {
   const auto index = can_interface_index(interface_);
   if (!index || !bind_to(*index)) return false;
   apply_filters();  // the kernel forgets them with the interface
+  take_pending_error(socket_);
   error_state_ = ErrorState::Active;
   link_failure_ = LinkFailure::None;
   return true;

@@ -6,7 +6,6 @@
 
 #include <poll.h>
 #include <sys/epoll.h>
-#include <sys/socket.h>
 #include <systemd/sd-daemon.h>
 
 #include "daemon/clock.hpp"
@@ -17,6 +16,10 @@ namespace {
 
 constexpr canopen::Duration kForeignFrameLogPeriod = std::chrono::seconds{10};
 constexpr std::size_t kMostSubscriptions = 600;
+/// Frames taken in one turn while they come faster than turns, so that the timer still gets its turn.
+constexpr int kBurst = 32;
+/// Every so many single frames the socket is asked for a second one, which shows whether a burst is on.
+constexpr unsigned kBurstProbe = 64;
 
 device::Configuration device_configuration(const Configuration& configuration) {
   const AxisConfiguration& axis = configuration.axes.front();
@@ -26,18 +29,6 @@ device::Configuration device_configuration(const Configuration& configuration) {
   for (const ParameterValue& parameter : axis.parameters)
     result.presets.push_back({parameter.number, parameter.value});
   return result;
-}
-
-constexpr std::string_view name_of(bus::ErrorState state) noexcept {
-  constexpr std::array<std::string_view, 4> kNames{"error active", "error warning", "error passive", "bus-off"};
-  return kNames[static_cast<std::size_t>(state)];
-}
-
-/// Takes the error that a lost link leaves in its socket: the boot-up frame would fail with it and be lost.
-void take_pending_error(int descriptor) noexcept {
-  int error = 0;
-  socklen_t length = sizeof error;
-  getsockopt(descriptor, SOL_SOCKET, SO_ERROR, &error, &length);
 }
 
 }  // namespace
@@ -98,25 +89,37 @@ void Daemon::turn() noexcept {
   if (wait[1].revents != 0) timer_.acknowledge();
   if (device_.next_deadline() <= now) device_.on_time(now);
   if (!ready_told_) tell_ready();
+  if (!full_logged_ && queue_.waiting() != 0) log_full_queue();
   if (wait[2].revents != 0) events_.dispatch();
 }
 
+/// Requests come one by one, and one read a turn is the cheapest way to serve them; a burst is read in one go.
 void Daemon::receive(canopen::TimePoint now) noexcept {
+  const bool probes = ++turns_with_frames_ % kBurstProbe == 0;
+  const int most = in_burst_ || probes ? kBurst : 1;
+  int frames = 0;
+  while (frames < most && queue_.accepts_input() && receive_frame(now)) ++frames;
+  in_burst_ = frames > 1;
+}
+
+/// False if there was none.
+bool Daemon::receive_frame(canopen::TimePoint now) noexcept {
   canopen::Frame frame;
   switch (const bus::Received received = port_.receive(frame); received.kind) {
     case bus::Received::Frame:
       ++received_;
       device_.on_frame(frame, now);
-      break;
+      return true;
     case bus::Received::Error:
-      log_.warning("{}: {}", configuration_.interface, name_of(received.state));
-      break;
+      log_.warning("{}: {}", configuration_.interface, bus::name_of(received.state));
+      return true;
     case bus::Received::Down:
       link_down();
-      break;
+      return false;
     case bus::Received::Nothing:
       break;
   }
+  return false;
 }
 
 void Daemon::tell_ready() noexcept {
@@ -135,9 +138,14 @@ int Daemon::on_link(sd_event_source*, int, std::uint32_t, void* self) noexcept {
   return 0;
 }
 
+void Daemon::log_full_queue() noexcept {
+  full_logged_ = true;
+  log_.notice("{}: the transmit queue of the interface is full, frames wait; told once (see the status)",
+              configuration_.interface);
+}
+
 void Daemon::link_up() noexcept {
   if (!port_.reopen()) return;
-  take_pending_error(port_.descriptor());
   link_is_up_ = true;
   queue_.discard();
   const canopen::TimePoint now = read_clock();

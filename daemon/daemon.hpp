@@ -62,6 +62,8 @@ class Daemon final : private device::Listener {
 
   void turn() noexcept;
   void receive(canopen::TimePoint now) noexcept;
+  bool receive_frame(canopen::TimePoint now) noexcept;
+  void log_full_queue() noexcept;
   void power_on() noexcept;
   void tell_ready() noexcept;
   void link_up() noexcept;
@@ -87,6 +89,8 @@ class Daemon final : private device::Listener {
   bool link_is_up_ = false;
   bool ready_told_ = false;
   bool full_logged_ = false;
+  bool in_burst_ = false;
+  unsigned turns_with_frames_ = 0;
   double load_torque_;
   std::uint64_t received_ = 0;
   std::uint64_t foreign_frames_ = 0;

@@ -20,10 +20,6 @@ constexpr std::array<std::string_view, drive::kStateCount> kStateNames{
     "Not ready to switch on", "Switch on disabled", "Ready to switch on",    "Switched on", "Operation enabled",
     "OFF1 braking",           "Quick stop active",  "Fault reaction active", "Fault"};
 
-/// Names of bus::ErrorState, in its order.
-constexpr std::array<std::string_view, 4> kBusStateNames{"error-active", "error-warning", "error-passive",
-                                                         "bus-off"};
-
 json messages(std::span<const drive::FaultEntry> entries) {
   json list = json::array();
   for (const drive::FaultEntry& entry : entries) {
@@ -53,7 +49,7 @@ json axis_status(const Daemon& daemon) {
 
 json bus_status(const Daemon& daemon) {
   const auto& sent = daemon.transmit_queue().counters();
-  return {{"state", kBusStateNames[static_cast<std::size_t>(daemon.bus_state())]},
+  return {{"state", bus::name_of(daemon.bus_state())},
           {"link", daemon.link_is_up() ? "up" : "down"},
           {"received", daemon.received()},
           {"sent", sent.sent},

@@ -11,6 +11,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -115,6 +116,25 @@ std::uint64_t Program::processor_ticks() const {
   std::uint64_t system = 0;
   rest >> user >> system;
   return user + system;
+}
+
+bool Program::wakes(std::uint64_t times) const {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  const std::uint64_t wanted = sleeps() + times;
+  while (sleeps() < wanted) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    sched_yield();
+  }
+  return true;
+}
+
+std::uint64_t Program::sleeps() const {
+  std::ifstream file{"/proc/" + std::to_string(id_) + "/status"};
+  for (std::string name; file >> name;) {
+    std::uint64_t count = 0;
+    if (name == "voluntary_ctxt_switches:" && file >> count) return count;
+  }
+  return 0;
 }
 
 }  // namespace e2e

@@ -38,8 +38,11 @@ class Program {
   const std::string& output();
   /// Processor time used so far, in clock ticks.
   std::uint64_t processor_ticks() const;
+  /// Waits until the program has gone to sleep @p times times more; false if it does not in time.
+  bool wakes(std::uint64_t times) const;
 
  private:
+  std::uint64_t sleeps() const;
   bool read_some(std::chrono::milliseconds patience);
 
   pid_t id_ = -1;
