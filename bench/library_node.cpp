@@ -116,7 +116,9 @@ constexpr canopen::Policy kPolicy{};
 LibraryNode::LibraryNode(const Shape& shape)
     : table{build(shape)}, dictionary{table, kNodeId}, node{dictionary, kPolicy, sink, application} {
   node.start(now);
-  node.enter(canopen::NmtState::Operational, now);
+  canopen::Frame start{.id = 0, .length = 2};
+  start.data[0] = static_cast<std::uint8_t>(canopen::NmtCommand::Start);
+  node.on_frame(start, now);
 }
 
 std::uint16_t LibraryNode::axis_object(std::uint16_t index, std::uint16_t pdo) noexcept {

@@ -42,6 +42,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       node_{dictionary_, kPolicy, sink, *this} {
   apply_presets();
   for (const std::uint16_t index : kInputs) dictionary_.own_write(index, 0, *this);
+  ParameterObjects::own_writes(dictionary_, *this);
 }
 
 void Device::apply_presets() noexcept {
@@ -52,9 +53,12 @@ void Device::apply_presets() noexcept {
 }
 
 void Device::start(canopen::TimePoint now) noexcept {
-  now_ = last_cycle_ = now;
-  axis_.cycle(setpoints(), kCycleSeconds);  // run-up: the first statusword is that of a unit that is ready
-  process_data_.publish(axis_.actual());
+  now_ = now;
+  if (node_.state() == canopen::NmtState::Initialising) {
+    last_cycle_ = now;
+    axis_.cycle(setpoints(), kCycleSeconds);  // run-up: the first statusword is that of a unit that is ready
+    process_data_.publish(axis_.actual());
+  }
   node_.start(now);
 }
 
@@ -78,10 +82,14 @@ void Device::run_cycles() noexcept {
   const std::int64_t run = std::min(due, kMostCyclesAtOnce);
   last_cycle_ += due * kCycle;
   skipped_cycles_ += static_cast<std::uint64_t>(due - run);
-  const drive::Setpoints wanted = setpoints();
-  for (std::int64_t i = 0; i < run; ++i) axis_.cycle(wanted, kCycleSeconds);
+  drive::Setpoints wanted = setpoints();
+  const std::uint16_t latest = wanted.controlword;
+  for (std::int64_t i = 0; i < run; ++i) {
+    wanted.controlword = written_controlwords_.take().value_or(latest);
+    axis_.cycle(wanted, kCycleSeconds);
+  }
   publish();
-  idle_ = axis_.is_quiescent();
+  idle_ = axis_.is_quiescent() && written_controlwords_.is_empty();
 }
 
 void Device::publish() noexcept {
@@ -97,16 +105,20 @@ void Device::wake() noexcept {
 }
 
 void Device::on_rpdo(std::uint16_t) noexcept {
+  written_controlwords_.clear();  // process data are the newer word
   wake();
 }
 
 canopen::Result<void> Device::write(const canopen::Entry& entry, std::int64_t value) {
   if (entry.index == object::kErrorField) {
     if (value != 0) return canopen::refuse(canopen::AbortCode::InvalidValue);
-    axis_.acknowledge();
+    acknowledge(now_);
+    return {};
   }
+  if (entry.index == object::kControlword) written_controlwords_.put(static_cast<std::uint16_t>(value));
   wake();
-  return {};
+  return ParameterObjects::contains(entry.index) ? parameter_objects_.write(entry, value)
+                                                 : canopen::Result<void>{};
 }
 
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
@@ -141,9 +153,22 @@ tl::expected<void, drive::FaultError> Device::raise(std::uint16_t number, canope
 bool Device::acknowledge(canopen::TimePoint now) noexcept {
   now_ = now;
   const bool clear = axis_.acknowledge();
+  withdraw_alarms();
   wake();
   publish();
   return clear;
+}
+
+/// Alarms that were raised from outside have no cause that could end; the acknowledgement stands for it.
+void Device::withdraw_alarms() noexcept {
+  while (true) {
+    const auto alarms = axis_.messages().alarms();
+    const auto raised = std::find_if(alarms.begin(), alarms.end(), [](const drive::FaultEntry& entry) {
+      return entry.cause == drive::Cause::Gone;
+    });
+    if (raised == alarms.end()) return;
+    axis_.withdraw(raised->row->number);
+  }
 }
 
 void Device::set_load_torque(double torque, canopen::TimePoint now) noexcept {

@@ -7,6 +7,7 @@
 #include "device/error_objects.hpp"
 #include "device/parameter_objects.hpp"
 #include "device/process_data.hpp"
+#include "device/written_controlwords.hpp"
 #include "drive/axis.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
@@ -51,7 +52,8 @@ class Device final : private canopen::Application, private canopen::EntryOwner {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /// Power-on, or the bus is back: sends the boot-up message and starts the communication afresh.
+  /// Power-on, or the bus is back: sends the boot-up message and starts the communication afresh. If the node was
+  /// Operational, that is leaving Operational.
   void start(canopen::TimePoint now) noexcept;
   /// A frame from the bus; SDO requests are answered within the call.
   void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept;
@@ -62,7 +64,7 @@ class Device final : private canopen::Application, private canopen::EntryOwner {
 
   /// Raises fault or alarm @p number on the axis.
   tl::expected<void, drive::FaultError> raise(std::uint16_t number, canopen::TimePoint now) noexcept;
-  /// Acknowledges the faults of the axis; true if none is left.
+  /// Acknowledges the faults of the axis and takes back the alarms that raise() brought; true if no fault is left.
   bool acknowledge(canopen::TimePoint now) noexcept;
   /// Sets the load torque of the axis (N·m, positive against positive rotation).
   void set_load_torque(double torque, canopen::TimePoint now) noexcept;
@@ -88,6 +90,7 @@ class Device final : private canopen::Application, private canopen::EntryOwner {
   void publish() noexcept;
   void wake() noexcept;
   void apply_presets() noexcept;
+  void withdraw_alarms() noexcept;
   canopen::TimePoint next_cycle() const noexcept { return idle_ ? canopen::kNever : last_cycle_ + kCycle; }
 
   bool fault_on_leaving_operational_;
@@ -98,6 +101,7 @@ class Device final : private canopen::Application, private canopen::EntryOwner {
   ProcessData process_data_;
   ParameterObjects parameter_objects_;
   ErrorObjects error_objects_;
+  WrittenControlwords written_controlwords_;
   canopen::Node node_;
   canopen::TimePoint now_{};         ///< as last told
   canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest

@@ -8,12 +8,18 @@
 namespace device {
 namespace {
 
-// Layout of 1003h (p8611): the sum, the most recent message, then for each logical module its count and entries.
+// Layout of 1003h (p8611): the sum, the most recent message, then a count and eight entries for each logical
+// module and for the control unit.
 constexpr std::uint8_t kCount = 0x00;
 constexpr std::uint8_t kMostRecent = 0x01;
-constexpr std::uint8_t kModuleCount = 0x02;
-constexpr std::uint8_t kModuleFirstEntry = 0x03;
 constexpr std::uint8_t kControlUnitObject = 1;
+constexpr std::uint32_t kEntriesEach = 8;
+
+struct Block {
+  std::uint8_t drive_object;
+  std::uint8_t count;  ///< sub-index; the entries follow it
+};
+constexpr std::array kBlocks{Block{kFirstAxisObject, 0x02}, Block{kControlUnitObject, 0x4A}};
 
 /// CAN messages come from the unit as a whole and are reported once, with the drive object number 1.
 bool is_of_the_unit(const drive::FaultRow& row) noexcept {
@@ -65,26 +71,25 @@ void ErrorObjects::update(canopen::Node& node) noexcept {
 }
 
 void ErrorObjects::fill(const drive::FaultMemory& messages) noexcept {
-  clear();
   const drive::FaultEntry* most_recent = nullptr;
-  std::uint32_t count = 0;
-  for_each_in_order(messages, [&](const drive::FaultEntry& entry) {
-    if (!is_reported(entry)) return;
-    most_recent = &entry;
-    if (count < drive::FaultMemory::kCapacity) {
-      set(static_cast<std::uint8_t>(kModuleFirstEntry + count), field(entry.emcy_code(), entry.row->number));
+  entries_ = 0;
+  for (const Block& block : kBlocks) {
+    std::uint32_t count = 0;
+    for_each_in_order(messages, [&](const drive::FaultEntry& entry) {
+      if (!is_reported(entry) || drive_object(*entry.row) != block.drive_object) return;
+      if (most_recent == nullptr || entry.sequence > most_recent->sequence) most_recent = &entry;
+      if (count == kEntriesEach) return;
+      set(static_cast<std::uint8_t>(block.count + ++count), field(entry.emcy_code(), entry.row->number));
+    });
+    set(block.count, count);
+    for (std::uint32_t unused = count + 1; unused <= kEntriesEach; ++unused) {
+      set(static_cast<std::uint8_t>(block.count + unused), 0);
     }
-    ++count;
-  });
-  entries_ = count;
-  set(kCount, count);
-  set(kModuleCount, std::min<std::uint32_t>(count, drive::FaultMemory::kCapacity));
-  if (most_recent != nullptr) set(kMostRecent, field(most_recent->emcy_code(), drive_object(*most_recent->row)));
-}
-
-void ErrorObjects::clear() noexcept {
-  constexpr auto kLast = kModuleFirstEntry + drive::FaultMemory::kCapacity;
-  for (std::uint8_t sub_index = kCount; sub_index < kLast; ++sub_index) set(sub_index, 0);
+    entries_ += count;
+  }
+  set(kCount, entries_);
+  const bool empty = most_recent == nullptr;
+  set(kMostRecent, empty ? 0 : field(most_recent->emcy_code(), drive_object(*most_recent->row)));
 }
 
 void ErrorObjects::set(std::uint8_t sub_index, std::uint32_t value) noexcept {

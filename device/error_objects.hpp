@@ -26,7 +26,6 @@ class ErrorObjects final : public canopen::EntryOwner {
 
  private:
   void fill(const drive::FaultMemory& messages) noexcept;
-  void clear() noexcept;
   void set(std::uint8_t sub_index, std::uint32_t value) noexcept;
   void report(const drive::FaultMemory& messages, canopen::Node& node) noexcept;
   static bool is_reported(const drive::FaultEntry& entry) noexcept { return entry.emcy_code() != 0; }

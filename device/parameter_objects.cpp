@@ -27,8 +27,9 @@ constexpr std::array kRows{
     Row{object::kQuickStopDeceleration, 1135, Form::Slope},
 };
 
-const Row& row_of(std::uint16_t index) noexcept {
-  return *std::find_if(kRows.begin(), kRows.end(), [=](const Row& row) { return row.index == index; });
+const Row* find_row(std::uint16_t index) noexcept {
+  const auto row = std::find_if(kRows.begin(), kRows.end(), [=](const Row& r) { return r.index == index; });
+  return row != kRows.end() ? &*row : nullptr;
 }
 
 /// The abort code for a refused parameter access.
@@ -56,14 +57,19 @@ AbortCode abort_code(const drive::ParameterError& error) noexcept {
 ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis,
                                    const drive::BusScaling& scaling)
     : axis_{axis}, scaling_{scaling} {
-  for (const Row& row : kRows) {
-    dictionary.own_read(row.index, 0, *this);
-    dictionary.own_write(row.index, 0, *this);
-  }
+  for (const Row& row : kRows) dictionary.own_read(row.index, 0, *this);
+}
+
+bool ParameterObjects::contains(std::uint16_t index) noexcept {
+  return find_row(index) != nullptr;
+}
+
+void ParameterObjects::own_writes(canopen::Dictionary& dictionary, canopen::EntryOwner& owner) {
+  for (const Row& row : kRows) dictionary.own_write(row.index, 0, owner);
 }
 
 canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry, std::int64_t) {
-  const Row& row = row_of(entry.index);
+  const Row& row = *find_row(entry.index);
   const auto value = axis_.read(row.parameter);
   if (!value) return canopen::refuse(abort_code(value.error()));
   if (row.form == Form::Number) return static_cast<std::int64_t>(*value);
@@ -71,7 +77,7 @@ canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry
 }
 
 canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::int64_t value) {
-  const Row& row = row_of(entry.index);
+  const Row& row = *find_row(entry.index);
   auto parameter_value = static_cast<double>(value);
   if (row.form == Form::Slope) {
     const double longest = drive::find_parameter(row.parameter)->maximum;

@@ -10,8 +10,8 @@ struct EmcyException {
   std::uint32_t value;
   std::uint16_t emcy_code;
 };
-// Bus-off (value 1) is "any other message of 8700..8799".
-constexpr std::array kEmcyExceptions{EmcyException{8700, 1, 0x1001}};
+// Life guarding; bus-off (value 1) is "any other message of 8700..8799".
+constexpr std::array kEmcyExceptions{EmcyException{8700, 2, 0x8130}};
 
 }  // namespace
 
@@ -40,6 +40,7 @@ std::size_t FaultMemory::List::remove_if(Predicate leaves) noexcept {
 void FaultMemory::enter(const FaultRow& row, std::uint32_t value, Cause cause) noexcept {
   List& list = list_of(row);
   if (FaultEntry* active = list.find(row)) {
+    if (active->value != value) ++change_count_;
     active->value = value;
     active->cause = cause;
     return;

@@ -42,7 +42,7 @@ class FaultMemory {
   std::span<const FaultEntry> faults() const noexcept { return faults_.entries(); }
   /// Active alarms, oldest first.
   std::span<const FaultEntry> alarms() const noexcept { return alarms_.entries(); }
-  /// Changes with every message that enters or leaves.
+  /// Changes with every message that enters, leaves or takes another value.
   std::uint32_t change_count() const noexcept { return change_count_; }
   /// The message that entered last among the active ones, or nullptr.
   const FaultEntry* most_recent() const noexcept;

@@ -97,7 +97,7 @@ constexpr std::array kRows{
     FaultRow{7990, Kind::Fault, Scope::Axis, Reaction::Off2, Acknowledge::Immediately, 0x1000, 0x81, "Motor data identification incorrect"},
     FaultRow{7991, Kind::Alarm, Scope::Axis, Reaction::None, Acknowledge::None, 0x0000, 0x00, "Motor data identification activated"},
     FaultRow{7994, Kind::Alarm, Scope::Axis, Reaction::None, Acknowledge::None, 0x0000, 0x00, "Motor data identification not performed"},
-    FaultRow{8700, Kind::Fault, Scope::Both, Reaction::Off3, Acknowledge::Immediately, 0x8130, 0x11, "CAN communication error"},
+    FaultRow{8700, Kind::Fault, Scope::Both, Reaction::Off3, Acknowledge::Immediately, 0x1001, 0x11, "CAN communication error"},
     FaultRow{8701, Kind::Fault, Scope::Both, Reaction::Off3, Acknowledge::Immediately, 0x1001, 0x11, "CAN NMT state change"},
     FaultRow{8702, Kind::Fault, Scope::Both, Reaction::Off3, Acknowledge::Immediately, 0x1001, 0x11, "CAN RPDO timeout"},
     FaultRow{8703, Kind::Fault, Scope::Both, Reaction::Off3, Acknowledge::Immediately, 0x1001, 0x11, "CAN too many drive objects"},

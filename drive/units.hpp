@@ -3,10 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <string_view>
 
+#include "motor/machine_data.hpp"
+
 namespace drive {
+
+using motor::kRpm;
 
 /// Units in which parameters are shown and written.
 enum class Unit : std::uint8_t {
@@ -30,7 +33,7 @@ struct UnitRow {
 /// One row a unit, in the order of the enumeration.
 inline constexpr std::array kUnits{
     UnitRow{Unit::None, "", 1.0},
-    UnitRow{Unit::Rpm, "rpm", 2.0 * std::numbers::pi / 60.0},
+    UnitRow{Unit::Rpm, "rpm", motor::kRpm},
     UnitRow{Unit::Seconds, "s", 1.0},
     UnitRow{Unit::Milliseconds, "ms", 1e-3},
     UnitRow{Unit::NewtonMetre, "Nm", 1.0},
@@ -49,8 +52,5 @@ static_assert([] {
     if (kUnits[i].unit != static_cast<Unit>(i)) return false;
   return true;
 }());
-
-/// One revolution per minute (rad/s).
-inline constexpr double kRpm = row_of(Unit::Rpm).si;
 
 }  // namespace drive

@@ -7,7 +7,8 @@ namespace motor {
 SpeedControllerGains default_gains(const MachineData& machine, const Load& load) noexcept {
   Encoder encoder{machine};
   encoder.configure(kControlPeriod);
-  // Sampling and output hold, half a period of the difference quotient, torque response, speed filter.
+  // Calculation (one period), output hold and difference quotient (half a period each), torque response, speed
+  // filter.
   const double delay = 2.0 * kControlPeriod + machine.current_loop_time_constant + encoder.filter_time();
   return {.proportional = (machine.inertia + load.inertia) / (3.0 * delay), .integral_time = 10.0 * delay};
 }
@@ -43,8 +44,9 @@ double DriveTrain::torque_setpoint(const Command& command) noexcept {
 void DriveTrain::step(double dt, const Command& command) noexcept {
   if (dt < period_ || dt > period_) configure(dt);
   const double speed_before = mechanics_.speed();
+  const double held = signals_.torque_setpoint;  // what is calculated in this period acts in the next
   signals_.torque_setpoint = torque_setpoint(command);
-  signals_.torque = command.pulses_enabled ? current_loop_.step(signals_.torque_setpoint) : 0.0;
+  signals_.torque = command.pulses_enabled ? current_loop_.step(held) : 0.0;
   mechanics_.step(dt, signals_.torque);
   signals_.true_speed = mechanics_.speed();
   encoder_.turn(0.5 * (speed_before + signals_.true_speed) * dt);

@@ -26,7 +26,7 @@ struct Signals {
   double measured_speed = 0.0;        ///< from the encoder, what the controller sees (rad/s)
   double true_speed = 0.0;            ///< of the shaft (rad/s)
   double torque_setpoint = 0.0;       ///< r0079 (N·m)
-  double torque = 0.0;                ///< r0080 (N·m)
+  double torque = 0.0;                ///< r0080, mean of the period (N·m)
   std::int64_t encoder_counts = 0;    ///< increments since power-on
   bool torque_limit_reached = false;  ///< r1407.7
 };

@@ -44,7 +44,6 @@ Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Applic
 
 void Node::start(TimePoint now) noexcept {
   context_.now = now;
-  enter(NmtState::Initialising);
   boot();
 }
 
@@ -134,11 +133,6 @@ void Node::boot() noexcept {
   context_.sink.send(Frame{.id = function_code::kErrorControl + node_id(), .length = 1}, Delivery::Ordered);
   heartbeat_.reload();
   enter(policy_.start_state);
-}
-
-void Node::enter(NmtState state, TimePoint now) noexcept {
-  context_.now = now;
-  enter(state);
 }
 
 void Node::enter(NmtState state) noexcept {

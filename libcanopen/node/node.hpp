@@ -45,7 +45,7 @@ class Node final : private IdentifierUse, private ReceivePdos::Receiver {
   Node& operator=(const Node&) = delete;
 
   /// Boots: sends the boot-up message and enters the start state. Again later, when the bus was away: the
-  /// dictionary keeps its values, everything else starts afresh.
+  /// dictionary keeps its values, the services start afresh, and Operational is left.
   void start(TimePoint now) noexcept;
   /// A frame from the bus.
   void on_frame(const Frame& frame, TimePoint now) noexcept;
@@ -61,8 +61,6 @@ class Node final : private IdentifierUse, private ReceivePdos::Receiver {
                  const std::array<std::uint8_t, 5>& manufacturer) noexcept {
     emcy_.send(code, error_register, manufacturer);
   }
-  /// Enters @p state as if a master had commanded it.
-  void enter(NmtState state, TimePoint now) noexcept;
 
   NmtState state() const noexcept { return context_.state; }
   std::uint8_t node_id() const noexcept { return context_.dictionary.node_id(); }

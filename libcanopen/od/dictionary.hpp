@@ -39,8 +39,10 @@ class Dictionary {
   /// The entry @p index, @p sub_index; NoObject or NoSubIndex.
   Result<const Entry*> find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
     const Slot& place = slot(index);
-    const Entry* const expected = entries_.data() + place.first + sub_index;
-    if (sub_index < place.count && expected->sub_index == sub_index) return expected;
+    if (sub_index < place.count) {
+      const Entry* const expected = entries_.data() + place.first + sub_index;
+      if (expected->sub_index == sub_index) return expected;
+    }
     return search(place, sub_index);
   }
   /// True if any entry of @p index exists.

@@ -188,19 +188,18 @@ TEST(Restart, OfTheBusSendsTheBootUpMessageAgain) {
   EXPECT_EQ(unit.device.skipped_cycles(), 0U);
 }
 
-TEST(Restart, OfTheBusIsAPowerOffOfTheUnit) {
+TEST(Restart, OfTheBusInOperationalIsALeavingOfIt) {
   TestUnit unit{unit_with({{1120, 0.1}})};
   unit.turn_at(3000, 1s);
 
-  EXPECT_EQ(unit.start(), Lines{"705#00"});
+  EXPECT_EQ(unit.start(), (Lines{"705#00", "085#011011FD21020000"}));
 
-  EXPECT_EQ(unit.statusword() & 0x4F, 0x40);
-  EXPECT_EQ(unit.passes(1s), Lines{});
-  EXPECT_EQ(unit.statusword() & 0x4F, 0x40);
-  EXPECT_EQ(unit.upload(0x1003, 0).number(), 0U);
+  EXPECT_EQ(unit.statusword() & 0x4F, 0x0F);
+  EXPECT_TRUE(unit.reaches(0x4F, 0x08, 1s));
+  EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U);
 }
 
-TEST(Restart, OfTheBusForgetsTheFaultsThatStood) {
+TEST(Restart, OfTheBusKeepsTheFaultsThatStood) {
   TestUnit unit;
   unit.start();
   ASSERT_TRUE(unit.device.raise(7860, unit.now));
@@ -208,9 +207,8 @@ TEST(Restart, OfTheBusForgetsTheFaultsThatStood) {
 
   EXPECT_EQ(unit.start(), Lines{"705#00"});
 
-  EXPECT_EQ(unit.upload(0x1001).number(), 0U);
-  EXPECT_EQ(unit.upload(0x1003, 0).number(), 0U);
-  EXPECT_EQ(unit.passes(1s), Lines{});
+  EXPECT_EQ(unit.upload(0x1001).number(), 0x81U);
+  EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U);
 }
 
 }  // namespace

@@ -38,7 +38,10 @@ TEST_P(Messages, AreReportedAsTheirRowSays) {
   EXPECT_EQ(unit.upload(0x1001).number(), row.error_register);
   EXPECT_EQ(unit.upload(0x1003, 0).number(), reported ? 1U : 0U);
   EXPECT_EQ(unit.upload(0x1003, 1).number(), reported ? std::uint64_t{drive_object(row)} << 16 | code : 0U);
-  EXPECT_EQ(unit.upload(0x1003, 3).number(), reported ? std::uint64_t{row.number} << 16 | code : 0U);
+  const std::uint8_t block = drive_object(row) == 1 ? 0x4A : 0x02;  // count of the control unit, of the axis
+  EXPECT_EQ(unit.upload(0x1003, block).number(), reported ? 1U : 0U);
+  EXPECT_EQ(unit.upload(0x1003, static_cast<std::uint8_t>(block + 1)).number(),
+            reported ? std::uint64_t{row.number} << 16 | code : 0U);
   EXPECT_EQ(unit.statusword() & 0x0088, row.kind == drive::Kind::Fault ? 0x0008 : 0x0080);
 }
 
@@ -49,13 +52,12 @@ TEST_P(Messages, LeaveAsTheirRowSays) {
   ASSERT_TRUE(unit.device.raise(row.number, unit.now));
   unit.passes(100ms);
 
-  ASSERT_EQ(unit.download(0x1003, 0, 0, 1), 0U);
-
-  const bool fault = row.kind == drive::Kind::Fault;
-  const bool leaves = fault && row.acknowledge != drive::Acknowledge::PowerOn;
-  EXPECT_EQ(unit.passes(100ms), leaves ? Lines{"085#0000000000000000"} : Lines{});
-  EXPECT_EQ(unit.upload(0x1003, 0).number(), leaves || row.emcy_code == 0 ? 0U : 1U);
-  EXPECT_EQ(unit.statusword() & 0x0088, leaves ? 0 : fault ? 0x0008 : 0x0080);
+  const bool leaves = row.acknowledge != drive::Acknowledge::PowerOn;
+  const Lines answer{"585#6003100000000000"};
+  EXPECT_EQ(unit.says("605#2F03100000000000"),
+            leaves && row.emcy_code != 0 ? (Lines{"085#0000000000000000", answer[0]}) : answer);
+  EXPECT_EQ(unit.upload(0x1003, 0).number(), leaves ? 0U : 1U);
+  EXPECT_EQ(unit.statusword() & 0x0088, leaves ? 0 : 0x0008);
 }
 
 std::vector<FaultRow> messages_of_an_axis() {

@@ -56,8 +56,7 @@ TEST(LeavingOperational, RaisesTheFaultAgainAfterAnAcknowledgement) {
   unit.start_operational();
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(unit.says("000#8005"), Lines{"085#011011FD21020000"});
-    ASSERT_EQ(unit.download(0x1003, 0, 0, 1), 0U);
-    EXPECT_EQ(unit.passes(Device::kCycle), Lines{"085#0000000000000000"});
+    EXPECT_EQ(unit.says("605#2F03100000000000"), (Lines{"085#0000000000000000", "585#6003100000000000"}));
     unit.says("000#0105");
   }
 }

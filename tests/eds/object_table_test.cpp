@@ -77,13 +77,14 @@ TEST(ObjectTable, HoldsTheStartValuesThatTheEdsLeavesOpen) {
   EXPECT_EQ(find_row(0x1001, 0)->initial, 0);
 }
 
-TEST(ObjectTable, LeavesExactlyTheCobIdsToTheirOwners) {
-  const auto is_writable_cob_id = [](const EntryDescription& row) {
+TEST(ObjectTable, LeavesExactlyTheCobIdsAndTheErrorFieldToTheirOwners) {
+  const auto is_judged_by_owner = [](const EntryDescription& row) {
     const bool pdo = (row.index & 0xFF00) == 0x1400 || (row.index & 0xFF00) == 0x1800;
-    return row.index == 0x1005 || row.index == 0x1014 || (pdo && row.sub_index == 1);
+    const bool error_count = row.index == 0x1003 && row.sub_index == 0;
+    return error_count || row.index == 0x1005 || row.index == 0x1014 || (pdo && row.sub_index == 1);
   };
   for (const EntryDescription& row : kObjectTable)
-    EXPECT_EQ(row.limit_check == canopen::LimitCheck::Owner, is_writable_cob_id(row))
+    EXPECT_EQ(row.limit_check == canopen::LimitCheck::Owner, is_judged_by_owner(row))
         << std::hex << row.index << ":" << int{row.sub_index};
 }
 

@@ -173,13 +173,4 @@ TEST_F(Nmt, ForgetsAHalfFinishedTransferWhenItStops) {
   EXPECT_EQ(says("605#6000000000000000"), (Lines{"585#8000000001000405"}));
 }
 
-TEST_F(Nmt, EntersAStateWhenTheApplicationAsksForIt) {
-  start();
-
-  node->enter(NmtState::Operational, now);
-
-  EXPECT_EQ(node->state(), NmtState::Operational);
-  EXPECT_EQ(sent(), (Lines{"185#4000"}));
-}
-
 }  // namespace

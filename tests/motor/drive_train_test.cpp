@@ -170,6 +170,20 @@ TEST(DriveTrain, PutsExactlyTheMotorsWorkIntoMotionAndFriction) {
   EXPECT_NEAR(work, kinetic + friction, 0.002 * kinetic);
 }
 
+TEST(DriveTrain, StartsUpAsTheExactSolutionOfItsCurrentLoopAndMass) {
+  MachineData machine{};
+  machine.coulomb_friction = 0.0;
+  machine.viscous_friction = 0.0;
+  DriveTrain train{machine, {}};
+
+  run(train, at_speed(6000.0), 0.01);
+
+  const double lag = machine.current_loop_time_constant;
+  const double time = 0.01 - kControlPeriod;  // the first period calculates
+  const double expected = 35.0 / machine.inertia * (time - lag * (1.0 - std::exp(-time / lag)));
+  EXPECT_NEAR(train.signals().true_speed, expected, 1e-9 * expected);
+}
+
 TEST(DriveTrain, BehavesAlikeAtAnotherSamplingTime) {
   DriveTrain slow{MachineData{}, {.inertia = 0.003}};
   DriveTrain fast{MachineData{}, {.inertia = 0.003}};

@@ -1,0 +1,67 @@
+#include "tests/device/test_unit.hpp"
+
+namespace device {
+namespace {
+
+constexpr std::uint16_t kState = 0x6F;
+
+TEST(WrittenControlword, EachOfSeveralInOneCycleTakesEffect) {
+  TestUnit unit;
+  unit.start();
+
+  for (const std::uint32_t word : {0x06U, 0x07U, 0x0FU}) ASSERT_EQ(unit.download(0x6040, 0, word, 2), 0U);
+
+  unit.passes(4 * Device::kCycle);
+  EXPECT_EQ(unit.statusword(), 0x1637);
+}
+
+TEST(WrittenControlword, ShowsItsAcknowledgementEdgeThoughTheNextFollowsAtOnce) {
+  TestUnit unit;
+  unit.start();
+  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  unit.passes(100ms);
+
+  for (const std::uint32_t word : {0x80U, 0x00U}) ASSERT_EQ(unit.download(0x6040, 0, word, 2), 0U);
+
+  unit.passes(4 * Device::kCycle);
+  EXPECT_EQ(unit.statusword(), 0x1640);
+}
+
+TEST(WrittenControlword, GivesWayToProcessData) {
+  TestUnit unit;
+  unit.start_operational();
+  for (const std::uint32_t word : {0x06U, 0x07U, 0x0FU}) ASSERT_EQ(unit.download(0x6040, 0, word, 2), 0U);
+
+  unit.says("205#0600");
+
+  unit.passes(4 * Device::kCycle);
+  EXPECT_EQ(unit.statusword() & kState, 0x21);
+}
+
+TEST(WrittenControlword, IsForgottenBeyondTheLastThatFits) {
+  TestUnit unit;
+  unit.start();
+
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(unit.download(0x6040, 0, 0x06, 2), 0U);
+  ASSERT_EQ(unit.download(0x6040, 0, 0x07, 2), 0U);
+
+  unit.passes(40 * Device::kCycle);
+  EXPECT_EQ(unit.statusword() & kState, 0x23);
+}
+
+TEST(WrittenParameter, ActsOnAUnitThatRests) {
+  TestUnit unit;
+  unit.start_operational();
+  ASSERT_EQ(unit.download(0x605D, 0, 0, 2), 0U);
+  for (const char* const word : {"205#0600", "205#0700", "205#0F01"}) unit.cycles_with(word);
+  unit.passes(1s);
+  ASSERT_EQ(unit.statusword() & kState, 0x23);
+
+  ASSERT_EQ(unit.download(0x605D, 0, 0xFFFF, 2), 0U);
+
+  unit.passes(4 * Device::kCycle);
+  EXPECT_EQ(unit.statusword() & kState, 0x27);
+}
+
+}  // namespace
+}  // namespace device
