@@ -78,9 +78,18 @@ bool SocketCan::reopen() noexcept {
   if (!index || !bind_to(*index)) return false;
   apply_filters();  // the kernel forgets them with the interface
   take_pending_error(socket_);
+  discard_received();
   error_state_ = ErrorState::Active;
   link_failure_ = LinkFailure::None;
   return true;
+}
+
+/// What waited while the link was away is no longer meant for anybody.
+void SocketCan::discard_received() noexcept {
+  constexpr int kMost = 1 << 20;  // a bus that never stops must not hold the caller
+  can_frame wire{};
+  for (int i = 0; i < kMost && take(wire) >= 0; ++i) {
+  }
 }
 
 std::size_t SocketCan::receive_buffer() const noexcept {

@@ -31,8 +31,8 @@ class SocketCan final : public Port {
   /// More filters than the kernel takes (512) open the port for every frame.
   void accept_only(std::span<const Filter> filters) noexcept override;
 
-  /// Binds the same descriptor to the interface of that name again; to be called whenever it has come up. False:
-  /// not there.
+  /// Binds the same descriptor to the interface of that name again and forgets what was received before; to be
+  /// called whenever it has come up. False: not there.
   [[nodiscard]] bool reopen() noexcept;
   /// Size of the receive buffer really got (bytes, as the kernel counts: twice the one asked for, or less).
   [[nodiscard]] std::size_t receive_buffer() const noexcept;
@@ -45,6 +45,7 @@ class SocketCan final : public Port {
   bool bind_to(int index) noexcept;
   void apply_filters() noexcept;
   ssize_t take(can_frame& wire) noexcept;
+  void discard_received() noexcept;
   Received failed(int error) noexcept;
 
   std::string interface_;

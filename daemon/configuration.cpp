@@ -72,7 +72,7 @@ motor::MachineData read_motor(const JsonReader& json) {
   }
   if (motor.find_first_of("./") == std::string::npos)
     json.fail("a motor preset (1fk7063) or the path of a motor file");
-  return read_motor_file(motor);
+  return read_motor_file(json.folder() / motor);  // an absolute path stands for itself
 }
 
 void read_load_torque(const JsonReader& json, motor::Load& load) {

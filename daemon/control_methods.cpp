@@ -93,7 +93,7 @@ Outcome call(Daemon& daemon, const control::Request& request) {
 
 std::string answer_request(Daemon& daemon, std::string_view line) {
   const auto request = control::parse_request(line);
-  if (!request) return control::error_line(nullptr, request.error());
+  if (!request) return control::error_line(request.error().id, request.error().message);
   const Outcome outcome = call(daemon, *request);
   return outcome ? control::result_line(request->id, *outcome) : control::error_line(request->id, outcome.error());
 }

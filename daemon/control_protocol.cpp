@@ -13,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kDeepest = 8;  // levels of objects and arrays
 constexpr std::string_view kPrefix = "axisd-";
 constexpr std::string_view kSuffix = ".sock";
 constexpr int kHighestNode = 127;
@@ -28,8 +29,15 @@ std::string to_line(const json& object) {
   return object.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
+/// The value in @p line; discarded if it is no JSON, or nested so deep that walking through it needs much stack.
 json parse(std::string_view line) {
-  return json::parse(line, nullptr, /*allow_exceptions=*/false);
+  bool too_deep = false;
+  const auto watch_depth = [&](int depth, json::parse_event_t, const json&) {
+    too_deep = too_deep || depth > kDeepest;
+    return !too_deep;
+  };
+  json value = json::parse(line, watch_depth, /*allow_exceptions=*/false);
+  return too_deep ? json(json::value_t::discarded) : value;
 }
 
 /// The beginning of @p line, fit for a message.
@@ -86,15 +94,21 @@ tl::expected<sockaddr_un, std::string> socket_address(std::string_view path) {
   return address;
 }
 
-tl::expected<Request, std::string> parse_request(std::string_view line) {
-  const json object = parse(line);
-  if (!object.is_object()) return tl::unexpected{"expected a JSON object, got " + quoted(line)};
+tl::expected<Request, RequestError> parse_request(std::string_view line) {
+  json object = parse(line);
+  const auto refuse = [&](std::string message) { return tl::unexpected{RequestError{{}, std::move(message)}}; };
+  if (!object.is_object()) return refuse("expected a JSON object, got " + quoted(line));
+  Request request;
+  if (const auto id = object.find("id"); id != object.end()) request.id = std::move(*id);
+  if (request.id.is_structured()) return refuse("id: expected a number or a string");
+  const auto refuse_it = [&](std::string message) {
+    return tl::unexpected{RequestError{std::move(request.id), std::move(message)}};
+  };
   const auto method = object.find("method");
-  if (method == object.end() || !method->is_string())
-    return tl::unexpected{std::string{"method: expected a string"}};
-  Request request{object.value("id", json{}), method->get<std::string>()};
-  if (const auto params = object.find("params"); params != object.end()) request.params = *params;
-  if (!request.params.is_object()) return tl::unexpected{std::string{"params: expected an object"}};
+  if (method == object.end() || !method->is_string()) return refuse_it("method: expected a string");
+  request.method = method->get<std::string>();
+  if (const auto params = object.find("params"); params != object.end()) request.params = std::move(*params);
+  if (!request.params.is_object()) return refuse_it("params: expected an object");
   return request;
 }
 

@@ -65,8 +65,14 @@ struct Request {
   std::string method;
   nlohmann::json params = nlohmann::json::object();
 };
-/// Reads one request from @p line, or says in one line what is wrong with it.
-[[nodiscard]] tl::expected<Request, std::string> parse_request(std::string_view line);
+/// Why a line is no request.
+struct RequestError {
+  nlohmann::json id;  ///< as far as the line has one
+  std::string message;
+};
+/// Reads one request from @p line, or says in one line what is wrong with it. The id may be a number, a string or
+/// null; nothing may be nested deeper than eight levels.
+[[nodiscard]] tl::expected<Request, RequestError> parse_request(std::string_view line);
 /// Line, newline included, that asks for @p method.
 [[nodiscard]] std::string request_line(int id, Method method, const nlohmann::json& params);
 /// Line, newline included, that answers request @p id with @p result.

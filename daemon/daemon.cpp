@@ -14,7 +14,7 @@
 namespace axisd {
 namespace {
 
-constexpr canopen::Duration kForeignFrameLogPeriod = std::chrono::seconds{10};
+constexpr canopen::Duration kRepeatedLogPeriod = std::chrono::seconds{10};
 constexpr std::size_t kMostSubscriptions = 600;
 /// Frames taken in one turn while they come faster than turns, so that the timer still gets its turn.
 constexpr int kBurst = 32;
@@ -90,6 +90,7 @@ void Daemon::turn() noexcept {
   if (device_.next_deadline() <= now) device_.on_time(now);
   if (!ready_told_) tell_ready();
   if (!full_logged_ && queue_.waiting() != 0) log_full_queue();
+  if (device_.skipped_cycles() != skipped_seen_) log_skipped_cycles(now);
   if (wait[2].revents != 0) events_.dispatch();
 }
 
@@ -123,7 +124,8 @@ bool Daemon::receive_frame(canopen::TimePoint now) noexcept {
 }
 
 void Daemon::tell_ready() noexcept {
-  if (!link_is_up_ || queue_.waiting() != 0) return;  // the boot-up frame has to be out
+  // The boot-up frame has to be out.
+  if (!link_is_up_ || queue_.waiting() != 0 || queue_.counters().sent == sent_before_boot_up_) return;
   ready_told_ = true;
   log_.info("ready: node {} on {}", configuration_.node_id, configuration_.interface);
   sd_notifyf(0, "READY=1\nSTATUS=node %d on %s", configuration_.node_id, configuration_.interface.c_str());
@@ -138,6 +140,14 @@ int Daemon::on_link(sd_event_source*, int, std::uint32_t, void* self) noexcept {
   return 0;
 }
 
+void Daemon::log_skipped_cycles(canopen::TimePoint now) noexcept {
+  if (skipped_seen_ != 0 && now - skipped_logged_ < kRepeatedLogPeriod) return;
+  log_.warning("{} cycles of 4 ms were skipped: the daemon was kept from running",
+               device_.skipped_cycles() - skipped_seen_);
+  skipped_seen_ = device_.skipped_cycles();
+  skipped_logged_ = now;
+}
+
 void Daemon::log_full_queue() noexcept {
   full_logged_ = true;
   log_.notice("{}: the transmit queue of the interface is full, frames wait; told once (see the status)",
@@ -145,14 +155,19 @@ void Daemon::log_full_queue() noexcept {
 }
 
 void Daemon::link_up() noexcept {
-  if (!port_.reopen()) return;
+  if (!port_.reopen()) {
+    log_.warning("{} is up but cannot be used: it is no CAN interface", configuration_.interface);
+    return;
+  }
   link_is_up_ = true;
   queue_.discard();
   const canopen::TimePoint now = read_clock();
   queue_.retry(now);
+  sent_before_boot_up_ = queue_.counters().sent;
   device_.start(now);
   if (ready_told_) {
     log_.notice("{} is up again", configuration_.interface);
+    sd_notifyf(0, "STATUS=node %d on %s", configuration_.node_id, configuration_.interface.c_str());
   } else {
     tell_ready();
   }
@@ -163,6 +178,7 @@ void Daemon::link_down() noexcept {
   link_is_up_ = false;
   queue_.discard();
   log_.warning("{} is down: waiting until it is up", configuration_.interface);
+  sd_notifyf(0, "STATUS=%s is down", configuration_.interface.c_str());
 }
 
 void Daemon::on_subscriptions_changed() noexcept {
@@ -174,7 +190,7 @@ void Daemon::on_subscriptions_changed() noexcept {
 void Daemon::on_foreign_frame(std::uint32_t identifier) noexcept {
   ++foreign_frames_;
   const canopen::TimePoint now = read_clock();
-  if (foreign_frames_ != 1 && now - foreign_logged_ < kForeignFrameLogPeriod) return;
+  if (foreign_frames_ != 1 && now - foreign_logged_ < kRepeatedLogPeriod) return;
   foreign_logged_ = now;
   log_.warning("{}: identifier {:03X}h came from another station: duplicate node-ID {}?", configuration_.interface,
                identifier, configuration_.node_id);

@@ -64,6 +64,7 @@ class Daemon final : private device::Listener {
   void receive(canopen::TimePoint now) noexcept;
   bool receive_frame(canopen::TimePoint now) noexcept;
   void log_full_queue() noexcept;
+  void log_skipped_cycles(canopen::TimePoint now) noexcept;
   void power_on() noexcept;
   void tell_ready() noexcept;
   void link_up() noexcept;
@@ -95,6 +96,9 @@ class Daemon final : private device::Listener {
   std::uint64_t received_ = 0;
   std::uint64_t foreign_frames_ = 0;
   canopen::TimePoint foreign_logged_{};
+  std::uint64_t skipped_seen_ = 0;
+  canopen::TimePoint skipped_logged_{};
+  std::uint64_t sent_before_boot_up_ = 0;
 };
 
 }  // namespace axisd

@@ -15,14 +15,19 @@ namespace axisd {
 namespace {
 
 std::string in_use(const std::string& interface, int node_id) {
-  return fmt::format("{}: node {} is already served by another axisd", interface, node_id);
+  return fmt::format("{}: node {} is served by another axisd", interface, node_id);
+}
+
+/// Throws for the present errno: @p taken is the one that another instance causes.
+[[noreturn]] void fail_to_lock(int taken, const std::string& busy) {
+  throw InstanceError{errno == taken ? busy : fmt::format("cannot be locked: {}", std::strerror(errno))};
 }
 
 bus::Descriptor lock_folder(const std::filesystem::path& folder, const std::string& busy) {
   bus::Descriptor descriptor{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
   if (!descriptor)
     throw InstanceError{fmt::format("{}: cannot be opened: {}", folder.string(), std::strerror(errno))};
-  if (flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0) throw InstanceError{busy};
+  if (flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0) fail_to_lock(EWOULDBLOCK, busy);
   return descriptor;
 }
 
@@ -32,7 +37,9 @@ bus::Descriptor lock_name(const std::string& name, const std::string& busy) {
   address.sun_family = AF_UNIX;
   name.copy(&address.sun_path[1], sizeof address.sun_path - 1);  // a leading zero byte makes the name abstract
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-  if (bind(descriptor.get(), reinterpret_cast<const sockaddr*>(&address), length) != 0) throw InstanceError{busy};
+  if (bind(descriptor.get(), reinterpret_cast<const sockaddr*>(&address), length) != 0) {
+    fail_to_lock(EADDRINUSE, busy);
+  }
   return descriptor;
 }
 
@@ -44,7 +51,10 @@ std::filesystem::path state_root(const std::string& given) {
     return value != nullptr ? std::filesystem::path{value} : std::filesystem::path{};
   };
   if (!given.empty()) return given;
-  if (auto from_systemd = variable("STATE_DIRECTORY"); !from_systemd.empty()) return from_systemd;
+  // systemd separates several folders by colons; the first is ours.
+  if (const auto from_systemd = variable("STATE_DIRECTORY").string(); !from_systemd.empty()) {
+    return from_systemd.substr(0, from_systemd.find(':'));
+  }
   if (const auto xdg = variable("XDG_STATE_HOME"); !xdg.empty()) return xdg / "axisd";
   if (const auto home = variable("HOME"); !home.empty()) return home / ".local" / "state" / "axisd";
   throw InstanceError{"no place for the state: give --state-directory or set HOME"};

@@ -50,8 +50,9 @@ void JsonReader::expect_object(std::initializer_list<std::string_view> keys) con
   if (!value_.is_object()) fail("an object");
   for (const auto& item : value_.items()) {
     if (std::find(keys.begin(), keys.end(), item.key()) != keys.end()) continue;
+    const std::string key = quote(nlohmann::json(item.key()));  // whatever it holds, the message is one line
     throw ConfigurationError{fmt::format("{}/{}: unknown key, expected one of: {}", file_ + ": " + path_,
-                                         item.key(), fmt::join(keys, ", "))};
+                                         key.substr(1, key.size() - 2), fmt::join(keys, ", "))};
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -25,6 +26,9 @@ class JsonReader {
   std::size_t size() const { return value_.size(); }
   /// Keys of an object, in the order of nlohmann's map.
   std::vector<std::string> keys() const;
+
+  /// Folder of the file, for paths in it that are relative.
+  std::filesystem::path folder() const { return std::filesystem::path{file_}.parent_path(); }
 
   bool is_string() const { return value_.is_string(); }
   bool is_object() const { return value_.is_object(); }

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include <poll.h>
 #include <sys/stat.h>
 #include <systemd/sd-journal.h>
 #include <unistd.h>
@@ -20,6 +21,12 @@ bool standard_error_is_the_journal() noexcept {
   return std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino) == stream;
 }
 
+/// False if writing a line to @p descriptor would wait for a reader: the drive does not.
+bool takes_a_line(int descriptor) noexcept {
+  pollfd wanted{descriptor, POLLOUT, 0};
+  return poll(&wanted, 1, 0) == 1 && (wanted.revents & POLLOUT) != 0;
+}
+
 }  // namespace
 
 Log::Log(LogLevel level) noexcept : level_{level}, to_journal_{standard_error_is_the_journal()} {}
@@ -31,7 +38,7 @@ void Log::write(LogLevel level, fmt::string_view text, fmt::format_args argument
   const auto length = static_cast<int>(line.size());
   if (to_journal_) {
     sd_journal_send("MESSAGE=%.*s", length, line.data(), "PRIORITY=%i", static_cast<int>(level), nullptr);
-  } else {
+  } else if (takes_a_line(STDERR_FILENO)) {
     std::fprintf(stderr, "axisd: %.*s\n", length, line.data());
   }
 }

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -16,16 +17,21 @@ constexpr int kUsage = 2;
 
 std::string control_path(const axisd::Options& options, const axisd::Configuration& configuration) {
   if (options.control == "none") return "";
-  if (!options.control.empty()) return options.control;
-  return control::default_socket_path(configuration.interface, configuration.node_id);
+  const std::string path = options.control.empty()
+                               ? control::default_socket_path(configuration.interface, configuration.node_id)
+                               : options.control;
+  if (const auto address = control::socket_address(path); !address) {
+    throw axisd::ConfigurationError{"--control: " + address.error()};
+  }
+  return path;
 }
 
 int serve(const axisd::Options& options) {
   const axisd::Configuration configuration = axisd::load_configuration(options);
+  const std::string control = control_path(options, configuration);
   if (options.check_config) return 0;
   const axisd::Log log{options.log_level};
-  axisd::Daemon daemon{configuration, axisd::state_root(options.state_directory),
-                       control_path(options, configuration), log};
+  axisd::Daemon daemon{configuration, axisd::state_root(options.state_directory), control, log};
   daemon.run();
   return 0;
 }
@@ -38,6 +44,7 @@ int fail(const std::exception& error, int status) {
 }  // namespace
 
 int main(int count, char** words) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of the log that goes away must not take the drive with it
   try {
     const auto options = axisd::parse_command_line(count, words);
     return options ? serve(*options) : 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <iostream>
 #include <string_view>
 
@@ -26,17 +27,28 @@ LogLevel level_named(const std::string& name) {
   throw UsageError{"--log-level: expected error, warning, notice, info or debug, got \"" + name + '"'};
 }
 
+/// The decimal number @p text; @p expected says which ones the option takes.
+int integer_of(const char* option, const std::string& text, const char* expected) {
+  int value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc{} && rest == end) return value;
+  throw UsageError{std::string{option} + ": expected an integer " + expected + ", got \"" + text + '"'};
+}
+
 }  // namespace
 
 std::optional<Options> parse_command_line(int count, const char* const* words) {
   Options options;
   CLI::App app{"Puts a simulated CANopen drive unit on a SocketCAN interface.", "axisd"};
   std::string level = "info";
+  std::optional<std::string> node_id;
+  std::optional<std::string> axes;
   app.set_version_flag("--version", std::string{"axisd "} + kVersion);
   app.add_option("--config", options.config_file, "JSON configuration file")->type_name("FILE");
   app.add_option("--interface", options.interface, "CAN interface (default: vcan0)")->type_name("IF");
-  app.add_option("--node-id", options.node_id, "node-ID, 1 to 127 (default: 2)")->type_name("N");
-  app.add_option("--axes", options.axes, "number of axes (default: 1)")->type_name("N");
+  app.add_option("--node-id", node_id, "node-ID, 1 to 127 (default: 2)")->type_name("N");
+  app.add_option("--axes", axes, "number of axes (default: 1)")->type_name("N");
   app.add_option("--state-directory", options.state_directory, "where the unit keeps its state")->type_name("DIR");
   app.add_option("--control", options.control, "control socket, or none")->type_name("SOCKET");
   app.add_flag("--check-config", options.check_config, "check the configuration and exit");
@@ -51,6 +63,8 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
     throw UsageError{std::string{error.what()} + " (see axisd --help)"};
   }
   options.log_level = level_named(level);
+  if (node_id) options.node_id = integer_of("--node-id", *node_id, "1 to 127");
+  if (axes) options.axes = integer_of("--axes", *axes, "1 in this version");
   return options;
 }
 

@@ -185,7 +185,7 @@ chart() {
 is_listening() { (($(listeners) > before)); }
 # The kernel's list of sockets without a filter; the file is there once somebody has opened a CAN socket.
 listeners() { awk -v name="$interface" '$1 == name' /proc/net/can/rcvlist_all 2>/dev/null | wc -l; }
-is_ready() { grep -q ready "$log"; }
+is_ready() { grep -q 'ready: node' "$log"; }
 
 say "candump -L $interface"
 before=$(listeners)

@@ -47,7 +47,7 @@ TEST_F(Program, ListsEveryOptionInItsHelp) {
 TEST_F(Program, RefusesACommandLineItDoesNotUnderstand) {
   expect_refusal({"--bogus"}, 2, "The following argument was not expected: --bogus (see axisd --help)");
   expect_refusal({"vcan0"}, 2, "The following argument was not expected: vcan0 (see axisd --help)");
-  expect_refusal({"--node-id", "five"}, 2, "Could not convert: --node-id = five (see axisd --help)");
+  expect_refusal({"--node-id", "five"}, 2, "--node-id: expected an integer 1 to 127, got \"five\"");
 }
 
 TEST_F(Program, RefusesAnUnknownLogLevelInOneLine) {

@@ -29,7 +29,7 @@ std::string refusal(const std::filesystem::path& root, int node_id) {
 }
 
 std::string in_use(int node_id) {
-  return fmt::format("{}: node {} is already served by another axisd", interface(), node_id);
+  return fmt::format("{}: node {} is served by another axisd", interface(), node_id);
 }
 
 TEST(InstanceLock, CreatesTheFolderOfItsInstance) {

@@ -28,7 +28,7 @@ struct Refusal : testing::Test {
   void expect_refused(const fakes::Finished& second) {
     EXPECT_EQ(second.status, 1);
     EXPECT_EQ(line_count(second.errors), 1) << second.errors;
-    EXPECT_NE(second.errors.find("vcan0: node 5 is already served"), std::string::npos) << second.errors;
+    EXPECT_NE(second.errors.find("vcan0: node 5 is served by another axisd"), std::string::npos) << second.errors;
     EXPECT_TRUE(can.ask(kAskDeviceType, kDeviceType));
   }
 };

@@ -169,7 +169,7 @@ TEST_F(Axisctl, RefusesWrongUsage) {
       {"fault", "inject", "-1", "7860"},
       {"fault", "inject", "1x", "7860"},
       {"fault", "inject", "99999999999", "7860"},
-      {"fault", "inject", "1", "A07850"},
+      {"fault", "inject", "1", "X07850"},
       {"fault", "inject", "1", "F"},
       {"fault", "inject", "1", "0"},
       {"fault", "inject", "1", "65536"},
@@ -203,8 +203,8 @@ TEST_F(Axisctl, RefusesWrongUsage) {
 TEST_F(Axisctl, NamesTheWordThatIsWrong) {
   EXPECT_EQ(run({"load", "X", "1"}).errors, "axisctl: AXIS: expected a number from 1, got \"X\"\n");
   EXPECT_EQ(run({"load", "1", "much"}).errors, "axisctl: TORQUE: expected a number of N·m, got \"much\"\n");
-  EXPECT_EQ(run({"fault", "inject", "1", "A1"}).errors,
-            "axisctl: NUMBER: expected a fault such as 7860 or F07860, got \"A1\"\n");
+  EXPECT_EQ(run({"fault", "inject", "1", "X1"}).errors,
+            "axisctl: NUMBER: expected a number such as 7860, F07860 or A07850, got \"X1\"\n");
 }
 
 TEST_F(Axisctl, ExplainsItself) {

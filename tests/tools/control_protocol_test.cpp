@@ -81,12 +81,18 @@ TEST(ControlRequest, MayLeaveItsParametersAndItsIdOut) {
 }
 
 TEST(ControlRequest, SaysWhatIsWrongWithIt) {
-  EXPECT_EQ(control::parse_request("status").error(), R"(expected a JSON object, got "status")");
-  EXPECT_EQ(control::parse_request("[1]").error(), R"(expected a JSON object, got "[1]")");
-  EXPECT_EQ(control::parse_request("\x1b[2J").error(), R"(expected a JSON object, got "?[2J")");
-  EXPECT_EQ(control::parse_request(R"({"id":1})").error(), "method: expected a string");
-  EXPECT_EQ(control::parse_request(R"({"method":5})").error(), "method: expected a string");
-  EXPECT_EQ(control::parse_request(R"({"method":"quit","params":[1]})").error(), "params: expected an object");
+  EXPECT_EQ(control::parse_request("status").error().message, R"(expected a JSON object, got "status")");
+  EXPECT_EQ(control::parse_request("[1]").error().message, R"(expected a JSON object, got "[1]")");
+  EXPECT_EQ(control::parse_request("\x1b[2J").error().message, R"(expected a JSON object, got "?[2J")");
+  EXPECT_EQ(control::parse_request(R"({"id":7,"method":5})").error().id, 7);
+  EXPECT_EQ(control::parse_request(R"({"id":[1],"method":"quit"})").error().message,
+            "id: expected a number or a string");
+  const std::string deep = std::string(60000, '[') + std::string(60000, ']');
+  EXPECT_FALSE(control::parse_request(R"({"id":)" + deep + "}"));
+  EXPECT_EQ(control::parse_request(R"({"id":1})").error().message, "method: expected a string");
+  EXPECT_EQ(control::parse_request(R"({"method":5})").error().message, "method: expected a string");
+  EXPECT_EQ(control::parse_request(R"({"method":"quit","params":[1]})").error().message,
+            "params: expected an object");
 }
 
 TEST(ControlAnswer, BringsItsResult) {

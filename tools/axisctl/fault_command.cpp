@@ -10,15 +10,17 @@ namespace axisctl {
 
 namespace {
 
+constexpr std::string_view kClassLetters = "FfAa";  // fault, alarm
+
 /// Number that @p word means; the letter of the message class may be left out.
 tl::expected<std::uint16_t, std::string> parse_fault(const std::string& word) {
   std::string_view digits{word};
-  if (digits.starts_with('F') || digits.starts_with('f')) digits.remove_prefix(1);
+  if (!digits.empty() && kClassLetters.find(digits.front()) != std::string_view::npos) digits.remove_prefix(1);
   std::uint16_t number = 0;
   const char* const end = digits.data() + digits.size();
   const auto [rest, error] = std::from_chars(digits.data(), end, number);
   if (error == std::errc{} && rest == end && number > 0) return number;
-  return tl::unexpected{fmt::format("NUMBER: expected a fault such as 7860 or F07860, got \"{}\"", word)};
+  return tl::unexpected{fmt::format("NUMBER: expected a number such as 7860, F07860 or A07850, got \"{}\"", word)};
 }
 
 }  // namespace
