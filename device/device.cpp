@@ -37,12 +37,11 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       axis_{configuration.axis},
       dictionary_{generated::kObjectTable, configuration.node_id},
       process_data_{dictionary_, drive::BusScaling{axis_.parameters()}},
-      parameter_objects_{dictionary_, axis_, drive::BusScaling{axis_.parameters()}},
+      parameter_objects_{dictionary_, axis_, drive::BusScaling{axis_.parameters()}, *this},
       error_objects_{dictionary_, axis_},
       node_{dictionary_, kPolicy, sink, *this} {
   apply_presets();
   for (const std::uint16_t index : kInputs) dictionary_.own_write(index, 0, *this);
-  ParameterObjects::own_writes(dictionary_, *this);
 }
 
 void Device::apply_presets() noexcept {
@@ -105,7 +104,9 @@ void Device::wake() noexcept {
 }
 
 void Device::on_rpdo(std::uint16_t) noexcept {
-  written_controlwords_.clear();  // process data are the newer word
+  // A controlword in process data is the newer one; an RPDO without any leaves the written ones in force.
+  const bool overwritten = process_data_.controlword() != written_controlwords_.newest();
+  if (overwritten && !written_controlwords_.is_empty()) written_controlwords_.clear();
   wake();
 }
 
@@ -117,8 +118,7 @@ canopen::Result<void> Device::write(const canopen::Entry& entry, std::int64_t va
   }
   if (entry.index == object::kControlword) written_controlwords_.put(static_cast<std::uint16_t>(value));
   wake();
-  return ParameterObjects::contains(entry.index) ? parameter_objects_.write(entry, value)
-                                                 : canopen::Result<void>{};
+  return {};
 }
 
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {

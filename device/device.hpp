@@ -40,7 +40,7 @@ class Listener {
 
 /// The drive unit as a CANopen node: one axis behind the objects of CiA 301 and CiA 402. It is fed frames and time
 /// and hands its frames to a sink; nothing in it reads a clock, blocks or, after construction, allocates.
-class Device final : private canopen::Application, private canopen::EntryOwner {
+class Device final : private canopen::Application, private canopen::EntryOwner, private ParameterListener {
  public:
   /// Process-data cycle p8848.
   static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
@@ -85,6 +85,7 @@ class Device final : private canopen::Application, private canopen::EntryOwner {
   void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
+  void on_parameter_written() noexcept override { wake(); }
 
   void run_cycles() noexcept;
   void publish() noexcept;

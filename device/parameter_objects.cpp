@@ -27,9 +27,9 @@ constexpr std::array kRows{
     Row{object::kQuickStopDeceleration, 1135, Form::Slope},
 };
 
-const Row* find_row(std::uint16_t index) noexcept {
-  const auto row = std::find_if(kRows.begin(), kRows.end(), [=](const Row& r) { return r.index == index; });
-  return row != kRows.end() ? &*row : nullptr;
+/// Only objects of the table come here.
+const Row& row_of(std::uint16_t index) noexcept {
+  return *std::find_if(kRows.begin(), kRows.end(), [=](const Row& row) { return row.index == index; });
 }
 
 /// The abort code for a refused parameter access.
@@ -55,21 +55,16 @@ AbortCode abort_code(const drive::ParameterError& error) noexcept {
 }  // namespace
 
 ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis,
-                                   const drive::BusScaling& scaling)
-    : axis_{axis}, scaling_{scaling} {
-  for (const Row& row : kRows) dictionary.own_read(row.index, 0, *this);
-}
-
-bool ParameterObjects::contains(std::uint16_t index) noexcept {
-  return find_row(index) != nullptr;
-}
-
-void ParameterObjects::own_writes(canopen::Dictionary& dictionary, canopen::EntryOwner& owner) {
-  for (const Row& row : kRows) dictionary.own_write(row.index, 0, owner);
+                                   const drive::BusScaling& scaling, ParameterListener& listener)
+    : axis_{axis}, listener_{listener}, scaling_{scaling} {
+  for (const Row& row : kRows) {
+    dictionary.own_read(row.index, 0, *this);
+    dictionary.own_write(row.index, 0, *this);
+  }
 }
 
 canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry, std::int64_t) {
-  const Row& row = *find_row(entry.index);
+  const Row& row = row_of(entry.index);
   const auto value = axis_.read(row.parameter);
   if (!value) return canopen::refuse(abort_code(value.error()));
   if (row.form == Form::Number) return static_cast<std::int64_t>(*value);
@@ -77,7 +72,7 @@ canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry
 }
 
 canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::int64_t value) {
-  const Row& row = *find_row(entry.index);
+  const Row& row = row_of(entry.index);
   auto parameter_value = static_cast<double>(value);
   if (row.form == Form::Slope) {
     const double longest = drive::find_parameter(row.parameter)->maximum;
@@ -87,7 +82,9 @@ canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::
     parameter_value = *time;
   }
   const auto written = axis_.write(row.parameter, parameter_value);
-  return written ? canopen::Result<void>{} : canopen::refuse(abort_code(written.error()));
+  if (!written) return canopen::refuse(abort_code(written.error()));
+  listener_.on_parameter_written();
+  return {};
 }
 
 }  // namespace device

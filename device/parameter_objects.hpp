@@ -8,23 +8,28 @@
 
 namespace device {
 
+/// Who is told when a parameter was written: an axis that rests has to be moved again.
+class ParameterListener {
+ public:
+  virtual ~ParameterListener() = default;
+  /// A parameter has a new value.
+  virtual void on_parameter_written() noexcept = 0;
+};
+
 /// The profile objects that are parameters of the axis under another number and in another unit:
 /// 6007h = p8641, 605Dh = p8791, 6083h = p1120, 6084h = p1121, 6085h = p1135.
 class ParameterObjects final : public canopen::EntryOwner {
  public:
-  /// Owns the reading of the objects of the first axis in @p dictionary for @p axis; both must outlive this.
-  ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis, const drive::BusScaling& scaling);
+  /// Owns the objects of the first axis in @p dictionary for @p axis; all arguments must outlive this.
+  ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis, const drive::BusScaling& scaling,
+                   ParameterListener& listener);
 
   canopen::Result<std::int64_t> read(const canopen::Entry& entry, std::int64_t stored) override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
 
-  /// True if object @p index is one of these.
-  static bool contains(std::uint16_t index) noexcept;
-  /// Gives the writing of all of them to @p owner, which hands them on to write().
-  static void own_writes(canopen::Dictionary& dictionary, canopen::EntryOwner& owner);
-
  private:
   drive::Axis& axis_;
+  ParameterListener& listener_;
   drive::BusScaling scaling_;
 };
 

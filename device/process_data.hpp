@@ -17,6 +17,8 @@ class ProcessData {
 
   /// What the master last asked for.
   drive::Setpoints setpoints() const noexcept;
+  /// The controlword alone.
+  std::uint16_t controlword() const noexcept { return controlword_.get(); }
   /// Shows @p actual to the master.
   void publish(const drive::ActualValues& actual) noexcept;
 

@@ -16,6 +16,7 @@ class WrittenControlwords {
   void put(std::uint16_t word) noexcept {
     if (count_ == words_.size()) --count_;
     words_[(first_ + count_++) % words_.size()] = word;
+    newest_ = word;
   }
   /// Takes the oldest word out.
   std::optional<std::uint16_t> take() noexcept {
@@ -25,6 +26,8 @@ class WrittenControlwords {
     --count_;
     return word;
   }
+  /// The word that was put last.
+  std::uint16_t newest() const noexcept { return newest_; }
   /// Forgets every word.
   void clear() noexcept { count_ = 0; }
   bool is_empty() const noexcept { return count_ == 0; }
@@ -33,6 +36,7 @@ class WrittenControlwords {
   std::array<std::uint16_t, 32> words_{};
   std::size_t first_ = 0;
   std::size_t count_ = 0;
+  std::uint16_t newest_ = 0;
 };
 
 }  // namespace device

@@ -23,6 +23,10 @@ std::string message_of(const Read& read) {
 struct BadFile {
   std::string_view text, message;
 };
+/// How GoogleTest names a case.
+void PrintTo(const BadFile& c, std::ostream* out) {  // NOLINT(readability-identifier-naming): GoogleTest's name
+  *out << c.message;
+}
 class BadFiles : public testing::TestWithParam<BadFile> {};
 
 TEST_P(BadFiles, AreRefusedWithFilePlaceAndExpectation) {

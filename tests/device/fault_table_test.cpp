@@ -2,6 +2,7 @@
 
 #include "libcanopen/base/little_endian.hpp"
 #include "tests/device/test_unit.hpp"
+#include "tests/fakes/fault_row_names.hpp"
 
 namespace device {
 namespace {

@@ -156,6 +156,10 @@ struct HaltOption {
   std::uint32_t code;
   double time;
 };
+/// How GoogleTest names a case.
+void PrintTo(const HaltOption& c, std::ostream* out) {  // NOLINT(readability-identifier-naming): GoogleTest's name
+  *out << "option " << c.code;
+}
 class HaltOptions : public testing::TestWithParam<HaltOption> {};
 
 TEST_P(HaltOptions, StopOnTheirRampAndStayInOperationEnabled) {

@@ -38,6 +38,22 @@ TEST(WrittenControlword, GivesWayToProcessData) {
   EXPECT_EQ(unit.statusword() & kState, 0x21);
 }
 
+TEST(WrittenControlword, OutlivesAnRpdoThatCarriesNone) {
+  TestUnit unit;
+  unit.start();
+  for (const char* const request : {"605#2301140105030080", "605#2F01160000000000", "605#230116012000FF60",
+                                    "605#2F01160001000000", "605#2301140105030000"}) {
+    ASSERT_EQ(unit.says(request).front().substr(0, 6), "585#60") << request;
+  }
+  unit.says("000#0105");
+  for (const std::uint32_t word : {0x06U, 0x07U, 0x0FU}) ASSERT_EQ(unit.download(0x6040, 0, word, 2), 0U);
+
+  unit.says("305#00000000");
+
+  unit.passes(4 * Device::kCycle);
+  EXPECT_EQ(unit.statusword() & kState, 0x27);
+}
+
 TEST(WrittenControlword, IsForgottenBeyondTheLastThatFits) {
   TestUnit unit;
   unit.start();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/drive/test_axis.hpp"
+#include "tests/fakes/fault_row_names.hpp"
 
 namespace drive {
 namespace {

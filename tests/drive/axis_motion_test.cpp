@@ -122,6 +122,10 @@ struct HaltCase {
   int option;
   double braking_time;  ///< from 1000 rpm to zero (s)
 };
+/// How GoogleTest names a case.
+void PrintTo(const HaltCase& c, std::ostream* out) {  // NOLINT(readability-identifier-naming): GoogleTest's name
+  *out << "option " << c.option;
+}
 
 class Halt : public testing::TestWithParam<HaltCase> {};
 

@@ -67,6 +67,24 @@ TEST_F(Link, BootsAgainWhenTheInterfaceIsBack) {
   expect_boot_up_when_set_up(daemon);
 }
 
+TEST_F(Link, TakesWithItWhatWaitedInTheSocket) {
+  DaemonProcess daemon{options()};
+  ASSERT_TRUE(daemon.is_ready());
+
+  daemon.program().signal(SIGSTOP);
+  CanClient before{kInterface};
+  before.send("000#0105");
+  before.send("605#2B17100064000000");
+  interface.down();
+  daemon.program().signal(SIGCONT);
+
+  ASSERT_TRUE(daemon.program().wait_for_output(kDown));
+  expect_boot_up_when_set_up(daemon);
+  EXPECT_EQ(daemon.status().at("nmt_state"), "Pre-operational");
+  CanClient after{kInterface};
+  EXPECT_TRUE(after.ask("605#4017100000000000", "585#4B17100000000000"));
+}
+
 TEST_F(Link, CanBeLostWhileTheMotorTurns) {
   DaemonProcess daemon{options()};
   ASSERT_TRUE(daemon.is_ready());

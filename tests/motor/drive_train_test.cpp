@@ -51,6 +51,10 @@ struct StepCase {
   std::uint32_t pulses;
   std::uint8_t fine_bits;
 };
+/// How GoogleTest names a case.
+void PrintTo(const StepCase& c, std::ostream* out) {  // NOLINT(readability-identifier-naming): GoogleTest's name
+  *out << c.rpm << " rpm, load " << c.load_inertia << " kg m2, encoder " << c.pulses << " x 2^" << int{c.fine_bits};
+}
 
 class SpeedStep : public testing::TestWithParam<StepCase> {};
 

@@ -28,6 +28,10 @@ struct Form {
   const char* name;
   allocation_form counted;
 };
+/// How GoogleTest names a case.
+void PrintTo(const Form& c, std::ostream* out) {  // NOLINT(readability-identifier-naming): GoogleTest's name
+  *out << c.name;
+}
 
 struct AllocationCounter : testing::TestWithParam<Form> {};
 
