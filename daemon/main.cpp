@@ -17,9 +17,9 @@ constexpr int kUsage = 2;
 
 std::string control_path(const axisd::Options& options, const axisd::Configuration& configuration) {
   if (options.control == "none") return "";
-  const std::string path = options.control.empty()
-                               ? control::default_socket_path(configuration.interface, configuration.node_id)
-                               : options.control;
+  std::string path = options.control.empty()
+                         ? control::default_socket_path(configuration.interface, configuration.node_id)
+                         : options.control;
   if (const auto address = control::socket_address(path); !address) {
     throw axisd::ConfigurationError{"--control: " + address.error()};
   }

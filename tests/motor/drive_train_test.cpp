@@ -53,7 +53,8 @@ struct StepCase {
 };
 /// How GoogleTest names a case.
 void PrintTo(const StepCase& c, std::ostream* out) {  // NOLINT(readability-identifier-naming): GoogleTest's name
-  *out << c.rpm << " rpm, load " << c.load_inertia << " kg m2, encoder " << c.pulses << " x 2^" << int{c.fine_bits};
+  *out << c.rpm << " rpm, load " << c.load_inertia << " kg m2, encoder " << c.pulses << " x 2^"
+       << int{c.fine_bits};
 }
 
 class SpeedStep : public testing::TestWithParam<StepCase> {};
