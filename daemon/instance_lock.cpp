@@ -18,16 +18,16 @@ std::string in_use(const std::string& interface, int node_id) {
   return fmt::format("{}: node {} is served by another axisd", interface, node_id);
 }
 
-/// Throws for the present errno: @p taken is the one that another instance causes.
-[[noreturn]] void fail_to_lock(int taken, const std::string& busy) {
-  throw InstanceError{errno == taken ? busy : fmt::format("cannot be locked: {}", std::strerror(errno))};
+/// Throws for the present errno, which is @p taken if another instance holds the lock on @p what.
+[[noreturn]] void fail_to_lock(const std::string& what, int taken, const std::string& busy) {
+  throw InstanceError{errno == taken ? busy : fmt::format("{}: cannot be locked: {}", what, std::strerror(errno))};
 }
 
 bus::Descriptor lock_folder(const std::filesystem::path& folder, const std::string& busy) {
   bus::Descriptor descriptor{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
   if (!descriptor)
     throw InstanceError{fmt::format("{}: cannot be opened: {}", folder.string(), std::strerror(errno))};
-  if (flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0) fail_to_lock(EWOULDBLOCK, busy);
+  if (flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0) fail_to_lock(folder.string(), EWOULDBLOCK, busy);
   return descriptor;
 }
 
@@ -38,7 +38,7 @@ bus::Descriptor lock_name(const std::string& name, const std::string& busy) {
   name.copy(&address.sun_path[1], sizeof address.sun_path - 1);  // a leading zero byte makes the name abstract
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   if (bind(descriptor.get(), reinterpret_cast<const sockaddr*>(&address), length) != 0) {
-    fail_to_lock(EADDRINUSE, busy);
+    fail_to_lock(name, EADDRINUSE, busy);
   }
   return descriptor;
 }

@@ -124,6 +124,7 @@ canopen::Result<void> Device::write(const canopen::Entry& entry, std::int64_t va
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
   if (to == canopen::NmtState::Initialising) {
     axis_.power_off();
+    written_controlwords_.clear();
   } else if (from == canopen::NmtState::Operational && fault_on_leaving_operational_) {
     [[maybe_unused]] const auto raised =
         axis_.raise(kLeftOperational, to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
@@ -138,8 +139,7 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
     axis_.restore_parameters();
     apply_presets();
   }
-  error_objects_.update(node_);  // the node is Initialising: nothing is sent
-  process_data_.publish(axis_.actual());
+  process_data_.publish(axis_.actual());  // the dictionary holds its initial values
 }
 
 tl::expected<void, drive::FaultError> Device::raise(std::uint16_t number, canopen::TimePoint now) noexcept {

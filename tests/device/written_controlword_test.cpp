@@ -54,6 +54,23 @@ TEST(WrittenControlword, OutlivesAnRpdoThatCarriesNone) {
   EXPECT_EQ(unit.statusword() & kState, 0x27);
 }
 
+TEST(WrittenControlword, DoesNotOutliveAReset) {
+  for (const char* const reset : {"000#8105", "000#8205"}) {
+    TestUnit unit;
+    unit.start();
+    unit.says("605#2B40600006000000");
+    unit.passes(4 * Device::kCycle);
+    for (const std::uint32_t word : {0x06U, 0x07U, 0x00U}) ASSERT_EQ(unit.download(0x6040, 0, word, 2), 0U);
+
+    unit.says(reset);
+
+    for (int cycle = 0; cycle < 8; ++cycle) {
+      unit.passes(Device::kCycle);
+      EXPECT_EQ(unit.statusword() & kState, 0x40) << reset << " cycle " << cycle;
+    }
+  }
+}
+
 TEST(WrittenControlword, IsForgottenBeyondTheLastThatFits) {
   TestUnit unit;
   unit.start();
