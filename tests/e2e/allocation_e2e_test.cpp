@@ -35,13 +35,15 @@ AssertionResult exchange_sdo(CanClient& can) {
                    {"605#4008100000000000", "585#4108100008000000"}});  // given up by the next
 }
 
-/// TPDO 4 on every SYNC, heartbeat every 20 ms, then Operational.
+/// TPDO 4 on every SYNC, heartbeat every 20 ms, then Operational. The shaft may still coast.
 AssertionResult configure(CanClient& can) {
-  return run(can, {{"605#23031801850400C0", "585#6003180100000000"},
-                   {"605#2F03180201000000", "585#6003180200000000"},
-                   {"605#2303180185040040", "585#6003180100000000"},
-                   {"605#2B17100014000000", "585#6017100000000000"},
-                   {"000#0105", "185#4016"}});
+  auto result = run(can, {{"605#23031801850400C0", "585#6003180100000000"},
+                          {"605#2F03180201000000", "585#6003180200000000"},
+                          {"605#2303180185040040", "585#6003180100000000"},
+                          {"605#2B17100014000000", "585#6017100000000000"}});
+  if (!result) return result;
+  can.send("000#0105");
+  return wait_for_state(can, kSwitchOnDisabled);
 }
 
 /// From Switch on disabled to a turning motor, with SYNC.
