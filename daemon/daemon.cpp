@@ -183,7 +183,11 @@ void Daemon::link_down() noexcept {
 
 void Daemon::on_subscriptions_changed() noexcept {
   filters_.clear();
-  for (const std::uint32_t identifier : device_.subscriptions()) filters_.push_back({.identifier = identifier});
+  for (const canopen::Subscription& wanted : device_.subscriptions()) {
+    filters_.push_back({.identifier = wanted.identifier & canopen::cob_id::kLong,
+                        .remote = wanted.remote,
+                        .extended = (wanted.identifier & canopen::cob_id::kExtended) != 0});
+  }
   port_.accept_only(filters_);
 }
 

@@ -13,11 +13,20 @@ namespace {
 
 constexpr double kCycleSeconds = std::chrono::duration<double>(Device::kCycle).count();
 
+/// No remote frame ever asks for a TPDO of the unit.
+constexpr std::array kTpdoTypes{canopen::TypeRange{0, 240}, canopen::TypeRange{254, 255}};
+
 /// Where the unit differs from what most nodes do; the rest are the library's defaults.
 constexpr canopen::Policy kPolicy{
     .unknown_command = canopen::UnknownCommand::Stop,
+    .error_control_conflict = canopen::ErrorControlConflict::Refuse,
+    .error_keeping = canopen::ErrorKeeping::Owner,
+    .extended_identifiers = false,
+    .sdo_block = false,
     .pdo_changes_in_operational = false,  // A08754
     .count_follows_entries = true,
+    .dummy_types = 0,
+    .tpdo_types = kTpdoTypes,
 };
 
 /// Objects whose writing over SDO is an input of the drive, as an RPDO is.

@@ -73,8 +73,8 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   const drive::Axis& axis() const noexcept { return axis_; }
   /// What the axis is asked for at present.
   drive::Setpoints setpoints() const noexcept { return process_data_.setpoints(); }
-  /// Identifiers that must be received as data frames, in ascending order.
-  std::span<const std::uint32_t> subscriptions() const noexcept { return node_.subscriptions(); }
+  /// What must be received (see canopen::Node::subscriptions()).
+  std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
   /// Cycles left out because the program was kept from running for too long.
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
