@@ -25,6 +25,7 @@ device::Configuration device_configuration(const Configuration& configuration) {
   const AxisConfiguration& axis = configuration.axes.front();
   device::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
                                .axis = {.machine = axis.machine, .load = axis.load},
+                               .sdo_block = configuration.sdo_block,
                                .fault_on_leaving_operational = configuration.fault_on_leaving_operational};
   for (const ParameterValue& parameter : axis.parameters)
     result.presets.push_back({parameter.number, parameter.value});

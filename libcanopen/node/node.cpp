@@ -127,6 +127,11 @@ void Node::on_values_changed(TimePoint now) noexcept {
   transmit_pdos_.on_values_changed();
 }
 
+void Node::command(NmtCommand wanted, TimePoint now) noexcept {
+  context_.now = now;
+  if (context_.state != NmtState::Initialising) command(wanted);
+}
+
 void Node::on_nmt(const Frame& frame) noexcept {
   if (frame.length != 2 || (frame.data[1] != 0 && frame.data[1] != node_id())) return;
   command(static_cast<NmtCommand>(frame.data[0]));
