@@ -1,7 +1,7 @@
 'use strict';
 
 const { EventEmitter } = require('events');
-const can = require('socketcan');
+const { socketcan } = require('./packages');
 
 const SHOWN_ON_FAILURE = 40;
 
@@ -24,7 +24,7 @@ class CanBus extends EventEmitter {
     this.verbose = verbose;
     this.history = [];
     this.tamper = (frame) => frame; // a test may change or drop (null) what its master sends
-    this.channel = can.createRawChannel(name);
+    this.channel = socketcan.createRawChannel(name);
   }
 
   /** Connects the device of npm canopen. */

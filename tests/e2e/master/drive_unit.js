@@ -1,7 +1,7 @@
 'use strict';
 
 const assert = require('assert');
-const { Eds } = require('canopen');
+const { Eds } = require('./packages').canopen;
 const { until } = require('./expect');
 const { RemoteNode } = require('./remote_node');
 

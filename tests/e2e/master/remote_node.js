@@ -1,7 +1,7 @@
 'use strict';
 
 const assert = require('assert');
-const { Device, DataType } = require('canopen');
+const { Device, DataType } = require('./packages').canopen;
 const { PATIENCE, nextEvent } = require('./expect');
 
 const MASTER_ID = 126;
