@@ -3,7 +3,7 @@
 /*
  * An independent master (npm canopen) drives the built axisd over a CAN interface.
  *   node master.js --axisd PROGRAM --eds FILE [--interface vcan0] [--verbose]
- * One line a step; exit status 0 if every step passed.
+ * --verbose prints every frame too. One line a step; exit status 0 if every step passed.
  */
 const assert = require('assert');
 const { CanBus } = require('./can_bus');

@@ -4,7 +4,7 @@
  * An independent master (npm canopen) moves large values to and from a slave that serves SDO block transfer.
  *   node master_block.js --slave PROGRAM [--interface vcan0] [--verbose]
  * The slave is started as PROGRAM INTERFACE NODE-ID; its object 2001h is a DOMAIN that may be read and written.
- * One line a step; exit status 0 if every step passed.
+ * --verbose prints every frame too. One line a step; exit status 0 if every step passed.
  */
 const { CanBus } = require('./can_bus');
 const { Program } = require('./program');

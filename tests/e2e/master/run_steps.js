@@ -1,5 +1,7 @@
 'use strict';
 
+const { parseArgs } = require('util');
+
 /**
  * Runs steps ({ name, run }) in their order, each with the context; prints one line a step with what `run` saw. The
  * first failure ends the run, for the later steps build on the earlier; false then.
@@ -20,9 +22,8 @@ async function runSteps(steps, context) {
   return true;
 }
 
-/** The values of `--name value` and `--flag` in the command line; a name that `known` does not have is an error. */
+/** The values of `--name value` and `--flag` in the command line; a name that `known` lacks is an error. */
 function options(known) {
-  const { parseArgs } = require('util');
   return parseArgs({ options: known }).values;
 }
 

