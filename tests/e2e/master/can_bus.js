@@ -13,6 +13,15 @@ function candump(name, { id, data }) {
   return `${name}  ${hex(id, 3)}  [${data.length}]${bytes}`;
 }
 
+/** Opens a raw channel, or says how to get the interface. */
+function openChannel(name) {
+  try {
+    return socketcan.createRawChannel(name);
+  } catch (error) {
+    throw new Error(`${name}: ${error.message}; make it with scripts/vcan-setup.sh, or run this in scripts/vcan-vm`);
+  }
+}
+
 /**
  * A SocketCAN interface: what its device sends goes out, what comes in goes to the device and then, as the events
  * 'sent' and 'received', to whoever listens.
@@ -24,7 +33,7 @@ class CanBus extends EventEmitter {
     this.verbose = verbose;
     this.history = [];
     this.tamper = (frame) => frame; // a test may change or drop (null) what its master sends
-    this.channel = socketcan.createRawChannel(name);
+    this.channel = openChannel(name);
   }
 
   /** Connects the device of npm canopen. */

@@ -24,7 +24,7 @@ async function bootUp({ bootUp: frame }) {
 
 function compare(actual, expected) {
   const at = actual.findIndex((byte, i) => byte !== expected[i]);
-  assert.ok(actual.equals(expected), `${actual.length} of ${expected.length} bytes came; they differ from byte ${at} on`);
+  assert.ok(actual.equals(expected), `${actual.length} of ${expected.length} bytes came, others from byte ${at} on`);
 }
 
 async function segmented({ node }) {
