@@ -2,13 +2,14 @@
 
 #include <array>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/base/identifier_use.hpp"
 #include "libcanopen/node/context.hpp"
 
 namespace canopen {
 
 /// Sends emergency messages (CiA 301, 7.2.7) under the COB-ID of 1014h; bit 31 of it silences them.
-class EmcyProducer final : public EntryOwner {
+class CANOPEN_EXPORT EmcyProducer final : public EntryOwner {
  public:
   EmcyProducer(Context& context, const IdentifierUse& identifiers);
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/base/identifier_use.hpp"
 #include "libcanopen/emcy/emcy_producer.hpp"
 #include "libcanopen/nmt/heartbeat_producer.hpp"
@@ -18,7 +19,7 @@ namespace canopen {
 
 /// What the application behind a node is told. Called from within on_frame() and on_time(); must not call back
 /// into either of them.
-class Application {
+class CANOPEN_EXPORT Application {
  public:
   virtual ~Application() = default;
   /// The NMT state has changed.
@@ -36,7 +37,7 @@ class Application {
 
 /// A CANopen slave (CiA 301): NMT, heartbeat, SDO, PDO, SYNC and EMCY over one dictionary. It owns its tables
 /// only: the owner feeds it frames and time and carries its frames away. No call allocates, blocks or throws.
-class Node final : private IdentifierUse, private ReceivePdos::Receiver {
+class CANOPEN_EXPORT Node final : private IdentifierUse, private ReceivePdos::Receiver {
  public:
   /// The node of @p dictionary; all arguments must outlive it. It does nothing before start().
   Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Application& application);

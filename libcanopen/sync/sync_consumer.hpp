@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/base/identifier_use.hpp"
 #include "libcanopen/node/context.hpp"
 
@@ -7,7 +8,7 @@ namespace canopen {
 
 /// Knows which identifier is SYNC (CiA 301, 7.2.5; object 1005h). The node does not produce SYNC: bit 30 is
 /// refused.
-class SyncConsumer final : public EntryOwner {
+class CANOPEN_EXPORT SyncConsumer final : public EntryOwner {
  public:
   SyncConsumer(Context& context, IdentifierUse& identifiers);
 

@@ -1,0 +1,10 @@
+#pragma once
+
+/// Marks a class that programs link against: its functions, virtual table and type are visible outside
+/// libcanopen.so, everything else is hidden. A class with virtual functions that a marked one has as a member or a
+/// base is marked as well.
+#if defined(__GNUC__)
+#define CANOPEN_EXPORT __attribute__((visibility("default")))
+#else
+#define CANOPEN_EXPORT
+#endif
