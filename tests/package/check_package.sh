@@ -32,7 +32,6 @@ expect_usage() {
 copy_examples() { cp -r "$SOURCE_DIR/examples" "$work/examples"; }
 
 check_cmake() {
-  local target
   copy_examples
   build "$work/examples" "$work/build" -DCMAKE_PREFIX_PATH="$prefix"
   expect_usage "$work/build/example_slave"
