@@ -25,6 +25,7 @@ device::Configuration device_configuration(const Configuration& configuration) {
   const AxisConfiguration& axis = configuration.axes.front();
   device::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
                                .axis = {.machine = axis.machine, .load = axis.load},
+                               .sdo_block = configuration.sdo_block,
                                .fault_on_leaving_operational = configuration.fault_on_leaving_operational};
   for (const ParameterValue& parameter : axis.parameters)
     result.presets.push_back({parameter.number, parameter.value});
@@ -183,7 +184,11 @@ void Daemon::link_down() noexcept {
 
 void Daemon::on_subscriptions_changed() noexcept {
   filters_.clear();
-  for (const std::uint32_t identifier : device_.subscriptions()) filters_.push_back({.identifier = identifier});
+  for (const canopen::Subscription& wanted : device_.subscriptions()) {
+    filters_.push_back({.identifier = wanted.identifier & canopen::cob_id::kLong,
+                        .remote = wanted.remote,
+                        .extended = (wanted.identifier & canopen::cob_id::kExtended) != 0});
+  }
   port_.accept_only(filters_);
 }
 

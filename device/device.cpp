@@ -13,16 +13,31 @@ namespace {
 
 constexpr double kCycleSeconds = std::chrono::duration<double>(Device::kCycle).count();
 
+/// No remote frame ever asks for a TPDO of the unit.
+constexpr std::array kTpdoTypes{canopen::TypeRange{0, 240}, canopen::TypeRange{254, 255}};
+
 /// Where the unit differs from what most nodes do; the rest are the library's defaults.
 constexpr canopen::Policy kPolicy{
     .unknown_command = canopen::UnknownCommand::Stop,
+    .error_control_conflict = canopen::ErrorControlConflict::Refuse,
+    .error_keeping = canopen::ErrorKeeping::Owner,
+    .extended_identifiers = false,
+    .sdo_block = false,
     .pdo_changes_in_operational = false,  // A08754
     .count_follows_entries = true,
+    .dummy_types = 0,
+    .tpdo_types = kTpdoTypes,
 };
 
 /// Objects whose writing over SDO is an input of the drive, as an RPDO is.
 constexpr std::array kInputs{object::kControlword, object::kTargetVelocity, object::kTargetTorque,
                              object::kModesOfOperation, object::kErrorField};
+
+canopen::Policy policy_of(const Configuration& configuration) noexcept {
+  canopen::Policy policy = kPolicy;
+  policy.sdo_block = configuration.sdo_block;
+  return policy;
+}
 
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
@@ -39,7 +54,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       process_data_{dictionary_, drive::BusScaling{axis_.parameters()}},
       parameter_objects_{dictionary_, axis_, drive::BusScaling{axis_.parameters()}, *this},
       error_objects_{dictionary_, axis_},
-      node_{dictionary_, kPolicy, sink, *this} {
+      node_{dictionary_, policy_of(configuration), sink, *this} {
   apply_presets();
   for (const std::uint16_t index : kInputs) dictionary_.own_write(index, 0, *this);
 }

@@ -25,6 +25,7 @@ struct Configuration {
   std::uint8_t node_id = 2;  ///< 1..127
   drive::AxisConfiguration axis{};
   std::vector<ParameterPreset> presets{};    ///< existing, writable and within their limits
+  bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
   bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
 };
 
@@ -73,8 +74,8 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   const drive::Axis& axis() const noexcept { return axis_; }
   /// What the axis is asked for at present.
   drive::Setpoints setpoints() const noexcept { return process_data_.setpoints(); }
-  /// Identifiers that must be received as data frames, in ascending order.
-  std::span<const std::uint32_t> subscriptions() const noexcept { return node_.subscriptions(); }
+  /// What must be received (see canopen::Node::subscriptions()).
+  std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
   /// Cycles left out because the program was kept from running for too long.
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 

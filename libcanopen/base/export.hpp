@@ -1,8 +1,7 @@
 #pragma once
 
-/// Marks a class that programs link against: its functions, virtual table and type are visible outside
-/// libcanopen.so, everything else is hidden. What inline functions of a marked class use, destructors of members
-/// included, is marked as well.
+/// Marks a class whose functions, virtual table and type are visible outside libcanopen.so, which hides everything
+/// else: classes that users name, and those that inline functions of the headers work with.
 #if defined(__GNUC__)
 #define CANOPEN_EXPORT __attribute__((visibility("default")))
 #else

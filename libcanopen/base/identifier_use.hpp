@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include "libcanopen/base/cob_id.hpp"
 
 namespace canopen {
 
@@ -10,7 +10,7 @@ class IdentifierUse {
  public:
   virtual ~IdentifierUse() = default;
   /// True if a service of the node already sends or receives @p identifier.
-  virtual bool is_used(std::uint32_t identifier) const noexcept = 0;
+  virtual bool is_used(Identifier identifier) const noexcept = 0;
   /// A service has taken, changed or given up an identifier.
   virtual void on_identifiers_changed() noexcept = 0;
 };

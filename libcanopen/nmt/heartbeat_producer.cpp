@@ -9,7 +9,7 @@ constexpr std::uint16_t kProducerHeartbeatTime = 0x1017;
 
 HeartbeatProducer::HeartbeatProducer(Context& context, std::size_t timer) : context_{context}, timer_{timer} {
   if (context_.dictionary.contains(kProducerHeartbeatTime)) {
-    context_.dictionary.own_write(kProducerHeartbeatTime, 0, *this);
+    context_.dictionary.own_write(kProducerHeartbeatTime, 0, *this, OwnerRank::Service);
   }
 }
 

@@ -39,14 +39,14 @@ constexpr std::string_view name_of(NmtState state) noexcept {
 
 /// Which services work in an NMT state (CiA 301, table "NMT states and communication objects").
 struct ServiceGate {
-  bool sdo = false, pdo = false, sync = false, emcy = false;
+  bool sdo = false, pdo = false, sync = false, time = false, emcy = false;
 };
 constexpr ServiceGate services_in(NmtState state) noexcept {
   switch (state) {
     case NmtState::Operational:
-      return {.sdo = true, .pdo = true, .sync = true, .emcy = true};
+      return {.sdo = true, .pdo = true, .sync = true, .time = true, .emcy = true};
     case NmtState::PreOperational:
-      return {.sdo = true, .pdo = false, .sync = true, .emcy = true};
+      return {.sdo = true, .pdo = false, .sync = true, .time = true, .emcy = true};
     case NmtState::Stopped:
     case NmtState::Initialising:
       break;

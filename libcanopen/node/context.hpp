@@ -1,9 +1,13 @@
 #pragma once
 
 #include "libcanopen/base/frame.hpp"
+#include "libcanopen/base/identifier_use.hpp"
 #include "libcanopen/base/time.hpp"
 #include "libcanopen/base/timer_queue.hpp"
 #include "libcanopen/nmt/state.hpp"
+#include "libcanopen/node/application.hpp"
+#include "libcanopen/node/communication_error.hpp"
+#include "libcanopen/node/policy.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace canopen {
@@ -12,7 +16,11 @@ namespace canopen {
 struct Context {
   FrameSink& sink;
   Dictionary& dictionary;
+  Application& application;
+  const Policy& policy;
   TimerQueue& timers;
+  IdentifierUse& identifiers;
+  ErrorReports& errors;
   TimePoint now{};  ///< the time that the owner told with the event being handled
   NmtState state = NmtState::Initialising;
 };

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "libcanopen/base/cob_id.hpp"
+#include "libcanopen/nmt/error_behaviour.hpp"
 
 namespace canopen {
 namespace {
-
-/// Numbers of the node's timers in its queue: the TPDOs take all that follow.
-enum TimerNumber : std::size_t { kHeartbeatTimer, kSdoTimer, kFirstTpdoTimer };
 
 constexpr std::uint16_t kFirstCommunicationObject = 0x1000;
 constexpr std::uint16_t kLastCommunicationObject = 0x1FFF;
 constexpr std::uint16_t kFirstApplicationObject = 0x2000;
 constexpr std::uint16_t kLastApplicationObject = 0x9FFF;
+
+/// Routes besides those of PDOs, SDO servers and monitored nodes: NMT, SYNC, TIME, and three of its own.
+constexpr std::size_t kSingleRoutes = 6;
 
 /// Which state a command leads to; the reset commands are handled before.
 struct CommandRow {
@@ -28,19 +28,36 @@ constexpr std::array kStateCommands{
 
 }  // namespace
 
+Node::TimerPlan::TimerPlan(const Dictionary& dictionary) noexcept
+    : consumer{sdo + SdoServers::timers_for(dictionary)},
+      rpdo{consumer + HeartbeatConsumer::timers_for(dictionary)},
+      tpdo{rpdo + ReceivePdos::timers_for(dictionary)},
+      count{tpdo + TransmitPdos::timers_for(dictionary)} {}
+
 Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Application& application)
     : policy_{policy},
-      application_{application},
-      timers_{kFirstTpdoTimer + TransmitPdos::timers_for(dictionary)},
-      context_{.sink = sink, .dictionary = dictionary, .timers = timers_},
-      heartbeat_{context_, kHeartbeatTimer},
-      receive_pdos_{context_, policy_, *this, *this},
-      transmit_pdos_{context_, policy_, *this, kFirstTpdoTimer},
-      sync_{context_, *this},
-      emcy_{context_, *this} {
-  sdo_servers_.emplace_back(context_, policy_, function_code::kSdoResponse + dictionary.node_id(), kSdoTimer);
-  subscriptions_.reserve(receive_pdos_.pdos().size() + sdo_servers_.size() + 4);
-}
+      plan_{dictionary},
+      timers_{plan_.count},
+      context_{.sink = sink,
+               .dictionary = dictionary,
+               .application = application,
+               .policy = policy_,
+               .timers = timers_,
+               .identifiers = *this,
+               .errors = *this},
+      heartbeat_{context_, plan_.heartbeat},
+      heartbeat_consumer_{context_, plan_.consumer},
+      guarding_{context_, plan_.guarding},
+      sdo_servers_{context_, plan_.sdo},
+      receive_pdos_{context_, plan_.rpdo},
+      transmit_pdos_{context_, plan_.tpdo},
+      sync_{context_},
+      time_{context_},
+      emcy_{context_, plan_.emcy},
+      errors_{context_, emcy_},
+      storage_{context_},
+      routes_{receive_pdos_.pdos().size() + transmit_pdos_.pdos().size() + sdo_servers_.servers().size() +
+              heartbeat_consumer_.identifiers().size() + kSingleRoutes} {}
 
 void Node::start(TimePoint now) noexcept {
   context_.now = now;
@@ -49,52 +66,70 @@ void Node::start(TimePoint now) noexcept {
 
 void Node::on_frame(const Frame& frame, TimePoint now) noexcept {
   if (context_.state == NmtState::Initialising) return;  // a write to the dictionary may have laid routes already
-  if (frame.extended || frame.remote || frame.id >= routes_.size()) return;
   context_.now = now;
-  const Route route = routes_[frame.id];
+  if (frame.remote) return on_remote(frame);
+  const Route route = routes_.of(frame);
   switch (route.service) {
     case Service::Sdo:
-      if (gate_.sdo) sdo_servers_[route.position].on_frame(frame);
+      if (gate_.sdo) sdo_servers_.on_frame(route.position, frame);
       break;
     case Service::Rpdo:
       if (gate_.pdo) receive_pdos_.on_frame(route.position, frame);
       break;
     case Service::Sync:
-      if (gate_.sync && frame.length <= 1) on_sync();  // with or without a counter
+      if (gate_.sync) on_sync(frame);
       break;
     case Service::Nmt:
       on_nmt(frame);
       break;
-    case Service::Own:
-      application_.on_foreign_frame(frame.id);
+    case Service::Heartbeat:
+      heartbeat_consumer_.on_frame(route.position, frame);
       break;
+    case Service::Time:
+      if (gate_.time) time_.on_frame(frame);
+      break;
+    case Service::Own:
+      context_.application.on_foreign_frame(frame.id);
+      break;
+    case Service::Guarding:
+    case Service::TpdoRequest:
     case Service::None:
       break;
   }
 }
 
-void Node::on_time(TimePoint now) noexcept {
-  context_.now = now;
+void Node::on_remote(const Frame& frame) noexcept {
+  const Route route = routes_.of_remote(frame);
+  if (route.service == Service::Guarding) {
+    guarding_.on_request();
+  } else if (route.service == Service::TpdoRequest && gate_.pdo) {
+    transmit_pdos_.on_request(route.position);
+  }
+}
+
+void Node::on_timers() noexcept {
   if (context_.state == NmtState::Initialising) return;
-  while (const auto timer = timers_.take_due(now)) on_timer(*timer);
+  while (const auto timer = timers_.take_due(context_.now)) on_timer(*timer);
 }
 
 void Node::on_timer(std::size_t timer) noexcept {
-  switch (timer) {
-    case kHeartbeatTimer:
-      heartbeat_.on_timer();
-      break;
-    case kSdoTimer:
-      sdo_servers_.front().on_timer();
-      break;
-    default:
-      transmit_pdos_.on_timer(timer - kFirstTpdoTimer);
-  }
+  if (timer >= plan_.tpdo) return transmit_pdos_.on_timer(timer - plan_.tpdo);
+  if (timer >= plan_.rpdo) return receive_pdos_.on_timer(timer - plan_.rpdo);
+  if (timer >= plan_.consumer) return heartbeat_consumer_.on_timer(timer - plan_.consumer);
+  if (timer >= plan_.sdo) return sdo_servers_.on_timer(timer - plan_.sdo);
+  if (timer == plan_.emcy) return emcy_.on_timer();
+  if (timer == plan_.guarding) return guarding_.on_timer();
+  heartbeat_.on_timer();
 }
 
 void Node::on_values_changed(TimePoint now) noexcept {
   context_.now = now;
   transmit_pdos_.on_values_changed();
+}
+
+void Node::command(NmtCommand wanted, TimePoint now) noexcept {
+  context_.now = now;
+  if (context_.state != NmtState::Initialising) command(wanted);
 }
 
 void Node::on_nmt(const Frame& frame) noexcept {
@@ -119,19 +154,23 @@ void Node::reset(NmtCommand command) noexcept {
   if (command == NmtCommand::ResetNode) {
     context_.dictionary.restore(kFirstApplicationObject, kLastApplicationObject);
   }
-  application_.on_reset(command);
+  context_.application.on_reset(command);
   boot();
 }
 
 void Node::boot() noexcept {
-  for (SdoServer& server : sdo_servers_) server.forget();
+  sdo_servers_.reload();
   receive_pdos_.reload();
   transmit_pdos_.reload();
   sync_.reload();
+  time_.reload();
   emcy_.reload();
+  errors_.reload();
+  heartbeat_consumer_.reload();
   on_identifiers_changed();
-  context_.sink.send(Frame{.id = function_code::kErrorControl + node_id(), .length = 1}, Delivery::Ordered);
+  context_.sink.send(frame_under(function_code::kErrorControl + node_id(), 1), Delivery::Ordered);
   heartbeat_.reload();
+  guarding_.reload();
   enter(policy_.start_state);
 }
 
@@ -144,51 +183,95 @@ void Node::enter(NmtState state) noexcept {
     receive_pdos_.forget();
     transmit_pdos_.stop();
   }
-  if (!gate_.sdo) {
-    for (SdoServer& server : sdo_servers_) server.forget();
-  }
-  application_.on_nmt_state(from, state);
+  if (!gate_.sdo) sdo_servers_.forget();
+  context_.application.on_nmt_state(from, state);
   if (state == NmtState::Operational) transmit_pdos_.start();
 }
 
-void Node::on_sync() noexcept {
-  if (!gate_.pdo) return;
-  transmit_pdos_.on_sync();
-  receive_pdos_.on_sync();
+void Node::on_sync(const Frame& frame) noexcept {
+  const auto counter = sync_.on_frame(frame);
+  if (!counter) return;
+  if (gate_.pdo) {
+    transmit_pdos_.on_sync(*counter);
+    receive_pdos_.on_sync();
+  }
+  context_.application.on_sync(*counter);
 }
 
-void Node::on_rpdo(std::uint16_t number) noexcept {
-  application_.on_rpdo(number);
+void Node::report(CommunicationError error, TimePoint now) noexcept {
+  context_.now = now;
+  on_error(error, 0);
 }
 
-bool Node::is_used(std::uint32_t identifier) const noexcept {
-  const auto sends = transmit_pdos_.pdos();
-  return routes_[identifier].service != Service::None || identifier == emcy_.identifier() ||
-         std::any_of(sends.begin(), sends.end(), [=](const PdoSettings& p) { return p.identifier == identifier; });
+void Node::report_recovery(CommunicationError error, TimePoint now) noexcept {
+  context_.now = now;
+  on_recovery(error, 0);
+}
+
+void Node::on_error(CommunicationError error, std::uint16_t detail) noexcept {
+  const CommunicationErrorRow& row = row_of(error);
+  if (policy_.error_keeping == ErrorKeeping::Library) errors_.raise(row.emcy_code, detail, row.error_register);
+  context_.application.on_communication_error(error, detail);
+  if (row.changes_nmt_state) apply_error_behaviour(kCommunicationErrorClass);
+}
+
+void Node::on_recovery(CommunicationError error, std::uint16_t detail) noexcept {
+  if (policy_.error_keeping == ErrorKeeping::Library) errors_.clear(row_of(error).emcy_code, detail);
+  context_.application.on_communication_recovery(error, detail);
+}
+
+void Node::apply_error_behaviour(std::uint8_t error_class) noexcept {
+  if (context_.state == NmtState::Initialising) return;
+  enter(state_after_error(context_.dictionary, error_class, context_.state));
+}
+
+bool Node::is_used(Identifier identifier) const noexcept {
+  const auto tpdos = transmit_pdos_.pdos();
+  const auto servers = sdo_servers_.servers();
+  return routes_.of(identifier).service != Service::None || identifier == emcy_.identifier() ||
+         std::any_of(tpdos.begin(), tpdos.end(), [=](const auto& p) { return p.identifier == identifier; }) ||
+         std::any_of(servers.begin(), servers.end(),
+                     [=](const auto& s) { return s.response_identifier() == identifier; });
 }
 
 void Node::on_identifiers_changed() noexcept {
   lay_routes();
-  application_.on_subscriptions_changed();
+  context_.application.on_subscriptions_changed();
 }
 
-void Node::lay_routes() noexcept {
-  routes_.fill(Route{});
-  const auto receives = receive_pdos_.pdos();
-  for (std::size_t position = 0; position < receives.size(); ++position) {
-    if (!receives[position].is_valid()) continue;
-    routes_[receives[position].identifier] = {Service::Rpdo, static_cast<std::uint16_t>(position)};
-  }
-  routes_[function_code::kErrorControl + node_id()] = {Service::Own, 0};
-  routes_[function_code::kSdoResponse + node_id()] = {Service::Own, 0};
-  routes_[function_code::kSdoRequest + node_id()] = {Service::Sdo, 0};
-  if (sync_.identifier() != 0) routes_[sync_.identifier()] = {Service::Sync, 0};
-  routes_[function_code::kNmt] = {Service::Nmt, 0};
+namespace {
 
-  subscriptions_.clear();
-  for (std::uint32_t identifier = 0; identifier < routes_.size(); ++identifier) {
-    if (routes_[identifier].service != Service::None) subscriptions_.push_back(identifier);
+/// Leads the identifiers of @p objects, 0 if they do not exist, to their positions in @p service.
+template <class Objects, class IdentifierOf>
+void lead_all(Routes& routes, Service service, const Objects& objects, const IdentifierOf& identifier_of_object) {
+  for (std::size_t position = 0; position < objects.size(); ++position) {
+    const Identifier identifier = identifier_of_object(objects[position]);
+    if (identifier != 0) routes.lead(identifier, {service, static_cast<std::uint16_t>(position)});
   }
+}
+
+}  // namespace
+
+void Node::lay_routes() noexcept {
+  const Identifier error_control = function_code::kErrorControl + node_id();
+  routes_.clear();
+  lead_all(routes_, Service::Heartbeat, heartbeat_consumer_.identifiers(), [](Identifier i) { return i; });
+  lead_all(routes_, Service::Rpdo, receive_pdos_.pdos(), [](const PdoSettings& p) { return p.identifier; });
+  routes_.lead(error_control, {Service::Own, 0});
+  routes_.lead(function_code::kSdoResponse + node_id(), {Service::Own, 0});
+  lead_all(routes_, Service::Sdo, sdo_servers_.servers(),
+           [](const SdoServer& s) { return s.request_identifier(); });
+  if (time_.identifier() != 0) routes_.lead(time_.identifier(), {Service::Time, 0});
+  if (sync_.identifier() != 0) routes_.lead(sync_.identifier(), {Service::Sync, 0});
+  routes_.lead(function_code::kNmt, {Service::Nmt, 0});
+
+  if (guarding_.is_on()) routes_.lead_remote(error_control, {Service::Guarding, 0});
+  const auto tpdos = transmit_pdos_.pdos();
+  for (std::size_t position = 0; position < tpdos.size(); ++position) {
+    if (!tpdos[position].is_requestable()) continue;
+    routes_.lead_remote(tpdos[position].identifier, {Service::TpdoRequest, static_cast<std::uint16_t>(position)});
+  }
+  routes_.list_subscriptions();
 }
 
 }  // namespace canopen

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "libcanopen/base/time.hpp"
 #include "libcanopen/nmt/state.hpp"
 
@@ -8,14 +11,44 @@ namespace canopen {
 /// Answer to an NMT command specifier that CiA 301 does not define.
 enum class UnknownCommand : std::uint8_t { Ignore, Stop };
 
+/// Heartbeat producer (1017h) and node guarding (100Ch, 100Dh) must not work at once (CiA 301, 7.2.8.3.2).
+enum class ErrorControlConflict : std::uint8_t {
+  Refuse,         ///< a write that would switch on the second one is refused with InvalidValue
+  HeartbeatWins,  ///< while 1017h is not 0 the node answers no guarding request and watches no life time
+};
+
+/// Who keeps the error register 1001h and the error history 1003h and sends EMCY for communication errors.
+enum class ErrorKeeping : std::uint8_t {
+  Library,  ///< Node::raise_error() and Node::clear_error(), and every CommunicationError by itself
+  Owner,    ///< the application, with its own layout of 1003h, through Node::send_emcy()
+};
+
+/// Transmission types from `first` to `last`.
+struct TypeRange {
+  std::uint8_t first, last;
+};
+/// Every transmission type of an RPDO (CiA 301, table "RPDO transmission types").
+inline constexpr std::array kRpdoTypes{TypeRange{0, 240}, TypeRange{254, 255}};
+/// Every transmission type of a TPDO (CiA 301, table "TPDO transmission types").
+inline constexpr std::array kTpdoTypes{TypeRange{0, 240}, TypeRange{252, 255}};
+
 /// What CiA 301 leaves to the device, decided once for a node.
 struct Policy {
   NmtState start_state = NmtState::PreOperational;  ///< entered after every boot-up
   UnknownCommand unknown_command = UnknownCommand::Ignore;
+  ErrorControlConflict error_control_conflict = ErrorControlConflict::HeartbeatWins;
+  ErrorKeeping error_keeping = ErrorKeeping::Library;
+  bool extended_identifiers = true;  ///< false: a COB-ID with the frame bit is refused with InvalidValue
+
+  bool sdo_block = true;  ///< false: block transfer is refused with CommandSpecifierInvalid
+  Duration sdo_timeout = std::chrono::seconds{10};  ///< silence after which a half-finished transfer is aborted
+
   bool pdo_changes_in_operational = true;  ///< false: PDO parameters are refused with DeviceState in Operational
   bool count_follows_entries =
       false;  ///< true: sub-index 0 of a mapping counts its entries unless 0 was written to it
-  Duration sdo_timeout = std::chrono::seconds{10};  ///< silence after which a half-finished transfer is aborted
+  std::uint8_t dummy_types = 0xFE;  ///< bit n: the dummy object 000nh (n 1..7) may be mapped into RPDOs
+  std::span<const TypeRange> rpdo_types = kRpdoTypes;  ///< others are refused with InvalidValue
+  std::span<const TypeRange> tpdo_types = kTpdoTypes;  ///< likewise
 };
 
 }  // namespace canopen

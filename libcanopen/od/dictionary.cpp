@@ -19,44 +19,87 @@ constexpr bool transmits(Access access) noexcept {
   return access == Access::ReadOnly || access == Access::ReadWrite || access == Access::ReadWriteRead;
 }
 
+/// What a number takes in the image, whatever its type: one load or store reaches all of it.
+constexpr std::size_t kNumberBytes = 8;
+
 constexpr std::uint32_t key(const EntryDescription& row) noexcept {
   return std::uint32_t{row.index} << 8 | row.sub_index;
 }
 
-/// A number that orders as the values of @p type do; the stored patterns of UNSIGNED64 and REAL do not.
-constexpr std::int64_t rank(DataType type, std::int64_t value) noexcept {
+constexpr ValueOrder order_of(DataType type) noexcept {
   switch (type) {
     case DataType::Unsigned64:
-      return value ^ INT64_MIN;
-    case DataType::Real32: {
-      const std::int64_t pattern = static_cast<std::int32_t>(value);
-      return pattern < 0 ? INT32_MIN - pattern : pattern;
-    }
+      return ValueOrder::Unsigned64;
+    case DataType::Real32:
+      return ValueOrder::Real32;
     case DataType::Real64:
-      return value < 0 ? INT64_MIN - value : value;
+      return ValueOrder::Real64;
     default:
-      return value;
+      return ValueOrder::Integer;
   }
 }
 
+/// A number that orders as the values do; the stored patterns of UNSIGNED64 and REAL do not.
+constexpr std::int64_t rank(ValueOrder order, std::int64_t value) noexcept {
+  switch (order) {
+    case ValueOrder::Integer:
+      return value;
+    case ValueOrder::Unsigned64:
+      return value ^ INT64_MIN;
+    case ValueOrder::Real32: {
+      const std::int64_t pattern = static_cast<std::int32_t>(value);
+      return pattern < 0 ? INT32_MIN - pattern : pattern;
+    }
+    case ValueOrder::Real64:
+      return value < 0 ? INT64_MIN - value : value;
+  }
+  return value;
+}
+
+void set_limits(Entry& entry, const EntryDescription& row) noexcept {
+  const bool is_boolean = row.type == DataType::Boolean;  // 0 or 1, whatever the table says
+  entry.limited = is_boolean || (row.limit_check == LimitCheck::Table && (row.low || row.high));
+  entry.low = row.low ? rank(entry.order, *row.low) : is_boolean ? 0 : INT64_MIN;
+  entry.high = row.high ? rank(entry.order, *row.high) : is_boolean ? 1 : INT64_MAX;
+}
+
 Entry entry_of(const EntryDescription& row) noexcept {
-  const bool limited = row.limit_check == LimitCheck::Table;
-  return Entry{
+  const std::uint8_t size = size_of(row.type);
+  const bool mappable = row.pdo_mappable && size != 0;
+  Entry entry{
       .index = row.index,
       .sub_index = row.sub_index,
-      .size = size_of(row.type),
+      .size = size,
       .readable = readable(row.access),
       .writable = writable(row.access),
-      .receive_mappable = row.pdo_mappable && size_of(row.type) != 0 && receives(row.access),
-      .transmit_mappable = row.pdo_mappable && size_of(row.type) != 0 && transmits(row.access),
+      .receive_mappable = mappable && receives(row.access),
+      .transmit_mappable = mappable && transmits(row.access),
       .is_signed = is_signed(row.type),
-      .limited = limited && (row.low || row.high),
-      .low = row.low ? rank(row.type, *row.low) : INT64_MIN,
-      .high = row.high ? rank(row.type, *row.high) : INT64_MAX,
+      .order = order_of(row.type),
+      .bits = row.type == DataType::Boolean ? std::uint8_t{1} : static_cast<std::uint8_t>(8 * size),
       .description = &row,
-      .mask = byte_mask(size_of(row.type)),
   };
+  set_limits(entry, row);
+  return entry;
 }
+
+/// Two owners of one entry: both have to agree to a write, the first one is asked first and answers reads.
+class JointOwner final : public EntryOwner {
+ public:
+  JointOwner(EntryOwner& first, EntryOwner& second) noexcept : first_{first}, second_{second} {}
+  Result<void> write(const Entry& entry, std::int64_t value) override {
+    const auto accepted = first_.write(entry, value);
+    return accepted ? second_.write(entry, value) : accepted;
+  }
+  Result<void> write_text(const Entry& entry, std::span<const std::uint8_t> text) override {
+    const auto accepted = first_.write_text(entry, text);
+    return accepted ? second_.write_text(entry, text) : accepted;
+  }
+
+ private:
+  EntryOwner& first_;
+  EntryOwner& second_;
+};
 
 }  // namespace
 
@@ -67,48 +110,44 @@ Dictionary::Dictionary(std::span<const EntryDescription> table, std::uint8_t nod
         "the table of a dictionary must be sorted by index and sub-index, without duplicates"};
   }
   entries_.reserve(table.size());
-  pages_.emplace_back();  // page 0 stays empty: every index without a page of its own looks there
+  slots_.resize(kPage);  // the first page stays empty: every index without a page of its own looks there
   for (const EntryDescription& row : table) append(row);
-  image_.resize(image_.size() + 8);  // any number may be read as eight bytes
   restore(0, 0xFFFF);
 }
 
 void Dictionary::append(const EntryDescription& row) {
   Entry entry = entry_of(row);
   const std::size_t capacity = std::max<std::size_t>(row.capacity, row.text.size());
-  const std::size_t bytes = entry.size != 0 ? entry.size : sizeof(std::uint32_t) + capacity;
-  const std::size_t alignment = entry.size == 0 ? 4 : std::bit_ceil(std::size_t{entry.size});
-  const std::size_t offset = (image_.size() + alignment - 1) / alignment * alignment;
+  const std::size_t bytes = entry.size != 0 ? kNumberBytes : sizeof(std::uint32_t) + capacity;
+  const std::size_t offset = (image_.size() + kNumberBytes - 1) / kNumberBytes * kNumberBytes;
   image_.resize(offset + bytes);
   longest_value_ = std::max(longest_value_, capacity);
   entry.offset = static_cast<std::uint32_t>(offset);
 
-  std::uint16_t& page = page_of_[row.index >> 8];
+  std::uint32_t& page = page_of_[row.index >> 8];
   if (page == 0) {
-    page = static_cast<std::uint16_t>(pages_.size());
-    pages_.emplace_back();
+    page = static_cast<std::uint32_t>(slots_.size());
+    slots_.resize(slots_.size() + kPage);
   }
-  Slot& slot = pages_[page][row.index & 0xFF];
+  Slot& slot = slots_[page + (row.index & 0xFF)];
   if (slot.count == 0) slot.first = static_cast<std::uint32_t>(entries_.size());
   ++slot.count;
   entries_.push_back(entry);
 }
 
-/// What find() does where an object has gaps between its sub-indices.
-Result<const Entry*> Dictionary::search(const Slot& place, std::uint8_t sub_index) const noexcept {
-  if (place.count == 0) return refuse(AbortCode::NoObject);
-  const Entry* const first = &entries_[place.first];
+/// What lookup() does where an object has gaps between its sub-indices.
+const Entry* Dictionary::search(Slot place, std::uint8_t sub_index) const noexcept {
+  const Entry* const first = entries_.data() + place.first;
   const Entry* const end = first + place.count;
   const Entry* const found = std::find_if(first, end, [=](const Entry& e) { return e.sub_index == sub_index; });
-  if (found == end) return refuse(AbortCode::NoSubIndex);
-  return found;
+  return found != end ? found : nullptr;
 }
 
 Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {
   if (!entry.writable) return refuse(AbortCode::ReadOnly);
   if (entry.size == 0) return refuse(AbortCode::UnsupportedAccess);
   if (entry.limited) {
-    const std::int64_t place = rank(entry.description->type, value);
+    const std::int64_t place = rank(entry.order, value);
     if (place > entry.high) return refuse(AbortCode::ValueTooHigh);
     if (place < entry.low) return refuse(AbortCode::ValueTooLow);
   }
@@ -119,6 +158,12 @@ Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {
   return {};
 }
 
+Result<std::span<const std::uint8_t>> Dictionary::read_text(const Entry& entry) const {
+  if (!entry.readable) return refuse(AbortCode::WriteOnly);
+  if (entry.size != 0) return refuse(AbortCode::UnsupportedAccess);
+  return entry.read_owner != nullptr ? entry.read_owner->read_text(entry, text(entry)) : text(entry);
+}
+
 std::span<const std::uint8_t> Dictionary::text(const Entry& entry) const noexcept {
   const std::byte* const at = image_.data() + entry.offset;
   return {reinterpret_cast<const std::uint8_t*>(at + sizeof(std::uint32_t)), load<std::uint32_t>(at)};
@@ -126,7 +171,11 @@ std::span<const std::uint8_t> Dictionary::text(const Entry& entry) const noexcep
 
 Result<void> Dictionary::write_text(const Entry& entry, std::span<const std::uint8_t> text) {
   if (!entry.writable) return refuse(AbortCode::ReadOnly);
+  if (entry.size != 0) return refuse(AbortCode::UnsupportedAccess);
   if (text.size() > entry.description->capacity) return refuse(AbortCode::LengthMismatch);
+  if (entry.write_owner != nullptr) {
+    if (auto accepted = entry.write_owner->write_text(entry, text); !accepted) return accepted;
+  }
   std::byte* const at = image_.data() + entry.offset;
   store(at, static_cast<std::uint32_t>(text.size()));
   std::copy(text.begin(), text.end(), reinterpret_cast<std::uint8_t*>(at + sizeof(std::uint32_t)));
@@ -156,12 +205,27 @@ Entry& Dictionary::existing(std::uint16_t index, std::uint8_t sub_index) {
   return entries_[static_cast<std::size_t>(*found - entries_.data())];
 }
 
-void Dictionary::own_read(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner) {
-  existing(index, sub_index).read_owner = &owner;
+void Dictionary::own_read(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner, OwnerRank rank) {
+  Entry& entry = existing(index, sub_index);
+  if (rank == OwnerRank::Application || entry.read_owner == nullptr) entry.read_owner = &owner;
 }
 
-void Dictionary::own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner) {
-  existing(index, sub_index).write_owner = &owner;
+void Dictionary::own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner, OwnerRank rank) {
+  Entry& entry = existing(index, sub_index);
+  if (entry.write_owner == nullptr) {
+    entry.write_owner = &owner;
+    return;
+  }
+  EntryOwner& other = *entry.write_owner;
+  const bool is_first = rank == OwnerRank::Application;
+  joint_owners_.push_back(std::make_unique<JointOwner>(is_first ? owner : other, is_first ? other : owner));
+  entry.write_owner = joint_owners_.back().get();
+}
+
+void Dictionary::own_domain(std::uint16_t index, std::uint8_t sub_index, DomainOwner& owner) {
+  Entry& entry = existing(index, sub_index);
+  if (entry.description->type != DataType::Domain) throw std::invalid_argument{"the entry is no DOMAIN"};
+  entry.domain = &owner;
 }
 
 std::byte* Dictionary::checked_value(std::uint16_t index, std::uint8_t sub_index, std::size_t size) {

@@ -3,11 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "libcanopen/base/export.hpp"
 #include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/od/domain_owner.hpp"
 #include "libcanopen/od/entry.hpp"
 
 namespace canopen {
@@ -26,6 +28,10 @@ class Cell {
   std::byte* at_;
 };
 
+/// Who registers for an entry: the application is asked before the service of the node that works with the entry,
+/// so that a service never acts on what the application refuses.
+enum class OwnerRank : std::uint8_t { Application, Service };
+
 /// The object dictionary of one node (CiA 301, 7.4): a table of entries and one flat image of their values.
 /// Lookup costs two loads; after construction nothing is allocated.
 class CANOPEN_EXPORT Dictionary {
@@ -37,14 +43,23 @@ class CANOPEN_EXPORT Dictionary {
   Dictionary(const Dictionary&) = delete;
   Dictionary& operator=(const Dictionary&) = delete;
 
-  /// The entry @p index, @p sub_index; NoObject or NoSubIndex.
-  Result<const Entry*> find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
-    const Slot& place = slot(index);
+  /// The entry @p index, @p sub_index; nullptr if there is none.
+  const Entry* lookup(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+    const Slot place = slot(index);
     if (sub_index < place.count) {
       const Entry* const expected = entries_.data() + place.first + sub_index;
       if (expected->sub_index == sub_index) return expected;
     }
     return search(place, sub_index);
+  }
+  /// Why lookup() of @p index finds nothing: NoObject or NoSubIndex.
+  AbortCode absence(std::uint16_t index) const noexcept {
+    return contains(index) ? AbortCode::NoSubIndex : AbortCode::NoObject;
+  }
+  /// The entry @p index, @p sub_index; NoObject or NoSubIndex.
+  Result<const Entry*> find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+    if (const Entry* const found = lookup(index, sub_index)) return found;
+    return refuse(absence(index));
   }
   /// True if any entry of @p index exists.
   bool contains(std::uint16_t index) const noexcept { return slot(index).count != 0; }
@@ -59,26 +74,36 @@ class CANOPEN_EXPORT Dictionary {
   }
   /// Writes a number as a master would: access, limits, then the owner. ReadOnly, ValueTooHigh, ValueTooLow.
   Result<void> write(const Entry& entry, std::int64_t value);
-  /// The bytes of a string.
+  /// Reads a string as a master would see it; asks the owner. WriteOnly, UnsupportedAccess for a number.
+  Result<std::span<const std::uint8_t>> read_text(const Entry& entry) const;
+  /// The stored bytes of a string, without asking the owner.
   std::span<const std::uint8_t> text(const Entry& entry) const noexcept;
-  /// Replaces the bytes of a writable string; LengthMismatch if it does not fit.
+  /// Replaces the bytes of a string as a master would: access, capacity, then the owner. ReadOnly, LengthMismatch.
   Result<void> write_text(const Entry& entry, std::span<const std::uint8_t> text);
 
   /// The stored number of @p entry, without asking the owner.
   std::int64_t stored(const Entry& entry) const noexcept {
-    const std::uint64_t bits = load<std::uint64_t>(image_.data() + entry.offset) & entry.mask;
+    const auto bits = load<std::uint64_t>(image_.data() + entry.offset);
     return entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
   }
   /// Stores a number without asking anybody.
   void set(const Entry& entry, std::int64_t value) noexcept {
-    store_bytes(image_.data() + entry.offset, static_cast<std::uint64_t>(value), entry.size);
+    store(image_.data() + entry.offset, static_cast<std::uint64_t>(value) & byte_mask(entry.size));
   }
   /// Initial values again for the objects @p first to @p last, without asking the owners.
   void restore(std::uint16_t first, std::uint16_t last) noexcept;
 
-  /// Registers @p owner for reads or writes of one entry that exists. Throws std::out_of_range if it does not.
-  void own_read(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner);
-  void own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner);
+  /// Registers @p owner for reads of one entry; the application's counts if a service owns it too. Throws
+  /// std::out_of_range if there is no such entry. To be called before the node starts, as all of these.
+  void own_read(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner,
+                OwnerRank rank = OwnerRank::Application);
+  /// Registers @p owner for writes of one entry, besides those that own it already: all have to agree, a service
+  /// of the node last. Throws std::out_of_range if there is no such entry.
+  void own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner,
+                 OwnerRank rank = OwnerRank::Application);
+  /// Registers @p owner for the data of a DOMAIN. Throws std::out_of_range if there is no such entry,
+  /// std::invalid_argument if it is of another type.
+  void own_domain(std::uint16_t index, std::uint8_t sub_index, DomainOwner& owner);
 
   /// A view of a number. Throws std::out_of_range if there is no such entry, std::invalid_argument if its size
   /// is not that of T.
@@ -87,7 +112,7 @@ class CANOPEN_EXPORT Dictionary {
     return Cell<T>{checked_value(index, sub_index, sizeof(T))};
   }
 
-  /// The values, for compiled PDO mappings. Every number can be read as eight bytes.
+  /// The values, for compiled PDO mappings. Every number takes eight bytes, the unused ones 0.
   std::byte* image() noexcept { return image_.data(); }
   const std::byte* image() const noexcept { return image_.data(); }
 
@@ -100,19 +125,20 @@ class CANOPEN_EXPORT Dictionary {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
-  using Page = std::array<Slot, 256>;
+  static constexpr std::uint32_t kPage = 256;  ///< slots for the indices that share their upper byte
 
-  const Slot& slot(std::uint16_t index) const noexcept { return pages_[page_of_[index >> 8]][index & 0xFF]; }
-  Result<const Entry*> search(const Slot& place, std::uint8_t sub_index) const noexcept;
+  const Slot& slot(std::uint16_t index) const noexcept { return slots_[page_of_[index >> 8] + (index & 0xFF)]; }
+  const Entry* search(Slot place, std::uint8_t sub_index) const noexcept;
   Entry& existing(std::uint16_t index, std::uint8_t sub_index);
   std::byte* checked_value(std::uint16_t index, std::uint8_t sub_index, std::size_t size);
   void append(const EntryDescription& row);
   void restore(const Entry& entry) noexcept;
 
   std::vector<Entry> entries_;
-  std::array<std::uint16_t, 256> page_of_{};
-  std::vector<Page> pages_;
+  std::array<std::uint32_t, 256> page_of_{};  ///< first slot of the page of an upper byte
+  std::vector<Slot> slots_;
   std::vector<std::byte> image_;
+  std::vector<std::unique_ptr<EntryOwner>> joint_owners_;
   std::size_t longest_value_ = 8;
   std::uint8_t node_id_;
 };

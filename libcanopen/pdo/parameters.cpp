@@ -18,12 +18,9 @@ constexpr std::uint16_t base_of(Direction direction) noexcept {
 
 }  // namespace
 
-PdoParameters::PdoParameters(Context& context, const Policy& policy, Direction direction,
-                             IdentifierUse& identifiers)
+PdoParameters::PdoParameters(Context& context, Direction direction)
     : context_{context},
-      policy_{policy},
       direction_{direction},
-      identifiers_{identifiers},
       communication_base_{base_of(direction)},
       mapping_base_{static_cast<std::uint16_t>(base_of(direction) + kPdoNumbers)} {
   for (std::uint16_t number = 0; number < kPdoNumbers; ++number) {
@@ -39,7 +36,7 @@ PdoParameters::PdoParameters(Context& context, const Policy& policy, Direction d
 void PdoParameters::own(std::uint16_t index) {
   for (std::uint8_t sub = 0; sub <= kMaximumEntries; ++sub) {
     const auto entry = context_.dictionary.find(index, sub);
-    if (entry && (*entry)->writable) context_.dictionary.own_write(index, sub, *this);
+    if (entry && (*entry)->writable) context_.dictionary.own_write(index, sub, *this, OwnerRank::Service);
   }
 }
 
@@ -51,7 +48,7 @@ void PdoParameters::reload() noexcept {
     const auto plan = compile_mapping(context_.dictionary, mapping_index(pdo), count(pdo), direction_);
     const bool valid = plan && (cob_id & cob_id::kInvalid) == 0;
     pdo.plan = plan.value_or(MappingPlan{});
-    pdo.identifier = valid ? static_cast<std::uint16_t>(cob_id & cob_id::kIdentifier) : std::uint16_t{0};
+    pdo.identifier = valid ? identifier_in(cob_id) : 0;
   }
 }
 
@@ -72,11 +69,11 @@ std::uint8_t PdoParameters::count(const PdoSettings& pdo) const noexcept {
 
 void PdoParameters::changed(std::size_t position) noexcept {
   if (listener_ != nullptr) listener_->on_pdo_changed(position);
-  identifiers_.on_identifiers_changed();
+  context_.identifiers.on_identifiers_changed();
 }
 
 Result<void> PdoParameters::write(const Entry& entry, std::int64_t value) {
-  if (context_.state == NmtState::Operational && !policy_.pdo_changes_in_operational) {
+  if (context_.state == NmtState::Operational && !context_.policy.pdo_changes_in_operational) {
     return refuse(AbortCode::DeviceState);
   }
   if (entry.index < mapping_base_) {
@@ -111,14 +108,14 @@ Result<void> PdoParameters::write_cob_id(std::size_t position, std::uint32_t cob
     changed(position);
     return {};
   }
-  const std::uint32_t identifier = cob_id & cob_id::kIdentifier;
-  if ((cob_id & cob_id::kMustBeZero) != 0 || is_restricted(identifier)) return refuse(AbortCode::InvalidValue);
+  const Identifier identifier = identifier_in(cob_id);
+  if (!is_assignable(cob_id, context_.policy.extended_identifiers)) return refuse(AbortCode::InvalidValue);
   if (pdo.is_valid()) return identifier == pdo.identifier ? Result<void>{} : refuse(AbortCode::DeviceState);
-  if (identifiers_.is_used(identifier)) return refuse(AbortCode::ParameterIncompatible);
+  if (context_.identifiers.is_used(identifier)) return refuse(AbortCode::ParameterIncompatible);
   const auto plan = compile_mapping(context_.dictionary, mapping_index(pdo), count(pdo), direction_);
   if (!plan) return refuse(plan.error());
   pdo.plan = *plan;
-  pdo.identifier = static_cast<std::uint16_t>(identifier);
+  pdo.identifier = identifier;
   pdo.zero_written = false;
   changed(position);
   return {};
@@ -140,7 +137,7 @@ Result<void> PdoParameters::write_count(PdoSettings& pdo, std::uint8_t count) {
 
 Result<void> PdoParameters::write_mapping(PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped) {
   if (auto fits = check_mapping_entry(context_.dictionary, mapped, direction_); !fits) return fits;
-  if (policy_.count_follows_entries) {
+  if (context_.policy.count_follows_entries) {
     return pdo.zero_written ? Result<void>{} : follow_entries(pdo, sub_index, mapped);
   }
   return count(pdo) == 0 ? Result<void>{} : refuse(AbortCode::DeviceState);

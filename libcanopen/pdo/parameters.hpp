@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "libcanopen/base/export.hpp"
-#include "libcanopen/base/identifier_use.hpp"
 #include "libcanopen/node/context.hpp"
-#include "libcanopen/node/policy.hpp"
 #include "libcanopen/pdo/mapping.hpp"
 
 namespace canopen {
@@ -25,15 +23,18 @@ inline constexpr std::uint8_t kLastSynchronousType = 0xF0;
 
 /// What is in force of one PDO.
 struct PdoSettings {
-  std::uint16_t number = 0;      ///< 0 for 1400h or 1800h
-  std::uint16_t identifier = 0;  ///< 0 while the PDO is not valid
+  Identifier identifier = 0;  ///< 0 while the PDO is not valid
+  std::uint16_t number = 0;   ///< 0 for 1400h or 1800h
   std::uint8_t transmission_type = 0;
+  bool remote_allowed = false;  ///< TPDO: remote frames are answered
   bool zero_written = false;  ///< sub-index 0 of the mapping was set to 0: the entries do not count by themselves
   MappingPlan plan{};
 
   bool is_valid() const noexcept { return identifier != 0; }
   /// Valid and with something mapped; a PDO without mapping is disabled (CiA 301, 7.5.2.36).
   bool is_active() const noexcept { return is_valid() && plan.length() != 0; }
+  /// A TPDO that remote frames may ask for (bit 30 of its COB-ID).
+  bool is_requestable() const noexcept { return is_active() && remote_allowed; }
   bool is_synchronous() const noexcept { return transmission_type <= kLastSynchronousType; }
 };
 
@@ -53,7 +54,7 @@ class CANOPEN_EXPORT PdoParameters final : public EntryOwner {
   };
 
   /// Finds the PDO records in the dictionary of @p context and owns their writes.
-  PdoParameters(Context& context, const Policy& policy, Direction direction, IdentifierUse& identifiers);
+  PdoParameters(Context& context, Direction direction);
   /// Who is told of changes; set once, before the first frame.
   void listen(Listener& listener) noexcept { listener_ = &listener; }
 
@@ -79,9 +80,7 @@ class CANOPEN_EXPORT PdoParameters final : public EntryOwner {
   std::uint16_t mapping_index(const PdoSettings& pdo) const noexcept;
 
   Context& context_;
-  const Policy& policy_;
   Direction direction_;
-  IdentifierUse& identifiers_;
   Listener* listener_ = nullptr;
   std::uint16_t communication_base_;
   std::uint16_t mapping_base_;

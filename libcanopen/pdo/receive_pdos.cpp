@@ -2,13 +2,23 @@
 
 namespace canopen {
 
-ReceivePdos::ReceivePdos(Context& context, const Policy& policy, IdentifierUse& identifiers, Receiver& receiver)
+ReceivePdos::ReceivePdos(Context& context, std::size_t first_timer)
     : context_{context},
-      receiver_{receiver},
-      parameters_{context, policy, Direction::Receive, identifiers},
+      parameters_{context, Direction::Receive},
+      first_timer_{first_timer},
       latches_(parameters_.pdos().size()) {
   parameters_.listen(*this);
   waiting_.reserve(latches_.size());
+}
+
+std::size_t ReceivePdos::timers_for(const Dictionary& dictionary) noexcept {
+  std::size_t pdos = 0;
+  for (std::uint16_t index = 0x1400; index < 0x1600; ++index) pdos += dictionary.contains(index) ? 1U : 0U;
+  return pdos;
+}
+
+void ReceivePdos::on_timer(std::size_t which) noexcept {
+  (void)which, (void)first_timer_;
 }
 
 void ReceivePdos::reload() noexcept {
@@ -55,7 +65,7 @@ void ReceivePdos::on_sync() noexcept {
 
 void ReceivePdos::apply(const PdoSettings& pdo, std::uint64_t payload) noexcept {
   pdo.plan.unpack(payload, context_.dictionary.image());
-  receiver_.on_rpdo(pdo.number);
+  context_.application.on_rpdo(pdo.number);
 }
 
 }  // namespace canopen

@@ -9,14 +9,10 @@ namespace canopen {
 /// with the next SYNC.
 class CANOPEN_EXPORT ReceivePdos final : public PdoParameters::Listener {
  public:
-  /// The owner of the values.
-  class Receiver {
-   public:
-    virtual ~Receiver() = default;
-    /// The values of RPDO @p number (0 for 1400h) have just been stored.
-    virtual void on_rpdo(std::uint16_t number) noexcept = 0;
-  };
-  ReceivePdos(Context& context, const Policy& policy, IdentifierUse& identifiers, Receiver& receiver);
+  /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
+  ReceivePdos(Context& context, std::size_t first_timer);
+  /// Timers that the RPDOs of @p dictionary need.
+  static std::size_t timers_for(const Dictionary& dictionary) noexcept;
 
   /// Starts over with the values in the dictionary.
   void reload() noexcept;
@@ -26,6 +22,8 @@ class CANOPEN_EXPORT ReceivePdos final : public PdoParameters::Listener {
   void on_frame(std::size_t position, const Frame& frame) noexcept;
   /// A SYNC: received values of synchronous RPDOs take effect.
   void on_sync() noexcept;
+  /// Timer @p which of this service fired, counted from its first.
+  void on_timer(std::size_t which) noexcept;
 
   std::span<const PdoSettings> pdos() const noexcept { return parameters_.pdos(); }
   /// Frames that were too short for their mapping.
@@ -42,8 +40,8 @@ class CANOPEN_EXPORT ReceivePdos final : public PdoParameters::Listener {
   void apply(const PdoSettings& pdo, std::uint64_t payload) noexcept;
 
   Context& context_;
-  Receiver& receiver_;
   PdoParameters parameters_;
+  std::size_t first_timer_;
   std::vector<Latch> latches_;
   std::vector<std::uint16_t> waiting_;
   std::uint64_t too_short_ = 0;

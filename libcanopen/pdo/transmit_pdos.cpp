@@ -1,5 +1,7 @@
 #include "libcanopen/pdo/transmit_pdos.hpp"
 
+#include "libcanopen/base/cob_id.hpp"
+
 namespace canopen {
 namespace {
 
@@ -16,10 +18,9 @@ constexpr Duration event_time(std::int64_t value) noexcept {
 
 }  // namespace
 
-TransmitPdos::TransmitPdos(Context& context, const Policy& policy, IdentifierUse& identifiers,
-                           std::size_t first_timer)
+TransmitPdos::TransmitPdos(Context& context, std::size_t first_timer)
     : context_{context},
-      parameters_{context, policy, Direction::Transmit, identifiers},
+      parameters_{context, Direction::Transmit},
       first_timer_{first_timer},
       states_(parameters_.pdos().size()) {
   parameters_.listen(*this);
@@ -87,7 +88,8 @@ bool TransmitPdos::is_due(const PdoSettings& pdo, State& state, std::uint64_t pa
   return ++state.syncs >= pdo.transmission_type;
 }
 
-void TransmitPdos::on_sync() noexcept {
+void TransmitPdos::on_sync(std::uint8_t counter) noexcept {
+  (void)counter;
   staged_.clear();
   for (const std::uint16_t position : synchronous_) {
     const PdoSettings& pdo = pdos()[position];
@@ -96,6 +98,10 @@ void TransmitPdos::on_sync() noexcept {
     if (is_due(pdo, states_[position], payload)) staged_.push_back({position, payload});
   }
   for (const Staged& staged : staged_) transmit(staged.position, staged.payload);
+}
+
+void TransmitPdos::on_request(std::size_t position) noexcept {
+  (void)position;
 }
 
 void TransmitPdos::on_values_changed() noexcept {
@@ -120,7 +126,7 @@ void TransmitPdos::request(std::size_t position, std::uint64_t payload) noexcept
 void TransmitPdos::transmit(std::size_t position, std::uint64_t payload) noexcept {
   const PdoSettings& pdo = pdos()[position];
   State& state = states_[position];
-  Frame frame{.id = pdo.identifier, .length = pdo.plan.length()};
+  Frame frame = frame_under(pdo.identifier, pdo.plan.length());
   store(frame.data.data(), payload);
   context_.sink.send(frame, Delivery::Replaceable);
   state.payload = payload;

@@ -10,7 +10,7 @@ namespace canopen {
 class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
-  TransmitPdos(Context& context, const Policy& policy, IdentifierUse& identifiers, std::size_t first_timer);
+  TransmitPdos(Context& context, std::size_t first_timer);
   /// Timers that the TPDOs of @p dictionary need.
   static std::size_t timers_for(const Dictionary& dictionary) noexcept;
 
@@ -20,10 +20,13 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   void start() noexcept;
   /// NMT Operational is left.
   void stop() noexcept;
-  /// A SYNC: takes the values of all TPDOs concerned first, then sends them, so that they belong together.
-  void on_sync() noexcept;
+  /// A SYNC with @p counter, 0 if it carries none: takes the values of all TPDOs concerned first, then sends them,
+  /// so that they belong together.
+  void on_sync(std::uint8_t counter) noexcept;
   /// The owner has new values: event-driven TPDOs whose values differ from those last sent are due.
   void on_values_changed() noexcept;
+  /// A remote frame asks for the PDO at @p position.
+  void on_request(std::size_t position) noexcept;
   /// Timer @p which of this service fired, counted from its first.
   void on_timer(std::size_t which) noexcept;
 

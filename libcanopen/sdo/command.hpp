@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "libcanopen/base/frame.hpp"
+#include "libcanopen/base/cob_id.hpp"
 #include "libcanopen/base/little_endian.hpp"
 #include "libcanopen/od/abort_code.hpp"
 
@@ -52,8 +52,8 @@ inline Address address_in(const Frame& frame) noexcept {
 }
 
 /// A response of eight bytes with the multiplexer and @p word in the last four bytes.
-inline Frame response(std::uint32_t identifier, std::uint8_t command, Address at, std::uint32_t word) noexcept {
-  Frame frame{.id = identifier, .length = 8};
+inline Frame response(Identifier identifier, std::uint8_t command, Address at, std::uint32_t word) noexcept {
+  Frame frame = frame_under(identifier, 8);
   frame.data[0] = command;
   store(&frame.data[1], at.index);
   frame.data[3] = at.sub_index;

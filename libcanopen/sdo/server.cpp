@@ -17,12 +17,13 @@ constexpr std::uint8_t kLastSegment = 0x01;
 constexpr std::size_t kSegmentBytes = 7;
 }  // namespace
 
-SdoServer::SdoServer(Context& context, const Policy& policy, std::uint32_t response_identifier, std::size_t timer)
-    : context_{context},
-      policy_{policy},
-      response_identifier_{response_identifier},
-      timer_{timer},
-      buffer_(context.dictionary.longest_value()) {}
+SdoServer::SdoServer(Context& context, std::size_t timer)
+    : context_{context}, timer_{timer}, buffer_(context.dictionary.longest_value()) {}
+
+void SdoServer::connect(Identifier request, Identifier response) noexcept {
+  request_identifier_ = request;
+  response_identifier_ = response;
+}
 
 void SdoServer::on_frame(const Frame& frame) noexcept {
   if (frame.length != 8) return;
@@ -62,7 +63,7 @@ void SdoServer::initiate_upload(const Frame& frame) noexcept {
     const auto value = context_.dictionary.read(**entry);
     if (!value) return abort(at, value.error());
     if (size <= 4) {
-      const auto bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(*value) & (*entry)->mask);
+      const auto bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(*value) & byte_mask((*entry)->size));
       return send(sdo::response(response_identifier_, sdo::expedited_upload((*entry)->size), at, bits));
     }
     store(buffer_.data(), *value);
@@ -80,7 +81,7 @@ void SdoServer::upload_segment(Command command) noexcept {
   if (!continues(Transfer::Upload, command)) return;
   const std::size_t bytes = std::min(size_ - done_, kSegmentBytes);
   const bool last = done_ + bytes == size_;
-  Frame frame{.id = response_identifier_, .length = 8};
+  Frame frame = frame_under(response_identifier_, 8);
   frame.data[0] = static_cast<std::uint8_t>(byte_of(sdo::Response::UploadSegment) | command.toggle() |
                                             (kSegmentBytes - bytes) << 1 | (last ? kLastSegment : 0));
   std::copy_n(buffer_.begin() + static_cast<std::ptrdiff_t>(done_), bytes, frame.data.begin() + 1);
@@ -149,7 +150,7 @@ Result<void> SdoServer::commit(const Entry& entry, std::span<const std::uint8_t>
                                std::uint64_t word) noexcept {
   if (entry.size == 0) return context_.dictionary.write_text(entry, data);
   if (data.size() != entry.size) return refuse(AbortCode::LengthMismatch);
-  const std::uint64_t bits = word & entry.mask;
+  const std::uint64_t bits = word & byte_mask(entry.size);
   const std::int64_t value = entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
   return context_.dictionary.write(entry, value);
 }
@@ -159,7 +160,7 @@ void SdoServer::begin(Transfer transfer, std::size_t size) noexcept {
   toggle_ = 0;
   size_ = size;
   done_ = 0;
-  context_.timers.arm(timer_, context_.now + policy_.sdo_timeout);
+  context_.timers.arm(timer_, context_.now + context_.policy.sdo_timeout);
 }
 
 void SdoServer::end() noexcept {
@@ -174,7 +175,7 @@ void SdoServer::forget() noexcept {
 
 void SdoServer::on_timer() noexcept {
   if (transfer_ == Transfer::None) return;
-  const TimePoint due = last_request_ + policy_.sdo_timeout;
+  const TimePoint due = last_request_ + context_.policy.sdo_timeout;
   if (due > context_.now) {  // the timer is not moved with every segment
     context_.timers.arm(timer_, due);
   } else {

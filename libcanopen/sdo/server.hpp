@@ -2,18 +2,25 @@
 
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
-#include "libcanopen/node/policy.hpp"
 #include "libcanopen/sdo/command.hpp"
 
 namespace canopen {
 
 /// One SDO server (CiA 301, 7.2.4): expedited and segmented transfer, one at a time. Every request gets its answer
 /// within the call; a refusal is an abort frame.
-class SdoServer {
+class CANOPEN_EXPORT SdoServer {
  public:
-  /// Answers requests under @p response_identifier; @p timer is the number of its timer in the context's queue.
-  SdoServer(Context& context, const Policy& policy, std::uint32_t response_identifier, std::size_t timer);
+  /// @p timer is the number of its timer in the context's queue.
+  SdoServer(Context& context, std::size_t timer);
+
+  /// Listens to @p request and answers under @p response from now on; 0 and 0: the server does not exist.
+  void connect(Identifier request, Identifier response) noexcept;
+  /// What it listens to, 0 if it does not exist.
+  Identifier request_identifier() const noexcept { return request_identifier_; }
+  /// What it answers under, 0 if it does not exist.
+  Identifier response_identifier() const noexcept { return response_identifier_; }
 
   /// A data frame of the client. A frame that is not eight bytes long is ignored.
   void on_frame(const Frame& frame) noexcept;
@@ -40,9 +47,9 @@ class SdoServer {
   void send(const Frame& frame) noexcept { context_.sink.send(frame, Delivery::Ordered); }
 
   Context& context_;
-  const Policy& policy_;
-  std::uint32_t response_identifier_;
   std::size_t timer_;
+  Identifier request_identifier_ = 0;
+  Identifier response_identifier_ = 0;
 
   Transfer transfer_ = Transfer::None;
   std::uint8_t toggle_ = 0;      ///< expected in the next segment: 0 or 10h

@@ -70,7 +70,7 @@ TEST(PdoMapping, MovesAPdoToAnotherIdentifier) {
   ASSERT_EQ(unit.download(0x1400, 1, 0x00000195, 4), 0U);
 
   EXPECT_GE(unit.listener.subscription_changes, before + 2);
-  EXPECT_EQ(unit.device.subscriptions()[2], 0x195U);
+  EXPECT_EQ(unit.device.subscriptions()[2].identifier, 0x195U);
   unit.says("000#0105");
   EXPECT_EQ(unit.cycles_with("205#0600"), Lines{});
   EXPECT_EQ(unit.cycles_with("195#0600"), at_rest(0x1631));

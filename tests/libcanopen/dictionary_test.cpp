@@ -138,7 +138,8 @@ TEST_F(DictionaryTest, KeepsTheOldValueWhenItRefusesTheNew) {
 }
 
 TEST_F(DictionaryTest, KeepsNeighboursApart) {
-  for (std::uint16_t index = 0x2010; index < 0x2020; ++index) ASSERT_EQ(write(index, -1), 0U);
+  ASSERT_EQ(write(0x2010, 1), 0U);  // BOOLEAN
+  for (std::uint16_t index = 0x2011; index < 0x2020; ++index) ASSERT_EQ(write(index, -1), 0U);
   for (std::uint16_t index = 0x2010; index < 0x2020; index += 2) ASSERT_EQ(write(index, 0), 0U);
 
   for (std::uint16_t index = 0x2010; index < 0x2020; index += 2) {
@@ -147,6 +148,12 @@ TEST_F(DictionaryTest, KeepsNeighboursApart) {
     const auto all_ones = next.is_signed ? -1 : static_cast<std::int64_t>(canopen::byte_mask(next.size));
     EXPECT_EQ(dictionary.stored(next), all_ones) << std::hex << next.index;
   }
+}
+
+TEST_F(DictionaryTest, TakesOnlyZeroAndOneForBoolean) {
+  EXPECT_EQ(write(0x2010, 1), 0U);
+  EXPECT_EQ(write(0x2010, 2), static_cast<std::uint32_t>(AbortCode::ValueTooHigh));
+  EXPECT_EQ(write(0x2010, 0), 0U);
 }
 
 TEST_F(DictionaryTest, HoldsTextsUpToTheirCapacity) {

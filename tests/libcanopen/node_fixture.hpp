@@ -44,7 +44,10 @@ class NodeTest : public testing::Test {
  protected:
   using Lines = std::vector<std::string>;
 
-  explicit NodeTest(const canopen::Policy& policy = {}) { node.emplace(dictionary, policy, bus, application); }
+  /// Identifiers have 11 bits unless the test says otherwise.
+  explicit NodeTest(const canopen::Policy& policy = {.extended_identifiers = false}) {
+    node.emplace(dictionary, policy, bus, application);
+  }
 
   /// Boots the node and returns what it sent.
   Lines start();
@@ -77,8 +80,12 @@ class NodeTest : public testing::Test {
   /// Plays @p exchanges in order and compares every answer.
   void expect_dialogue(std::initializer_list<Exchange> exchanges);
 
+  /// The identifiers whose data frames the node wants.
   std::vector<std::uint32_t> subscriptions() const {
-    return {node->subscriptions().begin(), node->subscriptions().end()};
+    std::vector<std::uint32_t> identifiers;
+    for (const canopen::Subscription& wanted : node->subscriptions())
+      if (!wanted.remote) identifiers.push_back(wanted.identifier);
+    return identifiers;
   }
 
   static constexpr canopen::TimePoint kStart{1h};

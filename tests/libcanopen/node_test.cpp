@@ -139,7 +139,7 @@ TEST_F(Node, SurvivesFramesOfAnyContent) {
   start();
 
   for (int i = 0; i < 200'000; ++i) {
-    const Frame frame = noise.frame(node->subscriptions());
+    const Frame frame = noise.frame(subscriptions());
     node->on_frame(frame, now);
     ASSERT_NO_FATAL_FAILURE(expect_proper(bus.take())) << "frame " << i << ": " << fakes::candump(frame);
     if (noise.below(4) == 0) node->on_values_changed(now);
@@ -147,7 +147,7 @@ TEST_F(Node, SurvivesFramesOfAnyContent) {
     node->on_time(now);
     ASSERT_GT(node->next_deadline(), now);
     ASSERT_NO_FATAL_FAILURE(expect_proper(bus.take()));
-    const auto listening = node->subscriptions();
+    const auto listening = subscriptions();
     ASSERT_EQ(std::ranges::adjacent_find(listening, std::ranges::greater_equal{}), listening.end());
     ASSERT_TRUE(std::ranges::binary_search(listening, 0x605U));
   }

@@ -89,6 +89,12 @@ check_headers() {
   ((count == $(find "$SOURCE_DIR/libcanopen" -name '*.hpp' | wc -l))) || fail "$count headers were installed"
 }
 
+# Without optimisation, and with every inline function of every header kept: what they call must be exported.
+check_inline_functions() {
+  { find "$prefix/include" -type f -printf '#include <%P>\n'; echo 'int main() {}'; } >"$work/all.cpp"
+  "$CXX" -std=c++20 -fkeep-inline-functions -o "$work/all" "$work/all.cpp" "-I$prefix/include" "-L$prefix/lib" -lcanopen
+}
+
 check_standalone() {
   build "$SOURCE_DIR/libcanopen" "$work/build-lib"
   "$CMAKE" --install "$work/build-lib" --prefix "$work/alone"

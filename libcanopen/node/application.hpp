@@ -1,0 +1,57 @@
+#pragma once
+
+#include "libcanopen/base/export.hpp"
+#include "libcanopen/nmt/state.hpp"
+#include "libcanopen/node/communication_error.hpp"
+#include "libcanopen/od/abort_code.hpp"
+#include "libcanopen/time/time_of_day.hpp"
+
+namespace canopen {
+
+/// What the application behind a node is told and asked. Called from within on_frame(), on_time() and start();
+/// must not call back into any of them.
+class CANOPEN_EXPORT Application {
+ public:
+  virtual ~Application() = default;
+  /// The NMT state has changed.
+  virtual void on_nmt_state(NmtState from, NmtState to) noexcept { (void)from, (void)to; }
+  /// ResetNode or ResetCommunication: the dictionary has its initial values again; the application lays stored
+  /// values over them before the services start.
+  virtual void on_reset(NmtCommand command) noexcept { (void)command; }
+  /// The values of RPDO @p number (0 for 1400h) have just been stored.
+  virtual void on_rpdo(std::uint16_t number) noexcept { (void)number; }
+  /// A SYNC has come and the TPDOs that belong to it are out; @p counter is 0 if it carries none.
+  virtual void on_sync(std::uint8_t counter) noexcept { (void)counter; }
+  /// The identifiers that the node listens to have changed: see Node::subscriptions().
+  virtual void on_subscriptions_changed() noexcept {}
+  /// Another station has sent @p identifier, which only this node may send (duplicate node-ID).
+  virtual void on_foreign_frame(std::uint32_t identifier) noexcept { (void)identifier; }
+
+  /// An error of the communication has begun; @p detail as CommunicationError says.
+  virtual void on_communication_error(CommunicationError error, std::uint16_t detail) noexcept {
+    (void)error, (void)detail;
+  }
+  /// An error of the communication is over.
+  virtual void on_communication_recovery(CommunicationError error, std::uint16_t detail) noexcept {
+    (void)error, (void)detail;
+  }
+  /// The node @p node_id, monitored by 1016h, has told another NMT state than before; Initialising is its boot-up.
+  virtual void on_heartbeat(std::uint8_t node_id, NmtState state) noexcept { (void)node_id, (void)state; }
+  /// A time stamp has come (1012h).
+  virtual void on_time_of_day(const TimeOfDay& time) noexcept { (void)time; }
+
+  /// "save" was written to 1010h, @p sub_index: store the parameters of that group. The answer of the transfer is
+  /// the result; HardwareError if they cannot be stored (CiA 301, 7.5.2.13).
+  virtual Result<void> on_store(std::uint8_t sub_index) noexcept {
+    (void)sub_index;
+    return refuse(AbortCode::HardwareError);
+  }
+  /// "load" was written to 1011h, @p sub_index: default values of that group are to come with the next reset
+  /// (CiA 301, 7.5.2.14).
+  virtual Result<void> on_restore(std::uint8_t sub_index) noexcept {
+    (void)sub_index;
+    return refuse(AbortCode::HardwareError);
+  }
+};
+
+}  // namespace canopen

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "libcanopen/base/export.hpp"
+#include "libcanopen/od/abort_code.hpp"
+
+namespace canopen {
+
+struct Entry;
+
+/// What stands behind a DOMAIN: data of any length that is passed on piece by piece and never held as a whole.
+/// Every byte of a transfer is asked for, or given, once and in order. Several clients may read at the same time,
+/// each with its own offset; while one writes, all others are refused with DeviceState. A refusal ends the
+/// transfer with its code.
+class CANOPEN_EXPORT DomainOwner {
+ public:
+  virtual ~DomainOwner() = default;
+  /// A client begins to read. Returns the size in bytes, std::nullopt if only the end will tell.
+  virtual Result<std::optional<std::uint32_t>> begin_read(const Entry& entry) noexcept {
+    (void)entry;
+    return refuse(AbortCode::UnsupportedAccess);
+  }
+  /// Fills @p into with the bytes from @p offset on and returns how many; fewer than there is room for: the end.
+  virtual Result<std::size_t> read(const Entry& entry, std::uint64_t offset,
+                                   std::span<std::uint8_t> into) noexcept {
+    (void)entry, (void)offset, (void)into;
+    return refuse(AbortCode::UnsupportedAccess);
+  }
+  /// A client begins to write @p size bytes; std::nullopt if it has not said how many.
+  virtual Result<void> begin_write(const Entry& entry, std::optional<std::uint32_t> size) noexcept {
+    (void)entry, (void)size;
+    return refuse(AbortCode::UnsupportedAccess);
+  }
+  /// Takes @p bytes, the next ones from @p offset on.
+  virtual Result<void> write(const Entry& entry, std::uint64_t offset,
+                             std::span<const std::uint8_t> bytes) noexcept {
+    (void)entry, (void)offset, (void)bytes;
+    return refuse(AbortCode::UnsupportedAccess);
+  }
+  /// All @p size bytes are there (and their CRC is right, if there is one): they count from now on.
+  virtual Result<void> end_write(const Entry& entry, std::uint64_t size) noexcept {
+    (void)entry, (void)size;
+    return {};
+  }
+  /// The client that writes has given up, or the transfer was aborted: what was taken does not count.
+  virtual void cancel_write(const Entry& entry) noexcept { (void)entry; }
+};
+
+}  // namespace canopen
