@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     if (poll(&readable, 1, static_cast<int>(std::clamp<long>(wait.count(), 0, 60'000))) == 0) continue;
     can_frame in{};
     if (read(bus.descriptor, &in, sizeof in) < 0) return std::perror("read"), 1;
-    canopen::Frame frame{.id = in.can_id, .length = in.len, .extended = in.can_id > CAN_SFF_MASK};
+    canopen::Frame frame{.id = in.can_id, .length = in.len, .extended = in.can_id > CAN_SFF_MASK};  // or remote
     std::copy_n(in.data, frame.data.size(), frame.data.begin());
     node.on_frame(frame, now());
     node.on_values_changed(now());
