@@ -2,13 +2,14 @@
 
 #include <array>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 
 namespace canopen {
 
 /// Sends emergency messages (CiA 301, 7.2.7) under the COB-ID of 1014h, which bit 31 silences, no closer than the
 /// inhibit time of 1015h (100 us).
-class EmcyProducer final : public EntryOwner {
+class CANOPEN_EXPORT EmcyProducer final : public EntryOwner {
  public:
   /// @p timer is the number of its timer in the context's queue.
   EmcyProducer(Context& context, std::size_t timer);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/emcy/emcy_producer.hpp"
 
 namespace canopen {
 
 /// Keeps the error register 1001h and the error history 1003h and sends EMCY when an error comes or goes
 /// (CiA 301, 7.2.7.1, 7.5.2.2, 7.5.2.4). Works only if the policy says ErrorKeeping::Library.
-class ErrorKeeper final : public EntryOwner {
+class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
  public:
   ErrorKeeper(Context& context, EmcyProducer& producer);
 

@@ -3,13 +3,14 @@
 #include <span>
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 
 namespace canopen {
 
 /// Watches the heartbeats of other nodes (CiA 301, 7.2.8.3.2.2; object 1016h, each entry node-ID << 16 | time in
 /// ms). Watching begins with the first heartbeat of the node.
-class HeartbeatConsumer final : public EntryOwner {
+class CANOPEN_EXPORT HeartbeatConsumer final : public EntryOwner {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
   HeartbeatConsumer(Context& context, std::size_t first_timer);

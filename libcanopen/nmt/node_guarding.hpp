@@ -1,12 +1,13 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 
 namespace canopen {
 
 /// Answers node guarding and watches the master's life (CiA 301, 7.2.8.3.2.1; objects 100Ch guard time in ms and
 /// 100Dh life time factor, 0 = off). Watching begins with the first request.
-class NodeGuarding final : public EntryOwner {
+class CANOPEN_EXPORT NodeGuarding final : public EntryOwner {
  public:
   /// @p timer is the number of its timer in the context's queue.
   NodeGuarding(Context& context, std::size_t timer);

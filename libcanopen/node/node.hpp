@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/emcy/emcy_producer.hpp"
 #include "libcanopen/emcy/error_keeper.hpp"
 #include "libcanopen/nmt/heartbeat_consumer.hpp"
@@ -22,7 +23,7 @@ namespace canopen {
 /// A CANopen slave (CiA 301): NMT with error control, SDO, PDO, SYNC, TIME and EMCY over one dictionary. It owns
 /// its tables only: the owner feeds it frames and time and carries its frames away. No call allocates, blocks or
 /// throws.
-class Node final : private IdentifierUse, private ErrorReports {
+class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
  public:
   /// The node of @p dictionary; all arguments must outlive it. It does nothing before start().
   Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Application& application);

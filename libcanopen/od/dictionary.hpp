@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/base/little_endian.hpp"
 #include "libcanopen/od/domain_owner.hpp"
 #include "libcanopen/od/entry.hpp"
@@ -33,7 +34,7 @@ enum class OwnerRank : std::uint8_t { Application, Service };
 
 /// The object dictionary of one node (CiA 301, 7.4): a table of entries and one flat image of their values.
 /// Lookup costs two loads; after construction nothing is allocated.
-class Dictionary {
+class CANOPEN_EXPORT Dictionary {
  public:
   /// Builds the dictionary of @p table, sorted by index and sub-index without duplicates, for @p node_id 1..127.
   /// @p table must outlive the dictionary. Throws std::invalid_argument if the table is not in order.

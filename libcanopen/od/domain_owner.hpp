@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/od/abort_code.hpp"
 
 namespace canopen {
@@ -14,7 +15,7 @@ struct Entry;
 /// Every byte of a transfer is asked for, or given, once and in order. Several clients may read at the same time,
 /// each with its own offset; while one writes, all others are refused with DeviceState. A refusal ends the
 /// transfer with its code.
-class DomainOwner {
+class CANOPEN_EXPORT DomainOwner {
  public:
   virtual ~DomainOwner() = default;
   /// A client begins to read. Returns the size in bytes, std::nullopt if only the end will tell.

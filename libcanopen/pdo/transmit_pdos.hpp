@@ -1,12 +1,13 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/pdo/parameters.hpp"
 
 namespace canopen {
 
 /// Sends process data (CiA 301, 7.2.2): types 1..240 with every n-th SYNC, type 0 with the SYNC after a change,
 /// types 254 and 255 on a change and by the event timer, never closer than the inhibit time.
-class TransmitPdos final : public PdoParameters::Listener {
+class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
   TransmitPdos(Context& context, std::size_t first_timer);

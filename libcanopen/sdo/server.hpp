@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 #include "libcanopen/sdo/command.hpp"
 
@@ -9,7 +10,7 @@ namespace canopen {
 
 /// One SDO server (CiA 301, 7.2.4): expedited and segmented transfer, one at a time. Every request gets its answer
 /// within the call; a refusal is an abort frame.
-class SdoServer {
+class CANOPEN_EXPORT SdoServer {
  public:
   /// @p timer is the number of its timer in the context's queue.
   SdoServer(Context& context, std::size_t timer);
