@@ -18,7 +18,7 @@ using Times = std::vector<std::uint64_t>;  // ns
 
 constexpr int kUsage = 2;
 constexpr unsigned long kWarmUp = 200;
-constexpr std::chrono::microseconds kPause{300};  // between SYNCs
+constexpr unsigned long kSyncPause = 300;  // µs between SYNCs
 
 void print(const char* test, const char* what, std::uint64_t value) {
   std::printf("%s_%s %llu\n", test, what, static_cast<unsigned long long>(value));
@@ -46,10 +46,12 @@ class CpuTime {
   std::uint64_t start_;
 };
 
+/// The time of each of @p count steps, with a pause of @p pause_us in front of it.
 template <class Step>
-Times measure(unsigned long count, const Step& step) {
+Times measure(unsigned long count, unsigned long pause_us, const Step& step) {
   Times times(count);
   for (std::uint64_t& time : times) {
+    if (pause_us != 0) std::this_thread::sleep_for(std::chrono::microseconds{pause_us});
     const Clock::time_point before = Clock::now();
     step();
     time = static_cast<std::uint64_t>((Clock::now() - before).count());
@@ -60,9 +62,9 @@ Times measure(unsigned long count, const Step& step) {
 /// Prints the times and the CPU time of @p count steps.
 template <class Step>
 void report(const char* test, const Target& target, unsigned long count, const Step& step) {
-  measure(kWarmUp, step);
+  measure(kWarmUp, 0, step);
   const CpuTime cpu{target};
-  Times times = measure(count, step);
+  Times times = measure(count, target.pause_us, step);
   cpu.print_each(test, count);
   print_times(test, times);
 }
@@ -81,18 +83,11 @@ void download(SlaveClient& client, const Target& target, unsigned long count) {
   report("download", target, count, [&] { client.download(target.written, ++value, kSize); });
 }
 
-/// With a pause in front of every SYNC; the CPU time is that of the slave, which sleeps in it.
+/// With a pause at least as long as the slave needs to sleep again.
 void sync(SlaveClient& client, const Target& target, unsigned long count) {
-  client.sync();
-  const CpuTime cpu{target};
-  Times times;
-  times.reserve(count);
-  for (unsigned long i = 0; i < count; ++i) {
-    std::this_thread::sleep_for(kPause);
-    times.push_back(measure(1, [&] { client.sync(); }).front());
-  }
-  cpu.print_each("sync", count);
-  print_times("sync", times);
+  Target patient = target;
+  patient.pause_us = std::max(target.pause_us, kSyncPause);
+  report("sync", patient, count, [&] { client.sync(); });
 }
 
 void start(SlaveClient& client, const Target&, unsigned long) {
@@ -145,6 +140,7 @@ bool take_option(Target& target, std::string_view name, std::string_view value) 
   constexpr int kHexadecimal = 16;
   if (name == "--pdos") return parse(value, target.pdos);
   if (name == "--process") return parse(value, target.process);
+  if (name == "--pause") return parse(value, target.pause_us);
   return name == "--object" && parse(value, target.written.index, kHexadecimal);
 }
 
@@ -161,7 +157,7 @@ bool run(SlaveClient& client, const Target& target, std::string_view word) {
 
 int usage() {
   std::fputs(
-      "usage: bus_client INTERFACE NODE [--pdos N] [--process PID] [--object INDEX] TEST[:COUNT]...\n"
+      "usage: bus_client INTERFACE NODE [--pdos N] [--process PID] [--object INDEX] [--pause US] TEST[:COUNT]...\n"
       "tests: upload download sync flood (COUNT of them), idle (seconds), start, synchronous, heartbeat (ms)\n",
       stderr);
   return kUsage;

@@ -2,7 +2,7 @@
 # daemon_cost.sh [--build DIR] [--requests N]: what an SDO request costs the running daemon in user space, as Markdown.
 #
 # User-space instructions (callgrind) and system calls (strace) a request, each as the difference of 2 N and N requests
-# divided by N (2000). On vcan0; in the virtual machine of scripts/vcan-vm where this kernel has no CAN. What the kernel
+# divided by N (1000). On vcan0; in the virtual machine of scripts/vcan-vm where this kernel has no CAN. What the kernel
 # adds is measured by bus_cost.sh.
 #
 # --build   the build with the programs (build/release, built first if it is this one)
@@ -11,7 +11,7 @@ set -euo pipefail
 . "$(dirname "$0")/../scripts/common.sh"
 cd "$root"
 
-build=build/release requests=2000 inside=''
+build=build/release requests=1000 inside=''
 while (($#)); do
   case $1 in
     --build) build=${2:?--build needs a folder}; shift 2 ;;
@@ -45,7 +45,8 @@ stop() {
   slave=''
 }
 
-ask() { "$build/bin/bus_client" vcan0 "$node" "upload:$1" >/dev/null; }
+# ask N: that many requests, each when the slave, slow under its counter, waits for one again.
+ask() { "$build/bin/bus_client" vcan0 "$node" --pause 3000 "upload:$1" >/dev/null; }
 
 # instructions N: of the daemon's whole life with N requests.
 instructions() {
