@@ -97,7 +97,8 @@ void start(SlaveClient& client, const Target&, unsigned long) {
 /// Every TPDO on every SYNC.
 void synchronous(SlaveClient& client, const Target& target, unsigned long) {
   constexpr std::uint16_t kFirst = 0x1800;
-  for (std::uint16_t i = 0; i < target.pdos; ++i) client.download({static_cast<std::uint16_t>(kFirst + i), 2}, 1, 1);
+  for (std::uint16_t i = 0; i < target.pdos; ++i)
+    client.download({static_cast<std::uint16_t>(kFirst + i), 2}, 1, 1);
 }
 
 void heartbeat(SlaveClient& client, const Target&, unsigned long milliseconds) {

@@ -55,8 +55,8 @@ class Slave final : private axisd::Station, private canopen::Application {
         dictionary_{table_, static_cast<std::uint8_t>(arguments.node)},
         loop_{arguments.interface, *this},
         node_{dictionary_,
-              {.start_state = arguments.operational ? canopen::NmtState::Operational
-                                                    : canopen::NmtState::PreOperational},
+              {.start_state =
+                   arguments.operational ? canopen::NmtState::Operational : canopen::NmtState::PreOperational},
               loop_.queue(),
               *this} {
     loop_.watch(signals_.descriptor());
@@ -116,8 +116,8 @@ std::optional<Arguments> parse(int count, char** words) {
 
 }  // namespace
 
-/// Puts a node of libcanopen on a CAN interface: 1,500 objects, 4 or 64 PDOs of each direction, the daemon's loop. At
-/// its end it tells how many RPDOs it took and how many frames its socket lost.
+/// Puts a node of libcanopen on a CAN interface: 1,500 objects, 4 or 64 PDOs of each direction, the daemon's loop.
+/// At its end it tells how many RPDOs it took and how many frames its socket lost.
 int main(int count, char** words) {
   constexpr int kUsage = 2;
   const std::optional<Arguments> arguments = parse(count, words);

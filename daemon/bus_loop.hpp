@@ -14,8 +14,9 @@ namespace axisd {
 
 /// Carries frames and time between one CAN interface and a Station.
 ///
-/// A turn is one poll over two descriptors: the CAN socket, and an epoll descriptor that stands for the timer and for
-/// everything rare. A request that comes alone costs poll, read and send; frames that come faster are read in bursts.
+/// A turn is one poll over two descriptors: the CAN socket, and an epoll descriptor that stands for the timer and
+/// for everything rare. A request that comes alone costs poll, read and send; frames that come faster are read in
+/// bursts.
 class BusLoop {
  public:
   /// Opens @p interface, which may be down. Throws bus::OpenError or std::system_error.
