@@ -45,6 +45,7 @@ inline constexpr auto kObjects = [] {
       {.index = 0x1A00, .sub_index = 1, .type = Unsigned32, .access = ReadWrite, .initial = 0x20000020},
       // the application: a counter, and the step by which each RPDO advances it
       {.index = 0x2000, .type = Unsigned32, .pdo_mappable = true},
+      {.index = 0x2001, .type = Domain, .access = ReadWrite},  // a document of any size
       {.index = 0x2002, .type = Unsigned16, .access = ReadWriteWrite, .pdo_mappable = true, .initial = 1},
   });
 }();

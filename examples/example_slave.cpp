@@ -10,6 +10,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "example_application.hpp"
 #include "example_objects.hpp"
 
 /// The way to the bus. A real device keeps a frame that the socket refuses and sends it later.
@@ -24,15 +25,6 @@ struct Bus final : canopen::FrameSink {
   }
 };
 
-/// What the device does: every RPDO advances the counter 2000h by the step 2002h that it carries.
-struct Counter final : canopen::Application {
-  canopen::Cell<std::uint32_t> count;
-  canopen::Cell<std::uint16_t> step;
-  explicit Counter(canopen::Dictionary& objects)
-      : count{objects.cell<std::uint32_t>(0x2000, 0)}, step{objects.cell<std::uint16_t>(0x2002, 0)} {}
-  void on_rpdo(std::uint16_t) noexcept override { count.set(count.get() + step.get()); }
-};
-
 const auto now = [] { return canopen::TimePoint{std::chrono::steady_clock::now().time_since_epoch()}; };
 
 int main(int argc, char** argv) {
@@ -45,6 +37,8 @@ int main(int argc, char** argv) {
 
   canopen::Dictionary objects{kObjects, static_cast<std::uint8_t>(node_id)};
   Counter counter{objects};
+  Document document;
+  objects.own_domain(0x2001, 0, document);
   canopen::Node node{objects, canopen::Policy{}, bus, counter};
   for (node.start(now());; node.on_time(now())) {
     const auto wait = std::chrono::ceil<std::chrono::milliseconds>(node.next_deadline() - now());
