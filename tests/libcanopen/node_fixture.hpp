@@ -45,7 +45,9 @@ class NodeTest : public testing::Test {
   using Lines = std::vector<std::string>;
 
   /// Identifiers have 11 bits unless the test says otherwise.
-  explicit NodeTest(const canopen::Policy& policy = {.extended_identifiers = false}) {
+  explicit NodeTest(const canopen::Policy& policy = {.extended_identifiers = false},
+                    std::span<const canopen::EntryDescription> table = test_table())
+      : dictionary{table, 5} {
     node.emplace(dictionary, policy, bus, application);
   }
 
@@ -92,6 +94,6 @@ class NodeTest : public testing::Test {
   canopen::TimePoint now = kStart;
   fakes::VectorBus bus;
   RecordingApplication application;
-  canopen::Dictionary dictionary{test_table(), 5};
+  canopen::Dictionary dictionary;
   std::optional<canopen::Node> node;
 };
