@@ -37,7 +37,7 @@ class CpuTime {
   explicit CpuTime(const Target& target) : process_{target.process}, start_{read()} {}
   /// Prints it for each of @p times.
   void print_each(const char* test, std::uint64_t times) const {
-    if (process_ != 0) print(test, "cpu", (read() - start_) / times);
+    if (process_ != 0 && times != 0) print(test, "cpu", (read() - start_) / times);
   }
 
  private:

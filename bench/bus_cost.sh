@@ -129,10 +129,10 @@ awk '
     }
     print ""
   }
-  # The same for a number of which only the value counts.
-  function taken(text, goal) {
-    printf "| %s | %s | %d | %d | %d | %d |\n", text, goal, figure["echo4", "flood_taken"],
-      figure["slave4", "flood_taken"], figure["slave64", "flood_taken"], figure["axisd", "flood_taken"]
+  # The same where only the numbers count.
+  function plain(text, goal, name) {
+    printf "| %s | %s | %d | %d | %d | %d |\n", text, goal, figure["echo4", name], figure["slave4", name],
+      figure["slave64", name], figure["axisd", name]
   }
   END {
     every = "slave4 slave64 axisd"
@@ -149,5 +149,7 @@ awk '
     line("SYNC to 64 TPDOs, CPU", "1.04", "sync_cpu", "echo64", "- slave64 -")
     line("idle with a heartbeat every 100 ms, CPU a second", "1.3", "idle_cpu", "echo4", every)
     line("RPDO in a flood, CPU", "", "flood_cpu", "echo4", every)
-    taken("RPDOs taken of '"$frames"' back to back", "all")
+    plain("heartbeat period of 100 ms, p50 (ns)", "", "heartbeat_p50")
+    plain("heartbeat period of 100 ms, p99 (ns)", "", "heartbeat_p99")
+    plain("RPDOs taken of '"$frames"' back to back", "all", "flood_taken")
   }' "$work/figures"

@@ -36,6 +36,12 @@ void send(const RawSocket& socket, const can_frame& wanted) {
   }
 }
 
+can_frame wait(const RawSocket& socket, const char* what) {
+  can_frame answer{};
+  if (!readable(socket, kPatience) || !socket.receive(answer)) throw std::runtime_error{std::string{"no "} + what};
+  return answer;
+}
+
 }  // namespace
 
 SlaveClient::SlaveClient(const Target& target)
@@ -43,12 +49,6 @@ SlaveClient::SlaveClient(const Target& target)
       answers_{target.interface, std::array{only(0x580 + target.node)}},
       tpdos_{target.interface,
              std::array{same_function(0x180), same_function(0x280), same_function(0x380), same_function(0x480)}} {}
-
-can_frame SlaveClient::wait(const RawSocket& socket, const char* what) {
-  can_frame answer{};
-  if (!readable(socket, kPatience) || !socket.receive(answer)) throw std::runtime_error{std::string{"no "} + what};
-  return answer;
-}
 
 can_frame SlaveClient::ask(const can_frame& request) {
   send(answers_, request);

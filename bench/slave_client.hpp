@@ -46,7 +46,6 @@ class SlaveClient {
 
  private:
   can_frame ask(const can_frame& request);
-  can_frame wait(const RawSocket& socket, const char* what);
   can_frame request(std::uint8_t command, Object object) const;
 
   Target target_;
