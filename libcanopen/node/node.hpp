@@ -102,9 +102,9 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   TimerQueue timers_;
   Context context_;
   ServiceGate gate_{};  ///< of the NMT state
+  NodeGuarding guarding_;
   HeartbeatProducer heartbeat_;
   HeartbeatConsumer heartbeat_consumer_;
-  NodeGuarding guarding_;
   SdoServers sdo_servers_;
   ReceivePdos receive_pdos_;
   TransmitPdos transmit_pdos_;
