@@ -1,0 +1,42 @@
+#include "tests/fuzz/worlds.hpp"
+
+namespace fuzz {
+namespace {
+
+using canopen::Policy;
+using canopen::TypeRange;
+
+constexpr std::array kFewTypes{TypeRange{0, 240}, TypeRange{254, 255}};
+
+/// Everything allowed; everything refused; what lies between, with a start into Operational.
+const std::array kPolicies{
+    Policy{},
+    Policy{.unknown_command = canopen::UnknownCommand::Stop,
+           .error_control_conflict = canopen::ErrorControlConflict::Refuse,
+           .error_keeping = canopen::ErrorKeeping::Owner,
+           .extended_identifiers = false,
+           .sdo_block = false,
+           .pdo_changes_in_operational = false,
+           .dummy_types = 0,
+           .tpdo_types = kFewTypes},
+    Policy{.start_state = canopen::NmtState::Operational,
+           .error_control_conflict = canopen::ErrorControlConflict::Refuse,
+           .sdo_timeout = std::chrono::milliseconds{500},
+           .count_follows_entries = true},
+};
+
+}  // namespace
+
+Worlds::Worlds() {
+  for (const Policy& policy : kPolicies) worlds_.push_back(std::make_unique<World>(policy));
+}
+
+std::uint64_t Worlds::play(std::span<const std::uint8_t> input) {
+  if (input.empty()) return 0;
+  World& world = *worlds_[input.front() % worlds_.size()];
+  world.station.reset();
+  world.events.play(input.subspan(1));
+  return world.station.transcript();
+}
+
+}  // namespace fuzz
