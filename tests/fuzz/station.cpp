@@ -19,6 +19,7 @@ constexpr std::size_t kSubBlock = 127;
 /// Between two runs: longer than anything that a run may have left behind.
 constexpr canopen::Duration kPause = std::chrono::hours{2};
 
+constexpr Frame kResetNode{.length = 2, .data = {0x81, 0}};
 constexpr std::array<DomainMode, kDomains> kModes{
     DomainMode{.size = 20}, DomainMode{.size = 100, .unknown_size = true}, DomainMode{.size = 2000}, DomainMode{}};
 
@@ -52,21 +53,16 @@ Station::Station(const canopen::Policy& policy)
 }
 
 void Station::reset() {
-  node_.on_frame(Frame{.length = 2, .data = {0x81, 0}}, now_);
-  for (Domain& domain : domains_) require(!domain.is_being_written(), "a reset cancels what is being written");
   now_ += kPause;
-  for (std::size_t i = 0; i < kDomains; ++i) domains_[i].reset(kModes[i]);
   answers_ = {};
   watch_.forget();
-  sent_.clear();
   transcript_ = 0;
   dictionary_.restore(0xA000, 0xFFFF);  // what no reset command restores
-  after_ = reader_.read();
-  act([](canopen::Node& node, canopen::TimePoint now) {
-    node.on_frame(Frame{.length = 2, .data = {0x81, 0}}, now);
-  });
+  act([](canopen::Node& node, canopen::TimePoint now) { node.on_frame(kResetNode, now); });
   require(!sent_.empty() && sent_.front().id == after_.error_control, "a node that boots says so first");
   require(node_.state() == state_after_reset_, "a node that has booted is in its start state");
+  for (const Domain& domain : domains_) require(!domain.is_being_written(), "a reset cancels what is being written");
+  for (std::size_t i = 0; i < kDomains; ++i) domains_[i].reset(kModes[i]);
 }
 
 void Station::begin() noexcept {
