@@ -1,33 +1,49 @@
 #include "libcanopen/sdo/server.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace canopen {
 
 using sdo::Address;
 using sdo::Command;
+using sdo::command_byte;
 using sdo::Request;
+using sdo::Response;
 
 namespace {
-constexpr std::uint8_t byte_of(sdo::Response response) noexcept {
-  return static_cast<std::uint8_t>(response);
+
+/// Bytes of a DOMAIN that are held at a time: a sub-block, which may be sent again, and the byte that tells
+/// whether it is the last one.
+constexpr std::size_t kWindow = 1024;
+static_assert(kWindow > sdo::kLongestBlock * sdo::kSegmentBytes);
+/// Bytes behind the window that are read with the last ones in it.
+constexpr std::size_t kMargin = 8;
+
+constexpr bool fits_one_frame(const Entry& entry) noexcept {
+  return entry.size != 0 && entry.size <= 4;
 }
-constexpr std::uint8_t kSizeIndicated = 0x01;
-constexpr std::uint8_t kLastSegment = 0x01;
-constexpr std::size_t kSegmentBytes = 7;
+
 }  // namespace
 
-SdoServer::SdoServer(Context& context, std::size_t timer)
-    : context_{context}, timer_{timer}, buffer_(context.dictionary.longest_value()) {}
+SdoServer::SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position)
+    : context_{context},
+      locks_{locks},
+      timer_{timer},
+      position_{position},
+      buffer_(std::max(kWindow, context.dictionary.longest_value()) + kMargin),
+      source_{std::span{buffer_}.first(buffer_.size() - kMargin)},
+      sink_{std::span{buffer_}.first(buffer_.size() - kMargin)} {}
 
 void SdoServer::connect(Identifier request, Identifier response) noexcept {
+  end();
   request_identifier_ = request;
-  response_identifier_ = response;
+  answer_ = frame_under(response, 8);
 }
 
 void SdoServer::on_frame(const Frame& frame) noexcept {
   if (frame.length != 8) return;
-  last_request_ = context_.now;
+  if (phase_ == Phase::BlockDownload) return take_block_segment(frame);
   const Command command{frame.data[0]};
   switch (command.request()) {
     case Request::InitiateUpload:
@@ -41,155 +57,150 @@ void SdoServer::on_frame(const Frame& frame) noexcept {
     case Request::Abort:
       return end();
     case Request::BlockUpload:
+      return on_block_upload(frame);
     case Request::BlockDownload:
-      break;
+      return on_block_download(frame);
   }
-  abort(transfer_ == Transfer::None ? sdo::address_in(frame) : address_, AbortCode::CommandSpecifierInvalid);
+  abort(phase_ == Phase::Idle ? sdo::address_in(frame) : address_, AbortCode::CommandSpecifierInvalid);
 }
 
-Result<const Entry*> SdoServer::find(Address at) noexcept {
-  end();  // an initiate request ends the transfer before it without a word
-  address_ = at;
-  return context_.dictionary.find(at.index, at.sub_index);
+/// An initiate request ends the transfer before it without a word, and finds its entry.
+Result<const Entry*> SdoServer::find_readable(Address at) noexcept {
+  if (phase_ != Phase::Idle) end();
+  const auto entry = context_.dictionary.find(at.index, at.sub_index);
+  if (entry && !(*entry)->readable) return refuse(AbortCode::WriteOnly);
+  return entry;
+}
+
+Result<const Entry*> SdoServer::find_writable(Address at) noexcept {
+  if (phase_ != Phase::Idle) end();
+  const auto entry = context_.dictionary.find(at.index, at.sub_index);
+  if (entry && !(*entry)->writable) return refuse(AbortCode::ReadOnly);
+  return entry;
 }
 
 void SdoServer::initiate_upload(const Frame& frame) noexcept {
   const Address at = sdo::address_in(frame);
-  const auto entry = find(at);
+  const auto entry = find_readable(at);
   if (!entry) return abort(at, entry.error());
-  if (!(*entry)->readable) return abort(at, AbortCode::WriteOnly);
-  std::size_t size = (*entry)->size;
-  if (size != 0) {
-    const auto value = context_.dictionary.read(**entry);
-    if (!value) return abort(at, value.error());
-    if (size <= 4) {
-      const auto bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(*value) & byte_mask((*entry)->size));
-      return send(sdo::response(response_identifier_, sdo::expedited_upload((*entry)->size), at, bits));
-    }
-    store(buffer_.data(), *value);
-  } else {
-    const auto text = context_.dictionary.text(**entry);
-    std::copy(text.begin(), text.end(), buffer_.begin());
-    size = text.size();
-  }
-  begin(Transfer::Upload, size);
-  send(sdo::response(response_identifier_, byte_of(sdo::Response::InitiateUpload) | kSizeIndicated, at,
-                     static_cast<std::uint32_t>(size)));
+  if (fits_one_frame(**entry)) return upload_expedited(**entry, at);
+  if (auto opened = open_source(**entry); !opened) return abort(at, opened.error());
+  begin_segmented_upload(at);
 }
 
-void SdoServer::upload_segment(Command command) noexcept {
-  if (!continues(Transfer::Upload, command)) return;
-  const std::size_t bytes = std::min(size_ - done_, kSegmentBytes);
-  const bool last = done_ + bytes == size_;
-  Frame frame = frame_under(response_identifier_, 8);
-  frame.data[0] = static_cast<std::uint8_t>(byte_of(sdo::Response::UploadSegment) | command.toggle() |
-                                            (kSegmentBytes - bytes) << 1 | (last ? kLastSegment : 0));
-  std::copy_n(buffer_.begin() + static_cast<std::ptrdiff_t>(done_), bytes, frame.data.begin() + 1);
-  done_ += bytes;
-  if (last) end();
-  send(frame);
+void SdoServer::upload_expedited(const Entry& entry, Address at) noexcept {
+  const auto value = context_.dictionary.read(entry);
+  if (!value) return abort(at, value.error());
+  const auto bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(*value) & byte_mask(entry.size));
+  send(sdo::response_bytes(sdo::expedited_upload(entry.size), at, bits));
 }
 
 void SdoServer::initiate_download(const Frame& frame) noexcept {
-  const Command command{frame.data[0]};
   const Address at = sdo::address_in(frame);
-  const auto entry = find(at);
+  const auto entry = find_writable(at);
   if (!entry) return abort(at, entry.error());
-  if (!(*entry)->writable) return abort(at, AbortCode::ReadOnly);
-  if (command.is_expedited()) {
-    const std::size_t expected = (*entry)->size != 0 ? std::min<std::size_t>((*entry)->size, 4) : 4;
-    const std::size_t size = command.has_size() ? command.expedited_size() : expected;
-    const auto written = commit(**entry, {&frame.data[4], size}, load<std::uint32_t>(&frame.data[4]));
-    return written ? acknowledge_download() : abort(at, written.error());
-  }
-  const std::size_t announced = load<std::uint32_t>(&frame.data[4]);
-  const bool fits =
-      (*entry)->size != 0 ? announced == (*entry)->size : announced <= (*entry)->description->capacity;
-  if (command.has_size() && !fits) return abort(at, AbortCode::LengthMismatch);
-  entry_ = *entry;
-  size_announced_ = command.has_size();
-  begin(Transfer::Download, size_announced_ ? announced : 0);
-  acknowledge_download();
+  if (Command{frame.data[0]}.is_expedited()) return download_expedited(**entry, frame);
+  begin_segmented_download(**entry, frame);
 }
 
-void SdoServer::download_segment(const Frame& frame) noexcept {
+void SdoServer::download_expedited(const Entry& entry, const Frame& frame) noexcept {
+  Frame answer = answer_;  // the write may connect the server anew: the client still waits here
+  const Address at = sdo::address_in(frame);
+  const auto written = write_expedited(entry, frame);
+  store(answer.data.data(), written ? sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0)
+                                    : sdo::abort_bytes(at, written.error()));
+  context_.sink.send(answer, Delivery::Ordered);
+}
+
+Result<void> SdoServer::write_expedited(const Entry& entry, const Frame& frame) noexcept {
   const Command command{frame.data[0]};
-  if (!continues(Transfer::Download, command)) return;
-  const std::size_t bytes = command.segment_size();
-  if (size_announced_ && done_ + bytes > size_) return abort(address_, AbortCode::LengthTooHigh);
-  if (done_ + bytes > buffer_.size()) return abort(address_, AbortCode::LengthMismatch);
-  std::copy_n(frame.data.begin() + 1, bytes, buffer_.begin() + static_cast<std::ptrdiff_t>(done_));
-  done_ += bytes;
-  if (command.is_last()) {
-    if (size_announced_ && done_ < size_) return abort(address_, AbortCode::LengthTooLow);
-    const auto written = commit(*entry_, {buffer_.data(), done_}, load<std::uint64_t>(buffer_.data()));
-    if (!written) return abort(address_, written.error());
-    end();
+  const std::size_t expected = entry.size != 0 ? std::min<std::size_t>(entry.size, 4) : 4;
+  const std::size_t size = command.has_size() ? command.expedited_size() : expected;
+  if (entry.size != 0) {
+    return sdo::write_number(context_.dictionary, entry, load<std::uint32_t>(&frame.data[4]), size);
   }
-  send(sdo::response(response_identifier_,
-                     static_cast<std::uint8_t>(byte_of(sdo::Response::DownloadSegment) | command.toggle()), {},
-                     0));
+  const std::span bytes{&frame.data[4], size};
+  if (entry.domain == nullptr) return context_.dictionary.write_text(entry, bytes);
+  if (auto opened = open_sink(entry, static_cast<std::uint32_t>(size)); !opened) return opened;
+  auto written = sink_.append(bytes);
+  if (written) written = sink_.commit(context_.dictionary);
+  sink_.cancel();
+  locks_.release(position_);
+  return written;
 }
 
-/// True if @p command is the segment that the transfer waits for; otherwise the transfer is aborted.
-bool SdoServer::continues(Transfer transfer, Command command) noexcept {
-  if (transfer_ != transfer) {
-    abort(transfer_ == Transfer::None ? Address{} : address_, AbortCode::CommandSpecifierInvalid);
-    return false;
-  }
-  if (command.toggle() != toggle_) {
-    abort(address_, AbortCode::ToggleBitNotAlternated);
-    return false;
-  }
-  toggle_ ^= 0x10;
-  return true;
+Result<void> SdoServer::open_source(const Entry& entry) noexcept {
+  if (entry.domain == nullptr) return source_.open(context_.dictionary, entry);
+  if (!locks_.allow(entry, false)) return refuse(AbortCode::DeviceState);
+  auto opened = source_.open(context_.dictionary, entry);
+  if (opened) locks_.take(position_, entry, false);
+  return opened;
 }
 
-/// Writes @p data, whose first bytes are also in @p word with anything behind them.
-Result<void> SdoServer::commit(const Entry& entry, std::span<const std::uint8_t> data,
-                               std::uint64_t word) noexcept {
-  if (entry.size == 0) return context_.dictionary.write_text(entry, data);
-  if (data.size() != entry.size) return refuse(AbortCode::LengthMismatch);
-  const std::uint64_t bits = word & byte_mask(entry.size);
-  const std::int64_t value = entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
-  return context_.dictionary.write(entry, value);
+Result<void> SdoServer::open_sink(const Entry& entry, std::optional<std::uint32_t> size) noexcept {
+  if (entry.domain == nullptr) return sink_.open(entry, size);
+  if (!locks_.allow(entry, true)) return refuse(AbortCode::DeviceState);
+  auto opened = sink_.open(entry, size);
+  if (opened) locks_.take(position_, entry, true);
+  return opened;
 }
 
-void SdoServer::begin(Transfer transfer, std::size_t size) noexcept {
-  transfer_ = transfer;
+void SdoServer::begin(Phase phase, Address at) noexcept {
+  assert(phase_ == Phase::Idle && phase != Phase::Idle);
+  phase_ = phase;
+  address_ = at;
   toggle_ = 0;
-  size_ = size;
-  done_ = 0;
-  context_.timers.arm(timer_, context_.now + context_.policy.sdo_timeout);
+  confirmed_early_ = false;
+  last_request_ = context_.now;
+  context_.timers.arm(timer_, context_.now + patience());
 }
 
 void SdoServer::end() noexcept {
-  if (transfer_ == Transfer::None) return;
-  transfer_ = Transfer::None;
+  if (phase_ == Phase::Idle) return;
+  phase_ = Phase::Idle;
   context_.timers.cancel(timer_);
+  sink_.cancel();
+  locks_.release(position_);
 }
 
-void SdoServer::forget() noexcept {
+/// All of a download is there: writes it, and answers with @p answer if that succeeds.
+void SdoServer::finish_download(std::uint64_t answer) noexcept {
+  Frame frame = answer_;  // the write may connect the server anew: the client still waits here
+  const Address at = address_;
+  const auto written = sink_.commit(context_.dictionary);
   end();
+  store(frame.data.data(), written ? answer : sdo::abort_bytes(at, written.error()));
+  context_.sink.send(frame, Delivery::Ordered);
+}
+
+/// How long the client may be silent before on_timer() acts.
+Duration SdoServer::patience() const noexcept {
+  const Duration timeout = context_.policy.sdo_timeout;
+  return may_confirm_early() ? timeout / 2 : timeout;
 }
 
 void SdoServer::on_timer() noexcept {
-  if (transfer_ == Transfer::None) return;
-  const TimePoint due = last_request_ + context_.policy.sdo_timeout;
+  if (phase_ == Phase::Idle) return;
+  const TimePoint due = last_request_ + patience();
   if (due > context_.now) {  // the timer is not moved with every segment
     context_.timers.arm(timer_, due);
+  } else if (may_confirm_early()) {
+    confirmed_early_ = true;
+    confirm_sub_block();
+    context_.timers.arm(timer_, last_request_ + patience());
   } else {
-    abort(address_, AbortCode::ProtocolTimedOut);
+    abort(AbortCode::ProtocolTimedOut);
   }
-}
-
-void SdoServer::acknowledge_download() noexcept {
-  send(sdo::response(response_identifier_, byte_of(sdo::Response::InitiateDownload), address_, 0));
 }
 
 void SdoServer::abort(Address at, AbortCode code) noexcept {
   end();
-  send(sdo::response(response_identifier_, byte_of(sdo::Response::Abort), at, static_cast<std::uint32_t>(code)));
+  send(sdo::abort_bytes(at, code));
+}
+
+/// Aborts: the request, which has no multiplexer, is not what the server waits for.
+void SdoServer::refuse_command() noexcept {
+  abort(phase_ == Phase::Idle ? Address{} : address_, AbortCode::CommandSpecifierInvalid);
 }
 
 }  // namespace canopen

@@ -1,64 +1,121 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "libcanopen/node/context.hpp"
 #include "libcanopen/sdo/command.hpp"
+#include "libcanopen/sdo/domain_locks.hpp"
+#include "libcanopen/sdo/download_sink.hpp"
+#include "libcanopen/sdo/upload_source.hpp"
 
 namespace canopen {
 
-/// One SDO server (CiA 301, 7.2.4): expedited and segmented transfer, one at a time. Every request gets its answer
-/// within the call; a refusal is an abort frame.
+/// One SDO server (CiA 301, 7.2.4): expedited, segmented and block transfer, one transfer at a time. Every request
+/// gets its answer within the call; a refusal is an abort frame.
 class SdoServer {
  public:
-  /// @p timer is the number of its timer in the context's queue.
-  SdoServer(Context& context, std::size_t timer);
+  /// @p timer is the number of its timer in the context's queue, @p position its own one in @p locks.
+  SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position);
 
-  /// Listens to @p request and answers under @p response from now on; 0 and 0: the server does not exist.
+  /// Listens to @p request and answers under @p response from now on, without the transfer that it had; 0 and 0:
+  /// the server does not exist.
   void connect(Identifier request, Identifier response) noexcept;
   /// What it listens to, 0 if it does not exist.
   Identifier request_identifier() const noexcept { return request_identifier_; }
   /// What it answers under, 0 if it does not exist.
-  Identifier response_identifier() const noexcept { return response_identifier_; }
+  Identifier response_identifier() const noexcept { return identifier_of(answer_); }
 
   /// A data frame of the client. A frame that is not eight bytes long is ignored.
   void on_frame(const Frame& frame) noexcept;
-  /// A half-finished transfer was silent for too long: aborts it with ProtocolTimedOut.
+  /// A half-finished transfer has been silent: confirms a sub-block of a download early, once, after half the time
+  /// that the policy allows; aborts the transfer with ProtocolTimedOut after all of it.
   void on_timer() noexcept;
   /// Forgets a half-finished transfer without a word (NMT state change).
-  void forget() noexcept;
+  void forget() noexcept { end(); }
 
  private:
-  enum class Transfer : std::uint8_t { None, Upload, Download };
-
+  /// What the server waits for.
+  enum class Phase : std::uint8_t {
+    Idle,                ///< the first request of a transfer
+    Upload,              ///< a request for a segment
+    Download,            ///< a segment
+    BlockUploadStart,    ///< the start of a block upload
+    BlockUploadConfirm,  ///< the confirmation of the sub-block that was sent
+    BlockUploadEnd,      ///< the confirmation of the end
+    BlockDownload,       ///< a segment of a sub-block: the first byte is a sequence number
+    BlockDownloadEnd,    ///< the end of a block download
+  };
+  // server.cpp: expedited transfer, beginning and end of the others
   void initiate_upload(const Frame& frame) noexcept;
   void initiate_download(const Frame& frame) noexcept;
+  void upload_expedited(const Entry& entry, sdo::Address at) noexcept;
+  void download_expedited(const Entry& entry, const Frame& frame) noexcept;
+  Result<void> write_expedited(const Entry& entry, const Frame& frame) noexcept;
+  Result<const Entry*> find_readable(sdo::Address at) noexcept;
+  Result<const Entry*> find_writable(sdo::Address at) noexcept;
+  Result<void> open_source(const Entry& entry) noexcept;
+  Result<void> open_sink(const Entry& entry, std::optional<std::uint32_t> size) noexcept;
+  void begin(Phase phase, sdo::Address at) noexcept;
+  void end() noexcept;
+  void finish_download(std::uint64_t answer) noexcept;
+  Duration patience() const noexcept;
+  bool may_confirm_early() const noexcept { return phase_ == Phase::BlockDownload && !confirmed_early_; }
+  void abort(sdo::Address at, AbortCode code) noexcept;
+  void abort(AbortCode code) noexcept { abort(address_, code); }
+  void refuse_command() noexcept;
+
+  // segmented.cpp
+  void begin_segmented_upload(sdo::Address at) noexcept;
+  void begin_segmented_download(const Entry& entry, const Frame& frame) noexcept;
   void upload_segment(sdo::Command command) noexcept;
   void download_segment(const Frame& frame) noexcept;
+  bool continues(Phase phase, sdo::Command command) noexcept;
 
-  Result<const Entry*> find(sdo::Address at) noexcept;
-  Result<void> commit(const Entry& entry, std::span<const std::uint8_t> data, std::uint64_t word) noexcept;
-  void begin(Transfer transfer, std::size_t size) noexcept;
-  void end() noexcept;
-  bool continues(Transfer transfer, sdo::Command command) noexcept;
-  void acknowledge_download() noexcept;
-  void abort(sdo::Address at, AbortCode code) noexcept;
-  void send(const Frame& frame) noexcept { context_.sink.send(frame, Delivery::Ordered); }
+  // block_upload.cpp
+  void on_block_upload(const Frame& frame) noexcept;
+  void initiate_block_upload(const Frame& frame) noexcept;
+  void send_sub_block() noexcept;
+  void take_confirmation(const Frame& frame) noexcept;
+  void send_block_end() noexcept;
+
+  // block_download.cpp
+  void on_block_download(const Frame& frame) noexcept;
+  void initiate_block_download(const Frame& frame) noexcept;
+  void take_block_segment(const Frame& frame) noexcept;
+  void confirm_sub_block() noexcept;
+  void end_block_download(const Frame& frame) noexcept;
+
+  void send(std::uint64_t bytes) noexcept {
+    store(answer_.data.data(), bytes);
+    context_.sink.send(answer_, Delivery::Ordered);
+  }
 
   Context& context_;
+  sdo::DomainLocks& locks_;
   std::size_t timer_;
+  std::size_t position_;
   Identifier request_identifier_ = 0;
-  Identifier response_identifier_ = 0;
+  Frame answer_{};  ///< identifier and length stand, the data are those of the last answer
 
-  Transfer transfer_ = Transfer::None;
-  std::uint8_t toggle_ = 0;      ///< expected in the next segment: 0 or 10h
-  bool size_announced_ = false;  ///< of a download
-  sdo::Address address_;
-  const Entry* entry_ = nullptr;
-  std::size_t size_ = 0;  ///< upload: bytes in all; download: bytes announced
-  std::size_t done_ = 0;
+  Phase phase_ = Phase::Idle;
+  std::uint8_t toggle_ = 0;  ///< expected in the next segment: 0 or 10h
+  sdo::Address address_;     ///< of the transfer
   TimePoint last_request_{};
-  std::vector<std::uint8_t> buffer_;  ///< the value on its way, so that no half value is ever seen
+
+  bool crc_wanted_ = false;       ///< block: the client uses CRC
+  bool confirmed_early_ = false;  ///< block download: the client's silence has been answered
+  bool last_sent_ = false;        ///< block upload: the sub-block ends the data
+  std::uint8_t block_size_ = 0;   ///< block upload: most segments in the next sub-block
+  std::uint8_t sequence_ = 0;     ///< block: last segment sent, or taken in order, in the sub-block
+  std::uint8_t last_size_ = 0;    ///< block upload: bytes in the last segment
+  std::uint16_t crc_ = 0;         ///< block: of the bytes that count already
+  std::array<std::uint8_t, 7>
+      last_segment_{};  ///< block download: how many of its bytes count, only the end tells
+
+  std::vector<std::uint8_t> buffer_;  ///< the window of the two below
+  sdo::UploadSource source_;
+  sdo::DownloadSink sink_;
 };
 
 }  // namespace canopen

@@ -1,27 +1,142 @@
 #include "libcanopen/sdo/servers.hpp"
 
-namespace canopen {
+#include <algorithm>
 
-SdoServers::SdoServers(Context& context, std::size_t first_timer) : context_{context} {
-  servers_.emplace_back(context_, first_timer);
+namespace canopen {
+namespace {
+
+constexpr std::uint16_t kFirstObject = 0x1200;
+constexpr std::uint16_t kObjects = 128;
+
+/// Sub-indices of a server's record (CiA 301, 7.5.2.33).
+constexpr std::uint8_t kRequest = 1;   ///< COB-ID client to server
+constexpr std::uint8_t kResponse = 2;  ///< COB-ID server to client
+
+constexpr bool is_valid(std::uint32_t cob_id) noexcept {
+  return (cob_id & cob_id::kInvalid) == 0;
+}
+/// The identifier of @p cob_id, 0 if it does not exist.
+constexpr Identifier identifier_or_none(std::uint32_t cob_id) noexcept {
+  return is_valid(cob_id) ? identifier_in(cob_id) : 0;
 }
 
-std::size_t SdoServers::timers_for(const Dictionary&) noexcept {
-  return 1;
+}  // namespace
+
+SdoServers::SdoServers(Context& context, std::size_t first_timer)
+    : context_{context}, locks_{timers_for(context.dictionary)} {
+  servers_.reserve(timers_for(context.dictionary));
+  indices_.reserve(timers_for(context.dictionary));
+  for (std::uint16_t number = 0; number < kObjects; ++number) {
+    const auto index = static_cast<std::uint16_t>(kFirstObject + number);
+    if (number != 0 && !context_.dictionary.contains(index)) continue;
+    const std::size_t position = servers_.size();
+    position_[number] = static_cast<std::uint8_t>(position);
+    servers_.emplace_back(context_, first_timer + position, locks_, position);
+    indices_.push_back(index);
+    own(index);
+  }
+}
+
+void SdoServers::own(std::uint16_t index) {
+  for (const std::uint8_t sub_index : {kRequest, kResponse}) {
+    const auto entry = context_.dictionary.find(index, sub_index);
+    if (!entry || !(*entry)->writable) continue;
+    context_.dictionary.own_write(index, sub_index, *this, OwnerRank::Service);
+  }
+}
+
+std::size_t SdoServers::timers_for(const Dictionary& dictionary) noexcept {
+  std::size_t servers = 1;
+  for (std::uint16_t number = 1; number < kObjects; ++number) {
+    if (dictionary.contains(static_cast<std::uint16_t>(kFirstObject + number))) ++servers;
+  }
+  return servers;
 }
 
 void SdoServers::reload() noexcept {
-  forget();
-  const std::uint8_t node_id = context_.dictionary.node_id();
-  servers_.front().connect(function_code::kSdoRequest + node_id, function_code::kSdoResponse + node_id);
+  for (SdoServer& server : servers_) server.connect(0, 0);
+  for (std::size_t position = 0; position < servers_.size(); ++position) {
+    const CobIds stored = cob_ids(position);
+    if (is_possible(position, stored)) {
+      servers_[position].connect(identifier_in(stored.request), identifier_in(stored.response));
+    }
+  }
 }
 
 void SdoServers::forget() noexcept {
   for (SdoServer& server : servers_) server.forget();
 }
 
-Result<void> SdoServers::write(const Entry&, std::int64_t) {
+/// What the dictionary says of the server at @p position; the first one has its identifiers without an object too.
+SdoServers::CobIds SdoServers::cob_ids(std::size_t position) const noexcept {
+  const std::uint32_t node_id = context_.dictionary.node_id();
+  const bool first = position == 0;
+  const std::uint16_t index = indices_[position];
+  return {cob_id(index, kRequest, first ? function_code::kSdoRequest + node_id : cob_id::kInvalid),
+          cob_id(index, kResponse, first ? function_code::kSdoResponse + node_id : cob_id::kInvalid)};
+}
+
+std::uint32_t SdoServers::cob_id(std::uint16_t index, std::uint8_t sub_index,
+                                 std::uint32_t otherwise) const noexcept {
+  const auto entry = context_.dictionary.find(index, sub_index);
+  return entry && (*entry)->size != 0 ? static_cast<std::uint32_t>(context_.dictionary.stored(**entry))
+                                      : otherwise;
+}
+
+/// True if the server at @p position can work with @p wanted beside the servers that exist already.
+bool SdoServers::is_possible(std::size_t position, CobIds wanted) const noexcept {
+  if (!is_valid(wanted.request) || !is_valid(wanted.response)) return false;
+  const Identifier request = identifier_in(wanted.request);
+  const Identifier response = identifier_in(wanted.response);
+  const auto collides = [=](const SdoServer& server) {
+    const Identifier theirs[] = {server.request_identifier(), server.response_identifier()};
+    return std::ranges::count(theirs, request) != 0 || std::ranges::count(theirs, response) != 0;
+  };
+  return request != response && is_allowed(position, kRequest, wanted.request) &&
+         is_allowed(position, kResponse, wanted.response) && std::ranges::none_of(servers_, collides);
+}
+
+/// True if a server may have @p cob_id: the first one its identifiers of the pre-defined connection set, all of
+/// them those that are not restricted.
+bool SdoServers::is_allowed(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
+  const std::uint32_t code = sub_index == kRequest ? function_code::kSdoRequest : function_code::kSdoResponse;
+  const bool is_default = position == 0 && cob_id == code + context_.dictionary.node_id();
+  return is_default || is_assignable(cob_id, context_.policy.extended_identifiers);
+}
+
+Result<void> SdoServers::write(const Entry& entry, std::int64_t value) {
+  const std::size_t position = position_[entry.index - kFirstObject];
+  const auto cob_id = static_cast<std::uint32_t>(value);
+  if (auto allowed = check(position, entry.sub_index, cob_id); !allowed) return allowed;
+  CobIds wanted = cob_ids(position);
+  (entry.sub_index == kRequest ? wanted.request : wanted.response) = cob_id;
+  connect(position, wanted);
   return {};
+}
+
+Result<void> SdoServers::check(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
+  if (!is_valid(cob_id)) return {};
+  if (!is_allowed(position, sub_index, cob_id)) return refuse(AbortCode::InvalidValue);
+  const CobIds present = cob_ids(position);
+  const bool is_request = sub_index == kRequest;
+  const Identifier wanted = identifier_in(cob_id);
+  const Identifier own = identifier_or_none(is_request ? present.request : present.response);
+  const Identifier other = identifier_or_none(is_request ? present.response : present.request);
+  if (own != 0) return wanted == own ? Result<void>{} : refuse(AbortCode::DeviceState);
+  const bool is_taken = wanted == other || context_.identifiers.is_used(wanted) ||
+                        (other != 0 && context_.identifiers.is_used(other));  // that counts from now on
+  return is_taken ? refuse(AbortCode::ParameterIncompatible) : Result<void>{};
+}
+
+/// Lets the server at @p position work with @p wanted, if both exist.
+void SdoServers::connect(std::size_t position, CobIds wanted) noexcept {
+  SdoServer& server = servers_[position];
+  const bool works = is_valid(wanted.request) && is_valid(wanted.response);
+  const Identifier request = works ? identifier_in(wanted.request) : 0;
+  const Identifier response = works ? identifier_in(wanted.response) : 0;
+  if (request == server.request_identifier() && response == server.response_identifier()) return;
+  server.connect(request, response);
+  context_.identifiers.on_identifiers_changed();
 }
 
 }  // namespace canopen

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
+#include "libcanopen/sdo/domain_locks.hpp"
 #include "libcanopen/sdo/server.hpp"
 
 namespace canopen {
@@ -16,7 +18,8 @@ class SdoServers final : public EntryOwner {
   /// Timers that the servers of @p dictionary need.
   static std::size_t timers_for(const Dictionary& dictionary) noexcept;
 
-  /// Starts over with the values of the objects, without transfers.
+  /// Starts over with the values of the objects, without transfers. A server whose identifiers cannot be had, or
+  /// are those of a server before it, does not exist.
   void reload() noexcept;
   /// Forgets half-finished transfers without a word (NMT state change).
   void forget() noexcept;
@@ -24,13 +27,32 @@ class SdoServers final : public EntryOwner {
   void on_frame(std::size_t position, const Frame& frame) noexcept { servers_[position].on_frame(frame); }
   /// Timer @p which of this service fired, counted from its first.
   void on_timer(std::size_t which) noexcept { servers_[which].on_timer(); }
+  /// In the order of their objects.
   std::span<const SdoServer> servers() const noexcept { return servers_; }
 
+  /// A COB-ID of a server. InvalidValue if no server may have it, DeviceState if another one is in force,
+  /// ParameterIncompatible if a service uses it.
   Result<void> write(const Entry& entry, std::int64_t value) override;
 
  private:
+  /// The COB-IDs of one server.
+  struct CobIds {
+    std::uint32_t request, response;
+  };
+
+  void own(std::uint16_t index);
+  CobIds cob_ids(std::size_t position) const noexcept;
+  std::uint32_t cob_id(std::uint16_t index, std::uint8_t sub_index, std::uint32_t otherwise) const noexcept;
+  bool is_possible(std::size_t position, CobIds wanted) const noexcept;
+  bool is_allowed(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
+  Result<void> check(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
+  void connect(std::size_t position, CobIds wanted) noexcept;
+
   Context& context_;
+  sdo::DomainLocks locks_;
   std::vector<SdoServer> servers_;
+  std::vector<std::uint16_t> indices_;        ///< of the object of each server
+  std::array<std::uint8_t, 128> position_{};  ///< of the server of each object
 };
 
 }  // namespace canopen

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cassert>
+
+#include "libcanopen/sdo/crc.hpp"
+#include "libcanopen/sdo/server.hpp"
+
+// Block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11).
+
+namespace canopen {
+
+using sdo::Address;
+using sdo::Command;
+using sdo::command_byte;
+using sdo::Response;
+
+void SdoServer::on_block_download(const Frame& frame) noexcept {
+  if (!Command{frame.data[0]}.is_block_end()) return initiate_block_download(frame);
+  if (phase_ != Phase::BlockDownloadEnd) return refuse_command();
+  end_block_download(frame);
+}
+
+void SdoServer::initiate_block_download(const Frame& frame) noexcept {
+  const Address at = sdo::address_in(frame);
+  if (!context_.policy.sdo_block) {
+    return abort(phase_ == Phase::Idle ? at : address_, AbortCode::CommandSpecifierInvalid);
+  }
+  const Command command{frame.data[0]};
+  const auto entry = find_writable(at);
+  if (!entry) return abort(at, entry.error());
+  std::optional<std::uint32_t> size;
+  if (command.has_block_size()) size = load<std::uint32_t>(&frame.data[4]);
+  if (auto opened = open_sink(**entry, size); !opened) return abort(at, opened.error());
+
+  begin(Phase::BlockDownload, at);
+  crc_wanted_ = command.has_crc();
+  crc_ = 0;
+  sequence_ = 0;
+  send(sdo::response_bytes(command_byte(Response::BlockDownload, sdo::kBlockCrc), at, sdo::kLongestBlock));
+}
+
+/// A segment counts if it is the next one; whichever closes the sub-block is answered. The last one is kept aside.
+void SdoServer::take_block_segment(const Frame& frame) noexcept {
+  const auto number = static_cast<std::uint8_t>(frame.data[0] & ~sdo::kLastOfBlock);
+  const bool last = (frame.data[0] & sdo::kLastOfBlock) != 0;
+  if (number == 0) return last ? end() : abort(AbortCode::InvalidSequenceNumber);  // 80h is an abort
+  last_request_ = context_.now;
+  confirmed_early_ = false;
+  if (number == sequence_ + 1) {
+    const std::span<const std::uint8_t, sdo::kSegmentBytes> bytes{&frame.data[1], sdo::kSegmentBytes};
+    if (last) {
+      std::copy(bytes.begin(), bytes.end(), last_segment_.begin());
+      phase_ = Phase::BlockDownloadEnd;
+    } else if (auto taken = sink_.append(bytes); !taken) {
+      return abort(taken.error());
+    } else if (crc_wanted_) {
+      crc_ = sdo::crc(bytes, crc_);
+    }
+    ++sequence_;
+  }
+  if (last || number == sdo::kLongestBlock) confirm_sub_block();
+}
+
+/// Tells the client which segment was the last one in order; the next sub-block begins behind it.
+void SdoServer::confirm_sub_block() noexcept {
+  assert(sequence_ <= sdo::kLongestBlock);
+  send(command_byte(Response::BlockDownload, sdo::kBlockConfirm) | std::uint64_t{sequence_} << 8 |
+       std::uint64_t{sdo::kLongestBlock} << 16);
+  sequence_ = 0;
+}
+
+void SdoServer::end_block_download(const Frame& frame) noexcept {
+  const std::span bytes{last_segment_.data(), Command{frame.data[0]}.end_size()};
+  if (crc_wanted_ && sdo::crc(bytes, crc_) != load<std::uint16_t>(&frame.data[1])) {
+    return abort(AbortCode::CrcError);
+  }
+  if (auto taken = sink_.append(bytes); !taken) return abort(taken.error());
+  finish_download(command_byte(Response::BlockDownload, sdo::kBlockEnd));
+}
+
+}  // namespace canopen

@@ -1,0 +1,78 @@
+#include "libcanopen/sdo/download_sink.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace canopen::sdo {
+namespace {
+
+/// Bytes that a value of @p entry may have.
+std::uint64_t capacity_of(const Entry& entry) noexcept {
+  if (entry.domain != nullptr) return UINT64_MAX;
+  return entry.size != 0 ? entry.size : entry.description->capacity;
+}
+
+}  // namespace
+
+Result<void> DownloadSink::open(const Entry& entry, std::optional<std::uint32_t> size) noexcept {
+  assert(entry_ == nullptr);
+  const std::uint64_t capacity = capacity_of(entry);
+  if (size && (*size > capacity || (entry.size != 0 && *size != entry.size))) {
+    return refuse(AbortCode::LengthMismatch);
+  }
+  if (entry.domain != nullptr) {
+    if (auto begun = entry.domain->begin_write(entry, size); !begun) return begun;
+  }
+  entry_ = &entry;
+  held_ = 0;
+  given_ = 0;
+  most_ = size ? *size : capacity;
+  size_said_ = size.has_value();
+  return {};
+}
+
+Result<void> DownloadSink::append(std::span<const std::uint8_t> bytes) noexcept {
+  assert(entry_ != nullptr && given_ + held_ <= most_);
+  if (bytes.size() > most_ - given_ - held_) {
+    return refuse(size_said_ ? AbortCode::LengthTooHigh : AbortCode::LengthMismatch);
+  }
+  if (held_ + bytes.size() > window_.size()) {
+    if (auto taken = flush(); !taken) return taken;
+  }
+  assert(held_ + bytes.size() <= window_.size());
+  std::copy(bytes.begin(), bytes.end(), window_.data() + held_);
+  held_ += bytes.size();
+  return {};
+}
+
+Result<void> DownloadSink::flush() noexcept {
+  assert(entry_->domain != nullptr);  // everything else fits into the window
+  if (held_ == 0) return {};
+  if (auto taken = entry_->domain->write(*entry_, given_, window_.first(held_)); !taken) return taken;
+  given_ += held_;
+  held_ = 0;
+  return {};
+}
+
+Result<void> DownloadSink::commit(Dictionary& dictionary) noexcept {
+  assert(entry_ != nullptr);
+  if (size_said_ && given_ + held_ < most_) return refuse(AbortCode::LengthTooLow);
+  const Entry& entry = *entry_;
+  if (entry.domain != nullptr) {
+    if (auto taken = flush(); !taken) return taken;
+    auto counts = entry.domain->end_write(entry, given_);
+    if (counts) entry_ = nullptr;
+    return counts;
+  }
+  entry_ = nullptr;  // the write may take the server away, and the transfer with it
+  if (entry.size == 0) return dictionary.write_text(entry, window_.first(held_));
+  return write_number(dictionary, entry, load<std::uint64_t>(window_.data()), held_);
+}
+
+void DownloadSink::cancel() noexcept {
+  const Entry* const entry = std::exchange(entry_, nullptr);
+  if (entry != nullptr && entry->domain != nullptr) entry->domain->cancel_write(*entry);
+}
+
+}  // namespace canopen::sdo

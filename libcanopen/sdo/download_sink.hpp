@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "libcanopen/od/dictionary.hpp"
+
+namespace canopen::sdo {
+
+/// Where the bytes of a download go. A number or a string is gathered and written when it is complete; to a
+/// DomainOwner they are given on whenever the window is full, each byte once and in order.
+class DownloadSink {
+ public:
+  /// Gathers the bytes in @p window, which holds the longest value; eight more bytes behind it must be readable.
+  explicit DownloadSink(std::span<std::uint8_t> window) noexcept : window_{window} {}
+
+  /// Begins a value of @p entry with @p size bytes if that is said. LengthMismatch if that is none of the entry's
+  /// lengths; the refusal of the DomainOwner.
+  Result<void> open(const Entry& entry, std::optional<std::uint32_t> size) noexcept;
+  /// Takes @p bytes. LengthTooHigh for more than was said, LengthMismatch for more than the entry can hold; the
+  /// refusal of the DomainOwner.
+  Result<void> append(std::span<const std::uint8_t> bytes) noexcept;
+  /// Writes the value: all of it has come. LengthTooLow for fewer bytes than was said; the refusal of the
+  /// dictionary or of the DomainOwner.
+  Result<void> commit(Dictionary& dictionary) noexcept;
+  /// Gives the value up if it has not been written; nothing happens if nothing was begun.
+  void cancel() noexcept;
+
+ private:
+  Result<void> flush() noexcept;
+
+  std::span<std::uint8_t> window_;
+  std::size_t held_ = 0;     ///< bytes in the window
+  std::uint64_t given_ = 0;  ///< bytes that the owner has taken
+  std::uint64_t most_ = 0;   ///< bytes that may come in all
+  bool size_said_ = false;   ///< that many must come
+  const Entry* entry_ = nullptr;
+};
+
+/// Writes the number in the lowest bytes of @p word, of which @p size count, with anything above them.
+/// LengthMismatch, and what the dictionary refuses. The entry is known to be writable.
+inline Result<void> write_number(Dictionary& dictionary, const Entry& entry, std::uint64_t word,
+                                 std::size_t size) noexcept {
+  if (size != entry.size) return refuse(AbortCode::LengthMismatch);
+  const auto bits = static_cast<std::int64_t>(word & byte_mask(entry.size));
+  if (!entry.limited && entry.write_owner == nullptr) {
+    dictionary.set(entry, bits);  // nobody has to be asked
+    return {};
+  }
+  return dictionary.write(entry, entry.is_signed ? sign_extend(word, entry.size) : bits);
+}
+
+}  // namespace canopen::sdo
