@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kSegment = 7;
 
-Data initiate(unsigned command, const Object& object, std::size_t word = 0) {
+Data initiate(std::size_t command, const Object& object, std::size_t word = 0) {
   Data frame{static_cast<std::uint8_t>(command), static_cast<std::uint8_t>(object.index),
              static_cast<std::uint8_t>(object.index >> 8), object.sub_index};
   for (std::size_t i = 0; i < 4; ++i) frame[4 + i] = static_cast<std::uint8_t>(word >> 8 * i);
@@ -126,8 +126,10 @@ Data SdoRandomClient::end_block() {
 
 Data SdoRandomClient::confirm(const model::Server& server) {
   const std::size_t lost = one_in(6) ? below(server.sent_segments() + 1U) : 0;
+  const std::size_t never_sent = one_in(60) ? 1 : 0;
   const std::size_t size = one_in(40) ? byte() : 1 + below(127);
-  return {0xA2, static_cast<std::uint8_t>(server.sent_segments() - lost), static_cast<std::uint8_t>(size)};
+  return {0xA2, static_cast<std::uint8_t>(server.sent_segments() - lost + never_sent),
+          static_cast<std::uint8_t>(size)};
 }
 
 /// What a client that keeps to the protocol would not send now.
