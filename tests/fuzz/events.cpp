@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<canopen::Duration, 8> kScales{std::chrono::microseconds{1},   std::chrono::microseconds{100},
                                                    std::chrono::milliseconds{1},   std::chrono::milliseconds{10},
                                                    std::chrono::milliseconds{100}, std::chrono::seconds{1},
-                                                   std::chrono::seconds{10},       std::chrono::hours{1}};
+                                                   std::chrono::seconds{10},       std::chrono::minutes{1}};
 constexpr std::array<std::uint8_t, 8> kCommands{1, 1, 2, 128, 129, 130, 3, 255};
 constexpr std::size_t kErrors = canopen::kCommunicationErrors.size();
 constexpr std::uint8_t kMostCounter = 240;

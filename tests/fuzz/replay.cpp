@@ -42,20 +42,24 @@ void write(const fs::path& file, const Bytes& input) {
 
 }  // namespace
 
-/// node_replay [--write FOLDER] PATH...: plays the inputs in files and folders, those of the fuzzer as they are,
-/// dialogues (.txt) translated; --write also keeps the inputs of the dialogues in FOLDER.
+/// node_replay [--trace | --write FOLDER] PATH...: plays the inputs in files and folders, those of the fuzzer as
+/// they are, dialogues (.txt) translated. --trace prints all frames, --write keeps the inputs of the dialogues in
+/// FOLDER.
 int main(int count, char** arguments) {
   std::span words{arguments + 1, static_cast<std::size_t>(count - 1)};
   fs::path folder;
-  if (words.size() > 1 && std::string_view{words[0]} == "--write") {
+  fuzz::Worlds used;
+  if (!words.empty() && std::string_view{words[0]} == "--trace") {
+    used.trace();
+    words = words.subspan(1);
+  } else if (words.size() > 1 && std::string_view{words[0]} == "--write") {
     folder = words[1];
     words = words.subspan(2);
   }
-  fuzz::Worlds used;
   std::size_t played = 0;
   for (const char* const path : words) {
     for (const fs::path& file : files_in(path)) {
-      std::cout << file.filename().string() << '\n';  // the last line names the input that failed
+      std::cout << file.filename().string() << std::endl;  // the last line names the input that failed
       const Bytes input = input_in(file);
       replay(used, input);
       if (!folder.empty()) write(folder / file.stem(), input);

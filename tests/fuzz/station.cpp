@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tests/fakes/candump.hpp"
 #include "tests/fuzz/check.hpp"
 
 namespace fuzz {
@@ -61,7 +62,8 @@ void Station::reset() {
   act([](canopen::Node& node, canopen::TimePoint now) { node.on_frame(kResetNode, now); });
   require(!sent_.empty() && sent_.front().id == after_.error_control, "a node that boots says so first");
   require(node_.state() == state_after_reset_, "a node that has booted is in its start state");
-  for (const Domain& domain : domains_) require(!domain.is_being_written(), "a reset cancels what is being written");
+  for (const Domain& domain : domains_)
+    require(!domain.is_being_written(), "a reset cancels what is being written");
   for (std::size_t i = 0; i < kDomains; ++i) domains_[i].reset(kModes[i]);
 }
 
@@ -82,6 +84,7 @@ void Station::finish() noexcept {
 
 void Station::receive(const Frame& frame) {
   begin();
+  if (is_traced_) say("->", frame);
   const std::size_t asked = server_of(frame);
   for (Domain& domain : domains_) domain.server = asked;
   node_.on_frame(frame, now_);
@@ -115,13 +118,21 @@ void Station::finish_run() {
   check_limits();
 }
 
+void Station::say(const char* who, const Frame& frame) const {
+  const auto time = std::chrono::duration<double>{now_.time_since_epoch()}.count();
+  std::printf("%13.6f %s %s\n", time, who, fakes::candump(frame).c_str());
+  std::fflush(stdout);
+}
+
 void Station::send(const Frame& frame, canopen::Delivery) {
   if (node_.state() == NmtState::Initialising) {
     require(frame.id == after_.error_control && frame.length == 1 && frame.data[0] == 0,
             "nothing but the boot-up message is sent while initialising");
   }
   require(sent_.size() < kMostFrames, "no event causes a flood of frames");
+  if (frame.id == after_.error_control && frame.data[0] == 0) watch_.forget();  // all services start afresh
   sent_.push_back(frame);
+  if (is_traced_) say("<-", frame);
   note(bits_of(frame));
 }
 

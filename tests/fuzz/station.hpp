@@ -38,6 +38,8 @@ class Station final : private canopen::FrameSink, private canopen::Application, 
     action(node_, now_);
     finish();
   }
+  /// Writes every frame and what is told to standard output from now on.
+  void trace() noexcept { is_traced_ = true; }
   /// Looks at what only shows in the end: limits, unfinished writes.
   void finish_run();
 
@@ -46,6 +48,8 @@ class Station final : private canopen::FrameSink, private canopen::Application, 
   const LegalFrames& legal() const noexcept { return after_; }
   std::array<Domain, kDomains>& domains() noexcept { return domains_; }
   Answers& answers() noexcept { return answers_; }
+  /// The time that the node was told last.
+  canopen::TimePoint now() const noexcept { return now_; }
   /// A number that tells runs apart: all that was sent and told since reset().
   std::uint64_t transcript() const noexcept { return transcript_; }
 
@@ -67,6 +71,7 @@ class Station final : private canopen::FrameSink, private canopen::Application, 
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   canopen::Result<void> write_text(const canopen::Entry& entry, std::span<const std::uint8_t> text) override;
 
+  void say(const char* who, const canopen::Frame& frame) const;
   void note(std::uint64_t fact) noexcept { transcript_ = (transcript_ ^ fact) * 0x9E3779B97F4A7C15U + 1; }
   void begin() noexcept;
   void finish() noexcept;
@@ -89,6 +94,7 @@ class Station final : private canopen::FrameSink, private canopen::Application, 
   canopen::NmtState state_before_ = canopen::NmtState::Initialising;
   std::vector<canopen::Frame> sent_;
   std::uint64_t transcript_ = 0;
+  bool is_traced_ = false;
 };
 
 }  // namespace fuzz

@@ -25,15 +25,24 @@ const std::array kPolicies{
            .count_follows_entries = true},
 };
 
+/// Told time goes on from run to run; 64 bits hold it for 292 years.
+constexpr canopen::TimePoint kEndOfTime{std::chrono::years{200}};
+
 }  // namespace
 
 Worlds::Worlds() {
   for (const Policy& policy : kPolicies) worlds_.push_back(std::make_unique<World>(policy));
 }
 
+void Worlds::trace() noexcept {
+  for (const auto& world : worlds_) world->station.trace();
+}
+
 std::uint64_t Worlds::play(std::span<const std::uint8_t> input) {
   if (input.empty()) return 0;
-  World& world = *worlds_[input.front() % worlds_.size()];
+  const std::size_t which = input.front() % worlds_.size();
+  if (worlds_[which]->station.now() > kEndOfTime) worlds_[which] = std::make_unique<World>(kPolicies[which]);
+  World& world = *worlds_[which];
   world.station.reset();
   world.events.play(input.subspan(1));
   return world.station.transcript();

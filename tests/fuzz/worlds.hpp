@@ -12,6 +12,8 @@ class Worlds {
   Worlds();
   /// Plays @p input and returns its transcript: the same input has the same transcript whatever was played before.
   std::uint64_t play(std::span<const std::uint8_t> input);
+  /// Writes all frames to standard output from now on.
+  void trace() noexcept;
 
  private:
   struct World {
