@@ -73,11 +73,11 @@ void Station::begin() noexcept {
   state_before_ = node_.state();
 }
 
-void Station::finish() noexcept {
+void Station::finish(Parameters parameters) noexcept {
   if (node_.next_deadline() <= now_) node_.on_time(now_);
   require(node_.next_deadline() > now_, "what is due has been handled");
   require(node_.state() != NmtState::Initialising, "a node does not stay in Initialising");
-  after_ = reader_.read();
+  if (parameters == Parameters::MayChange || node_.state() != state_before_) after_ = reader_.read();
   if (after_.responses != before_.responses || after_.requests != before_.requests) watch_.forget();
   for (const Frame& frame : sent_) check_frame(frame);
 }
@@ -90,7 +90,7 @@ void Station::receive(const Frame& frame) {
   node_.on_frame(frame, now_);
   const std::size_t at_once = sent_.size();
   for (Domain& domain : domains_) domain.server = kServers;
-  finish();
+  finish(asked != kServers || frame.id == 0 ? Parameters::MayChange : Parameters::Stay);
   if (asked != kServers) check_answers(asked, at_once, frame);
 }
 
@@ -99,14 +99,14 @@ void Station::pass(canopen::Duration time, bool meets_deadlines) {
   for (int i = 0; meets_deadlines && i < kMostDeadlines && node_.next_deadline() < end; ++i) pass_to_deadline();
   begin();
   now_ = end;
-  finish();
+  finish(Parameters::Stay);
 }
 
 void Station::pass_to_deadline() {
   if (node_.next_deadline() == canopen::kNever) return;
   begin();
   now_ = std::max(now_, node_.next_deadline());
-  finish();
+  finish(Parameters::Stay);
 }
 
 void Station::set(const canopen::Entry& entry, std::int64_t value) {

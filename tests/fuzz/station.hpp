@@ -36,7 +36,7 @@ class Station final : private canopen::FrameSink, private canopen::Application, 
   void act(const Action& action) {
     begin();
     action(node_, now_);
-    finish();
+    finish(Parameters::MayChange);
   }
   /// Writes every frame and what is told to standard output from now on.
   void trace() noexcept { is_traced_ = true; }
@@ -73,8 +73,9 @@ class Station final : private canopen::FrameSink, private canopen::Application, 
 
   void say(const char* who, const canopen::Frame& frame) const;
   void note(std::uint64_t fact) noexcept { transcript_ = (transcript_ ^ fact) * 0x9E3779B97F4A7C15U + 1; }
+  enum class Parameters : bool { Stay, MayChange };
   void begin() noexcept;
-  void finish() noexcept;
+  void finish(Parameters parameters) noexcept;
   void check_frame(const canopen::Frame& frame) const noexcept;
   bool is_legal(const canopen::Frame& frame, const LegalFrames& legal) const noexcept;
   void check_answers(std::size_t asked, std::size_t at_once, const canopen::Frame& request) noexcept;
