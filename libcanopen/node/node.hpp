@@ -69,6 +69,8 @@ class Node final : private IdentifierUse, private ErrorReports {
   std::span<const Subscription> subscriptions() const noexcept { return routes_.subscriptions(); }
   /// RPDO frames ignored because they were shorter than their mapping.
   std::uint64_t short_rpdos() const noexcept { return receive_pdos_.too_short(); }
+  /// Frames of synchronous RPDOs dropped because they came after the synchronous window (1007h).
+  std::uint64_t late_rpdos() const noexcept { return receive_pdos_.too_late(); }
 
  private:
   /// First numbers of the timers of each service.

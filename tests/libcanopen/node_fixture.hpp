@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdio>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -28,10 +29,24 @@ class RecordingApplication final : public canopen::Application {
   void on_rpdo(std::uint16_t number) noexcept override { told.push_back("RPDO " + std::to_string(number)); }
   void on_subscriptions_changed() noexcept override { ++subscription_changes; }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }
+  void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override {
+    errors.push_back(text_of(error, detail));
+  }
+  void on_communication_recovery(canopen::CommunicationError error, std::uint16_t detail) noexcept override {
+    errors.push_back(text_of(error, detail) + " over");
+  }
 
   std::vector<std::string> told;
   std::vector<std::uint32_t> foreign;
+  std::vector<std::string> errors;  ///< EMCY code and detail: "8210 1", "8210 1 over"
   int subscription_changes = 0;
+
+ private:
+  static std::string text_of(canopen::CommunicationError error, std::uint16_t detail) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%04X %u", canopen::row_of(error).emcy_code, detail);
+    return text;
+  }
 };
 
 /// A line of a dialogue: what a master sends and what the node answers at once, "" for silence.
@@ -45,7 +60,9 @@ class NodeTest : public testing::Test {
   using Lines = std::vector<std::string>;
 
   /// Identifiers have 11 bits unless the test says otherwise.
-  explicit NodeTest(const canopen::Policy& policy = {.extended_identifiers = false}) {
+  explicit NodeTest(const canopen::Policy& policy = {.extended_identifiers = false},
+                    std::span<const canopen::EntryDescription> table = test_table())
+      : dictionary{table, 5} {
     node.emplace(dictionary, policy, bus, application);
   }
 
@@ -92,6 +109,6 @@ class NodeTest : public testing::Test {
   canopen::TimePoint now = kStart;
   fakes::VectorBus bus;
   RecordingApplication application;
-  canopen::Dictionary dictionary{test_table(), 5};
+  canopen::Dictionary dictionary;
   std::optional<canopen::Node> node;
 };
