@@ -12,8 +12,9 @@ struct Entry;
 
 /// What stands behind a DOMAIN: data of any length that is passed on piece by piece and never held as a whole.
 /// Every byte of a transfer is asked for, or given, once and in order. Several clients may read at the same time,
-/// each with its own offset; while one writes, all others are refused with DeviceState. A refusal ends the
-/// transfer with its code.
+/// each with its own offset; who writes is alone: all others, and a write while somebody reads, are refused with
+/// DeviceState. A refusal ends the transfer with its code. Every begin_write() that succeeds is followed by one
+/// end_write() that succeeds or by one cancel_write().
 class DomainOwner {
  public:
   virtual ~DomainOwner() = default;
@@ -22,13 +23,15 @@ class DomainOwner {
     (void)entry;
     return refuse(AbortCode::UnsupportedAccess);
   }
-  /// Fills @p into with the bytes from @p offset on and returns how many; fewer than there is room for: the end.
+  /// Fills @p into with the bytes from @p offset on and returns how many. Without a size, fewer than there is room
+  /// for are the end; with one, no byte beyond it is asked for, and fewer end the transfer with CannotTransfer.
   virtual Result<std::size_t> read(const Entry& entry, std::uint64_t offset,
                                    std::span<std::uint8_t> into) noexcept {
     (void)entry, (void)offset, (void)into;
     return refuse(AbortCode::UnsupportedAccess);
   }
-  /// A client begins to write @p size bytes; std::nullopt if it has not said how many.
+  /// A client begins to write @p size bytes; std::nullopt if it has not said how many. Fewer or more bytes than it
+  /// has said never count.
   virtual Result<void> begin_write(const Entry& entry, std::optional<std::uint32_t> size) noexcept {
     (void)entry, (void)size;
     return refuse(AbortCode::UnsupportedAccess);
@@ -44,7 +47,7 @@ class DomainOwner {
     (void)entry, (void)size;
     return {};
   }
-  /// The client that writes has given up, or the transfer was aborted: what was taken does not count.
+  /// The transfer ends without success, be it a refusal of this owner: what was taken does not count.
   virtual void cancel_write(const Entry& entry) noexcept { (void)entry; }
 };
 

@@ -38,17 +38,19 @@ class DownloadSink {
   const Entry* entry_ = nullptr;
 };
 
+/// True for a number that every client may set to every value of its size: nobody has to be asked.
+constexpr bool is_plain(const Entry& entry) noexcept {
+  return entry.size != 0 && !entry.limited && entry.write_owner == nullptr;
+}
+
 /// Writes the number in the lowest bytes of @p word, of which @p size count, with anything above them.
-/// LengthMismatch, and what the dictionary refuses. The entry is known to be writable.
+/// LengthMismatch, and what the dictionary refuses.
 inline Result<void> write_number(Dictionary& dictionary, const Entry& entry, std::uint64_t word,
                                  std::size_t size) noexcept {
   if (size != entry.size) return refuse(AbortCode::LengthMismatch);
-  const auto bits = static_cast<std::int64_t>(word & byte_mask(entry.size));
-  if (!entry.limited && entry.write_owner == nullptr) {
-    dictionary.set(entry, bits);  // nobody has to be asked
-    return {};
-  }
-  return dictionary.write(entry, entry.is_signed ? sign_extend(word, entry.size) : bits);
+  const std::uint64_t bits = word & byte_mask(entry.size);
+  return dictionary.write(entry,
+                          entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits));
 }
 
 }  // namespace canopen::sdo

@@ -24,6 +24,11 @@ constexpr bool fits_one_frame(const Entry& entry) noexcept {
   return entry.size != 0 && entry.size <= 4;
 }
 
+/// Bytes that an expedited download carries to @p entry if it does not say how many.
+constexpr unsigned expedited_size(const Entry& entry) noexcept {
+  return fits_one_frame(entry) ? entry.size : 4;
+}
+
 }  // namespace
 
 SdoServer::SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position)
@@ -64,64 +69,54 @@ void SdoServer::on_frame(const Frame& frame) noexcept {
   abort(phase_ == Phase::Idle ? sdo::address_in(frame) : address_, AbortCode::CommandSpecifierInvalid);
 }
 
-/// An initiate request ends the transfer before it without a word, and finds its entry.
-Result<const Entry*> SdoServer::find_readable(Address at) noexcept {
-  if (phase_ != Phase::Idle) end();
-  const auto entry = context_.dictionary.find(at.index, at.sub_index);
-  if (entry && !(*entry)->readable) return refuse(AbortCode::WriteOnly);
-  return entry;
-}
-
-Result<const Entry*> SdoServer::find_writable(Address at) noexcept {
-  if (phase_ != Phase::Idle) end();
-  const auto entry = context_.dictionary.find(at.index, at.sub_index);
-  if (entry && !(*entry)->writable) return refuse(AbortCode::ReadOnly);
-  return entry;
+inline void SdoServer::upload_expedited(const Entry& entry, Address at) noexcept {
+  auto bits = load<std::uint32_t>(context_.dictionary.image() + entry.offset);  // above its size there is nothing
+  if (entry.read_owner != nullptr) {
+    const auto value = context_.dictionary.read(entry);
+    if (!value) return abort(at, value.error());
+    bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(*value) & byte_mask(entry.size));
+  }
+  send(sdo::response_bytes(sdo::expedited_upload(entry.size), at, bits));
 }
 
 void SdoServer::initiate_upload(const Frame& frame) noexcept {
   const Address at = sdo::address_in(frame);
-  const auto entry = find_readable(at);
+  const auto entry = find(at);
   if (!entry) return abort(at, entry.error());
+  if (!(*entry)->readable) return abort(at, AbortCode::WriteOnly);
   if (fits_one_frame(**entry)) return upload_expedited(**entry, at);
   if (auto opened = open_source(**entry); !opened) return abort(at, opened.error());
   begin_segmented_upload(at);
 }
 
-void SdoServer::upload_expedited(const Entry& entry, Address at) noexcept {
-  const auto value = context_.dictionary.read(entry);
-  if (!value) return abort(at, value.error());
-  const auto bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(*value) & byte_mask(entry.size));
-  send(sdo::response_bytes(sdo::expedited_upload(entry.size), at, bits));
-}
-
 void SdoServer::initiate_download(const Frame& frame) noexcept {
   const Address at = sdo::address_in(frame);
-  const auto entry = find_writable(at);
+  const auto entry = find(at);
   if (!entry) return abort(at, entry.error());
-  if (Command{frame.data[0]}.is_expedited()) return download_expedited(**entry, frame);
-  begin_segmented_download(**entry, frame);
+  if (!(*entry)->writable) return abort(at, AbortCode::ReadOnly);
+  const Command command{frame.data[0]};
+  if (!command.is_expedited()) return begin_segmented_download(**entry, frame);
+  const unsigned size = command.has_size() ? command.expedited_size() : expedited_size(**entry);
+  if (!sdo::is_plain(**entry) || size != (*entry)->size) return download_expedited(**entry, frame, size);
+  context_.dictionary.set(**entry, load<std::uint32_t>(&frame.data[4]));
+  send(sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0));
 }
 
-void SdoServer::download_expedited(const Entry& entry, const Frame& frame) noexcept {
+void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::size_t size) noexcept {
   Frame answer = answer_;  // the write may connect the server anew: the client still waits here
   const Address at = sdo::address_in(frame);
-  const auto written = write_expedited(entry, frame);
+  const auto written = write_expedited(entry, {&frame.data[4], size});
   store(answer.data.data(), written ? sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0)
                                     : sdo::abort_bytes(at, written.error()));
   context_.sink.send(answer, Delivery::Ordered);
 }
 
-Result<void> SdoServer::write_expedited(const Entry& entry, const Frame& frame) noexcept {
-  const Command command{frame.data[0]};
-  const std::size_t expected = entry.size != 0 ? std::min<std::size_t>(entry.size, 4) : 4;
-  const std::size_t size = command.has_size() ? command.expedited_size() : expected;
+Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
   if (entry.size != 0) {
-    return sdo::write_number(context_.dictionary, entry, load<std::uint32_t>(&frame.data[4]), size);
+    return sdo::write_number(context_.dictionary, entry, load<std::uint32_t>(bytes.data()), bytes.size());
   }
-  const std::span bytes{&frame.data[4], size};
   if (entry.domain == nullptr) return context_.dictionary.write_text(entry, bytes);
-  if (auto opened = open_sink(entry, static_cast<std::uint32_t>(size)); !opened) return opened;
+  if (auto opened = open_sink(entry, static_cast<std::uint32_t>(bytes.size())); !opened) return opened;
   auto written = sink_.append(bytes);
   if (written) written = sink_.commit(context_.dictionary);
   sink_.cancel();

@@ -50,10 +50,13 @@ class SdoServer {
   void initiate_upload(const Frame& frame) noexcept;
   void initiate_download(const Frame& frame) noexcept;
   void upload_expedited(const Entry& entry, sdo::Address at) noexcept;
-  void download_expedited(const Entry& entry, const Frame& frame) noexcept;
-  Result<void> write_expedited(const Entry& entry, const Frame& frame) noexcept;
-  Result<const Entry*> find_readable(sdo::Address at) noexcept;
-  Result<const Entry*> find_writable(sdo::Address at) noexcept;
+  void download_expedited(const Entry& entry, const Frame& frame, std::size_t size) noexcept;
+  Result<void> write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept;
+  /// An initiate request ends the transfer before it without a word, and finds its entry.
+  Result<const Entry*> find(sdo::Address at) noexcept {
+    if (phase_ != Phase::Idle) end();
+    return context_.dictionary.find(at.index, at.sub_index);
+  }
   Result<void> open_source(const Entry& entry) noexcept;
   Result<void> open_sink(const Entry& entry, std::optional<std::uint32_t> size) noexcept;
   void begin(Phase phase, sdo::Address at) noexcept;

@@ -92,16 +92,19 @@ bool SdoServers::is_possible(std::size_t position, CobIds wanted) const noexcept
     const Identifier theirs[] = {server.request_identifier(), server.response_identifier()};
     return std::ranges::count(theirs, request) != 0 || std::ranges::count(theirs, response) != 0;
   };
-  return request != response && is_allowed(position, kRequest, wanted.request) &&
-         is_allowed(position, kResponse, wanted.response) && std::ranges::none_of(servers_, collides);
+  return request != response && is_allowed(position, wanted.request) && is_allowed(position, wanted.response) &&
+         std::ranges::none_of(servers_, collides);
 }
 
-/// True if a server may have @p cob_id: the first one its identifiers of the pre-defined connection set, all of
-/// them those that are not restricted.
-bool SdoServers::is_allowed(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
-  const std::uint32_t code = sub_index == kRequest ? function_code::kSdoRequest : function_code::kSdoResponse;
-  const bool is_default = position == 0 && cob_id == code + context_.dictionary.node_id();
-  return is_default || is_assignable(cob_id, context_.policy.extended_identifiers);
+/// True for what the pre-defined connection set gives to the first server: kept for it, and for nobody else.
+bool SdoServers::is_default(std::size_t position, Identifier identifier) const noexcept {
+  const std::uint32_t node_id = context_.dictionary.node_id();
+  return position == 0 && (identifier == function_code::kSdoRequest + node_id ||
+                           identifier == function_code::kSdoResponse + node_id);
+}
+
+bool SdoServers::is_allowed(std::size_t position, std::uint32_t cob_id) const noexcept {
+  return is_default(position, cob_id) || is_assignable(cob_id, context_.policy.extended_identifiers);
 }
 
 Result<void> SdoServers::write(const Entry& entry, std::int64_t value) {
@@ -116,16 +119,18 @@ Result<void> SdoServers::write(const Entry& entry, std::int64_t value) {
 
 Result<void> SdoServers::check(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
   if (!is_valid(cob_id)) return {};
-  if (!is_allowed(position, sub_index, cob_id)) return refuse(AbortCode::InvalidValue);
+  if (!is_allowed(position, cob_id)) return refuse(AbortCode::InvalidValue);
   const CobIds present = cob_ids(position);
   const bool is_request = sub_index == kRequest;
   const Identifier wanted = identifier_in(cob_id);
   const Identifier own = identifier_or_none(is_request ? present.request : present.response);
   const Identifier other = identifier_or_none(is_request ? present.response : present.request);
   if (own != 0) return wanted == own ? Result<void>{} : refuse(AbortCode::DeviceState);
-  const bool is_taken = wanted == other || context_.identifiers.is_used(wanted) ||
-                        (other != 0 && context_.identifiers.is_used(other));  // that counts from now on
-  return is_taken ? refuse(AbortCode::ParameterIncompatible) : Result<void>{};
+  const auto is_taken = [&](Identifier identifier) {
+    return !is_default(position, identifier) && context_.identifiers.is_used(identifier);
+  };
+  const bool collides = wanted == other || is_taken(wanted) || (other != 0 && is_taken(other));
+  return collides ? refuse(AbortCode::ParameterIncompatible) : Result<void>{};
 }
 
 /// Lets the server at @p position work with @p wanted, if both exist.

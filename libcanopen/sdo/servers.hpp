@@ -44,7 +44,8 @@ class SdoServers final : public EntryOwner {
   CobIds cob_ids(std::size_t position) const noexcept;
   std::uint32_t cob_id(std::uint16_t index, std::uint8_t sub_index, std::uint32_t otherwise) const noexcept;
   bool is_possible(std::size_t position, CobIds wanted) const noexcept;
-  bool is_allowed(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
+  bool is_default(std::size_t position, Identifier identifier) const noexcept;
+  bool is_allowed(std::size_t position, std::uint32_t cob_id) const noexcept;
   Result<void> check(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
   void connect(std::size_t position, CobIds wanted) noexcept;
 

@@ -154,6 +154,7 @@ TEST_F(Node, SurvivesFramesOfAnyContent) {
   says("000#8005");
 
   expect_dialogue({
+      {"605#8000000000000000", ""},  // ends a block download, in which a request would pass for a segment
       {"605#4018100100000000", "585#431810012A000000"},
       {"605#4018100200000000", "585#4318100202000100"},
       {"605#4018100300000000", "585#4318100304000300"},

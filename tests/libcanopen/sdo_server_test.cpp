@@ -132,14 +132,32 @@ TEST_F(SdoServer, RefusesValuesOutsideTheLimits) {
   }
 }
 
-TEST_F(SdoServer, RefusesUnknownCommandsAndBlockTransfer) {
+TEST_F(SdoServer, RefusesUnknownCommands) {
+  expect_dialogue({
+      {"605#E000100000000000", "585#8000100001000405"},
+      {"605#FF00100000000000", "585#8000100001000405"},
+      {"605#4008100000000000", "585#4108100012000000"},
+      {"605#E000100000000000", "585#8008100001000405"},  // that of the transfer, which is gone
+      {"605#6000000000000000", "585#8000000001000405"},
+  });
+}
+
+class SdoServerWithoutBlock : public NodeTest {
+ protected:
+  SdoServerWithoutBlock() : NodeTest{{.extended_identifiers = false, .sdo_block = false}} {}
+  void SetUp() override { start(); }
+};
+
+TEST_F(SdoServerWithoutBlock, RefusesBlockTransfer) {
   expect_dialogue({
       {"605#A400100000000000", "585#8000100001000405"},  // block upload
       {"605#A000100000000000", "585#8000100001000405"},
       {"605#C600200001000000", "585#8000200001000405"},  // block download
       {"605#C400200001000000", "585#8000200001000405"},
-      {"605#E000100000000000", "585#8000100001000405"},
-      {"605#FF00100000000000", "585#8000100001000405"},
+      {"605#A300000000000000", "585#8000000001000405"},
+      {"605#4008100000000000", "585#4108100012000000"},
+      {"605#A400100000000000", "585#8008100001000405"},
+      {"605#6000000000000000", "585#8000000001000405"},
   });
 }
 
