@@ -57,7 +57,6 @@ void Station::reset() {
   now_ += kPause;
   answers_ = {};
   watch_.forget();
-  transcript_ = 0;
   dictionary_.restore(0xA000, 0xFFFF);  // what no reset command restores
   act([](canopen::Node& node, canopen::TimePoint now) { node.on_frame(kResetNode, now); });
   require(!sent_.empty() && sent_.front().id == after_.error_control, "a node that boots says so first");
@@ -65,6 +64,7 @@ void Station::reset() {
   for (const Domain& domain : domains_)
     require(!domain.is_being_written(), "a reset cancels what is being written");
   for (std::size_t i = 0; i < kDomains; ++i) domains_[i].reset(kModes[i]);
+  transcript_ = 0;  // the state that the reset has ended is another run's
 }
 
 void Station::begin() noexcept {
