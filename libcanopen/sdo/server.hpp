@@ -14,7 +14,7 @@ namespace canopen {
 
 /// One SDO server (CiA 301, 7.2.4): expedited, segmented and block transfer, one transfer at a time. Every request
 /// gets its answer within the call; a refusal is an abort frame.
-class CANOPEN_EXPORT alignas(64) SdoServer {
+class alignas(64) CANOPEN_EXPORT SdoServer {
  public:
   /// @p timer is the number of its timer in the context's queue, @p position its own one in @p locks.
   SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position);
