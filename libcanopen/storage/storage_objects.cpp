@@ -1,12 +1,32 @@
 #include "libcanopen/storage/storage_objects.hpp"
 
 namespace canopen {
+namespace {
 
-StorageObjects::StorageObjects(Context& context) : context_{context} {}
+constexpr std::uint16_t kStoreParameters = 0x1010;
+constexpr std::uint16_t kRestoreParameters = 0x1011;
+constexpr std::uint32_t kSave = 0x65766173;  // "save", the first letter in the lowest byte
+constexpr std::uint32_t kLoad = 0x64616F6C;  // "load"
 
-Result<void> StorageObjects::write(const Entry&, std::int64_t) {
-  (void)context_;
-  return {};
+constexpr bool takes_signature(const Entry& entry) noexcept {
+  return (entry.index == kStoreParameters || entry.index == kRestoreParameters) && entry.sub_index != 0 &&
+         entry.writable;
+}
+
+}  // namespace
+
+StorageObjects::StorageObjects(Context& context) : context_{context} {
+  for (const Entry& entry : context_.dictionary.entries()) {
+    if (!takes_signature(entry)) continue;
+    context_.dictionary.own_command(entry.index, entry.sub_index, *this, OwnerRank::Service);
+  }
+}
+
+Result<void> StorageObjects::write(const Entry& entry, std::int64_t value) {
+  const bool stores = entry.index == kStoreParameters;
+  if (static_cast<std::uint32_t>(value) != (stores ? kSave : kLoad)) return refuse(AbortCode::CannotTransfer);
+  return stores ? context_.application.on_store(entry.sub_index)
+                : context_.application.on_restore(entry.sub_index);
 }
 
 }  // namespace canopen

@@ -6,11 +6,12 @@
 namespace canopen {
 
 /// Checks the signatures "save" in 1010h and "load" in 1011h before the application stores or restores parameters
-/// (CiA 301, 7.5.2.13 and 7.5.2.14).
+/// (CiA 301, 7.5.2.13 and 7.5.2.14). Reads keep giving the capabilities that the dictionary holds.
 class CANOPEN_EXPORT StorageObjects final : public EntryOwner {
  public:
   explicit StorageObjects(Context& context);
 
+  /// CannotTransfer without the signature; else the answer of the application.
   Result<void> write(const Entry& entry, std::int64_t value) override;
 
  private:
