@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdio>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -19,6 +20,22 @@ using namespace std::chrono_literals;
 /// Notes what a node tells its application, one word list a call.
 class RecordingApplication final : public canopen::Application {
  public:
+  void on_heartbeat(std::uint8_t node_id, canopen::NmtState state) noexcept override {
+    told.push_back("node " + std::to_string(node_id) + ": " + std::string{name_of(state)});
+  }
+  void on_time_of_day(const canopen::TimeOfDay& time) noexcept override {
+    told.push_back("day " + std::to_string(time.days) + ", " + std::to_string(time.milliseconds) + " ms");
+  }
+  canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override {
+    told.push_back("store " + std::to_string(sub_index));
+    return storage_answer;
+  }
+  canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
+    told.push_back("restore " + std::to_string(sub_index));
+    return storage_answer;
+  }
+  canopen::Result<void> storage_answer{};
+
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override {
     told.push_back(std::string{name_of(from)} + " -> " + std::string{name_of(to)});
   }
@@ -28,10 +45,24 @@ class RecordingApplication final : public canopen::Application {
   void on_rpdo(std::uint16_t number) noexcept override { told.push_back("RPDO " + std::to_string(number)); }
   void on_subscriptions_changed() noexcept override { ++subscription_changes; }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }
+  void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override {
+    errors.push_back(text_of(error, detail));
+  }
+  void on_communication_recovery(canopen::CommunicationError error, std::uint16_t detail) noexcept override {
+    errors.push_back(text_of(error, detail) + " over");
+  }
 
   std::vector<std::string> told;
   std::vector<std::uint32_t> foreign;
+  std::vector<std::string> errors;  ///< EMCY code and detail: "8210 1", "8210 1 over"
   int subscription_changes = 0;
+
+ private:
+  static std::string text_of(canopen::CommunicationError error, std::uint16_t detail) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%04X %u", canopen::row_of(error).emcy_code, detail);
+    return text;
+  }
 };
 
 /// A line of a dialogue: what a master sends and what the node answers at once, "" for silence.
