@@ -8,44 +8,49 @@
 namespace canopen {
 
 /// Keeps the error register 1001h and the error history 1003h and sends EMCY when an error comes or goes
-/// (CiA 301, 7.2.7.1, 7.5.2.2, 7.5.2.4). It leaves both objects alone unless the policy says
-/// ErrorKeeping::Library.
+/// (CiA 301, 7.2.7.1, 7.5.2.2, 7.5.2.4). Does nothing unless the policy says ErrorKeeping::Library.
 class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
  public:
-  /// Errors that can be present at once; more are reported, but nothing tells their end.
-  static constexpr std::size_t kMostPresent = 32;
+  /// Errors that are kept at the same time. Further ones are sent and enter the history, but their bits do not
+  /// stay in the error register and clear() does not know them.
+  static constexpr std::size_t kMostErrors = 32;
 
   ErrorKeeper(Context& context, EmcyProducer& producer);
 
-  /// Error @p code with @p detail has come: its bits of the error register and bit 0 are set, EMCY is sent with
-  /// the detail in the first two manufacturer bytes, and the history has a new entry (detail << 16 | code).
-  /// Nothing happens while the same error with the same detail is already there.
-  void raise(std::uint16_t code, std::uint16_t detail, std::uint8_t error_register) noexcept;
-  /// That error is gone: EMCY 0000h with what is left of the error register. Nothing happens if it is not there.
-  void clear(std::uint16_t code, std::uint16_t detail) noexcept;
-  /// The communication starts afresh: no error is present.
+  /// Error @p code with @p detail has come: its bits of the error register are set, bit 0 always, EMCY is sent
+  /// with
+  /// @p detail in the first two manufacturer bytes, and the history has a new entry. Nothing happens while the
+  /// same error with the same detail is already there. True if the dictionary has changed.
+  bool raise(std::uint16_t code, std::uint16_t detail, std::uint8_t error_register) noexcept;
+  /// That error is gone: EMCY "error reset" with what is left of the error register. Nothing happens if it is not
+  /// there. True if the dictionary has changed.
+  bool clear(std::uint16_t code, std::uint16_t detail) noexcept;
+  /// Reset: no error is present, the history is empty.
   void reload() noexcept;
 
+  /// An entry of the history; NoData beyond their number.
   Result<std::int64_t> read(const Entry& entry, std::int64_t stored) override;
+  /// 0 empties the history; InvalidValue for anything else.
   Result<void> write(const Entry& entry, std::int64_t value) override;
 
  private:
-  struct Error {
-    std::uint16_t code = 0;
-    std::uint16_t detail = 0;
-    std::uint8_t bits = 0;
+  struct Present {
+    std::uint16_t code, detail;
+    std::uint8_t error_register;
   };
-  bool keeps() const noexcept { return context_.policy.error_keeping == ErrorKeeping::Library; }
-  Error* find(std::uint16_t code, std::uint16_t detail) noexcept;
-  std::uint8_t show_register(std::uint8_t besides) noexcept;
+  using Errors = std::array<Present, kMostErrors>;
+
+  Errors::iterator find(std::uint16_t code, std::uint16_t detail) noexcept;
+  std::uint8_t show_register(std::uint8_t further_bits) noexcept;
   void log(std::uint32_t field) noexcept;
+  void set_history(std::uint8_t sub_index, std::int64_t value) noexcept;
+  std::int64_t history(std::uint8_t sub_index) const noexcept;
 
   Context& context_;
   EmcyProducer& producer_;
-  const Entry* error_register_;  ///< 1001h, nullptr if there is none
-  const Entry* history_;         ///< 1003h:00, nullptr if there is none
-  std::uint8_t history_size_ = 0;
-  std::array<Error, kMostPresent> present_{};
+  bool enabled_;
+  std::uint8_t room_ = 0;  ///< entries of the history
+  Errors present_{};
   std::size_t count_ = 0;
 };
 

@@ -4,17 +4,32 @@ namespace canopen {
 namespace {
 
 constexpr std::uint16_t kErrorBehaviour = 0x1029;
+
+// Values of an error class (CiA 301, 7.5.2.32).
+constexpr std::int64_t kLeaveOperational = 0;
 constexpr std::int64_t kNoChange = 1;
-constexpr std::int64_t kStopped = 2;
+constexpr std::int64_t kStop = 2;
 
 }  // namespace
 
-NmtState state_after_error(const Dictionary& dictionary, std::uint8_t error_class, NmtState state) noexcept {
-  const Entry* const entry = dictionary.lookup(kErrorBehaviour, error_class);
-  const std::int64_t behaviour = entry != nullptr ? dictionary.stored(*entry) : 0;
+ErrorBehaviour::ErrorBehaviour(Dictionary& dictionary) : dictionary_{dictionary} {
+  for (const Entry& entry : dictionary.entries()) {
+    if (entry.index != kErrorBehaviour || entry.sub_index == 0 || !entry.writable) continue;
+    dictionary.own_write(entry.index, entry.sub_index, *this, OwnerRank::Service);
+  }
+}
+
+NmtState ErrorBehaviour::after(std::uint8_t error_class, NmtState state) const noexcept {
+  const Entry* const entry = error_class != 0 ? dictionary_.lookup(kErrorBehaviour, error_class) : nullptr;
+  const std::int64_t behaviour = entry != nullptr ? dictionary_.stored(*entry) : kLeaveOperational;
   if (behaviour == kNoChange) return state;
-  if (behaviour == kStopped) return NmtState::Stopped;
+  if (behaviour == kStop) return NmtState::Stopped;
   return state == NmtState::Operational ? NmtState::PreOperational : state;
+}
+
+Result<void> ErrorBehaviour::write(const Entry&, std::int64_t value) {
+  if (value != kLeaveOperational && value != kNoChange && value != kStop) return refuse(AbortCode::InvalidValue);
+  return {};
 }
 
 }  // namespace canopen

@@ -10,8 +10,8 @@
 namespace canopen {
 
 /// Watches the heartbeats of other nodes (CiA 301, 7.2.8.3.2.2; object 1016h, each entry node-ID << 16 | time in
-/// ms, not used if one of them is 0). Watching begins with the first heartbeat of a node; its boot-up message is
-/// none.
+/// ms; time 0, or a node-ID that is not 1..127: not used). Watching begins with the first heartbeat of the node
+/// and begins anew after its boot-up message; a time-out is an error until the next heartbeat.
 class CANOPEN_EXPORT HeartbeatConsumer final : public EntryOwner {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
@@ -19,33 +19,41 @@ class CANOPEN_EXPORT HeartbeatConsumer final : public EntryOwner {
   /// Timers that the entries of 1016h in @p dictionary need.
   static std::size_t timers_for(const Dictionary& dictionary) noexcept;
 
-  /// Starts over with the values of 1016h; an entry that could not be written is not used.
+  /// Starts over with the values of 1016h; what could not be written is not used.
   void reload() noexcept;
-  /// An error control frame of the node that entry @p position watches; ignored if it is not one byte long.
+  /// An error control frame of the node that entry @p position watches.
   void on_frame(std::size_t position, const Frame& frame) noexcept;
   /// Timer @p which of this service fired, counted from its first.
   void on_timer(std::size_t which) noexcept;
   /// The identifier that each entry listens to, 0 if it is not used.
   std::span<const Identifier> identifiers() const noexcept { return identifiers_; }
 
+  /// InvalidValue for the node's own node-ID and for reserved bits; ParameterIncompatible for a node-ID that
+  /// another entry watches, or whose error control identifier another service uses.
   Result<void> write(const Entry& entry, std::int64_t value) override;
 
  private:
+  enum class Life : std::uint8_t { Unknown, Present, Lost };
+  /// What one entry has seen of its node.
   struct Watch {
+    const Entry* entry = nullptr;
     Duration time{};
-    TimePoint deadline{};          ///< the timer is not moved with every heartbeat
-    std::optional<NmtState> seen;  ///< what the node told last, if it is alive
-    bool runs = false;
-    bool lost = false;
+    TimePoint deadline{};
+    std::optional<NmtState> state{};  ///< as last told
+    Life life = Life::Unknown;
   };
-  Result<void> judge(std::size_t position, std::uint32_t value) const noexcept;
-  void use(std::size_t position, std::uint32_t value) noexcept;
+
+  Result<void> check(std::size_t position, std::uint32_t word) const noexcept;
+  void configure(std::size_t position, std::uint32_t word) noexcept;
+  void on_boot_up(std::size_t position) noexcept;
+  void on_heartbeat(std::size_t position, std::uint8_t code) noexcept;
+  void stop_watching(std::size_t position) noexcept;
   std::uint8_t node_id(std::size_t position) const noexcept;
 
   Context& context_;
   std::size_t first_timer_;
-  std::vector<Identifier> identifiers_;
   std::vector<Watch> watches_;
+  std::vector<Identifier> identifiers_;
 };
 
 }  // namespace canopen

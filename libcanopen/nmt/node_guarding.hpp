@@ -6,38 +6,43 @@
 namespace canopen {
 
 /// Answers node guarding and watches the master's life (CiA 301, 7.2.8.3.2.1; objects 100Ch guard time in ms and
-/// 100Dh life time factor, 0 = off). Watching begins with the first request. While the node is a heartbeat
-/// producer (1017h) there is no guarding; the policy says whether a write that would switch on both is refused.
+/// 100Dh life time factor, 0 = off). Watching begins with the first request. While 1017h is not 0 the heartbeat
+/// takes its place: no request is answered and no life time runs.
 class CANOPEN_EXPORT NodeGuarding final : public EntryOwner {
  public:
-  /// @p timer is the number of its timer in the context's queue. To be constructed before the heartbeat producer,
-  /// so that it is asked first whether 1017h may change.
+  /// @p timer is the number of its timer in the context's queue. Must be constructed after the heartbeat producer,
+  /// which is then asked first whether 1017h may change.
   NodeGuarding(Context& context, std::size_t timer);
 
   /// Starts over with the values of the objects; the toggle bit is 0 again.
   void reload() noexcept;
-  /// True if the node has the objects, so that remote frames are to be received.
+  /// True if the dictionary has both objects.
   bool is_on() const noexcept { return exists_; }
   /// A remote frame asks for the NMT state.
   void on_request() noexcept;
-  /// The life time is over.
+  /// The life time may be over.
   void on_timer() noexcept;
 
+  /// InvalidValue if the policy says Refuse and both life guarding and the heartbeat would be on.
   Result<void> write(const Entry& entry, std::int64_t value) override;
 
  private:
-  std::int64_t stored(std::uint16_t index) const noexcept;
-  Result<void> judge(const Entry& entry, std::int64_t value) const noexcept;
-  void stop() noexcept;
+  enum class Life : std::uint8_t { Unwatched, Present, Lost };
+
+  void own(std::uint16_t index);
+  void switch_heartbeat(bool on) noexcept;
+  void set_life_time(Duration life_time) noexcept;
+  void watch() noexcept;
+  void stop_watching() noexcept;
 
   Context& context_;
   std::size_t timer_;
+  Duration life_time_{};
+  TimePoint deadline_{};
+  Life master_ = Life::Unwatched;
   bool exists_;
-  std::uint8_t toggle_ = 0;  ///< of the next answer: 0 or 80h
-  Duration life_time_{};     ///< 0: not watched
-  TimePoint deadline_{};     ///< the timer is not moved with every request
-  bool watches_ = false;
-  bool lost_ = false;
+  bool heartbeat_ = false;
+  bool toggle_ = false;
 };
 
 }  // namespace canopen

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "libcanopen/nmt/error_behaviour.hpp"
-
 namespace canopen {
 namespace {
 
@@ -45,9 +43,10 @@ Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Applic
                .timers = timers_,
                .identifiers = *this,
                .errors = *this},
-      guarding_{context_, plan_.guarding},
       heartbeat_{context_, plan_.heartbeat},
       heartbeat_consumer_{context_, plan_.consumer},
+      guarding_{context_, plan_.guarding},
+      error_behaviour_{dictionary},
       sdo_servers_{context_, plan_.sdo},
       receive_pdos_{context_, plan_.rpdo},
       transmit_pdos_{context_, plan_.tpdo},
@@ -187,6 +186,7 @@ void Node::enter(NmtState state) noexcept {
     transmit_pdos_.stop();
   }
   if (!gate_.sdo) sdo_servers_.forget();
+  if (!gate_.emcy) emcy_.forget();
   context_.application.on_nmt_state(from, state);
   if (state == NmtState::Operational) transmit_pdos_.start();
 }
@@ -201,6 +201,14 @@ void Node::on_sync(const Frame& frame) noexcept {
   context_.application.on_sync(*counter);
 }
 
+void Node::raise_error(std::uint16_t code, std::uint16_t detail, std::uint8_t error_register) noexcept {
+  if (errors_.raise(code, detail, error_register)) transmit_pdos_.on_values_changed();
+}
+
+void Node::clear_error(std::uint16_t code, std::uint16_t detail) noexcept {
+  if (errors_.clear(code, detail)) transmit_pdos_.on_values_changed();
+}
+
 void Node::report(CommunicationError error, TimePoint now) noexcept {
   context_.now = now;
   on_error(error, 0);
@@ -213,19 +221,19 @@ void Node::report_recovery(CommunicationError error, TimePoint now) noexcept {
 
 void Node::on_error(CommunicationError error, std::uint16_t detail) noexcept {
   const CommunicationErrorRow& row = row_of(error);
-  if (policy_.error_keeping == ErrorKeeping::Library) errors_.raise(row.emcy_code, detail, row.error_register);
+  raise_error(row.emcy_code, detail, row.error_register);
   context_.application.on_communication_error(error, detail);
   if (row.changes_nmt_state) apply_error_behaviour(kCommunicationErrorClass);
 }
 
 void Node::on_recovery(CommunicationError error, std::uint16_t detail) noexcept {
-  if (policy_.error_keeping == ErrorKeeping::Library) errors_.clear(row_of(error).emcy_code, detail);
+  clear_error(row_of(error).emcy_code, detail);
   context_.application.on_communication_recovery(error, detail);
 }
 
 void Node::apply_error_behaviour(std::uint8_t error_class) noexcept {
   if (context_.state == NmtState::Initialising) return;
-  enter(state_after_error(context_.dictionary, error_class, context_.state));
+  enter(error_behaviour_.after(error_class, context_.state));
 }
 
 bool Node::is_used(Identifier identifier) const noexcept {

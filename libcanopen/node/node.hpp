@@ -6,6 +6,7 @@
 #include "libcanopen/base/export.hpp"
 #include "libcanopen/emcy/emcy_producer.hpp"
 #include "libcanopen/emcy/error_keeper.hpp"
+#include "libcanopen/nmt/error_behaviour.hpp"
 #include "libcanopen/nmt/heartbeat_consumer.hpp"
 #include "libcanopen/nmt/heartbeat_producer.hpp"
 #include "libcanopen/nmt/node_guarding.hpp"
@@ -50,16 +51,15 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   /// The application has put new values into the dictionary: event-driven TPDOs are judged.
   void on_values_changed(TimePoint now) noexcept;
 
-  /// Sends an emergency message (see EmcyProducer::send).
+  /// Sends an emergency message (see EmcyProducer::send); the inhibit time counts with the time told last.
   void send_emcy(std::uint16_t code, std::uint8_t error_register,
                  const std::array<std::uint8_t, 5>& manufacturer) noexcept {
     emcy_.send(code, error_register, manufacturer);
   }
-  /// An error of the application has come or gone (see ErrorKeeper); for ErrorKeeping::Library only.
-  void raise_error(std::uint16_t code, std::uint16_t detail, std::uint8_t error_register) noexcept {
-    errors_.raise(code, detail, error_register);
-  }
-  void clear_error(std::uint16_t code, std::uint16_t detail) noexcept { errors_.clear(code, detail); }
+  /// An error of the application has come or gone (see ErrorKeeper); nothing happens with ErrorKeeping::Owner. A
+  /// reset forgets all errors: what persists is raised again, at the earliest in Application::on_nmt_state().
+  void raise_error(std::uint16_t code, std::uint16_t detail, std::uint8_t error_register) noexcept;
+  void clear_error(std::uint16_t code, std::uint16_t detail) noexcept;
   /// The owner of the bus has detected an error of the communication, or its end: the node treats it as one of its
   /// own (EMCY, 1029h).
   void report(CommunicationError error, TimePoint now) noexcept;
@@ -104,9 +104,10 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   TimerQueue timers_;
   Context context_;
   ServiceGate gate_{};  ///< of the NMT state
-  NodeGuarding guarding_;
   HeartbeatProducer heartbeat_;
   HeartbeatConsumer heartbeat_consumer_;
+  NodeGuarding guarding_;
+  ErrorBehaviour error_behaviour_;
   SdoServers sdo_servers_;
   ReceivePdos receive_pdos_;
   TransmitPdos transmit_pdos_;

@@ -154,7 +154,7 @@ Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {
   if (entry.write_owner != nullptr) {
     if (auto accepted = entry.write_owner->write(entry, value); !accepted) return accepted;
   }
-  set(entry, value);
+  if (!entry.is_command) set(entry, value);
   return {};
 }
 
@@ -220,6 +220,11 @@ void Dictionary::own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwn
   const bool is_first = rank == OwnerRank::Application;
   joint_owners_.push_back(std::make_unique<JointOwner>(is_first ? owner : other, is_first ? other : owner));
   entry.write_owner = joint_owners_.back().get();
+}
+
+void Dictionary::own_command(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner, OwnerRank rank) {
+  own_write(index, sub_index, owner, rank);
+  existing(index, sub_index).is_command = true;
 }
 
 void Dictionary::own_domain(std::uint16_t index, std::uint8_t sub_index, DomainOwner& owner) {

@@ -101,6 +101,11 @@ class CANOPEN_EXPORT Dictionary {
   /// of the node last. Throws std::out_of_range if there is no such entry.
   void own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner,
                  OwnerRank rank = OwnerRank::Application);
+  /// Registers @p owner for writes of one number as own_write() does, and makes these writes commands: what is
+  /// written is never stored, so that the entry reads as before. Throws std::out_of_range if there is no such
+  /// entry.
+  void own_command(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner,
+                   OwnerRank rank = OwnerRank::Application);
   /// Registers @p owner for the data of a DOMAIN. Throws std::out_of_range if there is no such entry,
   /// std::invalid_argument if it is of another type.
   void own_domain(std::uint16_t index, std::uint8_t sub_index, DomainOwner& owner);

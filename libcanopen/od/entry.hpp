@@ -25,7 +25,8 @@ struct alignas(64) Entry {
   bool receive_mappable = false;   ///< may stand in an RPDO
   bool transmit_mappable = false;  ///< may stand in a TPDO
   bool is_signed = false;
-  bool limited = false;  ///< the dictionary checks `low` and `high`
+  bool limited : 1 = false;     ///< the dictionary checks `low` and `high`
+  bool is_command : 1 = false;  ///< what is written is not stored
   ValueOrder order = ValueOrder::Integer;
   std::uint8_t bits = 0;     ///< of a number in a PDO: 1 for BOOLEAN, else eight for each byte
   std::uint32_t offset = 0;  ///< of the eight bytes of a number in the image; of the length word of a string

@@ -6,8 +6,8 @@ namespace canopen {
 namespace {
 
 constexpr std::uint16_t kCobIdTime = 0x1012;
-constexpr std::uint8_t kLength = 6;
-constexpr std::uint32_t kMilliseconds = 0x0FFFFFFF;
+constexpr std::uint8_t kTimeBytes = 6;
+constexpr std::uint32_t kMilliseconds = 0x0FFFFFFF;  // the four bits above are void (CiA 301, 7.1.6.5)
 
 constexpr Identifier consumed_identifier(std::uint32_t cob_id) noexcept {
   return (cob_id & cob_id::kConsume) != 0 ? identifier_in(cob_id) : 0;
@@ -17,7 +17,9 @@ constexpr Identifier consumed_identifier(std::uint32_t cob_id) noexcept {
 
 TimeConsumer::TimeConsumer(Context& context) : context_{context} {
   const Entry* const entry = context_.dictionary.lookup(kCobIdTime, 0);
-  if (entry != nullptr && entry->writable) context_.dictionary.own_write(kCobIdTime, 0, *this, OwnerRank::Service);
+  if (entry != nullptr && entry->writable) {
+    context_.dictionary.own_write(kCobIdTime, 0, *this, OwnerRank::Service);
+  }
 }
 
 void TimeConsumer::reload() noexcept {
@@ -27,9 +29,9 @@ void TimeConsumer::reload() noexcept {
 }
 
 void TimeConsumer::on_frame(const Frame& frame) noexcept {
-  if (frame.length != kLength) return;
-  context_.application.on_time_of_day({.milliseconds = load<std::uint32_t>(frame.data.data()) & kMilliseconds,
-                                       .days = load<std::uint16_t>(&frame.data[4])});
+  if (frame.length != kTimeBytes) return;
+  context_.application.on_time_of_day(
+      {load<std::uint32_t>(frame.data.data()) & kMilliseconds, load<std::uint16_t>(&frame.data[4])});
 }
 
 Result<void> TimeConsumer::write(const Entry&, std::int64_t value) {
@@ -37,10 +39,11 @@ Result<void> TimeConsumer::write(const Entry&, std::int64_t value) {
   const Identifier identifier = consumed_identifier(cob_id);
   if ((cob_id & cob_id::kProduce) != 0) return refuse(AbortCode::InvalidValue);
   if (!is_assignable(cob_id, context_.policy.extended_identifiers)) return refuse(AbortCode::InvalidValue);
-  if (identifier != 0 && identifier != identifier_) {
-    if (identifier_ != 0) return refuse(AbortCode::DeviceState);
-    if (context_.identifiers.is_used(identifier)) return refuse(AbortCode::ParameterIncompatible);
+  if (identifier_ != 0 && identifier_in(cob_id) != identifier_) return refuse(AbortCode::DeviceState);
+  if (identifier != 0 && identifier != identifier_ && context_.identifiers.is_used(identifier)) {
+    return refuse(AbortCode::ParameterIncompatible);
   }
+  if (identifier == identifier_) return {};
   identifier_ = identifier;
   context_.identifiers.on_identifiers_changed();
   return {};

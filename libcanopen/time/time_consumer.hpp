@@ -18,6 +18,8 @@ class CANOPEN_EXPORT TimeConsumer final : public EntryOwner {
   /// A time stamp; a frame that is not six bytes long is ignored.
   void on_frame(const Frame& frame) noexcept;
 
+  /// InvalidValue for an identifier that must not be used, and for bit 30; ParameterIncompatible for one that is
+  /// in use; DeviceState for a change of identifier while the node consumes TIME.
   Result<void> write(const Entry& entry, std::int64_t value) override;
 
  private:

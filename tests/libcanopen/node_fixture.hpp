@@ -20,6 +20,22 @@ using namespace std::chrono_literals;
 /// Notes what a node tells its application, one word list a call.
 class RecordingApplication final : public canopen::Application {
  public:
+  void on_heartbeat(std::uint8_t node_id, canopen::NmtState state) noexcept override {
+    told.push_back("node " + std::to_string(node_id) + ": " + std::string{name_of(state)});
+  }
+  void on_time_of_day(const canopen::TimeOfDay& time) noexcept override {
+    told.push_back("day " + std::to_string(time.days) + ", " + std::to_string(time.milliseconds) + " ms");
+  }
+  canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override {
+    told.push_back("store " + std::to_string(sub_index));
+    return storage_answer;
+  }
+  canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
+    told.push_back("restore " + std::to_string(sub_index));
+    return storage_answer;
+  }
+  canopen::Result<void> storage_answer{};
+
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override {
     told.push_back(std::string{name_of(from)} + " -> " + std::string{name_of(to)});
   }

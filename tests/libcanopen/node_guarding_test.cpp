@@ -1,0 +1,289 @@
+#include "tests/libcanopen/service_fixture.hpp"
+
+namespace {
+
+using canopen::NmtState;
+using canopen::Policy;
+
+constexpr const char* kMasterLost = "085#3081110000000000";
+constexpr const char* kErrorReset = "085#0000000000000000";
+
+class NodeGuarding : public ServiceTest {
+ protected:
+  using ServiceTest::ServiceTest;
+
+  /// Boots the node with a life time of 3 times 50 ms.
+  void start_guarded() {
+    start();
+    ASSERT_EQ(writes_u16(0x100C, 0, 50), 0U);
+    ASSERT_EQ(writes_u8(0x100D, 0, 3), 0U);
+    told();
+  }
+  /// Boots the node and lets the master fall silent.
+  void start_and_lose() {
+    start_guarded();
+    says("705#R");
+    ASSERT_EQ(passes(150ms), (Lines{std::string{"150ms "} + kMasterLost}));
+    errors();
+  }
+};
+
+TEST_F(NodeGuarding, AnswersWithItsStateAndAnAlternatingToggleBit) {
+  start();
+
+  expect_dialogue({
+      {"705#R", "705#7F"},
+      {"705#R", "705#FF"},
+      {"000#0105", ""},
+      {"705#R", "705#05"},
+      {"705#R", "705#85"},
+      {"000#0205", ""},
+      {"705#R", "705#04"},
+      {"705#R", "705#84"},
+      {"000#8005", ""},
+      {"705#R", "705#7F"},
+  });
+}
+
+TEST_F(NodeGuarding, StartsWithToggleBit0AfterAReset) {
+  start();
+  says("705#R");
+
+  expect_dialogue({
+      {"000#8205", "705#00"},
+      {"705#R", "705#7F"},
+      {"000#8105", "705#00"},
+      {"705#R", "705#7F"},
+      {"705#R", "705#FF"},
+  });
+}
+
+TEST_F(NodeGuarding, AnswersRequestsOfAnyLengthToItselfOnly) {
+  EXPECT_EQ(says("705#R"), Lines{}) << "before start()";
+  start();
+
+  expect_dialogue({
+      {"705#R1", "705#7F"},
+      {"705#R8", "705#FF"},
+      {"706#R", ""},
+      {"00000705#R", ""},
+      {"705#R", "705#7F"},
+  });
+}
+
+TEST_F(NodeGuarding, AsksForTheRemoteFramesOfItsIdentifier) {
+  start();
+
+  const auto wanted = node->subscriptions();
+  EXPECT_EQ(std::ranges::count(wanted, canopen::Subscription{0x705, true}), 1);
+}
+
+TEST_F(NodeGuarding, WatchesTheMasterFromItsFirstRequestOn) {
+  start_guarded();
+  EXPECT_EQ(passes(1h), Lines{});
+
+  says("705#R");
+  EXPECT_EQ(passes(149ms), Lines{});
+  EXPECT_EQ(errors(), Lines{});
+  EXPECT_EQ(passes(1ms).size(), 1U);
+  EXPECT_EQ(errors(), (Lines{"8130 0"}));
+}
+
+TEST_F(NodeGuarding, ReportsASilentMasterOnceAndItsReturn) {
+  start_and_lose();
+  EXPECT_EQ(passes(1h), Lines{});
+
+  EXPECT_EQ(says("705#R"), (Lines{"705#FF", kErrorReset}));
+  EXPECT_EQ(errors(), (Lines{"8130 0 over"}));
+  EXPECT_EQ(passes(150ms).size(), 1U) << "watching goes on";
+}
+
+TEST_F(NodeGuarding, IsContentWhileRequestsCome) {
+  start_guarded();
+
+  for (int i = 0; i < 50; ++i) {
+    says("705#R");
+    EXPECT_EQ(passes(149ms), Lines{});
+  }
+
+  EXPECT_EQ(errors(), Lines{});
+}
+
+TEST_F(NodeGuarding, TakesARequestAtTheVeryEndOfTheLifeTime) {
+  start_guarded();
+  says("705#R");
+
+  now += 150ms;
+  says("705#R");
+
+  EXPECT_EQ(errors(), Lines{});
+}
+
+TEST_F(NodeGuarding, WatchesNoMasterWhileEitherObjectIsZero) {
+  start();
+  writes_u16(0x100C, 0, 50);
+  EXPECT_EQ(says("705#R"), (Lines{"705#7F"}));
+  EXPECT_EQ(passes(1h), Lines{});
+
+  writes_u16(0x100C, 0, 0);
+  writes_u8(0x100D, 0, 3);
+  EXPECT_EQ(says("705#R"), (Lines{"705#FF"}));
+  EXPECT_EQ(passes(1h), Lines{});
+}
+
+TEST_F(NodeGuarding, CountsANewLifeTimeFromItsWrite) {
+  start_guarded();
+  says("705#R");
+  passes(100ms);
+
+  EXPECT_EQ(writes_u8(0x100D, 0, 2), 0U);
+
+  EXPECT_EQ(passes(1h), (Lines{std::string{"200ms "} + kMasterLost}));
+}
+
+TEST_F(NodeGuarding, EndsTheErrorWhenItIsSwitchedOff) {
+  start_and_lose();
+
+  EXPECT_EQ(says("605#2F0D100000000000"), (Lines{kErrorReset, "585#600D100000000000"}));
+
+  EXPECT_EQ(errors(), (Lines{"8130 0 over"}));
+  EXPECT_EQ(passes(1h), Lines{});
+}
+
+TEST_F(NodeGuarding, FollowsTheErrorBehaviour) {
+  start_guarded();
+  writes_u8(0x1029, 1, 2);
+  take_to(NmtState::Operational);
+  says("705#R");
+
+  passes(150ms);
+  EXPECT_EQ(node->state(), NmtState::Stopped);
+
+  EXPECT_EQ(says("705#R"), (Lines{"705#84"})) << "without EMCY in Stopped";
+  EXPECT_EQ(errors(), (Lines{"8130 0", "8130 0 over"}));
+}
+
+TEST_F(NodeGuarding, ForgetsASilentMasterWithAReset) {
+  start_and_lose();
+
+  EXPECT_EQ(says("000#8205"), (Lines{"705#00"}));
+
+  EXPECT_EQ(errors(), (Lines{"8130 0 over"}));
+  EXPECT_EQ(passes(1h), Lines{});
+}
+
+using NodeWithoutGuarding = NodeTest;
+
+TEST_F(NodeWithoutGuarding, LeavesRequestsUnanswered) {
+  start();
+
+  EXPECT_EQ(says("705#R"), Lines{});
+  const auto wanted = node->subscriptions();
+  EXPECT_EQ(std::ranges::count(wanted, canopen::Subscription{0x705, true}), 0);
+}
+
+// Heartbeat and guarding at once.
+
+using HeartbeatThatWins = NodeGuarding;
+
+TEST_F(HeartbeatThatWins, SilencesGuarding) {
+  start_guarded();
+  says("705#R");
+
+  EXPECT_EQ(writes_u16(0x1017, 0, 1000), 0U);
+
+  EXPECT_EQ(says("705#R"), (Lines{"705#7F"})) << "the first heartbeat, and no answer";
+  EXPECT_EQ(says("705#R"), Lines{});
+  EXPECT_EQ(passes(1s), (Lines{"1000ms 705#7F"})) << "no life time runs";
+}
+
+TEST_F(HeartbeatThatWins, GivesWayWhenItIsSwitchedOff) {
+  start_guarded();
+  says("705#R");
+  writes_u16(0x1017, 0, 1000);
+  node->on_time(now);
+  sent();
+
+  EXPECT_EQ(writes_u16(0x1017, 0, 0), 0U);
+  EXPECT_EQ(passes(1h), Lines{}) << "watching begins with a request";
+
+  EXPECT_EQ(says("705#R"), (Lines{"705#7F"}));
+  EXPECT_EQ(says("705#R"), (Lines{"705#FF"}));
+  EXPECT_EQ(passes(150ms).size(), 1U);
+}
+
+TEST_F(HeartbeatThatWins, LetsTheToggleBitAloneWhileItStaysOff) {
+  start();
+  says("705#R");
+
+  EXPECT_EQ(writes_u16(0x1017, 0, 0), 0U);
+
+  EXPECT_EQ(says("705#R"), (Lines{"705#FF"}));
+}
+
+TEST_F(HeartbeatThatWins, EndsTheErrorOfASilentMaster) {
+  start_and_lose();
+
+  writes_u16(0x1017, 0, 1000);
+
+  EXPECT_EQ(errors(), (Lines{"8130 0 over"}));
+}
+
+TEST_F(HeartbeatThatWins, LetsGuardingBeConfiguredMeanwhile) {
+  start();
+  writes_u16(0x1017, 0, 1000);
+
+  EXPECT_EQ(writes_u16(0x100C, 0, 50), 0U);
+  EXPECT_EQ(writes_u8(0x100D, 0, 3), 0U);
+}
+
+class HeartbeatOrGuarding : public NodeGuarding {
+ protected:
+  HeartbeatOrGuarding()
+      : NodeGuarding{Policy{.error_control_conflict = canopen::ErrorControlConflict::Refuse,
+                            .extended_identifiers = false}} {}
+};
+
+TEST_F(HeartbeatOrGuarding, RefusesTheHeartbeatWhileLifeGuardingIsOn) {
+  start_guarded();
+  says("705#R");
+
+  EXPECT_EQ(writes_u16(0x1017, 0, 1000), 0x06090030U);
+  EXPECT_EQ(writes_u16(0x1017, 0, 0), 0U);
+
+  EXPECT_EQ(says("705#R"), (Lines{"705#FF"}));
+  EXPECT_EQ(passes(1h), (Lines{std::string{"150ms "} + kMasterLost})) << "and no heartbeat";
+}
+
+TEST_F(HeartbeatOrGuarding, RefusesLifeGuardingWhileTheHeartbeatIsOn) {
+  start();
+  EXPECT_EQ(writes_u16(0x1017, 0, 1000), 0U);
+
+  EXPECT_EQ(writes_u16(0x100C, 0, 50), 0U) << "one of them alone switches nothing on";
+  EXPECT_EQ(writes_u8(0x100D, 0, 3), 0x06090030U);
+  EXPECT_EQ(value_of(0x100D), 0);
+  EXPECT_EQ(writes_u16(0x100C, 0, 0), 0U);
+  EXPECT_EQ(writes_u8(0x100D, 0, 3), 0U);
+  EXPECT_EQ(writes_u16(0x100C, 0, 50), 0x06090030U);
+}
+
+TEST_F(HeartbeatOrGuarding, LetsTheOtherOneBeginWhenOneIsSwitchedOff) {
+  start_guarded();
+
+  writes_u16(0x100C, 0, 0);
+  EXPECT_EQ(writes_u16(0x1017, 0, 1000), 0U);
+  EXPECT_EQ(writes_u16(0x1017, 0, 0), 0U);
+  EXPECT_EQ(writes_u16(0x100C, 0, 50), 0U);
+}
+
+TEST_F(HeartbeatOrGuarding, PrefersTheHeartbeatIfBothWereStored) {
+  store_value(0x1017, 0, 1000);
+  store_value(0x100C, 0, 50);
+  store_value(0x100D, 0, 3);
+  start();
+
+  EXPECT_EQ(says("705#R"), Lines{});
+  EXPECT_EQ(passes(1s), (Lines{"1000ms 705#7F"}));
+}
+
+}  // namespace
