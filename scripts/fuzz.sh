@@ -28,7 +28,7 @@ folder=$root/build/$preset
 fuzzer=$folder/bin/tests/node_fuzz
 corpus=$root/tests/fuzz/corpus
 # Short inputs are run more often: most of what a node can do shows within some dozen events.
-options=(-max_len=200 -len_control=0 -entropic=0 -timeout=10 -verbosity=1)
+options=(-max_len=200 -len_control=0 -entropic=0 -timeout=10)
 
 mkdir -p "$folder"/{seeds,found,findings,logs}
 rm -f "$folder"/logs/*
@@ -51,7 +51,7 @@ awk '/number_of_executed_units/ {runs += $2} /average_exec_per_sec/ {rate += $2}
 if [[ $keep ]]; then
   say "keeping what is new"
   rm -rf "$folder/kept" && mkdir "$folder/kept"
-  "$fuzzer" -merge=1 -use_value_profile=0 -max_len=200 "$folder/kept" "$corpus" "$folder/seeds" "$folder/found" &>"$folder/logs/merge"
+  "$fuzzer" -merge=1 -use_counters=0 -max_len=200 "$folder/kept" "$corpus" "$folder/seeds" "$folder/found" &>"$folder/logs/merge"
   find "$corpus" -type f -delete
   cp "$folder"/kept/* "$corpus"
   echo "$(find "$corpus" -type f | wc -l) inputs, $(du -sb "$corpus" | cut -f 1) bytes"
