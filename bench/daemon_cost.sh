@@ -1,28 +1,25 @@
 #!/usr/bin/env bash
-# daemon_cost.sh [--icount] [--build DIR] [--requests N]: what an SDO request costs the running daemon, as Markdown.
+# daemon_cost.sh [--build DIR] [--requests N]: what an SDO request costs the running daemon in user space, as Markdown.
 #
-# By default: user-space instructions (callgrind) and system calls (strace) a request, each as the difference of 2 N and
-# N requests divided by N (2000). On vcan0; in the virtual machine of scripts/vcan-vm where this kernel has no CAN.
+# User-space instructions (callgrind) and system calls (strace) a request, each as the difference of 2 N and N requests
+# divided by N (1000). On vcan0; in the virtual machine of scripts/vcan-vm where this kernel has no CAN. What the kernel
+# adds is measured by bus_cost.sh.
 #
-# --icount  instructions with those of the kernel: CPU time a request in a virtual machine where an instruction takes
-#           1 ns, beside a program that does nothing but poll, read and write (20000 requests, one start of the machine)
 # --build   the build with the programs (build/release, built first if it is this one)
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "$0")/../scripts/common.sh"
 cd "$root"
 
-mode=counts build=build/release requests='' inside=''
+build=build/release requests=1000 inside=''
 while (($#)); do
   case $1 in
-    --icount) mode=kernel; shift ;;
     --build) build=${2:?--build needs a folder}; shift 2 ;;
     --requests) requests=${2:?--requests needs a number}; shift 2 ;;
     --inside) inside=yes; shift ;;
     *) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0" >&2; exit 2 ;;
   esac
 done
-if [[ $mode == counts ]]; then : "${requests:=2000}"; else : "${requests:=20000}"; fi
 
 node=5
 axisd=("$build/bin/axisd" --interface vcan0 --node-id "$node" --control none)
@@ -48,7 +45,8 @@ stop() {
   slave=''
 }
 
-ask() { "$build/bin/sdo_client" vcan0 "$node" "$@"; }
+# ask N: that many requests, each when the slave, slow under its counter, waits for one again.
+ask() { "$build/bin/bus_client" vcan0 "$node" --pause 3000 "upload:$1" >/dev/null; }
 
 # instructions N: of the daemon's whole life with N requests.
 instructions() {
@@ -91,21 +89,6 @@ counts() {
   [[ $source == tsc ]] || printf '\nThe clock source here is %s; with tsc `clock_gettime` is no system call.\n' "$source"
 }
 
-kernel() {
-  local echo_ns axisd_ns
-  # In front of the client, so that a slave always finishes its turn first and every run is like the other.
-  start echo chrt -f 50 "$build/bin/can_echo" vcan0 "$node"
-  echo_ns=$(ask "$requests" "$slave")
-  stop
-  start axisd chrt -f 50 "${axisd[@]}" --state-directory "$work/state"
-  axisd_ns=$(ask "$requests" "$slave")
-  stop
-  echo '| per SDO request, kernel included | instructions | ratio |'
-  echo '|---|---:|---:|'
-  awk -v e="$echo_ns" -v a="$axisd_ns" 'BEGIN {
-    printf "| poll + read + write | %d | 1.00 |\n| axisd | %d | %.3f |\n", e, a, a / e }'
-}
-
 # shellcheck disable=SC2317  # called by the trap
 clean_up() {
   [[ -z $slave ]] || kill "$slave" 2>/dev/null || true
@@ -115,19 +98,13 @@ clean_up() {
 if [[ $inside ]]; then
   work=$(mktemp -d)
   trap clean_up EXIT
-  "$mode"
+  counts
   exit
 fi
 
 missing=()
-if [[ $mode == counts ]]; then
-  command -v valgrind >/dev/null || missing+=(valgrind)
-  command -v strace >/dev/null || missing+=(strace)
-fi
+command -v valgrind >/dev/null || missing+=(valgrind)
+command -v strace >/dev/null || missing+=(strace)
 ((${#missing[@]} == 0)) || { echo "${0##*/}: missing Debian packages: apt-get install ${missing[*]}" >&2; exit 2; }
-[[ $build != build/release ]] || build release axisd sdo_client can_echo >&2
-command=(bench/daemon_cost.sh --inside --build "$build" --requests "$requests")
-if [[ $mode == kernel ]]; then
-  exec scripts/vcan-vm --icount -- "${command[@]}" --icount
-fi
-run_on_can "${command[@]}"
+[[ $build != build/release ]] || build release axisd bus_client >&2
+run_on_can bench/daemon_cost.sh --inside --build "$build" --requests "$requests"

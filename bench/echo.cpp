@@ -1,3 +1,4 @@
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -12,50 +13,90 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kHeartbeat{100};
+constexpr std::uint32_t kSync = 0x80;
+constexpr std::uint32_t kFirstTpdo = 0x281;
+constexpr std::uint8_t kTpdoLength = 6;
 
 volatile std::sig_atomic_t stopped = 0;
 
-/// The answer to every upload request, without a look at what is asked for.
-can_frame answer_to(const can_frame& request, unsigned node) {
-  can_frame answer = request;
-  answer.can_id = 0x580 + node;
-  answer.data[0] = 0x43;
-  return answer;
-}
+/// What the transport alone costs: a heartbeat, and a poll, a read and the writes for every frame.
+class Echo {
+ public:
+  Echo(const char* interface, unsigned node, unsigned tpdos)
+      : node_{node},
+        tpdos_{tpdos},
+        filters_{bench::only(0), bench::only(kSync), bench::only(0x200 + node), bench::only(0x600 + node)},
+        socket_{interface, filters_} {}
 
-/// A heartbeat, and a poll, a read and a write for every request: what the transport alone costs.
-void serve(const bench::RawSocket& socket, unsigned node) {
-  can_frame heartbeat{};
-  heartbeat.can_id = 0x700 + node;
-  heartbeat.can_dlc = 1;
-  pollfd wait{socket.descriptor(), POLLIN, 0};
-  for (Clock::time_point due = Clock::now(); stopped == 0;) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(due - Clock::now());
-    if (left.count() <= 0) {
-      socket.send(heartbeat);
-      due += kHeartbeat;
-      continue;
+  void serve() {
+    can_frame heartbeat{};
+    heartbeat.can_id = 0x700 + node_;
+    heartbeat.can_dlc = 1;
+    pollfd wait{socket_.descriptor(), POLLIN, 0};
+    for (Clock::time_point due = Clock::now(); stopped == 0;) {
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(due - Clock::now());
+      if (left.count() <= 0) {
+        socket_.send(heartbeat);
+        due += kHeartbeat;
+        continue;
+      }
+      can_frame frame{};
+      if (::poll(&wait, 1, static_cast<int>(left.count())) == 1 && socket_.receive(frame)) take(frame);
     }
-    can_frame request{};
-    if (::poll(&wait, 1, static_cast<int>(left.count())) != 1 || !socket.receive(request)) continue;
-    socket.send(answer_to(request, node));
   }
-}
+  unsigned long rpdos() const noexcept { return rpdos_; }
+
+ private:
+  void take(const can_frame& frame) {
+    if (frame.can_id == 0x600 + node_) {
+      answer(frame);
+    } else if (frame.can_id == kSync) {
+      send_tpdos();
+    } else if (frame.can_id != 0) {
+      ++rpdos_;
+    }
+  }
+  /// The answer to every request, without a look at what is asked for.
+  void answer(const can_frame& request) {
+    constexpr std::uint8_t kUpload = 0x40;
+    can_frame response = request;
+    response.can_id = 0x580 + node_;
+    response.data[0] = request.data[0] == kUpload ? 0x43 : 0x60;
+    socket_.send(response);
+  }
+  void send_tpdos() {
+    can_frame tpdo{};
+    tpdo.can_dlc = kTpdoLength;
+    for (unsigned i = 0; i < tpdos_; ++i) {
+      tpdo.can_id = kFirstTpdo + i;
+      socket_.send(tpdo);
+    }
+  }
+
+  unsigned node_;
+  unsigned tpdos_;
+  std::array<can_filter, 4> filters_;
+  bench::RawSocket socket_;
+  unsigned long rpdos_ = 0;
+};
 
 }  // namespace
 
-/// The plainest slave there can be, to compare with.
+/// The plainest slave there can be, to compare with: it answers every SDO request with the request, and every SYNC
+/// with as many frames as it is told. At its end it tells how many RPDOs it took.
 int main(int count, char** words) {
-  if (count != 3) {
-    std::fputs("usage: can_echo INTERFACE NODE\n", stderr);
-    return 2;
+  constexpr int kUsage = 2;
+  if (count != 3 && count != 4) {
+    std::fputs("usage: can_echo INTERFACE NODE [TPDOS]\n", stderr);
+    return kUsage;
   }
   std::signal(SIGTERM, [](int) { stopped = 1; });
   try {
-    const auto node = static_cast<unsigned>(std::atoi(words[2]));
-    const bench::RawSocket socket{words[1], 0x600 + node};
+    const auto number = [words](int position) { return static_cast<unsigned>(std::atoi(words[position])); };
+    Echo echo{words[1], number(2), count == 4 ? number(3) : 4};
     std::fputs("ready\n", stderr);
-    serve(socket, node);
+    echo.serve();
+    std::fprintf(stderr, "rpdos %lu\n", echo.rpdos());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "can_echo: %s\n", error.what());
     return 1;

@@ -90,7 +90,11 @@ void add_pdos(std::vector<EntryDescription>& table, const Shape& shape) {
   }
 }
 
-std::vector<EntryDescription> build(const Shape& shape) {
+constexpr canopen::Policy kPolicy{};
+
+}  // namespace
+
+std::vector<EntryDescription> library_table(const Shape& shape) {
   std::vector<EntryDescription> table;
   add_communication(table);
   add_pdos(table, shape);
@@ -109,12 +113,8 @@ std::vector<EntryDescription> build(const Shape& shape) {
   return table;
 }
 
-constexpr canopen::Policy kPolicy{};
-
-}  // namespace
-
 LibraryNode::LibraryNode(const Shape& shape)
-    : table{build(shape)}, dictionary{table, kNodeId}, node{dictionary, kPolicy, sink, application} {
+    : table{library_table(shape)}, dictionary{table, kNodeId}, node{dictionary, kPolicy, sink, application} {
   node.start(now);
   canopen::Frame start{.id = 0, .length = 2};
   start.data[0] = static_cast<std::uint8_t>(canopen::NmtCommand::Start);

@@ -14,9 +14,12 @@ struct Shape {
   std::uint8_t transmission_type = 1;
 };
 
-/// A node of the library, in Operational, over a dictionary of 1,500 objects: communication objects, eight axes of
-/// five profile objects, 2000h UNSIGNED32, 2001h DOMAIN of 1,024 bytes and plain numbers. An RPDO carries
-/// controlword, target position and mode of its axis (7 bytes), a TPDO statusword and position (6 bytes).
+/// A table of 1,500 objects: communication objects, eight axes of five profile objects, 2000h UNSIGNED32, 2001h
+/// DOMAIN of 1,024 bytes and plain numbers. An RPDO carries controlword, target position and mode of its axis (7
+/// bytes), a TPDO statusword and position (6 bytes).
+std::vector<canopen::EntryDescription> library_table(const Shape& shape);
+
+/// A node of the library, in Operational, over library_table().
 struct LibraryNode {
   explicit LibraryNode(const Shape& shape = {});
 

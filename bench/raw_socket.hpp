@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <system_error>
 
@@ -13,14 +14,29 @@
 
 namespace bench {
 
-/// A blocking raw CAN socket that receives one identifier only; throws std::system_error if it cannot be had.
+/// Lets data frames of exactly @p identifier pass.
+constexpr can_filter only(std::uint32_t identifier) noexcept {
+  return {.can_id = identifier, .can_mask = CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG};
+}
+
+/// Lets data frames of every node pass that have the function code of @p identifier (CiA 301, 7.3.3).
+constexpr can_filter same_function(std::uint32_t identifier) noexcept {
+  return {.can_id = identifier, .can_mask = 0x780U | CAN_EFF_FLAG | CAN_RTR_FLAG};
+}
+
+/// A blocking raw CAN socket with room for a burst; throws std::system_error if it cannot be had.
 class RawSocket {
  public:
-  RawSocket(const std::string& interface, std::uint32_t identifier)
+  RawSocket(const std::string& interface, std::span<const can_filter> filters)
       : descriptor_{::socket(AF_CAN, SOCK_RAW, CAN_RAW)} {
     require(descriptor_ >= 0, "socket");
-    const can_filter filter{.can_id = identifier, .can_mask = CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG};
-    require(::setsockopt(descriptor_, SOL_CAN_RAW, CAN_RAW_FILTER, &filter, sizeof filter) == 0, "filter");
+    require(::setsockopt(descriptor_, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(),
+                         static_cast<socklen_t>(filters.size_bytes())) == 0,
+            "filter");
+    constexpr int kReceiveBuffer = 1 << 20;
+    require(::setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUFFORCE, &kReceiveBuffer, sizeof kReceiveBuffer) == 0 ||
+                ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &kReceiveBuffer, sizeof kReceiveBuffer) == 0,
+            "receive buffer");
     sockaddr_can address{};
     address.can_family = AF_CAN;
     address.can_ifindex = static_cast<int>(::if_nametoindex(interface.c_str()));

@@ -26,7 +26,8 @@ class SocketCan final : public Port {
   [[nodiscard]] SendStatus send(const canopen::Frame& frame) noexcept override;
   [[nodiscard]] Received receive(canopen::Frame& frame) noexcept override;
   [[nodiscard]] ErrorState error_state() const noexcept override { return error_state_; }
-  [[nodiscard]] std::uint64_t dropped() const noexcept override { return dropped_; }
+  /// A system call; the kernel counts up to 2^32.
+  [[nodiscard]] std::uint64_t dropped() const noexcept override;
   [[nodiscard]] int descriptor() const noexcept override { return socket_.get(); }
   /// More filters than the kernel takes (512) open the port for every frame.
   void accept_only(std::span<const Filter> filters) noexcept override;
@@ -52,8 +53,6 @@ class SocketCan final : public Port {
   Descriptor socket_;
   std::array<can_filter, CAN_RAW_FILTER_MAX> filters_{};
   std::size_t filter_count_ = 0;
-  std::uint64_t dropped_ = 0;
-  std::uint32_t last_overflow_ = 0;
   ErrorState error_state_ = ErrorState::Active;
   LinkFailure link_failure_ = LinkFailure::None;
 };

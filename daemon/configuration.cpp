@@ -183,9 +183,7 @@ Configuration parse_configuration(std::string_view text, const std::string& file
       json.at("interface").fail("a name of 1 to 15 characters without spaces");
   }
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
-  if (json.has("sdo_block") && json.at("sdo_block").boolean()) {
-    json.at("sdo_block").fail("false (this version has no SDO block transfer)");
-  }
+  if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
   if (!json.has("axes")) return configuration;
   const JsonReader axes = json.at("axes");

@@ -36,6 +36,7 @@ struct Configuration {
   std::string interface = "vcan0";
   int node_id = 2;
   std::vector<AxisConfiguration> axes{AxisConfiguration{}};
+  bool sdo_block = false;                    ///< key "sdo_block"
   bool fault_on_leaving_operational = true;  ///< key "f08701"
 };
 

@@ -3,24 +3,22 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "bus/link_monitor.hpp"
-#include "bus/socket_can.hpp"
-#include "bus/transmit_queue.hpp"
+#include "daemon/bus_loop.hpp"
 #include "daemon/configuration.hpp"
 #include "daemon/control_server.hpp"
 #include "daemon/instance_lock.hpp"
 #include "daemon/log.hpp"
 #include "daemon/service_events.hpp"
-#include "daemon/timer.hpp"
+#include "daemon/station.hpp"
 #include "device/device.hpp"
 
 namespace axisd {
 
-/// The running program: one drive unit on one CAN interface, moved by one poll over the CAN socket, one timer and
-/// the rare events.
-class Daemon final : private device::Listener {
+/// The running program: one drive unit on one CAN interface, moved by a BusLoop; sd-event serves what is rare.
+class Daemon final : private device::Listener, private Station {
  public:
   /// Opens everything that @p configuration names, with the state below @p state_root and the control socket at
   /// @p control (empty: none). Throws InstanceError, bus::OpenError or std::system_error.
@@ -44,14 +42,14 @@ class Daemon final : private device::Listener {
 
   const Configuration& configuration() const noexcept { return configuration_; }
   const device::Device& device() const noexcept { return device_; }
-  const bus::TransmitQueue& transmit_queue() const noexcept { return queue_; }
-  bus::ErrorState bus_state() const noexcept { return port_.error_state(); }
-  bool link_is_up() const noexcept { return link_is_up_; }
+  const bus::TransmitQueue& transmit_queue() const noexcept { return loop_.queue(); }
+  bus::ErrorState bus_state() const noexcept { return loop_.port().error_state(); }
+  bool link_is_up() const noexcept { return loop_.is_open(); }
   /// Load torque as last set (N·m).
   double load_torque() const noexcept { return load_torque_; }
   /// Frames received, frames lost in the socket, and frames of others under this node's identifiers.
-  std::uint64_t received() const noexcept { return received_; }
-  std::uint64_t receive_overflows() const noexcept { return port_.dropped(); }
+  std::uint64_t received() const noexcept { return loop_.received(); }
+  std::uint64_t receive_overflows() const noexcept { return loop_.port().dropped(); }
   std::uint64_t foreign_frames() const noexcept { return foreign_frames_; }
   /// Seconds since the start.
   double uptime_s() const noexcept;
@@ -60,11 +58,21 @@ class Daemon final : private device::Listener {
   void on_subscriptions_changed() noexcept override;
   void on_foreign_frame(std::uint32_t identifier) noexcept override;
 
-  void turn() noexcept;
-  void receive(canopen::TimePoint now) noexcept;
-  bool receive_frame(canopen::TimePoint now) noexcept;
+  void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override {
+    device_.on_frame(frame, now);
+  }
+  void on_time(canopen::TimePoint now) noexcept override { device_.on_time(now); }
+  canopen::TimePoint next_deadline() const noexcept override { return device_.next_deadline(); }
+  std::span<const canopen::Subscription> subscriptions() const noexcept override {
+    return device_.subscriptions();
+  }
+  void on_rare_event() noexcept override { events_.dispatch(); }
+  void on_link_lost() noexcept override;
+  void on_error_state(bus::ErrorState state) noexcept override;
+
+  void look_around() noexcept;
   void log_full_queue() noexcept;
-  void log_skipped_cycles(canopen::TimePoint now) noexcept;
+  void log_skipped_cycles() noexcept;
   void power_on() noexcept;
   void tell_ready() noexcept;
   void link_up() noexcept;
@@ -77,23 +85,16 @@ class Daemon final : private device::Listener {
   canopen::TimePoint started_;
   InstanceLock lock_;
   bus::LinkMonitor link_;
-  bus::SocketCan port_;
-  bus::TransmitQueue queue_;
+  BusLoop loop_;
   device::Device device_;
-  Timer timer_;
   ServiceEvents events_;
   EventSource link_source_;
   std::optional<ControlServer> control_;
-  std::vector<bus::Filter> filters_;
 
   bool stopping_ = false;
-  bool link_is_up_ = false;
   bool ready_told_ = false;
   bool full_logged_ = false;
-  bool in_burst_ = false;
-  unsigned turns_with_frames_ = 0;
   double load_torque_;
-  std::uint64_t received_ = 0;
   std::uint64_t foreign_frames_ = 0;
   canopen::TimePoint foreign_logged_{};
   std::uint64_t skipped_seen_ = 0;

@@ -1,11 +1,9 @@
 #include "daemon/timer.hpp"
 
 #include <cerrno>
-#include <cstdint>
 #include <system_error>
 
 #include <sys/timerfd.h>
-#include <unistd.h>
 
 namespace axisd {
 
@@ -13,21 +11,17 @@ Timer::Timer() : descriptor_{timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_
   if (!descriptor_) throw std::system_error{errno, std::generic_category(), "cannot create a timer"};
 }
 
-void Timer::wake_by(canopen::TimePoint when) noexcept {
-  if (when >= set_) return;
+void Timer::set(canopen::TimePoint when) noexcept {
   set_ = when;
-  const auto since_start = when.time_since_epoch();
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since_start);
-  itimerspec setting{};
-  setting.it_value.tv_sec = seconds.count();
-  setting.it_value.tv_nsec = (since_start - seconds).count();
+  itimerspec setting{};  // zero, which disarms, for never
+  if (when != canopen::kNever) {
+    const auto since_start = when.time_since_epoch();
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since_start);
+    setting.it_value.tv_sec = seconds.count();
+    setting.it_value.tv_nsec = (since_start - seconds).count();
+  }
+  // Setting it also takes back the expirations that have not been read, so that nobody has to read them.
   timerfd_settime(descriptor_.get(), TFD_TIMER_ABSTIME, &setting, nullptr);
-}
-
-void Timer::acknowledge() noexcept {
-  std::uint64_t expirations = 0;
-  [[maybe_unused]] const ssize_t got = read(descriptor_.get(), &expirations, sizeof expirations);
-  set_ = canopen::kNever;
 }
 
 }  // namespace axisd

@@ -34,6 +34,12 @@ constexpr canopen::Policy kPolicy{
 constexpr std::array kInputs{object::kControlword, object::kTargetVelocity, object::kTargetTorque,
                              object::kModesOfOperation, object::kErrorField};
 
+canopen::Policy policy_of(const Configuration& configuration) noexcept {
+  canopen::Policy policy = kPolicy;
+  policy.sdo_block = configuration.sdo_block;
+  return policy;
+}
+
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
@@ -49,7 +55,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       process_data_{dictionary_, drive::BusScaling{axis_.parameters()}},
       parameter_objects_{dictionary_, axis_, drive::BusScaling{axis_.parameters()}, *this},
       error_objects_{dictionary_, axis_},
-      node_{dictionary_, kPolicy, sink, *this} {
+      node_{dictionary_, policy_of(configuration), sink, *this} {
   apply_presets();
   for (const std::uint16_t index : kInputs) dictionary_.own_write(index, 0, *this);
 }

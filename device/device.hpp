@@ -25,6 +25,7 @@ struct Configuration {
   std::uint8_t node_id = 2;  ///< 1..127
   drive::AxisConfiguration axis{};
   std::vector<ParameterPreset> presets{};    ///< existing, writable and within their limits
+  bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
   bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
 };
 

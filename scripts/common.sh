@@ -33,6 +33,29 @@ need_packages() {
   }
 }
 
+# node_prefix: where node is installed, its headers below include/.
+node_prefix() { node -p 'require("path").resolve(process.execPath, "../..")' 2>/dev/null; }
+
+# need_master: the npm packages of the independent master (tests/e2e/master) in build/master/node_modules, and what npm
+# needs to build them where it is missing. Does nothing where they are as the lock file says.
+need_master() {
+  local source=$root/tests/e2e/master target=$root/build/master packages=() wanted answer
+  command -v make >/dev/null || packages+=(make)
+  command -v python3 >/dev/null || packages+=(python3)
+  { command -v npm && [[ -e $(node_prefix)/include/node/node.h ]]; } >/dev/null || packages+=(nodejs npm libnode-dev)
+  ((${#packages[@]} == 0)) || need_packages "${packages[@]}"
+  wanted=$(node --version && sha256sum "$source"/package*.json | cut -d' ' -f1) || return 1
+  [[ ! -e $target/complete || $(<"$target/complete") != "$wanted" ]] || return 0
+  say "installing the npm packages of the independent master"
+  mkdir -p "$target" && rm -f "$target/complete"
+  cp "$source"/{package.json,package-lock.json,.npmrc} "$target" || return 1
+  answer=$(cd "$target" && npm_config_nodedir=$(node_prefix) npm ci --no-audit --no-fund 2>&1) || {
+    echo "$answer" >&2
+    return 1
+  }
+  echo "$wanted" >"$target/complete"
+}
+
 # update_package_lists: apt-get update, once a script.
 update_package_lists() {
   [[ -z ${lists_are_fresh:-} ]] || return 0

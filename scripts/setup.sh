@@ -29,3 +29,5 @@ if ! have_can; then
   # An image of Debian comes without package lists, and vcan-vm fetches a kernel by them.
   apt-cache show linux-image-amd64 &>/dev/null || update_package_lists
 fi
+# Who sources this decides whether the independent master is worth its time.
+[[ ${BASH_SOURCE[0]} != "$0" ]] || need_master || die "the npm packages of tests/e2e/master could not be installed"

@@ -2,8 +2,9 @@
 # test.sh [--quick]: builds the project and runs every test, on a fresh Debian 12 machine too.
 #
 # In order: packages; form of the sources; release and sanitizer builds with their unit tests; the end-to-end tests on a
-# CAN interface (where the kernel has none: in one start of the virtual machine); clang-tidy. A failure does not keep the
-# rest from running. A test that was skipped counts as failed, for it has shown nothing.
+# CAN interface (where the kernel has none: in one start of the virtual machine), for which npm brings an independent
+# master; clang-tidy. A failure does not keep the rest from running. A test that was skipped counts as failed, for it has
+# shown nothing.
 #
 # --quick: the release build and its unit tests only.
 #
@@ -65,6 +66,7 @@ if [[ ! $quick ]]; then
     tests 'unit asan' ctest --preset asan -j "$jobs"
   fi
   if [[ ${released:-} ]]; then
+    check 'npm packages' need_master
     # One after the other: they share the bus.
     tests 'e2e' run_on_can ctest --test-dir build/release -L e2e --output-on-failure --no-tests=error
     check 'clang-tidy' scripts/lint.sh --tidy-only

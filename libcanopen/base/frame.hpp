@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "libcanopen/base/export.hpp"
+
 namespace canopen {
 
 /// A classical CAN frame as CiA 301 uses it. Sixteen bytes, laid out so that it copies in two words.
@@ -25,7 +27,7 @@ enum class Delivery : std::uint8_t {
 };
 
 /// Where a node puts its frames. The owner implements it; it must not fail and must not call back into the node.
-class FrameSink {
+class CANOPEN_EXPORT FrameSink {
  public:
   virtual ~FrameSink() = default;
   /// Hands @p frame over for transmission.

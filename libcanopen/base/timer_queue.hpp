@@ -4,13 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/base/time.hpp"
 
 namespace canopen {
 
 /// Deadlines of a fixed set of timers in a binary heap: the earliest one costs nothing to read.
 /// All memory is taken in the constructor; timers are named by their number.
-class TimerQueue {
+class CANOPEN_EXPORT TimerQueue {
  public:
   /// Room for timers 0 .. @p timers - 1, none of them armed.
   explicit TimerQueue(std::size_t timers);

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 
 namespace canopen {
 
 /// Sends the NMT state once a period (CiA 301, 7.2.8.3.2.2; object 1017h, in ms, 0 = off).
-class HeartbeatProducer final : public EntryOwner {
+class CANOPEN_EXPORT HeartbeatProducer final : public EntryOwner {
  public:
   /// @p timer is the number of its timer in the context's queue. Works without object 1017h, silently.
   HeartbeatProducer(Context& context, std::size_t timer);

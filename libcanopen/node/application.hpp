@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/nmt/state.hpp"
 #include "libcanopen/node/communication_error.hpp"
 #include "libcanopen/od/abort_code.hpp"
@@ -9,7 +10,7 @@ namespace canopen {
 
 /// What the application behind a node is told and asked. Called from within on_frame(), on_time() and start();
 /// must not call back into any of them.
-class Application {
+class CANOPEN_EXPORT Application {
  public:
   virtual ~Application() = default;
   /// The NMT state has changed.

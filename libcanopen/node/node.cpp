@@ -45,9 +45,9 @@ Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Applic
                .timers = timers_,
                .identifiers = *this,
                .errors = *this},
+      guarding_{context_, plan_.guarding},
       heartbeat_{context_, plan_.heartbeat},
       heartbeat_consumer_{context_, plan_.consumer},
-      guarding_{context_, plan_.guarding},
       sdo_servers_{context_, plan_.sdo},
       receive_pdos_{context_, plan_.rpdo},
       transmit_pdos_{context_, plan_.tpdo},
@@ -125,6 +125,11 @@ void Node::on_timer(std::size_t timer) noexcept {
 void Node::on_values_changed(TimePoint now) noexcept {
   context_.now = now;
   transmit_pdos_.on_values_changed();
+}
+
+void Node::command(NmtCommand wanted, TimePoint now) noexcept {
+  context_.now = now;
+  if (context_.state != NmtState::Initialising) command(wanted);
 }
 
 void Node::on_nmt(const Frame& frame) noexcept {

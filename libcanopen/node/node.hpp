@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/emcy/emcy_producer.hpp"
 #include "libcanopen/emcy/error_keeper.hpp"
 #include "libcanopen/nmt/heartbeat_consumer.hpp"
@@ -22,7 +23,7 @@ namespace canopen {
 /// A CANopen slave (CiA 301): NMT with error control, SDO, PDO, SYNC, TIME and EMCY over one dictionary. It owns
 /// its tables only: the owner feeds it frames and time and carries its frames away. No call allocates, blocks or
 /// throws.
-class Node final : private IdentifierUse, private ErrorReports {
+class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
  public:
   /// The node of @p dictionary; all arguments must outlive it. It does nothing before start().
   Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Application& application);
@@ -35,6 +36,9 @@ class Node final : private IdentifierUse, private ErrorReports {
   void start(TimePoint now) noexcept;
   /// A frame from the bus.
   void on_frame(const Frame& frame, TimePoint now) noexcept;
+  /// Does what @p command says, as if the NMT master had sent it (CiA 301, 7.3.2.2: local NMT services). Nothing
+  /// happens before start().
+  void command(NmtCommand command, TimePoint now) noexcept;
   /// Handles what is due at @p now; belongs after every other call if next_deadline() has come.
   void on_time(TimePoint now) noexcept {
     context_.now = now;
@@ -100,9 +104,9 @@ class Node final : private IdentifierUse, private ErrorReports {
   TimerQueue timers_;
   Context context_;
   ServiceGate gate_{};  ///< of the NMT state
+  NodeGuarding guarding_;
   HeartbeatProducer heartbeat_;
   HeartbeatConsumer heartbeat_consumer_;
-  NodeGuarding guarding_;
   SdoServers sdo_servers_;
   ReceivePdos receive_pdos_;
   TransmitPdos transmit_pdos_;

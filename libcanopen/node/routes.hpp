@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/subscription.hpp"
 
 namespace canopen {
@@ -30,7 +31,7 @@ struct Route {
 
 /// Where received frames go: a table over all 11-bit identifiers, and sorted lists for what is rare (29-bit
 /// identifiers, remote frames).
-class Routes {
+class CANOPEN_EXPORT Routes {
  public:
   /// Room for @p most routes.
   explicit Routes(std::size_t most);

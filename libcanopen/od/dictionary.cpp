@@ -110,7 +110,7 @@ Dictionary::Dictionary(std::span<const EntryDescription> table, std::uint8_t nod
         "the table of a dictionary must be sorted by index and sub-index, without duplicates"};
   }
   entries_.reserve(table.size());
-  pages_.emplace_back();  // page 0 stays empty: every index without a page of its own looks there
+  slots_.resize(kPage);  // the first page stays empty: every index without a page of its own looks there
   for (const EntryDescription& row : table) append(row);
   restore(0, 0xFFFF);
 }
@@ -124,25 +124,23 @@ void Dictionary::append(const EntryDescription& row) {
   longest_value_ = std::max(longest_value_, capacity);
   entry.offset = static_cast<std::uint32_t>(offset);
 
-  std::uint16_t& page = page_of_[row.index >> 8];
+  std::uint32_t& page = page_of_[row.index >> 8];
   if (page == 0) {
-    page = static_cast<std::uint16_t>(pages_.size());
-    pages_.emplace_back();
+    page = static_cast<std::uint32_t>(slots_.size());
+    slots_.resize(slots_.size() + kPage);
   }
-  Slot& slot = pages_[page][row.index & 0xFF];
+  Slot& slot = slots_[page + (row.index & 0xFF)];
   if (slot.count == 0) slot.first = static_cast<std::uint32_t>(entries_.size());
   ++slot.count;
   entries_.push_back(entry);
 }
 
-/// What find() does where an object has gaps between its sub-indices.
-Result<const Entry*> Dictionary::search(const Slot& place, std::uint8_t sub_index) const noexcept {
-  if (place.count == 0) return refuse(AbortCode::NoObject);
-  const Entry* const first = &entries_[place.first];
+/// What lookup() does where an object has gaps between its sub-indices.
+const Entry* Dictionary::search(Slot place, std::uint8_t sub_index) const noexcept {
+  const Entry* const first = entries_.data() + place.first;
   const Entry* const end = first + place.count;
   const Entry* const found = std::find_if(first, end, [=](const Entry& e) { return e.sub_index == sub_index; });
-  if (found == end) return refuse(AbortCode::NoSubIndex);
-  return found;
+  return found != end ? found : nullptr;
 }
 
 Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/base/little_endian.hpp"
 #include "libcanopen/od/domain_owner.hpp"
 #include "libcanopen/od/entry.hpp"
@@ -33,7 +34,7 @@ enum class OwnerRank : std::uint8_t { Application, Service };
 
 /// The object dictionary of one node (CiA 301, 7.4): a table of entries and one flat image of their values.
 /// Lookup costs two loads; after construction nothing is allocated.
-class Dictionary {
+class CANOPEN_EXPORT Dictionary {
  public:
   /// Builds the dictionary of @p table, sorted by index and sub-index without duplicates, for @p node_id 1..127.
   /// @p table must outlive the dictionary. Throws std::invalid_argument if the table is not in order.
@@ -42,14 +43,23 @@ class Dictionary {
   Dictionary(const Dictionary&) = delete;
   Dictionary& operator=(const Dictionary&) = delete;
 
-  /// The entry @p index, @p sub_index; NoObject or NoSubIndex.
-  Result<const Entry*> find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
-    const Slot& place = slot(index);
+  /// The entry @p index, @p sub_index; nullptr if there is none.
+  const Entry* lookup(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+    const Slot place = slot(index);
     if (sub_index < place.count) {
       const Entry* const expected = entries_.data() + place.first + sub_index;
       if (expected->sub_index == sub_index) return expected;
     }
     return search(place, sub_index);
+  }
+  /// Why lookup() of @p index finds nothing: NoObject or NoSubIndex.
+  AbortCode absence(std::uint16_t index) const noexcept {
+    return contains(index) ? AbortCode::NoSubIndex : AbortCode::NoObject;
+  }
+  /// The entry @p index, @p sub_index; NoObject or NoSubIndex.
+  Result<const Entry*> find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+    if (const Entry* const found = lookup(index, sub_index)) return found;
+    return refuse(absence(index));
   }
   /// True if any entry of @p index exists.
   bool contains(std::uint16_t index) const noexcept { return slot(index).count != 0; }
@@ -115,18 +125,18 @@ class Dictionary {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
-  using Page = std::array<Slot, 256>;
+  static constexpr std::uint32_t kPage = 256;  ///< slots for the indices that share their upper byte
 
-  const Slot& slot(std::uint16_t index) const noexcept { return pages_[page_of_[index >> 8]][index & 0xFF]; }
-  Result<const Entry*> search(const Slot& place, std::uint8_t sub_index) const noexcept;
+  const Slot& slot(std::uint16_t index) const noexcept { return slots_[page_of_[index >> 8] + (index & 0xFF)]; }
+  const Entry* search(Slot place, std::uint8_t sub_index) const noexcept;
   Entry& existing(std::uint16_t index, std::uint8_t sub_index);
   std::byte* checked_value(std::uint16_t index, std::uint8_t sub_index, std::size_t size);
   void append(const EntryDescription& row);
   void restore(const Entry& entry) noexcept;
 
   std::vector<Entry> entries_;
-  std::array<std::uint16_t, 256> page_of_{};
-  std::vector<Page> pages_;
+  std::array<std::uint32_t, 256> page_of_{};  ///< first slot of the page of an upper byte
+  std::vector<Slot> slots_;
   std::vector<std::byte> image_;
   std::vector<std::unique_ptr<EntryOwner>> joint_owners_;
   std::size_t longest_value_ = 8;

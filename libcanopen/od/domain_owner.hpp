@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/od/abort_code.hpp"
 
 namespace canopen {
@@ -15,7 +16,7 @@ struct Entry;
 /// each with its own offset; who writes is alone: all others, and a write while somebody reads, are refused with
 /// DeviceState. A refusal ends the transfer with its code. Every begin_write() that succeeds is followed by one
 /// end_write() that succeeds or by one cancel_write().
-class DomainOwner {
+class CANOPEN_EXPORT DomainOwner {
  public:
   virtual ~DomainOwner() = default;
   /// A client begins to read. Returns the size in bytes, std::nullopt if only the end will tell.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/od/abort_code.hpp"
 #include "libcanopen/od/entry_description.hpp"
 
@@ -39,7 +40,7 @@ static_assert(sizeof(Entry) == 64);
 
 /// What stands behind an entry. A service or the application registers itself for the entries whose reads or
 /// writes mean more than memory; all others are plain values of the dictionary.
-class EntryOwner {
+class CANOPEN_EXPORT EntryOwner {
  public:
   virtual ~EntryOwner() = default;
   /// Gives the value of the number @p entry, whose last known value is @p stored.

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 #include "libcanopen/pdo/mapping.hpp"
 
@@ -39,7 +40,7 @@ struct PdoSettings {
 
 /// Communication and mapping parameters of all PDOs of one direction, with the rules for changing them
 /// (CiA 301, 7.5.2.35 to 7.5.2.38).
-class PdoParameters final : public EntryOwner {
+class CANOPEN_EXPORT PdoParameters final : public EntryOwner {
  public:
   /// The service that works with the PDOs.
   class Listener {

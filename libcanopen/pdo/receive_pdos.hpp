@@ -1,12 +1,13 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/pdo/parameters.hpp"
 
 namespace canopen {
 
 /// Takes received process data to the dictionary (CiA 301, 7.2.2): event-driven RPDOs at once, synchronous ones
 /// with the next SYNC. Reports frames of a wrong length and missed deadlines (sub-index 5, the event timer).
-class ReceivePdos final : public PdoParameters::Listener {
+class CANOPEN_EXPORT ReceivePdos final : public PdoParameters::Listener {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
   ReceivePdos(Context& context, std::size_t first_timer);

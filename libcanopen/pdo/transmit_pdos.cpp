@@ -108,12 +108,14 @@ void TransmitPdos::stop() noexcept {
 void TransmitPdos::on_sync(std::uint8_t counter) noexcept {
   if (any_waits_) begin_cycles(counter);
   last_sync_ = context_.now;
+  Outgoing* const all = outgoing_.data();
+  const std::byte* const image = image_;
   const Frame** staged = staged_.data();
   for (const std::uint16_t position : synchronous_) {
-    Outgoing& pdo = outgoing_[position];
+    Outgoing& pdo = all[position];
     if (--pdo.left != 0) continue;
     pdo.left = pdo.period;
-    const std::uint64_t payload = pack(pdo);
+    const std::uint64_t payload = pdo.plan.pack(image);
     if (pdo.trigger != Trigger::Cyclic && !takes(pdo, payload)) continue;
     pdo.set_payload(payload);
     *staged++ = &pdo.frame;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/pdo/parameters.hpp"
 
 namespace canopen {
@@ -7,7 +8,7 @@ namespace canopen {
 /// Sends process data (CiA 301, 7.2.2): types 1..240 with every n-th SYNC, type 0 with the SYNC after a change,
 /// type 252 on request with the values of the last SYNC, type 253 on request, types 254 and 255 on a change, by
 /// the event timer and on request, never closer than the inhibit time. Types 0..240 answer a request as well.
-class TransmitPdos final : public PdoParameters::Listener {
+class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
   TransmitPdos(Context& context, std::size_t first_timer);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/sdo/domain_locks.hpp"
 #include "libcanopen/sdo/server.hpp"
 
@@ -11,7 +12,7 @@ namespace canopen {
 
 /// All SDO servers of a node, at most 128, with their parameters (CiA 301, 7.5.2.33; objects 1200h to 127Fh). The
 /// server of 1200h is always there, without the object too.
-class SdoServers final : public EntryOwner {
+class CANOPEN_EXPORT SdoServers final : public EntryOwner {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
   SdoServers(Context& context, std::size_t first_timer);

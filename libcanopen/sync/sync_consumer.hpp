@@ -2,13 +2,14 @@
 
 #include <optional>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 
 namespace canopen {
 
 /// Knows which identifier is SYNC and what a SYNC says (CiA 301, 7.2.5; objects 1005h, 1007h, 1019h). The node
 /// does not produce SYNC: bit 30 of 1005h is refused.
-class SyncConsumer final : public EntryOwner {
+class CANOPEN_EXPORT SyncConsumer final : public EntryOwner {
  public:
   explicit SyncConsumer(Context& context);
 

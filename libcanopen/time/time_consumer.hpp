@@ -1,12 +1,13 @@
 #pragma once
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 
 namespace canopen {
 
 /// Takes time stamps to the application (CiA 301, 7.2.6; object 1012h). The node does not produce TIME: bit 30 is
 /// refused.
-class TimeConsumer final : public EntryOwner {
+class CANOPEN_EXPORT TimeConsumer final : public EntryOwner {
  public:
   explicit TimeConsumer(Context& context);
 

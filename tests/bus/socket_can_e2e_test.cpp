@@ -138,10 +138,6 @@ TEST(SocketCanOnVcan, CountsWhatItsBufferCouldNotHold) {
   ASSERT_GT(held, 0u);
   ASSERT_LT(held, 1000u);
 
-  // The kernel tells of a loss with the first frame that it could hold again.
-  ASSERT_EQ(master.send(kRequest), SendStatus::Sent);
-  ASSERT_EQ(next(drive), kRequest);
-
   EXPECT_EQ(drive.dropped(), 1000 - held);
 }
 

@@ -64,8 +64,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"node_id": 18446744073709551615})",
                 "node.json: /node_id: expected an integer 1 to 127, got 18446744073709551615"},
         BadFile{R"({"sdo_block": 1})", "node.json: /sdo_block: expected true or false, got 1"},
-        BadFile{R"({"sdo_block": true})",
-                "node.json: /sdo_block: expected false (this version has no SDO block transfer), got true"},
         BadFile{R"({"f08701": "no"})", "node.json: /f08701: expected true or false, got \"no\""},
         BadFile{R"({"axes": {}})", "node.json: /axes: expected an array of 1, got {}"},
         BadFile{R"({"axes": []})", "node.json: /axes: expected an array of 1, got []"},

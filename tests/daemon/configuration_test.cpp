@@ -22,6 +22,7 @@ TEST(Configuration, OfNothingIsOneServoAtNode2OfVcan0) {
 
   EXPECT_EQ(configuration.interface, "vcan0");
   EXPECT_EQ(configuration.node_id, 2);
+  EXPECT_FALSE(configuration.sdo_block);
   EXPECT_TRUE(configuration.fault_on_leaving_operational);
   ASSERT_EQ(configuration.axes.size(), 1U);
   EXPECT_EQ(configuration.axes[0].name, "X");
@@ -39,10 +40,11 @@ TEST(Configuration, OfAnEmptyObjectIsTheDefault) {
 
 TEST(Configuration, TakesEveryKeyOfTheUnit) {
   const Configuration configuration =
-      parse(R"({"interface": "can1", "node_id": 127, "sdo_block": false, "f08701": false, "axes": [{}]})");
+      parse(R"({"interface": "can1", "node_id": 127, "sdo_block": true, "f08701": false, "axes": [{}]})");
 
   EXPECT_EQ(configuration.interface, "can1");
   EXPECT_EQ(configuration.node_id, 127);
+  EXPECT_TRUE(configuration.sdo_block);
   EXPECT_FALSE(configuration.fault_on_leaving_operational);
 }
 

@@ -173,4 +173,18 @@ TEST_F(Nmt, ForgetsAHalfFinishedTransferWhenItStops) {
   EXPECT_EQ(says("605#6000000000000000"), (Lines{"585#8000000001000405"}));
 }
 
+TEST_F(Nmt, ObeysItsOwnerAsItObeysTheMaster) {
+  node->command(canopen::NmtCommand::Start, now);
+  EXPECT_EQ(node->state(), NmtState::Initialising) << "before start()";
+  start();
+
+  node->command(canopen::NmtCommand::Start, now);
+  EXPECT_EQ(sent(), Lines{"185#4000"});
+  EXPECT_EQ(node->state(), NmtState::Operational);
+
+  node->command(canopen::NmtCommand::ResetNode, now);
+  EXPECT_EQ(sent(), Lines{"705#00"});
+  EXPECT_EQ(node->state(), NmtState::PreOperational);
+}
+
 }  // namespace

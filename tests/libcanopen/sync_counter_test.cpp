@@ -141,6 +141,16 @@ TEST_F(SyncCounter, KeepsTheStartValueOfAValidTpdo) {
   EXPECT_EQ(writes_u8(0x1804, 6, 240), 0U);
 }
 
+TEST_F(SyncCounter, ComesUnderAnIdentifierOf29BitsToo) {
+  ASSERT_EQ(writes_u8(0x1019, 0, 10), 0U);
+  ASSERT_EQ(writes_u32(0x1005, 0, 0x20000080), 0U);
+  map_cyclic(1, 0);
+  operate();
+
+  EXPECT_EQ(says("080#01"), Lines{});
+  EXPECT_EQ(says("00000080#01"), (Lines{"455#4000"}));
+}
+
 TEST_F(SyncCounter, TakesItsStoredOverflowWithAReset) {
   ASSERT_EQ(writes_u8(0x1019, 0, 10), 0U);
   says("000#8205");

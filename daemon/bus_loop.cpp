@@ -1,0 +1,120 @@
+#include "daemon/bus_loop.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include <poll.h>
+#include <sys/epoll.h>
+
+#include "daemon/clock.hpp"
+
+namespace axisd {
+namespace {
+
+constexpr std::size_t kMostSubscriptions = 2048;
+/// Frames taken in one turn while they come faster than turns, so that the timer still gets its turn.
+constexpr int kBurst = 32;
+/// Every so many single frames the socket is asked for a second one, which shows whether a burst is on.
+constexpr unsigned kBurstProbe = 64;
+/// After so many turns in which the timer rang the rare descriptors are looked after in spite of it.
+constexpr unsigned kMostRings = 16;
+
+bus::Descriptor open_epoll() {
+  bus::Descriptor epoll{::epoll_create1(EPOLL_CLOEXEC)};
+  if (!epoll) throw std::system_error{errno, std::generic_category(), "epoll_create1"};
+  return epoll;
+}
+
+}  // namespace
+
+BusLoop::BusLoop(const std::string& interface, Station& station)
+    : station_{station}, port_{interface}, queue_{port_}, others_{open_epoll()} {
+  filters_.reserve(kMostSubscriptions);
+  watch(timer_.descriptor());
+}
+
+void BusLoop::watch(int descriptor) {
+  epoll_event event{};
+  event.events = EPOLLIN;
+  if (::epoll_ctl(others_.get(), EPOLL_CTL_ADD, descriptor, &event) != 0)
+    throw std::system_error{errno, std::generic_category(), "epoll_ctl"};
+}
+
+bool BusLoop::open() noexcept {
+  if (!port_.reopen()) return false;
+  is_open_ = true;
+  queue_.discard();
+  now_ = read_clock();
+  queue_.retry(now_);
+  return true;
+}
+
+void BusLoop::close() noexcept {
+  is_open_ = false;
+  queue_.discard();
+}
+
+void BusLoop::follow_subscriptions() noexcept {
+  filters_.clear();
+  for (const canopen::Subscription& wanted : station_.subscriptions()) {
+    filters_.push_back({.identifier = wanted.identifier & canopen::cob_id::kLong,
+                        .remote = wanted.remote,
+                        .extended = (wanted.identifier & canopen::cob_id::kExtended) != 0});
+  }
+  port_.accept_only(filters_);
+}
+
+void BusLoop::turn() noexcept {
+  timer_.wake_by(std::min(station_.next_deadline(), queue_.next_retry()), now_);
+  const bool listens = is_open_ && queue_.accepts_input();
+  std::array<pollfd, 2> wait{pollfd{listens ? port_.descriptor() : -1, POLLIN, 0},
+                             pollfd{others_.get(), POLLIN, 0}};
+  if (::ppoll(wait.data(), wait.size(), nullptr, nullptr) <= 0) return;
+  now_ = read_clock();
+  queue_.retry(now_);
+  if (wait[0].revents != 0) receive();
+  if (station_.next_deadline() <= now_) station_.on_time(now_);
+  if (wait[1].revents != 0) look_after_others();
+}
+
+/// Which of the others is readable would be one system call more. The clock tells it nearly always: a timer whose
+/// time has come is taken for the cause, and what is still readable once the timer is set anew is something rare.
+void BusLoop::look_after_others() noexcept {
+  if (timer_.has_rung(now_) && ++rings_in_a_row_ < kMostRings) return;
+  rings_in_a_row_ = 0;
+  station_.on_rare_event();
+}
+
+/// Requests come one by one, and one read a turn is the cheapest way to serve them; a burst is read in one go.
+void BusLoop::receive() noexcept {
+  const bool probes = ++turns_with_frames_ % kBurstProbe == 0;
+  const int most = in_burst_ || probes ? kBurst : 1;
+  int frames = 0;
+  while (frames < most && queue_.accepts_input() && receive_frame()) ++frames;
+  in_burst_ = frames > 1;
+}
+
+/// False if there was none.
+bool BusLoop::receive_frame() noexcept {
+  canopen::Frame frame;
+  switch (const bus::Received received = port_.receive(frame); received.kind) {
+    case bus::Received::Frame:
+      ++received_;
+      station_.on_frame(frame, now_);
+      return true;
+    case bus::Received::Error:
+      station_.on_error_state(received.state);
+      return true;
+    case bus::Received::Down:
+      close();
+      station_.on_link_lost();
+      return false;
+    case bus::Received::Nothing:
+      break;
+  }
+  return false;
+}
+
+}  // namespace axisd

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bus/descriptor.hpp"
+#include "bus/socket_can.hpp"
+#include "bus/transmit_queue.hpp"
+#include "daemon/station.hpp"
+#include "daemon/timer.hpp"
+
+namespace axisd {
+
+/// Carries frames and time between one CAN interface and a Station.
+///
+/// A turn is one poll over two descriptors: the CAN socket, and an epoll descriptor that stands for the timer and
+/// for everything rare. A request that comes alone costs poll, read and send; frames that come faster are read in
+/// bursts.
+class BusLoop {
+ public:
+  /// Opens @p interface, which may be down. Throws bus::OpenError or std::system_error.
+  BusLoop(const std::string& interface, Station& station);
+
+  /// Calls Station::on_rare_event() while @p descriptor is readable. Throws std::system_error.
+  void watch(int descriptor);
+  /// The interface is up: begins to receive and to send. False: it cannot be used.
+  [[nodiscard]] bool open() noexcept;
+  /// The interface is down or gone: what waits is dropped, and nothing is received until open().
+  void close() noexcept;
+  bool is_open() const noexcept { return is_open_; }
+  /// Receives from now on what Station::subscriptions() names.
+  void follow_subscriptions() noexcept;
+  /// Waits for the next event and handles all that is due. Also without a link: time goes on.
+  void turn() noexcept;
+
+  const bus::SocketCan& port() const noexcept { return port_; }
+  /// Where the station puts its frames.
+  bus::TransmitQueue& queue() noexcept { return queue_; }
+  const bus::TransmitQueue& queue() const noexcept { return queue_; }
+  /// Frames handed to the station so far.
+  std::uint64_t received() const noexcept { return received_; }
+
+ private:
+  void look_after_others() noexcept;
+  void receive() noexcept;
+  bool receive_frame() noexcept;
+
+  Station& station_;
+  bus::SocketCan port_;
+  bus::TransmitQueue queue_;
+  Timer timer_;
+  bus::Descriptor others_;  ///< epoll over the timer and what is watched
+  std::vector<bus::Filter> filters_;
+  canopen::TimePoint now_{};  ///< of this turn
+  bool is_open_ = false;
+  bool in_burst_ = false;
+  unsigned turns_with_frames_ = 0;
+  unsigned rings_in_a_row_ = 0;
+  std::uint64_t received_ = 0;
+};
+
+}  // namespace axisd

@@ -1,0 +1,22 @@
+# What `cmake --install BUILD --component libcanopen` installs: headers, libraries, and what find_package() and
+# pkg-config look for. Everything in it is found relative to where it lies, so the prefix can be moved.
+include(CMakePackageConfigHelpers)
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/libcanopen)
+
+install(TARGETS canopen canopen_shared EXPORT libcanopen-targets COMPONENT libcanopen)
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/libcanopen
+  COMPONENT libcanopen FILES_MATCHING PATTERN "*.hpp" PATTERN build* EXCLUDE PATTERN package EXCLUDE)
+install(EXPORT libcanopen-targets NAMESPACE libcanopen:: DESTINATION ${config_dir} COMPONENT libcanopen)
+
+configure_package_config_file(package/libcanopen-config.cmake.in libcanopen-config.cmake
+  INSTALL_DESTINATION ${config_dir} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+# While the major version is 0, a minor version may change the interface.
+write_basic_package_version_file(libcanopen-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/libcanopen-config.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/libcanopen-config-version.cmake DESTINATION ${config_dir} COMPONENT libcanopen)
+
+file(RELATIVE_PATH prefix_from_pc ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" prefix_from_pc ${prefix_from_pc})
+configure_file(package/libcanopen.pc.in libcanopen.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/libcanopen.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libcanopen)
