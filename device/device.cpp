@@ -25,6 +25,7 @@ constexpr canopen::Policy kPolicy{
     .sdo_block = false,
     .pdo_changes_in_operational = false,  // A08754
     .count_follows_entries = true,
+    .tpdo_requests = false,
     .dummy_types = 0,
     .tpdo_types = kTpdoTypes,
 };

@@ -43,9 +43,9 @@ Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Applic
                .timers = timers_,
                .identifiers = *this,
                .errors = *this},
+      guarding_{context_, plan_.guarding},
       heartbeat_{context_, plan_.heartbeat},
       heartbeat_consumer_{context_, plan_.consumer},
-      guarding_{context_, plan_.guarding},
       error_behaviour_{dictionary},
       sdo_servers_{context_, plan_.sdo},
       receive_pdos_{context_, plan_.rpdo},
@@ -166,6 +166,9 @@ void Node::boot() noexcept {
   emcy_.reload();
   errors_.reload();
   heartbeat_consumer_.reload();
+  lay_routes();  // those that PDOs must leave alone
+  receive_pdos_.claim_identifiers();
+  transmit_pdos_.claim_identifiers();
   on_identifiers_changed();
   context_.sink.send(frame_under(function_code::kErrorControl + node_id(), 1), Delivery::Ordered);
   heartbeat_.reload();
@@ -193,7 +196,7 @@ void Node::on_sync(const Frame& frame) noexcept {
   if (!counter) return;
   if (gate_.pdo) {
     transmit_pdos_.on_sync(*counter);
-    receive_pdos_.on_sync();
+    receive_pdos_.on_sync(sync_.window());
   }
   context_.application.on_sync(*counter);
 }
@@ -234,10 +237,12 @@ void Node::apply_error_behaviour(std::uint8_t error_class) noexcept {
 }
 
 bool Node::is_used(Identifier identifier) const noexcept {
-  const auto tpdos = transmit_pdos_.pdos();
   const auto servers = sdo_servers_.servers();
+  const auto carries = [=](std::span<const PdoSettings> pdos) {
+    return std::ranges::find(pdos, identifier, &PdoSettings::identifier) != pdos.end();
+  };
   return routes_.of(identifier).service != Service::None || identifier == emcy_.identifier() ||
-         std::any_of(tpdos.begin(), tpdos.end(), [=](const auto& p) { return p.identifier == identifier; }) ||
+         carries(receive_pdos_.pdos()) || carries(transmit_pdos_.pdos()) ||
          std::any_of(servers.begin(), servers.end(),
                      [=](const auto& s) { return s.response_identifier() == identifier; });
 }

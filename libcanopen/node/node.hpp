@@ -73,6 +73,8 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   std::span<const Subscription> subscriptions() const noexcept { return routes_.subscriptions(); }
   /// RPDO frames ignored because they were shorter than their mapping.
   std::uint64_t short_rpdos() const noexcept { return receive_pdos_.too_short(); }
+  /// Frames of synchronous RPDOs dropped because they came after the synchronous window (1007h).
+  std::uint64_t late_rpdos() const noexcept { return receive_pdos_.too_late(); }
 
  private:
   /// First numbers of the timers of each service.
@@ -102,9 +104,9 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   TimerQueue timers_;
   Context context_;
   ServiceGate gate_{};  ///< of the NMT state
+  NodeGuarding guarding_;
   HeartbeatProducer heartbeat_;
   HeartbeatConsumer heartbeat_consumer_;
-  NodeGuarding guarding_;
   ErrorBehaviour error_behaviour_;
   SdoServers sdo_servers_;
   ReceivePdos receive_pdos_;

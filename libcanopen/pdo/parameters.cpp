@@ -1,16 +1,14 @@
 #include "libcanopen/pdo/parameters.hpp"
 
+#include <algorithm>
+
 #include "libcanopen/base/cob_id.hpp"
 
 namespace canopen {
 namespace {
 
 constexpr std::uint16_t kPdoNumbers = 512;
-constexpr std::uint8_t kMaximumEntries = 64;
-
-constexpr bool is_known_type(std::uint8_t type) noexcept {
-  return type <= kLastSynchronousType || type >= 0xFE;
-}
+constexpr std::uint8_t kLastSyncStart = 240;  // CiA 301, 7.5.2.37
 
 constexpr std::uint16_t base_of(Direction direction) noexcept {
   return direction == Direction::Receive ? 0x1400 : 0x1800;
@@ -31,10 +29,26 @@ PdoParameters::PdoParameters(Context& context, Direction direction)
     own(index);
     own(static_cast<std::uint16_t>(mapping_base_ + number));
   }
+  give_room();
+}
+
+/// Gives every PDO as much room for mapped values as its mapping record has entries.
+void PdoParameters::give_room() {
+  std::vector<std::size_t> rooms;
+  for (const PdoSettings& pdo : pdos_) {
+    std::size_t room = 0;
+    for (std::uint8_t sub = 1; sub <= kMostMappedObjects; ++sub)
+      room += context_.dictionary.find(mapping_index(pdo), sub) ? 1U : 0U;
+    rooms.push_back(room);
+    values_.resize(values_.size() + room);
+  }
+  std::size_t first = 0;
+  for (std::size_t position = 0; position < pdos_.size(); first += rooms[position++])
+    pdos_[position].plan = MappingPlan{std::span{values_}.subspan(first, rooms[position])};
 }
 
 void PdoParameters::own(std::uint16_t index) {
-  for (std::uint8_t sub = 0; sub <= kMaximumEntries; ++sub) {
+  for (std::uint8_t sub = 0; sub <= kMostMappedObjects; ++sub) {
     const auto entry = context_.dictionary.find(index, sub);
     if (entry && (*entry)->writable) context_.dictionary.own_write(index, sub, *this, OwnerRank::Service);
   }
@@ -42,14 +56,41 @@ void PdoParameters::own(std::uint16_t index) {
 
 void PdoParameters::reload() noexcept {
   for (PdoSettings& pdo : pdos_) {
-    const auto cob_id = static_cast<std::uint32_t>(communication(pdo, pdo_sub::kCobId));
+    pdo.identifier = 0;
     pdo.zero_written = false;
     pdo.transmission_type = static_cast<std::uint8_t>(communication(pdo, pdo_sub::kTransmissionType));
-    const auto plan = compile_mapping(context_.dictionary, mapping_index(pdo), count(pdo), direction_);
-    const bool valid = plan && (cob_id & cob_id::kInvalid) == 0;
-    pdo.plan = plan.value_or(MappingPlan{});
-    pdo.identifier = valid ? identifier_in(cob_id) : 0;
   }
+}
+
+void PdoParameters::claim_identifiers() noexcept {
+  for (PdoSettings& pdo : pdos_) {
+    const auto index = static_cast<std::uint16_t>(communication_base_ + pdo.number);
+    const auto entry = context_.dictionary.find(index, pdo_sub::kCobId);
+    if (!entry) continue;
+    const std::int64_t cob_id = context_.dictionary.stored(**entry);
+    if (!claim(pdo, static_cast<std::uint32_t>(cob_id)))
+      context_.dictionary.set(**entry, cob_id | cob_id::kInvalid);
+  }
+}
+
+/// Makes @p pdo valid under @p cob_id; false if it cannot be.
+bool PdoParameters::claim(PdoSettings& pdo, std::uint32_t cob_id) noexcept {
+  const bool usable = (cob_id & cob_id::kInvalid) == 0 &&
+                      is_assignable(cob_id, context_.policy.extended_identifiers) &&
+                      !context_.identifiers.is_used(identifier_in(cob_id)) &&
+                      compile_mapping(rules(), mapping_index(pdo), count(pdo), pdo.plan);
+  if (!usable) return false;
+  pdo.identifier = identifier_in(cob_id);
+  pdo.remote_allowed = allows_remote(cob_id);
+  return true;
+}
+
+bool PdoParameters::allows_remote(std::uint32_t cob_id) const noexcept {
+  return direction_ == Direction::Transmit && context_.policy.tpdo_requests && (cob_id & cob_id::kNoRemote) == 0;
+}
+
+MappingRules PdoParameters::rules() const noexcept {
+  return {context_.dictionary, direction_, context_.policy.dummy_types};
 }
 
 std::int64_t PdoParameters::communication(const PdoSettings& pdo, std::uint8_t sub_index) const noexcept {
@@ -91,6 +132,9 @@ Result<void> PdoParameters::write_communication(std::size_t position, std::uint8
       return write_cob_id(position, static_cast<std::uint32_t>(value));
     case pdo_sub::kTransmissionType:
       return write_type(position, static_cast<std::uint8_t>(value));
+    case pdo_sub::kSyncStart:
+      if (value > kLastSyncStart) return refuse(AbortCode::InvalidValue);
+      [[fallthrough]];
     case pdo_sub::kInhibitTime:
       if (pdos_[position].is_valid()) return refuse(AbortCode::DeviceState);
       break;
@@ -108,35 +152,45 @@ Result<void> PdoParameters::write_cob_id(std::size_t position, std::uint32_t cob
     changed(position);
     return {};
   }
-  const Identifier identifier = identifier_in(cob_id);
   if (!is_assignable(cob_id, context_.policy.extended_identifiers)) return refuse(AbortCode::InvalidValue);
-  if (pdo.is_valid()) return identifier == pdo.identifier ? Result<void>{} : refuse(AbortCode::DeviceState);
-  if (context_.identifiers.is_used(identifier)) return refuse(AbortCode::ParameterIncompatible);
-  const auto plan = compile_mapping(context_.dictionary, mapping_index(pdo), count(pdo), direction_);
-  if (!plan) return refuse(plan.error());
-  pdo.plan = *plan;
-  pdo.identifier = identifier;
+  if (pdo.is_valid()) return write_remote_bit(pdo, cob_id);
+  if (context_.identifiers.is_used(identifier_in(cob_id))) return refuse(AbortCode::ParameterIncompatible);
+  const auto compiled = compile_mapping(rules(), mapping_index(pdo), count(pdo), pdo.plan);
+  if (!compiled) return compiled;
+  pdo.identifier = identifier_in(cob_id);
+  pdo.remote_allowed = allows_remote(cob_id);
   pdo.zero_written = false;
   changed(position);
   return {};
 }
 
+/// All that may change in the COB-ID of a valid PDO.
+Result<void> PdoParameters::write_remote_bit(PdoSettings& pdo, std::uint32_t cob_id) {
+  if (identifier_in(cob_id) != pdo.identifier) return refuse(AbortCode::DeviceState);
+  if (pdo.remote_allowed == allows_remote(cob_id)) return {};
+  pdo.remote_allowed = allows_remote(cob_id);
+  context_.identifiers.on_identifiers_changed();
+  return {};
+}
+
 Result<void> PdoParameters::write_type(std::size_t position, std::uint8_t type) {
-  if (!is_known_type(type)) return refuse(AbortCode::InvalidValue);
+  const auto& types = direction_ == Direction::Receive ? context_.policy.rpdo_types : context_.policy.tpdo_types;
+  const bool known = std::ranges::any_of(types, [=](TypeRange r) { return type >= r.first && type <= r.last; });
+  if (!known) return refuse(AbortCode::InvalidValue);
   pdos_[position].transmission_type = type;
-  changed(position);
+  if (listener_ != nullptr) listener_->on_pdo_changed(position);
   return {};
 }
 
 Result<void> PdoParameters::write_count(PdoSettings& pdo, std::uint8_t count) {
-  const auto plan = compile_mapping(context_.dictionary, mapping_index(pdo), count, direction_);
-  if (!plan) return refuse(plan.error());
+  const auto compiled = compile_mapping(rules(), mapping_index(pdo), count, pdo.plan);
+  if (!compiled) return compiled;
   pdo.zero_written = count == 0;
   return {};
 }
 
 Result<void> PdoParameters::write_mapping(PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped) {
-  if (auto fits = check_mapping_entry(context_.dictionary, mapped, direction_); !fits) return fits;
+  if (auto fits = check_mapping_entry(rules(), mapped); !fits) return fits;
   if (context_.policy.count_follows_entries) {
     return pdo.zero_written ? Result<void>{} : follow_entries(pdo, sub_index, mapped);
   }
@@ -148,7 +202,7 @@ Result<void> PdoParameters::follow_entries(const PdoSettings& pdo, std::uint8_t 
   Dictionary& dictionary = context_.dictionary;
   std::int64_t count = 0;
   unsigned bits = 0;
-  for (std::uint8_t sub = 1; sub <= kMaximumEntries; ++sub, ++count) {
+  for (std::uint8_t sub = 1; sub <= kMostMappedObjects; ++sub, ++count) {
     const auto entry = dictionary.find(mapping_index(pdo), sub);
     const auto word = sub == sub_index ? mapped
                       : entry          ? static_cast<std::uint32_t>(dictionary.stored(**entry))

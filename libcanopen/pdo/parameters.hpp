@@ -16,9 +16,10 @@ inline constexpr std::uint8_t kCobId = 1;
 inline constexpr std::uint8_t kTransmissionType = 2;
 inline constexpr std::uint8_t kInhibitTime = 3;
 inline constexpr std::uint8_t kEventTimer = 5;
+inline constexpr std::uint8_t kSyncStart = 6;
 }  // namespace pdo_sub
 
-/// Highest synchronous transmission type; above it only the event-driven FEh and FFh are left.
+/// Highest synchronous transmission type (CiA 301, tables "RPDO transmission types", "TPDO transmission types").
 inline constexpr std::uint8_t kLastSynchronousType = 0xF0;
 
 /// What is in force of one PDO.
@@ -35,7 +36,6 @@ struct PdoSettings {
   bool is_active() const noexcept { return is_valid() && plan.length() != 0; }
   /// A TPDO that remote frames may ask for (bit 30 of its COB-ID).
   bool is_requestable() const noexcept { return is_active() && remote_allowed; }
-  bool is_synchronous() const noexcept { return transmission_type <= kLastSynchronousType; }
 };
 
 /// Communication and mapping parameters of all PDOs of one direction, with the rules for changing them
@@ -58,8 +58,12 @@ class CANOPEN_EXPORT PdoParameters final : public EntryOwner {
   /// Who is told of changes; set once, before the first frame.
   void listen(Listener& listener) noexcept { listener_ = &listener; }
 
-  /// Starts over with the values in the dictionary. A PDO whose default mapping cannot be compiled stays invalid.
+  /// Starts over with the values in the dictionary; no PDO is valid before claim_identifiers().
   void reload() noexcept;
+  /// Makes the PDOs valid that are so in the dictionary. One that cannot be, because of its mapping or because its
+  /// identifier is in use or not allowed, gets bit 31 of its COB-ID set: a master sees it. To be called when all
+  /// other services have their identifiers.
+  void claim_identifiers() noexcept;
   /// All PDOs that the dictionary has, in the order of their numbers.
   std::span<const PdoSettings> pdos() const noexcept { return pdos_; }
   /// The stored value of @p sub_index in the communication record of @p pdo, 0 if there is none.
@@ -70,12 +74,17 @@ class CANOPEN_EXPORT PdoParameters final : public EntryOwner {
  private:
   Result<void> write_communication(std::size_t position, std::uint8_t sub_index, std::int64_t value);
   Result<void> write_cob_id(std::size_t position, std::uint32_t cob_id);
+  Result<void> write_remote_bit(PdoSettings& pdo, std::uint32_t cob_id);
   Result<void> write_type(std::size_t position, std::uint8_t type);
   Result<void> write_count(PdoSettings& pdo, std::uint8_t count);
   Result<void> write_mapping(PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped);
   Result<void> follow_entries(const PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped);
   void own(std::uint16_t index);
+  void give_room();
   void changed(std::size_t position) noexcept;
+  bool claim(PdoSettings& pdo, std::uint32_t cob_id) noexcept;
+  bool allows_remote(std::uint32_t cob_id) const noexcept;
+  MappingRules rules() const noexcept;
   std::uint8_t count(const PdoSettings& pdo) const noexcept;
   std::uint16_t mapping_index(const PdoSettings& pdo) const noexcept;
 
@@ -85,6 +94,7 @@ class CANOPEN_EXPORT PdoParameters final : public EntryOwner {
   std::uint16_t communication_base_;
   std::uint16_t mapping_base_;
   std::vector<PdoSettings> pdos_;
+  std::vector<MappedValue> values_;  ///< where the plans of all PDOs lie, in their order
   std::array<std::uint16_t, 512> position_{};
 };
 

@@ -1,14 +1,30 @@
 #include "libcanopen/pdo/receive_pdos.hpp"
 
+#include <utility>
+
 namespace canopen {
+namespace {
+
+/// Event timer in ms (CiA 301, 7.5.2.35).
+constexpr Duration deadline_time(std::int64_t value) noexcept {
+  return std::chrono::milliseconds{value};
+}
+
+/// How errors name an RPDO: 1 for 1400h.
+constexpr std::uint16_t detail_of(std::uint16_t number) noexcept {
+  return static_cast<std::uint16_t>(number + 1);
+}
+
+}  // namespace
 
 ReceivePdos::ReceivePdos(Context& context, std::size_t first_timer)
     : context_{context},
+      image_{context.dictionary.image()},
       parameters_{context, Direction::Receive},
       first_timer_{first_timer},
-      latches_(parameters_.pdos().size()) {
+      incoming_(parameters_.pdos().size()) {
   parameters_.listen(*this);
-  waiting_.reserve(latches_.size());
+  waiting_.reserve(incoming_.size());
 }
 
 std::size_t ReceivePdos::timers_for(const Dictionary& dictionary) noexcept {
@@ -17,55 +33,144 @@ std::size_t ReceivePdos::timers_for(const Dictionary& dictionary) noexcept {
   return pdos;
 }
 
-void ReceivePdos::on_timer(std::size_t which) noexcept {
-  (void)which, (void)first_timer_;
+void ReceivePdos::reload() noexcept {
+  forget();
+  parameters_.reload();
+  for (Incoming& pdo : incoming_) pdo = {};  // its errors are forgotten with all others
 }
 
-void ReceivePdos::reload() noexcept {
-  parameters_.reload();
-  forget();
+void ReceivePdos::claim_identifiers() noexcept {
+  parameters_.claim_identifiers();
+  for (std::size_t position = 0; position < incoming_.size(); ++position) load_settings(position);
+}
+
+void ReceivePdos::load_settings(std::size_t position) noexcept {
+  const PdoSettings& settings = pdos()[position];
+  Incoming& pdo = incoming_[position];
+  pdo.plan = settings.is_active() ? settings.plan : MappingPlan{};
+  pdo.number = settings.number;
+  pdo.synchronous = settings.transmission_type <= kLastSynchronousType;
+  pdo.period = deadline_time(parameters_.communication(settings, pdo_sub::kEventTimer));
+  choose_path(pdo);
+}
+
+/// Frames of the mapped length take the short path if nothing else is to be thought of.
+void ReceivePdos::choose_path(Incoming& pdo) noexcept {
+  const bool plain =
+      pdo.plan.length() != 0 && !pdo.synchronous && pdo.period.count() == 0 && pdo.misfit == Misfit::None;
+  pdo.plain_length = plain ? pdo.plan.length() : kNoPlainLength;
 }
 
 void ReceivePdos::forget() noexcept {
-  for (const std::uint16_t position : waiting_) latches_[position].waits = false;
+  for (const std::uint16_t position : waiting_) incoming_[position].waits = false;
+  waiting_.clear();
+  window_end_ = kNever;
+  for (std::size_t i = 0; i < incoming_.size(); ++i) context_.timers.cancel(first_timer_ + i);
+}
+
+void ReceivePdos::on_special(std::size_t position, const Frame& frame) noexcept {
+  Incoming& pdo = incoming_[position];
+  if (pdo.plan.length() == 0) return;
+  judge_length(pdo, frame);
+  if (pdo.misfit == Misfit::TooShort) {
+    ++too_short_;
+    return;
+  }
+  watch(position);
+  const auto payload = load<std::uint64_t>(frame.data.data());
+  if (pdo.synchronous) {
+    latch(position, payload);
+  } else {
+    apply(pdo, payload);
+  }
+}
+
+void ReceivePdos::judge_length(Incoming& pdo, const Frame& frame) noexcept {
+  report(pdo, frame.length < pdo.plan.length()   ? Misfit::TooShort
+              : frame.length > pdo.plan.length() ? Misfit::TooLong
+                                                 : Misfit::None);
+}
+
+/// Reports the first frame of a wrong length, and the first right one after it (CiA 301, table "emergency error
+/// codes": 8210h, 8220h).
+void ReceivePdos::report(Incoming& pdo, Misfit misfit) noexcept {
+  const auto error_of = [](Misfit m) {
+    return m == Misfit::TooShort ? CommunicationError::RpdoTooShort : CommunicationError::RpdoTooLong;
+  };
+  if (pdo.misfit == misfit) return;
+  const Misfit before = std::exchange(pdo.misfit, misfit);
+  choose_path(pdo);
+  if (before != Misfit::None) context_.errors.on_recovery(error_of(before), detail_of(pdo.number));
+  if (misfit != Misfit::None) context_.errors.on_error(error_of(misfit), detail_of(pdo.number));
+}
+
+/// A frame has come: the next one is awaited within the event time, if there is one.
+void ReceivePdos::watch(std::size_t position) noexcept {
+  Incoming& pdo = incoming_[position];
+  end_timeout(pdo);
+  if (pdo.period.count() == 0) return;
+  pdo.deadline = context_.now + pdo.period;
+  const std::size_t timer = first_timer_ + position;
+  if (!context_.timers.is_armed(timer)) context_.timers.arm(timer, pdo.deadline);
+}
+
+void ReceivePdos::end_timeout(Incoming& pdo) noexcept {
+  if (!pdo.timed_out) return;
+  pdo.timed_out = false;
+  context_.errors.on_recovery(CommunicationError::RpdoTimeout, detail_of(pdo.number));
+}
+
+void ReceivePdos::on_timer(std::size_t which) noexcept {
+  Incoming& pdo = incoming_[which];
+  if (context_.now < pdo.deadline) return context_.timers.arm(first_timer_ + which, pdo.deadline);
+  pdo.timed_out = true;
+  context_.errors.on_error(CommunicationError::RpdoTimeout, detail_of(pdo.number));
+}
+
+void ReceivePdos::latch(std::size_t position, std::uint64_t payload) noexcept {
+  if (context_.now > window_end_) {
+    ++too_late_;
+    return;
+  }
+  Incoming& pdo = incoming_[position];
+  pdo.latched = payload;
+  if (pdo.waits) return;
+  pdo.waits = true;
+  waiting_.push_back(static_cast<std::uint16_t>(position));  // within the capacity reserved by the constructor
+}
+
+void ReceivePdos::on_sync(Duration window) noexcept {
+  window_end_ = window.count() != 0 ? context_.now + window : kNever;
+  for (const std::uint16_t position : waiting_) {
+    incoming_[position].waits = false;
+    apply(incoming_[position], incoming_[position].latched);
+  }
   waiting_.clear();
 }
 
 void ReceivePdos::on_pdo_changed(std::size_t position) noexcept {
-  if (!latches_[position].waits) return;
-  latches_[position].waits = false;
-  std::erase(waiting_, position);
+  Incoming& pdo = incoming_[position];
+  if (pdo.waits) std::erase(waiting_, position);
+  pdo.waits = false;
+  context_.timers.cancel(first_timer_ + position);
+  end_timeout(pdo);
+  report(pdo, Misfit::None);
+  load_settings(position);
 }
 
-void ReceivePdos::on_frame(std::size_t position, const Frame& frame) noexcept {
-  const PdoSettings& pdo = pdos()[position];
-  if (frame.length < pdo.plan.length()) {
-    ++too_short_;
-    return;
+void ReceivePdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_index, std::int64_t value) noexcept {
+  if (sub_index != pdo_sub::kEventTimer) return;
+  Incoming& pdo = incoming_[position];
+  const std::size_t timer = first_timer_ + position;
+  pdo.period = deadline_time(value);
+  choose_path(pdo);
+  if (value == 0) {
+    context_.timers.cancel(timer);
+    end_timeout(pdo);
+  } else if (context_.timers.is_armed(timer)) {
+    pdo.deadline = context_.now + pdo.period;
+    context_.timers.arm(timer, pdo.deadline);
   }
-  const auto payload = load<std::uint64_t>(frame.data.data());
-  if (!pdo.is_synchronous()) {
-    apply(pdo, payload);
-    return;
-  }
-  Latch& latch = latches_[position];
-  latch.payload = payload;
-  if (latch.waits) return;
-  latch.waits = true;
-  waiting_.push_back(static_cast<std::uint16_t>(position));  // within the capacity reserved by the constructor
-}
-
-void ReceivePdos::on_sync() noexcept {
-  for (const std::uint16_t position : waiting_) {
-    latches_[position].waits = false;
-    apply(pdos()[position], latches_[position].payload);
-  }
-  waiting_.clear();
-}
-
-void ReceivePdos::apply(const PdoSettings& pdo, std::uint64_t payload) noexcept {
-  pdo.plan.unpack(payload, context_.dictionary.image());
-  context_.application.on_rpdo(pdo.number);
 }
 
 }  // namespace canopen

@@ -1,5 +1,7 @@
 #include "libcanopen/pdo/transmit_pdos.hpp"
 
+#include <algorithm>
+
 #include "libcanopen/base/cob_id.hpp"
 
 namespace canopen {
@@ -20,13 +22,14 @@ constexpr Duration event_time(std::int64_t value) noexcept {
 
 TransmitPdos::TransmitPdos(Context& context, std::size_t first_timer)
     : context_{context},
+      image_{context.dictionary.image()},
       parameters_{context, Direction::Transmit},
       first_timer_{first_timer},
-      states_(parameters_.pdos().size()) {
+      outgoing_(parameters_.pdos().size()),
+      staged_(outgoing_.size()) {
   parameters_.listen(*this);
-  synchronous_.reserve(states_.size());
-  event_driven_.reserve(states_.size());
-  staged_.reserve(states_.size());
+  synchronous_.reserve(outgoing_.size());
+  event_driven_.reserve(outgoing_.size());
 }
 
 std::size_t TransmitPdos::timers_for(const Dictionary& dictionary) noexcept {
@@ -39,83 +42,133 @@ std::size_t TransmitPdos::timer(std::size_t position, Timer which) const noexcep
   return first_timer_ + position * kTimersEach + static_cast<std::size_t>(which);
 }
 
-std::uint64_t TransmitPdos::pack(std::size_t position) const noexcept {
-  return pdos()[position].plan.pack(context_.dictionary.image());
+TransmitPdos::Trigger TransmitPdos::trigger_of(const PdoSettings& pdo) noexcept {
+  if (!pdo.is_active()) return Trigger::None;
+  return std::ranges::lower_bound(kTriggers, pdo.transmission_type, {}, &TypeRow::last)->trigger;
 }
 
-void TransmitPdos::load_times(std::size_t position) noexcept {
-  const PdoSettings& pdo = pdos()[position];
-  states_[position].inhibit = inhibit_time(parameters_.communication(pdo, pdo_sub::kInhibitTime));
-  states_[position].event_period = event_time(parameters_.communication(pdo, pdo_sub::kEventTimer));
+void TransmitPdos::load_settings(std::size_t position) noexcept {
+  const PdoSettings& settings = pdos()[position];
+  Outgoing& pdo = outgoing_[position];
+  pdo.frame = frame_under(settings.identifier, settings.plan.length());
+  pdo.plan = settings.plan;
+  pdo.trigger = trigger_of(settings);
+  pdo.period = pdo.trigger == Trigger::Cyclic ? settings.transmission_type : std::uint8_t{1};
+  pdo.inhibit = inhibit_time(parameters_.communication(settings, pdo_sub::kInhibitTime));
+  pdo.event_period = event_time(parameters_.communication(settings, pdo_sub::kEventTimer));
+  pdo.first_sync = static_cast<std::uint8_t>(parameters_.communication(settings, pdo_sub::kSyncStart));
+  begin_anew(pdo);
 }
 
-/// Sorts the valid PDOs into the lists that SYNC and changes of value walk.
+void TransmitPdos::begin_anew(Outgoing& pdo) noexcept {
+  pdo.left = pdo.period;
+  pdo.waits = pdo.first_sync != 0;
+  pdo.fresh = true;
+  pdo.is_due = false;
+  any_waits_ |= pdo.waits;
+}
+
+/// Sorts the PDOs into the lists that SYNC and changes of value walk.
 void TransmitPdos::sort_out() noexcept {
   synchronous_.clear();
   event_driven_.clear();
-  for (std::size_t position = 0; position < states_.size(); ++position) {
-    const PdoSettings& pdo = pdos()[position];
-    if (!pdo.is_active()) continue;
-    (pdo.is_synchronous() ? synchronous_ : event_driven_).push_back(static_cast<std::uint16_t>(position));
+  for (std::size_t position = 0; position < outgoing_.size(); ++position) {
+    const Trigger trigger = outgoing_[position].trigger;
+    if (trigger == Trigger::None) continue;
+    (trigger == Trigger::Event ? event_driven_ : synchronous_).push_back(static_cast<std::uint16_t>(position));
   }
 }
 
 void TransmitPdos::reload() noexcept {
   stop();
   parameters_.reload();
-  for (std::size_t position = 0; position < states_.size(); ++position) load_times(position);
+}
+
+void TransmitPdos::claim_identifiers() noexcept {
+  parameters_.claim_identifiers();
+  for (std::size_t position = 0; position < outgoing_.size(); ++position) load_settings(position);
   sort_out();
 }
 
 void TransmitPdos::start() noexcept {
   running_ = true;
-  for (State& state : states_) {
-    state.first = true;
-    state.syncs = 0;
-    state.sent = context_.now - kLongestInhibit;
+  last_sync_ = context_.now - kLongestInhibit;
+  for (Outgoing& pdo : outgoing_) {
+    pdo.sent = context_.now - kLongestInhibit;
+    begin_anew(pdo);
   }
-  for (const std::uint16_t position : event_driven_) transmit(position, pack(position));
+  for (const std::uint16_t position : event_driven_) transmit(position, pack(outgoing_[position]));
 }
 
 void TransmitPdos::stop() noexcept {
   running_ = false;
-  for (std::size_t i = 0; i < states_.size() * kTimersEach; ++i) context_.timers.cancel(first_timer_ + i);
-}
-
-/// Notes a SYNC for @p pdo and tells whether it has to be sent with it; @p payload holds its values.
-bool TransmitPdos::is_due(const PdoSettings& pdo, State& state, std::uint64_t payload) noexcept {
-  if (pdo.transmission_type == 0) return state.first || payload != state.payload;
-  return ++state.syncs >= pdo.transmission_type;
+  for (std::size_t i = 0; i < outgoing_.size() * kTimersEach; ++i) context_.timers.cancel(first_timer_ + i);
 }
 
 void TransmitPdos::on_sync(std::uint8_t counter) noexcept {
-  (void)counter;
-  staged_.clear();
+  if (any_waits_) begin_cycles(counter);
+  last_sync_ = context_.now;
+  Outgoing* const all = outgoing_.data();
+  const std::byte* const image = image_;
+  const Frame** staged = staged_.data();
   for (const std::uint16_t position : synchronous_) {
-    const PdoSettings& pdo = pdos()[position];
-    const std::uint64_t payload = pdo.plan.pack(context_.dictionary.image());
-    // Within the capacity reserved by the constructor.
-    if (is_due(pdo, states_[position], payload)) staged_.push_back({position, payload});
+    Outgoing& pdo = all[position];
+    if (--pdo.left != 0) continue;
+    pdo.left = pdo.period;
+    const std::uint64_t payload = pdo.plan.pack(image);
+    if (pdo.trigger != Trigger::Cyclic && !takes(pdo, payload)) continue;
+    pdo.set_payload(payload);
+    *staged++ = &pdo.frame;
   }
-  for (const Staged& staged : staged_) transmit(staged.position, staged.payload);
+  for (const Frame** frame = staged_.data(); frame != staged; ++frame)
+    context_.sink.send(**frame, Delivery::Replaceable);
+}
+
+/// A SYNC finds @p payload in a TPDO that does not go with every cycle; tells whether it is to be sent.
+bool TransmitPdos::takes(Outgoing& pdo, std::uint64_t payload) noexcept {
+  const bool changed = pdo.fresh || payload != pdo.payload();
+  pdo.fresh = false;
+  pdo.set_payload(payload);
+  return changed && pdo.trigger == Trigger::Acyclic;
+}
+
+/// The SYNC with the counter of sub-index 6 is the first of its TPDO; those before do not count (CiA 301,
+/// 7.5.2.37). Without a counter the first is any.
+void TransmitPdos::begin_cycles(std::uint8_t counter) noexcept {
+  any_waits_ = false;
+  for (const std::uint16_t position : synchronous_) {
+    Outgoing& pdo = outgoing_[position];
+    if (!pdo.waits) continue;
+    pdo.waits = counter != 0 && counter != pdo.first_sync;
+    any_waits_ |= pdo.waits;
+    if (pdo.waits) ++pdo.left;
+  }
 }
 
 void TransmitPdos::on_request(std::size_t position) noexcept {
-  (void)position;
+  Outgoing& pdo = outgoing_[position];
+  if (pdo.trigger == Trigger::Event) {
+    pdo.is_due = true;
+    return request(position, pack(pdo));
+  }
+  const bool has_sample = pdo.trigger == Trigger::Sampled && !pdo.fresh;
+  if (!has_sample) pdo.set_payload(pack(pdo));
+  context_.sink.send(pdo.frame, Delivery::Replaceable);
 }
 
 void TransmitPdos::on_values_changed() noexcept {
   if (!running_) return;
   for (const std::uint16_t position : event_driven_) {
-    const std::uint64_t payload = pack(position);
-    if (payload != states_[position].payload) request(position, payload);
+    const Outgoing& pdo = outgoing_[position];
+    const std::uint64_t payload = pack(pdo);
+    if (payload != pdo.payload()) request(position, payload);
   }
 }
 
 /// Sends now, or when the inhibit time is over.
 void TransmitPdos::request(std::size_t position, std::uint64_t payload) noexcept {
-  const State& state = states_[position];
-  const TimePoint allowed = state.sent + state.inhibit;
+  const Outgoing& pdo = outgoing_[position];
+  const TimePoint allowed = pdo.sent + pdo.inhibit;
   if (context_.now >= allowed) {
     transmit(position, payload);
   } else if (!context_.timers.is_armed(timer(position, Timer::Inhibit))) {
@@ -123,58 +176,50 @@ void TransmitPdos::request(std::size_t position, std::uint64_t payload) noexcept
   }
 }
 
+/// Sends an event-driven PDO.
 void TransmitPdos::transmit(std::size_t position, std::uint64_t payload) noexcept {
-  const PdoSettings& pdo = pdos()[position];
-  State& state = states_[position];
-  Frame frame = frame_under(pdo.identifier, pdo.plan.length());
-  store(frame.data.data(), payload);
-  context_.sink.send(frame, Delivery::Replaceable);
-  state.payload = payload;
-  state.sent = context_.now;
-  state.syncs = 0;
-  state.first = false;
-  state.event_elapsed = false;
-  if (pdo.is_synchronous()) return;
-  if (state.inhibit.count() != 0) context_.timers.cancel(timer(position, Timer::Inhibit));
-  if (state.event_period.count() != 0)
-    context_.timers.arm(timer(position, Timer::Event), state.sent + state.event_period);
+  Outgoing& pdo = outgoing_[position];
+  pdo.set_payload(payload);
+  context_.sink.send(pdo.frame, Delivery::Replaceable);
+  pdo.sent = context_.now;
+  pdo.is_due = false;
+  if (pdo.inhibit.count() != 0) context_.timers.cancel(timer(position, Timer::Inhibit));
+  if (pdo.event_period.count() != 0)
+    context_.timers.arm(timer(position, Timer::Event), pdo.sent + pdo.event_period);
 }
 
 void TransmitPdos::on_timer(std::size_t which) noexcept {
   const std::size_t position = which / kTimersEach;
-  State& state = states_[position];
-  const std::uint64_t payload = pack(position);
+  Outgoing& pdo = outgoing_[position];
+  const std::uint64_t payload = pack(pdo);
   if (which % kTimersEach == static_cast<std::size_t>(Timer::Event)) {
-    state.event_elapsed = true;
+    pdo.is_due = true;
     request(position, payload);
-  } else if (payload != state.payload || state.event_elapsed) {
+  } else if (payload != pdo.payload() || pdo.is_due) {
     transmit(position, payload);
   }
 }
 
 void TransmitPdos::on_pdo_changed(std::size_t position) noexcept {
+  Outgoing& pdo = outgoing_[position];
   for (const Timer which : {Timer::Event, Timer::Inhibit}) context_.timers.cancel(timer(position, which));
-  load_times(position);
+  if (pdo.trigger == Trigger::Cyclic || pdo.trigger == Trigger::Acyclic) pdo.sent = last_sync_;
+  load_settings(position);
   sort_out();
-  State& state = states_[position];
-  state.first = true;
-  state.syncs = 0;
-  const PdoSettings& pdo = pdos()[position];
-  state.event_elapsed = true;  // sends even if the values are those last sent
-  if (running_ && pdo.is_active() && !pdo.is_synchronous()) request(position, pack(position));
+  // As an event, so that the answer to the write comes first.
+  if (running_ && pdo.trigger == Trigger::Event) context_.timers.arm(timer(position, Timer::Event), context_.now);
 }
 
 void TransmitPdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_index, std::int64_t value) noexcept {
-  State& state = states_[position];
-  if (sub_index == pdo_sub::kInhibitTime) state.inhibit = inhibit_time(value);
+  Outgoing& pdo = outgoing_[position];
+  if (sub_index == pdo_sub::kInhibitTime) pdo.inhibit = inhibit_time(value);
   if (sub_index != pdo_sub::kEventTimer) return;
-  state.event_period = event_time(value);
-  const PdoSettings& pdo = pdos()[position];
-  if (!running_ || !pdo.is_active() || pdo.is_synchronous()) return;
+  pdo.event_period = event_time(value);
+  if (!running_ || pdo.trigger != Trigger::Event) return;
   if (value == 0) {
     context_.timers.cancel(timer(position, Timer::Event));
   } else {
-    context_.timers.arm(timer(position, Timer::Event), context_.now + state.event_period);
+    context_.timers.arm(timer(position, Timer::Event), context_.now + pdo.event_period);
   }
 }
 

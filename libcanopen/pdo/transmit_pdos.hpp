@@ -6,7 +6,8 @@
 namespace canopen {
 
 /// Sends process data (CiA 301, 7.2.2): types 1..240 with every n-th SYNC, type 0 with the SYNC after a change,
-/// types 254 and 255 on a change and by the event timer, never closer than the inhibit time.
+/// type 252 on request with the values of the last SYNC, type 253 on request, types 254 and 255 on a change, by
+/// the event timer and on request, never closer than the inhibit time. Types 0..240 answer a request as well.
 class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
@@ -14,9 +15,12 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   /// Timers that the TPDOs of @p dictionary need.
   static std::size_t timers_for(const Dictionary& dictionary) noexcept;
 
-  /// Starts over with the values in the dictionary; nothing is sent before start().
+  /// Starts over with the values in the dictionary; nothing is valid before claim_identifiers(), and nothing is
+  /// sent before start().
   void reload() noexcept;
-  /// NMT Operational is entered: the event-driven TPDOs send their first frame.
+  /// As PdoParameters::claim_identifiers().
+  void claim_identifiers() noexcept;
+  /// NMT Operational is entered: the event-driven TPDOs send their first frame, all cycles begin anew.
   void start() noexcept;
   /// NMT Operational is left.
   void stop() noexcept;
@@ -38,35 +42,63 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
  private:
   enum class Timer : std::uint8_t { Event, Inhibit };
   static constexpr std::size_t kTimersEach = 2;
-  struct State {
-    std::uint64_t payload = 0;  ///< as last sent
-    TimePoint sent{};
-    Duration inhibit{};
-    Duration event_period{};
-    std::uint8_t syncs = 0;      ///< since the last frame
-    bool first = true;           ///< nothing sent since start()
-    bool event_elapsed = false;  ///< waits for the inhibit time although nothing has changed
+
+  /// What makes a TPDO be sent, besides a request.
+  enum class Trigger : std::uint8_t {
+    None,
+    Cyclic,   ///< every n-th SYNC
+    Acyclic,  ///< a SYNC after a change
+    Sampled,  ///< nothing, but SYNC decides on the values
+    Event,    ///< a change, the event timer
   };
-  struct Staged {
-    std::uint16_t position;
-    std::uint64_t payload;
+  struct TypeRow {
+    std::uint8_t last;  ///< from the type after that of the row before
+    Trigger trigger;
+  };
+  static constexpr std::array kTriggers{
+      TypeRow{0, Trigger::Acyclic},   TypeRow{240, Trigger::Cyclic}, TypeRow{251, Trigger::None},
+      TypeRow{252, Trigger::Sampled}, TypeRow{253, Trigger::None},   TypeRow{255, Trigger::Event},
   };
 
-  std::uint64_t pack(std::size_t position) const noexcept;
-  static bool is_due(const PdoSettings& pdo, State& state, std::uint64_t payload) noexcept;
+  struct alignas(64) Outgoing {
+    Frame frame{};  ///< as last sent, or as the last SYNC has found it
+    MappingPlan plan{};
+    TimePoint sent{};  ///< event-driven: the last frame
+    Duration inhibit{};
+    Duration event_period{};
+    Trigger trigger = Trigger::None;
+    std::uint8_t period = 1;      ///< SYNCs from one frame to the next
+    std::uint8_t left = 1;        ///< SYNCs until then
+    std::uint8_t first_sync = 0;  ///< counter of the SYNC that the first cycle begins with, 0 for any
+    bool waits = false;           ///< for that SYNC
+    bool fresh = true;            ///< no SYNC has taken values since start()
+    bool is_due = false;          ///< to be sent after the inhibit time, even if nothing has changed
+
+    std::uint64_t payload() const noexcept { return load<std::uint64_t>(frame.data.data()); }
+    void set_payload(std::uint64_t payload) noexcept { store(frame.data.data(), payload); }
+  };
+
+  static Trigger trigger_of(const PdoSettings& pdo) noexcept;
+  std::uint64_t pack(const Outgoing& pdo) const noexcept { return pdo.plan.pack(image_); }
+  static bool takes(Outgoing& pdo, std::uint64_t payload) noexcept;
+  void begin_cycles(std::uint8_t counter) noexcept;
+  void begin_anew(Outgoing& pdo) noexcept;
   void request(std::size_t position, std::uint64_t payload) noexcept;
   void transmit(std::size_t position, std::uint64_t payload) noexcept;
-  void load_times(std::size_t position) noexcept;
+  void load_settings(std::size_t position) noexcept;
   void sort_out() noexcept;
   std::size_t timer(std::size_t position, Timer which) const noexcept;
 
   Context& context_;
+  const std::byte* image_;
   PdoParameters parameters_;
   std::size_t first_timer_;
-  std::vector<State> states_;
-  std::vector<std::uint16_t> synchronous_;
-  std::vector<std::uint16_t> event_driven_;
-  std::vector<Staged> staged_;
+  std::vector<Outgoing> outgoing_;
+  std::vector<std::uint16_t> synchronous_;   ///< positions that SYNC concerns
+  std::vector<std::uint16_t> event_driven_;  ///< positions that changes concern
+  std::vector<const Frame*> staged_;
+  TimePoint last_sync_{};
+  bool any_waits_ = false;  ///< for the SYNC that its first cycle begins with
   bool running_ = false;
 };
 

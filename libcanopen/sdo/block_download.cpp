@@ -36,10 +36,11 @@ void SdoServer::initiate_block_download(const Frame& frame) noexcept {
   crc_wanted_ = command.has_crc();
   crc_ = 0;
   sequence_ = 0;
+  refusal_.reset();
   send(sdo::response_bytes(command_byte(Response::BlockDownload, sdo::kBlockCrc), at, sdo::kLongestBlock));
 }
 
-/// A segment counts if it is the next one; whichever closes the sub-block is answered. The last one is kept aside.
+/// A segment counts if it is the next one; whichever closes the sub-block is answered.
 void SdoServer::take_block_segment(const Frame& frame) noexcept {
   const auto number = static_cast<std::uint8_t>(frame.data[0] & ~sdo::kLastOfBlock);
   const bool last = (frame.data[0] & sdo::kLastOfBlock) != 0;
@@ -47,23 +48,29 @@ void SdoServer::take_block_segment(const Frame& frame) noexcept {
   last_request_ = context_.now;
   confirmed_early_ = false;
   if (number == sequence_ + 1) {
-    const std::span<const std::uint8_t, sdo::kSegmentBytes> bytes{&frame.data[1], sdo::kSegmentBytes};
-    if (last) {
-      std::copy(bytes.begin(), bytes.end(), last_segment_.begin());
-      phase_ = Phase::BlockDownloadEnd;
-    } else if (auto taken = sink_.append(bytes); !taken) {
-      return abort(taken.error());
-    } else if (crc_wanted_) {
-      crc_ = sdo::crc(bytes, crc_);
-    }
     ++sequence_;
+    keep_segment({&frame.data[1], sdo::kSegmentBytes}, last);
   }
   if (last || number == sdo::kLongestBlock) confirm_sub_block();
 }
 
-/// Tells the client which segment was the last one in order; the next sub-block begins behind it.
+/// Takes the next segment. The last one is put aside: only the end tells how many of its bytes count.
+void SdoServer::keep_segment(std::span<const std::uint8_t> bytes, bool last) noexcept {
+  if (last) {
+    std::copy(bytes.begin(), bytes.end(), last_segment_.begin());
+    phase_ = Phase::BlockDownloadEnd;
+  } else if (!refusal_) {
+    if (auto taken = sink_.append(bytes); !taken) refusal_ = taken.error();
+    if (crc_wanted_) crc_ = sdo::crc(bytes, crc_);
+  }
+}
+
+/// Tells the client which segment was the last one in order; the next sub-block begins behind it. A refusal waits
+/// for this moment: the client, which does not listen before, would send the rest of its sub-block to a server
+/// that takes segments for requests.
 void SdoServer::confirm_sub_block() noexcept {
   assert(sequence_ <= sdo::kLongestBlock);
+  if (refusal_) return abort(*refusal_);
   send(command_byte(Response::BlockDownload, sdo::kBlockConfirm) | std::uint64_t{sequence_} << 8 |
        std::uint64_t{sdo::kLongestBlock} << 16);
   sequence_ = 0;

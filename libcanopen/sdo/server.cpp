@@ -181,8 +181,8 @@ void SdoServer::on_timer() noexcept {
     context_.timers.arm(timer_, due);
   } else if (may_confirm_early()) {
     confirmed_early_ = true;
-    confirm_sub_block();
     context_.timers.arm(timer_, last_request_ + patience());
+    confirm_sub_block();
   } else {
     abort(AbortCode::ProtocolTimedOut);
   }

@@ -14,7 +14,7 @@ namespace canopen {
 
 /// One SDO server (CiA 301, 7.2.4): expedited, segmented and block transfer, one transfer at a time. Every request
 /// gets its answer within the call; a refusal is an abort frame.
-class CANOPEN_EXPORT SdoServer {
+class alignas(64) CANOPEN_EXPORT SdoServer {
  public:
   /// @p timer is the number of its timer in the context's queue, @p position its own one in @p locks.
   SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position);
@@ -87,6 +87,7 @@ class CANOPEN_EXPORT SdoServer {
   void on_block_download(const Frame& frame) noexcept;
   void initiate_block_download(const Frame& frame) noexcept;
   void take_block_segment(const Frame& frame) noexcept;
+  void keep_segment(std::span<const std::uint8_t> bytes, bool last) noexcept;
   void confirm_sub_block() noexcept;
   void end_block_download(const Frame& frame) noexcept;
 
@@ -107,13 +108,14 @@ class CANOPEN_EXPORT SdoServer {
   sdo::Address address_;     ///< of the transfer
   TimePoint last_request_{};
 
-  bool crc_wanted_ = false;       ///< block: the client uses CRC
-  bool confirmed_early_ = false;  ///< block download: the client's silence has been answered
-  bool last_sent_ = false;        ///< block upload: the sub-block ends the data
-  std::uint8_t block_size_ = 0;   ///< block upload: most segments in the next sub-block
-  std::uint8_t sequence_ = 0;     ///< block: last segment sent, or taken in order, in the sub-block
-  std::uint8_t last_size_ = 0;    ///< block upload: bytes in the last segment
-  std::uint16_t crc_ = 0;         ///< block: of the bytes that count already
+  std::optional<AbortCode> refusal_;  ///< block download: waits for the end of the sub-block
+  bool crc_wanted_ = false;           ///< block: the client uses CRC
+  bool confirmed_early_ = false;      ///< block download: the client's silence has been answered
+  bool last_sent_ = false;            ///< block upload: the sub-block ends the data
+  std::uint8_t block_size_ = 0;       ///< block upload: most segments in the next sub-block
+  std::uint8_t sequence_ = 0;         ///< block: last segment sent, or taken in order, in the sub-block
+  std::uint8_t last_size_ = 0;        ///< block upload: bytes in the last segment
+  std::uint16_t crc_ = 0;             ///< block: of the bytes that count already
   std::array<std::uint8_t, 7>
       last_segment_{};  ///< block download: how many of its bytes count, only the end tells
 

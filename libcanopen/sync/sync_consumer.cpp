@@ -2,26 +2,71 @@
 
 namespace canopen {
 namespace {
+
 constexpr std::uint16_t kCobIdSync = 0x1005;
+constexpr std::uint16_t kCyclePeriod = 0x1006;
+constexpr std::uint16_t kWindowLength = 0x1007;
+constexpr std::uint16_t kCounterOverflow = 0x1019;
+
+/// Synchronous window length in us (CiA 301, 7.5.2.7).
+constexpr Duration window_time(std::int64_t value) noexcept {
+  return std::chrono::microseconds{value};
 }
 
+/// 0 for no counter, or its highest value (CiA 301, 7.5.2.22).
+constexpr bool is_overflow(std::int64_t value) noexcept {
+  return value == 0 || (value >= 2 && value <= 240);
+}
+
+}  // namespace
+
 SyncConsumer::SyncConsumer(Context& context) : context_{context} {
-  if (context_.dictionary.contains(kCobIdSync))
-    context_.dictionary.own_write(kCobIdSync, 0, *this, OwnerRank::Service);
+  for (const std::uint16_t index : {kCobIdSync, kWindowLength, kCounterOverflow}) {
+    const auto entry = context_.dictionary.find(index, 0);
+    if (entry && (*entry)->writable) context_.dictionary.own_write(index, 0, *this, OwnerRank::Service);
+  }
+}
+
+std::optional<std::int64_t> SyncConsumer::stored(std::uint16_t index) const noexcept {
+  const auto entry = context_.dictionary.find(index, 0);
+  return entry ? std::optional{context_.dictionary.stored(**entry)} : std::nullopt;
 }
 
 void SyncConsumer::reload() noexcept {
-  const auto entry = context_.dictionary.find(kCobIdSync, 0);
-  if (entry) identifier_ = identifier_in(static_cast<std::uint32_t>(context_.dictionary.stored(**entry)));
+  identifier_ = identifier_in(static_cast<std::uint32_t>(stored(kCobIdSync).value_or(0)));
+  window_ = window_time(stored(kWindowLength).value_or(0));
+  wrong_length_.reset();
+  shortest_ = 0;
+  longest_ = 1;
+  if (const auto overflow = stored(kCounterOverflow)) set_overflow(*overflow);
 }
 
-std::optional<std::uint8_t> SyncConsumer::on_frame(const Frame& frame) noexcept {
-  if (frame.length > 1) return std::nullopt;
-  return frame.length == 1 ? frame.data[0] : std::uint8_t{0};
+/// A SYNC has a counter exactly if there is an overflow value.
+void SyncConsumer::set_overflow(std::int64_t value) noexcept {
+  shortest_ = longest_ = value != 0 ? std::uint8_t{1} : std::uint8_t{0};
 }
 
-Result<void> SyncConsumer::write(const Entry&, std::int64_t value) {
-  const auto cob_id = static_cast<std::uint32_t>(value);
+std::optional<std::uint8_t> SyncConsumer::on_wrong_length(std::uint8_t length) noexcept {
+  if (!wrong_length_) {
+    wrong_length_ = length;
+    context_.errors.on_error(CommunicationError::SyncLength, length);
+  }
+  return std::nullopt;
+}
+
+void SyncConsumer::recover() noexcept {
+  context_.errors.on_recovery(CommunicationError::SyncLength, *wrong_length_);
+  wrong_length_.reset();
+}
+
+Result<void> SyncConsumer::write(const Entry& entry, std::int64_t value) {
+  if (entry.index == kCobIdSync) return write_cob_id(static_cast<std::uint32_t>(value));
+  if (entry.index == kCounterOverflow) return write_overflow(value);
+  window_ = window_time(value);
+  return {};
+}
+
+Result<void> SyncConsumer::write_cob_id(std::uint32_t cob_id) {
   const Identifier identifier = identifier_in(cob_id);
   if ((cob_id & cob_id::kProduce) != 0) return refuse(AbortCode::InvalidValue);
   if (!is_assignable(cob_id, context_.policy.extended_identifiers)) return refuse(AbortCode::InvalidValue);
@@ -29,6 +74,14 @@ Result<void> SyncConsumer::write(const Entry&, std::int64_t value) {
     return refuse(AbortCode::ParameterIncompatible);
   identifier_ = identifier;
   context_.identifiers.on_identifiers_changed();
+  return {};
+}
+
+Result<void> SyncConsumer::write_overflow(std::int64_t value) {
+  if (!is_overflow(value)) return refuse(AbortCode::InvalidValue);
+  if (stored(kCyclePeriod).value_or(0) != 0 && value != stored(kCounterOverflow))
+    return refuse(AbortCode::DeviceState);
+  set_overflow(value);
   return {};
 }
 

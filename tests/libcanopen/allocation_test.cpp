@@ -18,7 +18,8 @@ class CountingBus final : public canopen::FrameSink {
   std::uint64_t sent = 0;
 };
 
-/// One round over all services: SDO of both kinds, a new mapping, PDOs, SYNC, heartbeat, resets, stray frames.
+/// One round over all services: SDO of both kinds, a new mapping, PDOs of every kind, SYNC, heartbeat, resets,
+/// stray frames.
 constexpr const char* kRound[] = {
     "000#8005",
     "605#4000100000000000",
@@ -47,6 +48,18 @@ constexpr const char* kRound[] = {
     "090#",
     "090#",
     "205#00",
+    "205#0F00FF",
+    "090#0000",
+    "605#2B00140502000000",
+    "205#0F00",
+    "605#2301180185020080",
+    "605#2F011802FC000000",
+    "605#2301180185020020",
+    "090#",
+    "00000285#R6",
+    "605#2303140105050080",
+    "605#2303140105050020",
+    "00000505#0100",
     "7FF#00",
     "705#7F",
     "605#2300180185010080",

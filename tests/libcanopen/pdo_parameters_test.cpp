@@ -131,7 +131,7 @@ TEST_F(PdoParameters, RefuseMoreThanEightBytes) {
   expect_writes({
       {0x1A03, 1, 4, 0x20180020, 0},
       {0x1A03, 2, 4, 0x20190020, 0},
-      {0x1A03, 3, 4, 0x20100008, 0},
+      {0x1A03, 3, 4, 0x20110008, 0},
       {0x1A03, 0, 1, 3, kTooLong},
       {0x1A03, 0, 1, 2, 0},
       {0x1803, 1, 4, 0x40000485, 0},
@@ -141,9 +141,8 @@ TEST_F(PdoParameters, RefuseMoreThanEightBytes) {
 
 TEST_F(PdoParameters, RefuseReservedTransmissionTypes) {
   for (std::uint32_t type = 0; type <= 0xFF; ++type) {
-    const std::uint32_t expected = type >= 0xF1 && type <= 0xFD ? kInvalidValue : 0;
-    EXPECT_EQ(writes_u8(0x1400, 2, type), expected) << type;
-    EXPECT_EQ(writes_u8(0x1800, 2, type), expected) << type;
+    EXPECT_EQ(writes_u8(0x1400, 2, type), type >= 0xF1 && type <= 0xFD ? kInvalidValue : 0) << type;
+    EXPECT_EQ(writes_u8(0x1800, 2, type), type >= 0xF1 && type <= 0xFB ? kInvalidValue : 0) << type;
   }
 }
 
@@ -167,7 +166,7 @@ TEST_F(PdoParameters, MayBeChangedInOperationalByDefault) {
       {0x1A00, 0, 1, 1, 0},
       {0x1800, 1, 4, 0x40000185, 0},
   });
-  EXPECT_EQ(sent(), (Lines{"185#00"}));
+  EXPECT_EQ(passes(0ms), (Lines{"0ms 185#00"}));
 }
 
 TEST_F(PdoParameters, ReturnToTheirInitialValuesAfterResetCommunication) {
@@ -199,6 +198,23 @@ TEST_F(PdoParameters, TellTheApplicationOfEveryChangeOfAnIdentifier) {
   EXPECT_EQ(application.subscription_changes, before + 2);
   writes_u32(0x1400, 1, 0x00000207);  // refused
   EXPECT_EQ(application.subscription_changes, before + 2);
+}
+
+class PdoParametersOfFewTypes : public PdoParameters {
+ protected:
+  static constexpr std::array kTypes{canopen::TypeRange{1, 2}, canopen::TypeRange{255, 255}};
+  PdoParametersOfFewTypes() : PdoParameters{Policy{.rpdo_types = kTypes, .tpdo_types = kTypes}} {}
+};
+
+TEST_F(PdoParametersOfFewTypes, TakeNoOtherTransmissionType) {
+  expect_writes({
+      {0x1400, 2, 1, 0, kInvalidValue},
+      {0x1400, 2, 1, 1, 0},
+      {0x1400, 2, 1, 3, kInvalidValue},
+      {0x1800, 2, 1, 2, 0},
+      {0x1800, 2, 1, 254, kInvalidValue},
+      {0x1800, 2, 1, 255, 0},
+  });
 }
 
 class PdoParametersLockedInOperational : public PdoParameters {

@@ -139,7 +139,8 @@ TEST_F(SdoBlockDownload, RefusesMoreOrFewerBytesThanAnnounced) {
       {"605#C100000000000000", "585#8023200013000706"},
       {"605#C223200008000000", "585#A42320007F000000"},  // 8, and more than 14 come
       {"605#0148656C6C6F2C20", ""},
-      {"605#0248656C6C6F2C20", "585#8023200012000706"},
+      {"605#0248656C6C6F2C20", ""},
+      {"605#8348656C6C6F2C20", "585#8023200012000706"},
   });
   EXPECT_EQ(text_of(0x2023), "abc");
 }
@@ -152,11 +153,30 @@ TEST_F(SdoBlockDownload, RefusesLengthsThatTheEntryCannotHave) {
       {"605#8141000000000000", "585#A2017F0000000000"},
       {"605#D900000000000000", "585#8024200012000706"},  // one byte, none was announced
       {"605#C024200000000000", "585#A42420007F000000"},
-      {"605#0141414141414141", "585#8024200010000706"},
+      {"605#0141414141414141", ""},
+      {"605#8241414141414141", "585#8024200010000706"},
       {"605#C018200000000000", "585#A41820007F000000"},
       {"605#8141414100000000", "585#A2017F0000000000"},
       {"605#D100000000000000", "585#8018200010000706"},
   });
+}
+
+TEST_F(SdoBlockDownload, TakesNoSegmentForARequestWhenItRefusesASubBlock) {
+  says("605#C024200000000000");  // a text of at most 3 bytes
+  for (int number = 1; number < 127; ++number) {
+    char segment[32];  // 23h would write 11223344h to 2018h
+    std::snprintf(segment, sizeof segment, "605#%02X18200044332211", static_cast<unsigned>(number));
+    EXPECT_EQ(says(segment), Lines{});
+  }
+  EXPECT_EQ(says("605#7F18200044332211"), (Lines{"585#8024200010000706"}));
+
+  EXPECT_EQ(value_of(0x2018), 0);
+}
+
+TEST_F(SdoBlockDownload, RefusesASubBlockThatIsNotClosedToo) {
+  says("605#C024200000000000");
+  says("605#0141414141414141");
+  EXPECT_EQ(passes(1min), (Lines{"5000ms 585#8024200010000706"}));
 }
 
 TEST_F(SdoBlockDownload, RefusesWhatANormalDownloadRefuses) {

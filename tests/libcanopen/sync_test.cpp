@@ -17,7 +17,7 @@ TEST_F(SyncConsumer, TakesFramesWithAndWithoutACounter) {
 TEST_F(SyncConsumer, IgnoresFramesThatAreNoSync) {
   start_operational();
 
-  EXPECT_EQ(says("080#0000"), Lines{});
+  EXPECT_EQ(says("080#0000"), (Lines{"085#4082110200000000"})) << "two bytes: nothing but a complaint";
   EXPECT_EQ(says("080#R"), Lines{});
   EXPECT_EQ(says("00000080#"), Lines{});
 }
