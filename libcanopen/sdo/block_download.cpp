@@ -25,12 +25,12 @@ void SdoServer::initiate_block_download(const Frame& frame) noexcept {
     return abort(phase_ == Phase::Idle ? at : address_, AbortCode::CommandSpecifierInvalid);
   }
   const Command command{frame.data[0]};
-  const auto entry = find(at);
-  if (!entry) return abort(at, entry.error());
-  if (!(*entry)->writable) return abort(at, AbortCode::ReadOnly);
+  const Entry* const entry = find(at);
+  if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
+  if (!entry->writable) return abort(at, AbortCode::ReadOnly);
   std::optional<std::uint32_t> size;
   if (command.has_block_size()) size = load<std::uint32_t>(&frame.data[4]);
-  if (auto opened = open_sink(**entry, size); !opened) return abort(at, opened.error());
+  if (auto opened = open_sink(*entry, size); !opened) return abort(at, opened.error());
 
   begin(Phase::BlockDownload, at);
   crc_wanted_ = command.has_crc();

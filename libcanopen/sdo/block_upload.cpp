@@ -46,13 +46,13 @@ void SdoServer::initiate_block_upload(const Frame& frame) noexcept {
   }
   const std::uint8_t block_size = frame.data[4];
   const std::uint8_t switch_size = frame.data[5];  // the "protocol switch threshold": 0 forbids it
-  const auto entry = find(at);
-  if (!entry) return abort(at, entry.error());
-  if (!(*entry)->readable) return abort(at, AbortCode::WriteOnly);
+  const Entry* const entry = find(at);
+  if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
+  if (!entry->readable) return abort(at, AbortCode::WriteOnly);
   if (!is_block_size(block_size)) return abort(at, AbortCode::InvalidBlockSize);
-  const std::uint8_t number_size = (*entry)->size;
+  const std::uint8_t number_size = entry->size;
   if (number_size >= 1 && number_size <= 4 && number_size <= switch_size) return initiate_upload(frame);
-  if (auto opened = open_source(**entry); !opened) return abort(at, opened.error());
+  if (auto opened = open_source(*entry); !opened) return abort(at, opened.error());
   const auto size = source_.size();
   if (switch_size != 0 && size && *size <= switch_size) return begin_segmented_upload(at);
 

@@ -81,24 +81,24 @@ inline void SdoServer::upload_expedited(const Entry& entry, Address at) noexcept
 
 void SdoServer::initiate_upload(const Frame& frame) noexcept {
   const Address at = sdo::address_in(frame);
-  const auto entry = find(at);
-  if (!entry) return abort(at, entry.error());
-  if (!(*entry)->readable) return abort(at, AbortCode::WriteOnly);
-  if (fits_one_frame(**entry)) return upload_expedited(**entry, at);
-  if (auto opened = open_source(**entry); !opened) return abort(at, opened.error());
+  const Entry* const entry = find(at);
+  if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
+  if (!entry->readable) return abort(at, AbortCode::WriteOnly);
+  if (fits_one_frame(*entry)) return upload_expedited(*entry, at);
+  if (auto opened = open_source(*entry); !opened) return abort(at, opened.error());
   begin_segmented_upload(at);
 }
 
 void SdoServer::initiate_download(const Frame& frame) noexcept {
   const Address at = sdo::address_in(frame);
-  const auto entry = find(at);
-  if (!entry) return abort(at, entry.error());
-  if (!(*entry)->writable) return abort(at, AbortCode::ReadOnly);
+  const Entry* const entry = find(at);
+  if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
+  if (!entry->writable) return abort(at, AbortCode::ReadOnly);
   const Command command{frame.data[0]};
-  if (!command.is_expedited()) return begin_segmented_download(**entry, frame);
-  const unsigned size = command.has_size() ? command.expedited_size() : expedited_size(**entry);
-  if (!sdo::is_plain(**entry) || size != (*entry)->size) return download_expedited(**entry, frame, size);
-  context_.dictionary.set(**entry, load<std::uint32_t>(&frame.data[4]));
+  if (!command.is_expedited()) return begin_segmented_download(*entry, frame);
+  const unsigned size = command.has_size() ? command.expedited_size() : expedited_size(*entry);
+  if (!sdo::is_plain(*entry) || size != entry->size) return download_expedited(*entry, frame, size);
+  context_.dictionary.set(*entry, load<std::uint32_t>(&frame.data[4]));
   send(sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0));
 }
 

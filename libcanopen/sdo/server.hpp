@@ -53,10 +53,11 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   void upload_expedited(const Entry& entry, sdo::Address at) noexcept;
   void download_expedited(const Entry& entry, const Frame& frame, std::size_t size) noexcept;
   Result<void> write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept;
-  /// An initiate request ends the transfer before it without a word, and finds its entry.
-  Result<const Entry*> find(sdo::Address at) noexcept {
+  /// An initiate request ends the transfer before it without a word, and finds its entry; nullptr if there is
+  /// none.
+  const Entry* find(sdo::Address at) noexcept {
     if (phase_ != Phase::Idle) end();
-    return context_.dictionary.find(at.index, at.sub_index);
+    return context_.dictionary.lookup(at.index, at.sub_index);
   }
   Result<void> open_source(const Entry& entry) noexcept;
   Result<void> open_sink(const Entry& entry, std::optional<std::uint32_t> size) noexcept;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "libcanopen/base/export.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace canopen::sdo {
@@ -11,7 +12,7 @@ namespace canopen::sdo {
 /// The bytes that an upload sends. A number or a string is taken as a whole when the upload begins; the data of a
 /// DomainOwner come through the window, each byte asked for once and in order. What has been sent stays in the
 /// window until it is dropped, so that it can be sent again.
-class UploadSource {
+class CANOPEN_EXPORT UploadSource {
  public:
   /// Keeps the bytes in @p window; eight more bytes behind it must be readable.
   explicit UploadSource(std::span<std::uint8_t> window) noexcept : window_{window} {}
