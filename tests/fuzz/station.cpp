@@ -33,6 +33,12 @@ std::uint64_t bits_of(const Frame& frame) noexcept {
   return canopen::load<std::uint64_t>(frame.data.data()) ^ (std::uint64_t{frame.id} << 40) ^ frame.length;
 }
 
+bool is_pdo(const Frame& frame, const LegalFrames& legal) noexcept {
+  return std::ranges::any_of(legal.pdos, [&](const LegalFrames::Pdo& pdo) {
+    return pdo.identifier != 0 && pdo.identifier == canopen::identifier_of(frame) && pdo.length == frame.length;
+  });
+}
+
 bool is_sdo_request(const Frame& frame) noexcept {
   return frame.length == 8 && !frame.remote;
 }
@@ -141,6 +147,8 @@ void Station::check_frame(const Frame& frame) const noexcept {
   require(frame.id <= (frame.extended ? canopen::cob_id::kLong : canopen::cob_id::kBase), "an identifier fits");
   for (std::size_t i = frame.length; i < 8; ++i) require(frame.data[i] == 0, "unused bytes are 0");
   require(is_legal(frame, before_) || is_legal(frame, after_), "a frame is one that the dictionary announces");
+  if (state_before_ != NmtState::Operational && node_.state() != NmtState::Operational)
+    require(!is_pdo(frame, before_) && !is_pdo(frame, after_), "PDOs are for Operational alone");
   if (state_before_ != NmtState::Stopped || node_.state() != NmtState::Stopped) return;
   require(frame.id == after_.error_control && !frame.extended, "a stopped node is silent but for error control");
 }
@@ -150,9 +158,7 @@ bool Station::is_legal(const Frame& frame, const LegalFrames& legal) const noexc
   if (identifier == legal.error_control) return frame.length == 1;
   if (identifier == legal.emcy) return frame.length == 8;
   if (std::ranges::count(legal.responses, identifier) != 0) return frame.length == 8;
-  return std::ranges::any_of(legal.pdos, [&](const LegalFrames::Pdo& pdo) {
-    return pdo.identifier == identifier && pdo.length == frame.length;
-  });
+  return is_pdo(frame, legal);
 }
 
 std::size_t Station::server_of(const Frame& frame) const noexcept {

@@ -253,6 +253,7 @@ const Answer& Server::on_time(Milliseconds now) {
   if (!due || now < *due) return answer_;
   if (phase_ == Phase::BlockDownload && now < last_ + timeout_) {
     confirmed_early_ = true;
+    watch_length(data_.size());
     confirm_download();
   } else {
     abort(AbortCode::ProtocolTimedOut);
