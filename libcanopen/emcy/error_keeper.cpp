@@ -54,7 +54,6 @@ void ErrorKeeper::reload() noexcept {
   if (!enabled_) return;
   count_ = 0;
   show_register(0);
-  set_history(0, 0);
 }
 
 /// Brings 1001h up to date. Returns it, with @p further_bits of an error that is not kept.

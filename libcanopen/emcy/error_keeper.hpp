@@ -25,7 +25,8 @@ class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
   /// That error is gone: EMCY "error reset" with what is left of the error register. Nothing happens if it is not
   /// there. True if the dictionary has changed.
   bool clear(std::uint16_t code, std::uint16_t detail) noexcept;
-  /// Reset: no error is present, the history is empty.
+  /// The services start afresh: no error is present. The history is what the dictionary holds, so that a reset
+  /// empties it and the return of the bus does not.
   void reload() noexcept;
 
   /// An entry of the history; NoData beyond their number.

@@ -145,6 +145,7 @@ void HeartbeatConsumer::on_timer(std::size_t which) noexcept {
     return;
   }
   watch.life = Life::Lost;
+  watch.state.reset();
   context_.errors.on_error(CommunicationError::Heartbeat, node_id(which));
 }
 

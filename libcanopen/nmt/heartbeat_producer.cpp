@@ -1,31 +1,25 @@
 #include "libcanopen/nmt/heartbeat_producer.hpp"
 
 #include "libcanopen/base/cob_id.hpp"
-#include "libcanopen/nmt/error_control.hpp"
 
 namespace canopen {
-
-using namespace error_control;
+namespace {
+constexpr std::uint16_t kProducerHeartbeatTime = 0x1017;
+}
 
 HeartbeatProducer::HeartbeatProducer(Context& context, std::size_t timer) : context_{context}, timer_{timer} {
-  const Entry* const entry = context_.dictionary.lookup(kProducerHeartbeatTime, 0);
-  if (entry != nullptr && entry->writable) {
+  if (context_.dictionary.contains(kProducerHeartbeatTime)) {
     context_.dictionary.own_write(kProducerHeartbeatTime, 0, *this, OwnerRank::Service);
   }
 }
 
 void HeartbeatProducer::reload() noexcept {
-  const std::int64_t period_ms = stored(context_.dictionary, kProducerHeartbeatTime);
+  const auto entry = context_.dictionary.find(kProducerHeartbeatTime, 0);
+  const std::int64_t period_ms = entry ? context_.dictionary.stored(**entry) : 0;
   start(period_ms, std::chrono::milliseconds{period_ms});
 }
 
 Result<void> HeartbeatProducer::write(const Entry&, std::int64_t value) {
-  const Dictionary& dictionary = context_.dictionary;
-  const bool guarded =
-      life_time(stored(dictionary, kGuardTime), stored(dictionary, kLifeTimeFactor)) != Duration{0};
-  if (value != 0 && guarded && context_.policy.error_control_conflict == ErrorControlConflict::Refuse) {
-    return refuse(AbortCode::InvalidValue);
-  }
   start(value, Duration{0});  // the protocol begins at once
   return {};
 }

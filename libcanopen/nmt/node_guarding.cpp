@@ -1,15 +1,20 @@
 #include "libcanopen/nmt/node_guarding.hpp"
 
 #include "libcanopen/base/cob_id.hpp"
-#include "libcanopen/nmt/error_control.hpp"
 
 namespace canopen {
-
-using namespace error_control;
-
 namespace {
+
+constexpr std::uint16_t kGuardTime = 0x100C;
+constexpr std::uint16_t kLifeTimeFactor = 0x100D;
+constexpr std::uint16_t kProducerHeartbeatTime = 0x1017;
 constexpr std::uint8_t kToggleBit = 0x80;
+
+constexpr Duration life_time(std::int64_t guard_time_ms, std::int64_t factor) noexcept {
+  return std::chrono::milliseconds{guard_time_ms * factor};
 }
+
+}  // namespace
 
 NodeGuarding::NodeGuarding(Context& context, std::size_t timer)
     : context_{context},
@@ -24,11 +29,15 @@ void NodeGuarding::own(std::uint16_t index) {
   if (entry != nullptr && entry->writable) context_.dictionary.own_write(index, 0, *this, OwnerRank::Service);
 }
 
+std::int64_t NodeGuarding::stored(std::uint16_t index) const noexcept {
+  const Entry* const entry = context_.dictionary.lookup(index, 0);
+  return entry != nullptr ? context_.dictionary.stored(*entry) : 0;
+}
+
 void NodeGuarding::reload() noexcept {
-  const Dictionary& dictionary = context_.dictionary;
   stop_watching();
-  heartbeat_ = stored(dictionary, kProducerHeartbeatTime) != 0;
-  life_time_ = life_time(stored(dictionary, kGuardTime), stored(dictionary, kLifeTimeFactor));
+  heartbeat_ = stored(kProducerHeartbeatTime) != 0;
+  life_time_ = life_time(stored(kGuardTime), stored(kLifeTimeFactor));
   toggle_ = false;
 }
 
@@ -66,19 +75,21 @@ void NodeGuarding::on_timer() noexcept {
   context_.errors.on_error(CommunicationError::LifeGuarding, 0);
 }
 
+/// May @p entry become @p value, with the other two objects as they are?
+Result<void> NodeGuarding::check(const Entry& entry, std::int64_t value) const noexcept {
+  if (context_.policy.error_control_conflict != ErrorControlConflict::Refuse) return {};
+  const auto after = [&](std::uint16_t index) { return entry.index == index ? value : stored(index); };
+  const bool is_guarded = life_time(after(kGuardTime), after(kLifeTimeFactor)) != Duration{0};
+  return is_guarded && after(kProducerHeartbeatTime) != 0 ? refuse(AbortCode::InvalidValue) : Result<void>{};
+}
+
 Result<void> NodeGuarding::write(const Entry& entry, std::int64_t value) {
+  if (auto accepted = check(entry, value); !accepted) return accepted;
   if (entry.index == kProducerHeartbeatTime) {
     switch_heartbeat(value != 0);
-    return {};
+  } else {
+    set_life_time(life_time(value, stored(entry.index == kGuardTime ? kLifeTimeFactor : kGuardTime)));
   }
-  const Dictionary& dictionary = context_.dictionary;
-  const std::uint16_t other = entry.index == kGuardTime ? kLifeTimeFactor : kGuardTime;
-  const Duration wanted = life_time(value, stored(dictionary, other));
-  const bool conflict = wanted != Duration{0} && stored(dictionary, kProducerHeartbeatTime) != 0;
-  if (conflict && context_.policy.error_control_conflict == ErrorControlConflict::Refuse) {
-    return refuse(AbortCode::InvalidValue);
-  }
-  set_life_time(wanted);
   return {};
 }
 

@@ -10,8 +10,8 @@ namespace canopen {
 /// takes its place: no request is answered and no life time runs.
 class CANOPEN_EXPORT NodeGuarding final : public EntryOwner {
  public:
-  /// @p timer is the number of its timer in the context's queue. Must be constructed after the heartbeat producer,
-  /// which is then asked first whether 1017h may change.
+  /// @p timer is the number of its timer in the context's queue. To be constructed before the heartbeat producer,
+  /// so that it is asked first whether 1017h may change.
   NodeGuarding(Context& context, std::size_t timer);
 
   /// Starts over with the values of the objects; the toggle bit is 0 again.
@@ -30,6 +30,8 @@ class CANOPEN_EXPORT NodeGuarding final : public EntryOwner {
   enum class Life : std::uint8_t { Unwatched, Present, Lost };
 
   void own(std::uint16_t index);
+  std::int64_t stored(std::uint16_t index) const noexcept;
+  Result<void> check(const Entry& entry, std::int64_t value) const noexcept;
   void switch_heartbeat(bool on) noexcept;
   void set_life_time(Duration life_time) noexcept;
   void watch() noexcept;

@@ -35,7 +35,8 @@ class CANOPEN_EXPORT Application {
   virtual void on_communication_recovery(CommunicationError error, std::uint16_t detail) noexcept {
     (void)error, (void)detail;
   }
-  /// The node @p node_id, monitored by 1016h, has told another NMT state than before; Initialising is its boot-up.
+  /// The node @p node_id, monitored by 1016h, has told its NMT state for the first time, again after its silence,
+  /// or another one than before; Initialising is its boot-up.
   virtual void on_heartbeat(std::uint8_t node_id, NmtState state) noexcept { (void)node_id, (void)state; }
   /// A time stamp has come (1012h).
   virtual void on_time_of_day(const TimeOfDay& time) noexcept { (void)time; }

@@ -104,9 +104,9 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   TimerQueue timers_;
   Context context_;
   ServiceGate gate_{};  ///< of the NMT state
+  NodeGuarding guarding_;
   HeartbeatProducer heartbeat_;
   HeartbeatConsumer heartbeat_consumer_;
-  NodeGuarding guarding_;
   ErrorBehaviour error_behaviour_;
   SdoServers sdo_servers_;
   ReceivePdos receive_pdos_;

@@ -117,11 +117,25 @@ TEST_F(EntryOwners, GiveAndTakeStrings) {
   EXPECT_TRUE(std::ranges::equal(dictionary.text(entry(0x2001)), bytes));
 }
 
+TEST_F(EntryOwners, TakeCommandsThatAreNeverStored) {
+  dictionary.set(entry(0x2000), 3);
+  dictionary.own_command(0x2000, 0, service, OwnerRank::Service);
+  dictionary.own_write(0x2000, 0, application);
+
+  EXPECT_TRUE(dictionary.write(entry(0x2000), 7));
+  EXPECT_EQ(asked, (std::vector<std::string>{"application", "service"}));
+  EXPECT_EQ(dictionary.read(entry(0x2000)), 3);
+
+  application.refuses = true;
+  EXPECT_EQ(dictionary.write(entry(0x2000), 7).error(), AbortCode::LocalControl);
+}
+
 TEST_F(EntryOwners, CanOnlyOwnEntriesThatExist) {
   canopen::DomainOwner domain;
 
   EXPECT_THROW(dictionary.own_read(0x2009, 0, application), std::out_of_range);
   EXPECT_THROW(dictionary.own_write(0x2000, 1, application), std::out_of_range);
+  EXPECT_THROW(dictionary.own_command(0x2000, 1, application), std::out_of_range);
   EXPECT_THROW(dictionary.own_domain(0x2000, 0, domain), std::invalid_argument);
   EXPECT_NO_THROW(dictionary.own_domain(0x2002, 0, domain));
 }

@@ -168,14 +168,17 @@ TEST_F(ErrorKeeper, ForgetsEverythingWithAReset) {
   }
 }
 
-TEST_F(ErrorKeeper, ForgetsEverythingWhenTheNodeIsStartedAgain) {
+TEST_F(ErrorKeeper, KeepsItsHistoryWhenTheNodeIsStartedAgain) {
   start();
   raises(0x3210, 1, 0x04);
 
   EXPECT_EQ(start(), (Lines{"705#00"}));
 
-  EXPECT_EQ(value_of(0x1001), 0);
-  EXPECT_EQ(value_of(0x1003), 0);
+  expect_dialogue({
+      {kReadRegister, "585#4F01100000000000"},
+      {kReadCount, "585#4F03100001000000"},
+      {"605#4003100100000000", "585#4303100110320100"},
+  });
 }
 
 TEST_F(ErrorKeeper, TakesTheErrorsOfTheCommunicationByItself) {

@@ -88,6 +88,14 @@ TEST_F(HeartbeatConsumer, TellsEveryChangeOfStateAndEveryBootUp) {
                            "node 7: Initialising", "node 7: Initialising", "node 7: Pre-operational"}));
 }
 
+TEST_F(HeartbeatConsumer, TellsTheStateOfANodeThatComesBack) {
+  start_and_lose();
+
+  says("707#05");
+
+  EXPECT_EQ(told(), (Lines{"node 7: Operational"}));
+}
+
 TEST_F(HeartbeatConsumer, LooksThroughTheToggleBitOfNodeGuarding) {
   start_watching();
 
