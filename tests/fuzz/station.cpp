@@ -86,6 +86,8 @@ void Station::finish(Parameters parameters) noexcept {
   if (parameters == Parameters::MayChange || node_.state() != state_before_) after_ = reader_.read();
   if (after_.responses != before_.responses || after_.requests != before_.requests) watch_.forget();
   for (const Frame& frame : sent_) check_frame(frame);
+  for (const Domain& domain : domains_)
+    require(!domain.is_being_written() || node_.state() != NmtState::Stopped, "no transfer outlives Stopped");
 }
 
 void Station::receive(const Frame& frame) {
