@@ -84,10 +84,21 @@ void Station::finish(Parameters parameters) noexcept {
   require(node_.next_deadline() > now_, "what is due has been handled");
   require(node_.state() != NmtState::Initialising, "a node does not stay in Initialising");
   if (parameters == Parameters::MayChange || node_.state() != state_before_) after_ = reader_.read();
-  if (after_.responses != before_.responses || after_.requests != before_.requests) watch_.forget();
+  if (after_.responses != before_.responses || after_.requests != before_.requests) {
+    watch_.forget();
+    check_subscriptions();
+  }
   for (const Frame& frame : sent_) check_frame(frame);
   for (const Domain& domain : domains_)
     require(!domain.is_being_written() || node_.state() != NmtState::Stopped, "no transfer outlives Stopped");
+}
+
+/// Who filters frames by the node's list must not lose a request.
+void Station::check_subscriptions() const noexcept {
+  const auto wanted = node_.subscriptions();
+  for (const Identifier request : after_.requests)
+    require(request == 0 || std::ranges::count(wanted, canopen::Subscription{request}) == 1,
+            "a server that exists is listened to");
 }
 
 void Station::receive(const Frame& frame) {

@@ -80,6 +80,7 @@ class Station final : private canopen::FrameSink, private canopen::Application, 
   bool is_legal(const canopen::Frame& frame, const LegalFrames& legal) const noexcept;
   void check_answers(std::size_t asked, std::size_t at_once, const canopen::Frame& request) noexcept;
   std::size_t server_of(const canopen::Frame& frame) const noexcept;
+  void check_subscriptions() const noexcept;
   void check_limits() const noexcept;
 
   canopen::Dictionary dictionary_;
