@@ -155,12 +155,15 @@ void Server::initiate_download(const Data& request) {
   if (commit()) answer_initiate(0x60, 0);
 }
 
-/// If the @p sure bytes of data are more than will ever be accepted, the refusal may come now or at the end.
+/// If the @p sure bytes of data are more than will ever be accepted, the refusal may come with the next answer
+/// already, or at the end.
 void Server::watch_length(std::size_t sure) {
-  if (announced_ && sure > *announced_) answer_.or_abort = AbortCode::LengthTooHigh;
-  if (!announced_ && !object_->streamed && sure > std::max(object_->capacity, object_->value.size()))
-    answer_.or_abort = AbortCode::LengthMismatch;
-  if (!announced_ && object_->streamed && sure > object_->capacity) answer_.or_abort = AbortCode::OutOfMemory;
+  const std::size_t most = object_->is_number ? object_->value.size() : object_->capacity;
+  if (sure <= announced_.value_or(static_cast<std::uint32_t>(most))) return;
+  if (announced_)
+    doom_ = AbortCode::LengthTooHigh;
+  else
+    doom_ = object_->streamed ? AbortCode::OutOfMemory : AbortCode::LengthMismatch;
 }
 
 void Server::download_segment(const Data& request) {
@@ -170,6 +173,7 @@ void Server::download_segment(const Data& request) {
   data_.insert(data_.end(), request.begin() + 1, request.begin() + 1 + static_cast<std::ptrdiff_t>(bytes));
   if (announced_ && data_.size() > *announced_) return abort(AbortCode::LengthTooHigh);
   watch_length(data_.size());
+  answer_.or_abort = doom_;
   if ((request[0] & 1) != 0) {
     if (!commit()) return;
     end();
@@ -212,6 +216,7 @@ bool Server::commit() {
 void Server::open(Phase phase, bool writes) {
   phase_ = phase;
   toggle_ = 0;
+  doom_ = std::nullopt;
   if (!object_->streamed) return;
   if (writes)
     object_->writer = this;

@@ -121,6 +121,7 @@ class Server {
   Bytes data_;                                ///< upload: all of it; download: what has come
   std::size_t done_ = 0;                      ///< bytes of an upload that are sent, for good in a block transfer
   std::optional<std::uint32_t> announced_{};  ///< size of a download
+  std::optional<AbortCode> doom_{};           ///< what a download that is too long will be refused with
   std::uint8_t toggle_ = 0;
   bool crc_ = false;
   std::uint8_t block_size_ = 0;

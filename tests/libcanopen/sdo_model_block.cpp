@@ -121,6 +121,7 @@ void Server::block_segment(const Data& request) {
 void Server::confirm_download() {
   answer({0xA2, static_cast<std::uint8_t>(next_segment_ - 1), 0});
   answer_.any_block_size = true;
+  answer_.or_abort = doom_;  // not earlier: segments on their way would pass for requests
   next_segment_ = 1;
 }
 
