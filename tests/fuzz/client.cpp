@@ -34,7 +34,7 @@ void Client::note(const Frame& request) noexcept {
     if (has_last_) crc_ = crc_with(crc_, last_, 7);
     last_ = request;
     has_last_ = true;
-    next_segment_ = (command & 0x80) != 0 ? 0 : static_cast<std::uint8_t>(next_segment_ % 127 + 1);
+    next_segment_ = static_cast<std::uint8_t>((command & 0x80) != 0 ? 0 : next_segment_ % 127 + 1);
     return;
   }
   const unsigned specifier = command >> 5;
