@@ -125,4 +125,13 @@ TEST_F(EmcyInhibitTime, CountsFromStart) {
   EXPECT_EQ(passes(1s), (Lines{"10ms 085#02FF810000000000"}));
 }
 
+TEST_F(EmcyInhibitTime, CountsAnewWhenTheNodeIsStartedAgain) {
+  start_inhibited(100);
+  raises(1, 2);
+
+  start();
+
+  EXPECT_EQ(raises(3, 3), (Lines{"085#03FF810000000000"}));
+}
+
 }  // namespace

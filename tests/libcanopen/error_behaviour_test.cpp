@@ -108,11 +108,12 @@ TEST_F(ErrorBehaviour, HasAClassOfItsOwnForTheApplication) {
 TEST_F(ErrorBehaviour, LeavesOperationalForAClassThatTheDictionaryDoesNotHave) {
   start();
   writes_u8(0x1029, 1, 2);
-  take_to(NmtState::Operational);
 
-  node->apply_error_behaviour(3);
-
-  EXPECT_EQ(node->state(), NmtState::PreOperational);
+  for (const unsigned error_class : {0U, 3U, 255U}) {  // 0 is the number of classes
+    take_to(NmtState::Operational);
+    node->apply_error_behaviour(static_cast<std::uint8_t>(error_class));
+    EXPECT_EQ(node->state(), NmtState::PreOperational) << error_class;
+  }
 }
 
 TEST_F(ErrorBehaviour, DoesNothingBeforeStart) {

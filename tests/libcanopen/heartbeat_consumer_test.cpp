@@ -99,10 +99,11 @@ TEST_F(HeartbeatConsumer, TellsTheStateOfANodeThatComesBack) {
 TEST_F(HeartbeatConsumer, LooksThroughTheToggleBitOfNodeGuarding) {
   start_watching();
 
-  says("707#05");
   says("707#85");
+  says("707#05");
+  says("707#FF");
 
-  EXPECT_EQ(told(), (Lines{"node 7: Operational"}));
+  EXPECT_EQ(told(), (Lines{"node 7: Operational", "node 7: Pre-operational"}));
 }
 
 TEST_F(HeartbeatConsumer, TakesAnUnknownStateForASignOfLifeOnly) {
