@@ -1,12 +1,14 @@
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <thread>
 
+#include "bench/number.hpp"
 #include "bench/slave_client.hpp"
 
 namespace {
@@ -132,8 +134,7 @@ constexpr std::array kTests{
 
 template <class Number>
 bool parse(std::string_view word, Number& number, int base = 10) {
-  const char* const end = word.data() + word.size();
-  return std::from_chars(word.data(), end, number, base).ptr == end && number != 0;
+  return bench::parse(word, Number{1}, std::numeric_limits<Number>::max(), number, base);
 }
 
 /// Takes one option and its value; false if it is none.
@@ -145,15 +146,31 @@ bool take_option(Target& target, std::string_view name, std::string_view value) 
   return name == "--object" && parse(value, target.written.index, kHexadecimal);
 }
 
-/// Runs test NAME[:COUNT]; false if there is no such test.
-bool run(SlaveClient& client, const Target& target, std::string_view word) {
+/// A test and how much of it.
+struct Order {
+  void (*run)(SlaveClient&, const Target&, unsigned long count);
+  unsigned long count;
+};
+
+/// The order TEST[:COUNT]; nothing if there is no such test.
+std::optional<Order> order_of(std::string_view word) {
   const std::size_t colon = std::min(word.find(':'), word.size());
   const auto* const test = std::find_if(kTests.begin(), kTests.end(),
                                         [&](const Test& row) { return row.name == word.substr(0, colon); });
   unsigned long count = 1;
-  if (test == kTests.end() || (colon < word.size() && !parse(word.substr(colon + 1), count))) return false;
-  test->run(client, target, count);
-  return true;
+  if (test == kTests.end() || (colon < word.size() && !parse(word.substr(colon + 1), count))) return std::nullopt;
+  return Order{test->run, count};
+}
+
+/// Nothing if a word is no test, or if there is none.
+std::optional<std::vector<Order>> orders_of(std::span<char*> words) {
+  std::vector<Order> orders;
+  for (const char* const word : words) {
+    const std::optional<Order> order = order_of(word);
+    if (!order) return std::nullopt;
+    orders.push_back(*order);
+  }
+  return orders.empty() ? std::nullopt : std::optional{std::move(orders)};
 }
 
 int usage() {
@@ -169,16 +186,18 @@ int usage() {
 /// Asks a slave what a master would, checks every answer, and prints lines "TEST_WHAT NUMBER": p50 and p99 of the
 /// round trips, cpu of the slave for each of them (idle: a second), all in ns.
 int main(int count, char** words) {
+  constexpr unsigned kHighestNode = 127;
   Target target;
-  if (count < 4 || !parse(words[2], target.node)) return usage();
+  if (count < 4 || !bench::parse(words[2], 1U, kHighestNode, target.node)) return usage();
   target.interface = words[1];
   int next = 3;
   for (; next + 1 < count && words[next][0] == '-'; next += 2)
     if (!take_option(target, words[next], words[next + 1])) return usage();
+  const auto orders = orders_of({words + next, words + count});
+  if (!orders) return usage();
   try {
     SlaveClient client{target};
-    for (; next < count; ++next)
-      if (!run(client, target, words[next])) return usage();
+    for (const Order& order : *orders) order.run(client, target, order.count);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bus_client: %s\n", error.what());
     return 1;

@@ -1,8 +1,6 @@
 #include <array>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <optional>
 #include <string>
@@ -12,6 +10,7 @@
 #include <sys/signalfd.h>
 
 #include "bench/library_node.hpp"
+#include "bench/number.hpp"
 #include "bus/interface.hpp"
 #include "daemon/bus_loop.hpp"
 #include "daemon/clock.hpp"
@@ -91,23 +90,18 @@ class Slave final : private axisd::Station, private canopen::Application {
   bool stopped_ = false;
 };
 
-bool parse(const char* word, unsigned low, unsigned high, unsigned& number) {
-  const char* const end = word + std::strlen(word);
-  return std::from_chars(word, end, number).ptr == end && number >= low && number <= high;
-}
-
 /// Nothing if the words make no sense.
 std::optional<Arguments> parse(int count, char** words) {
-  constexpr unsigned kMostNodes = 127;
+  constexpr unsigned kHighestNode = 127;
   constexpr unsigned kMostPdos = 64;
   Arguments arguments;
-  if (count < 3 || !parse(words[2], 1, kMostNodes, arguments.node)) return std::nullopt;
+  if (count < 3 || !bench::parse(words[2], 1U, kHighestNode, arguments.node)) return std::nullopt;
   arguments.interface = words[1];
   for (int i = 3; i < count; ++i) {
     const std::string_view word = words[i];
     if (word == "--operational") {
       arguments.operational = true;
-    } else if (word != "--pdos" || ++i == count || !parse(words[i], 1, kMostPdos, arguments.pdos)) {
+    } else if (word != "--pdos" || ++i == count || !bench::parse(words[i], 1U, kMostPdos, arguments.pdos)) {
       return std::nullopt;
     }
   }

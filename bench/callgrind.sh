@@ -6,13 +6,15 @@
 #
 # --build DIR  the build with the programs (build/release, built first if it is this one)
 set -euo pipefail
-cd "$(dirname "$0")/.."
+# shellcheck source=scripts/common.sh
+. "$(dirname "$0")/../scripts/common.sh"
+cd "$root"
 
 build=build/release times=20000
 while (($#)); do
   case $1 in
-    --build) build=${2:?--build needs a folder}; shift 2 ;;
-    --times) times=${2:?--times needs a number}; shift 2 ;;
+    --build) build=${2:-}; [[ $build ]] || misuse "--build needs a folder"; shift 2 ;;
+    --times) need_number "$@"; times=$2; shift 2 ;;
     -*) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0" >&2; exit 2 ;;
     *) break ;;
   esac

@@ -14,8 +14,8 @@ cd "$root"
 build=build/release requests=1000 inside=''
 while (($#)); do
   case $1 in
-    --build) build=${2:?--build needs a folder}; shift 2 ;;
-    --requests) requests=${2:?--requests needs a number}; shift 2 ;;
+    --build) build=${2:-}; [[ $build ]] || misuse "--build needs a folder"; shift 2 ;;
+    --requests) need_number "$@"; requests=$2; shift 2 ;;
     --inside) inside=yes; shift ;;
     *) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0" >&2; exit 2 ;;
   esac

@@ -2,11 +2,11 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 
 #include <poll.h>
 
+#include "bench/number.hpp"
 #include "bench/raw_socket.hpp"
 
 namespace {
@@ -86,14 +86,18 @@ class Echo {
 /// with as many frames as it is told. At its end it tells how many RPDOs it took.
 int main(int count, char** words) {
   constexpr int kUsage = 2;
-  if (count != 3 && count != 4) {
+  constexpr unsigned kHighestNode = 127;
+  constexpr unsigned kMostTpdos = 512;
+  unsigned node = 0;
+  unsigned tpdos = 4;
+  if ((count != 3 && count != 4) || !bench::parse(words[2], 1U, kHighestNode, node) ||
+      (count == 4 && !bench::parse(words[3], 1U, kMostTpdos, tpdos))) {
     std::fputs("usage: can_echo INTERFACE NODE [TPDOS]\n", stderr);
     return kUsage;
   }
   std::signal(SIGTERM, [](int) { stopped = 1; });
   try {
-    const auto number = [words](int position) { return static_cast<unsigned>(std::atoi(words[position])); };
-    Echo echo{words[1], number(2), count == 4 ? number(3) : 4};
+    Echo echo{words[1], node, tpdos};
     std::fputs("ready\n", stderr);
     echo.serve();
     std::fprintf(stderr, "rpdos %lu\n", echo.rpdos());

@@ -10,6 +10,12 @@ say() { echo "-- $*"; }
 # die TEXT...: one line on what is wrong, and the end.
 die() { echo "${0##*/}: $*" >&2; exit 1; }
 
+# misuse TEXT...: one line on what is wrong with the command line, and the end.
+misuse() { echo "${0##*/}: $*" >&2; exit 2; }
+
+# need_number OPTION [VALUE]: ends the script unless VALUE is a number from 1 on.
+need_number() { [[ ${2:-} =~ ^[1-9][0-9]{0,8}$ ]] || misuse "$1 needs a number from 1 on"; }
+
 # as_root COMMAND...: runs it as root, through sudo where necessary.
 as_root() {
   if ((EUID == 0)); then "$@"

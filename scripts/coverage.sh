@@ -9,6 +9,13 @@ set -euo pipefail
 readonly least=95
 cd "$root"
 
+lines=''
+case ${1:-} in
+  '') ;;
+  --lines) lines=yes ;;
+  *) misuse "unknown option $1; usage: coverage.sh [--lines]" ;;
+esac
+
 need_packages clang llvm-14
 build coverage canopen_test canopen_allocation_test node_replay
 folder=$root/build/coverage
@@ -23,7 +30,7 @@ objects=("$bin/canopen_test" -object "$bin/canopen_allocation_test" -object "$bi
 of_library=(-instr-profile "$folder/all.profdata" -ignore-filename-regex '/(tests|usr)/')
 llvm-cov-14 report "${objects[@]}" "${of_library[@]}" -show-region-summary=0 -show-branch-summary=0 |
   awk 'NF == 7 && $NF ~ /%$/ {printf "%-32s %5d of %5d lines %8s\n", $1, $5 - $6, $5, $7}' | tee "$folder/table"
-if [[ ${1:-} == --lines ]]; then
+if [[ $lines ]]; then
   llvm-cov-14 show "${objects[@]}" "${of_library[@]}" | awk '/^\/.*:$/ {file = $0} /^ *[0-9]+\| +0\|/ {print file $0}'
 fi
 awk -v least="$least" '$1 == "TOTAL" {reached = $NF + 0} END {exit reached < least}' "$folder/table" ||

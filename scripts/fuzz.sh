@@ -13,11 +13,11 @@ set -euo pipefail
 minutes=1 preset=fuzz keep=''
 while (($#)); do
   case $1 in
-    --minutes) minutes=${2:?} && shift ;;
-    --jobs) jobs=${2:?} && shift ;;
+    --minutes) need_number "$@"; minutes=$2; shift ;;
+    --jobs) need_number "$@"; jobs=$2; shift ;;
     --fast) preset=fuzz-fast ;;
     --keep) keep=yes ;;
-    *) die "unknown option $1" ;;
+    *) misuse "unknown option $1; usage: fuzz.sh [--minutes N] [--jobs N] [--fast] [--keep]" ;;
   esac
   shift
 done

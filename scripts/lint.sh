@@ -46,5 +46,5 @@ case ${1:-} in
   --format-only) check_format ;;
   --tidy-only) check_tidy ;;
   '') check_format && check_tidy ;;
-  *) die "unknown option $1" ;;
+  *) misuse "unknown option $1; usage: lint.sh [--format-only | --tidy-only]" ;;
 esac

@@ -13,6 +13,7 @@ class Program {
     });
     for (const stream of [this.process.stdout, this.process.stderr])
       stream.on('data', (text) => { this.output += text; });
+    this.process.on('exit', (status, signal) => { this.output += `(ended: ${signal || `status ${status}`})\n`; });
     this.process.on('error', (error) => { this.output += `${words[0]}: ${error.message}\n`; });
   }
 

@@ -22,9 +22,17 @@ async function runSteps(steps, context) {
   return true;
 }
 
-/** The values of `--name value` and `--flag` in the command line; a name that `known` lacks is an error. */
+/** The values of `--name value` and `--flag` in the command line. Ends the program if one is unknown or missing. */
 function options(known) {
-  return parseArgs({ options: known }).values;
+  try {
+    const { values } = parseArgs({ options: known });
+    const missing = Object.keys(known).find((name) => values[name] === undefined);
+    if (missing) throw new Error(`--${missing} is missing`);
+    return values;
+  } catch (error) {
+    console.error(error.message);
+    process.exit(2);
+  }
 }
 
 module.exports = { runSteps, options };
