@@ -83,7 +83,7 @@ Entry entry_of(const EntryDescription& row) noexcept {
   return entry;
 }
 
-/// Two owners of one entry: both have to agree to a write, the first one is asked first and answers reads.
+/// Two owners of the writes of one entry: both have to agree, the first one is asked first.
 class JointOwner final : public EntryOwner {
  public:
   JointOwner(EntryOwner& first, EntryOwner& second) noexcept : first_{first}, second_{second} {}

@@ -106,8 +106,8 @@ class CANOPEN_EXPORT Dictionary {
   /// entry.
   void own_command(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner,
                    OwnerRank rank = OwnerRank::Application);
-  /// Registers @p owner for the data of a DOMAIN. Throws std::out_of_range if there is no such entry,
-  /// std::invalid_argument if it is of another type.
+  /// Registers @p owner for the data of a DOMAIN; an EntryOwner is not asked then. Throws std::out_of_range if
+  /// there is no such entry, std::invalid_argument if it is of another type.
   void own_domain(std::uint16_t index, std::uint8_t sub_index, DomainOwner& owner);
 
   /// A view of a number. Throws std::out_of_range if there is no such entry, std::invalid_argument if its size
