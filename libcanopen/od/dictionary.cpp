@@ -223,8 +223,10 @@ void Dictionary::own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwn
 }
 
 void Dictionary::own_command(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner, OwnerRank rank) {
+  Entry& entry = existing(index, sub_index);
+  if (entry.size == 0) throw std::invalid_argument{"a command is a number"};
   own_write(index, sub_index, owner, rank);
-  existing(index, sub_index).is_command = true;
+  entry.is_command = true;
 }
 
 void Dictionary::own_domain(std::uint16_t index, std::uint8_t sub_index, DomainOwner& owner) {
