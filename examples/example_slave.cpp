@@ -39,14 +39,15 @@ int main(int argc, char** argv) {
   Counter counter{objects};
   Document document;
   objects.own_domain(0x2001, 0, document);
-  canopen::Node node{objects, canopen::Policy{}, bus, counter};
+  canopen::Node node{objects, canopen::Policy{.extended_identifiers = false}, bus, counter};  // 11 bits: see Bus
   for (node.start(now());; node.on_time(now())) {
     const auto wait = std::chrono::ceil<std::chrono::milliseconds>(node.next_deadline() - now());
     pollfd readable{bus.descriptor, POLLIN, 0};
     if (poll(&readable, 1, static_cast<int>(std::clamp<long>(wait.count(), 0, 60'000))) == 0) continue;
     can_frame in{};
     if (read(bus.descriptor, &in, sizeof in) < 0) return std::perror("read"), 1;
-    canopen::Frame frame{.id = in.can_id, .length = in.len, .extended = in.can_id > CAN_SFF_MASK};  // or remote
+    if (in.can_id > CAN_SFF_MASK) continue;  // 29 bits or remote: this device has no use for them
+    canopen::Frame frame{.id = in.can_id, .length = in.len};
     std::copy_n(in.data, frame.data.size(), frame.data.begin());
     node.on_frame(frame, now());
     node.on_values_changed(now());

@@ -41,7 +41,7 @@ struct Policy {
   bool extended_identifiers = true;  ///< false: a COB-ID with the frame bit is refused with InvalidValue
 
   bool sdo_block = true;  ///< false: block transfer is refused with CommandSpecifierInvalid
-  Duration sdo_timeout = std::chrono::seconds{10};  ///< silence after which a half-finished transfer is aborted
+  Duration sdo_timeout = std::chrono::seconds{10};  ///< above 0: silence that aborts a half-finished transfer
 
   bool pdo_changes_in_operational = true;  ///< false: PDO parameters are refused with DeviceState in Operational
   bool count_follows_entries =

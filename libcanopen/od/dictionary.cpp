@@ -83,7 +83,7 @@ Entry entry_of(const EntryDescription& row) noexcept {
   return entry;
 }
 
-/// Two owners of one entry: both have to agree to a write, the first one is asked first and answers reads.
+/// Two owners of the writes of one entry: both have to agree, the first one is asked first.
 class JointOwner final : public EntryOwner {
  public:
   JointOwner(EntryOwner& first, EntryOwner& second) noexcept : first_{first}, second_{second} {}
@@ -223,8 +223,10 @@ void Dictionary::own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwn
 }
 
 void Dictionary::own_command(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner, OwnerRank rank) {
+  Entry& entry = existing(index, sub_index);
+  if (entry.size == 0) throw std::invalid_argument{"a command is a number"};
   own_write(index, sub_index, owner, rank);
-  existing(index, sub_index).is_command = true;
+  entry.is_command = true;
 }
 
 void Dictionary::own_domain(std::uint16_t index, std::uint8_t sub_index, DomainOwner& owner) {

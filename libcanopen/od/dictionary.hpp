@@ -103,11 +103,11 @@ class CANOPEN_EXPORT Dictionary {
                  OwnerRank rank = OwnerRank::Application);
   /// Registers @p owner for writes of one number as own_write() does, and makes these writes commands: what is
   /// written is never stored, so that the entry reads as before. Throws std::out_of_range if there is no such
-  /// entry.
+  /// entry, std::invalid_argument if it is a string or DOMAIN.
   void own_command(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner,
                    OwnerRank rank = OwnerRank::Application);
-  /// Registers @p owner for the data of a DOMAIN. Throws std::out_of_range if there is no such entry,
-  /// std::invalid_argument if it is of another type.
+  /// Registers @p owner for the data of a DOMAIN; an EntryOwner is not asked then. Throws std::out_of_range if
+  /// there is no such entry, std::invalid_argument if it is of another type.
   void own_domain(std::uint16_t index, std::uint8_t sub_index, DomainOwner& owner);
 
   /// A view of a number. Throws std::out_of_range if there is no such entry, std::invalid_argument if its size

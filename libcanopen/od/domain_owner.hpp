@@ -15,11 +15,14 @@ struct Entry;
 /// Every byte of a transfer is asked for, or given, once and in order. Several clients may read at the same time,
 /// each with its own offset; who writes is alone: all others, and a write while somebody reads, are refused with
 /// DeviceState. A refusal ends the transfer with its code. Every begin_write() that succeeds is followed by one
-/// end_write() that succeeds or by one cancel_write().
+/// end_write() that succeeds or by one cancel_write(), unless the node is destroyed before. The end of a read is
+/// not told. end_write() may reset the node (Node::command); a reset in write() ends the transfer with
+/// DeviceState.
 class CANOPEN_EXPORT DomainOwner {
  public:
   virtual ~DomainOwner() = default;
-  /// A client begins to read. Returns the size in bytes, std::nullopt if only the end will tell.
+  /// A client begins to read. @p entry tells apart the DOMAINs of an owner of several. Returns the size in bytes,
+  /// std::nullopt if only the end will tell.
   virtual Result<std::optional<std::uint32_t>> begin_read(const Entry& entry) noexcept {
     (void)entry;
     return refuse(AbortCode::UnsupportedAccess);
@@ -48,7 +51,7 @@ class CANOPEN_EXPORT DomainOwner {
     (void)entry, (void)size;
     return {};
   }
-  /// The transfer ends without success, be it a refusal of this owner: what was taken does not count.
+  /// The transfer ends without success, be it a refusal of write() or end_write(): what was taken does not count.
   virtual void cancel_write(const Entry& entry) noexcept { (void)entry; }
 };
 

@@ -36,6 +36,7 @@ void SdoServer::initiate_block_download(const Frame& frame) noexcept {
   crc_wanted_ = command.has_crc();
   crc_ = 0;
   sequence_ = 0;
+  must_restart_ = false;
   refusal_.reset();
   send(sdo::response_bytes(command_byte(Response::BlockDownload, sdo::kBlockCrc), at, sdo::kLongestBlock));
 }
@@ -45,10 +46,13 @@ void SdoServer::take_block_segment(const Frame& frame) noexcept {
   const auto number = static_cast<std::uint8_t>(frame.data[0] & ~sdo::kLastOfBlock);
   const bool last = (frame.data[0] & sdo::kLastOfBlock) != 0;
   if (number == 0) return last ? end() : abort(AbortCode::InvalidSequenceNumber);  // 80h is an abort
-  last_request_ = context_.now;
-  confirmed_early_ = false;
+  if (!confirmed_early_) last_request_ = context_.now;
+  if (must_restart_ && number != 1 && !refusal_) refusal_ = AbortCode::InvalidSequenceNumber;
+  must_restart_ = false;
   if (number == sequence_ + 1) {
     ++sequence_;
+    last_request_ = last_progress_ = context_.now;
+    confirmed_early_ = false;
     keep_segment({&frame.data[1], sdo::kSegmentBytes}, last);
   }
   if (last || number == sdo::kLongestBlock) confirm_sub_block();
@@ -74,6 +78,16 @@ void SdoServer::confirm_sub_block() noexcept {
   send(command_byte(Response::BlockDownload, sdo::kBlockConfirm) | std::uint64_t{sequence_} << 8 |
        std::uint64_t{sdo::kLongestBlock} << 16);
   sequence_ = 0;
+}
+
+/// Confirms what has come of a sub-block whose end is missing. A client that goes on with its sub-block all the
+/// same is refused: it would take the next confirmation for one of the whole, and send again what has been taken.
+void SdoServer::confirm_early() noexcept {
+  confirmed_early_ = true;
+  must_restart_ = sequence_ != 0;
+  last_request_ = context_.now;
+  context_.timers.arm(timer_, due());
+  confirm_sub_block();
 }
 
 void SdoServer::end_block_download(const Frame& frame) noexcept {

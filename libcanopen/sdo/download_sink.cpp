@@ -50,6 +50,7 @@ Result<void> DownloadSink::flush() noexcept {
   assert(entry_->domain != nullptr);  // everything else fits into the window
   if (held_ == 0) return {};
   if (auto taken = entry_->domain->write(*entry_, given_, window_.first(held_)); !taken) return taken;
+  if (entry_ == nullptr) return refuse(AbortCode::DeviceState);  // the owner has reset the node
   given_ += held_;
   held_ = 0;
   return {};
@@ -61,8 +62,9 @@ Result<void> DownloadSink::commit(Dictionary& dictionary) noexcept {
   const Entry& entry = *entry_;
   if (entry.domain != nullptr) {
     if (auto taken = flush(); !taken) return taken;
+    entry_ = nullptr;  // the owner may reset the node, which cancels what is not complete
     auto counts = entry.domain->end_write(entry, given_);
-    if (counts) entry_ = nullptr;
+    if (!counts) entry.domain->cancel_write(entry);
     return counts;
   }
   entry_ = nullptr;  // the write may take the server away, and the transfer with it

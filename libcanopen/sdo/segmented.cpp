@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cassert>
-
 #include "libcanopen/sdo/server.hpp"
 
 // Segmented transfer (CiA 301, 7.2.4.3.3 to 7.2.4.3.7).

@@ -146,8 +146,8 @@ void SdoServer::begin(Phase phase, Address at) noexcept {
   address_ = at;
   toggle_ = 0;
   confirmed_early_ = false;
-  last_request_ = context_.now;
-  context_.timers.arm(timer_, context_.now + patience());
+  last_request_ = last_progress_ = context_.now;
+  context_.timers.arm(timer_, due());
 }
 
 void SdoServer::end() noexcept {
@@ -168,21 +168,20 @@ void SdoServer::finish_download(std::uint64_t answer) noexcept {
   context_.sink.send(frame, Delivery::Ordered);
 }
 
-/// How long the client may be silent before on_timer() acts.
-Duration SdoServer::patience() const noexcept {
+/// When on_timer() acts if the client stays silent.
+TimePoint SdoServer::due() const noexcept {
   const Duration timeout = context_.policy.sdo_timeout;
-  return may_confirm_early() ? timeout / 2 : timeout;
+  if (phase_ != Phase::BlockDownload) return last_request_ + timeout;
+  if (confirmed_early_) return last_request_ + timeout / 2;
+  return std::min(last_request_ + timeout / 2, last_progress_ + timeout);
 }
 
 void SdoServer::on_timer() noexcept {
   if (phase_ == Phase::Idle) return;
-  const TimePoint due = last_request_ + patience();
-  if (due > context_.now) {  // the timer is not moved with every segment
-    context_.timers.arm(timer_, due);
-  } else if (may_confirm_early()) {
-    confirmed_early_ = true;
-    context_.timers.arm(timer_, last_request_ + patience());
-    confirm_sub_block();
+  if (due() > context_.now) {  // the timer is not moved with every segment
+    context_.timers.arm(timer_, due());
+  } else if (may_confirm_early() && context_.now < last_progress_ + context_.policy.sdo_timeout) {
+    confirm_early();
   } else {
     abort(AbortCode::ProtocolTimedOut);
   }

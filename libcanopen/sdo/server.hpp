@@ -30,7 +30,8 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   /// A data frame of the client. A frame that is not eight bytes long is ignored.
   void on_frame(const Frame& frame) noexcept;
   /// A half-finished transfer has been silent: confirms a sub-block of a download early, once, after half the time
-  /// that the policy allows; aborts the transfer with ProtocolTimedOut after all of it.
+  /// that the policy allows; aborts the transfer with ProtocolTimedOut after all of it. Segments out of order are
+  /// heard, but do not keep a block download alive.
   void on_timer() noexcept;
   /// Forgets a half-finished transfer without a word (NMT state change).
   void forget() noexcept { end(); }
@@ -64,7 +65,7 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   void begin(Phase phase, sdo::Address at) noexcept;
   void end() noexcept;
   void finish_download(std::uint64_t answer) noexcept;
-  Duration patience() const noexcept;
+  TimePoint due() const noexcept;
   bool may_confirm_early() const noexcept { return phase_ == Phase::BlockDownload && !confirmed_early_; }
   void abort(sdo::Address at, AbortCode code) noexcept;
   void abort(AbortCode code) noexcept { abort(address_, code); }
@@ -90,6 +91,7 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   void take_block_segment(const Frame& frame) noexcept;
   void keep_segment(std::span<const std::uint8_t> bytes, bool last) noexcept;
   void confirm_sub_block() noexcept;
+  void confirm_early() noexcept;
   void end_block_download(const Frame& frame) noexcept;
 
   void send(std::uint64_t bytes) noexcept {
@@ -105,13 +107,15 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   Frame answer_{};  ///< identifier and length stand, the data are those of the last answer
 
   Phase phase_ = Phase::Idle;
-  std::uint8_t toggle_ = 0;  ///< expected in the next segment: 0 or 10h
-  sdo::Address address_;     ///< of the transfer
-  TimePoint last_request_{};
+  std::uint8_t toggle_ = 0;    ///< expected in the next segment: 0 or 10h
+  sdo::Address address_;       ///< of the transfer
+  TimePoint last_request_{};   ///< or the server's early confirmation
+  TimePoint last_progress_{};  ///< block download: the last segment in order
 
   std::optional<AbortCode> refusal_;  ///< block download: waits for the end of the sub-block
   bool crc_wanted_ = false;           ///< block: the client uses CRC
   bool confirmed_early_ = false;      ///< block download: the client's silence has been answered
+  bool must_restart_ = false;         ///< block download: segment 1 must come, segments were confirmed early
   bool last_sent_ = false;            ///< block upload: the sub-block ends the data
   std::uint8_t block_size_ = 0;       ///< block upload: most segments in the next sub-block
   std::uint8_t sequence_ = 0;         ///< block: last segment sent, or taken in order, in the sub-block

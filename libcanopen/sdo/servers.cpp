@@ -59,7 +59,27 @@ void SdoServers::reload() noexcept {
     const CobIds stored = cob_ids(position);
     if (is_possible(position, stored)) {
       servers_[position].connect(identifier_in(stored.request), identifier_in(stored.response));
+    } else if (!is_incomplete(position, stored)) {
+      mark_invalid(position);
     }
+  }
+}
+
+/// True if the server at @p position only waits for an identifier, and may have the other one if there is one.
+bool SdoServers::is_incomplete(std::size_t position, CobIds stored) const noexcept {
+  const auto may_stay = [=, this](std::uint32_t cob_id) {
+    return !is_valid(cob_id) || is_allowed(position, cob_id);
+  };
+  return !(is_valid(stored.request) && is_valid(stored.response)) && may_stay(stored.request) &&
+         may_stay(stored.response);
+}
+
+/// Shows that the server at @p position does not exist, so that a client gives it other identifiers.
+void SdoServers::mark_invalid(std::size_t position) noexcept {
+  for (const std::uint8_t sub_index : {kRequest, kResponse}) {
+    const Entry* const entry = context_.dictionary.lookup(indices_[position], sub_index);
+    if (entry == nullptr || entry->size == 0) continue;
+    context_.dictionary.set(*entry, context_.dictionary.stored(*entry) | cob_id::kInvalid);
   }
 }
 

@@ -20,7 +20,7 @@ class CANOPEN_EXPORT SdoServers final : public EntryOwner {
   static std::size_t timers_for(const Dictionary& dictionary) noexcept;
 
   /// Starts over with the values of the objects, without transfers. A server whose identifiers cannot be had, or
-  /// are those of a server before it, does not exist.
+  /// are those of a server before it, does not exist: bit 31 of its COB-IDs is set in the dictionary.
   void reload() noexcept;
   /// Forgets half-finished transfers without a word (NMT state change).
   void forget() noexcept;
@@ -44,6 +44,8 @@ class CANOPEN_EXPORT SdoServers final : public EntryOwner {
   void own(std::uint16_t index);
   CobIds cob_ids(std::size_t position) const noexcept;
   std::uint32_t cob_id(std::uint16_t index, std::uint8_t sub_index, std::uint32_t otherwise) const noexcept;
+  bool is_incomplete(std::size_t position, CobIds stored) const noexcept;
+  void mark_invalid(std::size_t position) noexcept;
   bool is_possible(std::size_t position, CobIds wanted) const noexcept;
   bool is_default(std::size_t position, Identifier identifier) const noexcept;
   bool is_allowed(std::size_t position, std::uint32_t cob_id) const noexcept;

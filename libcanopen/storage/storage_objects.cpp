@@ -10,7 +10,7 @@ constexpr std::uint32_t kLoad = 0x64616F6C;  // "load"
 
 constexpr bool takes_signature(const Entry& entry) noexcept {
   return (entry.index == kStoreParameters || entry.index == kRestoreParameters) && entry.sub_index != 0 &&
-         entry.writable;
+         entry.writable && entry.size != 0;
 }
 
 }  // namespace

@@ -136,6 +136,7 @@ TEST_F(EntryOwners, CanOnlyOwnEntriesThatExist) {
   EXPECT_THROW(dictionary.own_read(0x2009, 0, application), std::out_of_range);
   EXPECT_THROW(dictionary.own_write(0x2000, 1, application), std::out_of_range);
   EXPECT_THROW(dictionary.own_command(0x2000, 1, application), std::out_of_range);
+  EXPECT_THROW(dictionary.own_command(0x2001, 0, application), std::invalid_argument);
   EXPECT_THROW(dictionary.own_domain(0x2000, 0, domain), std::invalid_argument);
   EXPECT_NO_THROW(dictionary.own_domain(0x2002, 0, domain));
 }

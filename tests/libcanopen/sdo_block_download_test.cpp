@@ -117,6 +117,47 @@ TEST_F(SdoBlockDownload, AsksAgainAfterFurtherSegments) {
   EXPECT_EQ(passes(1min), (Lines{"11000ms 585#A2017F0000000000", "16000ms 585#8023200000000405"}));
 }
 
+TEST_F(SdoBlockDownload, TakesNoSegmentTwiceFromAClientThatMissesTheEarlyConfirmation) {
+  says("605#C023200000000000");  // without size and CRC nobody would see it
+  says("605#0141414141414141");
+  EXPECT_EQ(passes(6s), (Lines{"5000ms 585#A2017F0000000000"}));
+
+  expect_dialogue({
+      {"605#0242424242424242", ""},  // goes on with its sub-block, which the server has closed
+      {"605#8343000000000000", "585#8023200003000405"},
+  });
+  EXPECT_EQ(text_of(0x2023), "abc");
+}
+
+TEST_F(SdoBlockDownload, GoesOnAfterAnEarlyConfirmationOfNothing) {
+  says("605#C623200009000000");
+  passes(6s);
+
+  expect_dialogue({
+      {"605#0248656C6C6F2C20", ""},  // the first one was lost
+      {"605#8300000000000000", "585#A2007F0000000000"},
+      {"605#0148656C6C6F2C20", ""},
+      {"605#82796F0000000000", "585#A2027F0000000000"},
+      {"605#D5BDAB0000000000", "585#A100000000000000"},
+  });
+}
+
+TEST_F(SdoBlockDownload, TimesOutAlthoughAClientThatHasStartedAnewKeepsAsking) {
+  for (const std::string_view request : {"605#4000100000000000", "605#C623200009000000"}) {
+    for (const canopen::Duration pause : {1s, 6s}) {
+      const canopen::TimePoint opened = now;
+      says("605#C623200009000000");
+      Lines answers;
+      while (answers.empty() || answers.back().find("585#8023200000000405") == std::string::npos) {
+        answers = passes(pause);
+        ASSERT_LE(now - opened, 16s) << request;
+        if (answers.empty() || answers.back().find("#80") == std::string::npos) says(request);
+      }
+      EXPECT_EQ(says("605#4000100000000000"), (Lines{"585#4300100092010200"}));
+    }
+  }
+}
+
 TEST_F(SdoBlockDownload, RefusesAWrongCrc) {
   expect_dialogue({
       {"605#C623200009000000", "585#A42320007F000000"},

@@ -23,12 +23,12 @@ std::int64_t number_in(const Bytes& bytes, bool is_signed) {
 
 const Answer& Server::on_request(const Data& request, Milliseconds now) {
   answer_ = {};
-  last_ = now;
-  confirmed_early_ = false;
   if (phase_ == Phase::BlockDownload) {
-    block_segment(request);
+    block_segment(request, now);
     return answer_;
   }
+  last_ = now;
+  confirmed_early_ = false;
   switch (request[0] >> 5) {
     case 0:
       download_segment(request);
@@ -248,16 +248,19 @@ void Server::abort(AbortCode code) {
 
 std::optional<Milliseconds> Server::deadline() const {
   if (phase_ == Phase::Idle) return std::nullopt;
-  const bool confirms = phase_ == Phase::BlockDownload && !confirmed_early_;
-  return last_ + (confirms ? timeout_ / 2 : timeout_);
+  if (phase_ != Phase::BlockDownload) return last_ + timeout_;
+  if (confirmed_early_) return last_ + timeout_ / 2;
+  return std::min(last_ + timeout_ / 2, progress_ + timeout_);
 }
 
 const Answer& Server::on_time(Milliseconds now) {
   answer_ = {};
   const auto due = deadline();
   if (!due || now < *due) return answer_;
-  if (phase_ == Phase::BlockDownload && now < last_ + timeout_) {
+  if (phase_ == Phase::BlockDownload && !confirmed_early_ && now < progress_ + timeout_) {
     confirmed_early_ = true;
+    must_restart_ = next_segment_ != 1;
+    last_ = now;
     watch_length(data_.size());
     confirm_download();
   } else {

@@ -93,7 +93,7 @@ class Server {
   void send_sub_block();
   void block_download(const Data& request);
   void initiate_block_download(const Data& request);
-  void block_segment(const Data& request);
+  void block_segment(const Data& request, Milliseconds now);
   void confirm_download();
   void end_block_download(const Data& request);
 
@@ -113,7 +113,10 @@ class Server {
   Milliseconds timeout_;
   Answer answer_;
   Phase phase_ = Phase::Idle;
-  Milliseconds last_ = 0;
+  Milliseconds last_ = 0;      ///< last request, or what the server said by itself
+  Milliseconds progress_ = 0;  ///< block download: last segment in order
+  bool must_restart_ = false;  ///< block download: segments were confirmed early, the client must have seen it
+  bool is_broken_ = false;     ///< and it has not
   bool confirmed_early_ = false;
   Object* object_ = nullptr;
   std::uint16_t index_ = 0;

@@ -97,28 +97,40 @@ void Server::initiate_block_download(const Data& request) {
   open(Phase::BlockDownload, true);
   crc_ = (request[0] & 4) != 0;
   next_segment_ = 1;
+  must_restart_ = is_broken_ = false;
+  progress_ = last_;
   answer_initiate(0xA4, 0);
   answer_.any_block_size = true;
 }
 
-void Server::block_segment(const Data& request) {
+void Server::block_segment(const Data& request, Milliseconds now) {
   const std::uint8_t number = request[0] & 0x7F;
   const bool is_last = (request[0] & 0x80) != 0;
   if (number == 0 && is_last) return end();  // the client's abort
   if (number == 0) return abort(AbortCode::InvalidSequenceNumber);
   bool is_complete = false;
+  is_broken_ = is_broken_ || (must_restart_ && number != 1);
+  must_restart_ = false;
+  if (!confirmed_early_) last_ = now;
   if (number == next_segment_ && number <= block_size_) {
     data_.insert(data_.end(), request.begin() + 1, request.end());
     ++next_segment_;
+    last_ = progress_ = now;
+    confirmed_early_ = false;
     is_complete = is_last;
   }
   watch_length(is_complete ? data_.size() - kSegment : data_.size());
   if (number == block_size_ || is_last) confirm_download();
-  if (is_complete) phase_ = Phase::BlockDownloadEnding;
+  if (is_complete && phase_ != Phase::Idle) phase_ = Phase::BlockDownloadEnding;
 }
 
 /// Confirms the segments that have come in order; the client goes on behind them.
 void Server::confirm_download() {
+  if (is_broken_) {
+    abort(AbortCode::InvalidSequenceNumber);
+    answer_.or_abort = doom_;
+    return;
+  }
   answer({0xA2, static_cast<std::uint8_t>(next_segment_ - 1), 0});
   answer_.any_block_size = true;
   answer_.or_abort = doom_;  // not earlier: segments on their way would pass for requests

@@ -12,6 +12,11 @@ class SdoServers : public NodeTest {
  protected:
   SdoServers() : NodeTest{{.extended_identifiers = false}, sdo_table()} { start(); }
 
+  void store_ids(std::uint16_t index, std::uint32_t request, std::uint32_t response) {
+    store_value(index, 1, request);
+    store_value(index, 2, response);
+  }
+
   static constexpr std::uint32_t kInvalidValue = 0x06090030;
   static constexpr std::uint32_t kIncompatible = 0x06040043;
   static constexpr std::uint32_t kDeviceState = 0x08000022;
@@ -131,6 +136,37 @@ TEST_F(CollidingServers, AreFoundAfterAResetAndTheFirstOneWorks) {
     storing_node.on_frame(fakes::frame_of(request), now);
   }
   EXPECT_EQ(sent(), (Lines{"691#4300100092010200", "585#4300100092010200"}));
+}
+
+TEST_F(SdoServers, ThatCannotWorkWithWhatIsStoredAreShownAsInvalid) {
+  store_ids(0x1201, 0x690, 0x691);
+  store_ids(0x1202, 0x690, 0x692);  // as that of 1201h
+  store_ids(0x1203, 0x612, 0x693);  // restricted
+  start();
+  EXPECT_EQ(value_of(0x1201, 1), 0x690);
+  EXPECT_EQ(value_of(0x1202, 1), 0x80000690);
+  EXPECT_EQ(value_of(0x1202, 2), 0x80000692);
+  EXPECT_EQ(value_of(0x1203, 1), 0x80000612);
+
+  EXPECT_EQ(writes_u32(0x1202, 2, 0x692), 0U);
+  EXPECT_EQ(writes_u32(0x1202, 1, 0x690), kIncompatible);
+  EXPECT_EQ(writes_u32(0x1203, 2, 0x693), 0U);
+  EXPECT_EQ(says("690#4000100000000000"), (Lines{"691#4300100092010200"}));
+  EXPECT_EQ(says("612#4000100000000000"), Lines{});
+
+  EXPECT_EQ(writes_u32(0x1202, 1, 0x694), 0U);
+  EXPECT_EQ(says("694#4000100000000000"), (Lines{"692#4300100092010200"}));
+}
+
+TEST_F(SdoServers, OfWhichOneIdentifierIsStoredKeepItIfTheyMay) {
+  store_ids(0x1201, 0x612, 0x80000000);  // restricted
+  store_ids(0x1202, 0x690, 0x80000000);
+  start();
+
+  EXPECT_EQ(writes_u32(0x1201, 2, 0x693), 0U);
+  EXPECT_EQ(says("612#4000100000000000"), Lines{});
+  EXPECT_EQ(writes_u32(0x1202, 2, 0x691), 0U);
+  EXPECT_EQ(says("690#4000100000000000"), (Lines{"691#4300100092010200"}));
 }
 
 /// 128 servers, all but the first one under identifiers of 29 bits.
