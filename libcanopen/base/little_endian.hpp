@@ -24,22 +24,6 @@ void store(void* at, T value) noexcept {
   std::memcpy(at, &value, sizeof value);
 }
 
-/// Writes the lowest @p size bytes of @p value, size 0..8, to @p at; no byte beyond them is touched.
-inline void store_bytes(void* at, std::uint64_t value, unsigned size) noexcept {
-  switch (size) {
-    case 1:
-      return store(at, static_cast<std::uint8_t>(value));
-    case 2:
-      return store(at, static_cast<std::uint16_t>(value));
-    case 4:
-      return store(at, static_cast<std::uint32_t>(value));
-    case 8:
-      return store(at, value);
-    default:
-      std::memcpy(at, &value, size);
-  }
-}
-
 /// All ones in the lowest @p size bytes, size 0..8.
 constexpr std::uint64_t byte_mask(unsigned size) noexcept {
   return size >= 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << (8 * size)) - 1;
