@@ -73,7 +73,6 @@ class Daemon final : private device::Listener, private Station {
   void look_around() noexcept;
   void log_full_queue() noexcept;
   void log_skipped_cycles() noexcept;
-  void power_on() noexcept;
   void tell_ready() noexcept;
   void link_up() noexcept;
   void link_down() noexcept;

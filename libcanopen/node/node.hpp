@@ -37,9 +37,9 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   void start(TimePoint now) noexcept;
   /// A frame from the bus.
   void on_frame(const Frame& frame, TimePoint now) noexcept;
-  /// Does what @p command says, as if the NMT master had sent it (CiA 301, 7.3.2.2: local NMT services). Nothing
+  /// Does what @p wanted says, as if the NMT master had sent it (CiA 301, 7.3.2.2: local NMT services). Nothing
   /// happens before start().
-  void command(NmtCommand command, TimePoint now) noexcept;
+  void command(NmtCommand wanted, TimePoint now) noexcept;
   /// Handles what is due at @p now; belongs after every other call if next_deadline() has come.
   void on_time(TimePoint now) noexcept {
     context_.now = now;

@@ -58,8 +58,8 @@ class CANOPEN_EXPORT Routes {
 
  private:
   struct Led {
-    Identifier identifier;
-    Route route;
+    Identifier identifier = 0;
+    Route route{};
   };
   using List = std::vector<Led>;
   static Route find(const List& list, Identifier identifier) noexcept;

@@ -77,7 +77,6 @@ class Server {
   Phase phase() const { return phase_; }
   std::uint8_t toggle() const { return toggle_; }
   std::uint8_t block_size() const { return block_size_; }
-  std::uint8_t next_segment() const { return next_segment_; }
   std::uint8_t sent_segments() const { return sent_segments_; }
   /// When on_time() has something to say; nothing while there is no transfer.
   std::optional<Milliseconds> deadline() const;
