@@ -107,7 +107,7 @@ void Node::on_remote(const Frame& frame) noexcept {
 }
 
 void Node::on_timers() noexcept {
-  if (context_.state == NmtState::Initialising) return;
+  if (context_.state == NmtState::Initialising) return timers_.clear();  // start() sets what is needed
   while (const auto timer = timers_.take_due(context_.now)) on_timer(*timer);
 }
 

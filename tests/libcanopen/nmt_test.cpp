@@ -28,6 +28,16 @@ TEST_F(Nmt, StaysSilentBeforeStartWhateverIsWrittenToTheDictionary) {
   EXPECT_EQ(node->state(), NmtState::Initialising);
 }
 
+TEST_F(Nmt, WaitsForNothingBeforeStart) {
+  ASSERT_TRUE(dictionary.write(**dictionary.find(0x1017, 0), 100));
+
+  node->on_time(now);
+  EXPECT_EQ(node->next_deadline(), canopen::kNever);
+
+  start();
+  EXPECT_EQ(passes(100ms), (Lines{"100ms 705#7F"}));
+}
+
 TEST_F(Nmt, BootsToPreOperationalWithABootUpFrame) {
   EXPECT_EQ(start(), (Lines{"705#00"}));
 
