@@ -60,6 +60,8 @@ Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Applic
 
 void Node::start(TimePoint now) noexcept {
   context_.now = now;
+  const bool runs_on = context_.state == NmtState::Operational && policy_.start_state == NmtState::Operational;
+  if (runs_on) enter(NmtState::PreOperational);  // or nothing would begin anew
   boot();
 }
 

@@ -122,6 +122,16 @@ TEST_F(NmtThatRuns, EntersItsStartStateAfterTheBootUpFrame) {
   EXPECT_EQ(node->state(), NmtState::Operational);
 }
 
+TEST_F(NmtThatRuns, LeavesOperationalWhenItIsStartedAgain) {
+  start();
+  application.told.clear();
+
+  EXPECT_EQ(start(), (Lines{"705#00", "185#4000"}));
+
+  EXPECT_EQ(application.told, (Lines{"Operational -> Pre-operational", "Pre-operational -> Operational"}));
+  EXPECT_EQ(sets(0x6041, 7), (Lines{"185#0700"})) << "TPDOs run again";
+}
+
 TEST_F(Nmt, ResetNodeRestoresCommunicationAndApplicationObjects) {
   start();
   writes_u16(0x1017, 0, 500);
