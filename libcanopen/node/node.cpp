@@ -190,7 +190,8 @@ void Node::enter(NmtState state) noexcept {
   if (!gate_.sdo) sdo_servers_.forget();
   if (!gate_.emcy) emcy_.forget();
   context_.application.on_nmt_state(from, state);
-  if (state == NmtState::Operational) transmit_pdos_.start();
+  const bool stays = context_.state == state;  // the application may have left it already
+  if (stays && state == NmtState::Operational) transmit_pdos_.start();
 }
 
 void Node::on_sync(const Frame& frame) noexcept {
