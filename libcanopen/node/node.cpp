@@ -160,13 +160,13 @@ void Node::reset(NmtCommand command) noexcept {
 }
 
 void Node::boot() noexcept {
+  emcy_.reload();
+  errors_.reload();  // before the services whose errors end: no EMCY tells of it
   sdo_servers_.reload();
   receive_pdos_.reload();
   transmit_pdos_.reload();
   sync_.reload();
   time_.reload();
-  emcy_.reload();
-  errors_.reload();
   heartbeat_consumer_.reload();
   lay_routes();  // those that PDOs must leave alone
   receive_pdos_.claim_identifiers();
