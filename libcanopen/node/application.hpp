@@ -8,15 +8,17 @@
 
 namespace canopen {
 
-/// What the application behind a node is told and asked. Called from within on_frame(), on_time() and start();
-/// must not call back into any of them.
+/// What the application behind a node is told and asked. Called from within the calls of the node that cause it;
+/// must not call Node::start(), on_frame(), on_time(), on_values_changed() or command(). All other functions of
+/// the node may be called, those that end Operational too.
 class CANOPEN_EXPORT Application {
  public:
   virtual ~Application() = default;
   /// The NMT state has changed.
   virtual void on_nmt_state(NmtState from, NmtState to) noexcept { (void)from, (void)to; }
   /// ResetNode or ResetCommunication: the dictionary has its initial values again; the application lays stored
-  /// values over them before the services start.
+  /// values over them with Dictionary::set() before the services start. Dictionary::write() still meets the
+  /// services as they were before the reset.
   virtual void on_reset(NmtCommand command) noexcept { (void)command; }
   /// The values of RPDO @p number (0 for 1400h) have just been stored.
   virtual void on_rpdo(std::uint16_t number) noexcept { (void)number; }
@@ -31,7 +33,7 @@ class CANOPEN_EXPORT Application {
   virtual void on_communication_error(CommunicationError error, std::uint16_t detail) noexcept {
     (void)error, (void)detail;
   }
-  /// An error of the communication is over.
+  /// An error of the communication is over, or forgotten with a reset or start().
   virtual void on_communication_recovery(CommunicationError error, std::uint16_t detail) noexcept {
     (void)error, (void)detail;
   }

@@ -60,6 +60,8 @@ Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Applic
 
 void Node::start(TimePoint now) noexcept {
   context_.now = now;
+  const bool runs_on = context_.state == NmtState::Operational && policy_.start_state == NmtState::Operational;
+  if (runs_on) enter(NmtState::PreOperational);  // or nothing would begin anew
   boot();
 }
 
@@ -107,7 +109,7 @@ void Node::on_remote(const Frame& frame) noexcept {
 }
 
 void Node::on_timers() noexcept {
-  if (context_.state == NmtState::Initialising) return;
+  if (context_.state == NmtState::Initialising) return timers_.clear();  // start() sets what is needed
   while (const auto timer = timers_.take_due(context_.now)) on_timer(*timer);
 }
 
@@ -158,13 +160,13 @@ void Node::reset(NmtCommand command) noexcept {
 }
 
 void Node::boot() noexcept {
+  emcy_.reload();
+  errors_.reload();  // before the services whose errors end: no EMCY tells of it
   sdo_servers_.reload();
   receive_pdos_.reload();
   transmit_pdos_.reload();
   sync_.reload();
   time_.reload();
-  emcy_.reload();
-  errors_.reload();
   heartbeat_consumer_.reload();
   lay_routes();  // those that PDOs must leave alone
   receive_pdos_.claim_identifiers();
@@ -188,7 +190,8 @@ void Node::enter(NmtState state) noexcept {
   if (!gate_.sdo) sdo_servers_.forget();
   if (!gate_.emcy) emcy_.forget();
   context_.application.on_nmt_state(from, state);
-  if (state == NmtState::Operational) transmit_pdos_.start();
+  const bool stays = context_.state == state;  // the application may have left it already
+  if (stays && state == NmtState::Operational) transmit_pdos_.start();
 }
 
 void Node::on_sync(const Frame& frame) noexcept {

@@ -33,7 +33,7 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   Node& operator=(const Node&) = delete;
 
   /// Boots: sends the boot-up message and enters the start state. Again later, when the bus was away: the
-  /// dictionary keeps its values, the services start afresh, and Operational is left.
+  /// dictionary keeps its values, the services start afresh, no error is present, and Operational is left.
   void start(TimePoint now) noexcept;
   /// A frame from the bus.
   void on_frame(const Frame& frame, TimePoint now) noexcept;
@@ -57,11 +57,13 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
     emcy_.send(code, error_register, manufacturer);
   }
   /// An error of the application has come or gone (see ErrorKeeper); nothing happens with ErrorKeeping::Owner. A
-  /// reset forgets all errors: what persists is raised again, at the earliest in Application::on_nmt_state().
+  /// reset forgets all errors, and so does start(): what persists is raised again, after a reset at the earliest
+  /// in Application::on_nmt_state() that leaves Initialising.
   void raise_error(std::uint16_t code, std::uint16_t detail, std::uint8_t error_register) noexcept;
   void clear_error(std::uint16_t code, std::uint16_t detail) noexcept;
   /// The owner of the bus has detected an error of the communication, or its end: the node treats it as one of its
-  /// own (EMCY, 1029h).
+  /// own (EMCY, 1029h). It is one error until its recovery is reported, an event like BusOffRecovered too: without
+  /// that the next one sends no EMCY.
   void report(CommunicationError error, TimePoint now) noexcept;
   void report_recovery(CommunicationError error, TimePoint now) noexcept;
   /// Changes the NMT state as 1029h, sub-index @p error_class, says (CiA 301, 7.5.2.32).

@@ -36,7 +36,11 @@ std::size_t ReceivePdos::timers_for(const Dictionary& dictionary) noexcept {
 void ReceivePdos::reload() noexcept {
   forget();
   parameters_.reload();
-  for (Incoming& pdo : incoming_) pdo = {};  // its errors are forgotten with all others
+  for (Incoming& pdo : incoming_) {
+    end_timeout(pdo);
+    report(pdo, Misfit::None);
+    pdo = {};
+  }
 }
 
 void ReceivePdos::claim_identifiers() noexcept {
@@ -76,6 +80,8 @@ void ReceivePdos::on_special(std::size_t position, const Frame& frame) noexcept 
     ++too_short_;
     return;
   }
+  end_timeout(pdo);
+  if (context_.state != NmtState::Operational) return;  // the application's answer to an error, or to its end
   watch(position);
   const auto payload = load<std::uint64_t>(frame.data.data());
   if (pdo.synchronous) {
@@ -107,7 +113,6 @@ void ReceivePdos::report(Incoming& pdo, Misfit misfit) noexcept {
 /// A frame has come: the next one is awaited within the event time, if there is one.
 void ReceivePdos::watch(std::size_t position) noexcept {
   Incoming& pdo = incoming_[position];
-  end_timeout(pdo);
   if (pdo.period.count() == 0) return;
   pdo.deadline = context_.now + pdo.period;
   const std::size_t timer = first_timer_ + position;
@@ -141,9 +146,10 @@ void ReceivePdos::latch(std::size_t position, std::uint64_t payload) noexcept {
 
 void ReceivePdos::on_sync(Duration window) noexcept {
   window_end_ = window.count() != 0 ? context_.now + window : kNever;
-  for (const std::uint16_t position : waiting_) {
-    incoming_[position].waits = false;
-    apply(incoming_[position], incoming_[position].latched);
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {  // what a value causes may end it: see forget()
+    Incoming& pdo = incoming_[waiting_[i]];
+    pdo.waits = false;
+    apply(pdo, pdo.latched);
   }
   waiting_.clear();
 }

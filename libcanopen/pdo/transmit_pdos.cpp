@@ -11,8 +11,6 @@ namespace {
 constexpr Duration inhibit_time(std::int64_t value) noexcept {
   return std::chrono::microseconds{100 * value};
 }
-/// No inhibit time is longer.
-constexpr Duration kLongestInhibit = inhibit_time(UINT16_MAX);
 /// Event timer in ms (CiA 301, 7.5.2.37).
 constexpr Duration event_time(std::int64_t value) noexcept {
   return std::chrono::milliseconds{value};
@@ -81,6 +79,7 @@ void TransmitPdos::sort_out() noexcept {
 
 void TransmitPdos::reload() noexcept {
   stop();
+  for (Outgoing& pdo : outgoing_) pdo.sent = TimePoint::min();
   parameters_.reload();
 }
 
@@ -92,12 +91,12 @@ void TransmitPdos::claim_identifiers() noexcept {
 
 void TransmitPdos::start() noexcept {
   running_ = true;
-  last_sync_ = context_.now - kLongestInhibit;
-  for (Outgoing& pdo : outgoing_) {
-    pdo.sent = context_.now - kLongestInhibit;
-    begin_anew(pdo);
+  last_sync_ = TimePoint::min();
+  for (Outgoing& pdo : outgoing_) begin_anew(pdo);
+  for (const std::uint16_t position : event_driven_) {
+    outgoing_[position].is_due = true;
+    request(position, pack(outgoing_[position]));
   }
-  for (const std::uint16_t position : event_driven_) transmit(position, pack(outgoing_[position]));
 }
 
 void TransmitPdos::stop() noexcept {

@@ -20,7 +20,8 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   void reload() noexcept;
   /// As PdoParameters::claim_identifiers().
   void claim_identifiers() noexcept;
-  /// NMT Operational is entered: the event-driven TPDOs send their first frame, all cycles begin anew.
+  /// NMT Operational is entered: the event-driven TPDOs send their first frame, at once unless an inhibit time
+  /// still runs, and all cycles begin anew.
   void start() noexcept;
   /// NMT Operational is left.
   void stop() noexcept;
@@ -63,7 +64,7 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   struct alignas(64) Outgoing {
     Frame frame{};  ///< as last sent, or as the last SYNC has found it
     MappingPlan plan{};
-    TimePoint sent{};  ///< event-driven: the last frame
+    TimePoint sent = TimePoint::min();  ///< event-driven: the last frame
     Duration inhibit{};
     Duration event_period{};
     Trigger trigger = Trigger::None;
@@ -97,7 +98,7 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   std::vector<std::uint16_t> synchronous_;   ///< positions that SYNC concerns
   std::vector<std::uint16_t> event_driven_;  ///< positions that changes concern
   std::vector<const Frame*> staged_;
-  TimePoint last_sync_{};
+  TimePoint last_sync_ = TimePoint::min();
   bool any_waits_ = false;  ///< for the SYNC that its first cycle begins with
   bool running_ = false;
 };

@@ -35,7 +35,7 @@ std::optional<std::int64_t> SyncConsumer::stored(std::uint16_t index) const noex
 void SyncConsumer::reload() noexcept {
   identifier_ = identifier_in(static_cast<std::uint32_t>(stored(kCobIdSync).value_or(0)));
   window_ = window_time(stored(kWindowLength).value_or(0));
-  wrong_length_.reset();
+  if (wrong_length_) recover();
   shortest_ = 0;
   longest_ = 1;
   if (const auto overflow = stored(kCounterOverflow)) set_overflow(*overflow);

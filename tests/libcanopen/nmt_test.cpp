@@ -28,6 +28,16 @@ TEST_F(Nmt, StaysSilentBeforeStartWhateverIsWrittenToTheDictionary) {
   EXPECT_EQ(node->state(), NmtState::Initialising);
 }
 
+TEST_F(Nmt, WaitsForNothingBeforeStart) {
+  ASSERT_TRUE(dictionary.write(**dictionary.find(0x1017, 0), 100));
+
+  node->on_time(now);
+  EXPECT_EQ(node->next_deadline(), canopen::kNever);
+
+  start();
+  EXPECT_EQ(passes(100ms), (Lines{"100ms 705#7F"}));
+}
+
 TEST_F(Nmt, BootsToPreOperationalWithABootUpFrame) {
   EXPECT_EQ(start(), (Lines{"705#00"}));
 
@@ -110,6 +120,16 @@ TEST_F(NmtThatRuns, EntersItsStartStateAfterTheBootUpFrame) {
 
   EXPECT_EQ(says("000#8205"), (Lines{"705#00", "185#4000"}));
   EXPECT_EQ(node->state(), NmtState::Operational);
+}
+
+TEST_F(NmtThatRuns, LeavesOperationalWhenItIsStartedAgain) {
+  start();
+  application.told.clear();
+
+  EXPECT_EQ(start(), (Lines{"705#00", "185#4000"}));
+
+  EXPECT_EQ(application.told, (Lines{"Operational -> Pre-operational", "Pre-operational -> Operational"}));
+  EXPECT_EQ(sets(0x6041, 7), (Lines{"185#0700"})) << "TPDOs run again";
 }
 
 TEST_F(Nmt, ResetNodeRestoresCommunicationAndApplicationObjects) {

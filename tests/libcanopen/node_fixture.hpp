@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -17,47 +18,52 @@
 
 using namespace std::chrono_literals;
 
-/// Notes what a node tells its application, one word list a call.
+/// Notes what a node tells its application, one word list a call, and reacts from within the call if it is to.
 class RecordingApplication final : public canopen::Application {
  public:
   void on_heartbeat(std::uint8_t node_id, canopen::NmtState state) noexcept override {
-    told.push_back("node " + std::to_string(node_id) + ": " + std::string{name_of(state)});
+    tell(told, "node " + std::to_string(node_id) + ": " + std::string{name_of(state)});
   }
   void on_time_of_day(const canopen::TimeOfDay& time) noexcept override {
-    told.push_back("day " + std::to_string(time.days) + ", " + std::to_string(time.milliseconds) + " ms");
+    tell(told, "day " + std::to_string(time.days) + ", " + std::to_string(time.milliseconds) + " ms");
   }
   canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override {
-    told.push_back("store " + std::to_string(sub_index));
+    tell(told, "store " + std::to_string(sub_index));
     return storage_answer;
   }
   canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
-    told.push_back("restore " + std::to_string(sub_index));
+    tell(told, "restore " + std::to_string(sub_index));
     return storage_answer;
   }
   canopen::Result<void> storage_answer{};
 
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override {
-    told.push_back(std::string{name_of(from)} + " -> " + std::string{name_of(to)});
+    tell(told, std::string{name_of(from)} + " -> " + std::string{name_of(to)});
   }
   void on_reset(canopen::NmtCommand command) noexcept override {
-    told.push_back("reset " + std::to_string(static_cast<int>(command)));
+    tell(told, "reset " + std::to_string(static_cast<int>(command)));
   }
-  void on_rpdo(std::uint16_t number) noexcept override { told.push_back("RPDO " + std::to_string(number)); }
+  void on_rpdo(std::uint16_t number) noexcept override { tell(told, "RPDO " + std::to_string(number)); }
   void on_subscriptions_changed() noexcept override { ++subscription_changes; }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override {
-    errors.push_back(text_of(error, detail));
+    tell(errors, text_of(error, detail));
   }
   void on_communication_recovery(canopen::CommunicationError error, std::uint16_t detail) noexcept override {
-    errors.push_back(text_of(error, detail) + " over");
+    tell(errors, text_of(error, detail) + " over");
   }
 
   std::vector<std::string> told;
   std::vector<std::uint32_t> foreign;
   std::vector<std::string> errors;  ///< EMCY code and detail: "8210 1", "8210 1 over"
   int subscription_changes = 0;
+  std::function<void(const std::string&)> reaction;  ///< called with what has just been told
 
  private:
+  void tell(std::vector<std::string>& where, const std::string& what) {
+    where.push_back(what);
+    if (reaction) reaction(what);
+  }
   static std::string text_of(canopen::CommunicationError error, std::uint16_t detail) {
     char text[16];
     std::snprintf(text, sizeof text, "%04X %u", canopen::row_of(error).emcy_code, detail);

@@ -148,6 +148,18 @@ TEST_F(RpdoErrors, FollowANewDeadline) {
   EXPECT_EQ(node->next_deadline(), canopen::kNever);
 }
 
+TEST_F(RpdoErrors, EndWithAReset) {
+  ASSERT_EQ(writes_u16(0x1400, 5, 20), 0U);
+  says("205#0F00");
+  says("305#0F");
+  passes(20ms);
+  application.errors.clear();
+
+  says("000#8205");
+
+  EXPECT_EQ(application.errors, (Lines{"8250 1 over", "8210 2 over"}));
+}
+
 TEST_F(RpdoErrors, DropSynchronousRpdosAfterTheWindow) {
   ASSERT_EQ(writes_u32(0x1007, 0, 5000), 0U);
   says("405#0F0000000000");

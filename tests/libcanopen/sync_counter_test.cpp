@@ -160,4 +160,13 @@ TEST_F(SyncCounter, TakesItsStoredOverflowWithAReset) {
   EXPECT_EQ(application.errors, (Lines{"8240 1"})) << "the initial value is 0 again";
 }
 
+TEST_F(SyncCounter, TellsThatItsErrorEndsWithAReset) {
+  ASSERT_EQ(writes_u8(0x1019, 0, 10), 0U);
+  says("080#");
+
+  says("000#8205");
+
+  EXPECT_EQ(application.errors, (Lines{"8240 0", "8240 0 over"}));
+}
+
 }  // namespace

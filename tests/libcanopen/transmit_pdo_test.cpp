@@ -125,6 +125,16 @@ TEST_F(TransmitPdos, KeepTheirInhibitTimeWhenTheTransmissionTypeIsWritten) {
   EXPECT_EQ(passes(100ms), (Lines{"10ms 185#4000"}));
 }
 
+TEST_F(TransmitPdos, KeepTheirInhibitTimeWhenOperationalIsEnteredAgain) {
+  give_times(100, 0);
+  operate();
+  passes(1ms);
+  says("000#8005");
+
+  EXPECT_EQ(says("000#0105"), Lines{});
+  EXPECT_EQ(passes(100ms), (Lines{"10ms 185#4000"}));
+}
+
 TEST_F(TransmitPdos, SendTheirFirstFrameWhateverTheInhibitTime) {
   ASSERT_EQ(writes_u32(0x1800, 1, 0xC0000185), 0U);
   operate();
