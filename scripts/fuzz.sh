@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# fuzz.sh [--minutes N] [--jobs N] [--fast] [--keep]: lets libFuzzer look for inputs that a node handles against its rules.
+# fuzz.sh [--minutes N | --runs N] [--jobs N] [--fast] [--keep]: lets libFuzzer look for inputs that a node handles against its rules.
 #
-# Builds tests/fuzz with clang (build/fuzz; --fast: build/fuzz-fast, without the sanitizers) and runs it for N minutes (1) in
-# N processes (all processors), from the kept corpus and the dialogues. Ends with the number of executions, the rate and the
+# Builds tests/fuzz with clang (build/fuzz; --fast: build/fuzz-fast, without the sanitizers) and runs it for N minutes (1), or
+# for N executions in all, in N processes (all processors), from the kept corpus and the dialogues. Ends with the number of executions, the rate and the
 # edges of the library reached. --keep puts what reaches something new into tests/fuzz/corpus, as few and small inputs as
 # possible. An input that breaks a rule stays in build/fuzz/findings and makes the exit status 1:
 #   build/fuzz/bin/tests/node_replay --trace build/fuzz/findings/crash-...
@@ -10,14 +10,15 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "$0")/common.sh"
 
-minutes=1 preset=fuzz keep=''
+minutes=1 runs='' preset=fuzz keep=''
 while (($#)); do
   case $1 in
     --minutes) need_number "$@"; minutes=$2; shift ;;
+    --runs) need_number "$@"; runs=$2; shift ;;
     --jobs) need_number "$@"; jobs=$2; shift ;;
     --fast) preset=fuzz-fast ;;
     --keep) keep=yes ;;
-    *) misuse "unknown option $1; usage: fuzz.sh [--minutes N] [--jobs N] [--fast] [--keep]" ;;
+    *) misuse "unknown option $1; usage: fuzz.sh [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
   esac
   shift
 done
@@ -34,10 +35,16 @@ mkdir -p "$folder"/{seeds,found,findings,logs}
 rm -f "$folder"/logs/*
 "$folder/bin/tests/node_replay" --write "$folder/seeds" "$root/tests/fuzz/dialogues" >/dev/null
 
-say "running for $minutes minutes in $jobs processes"
+if [[ $runs ]]; then
+  limit=-runs=$(((runs + jobs - 1) / jobs))
+  say "running $runs times in $jobs processes"
+else
+  limit=-max_total_time=$((minutes * 60))
+  say "running for $minutes minutes in $jobs processes"
+fi
 pids=() status=0
 for ((job = 1; job <= jobs; ++job)); do
-  "$fuzzer" "${options[@]}" -max_total_time=$((minutes * 60)) -reload=1 -print_final_stats=1 \
+  "$fuzzer" "${options[@]}" "$limit" -reload=1 -print_final_stats=1 \
     -artifact_prefix="$folder/findings/" "$folder/found" "$corpus" "$folder/seeds" &>"$folder/logs/$job" &
   pids+=($!)
 done
