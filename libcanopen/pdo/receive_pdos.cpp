@@ -146,7 +146,8 @@ void ReceivePdos::latch(std::size_t position, std::uint64_t payload) noexcept {
 
 void ReceivePdos::on_sync(Duration window) noexcept {
   window_end_ = window.count() != 0 ? context_.now + window : kNever;
-  for (std::size_t i = 0; i < waiting_.size(); ++i) {  // what a value causes may end it: see forget()
+  // What a value causes may leave Operational, and forget() empties the list meanwhile.
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {  // NOLINT(modernize-loop-convert)
     Incoming& pdo = incoming_[waiting_[i]];
     pdo.waits = false;
     apply(pdo, pdo.latched);

@@ -60,7 +60,7 @@ class RecordingApplication final : public canopen::Application {
   std::function<void(const std::string&)> reaction;  ///< called with what has just been told
 
  private:
-  void tell(std::vector<std::string>& where, const std::string& what) {
+  void tell(std::vector<std::string>& where, const std::string& what) const {
     where.push_back(what);
     if (reaction) reaction(what);
   }
