@@ -84,7 +84,7 @@ void add_pdos(std::vector<EntryDescription>& table, const Shape& shape) {
                 .type = 255,
                 .mapped = {mapped(0x6040, n, 16), mapped(0x607A, n, 32), mapped(0x6060, n, 8)}});
     add(table, {.communication = static_cast<std::uint16_t>(0x1800 + n),
-                .cob_id = LibraryNode::kFirstTpdo + n,
+                .cob_id = canopen::cob_id::kNoRemote | (LibraryNode::kFirstTpdo + n),
                 .type = shape.transmission_type,
                 .mapped = {mapped(0x6041, n, 16), mapped(0x6064, n, 32)}});
   }
