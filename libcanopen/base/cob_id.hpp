@@ -30,6 +30,11 @@ constexpr Identifier identifier_in(std::uint32_t word) noexcept {
   return (word & cob_id::kExtended) != 0 ? word & (cob_id::kLong | cob_id::kExtended) : word & cob_id::kBase;
 }
 
+/// The identifier of an EMCY, SDO or PDO COB-ID; 0 if bit 31 says that it does not exist.
+constexpr Identifier valid_identifier(std::uint32_t cob_id) noexcept {
+  return (cob_id & cob_id::kInvalid) != 0 ? 0 : identifier_in(cob_id);
+}
+
 /// The identifier under which @p frame travels.
 constexpr Identifier identifier_of(const Frame& frame) noexcept {
   return frame.extended ? frame.id | cob_id::kExtended : frame.id;

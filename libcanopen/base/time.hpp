@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 
 namespace canopen {
 
@@ -20,6 +21,11 @@ struct ToldClock {
 
 /// A point on the monotonic time line of the owner (on Linux: CLOCK_MONOTONIC).
 using TimePoint = ToldClock::time_point;
+
+/// An inhibit time as CiA 301 gives it, in units of 100 us (objects 1015h and 1800h:03).
+constexpr Duration inhibit_time(std::int64_t units) noexcept {
+  return std::chrono::microseconds{100 * units};
+}
 
 /// "Never": later than every deadline.
 inline constexpr TimePoint kNever = TimePoint::max();

@@ -10,34 +10,18 @@ namespace {
 constexpr std::uint16_t kCobIdEmcy = 0x1014;
 constexpr std::uint16_t kInhibitTime = 0x1015;
 
-constexpr Identifier valid_identifier(std::uint32_t cob_id) noexcept {
-  return (cob_id & cob_id::kInvalid) != 0 ? 0 : identifier_in(cob_id);
-}
-
-/// Inhibit time in units of 100 us (CiA 301, 7.5.2.18).
-constexpr Duration inhibit_time(std::int64_t value) noexcept {
-  return std::chrono::microseconds{100 * value};
-}
-
 }  // namespace
 
 EmcyProducer::EmcyProducer(Context& context, std::size_t timer) : context_{context}, timer_{timer} {
-  own(kCobIdEmcy);
-  own(kInhibitTime);
-}
-
-void EmcyProducer::own(std::uint16_t index) {
-  const Entry* const entry = context_.dictionary.lookup(index, 0);
-  if (entry != nullptr && entry->writable) context_.dictionary.own_write(index, 0, *this, OwnerRank::Service);
+  for (const std::uint16_t index : {kCobIdEmcy, kInhibitTime}) context_.dictionary.serve_writes(index, 0, *this);
 }
 
 void EmcyProducer::reload() noexcept {
   const Dictionary& dictionary = context_.dictionary;
-  const Entry* const cob_id = dictionary.lookup(kCobIdEmcy, 0);
-  const Entry* const inhibit = dictionary.lookup(kInhibitTime, 0);
-  identifier_ = cob_id != nullptr ? valid_identifier(static_cast<std::uint32_t>(dictionary.stored(*cob_id)))
-                                  : function_code::kEmcy + dictionary.node_id();
-  inhibit_ = inhibit != nullptr ? inhibit_time(dictionary.stored(*inhibit)) : Duration{0};
+  const auto cob_id = dictionary.stored(kCobIdEmcy, 0);
+  identifier_ =
+      cob_id ? valid_identifier(static_cast<std::uint32_t>(*cob_id)) : function_code::kEmcy + dictionary.node_id();
+  inhibit_ = inhibit_time(dictionary.stored(kInhibitTime, 0).value_or(0));
   sent_ = TimePoint::min();
   forget();
 }

@@ -34,7 +34,6 @@ class CANOPEN_EXPORT EmcyProducer final : public EntryOwner {
  private:
   using Message = std::array<std::uint8_t, 8>;
 
-  void own(std::uint16_t index);
   Result<void> write_cob_id(std::uint32_t cob_id) noexcept;
   void set_inhibit_time(Duration inhibit) noexcept;
   void enqueue(const Message& message) noexcept;

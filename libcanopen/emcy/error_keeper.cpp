@@ -17,23 +17,22 @@ ErrorKeeper::ErrorKeeper(Context& context, EmcyProducer& producer)
     : context_{context}, producer_{producer}, enabled_{context.policy.error_keeping == ErrorKeeping::Library} {
   if (!enabled_) return;
   Dictionary& dictionary = context_.dictionary;
-  const Entry* const count = dictionary.lookup(kErrorField, 0);
-  if (count == nullptr) return;
-  if (count->writable) dictionary.own_write(kErrorField, 0, *this, OwnerRank::Service);
+  dictionary.serve_writes(kErrorField, 0, *this);
   for (std::uint8_t sub = 1; sub <= kMostEntries && dictionary.lookup(kErrorField, sub) != nullptr; ++sub) {
     dictionary.own_read(kErrorField, sub, *this, OwnerRank::Service);
     room_ = sub;
   }
 }
 
-ErrorKeeper::Errors::iterator ErrorKeeper::find(std::uint16_t code, std::uint16_t detail) noexcept {
-  const auto end = present_.begin() + static_cast<std::ptrdiff_t>(count_);
-  return std::find_if(present_.begin(), end,
-                      [=](const Present& error) { return error.code == code && error.detail == detail; });
+ErrorKeeper::Present* ErrorKeeper::find(std::uint16_t code, std::uint16_t detail) noexcept {
+  const auto end = present_.begin() + count_;
+  const auto found = std::find_if(
+      present_.begin(), end, [=](const Present& error) { return error.code == code && error.detail == detail; });
+  return found != end ? &*found : nullptr;
 }
 
 bool ErrorKeeper::raise(std::uint16_t code, std::uint16_t detail, std::uint8_t error_register) noexcept {
-  if (!enabled_ || find(code, detail) != present_.begin() + static_cast<std::ptrdiff_t>(count_)) return false;
+  if (!enabled_ || find(code, detail) != nullptr) return false;
   const auto bits = static_cast<std::uint8_t>(error_register | kGenericError);
   if (count_ < kMostErrors) present_[count_++] = {code, detail, bits};
   log(std::uint32_t{detail} << 16 | code);
@@ -43,8 +42,8 @@ bool ErrorKeeper::raise(std::uint16_t code, std::uint16_t detail, std::uint8_t e
 }
 
 bool ErrorKeeper::clear(std::uint16_t code, std::uint16_t detail) noexcept {
-  const auto error = find(code, detail);
-  if (error == present_.begin() + static_cast<std::ptrdiff_t>(count_)) return false;
+  Present* const error = find(code, detail);
+  if (error == nullptr) return false;
   *error = present_[--count_];
   producer_.send(kErrorReset, show_register(0), {});
   return true;
@@ -81,8 +80,7 @@ void ErrorKeeper::set_history(std::uint8_t sub_index, std::int64_t value) noexce
 }
 
 std::int64_t ErrorKeeper::history(std::uint8_t sub_index) const noexcept {
-  const Entry* const entry = context_.dictionary.lookup(kErrorField, sub_index);
-  return entry != nullptr ? context_.dictionary.stored(*entry) : 0;
+  return context_.dictionary.stored(kErrorField, sub_index).value_or(0);
 }
 
 Result<std::int64_t> ErrorKeeper::read(const Entry& entry, std::int64_t stored) {

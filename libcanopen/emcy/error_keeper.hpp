@@ -18,9 +18,8 @@ class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
   ErrorKeeper(Context& context, EmcyProducer& producer);
 
   /// Error @p code with @p detail has come: its bits of the error register are set, bit 0 always, EMCY is sent
-  /// with
-  /// @p detail in the first two manufacturer bytes, and the history has a new entry. Nothing happens while the
-  /// same error with the same detail is already there. True if the dictionary has changed.
+  /// with @p detail in the first two manufacturer bytes, and the history has a new entry. Nothing happens while
+  /// the same error with the same detail is already there. True if the dictionary has changed.
   bool raise(std::uint16_t code, std::uint16_t detail, std::uint8_t error_register) noexcept;
   /// That error is gone: EMCY "error reset" with what is left of the error register. Nothing happens if it is not
   /// there. True if the dictionary has changed.
@@ -39,9 +38,8 @@ class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
     std::uint16_t code, detail;
     std::uint8_t error_register;
   };
-  using Errors = std::array<Present, kMostErrors>;
 
-  Errors::iterator find(std::uint16_t code, std::uint16_t detail) noexcept;
+  Present* find(std::uint16_t code, std::uint16_t detail) noexcept;
   std::uint8_t show_register(std::uint8_t further_bits) noexcept;
   void log(std::uint32_t field) noexcept;
   void set_history(std::uint8_t sub_index, std::int64_t value) noexcept;
@@ -51,7 +49,7 @@ class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
   EmcyProducer& producer_;
   bool enabled_;
   std::uint8_t room_ = 0;  ///< entries of the history
-  Errors present_{};
+  std::array<Present, kMostErrors> present_{};
   std::size_t count_ = 0;
 };
 

@@ -14,8 +14,8 @@ constexpr std::int64_t kStop = 2;
 
 ErrorBehaviour::ErrorBehaviour(Dictionary& dictionary) : dictionary_{dictionary} {
   for (const Entry& entry : dictionary.entries()) {
-    if (entry.index != kErrorBehaviour || entry.sub_index == 0 || !entry.writable) continue;
-    dictionary.own_write(entry.index, entry.sub_index, *this, OwnerRank::Service);
+    if (entry.index != kErrorBehaviour || entry.sub_index == 0) continue;
+    dictionary.serve_writes(entry.index, entry.sub_index, *this);
   }
 }
 

@@ -36,9 +36,7 @@ HeartbeatConsumer::HeartbeatConsumer(Context& context, std::size_t first_timer)
   for (const Entry& entry : context_.dictionary.entries()) {
     if (!is_watch(entry)) continue;
     watches_.push_back({.entry = &entry});
-    if (entry.writable) {
-      context_.dictionary.own_write(entry.index, entry.sub_index, *this, OwnerRank::Service);
-    }
+    context_.dictionary.serve_writes(entry.index, entry.sub_index, *this);
   }
   identifiers_.resize(watches_.size());
 }

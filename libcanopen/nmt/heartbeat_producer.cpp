@@ -8,14 +8,11 @@ constexpr std::uint16_t kProducerHeartbeatTime = 0x1017;
 }
 
 HeartbeatProducer::HeartbeatProducer(Context& context, std::size_t timer) : context_{context}, timer_{timer} {
-  if (context_.dictionary.contains(kProducerHeartbeatTime)) {
-    context_.dictionary.own_write(kProducerHeartbeatTime, 0, *this, OwnerRank::Service);
-  }
+  context_.dictionary.serve_writes(kProducerHeartbeatTime, 0, *this);
 }
 
 void HeartbeatProducer::reload() noexcept {
-  const auto entry = context_.dictionary.find(kProducerHeartbeatTime, 0);
-  const std::int64_t period_ms = entry ? context_.dictionary.stored(**entry) : 0;
+  const std::int64_t period_ms = context_.dictionary.stored(kProducerHeartbeatTime, 0).value_or(0);
   start(period_ms, std::chrono::milliseconds{period_ms});
 }
 

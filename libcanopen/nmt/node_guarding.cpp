@@ -21,17 +21,12 @@ NodeGuarding::NodeGuarding(Context& context, std::size_t timer)
       timer_{timer},
       exists_{context.dictionary.contains(kGuardTime) && context.dictionary.contains(kLifeTimeFactor)} {
   if (!exists_) return;
-  for (const std::uint16_t index : {kGuardTime, kLifeTimeFactor, kProducerHeartbeatTime}) own(index);
-}
-
-void NodeGuarding::own(std::uint16_t index) {
-  const Entry* const entry = context_.dictionary.lookup(index, 0);
-  if (entry != nullptr && entry->writable) context_.dictionary.own_write(index, 0, *this, OwnerRank::Service);
+  for (const std::uint16_t index : {kGuardTime, kLifeTimeFactor, kProducerHeartbeatTime})
+    context_.dictionary.serve_writes(index, 0, *this);
 }
 
 std::int64_t NodeGuarding::stored(std::uint16_t index) const noexcept {
-  const Entry* const entry = context_.dictionary.lookup(index, 0);
-  return entry != nullptr ? context_.dictionary.stored(*entry) : 0;
+  return context_.dictionary.stored(index, 0).value_or(0);
 }
 
 void NodeGuarding::reload() noexcept {

@@ -29,7 +29,6 @@ class CANOPEN_EXPORT NodeGuarding final : public EntryOwner {
  private:
   enum class Life : std::uint8_t { Unwatched, Present, Lost };
 
-  void own(std::uint16_t index);
   std::int64_t stored(std::uint16_t index) const noexcept;
   Result<void> check(const Entry& entry, std::int64_t value) const noexcept;
   void switch_heartbeat(bool on) noexcept;

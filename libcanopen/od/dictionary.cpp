@@ -222,6 +222,11 @@ void Dictionary::own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwn
   entry.write_owner = joint_owners_.back().get();
 }
 
+void Dictionary::serve_writes(std::uint16_t index, std::uint8_t sub_index, EntryOwner& service) {
+  const Entry* const entry = lookup(index, sub_index);
+  if (entry != nullptr && entry->writable) own_write(index, sub_index, service, OwnerRank::Service);
+}
+
 void Dictionary::own_command(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner, OwnerRank rank) {
   Entry& entry = existing(index, sub_index);
   if (entry.size == 0) throw std::invalid_argument{"a command is a number"};

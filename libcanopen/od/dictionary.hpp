@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -86,6 +87,11 @@ class CANOPEN_EXPORT Dictionary {
     const auto bits = load<std::uint64_t>(image_.data() + entry.offset);
     return entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
   }
+  /// The stored number of an entry that need not exist.
+  std::optional<std::int64_t> stored(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+    const Entry* const entry = lookup(index, sub_index);
+    return entry != nullptr ? std::optional{stored(*entry)} : std::nullopt;
+  }
   /// Stores a number without asking anybody.
   void set(const Entry& entry, std::int64_t value) noexcept {
     store(image_.data() + entry.offset, static_cast<std::uint64_t>(value) & byte_mask(entry.size));
@@ -101,6 +107,8 @@ class CANOPEN_EXPORT Dictionary {
   /// of the node last. Throws std::out_of_range if there is no such entry.
   void own_write(std::uint16_t index, std::uint8_t sub_index, EntryOwner& owner,
                  OwnerRank rank = OwnerRank::Application);
+  /// Registers @p service of the node for writes of an entry, if that exists and can be written.
+  void serve_writes(std::uint16_t index, std::uint8_t sub_index, EntryOwner& service);
   /// Registers @p owner for writes of one number as own_write() does, and makes these writes commands: what is
   /// written is never stored, so that the entry reads as before. Throws std::out_of_range if there is no such
   /// entry, std::invalid_argument if it is a string or DOMAIN.

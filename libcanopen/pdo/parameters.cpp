@@ -16,6 +16,13 @@ constexpr std::uint16_t base_of(Direction direction) noexcept {
 
 }  // namespace
 
+std::size_t PdoParameters::count_in(const Dictionary& dictionary, Direction direction) noexcept {
+  std::size_t pdos = 0;
+  for (std::uint16_t number = 0; number < kPdoNumbers; ++number)
+    pdos += dictionary.contains(static_cast<std::uint16_t>(base_of(direction) + number)) ? 1U : 0U;
+  return pdos;
+}
+
 PdoParameters::PdoParameters(Context& context, Direction direction)
     : context_{context},
       direction_{direction},
@@ -48,10 +55,7 @@ void PdoParameters::give_room() {
 }
 
 void PdoParameters::own(std::uint16_t index) {
-  for (std::uint8_t sub = 0; sub <= kMostMappedObjects; ++sub) {
-    const auto entry = context_.dictionary.find(index, sub);
-    if (entry && (*entry)->writable) context_.dictionary.own_write(index, sub, *this, OwnerRank::Service);
-  }
+  for (std::uint8_t sub = 0; sub <= kMostMappedObjects; ++sub) context_.dictionary.serve_writes(index, sub, *this);
 }
 
 void PdoParameters::reload() noexcept {
@@ -94,9 +98,8 @@ MappingRules PdoParameters::rules() const noexcept {
 }
 
 std::int64_t PdoParameters::communication(const PdoSettings& pdo, std::uint8_t sub_index) const noexcept {
-  const auto entry =
-      context_.dictionary.find(static_cast<std::uint16_t>(communication_base_ + pdo.number), sub_index);
-  return entry ? context_.dictionary.stored(**entry) : 0;
+  const auto index = static_cast<std::uint16_t>(communication_base_ + pdo.number);
+  return context_.dictionary.stored(index, sub_index).value_or(0);
 }
 
 std::uint16_t PdoParameters::mapping_index(const PdoSettings& pdo) const noexcept {
@@ -104,8 +107,7 @@ std::uint16_t PdoParameters::mapping_index(const PdoSettings& pdo) const noexcep
 }
 
 std::uint8_t PdoParameters::count(const PdoSettings& pdo) const noexcept {
-  const auto entry = context_.dictionary.find(mapping_index(pdo), 0);
-  return entry ? static_cast<std::uint8_t>(context_.dictionary.stored(**entry)) : std::uint8_t{0};
+  return static_cast<std::uint8_t>(context_.dictionary.stored(mapping_index(pdo), 0).value_or(0));
 }
 
 void PdoParameters::changed(std::size_t position) noexcept {
@@ -203,10 +205,8 @@ Result<void> PdoParameters::follow_entries(const PdoSettings& pdo, std::uint8_t 
   std::int64_t count = 0;
   unsigned bits = 0;
   for (std::uint8_t sub = 1; sub <= kMostMappedObjects; ++sub, ++count) {
-    const auto entry = dictionary.find(mapping_index(pdo), sub);
-    const auto word = sub == sub_index ? mapped
-                      : entry          ? static_cast<std::uint32_t>(dictionary.stored(**entry))
-                                       : 0U;
+    const std::int64_t stored = dictionary.stored(mapping_index(pdo), sub).value_or(0);
+    const std::uint32_t word = sub == sub_index ? mapped : static_cast<std::uint32_t>(stored);
     if (word == 0) break;
     bits += word & 0xFF;
   }

@@ -55,6 +55,8 @@ class CANOPEN_EXPORT PdoParameters final : public EntryOwner {
 
   /// Finds the PDO records in the dictionary of @p context and owns their writes.
   PdoParameters(Context& context, Direction direction);
+  /// How many PDOs of @p direction @p dictionary has.
+  static std::size_t count_in(const Dictionary& dictionary, Direction direction) noexcept;
   /// Who is told of changes; set once, before the first frame.
   void listen(Listener& listener) noexcept { listener_ = &listener; }
 

@@ -28,9 +28,7 @@ ReceivePdos::ReceivePdos(Context& context, std::size_t first_timer)
 }
 
 std::size_t ReceivePdos::timers_for(const Dictionary& dictionary) noexcept {
-  std::size_t pdos = 0;
-  for (std::uint16_t index = 0x1400; index < 0x1600; ++index) pdos += dictionary.contains(index) ? 1U : 0U;
-  return pdos;
+  return PdoParameters::count_in(dictionary, Direction::Receive);
 }
 
 void ReceivePdos::reload() noexcept {

@@ -7,10 +7,6 @@
 namespace canopen {
 namespace {
 
-/// Inhibit time in units of 100 us (CiA 301, 7.5.2.37).
-constexpr Duration inhibit_time(std::int64_t value) noexcept {
-  return std::chrono::microseconds{100 * value};
-}
 /// Event timer in ms (CiA 301, 7.5.2.37).
 constexpr Duration event_time(std::int64_t value) noexcept {
   return std::chrono::milliseconds{value};
@@ -31,9 +27,7 @@ TransmitPdos::TransmitPdos(Context& context, std::size_t first_timer)
 }
 
 std::size_t TransmitPdos::timers_for(const Dictionary& dictionary) noexcept {
-  std::size_t pdos = 0;
-  for (std::uint16_t index = 0x1800; index < 0x1A00; ++index) pdos += dictionary.contains(index) ? 1U : 0U;
-  return pdos * kTimersEach;
+  return PdoParameters::count_in(dictionary, Direction::Transmit) * kTimersEach;
 }
 
 std::size_t TransmitPdos::timer(std::size_t position, Timer which) const noexcept {

@@ -15,10 +15,6 @@ constexpr std::uint8_t kResponse = 2;  ///< COB-ID server to client
 constexpr bool is_valid(std::uint32_t cob_id) noexcept {
   return (cob_id & cob_id::kInvalid) == 0;
 }
-/// The identifier of @p cob_id, 0 if it does not exist.
-constexpr Identifier identifier_or_none(std::uint32_t cob_id) noexcept {
-  return is_valid(cob_id) ? identifier_in(cob_id) : 0;
-}
 
 }  // namespace
 
@@ -38,11 +34,8 @@ SdoServers::SdoServers(Context& context, std::size_t first_timer)
 }
 
 void SdoServers::own(std::uint16_t index) {
-  for (const std::uint8_t sub_index : {kRequest, kResponse}) {
-    const auto entry = context_.dictionary.find(index, sub_index);
-    if (!entry || !(*entry)->writable) continue;
-    context_.dictionary.own_write(index, sub_index, *this, OwnerRank::Service);
-  }
+  for (const std::uint8_t sub_index : {kRequest, kResponse})
+    context_.dictionary.serve_writes(index, sub_index, *this);
 }
 
 std::size_t SdoServers::timers_for(const Dictionary& dictionary) noexcept {
@@ -143,8 +136,8 @@ Result<void> SdoServers::check(std::size_t position, std::uint8_t sub_index, std
   const CobIds present = cob_ids(position);
   const bool is_request = sub_index == kRequest;
   const Identifier wanted = identifier_in(cob_id);
-  const Identifier own = identifier_or_none(is_request ? present.request : present.response);
-  const Identifier other = identifier_or_none(is_request ? present.response : present.request);
+  const Identifier own = valid_identifier(is_request ? present.request : present.response);
+  const Identifier other = valid_identifier(is_request ? present.response : present.request);
   if (own != 0) return wanted == own ? Result<void>{} : refuse(AbortCode::DeviceState);
   const auto is_taken = [&](Identifier identifier) {
     return !is_default(position, identifier) && context_.identifiers.is_used(identifier);

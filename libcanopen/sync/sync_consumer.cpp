@@ -22,14 +22,12 @@ constexpr bool is_overflow(std::int64_t value) noexcept {
 
 SyncConsumer::SyncConsumer(Context& context) : context_{context} {
   for (const std::uint16_t index : {kCobIdSync, kWindowLength, kCounterOverflow}) {
-    const auto entry = context_.dictionary.find(index, 0);
-    if (entry && (*entry)->writable) context_.dictionary.own_write(index, 0, *this, OwnerRank::Service);
+    context_.dictionary.serve_writes(index, 0, *this);
   }
 }
 
 std::optional<std::int64_t> SyncConsumer::stored(std::uint16_t index) const noexcept {
-  const auto entry = context_.dictionary.find(index, 0);
-  return entry ? std::optional{context_.dictionary.stored(**entry)} : std::nullopt;
+  return context_.dictionary.stored(index, 0);
 }
 
 void SyncConsumer::reload() noexcept {

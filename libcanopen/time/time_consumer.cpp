@@ -16,16 +16,12 @@ constexpr Identifier consumed_identifier(std::uint32_t cob_id) noexcept {
 }  // namespace
 
 TimeConsumer::TimeConsumer(Context& context) : context_{context} {
-  const Entry* const entry = context_.dictionary.lookup(kCobIdTime, 0);
-  if (entry != nullptr && entry->writable) {
-    context_.dictionary.own_write(kCobIdTime, 0, *this, OwnerRank::Service);
-  }
+  context_.dictionary.serve_writes(kCobIdTime, 0, *this);
 }
 
 void TimeConsumer::reload() noexcept {
-  const Entry* const entry = context_.dictionary.lookup(kCobIdTime, 0);
-  identifier_ =
-      entry != nullptr ? consumed_identifier(static_cast<std::uint32_t>(context_.dictionary.stored(*entry))) : 0;
+  const std::int64_t cob_id = context_.dictionary.stored(kCobIdTime, 0).value_or(0);
+  identifier_ = consumed_identifier(static_cast<std::uint32_t>(cob_id));
 }
 
 void TimeConsumer::on_frame(const Frame& frame) noexcept {
