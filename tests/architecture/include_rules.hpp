@@ -13,7 +13,7 @@ namespace architecture {
 /// An item that ends with a slash allows what lies below it; kSystem allows headers of Linux and of the C library.
 struct Layer {
   std::string_view folder;
-  std::array<std::string_view, 11> allowed;  ///< empty items allow nothing
+  std::array<std::string_view, 12> allowed;  ///< empty items allow nothing
 };
 
 /// Headers of Linux and of the C library: in angle brackets, ended by .h, of no library that is named in a layer.
@@ -26,13 +26,17 @@ inline constexpr std::array kLayers{
     Layer{"drive", {"motor/", "fmt/"}},
     Layer{"device", {"libcanopen/", "drive/", "fmt/", "generated/object_table.hpp"}},
     Layer{"eds", {"libcanopen/od/", "nlohmann/", "fmt/"}},
-    Layer{"bus", {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "fmt/", kSystem}},
+    Layer{"userbus", {kSystem}},
+    Layer{"bus",
+          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "userbus/", "nlohmann/", "fmt/", kSystem}},
+    Layer{"hub", {"libcanopen/base/", "userbus/", "bus/", "fmt/", kSystem}},
     Layer{"daemon",
           {"libcanopen/", "drive/", "motor/", "device/", "eds/", "bus/", "fmt/", "nlohmann/", "CLI/", "systemd/",
            kSystem}},
     Layer{"tools",
-          {"libcanopen/", "eds/", "bus/", "daemon/control_protocol.hpp", "fmt/", "nlohmann/", "CLI/", kSystem}},
-    Layer{"preload", {kSystem}},
+          {"libcanopen/", "eds/", "userbus/", "bus/", "hub/", "daemon/control_protocol.hpp", "fmt/", "nlohmann/",
+           "CLI/", kSystem}},
+    Layer{"preload", {"userbus/", kSystem}},
 };
 
 /// Checks every source file of the folders of @p layers below @p root; a message for every include that breaks a

@@ -10,8 +10,9 @@ namespace {
 
 constexpr std::size_t kLongest = 300;  // lines
 
-constexpr std::array<std::string_view, 11> kFolders{"libcanopen", "motor", "drive",   "device", "eds",  "bus",
-                                                    "daemon",     "tools", "preload", "tests",  "bench"};
+constexpr std::array<std::string_view, 13> kFolders{"libcanopen", "motor", "drive", "device", "eds",
+                                                    "userbus",    "bus",   "hub",   "daemon", "tools",
+                                                    "preload",    "tests", "bench"};
 
 /// Tables, which are read by searching and not by reading, may be longer.
 constexpr std::array<std::string_view, 2> kTables{"drive/fault_table.cpp", "drive/parameter_table.cpp"};

@@ -1,0 +1,132 @@
+#include "userbus/join.hpp"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include "userbus/name.hpp"
+#include "userbus/request.hpp"
+#include "userbus/start_hub.hpp"
+
+namespace userbus {
+
+namespace {
+
+/// A hub that closes is followed by one of our own; that it should happen more often than this in a row is no
+/// race.
+constexpr int kAttempts = 10;
+
+/// What one attempt to connect came to.
+enum class Attempt : uint8_t { Member, NotServed, Closing, Failed };
+
+/// A socket with a name of its own, -1 with errno set.
+int named_socket(Kind kind, int flags) noexcept {
+  const int descriptor = socket(AF_UNIX, SOCK_SEQPACKET | flags, 0);
+  if (descriptor < 0) return -1;
+  for (;;) {
+    uint64_t number = 0;
+    if (getrandom(&number, sizeof number, 0) != sizeof number) break;
+    sockaddr_un name;
+    const socklen_t length = make_name(kind, number, name);
+    if (bind(descriptor, reinterpret_cast<const sockaddr*>(&name), length) == 0) return descriptor;
+    if (errno != EADDRINUSE) break;
+  }
+  const int error = errno;
+  close(descriptor);
+  errno = error;
+  return -1;
+}
+
+void set_nonblocking(int descriptor) noexcept {
+  fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
+}
+
+/// Nobody but ourselves and root may read along: /tmp is open to all.
+bool is_trusted(int descriptor) noexcept {
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  if (getsockopt(descriptor, SOL_SOCKET, SO_PEERCRED, &peer, &size) != 0) return false;
+  return peer.uid == geteuid() || peer.uid == 0 || geteuid() == 0;
+}
+
+Attempt connect_to(int descriptor, const Path& path, JoinError& error) noexcept {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  memcpy(address.sun_path, path.text, strlen(path.text) + 1);
+  if (connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    if (errno == ENOENT || errno == ECONNREFUSED) return Attempt::NotServed;
+    if (errno == EAGAIN) return Attempt::Closing;  // so many are connecting: again
+    // a socket of another type; a connection to a file of another kind is refused and found out by the hub
+    error = errno == EPROTOTYPE ? JoinError::InUse : errno == EACCES ? JoinError::Denied : JoinError::System;
+    return Attempt::Failed;
+  }
+  if (!is_trusted(descriptor)) {
+    error = JoinError::Denied;
+    return Attempt::Failed;
+  }
+  const Answer answer = ask(descriptor, Operation::Hello);
+  if (answer.error == 0) return Attempt::Member;
+  return Attempt::Closing;
+}
+
+/// False if nobody will ever serve @p path.
+bool serve(const char* hub, const Path& path, JoinError& error) noexcept {
+  switch (start_hub(hub, path.text)) {
+    case StartStatus::Served:
+      return true;
+    case StartStatus::InUse:
+      error = JoinError::InUse;
+      return false;
+    case StartStatus::Failed:
+    case StartStatus::Usage:
+    case StartStatus::Different:
+      error = errno == ENOENT || errno == EACCES ? JoinError::NoHub : JoinError::NotServed;
+      return false;
+  }
+  error = JoinError::NotServed;
+  return false;
+}
+
+}  // namespace
+
+Joined join(const Path& path, const char* hub, Kind kind, int flags) noexcept {
+  JoinError error = JoinError::NotServed;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    // connected before it becomes one that does not block, so that a full backlog is waited for
+    const int descriptor = named_socket(kind, flags & SOCK_CLOEXEC);
+    if (descriptor < 0) return {.descriptor = -1, .error = JoinError::System};
+    const Attempt outcome = connect_to(descriptor, path, error);
+    if (outcome == Attempt::Member) {
+      if ((flags & SOCK_NONBLOCK) != 0) set_nonblocking(descriptor);
+      return {.descriptor = descriptor, .error = JoinError::None};
+    }
+    const int number = errno;
+    close(descriptor);
+    errno = number;
+    if (outcome == Attempt::Failed) return {.descriptor = -1, .error = error};
+    if (outcome == Attempt::NotServed && !serve(hub, path, error)) return {.descriptor = -1, .error = error};
+  }
+  return {.descriptor = -1, .error = error};
+}
+
+const char* text_of(JoinError error) noexcept {
+  switch (error) {
+    case JoinError::None:
+      return "joined";
+    case JoinError::System:
+      return strerror(errno);
+    case JoinError::Denied:
+      return "belongs to another user";
+    case JoinError::InUse:
+      return "is in use by something that is no CAN bus";
+    case JoinError::NoHub:
+      return "is not served, and the program canhub was not found";
+    case JoinError::NotServed:
+      return "cannot be served by canhub (run canhub --path to see why)";
+  }
+  return "";
+}
+
+}  // namespace userbus

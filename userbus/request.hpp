@@ -1,0 +1,28 @@
+#pragma once
+
+#include "userbus/protocol.hpp"
+
+namespace userbus {
+
+/// Longest wait for a reply of the hub (ms).
+inline constexpr int kReplyPatience = 5000;
+
+/// What came back.
+struct Answer {
+  int error;  ///< errno, 0 = done; ENETDOWN: the hub has gone or is silent
+  int value;
+  size_t size;  ///< bytes of the payload, all of which were stored
+};
+
+/// Asks the hub of member @p descriptor and waits for the reply, which comes over a socket of its own: frames that
+/// wait are not touched, and threads may ask at the same time. @p payload (@p size bytes) goes along; the payload
+/// of the reply is stored in @p room bytes at @p reply (EMSGSIZE if it does not fit).
+Answer ask(int descriptor, Operation operation, int value, const void* payload, size_t size, void* reply,
+           size_t room) noexcept;
+
+/// The same without a payload in either direction.
+inline Answer ask(int descriptor, Operation operation, int value = 0) noexcept {
+  return ask(descriptor, operation, value, nullptr, 0, nullptr, 0);
+}
+
+}  // namespace userbus
