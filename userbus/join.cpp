@@ -73,6 +73,10 @@ Attempt connect_to(int descriptor, const Path& path, JoinError& error) noexcept 
 
 /// False if nobody will ever serve @p path.
 bool serve(const char* hub, const Path& path, JoinError& error) noexcept {
+  if (hub == nullptr) {
+    error = JoinError::NotServed;
+    return false;
+  }
   switch (start_hub(hub, path.text)) {
     case StartStatus::Served:
       return true;
