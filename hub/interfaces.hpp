@@ -21,11 +21,8 @@ class Interfaces {
 
   Interfaces();
 
-  /// True for what a CAN interface is called: lower-case letters with "can" in them, then digits; 15 characters at
-  /// most.
-  [[nodiscard]] static bool is_can_name(std::string_view name) noexcept;
-
-  /// Index of @p name, which is taken up if it is new; 0 if it is no name of a CAN interface, or one too many.
+  /// Index of @p name, which is taken up if it is new; 0 if it is no name of a CAN interface
+  /// (userbus::is_can_name), or one too many.
   int index_of(std::string_view name) noexcept;
   /// Name of @p index; empty if there is none.
   [[nodiscard]] std::string_view name_of(int index) const noexcept;

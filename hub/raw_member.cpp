@@ -6,8 +6,6 @@
 
 #include <sys/socket.h>
 
-#include "hub/clock.hpp"
-
 namespace hub {
 
 using userbus::OptionName;
@@ -47,25 +45,24 @@ bool RawMember::take_frame(const can_frame& frame, int interface_index, canopen:
                         .interface_index = interface_index,
                         .loopback = option(OptionName::Loopback) != 0,
                         .local = true};
-  if (!send(passage, now)) waiting_ = passage;
-  return true;
-}
-
-bool RawMember::send(const Passage& passage, canopen::TimePoint now) noexcept {
-  if (!core().medium.send(passage, now)) return false;
-  if (core().medium.bit_rate() != 0) ++on_medium_;
+  if (waiting_ == 0 && core().medium.send(passage, now)) return true;
+  kept_[(next_ + waiting_++) % kept_.size()] = passage;
   return true;
 }
 
 void RawMember::on_room() noexcept {
-  if (on_medium_ > 0) --on_medium_;
-  if (waiting_ && send(*waiting_, monotonic_now())) waiting_.reset();
+  for (; waiting_ > 0; --waiting_) {
+    if (!core().medium.send(kept_[next_], core().medium.now())) break;
+    next_ = (next_ + 1) % kept_.size();
+  }
   go_on();
 }
 
+/// With a bit rate one at a time: what the bus cannot take yet stays in the socket, whose room is what tells the
+/// program that it is too fast.
 std::size_t RawMember::may_read() const noexcept {
-  if (core().medium.bit_rate() == 0) return Inbox::kBatch;
-  return waiting_ ? 0 : 1;
+  if (waiting_ > 0) return 0;
+  return core().medium.bit_rate() == 0 ? Inbox::kBatch : 1;
 }
 
 int RawMember::set_filters(std::span<const can_filter> filters) noexcept {

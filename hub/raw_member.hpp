@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <array>
 
 #include "hub/filter_set.hpp"
 #include "hub/member.hpp"
@@ -24,13 +24,13 @@ class RawMember final : public Member, public Participant {
   bool take_frame(const can_frame& frame, int interface_index, canopen::TimePoint now) noexcept override;
   void option_changed(userbus::OptionName name, std::uint32_t value) noexcept override;
   [[nodiscard]] std::size_t may_read() const noexcept override;
-  [[nodiscard]] bool is_done() const noexcept override { return !waiting_ && on_medium_ == 0; }
+  [[nodiscard]] bool is_done() const noexcept override { return waiting_ == 0; }
   [[nodiscard]] bool wants(const Passage& passage) const noexcept;
-  [[nodiscard]] bool send(const Passage& passage, canopen::TimePoint now) noexcept;
 
   FilterSet filters_;
-  std::optional<Passage> waiting_;  // the medium had no room for it; nothing more is read until it has
-  std::size_t on_medium_ = 0;       // frames that wait for a bus with a bit rate
+  std::array<Passage, Inbox::kBatch> kept_;  // the medium had no room for them; nothing is read until it has
+  std::size_t next_ = 0;                     // of kept_
+  std::size_t waiting_ = 0;
 };
 
 }  // namespace hub
