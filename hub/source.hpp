@@ -17,7 +17,8 @@ class Source {
 
   /// Descriptor that is watched for reading; it stays the same while the loop has the source.
   [[nodiscard]] virtual int descriptor() const noexcept = 0;
-  /// The descriptor polls readable, or in error. Called again at once while it does: read some, and leave the rest.
+  /// The descriptor polls readable, or in error. Called again at once while it does: read some, and leave the
+  /// rest.
   virtual void on_readable(canopen::TimePoint now) noexcept = 0;
   /// When on_time() is wanted; read anew in every turn of the loop.
   [[nodiscard]] virtual canopen::TimePoint next_deadline() const noexcept { return canopen::kNever; }
