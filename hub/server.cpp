@@ -10,9 +10,9 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 
-#include "hub/broadcast_member.hpp"
-#include "hub/clock.hpp"
-#include "hub/raw_member.hpp"
+#include "hub/loop/clock.hpp"
+#include "hub/member/broadcast_member.hpp"
+#include "hub/member/raw_member.hpp"
 
 namespace hub {
 

@@ -6,8 +6,8 @@
 
 #include "bus/descriptor.hpp"
 #include "hub/core.hpp"
+#include "hub/loop/timer.hpp"
 #include "hub/source.hpp"
-#include "hub/timer.hpp"
 #include "userbus/name.hpp"
 
 namespace hub {

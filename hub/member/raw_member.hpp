@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "hub/filter_set.hpp"
-#include "hub/member.hpp"
+#include "hub/member/filter_set.hpp"
+#include "hub/member/member.hpp"
 
 namespace hub {
 

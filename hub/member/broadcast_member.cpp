@@ -1,4 +1,4 @@
-#include "hub/broadcast_member.hpp"
+#include "hub/member/broadcast_member.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -8,7 +8,7 @@
 
 #include "bus/descriptor.hpp"
 #include "hub/core.hpp"
-#include "hub/outbox.hpp"
+#include "hub/member/outbox.hpp"
 #include "userbus/name.hpp"
 
 namespace hub {

@@ -1,4 +1,4 @@
-#include "hub/requests.hpp"
+#include "hub/member/requests.hpp"
 
 #include <array>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "hub/path_owner.hpp"
+#include "hub/path/path_owner.hpp"
 
 #include <cerrno>
 #include <chrono>
@@ -13,8 +13,8 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include "hub/clock.hpp"
-#include "hub/path_lock.hpp"
+#include "hub/loop/clock.hpp"
+#include "hub/path/path_lock.hpp"
 #include "userbus/join.hpp"
 #include "userbus/request.hpp"
 
