@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 
@@ -26,8 +27,18 @@ using namespace std::chrono_literals;
 constexpr canopen::Duration kPatience = 1s;
 /// Without descriptors or memory for another member: when to try again.
 constexpr canopen::Duration kPause = 100ms;
+/// Descriptors that members leave to the rest of the hub: requests bring some, and so do other clients.
+constexpr std::size_t kReserved = 128;
 /// New members of one turn, so that the others are not kept waiting.
 constexpr int kMostAtOnce = 16;
+
+/// Members that the limit of descriptors has room for.
+std::size_t most_members() noexcept {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return kReserved;
+  const std::size_t descriptors = limit.rlim_cur;
+  return descriptors - std::min(descriptors / 2, kReserved);
+}
 
 }  // namespace
 
@@ -51,6 +62,7 @@ Server::Server(int listener, Settings settings)
       timer_{core_.poll},
       listener_{listener},
       settings_{settings},
+      most_members_{most_members()},
       listen_again_{canopen::kNever},
       end_{settings.on_demand ? monotonic_now() + kPatience : canopen::kNever} {
   if (!core_.poll.add(listener_, EPOLLIN, *this))
@@ -83,7 +95,7 @@ void Server::run() noexcept {
     timer_.wake_at(next_deadline());
     const TimePoint now = core_.poll.turn();
     on_time(now);
-    if (core_.anyone_departed) sweep();
+    if (core_.anyone_departed) sweep(now);
     end_if_lonely(now);
   }
 }
@@ -94,6 +106,7 @@ void Server::on_events(std::uint32_t, TimePoint now) noexcept {
 
 void Server::accept_members(TimePoint now) noexcept {
   for (int i = 0; i < kMostAtOnce; ++i) {
+    if (core_.members.size() >= most_members_) return pause_listening(now);
     sockaddr_un address{};
     socklen_t length = sizeof address;
     bus::Descriptor socket{
@@ -152,11 +165,12 @@ void Server::on_time(TimePoint now) noexcept {
   }
 }
 
-void Server::sweep() noexcept {
+void Server::sweep(TimePoint now) noexcept {
   const auto departed = [](const auto& member) { return member->departed(); };
   std::erase_if(timed_, [](const Member* member) { return member->departed(); });
   std::erase_if(core_.members, departed);
   core_.anyone_departed = false;
+  if (listen_again_ != canopen::kNever) listen_again_ = now;
 }
 
 void Server::end_if_lonely(TimePoint now) noexcept {

@@ -51,13 +51,14 @@ class Server final : public SourceList, private Watch {
   void pause_listening(canopen::TimePoint now) noexcept;
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
   void on_time(canopen::TimePoint now) noexcept;
-  void sweep() noexcept;
+  void sweep(canopen::TimePoint now) noexcept;
   void end_if_lonely(canopen::TimePoint now) noexcept;
 
   Core core_;
   Timer timer_;
   int listener_;
   Settings settings_;
+  std::size_t most_members_;
   std::vector<std::unique_ptr<SourceWatch>> watches_;
   std::vector<Member*> timed_;       // those that may have a deadline
   canopen::TimePoint listen_again_;  // kNever: it listens
