@@ -68,7 +68,9 @@ Attempt connect_to(int descriptor, const Path& path, JoinError& error) noexcept 
   }
   const Answer answer = ask(descriptor, Operation::Hello);
   if (answer.error == 0) return Attempt::Member;
-  return Attempt::Closing;
+  if (answer.error == ENETDOWN) return Attempt::Closing;
+  error = JoinError::NotServed;  // it is there and says nothing
+  return Attempt::Failed;
 }
 
 /// False if nobody will ever serve @p path.

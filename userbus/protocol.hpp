@@ -70,7 +70,8 @@ enum class Operation : uint32_t {
   InterfaceName,   ///< value: index; reply payload: the name without final zero; ENODEV
   Interfaces,      ///< reply payload: struct InterfaceEntry each
   Broadcast,   ///< a message for the broadcast manager; value: interface index, 0 = as bound; payload: the message
-  Statistics,  ///< reply payload: BusStatistics, then one MemberStatistics a member
+  Statistics,  ///< value: members to leave out at the beginning; reply payload: BusStatistics, then one
+               ///< MemberStatistics a member, as many as fit in a message
 };
 
 /// Options of a member that are numbers.
@@ -120,7 +121,7 @@ struct InterfaceEntry {
 struct BusStatistics {
   uint64_t frames;    ///< that went over the bus
   uint32_t bit_rate;  ///< bit/s, 0 = frames take no time
-  uint32_t members;
+  uint32_t members;   ///< bridges included
 };
 
 struct MemberStatistics {
@@ -130,6 +131,7 @@ struct MemberStatistics {
   uint64_t sent;
   uint64_t received;
   uint64_t dropped;  ///< because it did not read
+  uint64_t refused;  ///< messages of it that were no frames, or for no interface
 };
 
 /// Exit status of `canhub --on-demand`.

@@ -48,7 +48,7 @@ int send_request(int descriptor, const msghdr& message) noexcept {
     if (errno == EINTR) continue;
     if (errno == EPIPE || errno == ECONNRESET || errno == ENOTCONN) return ENETDOWN;
     if (errno != EAGAIN) return errno;
-    if (!wait_for(descriptor, POLLOUT)) return ENETDOWN;  // frames of this member go first
+    if (!wait_for(descriptor, POLLOUT)) return ETIMEDOUT;  // frames of this member go first
   }
 }
 
@@ -58,7 +58,7 @@ Answer take_reply(int descriptor, void* reply, size_t room) noexcept {
   msghdr message{};
   message.msg_iov = parts;
   message.msg_iovlen = 2;
-  if (!wait_for(descriptor, POLLIN)) return failed(ENETDOWN);
+  if (!wait_for(descriptor, POLLIN)) return failed(ETIMEDOUT);
   const ssize_t size = recvmsg(descriptor, &message, MSG_DONTWAIT);
   if (size < static_cast<ssize_t>(sizeof header)) return failed(ENETDOWN);  // closed without a reply
   if ((message.msg_flags & MSG_TRUNC) != 0) return failed(EMSGSIZE);

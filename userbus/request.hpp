@@ -9,7 +9,7 @@ inline constexpr int kReplyPatience = 5000;
 
 /// What came back.
 struct Answer {
-  int error;  ///< errno, 0 = done; ENETDOWN: the hub has gone or is silent
+  int error;  ///< errno, 0 = done; ENETDOWN: the hub has gone; ETIMEDOUT: it is silent
   int value;
   size_t size;  ///< bytes of the payload, all of which were stored
 };

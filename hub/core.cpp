@@ -1,0 +1,11 @@
+#include "hub/core.hpp"
+
+#include "hub/member.hpp"
+
+namespace hub {
+
+Core::Core(std::uint32_t bit_rate) : medium{bit_rate} {}
+
+Core::~Core() = default;
+
+}  // namespace hub

@@ -1,0 +1,82 @@
+#include "tools/canhub/options.hpp"
+
+#include <charconv>
+#include <iostream>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace canhub {
+
+namespace {
+
+constexpr std::uint32_t kHighestRate = 1'000'000;  // bit/s, ISO 11898-2 for classical frames
+constexpr std::uint32_t kLowestRate = 1000;
+
+constexpr const char* kDescription =
+    "Serves a CAN bus in user space at a Unix socket, for programs that run under with-can and for axisd.";
+constexpr const char* kFooter =
+    "Exit status: 0 done, 1 failed, 2 wrong usage; with --on-demand also 3 the path is used by something else,\n"
+    "4 the bus is served at another bit rate; with --status 1 nobody serves the bus.";
+
+std::uint32_t bit_rate_of(const std::string& text) {
+  std::uint32_t rate = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, rate);
+  const bool is_rate = rate == 0 || (rate >= kLowestRate && rate <= kHighestRate);
+  if (error == std::errc{} && rest == end && is_rate) return rate;
+  throw UsageError{fmt::format("--bitrate: expected 0 or an integer {} to {} (bit/s), got \"{}\"", kLowestRate,
+                               kHighestRate, text)};
+}
+
+std::string length_error(std::string_view what, std::size_t length) {
+  if (length == 0) return fmt::format("{}: expected a path, got nothing", what);
+  return fmt::format("{}: a path of {} bytes is too long for a socket, {} is the most", what, length,
+                     userbus::kLongestPath);
+}
+
+userbus::Path path_of(const std::optional<std::string>& given) {
+  userbus::Path path{};
+  if (given) {
+    if (!userbus::copy_path(given->c_str(), path)) throw UsageError{length_error("--path", given->size())};
+  } else if (!userbus::default_path(path)) {
+    throw UsageError{"the default bus ($CAN_BUS, or can-bus in $XDG_RUNTIME_DIR) has a path of more than " +
+                     std::to_string(userbus::kLongestPath) + " bytes"};
+  }
+  return path;
+}
+
+}  // namespace
+
+std::optional<Options> parse_command_line(int count, const char* const* words) {
+  Options options;
+  CLI::App app{kDescription, "canhub"};
+  std::optional<std::string> path;
+  std::optional<std::string> bit_rate;
+  app.footer(kFooter);
+  app.set_version_flag("--version", "canhub " AXISD_VERSION);
+  app.add_option("--path", path,
+                 "socket of the bus (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /tmp/can-bus-UID)")
+      ->type_name("PATH");
+  app.add_option("--bitrate", bit_rate, "bit rate of the bus in bit/s (default: 0, frames take no time)")
+      ->type_name("N");
+  app.add_flag("--on-demand", options.on_demand,
+               "return when the bus is served; the hub ends 1 s after its last member has left");
+  app.add_option("--bridge", options.bridges, "another bus to be joined with this one; may be given several times")
+      ->type_name("URL");
+  app.add_option("--socketcand", options.socketcand, "serve clients of socketcand too")->type_name("HOST:PORT");
+  app.add_flag("--status", options.status, "print what a running hub knows of its members, and exit");
+  try {
+    app.parse(count, words);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw UsageError{error.what()};
+    app.exit(error);
+    return std::nullopt;
+  }
+  options.path = path_of(path);
+  if (bit_rate) options.bit_rate = bit_rate_of(*bit_rate);
+  return options;
+}
+
+}  // namespace canhub

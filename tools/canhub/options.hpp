@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "userbus/path.hpp"
+
+namespace canhub {
+
+/// What the command line asks for.
+struct Options {
+  userbus::Path path{};
+  std::optional<std::uint32_t> bit_rate;  ///< bit/s; 0 = frames take no time
+  bool on_demand = false;
+  std::vector<std::string> bridges;
+  std::string socketcand;  ///< HOST:PORT, empty = none
+  bool status = false;
+};
+
+/// One line that says what is wrong with the command line.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads the command line; nothing if it asked for help or version, which then is printed. UsageError.
+std::optional<Options> parse_command_line(int count, const char* const* words);
+
+}  // namespace canhub
