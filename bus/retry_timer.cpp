@@ -15,12 +15,12 @@ RetryTimer::RetryTimer() : timer_{::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK
 
 void RetryTimer::start() noexcept {
   wait_ = kFirst;
-  set();
+  set(wait_);
 }
 
 void RetryTimer::start_later() noexcept {
   wait_ = std::min(2 * wait_, kLongest);
-  set();
+  set(wait_);
 }
 
 bool RetryTimer::take() noexcept {
@@ -28,11 +28,11 @@ bool RetryTimer::take() noexcept {
   return ::read(timer_.get(), &expirations, sizeof expirations) == sizeof expirations;
 }
 
-void RetryTimer::set() noexcept {
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(wait_);
+void RetryTimer::set(std::chrono::milliseconds wait) noexcept {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(wait);
   itimerspec setting{};
   setting.it_value.tv_sec = seconds.count();
-  setting.it_value.tv_nsec = std::chrono::nanoseconds{wait_ - seconds}.count();
+  setting.it_value.tv_nsec = std::chrono::nanoseconds{wait - seconds}.count();
   ::timerfd_settime(timer_.get(), 0, &setting, nullptr);
 }
 

@@ -21,11 +21,15 @@ class RetryTimer {
   void start() noexcept;
   /// Rings again, later than the last time.
   void start_later() noexcept;
+  /// Rings after @p patience: the time that one attempt may take.
+  void limit(std::chrono::milliseconds patience) noexcept { set(patience); }
+  /// Does not ring.
+  void stop() noexcept { set(std::chrono::milliseconds{0}); }
   /// True, once, if it has rung.
   [[nodiscard]] bool take() noexcept;
 
  private:
-  void set() noexcept;
+  void set(std::chrono::milliseconds wait) noexcept;
 
   Descriptor timer_;
   std::chrono::milliseconds wait_ = kFirst;

@@ -1,15 +1,14 @@
 #include "bus/socket_can.hpp"
 
-#include <array>
 #include <cerrno>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 #include <linux/can/raw.h>
-#include <linux/sock_diag.h>
 #include <sys/socket.h>
 
+#include "bus/socket_option.hpp"
 #include "bus/wire.hpp"
 
 namespace bus {
@@ -26,11 +25,6 @@ Descriptor open_socket() {
   if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT)
     throw OpenError{fmt::format("kernel has no CAN (socket(AF_CAN): {})", reason)};
   throw OpenError{fmt::format("socket(AF_CAN): {}", reason)};
-}
-
-template <class Value>
-bool set_option(const Descriptor& socket, int level, int name, const Value& value) noexcept {
-  return ::setsockopt(socket.get(), level, name, &value, sizeof value) == 0;
 }
 
 /// Takes the error that a lost link leaves in its socket: the next frame sent would fail with it and be lost.
@@ -57,9 +51,7 @@ void SocketCan::configure() {
                           set_option(socket_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, kErrorMask);
   if (!configured)
     throw OpenError{fmt::format("{}: setsockopt: {}", interface_, std::generic_category().message(errno))};
-  // Only an administrator may pass net.core.rmem_max; receive_buffer() tells what came of it.
-  if (!set_option(socket_, SOL_SOCKET, SO_RCVBUFFORCE, wanted_buffer_))
-    set_option(socket_, SOL_SOCKET, SO_RCVBUF, wanted_buffer_);
+  ask_for_receive_buffer(socket_, wanted_buffer_);
 }
 
 bool SocketCan::bind_to(int index) noexcept {
@@ -90,19 +82,12 @@ void SocketCan::discard_received() noexcept {
 }
 
 std::optional<ReceiveBuffer> SocketCan::receive_buffer() const noexcept {
-  int size = 0;
-  socklen_t length = sizeof size;
-  if (::getsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &size, &length) != 0) return std::nullopt;
-  constexpr std::size_t kOverhead = 2;  // the kernel counts its own as much again
-  return ReceiveBuffer{static_cast<std::size_t>(size) / kOverhead, static_cast<std::size_t>(wanted_buffer_)};
+  return receive_buffer_of(socket_, wanted_buffer_);
 }
 
 /// Asked for when somebody wants to know: a control message with every frame would cost each of them.
 std::uint64_t SocketCan::dropped() const noexcept {
-  std::array<std::uint32_t, SK_MEMINFO_VARS> counters{};
-  socklen_t size = sizeof counters;
-  if (::getsockopt(socket_.get(), SOL_SOCKET, SO_MEMINFO, counters.data(), &size) != 0) return 0;
-  return counters[SK_MEMINFO_DROPS];
+  return lost_messages(socket_);
 }
 
 void SocketCan::accept_only(std::span<const Filter> filters) noexcept {
