@@ -39,7 +39,6 @@ void raise_descriptor_limit() noexcept {
 void serve(hub::PathOwner& owner, const canhub::Options& options) {
   hub::Server server{owner.listener(), {.bit_rate = options.bit_rate.value_or(0), .on_demand = options.on_demand}};
   const canhub::Signals signals{server};
-  owner.sign();
   if (!options.on_demand) std::cerr << "canhub: ready, serving " << options.path.text << std::endl;
   server.run();
   owner.release();  // before the members are told, so that they do not come back here
@@ -58,8 +57,10 @@ void leave_caller() noexcept {
 int serve_on_demand(hub::PathOwner& owner, const canhub::Options& options) {
   const pid_t child = fork();
   if (child < 0) throw std::system_error{errno, std::generic_category(), "fork"};
-  if (child > 0)
+  if (child > 0) {
+    owner.sign(child);
     std::_Exit(status_of(StartStatus::Served));  // the path is the child's: nothing is cleaned up here
+  }
   leave_caller();
   serve(owner, options);
   return status_of(StartStatus::Served);
@@ -76,6 +77,7 @@ int run(const canhub::Options& options) {
     return complain(refusal.text, options.on_demand ? refusal.status : StartStatus::Failed);
   }
   if (options.on_demand) return serve_on_demand(*owner, options);
+  owner->sign(getpid());
   serve(*owner, options);
   return EXIT_SUCCESS;
 }
