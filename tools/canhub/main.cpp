@@ -10,6 +10,7 @@
 
 #include "hub/path_owner.hpp"
 #include "hub/server.hpp"
+#include "tools/canhub/neighbours.hpp"
 #include "tools/canhub/options.hpp"
 #include "tools/canhub/signals.hpp"
 #include "tools/canhub/status.hpp"
@@ -39,6 +40,7 @@ void raise_descriptor_limit() noexcept {
 void serve(hub::PathOwner& owner, const canhub::Options& options) {
   hub::Server server{owner.listener(), {.bit_rate = options.bit_rate.value_or(0), .on_demand = options.on_demand}};
   const canhub::Signals signals{server};
+  const canhub::Neighbours neighbours{server, options};
   if (!options.on_demand) std::cerr << "canhub: ready, serving " << options.path.text << std::endl;
   server.run();
   owner.release();  // before the members are told, so that they do not come back here
