@@ -75,8 +75,6 @@ int give_socket(int descriptor, const Name& name, int number, const Room& room) 
       return give(AF_CAN, room);
     case SocketOption::Type:
       return give(raw ? SOCK_RAW : SOCK_DGRAM, room);
-    case SocketOption::Protocol:
-      return give(raw ? CAN_RAW : CAN_BCM, room);
     case SocketOption::Error:
       return give_error(descriptor, room);
     case SocketOption::Other:
