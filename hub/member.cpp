@@ -77,7 +77,7 @@ bool Member::take_frame_message(std::span<const std::byte> bytes, canopen::TimeP
   const int interface_index = named == 0 ? interface_index_ : named;
   if (message.frame.can_dlc > CAN_MAX_DLEN || core_.interfaces.name_of(interface_index).empty()) return false;
   if (!take_frame(message.frame, interface_index, now)) return false;
-  ++sent_;
+  count_sent();
   return true;
 }
 

@@ -41,7 +41,7 @@ class Member : public Watch {
   /// Filters of a raw socket; errno, 0 = done.
   virtual int set_filters(std::span<const can_filter> filters) noexcept;
   [[nodiscard]] virtual std::span<const can_filter> filters() const noexcept { return {}; }
-  /// A message for the broadcast manager; errno, 0 = done.
+  /// A message for the broadcast manager, which names @p interface_index, 0 = none; errno, 0 = done.
   virtual int broadcast(std::span<const std::byte> message, int interface_index, canopen::TimePoint now) noexcept;
   /// When on_time() is wanted.
   [[nodiscard]] virtual canopen::TimePoint next_deadline() const noexcept { return canopen::kNever; }
@@ -49,6 +49,7 @@ class Member : public Watch {
 
  protected:
   [[nodiscard]] Core& core() const noexcept { return core_; }
+  void count_sent() noexcept { ++sent_; }
   /// Sends @p message to the program.
   void deliver(std::span<const std::byte> message) noexcept;
   /// Counter of what was lost because the program did not read.

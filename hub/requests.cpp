@@ -114,9 +114,8 @@ Result interfaces(const Call& call) noexcept {
 }
 
 Result broadcast(const Call& call) noexcept {
-  const int index = call.value == 0 ? call.asking.member.interface_index() : call.value;
-  if (index > 0 && !is_interface(call, index)) return {.error = ENODEV};
-  return {.error = call.asking.member.broadcast(call.payload, index, call.asking.now)};
+  if (call.value != 0 && !is_interface(call, call.value)) return {.error = ENODEV};
+  return {.error = call.asking.member.broadcast(call.payload, call.value, call.asking.now)};
 }
 
 Result statistics(const Call& call) noexcept {

@@ -10,6 +10,7 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 
+#include "hub/broadcast_member.hpp"
 #include "hub/clock.hpp"
 #include "hub/raw_member.hpp"
 
@@ -106,13 +107,19 @@ void Server::accept_members(TimePoint now) noexcept {
 }
 
 void Server::admit(bus::Descriptor socket, userbus::Kind kind) noexcept {
-  if (kind != userbus::Kind::Raw) return;
   try {
-    core_.members.push_back(std::make_unique<RawMember>(core_, std::move(socket)));
+    std::unique_ptr<Member> member;
+    if (kind == userbus::Kind::Raw) member = std::make_unique<RawMember>(core_, std::move(socket));
+    if (kind == userbus::Kind::BroadcastManager)
+      member = std::make_unique<BroadcastMember>(core_, std::move(socket));
+    timed_.reserve(timed_.size() + 1);
+    core_.members.reserve(core_.members.size() + 1);
+    if (!member || !member->begin()) return;
+    if (kind == userbus::Kind::BroadcastManager) timed_.push_back(member.get());
+    core_.members.push_back(std::move(member));
   } catch (const std::exception&) {
-    return;  // no memory: the program is told by the end of its connection
+    // no memory: the program is told by the end of its connection
   }
-  if (!core_.members.back()->begin()) core_.members.pop_back();
 }
 
 /// A listening socket that polls readable and cannot be accepted from would keep the loop busy.

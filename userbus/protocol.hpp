@@ -128,7 +128,7 @@ struct MemberStatistics {
   char name[32];    ///< kind, or URL of a bridge
   int32_t process;  ///< process identifier, 0 = unknown
   int32_t interface_index;
-  uint64_t sent;
+  uint64_t sent;  ///< frames; for the broadcast manager: its requests
   uint64_t received;
   uint64_t dropped;  ///< because it did not read
   uint64_t refused;  ///< messages of it that were no frames, or for no interface
