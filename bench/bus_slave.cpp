@@ -11,7 +11,7 @@
 
 #include "bench/library_node.hpp"
 #include "bench/number.hpp"
-#include "bus/interface.hpp"
+#include "bus/socket_can.hpp"
 #include "daemon/bus_loop.hpp"
 #include "daemon/clock.hpp"
 
@@ -52,7 +52,8 @@ class Slave final : private axisd::Station, private canopen::Application {
   explicit Slave(const Arguments& arguments)
       : table_{bench::library_table({.pdos = static_cast<std::uint16_t>(arguments.pdos)})},
         dictionary_{table_, static_cast<std::uint8_t>(arguments.node)},
-        loop_{arguments.interface, *this},
+        port_{arguments.interface},
+        loop_{port_, *this},
         node_{dictionary_,
               {.start_state =
                    arguments.operational ? canopen::NmtState::Operational : canopen::NmtState::PreOperational},
@@ -84,6 +85,7 @@ class Slave final : private axisd::Station, private canopen::Application {
   std::vector<canopen::EntryDescription> table_;
   canopen::Dictionary dictionary_;
   Signals signals_;
+  bus::SocketCan port_;
   axisd::BusLoop loop_;
   canopen::Node node_;
   unsigned long rpdos_ = 0;

@@ -5,6 +5,8 @@
 
 #include <tl/expected.hpp>
 
+#include "bus/descriptor.hpp"
+
 namespace bus {
 
 /// A CAN interface cannot be used; what() names it and says why, in one line.
@@ -18,7 +20,8 @@ enum class LinkState { Up, Down, Gone };
 /// Present state of interface @p name; Gone if there is none of that name.
 [[nodiscard]] LinkState query(const std::string& name) noexcept;
 
-/// Kernel index (1..) of CAN interface @p name, or why it cannot be used.
-[[nodiscard]] tl::expected<int, OpenError> can_interface_index(const std::string& name);
+/// Index (1..) of CAN interface @p name, or why it cannot be used. @p socket is asked, a raw CAN socket: it knows
+/// best which interfaces it can be bound to.
+[[nodiscard]] tl::expected<int, OpenError> can_interface_index(const std::string& name, const Descriptor& socket);
 
 }  // namespace bus

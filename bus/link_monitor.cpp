@@ -58,7 +58,8 @@ std::string_view interface_name(std::span<const std::byte> attributes) noexcept 
 }
 
 /// The link after one link message @p payload of type @p type, as far as the message is about it.
-Link follow(std::uint16_t type, std::span<const std::byte> payload, std::string_view name, Link link) noexcept {
+KnownLink follow(std::uint16_t type, std::span<const std::byte> payload, std::string_view name,
+                 KnownLink link) noexcept {
   const auto about = front<ifinfomsg>(payload);
   if (!about) return link;
   const bool named = interface_name(after(payload, sizeof(ifinfomsg))) == name;
@@ -67,18 +68,18 @@ Link follow(std::uint16_t type, std::span<const std::byte> payload, std::string_
   // Another name on our index is a renaming: nothing of our name is left.
   const bool ours = link.index != 0 && about->ifi_index == link.index;
   const bool lost = type == RTM_DELLINK ? ours || (named && link.index == 0) : ours;
-  return lost ? Link{} : link;
+  return lost ? KnownLink{} : link;
 }
 
 }  // namespace
 
-bool follow_link_messages(std::span<const std::byte> bytes, std::string_view name, Link& link) noexcept {
+bool follow_link_messages(std::span<const std::byte> bytes, std::string_view name, KnownLink& link) noexcept {
   bool changed = false;
   while (const auto header = front<nlmsghdr>(bytes)) {
     if (header->nlmsg_len < sizeof(nlmsghdr) || header->nlmsg_len > bytes.size()) break;
     const auto payload = bytes.subspan(sizeof(nlmsghdr), header->nlmsg_len - sizeof(nlmsghdr));
     if (header->nlmsg_type == RTM_NEWLINK || header->nlmsg_type == RTM_DELLINK) {
-      const Link next = follow(header->nlmsg_type, payload, name, link);
+      const KnownLink next = follow(header->nlmsg_type, payload, name, link);
       changed |= std::exchange(link, next) != next;
     }
     bytes = after(bytes, header->nlmsg_len);

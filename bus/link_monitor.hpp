@@ -7,41 +7,37 @@
 #include <string_view>
 
 #include "bus/descriptor.hpp"
-#include "bus/interface.hpp"
+#include "bus/link.hpp"
 
 namespace bus {
 
 /// What is known of the watched interface: its state and its kernel index (0: none).
-struct Link {
+struct KnownLink {
   LinkState state = LinkState::Gone;
   int index = 0;
 
-  friend constexpr bool operator==(const Link&, const Link&) = default;
+  friend constexpr bool operator==(const KnownLink&, const KnownLink&) = default;
 };
 
 /// Follows @p link through the netlink messages of @p bytes; true if it was changed on the way.
-bool follow_link_messages(std::span<const std::byte> bytes, std::string_view name, Link& link) noexcept;
+bool follow_link_messages(std::span<const std::byte> bytes, std::string_view name, KnownLink& link) noexcept;
 
 /// Tells when one network interface goes up, goes down, disappears or appears (rtnetlink, group RTMGRP_LINK).
-class LinkMonitor {
+class LinkMonitor final : public Link {
  public:
   /// Watches the interface called @p interface, which need not exist; throws std::system_error without rtnetlink.
   explicit LinkMonitor(std::string interface);
 
-  /// File descriptor that polls readable when read() has something to say.
-  [[nodiscard]] int descriptor() const noexcept { return socket_.get(); }
-  /// Reads all that waits: the state it ends in, if any message changed the state on the way. The end may equal
-  /// the start (gone and back again), in which case sockets on the interface need binding all the same.
-  [[nodiscard]] std::optional<LinkState> read() noexcept;
-  /// State as last told by read(), at first that of the construction.
-  [[nodiscard]] LinkState state() const noexcept { return link_.state; }
+  [[nodiscard]] int descriptor() const noexcept override { return socket_.get(); }
+  [[nodiscard]] std::optional<LinkState> read() noexcept override;
+  [[nodiscard]] LinkState state() const noexcept override { return link_.state; }
 
  private:
   LinkState start_again() noexcept;
 
   std::string interface_;
   Descriptor socket_;
-  Link link_;
+  KnownLink link_;
 };
 
 }  // namespace bus

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -52,6 +53,14 @@ struct Filter {
   friend constexpr bool operator==(const Filter&, const Filter&) = default;
 };
 
+/// Room for frames that have arrived and were not read yet.
+struct ReceiveBuffer {
+  std::size_t bytes;   ///< as got
+  std::size_t wanted;  ///< as asked for
+
+  friend constexpr bool operator==(const ReceiveBuffer&, const ReceiveBuffer&) = default;
+};
+
 /// A connection to one CAN bus; nothing here blocks, and send() and receive() neither allocate nor throw.
 class Port {
  public:
@@ -72,6 +81,13 @@ class Port {
   [[nodiscard]] virtual int descriptor() const noexcept = 0;
   /// Delivers from now on only frames that match one of @p filters; without a filter no frame at all.
   virtual void accept_only(std::span<const Filter> filters) noexcept = 0;
+  /// Connects the same port again and forgets what was received before; to be called whenever the Link has told
+  /// Up, also if it was up before. After Received::Down nothing is sent or received until then. False: not there.
+  [[nodiscard]] virtual bool reopen() noexcept = 0;
+  /// False if the bus cannot carry remote frames: send() fails with them, and none arrives.
+  [[nodiscard]] virtual bool carries_remote_frames() const noexcept { return true; }
+  /// The receive buffer, where its size is up to the system.
+  [[nodiscard]] virtual std::optional<ReceiveBuffer> receive_buffer() const noexcept { return std::nullopt; }
 };
 
 }  // namespace bus

@@ -1,15 +1,14 @@
 #include "bus/socket_can.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
-#include <linux/can/error.h>
-#include <linux/sock_diag.h>
+#include <linux/can/raw.h>
 #include <sys/socket.h>
 
+#include "bus/socket_option.hpp"
 #include "bus/wire.hpp"
 
 namespace bus {
@@ -18,7 +17,6 @@ namespace {
 
 // Error frames that change nothing are skipped; this many a call, so that a burst of them cannot hold the caller.
 constexpr int kSkippedFrames = 16;
-constexpr can_err_mask_t kErrorMask = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED | CAN_ERR_CNT;
 
 Descriptor open_socket() {
   Descriptor socket{::socket(AF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW)};
@@ -27,11 +25,6 @@ Descriptor open_socket() {
   if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT)
     throw OpenError{fmt::format("kernel has no CAN (socket(AF_CAN): {})", reason)};
   throw OpenError{fmt::format("socket(AF_CAN): {}", reason)};
-}
-
-template <class Value>
-bool set_option(const Descriptor& socket, int level, int name, const Value& value) noexcept {
-  return ::setsockopt(socket.get(), level, name, &value, sizeof value) == 0;
 }
 
 /// Takes the error that a lost link leaves in its socket: the next frame sent would fail with it and be lost.
@@ -44,23 +37,21 @@ void take_pending_error(const Descriptor& socket) noexcept {
 }  // namespace
 
 SocketCan::SocketCan(std::string interface, int receive_buffer)
-    : interface_{std::move(interface)}, socket_{open_socket()}, filters_{can_filter{0, 0}}, filter_count_{1} {
-  configure(receive_buffer);
-  const auto index = can_interface_index(interface_);
+    : interface_{std::move(interface)}, wanted_buffer_{receive_buffer}, socket_{open_socket()} {
+  configure();
+  const auto index = can_interface_index(interface_, socket_);
   if (!index) throw OpenError{index.error()};
   if (!bind_to(*index))
     throw OpenError{fmt::format("{}: bind: {}", interface_, std::generic_category().message(errno))};
 }
 
-void SocketCan::configure(int receive_buffer) {
+void SocketCan::configure() {
   const bool configured = set_option(socket_, SOL_CAN_RAW, CAN_RAW_LOOPBACK, int{1}) &&
                           set_option(socket_, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, int{0}) &&
                           set_option(socket_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, kErrorMask);
   if (!configured)
     throw OpenError{fmt::format("{}: setsockopt: {}", interface_, std::generic_category().message(errno))};
-  // Only an administrator may pass net.core.rmem_max; receive_buffer() tells what came of it.
-  if (!set_option(socket_, SOL_SOCKET, SO_RCVBUFFORCE, receive_buffer))
-    set_option(socket_, SOL_SOCKET, SO_RCVBUF, receive_buffer);
+  ask_for_receive_buffer(socket_, wanted_buffer_);
 }
 
 bool SocketCan::bind_to(int index) noexcept {
@@ -72,7 +63,7 @@ bool SocketCan::bind_to(int index) noexcept {
 }
 
 bool SocketCan::reopen() noexcept {
-  const auto index = can_interface_index(interface_);
+  const auto index = can_interface_index(interface_, socket_);
   if (!index || !bind_to(*index)) return false;
   apply_filters();  // the kernel forgets them with the interface
   take_pending_error(socket_);
@@ -90,35 +81,24 @@ void SocketCan::discard_received() noexcept {
   }
 }
 
-std::size_t SocketCan::receive_buffer() const noexcept {
-  int size = 0;
-  socklen_t length = sizeof size;
-  return ::getsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &size, &length) == 0 ? static_cast<std::size_t>(size)
-                                                                                 : 0;
+std::optional<ReceiveBuffer> SocketCan::receive_buffer() const noexcept {
+  return receive_buffer_of(socket_, wanted_buffer_);
 }
 
 /// Asked for when somebody wants to know: a control message with every frame would cost each of them.
 std::uint64_t SocketCan::dropped() const noexcept {
-  std::array<std::uint32_t, SK_MEMINFO_VARS> counters{};
-  socklen_t size = sizeof counters;
-  if (::getsockopt(socket_.get(), SOL_SOCKET, SO_MEMINFO, counters.data(), &size) != 0) return 0;
-  return counters[SK_MEMINFO_DROPS];
+  return lost_messages(socket_);
 }
 
 void SocketCan::accept_only(std::span<const Filter> filters) noexcept {
-  if (filters.size() > filters_.size()) {
-    filters_[0] = can_filter{0, 0};
-    filter_count_ = 1;
-  } else {
-    std::transform(filters.begin(), filters.end(), filters_.begin(), [](const Filter& f) { return to_wire(f); });
-    filter_count_ = filters.size();
-  }
+  filters_.assign(filters);
   apply_filters();
 }
 
 void SocketCan::apply_filters() noexcept {
-  const auto size = static_cast<socklen_t>(filter_count_ * sizeof(can_filter));
-  if (::setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_FILTER, filters_.data(), size) == 0) return;
+  const auto filters = filters_.get();
+  const auto size = static_cast<socklen_t>(filters.size_bytes());
+  if (::setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(), size) == 0) return;
   // Too many frames are harmless, too few are not.
   set_option(socket_, SOL_CAN_RAW, CAN_RAW_FILTER, can_filter{0, 0});
 }

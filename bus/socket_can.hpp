@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 
 #include <linux/can.h>
-#include <linux/can/raw.h>
 
 #include "bus/descriptor.hpp"
+#include "bus/filter_list.hpp"
 #include "bus/interface.hpp"
 #include "bus/port.hpp"
 
@@ -32,17 +31,15 @@ class SocketCan final : public Port {
   /// More filters than the kernel takes (512) open the port for every frame.
   void accept_only(std::span<const Filter> filters) noexcept override;
 
-  /// Binds the same descriptor to the interface of that name again and forgets what was received before; to be
-  /// called whenever it has come up. False: not there.
-  [[nodiscard]] bool reopen() noexcept;
-  /// Size of the receive buffer really got (bytes, as the kernel counts: twice the one asked for, or less).
-  [[nodiscard]] std::size_t receive_buffer() const noexcept;
+  /// Binds the same descriptor to the interface of that name, which may be another one than before.
+  [[nodiscard]] bool reopen() noexcept override;
+  [[nodiscard]] std::optional<ReceiveBuffer> receive_buffer() const noexcept override;
 
  private:
   /// Whether receive() still has to tell that a send found the link down.
   enum class LinkFailure : std::uint8_t { None, Untold, Told };
 
-  void configure(int receive_buffer);
+  void configure();
   bool bind_to(int index) noexcept;
   void apply_filters() noexcept;
   ssize_t take(can_frame& wire) noexcept;
@@ -50,9 +47,9 @@ class SocketCan final : public Port {
   Received failed(int error) noexcept;
 
   std::string interface_;
+  int wanted_buffer_;
   Descriptor socket_;
-  std::array<can_filter, CAN_RAW_FILTER_MAX> filters_{};
-  std::size_t filter_count_ = 0;
+  FilterList filters_;
   ErrorState error_state_ = ErrorState::Active;
   LinkFailure link_failure_ = LinkFailure::None;
 };

@@ -5,8 +5,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include <linux/can/error.h>
-
 namespace bus {
 
 namespace {

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <linux/can.h>
+#include <linux/can/error.h>
 
 #include "bus/port.hpp"
 #include "libcanopen/base/frame.hpp"
 
 namespace bus {
+
+/// Which error frames tell the controller's error state: the mask a socket asks for.
+inline constexpr can_err_mask_t kErrorMask = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED | CAN_ERR_CNT;
 
 /// @p frame in the form of Linux' SocketCAN.
 [[nodiscard]] can_frame to_wire(const canopen::Frame& frame) noexcept;

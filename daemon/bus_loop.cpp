@@ -29,8 +29,8 @@ bus::Descriptor open_epoll() {
 
 }  // namespace
 
-BusLoop::BusLoop(const std::string& interface, Station& station)
-    : station_{station}, port_{interface}, queue_{port_}, others_{open_epoll()} {
+BusLoop::BusLoop(bus::Port& port, Station& station)
+    : station_{station}, port_{port}, queue_{port_}, others_{open_epoll()} {
   filters_.reserve(kMostSubscriptions);
   watch(timer_.descriptor());
 }

@@ -1,32 +1,31 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "bus/descriptor.hpp"
-#include "bus/socket_can.hpp"
+#include "bus/port.hpp"
 #include "bus/transmit_queue.hpp"
 #include "daemon/station.hpp"
 #include "daemon/timer.hpp"
 
 namespace axisd {
 
-/// Carries frames and time between one CAN interface and a Station.
+/// Carries frames and time between one CAN bus and a Station.
 ///
-/// A turn is one poll over two descriptors: the CAN socket, and an epoll descriptor that stands for the timer and
-/// for everything rare. A request that comes alone costs poll, read and send; frames that come faster are read in
-/// bursts.
+/// A turn is one poll over two descriptors: that of the port, and an epoll descriptor that stands for the timer
+/// and for everything rare. A request that comes alone costs poll, read and send; frames that come faster are read
+/// in bursts.
 class BusLoop {
  public:
-  /// Opens @p interface, which may be down. Throws bus::OpenError or std::system_error.
-  BusLoop(const std::string& interface, Station& station);
+  /// Closed at first; @p port and @p station outlive it. Throws std::system_error.
+  BusLoop(bus::Port& port, Station& station);
 
   /// Calls Station::on_rare_event() while @p descriptor is readable. Throws std::system_error.
   void watch(int descriptor);
-  /// The interface is up: begins to receive and to send. False: it cannot be used.
+  /// The bus is there: begins to receive and to send. False: it cannot be used.
   [[nodiscard]] bool open() noexcept;
-  /// The interface is down or gone: what waits is dropped, and nothing is received until open().
+  /// The bus is gone: what waits is dropped, and nothing is received until open().
   void close() noexcept;
   bool is_open() const noexcept { return is_open_; }
   /// Receives from now on what Station::subscriptions() names.
@@ -34,7 +33,7 @@ class BusLoop {
   /// Waits for the next event and handles all that is due. Also without a link: time goes on.
   void turn() noexcept;
 
-  const bus::SocketCan& port() const noexcept { return port_; }
+  const bus::Port& port() const noexcept { return port_; }
   /// Where the station puts its frames.
   bus::TransmitQueue& queue() noexcept { return queue_; }
   const bus::TransmitQueue& queue() const noexcept { return queue_; }
@@ -47,7 +46,7 @@ class BusLoop {
   bool receive_frame() noexcept;
 
   Station& station_;
-  bus::SocketCan port_;
+  bus::Port& port_;
   bus::TransmitQueue queue_;
   Timer timer_;
   bus::Descriptor others_;  ///< epoll over the timer and what is watched

@@ -19,7 +19,6 @@ namespace {
 constexpr int kFirstNodeId = 1;
 constexpr int kLastNodeId = 127;
 constexpr std::size_t kMaximumAxes = 1;
-constexpr std::size_t kLongestInterface = 15;  // IFNAMSIZ without its final zero
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kHighestTorque = 1e6;  // N·m
 
@@ -150,18 +149,22 @@ AxisConfiguration read_axis(const JsonReader& json) {
   return axis;
 }
 
-bool is_interface_name(const std::string& name) {
-  return !name.empty() && name.size() <= kLongestInterface && name.find_first_of("/ \t\n") == std::string::npos;
+bus::Address read_address(const JsonReader& json) {
+  auto address = bus::parse_address(json.text());
+  if (!address) json.fail(address.error());
+  return *std::move(address);
+}
+
+void override_address(Configuration& configuration, const std::string& text) {
+  auto address = bus::parse_address(text);
+  if (!address)
+    throw ConfigurationError{fmt::format("--interface: expected {}, got \"{}\"", address.error(), text)};
+  configuration.address = *std::move(address);
 }
 
 void override_with(Configuration& configuration, const Options& options) {
-  if (options.interface) configuration.interface = *options.interface;
+  if (options.interface) override_address(configuration, *options.interface);
   if (options.node_id) configuration.node_id = *options.node_id;
-  if (!is_interface_name(configuration.interface)) {
-    throw ConfigurationError{
-        fmt::format("--interface: expected a name of 1 to {} characters without spaces, got \"{}\"",
-                    kLongestInterface, configuration.interface)};
-  }
   if (configuration.node_id < kFirstNodeId || configuration.node_id > kLastNodeId) {
     throw ConfigurationError{fmt::format("--node-id: expected an integer {} to {}, got {}", kFirstNodeId,
                                          kLastNodeId, configuration.node_id)};
@@ -177,11 +180,7 @@ Configuration parse_configuration(std::string_view text, const std::string& file
   const JsonReader json = JsonReader::parse(text, file);
   json.expect_object({"interface", "node_id", "axes", "sdo_block", "f08701"});
   Configuration configuration;
-  if (json.has("interface")) {
-    configuration.interface = json.at("interface").text();
-    if (!is_interface_name(configuration.interface))
-      json.at("interface").fail("a name of 1 to 15 characters without spaces");
-  }
+  if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();

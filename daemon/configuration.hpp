@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bus/address.hpp"
 #include "daemon/options.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
@@ -33,7 +34,7 @@ struct AxisConfiguration {
 
 /// The whole unit: defaults, then the file, then the command line.
 struct Configuration {
-  std::string interface = "vcan0";
+  bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
   int node_id = 2;
   std::vector<AxisConfiguration> axes{AxisConfiguration{}};
   bool sdo_block = false;                    ///< key "sdo_block"

@@ -31,14 +31,14 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
     : configuration_{configuration},
       log_{log},
       started_{read_clock()},
-      lock_{state_root, configuration.interface, configuration.node_id},
-      link_{configuration.interface},
-      loop_{configuration.interface, *this},
+      lock_{state_root, configuration.address, configuration.node_id},
+      bus_{bus::open(configuration.address)},
+      loop_{*bus_.port, *this},
       device_{device_configuration(configuration), loop_.queue(), *this},
       events_{[this] { stop(); }},
       load_torque_{configuration.axes.front().load.constant_torque} {
   loop_.watch(events_.descriptor());
-  link_source_ = events_.watch(link_.descriptor(), EPOLLIN, &Daemon::on_link, this);
+  link_source_ = events_.watch(bus_.link->descriptor(), EPOLLIN, &Daemon::on_link, this);
   if (!control.empty()) {
     control_.emplace(events_, control, [this](std::string_view line) { return answer_request(*this, line); });
   }
@@ -46,21 +46,22 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
 }
 
 void Daemon::log_receive_buffer() const {
-  const std::size_t got = loop_.port().receive_buffer() / 2;  // the kernel counts its overhead as much again
-  if (got < bus::SocketCan::kReceiveBuffer) {
-    log_.warning("{}: receive buffer of {} bytes instead of {}: raise net.core.rmem_max", configuration_.interface,
-                 got, bus::SocketCan::kReceiveBuffer);
+  const auto buffer = loop_.port().receive_buffer();
+  if (!buffer) return;
+  if (buffer->bytes < buffer->wanted) {
+    log_.warning("{}: receive buffer of {} bytes instead of {}: raise net.core.rmem_max", bus_name(),
+                 buffer->bytes, buffer->wanted);
   } else {
-    log_.info("{}: receive buffer of {} bytes", configuration_.interface, got);
+    log_.info("{}: receive buffer of {} bytes", bus_name(), buffer->bytes);
   }
 }
 
 void Daemon::run() {
-  if (link_.state() == bus::LinkState::Up) {
+  if (bus_.link->state() == bus::LinkState::Up) {
     link_up();
   } else {
-    log_.notice("{} is down: waiting until it is up", configuration_.interface);
-    sd_notifyf(0, "STATUS=%s is down", configuration_.interface.c_str());
+    log_.notice("{} is down: waiting until it is up", bus_name());
+    sd_notifyf(0, "STATUS=%s is down", bus_name().c_str());
   }
   events_.dispatch();
   while (!stopping_) {
@@ -83,13 +84,13 @@ void Daemon::tell_ready() noexcept {
   const bus::TransmitQueue& queue = loop_.queue();
   if (!loop_.is_open() || queue.waiting() != 0 || queue.counters().sent == sent_before_boot_up_) return;
   ready_told_ = true;
-  log_.info("ready: node {} on {}", configuration_.node_id, configuration_.interface);
-  sd_notifyf(0, "READY=1\nSTATUS=node %d on %s", configuration_.node_id, configuration_.interface.c_str());
+  log_.info("ready: node {} on {}", configuration_.node_id, bus_name());
+  sd_notifyf(0, "READY=1\nSTATUS=node %d on %s", configuration_.node_id, bus_name().c_str());
 }
 
 int Daemon::on_link(sd_event_source*, int, std::uint32_t, void* self) noexcept {
   auto& daemon = *static_cast<Daemon*>(self);
-  if (const auto state = daemon.link_.read()) {
+  if (const auto state = daemon.bus_.link->read()) {
     daemon.link_down();
     if (*state == bus::LinkState::Up) daemon.link_up();
   }
@@ -108,19 +109,19 @@ void Daemon::log_skipped_cycles() noexcept {
 void Daemon::log_full_queue() noexcept {
   full_logged_ = true;
   log_.notice("{}: the transmit queue of the interface is full, frames wait; told once (see the status)",
-              configuration_.interface);
+              bus_name());
 }
 
 void Daemon::link_up() noexcept {
   if (!loop_.open()) {
-    log_.warning("{} is up but cannot be used: it is no CAN interface", configuration_.interface);
+    log_.warning("{} is up but cannot be used", bus_name());
     return;
   }
   sent_before_boot_up_ = loop_.queue().counters().sent;
   device_.start(read_clock());
   if (ready_told_) {
-    log_.notice("{} is up again", configuration_.interface);
-    sd_notifyf(0, "STATUS=node %d on %s", configuration_.node_id, configuration_.interface.c_str());
+    log_.notice("{} is up again", bus_name());
+    sd_notifyf(0, "STATUS=node %d on %s", configuration_.node_id, bus_name().c_str());
   } else {
     tell_ready();
   }
@@ -133,12 +134,12 @@ void Daemon::link_down() noexcept {
 }
 
 void Daemon::on_link_lost() noexcept {
-  log_.warning("{} is down: waiting until it is up", configuration_.interface);
-  sd_notifyf(0, "STATUS=%s is down", configuration_.interface.c_str());
+  log_.warning("{} is down: waiting until it is up", bus_name());
+  sd_notifyf(0, "STATUS=%s is down", bus_name().c_str());
 }
 
 void Daemon::on_error_state(bus::ErrorState state) noexcept {
-  log_.warning("{}: {}", configuration_.interface, bus::name_of(state));
+  log_.warning("{}: {}", bus_name(), bus::name_of(state));
 }
 
 void Daemon::on_subscriptions_changed() noexcept {
@@ -150,8 +151,8 @@ void Daemon::on_foreign_frame(std::uint32_t identifier) noexcept {
   const canopen::TimePoint now = read_clock();
   if (foreign_frames_ != 1 && now - foreign_logged_ < kRepeatedLogPeriod) return;
   foreign_logged_ = now;
-  log_.warning("{}: identifier {:03X}h came from another station: duplicate node-ID {}?", configuration_.interface,
-               identifier, configuration_.node_id);
+  log_.warning("{}: identifier {:03X}h came from another station: duplicate node-ID {}?", bus_name(), identifier,
+               configuration_.node_id);
 }
 
 tl::expected<void, drive::FaultError> Daemon::raise(std::uint16_t number) noexcept {

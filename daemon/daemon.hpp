@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "bus/link_monitor.hpp"
+#include "bus/connection.hpp"
 #include "daemon/bus_loop.hpp"
 #include "daemon/configuration.hpp"
 #include "daemon/control_server.hpp"
@@ -17,7 +17,7 @@
 
 namespace axisd {
 
-/// The running program: one drive unit on one CAN interface, moved by a BusLoop; sd-event serves what is rare.
+/// The running program: one drive unit on one CAN bus, moved by a BusLoop; sd-event serves what is rare.
 class Daemon final : private device::Listener, private Station {
  public:
   /// Opens everything that @p configuration names, with the state below @p state_root and the control socket at
@@ -79,11 +79,14 @@ class Daemon final : private device::Listener, private Station {
   static int on_link(sd_event_source* source, int descriptor, std::uint32_t events, void* self) noexcept;
   void log_receive_buffer() const;
 
+  /// The bus as the user named it, for messages.
+  const std::string& bus_name() const noexcept { return configuration_.address.text; }
+
   const Configuration& configuration_;
   const Log& log_;
   canopen::TimePoint started_;
   InstanceLock lock_;
-  bus::LinkMonitor link_;
+  bus::Connection bus_;
   BusLoop loop_;
   device::Device device_;
   ServiceEvents events_;

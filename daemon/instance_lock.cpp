@@ -14,8 +14,8 @@
 namespace axisd {
 namespace {
 
-std::string in_use(const std::string& interface, int node_id) {
-  return fmt::format("{}: node {} is served by another axisd", interface, node_id);
+std::string in_use(const bus::Address& address, int node_id) {
+  return fmt::format("{}: node {} is served by another axisd", address.text, node_id);
 }
 
 /// Throws for the present errno, which is @p taken if another instance holds the lock on @p what.
@@ -60,14 +60,14 @@ std::filesystem::path state_root(const std::string& given) {
   throw InstanceError{"no place for the state: give --state-directory or set HOME"};
 }
 
-InstanceLock::InstanceLock(const std::filesystem::path& root, const std::string& interface, int node_id)
-    : directory_{root / fmt::format("{}-{}", interface, node_id)} {
+InstanceLock::InstanceLock(const std::filesystem::path& root, const bus::Address& address, int node_id)
+    : directory_{root / fmt::format("{}-{}", bus::label(address), node_id)} {
   std::error_code error;
   std::filesystem::create_directories(directory_, error);
   if (error) throw InstanceError{fmt::format("{}: cannot be created: {}", directory_.string(), error.message())};
-  const std::string busy = in_use(interface, node_id);
+  const std::string busy = in_use(address, node_id);
   folder_ = lock_folder(directory_, busy);
-  name_ = lock_name(fmt::format("axisd/{}/{}", interface, node_id), busy);
+  name_ = lock_name(fmt::format("axisd/{}/{}", bus::label(address), node_id), busy);
 }
 
 }  // namespace axisd

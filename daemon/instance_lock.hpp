@@ -4,11 +4,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "bus/address.hpp"
 #include "bus/descriptor.hpp"
 
 namespace axisd {
 
-/// Another axisd already serves this interface and node-ID, or its state directory cannot be used.
+/// Another axisd already serves this bus and node-ID, or its state directory cannot be used.
 struct InstanceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -17,15 +18,15 @@ struct InstanceError : std::runtime_error {
 /// ${XDG_STATE_HOME:-~/.local/state}/axisd.
 std::filesystem::path state_root(const std::string& given);
 
-/// Makes this process the only one that serves a node on an interface, for as long as it lives.
+/// Makes this process the only one that serves a node on a bus, for as long as it lives.
 ///
-/// Two locks: the state subfolder INTERFACE-NODE guards the files, and a name in the abstract socket space, which
-/// belongs to the same network namespace as the interface, guards the node against an instance that keeps its
-/// state elsewhere.
+/// Two locks: the state subfolder LABEL-NODE (bus::label()) guards the files, and a name in the abstract socket
+/// space, which belongs to the same network namespace as an interface of the kernel, guards the node against an
+/// instance that keeps its state elsewhere.
 class InstanceLock {
  public:
   /// Creates the subfolder of @p root and takes both locks; throws InstanceError.
-  InstanceLock(const std::filesystem::path& root, const std::string& interface, int node_id);
+  InstanceLock(const std::filesystem::path& root, const bus::Address& address, int node_id);
 
   /// The subfolder for this instance's files.
   const std::filesystem::path& directory() const noexcept { return directory_; }

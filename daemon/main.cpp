@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "bus/interface.hpp"
+#include "bus/address.hpp"
 #include "daemon/configuration.hpp"
 #include "daemon/control_protocol.hpp"
 #include "daemon/daemon.hpp"
@@ -18,7 +18,7 @@ constexpr int kUsage = 2;
 std::string control_path(const axisd::Options& options, const axisd::Configuration& configuration) {
   if (options.control == "none") return "";
   std::string path = options.control.empty()
-                         ? control::default_socket_path(configuration.interface, configuration.node_id)
+                         ? control::default_socket_path(bus::label(configuration.address), configuration.node_id)
                          : options.control;
   if (const auto address = control::socket_address(path); !address) {
     throw axisd::ConfigurationError{"--control: " + address.error()};

@@ -66,7 +66,7 @@ json bus_status(const Daemon& daemon) {
 
 json status_of(const Daemon& daemon) {
   return {{"version", kVersion},
-          {"interface", daemon.configuration().interface},
+          {"interface", daemon.configuration().address.text},
           {"node_id", daemon.configuration().node_id},
           {"nmt_state", canopen::name_of(daemon.device().node().state())},
           {"uptime_s", daemon.uptime_s()},

@@ -28,36 +28,32 @@ class NotCancelled {
   int before_ = PTHREAD_CANCEL_ENABLE;
 };
 
-/// Where the bus of this process is, and the program that serves it.
+/// Where the bus of this process is at present; a program may change $CAN_BUS between its sockets.
 struct Place {
   bool fits;  ///< the path of the bus is not too long
   userbus::Path bus;
-  char hub[4096];
 };
 
-Place place;
-pthread_once_t place_is_known = PTHREAD_ONCE_INIT;
+/// The program that serves it.
+char hub_program[4096];
+pthread_once_t hub_is_known = PTHREAD_ONCE_INIT;
 
 /// canhub, as it lies beside this library in the build folder and where it is installed.
-void find_hub(char* hub, size_t room) noexcept {
+void find_hub() noexcept {
   if (const char* const chosen = getenv("CAN_HUB"); chosen != nullptr && *chosen != '\0') {
-    snprintf(hub, room, "%s", chosen);
+    snprintf(hub_program, sizeof hub_program, "%s", chosen);
     return;
   }
   Dl_info library{};
-  if (dladdr(&place, &library) == 0 || library.dli_fname == nullptr) return;
+  if (dladdr(hub_program, &library) == 0 || library.dli_fname == nullptr) return;
   const char* const slash = strrchr(library.dli_fname, '/');
   const int folder = slash == nullptr ? 0 : static_cast<int>(slash - library.dli_fname + 1);
-  snprintf(hub, room, "%.*s../../bin/canhub", folder, library.dli_fname);
+  snprintf(hub_program, sizeof hub_program, "%.*s../../bin/canhub", folder, library.dli_fname);
 }
 
-void find_place() noexcept {
+Place present_place() noexcept {
+  Place place{};
   place.fits = userbus::default_path(place.bus);
-  find_hub(place.hub, sizeof place.hub);
-}
-
-const Place& known_place() noexcept {
-  pthread_once(&place_is_known, find_place);
   return place;
 }
 
@@ -90,13 +86,14 @@ int errno_of(userbus::JoinError error) noexcept {
 
 int join_bus(userbus::Kind kind, int flags) noexcept {
   const NotCancelled not_cancelled;
-  const Place& at = known_place();
+  const Place at = present_place();
   if (!at.fits) {
     report(at, "has a path that is too long: 107 bytes are the most");
     errno = EAFNOSUPPORT;
     return -1;
   }
-  const userbus::Joined joined = userbus::join(at.bus, at.hub, kind, flags);
+  pthread_once(&hub_is_known, find_hub);
+  const userbus::Joined joined = userbus::join(at.bus, hub_program, kind, flags);
   if (joined.descriptor >= 0) {
     note_hub_of(joined.descriptor);
     return joined.descriptor;
@@ -109,7 +106,7 @@ int join_bus(userbus::Kind kind, int flags) noexcept {
 
 int join_served_bus() noexcept {
   const NotCancelled not_cancelled;
-  const Place& at = known_place();
+  const Place at = present_place();
   if (!at.fits) return -1;
   return userbus::join(at.bus, nullptr, userbus::Kind::Raw, SOCK_CLOEXEC).descriptor;
 }

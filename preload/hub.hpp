@@ -5,8 +5,8 @@
 
 namespace preload {
 
-/// Becomes a member of the process's bus (userbus::default_path when the first one asks); @p flags as for
-/// userbus::join. -1 with errno, and the first time a line on standard error, if that fails.
+/// Becomes a member of the process's present bus (userbus::default_path); @p flags as for userbus::join. -1 with
+/// errno, and the first time a line on standard error, if that fails.
 int join_bus(userbus::Kind kind, int flags) noexcept;
 
 /// The same for a short question, quietly, and only if somebody serves the bus already.

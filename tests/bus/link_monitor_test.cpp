@@ -10,7 +10,7 @@
 
 namespace {
 
-using bus::Link;
+using bus::KnownLink;
 using bus::LinkState;
 
 void append(std::vector<std::byte>& bytes, const void* data, std::size_t size) {
@@ -46,60 +46,60 @@ std::vector<std::byte> operator+(std::vector<std::byte> a, const std::vector<std
 }
 
 TEST(LinkMessages, TellThatTheInterfaceCameUp) {
-  Link link{LinkState::Down, 4};
+  KnownLink link{LinkState::Down, 4};
 
   EXPECT_TRUE(bus::follow_link_messages(message(RTM_NEWLINK, 4, IFF_UP, "vcan0"), "vcan0", link));
-  EXPECT_EQ(link, (Link{LinkState::Up, 4}));
+  EXPECT_EQ(link, (KnownLink{LinkState::Up, 4}));
 }
 
 TEST(LinkMessages, TellThatTheInterfaceWentDown) {
-  Link link{LinkState::Up, 4};
+  KnownLink link{LinkState::Up, 4};
 
   EXPECT_TRUE(bus::follow_link_messages(message(RTM_NEWLINK, 4, 0, "vcan0"), "vcan0", link));
-  EXPECT_EQ(link, (Link{LinkState::Down, 4}));
+  EXPECT_EQ(link, (KnownLink{LinkState::Down, 4}));
 }
 
 TEST(LinkMessages, TellThatTheInterfaceIsGone) {
-  Link link{LinkState::Up, 4};
+  KnownLink link{LinkState::Up, 4};
 
   EXPECT_TRUE(bus::follow_link_messages(message(RTM_DELLINK, 4, IFF_UP, "vcan0"), "vcan0", link));
-  EXPECT_EQ(link, Link{});
+  EXPECT_EQ(link, KnownLink{});
 }
 
 TEST(LinkMessages, TellThatTheInterfaceWasRenamed) {
-  Link link{LinkState::Up, 4};
+  KnownLink link{LinkState::Up, 4};
 
   EXPECT_TRUE(bus::follow_link_messages(message(RTM_NEWLINK, 4, IFF_UP, "can7"), "vcan0", link));
   EXPECT_EQ(link.state, LinkState::Gone);
 }
 
 TEST(LinkMessages, OfAnotherInterfaceAreNoNews) {
-  Link link{LinkState::Up, 4};
+  KnownLink link{LinkState::Up, 4};
 
   EXPECT_FALSE(bus::follow_link_messages(message(RTM_NEWLINK, 5, 0, "vcan1"), "vcan0", link));
   EXPECT_FALSE(bus::follow_link_messages(message(RTM_DELLINK, 6, 0, "vcan00"), "vcan0", link));
-  EXPECT_EQ(link, (Link{LinkState::Up, 4}));
+  EXPECT_EQ(link, (KnownLink{LinkState::Up, 4}));
 }
 
 TEST(LinkMessages, ThatRepeatTheStateAreNoNews) {
-  Link link{LinkState::Up, 4};
+  KnownLink link{LinkState::Up, 4};
 
   EXPECT_FALSE(bus::follow_link_messages(message(RTM_NEWLINK, 4, IFF_UP | IFF_RUNNING, "vcan0"), "vcan0", link));
 }
 
 TEST(LinkMessages, TellAReplacedInterfaceThoughItEndsInTheSameState) {
-  Link link{LinkState::Up, 4};
+  KnownLink link{LinkState::Up, 4};
   const auto bytes = message(RTM_DELLINK, 4, 0, "vcan0") + message(RTM_NEWLINK, 9, IFF_UP, "vcan0");
 
   EXPECT_TRUE(bus::follow_link_messages(bytes, "vcan0", link));
-  EXPECT_EQ(link, (Link{LinkState::Up, 9}));
+  EXPECT_EQ(link, (KnownLink{LinkState::Up, 9}));
 }
 
 TEST(LinkMessages, CutAnywhereAreHarmless) {
   const auto bytes = message(RTM_NEWLINK, 4, IFF_UP, "vcan0") + message(RTM_DELLINK, 4, 0, "vcan0");
   for (std::size_t size = 0; size < bytes.size() / 2; ++size) {
     const std::vector<std::byte> cut{bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)};
-    Link link{LinkState::Down, 4};
+    KnownLink link{LinkState::Down, 4};
 
     EXPECT_FALSE(bus::follow_link_messages(cut, "vcan0", link)) << size;
   }

@@ -21,7 +21,8 @@ std::string message_of(const Read& read) {
 
 /// Text of a configuration file and the whole message it earns.
 struct BadFile {
-  std::string_view text, message;
+  std::string_view text;
+  std::string message;
 };
 /// How GoogleTest names a case.
 void PrintTo(const BadFile& c, std::ostream* out) {  // NOLINT(readability-identifier-naming): GoogleTest's name
@@ -44,19 +45,24 @@ INSTANTIATE_TEST_SUITE_P(Syntax, BadFiles,
                                                  "node.json: expected valid JSON, got a number that is too large"},
                                          BadFile{"[]", "node.json: /: expected an object, got []"}));
 
+/// What the key "interface" and the option of that name take.
+const std::string kForms =
+    "a name of 1 to 15 characters without spaces, unix:PATH, udp-multicast://GROUP:PORT[?interface=NAME] or "
+    "socketcand://HOST:PORT/NAME";
+
 INSTANTIATE_TEST_SUITE_P(
     Unit, BadFiles,
     testing::Values(
         BadFile{R"({"nodeid": 5})",
                 "node.json: /nodeid: unknown key, expected one of: interface, node_id, axes, sdo_block, f08701"},
         BadFile{R"({"interface": 0})", "node.json: /interface: expected a string, got 0"},
-        BadFile{R"({"interface": ""})",
-                "node.json: /interface: expected a name of 1 to 15 characters without spaces, got \"\""},
+        BadFile{R"({"interface": ""})", "node.json: /interface: expected " + kForms + ", got \"\""},
         BadFile{R"({"interface": "a-rather-long-name"})",
-                "node.json: /interface: expected a name of 1 to 15 characters without spaces, got "
-                "\"a-rather-long-name\""},
-        BadFile{R"({"interface": "../x"})",
-                "node.json: /interface: expected a name of 1 to 15 characters without spaces, got \"../x\""},
+                "node.json: /interface: expected " + kForms + ", got \"a-rather-long-name\""},
+        BadFile{R"({"interface": "../x"})", "node.json: /interface: expected " + kForms + ", got \"../x\""},
+        BadFile{R"({"interface": "udp-multicast://10.0.0.1:43113"})",
+                "node.json: /interface: expected a multicast group, 224.0.0.0 to 239.255.255.255 or [ff00::] to "
+                "[ffff:...], got \"udp-multicast://10.0.0.1:43113\""},
         BadFile{R"({"node_id": "5"})", "node.json: /node_id: expected an integer 1 to 127, got \"5\""},
         BadFile{R"({"node_id": 5.5})", "node.json: /node_id: expected an integer 1 to 127, got 5.5"},
         BadFile{R"({"node_id": 0})", "node.json: /node_id: expected an integer 1 to 127, got 0"},
@@ -187,7 +193,7 @@ TEST(CommandLineValues, OutOfRangeAreRefused) {
   EXPECT_EQ(message_of([] {
               configuration_of({"--interface", "with space"});
             }),
-            "--interface: expected a name of 1 to 15 characters without spaces, got \"with space\"");
+            "--interface: expected " + kForms + ", got \"with space\"");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ AxisConfiguration axis_of(const std::string& axis) {
 TEST(Configuration, OfNothingIsOneServoAtNode2OfVcan0) {
   const Configuration configuration = configuration_of({});
 
-  EXPECT_EQ(configuration.interface, "vcan0");
+  EXPECT_EQ(configuration.address.text, "vcan0");
   EXPECT_EQ(configuration.node_id, 2);
   EXPECT_FALSE(configuration.sdo_block);
   EXPECT_TRUE(configuration.fault_on_leaving_operational);
@@ -33,7 +33,7 @@ TEST(Configuration, OfNothingIsOneServoAtNode2OfVcan0) {
 TEST(Configuration, OfAnEmptyObjectIsTheDefault) {
   const Configuration configuration = parse("{}");
 
-  EXPECT_EQ(configuration.interface, "vcan0");
+  EXPECT_EQ(configuration.address.text, "vcan0");
   EXPECT_EQ(configuration.node_id, 2);
   EXPECT_EQ(configuration.axes.size(), 1U);
 }
@@ -42,7 +42,7 @@ TEST(Configuration, TakesEveryKeyOfTheUnit) {
   const Configuration configuration =
       parse(R"({"interface": "can1", "node_id": 127, "sdo_block": true, "f08701": false, "axes": [{}]})");
 
-  EXPECT_EQ(configuration.interface, "can1");
+  EXPECT_EQ(configuration.address.text, "can1");
   EXPECT_EQ(configuration.node_id, 127);
   EXPECT_TRUE(configuration.sdo_block);
   EXPECT_FALSE(configuration.fault_on_leaving_operational);
@@ -113,9 +113,9 @@ TEST(Configuration, OfAFileIsOverriddenByTheCommandLine) {
   const Configuration overridden =
       configuration_of({"--config", file, "--interface", "can2", "--node-id", "6", "--axes", "1"});
 
-  EXPECT_EQ(plain.interface, "can1");
+  EXPECT_EQ(plain.address.text, "can1");
   EXPECT_EQ(plain.node_id, 5);
-  EXPECT_EQ(overridden.interface, "can2");
+  EXPECT_EQ(overridden.address.text, "can2");
   EXPECT_EQ(overridden.node_id, 6);
   EXPECT_FALSE(overridden.fault_on_leaving_operational);
 }

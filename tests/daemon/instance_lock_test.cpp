@@ -19,9 +19,13 @@ std::string interface() {
   return fmt::format("t{}", ::getpid());
 }
 
+bus::Address address() {
+  return bus::parse_address(interface()).value();
+}
+
 std::string refusal(const std::filesystem::path& root, int node_id) {
   try {
-    const InstanceLock lock{root, interface(), node_id};
+    const InstanceLock lock{root, address(), node_id};
   } catch (const InstanceError& error) {
     return error.what();
   }
@@ -35,7 +39,7 @@ std::string in_use(int node_id) {
 TEST(InstanceLock, CreatesTheFolderOfItsInstance) {
   const fakes::TemporaryDirectory root;
 
-  const InstanceLock lock{root.path("state"), interface(), 5};
+  const InstanceLock lock{root.path("state"), address(), 5};
 
   EXPECT_EQ(lock.directory(), root.path("state") + "/" + interface() + "-5");
   EXPECT_TRUE(std::filesystem::is_directory(lock.directory()));
@@ -43,7 +47,7 @@ TEST(InstanceLock, CreatesTheFolderOfItsInstance) {
 
 TEST(InstanceLock, RefusesASecondInstance) {
   const fakes::TemporaryDirectory root;
-  const InstanceLock lock{root.path(), interface(), 5};
+  const InstanceLock lock{root.path(), address(), 5};
 
   EXPECT_EQ(refusal(root.path(), 5), in_use(5));
 }
@@ -51,14 +55,14 @@ TEST(InstanceLock, RefusesASecondInstance) {
 TEST(InstanceLock, RefusesASecondInstanceThatKeepsItsStateElsewhere) {
   const fakes::TemporaryDirectory root;
   const fakes::TemporaryDirectory elsewhere;
-  const InstanceLock lock{root.path(), interface(), 5};
+  const InstanceLock lock{root.path(), address(), 5};
 
   EXPECT_EQ(refusal(elsewhere.path(), 5), in_use(5));
 }
 
 TEST(InstanceLock, LeavesOtherNodesAlone) {
   const fakes::TemporaryDirectory root;
-  const InstanceLock lock{root.path(), interface(), 5};
+  const InstanceLock lock{root.path(), address(), 5};
 
   EXPECT_EQ(refusal(root.path(), 6), "granted");
 }
@@ -66,7 +70,7 @@ TEST(InstanceLock, LeavesOtherNodesAlone) {
 TEST(InstanceLock, EndsWithTheInstance) {
   const fakes::TemporaryDirectory root;
   std::optional<InstanceLock> lock;
-  lock.emplace(root.path(), interface(), 5);
+  lock.emplace(root.path(), address(), 5);
 
   lock.reset();
 
@@ -77,7 +81,7 @@ TEST(InstanceLock, IsNotHeldByARefusedInstance) {
   const fakes::TemporaryDirectory root;
   const fakes::TemporaryDirectory elsewhere;
   std::optional<InstanceLock> lock;
-  lock.emplace(root.path(), interface(), 5);
+  lock.emplace(root.path(), address(), 5);
   ASSERT_EQ(refusal(elsewhere.path(), 5), in_use(5));
 
   lock.reset();

@@ -11,11 +11,11 @@ namespace {
 
 /// The plain node of bench/, node 1, booted.
 struct BusSlave : testing::Test {
-  CanClient can{"vcan0"};  // on the bus before the slave is
+  CanClient can{kTestInterface};  // on the bus before the slave is
   std::unique_ptr<Program> slave;
 
   void start(std::vector<std::string> options) {
-    options.insert(options.begin(), {BUS_SLAVE_PROGRAM, "vcan0", "1"});
+    options.insert(options.begin(), {BUS_SLAVE_PROGRAM, served_interface(), "1"});
     slave = std::make_unique<Program>(options, std::vector<std::string>{});
     ASSERT_TRUE(can.wait_for("701#00")) << slave->output();
   }

@@ -39,6 +39,7 @@ class FakePort final : public bus::Port {
   void accept_only(std::span<const bus::Filter> wanted) noexcept override {
     filters.assign(wanted.begin(), wanted.end());
   }
+  bool reopen() noexcept override { return true; }
 };
 
 }  // namespace fakes

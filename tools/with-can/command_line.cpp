@@ -8,12 +8,13 @@
 
 namespace with_can {
 
-const std::string_view kHelp = R"(usage: with-can [--bus PATH] [--bitrate N] [--] COMMAND [ARGUMENT...]
+const std::string_view kHelp = R"(usage: with-can [--bus PATH | --private] [--bitrate N] [--] COMMAND [ARGUMENT...]
 
 Runs COMMAND with CAN sockets on a bus in user space, where the kernel needs no CAN. COMMAND is any program that
 uses SocketCAN and is linked with the C library dynamically; scripts are, as their interpreters are.
 
   --bus PATH    the bus is at PATH (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /tmp/can-bus-UID)
+  --private     a new bus for COMMAND and whatever that starts, which find its path in $CAN_BUS
   --bitrate N   frames take the time that they take at N bit/s, 10000 to 1000000 (default: as the bus is;
                 a new one takes no time)
   --help        this text
@@ -78,6 +79,11 @@ Result read_command_line(std::span<char* const> words) {
     line.help = word == "--help";
     line.version = word == "--version";
     if (line.help || line.version) return line;
+    if (word == "--private") {
+      line.own_bus = true;
+      words = words.subspan(1);
+      continue;
+    }
     const ValueOption* const option = value_option(word);
     if (option == nullptr && word.starts_with('-') && word != "--")
       return tl::unexpected{fmt::format("unknown option {}", word)};
@@ -87,6 +93,8 @@ Result read_command_line(std::span<char* const> words) {
     }
     if (std::optional<std::string> error = take(*option, line, words)) return tl::unexpected{std::move(*error)};
   }
+  if (line.own_bus && !line.bus.empty())
+    return tl::unexpected{std::string{"expected --bus or --private, got both"}};
   if (line.command.empty()) return tl::unexpected{std::string{"expected a command to run"}};
   return line;
 }

@@ -13,6 +13,7 @@ namespace with_can {
 struct CommandLine {
   bool help = false;
   bool version = false;
+  bool own_bus = false;              ///< a new bus, which nobody else knows yet
   std::string bus;                   ///< path of the bus; empty: the default
   std::uint32_t bit_rate = 0;        ///< bit/s; 0: as the bus is
   std::span<char* const> command{};  ///< the program and its arguments, as execvp(3) takes them but for the end
@@ -23,8 +24,7 @@ inline constexpr std::uint32_t kLowestBitRate = 10'000;
 inline constexpr std::uint32_t kHighestBitRate = 1'000'000;
 
 /// Reads the words behind the program's name. What comes from the first word on that is no option of ours, or
-/// behind
-/// "--", is the command. The error is one line.
+/// behind "--", is the command. The error is one line.
 tl::expected<CommandLine, std::string> read_command_line(std::span<char* const> words);
 
 /// What --help prints.

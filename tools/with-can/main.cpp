@@ -3,6 +3,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <random>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -23,6 +24,14 @@ constexpr int kUsage = 2;
 int fail(int status, std::string_view message) {
   std::cerr << "with-can: " << message << '\n';
   return status;
+}
+
+/// A path that nobody uses; the hub removes it when its last member has left.
+std::string new_path() {
+  const char* const folder = std::getenv("XDG_RUNTIME_DIR");
+  std::random_device random;
+  return fmt::format("{}/can-bus-{}-{:08x}", folder != nullptr && *folder != '\0' ? folder : "/tmp", ::getpid(),
+                     random());
 }
 
 /// The path of the bus, from the root; longer than kLongestPath if that is what it is.
@@ -71,7 +80,7 @@ int start_bus(const std::string& bus, std::uint32_t bit_rate, const std::string&
 }
 
 int run(const CommandLine& line) {
-  const std::string bus = bus_path(line.bus);
+  const std::string bus = line.own_bus ? new_path() : bus_path(line.bus);
   if (bus.size() > userbus::kLongestPath)
     return fail(kUsage, fmt::format("the path of the bus has {} bytes, at most {} are possible: {}", bus.size(),
                                     userbus::kLongestPath, bus));
@@ -99,7 +108,7 @@ int main(int argc, char** argv) try {
   const auto line = with_can::read_command_line({argv + 1, static_cast<std::size_t>(argc - 1)});
   if (!line) {
     fail(kUsage, line.error());
-    std::cerr << "usage: with-can [--bus PATH] [--bitrate N] [--] COMMAND [ARGUMENT...]\n";
+    std::cerr << "usage: with-can [--bus PATH | --private] [--bitrate N] [--] COMMAND [ARGUMENT...]\n";
     return kUsage;
   }
   if (line->help) {
