@@ -26,6 +26,10 @@ int __wrap_getsockopt(int descriptor, int level, int name, void* value, socklen_
   return next().getsockopt(descriptor, level, name, value, length);
 }
 
+int __wrap_setsockopt(int descriptor, int level, int name, const void* value, socklen_t length) {
+  return next().setsockopt(descriptor, level, name, value, length);
+}
+
 int __wrap_getsockname(int descriptor, sockaddr* address, socklen_t* length) {
   return next().getsockname(descriptor, address, length);
 }

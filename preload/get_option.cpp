@@ -75,8 +75,6 @@ int give_socket(int descriptor, const Name& name, int number, const Room& room) 
       return give(AF_CAN, room);
     case SocketOption::Type:
       return give(raw ? SOCK_RAW : SOCK_DGRAM, room);
-    case SocketOption::Protocol:
-      return give(raw ? CAN_RAW : CAN_BCM, room);
     case SocketOption::Error:
       return give_error(descriptor, room);
     case SocketOption::Other:
@@ -104,5 +102,6 @@ PRELOAD_EXPORT int getsockopt(int descriptor, int level, int number, void* value
   if (level == SOL_SOCKET) return preload::give_socket(descriptor, name, number, {value, size});
   if (name.kind == userbus::Kind::BroadcastManager) return preload::failed(EOPNOTSUPP);
   if (level != SOL_CAN_RAW) return preload::failed(EINVAL);
+  if (name.kind == userbus::Kind::Down) return preload::failed(ENETDOWN);
   return preload::give_raw(descriptor, number, {value, size});
 }

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "preload/interface.hpp"
 #include "preload/next.hpp"
 
 namespace preload {
@@ -94,10 +93,7 @@ int join_bus(userbus::Kind kind, int flags) noexcept {
   }
   pthread_once(&hub_is_known, find_hub);
   const userbus::Joined joined = userbus::join(at.bus, hub_program, kind, flags);
-  if (joined.descriptor >= 0) {
-    note_hub_of(joined.descriptor);
-    return joined.descriptor;
-  }
+  if (joined.descriptor >= 0) return joined.descriptor;
   const int error = errno_of(joined.error);
   report(at, userbus::text_of(joined.error));
   errno = error;

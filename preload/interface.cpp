@@ -37,32 +37,37 @@ class Asker {
 /// interface with every frame.
 struct KnownName {
   std::atomic<uint64_t> words[2];
-  std::atomic<uint32_t> hub;  ///< whose name it is; 0: nobody's
+  std::atomic<pid_t> hub;  ///< whose name it is; 0: nobody's
 };
 
 constexpr int kMostKnown = 64;
 KnownName known_names[kMostKnown];
 
-std::atomic<uint32_t> hub_count{1};  // hubs that this process has met: the number of the present one
-std::atomic<pid_t> hub_process;
+/// The process that made the hub of CAN socket @p member; 0 if that cannot be told.
+pid_t hub_of(int member) noexcept {
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  return next().getsockopt(member, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 ? peer.pid : 0;
+}
 
 KnownName* known_name(int index) noexcept {
   return index >= kFirstIndex && index < kFirstIndex + kMostKnown ? &known_names[index - kFirstIndex] : nullptr;
 }
 
-bool remember(int index, char (&name)[IF_NAMESIZE]) noexcept {
+bool remember(int index, pid_t hub, char (&name)[IF_NAMESIZE]) noexcept {
   const KnownName* const known = known_name(index);
-  if (known == nullptr || known->hub != hub_count) return false;
+  if (known == nullptr || known->hub != hub) return false;
   const uint64_t words[] = {known->words[0], known->words[1]};
   memcpy(name, words, sizeof words);
-  return true;
+  return known->hub == hub;
 }
 
-void keep(int index, const char (&name)[IF_NAMESIZE], uint32_t hub) noexcept {
+void keep(int index, pid_t hub, const char (&name)[IF_NAMESIZE]) noexcept {
   KnownName* const known = known_name(index);
   if (known == nullptr) return;
   uint64_t words[2];
   memcpy(words, name, sizeof words);
+  known->hub = 0;
   known->words[0] = words[0];
   known->words[1] = words[1];
   known->hub = hub;
@@ -85,26 +90,19 @@ int index_of_interface(const char* name, int member) noexcept {
 }
 
 bool name_of_interface(int index, int member, char (&name)[IF_NAMESIZE]) noexcept {
-  if (member >= 0 && remember(index, name)) return true;
   const Asker asker{member};
   if (asker.descriptor() < 0) return false;
-  const uint32_t hub = hub_count;
+  const pid_t hub = hub_of(asker.descriptor());
+  if (hub != 0 && remember(index, hub, name)) return true;
   memset(name, 0, sizeof name);
   const userbus::Answer answer =
       ask(asker.descriptor(), userbus::Operation::InterfaceName, index, name, sizeof name - 1);
   if (answer.error == 0) {
-    keep(index, name, hub);
+    keep(index, hub, name);
     return true;
   }
   errno = answer.error;
   return false;
-}
-
-void note_hub_of(int member) noexcept {
-  ucred peer{};
-  socklen_t size = sizeof peer;
-  if (next().getsockopt(member, SOL_SOCKET, SO_PEERCRED, &peer, &size) != 0) return;
-  if (hub_process.exchange(peer.pid) != peer.pid) ++hub_count;
 }
 
 }  // namespace preload

@@ -19,7 +19,4 @@ int index_of_interface(const char* name, int member) noexcept;
 /// Writes the name of the hub's interface @p index, asked likewise; false, with errno, if there is none.
 bool name_of_interface(int index, int member, char (&name)[IF_NAMESIZE]) noexcept;
 
-/// Says that CAN socket @p member is on the hub that answers from now on. Another one may have other names.
-void note_hub_of(int member) noexcept;
-
 }  // namespace preload

@@ -24,7 +24,6 @@ struct SocketOptionNumber {
 constexpr SocketOptionNumber kSocketOptions[] = {
     {SO_DOMAIN, SocketOption::Domain},
     {SO_TYPE, SocketOption::Type},
-    {SO_PROTOCOL, SocketOption::Protocol},
     {SO_ERROR, SocketOption::Error},
     {SO_TIMESTAMP_OLD, SocketOption::SingleStamp},
     {SO_TIMESTAMPNS_OLD, SocketOption::SingleStamp},

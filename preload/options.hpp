@@ -16,7 +16,7 @@ struct RawOption {
 const RawOption* raw_option(int number) noexcept;
 
 /// What an option of level SOL_SOCKET that a CAN socket answers itself is about.
-enum class SocketOption : uint8_t { Domain, Type, Protocol, Error, SingleStamp, Stamping, CountDropped, Other };
+enum class SocketOption : uint8_t { Domain, Type, Error, SingleStamp, Stamping, CountDropped, Other };
 
 /// Which of them @p number is; Other is the kernel's.
 SocketOption socket_option(int number) noexcept;

@@ -73,6 +73,7 @@ int set_socket(int descriptor, const Name& name, int number, const Value& value)
   const bool ours = option == SocketOption::SingleStamp || option == SocketOption::Stamping ||
                     option == SocketOption::CountDropped;
   if (!ours) return next().setsockopt(descriptor, SOL_SOCKET, number, value.data, value.size);
+  if (name.kind == Kind::Down) return failed(ENETDOWN);
   if (value.size < sizeof(int)) return failed(EINVAL);
   if (option == SocketOption::Stamping && (value.number() & ~static_cast<int>(SOF_TIMESTAMPING_MASK)) != 0)
     return failed(EINVAL);
@@ -92,5 +93,6 @@ PRELOAD_EXPORT int setsockopt(int descriptor, int level, int number, const void*
   if (level == SOL_SOCKET) return preload::set_socket(descriptor, name, number, {value, size});
   if (name.kind == userbus::Kind::BroadcastManager) return preload::failed(EOPNOTSUPP);
   if (level != SOL_CAN_RAW) return preload::failed(EINVAL);
+  if (name.kind == userbus::Kind::Down) return preload::failed(ENETDOWN);
   return preload::set_raw(descriptor, number, {value, size});
 }

@@ -81,6 +81,7 @@ PRELOAD_EXPORT int bind(int descriptor, const sockaddr* address, socklen_t lengt
   userbus::Name name{};
   if (!preload::is_can(descriptor, name)) return next().bind(descriptor, address, length);
   if (name.kind == userbus::Kind::BroadcastManager) return preload::failed(EOPNOTSUPP);
+  if (name.kind == userbus::Kind::Down) return preload::failed(ENETDOWN);
   return preload::bind_raw(descriptor, address, length);
 }
 
