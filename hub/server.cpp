@@ -133,7 +133,8 @@ void Server::admit(bus::Descriptor socket, userbus::Kind kind) noexcept {
 }
 
 std::unique_ptr<Member> Server::make_member(bus::Descriptor socket, userbus::Kind kind) {
-  if (kind == userbus::Kind::Raw) return std::make_unique<RawMember>(core_, std::move(socket));
+  if (kind == userbus::Kind::Raw || kind == userbus::Kind::Port)
+    return std::make_unique<RawMember>(core_, std::move(socket), kind);
   if (kind == userbus::Kind::BroadcastManager) return std::make_unique<BroadcastMember>(core_, std::move(socket));
   return nullptr;
 }

@@ -50,7 +50,7 @@ Refusal already_served(const std::string& path, std::uint32_t running, std::opti
 
 /// Asks who serves @p path.
 std::optional<Refusal> find_server(const userbus::Path& path, std::optional<std::uint32_t> wanted) {
-  const userbus::Joined joined = userbus::join(path, nullptr, userbus::Kind::Raw, SOCK_CLOEXEC);
+  const userbus::Joined joined = userbus::join(path, nullptr, userbus::Kind::Port, SOCK_CLOEXEC);
   const bus::Descriptor member{joined.descriptor};
   if (!member && joined.error == userbus::JoinError::NotServed) return std::nullopt;
   if (!member) return in_use(path.text, userbus::text_of(joined.error));
