@@ -92,11 +92,11 @@ void Reception::on_time(canopen::TimePoint now) noexcept {
 void Reception::receive(const Passage& passage, canopen::TimePoint now) noexcept {
   if (passage.frame.can_id != settings_.can_id) return;
   timeout_due_ = canopen::kNever;
-  last_interface_ = settings_.interface_index != 0 ? settings_.interface_index : passage.interface_index;
   if (answers_remote_frames()) {
     answer_remote_frame(now);
     return;
   }
+  last_interface_ = settings_.interface_index != 0 ? settings_.interface_index : passage.interface_index;
   compare(passage.frame, now);
   if ((settings_.flags & RX_NO_AUTOTIMER) == 0 && settings_.first() != canopen::Duration::zero())
     timeout_due_ = now + settings_.first();
