@@ -10,7 +10,8 @@ namespace hub {
 
 using userbus::OptionName;
 
-RawMember::RawMember(Core& core, bus::Descriptor socket) : Member{core, std::move(socket), userbus::Kind::Raw} {
+RawMember::RawMember(Core& core, bus::Descriptor socket, userbus::Kind kind)
+    : Member{core, std::move(socket), kind} {
   core.medium.attach(*this);
 }
 

@@ -11,7 +11,7 @@ namespace hub {
 /// socket let through (net/can/raw.c).
 class RawMember final : public Member, public Participant {
  public:
-  RawMember(Core& core, bus::Descriptor socket);
+  RawMember(Core& core, bus::Descriptor socket, userbus::Kind kind);
   ~RawMember() override;
 
   void receive(const Passage& passage) noexcept override;

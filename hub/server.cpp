@@ -109,7 +109,8 @@ void Server::accept_members(TimePoint now) noexcept {
 void Server::admit(bus::Descriptor socket, userbus::Kind kind) noexcept {
   try {
     std::unique_ptr<Member> member;
-    if (kind == userbus::Kind::Raw) member = std::make_unique<RawMember>(core_, std::move(socket));
+    if (kind == userbus::Kind::Raw || kind == userbus::Kind::Port)
+      member = std::make_unique<RawMember>(core_, std::move(socket), kind);
     if (kind == userbus::Kind::BroadcastManager)
       member = std::make_unique<BroadcastMember>(core_, std::move(socket));
     timed_.reserve(timed_.size() + 1);

@@ -31,6 +31,8 @@ class Server final : public SourceList, private Watch {
 
   /// The wire, for sources that take part.
   Medium& medium() noexcept { return core_.medium; }
+  /// The names of the bus, likewise.
+  Interfaces& interfaces() noexcept { return core_.interfaces; }
 
   /// Serves until stop(), or until the end that Settings::on_demand asks for.
   void run() noexcept;

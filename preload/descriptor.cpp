@@ -40,7 +40,7 @@ void look_at_entries(int folder) noexcept {
 }  // namespace
 
 bool is_can(int descriptor, userbus::Name& name) noexcept {
-  return expects_can_sockets() && userbus::name_of(descriptor, name);
+  return expects_can_sockets() && userbus::name_of(descriptor, name) && name.kind != userbus::Kind::Port;
 }
 
 void expect_can_sockets() noexcept {

@@ -94,6 +94,7 @@ ssize_t send(int descriptor, const Name& name, const Parts& parts, int flags, co
       return send_frame(descriptor, name, parts, flags, to);
     case Kind::BroadcastManager:
       return send_broadcast(descriptor, name, parts, to);
+    case Kind::Port:  // never recognised as ours
     case Kind::Down:
       return failed(ENETDOWN);
   }

@@ -15,8 +15,8 @@ struct BusSlave : testing::Test {
   std::unique_ptr<Program> slave;
 
   void start(std::vector<std::string> options) {
-    options.insert(options.begin(), {BUS_SLAVE_PROGRAM, served_interface(), "1"});
-    slave = std::make_unique<Program>(options, std::vector<std::string>{});
+    options.insert(options.begin(), {BUS_SLAVE_PROGRAM, kTestInterface, "1"});
+    slave = std::make_unique<Program>(options, bus_environment());
     ASSERT_TRUE(can.wait_for("701#00")) << slave->output();
   }
 };
