@@ -53,10 +53,12 @@ bool is_trusted(int descriptor) noexcept {
 }
 
 /// On a bus with a bit rate frames wait for the bus, and a program shall learn soon that they do: the queue in the
-/// kernel becomes as short as it can be, a handful of frames.
+/// kernel becomes little longer than an interface's.
 void shorten_queue(int descriptor) noexcept {
-  const int least = 0;
-  setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &least, sizeof least);
+  constexpr int kFrames = 16;
+  constexpr int kFrameCost = 768;                  // what the kernel counts for a short message (bytes)
+  constexpr int kHalf = kFrames * kFrameCost / 2;  // it doubles what it is told
+  setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &kHalf, sizeof kHalf);
 }
 
 /// $CAN_BITRATE (bit/s), 0 if there is none.

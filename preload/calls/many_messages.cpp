@@ -2,8 +2,8 @@
 #include <errno.h>
 #include <time.h>
 
+#include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"
-#include "preload/exported.hpp"
 #include "preload/next.hpp"
 #include "preload/receive.hpp"
 #include "preload/send.hpp"

@@ -9,8 +9,8 @@
 #include <sys/ioctl.h>
 #include <time.h>
 
+#include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"
-#include "preload/exported.hpp"
 #include "preload/interface.hpp"
 #include "preload/next.hpp"
 #include "preload/state.hpp"

@@ -1,6 +1,6 @@
 // The calls that send: write, writev, send, sendto, sendmsg.
+#include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"
-#include "preload/exported.hpp"
 #include "preload/next.hpp"
 #include "preload/send.hpp"
 

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "preload/address.hpp"
+#include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"
-#include "preload/exported.hpp"
 #include "preload/hub.hpp"
 #include "preload/interface.hpp"
 #include "preload/next.hpp"

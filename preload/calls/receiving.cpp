@@ -2,8 +2,8 @@
 #include <errno.h>
 
 #include "preload/address.hpp"
+#include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"
-#include "preload/exported.hpp"
 #include "preload/next.hpp"
 #include "preload/receive.hpp"
 

@@ -3,8 +3,8 @@
 #include <linux/can/raw.h>
 #include <string.h>
 
+#include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"
-#include "preload/exported.hpp"
 #include "preload/hub.hpp"
 #include "preload/next.hpp"
 #include "preload/options.hpp"

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "preload/address.hpp"
+#include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"
-#include "preload/exported.hpp"
 #include "preload/hub.hpp"
 #include "preload/next.hpp"
 #include "preload/state.hpp"
