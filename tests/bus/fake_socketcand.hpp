@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
@@ -56,6 +55,21 @@ class SocketcandPeer {
   bus::Descriptor socket_;
 };
 
+/// A TCP socket that is bound to a free port of the loopback interface, which @p port becomes, and does not
+/// listen.
+inline bus::Descriptor bind_to_loopback(std::uint16_t& port) {
+  bus::Descriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof address;
+  auto* const common = reinterpret_cast<sockaddr*>(&address);
+  if (::bind(socket.get(), common, length) != 0 || ::getsockname(socket.get(), common, &length) != 0)
+    throw std::runtime_error{"cannot bind to the loopback interface"};
+  port = ntohs(address.sin_port);
+  return socket;
+}
+
 /// A server on the loopback interface that does what a test tells it to: one script a connection.
 class SocketcandServer {
  public:
@@ -78,16 +92,8 @@ class SocketcandServer {
 
  private:
   bus::Descriptor listen() {
-    bus::Descriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t length = sizeof address;
-    auto* const common = reinterpret_cast<sockaddr*>(&address);
-    if (::bind(socket.get(), common, length) != 0 || ::listen(socket.get(), 1) != 0 ||
-        ::getsockname(socket.get(), common, &length) != 0)
-      throw std::runtime_error{"cannot listen"};
-    port_ = ntohs(address.sin_port);
+    bus::Descriptor socket = bind_to_loopback(port_);
+    if (::listen(socket.get(), 1) != 0) throw std::runtime_error{"cannot listen"};
     return socket;
   }
   void serve(const std::vector<Script>& scripts) {
