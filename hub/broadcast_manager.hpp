@@ -25,6 +25,8 @@ class BroadcastManager final : public Participant {
 
   /// Takes part in @p medium until its end; what it has to tell goes to @p sink.
   BroadcastManager(Medium& medium, BroadcastSink& sink);
+  BroadcastManager(const BroadcastManager&) = delete;
+  BroadcastManager& operator=(const BroadcastManager&) = delete;
   ~BroadcastManager() override;
 
   /// Carries out @p message (a bcm_msg_head and its frames) for the interface @p interface_index, which exists, or

@@ -37,8 +37,9 @@ bus::Descriptor try_lock(const std::string& path) noexcept {
   }
 }
 
-void remove_lock(const std::string& path) noexcept {
-  unlink(lock_path(path).c_str());
+void remove_lock(const std::string& path, const bus::Descriptor& lock) noexcept {
+  const std::string name = lock_path(path);
+  if (is_still_at(lock.get(), name)) unlink(name.c_str());
 }
 
 }  // namespace hub

@@ -10,8 +10,8 @@ namespace hub {
 /// with another errno if there can be none.
 bus::Descriptor try_lock(const std::string& path) noexcept;
 
-/// Removes the lock file of the bus at @p path, which the caller has locked.
-void remove_lock(const std::string& path) noexcept;
+/// Removes the lock file of the bus at @p path if it is still the one that @p lock is.
+void remove_lock(const std::string& path, const bus::Descriptor& lock) noexcept;
 
 /// Name of the lock file of the bus at @p path.
 std::string lock_path(const std::string& path);

@@ -59,6 +59,12 @@ std::optional<Refusal> find_server(const userbus::Path& path, std::optional<std:
   return already_served(path.text, static_cast<std::uint32_t>(hello.value), wanted);
 }
 
+/// 0 if there is nothing.
+ino_t inode_at(const std::string& path) noexcept {
+  struct stat status {};
+  return lstat(path.c_str(), &status) == 0 ? status.st_ino : 0;
+}
+
 /// True if nobody answers at the socket @p path, whose hub must be dead.
 bool is_stale(const userbus::Path& path) noexcept {
   const bus::Descriptor probe{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
@@ -80,7 +86,7 @@ std::optional<Refusal> clear(const userbus::Path& path, std::optional<std::uint3
     return failed(path.text, "is left behind by a dead process and cannot be removed", errno);
   }
   // its lock file has been removed by somebody else, or it is no hub
-  if (const auto server = find_server(path, wanted)) return server;
+  if (auto server = find_server(path, wanted)) return server;
   return in_use(path.text, "is the socket of a program that is no canhub");
 }
 
@@ -120,7 +126,7 @@ tl::expected<PathOwner, Refusal> PathOwner::take_locked(const userbus::Path& pat
                                                         bus::Descriptor lock) {
   auto listener = listen_at(path, bit_rate);
   if (!listener) {
-    remove_lock(path.text);
+    remove_lock(path.text, lock);
     return tl::unexpected{std::move(listener.error())};
   }
   std::error_code ignored;
@@ -128,10 +134,11 @@ tl::expected<PathOwner, Refusal> PathOwner::take_locked(const userbus::Path& pat
 }
 
 PathOwner::PathOwner(std::string path, bus::Descriptor lock, bus::Descriptor listener) noexcept
-    : path_{std::move(path)}, lock_{std::move(lock)}, listener_{std::move(listener)} {}
+    : path_{std::move(path)}, inode_{inode_at(path_)}, lock_{std::move(lock)}, listener_{std::move(listener)} {}
 
 PathOwner::PathOwner(PathOwner&& other) noexcept
     : path_{std::exchange(other.path_, {})},
+      inode_{other.inode_},
       lock_{std::move(other.lock_)},
       listener_{std::move(other.listener_)} {}
 
@@ -139,17 +146,17 @@ PathOwner::~PathOwner() {
   release();
 }
 
-void PathOwner::sign() const noexcept {
-  const std::string text = std::to_string(getpid()) + '\n';
+void PathOwner::sign(pid_t process) const noexcept {
+  const std::string text = std::to_string(process) + '\n';
   if (ftruncate(lock_.get(), 0) == 0) [[maybe_unused]]
     const ssize_t written = pwrite(lock_.get(), text.data(), text.size(), 0);
 }
 
 void PathOwner::release() noexcept {
   if (path_.empty()) return;
-  unlink(path_.c_str());
+  if (inode_at(path_) == inode_) unlink(path_.c_str());  // not that of another hub, if somebody removed ours
   listener_ = bus::Descriptor{};
-  remove_lock(path_);
+  remove_lock(path_, lock_);
   lock_ = bus::Descriptor{};
   path_.clear();
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include <sys/types.h>
 #include <tl/expected.hpp>
 
 #include "bus/descriptor.hpp"
@@ -34,8 +35,8 @@ class PathOwner {
 
   /// The socket that listens; it does not block.
   [[nodiscard]] int listener() const noexcept { return listener_.get(); }
-  /// Writes the process identifier of the caller into the lock file, for people to read.
-  void sign() const noexcept;
+  /// Writes @p process, the hub, into the lock file, for people to read.
+  void sign(pid_t process) const noexcept;
   /// Gives the path up: whoever is waiting in the socket's backlog is told by the end of the connection, and
   /// starts the next hub.
   void release() noexcept;
@@ -46,6 +47,7 @@ class PathOwner {
   PathOwner(std::string path, bus::Descriptor lock, bus::Descriptor listener) noexcept;
 
   std::string path_;  // absolute: the hub may change its folder; empty = given up
+  ino_t inode_;       // of the socket there
   bus::Descriptor lock_;
   bus::Descriptor listener_;
 };

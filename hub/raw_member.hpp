@@ -12,6 +12,8 @@ namespace hub {
 class RawMember final : public Member, public Participant {
  public:
   RawMember(Core& core, bus::Descriptor socket);
+  RawMember(const RawMember&) = delete;
+  RawMember& operator=(const RawMember&) = delete;
   ~RawMember() override;
 
   void receive(const Passage& passage) noexcept override;

@@ -83,7 +83,7 @@ void Server::run() noexcept {
     timer_.wake_at(next_deadline());
     const TimePoint now = core_.poll.turn();
     on_time(now);
-    if (core_.anyone_departed) sweep(now);
+    if (core_.anyone_departed) sweep();
     end_if_lonely(now);
   }
 }
@@ -108,18 +108,21 @@ void Server::accept_members(TimePoint now) noexcept {
 
 void Server::admit(bus::Descriptor socket, userbus::Kind kind) noexcept {
   try {
-    std::unique_ptr<Member> member;
-    if (kind == userbus::Kind::Raw) member = std::make_unique<RawMember>(core_, std::move(socket));
-    if (kind == userbus::Kind::BroadcastManager)
-      member = std::make_unique<BroadcastMember>(core_, std::move(socket));
     timed_.reserve(timed_.size() + 1);
     core_.members.reserve(core_.members.size() + 1);
+    auto member = make_member(std::move(socket), kind);
     if (!member || !member->begin()) return;
     if (kind == userbus::Kind::BroadcastManager) timed_.push_back(member.get());
     core_.members.push_back(std::move(member));
   } catch (const std::exception&) {
-    // no memory: the program is told by the end of its connection
+    return;  // no memory: the program is told by the end of its connection
   }
+}
+
+std::unique_ptr<Member> Server::make_member(bus::Descriptor socket, userbus::Kind kind) {
+  if (kind == userbus::Kind::Raw) return std::make_unique<RawMember>(core_, std::move(socket));
+  if (kind == userbus::Kind::BroadcastManager) return std::make_unique<BroadcastMember>(core_, std::move(socket));
+  return nullptr;
 }
 
 /// A listening socket that polls readable and cannot be accepted from would keep the loop busy.
@@ -139,16 +142,17 @@ void Server::on_time(TimePoint now) noexcept {
   if (core_.medium.next_deadline() <= now) core_.medium.on_time(now);
   for (Member* const member : timed_)
     if (member->next_deadline() <= now) member->on_time(now);
-  // by number, since a source may take itself out
-  for (std::size_t i = 0; i < core_.sources.size(); ++i)
-    if (core_.sources[i]->next_deadline() <= now) core_.sources[i]->on_time(now);
+  for (std::size_t i = 0; i < core_.sources.size();) {
+    Source& source = *core_.sources[i++];  // by number, since a source may take itself out
+    if (source.next_deadline() <= now) source.on_time(now);
+  }
   if (listen_again_ <= now) {
     listen_again_ = canopen::kNever;
     if (!core_.poll.add(listener_, EPOLLIN, *this)) listen_again_ = now + kPause;
   }
 }
 
-void Server::sweep(TimePoint) noexcept {
+void Server::sweep() noexcept {
   const auto departed = [](const auto& member) { return member->departed(); };
   std::erase_if(timed_, [](const Member* member) { return member->departed(); });
   std::erase_if(core_.members, departed);

@@ -24,6 +24,8 @@ class Server final : public SourceList, private Watch {
   /// Serves @p listener, a listening AF_UNIX SOCK_SEQPACKET socket that does not block and outlives this;
   /// std::system_error if the kernel has no descriptors or memory left.
   Server(int listener, Settings settings);
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
   ~Server() override;
 
   void add(Source& source) override;
@@ -31,6 +33,8 @@ class Server final : public SourceList, private Watch {
 
   /// The wire, for sources that take part.
   Medium& medium() noexcept { return core_.medium; }
+  /// The names of the bus, likewise.
+  Interfaces& interfaces() noexcept { return core_.interfaces; }
 
   /// Serves until stop(), or until the end that Settings::on_demand asks for.
   void run() noexcept;
@@ -43,10 +47,11 @@ class Server final : public SourceList, private Watch {
   void on_events(std::uint32_t events, canopen::TimePoint now) noexcept override;
   void accept_members(canopen::TimePoint now) noexcept;
   void admit(bus::Descriptor socket, userbus::Kind kind) noexcept;
+  std::unique_ptr<Member> make_member(bus::Descriptor socket, userbus::Kind kind);
   void pause_listening(canopen::TimePoint now) noexcept;
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
   void on_time(canopen::TimePoint now) noexcept;
-  void sweep(canopen::TimePoint now) noexcept;
+  void sweep() noexcept;
   void end_if_lonely(canopen::TimePoint now) noexcept;
 
   Core core_;

@@ -23,7 +23,7 @@ bool is_valid(const bcm_timeval& interval) noexcept {
 }  // namespace
 
 can_frame Request::frame(std::size_t index) const noexcept {
-  can_frame frame;
+  can_frame frame{};
   std::memcpy(&frame, frames.data() + index * sizeof frame, sizeof frame);
   return frame;
 }
@@ -37,8 +37,7 @@ bool Outlet::send(const can_frame& frame, int interface_index, canopen::TimePoin
 }
 
 void Outlet::tell(Head head, std::span<const can_frame> frames, int interface_index) const noexcept {
-  std::array<std::byte, sizeof head + kMostFrames * sizeof(can_frame)>
-      message;  // NOLINT(*-member-init): filled below
+  std::array<std::byte, sizeof head + kMostFrames * sizeof(can_frame)> message{};
   head.nframes = static_cast<std::uint32_t>(frames.size());
   std::memcpy(message.data(), &head, sizeof head);
   if (!frames.empty()) std::memcpy(message.data() + sizeof head, frames.data(), frames.size_bytes());
@@ -59,8 +58,7 @@ canopen::Duration Settings::second() const noexcept {
 }
 
 Head Settings::head(std::uint32_t opcode) const noexcept {
-  Head head;
-  std::memset(&head, 0, sizeof head);  // the padding goes to the program, too
+  Head head{};
   head.opcode = opcode;
   head.flags = flags;
   head.count = count;

@@ -134,7 +134,7 @@ bool Reception::differs(const can_frame& frame, std::size_t index) const noexcep
 void Reception::take_content(const can_frame& frame, Last& last, canopen::TimePoint now) noexcept {
   last = {.frame = frame, .received = true, .held_back = true};
   const canopen::Duration throttle = settings_.second();
-  if (throttle == throttle.zero()) {
+  if (throttle == canopen::Duration::zero()) {
     tell_change(last);
     return;
   }

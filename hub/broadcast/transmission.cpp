@@ -16,7 +16,7 @@ int Transmission::set_up(const Request& request) {
   if ((settings_.flags & SETTIMER) != 0) {
     settings_.count = request.head.count;
     settings_.take_intervals(request.head);
-    if (settings_.first() == settings_.first().zero() && settings_.second() == settings_.second().zero())
+    if (settings_.first() == canopen::Duration::zero() && settings_.second() == canopen::Duration::zero())
       due_ = canopen::kNever;
   }
   if ((settings_.flags & STARTTIMER) != 0) settings_.flags |= TX_ANNOUNCE;
@@ -41,17 +41,17 @@ int Transmission::take_frames(const Request& request) {
 
 void Transmission::start(canopen::TimePoint now) noexcept {
   const canopen::Duration period = interval();
-  due_ = period == period.zero() ? canopen::kNever : now + period;
+  due_ = period == canopen::Duration::zero() ? canopen::kNever : now + period;
 }
 
 void Transmission::on_time(canopen::TimePoint now) noexcept {
   if (now < due_) return;
-  const bool counting = settings_.first() != canopen::Duration::zero() && settings_.count > 0;
+  const bool counting = settings_.first() > canopen::Duration::zero() && settings_.count > 0;
   if (counting || settings_.second() != canopen::Duration::zero()) send(now);
   if (counting && settings_.count == 0 && (settings_.flags & TX_COUNTEVT) != 0)
     outlet_.tell(settings_.head(TX_EXPIRED), {}, 0);
   const canopen::Duration period = interval();
-  due_ = period == period.zero() ? canopen::kNever : next_of_cycle(due_ + period, period, now);
+  due_ = period == canopen::Duration::zero() ? canopen::kNever : next_of_cycle(due_ + period, period, now);
 }
 
 /// A frame that the bus has no room for is lost: the cycle goes on with the next one.
@@ -63,7 +63,7 @@ void Transmission::send(canopen::TimePoint now) noexcept {
 
 /// Time to the next frame, zero if there is none.
 canopen::Duration Transmission::interval() const noexcept {
-  if (settings_.count > 0 && settings_.first() != canopen::Duration::zero()) return settings_.first();
+  if (settings_.count > 0 && settings_.first() > canopen::Duration::zero()) return settings_.first();
   return settings_.second();
 }
 

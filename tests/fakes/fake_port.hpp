@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "bus/port.hpp"
@@ -20,6 +21,9 @@ class FakePort final : public bus::Port {
   std::vector<bus::Filter> filters;    ///< as last asked for
   std::size_t calls = 0;               ///< of send()
   bus::ErrorState state = bus::ErrorState::Active;
+  bool down = false;           ///< the next receive() tells so
+  int polled = -1;             ///< descriptor that tests make readable
+  std::uint64_t reopened = 0;  ///< calls of reopen()
 
   bus::SendStatus send(const canopen::Frame& frame) noexcept override {
     const bus::SendStatus status = rule ? rule(calls) : bus::SendStatus::Sent;
@@ -28,6 +32,7 @@ class FakePort final : public bus::Port {
     return status;
   }
   bus::Received receive(canopen::Frame& frame) noexcept override {
+    if (std::exchange(down, false)) return {bus::Received::Down, state};
     if (arrived.empty()) return {bus::Received::Nothing, state};
     frame = arrived.front();
     arrived.pop_front();
@@ -35,11 +40,14 @@ class FakePort final : public bus::Port {
   }
   bus::ErrorState error_state() const noexcept override { return state; }
   std::uint64_t dropped() const noexcept override { return 0; }
-  int descriptor() const noexcept override { return -1; }
+  int descriptor() const noexcept override { return polled; }
   void accept_only(std::span<const bus::Filter> wanted) noexcept override {
     filters.assign(wanted.begin(), wanted.end());
   }
-  bool reopen() noexcept override { return true; }
+  bool reopen() noexcept override {
+    ++reopened;
+    return true;
+  }
 };
 
 }  // namespace fakes

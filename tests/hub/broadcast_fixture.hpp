@@ -67,7 +67,7 @@ class Told final : public hub::BroadcastSink {
     std::string text = std::string{kNames.at(last()->opcode)} + ' ' + text_of(about);
     text.back() = ':';  // in place of candump's #
     for (std::size_t i = 0; i < last()->nframes; ++i) {
-      can_frame frame;
+      can_frame frame{};
       std::memcpy(&frame, bytes_.data() + sizeof(bcm_msg_head) + i * sizeof frame, sizeof frame);
       text += ' ' + text_of(frame);
     }
@@ -83,7 +83,7 @@ class Told final : public hub::BroadcastSink {
 
 /// A broadcast manager on interface 1001 of a bus without bit time, a program beside it, and told time.
 class BroadcastFixture : public testing::Test {
- protected:
+ public:
   static constexpr int kIndex = 1001;
   using Texts = std::vector<std::string>;
 

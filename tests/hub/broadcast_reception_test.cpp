@@ -284,28 +284,4 @@ TEST_F(BroadcastReception, RefusesFewerFiltersThanItNames) {
   EXPECT_EQ(ask({.opcode = RX_DELETE, .id = "123"}), EINVAL);
 }
 
-TEST_F(BroadcastReception, SurvivesRandomMessages) {
-  const unsigned seed = told::seed();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random{seed};
-  const auto below = [&](unsigned limit) { return static_cast<std::uint32_t>(random() % limit); };
-  for (int i = 0; i < 20'000; ++i) {
-    std::vector<std::byte> bytes = told::message({.opcode = below(14),
-                                                  .id = random() % 2 == 0 ? "123" : "123#R",
-                                                  .flags = below(0x800),
-                                                  .frames = Texts(below(4), "123#0102"),
-                                                  .count = below(3),
-                                                  .first = std::chrono::microseconds{below(3) * 1000},
-                                                  .second = std::chrono::microseconds{below(3) * 1000}});
-    if (random() % 8 == 0) bytes.resize(random() % (bytes.size() + 1));
-    if (random() % 8 == 0 && !bytes.empty()) bytes[random() % bytes.size()] = static_cast<std::byte>(random());
-    manager.request(bytes, random() % 4 == 0 ? 0 : kIndex, now);
-    arrive(random() % 2 == 0 ? "123#01" : "123#R");
-    now += std::chrono::microseconds{below(2000)};
-    medium.on_time(now);
-    manager.on_time(now);
-  }
-  EXPECT_GT(told.texts.size(), 1000u);
-}
-
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "hub/path_owner.hpp"
 #include "hub/server.hpp"
+#include "tools/canhub/neighbours.hpp"
 #include "tools/canhub/options.hpp"
 #include "tools/canhub/signals.hpp"
 #include "tools/canhub/status.hpp"
@@ -39,7 +40,7 @@ void raise_descriptor_limit() noexcept {
 void serve(hub::PathOwner& owner, const canhub::Options& options) {
   hub::Server server{owner.listener(), {.bit_rate = options.bit_rate.value_or(0), .on_demand = options.on_demand}};
   const canhub::Signals signals{server};
-  owner.sign();
+  const canhub::Neighbours neighbours{server, options};
   if (!options.on_demand) std::cerr << "canhub: ready, serving " << options.path.text << std::endl;
   server.run();
   owner.release();  // before the members are told, so that they do not come back here
@@ -58,8 +59,10 @@ void leave_caller() noexcept {
 int serve_on_demand(hub::PathOwner& owner, const canhub::Options& options) {
   const pid_t child = fork();
   if (child < 0) throw std::system_error{errno, std::generic_category(), "fork"};
-  if (child > 0)
+  if (child > 0) {
+    owner.sign(child);
     std::_Exit(status_of(StartStatus::Served));  // the path is the child's: nothing is cleaned up here
+  }
   leave_caller();
   serve(owner, options);
   return status_of(StartStatus::Served);
@@ -76,6 +79,7 @@ int run(const canhub::Options& options) {
     return complain(refusal.text, options.on_demand ? refusal.status : StartStatus::Failed);
   }
   if (options.on_demand) return serve_on_demand(*owner, options);
+  owner->sign(getpid());
   serve(*owner, options);
   return EXIT_SUCCESS;
 }

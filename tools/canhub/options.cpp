@@ -47,6 +47,15 @@ userbus::Path path_of(const std::optional<std::string>& given) {
   return path;
 }
 
+bus::Address bridge_of(const std::string& text, const userbus::Path& path) {
+  auto address = bus::parse_address(text);
+  if (!address) throw UsageError{"--bridge: " + address.error()};
+  const auto* const other = std::get_if<bus::UserBusPath>(&address->place);
+  if (other != nullptr && other->path == path.text)
+    throw UsageError{fmt::format("--bridge: {} is the bus itself", text)};
+  return *std::move(address);
+}
+
 }  // namespace
 
 std::optional<Options> parse_command_line(int count, const char* const* words) {
@@ -54,6 +63,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   CLI::App app{kDescription, "canhub"};
   std::optional<std::string> path;
   std::optional<std::string> bit_rate;
+  std::vector<std::string> bridges;
   app.footer(kFooter);
   app.set_version_flag("--version", "canhub " AXISD_VERSION);
   app.add_option("--path", path,
@@ -63,7 +73,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
       ->type_name("N");
   app.add_flag("--on-demand", options.on_demand,
                "return when the bus is served; the hub ends 1 s after its last member has left");
-  app.add_option("--bridge", options.bridges, "another bus to be joined with this one; may be given several times")
+  app.add_option("--bridge", bridges, "another bus to be joined with this one; may be given several times")
       ->type_name("URL");
   app.add_option("--socketcand", options.socketcand, "serve clients of socketcand too")->type_name("HOST:PORT");
   app.add_flag("--status", options.status, "print what a running hub knows of its members, and exit");
@@ -76,6 +86,9 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   }
   options.path = path_of(path);
   if (bit_rate) options.bit_rate = bit_rate_of(*bit_rate);
+  if (options.on_demand && (!bridges.empty() || !options.socketcand.empty()))
+    throw UsageError{"--on-demand goes with neither --bridge nor --socketcand, whose failure nobody would see"};
+  for (const std::string& bridge : bridges) options.bridges.push_back(bridge_of(bridge, options.path));
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bus/address.hpp"
 #include "userbus/path.hpp"
 
 namespace canhub {
@@ -15,7 +16,7 @@ struct Options {
   userbus::Path path{};
   std::optional<std::uint32_t> bit_rate;  ///< bit/s; 0 = frames take no time
   bool on_demand = false;
-  std::vector<std::string> bridges;
+  std::vector<bus::Address> bridges;
   std::string socketcand;  ///< HOST:PORT, empty = none
   bool status = false;
 };

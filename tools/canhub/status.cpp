@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include "bus/descriptor.hpp"
 #include "userbus/join.hpp"
@@ -63,9 +64,11 @@ bool print_status(const userbus::Path& path, std::ostream& out, std::ostream& er
   const std::string rate = bus.bit_rate == 0 ? "no bit rate" : fmt::format("{} bit/s", bus.bit_rate);
   out << fmt::format("bus {}: {}, {} frames\n", path.text, rate, bus.frames);
   out << fmt::format(kRow, "member", "pid", "interface", "sent", "received", "dropped", "refused");
-  for (const MemberStatistics& row : rows)
+  for (const MemberStatistics& row : rows) {
+    if (row.process == getpid()) continue;  // who asks is a member too
     out << fmt::format(kRow, row.name, row.process, interface_of(member.get(), row.interface_index), row.sent,
                        row.received, row.dropped, row.refused);
+  }
   return true;
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hub/bridge.hpp"
+#include "hub/server.hpp"
+#include "hub/socketcand_server.hpp"
+#include "tools/canhub/options.hpp"
+
+namespace canhub {
+
+/// What takes part in a hub's bus beside its members: bridges to other buses and the clients of socketcand. Lines
+/// about them go to standard error.
+class Neighbours {
+ public:
+  /// Opens what @p options name; bus::OpenError, hub::SocketcandServer::ListenError or std::system_error.
+  Neighbours(hub::Server& server, const Options& options);
+  Neighbours(const Neighbours&) = delete;
+  Neighbours& operator=(const Neighbours&) = delete;
+  ~Neighbours();
+
+ private:
+  hub::Server& server_;
+  std::vector<std::unique_ptr<hub::Source>> sources_;
+};
+
+}  // namespace canhub
