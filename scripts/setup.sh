@@ -14,6 +14,8 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev
   # the CAN bus: candump and cansend, ip, and modprobe for the module vcan
   can-utils iproute2 kmod
+  # masters of the tests: python-can and what its udp_multicast needs; unshare for networks of their own
+  python3-can python3-msgpack util-linux
   # form and faults of the source
   clang-format clang-tidy
   # systemd-analyze, which checks the units
