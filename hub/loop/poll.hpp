@@ -40,7 +40,8 @@ class Poll {
   canopen::TimePoint turn() noexcept;
 
  private:
-  static constexpr int kEvents = 64;
+  /// Of one turn; few, so that timers are looked at often when all members send at once.
+  static constexpr int kEvents = 16;
 
   bus::Descriptor descriptor_;
   std::array<epoll_event, kEvents> events_{};
