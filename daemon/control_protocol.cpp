@@ -64,9 +64,9 @@ std::string runtime_directory() {
   return ::geteuid() == 0 ? "/run" : "/tmp";
 }
 
-std::string default_socket_path(std::string_view interface, int node) {
+std::string default_socket_path(std::string_view label, int node) {
   std::string path = runtime_directory();
-  path.append("/").append(kPrefix).append(interface).append("-").append(std::to_string(node)).append(kSuffix);
+  path.append("/").append(kPrefix).append(label).append("-").append(std::to_string(node)).append(kSuffix);
   return path;
 }
 

@@ -13,12 +13,13 @@ namespace {
 
 constexpr canopen::Duration kRepeatedLogPeriod = std::chrono::seconds{10};
 
-device::Configuration device_configuration(const Configuration& configuration) {
+device::Configuration device_configuration(const Configuration& configuration, const bus::Port& port) {
   const AxisConfiguration& axis = configuration.axes.front();
   device::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
                                .axis = {.machine = axis.machine, .load = axis.load},
                                .sdo_block = configuration.sdo_block,
-                               .fault_on_leaving_operational = configuration.fault_on_leaving_operational};
+                               .fault_on_leaving_operational = configuration.fault_on_leaving_operational,
+                               .remote_frames = port.carries_remote_frames()};
   for (const ParameterValue& parameter : axis.parameters)
     result.presets.push_back({parameter.number, parameter.value});
   return result;
@@ -34,7 +35,7 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
       lock_{state_root, configuration.address, configuration.node_id},
       bus_{bus::open(configuration.address)},
       loop_{*bus_.port, *this},
-      device_{device_configuration(configuration), loop_.queue(), *this},
+      device_{device_configuration(configuration, *bus_.port), loop_.queue(), *this},
       events_{[this] { stop(); }},
       load_torque_{configuration.axes.front().load.constant_torque} {
   loop_.watch(events_.descriptor());
@@ -43,6 +44,8 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
     control_.emplace(events_, control, [this](std::string_view line) { return answer_request(*this, line); });
   }
   log_receive_buffer();
+  if (!loop_.port().carries_remote_frames())
+    log_.notice("{} carries no remote frames: no node guarding, no life guarding", bus_name());
 }
 
 void Daemon::log_receive_buffer() const {
@@ -153,6 +156,13 @@ void Daemon::on_foreign_frame(std::uint32_t identifier) noexcept {
   foreign_logged_ = now;
   log_.warning("{}: identifier {:03X}h came from another station: duplicate node-ID {}?", bus_name(), identifier,
                configuration_.node_id);
+}
+
+void Daemon::on_life_guarding_withheld() noexcept {
+  if (withheld_logged_) return;
+  withheld_logged_ = true;
+  log_.warning("{}: life guarding (100Ch, 100Dh) is refused: the bus carries no remote frames; told once",
+               bus_name());
 }
 
 tl::expected<void, drive::FaultError> Daemon::raise(std::uint16_t number) noexcept {

@@ -57,6 +57,7 @@ class Daemon final : private device::Listener, private Station {
  private:
   void on_subscriptions_changed() noexcept override;
   void on_foreign_frame(std::uint32_t identifier) noexcept override;
+  void on_life_guarding_withheld() noexcept override;
 
   void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override {
     device_.on_frame(frame, now);
@@ -99,6 +100,7 @@ class Daemon final : private device::Listener, private Station {
   double load_torque_;
   std::uint64_t foreign_frames_ = 0;
   canopen::TimePoint foreign_logged_{};
+  bool withheld_logged_ = false;
   std::uint64_t skipped_seen_ = 0;
   canopen::TimePoint skipped_logged_{};
   std::uint64_t sent_before_boot_up_ = 0;

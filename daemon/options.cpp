@@ -40,13 +40,16 @@ int integer_of(const char* option, const std::string& text, const char* expected
 
 std::optional<Options> parse_command_line(int count, const char* const* words) {
   Options options;
-  CLI::App app{"Puts a simulated CANopen drive unit on a SocketCAN interface.", "axisd"};
+  CLI::App app{"Puts a simulated CANopen drive unit on a CAN bus.", "axisd"};
   std::string level = "info";
   std::optional<std::string> node_id;
   std::optional<std::string> axes;
   app.set_version_flag("--version", std::string{"axisd "} + kVersion);
   app.add_option("--config", options.config_file, "JSON configuration file")->type_name("FILE");
-  app.add_option("--interface", options.interface, "CAN interface (default: vcan0)")->type_name("IF");
+  app.add_option("--interface", options.interface,
+                 "CAN interface, unix:PATH, udp-multicast://GROUP:PORT[?interface=NAME] or "
+                 "socketcand://HOST:PORT/NAME (default: vcan0)")
+      ->type_name("IF");
   app.add_option("--node-id", node_id, "node-ID, 1 to 127 (default: 2)")->type_name("N");
   app.add_option("--axes", axes, "number of axes (default: 1)")->type_name("N");
   app.add_option("--state-directory", options.state_directory, "where the unit keeps its state")->type_name("DIR");

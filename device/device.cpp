@@ -37,6 +37,7 @@ constexpr std::array kInputs{object::kControlword, object::kTargetVelocity, obje
 canopen::Policy policy_of(const Configuration& configuration) noexcept {
   canopen::Policy policy = kPolicy;
   policy.sdo_block = configuration.sdo_block;
+  policy.remote_frames = configuration.remote_frames;
   return policy;
 }
 

@@ -27,6 +27,7 @@ struct Configuration {
   std::vector<ParameterPreset> presets{};    ///< existing, writable and within their limits
   bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
   bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
+  bool remote_frames = true;                 ///< false: the bus carries none, so there is no life guarding
 };
 
 /// What the unit tells the program around it. Called from within the functions of Device.
@@ -37,6 +38,8 @@ class Listener {
   virtual void on_subscriptions_changed() noexcept = 0;
   /// Another station has sent @p identifier, which belongs to this node-ID.
   virtual void on_foreign_frame(std::uint32_t identifier) noexcept = 0;
+  /// Life guarding was asked for and stays off (see device::Configuration::remote_frames).
+  virtual void on_life_guarding_withheld() noexcept {}
 };
 
 /// The drive unit as a CANopen node: one axis behind the objects of CiA 301 and CiA 402. It is fed frames and time
@@ -85,6 +88,7 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   void on_rpdo(std::uint16_t number) noexcept override;
   void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
+  void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_parameter_written() noexcept override { wake(); }
 

@@ -40,16 +40,25 @@ int delete_one(Operations& operations, const Request& request) noexcept {
   return 0;
 }
 
+/// Where in @p operations a new one goes, so that a frame is told in the kernel's order: first to those for all
+/// interfaces, and to the newest of each kind before the others.
+template <class Operations>
+auto place_of(Operations& operations, const Request& request) noexcept {
+  return std::find_if(operations.begin(), operations.end(), [&](const auto& operation) {
+    return request.interface_index == 0 || !operation->is_for_all_interfaces();
+  });
+}
+
 /// Sets up the operation that @p request names, which is made if there is none and @p has_room.
 template <class Operation>
 int set_up_one(std::vector<std::unique_ptr<Operation>>& operations, const broadcast::Outlet& outlet,
                const Request& request, bool has_room) {
   if (const auto found = find(operations, request); found != operations.end()) return (*found)->set_up(request);
   if (!has_room) return ENOMEM;
-  operations.reserve(operations.size() + 1);
   auto made = std::make_unique<Operation>(outlet, request);
+  operations.reserve(operations.size() + 1);
   const int error = made->set_up(request);
-  if (error == 0) operations.push_back(std::move(made));
+  if (error == 0) operations.insert(place_of(operations, request), std::move(made));
   return error;
 }
 

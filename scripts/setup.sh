@@ -25,9 +25,9 @@ build_packages=(
 test_packages=(
   # tests and benchmarks
   libgtest-dev libgmock-dev libbenchmark-dev
-  # ip, and modprobe for the module vcan
-  iproute2 kmod
-  # programs that meet the daemon on a bus
+  # ip, modprobe for the module vcan, and unshare for networks of their own
+  iproute2 kmod util-linux
+  # masters of the tests
   python3-can python3-msgpack
   # form and faults of the source
   clang-format clang-tidy

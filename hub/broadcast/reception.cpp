@@ -58,6 +58,8 @@ int Reception::set_up(const Request& request) {
 int Reception::take_filters(const Request& request) {
   const std::size_t count = request.head.nframes;
   if (count > 0 && !request.has_frame(count - 1)) return EFAULT;
+  const bool is_answer = (request.head.flags & RX_RTR_FRAME) != 0;
+  if (is_answer && request.frame(0).can_dlc > CAN_MAX_DLEN) return EINVAL;
   filters_.resize(count);
   for (std::size_t i = 0; i < count; ++i) filters_[i] = request.frame(i);
   std::fill_n(last_.begin(), std::min(count, last_.size()), Last{});
@@ -90,11 +92,11 @@ void Reception::on_time(canopen::TimePoint now) noexcept {
 void Reception::receive(const Passage& passage, canopen::TimePoint now) noexcept {
   if (passage.frame.can_id != settings_.can_id) return;
   timeout_due_ = canopen::kNever;
-  last_interface_ = settings_.interface_index != 0 ? settings_.interface_index : passage.interface_index;
   if (answers_remote_frames()) {
     answer_remote_frame(now);
     return;
   }
+  last_interface_ = settings_.interface_index != 0 ? settings_.interface_index : passage.interface_index;
   compare(passage.frame, now);
   if ((settings_.flags & RX_NO_AUTOTIMER) == 0 && settings_.first() != canopen::Duration::zero())
     timeout_due_ = now + settings_.first();

@@ -21,6 +21,7 @@ class Reception {
   /// Answers RX_READ.
   void read() const noexcept { outlet_.tell(settings_.head(RX_STATUS), filters_, last_interface_); }
 
+  [[nodiscard]] bool is_for_all_interfaces() const noexcept { return settings_.interface_index == 0; }
   [[nodiscard]] bool is_named_by(const Request& request) const noexcept { return settings_.is_named_by(request); }
   /// When on_time() is wanted.
   [[nodiscard]] canopen::TimePoint due() const noexcept { return std::min(timeout_due_, throttle_due_); }

@@ -25,17 +25,18 @@ int Transmission::set_up(const Request& request) {
   return 0;
 }
 
-/// Frames in front of one that is wrong are taken, as the kernel does.
+/// Takes all frames, or none if one is wrong.
 int Transmission::take_frames(const Request& request) {
   const std::size_t count = request.head.nframes;
-  if (frames_.size() < count) frames_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!request.has_frame(i)) return EFAULT;
-    frames_[i] = request.frame(i);
-    if (frames_[i].can_dlc > CAN_MAX_DLEN) return EINVAL;
-    if ((request.head.flags & TX_CP_CAN_ID) != 0) frames_[i].can_id = request.head.can_id;
+    if (request.frame(i).can_dlc > CAN_MAX_DLEN) return EINVAL;
   }
   frames_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    frames_[i] = request.frame(i);
+    if ((request.head.flags & TX_CP_CAN_ID) != 0) frames_[i].can_id = request.head.can_id;
+  }
   return 0;
 }
 

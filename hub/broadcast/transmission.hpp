@@ -18,6 +18,7 @@ class Transmission {
   /// Answers TX_READ.
   void read() const noexcept { outlet_.tell(settings_.head(TX_STATUS), frames_, 0); }
 
+  [[nodiscard]] bool is_for_all_interfaces() const noexcept { return settings_.interface_index == 0; }
   [[nodiscard]] bool is_named_by(const Request& request) const noexcept { return settings_.is_named_by(request); }
   /// When on_time() is wanted.
   [[nodiscard]] canopen::TimePoint due() const noexcept { return due_; }

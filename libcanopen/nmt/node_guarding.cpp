@@ -34,6 +34,9 @@ void NodeGuarding::reload() noexcept {
   heartbeat_ = stored(kProducerHeartbeatTime) != 0;
   life_time_ = life_time(stored(kGuardTime), stored(kLifeTimeFactor));
   toggle_ = false;
+  if (life_time_ == Duration{0} || context_.policy.remote_frames) return;
+  life_time_ = Duration{0};
+  context_.application.on_life_guarding_withheld();
 }
 
 void NodeGuarding::on_request() noexcept {
@@ -71,11 +74,17 @@ void NodeGuarding::on_timer() noexcept {
 }
 
 /// May @p entry become @p value, with the other two objects as they are?
-Result<void> NodeGuarding::check(const Entry& entry, std::int64_t value) const noexcept {
-  if (context_.policy.error_control_conflict != ErrorControlConflict::Refuse) return {};
+Result<void> NodeGuarding::check(const Entry& entry, std::int64_t value) noexcept {
   const auto after = [&](std::uint16_t index) { return entry.index == index ? value : stored(index); };
   const bool is_guarded = life_time(after(kGuardTime), after(kLifeTimeFactor)) != Duration{0};
-  return is_guarded && after(kProducerHeartbeatTime) != 0 ? refuse(AbortCode::InvalidValue) : Result<void>{};
+  if (is_guarded && !context_.policy.remote_frames && entry.index != kProducerHeartbeatTime) {
+    context_.application.on_life_guarding_withheld();
+    return refuse(AbortCode::DeviceState);
+  }
+  if (context_.policy.error_control_conflict != ErrorControlConflict::Refuse) return {};
+  return is_guarded && context_.policy.remote_frames && after(kProducerHeartbeatTime) != 0
+             ? refuse(AbortCode::InvalidValue)
+             : Result<void>{};
 }
 
 Result<void> NodeGuarding::write(const Entry& entry, std::int64_t value) {

@@ -23,14 +23,15 @@ class CANOPEN_EXPORT NodeGuarding final : public EntryOwner {
   /// The life time may be over.
   void on_timer() noexcept;
 
-  /// InvalidValue if the policy says Refuse and both life guarding and the heartbeat would be on.
+  /// InvalidValue if the policy says Refuse and both life guarding and the heartbeat would be on, DeviceState if
+  /// life guarding would be on where there are no remote frames.
   Result<void> write(const Entry& entry, std::int64_t value) override;
 
  private:
   enum class Life : std::uint8_t { Unwatched, Present, Lost };
 
   std::int64_t stored(std::uint16_t index) const noexcept;
-  Result<void> check(const Entry& entry, std::int64_t value) const noexcept;
+  Result<void> check(const Entry& entry, std::int64_t value) noexcept;
   void switch_heartbeat(bool on) noexcept;
   void set_life_time(Duration life_time) noexcept;
   void watch() noexcept;

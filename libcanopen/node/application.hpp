@@ -37,6 +37,9 @@ class CANOPEN_EXPORT Application {
   virtual void on_communication_recovery(CommunicationError error, std::uint16_t detail) noexcept {
     (void)error, (void)detail;
   }
+  /// 100Ch and 100Dh would switch on life guarding, but Policy::remote_frames says that no request can come: a
+  /// write was refused, or the values after a reset stay without effect.
+  virtual void on_life_guarding_withheld() noexcept {}
   /// The node @p node_id, monitored by 1016h, has told its NMT state for the first time, again after its silence,
   /// or another one than before; Initialising is its boot-up.
   virtual void on_heartbeat(std::uint8_t node_id, NmtState state) noexcept { (void)node_id, (void)state; }

@@ -38,6 +38,8 @@ struct Policy {
   UnknownCommand unknown_command = UnknownCommand::Ignore;
   ErrorControlConflict error_control_conflict = ErrorControlConflict::HeartbeatWins;
   ErrorKeeping error_keeping = ErrorKeeping::Library;
+  bool remote_frames = true;  ///< false: the bus carries none, so a write that would switch on life guarding is
+                              ///< refused with DeviceState, and stored values do not switch it on
   bool extended_identifiers = true;  ///< false: a COB-ID with the frame bit is refused with InvalidValue
 
   bool sdo_block = true;  ///< false: block transfer is refused with CommandSpecifierInvalid

@@ -54,7 +54,8 @@ class Told final : public hub::BroadcastSink {
  public:
   std::vector<std::string> texts;
   bcm_msg_head* last() { return reinterpret_cast<bcm_msg_head*>(bytes_.data()); }
-  int interface_index = -1;  ///< of the last one
+  int interface_index = -1;          ///< of the last one
+  std::vector<std::uint32_t> flags;  ///< of all
 
   void deliver(std::span<const std::byte> message, int index) noexcept override {
     constexpr std::array kNames{"?",         "TX_SETUP",   "TX_DELETE", "TX_READ",   "TX_SEND",
@@ -62,6 +63,7 @@ class Told final : public hub::BroadcastSink {
                                 "RX_STATUS", "RX_TIMEOUT", "RX_CHANGED"};
     bytes_.assign(message.begin(), message.end());
     interface_index = index;
+    flags.push_back(last()->flags);
     can_frame about{};
     about.can_id = last()->can_id;
     std::string text = std::string{kNames.at(last()->opcode)} + ' ' + text_of(about);

@@ -82,6 +82,14 @@ TEST_F(BroadcastManager, HoldsNoMoreOperationsThanAllowed) {
   EXPECT_EQ(ask({.opcode = TX_SETUP, .id = "00000000", .frames = {"123#"}}), 0);
 }
 
+TEST_F(BroadcastManager, RefusesFewerFiltersThanItNames) {
+  auto bytes = told::message({.opcode = RX_SETUP, .id = "123", .frames = {"123#FF"}});
+  reinterpret_cast<bcm_msg_head*>(bytes.data())->nframes = 2;
+
+  EXPECT_EQ(manager.request(bytes, kIndex, now), EFAULT);
+  EXPECT_EQ(ask({.opcode = RX_DELETE, .id = "123"}), EINVAL);
+}
+
 TEST_F(BroadcastManager, SurvivesRandomMessages) {
   const unsigned seed = told::seed();
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -231,6 +231,9 @@ TEST_F(BroadcastReception, AnswersRemoteFramesOnlyOnACertainInterface) {
 TEST_F(BroadcastReception, RefusesAnAnswerThatIsNone) {
   EXPECT_EQ(ask({.opcode = RX_SETUP, .id = "705", .flags = RX_RTR_FRAME, .frames = {"705#"}}), EINVAL);
   EXPECT_EQ(ask({.opcode = RX_SETUP, .id = "705#R", .flags = RX_RTR_FRAME}), EINVAL);
+  auto too_long = told::message({.opcode = RX_SETUP, .id = "705#R", .flags = RX_RTR_FRAME, .frames = {"705#"}});
+  too_long[sizeof(bcm_msg_head) + offsetof(can_frame, can_dlc)] = std::byte{9};
+  EXPECT_EQ(manager.request(too_long, kIndex, now), EINVAL);
   EXPECT_EQ(ask({.opcode = RX_SETUP, .id = "705#R", .flags = RX_RTR_FRAME, .frames = {"705#", "705#"}}), EINVAL);
 }
 
@@ -241,6 +244,18 @@ TEST_F(BroadcastReception, HearsAllInterfacesWithTheIndexOfTheSender) {
 
   EXPECT_EQ(told.take(), Texts{"RX_CHANGED 123: 123#01"});
   EXPECT_EQ(told.interface_index, kIndex);
+}
+
+TEST_F(BroadcastReception, TellsFirstThatOfAllInterfacesAndOfOthersTheNewest) {
+  ask({.opcode = RX_SETUP, .id = "123"});
+  EXPECT_EQ(manager.request(told::message({.opcode = RX_SETUP, .id = "123", .frames = {"123#FF"}}), 0, now), 0);
+  EXPECT_EQ(
+      manager.request(told::message({.opcode = RX_SETUP, .id = "123", .flags = RX_CHECK_DLC}), kIndex + 1, now),
+      0);
+
+  arrive("123#01");
+
+  EXPECT_EQ(told.flags, (std::vector<std::uint32_t>{0, RX_CHECK_DLC | RX_FILTER_ID, RX_FILTER_ID}));
 }
 
 TEST_F(BroadcastReception, HearsWhatItsOwnSocketSends) {
@@ -274,14 +289,6 @@ TEST_F(BroadcastReception, IsReadAndDeleted) {
   EXPECT_EQ(ask({.opcode = RX_READ, .id = "00000123"}), EINVAL);
   arrive("00000123#01");
   EXPECT_EQ(told.take(), Texts{});
-}
-
-TEST_F(BroadcastReception, RefusesFewerFiltersThanItNames) {
-  auto bytes = told::message({.opcode = RX_SETUP, .id = "123", .frames = {"123#FF"}});
-  reinterpret_cast<bcm_msg_head*>(bytes.data())->nframes = 2;
-
-  EXPECT_EQ(manager.request(bytes, kIndex, now), EFAULT);
-  EXPECT_EQ(ask({.opcode = RX_DELETE, .id = "123"}), EINVAL);
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ class RecordingApplication final : public canopen::Application {
   void on_reset(canopen::NmtCommand command) noexcept override {
     tell(told, "reset " + std::to_string(static_cast<int>(command)));
   }
+  void on_life_guarding_withheld() noexcept override { tell(told, "life guarding withheld"); }
   void on_rpdo(std::uint16_t number) noexcept override { tell(told, "RPDO " + std::to_string(number)); }
   void on_subscriptions_changed() noexcept override { ++subscription_changes; }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }

@@ -182,6 +182,44 @@ TEST_F(NodeWithoutGuarding, LeavesRequestsUnanswered) {
   EXPECT_EQ(std::ranges::count(wanted, canopen::Subscription{0x705, true}), 0);
 }
 
+// A bus that carries no remote frames.
+
+class GuardingWithoutRemoteFrames : public NodeGuarding {
+ protected:
+  GuardingWithoutRemoteFrames() : NodeGuarding{Policy{.remote_frames = false, .extended_identifiers = false}} {}
+};
+
+TEST_F(GuardingWithoutRemoteFrames, RefusesToSwitchOnLifeGuarding) {
+  start();
+  told();
+
+  EXPECT_EQ(writes_u16(0x100C, 0, 50), 0U);
+  EXPECT_EQ(writes_u8(0x100D, 0, 3), 0x08000022U);
+  EXPECT_EQ(told(), (Lines{"life guarding withheld"}));
+  EXPECT_EQ(writes_u16(0x100C, 0, 0), 0U);
+  EXPECT_EQ(writes_u8(0x100D, 0, 3), 0U);
+  EXPECT_EQ(writes_u16(0x100C, 0, 50), 0x08000022U);
+}
+
+TEST_F(GuardingWithoutRemoteFrames, LeavesStoredValuesWithoutEffect) {
+  store_value(0x100C, 0, 50);
+  store_value(0x100D, 0, 3);
+  start();
+
+  const Lines lines = told();
+  EXPECT_EQ(std::ranges::count(lines, "life guarding withheld"), 1);
+  says("705#R");
+  EXPECT_EQ(passes(1h), Lines{});
+  EXPECT_EQ(errors(), Lines{});
+}
+
+TEST_F(GuardingWithoutRemoteFrames, LeavesTheHeartbeatAlone) {
+  start();
+
+  EXPECT_EQ(writes_u16(0x1017, 0, 1000), 0U);
+  EXPECT_EQ(passes(1s).size(), 2U);
+}
+
 // Heartbeat and guarding at once.
 
 using HeartbeatThatWins = NodeGuarding;

@@ -72,6 +72,7 @@ TEST_F(Axisctl, ChoosesByInterfaceAndNodeWithTheDefaultForTheOther) {
            {"axisd-vcan0-3.sock", {"--node-id", "3", "quit"}},
            {"axisd-can1-2.sock", {"quit", "--interface", "can1"}},
            {"axisd-can1-3.sock", {"--interface=can1", "--node-id=3", "quit"}},
+           {"axisd-unix-bus-bd35932a-2.sock", {"--interface", "unix:/tmp/bus", "quit"}},
            {"other", {"--socket", folder.path("other"), "--node-id", "3", "quit"}}}) {
     ControlServer wanted{folder.path(file), kDone};
     ControlServer another{folder.path("axisd-vcan1-127.sock"), kDone};
@@ -82,6 +83,15 @@ TEST_F(Axisctl, ChoosesByInterfaceAndNodeWithTheDefaultForTheOther) {
     std::filesystem::remove(folder.path("axisd-vcan1-127.sock"));
     std::filesystem::remove(folder.path(file));
   }
+}
+
+TEST_F(Axisctl, SaysWhatAnInterfaceIs) {
+  const Finished run_ = run({"--interface", "tcp://host", "quit"});
+
+  EXPECT_EQ(run_.status, 2);
+  EXPECT_EQ(run_.errors,
+            "axisctl: --interface: expected a name of 1 to 15 characters without spaces, unix:PATH, "
+            "udp-multicast://GROUP:PORT[?interface=NAME] or socketcand://HOST:PORT/NAME, got \"tcp://host\"\n");
 }
 
 TEST_F(Axisctl, SaysThatNoDaemonAnswers) {

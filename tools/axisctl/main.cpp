@@ -1,11 +1,13 @@
 #include <exception>
 #include <iostream>
 #include <list>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "bus/address.hpp"
 #include "tools/axisctl/client.hpp"
 #include "tools/axisctl/command.hpp"
 #include "tools/axisctl/socket_choice.hpp"
@@ -22,6 +24,7 @@ constexpr int kHighestNode = 127;
 /// What the command line asks for.
 struct Invocation {
   axisctl::Address address;
+  std::optional<std::string> interface;
   bool json = false;
   const Command* command = nullptr;
   std::vector<std::string> words;
@@ -30,7 +33,8 @@ struct Invocation {
 void add_options(CLI::App& app, Invocation& invocation) {
   app.set_version_flag("--version", "axisctl " AXISD_VERSION);
   app.add_option("--socket", invocation.address.socket, "Control socket of the daemon")->type_name("PATH");
-  app.add_option("--interface", invocation.address.interface, "CAN interface of the daemon (default vcan0)")
+  app.add_option("--interface", invocation.interface,
+                 "Interface of the daemon, a name or a URL as it was told (default vcan0)")
       ->type_name("IF");
   app.add_option("--node-id", invocation.address.node, "Node-ID of the daemon (default 2)")
       ->check(CLI::Range(1, kHighestNode))
@@ -72,10 +76,16 @@ int usage_error(const std::string& message) {
   return kUsage;
 }
 
-int run(const Invocation& invocation) {
+int run(Invocation& invocation) {
   const Command& command = *invocation.command;
   const auto parameters = command.parameters(invocation.words);
   if (!parameters) return usage_error(parameters.error());
+  if (invocation.interface) {
+    const auto address = bus::parse_address(*invocation.interface);
+    if (!address)
+      return usage_error("--interface: expected " + address.error() + ", got \"" + *invocation.interface + '"');
+    invocation.address.label = bus::label(*address);
+  }
   const auto path = axisctl::choose_socket(invocation.address);
   if (!path) {
     std::string message = "several daemons run; choose one with --socket, or --interface and --node-id:";

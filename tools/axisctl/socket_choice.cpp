@@ -27,12 +27,12 @@ std::vector<std::string> present_sockets() {
 
 tl::expected<std::string, std::vector<std::string>> choose_socket(const Address& address) {
   if (address.socket) return *address.socket;
-  if (!address.interface && !address.node) {
+  if (!address.label && !address.node) {
     std::vector<std::string> present = present_sockets();
     if (present.size() == 1) return present.front();
     if (present.size() > 1) return tl::unexpected{std::move(present)};
   }
-  return control::default_socket_path(address.interface.value_or(std::string{control::kDefaultInterface}),
+  return control::default_socket_path(address.label.value_or(std::string{control::kDefaultInterface}),
                                       address.node.value_or(control::kDefaultNode));
 }
 

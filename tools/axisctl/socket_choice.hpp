@@ -10,9 +10,9 @@ namespace axisctl {
 
 /// What the command line says of the daemon to talk to.
 struct Address {
-  std::optional<std::string> socket;     ///< path of the control socket; the rest is then of no account
-  std::optional<std::string> interface;  ///< CAN interface of the daemon
-  std::optional<int> node;               ///< its node-ID, 1..127
+  std::optional<std::string> socket;  ///< path of the control socket; the rest is then of no account
+  std::optional<std::string> label;   ///< bus::label() of the daemon's interface
+  std::optional<int> node;            ///< its node-ID, 1..127
 };
 
 /// Path of the control socket that @p address means, or all that it could mean if there are several.

@@ -8,7 +8,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "hub/path_owner.hpp"
+#include "hub/path/path_owner.hpp"
 #include "hub/server.hpp"
 #include "tools/canhub/neighbours.hpp"
 #include "tools/canhub/options.hpp"

@@ -1,4 +1,4 @@
-#include "hub/path_owner.hpp"
+#include "hub/path/path_owner.hpp"
 
 #include <cerrno>
 #include <chrono>
@@ -13,8 +13,8 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include "hub/clock.hpp"
-#include "hub/path_lock.hpp"
+#include "hub/loop/clock.hpp"
+#include "hub/path/path_lock.hpp"
 #include "userbus/join.hpp"
 #include "userbus/request.hpp"
 
@@ -86,7 +86,7 @@ std::optional<Refusal> clear(const userbus::Path& path, std::optional<std::uint3
     return failed(path.text, "is left behind by a dead process and cannot be removed", errno);
   }
   // its lock file has been removed by somebody else, or it is no hub
-  if (const auto server = find_server(path, wanted)) return server;
+  if (auto server = find_server(path, wanted)) return server;
   return in_use(path.text, "is the socket of a program that is no canhub");
 }
 

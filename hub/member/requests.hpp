@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hub/core.hpp"
-#include "hub/member.hpp"
+#include "hub/member/member.hpp"
 #include "libcanopen/base/time.hpp"
 
 namespace hub {

@@ -1,7 +1,6 @@
-#include "hub/broadcast_member.hpp"
+#include "hub/member/broadcast_member.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -34,8 +33,8 @@ void BroadcastMember::deliver(std::span<const std::byte> message, int interface_
   trailer.interface_index = interface_index;
   trailer.time_ns = real_time();
   trailer.dropped = dropped();
-  std::array<std::byte, userbus::kLongestMessage> room;
-  std::ranges::copy(message, room.begin());
+  std::byte room[userbus::kLongestMessage];
+  std::ranges::copy(message, room);
   std::memcpy(&room[message.size()], &trailer, sizeof trailer);
   Member::deliver(std::span{room}.first(message.size() + sizeof trailer));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hub/broadcast_manager.hpp"
-#include "hub/member.hpp"
+#include "hub/member/member.hpp"
 
 namespace hub {
 

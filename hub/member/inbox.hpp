@@ -42,7 +42,7 @@ class Inbox {
     iovec part;
   };
 
-  std::array<Room, kBatch> rooms_;
+  std::array<Room, kBatch> rooms_{};
   std::array<mmsghdr, kBatch> headers_{};
 };
 

@@ -8,7 +8,7 @@
 
 #include "bus/descriptor.hpp"
 #include "hub/core.hpp"
-#include "hub/outbox.hpp"
+#include "hub/member/outbox.hpp"
 #include "userbus/name.hpp"
 
 namespace hub {
@@ -19,6 +19,8 @@ class Member : public Watch {
  public:
   /// Takes over @p socket, which accept(2) gave.
   Member(Core& core, bus::Descriptor socket, userbus::Kind kind);
+  Member(const Member&) = delete;
+  Member& operator=(const Member&) = delete;
   ~Member() override;
 
   /// Begins to read; false if the kernel has no memory for that.

@@ -1,9 +1,9 @@
-#include "hub/poll.hpp"
+#include "hub/loop/poll.hpp"
 
 #include <cerrno>
 #include <system_error>
 
-#include "hub/clock.hpp"
+#include "hub/loop/clock.hpp"
 
 namespace hub {
 

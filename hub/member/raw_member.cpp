@@ -1,4 +1,4 @@
-#include "hub/raw_member.hpp"
+#include "hub/member/raw_member.hpp"
 
 #include <cerrno>
 #include <new>

@@ -1,4 +1,4 @@
-#include "hub/requests.hpp"
+#include "hub/member/requests.hpp"
 
 #include <array>
 #include <cerrno>
@@ -32,7 +32,7 @@ class Payload {
   [[nodiscard]] std::span<std::byte> bytes() noexcept { return std::span{bytes_}.first(size_); }
 
  private:
-  std::array<std::byte, userbus::kLongestMessage - sizeof(userbus::Reply)> bytes_;
+  std::array<std::byte, userbus::kLongestMessage - sizeof(userbus::Reply)> bytes_{};
   std::size_t size_ = 0;
 };
 
@@ -84,7 +84,7 @@ Result set_option(const Call& call) noexcept {
 }
 
 Result set_filters(const Call& call) noexcept {
-  std::array<can_filter, CAN_RAW_FILTER_MAX> filters;
+  std::array<can_filter, CAN_RAW_FILTER_MAX> filters{};
   const std::span<const std::byte> payload = call.payload;
   if (payload.size() > sizeof filters || payload.size() % sizeof(can_filter) != 0) return {.error = EINVAL};
   if (!payload.empty()) std::memcpy(filters.data(), payload.data(), payload.size());

@@ -43,7 +43,7 @@ class Poll {
   static constexpr int kEvents = 64;
 
   bus::Descriptor descriptor_;
-  std::array<epoll_event, kEvents> events_;
+  std::array<epoll_event, kEvents> events_{};
   int found_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "hub/inbox.hpp"
+#include "hub/member/inbox.hpp"
 
 #include <cstring>
 

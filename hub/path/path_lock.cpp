@@ -1,4 +1,4 @@
-#include "hub/path_lock.hpp"
+#include "hub/path/path_lock.hpp"
 
 #include <cerrno>
 

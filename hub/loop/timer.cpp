@@ -1,4 +1,4 @@
-#include "hub/timer.hpp"
+#include "hub/loop/timer.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bus/descriptor.hpp"
-#include "hub/poll.hpp"
+#include "hub/loop/poll.hpp"
 #include "libcanopen/base/time.hpp"
 
 namespace hub {

@@ -1,11 +1,11 @@
-#include "hub/member.hpp"
+#include "hub/member/member.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
-#include "hub/requests.hpp"
+#include "hub/member/requests.hpp"
 
 namespace hub {
 

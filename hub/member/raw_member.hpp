@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "hub/filter_set.hpp"
-#include "hub/member.hpp"
+#include "hub/member/filter_set.hpp"
+#include "hub/member/member.hpp"
 
 namespace hub {
 
@@ -12,6 +12,8 @@ namespace hub {
 class RawMember final : public Member, public Participant {
  public:
   RawMember(Core& core, bus::Descriptor socket, userbus::Kind kind);
+  RawMember(const RawMember&) = delete;
+  RawMember& operator=(const RawMember&) = delete;
   ~RawMember() override;
 
   void receive(const Passage& passage) noexcept override;

@@ -1,7 +1,6 @@
-#include "hub/outbox.hpp"
+#include "hub/member/outbox.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -19,7 +18,7 @@ void Outbox::send(std::span<const std::byte> message) noexcept {
 }
 
 void Outbox::flush() noexcept {
-  std::array<std::byte, userbus::kLongestMessage> room;
+  std::byte room[userbus::kLongestMessage];
   while (!empty()) {
     Length length = 0;
     get(std::as_writable_bytes(std::span{&length, 1}), 0);
