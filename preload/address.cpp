@@ -1,6 +1,6 @@
 #include "preload/address.hpp"
 
-#include <string.h>
+#include <cstring>
 
 namespace preload {
 

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstddef>
+
 #include <linux/can.h>
-#include <stddef.h>
 #include <sys/socket.h>
 
 namespace preload {

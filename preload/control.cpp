@@ -1,6 +1,6 @@
 #include "preload/control.hpp"
 
-#include <string.h>
+#include <cstring>
 
 namespace preload {
 

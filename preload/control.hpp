@@ -1,6 +1,7 @@
 #pragma once
 
-#include <stddef.h>
+#include <cstddef>
+
 #include <sys/socket.h>
 
 namespace preload {

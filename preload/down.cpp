@@ -1,8 +1,8 @@
 #include "preload/down.hpp"
 
+#include <cerrno>
 #include <initializer_list>
 
-#include <errno.h>
 #include <fcntl.h>
 #include <sys/random.h>
 #include <sys/socket.h>

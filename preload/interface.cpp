@@ -1,9 +1,8 @@
 #include "preload/interface.hpp"
 
 #include <atomic>
-
-#include <errno.h>
-#include <string.h>
+#include <cerrno>
+#include <cstring>
 
 #include "preload/hub.hpp"
 #include "userbus/interface_name.hpp"

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstdint>
+
 #include <net/if.h>
-#include <stdint.h>
 #include <sys/socket.h>
 #include <sys/types.h>
 #include <sys/uio.h>

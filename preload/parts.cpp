@@ -1,6 +1,6 @@
 #include "preload/parts.hpp"
 
-#include <string.h>
+#include <cstring>
 
 namespace preload {
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <stddef.h>
+#include <cstddef>
+
 #include <sys/uio.h>
 
 namespace preload {

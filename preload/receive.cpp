@@ -1,7 +1,7 @@
 #include "preload/receive.hpp"
 
-#include <errno.h>
-#include <string.h>
+#include <cerrno>
+#include <cstring>
 
 #include "preload/address.hpp"
 #include "preload/control.hpp"

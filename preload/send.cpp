@@ -1,6 +1,7 @@
 #include "preload/send.hpp"
 
-#include <errno.h>
+#include <cerrno>
+
 #include <fcntl.h>
 #include <linux/can.h>
 #include <linux/can/bcm.h>

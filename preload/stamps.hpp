@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstdint>
+
 #include <linux/net_tstamp.h>
-#include <stdint.h>
 #include <sys/socket.h>
 
 namespace preload {

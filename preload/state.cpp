@@ -1,8 +1,7 @@
 #include "preload/state.hpp"
 
 #include <atomic>
-
-#include <errno.h>
+#include <cerrno>
 
 #include "preload/hub.hpp"
 
@@ -13,13 +12,13 @@ namespace {
 /// What is remembered of the socket at one descriptor. Nobody ever waits for another, since a call may come from a
 /// signal handler: who finds a memory being written does without.
 struct Memory {
-  std::atomic<bool> busy;        ///< somebody is writing
   std::atomic<uint64_t> number;  ///< the socket's, from its name; 0 = the rest means nothing
   std::atomic<uint32_t> change;  ///< the last one when the hub was asked
   std::atomic<int32_t> interface_index;
+  std::atomic<uint32_t> stamps;
   std::atomic<bool> has_bit_rate;
   std::atomic<bool> counts_dropped;
-  std::atomic<uint32_t> stamps;
+  std::atomic<bool> busy;          ///< somebody is writing
   std::atomic<uint64_t> receiver;  ///< number of the socket that last_received is of
   std::atomic<int64_t> last_received;
 };

@@ -1,9 +1,10 @@
 #include "userbus/join.hpp"
 
-#include <errno.h>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
 #include <fcntl.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/random.h>
 #include <unistd.h>
 
@@ -29,7 +30,7 @@ int named_socket(Kind kind, int flags) noexcept {
   for (;;) {
     uint64_t number = 0;
     if (getrandom(&number, sizeof number, 0) != sizeof number) break;
-    sockaddr_un name;
+    sockaddr_un name{};
     const socklen_t length = make_name(kind, number, name);
     if (bind(descriptor, reinterpret_cast<const sockaddr*>(&name), length) == 0) return descriptor;
     if (errno != EADDRINUSE) break;

@@ -1,7 +1,7 @@
 #include "userbus/name.hpp"
 
-#include <errno.h>
-#include <string.h>
+#include <cerrno>
+#include <cstring>
 
 namespace userbus {
 
@@ -33,7 +33,7 @@ socklen_t make_name(Kind kind, uint64_t number, sockaddr_un& address) noexcept {
   memcpy(at, kNamePrefix, kPrefixLength);
   at += kPrefixLength;
   const char* const word = kKindNames[static_cast<size_t>(kind)];
-  memcpy(at, word, strlen(word));
+  memcpy(at, word, strlen(word));  // NOLINT(bugprone-not-null-terminated-result): the name has no zero
   at += strlen(word);
   *at++ = '/';
   for (size_t i = 0; i < kNameDigits; ++i)

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include <linux/can.h>
 #include <linux/can/bcm.h>
 #include <linux/can/raw.h>
-#include <stddef.h>
-#include <stdint.h>
 
 /// What goes over the socket between the hub of a user-space CAN bus and one member of it
 /// (docs/user-space-bus.md).
@@ -31,8 +32,8 @@ inline constexpr size_t kLongestPath = 107;
 enum class Kind : uint8_t {
   Raw,               ///< "raw": CAN_RAW
   BroadcastManager,  ///< "bcm": CAN_BCM
-  Port,              ///< "port": as Raw, of a program that knows these messages; the preload library leaves it alone
-  Down,              ///< "down": no member any more; stands in for a socket whose hub has gone
+  Port,  ///< "port": as Raw, of a program that knows these messages; the preload library leaves it alone
+  Down,  ///< "down": no member any more; stands in for a socket whose hub has gone
 };
 inline constexpr const char* kKindNames[] = {"raw", "bcm", "port", "down"};
 

@@ -1,8 +1,9 @@
 #include "userbus/request.hpp"
 
-#include <errno.h>
+#include <cerrno>
+#include <cstring>
+
 #include <poll.h>
-#include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -67,6 +68,7 @@ Answer take_reply(int descriptor, void* reply, size_t room) noexcept {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): two buffers, and libc only: no span
 Answer ask(int descriptor, Operation operation, int value, const void* payload, size_t size, void* reply,
            size_t room) noexcept {
   int ends[2];
@@ -76,7 +78,7 @@ Answer ask(int descriptor, Operation operation, int value, const void* payload, 
   msghdr message{};
   message.msg_iov = parts;
   message.msg_iovlen = 2;
-  Ancillary ancillary;
+  Ancillary ancillary{};
   carry(message, ancillary, ends[1]);
   const int error = send_request(descriptor, message);
   close(ends[1]);  // so that the end of the hub is the end of the wait

@@ -1,37 +1,36 @@
 #include "userbus/start_hub.hpp"
 
-#include <errno.h>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
 #include <fcntl.h>
 #include <sched.h>
-#include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace userbus {
 
 namespace {
 
-constexpr size_t kStackSize = 32 * 1024;
+constexpr size_t kStackSize = size_t{32} * 1024;
+constexpr size_t kStackAlignment = 16;
 constexpr int kCannotExecute = 127;
 
 /// What the processes between the caller and the hub need; they share the caller's memory.
 struct Start {
   char* const* words;
   char** environment;
-  int error;                   ///< errno of execve
-  char middle[kStackSize];     ///< stack of the process that waits
-  char innermost[kStackSize];  ///< stack of the process that becomes the hub
+  int error;                                            ///< errno of execve
+  alignas(kStackAlignment) char middle[kStackSize];     ///< stack of the process that waits
+  alignas(kStackAlignment) char innermost[kStackSize];  ///< stack of the process that becomes the hub
 };
 
-/// The end of a stack, which grows downwards, as the machine wants it aligned.
+/// The end of a stack, which grows downwards.
 void* top_of(char (&stack)[kStackSize]) noexcept {
-  constexpr uintptr_t kAlignment = 16;
-  return reinterpret_cast<void*>(reinterpret_cast<uintptr_t>(stack + kStackSize) / kAlignment * kAlignment);
+  return stack + kStackSize;
 }
 
 void reset_signals() noexcept {

@@ -1,8 +1,9 @@
 // getsockname, if_nametoindex, if_indextoname, if_nameindex: which interface a socket or a number means.
-#include <errno.h>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
 #include <net/if.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "preload/address.hpp"
 #include "preload/calls/exported.hpp"

@@ -1,7 +1,8 @@
 // getsockopt: what a CAN socket tells a program of itself.
-#include <errno.h>
+#include <cerrno>
+#include <cstring>
+
 #include <linux/can/raw.h>
-#include <string.h>
 
 #include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"

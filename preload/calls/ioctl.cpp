@@ -1,13 +1,14 @@
 // ioctl: what programs ask of interfaces and of the last message.
-#include <errno.h>
+#include <cerrno>
+#include <cstdarg>
+#include <cstring>
+#include <ctime>
+
 #include <linux/can.h>
 #include <linux/sockios.h>
 #include <net/if.h>
 #include <net/if_arp.h>
-#include <stdarg.h>
-#include <string.h>
 #include <sys/ioctl.h>
-#include <time.h>
 
 #include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"

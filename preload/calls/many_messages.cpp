@@ -1,6 +1,6 @@
 // recvmmsg, sendmmsg: several messages in one call.
-#include <errno.h>
-#include <time.h>
+#include <cerrno>
+#include <ctime>
 
 #include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"

@@ -1,5 +1,5 @@
 // The calls that receive: read, readv, recv, recvfrom, recvmsg, and what a fortified program calls in their place.
-#include <errno.h>
+#include <cerrno>
 
 #include "preload/address.hpp"
 #include "preload/calls/exported.hpp"

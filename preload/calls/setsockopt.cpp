@@ -1,7 +1,8 @@
 // setsockopt: what a program wants of a CAN socket. It returns when the hub has applied it.
-#include <errno.h>
+#include <cerrno>
+#include <cstring>
+
 #include <linux/can/raw.h>
-#include <string.h>
 
 #include "preload/calls/exported.hpp"
 #include "preload/descriptor.hpp"

@@ -1,7 +1,8 @@
 // socket, bind, connect, close: how a program comes to a CAN socket, and leaves it.
-#include <errno.h>
+#include <cerrno>
+#include <cstring>
+
 #include <linux/can.h>
-#include <string.h>
 
 #include "preload/address.hpp"
 #include "preload/calls/exported.hpp"

@@ -1,7 +1,6 @@
 #include "tools/with-can/program_file.hpp"
 
 #include <cstdlib>
-#include <ranges>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -81,8 +80,9 @@ FoundProgram find_program(std::string_view name) {
   const char* const variable = std::getenv("PATH");
   const std::string_view folders = variable != nullptr ? variable : "/bin:/usr/bin";
   FoundProgram second_best{{}, {kNotFound, fmt::format("{}: no such program in $PATH", name)}};
-  for (const auto folder : std::views::split(folders, ':')) {
-    const std::string_view text{folder.begin(), folder.end()};
+  for (std::size_t begin = 0; begin <= folders.size();) {
+    const std::string_view text = folders.substr(begin, folders.find(':', begin) - begin);
+    begin += text.size() + 1;
     const std::filesystem::path path = std::filesystem::path{text.empty() ? "." : text} / name;
     if (!is_file(path)) continue;
     if (::access(path.c_str(), X_OK) == 0) return {path, {}};
