@@ -45,7 +45,7 @@ UserBus::UserBus(const std::string& path) : hub_{hub_program()} {
 
 userbus::JoinError UserBus::join() noexcept {
   const userbus::Joined joined =
-      userbus::join(path_, hub_.c_str(), userbus::Kind::Raw, SOCK_NONBLOCK | SOCK_CLOEXEC);
+      userbus::join(path_, hub_.c_str(), userbus::Kind::Port, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (joined.error != userbus::JoinError::None) return joined.error;
   socket_ = Descriptor{joined.descriptor};
   if (configure() && pollable_.add(socket_.get(), EPOLLIN)) return userbus::JoinError::None;

@@ -1,6 +1,6 @@
 #include "hub/core.hpp"
 
-#include "hub/member.hpp"
+#include "hub/member/member.hpp"
 
 namespace hub {
 

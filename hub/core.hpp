@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "hub/inbox.hpp"
 #include "hub/interfaces.hpp"
+#include "hub/loop/poll.hpp"
 #include "hub/medium.hpp"
-#include "hub/poll.hpp"
+#include "hub/member/inbox.hpp"
 #include "hub/source.hpp"
 
 namespace hub {

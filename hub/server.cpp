@@ -7,12 +7,13 @@
 #include <system_error>
 #include <utility>
 
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 
-#include "hub/broadcast_member.hpp"
-#include "hub/clock.hpp"
-#include "hub/raw_member.hpp"
+#include "hub/loop/clock.hpp"
+#include "hub/member/broadcast_member.hpp"
+#include "hub/member/raw_member.hpp"
 
 namespace hub {
 
@@ -26,8 +27,18 @@ using namespace std::chrono_literals;
 constexpr canopen::Duration kPatience = 1s;
 /// Without descriptors or memory for another member: when to try again.
 constexpr canopen::Duration kPause = 100ms;
+/// Descriptors that members leave to the rest of the hub: requests bring some, and so do other clients.
+constexpr std::size_t kReserved = 128;
 /// New members of one turn, so that the others are not kept waiting.
 constexpr int kMostAtOnce = 16;
+
+/// Members that the limit of descriptors has room for.
+std::size_t most_members() noexcept {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return kReserved;
+  const std::size_t descriptors = limit.rlim_cur;
+  return descriptors - std::min(descriptors / 2, kReserved);
+}
 
 }  // namespace
 
@@ -51,6 +62,7 @@ Server::Server(int listener, Settings settings)
       timer_{core_.poll},
       listener_{listener},
       settings_{settings},
+      most_members_{most_members()},
       listen_again_{canopen::kNever},
       end_{settings.on_demand ? monotonic_now() + kPatience : canopen::kNever} {
   if (!core_.poll.add(listener_, EPOLLIN, *this))
@@ -94,6 +106,7 @@ void Server::on_events(std::uint32_t, TimePoint now) noexcept {
 
 void Server::accept_members(TimePoint now) noexcept {
   for (int i = 0; i < kMostAtOnce; ++i) {
+    if (core_.members.size() >= most_members_) return pause_listening(now);
     sockaddr_un address{};
     socklen_t length = sizeof address;
     bus::Descriptor socket{
@@ -108,18 +121,22 @@ void Server::accept_members(TimePoint now) noexcept {
 
 void Server::admit(bus::Descriptor socket, userbus::Kind kind) noexcept {
   try {
-    std::unique_ptr<Member> member;
-    if (kind == userbus::Kind::Raw) member = std::make_unique<RawMember>(core_, std::move(socket));
-    if (kind == userbus::Kind::BroadcastManager)
-      member = std::make_unique<BroadcastMember>(core_, std::move(socket));
     timed_.reserve(timed_.size() + 1);
     core_.members.reserve(core_.members.size() + 1);
+    auto member = make_member(std::move(socket), kind);
     if (!member || !member->begin()) return;
     if (kind == userbus::Kind::BroadcastManager) timed_.push_back(member.get());
     core_.members.push_back(std::move(member));
   } catch (const std::exception&) {
-    // no memory: the program is told by the end of its connection
+    return;  // no memory: the program is told by the end of its connection
   }
+}
+
+std::unique_ptr<Member> Server::make_member(bus::Descriptor socket, userbus::Kind kind) {
+  if (kind == userbus::Kind::Raw || kind == userbus::Kind::Port)
+    return std::make_unique<RawMember>(core_, std::move(socket), kind);
+  if (kind == userbus::Kind::BroadcastManager) return std::make_unique<BroadcastMember>(core_, std::move(socket));
+  return nullptr;
 }
 
 /// A listening socket that polls readable and cannot be accepted from would keep the loop busy.
@@ -139,20 +156,22 @@ void Server::on_time(TimePoint now) noexcept {
   if (core_.medium.next_deadline() <= now) core_.medium.on_time(now);
   for (Member* const member : timed_)
     if (member->next_deadline() <= now) member->on_time(now);
-  // by number, since a source may take itself out
-  for (std::size_t i = 0; i < core_.sources.size(); ++i)
-    if (core_.sources[i]->next_deadline() <= now) core_.sources[i]->on_time(now);
+  for (std::size_t i = 0; i < core_.sources.size();) {
+    Source& source = *core_.sources[i++];  // by number, since a source may take itself out
+    if (source.next_deadline() <= now) source.on_time(now);
+  }
   if (listen_again_ <= now) {
     listen_again_ = canopen::kNever;
     if (!core_.poll.add(listener_, EPOLLIN, *this)) listen_again_ = now + kPause;
   }
 }
 
-void Server::sweep(TimePoint) noexcept {
+void Server::sweep(TimePoint now) noexcept {
   const auto departed = [](const auto& member) { return member->departed(); };
   std::erase_if(timed_, [](const Member* member) { return member->departed(); });
   std::erase_if(core_.members, departed);
   core_.anyone_departed = false;
+  if (listen_again_ != canopen::kNever) listen_again_ = now;
 }
 
 void Server::end_if_lonely(TimePoint now) noexcept {

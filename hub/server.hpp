@@ -6,8 +6,8 @@
 
 #include "bus/descriptor.hpp"
 #include "hub/core.hpp"
+#include "hub/loop/timer.hpp"
 #include "hub/source.hpp"
-#include "hub/timer.hpp"
 #include "userbus/name.hpp"
 
 namespace hub {
@@ -24,6 +24,8 @@ class Server final : public SourceList, private Watch {
   /// Serves @p listener, a listening AF_UNIX SOCK_SEQPACKET socket that does not block and outlives this;
   /// std::system_error if the kernel has no descriptors or memory left.
   Server(int listener, Settings settings);
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
   ~Server() override;
 
   void add(Source& source) override;
@@ -45,6 +47,7 @@ class Server final : public SourceList, private Watch {
   void on_events(std::uint32_t events, canopen::TimePoint now) noexcept override;
   void accept_members(canopen::TimePoint now) noexcept;
   void admit(bus::Descriptor socket, userbus::Kind kind) noexcept;
+  std::unique_ptr<Member> make_member(bus::Descriptor socket, userbus::Kind kind);
   void pause_listening(canopen::TimePoint now) noexcept;
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
   void on_time(canopen::TimePoint now) noexcept;
@@ -55,6 +58,7 @@ class Server final : public SourceList, private Watch {
   Timer timer_;
   int listener_;
   Settings settings_;
+  std::size_t most_members_;
   std::vector<std::unique_ptr<SourceWatch>> watches_;
   std::vector<Member*> timed_;       // those that may have a deadline
   canopen::TimePoint listen_again_;  // kNever: it listens

@@ -2,8 +2,9 @@
 # demo.sh [--interface IF]: starts the simulated drive on a CAN interface (vcan0) and runs its motor up to 3000 rpm and
 # back to standstill with nothing but cansend and candump; checks every answer on the bus.
 #
-# Does its own set-up (packages, build, virtual CAN), so it works on a fresh Debian 12 machine; where the kernel has no
-# CAN, the drive runs in the virtual machine of scripts/vcan-vm. IF other than vcan... must exist and be up.
+# Does its own set-up (packages, build, bus), so it works on a fresh Debian 12 machine. Where the kernel has no CAN,
+# everything runs on the user-space bus of this project instead (docs/user-space-bus.md), without any privilege beyond
+# that of installing packages. IF other than vcan... must exist and be up.
 # Ends with 1, and says what was expected and what came, if an answer does not come in time.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -13,7 +14,7 @@ interface=vcan0 set_up=yes
 while (($#)); do
   case $1 in
     --interface) interface=${2:?"an interface is missing"}; shift 2 ;;
-    --no-set-up) set_up=''; shift ;;  # how this script calls itself in the virtual machine
+    --no-set-up) set_up=''; shift ;;  # how this script calls itself on another bus
     *) echo "usage: ${0##*/} [--interface IF]" >&2; exit 2 ;;
   esac
 done
@@ -22,24 +23,31 @@ is_up() { [[ $(ip -o link show dev "$interface" up 2>/dev/null) ]]; }
 
 if [[ $set_up ]]; then
   # shellcheck source=scripts/setup.sh
-  . "$root/scripts/setup.sh"
-  build release axisd
-  # In the machine there is another can0; a real interface of that name must never be taken for it.
-  if ! is_up && [[ $interface == vcan* || ! -e /sys/class/net/$interface ]]; then
-    VCAN_VM_TIMEOUT=300 run_on_can scripts/demo.sh --no-set-up --interface "$interface"
+  . "$root/scripts/setup.sh" --demo
+  build release axisd canhub with-can can-preload
+  if ! is_up && [[ $interface == vcan* ]] && ! "$root/scripts/vcan-setup.sh" "$interface" 2>/dev/null; then
+    say "this kernel has no virtual CAN: running on a user-space bus"
+    folder=$(mktemp -d)
+    trap 'rm -rf "$folder"' EXIT
+    "$root/build/release/bin/with-can" --bus "$folder/bus" -- \
+      "$root/scripts/demo.sh" --no-set-up --interface "$interface"
     exit
   fi
 fi
 
-case $interface in
-  vcan*) "$root/scripts/vcan-setup.sh" "$interface" ;;
-  can0 | can1)
-    if [[ ${VCAN_VM:-} ]]; then
-      # Both ends of the emulated bus, for a controller alone would get no acknowledgement on a real one either.
-      for name in can0 can1; do ip link set "$name" up type can bitrate 500000; done
-    fi ;;
-esac
-is_up || die "the interface $interface does not exist or is down"
+served=$interface
+if [[ ${CAN_BUS:-} ]]; then
+  served=unix:$CAN_BUS
+else
+  case $interface in
+    can0 | can1)
+      if [[ ${VCAN_VM:-} ]]; then
+        # Both ends of the emulated bus, for a controller alone would get no acknowledgement on a real one either.
+        for name in can0 can1; do ip link set "$name" up type can bitrate 500000; done
+      fi ;;
+  esac
+  is_up || die "the interface $interface does not exist or is down"
+fi
 
 # ---- the bus as this run sees it
 
@@ -182,20 +190,18 @@ chart() {
 
 # ---- start
 
-is_listening() { (($(listeners) > before)); }
-# The kernel's list of sockets without a filter; the file is there once somebody has opened a CAN socket.
-listeners() { awk -v name="$interface" '$1 == name' /proc/net/can/rcvlist_all 2>/dev/null | wc -l; }
+# A frame that nobody takes for anything comes back to candump once that listens.
+is_listening() { cansend "$interface" 7FF# && grep -q ' 7FF#' "$frames"; }
 is_ready() { grep -q 'ready: node' "$log"; }
 
 say "candump -L $interface"
-before=$(listeners)
 candump -L "$interface" >"$frames" &
 children+=($!)
 within "$limit" is_listening || die "candump does not listen on $interface"
 
-say "axisd --interface $interface --node-id 5"
+say "axisd --interface $served --node-id 5"
 mkdir "$work/state" "$work/run"
-RUNTIME_DIRECTORY=$work/run "$root/build/release/bin/axisd" --interface "$interface" --node-id 5 \
+RUNTIME_DIRECTORY=$work/run "$root/build/release/bin/axisd" --interface "$served" --node-id 5 \
   --state-directory "$work/state" >"$log" 2>&1 &
 drive=$!
 children+=("$drive")

@@ -1,19 +1,34 @@
 #!/usr/bin/env bash
-# setup.sh: installs what building, testing and demonstrating need and what is missing of it (Debian 12).
+# setup.sh [--demo]: installs what building, testing and demonstrating need and what is missing of it (Debian 12).
 # To be called or sourced. Of machines that have everything it changes nothing.
+#
+# --demo: what scripts/demo.sh needs: the packages of the build, and can-utils.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-packages=(
+demo=''
+case ${1:-} in
+  '') ;;
+  --demo) demo=yes ;;
+  *) echo "usage: setup.sh [--demo]" >&2; exit 2 ;;
+esac
+
+build_packages=(
   # to build
   g++ cmake ninja-build pkg-config git ca-certificates
   # libraries of the daemon and the tools
   libsystemd-dev nlohmann-json3-dev libeigen3-dev libexpected-dev libcli11-dev libfmt-dev
+  # candump and cansend
+  can-utils
+)
+test_packages=(
   # tests and benchmarks
   libgtest-dev libgmock-dev libbenchmark-dev
-  # the CAN bus: candump and cansend, ip, and modprobe for the module vcan
-  can-utils iproute2 kmod
+  # ip, and modprobe for the module vcan
+  iproute2 kmod
+  # programs that meet the daemon on a bus
+  python3-can python3-msgpack
   # form and faults of the source
   clang-format clang-tidy
   # systemd-analyze, which checks the units
@@ -23,11 +38,12 @@ packages=(
 machine_packages=(qemu-system-x86 busybox-static cpio)
 
 command -v dpkg-query >/dev/null || die "only Debian and its relatives are supported"
-need_packages "${packages[@]}"
-if ! have_can; then
+need_packages "${build_packages[@]}"
+[[ $demo ]] || need_packages "${test_packages[@]}"
+if [[ ! $demo ]] && ! have_can; then
   need_packages "${machine_packages[@]}"
   # An image of Debian comes without package lists, and vcan-vm fetches a kernel by them.
   apt-cache show linux-image-amd64 &>/dev/null || update_package_lists
 fi
 # Who sources this decides whether the independent master is worth its time.
-[[ ${BASH_SOURCE[0]} != "$0" ]] || need_master || die "the npm packages of tests/e2e/master could not be installed"
+[[ ${BASH_SOURCE[0]} != "$0" || $demo ]] || need_master || die "the npm packages of tests/e2e/master could not be installed"

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # test.sh [--quick]: builds the project and runs every test, on a fresh Debian 12 machine too.
 #
-# In order: packages; form of the sources; release and sanitizer builds with their unit tests; the end-to-end tests on a
-# CAN interface (where the kernel has none: in one start of the virtual machine), for which npm brings an independent
-# master; clang-tidy. A failure does not keep the rest from running. A test that was skipped counts as failed, for it has
-# shown nothing.
+# In order: packages; form of the sources; release and sanitizer builds with their unit tests; the end-to-end tests, for
+# which npm brings an independent master, on user-space buses and then on a CAN interface (where the kernel has none: in
+# one start of the virtual machine); clang-tidy. A failure does not keep the rest from running. A test that was skipped
+# counts as failed, for it has shown nothing.
 #
 # --quick: the release build and its unit tests only.
 #
@@ -19,7 +19,7 @@ case ${1:-} in
   *) echo "usage: ${0##*/} [--quick]" >&2; exit 2 ;;
 esac
 # shellcheck source=scripts/setup.sh
-. "$(dirname "$0")/setup.sh"
+. "$(dirname "$0")/setup.sh" ""
 set +e  # from here on a failure is counted
 cd "$root" || exit 1
 
@@ -67,8 +67,10 @@ if [[ ! $quick ]]; then
   fi
   if [[ ${released:-} ]]; then
     check 'npm packages' need_master
+    # Each has a bus of its own.
+    tests 'user-space bus' ctest --test-dir build/release -L '^bus$' -j "$jobs" --output-on-failure --no-tests=error
     # One after the other: they share the bus.
-    tests 'e2e' run_on_can ctest --test-dir build/release -L e2e --output-on-failure --no-tests=error
+    tests 'SocketCAN' run_on_can ctest --test-dir build/release -L '^e2e$' --output-on-failure --no-tests=error
     check 'clang-tidy' scripts/lint.sh --tidy-only
   fi
 fi

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
 #include <unistd.h>
@@ -51,6 +52,19 @@ bool is_trusted(int descriptor) noexcept {
   return peer.uid == geteuid() || peer.uid == 0 || geteuid() == 0;
 }
 
+/// On a bus with a bit rate frames wait for the bus, and a program shall learn soon that they do: the queue in the
+/// kernel becomes as short as it can be, a handful of frames.
+void shorten_queue(int descriptor) noexcept {
+  const int least = 0;
+  setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &least, sizeof least);
+}
+
+/// $CAN_BITRATE (bit/s), 0 if there is none.
+uint32_t wanted_bit_rate() noexcept {
+  const char* const text = getenv("CAN_BITRATE");
+  return text == nullptr ? 0 : static_cast<uint32_t>(strtoul(text, nullptr, 10));
+}
+
 Attempt connect_to(int descriptor, const Path& path, JoinError& error) noexcept {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -67,7 +81,10 @@ Attempt connect_to(int descriptor, const Path& path, JoinError& error) noexcept 
     return Attempt::Failed;
   }
   const Answer answer = ask(descriptor, Operation::Hello);
-  if (answer.error == 0) return Attempt::Member;
+  if (answer.error == 0) {
+    if (answer.value != 0) shorten_queue(descriptor);
+    return Attempt::Member;
+  }
   if (answer.error == ENETDOWN) return Attempt::Closing;
   error = JoinError::NotServed;  // it is there and says nothing
   return Attempt::Failed;
@@ -79,7 +96,7 @@ bool serve(const char* hub, const Path& path, JoinError& error) noexcept {
     error = JoinError::NotServed;
     return false;
   }
-  switch (start_hub(hub, path.text)) {
+  switch (start_hub(hub, path.text, wanted_bit_rate())) {
     case StartStatus::Served:
       return true;
     case StartStatus::InUse:

@@ -22,7 +22,8 @@ struct Joined {
 
 /// Becomes a member of the bus at @p path: connected, named, and greeted by the hub; not bound to an interface
 /// yet. If nobody serves the path, the program @p hub (its path) is started to do so, and one whose hub is just
-/// closing starts the next; not if @p hub is nullptr. @p flags: SOCK_NONBLOCK and SOCK_CLOEXEC as for socket(2).
+/// closing starts the next, with the bit rate $CAN_BITRATE if that is set; not if @p hub is nullptr. @p flags:
+/// SOCK_NONBLOCK and SOCK_CLOEXEC as for socket(2).
 Joined join(const Path& path, const char* hub, Kind kind, int flags) noexcept;
 
 /// One sentence for @p error, without the path; uses errno for JoinError::System.

@@ -31,9 +31,10 @@ inline constexpr size_t kLongestPath = 107;
 enum class Kind : uint8_t {
   Raw,               ///< "raw": CAN_RAW
   BroadcastManager,  ///< "bcm": CAN_BCM
+  Port,              ///< "port": as Raw, of a program that knows these messages; the preload library leaves it alone
   Down,              ///< "down": no member any more; stands in for a socket whose hub has gone
 };
-inline constexpr const char* kKindNames[] = {"raw", "bcm", "down"};
+inline constexpr const char* kKindNames[] = {"raw", "bcm", "port", "down"};
 
 /// Behind every frame and every message of the broadcast manager.
 struct Trailer {

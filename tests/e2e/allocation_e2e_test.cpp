@@ -81,7 +81,7 @@ struct Allocations : testing::Test {
 
 TEST_F(Allocations, StopWithTheFirstFrame) {
   constexpr int kSdoRounds = 200;
-  CanClient can{"vcan0"};
+  CanClient can{kTestInterface};
   DaemonProcess daemon{options()};
   ASSERT_TRUE(daemon.is_ready());
   ASSERT_TRUE(can.ask("605#4000100000000000", "585#430010009201FFFF"));

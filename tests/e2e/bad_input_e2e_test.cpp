@@ -16,19 +16,20 @@ std::ptrdiff_t line_count(const std::string& text) {
 }
 
 struct Refusal : testing::Test {
-  CanClient can{"vcan0"};
+  CanClient can{kTestInterface};
   DaemonProcess daemon;
   fakes::TemporaryDirectory elsewhere;
 
   void SetUp() override { ASSERT_TRUE(daemon.is_ready()); }
   fakes::Finished start_second(const std::string& state) const {
-    return run_axisd({"--interface", "vcan0", "--node-id", "5", "--state-directory", state, "--control",
+    return run_axisd({"--interface", served_interface(), "--node-id", "5", "--state-directory", state, "--control",
                       elsewhere.path("ctl")});
   }
   void expect_refused(const fakes::Finished& second) {
     EXPECT_EQ(second.status, 1);
     EXPECT_EQ(line_count(second.errors), 1) << second.errors;
-    EXPECT_NE(second.errors.find("vcan0: node 5 is served by another axisd"), std::string::npos) << second.errors;
+    EXPECT_NE(second.errors.find(served_interface() + ": node 5 is served by another axisd"), std::string::npos)
+        << second.errors;
     EXPECT_TRUE(can.ask(kAskDeviceType, kDeviceType));
   }
 };
@@ -143,7 +144,7 @@ TEST_F(OddFrames, OfTheSdoClientLeaveTheServerAlive) {
 struct DuplicateNode : testing::Test, testing::WithParamInterface<const char*> {};
 
 TEST_P(DuplicateNode, IsLogged) {
-  CanClient can{"vcan0"};
+  CanClient can{kTestInterface};
   DaemonProcess daemon;
   ASSERT_TRUE(daemon.is_ready());
 

@@ -11,12 +11,12 @@ namespace {
 
 /// The plain node of bench/, node 1, booted.
 struct BusSlave : testing::Test {
-  CanClient can{"vcan0"};  // on the bus before the slave is
+  CanClient can{kTestInterface};  // on the bus before the slave is
   std::unique_ptr<Program> slave;
 
   void start(std::vector<std::string> options) {
-    options.insert(options.begin(), {BUS_SLAVE_PROGRAM, "vcan0", "1"});
-    slave = std::make_unique<Program>(options, std::vector<std::string>{});
+    options.insert(options.begin(), {BUS_SLAVE_PROGRAM, kTestInterface, "1"});
+    slave = std::make_unique<Program>(options, bus_environment());
     ASSERT_TRUE(can.wait_for("701#00")) << slave->output();
   }
 };

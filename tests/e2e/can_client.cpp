@@ -25,9 +25,10 @@ bus::SocketCan open_port(const std::string& interface) {
   try {
     return bus::SocketCan{interface, kReceiveBuffer};
   } catch (const bus::OpenError& error) {
-    throw std::runtime_error{std::string{error.what()} +
-                             "; these tests need the CAN interfaces vcan0 and vcan1: make them with "
-                             "scripts/vcan-setup.sh, or run the tests in scripts/vcan-vm"};
+    throw std::runtime_error{
+        std::string{error.what()} +
+        "; these tests need the CAN interface vcan0: make it with scripts/vcan-setup.sh, or run "
+        "them under with-can or in scripts/vcan-vm"};
   }
 }
 
@@ -40,9 +41,11 @@ Frame CanClient::frame(std::string_view text) {
 }
 
 void CanClient::send(const Frame& frame) {
-  if (port_.send(frame) != bus::SendStatus::Sent) {
-    throw std::runtime_error{"not sent: " + fakes::candump(frame)};
+  bus::SendStatus status = port_.send(frame);
+  for (pollfd room{port_.descriptor(), POLLOUT, 0}; status == bus::SendStatus::Full; status = port_.send(frame)) {
+    if (poll(&room, 1, static_cast<int>(std::chrono::milliseconds{kPatience}.count())) != 1) break;
   }
+  if (status != bus::SendStatus::Sent) throw std::runtime_error{"not sent: " + fakes::candump(frame)};
 }
 
 std::optional<Frame> CanClient::note(const Frame& frame) {

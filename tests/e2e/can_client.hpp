@@ -11,16 +11,18 @@
 
 #include "bus/socket_can.hpp"
 #include "libcanopen/base/frame.hpp"
+#include "tests/e2e/test_bus.hpp"
 
 namespace e2e {
 
 /// A raw socket on a CAN interface that speaks in candump's notation: "605#4000100000000000".
 class CanClient {
  public:
-  /// Opens @p interface; throws std::runtime_error that says how to get one.
+  /// Opens @p interface (test_bus.hpp); throws std::runtime_error that says how to get one.
   explicit CanClient(const std::string& interface);
 
-  /// Sends the frame that @p text describes; throws std::runtime_error if the interface refuses it.
+  /// Sends the frame that @p text describes, as soon as there is room; throws std::runtime_error if the interface
+  /// refuses it.
   void send(std::string_view text) { send(frame(text)); }
   void send(const canopen::Frame& frame);
   /// The next frame under the identifier of @p text is @p text; frames under others are passed over.

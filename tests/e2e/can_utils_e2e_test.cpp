@@ -5,10 +5,10 @@ namespace {
 
 /// candump -L on vcan0, and cansend: a dialogue as a person at a terminal leads it.
 struct CanUtils : testing::Test {
-  Program candump{{CANDUMP_PROGRAM, "-L", "vcan0"}, {}};
+  Program candump{{CANDUMP_PROGRAM, "-L", kTestInterface}, bus_environment()};
 
   static int cansend(const std::string& frame) {
-    return fakes::run_program({CANSEND_PROGRAM, "vcan0", frame}).status;
+    return fakes::run_program({CANSEND_PROGRAM, kTestInterface, frame}, bus_environment()).status;
   }
   /// Waits until candump records; frames before that are lost.
   void SetUp() override {

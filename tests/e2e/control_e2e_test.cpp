@@ -27,7 +27,7 @@ struct Control : RunningDaemon {
 TEST_F(Control, TellsTheStatusOfTheUnit) {
   const json status = daemon->status();
 
-  EXPECT_EQ(status.at("interface"), "vcan0");
+  EXPECT_EQ(status.at("interface"), served_interface());
   EXPECT_EQ(status.at("node_id"), 5);
   EXPECT_EQ(status.at("nmt_state"), "Operational");
   EXPECT_EQ(status.at("bus").at("link"), "up");

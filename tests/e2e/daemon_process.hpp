@@ -11,6 +11,7 @@
 #include "tests/e2e/can_client.hpp"
 #include "tests/e2e/notify_socket.hpp"
 #include "tests/e2e/program.hpp"
+#include "tests/e2e/test_bus.hpp"
 #include "tests/fakes/child_process.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 
@@ -18,7 +19,7 @@ namespace e2e {
 
 /// How a daemon is started.
 struct DaemonOptions {
-  std::string interface = "vcan0";
+  std::string interface = served_interface();
   int node_id = 5;
   nlohmann::json axis{};  ///< the axis of the configuration file; null: none is written
   std::vector<std::string> environment{};
@@ -74,7 +75,7 @@ struct RunningDaemon : testing::Test {
 
   /// For SetUpTestSuite().
   static void start(const DaemonOptions& options = {}) {
-    can = std::make_unique<CanClient>(options.interface);
+    can = std::make_unique<CanClient>(kTestInterface);
     daemon = std::make_unique<DaemonProcess>(options);
     ASSERT_TRUE(daemon->is_ready());
   }

@@ -15,7 +15,7 @@ constexpr const char* kAskDeviceType = "605#4000100000000000";
 constexpr const char* kDeviceType = "585#430010009201FFFF";
 
 TEST(Recovery, FromAKillNeedsNobodysHelp) {
-  CanClient can{"vcan0"};
+  CanClient can{kTestInterface};
   DaemonProcess daemon;
   ASSERT_TRUE(daemon.is_ready());
   ASSERT_EQ(daemon.end(SIGKILL), -SIGKILL);
@@ -71,7 +71,7 @@ TEST(FullDisk, DoesNotKeepTheUnitFromRunning) {
   const std::string path = folder.path("disk");
   const SmallDisk disk{path, "size=16k"};
   disk.fill();
-  CanClient can{"vcan0"};
+  CanClient can{kTestInterface};
 
   DaemonProcess daemon{{.state_directory = path}};
 

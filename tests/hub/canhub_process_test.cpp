@@ -22,6 +22,7 @@
 #include "tests/e2e/program.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 #include "tests/hub/bus_client.hpp"
+#include "userbus/name.hpp"
 #include "userbus/start_hub.hpp"
 
 namespace hub_test {
@@ -46,6 +47,17 @@ class CanhubProcess : public testing::Test {
   /// As a program joins that has nothing but the path.
   bus::Descriptor join() const {
     return bus::Descriptor{userbus::join(path_of(bus_), CANHUB, userbus::Kind::Raw, SOCK_CLOEXEC).descriptor};
+  }
+  /// A connection of a member that says nothing.
+  bus::Descriptor connect_named() const {
+    bus::Descriptor socket{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
+    sockaddr_un address{};
+    const socklen_t length = userbus::make_name(userbus::Kind::Raw, next_name_++, address);
+    EXPECT_EQ(bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), length), 0);
+    address = {.sun_family = AF_UNIX, .sun_path = {}};
+    bus_.copy(address.sun_path, sizeof address.sun_path - 1);
+    EXPECT_EQ(connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    return socket;
   }
   /// The processes that have the path of the bus on their command line.
   std::set<pid_t> hubs() const {
@@ -75,6 +87,7 @@ class CanhubProcess : public testing::Test {
 
   fakes::TemporaryDirectory folder_;
   std::string bus_ = folder_.path("bus");
+  mutable std::uint64_t next_name_ = static_cast<std::uint64_t>(getpid()) << 32;
 };
 
 TEST_F(CanhubProcess, ServesUntilASignalEndsIt) {
@@ -238,6 +251,21 @@ TEST_F(CanhubProcess, KeepsNothingOfTheProgramThatStartsIt) {
   }
   EXPECT_EQ(open_files, (std::set<std::string>{"/dev/null", "anon_inode", "socket", bus_ + ".lock"}));
   for (const int end : ends) close(end);
+}
+
+TEST_F(CanhubProcess, ServesItsMembersWhenItHasNoDescriptorForMore) {
+  Program canhub{{"/bin/sh", "-c", "ulimit -n 40; exec \"$0\" --path \"$1\"", CANHUB, bus_}, {}};
+  ASSERT_TRUE(canhub.wait_for_output("ready"));
+  BusClient one{bus_};
+  BusClient other{bus_};
+  std::list<bus::Descriptor> crowd;
+  for (int i = 0; i < 30; ++i) crowd.push_back(connect_named());
+
+  EXPECT_TRUE(canhub.wakes(3));  // it does sleep in between
+  one.send("123#");
+  EXPECT_EQ(other.wait_frame(), "123#");
+  crowd.clear();
+  EXPECT_NO_THROW(BusClient{bus_});
 }
 
 TEST_F(CanhubProcess, ThatIsNotThereIsToldByItsError) {

@@ -1,4 +1,4 @@
-#include "hub/filter_set.hpp"
+#include "hub/member/filter_set.hpp"
 
 #include <ostream>
 #include <string>

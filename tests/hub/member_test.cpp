@@ -8,7 +8,7 @@
 #include <linux/can/error.h>
 #include <sys/socket.h>
 
-#include "hub/outbox.hpp"
+#include "hub/member/outbox.hpp"
 #include "tests/hub/running_hub.hpp"
 #include "tests/hub/told.hpp"
 

@@ -1,4 +1,4 @@
-#include "hub/outbox.hpp"
+#include "hub/member/outbox.hpp"
 
 #include <array>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "hub/path_owner.hpp"
+#include "hub/path/path_owner.hpp"
 
 #include <cstring>
 #include <filesystem>

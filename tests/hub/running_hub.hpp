@@ -9,7 +9,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-#include "hub/path_owner.hpp"
+#include "hub/path/path_owner.hpp"
 #include "hub/server.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 #include "tests/hub/bus_client.hpp"

@@ -10,8 +10,8 @@ namespace {
 struct ExampleSlave : testing::Test {
   void SetUp() override { ASSERT_TRUE(can.expect("709#00")) << slave.output(); }
 
-  CanClient can{"vcan0"};  // listens before the slave boots
-  Program slave{{EXAMPLE_SLAVE, "vcan0", "9"}, {}};
+  CanClient can{kTestInterface};  // listens before the slave boots
+  Program slave{{EXAMPLE_SLAVE, kTestInterface, "9"}, bus_environment()};
 };
 
 TEST_F(ExampleSlave, AnswersWithItsDeviceType) {
@@ -41,10 +41,10 @@ TEST_F(ExampleSlave, StartsAgainAfterAReset) {
 }
 
 TEST(ExampleSlaveWithoutInterface, SaysWhichIsMissing) {
-  Program slave{{EXAMPLE_SLAVE, "nocan0", "9"}, {}};
+  Program slave{{EXAMPLE_SLAVE, "nosuch", "9"}, bus_environment()};
 
   EXPECT_EQ(slave.wait(), 1);
-  EXPECT_TRUE(slave.wait_for_output("nocan0: No such device")) << slave.output();
+  EXPECT_TRUE(slave.wait_for_output("nosuch: No such device")) << slave.output();
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -8,7 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "hub/path_owner.hpp"
+#include "hub/path/path_owner.hpp"
 #include "hub/server.hpp"
 #include "tools/canhub/neighbours.hpp"
 #include "tools/canhub/options.hpp"
@@ -72,6 +73,7 @@ int run(const canhub::Options& options) {
   if (options.status)
     return canhub::print_status(options.path, std::cout, std::cerr) ? EXIT_SUCCESS : EXIT_FAILURE;
   raise_descriptor_limit();
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of standard error that goes does not end the bus
   auto owner = hub::PathOwner::take(options.path, options.bit_rate);
   if (!owner) {
     const hub::Refusal& refusal = owner.error();

@@ -10,6 +10,8 @@ class Signals final : public hub::Source {
  public:
   /// Blocks the signals and takes them as messages instead; std::system_error.
   explicit Signals(hub::Server& server);
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
   ~Signals() override;
 
   [[nodiscard]] int descriptor() const noexcept override { return descriptor_.get(); }

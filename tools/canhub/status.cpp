@@ -51,7 +51,7 @@ bool read_statistics(int member, userbus::BusStatistics& bus, std::vector<Member
 }  // namespace
 
 bool print_status(const userbus::Path& path, std::ostream& out, std::ostream& errors) {
-  const userbus::Joined joined = userbus::join(path, nullptr, userbus::Kind::Raw, SOCK_CLOEXEC);
+  const userbus::Joined joined = userbus::join(path, nullptr, userbus::Kind::Port, SOCK_CLOEXEC);
   const bus::Descriptor member{joined.descriptor};
   userbus::BusStatistics bus{};
   std::vector<MemberStatistics> rows;

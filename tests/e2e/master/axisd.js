@@ -17,7 +17,9 @@ class Axisd {
     this.socket = path.join(this.folder, 'control.sock');
     const file = path.join(this.folder, 'axisd.json');
     fs.writeFileSync(file, JSON.stringify({ axes: [AXIS] }));
-    this.program = new Program([program, '--interface', canInterface, '--node-id', `${nodeId}`, '--config', file,
+    // Under with-can the daemon joins the bus of the master's sockets by itself.
+    const served = process.env.CAN_BUS ? `unix:${process.env.CAN_BUS}` : canInterface;
+    this.program = new Program([program, '--interface', served, '--node-id', `${nodeId}`, '--config', file,
       '--state-directory', path.join(this.folder, 'state'), '--control', this.socket]);
   }
 

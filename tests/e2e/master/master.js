@@ -1,7 +1,7 @@
 'use strict';
 
 /*
- * An independent master (npm canopen) drives the built axisd over a CAN interface.
+ * An independent master (npm canopen) drives the built axisd over a CAN interface, or under with-can over its bus.
  *   node master.js --axisd PROGRAM --eds FILE [--interface vcan0] [--verbose]
  * --verbose prints every frame too. One line a step; exit status 0 if every step passed.
  */

@@ -1,0 +1,12 @@
+#include "preload/descriptor.hpp"
+#include "preload/next.hpp"
+
+namespace {
+
+/// Before the constructors of the program and of its libraries, which may have CAN sockets already.
+[[gnu::constructor(101)]] void begin() {
+  preload::next();
+  preload::look_at_all();
+}
+
+}  // namespace

@@ -1,0 +1,104 @@
+#include "preload/send.hpp"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/can.h>
+#include <linux/can/bcm.h>
+
+#include "preload/address.hpp"
+#include "preload/hub.hpp"
+#include "preload/interface.hpp"
+#include "preload/next.hpp"
+#include "preload/state.hpp"
+
+namespace preload {
+
+namespace {
+
+using userbus::Kind;
+using userbus::Name;
+using userbus::Trailer;
+
+ssize_t failed(int error) noexcept {
+  errno = error;
+  return -1;
+}
+
+bool exists(int index, int descriptor) noexcept {
+  char name[IF_NAMESIZE];
+  return index > 0 && name_of_interface(index, descriptor, name);
+}
+
+/// What the failure of the kernel's socket below means on a CAN: a queue that is full does not make one wait, it
+/// is ENOBUFS. A limit of time for sending that is over stays EAGAIN.
+int can_error(int error, int descriptor, bool waited) noexcept {
+  if (error == EPIPE || error == ECONNRESET || error == ENOTCONN) return ENETDOWN;
+  if (error != EAGAIN) return error;
+  const bool timed_out = waited && (fcntl(descriptor, F_GETFL) & O_NONBLOCK) == 0;
+  return timed_out ? EAGAIN : ENOBUFS;
+}
+
+/// Sends @p frame to interface @p index; 0: to that which the socket is bound to.
+ssize_t send_to_hub(int descriptor, can_frame& frame, int index, bool wait) noexcept {
+  Trailer trailer{};
+  trailer.interface_index = index;
+  iovec parts[] = {{&frame, sizeof frame}, {&trailer, sizeof trailer}};
+  msghdr message{};
+  message.msg_iov = parts;
+  message.msg_iovlen = index == 0 ? 1 : 2;
+  const ssize_t size = next().sendmsg(descriptor, &message, MSG_NOSIGNAL | (wait ? 0 : MSG_DONTWAIT));
+  if (size < 0) return failed(can_error(errno, descriptor, wait));
+  return sizeof frame;
+}
+
+ssize_t send_frame(int descriptor, const Name& name, const Parts& parts, int flags,
+                   const Destination& to) noexcept {
+  int index = 0;
+  if (to.address != nullptr) {
+    if (!is_can_address(to.address, to.length)) return failed(EINVAL);
+    index = interface_of(to.address);
+  }
+  State state;
+  if (!state_of(descriptor, name, state)) return -1;
+  if (to.address == nullptr ? state.interface_index <= 0 : !exists(index, descriptor)) return failed(ENXIO);
+  can_frame frame{};
+  if (size_of(parts) != sizeof frame) return failed(EINVAL);
+  gather(parts, &frame, sizeof frame);
+  if (frame.can_dlc > CAN_MAX_DLEN) return failed(EINVAL);
+  return send_to_hub(descriptor, frame, index, (flags & MSG_DONTWAIT) == 0 && !state.has_bit_rate);
+}
+
+ssize_t send_broadcast(int descriptor, const Name& name, const Parts& parts, const Destination& to) noexcept {
+  State state;
+  if (!state_of(descriptor, name, state)) return -1;
+  if (state.interface_index < 0) return failed(ENOTCONN);
+  char message[userbus::kLongestMessage - sizeof(userbus::Request)];
+  const size_t size = size_of(parts);
+  if (size < sizeof(bcm_msg_head) || size > sizeof message) return failed(EINVAL);
+  int index = 0;
+  if (state.interface_index == 0 && to.address != nullptr) {
+    if (!is_can_address(to.address, to.length)) return failed(EINVAL);
+    index = interface_of(to.address);
+    if (index != 0 && !exists(index, descriptor)) return failed(ENODEV);
+  }
+  gather(parts, message, sizeof message);
+  if (tell(descriptor, userbus::Operation::Broadcast, index, message, size) != 0) return -1;
+  return static_cast<ssize_t>(size);
+}
+
+}  // namespace
+
+ssize_t send(int descriptor, const Name& name, const Parts& parts, int flags, const Destination& to) noexcept {
+  switch (name.kind) {
+    case Kind::Raw:
+      return send_frame(descriptor, name, parts, flags, to);
+    case Kind::BroadcastManager:
+      return send_broadcast(descriptor, name, parts, to);
+    case Kind::Port:  // never recognised as ours
+    case Kind::Down:
+      return failed(ENETDOWN);
+  }
+  return failed(ENETDOWN);
+}
+
+}  // namespace preload

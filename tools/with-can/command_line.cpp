@@ -1,0 +1,102 @@
+#include "tools/with-can/command_line.hpp"
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace with_can {
+
+const std::string_view kHelp = R"(usage: with-can [--bus PATH | --private] [--bitrate N] [--] COMMAND [ARGUMENT...]
+
+Runs COMMAND with CAN sockets on a bus in user space, where the kernel needs no CAN. COMMAND is any program that
+uses SocketCAN and is linked with the C library dynamically; scripts are, as their interpreters are.
+
+  --bus PATH    the bus is at PATH (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /tmp/can-bus-UID)
+  --private     a new bus for COMMAND and whatever that starts, which find its path in $CAN_BUS
+  --bitrate N   frames take the time that they take at N bit/s, 10000 to 1000000 (default: as the bus is;
+                a new one takes no time)
+  --help        this text
+  --version     the version
+
+The exit status is that of COMMAND; 127 if it is not found, 126 if it cannot be executed, 2 for wrong usage and
+for programs into which nothing can be preloaded, 1 for any other failure.
+)";
+
+namespace {
+
+using Result = tl::expected<CommandLine, std::string>;
+
+std::optional<std::string> store_bus(CommandLine& line, std::string_view value) {
+  if (value.empty()) return "--bus: expected a path, got nothing";
+  line.bus = value;
+  return std::nullopt;
+}
+
+std::optional<std::string> store_bit_rate(CommandLine& line, std::string_view value) {
+  const char* const end = value.data() + value.size();
+  const auto [stop, error] = std::from_chars(value.data(), end, line.bit_rate);
+  if (error == std::errc{} && stop == end && line.bit_rate >= kLowestBitRate && line.bit_rate <= kHighestBitRate)
+    return std::nullopt;
+  return fmt::format("--bitrate: expected {} to {} bit/s, got \"{}\"", kLowestBitRate, kHighestBitRate, value);
+}
+
+/// An option that has a value; storing it may go wrong.
+struct ValueOption {
+  std::string_view name;
+  std::optional<std::string> (*store)(CommandLine& line, std::string_view value);
+};
+
+constexpr std::array kValueOptions{ValueOption{"--bus", store_bus}, ValueOption{"--bitrate", store_bit_rate}};
+
+/// The option that @p word is or begins, as "--bus=PATH".
+const ValueOption* value_option(std::string_view word) {
+  const std::string_view name = word.substr(0, word.find('='));
+  for (const ValueOption& option : kValueOptions)
+    if (option.name == name) return &option;
+  return nullptr;
+}
+
+/// Reads @p option from the front of @p words, and its value.
+std::optional<std::string> take(const ValueOption& option, CommandLine& line, std::span<char* const>& words) {
+  const std::string_view word = words.front();
+  words = words.subspan(1);
+  if (const std::size_t equals = word.find('='); equals != std::string_view::npos)
+    return option.store(line, word.substr(equals + 1));
+  if (words.empty()) return fmt::format("{}: expected a value", option.name);
+  const std::string_view value = words.front();
+  words = words.subspan(1);
+  return option.store(line, value);
+}
+
+}  // namespace
+
+Result read_command_line(std::span<char* const> words) {
+  CommandLine line;
+  while (!words.empty()) {
+    const std::string_view word = words.front();
+    line.help = word == "--help";
+    line.version = word == "--version";
+    if (line.help || line.version) return line;
+    if (word == "--private") {
+      line.own_bus = true;
+      words = words.subspan(1);
+      continue;
+    }
+    const ValueOption* const option = value_option(word);
+    if (option == nullptr && word.starts_with('-') && word != "--")
+      return tl::unexpected{fmt::format("unknown option {}", word)};
+    if (option == nullptr) {
+      line.command = word == "--" ? words.subspan(1) : words;
+      break;
+    }
+    if (std::optional<std::string> error = take(*option, line, words)) return tl::unexpected{std::move(*error)};
+  }
+  if (line.own_bus && !line.bus.empty())
+    return tl::unexpected{std::string{"expected --bus or --private, got both"}};
+  if (line.command.empty()) return tl::unexpected{std::string{"expected a command to run"}};
+  return line;
+}
+
+}  // namespace with_can
