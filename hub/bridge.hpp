@@ -26,6 +26,8 @@ class Bridge final : public Source, public Participant {
   /// Takes part in @p medium until its end. @p name, a URL or the name of an interface, stands in notices and
   /// statistics. std::system_error if the kernel gives no descriptor.
   Bridge(Medium& medium, bus::Connection connection, std::string name, Notice notice);
+  Bridge(const Bridge&) = delete;
+  Bridge& operator=(const Bridge&) = delete;
   ~Bridge() override;
 
   [[nodiscard]] int descriptor() const noexcept override { return ready_.descriptor(); }

@@ -19,7 +19,7 @@ class TextQueue {
   [[nodiscard]] bool empty() const noexcept { return begin_ == end_; }
 
  private:
-  std::array<char, kRoom> text_;
+  std::array<char, kRoom> text_{};
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
 };
