@@ -4,6 +4,7 @@ set -euo pipefail
 
 work=$(mktemp -d)
 trap 'kill $(jobs -p); wait; rm -rf "$work"' EXIT
+touch "$work/axisd"
 candump -L vcan0 >"$work/log" &
 axisd --interface "unix:$CAN_BUS" --node-id 5 --control none --state-directory "$work" 2>"$work/axisd" &
 

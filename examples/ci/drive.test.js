@@ -12,12 +12,12 @@ const NODE = 5;
 const folder = fs.mkdtempSync('/tmp/drive-');
 process.env.CAN_BUS = `${folder}/bus`; // where the CAN sockets of this process lead
 
+const channel = can.createRawChannel('vcan0');
 const master = new Device({ id: 126 });
 let drive;
 
 before(async () => {
   master.eds.addSdoClientParameter(NODE, 0x600 + NODE, 0x580 + NODE);
-  const channel = can.createRawChannel('vcan0');
   const bootUp = new Promise((done) => {
     channel.addListener('onMessage', ({ id }) => id === 0x700 + NODE && done());
   });
@@ -28,10 +28,10 @@ before(async () => {
   drive = spawn('axisd', ['--interface', `unix:${folder}/bus`, '--node-id', `${NODE}`, '--control', 'none',
     '--state-directory', folder], { stdio: 'ignore' });
   await bootUp;
-  after(() => channel.stop());
 });
 
 after(async () => {
+  channel.stop();
   drive.kill();
   const [status] = await once(drive, 'exit');
   assert.strictEqual(status, 0);
