@@ -56,6 +56,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       parameter_objects_{dictionary_, axis_, drive::BusScaling{axis_.parameters()}, *this},
       error_objects_{dictionary_, axis_},
       error_control_{dictionary_},
+      sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this} {
   apply_presets();
   for (const std::uint16_t index : kInputs) dictionary_.own_write(index, 0, *this);

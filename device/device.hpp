@@ -9,6 +9,7 @@
 #include "device/object_rows.hpp"
 #include "device/parameter_objects.hpp"
 #include "device/process_data.hpp"
+#include "device/sdo_identifiers.hpp"
 #include "device/written_controlwords.hpp"
 #include "drive/axis.hpp"
 #include "libcanopen/node/node.hpp"
@@ -109,6 +110,7 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   ParameterObjects parameter_objects_;
   ErrorObjects error_objects_;
   ErrorControl error_control_;
+  SdoIdentifiers sdo_identifiers_;
   WrittenControlwords written_controlwords_;
   canopen::Node node_;
   canopen::TimePoint now_{};         ///< as last told
