@@ -1,6 +1,9 @@
+#include <array>
+#include <vector>
+
 #include "bench/device_unit.hpp"
 #include "bench/operation.hpp"
-#include "generated/object_table.hpp"
+#include "device/object_rows.hpp"
 
 namespace bench {
 namespace {
@@ -30,7 +33,8 @@ struct RandomUpload {
   void step() { bus.unit.on_frame(requests[next++ % requests.size()], bus.now); }
 
   DeviceUnit bus;
-  canopen::Dictionary same{device::generated::kObjectTable, DeviceUnit::kNodeId};
+  std::vector<canopen::EntryDescription> rows = device::object_rows(std::array{device::AxisType::Servo});
+  canopen::Dictionary same{rows, DeviceUnit::kNodeId};
   std::vector<Frame> requests = random_uploads(same);
   std::size_t next = 0;
 };

@@ -6,7 +6,6 @@
 #include <chrono>
 
 #include "device/object_index.hpp"
-#include "generated/object_table.hpp"
 
 namespace device {
 namespace {
@@ -52,10 +51,13 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       presets_{configuration.presets},
       listener_{listener},
       axis_{configuration.axis},
-      dictionary_{generated::kObjectTable, configuration.node_id},
+      object_rows_{object_rows(configuration.axis_types)},
+      dictionary_{object_rows_, configuration.node_id},
       process_data_{dictionary_, drive::BusScaling{axis_.parameters()}},
       parameter_objects_{dictionary_, axis_, drive::BusScaling{axis_.parameters()}, *this},
       error_objects_{dictionary_, axis_},
+      error_control_{dictionary_},
+      sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this} {
   apply_presets();
   for (const std::uint16_t index : kInputs) dictionary_.own_write(index, 0, *this);

@@ -4,9 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "device/error_control.hpp"
 #include "device/error_objects.hpp"
+#include "device/object_rows.hpp"
 #include "device/parameter_objects.hpp"
 #include "device/process_data.hpp"
+#include "device/sdo_identifiers.hpp"
 #include "device/written_controlwords.hpp"
 #include "drive/axis.hpp"
 #include "libcanopen/node/node.hpp"
@@ -24,6 +27,8 @@ struct ParameterPreset {
 struct Configuration {
   std::uint8_t node_id = 2;  ///< 1..127
   drive::AxisConfiguration axis{};
+  std::vector<AxisType> axis_types{
+      AxisType::Servo};                      ///< 1..kMostAxes; only the first one turns, the others are objects
   std::vector<ParameterPreset> presets{};    ///< existing, writable and within their limits
   bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
   bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
@@ -103,10 +108,13 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   std::vector<ParameterPreset> presets_;
   Listener& listener_;
   drive::Axis axis_;
+  std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
   ProcessData process_data_;
   ParameterObjects parameter_objects_;
   ErrorObjects error_objects_;
+  ErrorControl error_control_;
+  SdoIdentifiers sdo_identifiers_;
   WrittenControlwords written_controlwords_;
   canopen::Node node_;
   canopen::TimePoint now_{};         ///< as last told

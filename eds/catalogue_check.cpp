@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "eds/axes.hpp"
+
 namespace eds {
 namespace {
 
@@ -71,7 +73,7 @@ std::int64_t check_mapped(const Catalogue& catalogue, const Object& object, cons
   const auto index = static_cast<std::uint16_t>(value >> 16 & 0xFFFF);
   const auto sub = static_cast<std::uint8_t>(value >> 8 & 0xFF);
   const std::int64_t bits = value & 0xFF;
-  const Entry* const target = find_entry(catalogue, index, sub);
+  const Entry* const target = find_entry(catalogue.objects, index, sub);
   if (target == nullptr || !target->pdo_mappable)
     fail(object.index, mapping.sub_index, "a mappable entry as default");
   if (bits != std::int64_t{8} * canopen::size_of(target->type))
@@ -82,9 +84,7 @@ std::int64_t check_mapped(const Catalogue& catalogue, const Object& object, cons
 }
 
 void check_mapping_object(const Catalogue& catalogue, const Object& object) {
-  const bool mapping =
-      (object.index >= 0x1600 && object.index < 0x1800) || (object.index >= 0x1A00 && object.index < 0x1C00);
-  if (!mapping) return;
+  if (!is_mapping_parameter(object.index)) return;
   const auto count = static_cast<std::size_t>(object.entries.front().initial.value);
   std::int64_t bits = 0;
   for (std::size_t n = 1; n < object.entries.size() && n <= count; ++n)
@@ -92,14 +92,63 @@ void check_mapping_object(const Catalogue& catalogue, const Object& object) {
   if (bits > 64) fail(object.index, 0, fmt::format("at most 64 mapped bits, got {}", bits));
 }
 
+constexpr std::uint16_t kFirstParameter = 0x2000;
+constexpr std::uint16_t kLastParameter = 0x470F;
+
+/// The sub-index of a parameter object is the parameter index, from 0, so that sub-index 0 counts nothing.
+void check_parameter(const Object& object) {
+  if (object.index < kFirstParameter || object.index > kLastParameter)
+    fail(object.index, 0, "a parameter object, 2000h to 470Fh");
+  if (object.code == ObjectCode::Record) fail(object.index, 0, "VAR or ARRAY for a parameter");
+  if (object.entries.empty()) fail(object.index, 0, "a row, the parameter has no value");
+  if (object.code == ObjectCode::Variable && object.entries.size() != 1)
+    fail(object.index, 1, "one row with sub 00 for a VAR, or an ARRAY row first");
+  for (std::size_t n = 0; n < object.entries.size(); ++n) {
+    if (object.entries[n].sub_index != n)
+      fail(object.index, static_cast<unsigned>(n), "a row, the array has a gap");
+    if (object.entries[n].type != object.entries[0].type)
+      fail(object.index, static_cast<unsigned>(n), "the type of sub-index 0, a parameter has one type");
+  }
+}
+
+void check_once(std::span<const Object> objects, std::string_view where) {
+  const auto twice = std::ranges::adjacent_find(objects, {}, &Object::index);
+  if (twice != objects.end()) fail(twice->index, 0, fmt::format("one object of this index in {}", where));
+}
+
+void check_parameters(const Catalogue& catalogue) {
+  for (const Object& object : catalogue.parameters) check_parameter(object);
+  for (const FileContent drive_object : {FileContent::ControlUnit, FileContent::Servo, FileContent::Vector})
+    check_once(parameter_objects(catalogue, drive_object),
+               fmt::format("the drive object {}", name_of(kFileContents, drive_object).text));
+}
+
+/// Every object of an axis has an offset, and none meets another one in a unit of the most axes.
+void check_axes(const Catalogue& catalogue) {
+  for (const Object& object : catalogue.objects) {
+    const bool moves = std::ranges::any_of(catalogue.axis_offsets, [&](const AxisOffset& row) {
+      return object.index >= row.first && object.index <= row.last;
+    });
+    if (object.scope == Scope::Axis && !moves) fail(object.index, 0, "an axis offset for an object of an axis");
+    if (object.index == kModuleList && object.entries.size() != kMostAxes + 1)
+      fail(object.index, 0, fmt::format("{} modules", kMostAxes));
+  }
+  const std::vector<DriveType> most(kMostAxes, DriveType::Servo);
+  check_once(unit_objects(catalogue, most), fmt::format("a unit of {} axes", kMostAxes));
+}
+
 }  // namespace
 
 void check_objects(const Catalogue& catalogue) {
   for (const Address& address : kMandatory)
-    if (find_entry(catalogue, address.index, address.sub_index) == nullptr)
+    if (find_entry(catalogue.objects, address.index, address.sub_index) == nullptr)
       fail(address.index, address.sub_index, "a row for this mandatory entry");
   for (const Object& object : catalogue.objects) check_structure(object);
   for (const Object& object : catalogue.objects) check_mapping_object(catalogue, object);
+  check_axes(catalogue);
+  check_parameters(catalogue);
+  for (const Object& object : catalogue.objects)
+    if (object.does.empty()) fail(object.index, 0, "\"does\" in the row that opens the object");
 }
 
 }  // namespace eds

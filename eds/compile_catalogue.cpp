@@ -14,19 +14,8 @@
 
 namespace {
 
-constexpr const char* kUsage = "usage: compile_catalogue CATALOGUE [--table FILE] [--eds FILE] [--objects FILE]\n";
-
-/// An output that an option asks for.
-struct Output {
-  std::string_view option;
-  std::string (*write)(const eds::Catalogue&);
-};
-
-constexpr std::array kOutputs{
-    Output{"--table", eds::write_table},
-    Output{"--eds", eds::write_eds},
-    Output{"--objects", eds::write_reference},
-};
+constexpr const char* kUsage =
+    "usage: compile_catalogue CATALOGUE [--table FILE] [--objects FILE] [--eds FOLDER]\n";
 
 std::string read_file(const std::string& path) {
   std::ifstream file{path, std::ios::binary};
@@ -39,6 +28,31 @@ void write_file(const std::string& path, const std::string& text) {
   file << text << std::flush;
   if (!file) throw std::runtime_error{path + ": cannot be written"};
 }
+
+void write_table(const eds::Catalogue& catalogue, const std::string& path) {
+  write_file(path, eds::write_table(catalogue));
+}
+
+void write_reference(const eds::Catalogue& catalogue, const std::string& path) {
+  write_file(path, eds::write_reference(catalogue));
+}
+
+void write_eds_files(const eds::Catalogue& catalogue, const std::string& folder) {
+  for (const eds::EdsFile& file : catalogue.files)
+    write_file(folder + "/" + file.name, eds::write_eds(catalogue, file));
+}
+
+/// What an option asks for.
+struct Output {
+  std::string_view option;
+  void (*write)(const eds::Catalogue&, const std::string& path);
+};
+
+constexpr std::array kOutputs{
+    Output{"--table", write_table},
+    Output{"--objects", write_reference},
+    Output{"--eds", write_eds_files},
+};
 
 eds::Catalogue read_catalogue(const std::string& path) {
   const std::string text = read_file(path);
@@ -62,7 +76,7 @@ int main(int count, char** words) try {
   if (!usable) return std::fputs(kUsage, stderr), 2;
 
   const eds::Catalogue catalogue = read_catalogue(words[1]);
-  for (int n = 2; n < count; n += 2) write_file(words[n + 1], known(words[n])->write(catalogue));
+  for (int n = 2; n < count; n += 2) known(words[n])->write(catalogue, words[n + 1]);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -6,7 +6,8 @@
 
 namespace eds {
 
-/// The catalogue as an electronic data sheet (CiA 306), lines ended by LF; equal catalogues give equal bytes.
-[[nodiscard]] std::string write_eds(const Catalogue& catalogue);
+/// The electronic data sheet @p file of the catalogue (CiA 306), lines ended by LF; equal catalogues give equal
+/// bytes.
+[[nodiscard]] std::string write_eds(const Catalogue& catalogue, const EdsFile& file);
 
 }  // namespace eds

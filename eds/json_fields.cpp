@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "eds/catalogue.hpp"
+#include "eds/number.hpp"
 
 namespace eds {
 namespace {
@@ -58,6 +59,12 @@ std::int64_t JsonFields::integer(std::string_view key, std::int64_t high) const 
   const nlohmann::json& value = at(key, expected);
   if (!value.is_number_integer() || value < 0 || value > high) fail(key, expected);
   return value.get<std::int64_t>();
+}
+
+std::uint16_t JsonFields::hexadecimal(std::string_view key) const {
+  const auto value = parse_hexadecimal(text(key), 4);
+  if (!value) fail(key, "four hexadecimal digits");
+  return static_cast<std::uint16_t>(*value);
 }
 
 void JsonFields::fail(std::string_view key, std::string_view expected) const {

@@ -29,6 +29,8 @@ class JsonFields {
   [[nodiscard]] bool boolean(std::string_view key) const;
   /// An integer 0..@p high.
   [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t high) const;
+  /// Four hexadecimal digits.
+  [[nodiscard]] std::uint16_t hexadecimal(std::string_view key) const;
   /// One of the words of @p table.
   template <class T, std::size_t N>
   [[nodiscard]] T word(std::string_view key, const std::array<Name<T>, N>& table) const {

@@ -13,10 +13,27 @@ namespace eds {
 /// Object codes by their number in an EDS (CiA 306, ObjectType).
 enum class ObjectCode : std::uint8_t { Variable = 7, Array = 8, Record = 9 };
 
-/// How often an object exists in a unit.
+/// Where an object exists: in the dictionary of the unit, or among the parameters of a drive object.
 enum class Scope : std::uint8_t {
-  Unit,  ///< once
-  Axis,  ///< once an axis; the catalogue gives axis 1
+  Unit,                  ///< once in a unit
+  Axis,                  ///< once an axis; the catalogue gives axis 1
+  Parameter,             ///< every drive object
+  ControlUnitParameter,  ///< the control unit
+  AxisParameter,         ///< axes of both types
+  ServoParameter,        ///< servo axes
+  VectorParameter,       ///< vector axes
+};
+
+/// What kind of drive object an axis is.
+enum class DriveType : std::uint8_t { Servo, Vector };
+
+/// What an EDS file describes.
+enum class FileContent : std::uint8_t {
+  Axes,         ///< the unit with a fixed number of servo axes
+  Modules,      ///< the unit with its axes as modules
+  ControlUnit,  ///< the control unit and its parameters
+  Servo,        ///< a servo axis as drive object, with its parameters
+  Vector,       ///< a vector axis likewise
 };
 
 /// A value and the word that stands for it in the catalogue and in C++.
@@ -36,6 +53,7 @@ inline constexpr std::array kDataTypes{
     Name<canopen::DataType>{canopen::DataType::Unsigned8, "UNSIGNED8", "Unsigned8"},
     Name<canopen::DataType>{canopen::DataType::Unsigned16, "UNSIGNED16", "Unsigned16"},
     Name<canopen::DataType>{canopen::DataType::Unsigned32, "UNSIGNED32", "Unsigned32"},
+    Name<canopen::DataType>{canopen::DataType::Real32, "REAL32", "Real32"},
     Name<canopen::DataType>{canopen::DataType::VisibleString, "VISIBLE_STRING", "VisibleString"},
 };
 
@@ -56,10 +74,28 @@ inline constexpr std::array kObjectCodes{
     Name<ObjectCode>{ObjectCode::Record, "RECORD", "Record"},
 };
 
-/// Scopes of an object.
-inline constexpr std::array kScopes{
+/// Scopes of an object in the dictionary of the unit.
+inline constexpr std::array kObjectScopes{
     Name<Scope>{Scope::Unit, "unit", "Unit"},
     Name<Scope>{Scope::Axis, "axis", "Axis"},
+};
+
+/// Scopes of a parameter object.
+inline constexpr std::array kParameterScopes{
+    Name<Scope>{Scope::Parameter, "parameter", "Parameter"},
+    Name<Scope>{Scope::ControlUnitParameter, "cu-parameter", "ControlUnitParameter"},
+    Name<Scope>{Scope::AxisParameter, "axis-parameter", "AxisParameter"},
+    Name<Scope>{Scope::ServoParameter, "servo-parameter", "ServoParameter"},
+    Name<Scope>{Scope::VectorParameter, "vector-parameter", "VectorParameter"},
+};
+
+/// Contents of an EDS file.
+inline constexpr std::array kFileContents{
+    Name<FileContent>{FileContent::Axes, "axes", "Axes"},
+    Name<FileContent>{FileContent::Modules, "modules", "Modules"},
+    Name<FileContent>{FileContent::ControlUnit, "control-unit", "ControlUnit"},
+    Name<FileContent>{FileContent::Servo, "servo", "Servo"},
+    Name<FileContent>{FileContent::Vector, "vector", "Vector"},
 };
 
 /// Who judges the limits of an entry.

@@ -1,6 +1,7 @@
 #include "eds/number.hpp"
 
 #include <charconv>
+#include <cmath>
 
 namespace eds {
 namespace {
@@ -30,6 +31,22 @@ std::optional<Number> parse_number(std::string_view text) {
   return number;
 }
 
+std::optional<Number> parse_real(std::string_view text) {
+  double real = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, real, std::chars_format::fixed);
+  if (error != std::errc{} || stop != end || !std::isfinite(real)) return std::nullopt;
+  return Number{.real = real, .text = std::string{text}};
+}
+
+std::optional<std::uint32_t> parse_hexadecimal(std::string_view text, std::size_t digits) {
+  std::uint32_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value, 16);
+  if (text.size() != digits || error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
 std::optional<Range> range_of(canopen::DataType type) noexcept {
   const int bits = 8 * canopen::size_of(type);
   if (type == canopen::DataType::Boolean) return Range{0, 1};
@@ -44,7 +61,8 @@ bool within(const Number& number, const Range& range) noexcept {
 }
 
 bool ordered(const Number& smaller, const Number& larger) noexcept {
-  return smaller.at(kFirstNode) <= larger.at(kFirstNode) && smaller.at(kLastNode) <= larger.at(kLastNode);
+  return smaller.at(kFirstNode) <= larger.at(kFirstNode) && smaller.at(kLastNode) <= larger.at(kLastNode) &&
+         smaller.real <= larger.real;
 }
 
 }  // namespace eds

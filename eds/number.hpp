@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@ namespace eds {
 struct Number {
   std::int64_t value = 0;      ///< without the node-ID
   bool node_relative = false;  ///< the node-ID (1..127) is added
+  double real = 0;             ///< value of a REAL32, whose `value` is 0
   std::string text;            ///< as written
 
   /// The number on node @p node_id.
@@ -24,6 +26,12 @@ struct Number {
 
 /// Reads @p text whole; nothing where it is not one number of at most 32 bits and a sign.
 [[nodiscard]] std::optional<Number> parse_number(std::string_view text);
+
+/// Reads @p text whole as a decimal number of type REAL32; nothing where it is none.
+[[nodiscard]] std::optional<Number> parse_real(std::string_view text);
+
+/// Reads @p text whole as @p digits hexadecimal digits, without any prefix; nothing where it is something else.
+[[nodiscard]] std::optional<std::uint32_t> parse_hexadecimal(std::string_view text, std::size_t digits);
 
 /// Smallest and largest value of an integer type.
 struct Range {

@@ -6,8 +6,9 @@
 
 namespace eds {
 
-/// The catalogue as a C++ header: device::generated::kObjectTable, sorted by index and sub-index.
-/// Limits relative to the node-ID are left out, they exist only where nothing is written.
+/// The dictionary of the unit as a C++ header, device::generated: kUnitTable, kAxisTable for axis 1, the offset
+/// rule and the initial values that differ. Limits relative to the node-ID are left out, they exist only where
+/// nothing is written.
 [[nodiscard]] std::string write_table(const Catalogue& catalogue);
 
 }  // namespace eds

@@ -37,8 +37,33 @@ TEST(Unit, IsSilentToWhatIsNoRequest) {
       {"605#R8", ""},
       {"605#40001000000000", ""},    // seven bytes
       {"604#4000100000000000", ""},  // another node
-      {"705#R", ""},                 // no node guarding
       {"00000605#4000100000000000", ""},
+  });
+}
+
+TEST(Unit, AnswersNodeGuardingWithAToggleBit) {
+  TestUnit unit;
+  unit.start();
+
+  unit.expect_dialogue({{"705#R", "705#7F"}, {"705#R", "705#FF"}, {"705#R", "705#7F"}});
+}
+
+TEST(Unit, HasHeartbeatOrLifeGuardingButNotBoth) {
+  TestUnit unit;
+  unit.start();
+
+  unit.expect_dialogue({
+      {"605#2B0C100064000000", "585#600C100000000000"},  // 100 ms
+      {"605#2F0D100003000000", "585#600D100000000000"},  // times three
+      {"605#2B171000E8030000", "585#8017100022000008"},
+      {"605#2B17100000000000", "585#6017100000000000"},
+      {"605#2F0D100000000000", "585#600D100000000000"},
+  });
+  EXPECT_EQ(unit.says("605#2B171000E8030000"), (Lines{"585#6017100000000000", "705#7F"}));
+  unit.expect_dialogue({
+      {"605#2F0D100003000000", "585#800D100022000008"},
+      {"605#2B0C1000C8000000", "585#800C100022000008"},
+      {"605#2B0C100000000000", "585#600C100000000000"},
   });
 }
 

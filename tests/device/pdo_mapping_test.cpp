@@ -179,5 +179,39 @@ TEST(TransmissionTypes, AreThoseOfTheUnit) {
   }
 }
 
+TEST(PdoMapping, CarriesFreeObjectsInTheFurtherPdosOfAnAxis) {
+  TestUnit unit;
+  unit.start();
+
+  unit.expect_dialogue({
+      {"605#2304160110000058", "585#6004160100000000"},  // 5800h
+      {"605#2304160220002058", "585#6004160200000000"},  // 5820h
+      {"605#2304140112030000", "585#6004140100000000"},
+  });
+  unit.says("000#0105");
+  unit.says("312#FECA78563412");
+
+  EXPECT_EQ(unit.upload(0x5800).number(), 0xCAFEU);
+  EXPECT_EQ(unit.upload(0x5820).number(), 0x12345678U);
+}
+
+TEST(PdoMapping, ReachesTheObjectsOfEveryAxis) {
+  Configuration configuration = unit_with({});
+  configuration.axis_types = {AxisType::Servo, AxisType::Servo};
+  TestUnit unit{configuration};
+  unit.start();
+
+  unit.expect_dialogue({
+      {"605#2341140113030000", "585#6041140100000000"},  // RPDO 2 of axis 2: 6840h and 68FFh
+      {"605#2340180191010040", "585#6040180100000000"},  // TPDO 1 of axis 2: 6841h
+  });
+  EXPECT_EQ(from("191#", unit.says("000#0105")), Lines{"191#0000"});
+  unit.says("313#0F0078563412");
+
+  EXPECT_EQ(unit.upload(0x6840).number(), 0x000FU);
+  EXPECT_EQ(unit.upload(0x68FF).number(), 0x12345678U);
+  EXPECT_EQ(unit.upload(0x6040).number(), 0U) << "axis 1 is not concerned";
+}
+
 }  // namespace
 }  // namespace device

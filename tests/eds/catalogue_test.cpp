@@ -7,65 +7,17 @@
 #include <gtest/gtest.h>
 
 #include "eds/eds_writer.hpp"
+#include "tests/eds/catalogue_text.hpp"
 
 namespace eds {
 namespace {
-
-const std::string kHeader = R"({"file_name": "a.eds", "file_version": 1, "file_revision": 0, "description": "d",
-  "created_time": "10:00AM", "created_date": "12-31-2026", "created_by": "b", "vendor_name": "v", "product_name": "p",
-  "order_code": "o", "comments": ["c"]})";
-
-/// What every catalogue must have; five rows.
-const std::string kMandatory = R"(
-  {"index": "1000", "sub": "00", "object": "VAR", "type": "UNSIGNED32", "access": "ro", "pdo": false, "value": "0", "scope": "unit", "name": "Type"},
-  {"index": "1001", "sub": "00", "object": "VAR", "type": "UNSIGNED8", "access": "ro", "pdo": false, "value": "0", "scope": "unit", "name": "Error"},
-  {"index": "1018", "object": "RECORD", "scope": "unit", "name": "Identity"},
-  {"index": "1018", "sub": "00", "object": "VAR", "type": "UNSIGNED8", "access": "ro", "pdo": false, "default": "3", "scope": "unit", "name": "n"},
-  {"index": "1018", "sub": "01-03", "object": "VAR", "type": "UNSIGNED32", "access": "ro", "pdo": false, "value": "0", "scope": "unit", "name": "Id"})";
-
-std::string catalogue(const std::string& more) {
-  return R"({"header": )" + kHeader + R"(, "objects": [)" + kMandatory + (more.empty() ? "" : ",") + more + "]}";
-}
-
-/// A row whose fields after the index are written by the test.
-std::string row(const std::string& index, const std::string& fields) {
-  return R"({"index": ")" + index + R"(", "scope": "axis", "name": "N")" + fields + "}";
-}
-std::string variable(const std::string& fields, const std::string& type = "UNSIGNED8",
-                     const std::string& access = "rw") {
-  return row("6000", R"(, "sub": "00", "object": "VAR", "type": ")" + type + R"(", "access": ")" + access +
-                         R"(")" + fields);
-}
-std::string sub(const std::string& index, const std::string& subs, const std::string& type,
-                const std::string& value, const std::string& access = "ro") {
-  return row(index, R"(, "sub": ")" + subs + R"(", "object": "VAR", "type": ")" + type + R"(", "access": ")" +
-                        access + R"(", "pdo": false, "default": ")" + value + R"(")");
-}
-std::string head(const std::string& index, const std::string& code) {
-  return row(index, R"(, "object": ")" + code + R"(")");
-}
-
-std::string rows(std::initializer_list<std::string> list) {
-  std::string text;
-  for (const std::string& item : list) text.append(text.empty() ? "" : ",").append(item);
-  return text;
-}
-
-std::string message_of(const std::string& text) {
-  try {
-    static_cast<void>(parse_catalogue(text));
-    return "accepted";
-  } catch (const CatalogueError& error) {
-    return error.what();
-  }
-}
 
 TEST(Catalogue, ReadsRowsIntoObjects) {
   const Catalogue read = parse_catalogue(catalogue(variable(
       R"(, "pdo": true, "default": "0x10", "low": "1", "high": "0xFE", "limits": "owner", "obj_flags": 1)",
       "UNSIGNED8", "rww")));
 
-  const Entry* const entry = find_entry(read, 0x6000, 0);
+  const Entry* const entry = find_entry(read.objects, 0x6000, 0);
   ASSERT_NE(entry, nullptr);
   EXPECT_EQ(entry->type, canopen::DataType::Unsigned8);
   EXPECT_EQ(entry->access, canopen::Access::ReadWriteWrite);
@@ -82,13 +34,14 @@ TEST(Catalogue, ReadsRowsIntoObjects) {
 TEST(Catalogue, ExpandsARangeOfSubIndices) {
   const Catalogue read = parse_catalogue(catalogue(""));
 
-  EXPECT_NE(find_entry(read, 0x1018, 3), nullptr);
-  EXPECT_EQ(find_entry(read, 0x1018, 4), nullptr);
-  EXPECT_EQ(find_entry(read, 0x1019, 0), nullptr);
+  EXPECT_NE(find_entry(read.objects, 0x1018, 3), nullptr);
+  EXPECT_EQ(find_entry(read.objects, 0x1018, 4), nullptr);
+  EXPECT_EQ(find_entry(read.objects, 0x1019, 0), nullptr);
 }
 
 TEST(Catalogue, WritesEachSubIndexOfARangeAsItsOwnSection) {
-  const std::string text = write_eds(parse_catalogue(catalogue("")));
+  const Catalogue read = parse_catalogue(catalogue(""));
+  const std::string text = write_eds(read, read.files.front());
 
   for (const char* section : {"[1018sub1]\n", "[1018sub2]\n", "[1018sub3]\n"})
     EXPECT_NE(text.find(section), std::string::npos) << section;
@@ -116,10 +69,9 @@ const std::string kPlain = R"(, "pdo": false, "default": "0")";
 const Case kBrokenRows[] = {
     {"UnknownField", variable(kPlain + R"(, "colour": 1)"),
      kRow + "unknown field \"colour\": expected one of index, sub, object, type, access, pdo, default, value, "
-            "low, high, "
-            "limits, obj_flags, scope, name"},
+            "other_axes, vector, low, high, limits, obj_flags, unit, scope, name, does"},
     {"FieldOfAVariableInARecord", head("6000", "RECORD").insert(1, R"("type": "UNSIGNED8", )"),
-     "row 6 (6000): unknown field \"type\": expected one of index, object, scope, name"},
+     "row 6 (6000): unknown field \"type\": expected one of index, object, scope, name, does"},
     {"RowIsNoObject", "5", "row 6: expected an object, got 5"},
     {"FieldTwice", variable(kPlain + R"(, "sub": "00")"),
      "field \"sub\" stands twice in one object: expected it once"},
@@ -133,10 +85,10 @@ const Case kBrokenRows[] = {
      "\"05-02\""},
     {"ObjectWord", head("6000", "LIST"),
      "row 6 (6000): field \"object\": expected one of VAR, ARRAY, RECORD, got \"LIST\""},
-    {"TypeWord", variable(kPlain, "REAL32"),
+    {"TypeWord", variable(kPlain, "REAL64"),
      kRow + "field \"type\": expected one of BOOLEAN, INTEGER8, INTEGER16, INTEGER32, UNSIGNED8, UNSIGNED16, "
             "UNSIGNED32, "
-            "VISIBLE_STRING, got \"REAL32\""},
+            "REAL32, VISIBLE_STRING, got \"REAL64\""},
     {"AccessWord", variable(kPlain, "UNSIGNED8", "r"),
      kRow + "field \"access\": expected one of ro, wo, rw, rwr, rww, const, got \"r\""},
     {"LimitsWord", variable(kPlain + R"(, "low": "0", "limits": "nobody")"),
@@ -241,19 +193,19 @@ TEST(Catalogue, RefusesAMappingOfMoreThan64Bits) {
 }
 
 TEST(Catalogue, RefusesAMissingMandatoryObject) {
-  EXPECT_EQ(message_of(R"({"header": )" + kHeader + R"(, "objects": []})"),
-            "1000:00: expected a row for this mandatory entry");
+  EXPECT_EQ(message_of(whole(kFiles, kOffsets, "", "")), "1000:00: expected a row for this mandatory entry");
 }
 
 TEST(Catalogue, RefusesWhatIsNotACatalogue) {
   EXPECT_EQ(message_of("{").substr(0, 9), "not JSON:");
   EXPECT_EQ(message_of("[]"), "catalogue: expected an object, got []");
   EXPECT_EQ(message_of("{}"), "catalogue: field \"header\": expected an object, got nothing");
-  EXPECT_EQ(message_of(R"({"header": 1, "objects": []})"), "header: expected an object, got 1");
-  EXPECT_EQ(message_of(R"({"header": 1, "objects": 2})"),
+  EXPECT_EQ(message_of(R"({"header": 1, "files": [], "axis_offsets": [], "objects": [], "parameters": []})"),
+            "header: expected an object, got 1");
+  EXPECT_EQ(message_of(R"({"header": 1, "files": [], "axis_offsets": [], "objects": 2})"),
             "catalogue: field \"objects\": expected a list of rows, got 2");
   EXPECT_EQ(message_of(R"({"header": 1, "rows": 2})"),
-            "catalogue: unknown field \"rows\": expected one of header, objects");
+            "catalogue: unknown field \"rows\": expected one of header, files, axis_offsets, objects, parameters");
 }
 
 std::string with_header(const std::string& from, const std::string& to) {

@@ -80,9 +80,11 @@ std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>{file}, {}};
 }
 
-const EdsFile& generated_eds() {
-  static const EdsFile kFile = read_eds(read_file(GENERATED_EDS));
-  return kFile;
+const EdsFile& generated_eds(const std::string& name) {
+  static std::map<std::string, EdsFile> files;
+  const auto known = files.find(name);
+  if (known != files.end()) return known->second;
+  return files.emplace(name, read_eds(read_file(std::string{GENERATED_EDS_FOLDER} + "/" + name))).first->second;
 }
 
 }  // namespace eds_test

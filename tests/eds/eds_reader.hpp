@@ -30,7 +30,7 @@ const Section* find_entry(const EdsFile& file, std::uint16_t index, std::uint8_t
 /// The whole file at @p path; throws where it cannot be read.
 std::string read_file(const std::string& path);
 
-/// The EDS that the build made.
-const EdsFile& generated_eds();
+/// The EDS @p name that the build made; by default the plain one of one axis.
+const EdsFile& generated_eds(const std::string& name = "axisd.eds");
 
 }  // namespace eds_test

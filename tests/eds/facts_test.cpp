@@ -1,58 +1,45 @@
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "tests/eds/eds_reader.hpp"
+#include "tests/eds/objects_csv.hpp"
 
-/// The facts of the real unit (data/objects.csv) against the EDS, without a word of the catalogue in between.
+/// The facts of the real unit (data/objects.csv) against the EDS files, without a word of the catalogue in
+/// between.
 namespace eds_test {
 namespace {
 
-constexpr std::string_view kColumns =
-    "scope,index,sub,object,type,access,pdo_mappable,default,low,high,obj_flags,name";
 constexpr std::int64_t kAnyNode = 5;
 
-using Fact = std::map<std::string, std::string>;
+const std::map<std::string, std::int64_t> kTypes{{"INTEGER8", 2},  {"INTEGER16", 3},     {"INTEGER32", 4},
+                                                 {"UNSIGNED8", 5}, {"UNSIGNED16", 6},    {"UNSIGNED32", 7},
+                                                 {"REAL32", 8},    {"VISIBLE_STRING", 9}};
+const std::map<std::string, std::int64_t> kObjects{{"VAR", 7}, {"ARRAY", 8}, {"RECORD", 9}};
 
-std::vector<std::string> split(std::string line) {
-  std::vector<std::string> cells;
-  line += ',';
-  for (std::size_t at = 0; at < line.size();) {
-    const std::size_t comma = line.find(',', at);
-    cells.push_back(line.substr(at, comma - at));
-    at = comma + 1;
-  }
-  return cells;
+/// An EDS and the scopes of the facts that it holds, besides the objects that every EDS has.
+struct File {
+  const char* name;
+  std::vector<std::string> scopes;
+  std::size_t mandatory;  ///< objects and entries of 1000h, 1001h and 1018h that the scopes do not bring
+  std::size_t modules;    ///< entries of the module list, which the facts do not list
+};
+const File kFiles[] = {{"axisd.eds", {"unit", "axis"}, 0, 1},
+                       {"axisd-control-unit.eds", {"cu-parameter"}, 8, 0},
+                       {"axisd-servo.eds", {"servo-parameter"}, 8, 0},
+                       {"axisd-vector.eds", {"vector-parameter"}, 8, 0}};
+void PrintTo(const File& file, std::ostream* out) {
+  *out << file.name;
 }
 
-std::vector<Fact> read_facts() {
-  std::istringstream text{read_file(std::string{SOURCE_FOLDER} + "/tests/eds/data/objects.csv")};
-  std::string line;
-  std::getline(text, line);
-  EXPECT_EQ(line, kColumns);
-  const std::vector<std::string> names = split(line);
-  std::vector<Fact> facts;
-  while (std::getline(text, line)) {
-    const std::vector<std::string> cells = split(line);
-    EXPECT_EQ(cells.size(), names.size()) << line;
-    Fact& fact = facts.emplace_back();
-    for (std::size_t n = 0; n < names.size() && n < cells.size(); ++n) fact[names[n]] = cells[n];
-  }
+std::vector<Fact> facts_of(const File& file) {
+  std::vector<Fact> facts = read_facts();
+  std::erase_if(facts, [&](const Fact& fact) { return std::ranges::count(file.scopes, fact.at("scope")) == 0; });
   return facts;
 }
-
-unsigned hexadecimal(const std::string& text) {
-  return static_cast<unsigned>(std::stoul(text, nullptr, 16));
-}
-
-const std::map<std::string, std::int64_t> kTypes{{"INTEGER8", 2},      {"INTEGER16", 3},  {"INTEGER32", 4},
-                                                 {"UNSIGNED8", 5},     {"UNSIGNED16", 6}, {"UNSIGNED32", 7},
-                                                 {"VISIBLE_STRING", 9}};
-const std::map<std::string, std::int64_t> kObjects{{"VAR", 7}, {"ARRAY", 8}, {"RECORD", 9}};
 
 /// The same value, however it is written; an empty cell means that the EDS has no such key.
 void expect_value(const Section& section, const std::string& key, const std::string& fact) {
@@ -79,31 +66,57 @@ void expect_entry(const Section& section, const Fact& fact) {
   expect_value(section, "ObjFlags", fact.at("obj_flags"));
 }
 
-TEST(FactsOfTheUnit, AreWhatTheEdsSays) {
-  for (const Fact& fact : read_facts()) {
+void expect_head(const EdsFile& file, const Fact& fact) {
+  const auto object = file.find(fact.at("index"));
+  ASSERT_NE(object, file.end());
+  EXPECT_EQ(number_at(object->second, "ObjectType"), kObjects.at(fact.at("object")));
+  EXPECT_EQ(object->second.at("ParameterName"), fact.at("name"));
+}
+
+class FactsOfTheUnit : public testing::TestWithParam<File> {};
+
+TEST_P(FactsOfTheUnit, AreWhatTheEdsSays) {
+  const EdsFile& file = generated_eds(GetParam().name);
+  for (const Fact& fact : facts_of(GetParam())) {
     SCOPED_TRACE(fact.at("index") + ":" + fact.at("sub"));
-    const bool head = fact.at("sub").empty();
-    const auto index = static_cast<std::uint16_t>(hexadecimal(fact.at("index")));
-    if (head) {
-      const auto object = generated_eds().find(fact.at("index"));
-      ASSERT_NE(object, generated_eds().end());
-      EXPECT_EQ(number_at(object->second, "ObjectType"), kObjects.at(fact.at("object")));
-      EXPECT_EQ(object->second.at("ParameterName"), fact.at("name"));
+    if (is_head(fact)) {
+      expect_head(file, fact);
       continue;
     }
-    const Section* const entry =
-        find_entry(generated_eds(), index, static_cast<std::uint8_t>(hexadecimal(fact.at("sub"))));
+    const Section* const entry = find_entry(file, index_of(fact), sub_index_of(fact));
     ASSERT_NE(entry, nullptr);
     expect_entry(*entry, fact);
   }
 }
 
-TEST(FactsOfTheUnit, CoverEveryObjectAndEntryOfTheEds) {
-  const auto sections = std::ranges::count_if(generated_eds(), [](const auto& section) {
+TEST_P(FactsOfTheUnit, CoverEveryObjectAndEntryOfTheEds) {
+  const auto sections = std::ranges::count_if(generated_eds(GetParam().name), [](const auto& section) {
     return section.second.find("ObjectType") != section.second.end();
   });
 
-  EXPECT_EQ(static_cast<std::size_t>(sections), read_facts().size());
+  EXPECT_EQ(static_cast<std::size_t>(sections),
+            facts_of(GetParam()).size() + GetParam().mandatory + GetParam().modules);
+}
+
+INSTANTIATE_TEST_SUITE_P(Eds, FactsOfTheUnit, testing::ValuesIn(kFiles), [](const auto& file) {
+  std::string name = file.param.name;
+  std::erase_if(name, [](char c) { return c == '-' || c == '.'; });
+  return name;
+});
+
+TEST(FactsOfTheModules, AreThoseOfTheirAxes) {
+  const EdsFile& file = generated_eds("axisd-unit.eds");
+  std::size_t compared = 0;
+  for (const Fact& fact : facts_of({"", {"axis"}, 0, 0})) {
+    if (is_head(fact)) continue;
+    SCOPED_TRACE(fact.at("index") + ":" + fact.at("sub"));
+    const std::string name = "M1Fixed" + fact.at("index");
+    const bool variable = !file.at(name).contains("SubNumber");
+    const std::string sub = fact.at("sub").front() == '0' ? fact.at("sub").substr(1) : fact.at("sub");
+    expect_entry(file.at(variable ? name : name + "sub" + sub), fact);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 237U);
 }
 
 }  // namespace

@@ -18,6 +18,18 @@ TEST(Number, RefusesEverythingElse) {
     EXPECT_FALSE(parse_number(text)) << text;
 }
 
+TEST(Number, ReadsDecimalNumbersAsReals) {
+  EXPECT_EQ(parse_real("-200.50")->real, -200.5);
+  EXPECT_EQ(parse_real("3")->text, "3");
+  for (const std::string_view text : {"", "0x10", "1e3", "1.0 ", "inf"}) EXPECT_FALSE(parse_real(text)) << text;
+}
+
+TEST(Number, ReadsHexadecimalDigitsOfOneLength) {
+  EXPECT_EQ(parse_hexadecimal("16FF", 4), 0x16FFU);
+  for (const std::string_view text : {"", "16", "016FF", "0x16", "16G0"})
+    EXPECT_FALSE(parse_hexadecimal(text, 4)) << text;
+}
+
 TEST(Number, RangeHoldsForEveryNodeId) {
   const Range byte = *range_of(canopen::DataType::Unsigned8);
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace eds_test {
+
+/// One row of data/objects.csv, what is known of the real unit: cells by the names of the columns.
+using Fact = std::map<std::string, std::string>;
+
+/// Every row, in order; a test fails where the file has other columns.
+std::vector<Fact> read_facts();
+
+/// Index and, in rows of entries, sub-index of @p fact.
+std::uint16_t index_of(const Fact& fact);
+std::uint8_t sub_index_of(const Fact& fact);
+
+/// True for rows of arrays and records, which have no value of their own.
+bool is_head(const Fact& fact);
+
+}  // namespace eds_test
