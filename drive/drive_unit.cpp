@@ -76,10 +76,7 @@ tl::expected<void, ParameterError> DriveUnit::write(std::uint8_t object, std::ui
   const PlacedRow* const placed = find_parameter(owner->kind(), number);
   if (placed != nullptr && placed->row->type != value.type)
     return tl::unexpected{ParameterError{Refusal::WrongType, number, placed->row}};
-  auto written = owner->write(number, index, decode(value));
-  if (written && object == kControlUnitNumber && number == kDeviceFilter)
-    inhibit_axes(control_unit_.is_in_commissioning());
-  return written;
+  return owner->write(number, index, decode(value));
 }
 
 void DriveUnit::set_time(Uptime now) noexcept {
@@ -135,7 +132,10 @@ std::optional<ObjectKind> DriveUnit::kind_of(std::uint8_t number) const noexcept
 
 std::optional<Refusal> DriveUnit::agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
                                         double value) noexcept {
-  return host_ != nullptr ? host_->on_parameter(object, row, index, value) : std::nullopt;
+  const std::optional<Refusal> refused =
+      host_ != nullptr ? host_->on_parameter(object, row, index, value) : std::nullopt;
+  if (!refused && row.number == kDeviceFilter) inhibit_axes(value > 0.0);
+  return refused;
 }
 
 void DriveUnit::inhibit_axes(bool inhibited) noexcept {
