@@ -43,11 +43,11 @@ bool halt_requested(std::uint16_t controlword, const AxisParameters& parameters)
 
 }  // namespace
 
-Axis::Axis(const ObjectContext& context)
-    : DriveObject{context},
-      parameters_{commissioned_parameters(context.axis.machine, context.axis.load)},
-      train_{context.axis.machine, context.axis.load},
-      counts_to_speed_{2.0 * std::numbers::pi / motor::increments_per_revolution(context.axis.machine)} {
+Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uint8_t node_id)
+    : DriveObject{{.kind = configuration.kind, .module = module, .node_id = node_id, .axis = configuration}},
+      parameters_{commissioned_parameters(configuration.machine, configuration.load)},
+      train_{configuration.machine, configuration.load},
+      counts_to_speed_{2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine)} {
   restore_parameters();
 }
 

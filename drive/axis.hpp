@@ -59,10 +59,8 @@ struct AxisInsight {
 /// object. It is told the time that passes and allocates nothing.
 class Axis final : public DriveObject {
  public:
-  /// A drive object of its own, the first of a unit.
-  explicit Axis(const AxisConfiguration& configuration) : Axis{context_of(configuration)} {}
-  /// An axis at its place in a unit.
-  explicit Axis(const ObjectContext& context);
+  /// An axis at place @p module (0..7) of a unit with CANopen address @p node_id (0 = not known).
+  explicit Axis(const AxisConfiguration& configuration, std::uint8_t module = 0, std::uint8_t node_id = 0);
 
   /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod.
   void cycle(const Setpoints& setpoints, double duration) noexcept;
@@ -94,7 +92,6 @@ class Axis final : public DriveObject {
   enum class Ramp : std::uint8_t { Setpoint, Off1, Off3, TorqueLimit };
   static constexpr std::size_t kRampCount = 4;
 
-  static ObjectContext context_of(const AxisConfiguration& configuration) noexcept;
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;

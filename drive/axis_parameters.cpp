@@ -48,13 +48,6 @@ AxisParameters commissioned_parameters(const motor::MachineData& machine, const 
   return parameters;
 }
 
-ObjectContext Axis::context_of(const AxisConfiguration& configuration) noexcept {
-  ObjectContext context{};
-  context.kind = configuration.kind;
-  context.axis = configuration;
-  return context;
-}
-
 double Axis::own_value(const ParameterRow& row, std::size_t index) const noexcept {
   if (const auto* const display = std::get_if<Computed<Axis>>(&row.home)) return display->get(*this, index);
   const auto* const home = std::get_if<Member>(&row.home);

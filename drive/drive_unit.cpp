@@ -18,15 +18,6 @@ ObjectContext control_unit_context(const UnitConfiguration& configuration) noexc
   return context;
 }
 
-ObjectContext axis_context(const UnitConfiguration& configuration, std::size_t module) noexcept {
-  ObjectContext context{};
-  context.axis = configuration.axes[module];
-  context.kind = context.axis.kind;
-  context.module = static_cast<std::uint8_t>(module);
-  context.node_id = configuration.node_id;
-  return context;
-}
-
 /// @p number as @p type holds it: rounded to an integer, at the ends of the type saturated.
 ParameterValue transferred(DataType type, double number) noexcept {
   const DataTypeRow& row = row_of(type);
@@ -43,7 +34,8 @@ ParameterError no_object(std::uint16_t number) noexcept {
 DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host)
     : host_{host}, control_unit_{control_unit_context(configuration)} {
   axes_.reserve(configuration.axes.size());
-  for (std::size_t i = 0; i < configuration.axes.size(); ++i) axes_.emplace_back(axis_context(configuration, i));
+  for (const AxisConfiguration& axis : configuration.axes)
+    axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id);
   control_unit_.join(*this);
   for (Axis& axis : axes_) axis.join(*this);
 }

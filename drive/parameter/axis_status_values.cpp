@@ -102,6 +102,13 @@ double speed_controller_status(const Axis& axis, std::size_t) noexcept {
   return word(std::array{Bit{3, pulses}, Bit{7, axis.insight().torque_limit_reached}});
 }
 
+double speed_status(const Axis& axis, std::size_t) noexcept {
+  const double speed = std::abs(axis.actual().speed);
+  const double threshold = axis.read(2155).value_or(0.0) * kRpm;
+  return word(std::array{Bit{1, speed > axis.parameters().standstill_threshold}, Bit{4, speed > threshold},
+                         Bit{5, speed <= threshold}, Bit{6, speed >= std::abs(axis.insight().ramp_input)}});
+}
+
 double monitoring_1(const Axis& axis, std::size_t) noexcept {
   const AxisInsight seen = axis.insight();
   const bool standstill = std::abs(axis.actual().speed) < axis.parameters().standstill_threshold;

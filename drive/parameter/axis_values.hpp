@@ -36,6 +36,7 @@ double sequence_status(const Axis& axis, std::size_t index) noexcept;
 double speed(const Axis& axis, std::size_t index) noexcept;
 double speed_controller_control(const Axis& axis, std::size_t index) noexcept;
 double speed_controller_status(const Axis& axis, std::size_t index) noexcept;
+double speed_status(const Axis& axis, std::size_t index) noexcept;
 double speed_demand(const Axis& axis, std::size_t index) noexcept;
 double speed_deviation(const Axis& axis, std::size_t index) noexcept;
 double starting_time(const Axis& axis, std::size_t index) noexcept;

@@ -49,6 +49,8 @@ using Factory = std::variant<double, FactoryFunction>;
 
 /// The value lies in a slot of the drive object and nothing in the simulation acts on it.
 struct Stored {};
+/// The value lies in a slot of the drive object, and what the row's effect names is computed from it.
+struct Slot {};
 /// The value lies in a slot of the drive object; the layer that owns the bus acts on it, agrees to every change
 /// and brings in its own ones.
 struct Agreed {};
@@ -72,7 +74,7 @@ struct Computed {
 };
 
 /// Where the value of a parameter lives.
-using Home = std::variant<Stored, Agreed, Command, Fixed, Member, Computed<Axis>, Computed<ControlUnit>,
+using Home = std::variant<Stored, Slot, Agreed, Command, Fixed, Member, Computed<Axis>, Computed<ControlUnit>,
                           Computed<DriveObject>, Computed<FaultMemory>>;
 
 /// What a BICO input can be connected to.

@@ -43,8 +43,8 @@ constexpr auto kRows =
            rows::kMonitoringRows, rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
 
 constexpr bool has_slots(const ParameterRow& row) {
-  return std::holds_alternative<Stored>(row.home) || std::holds_alternative<Agreed>(row.home) ||
-         std::holds_alternative<Command>(row.home);
+  return std::holds_alternative<Stored>(row.home) || std::holds_alternative<Slot>(row.home) ||
+         std::holds_alternative<Agreed>(row.home) || std::holds_alternative<Command>(row.home);
 }
 
 /// The table of one kind; Count is the number of its rows.

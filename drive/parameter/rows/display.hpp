@@ -33,7 +33,7 @@ inline constexpr std::array kDisplayRows{
     Row{39, 3, kAxes, F32, Unit::KilowattHours, kWhole, 0.0, When::ReadOnly, axis(axis_value::energy), Output::Connector, "Energy display: balance, drawn, fed back", "[0] balance, [1] drawn, [2] fed back at the shaft since power-on"},
     Row{42, 3, kAxes, I32, Unit::WattHours, kWhole, 0.0, When::ReadOnly, axis(axis_value::process_energy), Output::Connector, "Process energy display", "as r0039"},
     Row{46, 1, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::missing_enables), Output::Both, "Missing enable signals", ""},
-    Row{53, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Both, "Status word 2 (VECTOR)", ""},
+    Row{53, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_status), Output::Both, "Status word 2 (VECTOR)", "bits 1, 4, 5 and 6"},
     Row{54, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::controlword), Output::Both, "Control word 1 (VECTOR)", "the one in force"},
     Row{56, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::control_status), Output::Both, "Status word closed-loop control", "bits 0 and 2"},
     Row{60, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_demand), Output::Connector, "Speed setpoint before filter", ""},
