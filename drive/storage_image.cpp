@@ -83,7 +83,8 @@ std::uint16_t object_count(const DriveUnit& unit) noexcept {
 /// Calls @p visit for the drive objects that @p object stands for.
 template <class Visit>
 void for_each_object(const DriveUnit& unit, std::uint8_t object, Visit visit) {
-  for (std::uint8_t number = kControlUnitNumber; number <= object_count(unit); ++number)
+  const auto last = static_cast<std::uint8_t>(object_count(unit));
+  for (std::uint8_t number = kControlUnitNumber; number <= last; ++number)
     if (object == kAllObjects || object == number) visit(*unit.object(number));
 }
 
@@ -135,9 +136,9 @@ std::optional<Error> check_head(Reader& reader, const DriveUnit& unit) noexcept 
 
 /// A value of the image and where it belongs.
 struct SavedValue {
-  std::uint16_t number;
-  std::uint8_t index;
-  ParameterValue value;
+  std::uint16_t number = 0;
+  std::uint8_t index = 0;
+  ParameterValue value{};
 };
 
 SavedValue take_value(Reader& reader) noexcept {
