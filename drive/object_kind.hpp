@@ -19,7 +19,7 @@ inline constexpr ObjectKinds kAll = kControlUnit | kAxes;
 
 /// Whether @p kind is one of @p kinds.
 constexpr bool contains(ObjectKinds kinds, ObjectKind kind) noexcept {
-  return ((kinds >> static_cast<unsigned>(kind)) & 1U) != 0;
+  return (unsigned{kinds} >> static_cast<unsigned>(kind) & 1U) != 0;
 }
 
 /// Drive object numbers: the control unit, then the axes in the order of the configuration.
