@@ -6,12 +6,11 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "daemon/json_reader.hpp"
-#include "drive/parameter_table.hpp"
+#include "drive/axis.hpp"
 
 namespace axisd {
 namespace {
@@ -115,22 +114,23 @@ motor::Load read_load(const JsonReader& json) {
 
 /// What should have been written instead of what @p error refused.
 std::string expectation(const drive::ParameterError& error) {
+  using drive::Refusal;
   const drive::ParameterRow& row = *error.row;
-  if (error.reason == drive::ParameterError::Reason::ReadOnly)
-    return fmt::format("no value ({} is read only)", row.text);
-  const bool integer = std::holds_alternative<std::int32_t drive::AxisParameters::*>(row.member);
+  const bool number = error.reason == Refusal::BelowMinimum || error.reason == Refusal::AboveMaximum ||
+                      error.reason == Refusal::WrongType;
+  if (!number) return fmt::format("no such value ({})", drive::message(error));
+  const drive::Range limits = drive::limits_of(row);
   const std::string_view unit = drive::row_of(row.unit).text;
-  return fmt::format("{} {} to {}{}{}", integer ? "an integer" : "a number", row.minimum, row.maximum,
-                     unit.empty() ? "" : " ", unit);
+  return fmt::format("{} {} to {}{}{}", row.type == drive::DataType::F32 ? "a number" : "an integer",
+                     limits.minimum, limits.maximum, unit.empty() ? "" : " ", unit);
 }
 
 ParameterValue read_parameter(const JsonReader& json, const std::string& text) {
-  const drive::ParameterRow* const row = drive::find_parameter(text);
+  drive::Axis trial{drive::AxisConfiguration{}};
+  const drive::ParameterRow* const row = drive::find_parameter(trial.kind(), text);
   if (row == nullptr) json.fail("a parameter of the axis such as p1120 as key");
   const double value = json.number(-kUnlimited, kUnlimited);
-  drive::AxisParameters trial;
-  if (const auto written = drive::write(trial, row->number, value); !written)
-    json.fail(expectation(written.error()));
+  if (const auto written = trial.write(row->number, value); !written) json.fail(expectation(written.error()));
   return {row->number, value};
 }
 

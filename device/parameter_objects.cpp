@@ -32,24 +32,32 @@ const Row& row_of(std::uint16_t index) noexcept {
   return *std::find_if(kRows.begin(), kRows.end(), [=](const Row& row) { return row.index == index; });
 }
 
+/// Refusals of a parameter with an abort code of their own; for every other one it is the state of the unit.
+struct AbortRow {
+  drive::Refusal reason;
+  AbortCode code;
+};
+constexpr std::array kAbortCodes{
+    AbortRow{drive::Refusal::NoParameter, AbortCode::NoObject},
+    AbortRow{drive::Refusal::NoDriveObject, AbortCode::NoObject},
+    AbortRow{drive::Refusal::ReadOnly, AbortCode::ReadOnly},
+    AbortRow{drive::Refusal::NoIndex, AbortCode::NoSubIndex},
+    AbortRow{drive::Refusal::NotIndexed, AbortCode::NoSubIndex},
+    AbortRow{drive::Refusal::WrongType, AbortCode::LengthMismatch},
+    AbortRow{drive::Refusal::OutOfRange, AbortCode::InvalidValue},
+    AbortRow{drive::Refusal::OnlyZero, AbortCode::InvalidValue},
+    AbortRow{drive::Refusal::IllegalValue, AbortCode::InvalidValue},
+    AbortRow{drive::Refusal::IllegalSource, AbortCode::InvalidValue},
+    AbortRow{drive::Refusal::BelowMinimum, AbortCode::ValueTooLow},
+    AbortRow{drive::Refusal::AboveMaximum, AbortCode::ValueTooHigh},
+};
+
 /// The abort code for a refused parameter access.
 AbortCode abort_code(const drive::ParameterError& error) noexcept {
-  using Reason = drive::ParameterError::Reason;
-  switch (error.reason) {
-    case Reason::Unknown:
-      return AbortCode::NoObject;
-    case Reason::ReadOnly:
-      return AbortCode::ReadOnly;
-    case Reason::PulsesEnabled:
-      return AbortCode::DeviceState;
-    case Reason::NotAnInteger:
-      return AbortCode::InvalidValue;
-    case Reason::BelowMinimum:
-      return AbortCode::ValueTooLow;
-    case Reason::AboveMaximum:
-      return AbortCode::ValueTooHigh;
-  }
-  return AbortCode::GeneralError;
+  const auto* const row = std::find_if(kAbortCodes.begin(), kAbortCodes.end(), [&](const AbortRow& candidate) {
+    return candidate.reason == error.reason;
+  });
+  return row != kAbortCodes.end() ? row->code : AbortCode::DeviceState;
 }
 
 }  // namespace
@@ -75,7 +83,7 @@ canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::
   const Row& row = row_of(entry.index);
   auto parameter_value = static_cast<double>(value);
   if (row.form == Form::Slope) {
-    const double longest = drive::find_parameter(row.parameter)->maximum;
+    const double longest = drive::find_parameter(axis_.kind(), row.parameter)->row->range.maximum;
     const auto time =
         scaling_.ramp_time_from_bus(static_cast<std::uint32_t>(value), axis_.parameters().maximum_speed, longest);
     if (!time) return canopen::refuse(AbortCode::ValueTooLow);

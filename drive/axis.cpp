@@ -29,35 +29,34 @@ struct ReactionRow {
   Event event;
 };
 constexpr std::array kReactionEvents{
-    ReactionRow{Reaction::Off1, Event::FaultOff1}, ReactionRow{Reaction::Off2, Event::FaultOff2},
+    ReactionRow{Reaction::Off1, Event::FaultOff1},
+    ReactionRow{Reaction::Off2, Event::FaultOff2},
     ReactionRow{Reaction::Off3, Event::FaultOff3},
     ReactionRow{Reaction::Encoder, Event::FaultOff2},  // p0491 of a new unit
+    ReactionRow{Reaction::Stop2, Event::FaultOff3},
+    ReactionRow{Reaction::ShortCircuit, Event::FaultOff2},
 };
 
 bool halt_requested(std::uint16_t controlword, const AxisParameters& parameters) noexcept {
   return (controlword & kHaltBit) != 0 && parameters.halt_option >= 0;
 }
 
-/// The controlword with a halt by option code 0 expressed as a missing operation enable.
-std::uint16_t effective(std::uint16_t controlword, const AxisParameters& parameters) noexcept {
-  const bool pulses_off = halt_requested(controlword, parameters) && parameters.halt_option == kHaltWithPulsesOff;
-  return pulses_off ? static_cast<std::uint16_t>(controlword & ~kEnableOperationBit) : controlword;
-}
-
 }  // namespace
 
-Axis::Axis(const AxisConfiguration& configuration) noexcept
-    : configuration_{configuration},
+Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uint8_t node_id)
+    : DriveObject{{.kind = configuration.kind, .module = module, .node_id = node_id, .axis = configuration}},
       parameters_{commissioned_parameters(configuration.machine, configuration.load)},
       train_{configuration.machine, configuration.load},
       counts_to_speed_{2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine)} {
-  apply_parameters();
+  restore_parameters();
 }
 
 void Axis::apply_parameters() noexcept {
   const AxisParameters& p = parameters_;
-  const double highest = configuration_.machine.maximum_torque;
-  speed_limit_ = std::min(p.maximum_speed, p.motor_maximum_speed);
+  const double highest = context().axis.machine.maximum_torque;
+  const double speed_limit = std::min(p.maximum_speed, p.motor_maximum_speed);
+  forward_limit_ = std::min(speed_limit, p.speed_limit_positive);
+  backward_limit_ = std::max(-speed_limit, p.speed_limit_negative);
   torque_limits_ = {std::min(p.upper_torque_limit, highest), std::max(p.lower_torque_limit, -highest)};
   const double off1 = ramp_slope(p.maximum_speed, p.ramp_down_time);
   const double off3 = ramp_slope(p.maximum_speed, p.off3_ramp_down_time);
@@ -86,8 +85,17 @@ void Axis::sequence(std::uint16_t controlword, double duration) noexcept {
     acknowledge();
     if (state_ != before) return;  // Switch on disabled is seen for a cycle, whatever else the word says
   }
-  apply(command_of(effective(controlword, parameters_)));
+  apply(command_of(command_word()));
   if (is_braking(state_)) check_standstill(duration);
+}
+
+/// The controlword as the sequence control sees it: none at all in commissioning, and a halt by option code 0 is a
+/// missing operation enable.
+std::uint16_t Axis::command_word() const noexcept {
+  if (inhibited_ || parameters_.commissioning != 0) return 0;
+  const bool pulses_off =
+      halt_requested(controlword_, parameters_) && parameters_.halt_option == kHaltWithPulsesOff;
+  return pulses_off ? static_cast<std::uint16_t>(controlword_ & ~kEnableOperationBit) : controlword_;
 }
 
 void Axis::check_standstill(double duration) noexcept {
@@ -148,7 +156,7 @@ void Axis::select_ramp(const Setpoints& setpoints) noexcept {
     return;
   }
   ramp_ = Ramp::Setpoint;
-  target_ = std::clamp(setpoints.speed, -speed_limit_, speed_limit_);
+  target_ = std::clamp(setpoints.speed, backward_limit_, forward_limit_);
 }
 
 void Axis::move(double duration) noexcept {
@@ -157,6 +165,7 @@ void Axis::move(double duration) noexcept {
   motor::Command command{pulses_enabled_in(state_), 0.0, torque_limits_};
   double torque_demand = 0.0;
   double torque = 0.0;
+  const double demand_before = ramp_generator_.output();
   for (int i = 0; i < steps; ++i) {
     if (command.pulses_enabled)
       command.speed_setpoint = ramp_generator_.step(motor::kControlPeriod, target_, slopes);
@@ -165,13 +174,22 @@ void Axis::move(double duration) noexcept {
     torque_demand += train_.signals().torque_setpoint;
     torque += train_.signals().torque;
   }
+  ramp_acceleration_ = (ramp_generator_.output() - demand_before) / (steps * motor::kControlPeriod);
+  measure(steps, torque_demand, torque);
+}
+
+/// Means over the @p steps of a cycle, from the sums of the torques.
+void Axis::measure(int steps, double torque_demand, double torque) noexcept {
+  const double time = steps * motor::kControlPeriod;
   const std::int64_t counts = train_.signals().encoder_counts;
   const auto moved = static_cast<double>(counts - actual_.encoder_counts);
-  actual_.speed = moved * counts_to_speed_ / (steps * motor::kControlPeriod);
+  actual_.speed = moved * counts_to_speed_ / time;
   actual_.torque_demand = torque_demand / steps;
   actual_.torque = torque / steps;
   actual_.encoder_counts = counts;
   actual_.encoder_position = static_cast<std::int32_t>(static_cast<std::uint32_t>(counts));
+  const double work = actual_.torque * actual_.speed * time;
+  (work > 0.0 ? energy_drawn_ : energy_fed_back_) += std::abs(work);
 }
 
 void Axis::monitor(double duration) noexcept {
@@ -181,23 +199,27 @@ void Axis::monitor(double duration) noexcept {
   const bool should_turn = pulses_enabled_in(state_) && std::abs(ramp_generator_.output()) > 0.0;
   const bool stuck =
       should_turn && train_.signals().torque_limit_reached && std::abs(actual_.speed) < p.blocked_speed_threshold;
-  monitor_fault(kBlocked, blocked_.update(duration, stuck, p.blocked_delay));
-  monitor_fault(kOverspeed, std::abs(actual_.speed) > speed_limit_ + p.overspeed_hysteresis);
+  is_blocked_ = blocked_.update(duration, stuck, p.blocked_delay);
+  overspeed_ = actual_.speed > forward_limit_ + p.overspeed_hysteresis ||
+               actual_.speed < backward_limit_ - p.overspeed_hysteresis;
+  monitor_fault(kBlocked, is_blocked_);
+  monitor_fault(kOverspeed, overspeed_);
   monitor_fault(kLimitsCrossed, p.upper_torque_limit < p.lower_torque_limit);
 }
 
 void Axis::monitor_fault(std::uint16_t number, bool cause) noexcept {
-  if (!cause && messages_.faults().empty()) return;
+  if (!cause && messages().faults().empty() && messages().alarms().empty()) return;
   const FaultRow* row = find_fault(number);
-  if (!cause) return messages_.withdraw(*row);
-  messages_.enter(*row, 0, Cause::Present);
-  react(*row);
+  if (!cause) return memory().withdraw(*row);
+  memory().enter(*row, 0, Cause::Present);
+  if (memory().settings.kind_of(*row) == Kind::Fault) react(*row);
 }
 
 void Axis::react(const FaultRow& row) noexcept {
   const bool abort = row.number == kConnectionAbort;
-  const Reaction reaction =
+  const Reaction standard =
       abort ? kAbortReactions[static_cast<std::size_t>(parameters_.abort_connection_option)] : row.reaction;
+  const Reaction reaction = messages().settings.reaction_to(row).value_or(standard);
   for (const ReactionRow& candidate : kReactionEvents)
     if (candidate.reaction == reaction) apply(candidate.event);
 }
@@ -209,8 +231,8 @@ void Axis::refresh_status() noexcept {
   actual_.speed_demand = ramp_generator_.output();
   actual_.statusword =
       statusword(state_, {.controlword = controlword_,
-                          .fault = !messages_.faults().empty(),
-                          .alarm = !messages_.alarms().empty(),
+                          .fault = !messages().faults().empty(),
+                          .alarm = !messages().alarms().empty(),
                           .target_reached = target_reached_,
                           .torque_limit_reached = pulses && train_.signals().torque_limit_reached,
                           .speed_zero = std::abs(actual_.speed) < parameters_.zero_speed_threshold});
@@ -221,7 +243,7 @@ bool Axis::is_quiescent() const noexcept {
 }
 
 void Axis::power_off() noexcept {
-  messages_.clear();
+  memory().clear();
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
   controlword_ = 0;
@@ -229,31 +251,16 @@ void Axis::power_off() noexcept {
   settled_ = false;
 }
 
-tl::expected<void, FaultError> Axis::raise(std::uint16_t number, std::uint32_t value, Cause cause) noexcept {
-  const FaultRow* row = find_fault(number);
-  if (row == nullptr) return tl::unexpected{FaultError::Unknown};
-  if (row->scope == Scope::ControlUnit) return tl::unexpected{FaultError::NotOnThisAxis};
-  messages_.enter(*row, value, cause);
-  react(*row);
-  refresh_status();
-  settled_ = false;
-  return {};
-}
-
-void Axis::withdraw(std::uint16_t number) noexcept {
-  const FaultRow* row = find_fault(number);
-  if (row == nullptr) return;
-  messages_.withdraw(*row);
+void Axis::on_messages_changed() noexcept {
   refresh_status();
   settled_ = false;
 }
 
 bool Axis::acknowledge() noexcept {
   if (state_ == State::FaultReactionActive) return false;
-  const bool none_left = messages_.acknowledge(pulses_enabled_in(state_));
+  const bool none_left = memory().acknowledge(pulses_enabled_in(state_));
   if (none_left) apply(Event::Acknowledged);
-  refresh_status();
-  settled_ = false;
+  on_messages_changed();
   return none_left;
 }
 
@@ -262,22 +269,9 @@ void Axis::set_load_torque(double torque) noexcept {
   settled_ = false;
 }
 
-tl::expected<double, ParameterError> Axis::read(std::uint16_t number) const noexcept {
-  return drive::read(parameters_, number);
-}
-
-tl::expected<void, ParameterError> Axis::write(std::uint16_t number, double value) noexcept {
-  const ParameterRow* row = find_parameter(number);
-  if (row != nullptr && row->access == Access::PulsesOff && pulses_enabled_in(state_))
-    return tl::unexpected{ParameterError{ParameterError::Reason::PulsesEnabled, number, row}};
-  const auto written = drive::write(parameters_, number, value);
-  if (written) apply_parameters();
-  return written;
-}
-
-void Axis::restore_parameters() noexcept {
-  parameters_ = commissioned_parameters(configuration_.machine, configuration_.load);
-  apply_parameters();
+void Axis::inhibit(bool inhibited) noexcept {
+  inhibited_ = inhibited;
+  settled_ = false;
 }
 
 }  // namespace drive

@@ -4,10 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <tl/expected.hpp>
-
-#include "drive/fault_memory.hpp"
-#include "drive/parameter_table.hpp"
+#include "drive/axis_configuration.hpp"
+#include "drive/drive_object.hpp"
 #include "drive/parameters.hpp"
 #include "drive/ramp_function_generator.hpp"
 #include "drive/speed_monitors.hpp"
@@ -15,12 +13,6 @@
 #include "motor/drive_train.hpp"
 
 namespace drive {
-
-/// The machine of an axis and what it turns.
-struct AxisConfiguration {
-  motor::MachineData machine{};
-  motor::Load load{};
-};
 
 /// What the master sends in one process-data cycle.
 struct Setpoints {
@@ -48,17 +40,27 @@ struct ActualValues {
   friend bool operator==(const ActualValues&, const ActualValues&) = default;
 };
 
-/// Why a message was not raised.
-enum class FaultError : std::uint8_t {
-  Unknown,        ///< no fault or alarm has this number
-  NotOnThisAxis,  ///< it exists on the control unit only
+/// What parameters show of an axis beyond its actual values.
+struct AxisInsight {
+  std::uint16_t controlword = 0;        ///< as received
+  bool switching_on_inhibited = false;  ///< by p0010 or p0009
+  double ramp_input = 0.0;              ///< r1119 (rad/s)
+  double ramp_acceleration = 0.0;       ///< r1149, mean of the last cycle (rad/s²)
+  motor::TorqueLimits torque_limits{};  ///< effective, r1538 and r1539 (N·m)
+  bool torque_limit_reached = false;    ///< with the pulses on
+  bool target_reached = false;
+  bool overspeed = false;
+  bool blocked = false;
+  double energy_drawn = 0.0;     ///< at the shaft since power-on (J)
+  double energy_fed_back = 0.0;  ///< the same, not negative (J)
 };
 
-/// One axis: sequence control, setpoint channel, motor, parameters, faults and alarms. It is told the time that
-/// passes and allocates nothing.
-class Axis {
+/// One axis: sequence control, setpoint channel and motor behind the parameters, faults and alarms of a drive
+/// object. It is told the time that passes and allocates nothing.
+class Axis final : public DriveObject {
  public:
-  explicit Axis(const AxisConfiguration& configuration) noexcept;
+  /// An axis at place @p module (0..7) of a unit with CANopen address @p node_id (0 = not known).
+  explicit Axis(const AxisConfiguration& configuration, std::uint8_t module = 0, std::uint8_t node_id = 0);
 
   /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod.
   void cycle(const Setpoints& setpoints, double duration) noexcept;
@@ -69,50 +71,53 @@ class Axis {
   /// Power-off of the sequence control: pulses off, Switch on disabled, no message left; the shaft coasts on.
   void power_off() noexcept;
 
-  /// A fault or an alarm with its value (r0949, r2124) appears; the reaction follows at once.
-  [[nodiscard]] tl::expected<void, FaultError> raise(std::uint16_t number, std::uint32_t value = 0,
-                                                     Cause cause = Cause::Gone) noexcept;
-  /// The cause of a message is gone: an alarm leaves, a fault can be acknowledged.
-  void withdraw(std::uint16_t number) noexcept;
   /// Acknowledges what can be acknowledged now; true if no fault is left. During a fault reaction nothing can.
-  bool acknowledge() noexcept;
-  /// Active faults and alarms.
-  const FaultMemory& messages() const noexcept { return messages_; }
+  bool acknowledge() noexcept override;
 
   /// Replaces the constant load torque (N·m, positive against positive rotation).
   void set_load_torque(double torque) noexcept;
 
   /// All parameters in SI units.
   const AxisParameters& parameters() const noexcept { return parameters_; }
-  /// Value of a parameter in its own unit.
-  [[nodiscard]] tl::expected<double, ParameterError> read(std::uint16_t number) const noexcept;
-  /// Writes a parameter in its own unit; it acts from the next control period on.
-  [[nodiscard]] tl::expected<void, ParameterError> write(std::uint16_t number, double value) noexcept;
-  /// Back to the parameters of a newly commissioned axis.
-  void restore_parameters() noexcept;
+  /// What parameters show that is no actual value.
+  AxisInsight insight() const noexcept;
+  /// Computes p0340's choice anew from the machine: 1 everything, 3 and 4 the controllers, 5 the limits.
+  void compute_parameters(int choice) noexcept;
+  /// Ends commissioning (p0010 = 0).
+  void leave_commissioning() noexcept;
+  /// Whether the unit, by p0009, keeps the axis from being switched on.
+  void inhibit(bool inhibited) noexcept;
 
  private:
   enum class Ramp : std::uint8_t { Setpoint, Off1, Off3, TorqueLimit };
   static constexpr std::size_t kRampCount = 4;
 
+  double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
+  void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
+  WriteState write_state() const noexcept override;
+  void on_parameters_changed() noexcept override { apply_parameters(); }
+  void react(const FaultRow& row) noexcept override;
+  void on_messages_changed() noexcept override;
+
   void apply_parameters() noexcept;
+  std::uint16_t command_word() const noexcept;
   void sequence(std::uint16_t controlword, double duration) noexcept;
   void check_standstill(double duration) noexcept;
   bool apply(Event event) noexcept;
   void perform(Action action) noexcept;
   void brake_on(Ramp ramp) noexcept;
-  void react(const FaultRow& row) noexcept;
   void select_ramp(const Setpoints& setpoints) noexcept;
   void move(double duration) noexcept;
+  void measure(int steps, double torque_demand, double torque) noexcept;
   void monitor(double duration) noexcept;
   void monitor_fault(std::uint16_t number, bool cause) noexcept;
   void refresh_status() noexcept;
 
-  AxisConfiguration configuration_;
   AxisParameters parameters_;
   motor::DriveTrain train_;
   // Follows from the parameters.
-  double speed_limit_ = 0.0;  // rad/s
+  double forward_limit_ = 0.0;   // rad/s
+  double backward_limit_ = 0.0;  // rad/s, not positive
   motor::TorqueLimits torque_limits_{};
   std::array<RampSlopes, kRampCount> slopes_{};
   double counts_to_speed_;  // rad an increment
@@ -125,9 +130,14 @@ class Axis {
   StandstillMonitor standstill_;
   TargetMonitor target_monitor_;
   BlockedMonitor blocked_;
-  FaultMemory messages_;
+  bool inhibited_ = false;  // by the unit
   bool target_reached_ = false;
-  bool settled_ = false;  // the last cycle changed nothing
+  bool is_blocked_ = false;
+  bool overspeed_ = false;
+  double ramp_acceleration_ = 0.0;  // rad/s²
+  double energy_drawn_ = 0.0;       // J
+  double energy_fed_back_ = 0.0;    // J
+  bool settled_ = false;            // the last cycle changed nothing
   ActualValues actual_;
 };
 

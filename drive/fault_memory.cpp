@@ -5,6 +5,10 @@
 namespace drive {
 namespace {
 
+constexpr std::uint16_t kGeneralError = 0x1000;
+constexpr std::uint8_t kGenericBit = 0x01;
+constexpr std::uint8_t kManufacturerBit = 0x80;
+
 struct EmcyException {
   std::uint16_t number;
   std::uint32_t value;
@@ -13,12 +17,31 @@ struct EmcyException {
 // Life guarding; bus-off (value 1) is "any other message of 8700..8799".
 constexpr std::array kEmcyExceptions{EmcyException{8700, 2, 0x8130}};
 
+/// Whether EMCY code and error register are those of the row whatever kind the message has.
+bool is_of_the_communication(const FaultRow& row) noexcept {
+  return row.number >= 8700 && row.number < 8800;
+}
+
+BufferEntry shown(const FaultEntry& entry, Uptime removed) noexcept {
+  return {entry.row->number, entry.value, entry.received, removed};
+}
+
 }  // namespace
 
 std::uint16_t FaultEntry::emcy_code() const noexcept {
   for (const EmcyException& exception : kEmcyExceptions)
     if (exception.number == row->number && exception.value == value) return exception.emcy_code;
-  return row->emcy_code;
+  if (is_of_the_communication(*row)) return row->emcy_code;
+  return kind == Kind::Fault ? kGeneralError : std::uint16_t{0};
+}
+
+std::uint8_t FaultEntry::error_register() const noexcept {
+  if (is_of_the_communication(*row)) return row->error_register;
+  return kind == Kind::Fault ? kGenericBit | kManufacturerBit : 0;
+}
+
+Acknowledge FaultEntry::acknowledge() const noexcept {
+  return row->kind == Kind::Fault ? row->acknowledge : Acknowledge::Immediately;
 }
 
 FaultEntry* FaultMemory::List::find(const FaultRow& row) noexcept {
@@ -37,42 +60,84 @@ std::size_t FaultMemory::List::remove_if(Predicate leaves) noexcept {
   return removed;
 }
 
+/// The active entry of @p row, whichever kind it had when it entered.
+FaultEntry* FaultMemory::find(const FaultRow& row) noexcept {
+  FaultEntry* const fault = faults_.find(row);
+  return fault != nullptr ? fault : alarms_.find(row);
+}
+
 void FaultMemory::enter(const FaultRow& row, std::uint32_t value, Cause cause) noexcept {
-  List& list = list_of(row);
-  if (FaultEntry* active = list.find(row)) {
-    if (active->value != value) ++change_count_;
-    active->value = value;
-    active->cause = cause;
+  if (FaultEntry* const active = find(row)) return update(*active, value, cause);
+  const std::optional<Kind> kind = settings.kind_of(row);
+  if (!kind) return;
+  List& list = *kind == Kind::Fault ? faults_ : alarms_;
+  if (list.count == kCapacity) return;
+  list.items[list.count++] = FaultEntry{&row, value, ++sequence_, cause, *kind, now_};
+  ++change_count_;
+  note_entered(list.items[list.count - 1]);
+}
+
+void FaultMemory::update(FaultEntry& active, std::uint32_t value, Cause cause) noexcept {
+  active.cause = cause;
+  if (active.value == value) return;
+  active.value = value;
+  ++change_count_;
+  if (active.kind == Kind::Alarm) alarm_buffer_.change(active.row->number, value);
+}
+
+void FaultMemory::note_entered(const FaultEntry& entry) noexcept {
+  if (entry.kind == Kind::Alarm) {
+    alarm_buffer_.enter(entry.row->number, entry.value, now_);
+    ++counters_.alarms;
+    ++counters_.alarm_changes;
     return;
   }
-  if (list.count == kCapacity) return;
-  list.items[list.count++] = FaultEntry{&row, value, ++sequence_, cause};
-  ++change_count_;
+  if (faults_.count == 1) ++counters_.fault_cases;
+  ++counters_.fault_changes;
 }
 
 void FaultMemory::withdraw(const FaultRow& row) noexcept {
-  List& list = list_of(row);
-  FaultEntry* active = list.find(row);
+  FaultEntry* const active = find(row);
   if (active == nullptr) return;
   active->cause = Cause::Gone;
-  if (row.kind != Kind::Alarm) return;
-  list.remove_if([&](const FaultEntry& e) { return e.row->number == row.number; });
+  if (active->kind != Kind::Alarm) return;
+  alarms_.remove_if([&](const FaultEntry& e) { return e.row->number == row.number; });
+  alarm_buffer_.leave(row.number, now_);
+  ++counters_.alarm_changes;
+  ++change_count_;
+}
+
+/// Removes the faults that @p leave accepts and keeps them as a case of the buffer; what stays is a new case.
+template <class Predicate>
+void FaultMemory::remove_faults(Predicate leave) noexcept {
+  std::array<BufferEntry, kCapacity> gone{};
+  std::size_t count = 0;
+  for (const FaultEntry& entry : faults())
+    if (leave(entry)) gone[count++] = shown(entry, now_);
+  if (count == 0) return;
+  faults_.remove_if(leave);
+  history_.push({gone.data(), count});
+  if (faults_.count != 0) ++counters_.fault_cases;
+  ++counters_.fault_changes;
   ++change_count_;
 }
 
 bool FaultMemory::acknowledge(bool pulses_enabled) noexcept {
-  const auto may_leave = [&](const FaultEntry& entry) {
-    if (entry.cause == Cause::Present || entry.row->acknowledge == Acknowledge::PowerOn) return false;
-    return entry.row->acknowledge != Acknowledge::PulseInhibit || !pulses_enabled;
-  };
-  if (faults_.remove_if(may_leave) != 0) ++change_count_;
+  remove_faults([&](const FaultEntry& entry) {
+    const Acknowledge way = entry.acknowledge();
+    if (entry.cause == Cause::Present || way == Acknowledge::PowerOn) return false;
+    return way != Acknowledge::PulseInhibit || !pulses_enabled;
+  });
   return faults_.count == 0;
 }
 
 void FaultMemory::clear() noexcept {
-  if (faults_.count + alarms_.count != 0) ++change_count_;
-  faults_.count = 0;
+  remove_faults([](const FaultEntry&) { return true; });
+  if (alarms_.count == 0) return;
+  for (const FaultEntry& entry : alarms()) alarm_buffer_.leave(entry.row->number, now_);
   alarms_.count = 0;
+  ++counters_.alarm_changes;
+  ++change_count_;
 }
 
 const FaultEntry* FaultMemory::most_recent() const noexcept {
@@ -84,9 +149,26 @@ const FaultEntry* FaultMemory::most_recent() const noexcept {
 
 std::uint8_t FaultMemory::error_register() const noexcept {
   unsigned bits = 0;
-  for (const FaultEntry& entry : faults()) bits |= entry.row->error_register;
-  for (const FaultEntry& entry : alarms()) bits |= entry.row->error_register;
+  for (const FaultEntry& entry : faults()) bits |= entry.error_register();
+  for (const FaultEntry& entry : alarms()) bits |= entry.error_register();
   return static_cast<std::uint8_t>(bits);
+}
+
+BufferEntry FaultMemory::fault(std::size_t index) const noexcept {
+  if (index >= kCapacity) return history_.at(index - kCapacity);
+  return index < faults_.count ? shown(faults_.items[index], 0) : BufferEntry{};
+}
+
+void FaultMemory::clear_fault_buffer() noexcept {
+  history_.clear();
+  counters_.fault_cases = 0;
+  ++counters_.fault_changes;
+}
+
+void FaultMemory::clear_alarm_buffer() noexcept {
+  alarm_buffer_.clear();
+  counters_.alarms = 0;
+  ++counters_.alarm_changes;
 }
 
 }  // namespace drive

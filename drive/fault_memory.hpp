@@ -3,9 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "drive/fault_table.hpp"
+#include "drive/message_buffers.hpp"
+#include "drive/message_settings.hpp"
 
 namespace drive {
 
@@ -18,24 +21,34 @@ struct FaultEntry {
   std::uint32_t value = 0;     ///< fault value (r0949) or alarm value (r2124)
   std::uint32_t sequence = 0;  ///< ascending over all messages of the memory, from 1
   Cause cause = Cause::Gone;
+  Kind kind = Kind::Fault;  ///< what the row or p2119 makes of it
+  Uptime received = 0;      ///< since the unit was switched on
 
-  /// CANopen error code; F08700 has its own one only for life guarding (value 2).
+  /// CANopen error code, 0 = no EMCY; F08700 has its own one only for life guarding (value 2).
   std::uint16_t emcy_code() const noexcept;
+  /// Bits it sets in 1001h: a message of the communication as fault and as alarm, another one as a fault only.
+  std::uint8_t error_register() const noexcept;
+  /// When an acknowledgement removes it; an alarm that p2119 makes a fault leaves at once.
+  Acknowledge acknowledge() const noexcept;
 };
 
-/// The active faults and alarms of one drive object, oldest first: room for eight of each, what comes after that
-/// is not entered. A layer above notices news by change_count() and new entries by their sequence number.
+/// The faults and alarms of one drive object, active ones oldest first: room for eight of each, what comes after
+/// that is not entered. A layer above notices news by change_count() and new entries by their sequence number.
+/// What has left is kept in the buffers.
 class FaultMemory {
  public:
   static constexpr std::size_t kCapacity = 8;
 
-  /// Enters a message. One that is active already only takes over @p value and @p cause.
+  /// Tells the time since the unit was switched on (ms) that holds for what follows.
+  void set_time(Uptime now) noexcept { now_ = now; }
+  /// Enters a message as what the settings make of it, if anything. One that is active already only takes over
+  /// @p value and @p cause.
   void enter(const FaultRow& row, std::uint32_t value, Cause cause) noexcept;
   /// The cause of @p row is gone: an alarm leaves, a fault can be acknowledged from now on.
   void withdraw(const FaultRow& row) noexcept;
   /// Removes every fault that may be acknowledged now; true if no fault is left.
   bool acknowledge(bool pulses_enabled) noexcept;
-  /// Removes everything, as power-off does.
+  /// Removes everything that is active, as power-off does; the buffers remain.
   void clear() noexcept;
 
   /// Active faults, oldest first.
@@ -49,6 +62,26 @@ class FaultMemory {
   /// Bits of the error register 1001h.
   std::uint8_t error_register() const noexcept;
 
+  /// Fault 0..63 of the fault buffer: eight cases of eight, the current one first.
+  BufferEntry fault(std::size_t index) const noexcept;
+  /// Alarm 0..63 of the alarm buffer.
+  const BufferEntry& alarm(std::size_t index) const noexcept { return alarm_buffer_.at(index); }
+  /// How often the buffers were filled and changed since they were cleared.
+  struct Counters {
+    std::uint16_t fault_changes = 0;  ///< r0944
+    std::uint16_t fault_cases = 0;    ///< p0952
+    std::uint16_t alarm_changes = 0;  ///< r2121
+    std::uint16_t alarms = 0;         ///< p2111
+  };
+  const Counters& counters() const noexcept { return counters_; }
+  /// p0952 = 0: the buffer holds only what is active.
+  void clear_fault_buffer() noexcept;
+  /// p2111 = 0: the buffer holds only what is active.
+  void clear_alarm_buffer() noexcept;
+
+  /// What is made of messages other than the table says; it holds for messages to come.
+  MessageSettings settings{};
+
  private:
   struct List {
     std::array<FaultEntry, kCapacity> items{};
@@ -61,10 +94,18 @@ class FaultMemory {
     std::size_t remove_if(Predicate leaves) noexcept;
   };
 
-  List& list_of(const FaultRow& row) noexcept { return row.kind == Kind::Fault ? faults_ : alarms_; }
+  FaultEntry* find(const FaultRow& row) noexcept;
+  void update(FaultEntry& active, std::uint32_t value, Cause cause) noexcept;
+  void note_entered(const FaultEntry& entry) noexcept;
+  template <class Predicate>
+  void remove_faults(Predicate leave) noexcept;
 
   List faults_;
   List alarms_;
+  FaultHistory history_;
+  AlarmBuffer alarm_buffer_;
+  Counters counters_;
+  Uptime now_ = 0;
   std::uint32_t sequence_ = 0;
   std::uint32_t change_count_ = 0;
 };

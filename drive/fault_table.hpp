@@ -16,11 +16,22 @@ enum class Scope : std::uint8_t { Axis, ControlUnit, Both };
 /// What a fault does to the motor.
 enum class Reaction : std::uint8_t {
   None,
-  Off1,     ///< ramp down on p1121, then pulses off
-  Off2,     ///< pulses off at once
-  Off3,     ///< ramp down on p1135, then pulses off
-  Encoder,  ///< p0491, from the factory OFF2
+  Off1,          ///< ramp down on p1121, then pulses off
+  Off2,          ///< pulses off at once
+  Off3,          ///< ramp down on p1135, then pulses off
+  Encoder,       ///< p0491, from the factory OFF2
+  Stop2,         ///< brake on p1135 and hold at zero; here the pulses go off at standstill as after OFF3
+  ShortCircuit,  ///< armature short-circuit or DC brake; here the pulses go off as after OFF2
 };
+
+/// A set of reactions, one bit each in the order of the enumeration.
+using Reactions = std::uint8_t;
+constexpr Reactions bit_of(Reaction reaction) noexcept {
+  return static_cast<Reactions>(1U << static_cast<unsigned>(reaction));
+}
+
+/// Whether a message that comes from one drive object appears on every one of the unit.
+enum class Propagation : std::uint8_t { Local, Global };
 
 /// When an acknowledgement removes a fault.
 enum class Acknowledge : std::uint8_t {
@@ -36,10 +47,13 @@ struct FaultRow {
   Kind kind;
   Scope scope;
   Reaction reaction;
+  Reactions alternatives;  ///< what p2100 and p2101 can set instead
   Acknowledge acknowledge;
+  Propagation propagation;
   std::uint16_t emcy_code;      ///< 0 = no EMCY
   std::uint8_t error_register;  ///< bits it sets in 1001h
   std::string_view name;
+  std::string_view cause;
 };
 
 /// Every fault and alarm of the unit, ascending by number.

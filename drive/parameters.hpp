@@ -9,7 +9,7 @@ namespace drive {
 
 /// The parameters of one axis in SI units: rad/s, N·m, s, kg·m².
 struct AxisParameters {
-  // Motor and encoder: they describe the simulated machine and cannot be written.
+  // Motor and encoder: they describe the simulated machine; of these only p0322 can be written.
   double rated_speed = 0.0;            ///< p0311
   double motor_maximum_speed = 0.0;    ///< p0322
   double rated_torque = 0.0;           ///< r0333
@@ -18,6 +18,8 @@ struct AxisParameters {
   std::int32_t encoder_fine_bits = 0;  ///< p0418
   // Setpoint channel and OFF functions.
   double maximum_speed = 0.0;               ///< p1082
+  double speed_limit_positive = 0.0;        ///< p1083
+  double speed_limit_negative = 0.0;        ///< p1086, not positive
   double ramp_up_time = 0.0;                ///< p1120, from zero to p1082
   double ramp_down_time = 0.0;              ///< p1121, from p1082 to zero, also OFF1
   double off3_ramp_down_time = 0.0;         ///< p1135, 0 = as fast as the torque limit allows
@@ -40,7 +42,8 @@ struct AxisParameters {
   double target_off_delay = 0.0;         ///< p2166
   double blocked_speed_threshold = 0.0;  ///< p2175, F07900
   double blocked_delay = 0.0;            ///< p2177, F07900
-  // Behaviour on the bus.
+  // Commissioning and behaviour on the bus.
+  std::int32_t commissioning = 0;            ///< p0010, not 0 = switching on is inhibited
   std::int32_t abort_connection_option = 0;  ///< p8641 (6007h): 0 none, 1 OFF1, 2 OFF2, 3 OFF3
   std::int32_t halt_option = 0;  ///< p8791 (605Dh): -1 no function, 0 pulses off, 1 p1121, 2 p1135, 3 torque limit
 

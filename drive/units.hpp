@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <string_view>
 
 #include "motor/machine_data.hpp"
@@ -21,9 +22,34 @@ enum class Unit : std::uint8_t {
   NewtonMetreSecondPerRadian,
   KilogramSquareMetre,
   Bits,
+  Microseconds,
+  Percent,
+  PerMille,
+  Hertz,
+  Kilohertz,
+  Volts,
+  VoltsRms,
+  VoltsOrMilliamperes,
+  Amperes,
+  AmperesRms,
+  NewtonMetrePerAmpere,
+  Ohms,
+  Millihenries,
+  Kilowatts,
+  KilowattHours,
+  WattHours,
+  Celsius,
+  Degrees,
+  RevolutionsPerSecondSquared,
+  ThousandPerMinute,
+  Increments,
+  LengthUnits,
+  ThousandLengthUnitsPerMinute,
+  ThousandLengthUnitsPerSecondSquared,
+  ThousandLengthUnitsPerSecondCubed,
 };
 
-/// A unit's text and its size in the SI unit that the drive computes with.
+/// A unit's text and its size in SI units; lengths are in LU, temperatures stay in °C.
 struct UnitRow {
   Unit unit;
   std::string_view text;
@@ -40,6 +66,31 @@ inline constexpr std::array kUnits{
     UnitRow{Unit::NewtonMetreSecondPerRadian, "Nms/rad", 1.0},
     UnitRow{Unit::KilogramSquareMetre, "kgm²", 1.0},
     UnitRow{Unit::Bits, "bit", 1.0},
+    UnitRow{Unit::Microseconds, "µs", 1e-6},
+    UnitRow{Unit::Percent, "%", 0.01},
+    UnitRow{Unit::PerMille, "‰", 1e-3},
+    UnitRow{Unit::Hertz, "Hz", 1.0},
+    UnitRow{Unit::Kilohertz, "kHz", 1e3},
+    UnitRow{Unit::Volts, "V", 1.0},
+    UnitRow{Unit::VoltsRms, "Vrms", 1.0},
+    UnitRow{Unit::VoltsOrMilliamperes, "V or mA", 1.0},
+    UnitRow{Unit::Amperes, "A", 1.0},
+    UnitRow{Unit::AmperesRms, "Arms", 1.0},
+    UnitRow{Unit::NewtonMetrePerAmpere, "Nm/A", 1.0},
+    UnitRow{Unit::Ohms, "Ω", 1.0},
+    UnitRow{Unit::Millihenries, "mH", 1e-3},
+    UnitRow{Unit::Kilowatts, "kW", 1e3},
+    UnitRow{Unit::KilowattHours, "kWh", 3.6e6},
+    UnitRow{Unit::WattHours, "Wh", 3600.0},
+    UnitRow{Unit::Celsius, "°C", 1.0},
+    UnitRow{Unit::Degrees, "°", std::numbers::pi / 180.0},
+    UnitRow{Unit::RevolutionsPerSecondSquared, "rev/s²", 2.0 * std::numbers::pi},
+    UnitRow{Unit::ThousandPerMinute, "1000/min", 1000.0 / 60.0},
+    UnitRow{Unit::Increments, "inc", 1.0},
+    UnitRow{Unit::LengthUnits, "LU", 1.0},
+    UnitRow{Unit::ThousandLengthUnitsPerMinute, "1000 LU/min", 1000.0 / 60.0},
+    UnitRow{Unit::ThousandLengthUnitsPerSecondSquared, "1000 LU/s²", 1000.0},
+    UnitRow{Unit::ThousandLengthUnitsPerSecondCubed, "1000 LU/s³", 1000.0},
 };
 
 /// Text and factor of @p unit.

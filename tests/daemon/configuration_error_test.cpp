@@ -104,7 +104,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [{"parameters": {"p8641": 1.5}}]})",
                 "node.json: /axes/0/parameters/p8641: expected an integer 0 to 3, got 1.5"},
         BadFile{R"({"axes": [{"parameters": {"p0311": 3000}}]})",
-                "node.json: /axes/0/parameters/p0311: expected no value (p0311 is read only), got 3000"}));
+                "node.json: /axes/0/parameters/p0311: expected no such value (p0311: can only be written with "
+                "p0010 = 3 or 1), got 3000"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Load, BadFiles,

@@ -198,7 +198,7 @@ TEST(AxisParametersAccess, RefusesWhileThePulsesAreOnWhatNeedsThemOff) {
   TestAxis drive;
   drive.enable();
 
-  EXPECT_EQ(drive.axis.write(1082, 3000.0).error().reason, ParameterError::Reason::PulsesEnabled);
+  EXPECT_EQ(drive.axis.write(1082, 3000.0).error().reason, Refusal::PulsesEnabled);
   EXPECT_TRUE(drive.axis.write(1120, 3.0));
   drive.send(0x0007);
   EXPECT_TRUE(drive.axis.write(1082, 3000.0));

@@ -1,0 +1,101 @@
+// The parameters of an axis whose values are its own: members of AxisParameters and what it computes.
+#include <algorithm>
+#include <array>
+
+#include "drive/axis.hpp"
+#include "drive/parameter/rounding.hpp"
+
+namespace drive {
+namespace {
+
+using Members = std::variant<double AxisParameters::*, std::int32_t AxisParameters::*>;
+
+double get(const AxisParameters& parameters, const Members& member) noexcept {
+  return std::visit([&](auto pointer) { return static_cast<double>(parameters.*pointer); }, member);
+}
+
+/// @p si in SI units.
+void set(AxisParameters& parameters, const Members& member, double si) noexcept {
+  if (const auto* number = std::get_if<double AxisParameters::*>(&member)) parameters.*(*number) = si;
+  if (const auto* code = std::get_if<std::int32_t AxisParameters::*>(&member))
+    parameters.*(*code) = static_cast<std::int32_t>(si);
+}
+
+double factory_value(const ParameterRow& row, const ObjectContext& context) noexcept {
+  const auto* const function = std::get_if<FactoryFunction>(&row.factory);
+  return function != nullptr ? (*function)(context, 0) : std::get<double>(row.factory);
+}
+
+/// What p0340 computes for its values 3 and 4, and for 5.
+constexpr std::array<std::uint16_t, 2> kControllers{1460, 1462};
+constexpr std::array<std::uint16_t, 4> kLimits{1082, 1520, 1521, 2162};
+
+}  // namespace
+
+AxisParameters commissioned_parameters(const motor::MachineData& machine, const motor::Load& load) noexcept {
+  ObjectContext context{};
+  context.axis = {machine, load, ObjectKind::Servo};
+  AxisParameters parameters{};
+  for (const PlacedRow& placed : parameters_of(ObjectKind::Servo)) {
+    const auto* const home = std::get_if<Member>(&placed.row->home);
+    if (home == nullptr) continue;
+    set(parameters, home->member, factory_value(*placed.row, context) * row_of(placed.row->unit).si);
+  }
+  parameters.rated_speed = machine.rated_speed;
+  parameters.motor_inertia = machine.inertia;
+  parameters.encoder_pulses = static_cast<std::int32_t>(machine.encoder_pulses);
+  parameters.encoder_fine_bits = machine.encoder_fine_bits;
+  return parameters;
+}
+
+double Axis::own_value(const ParameterRow& row, std::size_t index) const noexcept {
+  if (const auto* const display = std::get_if<Computed<Axis>>(&row.home)) return display->get(*this, index);
+  const auto* const home = std::get_if<Member>(&row.home);
+  return home != nullptr ? rounded(get(parameters_, home->member) / row_of(row.unit).si) : 0.0;
+}
+
+void Axis::set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept {
+  if (const auto* const command = std::get_if<Computed<Axis>>(&row.home)) {
+    if (command->set != nullptr) command->set(*this, index, value);
+  } else if (const auto* const home = std::get_if<Member>(&row.home)) {
+    set(parameters_, home->member, value * row_of(row.unit).si);
+  }
+}
+
+WriteState Axis::write_state() const noexcept {
+  return {.pulses_enabled = pulses_enabled_in(state_), .filter = parameters_.commissioning};
+}
+
+void Axis::compute_parameters(int choice) noexcept {
+  constexpr int kEverything = 1;
+  constexpr int kLimitsOnly = 5;
+  const auto compute = [&](std::uint16_t number) {
+    const ParameterRow& row = *find_parameter(kind(), number)->row;
+    set_own_value(row, 0, factory_value(row, context()));
+  };
+  const bool controllers = choice == kEverything || choice == 3 || choice == 4;
+  if (controllers) std::for_each(kControllers.begin(), kControllers.end(), compute);
+  if (choice == kEverything || choice == kLimitsOnly) std::for_each(kLimits.begin(), kLimits.end(), compute);
+  apply_parameters();
+}
+
+void Axis::leave_commissioning() noexcept {
+  parameters_.commissioning = 0;
+  settled_ = false;
+}
+
+AxisInsight Axis::insight() const noexcept {
+  return {.controlword = controlword_,
+          .switching_on_inhibited = inhibited_ || parameters_.commissioning != 0,
+          .ramp_input = target_,
+          .ramp_acceleration = ramp_acceleration_,
+          .torque_limits = torque_limits_,
+          .torque_limit_reached = pulses_enabled_in(state_) && train_.signals().torque_limit_reached,
+          .target_reached = target_reached_,
+          .overspeed = overspeed_,
+          .blocked = is_blocked_,
+          .energy_drawn = energy_drawn_,
+          .energy_fed_back = energy_fed_back_};
+}
+
+}  // namespace drive

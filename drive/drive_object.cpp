@@ -1,0 +1,170 @@
+#include "drive/drive_object.hpp"
+
+#include <cmath>
+
+namespace drive {
+namespace {
+
+/// A reason why @p value is none of the type of @p row or beyond its limits; REAL32 limits are compared as such.
+std::optional<Refusal> limit_refusal(const ParameterRow& row, double value) noexcept {
+  const Range limits = limits_of(row);
+  const auto represented = [&](double number) {
+    return row.type == DataType::F32 ? static_cast<double>(static_cast<float>(number)) : number;
+  };
+  if (!(represented(value) >= represented(limits.minimum))) return Refusal::BelowMinimum;  // nor is it a number
+  if (represented(value) > represented(limits.maximum)) return Refusal::AboveMaximum;
+  const bool integer = row.type != DataType::F32;
+  if (integer && std::abs(value - std::trunc(value)) > 0.0) return Refusal::WrongType;
+  return std::nullopt;
+}
+
+double factory_value(const ParameterRow& row, const ObjectContext& context, std::size_t index) noexcept {
+  if (const double* const value = std::get_if<double>(&row.factory)) return *value;
+  return std::get<FactoryFunction>(row.factory)(context, index);
+}
+
+bool is_agreed(const ParameterRow& row) noexcept {
+  return std::holds_alternative<Agreed>(row.home) || std::holds_alternative<Command>(row.home);
+}
+
+}  // namespace
+
+DriveObject::DriveObject(const ObjectContext& context) : context_{context}, slots_(slot_count(context.kind)) {
+  for (const PlacedRow& placed : parameters_of(context.kind)) {
+    if (placed.slot == kNoSlot) continue;
+    for (std::size_t i = 0; i < placed.row->count; ++i) assign(placed, i, factory_value(*placed.row, context_, i));
+  }
+}
+
+std::uint8_t DriveObject::number() const noexcept {
+  if (kind() == ObjectKind::ControlUnit) return kControlUnitNumber;
+  return static_cast<std::uint8_t>(kFirstAxisNumber + context_.module);
+}
+
+tl::expected<const PlacedRow*, ParameterError> DriveObject::find(std::uint16_t number,
+                                                                 std::size_t index) const noexcept {
+  const PlacedRow* const placed = find_parameter(kind(), number);
+  if (placed == nullptr) return tl::unexpected{ParameterError{Refusal::NoParameter, number, nullptr}};
+  const ParameterRow& row = *placed->row;
+  if (index < row.count) return placed;
+  return tl::unexpected{ParameterError{row.count == 1 ? Refusal::NotIndexed : Refusal::NoIndex, number, &row}};
+}
+
+tl::expected<double, ParameterError> DriveObject::read(std::uint16_t number, std::size_t index) const noexcept {
+  return find(number, index).map([&](const PlacedRow* placed) { return value_of(*placed, index); });
+}
+
+tl::expected<void, ParameterError> DriveObject::write(std::uint16_t number, std::size_t index,
+                                                      double value) noexcept {
+  const auto found = find(number, index);
+  if (!found) return tl::unexpected{found.error()};
+  const ParameterRow& row = *(*found)->row;
+  const auto refused = [&](Refusal reason) { return tl::unexpected{ParameterError{reason, number, &row}}; };
+  const WriteState state = write_state();
+  if (!allows(row.when, state)) return refused(refusal(row.when, state));
+  if (const auto reason = value_refusal(row, index, value)) return refused(*reason);
+  if (is_agreed(row) && surroundings_ != nullptr)
+    if (const auto reason = surroundings_->agree(*this, row, index, value)) return refused(*reason);
+  if (!std::holds_alternative<Command>(row.home)) assign(**found, index, value);
+  on_parameters_changed();
+  return {};
+}
+
+std::optional<ParameterError> DriveObject::load_error(std::uint16_t number, std::size_t index,
+                                                      double value) const noexcept {
+  const auto found = find(number, index);
+  if (!found) return found.error();
+  const ParameterRow& row = *(*found)->row;
+  if (!row.is_writable() || row.keep == Keep::No) return ParameterError{Refusal::ReadOnly, number, &row};
+  const auto reason = limit_refusal(row, value);
+  return reason ? std::optional{ParameterError{*reason, number, &row}} : std::nullopt;
+}
+
+tl::expected<void, ParameterError> DriveObject::load(std::uint16_t number, std::size_t index,
+                                                     double value) noexcept {
+  if (const auto error = load_error(number, index, value)) return tl::unexpected{*error};
+  assign(*find_parameter(kind(), number), index, value);
+  on_parameters_changed();
+  return {};
+}
+
+void DriveObject::bring_in(std::uint16_t number, std::size_t index, double value) noexcept {
+  const auto found = find(number, index);
+  if (found && is_agreed(*(*found)->row)) assign(**found, index, value);
+}
+
+void DriveObject::restore_parameters() noexcept {
+  for (const PlacedRow& placed : parameters_of(kind())) {
+    const ParameterRow& row = *placed.row;
+    if (!row.is_writable() || row.keep != Keep::Stored) continue;
+    for (std::size_t i = 0; i < row.count; ++i) assign(placed, i, factory_value(row, context_, i));
+  }
+  on_parameters_changed();
+}
+
+/// BICO: what the input is connected to has to exist and to be something that it can take.
+std::optional<Refusal> DriveObject::source_refusal(const ParameterRow& row, double value) const noexcept {
+  const auto packed = static_cast<std::uint32_t>(value);
+  if (packed <= kHighestConstant) return std::nullopt;
+  const BicoSource source = unpack(packed);
+  const bool own = source.object == kOwnObject || source.object == number();
+  const std::optional<ObjectKind> owner = own                        ? std::optional{kind()}
+                                          : surroundings_ != nullptr ? surroundings_->kind_of(source.object)
+                                                                     : std::nullopt;
+  const PlacedRow* const placed = owner ? find_parameter(*owner, source.number) : nullptr;
+  if (placed == nullptr || placed->row->output == Output::No) return Refusal::IllegalSource;
+  const bool bit = row.type == DataType::BinectorInput;
+  if (bit && placed->row->output != Output::Both) return Refusal::IllegalSource;
+  const std::size_t positions = bit ? 8U * row_of(placed->row->type).size : placed->row->count;
+  return source.position < positions ? std::nullopt : std::optional{Refusal::IllegalSource};
+}
+
+std::optional<Refusal> DriveObject::value_refusal(const ParameterRow& row, std::size_t index,
+                                                  double value) const noexcept {
+  if (const auto reason = limit_refusal(row, value)) return reason;
+  if (is_bico_input(row.type)) return source_refusal(row, value);
+  return row.check != nullptr ? row.check(*this, index, value) : std::nullopt;
+}
+
+double DriveObject::value_of(const PlacedRow& placed, std::size_t index) const noexcept {
+  const ParameterRow& row = *placed.row;
+  if (placed.slot != kNoSlot) return decode({row.type, slots_[placed.slot + index]});
+  if (const auto* const fixed = std::get_if<Fixed>(&row.home)) return fixed->value;
+  if (const auto* const shown = std::get_if<Computed<DriveObject>>(&row.home)) return shown->get(*this, index);
+  if (const auto* const shown = std::get_if<Computed<FaultMemory>>(&row.home)) return shown->get(memory_, index);
+  return own_value(row, index);
+}
+
+void DriveObject::assign(const PlacedRow& placed, std::size_t index, double value) noexcept {
+  const ParameterRow& row = *placed.row;
+  if (placed.slot != kNoSlot) {
+    slots_[placed.slot + index] = encode(row.type, value).bits;
+  } else if (const auto* const own = std::get_if<Computed<DriveObject>>(&row.home)) {
+    if (own->set != nullptr) own->set(*this, index, value);
+  } else if (const auto* const settings = std::get_if<Computed<FaultMemory>>(&row.home)) {
+    if (settings->set != nullptr) settings->set(memory_, index, value);
+  } else {
+    set_own_value(row, index, value);
+  }
+}
+
+tl::expected<void, FaultError> DriveObject::raise(std::uint16_t number, std::uint32_t value,
+                                                  Cause cause) noexcept {
+  const FaultRow* const row = find_fault(number);
+  if (row == nullptr) return tl::unexpected{FaultError::Unknown};
+  const Scope elsewhere = kind() == ObjectKind::ControlUnit ? Scope::Axis : Scope::ControlUnit;
+  if (row->scope == elsewhere) return tl::unexpected{FaultError::NotOnThisAxis};
+  memory_.enter(*row, value, cause);
+  if (memory_.settings.kind_of(*row) == Kind::Fault) react(*row);
+  on_messages_changed();
+  return {};
+}
+
+void DriveObject::withdraw(std::uint16_t number) noexcept {
+  const FaultRow* const row = find_fault(number);
+  if (row == nullptr) return;
+  memory_.withdraw(*row);
+  on_messages_changed();
+}
+
+}  // namespace drive

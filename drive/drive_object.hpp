@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "drive/fault_memory.hpp"
+#include "drive/parameter/table.hpp"
+
+namespace drive {
+
+/// Why a message was not raised.
+enum class FaultError : std::uint8_t {
+  Unknown,        ///< no fault or alarm has this number
+  NotOnThisAxis,  ///< it exists on other kinds of drive objects only
+};
+
+/// What a drive object asks of the unit that it belongs to.
+class Surroundings {
+ public:
+  virtual ~Surroundings() = default;
+  /// The kind of drive object @p number, if there is one.
+  virtual std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept = 0;
+  /// Takes over @p value of an agreed parameter or carries out a command; the reason if it cannot.
+  virtual std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
+                                       double value) noexcept = 0;
+};
+
+/// What all drive objects have: parameters, each in its own unit here, faults and alarms. It is a value; nothing
+/// is allocated after construction.
+class DriveObject {
+ public:
+  virtual ~DriveObject() = default;
+
+  ObjectKind kind() const noexcept { return context_.kind; }
+  /// 1 = control unit, axes from 2.
+  std::uint8_t number() const noexcept;
+  const ObjectContext& context() const noexcept { return context_; }
+  /// From now on @p surroundings, which outlive this, are asked; without them a drive object knows only itself.
+  void join(Surroundings& surroundings) noexcept { surroundings_ = &surroundings; }
+
+  /// Value of a parameter.
+  [[nodiscard]] tl::expected<double, ParameterError> read(std::uint16_t number,
+                                                          std::size_t index = 0) const noexcept;
+  /// Writes a parameter as a master does, in a state and within the limits that allow it; it acts at once.
+  [[nodiscard]] tl::expected<void, ParameterError> write(std::uint16_t number, std::size_t index,
+                                                         double value) noexcept;
+  [[nodiscard]] tl::expected<void, ParameterError> write(std::uint16_t number, double value) noexcept {
+    return write(number, 0, value);
+  }
+  /// Takes over a saved value whatever the state; refused if it is outside the limits or not a saved parameter.
+  [[nodiscard]] tl::expected<void, ParameterError> load(std::uint16_t number, std::size_t index,
+                                                        double value) noexcept;
+  /// Why load() would refuse, if it would.
+  std::optional<ParameterError> load_error(std::uint16_t number, std::size_t index, double value) const noexcept;
+  /// The layer that owns the bus brings in what a parameter is that it answers for.
+  void bring_in(std::uint16_t number, std::size_t index, double value) noexcept;
+  /// Back to the state of a new unit, except what outlives a factory reset.
+  void restore_parameters() noexcept;
+
+  /// Active faults and alarms, and those that were.
+  const FaultMemory& messages() const noexcept { return memory_; }
+  /// Tells the time since the unit was switched on (ms).
+  void set_time(Uptime now) noexcept { memory_.set_time(now); }
+  /// A fault or an alarm with its value (r0949, r2124) appears; the reaction follows at once.
+  [[nodiscard]] tl::expected<void, FaultError> raise(std::uint16_t number, std::uint32_t value = 0,
+                                                     Cause cause = Cause::Gone) noexcept;
+  /// The cause of a message is gone: an alarm leaves, a fault can be acknowledged.
+  void withdraw(std::uint16_t number) noexcept;
+  /// Acknowledges what can be acknowledged now; true if no fault is left.
+  virtual bool acknowledge() noexcept = 0;
+
+ protected:
+  /// A drive object with its slots at 0; the constructor of a derived class restores the parameters.
+  explicit DriveObject(const ObjectContext& context);
+  DriveObject(const DriveObject&) = default;
+  DriveObject(DriveObject&&) = default;
+  DriveObject& operator=(const DriveObject&) = default;
+  DriveObject& operator=(DriveObject&&) = default;
+
+  FaultMemory& memory() noexcept { return memory_; }
+
+ private:
+  /// Value of a parameter whose home is the derived class.
+  virtual double own_value(const ParameterRow& row, std::size_t index) const noexcept = 0;
+  virtual void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept = 0;
+  virtual WriteState write_state() const noexcept = 0;
+  virtual void on_parameters_changed() noexcept {}
+  virtual void react(const FaultRow&) noexcept {}
+  virtual void on_messages_changed() noexcept {}
+
+  tl::expected<const PlacedRow*, ParameterError> find(std::uint16_t number, std::size_t index) const noexcept;
+  std::optional<Refusal> source_refusal(const ParameterRow& row, double value) const noexcept;
+  std::optional<Refusal> value_refusal(const ParameterRow& row, std::size_t index, double value) const noexcept;
+  double value_of(const PlacedRow& placed, std::size_t index) const noexcept;
+  void assign(const PlacedRow& placed, std::size_t index, double value) noexcept;
+
+  ObjectContext context_;
+  Surroundings* surroundings_ = nullptr;
+  std::vector<std::uint32_t> slots_;  // as ParameterValue has the bits
+  FaultMemory memory_;
+};
+
+}  // namespace drive

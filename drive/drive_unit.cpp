@@ -1,0 +1,137 @@
+#include "drive/drive_unit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drive {
+namespace {
+
+constexpr std::uint16_t kDeviceFilter = 9;  // p0009
+
+ObjectContext control_unit_context(const UnitConfiguration& configuration) noexcept {
+  ObjectContext context{};
+  context.kind = ObjectKind::ControlUnit;
+  context.node_id = configuration.node_id;
+  context.axis_count = static_cast<std::uint8_t>(configuration.axes.size());
+  std::transform(configuration.axes.begin(), configuration.axes.end(), context.axes.begin(),
+                 [](const AxisConfiguration& axis) { return axis.kind; });
+  return context;
+}
+
+/// @p number as @p type holds it: rounded to an integer, at the ends of the type saturated.
+ParameterValue transferred(DataType type, double number) noexcept {
+  const DataTypeRow& row = row_of(type);
+  const double bounded = std::clamp(number, row.lowest, row.highest);
+  return encode(type, type == DataType::F32 ? bounded : std::round(bounded));
+}
+
+ParameterError no_object(std::uint16_t number) noexcept {
+  return {Refusal::NoDriveObject, number, nullptr};
+}
+
+}  // namespace
+
+DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host)
+    : host_{host}, control_unit_{control_unit_context(configuration)} {
+  axes_.reserve(configuration.axes.size());
+  for (const AxisConfiguration& axis : configuration.axes)
+    axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id);
+  control_unit_.join(*this);
+  for (Axis& axis : axes_) axis.join(*this);
+}
+
+DriveObject* DriveUnit::object(std::uint8_t number) noexcept {
+  if (number == kControlUnitNumber) return &control_unit_;
+  const bool exists = number >= kFirstAxisNumber && number < kFirstAxisNumber + axes_.size();
+  return exists ? &axes_[number - kFirstAxisNumber] : nullptr;
+}
+
+const DriveObject* DriveUnit::object(std::uint8_t number) const noexcept {
+  if (number == kControlUnitNumber) return &control_unit_;
+  const bool exists = number >= kFirstAxisNumber && number < kFirstAxisNumber + axes_.size();
+  return exists ? &axes_[number - kFirstAxisNumber] : nullptr;
+}
+
+tl::expected<ParameterValue, ParameterError> DriveUnit::read(std::uint8_t object, std::uint16_t number,
+                                                             std::size_t index) const noexcept {
+  const DriveObject* const owner = this->object(object);
+  if (owner == nullptr) return tl::unexpected{no_object(number)};
+  return owner->read(number, index).map([&](double value) {
+    return transferred(find_parameter(owner->kind(), number)->row->type, value);
+  });
+}
+
+tl::expected<void, ParameterError> DriveUnit::write(std::uint8_t object, std::uint16_t number, std::size_t index,
+                                                    const ParameterValue& value) noexcept {
+  DriveObject* const owner = this->object(object);
+  if (owner == nullptr) return tl::unexpected{no_object(number)};
+  const PlacedRow* const placed = find_parameter(owner->kind(), number);
+  if (placed != nullptr && placed->row->type != value.type)
+    return tl::unexpected{ParameterError{Refusal::WrongType, number, placed->row}};
+  return owner->write(number, index, decode(value));
+}
+
+void DriveUnit::set_time(Uptime now) noexcept {
+  control_unit_.set_time(now);
+  for (Axis& axis : axes_) axis.set_time(now);
+}
+
+tl::expected<void, FaultError> DriveUnit::raise(std::uint8_t object, std::uint16_t number, std::uint32_t value,
+                                                Cause cause) noexcept {
+  const FaultRow* const row = find_fault(number);
+  DriveObject* const origin = this->object(object);
+  if (row == nullptr) return tl::unexpected{FaultError::Unknown};
+  if (origin == nullptr) return tl::unexpected{FaultError::NotOnThisAxis};
+  auto raised = origin->raise(number, value, cause);
+  if (!raised || row->propagation == Propagation::Local) return raised;
+  const auto spread = [&](DriveObject& other) {
+    if (&other != origin) static_cast<void>(other.raise(number, value, cause));
+  };
+  spread(control_unit_);
+  std::for_each(axes_.begin(), axes_.end(), spread);
+  return raised;
+}
+
+void DriveUnit::withdraw(std::uint8_t object, std::uint16_t number) noexcept {
+  const FaultRow* const row = find_fault(number);
+  DriveObject* const origin = this->object(object);
+  if (row == nullptr || origin == nullptr) return;
+  if (row->propagation == Propagation::Local) return origin->withdraw(number);
+  control_unit_.withdraw(number);
+  for (Axis& axis : axes_) axis.withdraw(number);
+}
+
+bool DriveUnit::acknowledge() noexcept {
+  bool none_left = control_unit_.acknowledge();
+  for (Axis& axis : axes_) none_left = axis.acknowledge() && none_left;
+  return none_left;
+}
+
+void DriveUnit::restore_parameters() noexcept {
+  control_unit_.restore_parameters();
+  for (Axis& axis : axes_) {
+    axis.restore_parameters();
+    axis.leave_commissioning();
+  }
+  control_unit_.bring_in(kDeviceFilter, 0, 0.0);
+  inhibit_axes(false);
+}
+
+std::optional<ObjectKind> DriveUnit::kind_of(std::uint8_t number) const noexcept {
+  const DriveObject* const found = object(number);
+  return found != nullptr ? std::optional{found->kind()} : std::nullopt;
+}
+
+std::optional<Refusal> DriveUnit::agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
+                                        double value) noexcept {
+  const std::optional<Refusal> refused =
+      host_ != nullptr ? host_->on_parameter(object, row, index, value) : std::nullopt;
+  if (!refused && row.number == kDeviceFilter) inhibit_axes(value > 0.0);
+  return refused;
+}
+
+void DriveUnit::inhibit_axes(bool inhibited) noexcept {
+  for (Axis& axis : axes_) axis.inhibit(inhibited);
+}
+
+}  // namespace drive

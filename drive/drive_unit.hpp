@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "drive/axis.hpp"
+#include "drive/control_unit.hpp"
+
+namespace drive {
+
+/// The layer that owns the bus and the files: it acts on agreed parameters and on commands.
+class ParameterHost {
+ public:
+  virtual ~ParameterHost() = default;
+  /// Takes over @p value of parameter @p row of @p object, or carries the command out; the reason if it cannot.
+  virtual std::optional<Refusal> on_parameter(const DriveObject& object, const ParameterRow& row,
+                                              std::size_t index, double value) noexcept = 0;
+};
+
+/// What the unit is made of.
+struct UnitConfiguration {
+  std::vector<AxisConfiguration> axes{AxisConfiguration{}};  ///< 1..8
+  std::uint8_t node_id = 0;  ///< CANopen address by the address switch, 1..127; 0 = p8620 counts
+};
+
+/// The drive unit: control unit and axes with their parameters and messages, reached by drive object number
+/// (control unit 1, axes from 2). Nothing is allocated after construction.
+class DriveUnit final : private Surroundings {
+ public:
+  /// @p host outlives the unit; without one every agreed value is taken.
+  explicit DriveUnit(const UnitConfiguration& configuration, ParameterHost* host = nullptr);
+  ~DriveUnit() override = default;
+  DriveUnit(const DriveUnit&) = delete;
+  DriveUnit& operator=(const DriveUnit&) = delete;
+
+  /// Drive object @p number, or nullptr.
+  DriveObject* object(std::uint8_t number) noexcept;
+  const DriveObject* object(std::uint8_t number) const noexcept;
+  std::span<Axis> axes() noexcept { return axes_; }
+  std::span<const Axis> axes() const noexcept { return axes_; }
+
+  /// The value of a parameter as it is transferred.
+  [[nodiscard]] tl::expected<ParameterValue, ParameterError> read(std::uint8_t object, std::uint16_t number,
+                                                                  std::size_t index) const noexcept;
+  /// Writes a parameter; the type of @p value has to be that of the parameter.
+  [[nodiscard]] tl::expected<void, ParameterError> write(std::uint8_t object, std::uint16_t number,
+                                                         std::size_t index, const ParameterValue& value) noexcept;
+
+  /// Tells every drive object the time since the unit was switched on (ms).
+  void set_time(Uptime now) noexcept;
+  /// A message appears on drive object @p object, and one that propagates globally on all that can have it.
+  [[nodiscard]] tl::expected<void, FaultError> raise(std::uint8_t object, std::uint16_t number,
+                                                     std::uint32_t value = 0, Cause cause = Cause::Gone) noexcept;
+  /// The cause of a message is gone, where it came from and where it spread to.
+  void withdraw(std::uint8_t object, std::uint16_t number) noexcept;
+  /// Acknowledges the faults of every drive object (p2102, p8611[0]); true if no fault is left.
+  bool acknowledge() noexcept;
+  /// Factory reset: every drive object in the state of a new one, commissioning ended.
+  void restore_parameters() noexcept;
+
+ private:
+  std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept override;
+  std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
+                               double value) noexcept override;
+  void inhibit_axes(bool inhibited) noexcept;
+
+  ParameterHost* host_;
+  ControlUnit control_unit_;
+  std::vector<Axis> axes_;
+};
+
+}  // namespace drive

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+
+namespace drive {
+class Axis;
+}
+
+/// What parameters show of an axis, each in the unit of its parameter, and what its commands do.
+namespace drive::axis_value {
+
+double active_power(const Axis& axis, std::size_t index) noexcept;
+double control_status(const Axis& axis, std::size_t index) noexcept;
+double controlword(const Axis& axis, std::size_t index) noexcept;
+double encoder_position(const Axis& axis, std::size_t index) noexcept;
+double encoder_speed(const Axis& axis, std::size_t index) noexcept;
+double energy(const Axis& axis, std::size_t index) noexcept;
+double function_modules(const Axis& axis, std::size_t index) noexcept;
+double lower_torque_limit(const Axis& axis, std::size_t index) noexcept;
+double missing_enables(const Axis& axis, std::size_t index) noexcept;
+double mode(const Axis& axis, std::size_t index) noexcept;
+double monitoring_1(const Axis& axis, std::size_t index) noexcept;
+double monitoring_2(const Axis& axis, std::size_t index) noexcept;
+double monitoring_3(const Axis& axis, std::size_t index) noexcept;
+double no_value(const Axis& axis, std::size_t index) noexcept;
+double operating_display(const Axis& axis, std::size_t index) noexcept;
+double pole_pairs(const Axis& axis, std::size_t index) noexcept;
+double position(const Axis& axis, std::size_t index) noexcept;
+double position_velocity(const Axis& axis, std::size_t index) noexcept;
+double process_energy(const Axis& axis, std::size_t index) noexcept;
+double ramp_acceleration(const Axis& axis, std::size_t index) noexcept;
+double ramp_input(const Axis& axis, std::size_t index) noexcept;
+double reference_power(const Axis& axis, std::size_t index) noexcept;
+double sequence_control(const Axis& axis, std::size_t index) noexcept;
+double sequence_status(const Axis& axis, std::size_t index) noexcept;
+double speed(const Axis& axis, std::size_t index) noexcept;
+double speed_controller_control(const Axis& axis, std::size_t index) noexcept;
+double speed_controller_status(const Axis& axis, std::size_t index) noexcept;
+double speed_status(const Axis& axis, std::size_t index) noexcept;
+double speed_demand(const Axis& axis, std::size_t index) noexcept;
+double speed_deviation(const Axis& axis, std::size_t index) noexcept;
+double starting_time(const Axis& axis, std::size_t index) noexcept;
+double statusword(const Axis& axis, std::size_t index) noexcept;
+double torque(const Axis& axis, std::size_t index) noexcept;
+double torque_demand(const Axis& axis, std::size_t index) noexcept;
+double torque_utilisation(const Axis& axis, std::size_t index) noexcept;
+double units_per_revolution(const Axis& axis, std::size_t index) noexcept;
+double upper_torque_limit(const Axis& axis, std::size_t index) noexcept;
+
+/// p0340: computes control parameters anew.
+void compute_parameters(Axis& axis, std::size_t index, double value) noexcept;
+/// p0970: 1 returns to the state of a new drive object and ends commissioning.
+void reset_parameters(Axis& axis, std::size_t index, double value) noexcept;
+
+}  // namespace drive::axis_value

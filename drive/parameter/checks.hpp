@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "drive/parameter/error.hpp"
+
+namespace drive {
+class DriveObject;
+}
+
+/// Conditions of single parameters beyond state and limits: the reason against @p value, if any.
+namespace drive::check {
+
+/// Counters that can only be cleared.
+std::optional<Refusal> zero_only(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8603: an EMCY identifier there has to be.
+std::optional<Refusal> not_zero(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p0010 and p0009 have single values.
+std::optional<Refusal> drive_filter(const DriveObject& object, std::size_t index, double value) noexcept;
+std::optional<Refusal> device_filter(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p2101: 4 is reserved.
+std::optional<Refusal> reaction(const DriveObject& object, std::size_t index, double value) noexcept;
+/// Heartbeat p8606 and life guarding p8604 exclude each other.
+std::optional<Refusal> heartbeat_off(const DriveObject& object, std::size_t index, double value) noexcept;
+std::optional<Refusal> guarding_off(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8611: only index 0 takes a value, and only 0.
+std::optional<Refusal> acknowledge_only(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8620: an address that the configuration gives cannot be written.
+std::optional<Refusal> address_switch_off(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8612: 601h..67Fh and 581h..5FFh, or bit 31.
+std::optional<Refusal> server_cob_id(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8630: the windows [1] and [2] end at 3 and 5.
+std::optional<Refusal> object_window(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8700..p8707: COB-ID 1..6DFh or bit 31; types 0..F0h, FEh, FFh.
+std::optional<Refusal> receive_pdo(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8720..p8727: the same with bit 30 free; times of 16 bits.
+std::optional<Refusal> transmit_pdo(const DriveObject& object, std::size_t index, double value) noexcept;
+
+}  // namespace drive::check

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace drive {
+
+struct ParameterRow;
+
+/// Why a parameter was not read or written: the error values of DPV1, as PROFIdrive and SINAMICS number them.
+enum class Refusal : std::uint8_t {
+  NoParameter = 0x00,
+  ReadOnly = 0x01,
+  OutOfRange = 0x02,
+  NoIndex = 0x03,
+  NotIndexed = 0x04,
+  WrongType = 0x05,
+  OnlyZero = 0x06,
+  NotNow = 0x11,
+  IllegalValue = 0x14,
+  NoDriveObject = 0x19,
+  Deactivated = 0x65,
+  PulsesEnabled = 0x6B,
+  OnlyInEncoderCommissioning = 0x6D,
+  OnlyInMotorCommissioning = 0x6E,
+  OnlyInQuickCommissioning = 0x70,
+  OnlyInParameterReset = 0x72,
+  OnlyInDriveConfiguration = 0x78,
+  OnlyInDeviceReset = 0x7D,
+  OnlyInDeviceCommissioning = 0x7F,
+  IllegalSource = 0x83,
+  BelowMinimum = 0xC8,
+  AboveMaximum = 0xC9,
+};
+
+/// A refused access to a parameter.
+struct ParameterError {
+  Refusal reason;
+  std::uint16_t number;
+  const ParameterRow* row;  ///< with type, unit and limits; nullptr if there is no such parameter
+};
+
+/// What @p reason says in plain text, without limits.
+std::string_view text_of(Refusal reason) noexcept;
+
+/// One line of plain text for @p error, such as "p1120: above the maximum of 999999 s".
+std::string message(const ParameterError& error);
+
+}  // namespace drive

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "drive/parameter/row.hpp"
+
+/// Factory values that depend on the drive object, in the unit of the parameter. "Factory" is the state of a new
+/// unit: commissioned for the machine of its configuration and with the predefined connection set of CANopen.
+namespace drive::factory {
+
+// The machine of the axis.
+double rated_speed(const ObjectContext& context, std::size_t index) noexcept;
+double motor_maximum_speed(const ObjectContext& context, std::size_t index) noexcept;
+double rated_torque(const ObjectContext& context, std::size_t index) noexcept;
+double rated_power(const ObjectContext& context, std::size_t index) noexcept;
+double motor_inertia(const ObjectContext& context, std::size_t index) noexcept;
+double inertia_ratio(const ObjectContext& context, std::size_t index) noexcept;
+double encoder_pulses(const ObjectContext& context, std::size_t index) noexcept;
+double encoder_fine_bits(const ObjectContext& context, std::size_t index) noexcept;
+
+// What commissioning computes for it.
+double overspeed_hysteresis(const ObjectContext& context, std::size_t index) noexcept;
+double speed_gain(const ObjectContext& context, std::size_t index) noexcept;
+double speed_integral_time(const ObjectContext& context, std::size_t index) noexcept;
+double upper_torque_limit(const ObjectContext& context, std::size_t index) noexcept;
+double lower_torque_limit(const ObjectContext& context, std::size_t index) noexcept;
+double sampling_times(const ObjectContext& context, std::size_t index) noexcept;
+double vector_sampling_times(const ObjectContext& context, std::size_t index) noexcept;
+
+// The drive objects of the unit.
+double object_number(const ObjectContext& context, std::size_t index) noexcept;
+double object_type(const ObjectContext& context, std::size_t index) noexcept;
+double object_modules(const ObjectContext& context, std::size_t index) noexcept;
+
+// CANopen.
+double node_id(const ObjectContext& context, std::size_t index) noexcept;
+double identity(const ObjectContext& context, std::size_t index) noexcept;
+double emergency_cob_id(const ObjectContext& context, std::size_t index) noexcept;
+double server_cob_id(const ObjectContext& context, std::size_t index) noexcept;
+double bit_timing(const ObjectContext& context, std::size_t index) noexcept;
+double acknowledge_source(const ObjectContext& context, std::size_t index) noexcept;
+double send_words(const ObjectContext& context, std::size_t index) noexcept;
+double send_double_words(const ObjectContext& context, std::size_t index) noexcept;
+
+/// Parameters of RPDO or TPDO @p pdo (0..7): of the first axis the first four are valid.
+double receive_pdo_of(unsigned pdo, const ObjectContext& context, std::size_t index) noexcept;
+double transmit_pdo_of(unsigned pdo, const ObjectContext& context, std::size_t index) noexcept;
+/// Mapping entries of RPDO or TPDO @p pdo (0..3), which name the objects of the axis.
+double receive_mapping_of(unsigned pdo, const ObjectContext& context, std::size_t index) noexcept;
+double transmit_mapping_of(unsigned pdo, const ObjectContext& context, std::size_t index) noexcept;
+
+template <unsigned Pdo>
+double receive_pdo(const ObjectContext& context, std::size_t index) noexcept {
+  return receive_pdo_of(Pdo, context, index);
+}
+template <unsigned Pdo>
+double transmit_pdo(const ObjectContext& context, std::size_t index) noexcept {
+  return transmit_pdo_of(Pdo, context, index);
+}
+template <unsigned Pdo>
+double receive_mapping(const ObjectContext& context, std::size_t index) noexcept {
+  return receive_mapping_of(Pdo, context, index);
+}
+template <unsigned Pdo>
+double transmit_mapping(const ObjectContext& context, std::size_t index) noexcept {
+  return transmit_mapping_of(Pdo, context, index);
+}
+
+}  // namespace drive::factory

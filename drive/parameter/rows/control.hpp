@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+
+#include "drive/parameter/axis_values.hpp"
+#include "drive/parameter/factory_values.hpp"
+#include "drive/parameter/row.hpp"
+
+namespace drive::rows {
+
+/// Closed-loop control, identification, references.
+// clang-format off
+inline constexpr std::array kControlRows{
+    Row{1155, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CI: speed controller setpoint 1", ""},
+    Row{1160, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CI: speed controller setpoint 2", ""},
+    Row{1170, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_demand), Output::Connector, "Speed controller setpoint sum", "behind the ramp"},
+    Row{1215, 1, kAxes, I16, Unit::None, {0.0, 3.0}, 0.0, When::Ready, Stored{}, Output::No, "Motor holding brake configuration", ""},
+    Row{1226, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 20.0, When::Always, Member{&P::standstill_threshold}, Output::No, "Standstill speed threshold", "end of the braking of OFF1 and OFF3"},
+    Row{1227, 1, kAxes, F32, Unit::Seconds, {0.0, 300.0}, 4.0, When::Always, Member{&P::standstill_monitoring_time}, Output::No, "Standstill monitoring time", "longest wait for p1226"},
+    Row{1228, 1, kAxes, F32, Unit::Seconds, {0.0, 299.0}, 0.01, When::Always, Member{&P::pulse_suppression_delay}, Output::No, "Pulse suppression delay", "pulses stay on so long after standstill"},
+    Row{1300, 1, kServo, I16, Unit::None, {20.0, 23.0}, 21.0, When::QuickReady, Stored{}, Output::No, "Open/closed-loop control mode", ""},
+    Row{1300, 1, kVector, I16, Unit::None, {0.0, 23.0}, 20.0, When::QuickReady, Stored{}, Output::No, "Open/closed-loop control mode", ""},
+    Row{1406, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_controller_control), Output::Both, "Control word speed controller", "bit 4 setpoint enable"},
+    Row{1407, 1, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_controller_status), Output::Both, "Status word speed controller", "bits 2, 3 and 7"},
+    Row{1438, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_demand), Output::Connector, "Speed controller speed setpoint", ""},
+    Row{1441, 1, kAxes, F32, Unit::Milliseconds, {0.0, 50.0}, 0.0, When::Always, Stored{}, Output::No, "Actual speed smoothing time", ""},
+    Row{1460, 1, kAxes, F32, Unit::NewtonMetreSecondPerRadian, {0.0, 999999.0}, factory::speed_gain, When::Always, Member{&P::speed_gain}, Output::No, "Speed controller P gain", "gain of the speed controller"},
+    Row{1462, 1, kAxes, F32, Unit::Milliseconds, {0.0, 100000.0}, factory::speed_integral_time, When::Always, Member{&P::speed_integral_time}, Output::No, "Speed controller integral time", "0 = no integral part"},
+    Row{1470, 1, kAxes, F32, Unit::NewtonMetreSecondPerRadian, {0.0, 999999.0}, 0.3, When::Always, Stored{}, Output::No, "Speed controller P gain encoderless", ""},
+    Row{1472, 1, kAxes, F32, Unit::Milliseconds, {0.0, 100000.0}, 20.0, When::Always, Stored{}, Output::No, "Speed controller integral time encoderless", ""},
+    Row{1496, 1, kAxes, F32, Unit::Percent, {0.0, 10000.0}, 0.0, When::Always, Stored{}, Output::No, "Acceleration precontrol scaling", ""},
+    Row{1501, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "BI: changeover speed/torque control", ""},
+    Row{1503, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(8850, 3), When::Always, Stored{}, Output::No, "CI: torque setpoint (torque control)", ""},
+    Row{1508, 1, kAxes, F32, Unit::NewtonMetre, kWhole, 0.0, When::ReadOnly, axis(axis_value::torque_demand), Output::Connector, "Torque setpoint before supplementary torque", ""},
+    Row{1511, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CI: supplementary torque 1", ""},
+    Row{1513, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CI: supplementary torque 2", ""},
+    Row{1520, 1, kAxes, F32, Unit::NewtonMetre, {-1000000.0, 20000000.0}, factory::upper_torque_limit, When::Always, Member{&P::upper_torque_limit}, Output::Connector, "Torque limit upper/motoring", "not above what the motor can"},
+    Row{1521, 1, kAxes, F32, Unit::NewtonMetre, {-20000000.0, 1000000.0}, factory::lower_torque_limit, When::Always, Member{&P::lower_torque_limit}, Output::Connector, "Torque limit lower/regenerative", "not below what the motor can"},
+    Row{1522, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(1520, 0), When::Always, Stored{}, Output::No, "CI: torque limit upper", ""},
+    Row{1523, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(1521, 0), When::Always, Stored{}, Output::No, "CI: torque limit lower", ""},
+    Row{1530, 1, kAxes, F32, Unit::Kilowatts, {0.0, 100000.0}, 0.0, When::Always, Stored{}, Output::No, "Power limit motoring", ""},
+    Row{1531, 1, kAxes, F32, Unit::Kilowatts, {-100000.0, -0.01}, -0.01, When::Always, Stored{}, Output::No, "Power limit regenerative", ""},
+    Row{1538, 1, kAxes, F32, Unit::NewtonMetre, kWhole, 0.0, When::ReadOnly, axis(axis_value::upper_torque_limit), Output::Connector, "Upper effective torque limit", ""},
+    Row{1539, 1, kAxes, F32, Unit::NewtonMetre, kWhole, 0.0, When::ReadOnly, axis(axis_value::lower_torque_limit), Output::Connector, "Lower effective torque limit", ""},
+    Row{1800, 1, kAxes, F32, Unit::Kilohertz, {0.5, 16.0}, 4.0, When::Always, Stored{}, Output::No, "Pulse frequency setpoint", ""},
+    Row{1801, 1, kServo, F32, Unit::Kilohertz, kWhole, 4.0, When::ReadOnly, Fixed{4.0}, Output::Connector, "Pulse frequency actual", ""},
+    Row{1801, 2, kVector, F32, Unit::Kilohertz, kWhole, 4.0, When::ReadOnly, Fixed{4.0}, Output::Connector, "Pulse frequency actual", ""},
+    Row{1900, 1, kAxes, I16, Unit::None, {0.0, 2.0}, 0.0, When::QuickReady, Stored{}, Output::No, "MotID and rotating measurement", ""},
+    Row{1910, 1, kAxes, I16, Unit::None, {-3.0, 28.0}, 0.0, When::Ready, Stored{}, Output::No, "Motor data identification at standstill", ""},
+    Row{1958, 5, kAxes, F32, Unit::Seconds, {-1.0, 999999.0}, -1.0, When::Ready, Stored{}, Output::No, "Rotating measurement ramp/time", ""},
+    Row{1959, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::Ready, Stored{}, Output::No, "Rotating measurement configuration", ""},
+    Row{1960, 1, kAxes, I16, Unit::None, {-3.0, 4.0}, 0.0, When::Ready, Stored{}, Output::No, "Rotating measurement selection", ""},
+    Row{2000, 1, kAxes, F32, Unit::Rpm, {6.0, 210000.0}, factory::rated_speed, When::Ready, Member{&P::reference_speed}, Output::No, "Reference speed", "100 % of a speed in process data"},
+    Row{2001, 1, kAxes, F32, Unit::VoltsRms, {10.0, 100000.0}, 1000.0, When::Ready, Stored{}, Output::No, "Reference voltage", ""},
+    Row{2002, 1, kAxes, F32, Unit::AmperesRms, {0.1, 100000.0}, 100.0, When::Ready, Stored{}, Output::No, "Reference current", ""},
+    Row{2003, 1, kAxes, F32, Unit::NewtonMetre, {0.01, 20000000.0}, factory::rated_torque, When::Ready, Member{&P::reference_torque}, Output::No, "Reference torque", "100 % of a torque in process data"},
+    Row{2004, 1, kAxes, F32, Unit::Kilowatts, kWhole, 0.0, When::ReadOnly, axis(axis_value::reference_power), Output::No, "Reference power", "p2003 times p2000"},
+    Row{2005, 1, kAxes, F32, Unit::Degrees, {90.0, 180.0}, 90.0, When::Ready, Stored{}, Output::No, "Reference angle", ""},
+    Row{2006, 1, kAxes, F32, Unit::Celsius, {50.0, 300.0}, 100.0, When::Ready, Stored{}, Output::No, "Reference temperature", ""},
+    Row{2007, 1, kAxes, F32, Unit::RevolutionsPerSecondSquared, {0.01, 500000.0}, 0.01, When::Ready, Stored{}, Output::No, "Reference acceleration", ""},
+};
+// clang-format on
+
+}  // namespace drive::rows

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+
+#include "drive/parameter/factory_values.hpp"
+#include "drive/parameter/row.hpp"
+
+namespace drive::rows {
+
+/// The PZD interface that CAN uses (IF2).
+// clang-format off
+inline constexpr std::array kProcessDataRows{
+    Row{8805, 2, kControlUnit, I16, Unit::None, kWhole, 0.0, When::Ready, Stored{}, Output::No, "I&M 4 configuration", ""},
+    Row{8815, 2, kControlUnit, I16, Unit::None, {1.0, 2.0}, 1.0, When::Ready, Stored{}, Output::No, "IF1/IF2 PZD functionality: [0] isochronous, [1] PROFIsafe", ""},
+    Row{8839, 2, kControlUnit, I16, Unit::None, {0.0, 99.0}, 99.0, When::Ready, Stored{}, Output::No, "PZD interface hardware assignment [0]=IF1 [1]=IF2", ""},
+    Row{8843, 3, kAll, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD state bits", ""},
+    Row{8848, 1, kControlUnit, F32, Unit::Milliseconds, {1.0, 16.0}, 4.0, When::DeviceConfiguration, Agreed{}, Output::No, "IF2 PZD sampling time (CAN cycle)", "receive and transmit cycle"},
+    Row{8850, 20, kAll, I16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "IF2 PZD receive word (CO)", ""},
+    Row{8851, 25, kAll, ConnectorInput, Unit::None, kWhole, factory::send_words, When::Always, Stored{}, Output::No, "IF2 PZD send word (CI)", ""},
+    Row{8853, 25, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 PZD send word diagnostics", ""},
+    Row{8859, 8, kControlUnit, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "COMM BOARD identification data", ""},
+    Row{8860, 19, kAll, I32, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "IF2 PZD receive double word (CO)", ""},
+    Row{8861, 24, kAll, ConnectorInput, Unit::None, kWhole, factory::send_double_words, When::Always, Stored{}, Output::No, "IF2 PZD send double word (CI)", ""},
+    Row{8863, 24, kAll, U32, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 PZD send double word diagnostics", ""},
+    Row{8867, 2, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 highest interconnected PZD [0] rx [1] tx", ""},
+    Row{8874, 20, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 diagnostics sender bus address", ""},
+    Row{8875, 20, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 diagnostics byte offset receive", ""},
+    Row{8876, 25, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 diagnostics byte offset send", ""},
+    Row{8880, 16, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "IF2 binector-connector converter status word 1", ""},
+    Row{8881, 16, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "IF2 binector-connector converter status word 2", ""},
+    Row{8882, 16, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "IF2 binector-connector converter free status word 3", ""},
+    Row{8883, 16, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "IF2 binector-connector converter free status word 4", ""},
+    Row{8884, 16, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "IF2 binector-connector converter free status word 5", ""},
+    Row{8888, 5, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, Stored{}, Output::No, "IF2 invert binector-connector converter", ""},
+    Row{8889, 5, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 binector-connector converter output words", ""},
+    Row{8890, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD1 receive bit-serial (BO)", ""},
+    Row{8891, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD2 receive bit-serial (BO)", ""},
+    Row{8892, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD3 receive bit-serial (BO)", ""},
+    Row{8893, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD4 receive bit-serial (BO)", ""},
+    Row{8894, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 connector-binector converter 1", ""},
+    Row{8895, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 connector-binector converter 2", ""},
+    Row{8898, 2, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, Stored{}, Output::No, "IF2 invert connector-binector converter", ""},
+    Row{8899, 2, kAll, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "IF2 connector-binector converter source (CI)", ""},
+};
+// clang-format on
+
+}  // namespace drive::rows

@@ -1,0 +1,140 @@
+#include "drive/parameter/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "drive/parameter/rows/can.hpp"
+#include "drive/parameter/rows/control.hpp"
+#include "drive/parameter/rows/display.hpp"
+#include "drive/parameter/rows/messages.hpp"
+#include "drive/parameter/rows/monitoring.hpp"
+#include "drive/parameter/rows/motor.hpp"
+#include "drive/parameter/rows/pdo.hpp"
+#include "drive/parameter/rows/position.hpp"
+#include "drive/parameter/rows/positioner.hpp"
+#include "drive/parameter/rows/process_data.hpp"
+#include "drive/parameter/rows/setpoint_channel.hpp"
+#include "drive/parameter/rows/technology.hpp"
+#include "drive/parameter/rows/unit.hpp"
+
+namespace drive {
+namespace {
+
+template <class... Tables>
+constexpr auto joined(const Tables&... tables) {
+  std::array<const ParameterRow*, (std::tuple_size_v<Tables> + ...)> all{};
+  std::size_t count = 0;
+  const auto append = [&](const auto& table) {
+    for (const ParameterRow& row : table) all[count++] = &row;
+  };
+  (append(tables), ...);
+  std::sort(all.begin(), all.end(), [](const ParameterRow* a, const ParameterRow* b) {
+    return a->number != b->number ? a->number < b->number : a->kinds < b->kinds;
+  });
+  return all;
+}
+
+constexpr auto kRows =
+    joined(rows::kUnitRows, rows::kCanRows, rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows,
+           rows::kDisplayRows, rows::kMotorRows, rows::kSetpointChannelRows, rows::kControlRows,
+           rows::kMonitoringRows, rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
+
+constexpr bool has_slots(const ParameterRow& row) {
+  return std::holds_alternative<Stored>(row.home) || std::holds_alternative<Slot>(row.home) ||
+         std::holds_alternative<Agreed>(row.home) || std::holds_alternative<Command>(row.home);
+}
+
+/// The table of one kind; Count is the number of its rows.
+template <ObjectKind Kind, std::size_t Count>
+constexpr auto placed() {
+  std::array<PlacedRow, Count> table{};
+  std::size_t filled = 0;
+  std::uint16_t slot = 0;
+  for (const ParameterRow* row : kRows) {
+    if (!contains(row->kinds, Kind)) continue;
+    table[filled++] = {row, has_slots(*row) ? slot : kNoSlot};
+    if (has_slots(*row)) slot = static_cast<std::uint16_t>(slot + row->count);
+  }
+  return table;
+}
+
+template <ObjectKind Kind>
+constexpr std::size_t kRowsOf = static_cast<std::size_t>(
+    std::count_if(kRows.begin(), kRows.end(), [](const ParameterRow* row) { return contains(row->kinds, Kind); }));
+
+template <ObjectKind Kind>
+constexpr auto kPlaced = placed<Kind, kRowsOf<Kind>>();
+
+template <ObjectKind Kind>
+constexpr bool kNumbersAreUnique = [] {
+  for (std::size_t i = 1; i < kPlaced<Kind>.size(); ++i)
+    if (kPlaced<Kind>[i - 1].row->number >= kPlaced<Kind>[i].row->number) return false;
+  return true;
+}();
+static_assert(kNumbersAreUnique<ObjectKind::ControlUnit> && kNumbersAreUnique<ObjectKind::Servo> &&
+                  kNumbersAreUnique<ObjectKind::Vector>,
+              "lookup is a binary search, and no drive object has a parameter twice");
+
+constexpr bool consistent(const ParameterRow* row) {
+  const Range limits = limits_of(*row);
+  const auto* factory = std::get_if<double>(&row->factory);
+  const bool within =
+      factory == nullptr || !row->is_writable() || (limits.minimum <= *factory && *factory <= limits.maximum);
+  const bool member = std::holds_alternative<Member>(row->home);
+  const bool display = std::holds_alternative<Fixed>(row->home);
+  return row->count > 0 && row->kinds != 0 && within && !(display && row->is_writable()) &&
+         !(member && row->count != 1);
+}
+static_assert(std::all_of(kRows.begin(), kRows.end(), consistent),
+              "a factory value lies within the limits, a fixed value cannot be written, a member has one index");
+
+constexpr std::array<std::span<const PlacedRow>, kObjectKindCount> kTables{
+    kPlaced<ObjectKind::ControlUnit>, kPlaced<ObjectKind::Servo>, kPlaced<ObjectKind::Vector>};
+
+constexpr std::size_t slots(std::span<const PlacedRow> table) {
+  std::size_t count = 0;
+  for (const PlacedRow& placed : table) count += placed.slot != kNoSlot ? placed.row->count : 0U;
+  return count;
+}
+constexpr std::array kSlotCounts{slots(kTables[0]), slots(kTables[1]), slots(kTables[2])};
+
+}  // namespace
+
+std::span<const ParameterRow* const> parameter_rows() noexcept {
+  return kRows;
+}
+
+std::span<const PlacedRow> parameters_of(ObjectKind kind) noexcept {
+  return kTables[static_cast<std::size_t>(kind)];
+}
+
+std::size_t slot_count(ObjectKind kind) noexcept {
+  return kSlotCounts[static_cast<std::size_t>(kind)];
+}
+
+const PlacedRow* find_parameter(ObjectKind kind, std::uint16_t number) noexcept {
+  const std::span<const PlacedRow> table = parameters_of(kind);
+  const auto found = std::lower_bound(table.begin(), table.end(), number,
+                                      [](const PlacedRow& p, std::uint16_t n) { return p.row->number < n; });
+  return found != table.end() && found->row->number == number ? &*found : nullptr;
+}
+
+const ParameterRow* find_parameter(ObjectKind kind, std::string_view text) noexcept {
+  constexpr std::size_t kLength = 5;
+  std::uint16_t number = 0;
+  if (text.size() != kLength) return nullptr;
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + kLength, number);
+  if (error != std::errc{} || end != text.data() + kLength) return nullptr;
+  const PlacedRow* const placed = find_parameter(kind, number);
+  if (placed == nullptr || text.front() != (placed->row->is_writable() ? 'p' : 'r')) return nullptr;
+  return placed->row;
+}
+
+std::string parameter_text(const ParameterRow& row) {
+  return fmt::format("{}{:04}", row.is_writable() ? 'p' : 'r', row.number);
+}
+
+}  // namespace drive

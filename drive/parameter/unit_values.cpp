@@ -1,0 +1,21 @@
+#include "drive/parameter/unit_values.hpp"
+
+#include "drive/control_unit.hpp"
+
+namespace drive::unit_value {
+
+double operating_display(const ControlUnit& unit, std::size_t) noexcept {
+  constexpr double kReady = 0.0;
+  constexpr double kLeaveCommissioning = 34.0;
+  return unit.is_in_commissioning() ? kLeaveCommissioning : kReady;
+}
+
+double object_count(const ControlUnit& unit, std::size_t) noexcept {
+  return unit.context().axis_count + 1.0;
+}
+
+double module_object(const ControlUnit& unit, std::size_t index) noexcept {
+  return index < unit.context().axis_count ? static_cast<double>(index + kFirstAxisNumber) : 0.0;
+}
+
+}  // namespace drive::unit_value

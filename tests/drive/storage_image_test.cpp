@@ -1,0 +1,156 @@
+#include "drive/storage_image.hpp"
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "drive/crc32.hpp"
+
+namespace drive {
+namespace {
+
+using storage_image::Error;
+
+constexpr std::uint8_t kX = 2;
+constexpr std::uint8_t kY = 3;
+
+UnitConfiguration two_axes() {
+  return {.axes = {{}, {}}, .node_id = 5};
+}
+
+std::vector<std::byte> saved(const DriveUnit& unit, std::uint8_t object = storage_image::kAllObjects) {
+  std::vector<std::byte> buffer(storage_image::size(unit, object));
+  const auto written = storage_image::save(unit, buffer, object);
+  EXPECT_TRUE(written);
+  EXPECT_EQ(written->size(), buffer.size());
+  return buffer;
+}
+
+/// Makes the checksum of a changed image right again.
+void seal(std::vector<std::byte>& image) {
+  const std::uint32_t crc = crc32(std::span{image}.first(image.size() - 4));
+  for (std::size_t i = 0; i < 4; ++i) image[image.size() - 4 + i] = static_cast<std::byte>(crc >> (8 * i));
+}
+
+double value(const DriveUnit& unit, std::uint8_t object, std::uint16_t number, std::size_t index = 0) {
+  return unit.object(object)->read(number, index).value();
+}
+
+TEST(StorageImage, BringsEveryWrittenValueBack) {
+  DriveUnit unit{two_axes()};
+  ASSERT_TRUE(unit.object(kX)->write(1120, 0.3F));
+  ASSERT_TRUE(unit.object(kX)->write(8791, 2));
+  ASSERT_TRUE(unit.object(kX)->write(2617, 63, -2147482648.0));
+  ASSERT_TRUE(unit.object(kY)->write(2100, 19, 7900));
+  ASSERT_TRUE(unit.object(1)->write(8622, 3));
+  const std::vector<std::byte> image = saved(unit);
+
+  DriveUnit fresh{two_axes()};
+  ASSERT_TRUE(storage_image::load(fresh, image));
+
+  EXPECT_FLOAT_EQ(static_cast<float>(value(fresh, kX, 1120)), 0.3F);
+  EXPECT_EQ(value(fresh, kX, 8791), 2.0);
+  EXPECT_EQ(value(fresh, kX, 2617, 63), -2147482648.0);
+  EXPECT_EQ(value(fresh, kY, 2100, 19), 7900.0);
+  EXPECT_EQ(value(fresh, 1, 8622), 3.0);
+  EXPECT_EQ(saved(fresh), image);
+}
+
+TEST(StorageImage, TakesOneDriveObjectOnly) {
+  DriveUnit unit{two_axes()};
+  ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
+  ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
+  const std::vector<std::byte> all = saved(unit);
+  const std::vector<std::byte> only_x = saved(unit, kX);
+
+  DriveUnit fresh{two_axes()};
+  ASSERT_TRUE(storage_image::load(fresh, all, kY));
+  EXPECT_EQ(value(fresh, kX, 1120), 10.0);
+  EXPECT_EQ(value(fresh, kY, 1120), 2.0);
+  ASSERT_TRUE(storage_image::load(fresh, only_x));
+  EXPECT_EQ(value(fresh, kX, 1120), 1.0);
+  EXPECT_EQ(storage_image::load(fresh, only_x, kY).error(), Error::NoSuchObject);
+  std::vector<std::byte> buffer(all.size());
+  EXPECT_EQ(storage_image::save(unit, buffer, 9).error(), Error::NoSuchObject);
+  EXPECT_EQ(storage_image::save(unit, std::span{buffer}.first(100)).error(), Error::NoRoom);
+}
+
+TEST(StorageImage, LeavesOutCommandsCountersAndFilters) {
+  DriveUnit unit{two_axes()};
+  ASSERT_TRUE(unit.object(kX)->write(10, 1));
+  const std::vector<std::byte> image = saved(unit);
+
+  DriveUnit fresh{two_axes()};
+  ASSERT_TRUE(storage_image::load(fresh, image));
+
+  EXPECT_EQ(value(fresh, kX, 10), 0.0);
+}
+
+TEST(StorageImage, IsRefusedForAnotherUnit) {
+  const std::vector<std::byte> image = saved(DriveUnit{two_axes()});
+  UnitConfiguration vector = two_axes();
+  vector.axes[1].kind = ObjectKind::Vector;
+  UnitConfiguration stronger = two_axes();
+  stronger.axes[0].machine.rated_torque *= 2.0;
+
+  for (const UnitConfiguration& other : {UnitConfiguration{}, vector, stronger}) {
+    DriveUnit unit{other};
+    EXPECT_EQ(storage_image::load(unit, image).error(), Error::OtherUnit);
+  }
+}
+
+TEST(StorageImage, IsRefusedWithTheReasonAndWithoutAnEffect) {
+  DriveUnit unit{two_axes()};
+  ASSERT_TRUE(unit.object(1)->write(8699, 77.0));
+  const std::vector<std::byte> image = saved(unit);
+  DriveUnit fresh{two_axes()};
+  const auto error_of = [&](std::vector<std::byte> bytes) { return storage_image::load(fresh, bytes).error(); };
+  const auto changed = [&](std::size_t at, std::byte value, bool sealed) {
+    std::vector<std::byte> bytes = image;
+    bytes[at] = value;
+    if (sealed) seal(bytes);
+    return bytes;
+  };
+  std::vector<std::byte> longer = image;
+  longer.push_back(std::byte{0});
+  seal(longer);
+
+  EXPECT_EQ(error_of({}), Error::NotAnImage);
+  EXPECT_EQ(error_of(changed(0, std::byte{'x'}, false)), Error::NotAnImage);
+  EXPECT_EQ(error_of(changed(8, std::byte{2}, false)), Error::OtherVersion);
+  EXPECT_EQ(error_of(changed(image.size() / 2, ~image[image.size() / 2], false)), Error::WrongChecksum);
+  EXPECT_EQ(error_of({image.begin(), image.begin() + 12}), Error::Truncated);
+  EXPECT_EQ(error_of(longer), Error::Truncated);
+  EXPECT_EQ(error_of(changed(10, std::byte{9}, true)), Error::OtherUnit);
+  EXPECT_EQ(error_of(changed(18, std::byte{9}, true)), Error::NoSuchObject);
+  EXPECT_EQ(error_of(changed(22, std::byte{0xFF}, true)), Error::NoSuchParameter);
+  EXPECT_EQ(value(fresh, 1, 8699), 0.0);
+  EXPECT_EQ(storage_image::text_of(Error::OtherUnit), "saved parameters of a unit with other axes or motors");
+}
+
+TEST(StorageImage, NeitherCrashesNorLoadsWhatWasDamagedAnywhere) {
+  DriveUnit unit{two_axes()};
+  const std::vector<std::byte> image = saved(unit);
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random{seed};
+  std::uniform_int_distribution<std::size_t> place{0, image.size() - 1};
+  std::uniform_int_distribution<int> bit{0, 7};
+  DriveUnit fresh{two_axes()};
+
+  for (int round = 0; round < 500; ++round) {
+    std::vector<std::byte> damaged = image;
+    damaged[place(random)] ^= static_cast<std::byte>(1 << bit(random));
+    EXPECT_FALSE(storage_image::load(fresh, damaged));
+    damaged.resize(place(random));
+    EXPECT_FALSE(storage_image::load(fresh, damaged));
+    if (damaged.size() < 8) continue;
+    seal(damaged);
+    static_cast<void>(storage_image::load(fresh, damaged));
+  }
+}
+
+}  // namespace
+}  // namespace drive
