@@ -82,8 +82,6 @@ TEST_F(OddFrames, AreIgnored) {
                                  "205#06",
                                  "205#R2",
                                  "305#0F00",
-                                 "705#R",
-                                 "705#R1",
                                  "000#",
                                  "000#01",
                                  "000#010500",
@@ -107,6 +105,11 @@ TEST_F(OddFrames, AreIgnored) {
   const auto answer = can->next();
   ASSERT_TRUE(answer);
   EXPECT_EQ(fakes::candump(*answer), kDeviceType);
+}
+
+TEST_F(OddFrames, OfAGuardingMasterMayHaveAnyLength) {
+  EXPECT_TRUE(can->ask("705#R", "705#05"));
+  EXPECT_TRUE(can->ask("705#R1", "705#85"));
 }
 
 /// Bytes that a master should not send: commands of every kind, indices that exist and that do not.
