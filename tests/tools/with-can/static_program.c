@@ -1,2 +1,4 @@
 /* A program that is linked statically. */
-int main(void) { return 0; }
+int main(void) {
+  return 0;
+}
