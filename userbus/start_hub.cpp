@@ -50,7 +50,9 @@ void leave_descriptors() noexcept {
   for (int other = static_cast<int>(kFirst); other < sysconf(_SC_OPEN_MAX); ++other) close(other);
 }
 
-int become_hub(void* argument) noexcept {
+// The address sanitizer knows the stacks of threads only, and would complain about those of these two.
+
+[[gnu::no_sanitize_address]] int become_hub(void* argument) noexcept {
   auto& start = *static_cast<Start*>(argument);
   setsid();
   leave_descriptors();
@@ -62,7 +64,7 @@ int become_hub(void* argument) noexcept {
 
 /// A process that is executed tells its parent by SIGCHLD when it ends. The caller may have a handler for that, so
 /// this process, which is not executed and tells nobody, is the parent.
-int wait_for_hub(void* argument) noexcept {
+[[gnu::no_sanitize_address]] int wait_for_hub(void* argument) noexcept {
   auto& start = *static_cast<Start*>(argument);
   const int hub = clone(become_hub, top_of(start.innermost), CLONE_VM | CLONE_VFORK | SIGCHLD, argument);
   int status = 0;

@@ -80,9 +80,10 @@ static_assert(kNumbersAreUnique<ObjectKind::ControlUnit> && kNumbersAreUnique<Ob
 
 constexpr bool consistent(const ParameterRow* row) {
   const Range limits = limits_of(*row);
-  const auto* factory = std::get_if<double>(&row->factory);
+  const bool number = std::holds_alternative<double>(row->factory);
   const bool within =
-      factory == nullptr || !row->is_writable() || (limits.minimum <= *factory && *factory <= limits.maximum);
+      !number || !row->is_writable() ||
+      (limits.minimum <= std::get<double>(row->factory) && std::get<double>(row->factory) <= limits.maximum);
   const bool member = std::holds_alternative<Member>(row->home);
   const bool display = std::holds_alternative<Fixed>(row->home);
   return row->count > 0 && row->kinds != 0 && within && !(display && row->is_writable()) &&
