@@ -1,8 +1,10 @@
-#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <thread>
+#include <vector>
+
+#include <pthread.h>
 
 #include "tests/bus/network.hpp"
 #include "tests/e2e/daemon_process.hpp"
@@ -93,28 +95,29 @@ struct FullBus : testing::Test {
   }
 };
 
-/// Another program on the daemon's interface that keeps its transmit queue full.
-class Rival {
+/// Other programs on the daemon's interface that keep its transmit queue full, one on each processor: the one that
+/// serves the controller's interrupt finds the queue empty whenever it sends.
+class Rivals {
  public:
-  Rival() : thread_{[this] { run(); }} {}
-  ~Rival() {
-    stop_ = true;
-    thread_.join();
+  Rivals() {
+    for (unsigned processor = 0; processor < std::thread::hardware_concurrency(); ++processor)
+      threads_.emplace_back([processor](const std::stop_token& stop) { run(processor, stop); });
   }
 
  private:
-  void run() {
+  static void run(unsigned processor, const std::stop_token& stop) {
+    cpu_set_t processors;
+    CPU_ZERO(&processors);
+    CPU_SET(processor, &processors);
+    ::pthread_setaffinity_np(::pthread_self(), sizeof processors, &processors);
     bus::SocketCan port{"can0"};
     port.accept_only({});
     const Frame frame{.id = 0x7FF, .length = 8};
-    while (!stop_) {
-      while (port.send(frame) == bus::SendStatus::Sent) {
-      }
-      std::this_thread::yield();
+    while (!stop.stop_requested()) {
+      if (port.send(frame) != bus::SendStatus::Sent) std::this_thread::yield();
     }
   }
-  std::atomic<bool> stop_ = false;
-  std::thread thread_;
+  std::vector<std::jthread> threads_;
 };
 
 /// The master on can1, and a witness on can0 who sees what the daemon's controller has really sent.
@@ -143,8 +146,7 @@ TEST_F(FullBus, CostsNothingButOutdatedTpdos) {
     bus.master.send(word);
     ASSERT_TRUE(wait_for_state(bus.witness, state));
   }
-  const std::size_t lines_before = daemon.log_lines("");
-  const Rival rival;
+  const Rivals rivals;
   constexpr std::uint64_t kRefusals = 20;
   constexpr int kMostRounds = 100;
 
@@ -163,7 +165,7 @@ TEST_F(FullBus, CostsNothingButOutdatedTpdos) {
 
   EXPECT_GE(daemon.bus_counter("refused"), kRefusals);
   EXPECT_EQ(daemon.bus_counter("send_dropped"), 0u);
-  EXPECT_LE(daemon.log_lines(""), lines_before + 1);
+  EXPECT_LE(daemon.log_lines("queue"), 1u);
 }
 
 }  // namespace
