@@ -33,7 +33,7 @@ struct RandomUpload {
   void step() { bus.unit.on_frame(requests[next++ % requests.size()], bus.now); }
 
   DeviceUnit bus;
-  std::vector<canopen::EntryDescription> rows = device::object_rows(std::array{device::AxisType::Servo});
+  std::vector<canopen::EntryDescription> rows = device::object_rows(std::array{drive::ObjectKind::Servo});
   canopen::Dictionary same{rows, DeviceUnit::kNodeId};
   std::vector<Frame> requests = random_uploads(same);
   std::size_t next = 0;

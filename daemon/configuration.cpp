@@ -1,11 +1,14 @@
 #include "daemon/configuration.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -17,7 +20,15 @@ namespace {
 
 constexpr int kFirstNodeId = 1;
 constexpr int kLastNodeId = 127;
-constexpr std::size_t kMaximumAxes = 1;
+constexpr std::array kAxisNames{"X", "Y", "Z", "A", "B", "C", "U", "V"};
+static_assert(kAxisNames.size() == drive::kMostAxes);
+
+struct AxisTypeRow {
+  std::string_view name;
+  drive::ObjectKind kind;
+};
+constexpr std::array kAxisTypes{AxisTypeRow{"servo", drive::ObjectKind::Servo},
+                                AxisTypeRow{"vector", drive::ObjectKind::Vector}};
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kHighestTorque = 1e6;  // N·m
 
@@ -125,28 +136,65 @@ std::string expectation(const drive::ParameterError& error) {
                      limits.minimum, limits.maximum, unit.empty() ? "" : " ", unit);
 }
 
-ParameterValue read_parameter(const JsonReader& json, const std::string& text) {
-  drive::Axis trial{drive::AxisConfiguration{}};
-  const drive::ParameterRow* const row = drive::find_parameter(trial.kind(), text);
-  if (row == nullptr) json.fail("a parameter of the axis such as p1120 as key");
-  const double value = json.number(-kUnlimited, kUnlimited);
-  if (const auto written = trial.write(row->number, value); !written) json.fail(expectation(written.error()));
-  return {row->number, value};
+/// The number in brackets behind a parameter such as p1070[1], 0 if there is none; @p text loses it.
+std::optional<std::uint8_t> take_index(std::string& text) {
+  const std::size_t bracket = text.find('[');
+  if (bracket == std::string::npos) return std::uint8_t{0};
+  std::uint8_t index = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + bracket + 1, end, index);
+  if (error != std::errc{} || std::string_view{rest, end} != "]") return std::nullopt;
+  text.resize(bracket);
+  return index;
 }
 
-AxisConfiguration read_axis(const JsonReader& json) {
+ParameterValue read_parameter(const JsonReader& json, std::string text, const AxisConfiguration& configuration) {
+  drive::Axis trial{{.machine = configuration.machine, .load = configuration.load, .kind = configuration.kind}};
+  const auto index = take_index(text);
+  const drive::ParameterRow* const row = drive::find_parameter(trial.kind(), text);
+  if (!index || row == nullptr) json.fail("a parameter of the axis such as p1120 or p1070[1] as key");
+  if (*index >= row->count) json.fail(fmt::format("an index 0 to {} of {} as key", row->count - 1, text));
+  const double value = json.number(-kUnlimited, kUnlimited);
+  if (const auto written = trial.write(row->number, *index, value); !written)
+    json.fail(expectation(written.error()));
+  return {row->number, value, *index};
+}
+
+drive::ObjectKind read_axis_type(const JsonReader& json) {
+  const std::string name = json.text();
+  const auto* const row = std::ranges::find(kAxisTypes, name, &AxisTypeRow::name);
+  if (row == kAxisTypes.end()) json.fail("servo or vector");
+  return row->kind;
+}
+
+/// What is said of @p axis, over its defaults.
+AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   json.expect_object({"name", "type", "motor", "load", "parameters"});
-  AxisConfiguration axis;
   if (json.has("name")) axis.name = json.at("name").text();
-  if (json.has("type") && json.at("type").text() != "servo") json.at("type").fail("servo");
+  if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"));
   if (json.has("load")) axis.load = read_load(json.at("load"));
   if (!json.has("parameters")) return axis;
   const JsonReader parameters = json.at("parameters");
   if (!parameters.is_object()) parameters.fail("an object");
   for (const std::string& text : parameters.keys())
-    axis.parameters.push_back(read_parameter(parameters.at(text), text));
+    axis.parameters.push_back(read_parameter(parameters.at(text), text, axis));
   return axis;
+}
+
+std::vector<AxisConfiguration> read_axes(const JsonReader& json) {
+  json.expect_array(1, drive::kMostAxes);
+  std::vector<AxisConfiguration> axes;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    AxisConfiguration axis = read_axis(json.at(i), default_axes(i + 1).back());
+    const auto same = std::ranges::find(axes, axis.name, &AxisConfiguration::name);
+    if (same != axes.end()) {
+      const JsonReader& named = json.at(i).has("name") ? json.at(i).at("name") : json.at(i);
+      named.fail(fmt::format("a name that axes[{}] does not have", same - axes.begin()));
+    }
+    axes.push_back(std::move(axis));
+  }
+  return axes;
 }
 
 bus::Address read_address(const JsonReader& json) {
@@ -162,6 +210,17 @@ void override_address(Configuration& configuration, const std::string& text) {
   configuration.address = *std::move(address);
 }
 
+/// Takes the last axes away, or adds default ones whose names are free.
+void resize_axes(std::vector<AxisConfiguration>& axes, int count) {
+  if (count < 1 || static_cast<std::size_t>(count) > drive::kMostAxes)
+    throw ConfigurationError{fmt::format("--axes: expected an integer 1 to {}, got {}", drive::kMostAxes, count)};
+  for (AxisConfiguration& axis : default_axes(drive::kMostAxes)) {
+    const bool taken = std::ranges::find(axes, axis.name, &AxisConfiguration::name) != axes.end();
+    if (!taken && axes.size() < static_cast<std::size_t>(count)) axes.push_back(std::move(axis));
+  }
+  axes.resize(static_cast<std::size_t>(count));
+}
+
 void override_with(Configuration& configuration, const Options& options) {
   if (options.interface) override_address(configuration, *options.interface);
   if (options.node_id) configuration.node_id = *options.node_id;
@@ -169,12 +228,16 @@ void override_with(Configuration& configuration, const Options& options) {
     throw ConfigurationError{fmt::format("--node-id: expected an integer {} to {}, got {}", kFirstNodeId,
                                          kLastNodeId, configuration.node_id)};
   }
-  if (options.axes && *options.axes != 1) {
-    throw ConfigurationError{fmt::format("--axes: expected 1 in this version, got {}", *options.axes)};
-  }
+  if (options.axes) resize_axes(configuration.axes, *options.axes);
 }
 
 }  // namespace
+
+std::vector<AxisConfiguration> default_axes(std::size_t count) {
+  std::vector<AxisConfiguration> axes(count);
+  for (std::size_t i = 0; i < count; ++i) axes[i].name = kAxisNames[i];
+  return axes;
+}
 
 Configuration parse_configuration(std::string_view text, const std::string& file) {
   const JsonReader json = JsonReader::parse(text, file);
@@ -184,11 +247,7 @@ Configuration parse_configuration(std::string_view text, const std::string& file
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
-  if (!json.has("axes")) return configuration;
-  const JsonReader axes = json.at("axes");
-  axes.expect_array(1, kMaximumAxes);
-  configuration.axes.clear();
-  for (std::size_t i = 0; i < axes.size(); ++i) configuration.axes.push_back(read_axis(axes.at(i)));
+  if (json.has("axes")) configuration.axes = read_axes(json.at("axes"));
   return configuration;
 }
 

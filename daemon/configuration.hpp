@@ -8,6 +8,7 @@
 
 #include "bus/address.hpp"
 #include "daemon/options.hpp"
+#include "drive/object_kind.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
 
@@ -22,21 +23,26 @@ struct ConfigurationError : std::runtime_error {
 struct ParameterValue {
   std::uint16_t number;
   double value;
+  std::uint8_t index;
 };
 
 /// One axis of the unit.
 struct AxisConfiguration {
-  std::string name = "X";
+  std::string name;                                  ///< unique in the unit
+  drive::ObjectKind kind = drive::ObjectKind::Servo;  ///< Servo or Vector
   motor::MachineData machine;
   motor::Load load;
   std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis
 };
 
+/// The first @p count servo axes (1..drive::kMostAxes) of a unit of which nothing is said: X, Y, Z, A, B, C, U, V.
+std::vector<AxisConfiguration> default_axes(std::size_t count);
+
 /// The whole unit: defaults, then the file, then the command line.
 struct Configuration {
   bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
   int node_id = 2;
-  std::vector<AxisConfiguration> axes{AxisConfiguration{}};
+  std::vector<AxisConfiguration> axes = default_axes(1);  ///< 1..drive::kMostAxes
   bool sdo_block = false;                    ///< key "sdo_block"
   bool fault_on_leaving_operational = true;  ///< key "f08701"
 };

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,8 @@ using nlohmann::json;
 using Outcome = tl::expected<json, std::string>;
 
 constexpr double kHighestTorque = 1e6;  // N·m
+constexpr int kControlUnit = 0;
+constexpr int kFirstAxis = 1;
 
 tl::unexpected<std::string> refuse(std::string message) {
   return tl::unexpected{std::move(message)};
@@ -31,8 +34,18 @@ tl::expected<int, std::string> integer(const json& params, const char* key, int 
       fmt::format("{}: expected {}, got {}", key, expected, found == params.end() ? "nothing" : found->dump()));
 }
 
-tl::expected<int, std::string> axis(const Daemon&, const json& params) {
-  return integer(params, "axis", 1, 1);
+/// The axis that @p params name, from @p first on: 0 is the control unit.
+tl::expected<std::size_t, std::string> axis(const Daemon& daemon, const json& params, int first) {
+  return integer(params, "axis", first, static_cast<int>(daemon.configuration().axes.size()));
+}
+
+/// The fault value in @p params, 0 if there is none.
+tl::expected<std::uint32_t, std::string> fault_value(const json& params) {
+  const auto value = params.find("value");
+  if (value == params.end()) return 0U;
+  const bool fits = value->is_number_unsigned() && *value <= std::numeric_limits<std::uint32_t>::max();
+  if (!fits) return refuse(fmt::format("value: expected an integer 0 to 4294967295, got {}", value->dump()));
+  return value->get<std::uint32_t>();
 }
 
 Outcome status(Daemon& daemon, const json&) {
@@ -41,31 +54,38 @@ Outcome status(Daemon& daemon, const json&) {
 
 Outcome inject_fault(Daemon& daemon, const json& params) {
   const auto number = integer(params, "number", 1, 65535);
-  if (const auto known = axis(daemon, params); !known) return refuse(known.error());
+  const auto place = axis(daemon, params, kControlUnit);
+  const auto value = fault_value(params);
+  if (!place) return refuse(place.error());
   if (!number) return refuse(number.error());
-  const auto raised = daemon.raise(static_cast<std::uint16_t>(*number));
+  if (!value) return refuse(value.error());
+  const auto raised = daemon.raise(*place, static_cast<std::uint16_t>(*number), *value);
   if (raised) return json::object();
   const bool unknown = raised.error() == drive::FaultError::Unknown;
   return refuse(
       fmt::format("number: {} is {}", *number,
-                  unknown ? "no fault or alarm of the unit" : "a message of the control unit, not of an axis"));
+                  unknown               ? "no fault or alarm of the unit"
+                  : *place == kControlUnit ? "a message of an axis, not of the control unit"
+                                        : "a message of the control unit, not of an axis"));
 }
 
 Outcome acknowledge_fault(Daemon& daemon, const json& params) {
-  if (const auto known = axis(daemon, params); !known) return refuse(known.error());
-  if (!daemon.acknowledge())
+  const auto place = axis(daemon, params, kControlUnit);
+  if (!place) return refuse(place.error());
+  if (!daemon.acknowledge(*place))
     return refuse("a fault is left: its cause is still there, or the axis is still braking");
   return json::object();
 }
 
 Outcome set_load(Daemon& daemon, const json& params) {
-  if (const auto known = axis(daemon, params); !known) return refuse(known.error());
+  const auto place = axis(daemon, params, kFirstAxis);
+  if (!place) return refuse(place.error());
   const auto torque = params.find("torque_Nm");
   if (torque == params.end() || !torque->is_number() || !(std::abs(torque->get<double>()) <= kHighestTorque)) {
     return refuse(fmt::format("torque_Nm: expected a number -{0} to {0}, got {1}", kHighestTorque,
                               torque == params.end() ? "nothing" : torque->dump()));
   }
-  daemon.set_load_torque(torque->get<double>());
+  daemon.set_load_torque(*place, torque->get<double>());
   return json::object();
 }
 

@@ -13,16 +13,27 @@ namespace {
 
 constexpr canopen::Duration kRepeatedLogPeriod = std::chrono::seconds{10};
 
+device::AxisSetup setup_of(const AxisConfiguration& axis) {
+  device::AxisSetup setup{.drive = {.machine = axis.machine, .load = axis.load, .kind = axis.kind}, .presets = {}};
+  for (const ParameterValue& parameter : axis.parameters)
+    setup.presets.push_back({parameter.number, parameter.value, parameter.index});
+  return setup;
+}
+
 device::Configuration device_configuration(const Configuration& configuration, const bus::Port& port) {
-  const AxisConfiguration& axis = configuration.axes.front();
   device::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
-                               .axis = {.machine = axis.machine, .load = axis.load},
+                               .axes = {},
                                .sdo_block = configuration.sdo_block,
                                .fault_on_leaving_operational = configuration.fault_on_leaving_operational,
                                .remote_frames = port.carries_remote_frames()};
-  for (const ParameterValue& parameter : axis.parameters)
-    result.presets.push_back({parameter.number, parameter.value});
+  for (const AxisConfiguration& axis : configuration.axes) result.axes.push_back(setup_of(axis));
   return result;
+}
+
+std::vector<double> load_torques(const Configuration& configuration) {
+  std::vector<double> torques;
+  for (const AxisConfiguration& axis : configuration.axes) torques.push_back(axis.load.constant_torque);
+  return torques;
 }
 
 }  // namespace
@@ -37,7 +48,7 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
       loop_{*bus_.port, *this},
       device_{device_configuration(configuration, *bus_.port), loop_.queue(), *this},
       events_{[this] { stop(); }},
-      load_torque_{configuration.axes.front().load.constant_torque} {
+      load_torques_{load_torques(configuration)} {
   loop_.watch(events_.descriptor());
   link_source_ = events_.watch(bus_.link->descriptor(), EPOLLIN, &Daemon::on_link, this);
   if (!control.empty()) {
@@ -165,17 +176,18 @@ void Daemon::on_life_guarding_withheld() noexcept {
                bus_name());
 }
 
-tl::expected<void, drive::FaultError> Daemon::raise(std::uint16_t number) noexcept {
-  return device_.raise(number, read_clock());
+tl::expected<void, drive::FaultError> Daemon::raise(std::size_t axis, std::uint16_t number,
+                                                     std::uint32_t value) noexcept {
+  return device_.raise(axis, number, value, read_clock());
 }
 
-bool Daemon::acknowledge() noexcept {
-  return device_.acknowledge(read_clock());
+bool Daemon::acknowledge(std::size_t axis) noexcept {
+  return device_.acknowledge(axis, read_clock());
 }
 
-void Daemon::set_load_torque(double torque) noexcept {
-  load_torque_ = torque;
-  device_.set_load_torque(torque, read_clock());
+void Daemon::set_load_torque(std::size_t axis, double torque) noexcept {
+  load_torques_[axis - 1] = torque;
+  device_.set_load_torque(axis, torque, read_clock());
 }
 
 double Daemon::uptime_s() const noexcept {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "bus/connection.hpp"
 #include "daemon/bus_loop.hpp"
@@ -33,20 +34,22 @@ class Daemon final : private device::Listener, private Station {
   /// Ends run() after the event being handled: a power-off of the unit.
   void stop() noexcept { stopping_ = true; }
 
-  /// Raises a fault or alarm on the axis.
-  tl::expected<void, drive::FaultError> raise(std::uint16_t number) noexcept;
-  /// Acknowledges the faults of the axis; true if none is left.
-  bool acknowledge() noexcept;
-  /// Sets the load torque of the axis (N·m).
-  void set_load_torque(double torque) noexcept;
+  // Axes are counted from 1; 0 is the control unit.
+  /// Raises a fault or alarm with @p value on @p axis (0..axes).
+  tl::expected<void, drive::FaultError> raise(std::size_t axis, std::uint16_t number,
+                                              std::uint32_t value) noexcept;
+  /// Acknowledges the faults of @p axis (0..axes); true if none is left.
+  bool acknowledge(std::size_t axis) noexcept;
+  /// Sets the load torque of @p axis (1..axes; N·m).
+  void set_load_torque(std::size_t axis, double torque) noexcept;
 
   const Configuration& configuration() const noexcept { return configuration_; }
   const device::Device& device() const noexcept { return device_; }
   const bus::TransmitQueue& transmit_queue() const noexcept { return loop_.queue(); }
   bus::ErrorState bus_state() const noexcept { return loop_.port().error_state(); }
   bool link_is_up() const noexcept { return loop_.is_open(); }
-  /// Load torque as last set (N·m).
-  double load_torque() const noexcept { return load_torque_; }
+  /// Load torque of @p axis (1..axes) as last set (N·m).
+  double load_torque(std::size_t axis) const noexcept { return load_torques_[axis - 1]; }
   /// Frames received, frames lost in the socket, and frames of others under this node's identifiers.
   std::uint64_t received() const noexcept { return loop_.received(); }
   std::uint64_t receive_overflows() const noexcept { return loop_.port().dropped(); }
@@ -97,7 +100,7 @@ class Daemon final : private device::Listener, private Station {
   bool stopping_ = false;
   bool ready_told_ = false;
   bool full_logged_ = false;
-  double load_torque_;
+  std::vector<double> load_torques_;
   std::uint64_t foreign_frames_ = 0;
   canopen::TimePoint foreign_logged_{};
   bool withheld_logged_ = false;

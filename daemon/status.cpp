@@ -28,23 +28,36 @@ json messages(std::span<const drive::FaultEntry> entries) {
   return list;
 }
 
-json axis_status(const Daemon& daemon) {
+json axis_status(const Daemon& daemon, std::size_t number) {
   const device::Device& device = daemon.device();
-  const drive::ActualValues& actual = device.axis().actual();
-  const drive::Setpoints setpoints = device.setpoints();
-  return {{"axis", 1},
-          {"name", daemon.configuration().axes.front().name},
-          {"type", "servo"},
+  const drive::Axis& axis = device.axis(number);
+  const drive::ActualValues& actual = axis.actual();
+  const drive::Setpoints setpoints = device.setpoints(number);
+  return {{"axis", number},
+          {"name", daemon.configuration().axes[number - 1].name},
+          {"type", axis.kind() == drive::ObjectKind::Vector ? "vector" : "servo"},
           {"state", kStateNames[static_cast<std::size_t>(actual.state)]},
           {"statusword", fmt::format("0x{:04X}", actual.statusword)},
           {"controlword", fmt::format("0x{:04X}", setpoints.controlword)},
           {"speed_rpm", actual.speed / motor::kRpm},
           {"setpoint_rpm", setpoints.speed / motor::kRpm},
           {"torque_Nm", actual.torque},
-          {"load_torque_Nm", daemon.load_torque()},
+          {"load_torque_Nm", daemon.load_torque(number)},
           {"position", actual.encoder_position},
-          {"faults", messages(device.axis().messages().faults())},
-          {"alarms", messages(device.axis().messages().alarms())}};
+          {"faults", messages(axis.messages().faults())},
+          {"alarms", messages(axis.messages().alarms())}};
+}
+
+json axes_status(const Daemon& daemon) {
+  json axes = json::array();
+  for (std::size_t number = 1; number <= daemon.configuration().axes.size(); ++number)
+    axes.push_back(axis_status(daemon, number));
+  return axes;
+}
+
+json control_unit_status(const Daemon& daemon) {
+  const drive::FaultMemory& memory = daemon.device().unit().object(drive::kControlUnitNumber)->messages();
+  return {{"faults", messages(memory.faults())}, {"alarms", messages(memory.alarms())}};
 }
 
 json bus_status(const Daemon& daemon) {
@@ -72,7 +85,8 @@ json status_of(const Daemon& daemon) {
           {"uptime_s", daemon.uptime_s()},
           {"bus", bus_status(daemon)},
           {"skipped_cycles", daemon.device().skipped_cycles()},
-          {"axes", json::array({axis_status(daemon)})}};
+          {"control_unit", control_unit_status(daemon)},
+          {"axes", axes_status(daemon)}};
 }
 
 }  // namespace axisd

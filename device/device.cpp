@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <iterator>
 
 #include "device/object_index.hpp"
 
@@ -29,10 +30,6 @@ constexpr canopen::Policy kPolicy{
     .tpdo_types = kTpdoTypes,
 };
 
-/// Objects whose writing over SDO is an input of the drive, as an RPDO is.
-constexpr std::array kInputs{object::kControlword, object::kTargetVelocity, object::kTargetTorque,
-                             object::kModesOfOperation, object::kErrorField};
-
 canopen::Policy policy_of(const Configuration& configuration) noexcept {
   canopen::Policy policy = kPolicy;
   policy.sdo_block = configuration.sdo_block;
@@ -40,43 +37,64 @@ canopen::Policy policy_of(const Configuration& configuration) noexcept {
   return policy;
 }
 
+drive::UnitConfiguration unit_of(const Configuration& configuration) {
+  drive::UnitConfiguration unit{.axes = {}, .node_id = configuration.node_id};
+  std::ranges::transform(configuration.axes, std::back_inserter(unit.axes), &AxisSetup::drive);
+  return unit;
+}
+
+std::vector<canopen::EntryDescription> rows_of(const Configuration& configuration) {
+  std::vector<drive::ObjectKind> kinds;
+  for (const AxisSetup& axis : configuration.axes) kinds.push_back(axis.drive.kind);
+  return object_rows(kinds);
+}
+
+constexpr std::uint16_t kPdosOfAnAxis = 0x40;
+
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
 
+/// The drive object of @p axis, 0 being the control unit.
+constexpr std::uint8_t object_of(std::size_t axis) noexcept {
+  return static_cast<std::uint8_t>(axis + drive::kControlUnitNumber);
+}
+
 }  // namespace
 
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
-    : fault_on_leaving_operational_{configuration.fault_on_leaving_operational},
-      presets_{configuration.presets},
+    : configuration_{configuration},
       listener_{listener},
-      axis_{configuration.axis},
-      object_rows_{object_rows(configuration.axis_types)},
+      unit_{unit_of(configuration)},
+      object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
-      process_data_{dictionary_, drive::BusScaling{axis_.parameters()}},
-      parameter_objects_{dictionary_, axis_, drive::BusScaling{axis_.parameters()}, *this},
-      error_objects_{dictionary_, axis_},
+      error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this} {
   apply_presets();
-  for (const std::uint16_t index : kInputs) dictionary_.own_write(index, 0, *this);
+  AxisListener& listener_of_axes = *this;
+  for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
+  dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
 void Device::apply_presets() noexcept {
-  for (const ParameterPreset& preset : presets_) {
-    [[maybe_unused]] const auto written = axis_.write(preset.number, preset.value);
-    assert(written);
+  for (std::size_t i = 0; i < configuration_.axes.size(); ++i) {
+    for (const ParameterPreset& preset : configuration_.axes[i].presets) {
+      [[maybe_unused]] const auto written = unit_.axes()[i].write(preset.number, preset.index, preset.value);
+      assert(written);
+    }
   }
 }
 
 void Device::start(canopen::TimePoint now) noexcept {
-  now_ = now;
   if (node_.state() == canopen::NmtState::Initialising) {
-    last_cycle_ = now;
-    axis_.cycle(setpoints(), kCycleSeconds);  // run-up: the first statusword is that of a unit that is ready
-    process_data_.publish(axis_.actual());
+    started_ = last_cycle_ = now;
+    // Run-up: the first statusword is that of a unit that is ready.
+    for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
+    for (AxisObjects& axis : axes_) axis.publish();
   }
+  tell_time(now);
   node_.start(now);
 }
 
@@ -95,105 +113,103 @@ canopen::TimePoint Device::next_deadline() const noexcept {
   return std::min(node_.next_deadline(), next_cycle());
 }
 
+/// The time that faults and alarms are stamped with.
+void Device::tell_time(canopen::TimePoint now) noexcept {
+  now_ = now;
+  const auto uptime = std::chrono::duration_cast<std::chrono::milliseconds>(now - started_).count();
+  unit_.set_time(static_cast<drive::Uptime>(uptime));
+}
+
 void Device::run_cycles() noexcept {
+  tell_time(now_);
   const std::int64_t due = (now_ - last_cycle_) / kCycle;
   const std::int64_t run = std::min(due, kMostCyclesAtOnce);
   last_cycle_ += due * kCycle;
   skipped_cycles_ += static_cast<std::uint64_t>(due - run);
-  drive::Setpoints wanted = setpoints();
-  const std::uint16_t latest = wanted.controlword;
-  for (std::int64_t i = 0; i < run; ++i) {
-    wanted.controlword = written_controlwords_.take().value_or(latest);
-    axis_.cycle(wanted, kCycleSeconds);
-  }
+  for (AxisObjects& axis : axes_) axis.run(run, kCycleSeconds);
   publish();
-  idle_ = axis_.is_quiescent() && written_controlwords_.is_empty();
+  resting_ = std::ranges::all_of(axes_, &AxisObjects::is_idle);
 }
 
 void Device::publish() noexcept {
-  process_data_.publish(axis_.actual());
+  for (AxisObjects& axis : axes_) axis.publish();
   error_objects_.update(node_);
   node_.on_values_changed(now_);
 }
 
 void Device::wake() noexcept {
-  if (!idle_) return;
-  idle_ = false;
+  for (AxisObjects& axis : axes_) axis.wake();
+}
+
+void Device::on_awake() noexcept {
+  if (!resting_) return;
+  resting_ = false;
   last_cycle_ += (now_ - last_cycle_) / kCycle * kCycle;  // the next cycle lies on the grid
 }
 
-void Device::on_rpdo(std::uint16_t) noexcept {
-  // A controlword in process data is the newer one; an RPDO without any leaves the written ones in force.
-  const bool overwritten = process_data_.controlword() != written_controlwords_.newest();
-  if (overwritten && !written_controlwords_.is_empty()) written_controlwords_.clear();
-  wake();
+void Device::on_rpdo(std::uint16_t number) noexcept {
+  axes_[number / kPdosOfAnAxis].on_rpdo();
 }
 
-canopen::Result<void> Device::write(const canopen::Entry& entry, std::int64_t value) {
-  if (entry.index == object::kErrorField) {
-    if (value != 0) return canopen::refuse(canopen::AbortCode::InvalidValue);
-    acknowledge(now_);
-    return {};
-  }
-  if (entry.index == object::kControlword) written_controlwords_.put(static_cast<std::uint16_t>(value));
+canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
+  if (value != 0) return canopen::refuse(canopen::AbortCode::InvalidValue);
+  tell_time(now_);
+  for (std::size_t axis = 0; axis <= axes_.size(); ++axis) unit_.acknowledge(object_of(axis));
   wake();
+  publish();
   return {};
 }
 
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
+  tell_time(now_);
   if (to == canopen::NmtState::Initialising) {
-    axis_.power_off();
-    written_controlwords_.clear();
-  } else if (from == canopen::NmtState::Operational && fault_on_leaving_operational_) {
-    [[maybe_unused]] const auto raised =
-        axis_.raise(kLeftOperational, to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
+    unit_.power_off();
+    for (AxisObjects& axis : axes_) axis.forget_written();
+  } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
+    leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
   error_objects_.update(node_);
-  process_data_.publish(axis_.actual());
+  for (AxisObjects& axis : axes_) axis.publish();
   wake();
+}
+
+/// F08701 on every axis; the control unit has no part in it.
+void Device::leave_operational(std::uint32_t value) noexcept {
+  for (drive::Axis& axis : unit_.axes()) {
+    [[maybe_unused]] const auto raised = axis.raise(kLeftOperational, value);
+    assert(raised);
+  }
 }
 
 void Device::on_reset(canopen::NmtCommand command) noexcept {
   if (command == canopen::NmtCommand::ResetNode) {
-    axis_.restore_parameters();
+    unit_.restore_parameters();
     apply_presets();
   }
-  process_data_.publish(axis_.actual());  // the dictionary holds its initial values
+  for (AxisObjects& axis : axes_) axis.publish();  // the dictionary holds its initial values
 }
 
-tl::expected<void, drive::FaultError> Device::raise(std::uint16_t number, canopen::TimePoint now) noexcept {
-  now_ = now;
-  auto raised = axis_.raise(number);
+tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,
+                                                    canopen::TimePoint now) noexcept {
+  tell_time(now);
+  auto raised = unit_.raise(object_of(axis), number, value);
   wake();
   publish();
   return raised;
 }
 
-bool Device::acknowledge(canopen::TimePoint now) noexcept {
-  now_ = now;
-  const bool clear = axis_.acknowledge();
-  withdraw_alarms();
+bool Device::acknowledge(std::size_t axis, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  const bool clear = unit_.acknowledge(object_of(axis));
   wake();
   publish();
   return clear;
 }
 
-/// Alarms that were raised from outside have no cause that could end; the acknowledgement stands for it.
-void Device::withdraw_alarms() noexcept {
-  while (true) {
-    const auto alarms = axis_.messages().alarms();
-    const auto raised = std::find_if(alarms.begin(), alarms.end(), [](const drive::FaultEntry& entry) {
-      return entry.cause == drive::Cause::Gone;
-    });
-    if (raised == alarms.end()) return;
-    axis_.withdraw(raised->row->number);
-  }
-}
-
-void Device::set_load_torque(double torque, canopen::TimePoint now) noexcept {
+void Device::set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept {
   now_ = now;
-  axis_.set_load_torque(torque);
-  wake();
+  unit_.axes()[axis - 1].set_load_torque(torque);
+  axes_[axis - 1].wake();
 }
 
 }  // namespace device

@@ -1,17 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <vector>
 
+#include "device/axis_objects.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
 #include "device/object_rows.hpp"
-#include "device/parameter_objects.hpp"
-#include "device/process_data.hpp"
 #include "device/sdo_identifiers.hpp"
-#include "device/written_controlwords.hpp"
-#include "drive/axis.hpp"
+#include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
@@ -21,15 +20,19 @@ namespace device {
 struct ParameterPreset {
   std::uint16_t number;
   double value;
+  std::uint8_t index = 0;
+};
+
+/// One axis of the unit.
+struct AxisSetup {
+  drive::AxisConfiguration drive{};
+  std::vector<ParameterPreset> presets{};  ///< existing, writable and within their limits
 };
 
 /// What the unit is made of.
 struct Configuration {
-  std::uint8_t node_id = 2;  ///< 1..127
-  drive::AxisConfiguration axis{};
-  std::vector<AxisType> axis_types{
-      AxisType::Servo};                      ///< 1..kMostAxes; only the first one turns, the others are objects
-  std::vector<ParameterPreset> presets{};    ///< existing, writable and within their limits
+  std::uint8_t node_id = 2;                  ///< 1..127
+  std::vector<AxisSetup> axes{AxisSetup{}};  ///< 1..drive::kMostAxes
   bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
   bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
   bool remote_frames = true;                 ///< false: the bus carries none, so there is no life guarding
@@ -47,9 +50,10 @@ class Listener {
   virtual void on_life_guarding_withheld() noexcept {}
 };
 
-/// The drive unit as a CANopen node: one axis behind the objects of CiA 301 and CiA 402. It is fed frames and time
-/// and hands its frames to a sink; nothing in it reads a clock, blocks or, after construction, allocates.
-class Device final : private canopen::Application, private canopen::EntryOwner, private ParameterListener {
+/// The drive unit as a CANopen node: control unit and axes behind the objects of CiA 301 and CiA 402. It is fed
+/// frames and time and hands its frames to a sink; nothing in it reads a clock, blocks or, after construction,
+/// allocates. Axes are counted from 1; where a function takes one, 0 is the control unit.
+class Device final : private canopen::Application, private canopen::EntryOwner, private AxisListener {
  public:
   /// Process-data cycle p8848.
   static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
@@ -71,17 +75,22 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   /// When on_time() is wanted next; kNever while nothing moves and nothing is pending.
   canopen::TimePoint next_deadline() const noexcept;
 
-  /// Raises fault or alarm @p number on the axis.
-  tl::expected<void, drive::FaultError> raise(std::uint16_t number, canopen::TimePoint now) noexcept;
-  /// Acknowledges the faults of the axis and takes back the alarms that raise() brought; true if no fault is left.
-  bool acknowledge(canopen::TimePoint now) noexcept;
-  /// Sets the load torque of the axis (N·m, positive against positive rotation).
-  void set_load_torque(double torque, canopen::TimePoint now) noexcept;
+  /// Raises fault or alarm @p number on @p axis (0..axes) with @p value; a message that propagates appears on
+  /// every drive object.
+  tl::expected<void, drive::FaultError> raise(std::size_t axis, std::uint16_t number, std::uint32_t value,
+                                              canopen::TimePoint now) noexcept;
+  /// Acknowledges the faults of @p axis (0..axes) and takes back the alarms that raise() brought; true if no fault
+  /// is left.
+  bool acknowledge(std::size_t axis, canopen::TimePoint now) noexcept;
+  /// Sets the load torque of @p axis (1..axes; N·m, positive against positive rotation).
+  void set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept;
 
   const canopen::Node& node() const noexcept { return node_; }
-  const drive::Axis& axis() const noexcept { return axis_; }
-  /// What the axis is asked for at present.
-  drive::Setpoints setpoints() const noexcept { return process_data_.setpoints(); }
+  const drive::DriveUnit& unit() const noexcept { return unit_; }
+  /// Axis @p number (1..axes).
+  const drive::Axis& axis(std::size_t number = 1) const noexcept { return unit_.axes()[number - 1]; }
+  /// What axis @p number (1..axes) is asked for at present.
+  drive::Setpoints setpoints(std::size_t number = 1) const noexcept { return axes_[number - 1].setpoints(); }
   /// What must be received (see canopen::Node::subscriptions()).
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
   /// Cycles left out because the program was kept from running for too long.
@@ -95,31 +104,30 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
-  void on_parameter_written() noexcept override { wake(); }
+  void on_awake() noexcept override;
 
+  void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
   void publish() noexcept;
   void wake() noexcept;
+  void leave_operational(std::uint32_t value) noexcept;
   void apply_presets() noexcept;
-  void withdraw_alarms() noexcept;
-  canopen::TimePoint next_cycle() const noexcept { return idle_ ? canopen::kNever : last_cycle_ + kCycle; }
+  canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
 
-  bool fault_on_leaving_operational_;
-  std::vector<ParameterPreset> presets_;
+  Configuration configuration_;
   Listener& listener_;
-  drive::Axis axis_;
+  drive::DriveUnit unit_;
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
-  ProcessData process_data_;
-  ParameterObjects parameter_objects_;
+  std::deque<AxisObjects> axes_;
   ErrorObjects error_objects_;
   ErrorControl error_control_;
   SdoIdentifiers sdo_identifiers_;
-  WrittenControlwords written_controlwords_;
   canopen::Node node_;
+  canopen::TimePoint started_{};     ///< when the unit was switched on
   canopen::TimePoint now_{};         ///< as last told
   canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
-  bool idle_ = true;                 ///< nothing moves and no setpoint has come since the last cycle
+  bool resting_ = true;              ///< every axis is idle
   std::uint64_t skipped_cycles_ = 0;
 };
 

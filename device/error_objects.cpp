@@ -1,56 +1,47 @@
 #include "device/error_objects.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "device/object_index.hpp"
 
 namespace device {
 namespace {
 
-// Layout of 1003h (p8611): the sum, the most recent message, then a count and eight entries for each logical
-// module and for the control unit.
-constexpr std::uint8_t kCount = 0x00;
-constexpr std::uint8_t kMostRecent = 0x01;
-constexpr std::uint8_t kControlUnitObject = 1;
-constexpr std::uint32_t kEntriesEach = 8;
+// Layout of 1003h (p8611): the sum, the most recent message, then a count and eight entries for each of eight
+// logical modules and for the control unit.
+constexpr unsigned kCount = 0x00;
+constexpr unsigned kMostRecent = 0x01;
+constexpr unsigned kFirstModule = 0x02;
+constexpr unsigned kControlUnit = 0x4A;
+constexpr unsigned kEntriesEach = 8;
 
-struct Block {
-  std::uint8_t drive_object;
-  std::uint8_t count;  ///< sub-index; the entries follow it
-};
-constexpr std::array kBlocks{Block{kFirstAxisObject, 0x02}, Block{kControlUnitObject, 0x4A}};
-
-/// CAN messages come from the unit as a whole and are reported once, with the drive object number 1.
-bool is_of_the_unit(const drive::FaultRow& row) noexcept {
-  return row.kind == drive::Kind::Alarm && row.scope == drive::Scope::Both;
+/// Sub-index of the count of messages of drive object @p object; the entries follow it.
+constexpr unsigned block_of(unsigned object) noexcept {
+  if (object == drive::kControlUnitNumber) return kControlUnit;
+  return kFirstModule + (1 + kEntriesEach) * (object - drive::kFirstAxisNumber);
 }
 
-std::uint8_t drive_object(const drive::FaultRow& row) noexcept {
-  return is_of_the_unit(row) ? kControlUnitObject : kFirstAxisObject;
+/// An alarm of the communication comes from the unit as a whole and is reported once, for the control unit.
+bool is_of_the_unit(const drive::FaultEntry& entry) noexcept {
+  return entry.kind == drive::Kind::Alarm && entry.emcy_code() != 0;
 }
 
 constexpr std::uint32_t field(std::uint16_t code, std::uint16_t high_word) noexcept {
   return std::uint32_t{high_word} << 16 | code;
 }
 
-/// Calls @p visit for every active message in the order of its arrival; both lists are sorted by sequence.
+/// Calls @p visit for the control unit and every axis of @p unit.
 template <class Visit>
-void for_each_in_order(const drive::FaultMemory& messages, const Visit& visit) {
-  auto fault = messages.faults().begin();
-  auto alarm = messages.alarms().begin();
-  while (fault != messages.faults().end() || alarm != messages.alarms().end()) {
-    const bool fault_next = alarm == messages.alarms().end() ||
-                            (fault != messages.faults().end() && fault->sequence < alarm->sequence);
-    visit(fault_next ? *fault++ : *alarm++);
-  }
+void for_each_object(const drive::DriveUnit& unit, const Visit& visit) {
+  visit(*unit.object(drive::kControlUnitNumber));
+  for (const drive::Axis& axis : unit.axes()) visit(axis);
 }
 
 }  // namespace
 
-ErrorObjects::ErrorObjects(canopen::Dictionary& dictionary, drive::Axis& axis)
+ErrorObjects::ErrorObjects(canopen::Dictionary& dictionary, const drive::DriveUnit& unit)
     : dictionary_{dictionary},
-      axis_{axis},
+      unit_{unit},
       error_register_{dictionary.cell<std::uint8_t>(object::kErrorRegister, 0)} {
   dictionary.own_read(object::kErrorField, kCount, *this);
 }
@@ -60,52 +51,84 @@ canopen::Result<std::int64_t> ErrorObjects::read(const canopen::Entry&, std::int
 }
 
 void ErrorObjects::update(canopen::Node& node) noexcept {
-  const drive::FaultMemory& messages = axis_.messages();
-  if (messages.change_count() == seen_change_) return;
-  seen_change_ = messages.change_count();
-  error_register_.set(messages.error_register());
+  const std::uint32_t change = change_count();
+  if (change == seen_change_) return;
+  seen_change_ = change;
+  error_register_.set(error_register());
   const bool had_entries = entries_ != 0;
-  fill(messages);
-  report(messages, node);
+  const Messages active = messages();
+  fill(active);
+  report(active, node);
   if (had_entries && entries_ == 0) node.send_emcy(0, error_register_.get(), {});
 }
 
-void ErrorObjects::fill(const drive::FaultMemory& messages) noexcept {
-  const drive::FaultEntry* most_recent = nullptr;
+/// Differs from before if a message of any drive object has entered, left or changed.
+std::uint32_t ErrorObjects::change_count() const noexcept {
+  std::uint32_t changes = 0;
+  for_each_object(unit_, [&](const drive::DriveObject& object) { changes += object.messages().change_count(); });
+  return changes;
+}
+
+std::uint8_t ErrorObjects::error_register() const noexcept {
+  unsigned bits = 0;
+  for_each_object(unit_, [&](const drive::DriveObject& object) { bits |= object.messages().error_register(); });
+  return static_cast<std::uint8_t>(bits);
+}
+
+void ErrorObjects::Messages::add(const drive::FaultEntry& entry, std::uint8_t object) noexcept {
+  if (entry.emcy_code() == 0) return;
+  const bool once = is_of_the_unit(entry);
+  const auto same = [&](const Reported& other) {
+    return is_of_the_unit(*other.entry) && other.entry->row->number == entry.row->number;
+  };
+  if (once && std::ranges::any_of(all(), same)) return;
+  items[count++] = {&entry, once ? drive::kControlUnitNumber : object};
+}
+
+ErrorObjects::Messages ErrorObjects::messages() const noexcept {
+  Messages found;
+  for_each_object(unit_, [&](const drive::DriveObject& object) {
+    for (const drive::FaultEntry& entry : object.messages().faults()) found.add(entry, object.number());
+    for (const drive::FaultEntry& entry : object.messages().alarms()) found.add(entry, object.number());
+  });
+  std::sort(found.items.begin(), found.items.begin() + found.count, [](const Reported& a, const Reported& b) {
+    return a.entry->sequence < b.entry->sequence;
+  });
+  return found;
+}
+
+void ErrorObjects::fill(const Messages& messages) noexcept {
+  std::array<unsigned, 1 + drive::kMostAxes> counts{};
+  for (const auto& [entry, object] : messages.all()) {
+    unsigned& count = counts[object - drive::kControlUnitNumber];
+    if (count < kEntriesEach) set(block_of(object) + ++count, field(entry->emcy_code(), entry->row->number));
+  }
   entries_ = 0;
-  for (const Block& block : kBlocks) {
-    std::uint32_t count = 0;
-    for_each_in_order(messages, [&](const drive::FaultEntry& entry) {
-      if (!is_reported(entry) || drive_object(*entry.row) != block.drive_object) return;
-      if (most_recent == nullptr || entry.sequence > most_recent->sequence) most_recent = &entry;
-      if (count == kEntriesEach) return;
-      set(static_cast<std::uint8_t>(block.count + ++count), field(entry.emcy_code(), entry.row->number));
-    });
-    set(block.count, count);
-    for (std::uint32_t unused = count + 1; unused <= kEntriesEach; ++unused) {
-      set(static_cast<std::uint8_t>(block.count + unused), 0);
-    }
-    entries_ += count;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const unsigned block = block_of(static_cast<unsigned>(i) + drive::kControlUnitNumber);
+    set(block, counts[i]);
+    for (unsigned unused = counts[i] + 1; unused <= kEntriesEach; ++unused) set(block + unused, 0);
+    entries_ += counts[i];
   }
   set(kCount, entries_);
-  const bool empty = most_recent == nullptr;
-  set(kMostRecent, empty ? 0 : field(most_recent->emcy_code(), drive_object(*most_recent->row)));
+  const auto newest = messages.all();
+  set(kMostRecent, newest.empty() ? 0 : field(newest.back().entry->emcy_code(), newest.back().object));
 }
 
-void ErrorObjects::set(std::uint8_t sub_index, std::uint32_t value) noexcept {
-  if (const auto entry = dictionary_.find(object::kErrorField, sub_index)) dictionary_.set(**entry, value);
+void ErrorObjects::set(unsigned sub_index, std::uint32_t value) noexcept {
+  const auto entry = dictionary_.find(object::kErrorField, static_cast<std::uint8_t>(sub_index));
+  if (entry) dictionary_.set(**entry, value);
 }
 
-void ErrorObjects::report(const drive::FaultMemory& messages, canopen::Node& node) noexcept {
-  for_each_in_order(messages, [&](const drive::FaultEntry& entry) {
-    if (entry.sequence <= seen_sequence_) return;
-    seen_sequence_ = entry.sequence;
-    if (!is_reported(entry)) return;
-    const std::uint16_t number = entry.row->number;
-    const std::array<std::uint8_t, 5> bytes{
-        static_cast<std::uint8_t>(number), static_cast<std::uint8_t>(number >> 8), drive_object(*entry.row), 0, 0};
-    node.send_emcy(entry.emcy_code(), error_register_.get(), bytes);
-  });
+void ErrorObjects::report(const Messages& messages, canopen::Node& node) noexcept {
+  for (const auto& [entry, object] : messages.all()) {
+    if (entry->sequence <= seen_sequence_) continue;
+    seen_sequence_ = entry->sequence;
+    const std::uint16_t number = entry->row->number;
+    const std::array<std::uint8_t, 5> bytes{static_cast<std::uint8_t>(number),
+                                            static_cast<std::uint8_t>(number >> 8), object, 0, 0};
+    node.send_emcy(entry->emcy_code(), error_register_.get(), bytes);
+  }
 }
 
 }  // namespace device

@@ -1,22 +1,21 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 
-#include "drive/axis.hpp"
+#include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {
 
-/// Drive object number of the first axis; 1 is the control unit.
-inline constexpr std::uint8_t kFirstAxisObject = 2;
-
-/// Shows the faults and alarms of the axis on the bus: error register 1001h, active messages 1003h (not a history)
+/// Shows the faults and alarms of the unit on the bus: error register 1001h, active messages 1003h (not a history)
 /// and emergency messages.
 class ErrorObjects final : public canopen::EntryOwner {
  public:
   /// Owns the reading of 1003h:00 in @p dictionary; the arguments must outlive this.
-  ErrorObjects(canopen::Dictionary& dictionary, drive::Axis& axis);
+  ErrorObjects(canopen::Dictionary& dictionary, const drive::DriveUnit& unit);
 
   /// Brings the objects up to date and sends an emergency message for every message that entered since the last
   /// call, and one with code 0000h when the last one has left.
@@ -25,13 +24,29 @@ class ErrorObjects final : public canopen::EntryOwner {
   canopen::Result<std::int64_t> read(const canopen::Entry& entry, std::int64_t stored) override;
 
  private:
-  void fill(const drive::FaultMemory& messages) noexcept;
-  void set(std::uint8_t sub_index, std::uint32_t value) noexcept;
-  void report(const drive::FaultMemory& messages, canopen::Node& node) noexcept;
-  static bool is_reported(const drive::FaultEntry& entry) noexcept { return entry.emcy_code() != 0; }
+  /// An active message and the drive object that it is reported for.
+  struct Reported {
+    const drive::FaultEntry* entry;
+    std::uint8_t object;
+  };
+  /// Messages in the order of their appearance.
+  struct Messages {
+    std::array<Reported, (1 + drive::kMostAxes) * 2 * drive::FaultMemory::kCapacity> items;
+    std::size_t count = 0;
+
+    std::span<const Reported> all() const noexcept { return {items.data(), count}; }
+    void add(const drive::FaultEntry& entry, std::uint8_t object) noexcept;
+  };
+
+  std::uint32_t change_count() const noexcept;
+  std::uint8_t error_register() const noexcept;
+  Messages messages() const noexcept;
+  void fill(const Messages& messages) noexcept;
+  void set(unsigned sub_index, std::uint32_t value) noexcept;
+  void report(const Messages& messages, canopen::Node& node) noexcept;
 
   canopen::Dictionary& dictionary_;
-  drive::Axis& axis_;
+  const drive::DriveUnit& unit_;
   canopen::Cell<std::uint8_t> error_register_;
   std::uint32_t seen_change_ = 0;
   std::uint32_t seen_sequence_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace device::object {
@@ -29,5 +30,21 @@ inline constexpr std::uint16_t kProfileAcceleration = 0x6083;
 inline constexpr std::uint16_t kProfileDeceleration = 0x6084;
 inline constexpr std::uint16_t kQuickStopDeceleration = 0x6085;
 inline constexpr std::uint16_t kTargetVelocity = 0x60FF;
+
+inline constexpr std::uint16_t kFirstProfileObject = 0x6000;
+inline constexpr std::uint16_t kProfileStride = 0x800;
+
+/// The profile object @p index of the first axis, on axis @p axis (1..8).
+constexpr std::uint16_t on_axis(std::uint16_t index, std::size_t axis) noexcept {
+  return static_cast<std::uint16_t>(index + kProfileStride * (axis - 1));
+}
+/// The axis (from 1) that the profile object @p index belongs to.
+constexpr std::size_t axis_of(std::uint16_t index) noexcept {
+  return 1 + static_cast<std::size_t>(index - kFirstProfileObject) / kProfileStride;
+}
+/// The same object on the first axis.
+constexpr std::uint16_t on_first_axis(std::uint16_t index) noexcept {
+  return static_cast<std::uint16_t>(kFirstProfileObject + (index - kFirstProfileObject) % kProfileStride);
+}
 
 }  // namespace device::object

@@ -13,14 +13,7 @@ using canopen::EntryDescription;
 using generated::AxisOffset;
 using generated::OtherInitial;
 
-static_assert(kMostAxes == generated::kMostAxes);
-
-/// How much higher axis @p axis has the object @p index of axis 1.
-std::uint16_t shift(std::uint16_t index, std::size_t axis) noexcept {
-  const auto row = std::ranges::find_if(generated::kAxisOffsets,
-                                        [=](const AxisOffset& r) { return index >= r.first && index <= r.last; });
-  return static_cast<std::uint16_t>(row == generated::kAxisOffsets.end() ? 0 : row->offset * (axis - 1));
-}
+static_assert(drive::kMostAxes == generated::kMostAxes);
 
 constexpr bool maps(const EntryDescription& row) noexcept {
   const bool mapping = (row.index >= 0x1600 && row.index < 0x1800) || (row.index >= 0x1A00 && row.index < 0x1C00);
@@ -36,20 +29,20 @@ void take_initial(EntryDescription& row, std::span<const OtherInitial> others) n
   row.node_relative = false;
 }
 
-EntryDescription on_axis(EntryDescription row, std::size_t axis, AxisType type) noexcept {
-  if (maps(row)) row.initial += std::int64_t{shift(static_cast<std::uint16_t>(row.initial >> 16), axis)} << 16;
+EntryDescription on_axis(EntryDescription row, std::size_t axis, drive::ObjectKind kind) noexcept {
+  if (maps(row)) row.initial += std::int64_t{axis_offset(static_cast<std::uint16_t>(row.initial >> 16), axis)} << 16;
   if (axis > 1) take_initial(row, generated::kOtherAxesInitials);
-  if (type == AxisType::Vector) take_initial(row, generated::kVectorInitials);
-  row.index = static_cast<std::uint16_t>(row.index + shift(row.index, axis));
+  if (kind == drive::ObjectKind::Vector) take_initial(row, generated::kVectorInitials);
+  row.index = static_cast<std::uint16_t>(row.index + axis_offset(row.index, axis));
   return row;
 }
 
 /// Adds @p row of the module list if its axis exists.
-void add_module(std::vector<EntryDescription>& rows, EntryDescription row, std::span<const AxisType> axes) {
+void add_module(std::vector<EntryDescription>& rows, EntryDescription row, std::span<const drive::ObjectKind> axes) {
   if (row.sub_index > axes.size()) return;
   if (row.sub_index == 0) {
     row.initial = static_cast<std::int64_t>(axes.size());
-  } else if (axes[row.sub_index - 1U] == AxisType::Vector) {
+  } else if (axes[row.sub_index - 1U] == drive::ObjectKind::Vector) {
     take_initial(row, generated::kVectorInitials);
   }
   rows.push_back(row);
@@ -57,8 +50,14 @@ void add_module(std::vector<EntryDescription>& rows, EntryDescription row, std::
 
 }  // namespace
 
-std::vector<EntryDescription> object_rows(std::span<const AxisType> axes) {
-  if (axes.empty() || axes.size() > kMostAxes) throw std::invalid_argument{"a unit has 1 to 8 axes"};
+std::uint16_t axis_offset(std::uint16_t index, std::size_t axis) noexcept {
+  const auto row = std::ranges::find_if(generated::kAxisOffsets,
+                                        [=](const AxisOffset& r) { return index >= r.first && index <= r.last; });
+  return static_cast<std::uint16_t>(row == generated::kAxisOffsets.end() ? 0 : row->offset * (axis - 1));
+}
+
+std::vector<EntryDescription> object_rows(std::span<const drive::ObjectKind> axes) {
+  if (axes.empty() || axes.size() > drive::kMostAxes) throw std::invalid_argument{"a unit has 1 to 8 axes"};
   std::vector<EntryDescription> rows;
   rows.reserve(generated::kUnitTable.size() + axes.size() * generated::kAxisTable.size());
   for (const EntryDescription& row : generated::kUnitTable) {

@@ -4,18 +4,18 @@
 #include <span>
 #include <vector>
 
+#include "drive/object_kind.hpp"
 #include "libcanopen/od/entry_description.hpp"
 
 namespace device {
 
-/// Axes that a unit has at most.
-inline constexpr std::size_t kMostAxes = 8;
+/// How much higher axis @p axis (1..drive::kMostAxes) has the object @p index of axis 1: PDO objects 40h an axis,
+/// free process data 80h, profile objects 800h; objects of the unit are where they are.
+[[nodiscard]] std::uint16_t axis_offset(std::uint16_t index, std::size_t axis) noexcept;
 
-/// What kind of drive object an axis is.
-enum class AxisType : std::uint8_t { Servo, Vector };
-
-/// The entries of a unit with @p axes, ascending by index and sub-index: those of the unit once, those of an axis
-/// by the offset rule. Throws std::invalid_argument unless there are 1..kMostAxes.
-[[nodiscard]] std::vector<canopen::EntryDescription> object_rows(std::span<const AxisType> axes);
+/// The entries of a unit with axes of the kinds @p axes, servo or vector, ascending by index and sub-index: those
+/// of the unit once, those of an axis by the offset rule. Throws std::invalid_argument unless there are
+/// 1..drive::kMostAxes.
+[[nodiscard]] std::vector<canopen::EntryDescription> object_rows(std::span<const drive::ObjectKind> axes);
 
 }  // namespace device

@@ -29,7 +29,8 @@ constexpr std::array kRows{
 
 /// Only objects of the table come here.
 const Row& row_of(std::uint16_t index) noexcept {
-  return *std::find_if(kRows.begin(), kRows.end(), [=](const Row& row) { return row.index == index; });
+  const std::uint16_t first = object::on_first_axis(index);
+  return *std::find_if(kRows.begin(), kRows.end(), [=](const Row& row) { return row.index == first; });
 }
 
 /// Refusals of a parameter with an abort code of their own; for every other one it is the state of the unit.
@@ -66,8 +67,9 @@ ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis&
                                    const drive::BusScaling& scaling, ParameterListener& listener)
     : axis_{axis}, listener_{listener}, scaling_{scaling} {
   for (const Row& row : kRows) {
-    dictionary.own_read(row.index, 0, *this);
-    dictionary.own_write(row.index, 0, *this);
+    const std::uint16_t index = object::on_axis(row.index, axis.axis_number());
+    dictionary.own_read(index, 0, *this);
+    dictionary.own_write(index, 0, *this);
   }
 }
 
@@ -91,7 +93,7 @@ canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::
   }
   const auto written = axis_.write(row.parameter, parameter_value);
   if (!written) return canopen::refuse(abort_code(written.error()));
-  listener_.on_parameter_written();
+  listener_.on_parameter_written(axis_);
   return {};
 }
 

@@ -12,15 +12,15 @@ namespace device {
 class ParameterListener {
  public:
   virtual ~ParameterListener() = default;
-  /// A parameter has a new value.
-  virtual void on_parameter_written() noexcept = 0;
+  /// A parameter of @p axis has a new value.
+  virtual void on_parameter_written(const drive::Axis& axis) noexcept = 0;
 };
 
 /// The profile objects that are parameters of the axis under another number and in another unit:
 /// 6007h = p8641, 605Dh = p8791, 6083h = p1120, 6084h = p1121, 6085h = p1135.
 class ParameterObjects final : public canopen::EntryOwner {
  public:
-  /// Owns the objects of the first axis in @p dictionary for @p axis; all arguments must outlive this.
+  /// Owns the objects of @p axis in @p dictionary; all arguments must outlive this.
   ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis, const drive::BusScaling& scaling,
                    ParameterListener& listener);
 

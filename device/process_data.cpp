@@ -3,19 +3,27 @@
 #include "device/object_index.hpp"
 
 namespace device {
+namespace {
 
-ProcessData::ProcessData(canopen::Dictionary& dictionary, const drive::BusScaling& scaling)
+template <class Value>
+canopen::Cell<Value> cell(canopen::Dictionary& dictionary, std::uint16_t index, std::size_t axis) {
+  return dictionary.cell<Value>(object::on_axis(index, axis), 0);
+}
+
+}  // namespace
+
+ProcessData::ProcessData(canopen::Dictionary& dictionary, std::size_t axis, const drive::BusScaling& scaling)
     : scaling_{scaling},
-      controlword_{dictionary.cell<std::uint16_t>(object::kControlword, 0)},
-      target_velocity_{dictionary.cell<std::int32_t>(object::kTargetVelocity, 0)},
-      target_torque_{dictionary.cell<std::int16_t>(object::kTargetTorque, 0)},
-      statusword_{dictionary.cell<std::uint16_t>(object::kStatusword, 0)},
-      mode_display_{dictionary.cell<std::int8_t>(object::kModesOfOperationDisplay, 0)},
-      position_actual_{dictionary.cell<std::int32_t>(object::kPositionActual, 0)},
-      velocity_demand_{dictionary.cell<std::int32_t>(object::kVelocityDemand, 0)},
-      velocity_actual_{dictionary.cell<std::int32_t>(object::kVelocityActual, 0)},
-      torque_demand_{dictionary.cell<std::int16_t>(object::kTorqueDemand, 0)},
-      torque_actual_{dictionary.cell<std::int16_t>(object::kTorqueActual, 0)} {}
+      controlword_{cell<std::uint16_t>(dictionary, object::kControlword, axis)},
+      target_velocity_{cell<std::int32_t>(dictionary, object::kTargetVelocity, axis)},
+      target_torque_{cell<std::int16_t>(dictionary, object::kTargetTorque, axis)},
+      statusword_{cell<std::uint16_t>(dictionary, object::kStatusword, axis)},
+      mode_display_{cell<std::int8_t>(dictionary, object::kModesOfOperationDisplay, axis)},
+      position_actual_{cell<std::int32_t>(dictionary, object::kPositionActual, axis)},
+      velocity_demand_{cell<std::int32_t>(dictionary, object::kVelocityDemand, axis)},
+      velocity_actual_{cell<std::int32_t>(dictionary, object::kVelocityActual, axis)},
+      torque_demand_{cell<std::int16_t>(dictionary, object::kTorqueDemand, axis)},
+      torque_actual_{cell<std::int16_t>(dictionary, object::kTorqueActual, axis)} {}
 
 drive::Setpoints ProcessData::setpoints() const noexcept {
   return {.controlword = controlword_.get(),

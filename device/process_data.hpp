@@ -12,8 +12,9 @@ namespace device {
 /// side and in SI units on the other. This is the only place where they are converted.
 class ProcessData {
  public:
-  /// Binds the objects of the first axis in @p dictionary; @p scaling holds for the life of the axis.
-  ProcessData(canopen::Dictionary& dictionary, const drive::BusScaling& scaling);
+  /// Binds the objects of axis @p axis (1..drive::kMostAxes) in @p dictionary; @p scaling holds for the life of
+  /// the axis.
+  ProcessData(canopen::Dictionary& dictionary, std::size_t axis, const drive::BusScaling& scaling);
 
   /// What the master last asked for.
   drive::Setpoints setpoints() const noexcept;

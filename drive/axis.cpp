@@ -243,7 +243,7 @@ bool Axis::is_quiescent() const noexcept {
 }
 
 void Axis::power_off() noexcept {
-  memory().clear();
+  DriveObject::power_off();
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
   controlword_ = 0;

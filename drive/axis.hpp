@@ -62,6 +62,9 @@ class Axis final : public DriveObject {
   /// An axis at place @p module (0..7) of a unit with CANopen address @p node_id (0 = not known).
   explicit Axis(const AxisConfiguration& configuration, std::uint8_t module = 0, std::uint8_t node_id = 0);
 
+  /// Its place among the axes of the unit, 1..8.
+  std::size_t axis_number() const noexcept { return context().module + 1U; }
+
   /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod.
   void cycle(const Setpoints& setpoints, double duration) noexcept;
   /// The values after the last cycle; the statusword follows a fault at once.
@@ -69,7 +72,7 @@ class Axis final : public DriveObject {
   /// Whether further cycles with the setpoints of the last one would change nothing: pulses off, shaft still.
   bool is_quiescent() const noexcept;
   /// Power-off of the sequence control: pulses off, Switch on disabled, no message left; the shaft coasts on.
-  void power_off() noexcept;
+  void power_off() noexcept override;
 
   /// Acknowledges what can be acknowledged now; true if no fault is left. During a fault reaction nothing can.
   bool acknowledge() noexcept override;

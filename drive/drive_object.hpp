@@ -22,6 +22,8 @@ enum class FaultError : std::uint8_t {
 class Surroundings {
  public:
   virtual ~Surroundings() = default;
+  /// Numbers the messages of all drive objects in the order of their appearance.
+  virtual std::uint32_t& message_counter() noexcept = 0;
   /// The kind of drive object @p number, if there is one.
   virtual std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept = 0;
   /// Takes over @p value of an agreed parameter or carries out a command; the reason if it cannot.
@@ -40,7 +42,10 @@ class DriveObject {
   std::uint8_t number() const noexcept;
   const ObjectContext& context() const noexcept { return context_; }
   /// From now on @p surroundings, which outlive this, are asked; without them a drive object knows only itself.
-  void join(Surroundings& surroundings) noexcept { surroundings_ = &surroundings; }
+  void join(Surroundings& surroundings) noexcept {
+    surroundings_ = &surroundings;
+    memory_.number_by(surroundings.message_counter());
+  }
 
   /// Value of a parameter.
   [[nodiscard]] tl::expected<double, ParameterError> read(std::uint16_t number,
@@ -72,6 +77,8 @@ class DriveObject {
   void withdraw(std::uint16_t number) noexcept;
   /// Acknowledges what can be acknowledged now; true if no fault is left.
   virtual bool acknowledge() noexcept = 0;
+  /// What switching the unit off does to it: no message is left, the buffers remain.
+  virtual void power_off() noexcept { memory_.clear(); }
 
  protected:
   /// A drive object with its slots at 0; the constructor of a derived class restores the parameters.

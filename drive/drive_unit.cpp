@@ -107,6 +107,23 @@ bool DriveUnit::acknowledge() noexcept {
   return none_left;
 }
 
+bool DriveUnit::acknowledge(std::uint8_t object) noexcept {
+  DriveObject* const owner = this->object(object);
+  if (owner == nullptr) return true;
+  const bool none_left = owner->acknowledge();
+  while (true) {
+    const auto alarms = owner->messages().alarms();
+    const auto raised = std::ranges::find(alarms, Cause::Gone, &FaultEntry::cause);
+    if (raised == alarms.end()) return none_left;
+    withdraw(object, raised->row->number);
+  }
+}
+
+void DriveUnit::power_off() noexcept {
+  control_unit_.power_off();
+  for (Axis& axis : axes_) axis.power_off();
+}
+
 void DriveUnit::restore_parameters() noexcept {
   control_unit_.restore_parameters();
   for (Axis& axis : axes_) {

@@ -58,16 +58,23 @@ class DriveUnit final : private Surroundings {
   void withdraw(std::uint8_t object, std::uint16_t number) noexcept;
   /// Acknowledges the faults of every drive object (p2102, p8611[0]); true if no fault is left.
   bool acknowledge() noexcept;
+  /// Acknowledges the faults of drive object @p object and takes back its alarms without a cause of their own, as
+  /// raise() brings them; true if no fault is left.
+  bool acknowledge(std::uint8_t object) noexcept;
+  /// Power-off of the sequence controls: pulses off, no message left; the shafts coast on.
+  void power_off() noexcept;
   /// Factory reset: every drive object in the state of a new one, commissioning ended.
   void restore_parameters() noexcept;
 
  private:
+  std::uint32_t& message_counter() noexcept override { return message_counter_; }
   std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept override;
   std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
                                double value) noexcept override;
   void inhibit_axes(bool inhibited) noexcept;
 
   ParameterHost* host_;
+  std::uint32_t message_counter_ = 0;
   ControlUnit control_unit_;
   std::vector<Axis> axes_;
 };

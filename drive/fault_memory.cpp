@@ -72,7 +72,8 @@ void FaultMemory::enter(const FaultRow& row, std::uint32_t value, Cause cause) n
   if (!kind) return;
   List& list = *kind == Kind::Fault ? faults_ : alarms_;
   if (list.count == kCapacity) return;
-  list.items[list.count++] = FaultEntry{&row, value, ++sequence_, cause, *kind, now_};
+  std::uint32_t& sequence = common_sequence_ != nullptr ? *common_sequence_ : sequence_;
+  list.items[list.count++] = FaultEntry{&row, value, ++sequence, cause, *kind, now_};
   ++change_count_;
   note_entered(list.items[list.count - 1]);
 }

@@ -19,7 +19,7 @@ enum class Cause : std::uint8_t { Gone, Present };
 struct FaultEntry {
   const FaultRow* row = nullptr;
   std::uint32_t value = 0;     ///< fault value (r0949) or alarm value (r2124)
-  std::uint32_t sequence = 0;  ///< ascending over all messages of the memory, from 1
+  std::uint32_t sequence = 0;  ///< ascending over all messages of the memory (see number_by()), from 1
   Cause cause = Cause::Gone;
   Kind kind = Kind::Fault;  ///< what the row or p2119 makes of it
   Uptime received = 0;      ///< since the unit was switched on
@@ -50,6 +50,9 @@ class FaultMemory {
   bool acknowledge(bool pulses_enabled) noexcept;
   /// Removes everything that is active, as power-off does; the buffers remain.
   void clear() noexcept;
+
+  /// From now on @p counter, which outlives this, numbers the messages: common to memories whose order matters.
+  void number_by(std::uint32_t& counter) noexcept { common_sequence_ = &counter; }
 
   /// Active faults, oldest first.
   std::span<const FaultEntry> faults() const noexcept { return faults_.entries(); }
@@ -107,6 +110,7 @@ class FaultMemory {
   Counters counters_;
   Uptime now_ = 0;
   std::uint32_t sequence_ = 0;
+  std::uint32_t* common_sequence_ = nullptr;
   std::uint32_t change_count_ = 0;
 };
 

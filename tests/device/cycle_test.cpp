@@ -93,7 +93,7 @@ TEST(Cycle, WakesWhenALoadTurnsTheShaft) {
   unit.start_operational();
   unit.passes(1s);
 
-  unit.device.set_load_torque(-0.2, unit.now);
+  unit.device.set_load_torque(1, -0.2, unit.now);
   unit.passes(100ms);
 
   EXPECT_GT(unit.velocity(), 0);
@@ -202,7 +202,7 @@ TEST(Restart, OfTheBusInOperationalIsALeavingOfIt) {
 TEST(Restart, OfTheBusKeepsTheFaultsThatStood) {
   TestUnit unit;
   unit.start();
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
   unit.passes(1s);
 
   EXPECT_EQ(unit.start(), Lines{"705#00"});

@@ -31,7 +31,7 @@ TEST_P(Messages, AreReportedAsTheirRowSays) {
   TestUnit unit;
   unit.start();
 
-  ASSERT_TRUE(unit.device.raise(row.number, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, row.number, 0, unit.now));
 
   const bool reported = row.emcy_code != 0;
   const std::uint64_t code = row.emcy_code;
@@ -50,7 +50,7 @@ TEST_P(Messages, LeaveAsTheirRowSays) {
   const FaultRow row = GetParam();
   TestUnit unit;
   unit.start();
-  ASSERT_TRUE(unit.device.raise(row.number, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, row.number, 0, unit.now));
   unit.passes(100ms);
 
   const bool leaves = row.acknowledge != drive::Acknowledge::PowerOn;
@@ -77,9 +77,9 @@ TEST(MessagesOfTheControlUnit, AreNoneOfAnAxis) {
 
   for (const FaultRow& row : drive::fault_rows()) {
     if (row.scope != drive::Scope::ControlUnit) continue;
-    EXPECT_EQ(unit.device.raise(row.number, unit.now), tl::unexpected{drive::FaultError::NotOnThisAxis});
+    EXPECT_EQ(unit.device.raise(1, row.number, 0, unit.now), tl::unexpected{drive::FaultError::NotOnThisAxis});
   }
-  EXPECT_EQ(unit.device.raise(1, unit.now), tl::unexpected{drive::FaultError::Unknown});
+  EXPECT_EQ(unit.device.raise(1, 1, 0, unit.now), tl::unexpected{drive::FaultError::Unknown});
   EXPECT_EQ(unit.passes(100ms), Lines{});
 }
 

@@ -12,7 +12,7 @@ TEST(Fault, IsReportedByEmcyErrorRegisterErrorFieldAndStatusword) {
   TestUnit unit;
   unit.enable();
 
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
 
   EXPECT_EQ(from("085#", unit.says("080#")), Lines{"085#001081B41E020000"});
   EXPECT_EQ(unit.upload(0x1001).number(), 0x81U);
@@ -27,7 +27,7 @@ TEST(Fault, IsSentBeforeTheStatuswordThatShowsIt) {
   TestUnit unit;
   unit.start_operational();
 
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
 
   const Lines lines = unit.passes(0ms);
   ASSERT_EQ(lines.size(), 5U);
@@ -38,7 +38,7 @@ TEST(Fault, IsSentBeforeTheStatuswordThatShowsIt) {
 TEST(Fault, LeavesWithTheEdgeOfControlwordBit7) {
   TestUnit unit;
   unit.enable();
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
   unit.passes(100ms);
 
   EXPECT_EQ(from("085#", unit.cycles_with("205#0000")), Lines{});
@@ -54,7 +54,7 @@ TEST(Fault, IsNotAcknowledgedByABitThatStaysSet) {
   TestUnit unit;
   unit.start_operational();
   unit.cycles_with("205#8000");
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
 
   EXPECT_EQ(from("085#0000", unit.cycles_with("205#8000")), Lines{});
 
@@ -65,7 +65,7 @@ TEST(Fault, WithOff2LetsTheMotorCoast) {
   TestUnit unit{unit_with({{1120, 0.1}})};
   unit.turn_at(3000, 1s);
 
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
   EXPECT_EQ(unit.statusword() & 0x4F, 0x08);
   unit.passes(100ms);
 
@@ -77,7 +77,7 @@ TEST(Fault, WithOff1BrakesInFaultReactionActiveFirst) {
   TestUnit unit{unit_with({{1082, 3000.0}, {1120, 0.1}, {1121, 0.5}})};
   unit.turn_at(3000, 1s);
 
-  ASSERT_TRUE(unit.device.raise(7220, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7220, 0, unit.now));
   EXPECT_EQ(unit.statusword() & 0x4F, 0x0F);
   unit.passes(250ms);
   EXPECT_NEAR(unit.velocity(), bus_speed(1500), bus_speed(100));
@@ -88,7 +88,7 @@ TEST(Fault, WithOff1BrakesInFaultReactionActiveFirst) {
 TEST(ErrorField, AcknowledgesWithZeroOnly) {
   TestUnit unit;
   unit.start();
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
   unit.passes(100ms);
 
   for (std::uint32_t value = 1; value <= 0xFF; ++value)
@@ -104,7 +104,7 @@ TEST(ErrorField, ShowsTheMessagesInTheOrderOfTheirArrival) {
   TestUnit unit;
   unit.start();
 
-  for (const std::uint16_t number : Numbers{7860, 8751, 30002}) ASSERT_TRUE(unit.device.raise(number, unit.now));
+  for (const std::uint16_t number : Numbers{7860, 8751, 30002}) ASSERT_TRUE(unit.device.raise(1, number, 0, unit.now));
 
   EXPECT_EQ(unit.passes(0ms), (Lines{"085#001081B41E020000", "085#1081912F22010000", "085#0010913275020000"}));
 }
@@ -114,8 +114,8 @@ TEST(ErrorField, HasRoomForEightMessagesOfAnAxisAndCountsAll) {
   unit.start();
 
   for (const std::uint16_t number : Numbers{7011, 7860, 7861, 7862, 7900, 7901, 30001, 30002, 30003})
-    ASSERT_TRUE(unit.device.raise(number, unit.now));
-  for (const std::uint16_t number : Numbers{8751, 8752}) ASSERT_TRUE(unit.device.raise(number, unit.now));
+    ASSERT_TRUE(unit.device.raise(1, number, 0, unit.now));
+  for (const std::uint16_t number : Numbers{8751, 8752}) ASSERT_TRUE(unit.device.raise(1, number, 0, unit.now));
 
   EXPECT_EQ(unit.upload(0x1003, 0).number(), 10U);  // the ninth fault finds no room in the drive object
   EXPECT_EQ(unit.upload(0x1003, 1).number(), 0x00018120U);
@@ -128,10 +128,10 @@ TEST(ErrorField, HasRoomForEightMessagesOfAnAxisAndCountsAll) {
 TEST(Fault, ThatWaitsForPowerOnOutlivesAnAcknowledgement) {
   TestUnit unit;
   unit.start();
-  ASSERT_TRUE(unit.device.raise(30022, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 30022, 0, unit.now));
   unit.passes(100ms);
 
-  EXPECT_FALSE(unit.device.acknowledge(unit.now));
+  EXPECT_FALSE(unit.device.acknowledge(1, unit.now));
   EXPECT_EQ(unit.download(0x1003, 0, 0, 1), 0U);
   EXPECT_EQ(unit.passes(100ms), Lines{});
 
@@ -142,10 +142,10 @@ TEST(Fault, ThatWaitsForPowerOnOutlivesAnAcknowledgement) {
 TEST(Fault, IsAcknowledgedFromOutsideTheBusToo) {
   TestUnit unit;
   unit.start();
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
   unit.passes(100ms);
 
-  EXPECT_TRUE(unit.device.acknowledge(unit.now));
+  EXPECT_TRUE(unit.device.acknowledge(1, unit.now));
 
   EXPECT_EQ(unit.passes(0ms), Lines{"085#0000000000000000"});
 }
@@ -153,10 +153,10 @@ TEST(Fault, IsAcknowledgedFromOutsideTheBusToo) {
 TEST(Fault, ThatIsActiveAlreadyIsNotReportedAgain) {
   TestUnit unit;
   unit.start();
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
   unit.passes(100ms);
 
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
 
   EXPECT_EQ(unit.passes(100ms), Lines{});
   EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U);
@@ -167,7 +167,7 @@ TEST(Fault, IsKeptSilentByAnInvalidEmcyCobId) {
   unit.start();
   ASSERT_EQ(unit.download(0x1014, 0, 0x80000085, 4), 0U);
 
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
 
   EXPECT_EQ(unit.passes(100ms), Lines{});
   EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U);
@@ -175,7 +175,7 @@ TEST(Fault, IsKeptSilentByAnInvalidEmcyCobId) {
 
 TEST(BlockedMotor, RaisesF07900AfterASecondAtTheTorqueLimit) {
   Configuration configuration = unit_with({{1120, 0.1}});
-  configuration.axis.load.coulomb_friction = 40.0;  // the motor has 35 N·m
+  configuration.axes.front().drive.load.coulomb_friction = 40.0;  // the motor has 35 N·m
   TestUnit unit{configuration};
   unit.enable();
   unit.says("305#0F000000800C");
@@ -190,7 +190,7 @@ TEST(OverspeedOfTheMotor, RaisesF07901) {
   TestUnit unit;
   unit.enable();
 
-  unit.device.set_load_torque(-40.0, unit.now);  // more than the motor can hold
+  unit.device.set_load_torque(1, -40.0, unit.now);  // more than the motor can hold
 
   EXPECT_EQ(from("085#", unit.passes(2s)), Lines{"085#001081DD1E020000"});
   EXPECT_EQ(unit.statusword() & 0x4F, 0x08);

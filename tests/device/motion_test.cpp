@@ -88,7 +88,7 @@ TEST(Torque, ShowsTheLoadInPerMilleOfTheRatedTorque) {
   unit.turn_at(3000, 1s);
   const auto friction = static_cast<double>(unit.upload(0x6077).number());
 
-  unit.device.set_load_torque(3.65, unit.now);  // half of 7.3 N·m
+  unit.device.set_load_torque(1, 3.65, unit.now);  // half of 7.3 N·m
   unit.passes(1s);
 
   EXPECT_NEAR(friction, 22, 1);  // (0.1 N·m + 0.0002 N·m·s · 314 /s) / 7.3 N·m

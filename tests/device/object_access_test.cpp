@@ -13,7 +13,7 @@ using canopen::EntryDescription;
 
 constexpr std::uint32_t kReadOnly = 0x06010002;
 
-const std::vector<EntryDescription> kRows = object_rows(std::array{AxisType::Servo});
+const std::vector<EntryDescription> kRows = object_rows(std::array{drive::ObjectKind::Servo});
 
 std::string name_of(const EntryDescription& row) {
   return fakes::candump({.id = row.index, .length = 1, .data = {row.sub_index}}) + " " + std::string{row.name};

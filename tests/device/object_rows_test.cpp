@@ -24,7 +24,7 @@ const std::map<std::string, Access> kAccesses{{"ro", Access::ReadOnly},        {
                                               {"rww", Access::ReadWriteWrite}, {"const", Access::Constant}};
 
 std::vector<EntryDescription> rows_of(std::size_t axes) {
-  return object_rows(std::vector<AxisType>(axes, AxisType::Servo));
+  return object_rows(std::vector<drive::ObjectKind>(axes, drive::ObjectKind::Servo));
 }
 
 const EntryDescription& row_at(const std::vector<EntryDescription>& rows, std::uint16_t index, std::uint8_t sub) {
@@ -107,7 +107,7 @@ TEST(ObjectRowsOfOneAxis, LeaveExactlyTheCobIdsAndTheErrorFieldToTheirOwners) {
 }
 
 TEST(ObjectRowsOfSeveralAxes, TellServoFromVectorAxes) {
-  const auto rows = object_rows(std::array{AxisType::Servo, AxisType::Vector, AxisType::Servo});
+  const auto rows = object_rows(std::array{drive::ObjectKind::Servo, drive::ObjectKind::Vector, drive::ObjectKind::Servo});
 
   EXPECT_EQ(row_at(rows, 0x1027, 0).initial, 3);
   EXPECT_EQ(row_at(rows, 0x1027, 1).initial, 0x000B);

@@ -157,7 +157,7 @@ struct ObjectSweep : testing::TestWithParam<unsigned> {
   }
 
   TestUnit unit{
-      Configuration{.node_id = kNodeId, .axis_types = std::vector<AxisType>(GetParam(), AxisType::Servo)}};
+      Configuration{.node_id = kNodeId, .axes = std::vector<AxisSetup>(GetParam())}};
   Counts counts;
 };
 

@@ -197,7 +197,7 @@ TEST(PdoMapping, CarriesFreeObjectsInTheFurtherPdosOfAnAxis) {
 
 TEST(PdoMapping, ReachesTheObjectsOfEveryAxis) {
   Configuration configuration = unit_with({});
-  configuration.axis_types = {AxisType::Servo, AxisType::Servo};
+  configuration.axes.resize(2);
   TestUnit unit{configuration};
   unit.start();
 

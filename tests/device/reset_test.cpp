@@ -21,7 +21,7 @@ TEST_P(Reset, ForgetsTheFaultsThatStood) {
   TestUnit unit;
   unit.start();
   for (const std::uint16_t number : std::vector<std::uint16_t>{7860, 30022, 8751})
-    ASSERT_TRUE(unit.device.raise(number, unit.now));
+    ASSERT_TRUE(unit.device.raise(1, number, 0, unit.now));
   unit.passes(100ms);
 
   EXPECT_EQ(unit.says(GetParam()), Lines{"705#00"});

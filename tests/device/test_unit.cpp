@@ -36,7 +36,7 @@ std::uint64_t Upload::number() const {
 }
 
 Configuration unit_with(std::vector<ParameterPreset> presets) {
-  return {.node_id = 5, .presets = std::move(presets)};
+  return {.node_id = 5, .axes = {{.drive = {}, .presets = std::move(presets)}}};
 }
 
 Lines TestUnit::sent() {

@@ -18,7 +18,7 @@ TEST(WrittenControlword, EachOfSeveralInOneCycleTakesEffect) {
 TEST(WrittenControlword, ShowsItsAcknowledgementEdgeThoughTheNextFollowsAtOnce) {
   TestUnit unit;
   unit.start();
-  ASSERT_TRUE(unit.device.raise(7860, unit.now));
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
   unit.passes(100ms);
 
   for (const std::uint32_t word : {0x80U, 0x00U}) ASSERT_EQ(unit.download(0x6040, 0, word, 2), 0U);
