@@ -117,7 +117,7 @@ struct ObjectSweep : testing::TestWithParam<unsigned> {
     if (!is_text) {
       EXPECT_EQ(upload.bytes.size(), type->second.size);
     }
-    const bool shows_state = e.index == 0x6041;  // of the axis that turns
+    const bool shows_state = eds_test::index_of(e.fact) == 0x6041;  // of an axis that is switched on
     if (e.fact.at("default").empty() || shows_state) return;
     ++counts.defaults;
     if (is_text) {
@@ -156,8 +156,7 @@ struct ObjectSweep : testing::TestWithParam<unsigned> {
     if (high) check_beyond(e, *high + 1, kTooHigh);
   }
 
-  TestUnit unit{
-      Configuration{.node_id = kNodeId, .axes = std::vector<AxisSetup>(GetParam())}};
+  TestUnit unit{Configuration{.node_id = kNodeId, .axes = std::vector<AxisSetup>(GetParam())}};
   Counts counts;
 };
 
