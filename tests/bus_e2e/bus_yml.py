@@ -8,11 +8,14 @@ import math
 import struct
 import sys
 
-import yaml
-
 import programs
 from eds_file import Eds
 from master import NODE, Abort, Master, can
+
+try:
+    import yaml
+except ImportError as missing:
+    sys.exit(f'{missing}: install python3-yaml (scripts/setup.sh)')
 
 INVALID = 0x80000000
 RPDO, TPDO = 0x1400, 0x1800
