@@ -7,6 +7,7 @@ ros2_canopen does. It shows that the unit takes the file, not that the tools do.
 import math
 import struct
 import sys
+import time
 
 import programs
 from eds_file import Eds
@@ -22,6 +23,7 @@ RPDO, TPDO = 0x1400, 0x1800
 PERIOD = 0.01  # s
 NO_OBJECT = 0x06020000
 TARGET = 10.0  # rad/s
+HELD = 20  # frames in which a position would have passed TARGET
 PROFILE_VELOCITY = 3
 HALT = 0x0100  # the driver sets it until it has a target
 STATES = ((0x06, 0x21), (0x07, 0x23), (0x0F, 0x27))
@@ -93,6 +95,17 @@ def wait_for_state(master, state):
     return master.receive(0x180 + NODE, lambda data: struct.unpack('<Hb', data)[0] & 0x6F == state)
 
 
+def wait_for_speed(master, from_device):
+    """Waits until the speed stays at TARGET; the speed in rad/s."""
+    deadline = time.monotonic() + programs.PATIENCE
+    near = 0
+    while near < HELD:
+        assert time.monotonic() < deadline, 'TPDO 2 does not show the speed'
+        speed = struct.unpack('<i', master.receive(0x280 + NODE))[0] * from_device
+        near = near + 1 if math.isclose(speed, TARGET, rel_tol=0.01) else 0
+    return speed
+
+
 def turn(master, to_device, from_device):
     """What the CiA 402 driver does for init, velocity_mode and target."""
     modes = struct.unpack('<I', master.upload(0x6502))[0]
@@ -104,11 +117,10 @@ def turn(master, to_device, from_device):
     master.receive(0x180 + NODE, lambda data: data[2] == PROFILE_VELOCITY)
     master.send(0x300 + NODE, struct.pack('<i', int(TARGET * to_device)).hex())
     command(master, 0x0F, PROFILE_VELOCITY)
-    velocity = master.receive(0x280 + NODE, lambda data: math.isclose(
-        struct.unpack('<i', data)[0] * from_device, TARGET, rel_tol=0.01))
+    speed = wait_for_speed(master, from_device)
     command(master, 0x06 | HALT, PROFILE_VELOCITY)
     wait_for_state(master, 0x21)
-    return struct.unpack('<i', velocity)[0] * from_device
+    return speed
 
 
 def position_is_missing(master):
