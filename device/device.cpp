@@ -49,8 +49,6 @@ std::vector<canopen::EntryDescription> rows_of(const Configuration& configuratio
   return object_rows(kinds);
 }
 
-constexpr std::uint16_t kPdosOfAnAxis = 0x40;
-
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
@@ -71,10 +69,15 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
-      node_{dictionary_, policy_of(configuration), sink, *this} {
+      node_{dictionary_, policy_of(configuration), sink, *this},
+      pdo_rules_{dictionary_, unit_, node_, *this} {
   apply_presets();
   AxisListener& listener_of_axes = *this;
-  for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
+  for (drive::Axis& axis : unit_.axes()) {
+    axes_.emplace_back(dictionary_, axis, listener_of_axes);
+    buffers_.emplace_back(dictionary_, unit_, axis, node_);
+    free_objects_.emplace_back(dictionary_, unit_, axis, buffers_.back());
+  }
   dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
@@ -92,7 +95,8 @@ void Device::start(canopen::TimePoint now) noexcept {
     started_ = last_cycle_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
-    for (AxisObjects& axis : axes_) axis.publish();
+    pdo_rules_.limit();
+    show_values();
   }
   tell_time(now);
   node_.start(now);
@@ -101,6 +105,7 @@ void Device::start(canopen::TimePoint now) noexcept {
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   now_ = now;
   node_.on_frame(frame, now);
+  if (alarm_changed_) publish();
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
@@ -132,9 +137,25 @@ void Device::run_cycles() noexcept {
 }
 
 void Device::publish() noexcept {
-  for (AxisObjects& axis : axes_) axis.publish();
+  alarm_changed_ = false;
+  show_values();
   error_objects_.update(node_);
   node_.on_values_changed(now_);
+}
+
+/// Everything that the axes show; free objects last, as they may show any of it.
+void Device::show_values() noexcept {
+  for (AxisObjects& axis : axes_) axis.publish();
+  for (FreeObjects& objects : free_objects_) objects.publish();
+}
+
+void Device::invalidate_buffers() noexcept {
+  for (ProcessDataBuffers& buffers : buffers_) buffers.invalidate();
+}
+
+void Device::on_subscriptions_changed() noexcept {
+  pdo_rules_.on_subscriptions_changed();
+  listener_.on_subscriptions_changed();
 }
 
 void Device::wake() noexcept {
@@ -148,7 +169,7 @@ void Device::on_awake() noexcept {
 }
 
 void Device::on_rpdo(std::uint16_t number) noexcept {
-  axes_[number / kPdosOfAnAxis].on_rpdo();
+  axes_[number / pdo::kStride].on_rpdo();
 }
 
 canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
@@ -168,8 +189,9 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
+  if (from != canopen::NmtState::Initialising) pdo_rules_.end_alarms();
   error_objects_.update(node_);
-  for (AxisObjects& axis : axes_) axis.publish();
+  show_values();
   wake();
 }
 
@@ -186,7 +208,9 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
     unit_.restore_parameters();
     apply_presets();
   }
-  for (AxisObjects& axis : axes_) axis.publish();  // the dictionary holds its initial values
+  pdo_rules_.limit();
+  invalidate_buffers();
+  show_values();  // the dictionary holds its initial values
 }
 
 tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,

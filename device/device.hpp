@@ -8,7 +8,10 @@
 #include "device/axis_objects.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
+#include "device/free_objects.hpp"
 #include "device/object_rows.hpp"
+#include "device/pdo_rules.hpp"
+#include "device/process_data_buffers.hpp"
 #include "device/sdo_identifiers.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
@@ -53,7 +56,10 @@ class Listener {
 /// The drive unit as a CANopen node: control unit and axes behind the objects of CiA 301 and CiA 402. It is fed
 /// frames and time and hands its frames to a sink; nothing in it reads a clock, blocks or, after construction,
 /// allocates. Axes are counted from 1; where a function takes one, 0 is the control unit.
-class Device final : private canopen::Application, private canopen::EntryOwner, private AxisListener {
+class Device final : private canopen::Application,
+                     private canopen::EntryOwner,
+                     private AxisListener,
+                     private PdoListener {
  public:
   /// Process-data cycle p8848.
   static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
@@ -91,6 +97,11 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   const drive::Axis& axis(std::size_t number = 1) const noexcept { return unit_.axes()[number - 1]; }
   /// What axis @p number (1..axes) is asked for at present.
   drive::Setpoints setpoints(std::size_t number = 1) const noexcept { return axes_[number - 1].setpoints(); }
+  /// The process data of axis @p number (1..axes) as its parameters show them.
+  const ProcessDataBuffers& process_data(std::size_t number = 1) const noexcept { return buffers_[number - 1]; }
+  /// The rules for PDO parameters.
+  const PdoRules& pdo_rules() const noexcept { return pdo_rules_; }
+  PdoRules& pdo_rules() noexcept { return pdo_rules_; }
   /// What must be received (see canopen::Node::subscriptions()).
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
   /// Cycles left out because the program was kept from running for too long.
@@ -100,14 +111,18 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   void on_reset(canopen::NmtCommand command) noexcept override;
   void on_rpdo(std::uint16_t number) noexcept override;
-  void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
+  void on_subscriptions_changed() noexcept override;
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
+  void on_mapping_changed(std::size_t axis) noexcept override { buffers_[axis - 1].invalidate(); }
+  void on_pdo_alarm() noexcept override { alarm_changed_ = true; }
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
+  void show_values() noexcept;
+  void invalidate_buffers() noexcept;
   void publish() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
@@ -124,10 +139,14 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   ErrorControl error_control_;
   SdoIdentifiers sdo_identifiers_;
   canopen::Node node_;
+  PdoRules pdo_rules_;
+  std::deque<ProcessDataBuffers> buffers_;
+  std::deque<FreeObjects> free_objects_;
   canopen::TimePoint started_{};     ///< when the unit was switched on
   canopen::TimePoint now_{};         ///< as last told
   canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
   bool resting_ = true;              ///< every axis is idle
+  bool alarm_changed_ = false;       ///< within a call into the node: messages are shown after it
   std::uint64_t skipped_cycles_ = 0;
 };
 

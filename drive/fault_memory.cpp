@@ -167,6 +167,7 @@ void FaultMemory::clear_fault_buffer() noexcept {
 }
 
 void FaultMemory::clear_alarm_buffer() noexcept {
+  if (alarms_.remove_if([](const FaultEntry& e) { return e.cause == Cause::Latched; }) != 0) ++change_count_;
   alarm_buffer_.clear();
   counters_.alarms = 0;
   ++counters_.alarm_changes;

@@ -73,6 +73,10 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   std::uint8_t node_id() const noexcept { return context_.dictionary.node_id(); }
   /// What the node must receive, in ascending order of identifiers, data frames before remote frames.
   std::span<const Subscription> subscriptions() const noexcept { return routes_.subscriptions(); }
+  /// All RPDOs in the order of their numbers.
+  std::span<const PdoSettings> receive_pdos() const noexcept { return receive_pdos_.pdos(); }
+  /// All TPDOs in the order of their numbers.
+  std::span<const PdoSettings> transmit_pdos() const noexcept { return transmit_pdos_.pdos(); }
   /// RPDO frames ignored because they were shorter than their mapping.
   std::uint64_t short_rpdos() const noexcept { return receive_pdos_.too_short(); }
   /// Frames of synchronous RPDOs dropped because they came after the synchronous window (1007h).
