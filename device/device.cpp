@@ -153,11 +153,6 @@ void Device::invalidate_buffers() noexcept {
   for (ProcessDataBuffers& buffers : buffers_) buffers.invalidate();
 }
 
-void Device::on_subscriptions_changed() noexcept {
-  pdo_rules_.on_subscriptions_changed();
-  listener_.on_subscriptions_changed();
-}
-
 void Device::wake() noexcept {
   for (AxisObjects& axis : axes_) axis.wake();
 }

@@ -111,7 +111,7 @@ class Device final : private canopen::Application,
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   void on_reset(canopen::NmtCommand command) noexcept override;
   void on_rpdo(std::uint16_t number) noexcept override;
-  void on_subscriptions_changed() noexcept override;
+  void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;

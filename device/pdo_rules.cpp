@@ -67,10 +67,6 @@ std::uint32_t detail_of(Detail detail, Pdo pdo) noexcept {
   return 0;
 }
 
-bool says_invalid(std::int64_t cob_id) noexcept {
-  return (static_cast<std::uint32_t>(cob_id) & canopen::cob_id::kInvalid) != 0;
-}
-
 /// Calls @p visit for every PDO of @p direction on axes 1 to @p axes, in the order of their numbers.
 template <class Visit>
 void for_each_pdo(Direction direction, std::size_t axes, const Visit& visit) {
@@ -118,14 +114,15 @@ double PdoRules::shortest_sampling_time() const noexcept {
 
 std::size_t PdoRules::remaining(Direction direction) const noexcept {
   std::size_t valid = 0;
-  for_each_pdo(direction, unit_.axes().size(), [&](Pdo pdo) { valid += is_valid(pdo) ? 1U : 0U; });
+  for_each_pdo(direction, unit_.axes().size(), [&](Pdo pdo) { valid += identifier_of(pdo) != 0 ? 1U : 0U; });
   const std::size_t all = most(direction);
   return valid < all ? all - valid : 0;
 }
 
-bool PdoRules::is_valid(Pdo pdo) const noexcept {
+/// 0 while the PDO is not valid.
+canopen::Identifier PdoRules::identifier_of(Pdo pdo) const noexcept {
   const auto cob_id = dictionary_.stored(pdo::index_of(pdo, Part::Communication), canopen::pdo_sub::kCobId);
-  return cob_id && !says_invalid(*cob_id);
+  return cob_id ? canopen::valid_identifier(static_cast<std::uint32_t>(*cob_id)) : 0;
 }
 
 void PdoRules::limit() noexcept {
@@ -133,7 +130,7 @@ void PdoRules::limit() noexcept {
     std::size_t valid = 0;
     bool exceeded = false;
     for_each_pdo(direction, unit_.axes().size(), [&](Pdo pdo) {
-      if (!is_valid(pdo)) return;
+      if (identifier_of(pdo) == 0) return;
       const bool fits = valid < most(direction);
       exceeded = exceeded || !fits;
       if (fits && judge_whole(pdo, pdo::mapping_of(dictionary_, pdo))) return static_cast<void>(++valid);
@@ -141,9 +138,7 @@ void PdoRules::limit() noexcept {
           dictionary_.lookup(pdo::index_of(pdo, Part::Communication), canopen::pdo_sub::kCobId);
       dictionary_.set(*entry, dictionary_.stored(*entry) | canopen::cob_id::kInvalid);
     });
-    if (!exceeded) continue;
-    static_cast<void>(unit_.raise(drive::kControlUnitNumber, kTooManyPdos,
-                                  detail_of(Detail::Direction, {direction, 0}), drive::Cause::Latched));
+    if (exceeded) raise(kTooManyPdos, detail_of(Detail::Direction, {direction, 0}));
   }
 }
 
@@ -151,32 +146,21 @@ Result<void> PdoRules::take_over(const drive::Axis& axis) noexcept {
   constexpr std::uint16_t kConfiguration = 8744;
   constexpr double kPredefined = 1.0;
   if (axis.read(kConfiguration).value_or(0.0) > kPredefined) return {};
-  const auto refused = restore_predefined_connections(dictionary_, axis.axis_number());
-  listener_.on_mapping_changed(axis.axis_number());
-  if (!refused) return {};
-  on_write_refused(*refused->entry, refused->value, refused->code);
-  return canopen::refuse(refused->code);
+  return restore_predefined_connections(dictionary_, axis.axis_number());
 }
 
-void PdoRules::on_write_refused(const canopen::Entry& entry, std::int64_t, AbortCode code) noexcept {
-  const auto record = pdo::record_of(entry.index);
-  if (!record) return;
-  cob_id_pending_ = false;
-  const bool operational = is_operational() && code == AbortCode::DeviceState;
+/// The alarm for a refusal; one of a time or a type has none but in Operational.
+void PdoRules::raise_for(AbortCode code, const pdo::Record& record) noexcept {
+  const bool operational = is_operational();
   const auto* const row = std::ranges::find_if(kAlarms, [&](const AlarmRow& r) {
-    return r.code == code && r.part == record->part && r.operational == operational;
+    return r.code == code && r.part == record.part && r.operational == operational;
   });
-  const bool is_time = record->part == Part::Communication && entry.sub_index != canopen::pdo_sub::kCobId;
-  if (row == kAlarms.end() || (is_time && !operational)) return;
-  static_cast<void>(unit_.raise(drive::kControlUnitNumber, row->alarm, detail_of(row->detail, record->pdo),
-                                drive::Cause::Latched));
-  listener_.on_pdo_alarm();
+  if (row != kAlarms.end()) raise(row->alarm, detail_of(row->detail, record.pdo));
 }
 
-void PdoRules::on_subscriptions_changed() noexcept {
-  if (!cob_id_pending_) return;
-  cob_id_pending_ = false;
-  end_alarms();
+void PdoRules::raise(std::uint16_t alarm, std::uint32_t value) noexcept {
+  static_cast<void>(unit_.raise(drive::kControlUnitNumber, alarm, value, drive::Cause::Latched));
+  listener_.on_pdo_alarm();
 }
 
 void PdoRules::end_alarms() noexcept {
@@ -191,38 +175,50 @@ void PdoRules::end_alarm(std::uint16_t number) noexcept {
 }
 
 Result<void> PdoRules::write(const canopen::Entry& entry, std::int64_t value) {
-  if (is_operational()) return canopen::refuse(AbortCode::DeviceState);
   const pdo::Record record = *pdo::record_of(entry.index);
-  if (record.part == Part::Mapping)
-    return judge_mapping(record.pdo, entry.sub_index, static_cast<std::uint32_t>(value));
-  return entry.sub_index == canopen::pdo_sub::kCobId ? judge_cob_id(record.pdo, value) : Result<void>{};
-}
-
-Result<void> PdoRules::judge_cob_id(Pdo pdo, std::int64_t cob_id) noexcept {
-  if (!says_invalid(cob_id) && !is_valid(pdo)) {
-    if (remaining(pdo.direction) == 0) return canopen::refuse(AbortCode::InternalIncompatibility);
-    if (auto fine = judge_whole(pdo, pdo::mapping_of(dictionary_, pdo)); !fine) return fine;
+  auto judged = judge(record, entry.sub_index, static_cast<std::uint32_t>(value));
+  if (!judged) {
+    raise_for(judged.error(), record);
+  } else if (record.part == Part::Mapping) {
+    end_alarm(kNotMappable);
+    end_alarm(kTooManyBytes);
+    listener_.on_mapping_changed(record.pdo.axis());
+  } else if (entry.sub_index == canopen::pdo_sub::kCobId) {
+    end_alarms();
   }
-  cob_id_pending_ = true;
-  return {};
+  return judged;
 }
 
-Result<void> PdoRules::judge_mapping(Pdo pdo, std::uint8_t sub_index, std::uint32_t value) noexcept {
-  if (is_valid(pdo)) return canopen::refuse(AbortCode::DeviceState);
+Result<void> PdoRules::judge(const pdo::Record& record, std::uint8_t sub_index,
+                             std::uint32_t value) const noexcept {
+  if (is_operational()) return canopen::refuse(AbortCode::DeviceState);
+  if (record.part == Part::Mapping) return judge_mapping(record.pdo, sub_index, value);
+  return sub_index == canopen::pdo_sub::kCobId ? judge_cob_id(record.pdo, value) : Result<void>{};
+}
+
+Result<void> PdoRules::judge_cob_id(Pdo pdo, std::uint32_t cob_id) const noexcept {
+  const canopen::Identifier wanted = canopen::valid_identifier(cob_id);
+  const canopen::Identifier present = identifier_of(pdo);
+  if ((cob_id & canopen::cob_id::kInvalid) != 0) return {};
+  if (!canopen::is_assignable(cob_id, false)) return canopen::refuse(AbortCode::InvalidValue);
+  if (present != 0) return wanted == present ? Result<void>{} : canopen::refuse(AbortCode::DeviceState);
+  if (node_.uses(wanted)) return canopen::refuse(AbortCode::ParameterIncompatible);
+  if (remaining(pdo.direction) == 0) return canopen::refuse(AbortCode::InternalIncompatibility);
+  return judge_whole(pdo, pdo::mapping_of(dictionary_, pdo));
+}
+
+Result<void> PdoRules::judge_mapping(Pdo pdo, std::uint8_t sub_index, std::uint32_t value) const noexcept {
+  if (identifier_of(pdo) != 0) return canopen::refuse(AbortCode::DeviceState);
+  if (value == 0) return {};
   pdo::Mapping mapping = pdo::mapping_of(dictionary_, pdo);
   if (sub_index == 0) {
     mapping.count = static_cast<std::uint8_t>(value);
-  } else {
-    mapping.entries[sub_index - 1U] = value;
-    const bool known = value == 0 || pdo::mapped_object(dictionary_, pdo, value) != nullptr;
-    if (!known) return canopen::refuse(AbortCode::NotMappable);
-    if (counts_by_itself(pdo)) mapping.count = leading_entries(mapping);
+    return judge_whole(pdo, mapping);
   }
-  if (auto fine = value != 0 ? judge_whole(pdo, mapping) : Result<void>{}; !fine) return fine;
-  end_alarm(kNotMappable);
-  end_alarm(kTooManyBytes);
-  listener_.on_mapping_changed(pdo.axis());
-  return {};
+  if (pdo::mapped_object(dictionary_, pdo, value) == nullptr) return canopen::refuse(AbortCode::NotMappable);
+  mapping.entries[sub_index - 1U] = value;
+  if (counts_by_itself(pdo)) mapping.count = leading_entries(mapping);
+  return judge_whole(pdo, mapping);
 }
 
 /// Whether sub-index 0 of the mapping follows its entries.

@@ -43,22 +43,22 @@ class PdoRules final : public canopen::EntryOwner {
   /// p8744 = 2 they stay as they are. DeviceState in Operational, or why a PDO could not become valid.
   canopen::Result<void> take_over(const drive::Axis& axis) noexcept;
 
-  /// A write of @p value to @p entry was refused with @p code; nothing happens if it is no PDO parameter.
-  void on_write_refused(const canopen::Entry& entry, std::int64_t value, canopen::AbortCode code) noexcept;
-  /// A service has taken over an identifier.
-  void on_subscriptions_changed() noexcept;
   /// The NMT state has changed: the alarms end.
   void end_alarms() noexcept;
 
-  /// The rules; the service of the node is asked afterwards. NotMappable, PdoLengthExceeded,
-  /// InternalIncompatibility (number of PDOs, room in the process data), DeviceState.
+  /// DeviceState, InvalidValue (identifier), ParameterIncompatible (identifier in use), NotMappable,
+  /// PdoLengthExceeded, InternalIncompatibility (number of PDOs, room in the process data).
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
 
  private:
-  canopen::Result<void> judge_cob_id(pdo::Pdo pdo, std::int64_t cob_id) noexcept;
-  canopen::Result<void> judge_mapping(pdo::Pdo pdo, std::uint8_t sub_index, std::uint32_t value) noexcept;
+  canopen::Result<void> judge(const pdo::Record& record, std::uint8_t sub_index,
+                              std::uint32_t value) const noexcept;
+  canopen::Result<void> judge_cob_id(pdo::Pdo pdo, std::uint32_t cob_id) const noexcept;
+  canopen::Result<void> judge_mapping(pdo::Pdo pdo, std::uint8_t sub_index, std::uint32_t value) const noexcept;
   canopen::Result<void> judge_whole(pdo::Pdo pdo, const pdo::Mapping& mapping) const noexcept;
-  bool is_valid(pdo::Pdo pdo) const noexcept;
+  void raise_for(canopen::AbortCode code, const pdo::Record& record) noexcept;
+  void raise(std::uint16_t alarm, std::uint32_t value) noexcept;
+  canopen::Identifier identifier_of(pdo::Pdo pdo) const noexcept;
   bool counts_by_itself(pdo::Pdo pdo) const noexcept;
   bool is_operational() const noexcept { return node_.state() == canopen::NmtState::Operational; }
   double shortest_sampling_time() const noexcept;
@@ -68,7 +68,6 @@ class PdoRules final : public canopen::EntryOwner {
   drive::DriveUnit& unit_;
   const canopen::Node& node_;
   PdoListener& listener_;
-  bool cob_id_pending_ = false;  ///< the service has a COB-ID that the rules allow
 };
 
 }  // namespace device

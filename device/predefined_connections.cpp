@@ -19,7 +19,7 @@ class Writer {
  public:
   Writer(canopen::Dictionary& dictionary, std::size_t axis) noexcept : dictionary_{dictionary}, axis_{axis} {}
 
-  const std::optional<RefusedWrite>& refused() const noexcept { return refused_; }
+  const canopen::Result<void>& result() const noexcept { return result_; }
 
   void make_invalid(pdo::Pdo pdo) noexcept {
     write(pdo, Part::Communication, canopen::pdo_sub::kCobId,
@@ -49,14 +49,13 @@ class Writer {
   void write(pdo::Pdo pdo, Part part, std::uint8_t sub, const Value& value_of) noexcept {
     const Entry* const entry = dictionary_.lookup(pdo::index_of(pdo, part), sub);
     if (entry == nullptr || !entry->writable) return;
-    const std::int64_t value = value_of(*entry);
-    const auto written = dictionary_.write(*entry, value);
-    if (!written && !refused_) refused_ = RefusedWrite{entry, value, written.error()};
+    const auto written = dictionary_.write(*entry, value_of(*entry));
+    if (result_) result_ = written;
   }
 
   canopen::Dictionary& dictionary_;
   std::size_t axis_;
-  std::optional<RefusedWrite> refused_{};
+  canopen::Result<void> result_{};
 };
 
 constexpr std::array kTimesAndTypes{canopen::pdo_sub::kTransmissionType, canopen::pdo_sub::kInhibitTime,
@@ -64,18 +63,17 @@ constexpr std::array kTimesAndTypes{canopen::pdo_sub::kTransmissionType, canopen
 
 }  // namespace
 
-std::optional<RefusedWrite> restore_predefined_connections(canopen::Dictionary& dictionary,
-                                                           std::size_t axis) noexcept {
+canopen::Result<void> restore_predefined_connections(canopen::Dictionary& dictionary, std::size_t axis) noexcept {
   Writer writer{dictionary, axis};
   writer.for_each([&](pdo::Pdo pdo) { writer.make_invalid(pdo); });
-  if (writer.refused()) return writer.refused();  // Operational
+  if (!writer.result()) return writer.result();  // Operational
   writer.for_each([&](pdo::Pdo pdo) { writer.empty(pdo); });
   writer.for_each([&](pdo::Pdo pdo) {
     writer.map_initial(pdo);
     for (const std::uint8_t sub : kTimesAndTypes) writer.write_initial(pdo, Part::Communication, sub);
     writer.write_initial(pdo, Part::Communication, canopen::pdo_sub::kCobId);
   });
-  return writer.refused();
+  return writer.result();
 }
 
 }  // namespace device

@@ -1,22 +1,14 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 
 #include "device/pdo_objects.hpp"
 
 namespace device {
 
-/// A write that was refused.
-struct RefusedWrite {
-  const canopen::Entry* entry;
-  std::int64_t value;
-  canopen::AbortCode code;
-};
-
 /// Writes the initial values of all PDO parameters of @p axis (from 1), which is the predefined connection set, as
 /// a master would: all COB-IDs invalid, mappings, times and types, COB-IDs. The first refusal, if any; one of a
 /// COB-ID leaves only that PDO invalid.
-std::optional<RefusedWrite> restore_predefined_connections(canopen::Dictionary& dictionary,
-                                                           std::size_t axis) noexcept;
+canopen::Result<void> restore_predefined_connections(canopen::Dictionary& dictionary, std::size_t axis) noexcept;
 
 }  // namespace device
