@@ -65,9 +65,10 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
       listener_{listener},
-      unit_{unit_of(configuration)},
+      unit_{unit_of(configuration), &parameters_},
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
+      mirrored_parameters_{dictionary_, unit_, parameters_},
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},

@@ -8,8 +8,10 @@
 #include "device/axis_objects.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
+#include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
 #include "device/sdo_identifiers.hpp"
+#include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
@@ -116,9 +118,11 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
 
   Configuration configuration_;
   Listener& listener_;
+  UnitParameters parameters_;
   drive::DriveUnit unit_;
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
+  MirroredParameters mirrored_parameters_;
   std::deque<AxisObjects> axes_;
   ErrorObjects error_objects_;
   ErrorControl error_control_;
