@@ -63,14 +63,16 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
       listener_{listener},
-      unit_{unit_of(configuration)},
+      unit_{unit_of(configuration), &parameters_},
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
+      mirrored_parameters_{dictionary_, unit_, parameters_},
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this},
-      pdo_rules_{dictionary_, unit_, node_, *this} {
+      pdo_rules_{dictionary_, unit_, node_, *this},
+      process_data_parameters_{buffers_, pdo_rules_, parameters_} {
   apply_presets();
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) {

@@ -9,10 +9,13 @@
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
 #include "device/free_objects.hpp"
+#include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
 #include "device/pdo_rules.hpp"
 #include "device/process_data_buffers.hpp"
+#include "device/process_data_parameters.hpp"
 #include "device/sdo_identifiers.hpp"
+#include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
@@ -97,11 +100,6 @@ class Device final : private canopen::Application,
   const drive::Axis& axis(std::size_t number = 1) const noexcept { return unit_.axes()[number - 1]; }
   /// What axis @p number (1..axes) is asked for at present.
   drive::Setpoints setpoints(std::size_t number = 1) const noexcept { return axes_[number - 1].setpoints(); }
-  /// The process data of axis @p number (1..axes) as its parameters show them.
-  const ProcessDataBuffers& process_data(std::size_t number = 1) const noexcept { return buffers_[number - 1]; }
-  /// The rules for PDO parameters.
-  const PdoRules& pdo_rules() const noexcept { return pdo_rules_; }
-  PdoRules& pdo_rules() noexcept { return pdo_rules_; }
   /// What must be received (see canopen::Node::subscriptions()).
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
   /// Cycles left out because the program was kept from running for too long.
@@ -131,9 +129,11 @@ class Device final : private canopen::Application,
 
   Configuration configuration_;
   Listener& listener_;
+  UnitParameters parameters_;
   drive::DriveUnit unit_;
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
+  MirroredParameters mirrored_parameters_;
   std::deque<AxisObjects> axes_;
   ErrorObjects error_objects_;
   ErrorControl error_control_;
@@ -142,6 +142,7 @@ class Device final : private canopen::Application,
   PdoRules pdo_rules_;
   std::deque<ProcessDataBuffers> buffers_;
   std::deque<FreeObjects> free_objects_;
+  ProcessDataParameters process_data_parameters_;
   canopen::TimePoint started_{};     ///< when the unit was switched on
   canopen::TimePoint now_{};         ///< as last told
   canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest

@@ -91,9 +91,8 @@ ErrorObjects::Messages ErrorObjects::messages() const noexcept {
     for (const drive::FaultEntry& entry : object.messages().faults()) found.add(entry, object.number());
     for (const drive::FaultEntry& entry : object.messages().alarms()) found.add(entry, object.number());
   });
-  std::sort(found.items.begin(), found.items.begin() + found.count, [](const Reported& a, const Reported& b) {
-    return a.entry->sequence < b.entry->sequence;
-  });
+  std::sort(found.items.begin(), found.items.begin() + found.count,
+            [](const Reported& a, const Reported& b) { return a.entry->sequence < b.entry->sequence; });
   return found;
 }
 

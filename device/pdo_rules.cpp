@@ -142,11 +142,11 @@ void PdoRules::limit() noexcept {
   }
 }
 
-Result<void> PdoRules::take_over(const drive::Axis& axis) noexcept {
+Result<void> PdoRules::take_over(std::size_t axis) noexcept {
   constexpr std::uint16_t kConfiguration = 8744;
   constexpr double kPredefined = 1.0;
-  if (axis.read(kConfiguration).value_or(0.0) > kPredefined) return {};
-  return restore_predefined_connections(dictionary_, axis.axis_number());
+  if (unit_.axes()[axis - 1].read(kConfiguration).value_or(0.0) > kPredefined) return {};
+  return restore_predefined_connections(dictionary_, axis);
 }
 
 /// The alarm for a refusal; one of a time or a type has none but in Operational.

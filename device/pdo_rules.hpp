@@ -39,9 +39,9 @@ class PdoRules final : public canopen::EntryOwner {
   /// Makes PDOs beyond the number that may be valid invalid (bit 31), in the order of their numbers; for values
   /// that no master has written.
   void limit() noexcept;
-  /// p8741 = 1 for @p axis: with p8744 = 1 its PDOs become those of the predefined connection set again, with
-  /// p8744 = 2 they stay as they are. DeviceState in Operational, or why a PDO could not become valid.
-  canopen::Result<void> take_over(const drive::Axis& axis) noexcept;
+  /// p8741 = 1 for @p axis (from 1): with p8744 = 1 its PDOs become those of the predefined connection set again,
+  /// with p8744 = 2 they stay as they are. DeviceState in Operational, or why a PDO could not become valid.
+  canopen::Result<void> take_over(std::size_t axis) noexcept;
 
   /// The NMT state has changed: the alarms end.
   void end_alarms() noexcept;

@@ -74,6 +74,9 @@ void Node::on_frame(const Frame& frame, TimePoint now) noexcept {
     case Service::Sdo:
       if (gate_.sdo) sdo_servers_.on_frame(route.position, frame);
       break;
+    case Service::ViewedSdo:
+      if (gate_.sdo) sdo_servers_.on_viewed_frame(route.position, frame);
+      break;
     case Service::Rpdo:
       if (gate_.pdo) receive_pdos_.on_frame(route.position, frame);
       break;
@@ -275,7 +278,7 @@ void Node::lay_routes() noexcept {
   lead_all(routes_, Service::Rpdo, receive_pdos_.pdos(), [](const PdoSettings& p) { return p.identifier; });
   routes_.lead(error_control, {Service::Own, 0});
   routes_.lead(function_code::kSdoResponse + node_id(), {Service::Own, 0});
-  lead_all(routes_, Service::Sdo, sdo_servers_.servers(),
+  lead_all(routes_, context_.view != nullptr ? Service::ViewedSdo : Service::Sdo, sdo_servers_.servers(),
            [](const SdoServer& s) { return s.request_identifier(); });
   if (time_.identifier() != 0) routes_.lead(time_.identifier(), {Service::Time, 0});
   if (sync_.identifier() != 0) routes_.lead(sync_.identifier(), {Service::Sync, 0});

@@ -32,6 +32,10 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
 
+  /// Lets the SDO servers show what @p view says, which must outlive the node, in place of the dictionary alone.
+  /// To be called before start().
+  void show(SdoView& view) noexcept { context_.view = &view; }
+
   /// Boots: sends the boot-up message and enters the start state. Again later, when the bus was away: the
   /// dictionary keeps its values, the services start afresh, no error is present, and Operational is left.
   void start(TimePoint now) noexcept;

@@ -31,11 +31,13 @@ constexpr unsigned expedited_size(const Entry& entry) noexcept {
 
 }  // namespace
 
-SdoServer::SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position)
+SdoServer::SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position,
+                     std::uint8_t number)
     : context_{context},
       locks_{locks},
       timer_{timer},
       position_{position},
+      number_{number},
       buffer_(std::max(kWindow, context.dictionary.longest_value()) + kMargin),
       source_{std::span{buffer_}.first(buffer_.size() - kMargin)},
       sink_{std::span{buffer_}.first(buffer_.size() - kMargin)} {}
@@ -95,7 +97,7 @@ void SdoServer::initiate_download(const Frame& frame) noexcept {
   if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
   if (!entry->writable) return abort(at, AbortCode::ReadOnly);
   const Command command{frame.data[0]};
-  if (!command.is_expedited()) return begin_segmented_download(*entry, frame);
+  if (!command.is_expedited()) return initiate_segmented_download(*entry, frame);
   const unsigned size = command.has_size() ? command.expedited_size() : expedited_size(*entry);
   if (!sdo::is_plain(*entry) || size != entry->size) return download_expedited(*entry, frame, size);
   context_.dictionary.set(*entry, load<std::uint32_t>(&frame.data[4]));
@@ -118,7 +120,7 @@ Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std:
   if (entry.domain == nullptr) return context_.dictionary.write_text(entry, bytes);
   if (auto opened = open_sink(entry, static_cast<std::uint32_t>(bytes.size())); !opened) return opened;
   auto written = sink_.append(bytes);
-  if (written) written = sink_.commit(context_.dictionary);
+  if (written) written = sink_.commit(context_);
   sink_.cancel();
   locks_.release(position_);
   return written;
@@ -162,7 +164,7 @@ void SdoServer::end() noexcept {
 void SdoServer::finish_download(std::uint64_t answer) noexcept {
   Frame frame = answer_;  // the write may connect the server anew: the client still waits here
   const Address at = address_;
-  const auto written = sink_.commit(context_.dictionary);
+  const auto written = sink_.commit(context_);
   end();
   store(frame.data.data(), written ? answer : sdo::abort_bytes(at, written.error()));
   context_.sink.send(frame, Delivery::Ordered);

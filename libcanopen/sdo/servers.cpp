@@ -27,7 +27,7 @@ SdoServers::SdoServers(Context& context, std::size_t first_timer)
     if (number != 0 && !context_.dictionary.contains(index)) continue;
     const std::size_t position = servers_.size();
     position_[number] = static_cast<std::uint8_t>(position);
-    servers_.emplace_back(context_, first_timer + position, locks_, position);
+    servers_.emplace_back(context_, first_timer + position, locks_, position, static_cast<std::uint8_t>(number));
     indices_.push_back(index);
     own(index);
   }

@@ -26,6 +26,10 @@ class CANOPEN_EXPORT SdoServers final : public EntryOwner {
   void forget() noexcept;
   /// A data frame for the server at @p position.
   void on_frame(std::size_t position, const Frame& frame) noexcept { servers_[position].on_frame(frame); }
+  /// The same where the view of the context says what the server shows.
+  void on_viewed_frame(std::size_t position, const Frame& frame) noexcept {
+    servers_[position].on_viewed_frame(frame);
+  }
   /// Timer @p which of this service fired, counted from its first.
   void on_timer(std::size_t which) noexcept { servers_[which].on_timer(); }
   /// In the order of their objects.
