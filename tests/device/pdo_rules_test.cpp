@@ -1,0 +1,314 @@
+#include <array>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+#include "tests/device/test_unit.hpp"
+
+/// The rules of the unit for PDO parameters: each refusal has its abort code and its alarm.
+namespace device {
+namespace {
+
+constexpr std::uint32_t kInvalid = 0x80000000;
+
+Configuration unit_of(std::size_t axes, drive::ObjectKind kind = drive::ObjectKind::Servo) {
+  Configuration configuration = unit_with({});
+  configuration.axes.resize(axes);
+  for (AxisSetup& axis : configuration.axes) axis.drive.kind = kind;
+  configuration.fault_on_leaving_operational = false;
+  return configuration;
+}
+
+/// The EMCY of alarm @p number with drive object 1.
+std::string emergency(std::uint16_t number) {
+  std::array<char, 32> line{};
+  std::snprintf(line.data(), line.size(), "085#011011%02X%02X010000", number & 0xFFU, unsigned{number} >> 8);
+  return line.data();
+}
+
+/// Index @p index of parameter @p number of a drive object (control unit 1, axes from 2).
+std::uint32_t parameter(const TestUnit& unit, std::uint8_t object, std::uint16_t number, std::size_t index) {
+  const auto value = unit.device.unit().read(object, number, index);
+  return value ? value->bits : 0xDEAD;
+}
+
+/// A PDO parameter over SDO: record, sub-index, value and size.
+struct Write {
+  std::uint16_t index;
+  std::uint8_t sub_index;
+  std::uint32_t value;
+  unsigned size = 4;
+};
+
+/// A refused write: the abort code, the alarm that comes with one EMCY after the answer, and its value.
+struct Refused {
+  std::uint32_t abort_code;
+  std::uint16_t alarm;
+  std::uint32_t value = 0;
+};
+
+std::string request(const Write& write) {
+  std::array<char, 32> line{};
+  std::snprintf(line.data(), line.size(), "605#%02X%02X%02X%02X%02X%02X%02X%02X", 0x23U | (4 - write.size) << 2,
+                write.index & 0xFFU, unsigned{write.index} >> 8, write.sub_index, write.value & 0xFF,
+                write.value >> 8 & 0xFF, write.value >> 16 & 0xFF, write.value >> 24);
+  return line.data();
+}
+
+/// @p write is refused, and the alarm is seen by EMCY, 1003h, and r2122 of every drive object.
+void expect_refused(TestUnit& unit, const Write& write, const Refused& refused) {
+  SCOPED_TRACE(request(write));
+  const Lines lines = unit.says(request(write));
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_EQ(lines[0].substr(0, 6), "585#80");
+  const auto code = static_cast<std::uint32_t>(std::stoul(lines[0].substr(12), nullptr, 16));
+  EXPECT_EQ(__builtin_bswap32(code), refused.abort_code);
+  EXPECT_EQ(lines[1], emergency(refused.alarm));
+  EXPECT_EQ(from("085#", lines).size(), 1U);
+  EXPECT_EQ(unit.upload(0x1003, 1).number(), 0x00011001U) << "most recent: drive object 1, code 1001h";
+  const auto count = unit.upload(0x1003, 0x4A).number();
+  EXPECT_EQ(unit.upload(0x1003, static_cast<std::uint8_t>(0x4A + count)).number(), refused.alarm << 16 | 0x1001U);
+  for (std::size_t axis = 0; axis <= unit.device.unit().axes().size(); ++axis) {
+    const auto alarms = unit.device.unit().object(static_cast<std::uint8_t>(axis + 1))->messages().alarms();
+    ASSERT_FALSE(alarms.empty()) << axis;
+    EXPECT_EQ(alarms.back().row->number, refused.alarm) << axis;
+    EXPECT_EQ(alarms.back().value, refused.value) << axis;
+  }
+}
+
+void expect_accepted(TestUnit& unit, const Write& write) {
+  EXPECT_EQ(unit.download(write.index, write.sub_index, write.value, write.size), 0U) << request(write);
+}
+
+/// No alarm is active, and the end of the last one was told.
+void expect_no_alarm(TestUnit& unit) {
+  EXPECT_EQ(unit.upload(0x1003, 0).number(), 0U);
+  EXPECT_EQ(unit.upload(0x1001).number(), 0U);
+}
+
+// The online mapping of the manual for axis 3: controlword, speed and torque in one RPDO. Each step is left out
+// once, each time with the refusal that belongs to it.
+TEST(PdoRules, LeadThroughTheOnlineMappingOfTheManual) {
+  TestUnit unit{unit_of(3)};
+  unit.start();
+  expect_accepted(unit, {0x1480, 1, 0x213});
+
+  unit.says("000#0105");
+  expect_refused(unit, {0x1480, 1, kInvalid | 0x213}, {0x08000022, 8754});
+  EXPECT_EQ(unit.says("000#8005"), Lines{"085#0000000000000000"}) << "the alarm ends with the NMT state";
+  expect_no_alarm(unit);
+
+  expect_refused(unit, {0x1680, 2, 0x70FF0020}, {0x08000022, 8757});
+  expect_accepted(unit, {0x1480, 1, kInvalid | 0x213});
+  expect_no_alarm(unit);
+  expect_refused(unit, {0x1680, 1, 0x60400010}, {0x06040041, 8755});
+  expect_accepted(unit, {0x1680, 1, 0x70400010});
+  expect_no_alarm(unit);
+  expect_accepted(unit, {0x1680, 2, 0x70FF0020});
+  expect_accepted(unit, {0x1680, 3, 0x70710010});
+  expect_refused(unit, {0x1680, 4, 0x59000010}, {0x06040042, 8756});
+  expect_refused(unit, {0x1480, 1, 0x305}, {0x06040043, 8759, 8700});
+  expect_accepted(unit, {0x1480, 1, 0x213});
+  expect_no_alarm(unit);
+
+  EXPECT_EQ(parameter(unit, 4, 8750, 0), 0x7040U);
+  EXPECT_EQ(parameter(unit, 4, 8750, 1), 0U);
+  EXPECT_EQ(parameter(unit, 4, 8760, 1), 0x70FFU);
+  EXPECT_EQ(parameter(unit, 4, 8760, 2), 0U);
+  EXPECT_EQ(parameter(unit, 4, 8750, 3), 0x7071U);
+  unit.says("000#0105");
+  unit.says("213#0600000080F4010C");
+  EXPECT_EQ(unit.upload(0x7040).number(), 0x0006U);
+  EXPECT_EQ(unit.upload(0x70FF).number(), 0xF4800000U);
+  EXPECT_EQ(unit.upload(0x7071).number(), 0x0C01U);
+}
+
+TEST(PdoRules, PlaceTheObjectsOfTheFirstAxisAsTheManualDoes) {
+  TestUnit unit;
+  unit.start();
+
+  EXPECT_EQ(parameter(unit, 2, 8750, 0), 0x6040U);
+  EXPECT_EQ(parameter(unit, 2, 8760, 1), 0x60FFU);
+  EXPECT_EQ(parameter(unit, 2, 8750, 3), 0x6071U);
+  EXPECT_EQ(parameter(unit, 2, 8751, 0), 0x6041U);
+  EXPECT_EQ(parameter(unit, 2, 8761, 1), 0x606CU);
+  EXPECT_EQ(parameter(unit, 2, 8751, 3), 0x6077U);
+  EXPECT_EQ(parameter(unit, 2, 8761, 4), 0x6063U);
+}
+
+TEST(PdoRules, AllowNoMoreThanTwentyFiveValidRpdos) {
+  TestUnit unit{unit_of(8)};
+  unit.start();
+  std::uint32_t valid = 4;  // of the predefined connection set
+  const auto rpdo = [](std::uint32_t number) {
+    return Write{static_cast<std::uint16_t>(0x1440 + number / 8 * 0x40 + number % 8), 1, 0x410 + number};
+  };
+  for (std::uint32_t number = 0; valid < 25; ++number, ++valid) {
+    EXPECT_EQ(parameter(unit, 1, 8742, 0), 25 - valid);
+    expect_accepted(unit, rpdo(number));
+  }
+
+  EXPECT_EQ(parameter(unit, 1, 8742, 0), 0U);
+  expect_refused(unit, rpdo(40), {0x06040047, 8758, 1});
+  expect_accepted(unit, {0x1403, 1, kInvalid | 0x505});
+  expect_no_alarm(unit);
+  expect_accepted(unit, rpdo(40));
+}
+
+TEST(PdoRules, AllowAsManyValidTpdosAsTheSamplingTimesLeaveTime) {
+  struct Case {
+    drive::ObjectKind kind;
+    std::uint32_t most;  // p8848 over p0115[0]: 4 ms over 125 us or 250 us
+  };
+  for (const auto& [kind, most] : {Case{drive::ObjectKind::Servo, 32}, Case{drive::ObjectKind::Vector, 16}}) {
+    TestUnit unit{unit_of(8, kind)};
+    unit.start();
+    const auto tpdo = [](std::uint32_t number) {
+      return Write{static_cast<std::uint16_t>(0x1840 + number / 8 * 0x40 + number % 8), 1, 0x210 + number};
+    };
+    for (std::uint32_t number = 0; number + 4 < most; ++number) {
+      EXPECT_EQ(parameter(unit, 1, 8742, 1), most - 4 - number);
+      expect_accepted(unit, tpdo(number));
+    }
+    EXPECT_EQ(parameter(unit, 1, 8742, 1), 0U);
+    expect_refused(unit, tpdo(50), {0x06040047, 8758, 2});
+  }
+}
+
+TEST(PdoRules, KeepAnAlarmUntilItIsCleared) {
+  const Write mapping{0x1600, 1, 0x60400010};
+  TestUnit unit{unit_of(2)};
+  unit.start();
+  const Refused refused{0x08000022, 8757};
+
+  expect_refused(unit, mapping, refused);
+  expect_accepted(unit, {0x1003, 0, 0, 1});
+  EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U) << "an alarm is not acknowledged";
+  EXPECT_EQ(unit.download(mapping.index, mapping.sub_index, mapping.value, 4), 0x08000022U);
+  EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U) << "it is the same alarm";
+
+  unit.says("000#0205");
+  unit.says("000#8005");
+  expect_no_alarm(unit);
+  expect_refused(unit, mapping, refused);
+  unit.says("000#8105");
+  expect_no_alarm(unit);
+  expect_refused(unit, mapping, refused);
+  unit.says("000#8205");
+  expect_no_alarm(unit);
+}
+
+TEST(PdoRules, EndWhereTheProcessDataOfAnAxisAreFull) {
+  TestUnit unit{unit_of(2)};
+  unit.start();
+  // 6040h, 60FFh and 6071h take four words of twenty.
+  for (std::uint32_t word = 0; word < 16; ++word)
+    expect_accepted(unit, {static_cast<std::uint16_t>(0x1644 + word / 4), static_cast<std::uint8_t>(word % 4 + 1),
+                           (0x5880 + word) << 16 | 0x10});
+  EXPECT_EQ(parameter(unit, 3, 8750, 4), 0x5880U);
+  EXPECT_EQ(parameter(unit, 3, 8750, 15), 0x588BU);
+  expect_accepted(unit, {0x1647, 4, 0});
+  expect_refused(unit, {0x1647, 4, 0x58A00020}, {0x06040047, 8760, 1});
+  expect_accepted(unit, {0x1647, 4, 0x60400010 + 0x08000000});  // has its place already
+  expect_no_alarm(unit);
+
+  // 6041h, 606Ch, 6077h and 6063h take six words of twenty-five.
+  for (std::uint32_t word = 0; word < 8; ++word)
+    expect_accepted(unit, {static_cast<std::uint16_t>(0x1A44 + word / 2), static_cast<std::uint8_t>(word % 2 + 1),
+                           (0x58B0 + word) << 16 | 0x20});
+  expect_accepted(unit, {0x1A40, 2, 0x58900010});
+  expect_accepted(unit, {0x1A40, 3, 0x58910010});
+  expect_accepted(unit, {0x1A40, 4, 0x58920010});
+  expect_refused(unit, {0x1A41, 3, 0x58930010}, {0x06040047, 8760, 2});
+}
+
+/// What facts and EDS let stand in a PDO of the first axis: objects and their lengths in bits.
+using Objects = std::set<std::pair<std::uint16_t, unsigned>>;
+
+Objects with_free(Objects objects, std::uint16_t words, std::uint16_t double_words) {
+  for (std::uint16_t i = 0; i < 16; ++i) objects.emplace(static_cast<std::uint16_t>(words + i), 16U);
+  for (std::uint16_t i = 0; i < 8; ++i) objects.emplace(static_cast<std::uint16_t>(double_words + i), 32U);
+  return objects;
+}
+const Objects kReceived =
+    with_free({{0x6040, 16}, {0x6042, 16}, {0x6060, 8}, {0x60FF, 32}, {0x6071, 16}}, 0x5800, 0x5820);
+const Objects kSent = with_free({{0x6041, 16},
+                                 {0x6043, 16},
+                                 {0x6044, 16},
+                                 {0x6061, 8},
+                                 {0x6063, 32},
+                                 {0x6069, 32},
+                                 {0x606B, 32},
+                                 {0x606C, 32},
+                                 {0x6074, 16},
+                                 {0x6077, 16}},
+                                0x5810, 0x5830);
+
+/// The object that @p index of the first axis is on @p axis.
+std::uint16_t on_axis(std::uint16_t index, std::size_t axis) {
+  return static_cast<std::uint16_t>(index + (index < 0x6000 ? 0x80 : 0x800) * (axis - 1));
+}
+
+TEST(PdoRules, LetEveryAxisMapItsOwnObjectsOnly) {
+  TestUnit unit{unit_of(8)};
+  unit.start();
+  std::size_t accepted = 0, refused = 0;
+  for (std::size_t axis = 1; axis <= 8; ++axis) {
+    for (const bool receives : {true, false}) {
+      const auto record = static_cast<std::uint16_t>((receives ? 0x1607 : 0x1A07) + 0x40 * (axis - 1));
+      const Objects& allowed = receives ? kReceived : kSent;
+      for (std::uint16_t first = 0x5800; first < 0x6100; first = first == 0x587F ? 0x6000 : first + 1) {
+        for (const unsigned bits : {8U, 16U, 32U}) {
+          const std::uint32_t entry = std::uint32_t{on_axis(first, axis)} << 16 | bits;
+          const bool mappable = allowed.contains({first, bits});
+          ASSERT_EQ(unit.download(record, 1, entry, 4), mappable ? 0U : 0x06040041U) << std::hex << entry;
+          ++(mappable ? accepted : refused);
+          if (mappable) EXPECT_EQ(unit.download(record, 1, entry | 0x100, 4), 0x06040041U) << "sub-index 1";
+        }
+        if (axis > 1 && allowed.contains({first, 16})) {
+          const std::uint32_t foreign = std::uint32_t{first} << 16 | 16;
+          ASSERT_EQ(unit.download(record, 1, foreign, 4), 0x06040041U) << std::hex << foreign;
+        }
+      }
+      expect_accepted(unit, {record, 1, 0});
+    }
+  }
+  EXPECT_EQ(accepted, 8 * (kReceived.size() + kSent.size()));
+  EXPECT_EQ(refused + accepted, 8U * 2 * 3 * (0x80 + 0x100));
+}
+
+TEST(PdoRules, HoldForEveryPdoOfEveryAxis) {
+  TestUnit unit{unit_of(8)};
+  unit.start();
+  for (std::size_t axis = 1; axis <= 8; ++axis) {
+    for (std::uint16_t place = 0; place < 8; ++place) {
+      for (const std::uint16_t base : {0x1400, 0x1800}) {
+        const auto record = static_cast<std::uint16_t>(base + 0x40 * (axis - 1) + place);
+        const auto mapping = static_cast<std::uint16_t>(record + 0x200);
+        const std::uint32_t object = on_axis(base == 0x1400 ? 0x6040 : 0x6041, axis);
+        SCOPED_TRACE(record);
+        expect_accepted(unit, {record, 1, kInvalid});
+        expect_accepted(unit, {mapping, 0, 0, 1});
+        expect_accepted(unit, {mapping, 1, object << 16 | 0x10});
+        expect_accepted(unit, {mapping, 0, 1, 1});
+        EXPECT_EQ(unit.download(mapping, 0, 2, 1), 0x06040041U) << "an empty entry";
+        EXPECT_EQ(unit.download(record, 1, 0x80, 4), 0x06040043U);
+        EXPECT_EQ(unit.upload(0x1003, 0).number(), 2U);
+        expect_accepted(unit, {record, 1, 0x6D0});
+        expect_no_alarm(unit);
+        EXPECT_EQ(unit.download(mapping, 1, 0, 4), 0x08000022U);
+        EXPECT_EQ(unit.download(record, 1, 0x6D1, 4), 0x08000022U);
+        unit.says("000#0105");
+        EXPECT_EQ(unit.download(record, 1, kInvalid, 4), 0x08000022U);
+        EXPECT_EQ(unit.download(record, 2, 1, 1), 0x08000022U);
+        EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U);
+        unit.says("000#8005");
+        expect_accepted(unit, {record, 1, kInvalid});
+        expect_no_alarm(unit);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace device
