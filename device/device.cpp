@@ -72,7 +72,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this},
       pdo_rules_{dictionary_, unit_, node_, *this},
-      process_data_parameters_{buffers_, pdo_rules_, parameters_} {
+      process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_} {
   apply_presets();
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) {

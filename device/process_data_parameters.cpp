@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "device/converters.hpp"
 #include "device/object_index.hpp"
 
 namespace device {
@@ -29,21 +30,23 @@ constexpr std::array kAnswered{
     Numbers{8860, 8860},
     Numbers{8863, 8863},
     Numbers{8867, 8867},
-    Numbers{8890, 8893},
+    Numbers{8889, 8895},
 };
 
 constexpr std::array kRemainingOf{pdo::Direction::Receive, pdo::Direction::Transmit};
 
 }  // namespace
 
-ProcessDataParameters::ProcessDataParameters(const std::deque<ProcessDataBuffers>& buffers, PdoRules& rules,
+ProcessDataParameters::ProcessDataParameters(const drive::DriveUnit& unit,
+                                             const std::deque<ProcessDataBuffers>& buffers, PdoRules& rules,
                                              UnitParameters& parameters)
-    : buffers_{buffers}, rules_{rules} {
+    : unit_{unit}, buffers_{buffers}, rules_{rules} {
   for (const Numbers& numbers : kAnswered) parameters.answer(numbers.first, numbers.last, *this);
 }
 
 std::optional<double> ProcessDataParameters::value_of(const ParameterPlace& place) const noexcept {
   if (place.row.number == kRemaining) return static_cast<double>(rules_.remaining(kRemainingOf[place.index]));
+  if (const auto converted = converter_value(unit_, place)) return converted;
   const std::size_t module = place.object.context().module;
   const bool of_axis = place.object.kind() != drive::ObjectKind::ControlUnit && module < buffers_.size();
   return of_axis ? buffers_[module].value_of(place.row.number, place.index) : std::nullopt;

@@ -51,6 +51,14 @@ const DriveObject* connected_object(const DriveUnit& unit, const DriveObject& ow
   return source.object == kOwnObject ? &own : unit.object(source.object);
 }
 
+bool connected_bit(const DriveUnit& unit, const DriveObject& own, std::uint32_t packed) noexcept {
+  if (packed <= kHighestConstant) return packed != 0;
+  const BicoSource source = unpack(packed);
+  const DriveObject* const object = connected_object(unit, own, source);
+  const double word = object != nullptr ? object->read(source.number).value_or(0.0) : 0.0;
+  return (static_cast<std::uint64_t>(static_cast<std::int64_t>(word)) >> source.position & 1) != 0;
+}
+
 double connected_value(const DriveUnit& unit, const DriveObject& own, std::uint32_t packed, double full) noexcept {
   if (packed <= kHighestConstant) return packed * full;
   const BicoSource source = unpack(packed);

@@ -11,6 +11,9 @@ namespace drive {
 /// without unit as it is, process data relative to their own 100 %. An input that is not connected brings 0.
 double connected_value(const DriveUnit& unit, const DriveObject& own, std::uint32_t packed, double full) noexcept;
 
+/// Whether the binector input of @p own that holds @p packed gets 1.
+bool connected_bit(const DriveUnit& unit, const DriveObject& own, std::uint32_t packed) noexcept;
+
 /// The drive object that the connector or binector input of @p own with @p source is connected to, or nullptr.
 const DriveObject* connected_object(const DriveUnit& unit, const DriveObject& own,
                                     const BicoSource& source) noexcept;

@@ -119,6 +119,32 @@ TEST(ProcessDataBuffers, TellTheHighestWordThatIsConnected) {
   EXPECT_EQ(unit.parameter(2, 8867, 1), 25);
 }
 
+TEST(Converters, MakeWordsOfBits) {
+  ProcessDataUnit unit{2};
+  unit.start();
+  ASSERT_EQ(unit.write(0x6040, 0, 0x0081), 0U);  // of axis 1
+  ASSERT_TRUE(unit.set_parameter(3, 8880, 0, 1.0));
+  ASSERT_TRUE(unit.set_parameter(3, 8880, 3, drive::pack({8890, 2, 7})));
+  ASSERT_TRUE(unit.set_parameter(3, 8880, 15, drive::pack({8890, 2, 6})));
+  EXPECT_EQ(unit.parameter(3, 8889, 0), 0x0009);
+
+  ASSERT_TRUE(unit.set_parameter(3, 8888, 0, 0x8001));
+  EXPECT_EQ(unit.parameter(3, 8889, 0), 0x8008);
+  EXPECT_EQ(unit.parameter(3, 8889, 4), 0x0000);
+}
+
+TEST(Converters, GiveTheBitsOfWords) {
+  ProcessDataUnit unit{1};
+  unit.start();
+  ASSERT_EQ(unit.write(0x6040, 0, 0xC081), 0U);
+  ASSERT_TRUE(unit.set_parameter(1, 8899, 1, drive::pack({8890, 2, 0})));
+  EXPECT_EQ(unit.parameter(1, 8895), 0xC081);
+  ASSERT_TRUE(unit.set_parameter(1, 8898, 1, 0x00FF));
+  EXPECT_EQ(unit.parameter(1, 8895), 0xC07E);
+  ASSERT_TRUE(unit.set_parameter(1, 8899, 0, drive::own_source(8894, 0)));
+  EXPECT_EQ(unit.parameter(1, 8894), 0) << "a converter behind a converter";
+}
+
 TEST(ControlwordWiring, NeedsTheControlwordInTheFirstFourWords) {
   ProcessDataUnit unit{1};
   unit.start();

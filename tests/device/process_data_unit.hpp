@@ -61,7 +61,7 @@ class ProcessDataUnit final : private PdoListener, private canopen::Application 
   PdoRules rules{dictionary, unit, node, *this};
   std::deque<ProcessDataBuffers> buffers;
   std::deque<FreeObjects> free_objects;
-  ProcessDataParameters process_data_parameters{buffers, rules, parameters};
+  ProcessDataParameters process_data_parameters{unit, buffers, rules, parameters};
 
  private:
   void on_mapping_changed(std::size_t axis) noexcept override { buffers[axis - 1].invalidate(); }
