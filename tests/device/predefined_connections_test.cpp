@@ -1,3 +1,5 @@
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "tests/device/process_data_unit.hpp"
@@ -105,7 +107,8 @@ TEST(PdoLimit, MakesWhatNoMasterHasWrittenInvalidInTheOrderOfNumbers) {
 }
 
 TEST(PdoAlarms, EndWithP2111OfAnyDriveObject) {
-  for (const std::uint8_t object : {1, 2, 3}) {
+  constexpr std::array<std::uint8_t, 3> kObjects{1, 2, 3};
+  for (const std::uint8_t object : kObjects) {
     ProcessDataUnit unit{2};
     unit.start();
     ASSERT_EQ(unit.write(0x1600, 1, 0x60400010), 0x08000022U);
@@ -114,7 +117,7 @@ TEST(PdoAlarms, EndWithP2111OfAnyDriveObject) {
     EXPECT_FALSE(unit.unit.write(object, 2111, 0, {drive::DataType::U16, 1}));
     EXPECT_EQ(unit.alarms(), std::vector<std::uint16_t>{8757});
     EXPECT_TRUE(unit.unit.write(object, 2111, 0, {drive::DataType::U16, 0}));
-    for (const std::uint8_t each : {1, 2, 3}) EXPECT_TRUE(unit.unit.object(each)->messages().alarms().empty());
+    for (const std::uint8_t each : kObjects) EXPECT_TRUE(unit.unit.object(each)->messages().alarms().empty());
   }
 }
 
