@@ -208,7 +208,7 @@ TEST(PdoRules, EndWhereTheProcessDataOfAnAxisAreFull) {
   EXPECT_EQ(parameter(unit, 3, 8750, 4), 0x5880U);
   EXPECT_EQ(parameter(unit, 3, 8750, 15), 0x588BU);
   expect_accepted(unit, {0x1647, 4, 0});
-  expect_refused(unit, {0x1647, 4, 0x58A00020}, {0x06040047, 8760, 1});
+  expect_refused(unit, {0x1640, 2, 0x58A00020}, {0x06040047, 8760, 1});
   expect_accepted(unit, {0x1647, 4, 0x60400010 + 0x08000000});  // has its place already
   expect_no_alarm(unit);
 
