@@ -72,7 +72,10 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
-      node_{dictionary_, policy_of(configuration), sink, *this} {
+      node_{dictionary_, policy_of(configuration), sink, *this},
+      communication_{unit_, parameters_, node_},
+      window_{unit_, parameters_, *this} {
+  node_.show(window_);
   apply_presets();
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
@@ -96,12 +99,29 @@ void Device::start(canopen::TimePoint now) noexcept {
     for (AxisObjects& axis : axes_) axis.publish();
   }
   tell_time(now);
+  communication_.on_bus_state(BusState::Active);
+  error_objects_.set_bus_off(false);
+  communication_.set_start_state();
   node_.start(now);
+  error_objects_.update(node_);
 }
 
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   now_ = now;
   node_.on_frame(frame, now);
+  if (parameter_written_) follow_parameters();
+}
+
+void Device::on_parameter_written(std::uint8_t object) noexcept {
+  parameter_written_ = true;
+  if (object >= drive::kFirstAxisNumber) axes_[object - drive::kFirstAxisNumber].wake();
+}
+
+/// What the written parameters command besides their own effect, now that the answer is out.
+void Device::follow_parameters() noexcept {
+  parameter_written_ = false;
+  publish();
+  if (const auto command = communication_.take_command()) node_.command(*command, now_);
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
@@ -169,9 +189,32 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
+  show_messages();
+}
+
+/// From within a call of the node, where TPDOs must not be judged yet: the cycle that follows does that.
+void Device::show_messages() noexcept {
   error_objects_.update(node_);
   for (AxisObjects& axis : axes_) axis.publish();
   wake();
+}
+
+void Device::on_communication_error(canopen::CommunicationError error, std::uint16_t) noexcept {
+  if (error != canopen::CommunicationError::LifeGuarding) return;
+  tell_time(now_);
+  communication_.on_life_time_over();
+  show_messages();
+}
+
+void Device::on_bus_state(BusState state, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  const bool is_back = communication_.on_bus_state(state);
+  error_objects_.set_bus_off(communication_.is_bus_off());
+  wake();
+  publish();
+  if (!is_back) return;
+  node_.report(canopen::CommunicationError::BusOffRecovered, now);
+  node_.report_recovery(canopen::CommunicationError::BusOffRecovered, now);
 }
 
 /// F08701 on every axis; the control unit has no part in it.
@@ -187,6 +230,7 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
     unit_.restore_parameters();
     apply_presets();
   }
+  communication_.set_start_state();
   for (AxisObjects& axis : axes_) axis.publish();  // the dictionary holds its initial values
 }
 

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "device/axis_objects.hpp"
+#include "device/communication.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
 #include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
+#include "device/parameter_window.hpp"
 #include "device/sdo_identifiers.hpp"
 #include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
@@ -55,7 +57,10 @@ class Listener {
 /// The drive unit as a CANopen node: control unit and axes behind the objects of CiA 301 and CiA 402. It is fed
 /// frames and time and hands its frames to a sink; nothing in it reads a clock, blocks or, after construction,
 /// allocates. Axes are counted from 1; where a function takes one, 0 is the control unit.
-class Device final : private canopen::Application, private canopen::EntryOwner, private AxisListener {
+class Device final : private canopen::Application,
+                     private canopen::EntryOwner,
+                     private AxisListener,
+                     private WindowListener {
  public:
   /// Process-data cycle p8848.
   static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
@@ -87,6 +92,9 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   /// Sets the load torque of @p axis (1..axes; N·m, positive against positive rotation).
   void set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept;
 
+  /// The CAN controller is in error state @p state now.
+  void on_bus_state(BusState state, canopen::TimePoint now) noexcept;
+
   const canopen::Node& node() const noexcept { return node_; }
   const drive::DriveUnit& unit() const noexcept { return unit_; }
   /// Axis @p number (1..axes).
@@ -105,12 +113,17 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
+  void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
+  void on_parameter_access() noexcept override { tell_time(now_); }
+  void on_parameter_written(std::uint8_t object) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
   void publish() noexcept;
+  void show_messages() noexcept;
+  void follow_parameters() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
   void apply_presets() noexcept;
@@ -128,10 +141,13 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   ErrorControl error_control_;
   SdoIdentifiers sdo_identifiers_;
   canopen::Node node_;
+  Communication communication_;
+  ParameterWindow window_;
   canopen::TimePoint started_{};     ///< when the unit was switched on
   canopen::TimePoint now_{};         ///< as last told
   canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
   bool resting_ = true;              ///< every axis is idle
+  bool parameter_written_ = false;   ///< within a call into the node: what follows from it comes after it
   std::uint64_t skipped_cycles_ = 0;
 };
 
