@@ -50,8 +50,7 @@ bool Communication::on_bus_state(BusState state) noexcept {
   if (state == BusState::Passive)
     static_cast<void>(unit_.raise(drive::kControlUnitNumber, kErrorPassive, 0, drive::Cause::Present));
   if (state == BusState::Off)
-    static_cast<void>(
-        unit_.raise(drive::kControlUnitNumber, kCommunicationError, kBusOff, drive::Cause::Present));
+    static_cast<void>(unit_.raise(drive::kControlUnitNumber, kCommunicationError, kBusOff, drive::Cause::Present));
   if (before != BusState::Off) return false;
   unit_.withdraw(drive::kControlUnitNumber, kCommunicationError);
   return true;

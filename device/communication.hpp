@@ -15,8 +15,8 @@ namespace device {
 /// Error state of the CAN controller (ISO 11898-1), as far as the unit tells it apart.
 enum class BusState : std::uint8_t { Active, Passive, Off };
 
-/// What the unit makes of NMT and of errors of the bus: the parameters p8608, p8684 and p8685, the fault F08700 and
-/// the alarm A08752.
+/// What the unit makes of NMT and of errors of the bus: the parameters p8608, p8684 and p8685, the fault F08700
+/// and the alarm A08752.
 class Communication final : public ParameterOwner {
  public:
   /// Answers in @p parameters for p8608 and p8685; all arguments must outlive this.
@@ -24,8 +24,8 @@ class Communication final : public ParameterOwner {
 
   /// p8684 holds for the next boot-up.
   void set_start_state() noexcept;
-  /// The NMT command that was written to p8685 since the last call, if any; it is to be carried out when the answer
-  /// to the write is out.
+  /// The NMT command that was written to p8685 since the last call, if any; it is to be carried out when the
+  /// answer to the write is out.
   std::optional<canopen::NmtCommand> take_command() noexcept { return std::exchange(command_, std::nullopt); }
 
   /// The life time of node guarding is over: F08700 with value 2.

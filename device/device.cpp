@@ -23,6 +23,7 @@ constexpr canopen::Policy kPolicy{
     .error_keeping = canopen::ErrorKeeping::Owner,
     .extended_identifiers = false,
     .sdo_block = false,
+    .predefined_sdo_identifiers = true,
     .pdo_changes_in_operational = false,  // A08754
     .count_follows_entries = true,
     .tpdo_requests = false,

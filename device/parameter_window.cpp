@@ -102,8 +102,7 @@ canopen::Result<void> ParameterWindow::write(std::uint8_t server, std::uint16_t 
   static_cast<void>(parameters_.take_refusal());
   const drive::ParameterValue number{row.type, number_in(value.first(size))};
   const auto written = unit_.write(wanted->object, wanted->number, wanted->index, number);
-  if (!written)
-    return canopen::refuse(parameters_.take_refusal().value_or(abort_code(written.error().reason)));
+  if (!written) return canopen::refuse(parameters_.take_refusal().value_or(abort_code(written.error().reason)));
   listener_.on_parameter_written(wanted->object);
   return {};
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "libcanopen/base/little_endian.hpp"
 #include "tests/device/test_unit.hpp"
@@ -15,8 +16,8 @@ constexpr std::uint16_t object_of(std::uint16_t number) {
   return static_cast<std::uint16_t>(0x2000 + number);
 }
 
-/// The identifiers that the manual suggests for the server of drive object @p object of node 5, moved up where they
-/// would collide with nothing.
+/// The identifiers that the manual suggests for the server of drive object @p object of node 5, moved up where
+/// they would collide with nothing.
 constexpr SdoServerIds server_of(unsigned object) {
   return {0x610 + object, 0x590 + object};
 }
@@ -69,7 +70,7 @@ TEST(SdoServers, ShowTheirOwnDriveObjectAndThreeObjects) {
     EXPECT_EQ(unit.upload(0x1018, 1, server).number(), 0x06000053U);
     EXPECT_EQ(unit.upload(0x1018, 5, server).abort_code, kNoSubIndex);
     EXPECT_EQ(unit.upload(object_of(8612), 0, server).number(), server.request);
-    for (const std::uint16_t index : {0x1008, 0x1017, 0x1201, 0x1400, 0x5800, 0x6041})
+    for (const std::uint16_t index : std::vector<std::uint16_t>{0x1008, 0x1017, 0x1201, 0x1400, 0x5800, 0x6041})
       EXPECT_EQ(unit.upload(index, 0, server).abort_code, kNoObject) << object << ": " << index;
     const bool is_axis = object > 1;
     EXPECT_EQ(unit.upload(object_of(1120), 0, server).abort_code, is_axis ? 0U : kNoObject);
@@ -162,7 +163,8 @@ TEST(SdoServers, KeepNineTransfersApart) {
   EXPECT_EQ(asks(0, frame_to(ids_of(0), 0x40, 0x1008)).data[0], 0x41);
   for (unsigned server = 1; server <= 8; ++server)
     EXPECT_EQ(asks(server, frame_to(ids_of(server), 0x21, object_of(1120), 4)).data[0], 0x60) << server;
-  EXPECT_EQ(asks(0, frame_to(ids_of(0), 0x60, 0)).data, (std::array<std::uint8_t, 8>{0, 'S', 'I', 'N', 'A', 'M', 'I', 'C'}));
+  EXPECT_EQ(asks(0, frame_to(ids_of(0), 0x60, 0)).data,
+            (std::array<std::uint8_t, 8>{0, 'S', 'I', 'N', 'A', 'M', 'I', 'C'}));
   for (unsigned server = 8; server >= 1; --server) {
     EXPECT_NE(unit.device.axis(server).read(1120).value(), time);
     EXPECT_EQ(asks(server, {.id = ids_of(server).request, .length = 8, .data = segment}).data[0], 0x20) << server;
