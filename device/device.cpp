@@ -23,6 +23,7 @@ constexpr canopen::Policy kPolicy{
     .error_keeping = canopen::ErrorKeeping::Owner,
     .extended_identifiers = false,
     .sdo_block = false,
+    .predefined_sdo_identifiers = true,
     .pdo_changes_in_operational = false,  // A08754
     .count_follows_entries = true,
     .tpdo_requests = false,
@@ -72,14 +73,17 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this},
       pdo_rules_{dictionary_, unit_, node_, *this},
-      process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_} {
-  apply_presets();
-  AxisListener& listener_of_axes = *this;
-  for (drive::Axis& axis : unit_.axes()) {
-    axes_.emplace_back(dictionary_, axis, listener_of_axes);
+      process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_},
+      communication_{unit_, parameters_, node_},
+      window_{unit_, parameters_, *this} {
+  node_.show(window_);
+  for (const drive::Axis& axis : unit_.axes()) {
     buffers_.emplace_back(dictionary_, unit_, axis, node_);
     free_objects_.emplace_back(dictionary_, unit_, axis, buffers_.back());
   }
+  apply_presets();
+  AxisListener& listener_of_axes = *this;
+  for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
@@ -101,13 +105,35 @@ void Device::start(canopen::TimePoint now) noexcept {
     show_values();
   }
   tell_time(now);
+  communication_.on_bus_state(BusState::Active);
+  error_objects_.set_bus_off(false);
+  communication_.set_start_state();
   node_.start(now);
+  error_objects_.update(node_);
 }
 
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   now_ = now;
   node_.on_frame(frame, now);
+  if (parameter_written_) follow_parameters();
   if (alarm_changed_) publish();
+}
+
+void Device::on_pdo_alarm() noexcept {
+  tell_time(now_);
+  alarm_changed_ = true;
+}
+
+void Device::on_parameter_written(std::uint8_t object) noexcept {
+  parameter_written_ = true;
+  if (object >= drive::kFirstAxisNumber) axes_[object - drive::kFirstAxisNumber].wake();
+}
+
+/// What the written parameters command besides their own effect, now that the answer is out.
+void Device::follow_parameters() noexcept {
+  parameter_written_ = false;
+  publish();
+  if (const auto command = communication_.take_command()) node_.command(*command, now_);
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
@@ -187,9 +213,32 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
   if (from != canopen::NmtState::Initialising) pdo_rules_.end_alarms();
+  show_messages();
+}
+
+/// From within a call of the node, where TPDOs must not be judged yet: the cycle that follows does that.
+void Device::show_messages() noexcept {
   error_objects_.update(node_);
   show_values();
   wake();
+}
+
+void Device::on_communication_error(canopen::CommunicationError error, std::uint16_t) noexcept {
+  if (error != canopen::CommunicationError::LifeGuarding) return;
+  tell_time(now_);
+  communication_.on_life_time_over();
+  show_messages();
+}
+
+void Device::on_bus_state(BusState state, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  const bool is_back = communication_.on_bus_state(state);
+  error_objects_.set_bus_off(communication_.is_bus_off());
+  wake();
+  publish();
+  if (!is_back) return;
+  node_.report(canopen::CommunicationError::BusOffRecovered, now);
+  node_.report_recovery(canopen::CommunicationError::BusOffRecovered, now);
 }
 
 /// F08701 on every axis; the control unit has no part in it.
@@ -205,6 +254,7 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
     unit_.restore_parameters();
     apply_presets();
   }
+  communication_.set_start_state();
   pdo_rules_.limit();
   invalidate_buffers();
   show_values();  // the dictionary holds its initial values

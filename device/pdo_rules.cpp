@@ -159,8 +159,8 @@ void PdoRules::raise_for(AbortCode code, const pdo::Record& record) noexcept {
 }
 
 void PdoRules::raise(std::uint16_t alarm, std::uint32_t value) noexcept {
-  static_cast<void>(unit_.raise(drive::kControlUnitNumber, alarm, value, drive::Cause::Latched));
   listener_.on_pdo_alarm();
+  static_cast<void>(unit_.raise(drive::kControlUnitNumber, alarm, value, drive::Cause::Latched));
 }
 
 void PdoRules::end_alarms() noexcept {
@@ -168,10 +168,11 @@ void PdoRules::end_alarms() noexcept {
 }
 
 void PdoRules::end_alarm(std::uint16_t number) noexcept {
-  const drive::FaultMemory& messages = unit_.object(drive::kControlUnitNumber)->messages();
-  const std::uint32_t before = messages.change_count();
+  const auto alarms = unit_.object(drive::kControlUnitNumber)->messages().alarms();
+  const auto is_it = [=](const drive::FaultEntry& alarm) { return alarm.row->number == number; };
+  if (std::ranges::none_of(alarms, is_it)) return;
+  listener_.on_pdo_alarm();
   unit_.withdraw(drive::kControlUnitNumber, number);
-  if (messages.change_count() != before) listener_.on_pdo_alarm();
 }
 
 Result<void> PdoRules::write(const canopen::Entry& entry, std::int64_t value) {

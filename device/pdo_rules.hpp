@@ -15,7 +15,7 @@ class PdoListener {
   virtual ~PdoListener() = default;
   /// A mapping of @p axis (from 1) is about to change.
   virtual void on_mapping_changed(std::size_t axis) noexcept = 0;
-  /// An alarm of the control unit has come or gone.
+  /// An alarm of the control unit is about to come or to go.
   virtual void on_pdo_alarm() noexcept = 0;
 };
 

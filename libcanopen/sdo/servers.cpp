@@ -12,6 +12,16 @@ constexpr std::uint16_t kObjects = 128;
 constexpr std::uint8_t kRequest = 1;   ///< COB-ID client to server
 constexpr std::uint8_t kResponse = 2;  ///< COB-ID server to client
 
+constexpr std::uint32_t kLastNodeId = 127;
+
+/// True for an identifier that the pre-defined connection set gives to the SDOs of a node, in the direction of
+/// @p sub_index.
+constexpr bool is_predefined(std::uint8_t sub_index, std::uint32_t cob_id) noexcept {
+  const Identifier base = sub_index == kRequest ? function_code::kSdoRequest : function_code::kSdoResponse;
+  const Identifier identifier = cob_id & (cob_id::kExtended | cob_id::kLong);
+  return identifier > base && identifier <= base + kLastNodeId;
+}
+
 constexpr bool is_valid(std::uint32_t cob_id) noexcept {
   return (cob_id & cob_id::kInvalid) == 0;
 }
@@ -60,11 +70,11 @@ void SdoServers::reload() noexcept {
 
 /// True if the server at @p position only waits for an identifier, and may have the other one if there is one.
 bool SdoServers::is_incomplete(std::size_t position, CobIds stored) const noexcept {
-  const auto may_stay = [=, this](std::uint32_t cob_id) {
-    return !is_valid(cob_id) || is_allowed(position, cob_id);
+  const auto may_stay = [=, this](std::uint8_t sub_index, std::uint32_t cob_id) {
+    return !is_valid(cob_id) || may_have(position, sub_index, cob_id);
   };
-  return !(is_valid(stored.request) && is_valid(stored.response)) && may_stay(stored.request) &&
-         may_stay(stored.response);
+  return !(is_valid(stored.request) && is_valid(stored.response)) && may_stay(kRequest, stored.request) &&
+         may_stay(kResponse, stored.response);
 }
 
 /// Shows that the server at @p position does not exist, so that a client gives it other identifiers.
@@ -105,8 +115,8 @@ bool SdoServers::is_possible(std::size_t position, CobIds wanted) const noexcept
     const Identifier theirs[] = {server.request_identifier(), server.response_identifier()};
     return std::ranges::count(theirs, request) != 0 || std::ranges::count(theirs, response) != 0;
   };
-  return request != response && is_allowed(position, wanted.request) && is_allowed(position, wanted.response) &&
-         std::ranges::none_of(servers_, collides);
+  return request != response && may_have(position, kRequest, wanted.request) &&
+         may_have(position, kResponse, wanted.response) && std::ranges::none_of(servers_, collides);
 }
 
 /// True for what the pre-defined connection set gives to the first server: kept for it, and for nobody else.
@@ -116,8 +126,19 @@ bool SdoServers::is_default(std::size_t position, Identifier identifier) const n
                            identifier == function_code::kSdoResponse + node_id);
 }
 
-bool SdoServers::is_allowed(std::size_t position, std::uint32_t cob_id) const noexcept {
-  return is_default(position, cob_id) || is_assignable(cob_id, context_.policy.extended_identifiers);
+bool SdoServers::is_allowed(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
+  const bool is_further = context_.policy.predefined_sdo_identifiers && position != 0;
+  return is_default(position, cob_id) || is_assignable(cob_id, context_.policy.extended_identifiers) ||
+         (is_further && is_predefined(sub_index, cob_id));
+}
+
+/// True for what is left to the first server, whether that uses it or not.
+bool SdoServers::is_kept(std::size_t position, Identifier identifier) const noexcept {
+  return position != 0 && is_default(0, identifier);
+}
+
+bool SdoServers::may_have(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
+  return is_allowed(position, sub_index, cob_id) && !is_kept(position, identifier_in(cob_id));
 }
 
 Result<void> SdoServers::write(const Entry& entry, std::int64_t value) {
@@ -132,7 +153,7 @@ Result<void> SdoServers::write(const Entry& entry, std::int64_t value) {
 
 Result<void> SdoServers::check(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
   if (!is_valid(cob_id)) return {};
-  if (!is_allowed(position, cob_id)) return refuse(AbortCode::InvalidValue);
+  if (!is_allowed(position, sub_index, cob_id)) return refuse(AbortCode::InvalidValue);
   const CobIds present = cob_ids(position);
   const bool is_request = sub_index == kRequest;
   const Identifier wanted = identifier_in(cob_id);
@@ -140,7 +161,8 @@ Result<void> SdoServers::check(std::size_t position, std::uint8_t sub_index, std
   const Identifier other = valid_identifier(is_request ? present.response : present.request);
   if (own != 0) return wanted == own ? Result<void>{} : refuse(AbortCode::DeviceState);
   const auto is_taken = [&](Identifier identifier) {
-    return !is_default(position, identifier) && context_.identifiers.is_used(identifier);
+    if (is_default(position, identifier)) return false;
+    return is_kept(position, identifier) || context_.identifiers.is_used(identifier);
   };
   const bool collides = wanted == other || is_taken(wanted) || (other != 0 && is_taken(other));
   return collides ? refuse(AbortCode::ParameterIncompatible) : Result<void>{};

@@ -52,7 +52,9 @@ class CANOPEN_EXPORT SdoServers final : public EntryOwner {
   void mark_invalid(std::size_t position) noexcept;
   bool is_possible(std::size_t position, CobIds wanted) const noexcept;
   bool is_default(std::size_t position, Identifier identifier) const noexcept;
-  bool is_allowed(std::size_t position, std::uint32_t cob_id) const noexcept;
+  bool is_allowed(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
+  bool is_kept(std::size_t position, Identifier identifier) const noexcept;
+  bool may_have(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
   Result<void> check(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
   void connect(std::size_t position, CobIds wanted) noexcept;
 

@@ -116,6 +116,9 @@ TEST(PdoRules, LeadThroughTheOnlineMappingOfTheManual) {
   EXPECT_EQ(parameter(unit, 4, 8760, 1), 0x70FFU);
   EXPECT_EQ(parameter(unit, 4, 8760, 2), 0U);
   EXPECT_EQ(parameter(unit, 4, 8750, 3), 0x7071U);
+  expect_accepted(unit, {0x41B6, 0, 4, 2});  // the parameters of drive object 4 from 2000h
+  EXPECT_EQ(unit.upload(0x2000 + 8750, 3).number(), 0x7071U);
+  EXPECT_EQ(unit.upload(0x2000 + 8760, 1).number(), 0x70FFU);
   unit.says("000#0105");
   unit.says("213#0600000080F4010C");
   EXPECT_EQ(unit.upload(0x7040).number(), 0x0006U);
@@ -220,6 +223,25 @@ TEST(PdoRules, EndWhereTheProcessDataOfAnAxisAreFull) {
   expect_accepted(unit, {0x1A40, 3, 0x58910010});
   expect_accepted(unit, {0x1A40, 4, 0x58920010});
   expect_refused(unit, {0x1A41, 3, 0x58930010}, {0x06040047, 8760, 2});
+}
+
+TEST(PdoRules, HoldForParametersAsForObjects) {
+  TestUnit unit{unit_of(2)};
+  unit.start();
+  expect_accepted(unit, {0x41B6, 0, 2, 2});
+  const auto parameter_at = [](std::uint16_t number) { return static_cast<std::uint16_t>(0x2000 + number); };
+
+  expect_refused(unit, {parameter_at(8713), 1, 0x60FF0020}, {0x08000022, 8757});
+  expect_accepted(unit, {parameter_at(8703), 0, kInvalid});
+  expect_no_alarm(unit);
+  expect_refused(unit, {parameter_at(8713), 3, 0x68FF0020}, {0x06040041, 8755});
+  expect_refused(unit, {parameter_at(8703), 0, 0x305}, {0x06040043, 8759, 8703});
+  EXPECT_EQ(unit.upload(parameter_at(8741)).number(), 0U);
+  expect_accepted(unit, {parameter_at(8741), 0, 1, 2});
+  expect_no_alarm(unit);
+  EXPECT_EQ(unit.upload(0x1403, 1).number(), 0x505U);
+  unit.says("000#0105");
+  expect_refused(unit, {parameter_at(8741), 0, 1, 2}, {0x08000022, 8754});
 }
 
 /// What facts and EDS let stand in a PDO of the first axis: objects and their lengths in bits.

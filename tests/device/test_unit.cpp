@@ -19,7 +19,7 @@ constexpr std::uint8_t kToggle = 0x10;
 constexpr std::uint8_t kLast = 0x01;
 
 Frame request(std::uint8_t command, std::uint16_t index, std::uint8_t sub_index, std::uint32_t value = 0) {
-  Frame frame{.id = 0x605, .length = 8};
+  Frame frame{.length = 8};
   frame.data[0] = command;
   canopen::store(&frame.data[1], index);
   frame.data[3] = sub_index;
@@ -114,18 +114,19 @@ void TestUnit::expect_dialogue(std::initializer_list<Exchange> exchanges) {
   }
 }
 
-Frame TestUnit::asks(const Frame& request) {
+Frame TestUnit::asks(Frame request, const SdoServerIds& server) {
+  request.id = server.request;
   device.on_frame(request, now);
   const std::vector<Frame> answers = bus.take();
-  const auto answer = std::ranges::find(answers, 0x585U, &Frame::id);
+  const auto answer = std::ranges::find(answers, server.response, &Frame::id);
   if (answer != answers.end()) return *answer;
   ADD_FAILURE() << "no answer to " << fakes::candump(request);
   return {.data = {kAbort}};
 }
 
-Upload TestUnit::upload(std::uint16_t index, std::uint8_t sub_index) {
+Upload TestUnit::upload(std::uint16_t index, std::uint8_t sub_index, const SdoServerIds& server) {
   Upload result;
-  Frame answer = asks(request(0x40, index, sub_index));
+  Frame answer = asks(request(0x40, index, sub_index), server);
   const auto word = canopen::load<std::uint32_t>(&answer.data[4]);
   if (answer.data[0] == kAbort) return {.abort_code = word};
   if ((answer.data[0] & kExpedited) != 0) {
@@ -135,7 +136,7 @@ Upload TestUnit::upload(std::uint16_t index, std::uint8_t sub_index) {
   }
   std::uint8_t toggle = 0;
   do {
-    answer = asks(request(static_cast<std::uint8_t>(0x60 | toggle), 0, 0));
+    answer = asks(request(static_cast<std::uint8_t>(0x60 | toggle), 0, 0), server);
     if (answer.data[0] == kAbort) return {.abort_code = canopen::load<std::uint32_t>(&answer.data[4])};
     const auto unused = static_cast<std::ptrdiff_t>(answer.data[0] >> 1 & 7);
     result.bytes.insert(result.bytes.end(), answer.data.begin() + 1, answer.data.end() - unused);
@@ -145,9 +146,10 @@ Upload TestUnit::upload(std::uint16_t index, std::uint8_t sub_index) {
   return result;
 }
 
-std::uint32_t TestUnit::download(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value, unsigned size) {
+std::uint32_t TestUnit::download(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value, unsigned size,
+                                 const SdoServerIds& server) {
   const auto command = static_cast<std::uint8_t>(0x23U | (4 - size) << 2);
-  const Frame answer = asks(request(command, index, sub_index, value));
+  const Frame answer = asks(request(command, index, sub_index, value), server);
   return answer.data[0] == kAbort ? canopen::load<std::uint32_t>(&answer.data[4]) : 0;
 }
 

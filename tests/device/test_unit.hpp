@@ -36,6 +36,12 @@ struct Exchange {
   std::string_view request, answer;
 };
 
+/// The identifiers of an SDO server, of the default one unless said otherwise.
+struct SdoServerIds {
+  std::uint32_t request = 0x605;
+  std::uint32_t response = 0x585;
+};
+
 /// What an SDO upload brought.
 struct Upload {
   std::uint32_t abort_code = 0;  ///< 0 = none
@@ -83,9 +89,10 @@ class TestUnit {
   /// Plays @p exchanges in order and compares every answer.
   void expect_dialogue(std::initializer_list<Exchange> exchanges);
   /// Reads an object over SDO, in segments if it is longer than four bytes.
-  Upload upload(std::uint16_t index, std::uint8_t sub_index = 0);
+  Upload upload(std::uint16_t index, std::uint8_t sub_index = 0, const SdoServerIds& server = {});
   /// Writes an object of @p size bytes over SDO; 0 or the abort code.
-  std::uint32_t download(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value, unsigned size);
+  std::uint32_t download(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value, unsigned size,
+                         const SdoServerIds& server = {});
 
   /// 6041h as read over SDO.
   std::uint16_t statusword() { return static_cast<std::uint16_t>(upload(0x6041).number()); }
@@ -102,7 +109,7 @@ class TestUnit {
 
  private:
   Lines sent();
-  canopen::Frame asks(const canopen::Frame& request);
+  canopen::Frame asks(canopen::Frame request, const SdoServerIds& server);
 };
 
 /// Those of @p lines that come from @p identifier, such as "185#".
