@@ -213,6 +213,8 @@ TEST(PdoRules, EndWhereTheProcessDataOfAnAxisAreFull) {
   expect_accepted(unit, {0x1647, 4, 0});
   expect_refused(unit, {0x1640, 2, 0x58A00020}, {0x06040047, 8760, 1});
   expect_accepted(unit, {0x1647, 4, 0x60400010 + 0x08000000});  // has its place already
+  EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U);
+  expect_accepted(unit, {0x1447, 1, kInvalid});
   expect_no_alarm(unit);
 
   // 6041h, 606Ch, 6077h and 6063h take six words of twenty-five.
