@@ -16,6 +16,7 @@
 #include "device/pdo_rules.hpp"
 #include "device/process_data_buffers.hpp"
 #include "device/process_data_parameters.hpp"
+#include "device/rpdo_monitor.hpp"
 #include "device/sdo_identifiers.hpp"
 #include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
@@ -136,6 +137,11 @@ class Device final : private canopen::Application,
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
   void apply_presets() noexcept;
+  void apply_mirrored_presets() noexcept;
+  template <class Visit>
+  void for_each_preset(const Visit& visit);
+  void take_over_parameters() noexcept;
+  void miss_rpdos() noexcept;
   canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
 
   Configuration configuration_;
@@ -156,6 +162,7 @@ class Device final : private canopen::Application,
   ProcessDataParameters process_data_parameters_;
   Communication communication_;
   ParameterWindow window_;
+  RpdoMonitor rpdo_monitor_;
   canopen::TimePoint started_{};     ///< when the unit was switched on
   canopen::TimePoint now_{};         ///< as last told
   canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
