@@ -6,6 +6,7 @@
 #include <chrono>
 #include <iterator>
 
+#include "device/node_policy.hpp"
 #include "device/object_index.hpp"
 
 namespace device {
@@ -13,25 +14,8 @@ namespace {
 
 constexpr double kCycleSeconds = std::chrono::duration<double>(Device::kCycle).count();
 
-/// No remote frame ever asks for a TPDO of the unit.
-constexpr std::array kTpdoTypes{canopen::TypeRange{0, 240}, canopen::TypeRange{254, 255}};
-
-/// Where the unit differs from what most nodes do; the rest are the library's defaults.
-constexpr canopen::Policy kPolicy{
-    .unknown_command = canopen::UnknownCommand::Stop,
-    .error_control_conflict = canopen::ErrorControlConflict::Refuse,
-    .error_keeping = canopen::ErrorKeeping::Owner,
-    .extended_identifiers = false,
-    .sdo_block = false,
-    .pdo_changes_in_operational = false,  // A08754
-    .count_follows_entries = true,
-    .tpdo_requests = false,
-    .dummy_types = 0,
-    .tpdo_types = kTpdoTypes,
-};
-
 canopen::Policy policy_of(const Configuration& configuration) noexcept {
-  canopen::Policy policy = kPolicy;
+  canopen::Policy policy = kNodePolicy;
   policy.sdo_block = configuration.sdo_block;
   policy.remote_frames = configuration.remote_frames;
   return policy;
@@ -49,8 +33,12 @@ std::vector<canopen::EntryDescription> rows_of(const Configuration& configuratio
   return object_rows(kinds);
 }
 
-constexpr std::uint16_t kPdosOfAnAxis = 0x40;
+// Communication objects, and all that the parameters may be.
+constexpr std::uint16_t kFirstObject = 0x1000;
+constexpr std::uint16_t kLastCommunicationObject = 0x1FFF;
+constexpr std::uint16_t kLastObject = 0x9FFF;
 
+constexpr std::uint16_t kRpdosMissing = 8702;
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
@@ -65,26 +53,53 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
       listener_{listener},
-      unit_{unit_of(configuration)},
+      unit_{unit_of(configuration), &parameters_},
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
+      mirrored_parameters_{dictionary_, unit_, parameters_},
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
-      node_{dictionary_, policy_of(configuration), sink, *this} {
+      node_{dictionary_, policy_of(configuration), sink, *this},
+      pdo_rules_{dictionary_, unit_, node_, *this},
+      process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_},
+      communication_{unit_, parameters_, node_},
+      window_{unit_, parameters_, *this},
+      rpdo_monitor_{parameters_} {
+  node_.show(window_);
+  for (const drive::Axis& axis : unit_.axes()) {
+    buffers_.emplace_back(dictionary_, unit_, axis, node_);
+    free_objects_.emplace_back(dictionary_, unit_, axis, buffers_.back());
+  }
   apply_presets();
+  mirrored_parameters_.bring_out(kFirstObject, kLastObject);
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
 void Device::apply_presets() noexcept {
-  for (std::size_t i = 0; i < configuration_.axes.size(); ++i) {
-    for (const ParameterPreset& preset : configuration_.axes[i].presets) {
-      [[maybe_unused]] const auto written = unit_.axes()[i].write(preset.number, preset.index, preset.value);
-      assert(written);
-    }
-  }
+  for_each_preset([this](drive::Axis& axis, const ParameterPreset& preset) {
+    if (mirrored_parameters_.contains(axis.kind(), preset.number)) return;
+    [[maybe_unused]] const auto written = axis.write(preset.number, preset.index, preset.value);
+    assert(written);
+  });
+  apply_mirrored_presets();
+}
+
+/// Those that objects show: the services of the node judge them when they start.
+void Device::apply_mirrored_presets() noexcept {
+  for_each_preset([this](drive::Axis& axis, const ParameterPreset& preset) {
+    if (!mirrored_parameters_.contains(axis.kind(), preset.number)) return;
+    [[maybe_unused]] const auto loaded = axis.load(preset.number, preset.index, preset.value);
+    assert(loaded);
+  });
+}
+
+template <class Visit>
+void Device::for_each_preset(const Visit& visit) {
+  for (std::size_t i = 0; i < configuration_.axes.size(); ++i)
+    for (const ParameterPreset& preset : configuration_.axes[i].presets) visit(unit_.axes()[i], preset);
 }
 
 void Device::start(canopen::TimePoint now) noexcept {
@@ -92,25 +107,59 @@ void Device::start(canopen::TimePoint now) noexcept {
     started_ = last_cycle_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
-    for (AxisObjects& axis : axes_) axis.publish();
+    pdo_rules_.limit();
+    show_values();
   }
   tell_time(now);
+  communication_.on_bus_state(BusState::Active);
+  error_objects_.set_bus_off(false);
+  take_over_parameters();
   node_.start(now);
+  error_objects_.update(node_);
 }
 
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   now_ = now;
   node_.on_frame(frame, now);
+  if (parameter_written_) follow_parameters();
+  if (alarm_changed_) publish();
+}
+
+void Device::on_pdo_alarm() noexcept {
+  tell_time(now_);
+  alarm_changed_ = true;
+}
+
+void Device::on_parameter_written(std::uint8_t object) noexcept {
+  parameter_written_ = true;
+  if (object == drive::kControlUnitNumber) return wake();
+  axes_[object - drive::kFirstAxisNumber].wake();
+}
+
+/// What the written parameters command besides their own effect, now that the answer is out.
+void Device::follow_parameters() noexcept {
+  parameter_written_ = false;
+  publish();
+  if (const auto command = communication_.take_command()) node_.command(*command, now_);
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
   now_ = now;
+  if (rpdo_monitor_.deadline() <= now) miss_rpdos();
   if (next_cycle() <= now) run_cycles();
   node_.on_time(now);
 }
 
+void Device::miss_rpdos() noexcept {
+  rpdo_monitor_.stop();
+  tell_time(now_);
+  static_cast<void>(unit_.raise(drive::kControlUnitNumber, kRpdosMissing));
+  wake();
+  publish();
+}
+
 canopen::TimePoint Device::next_deadline() const noexcept {
-  return std::min(node_.next_deadline(), next_cycle());
+  return std::min({node_.next_deadline(), next_cycle(), rpdo_monitor_.deadline()});
 }
 
 /// The time that faults and alarms are stamped with.
@@ -132,9 +181,20 @@ void Device::run_cycles() noexcept {
 }
 
 void Device::publish() noexcept {
-  for (AxisObjects& axis : axes_) axis.publish();
+  alarm_changed_ = false;
+  show_values();
   error_objects_.update(node_);
   node_.on_values_changed(now_);
+}
+
+/// Everything that the axes show; free objects last, as they may show any of it.
+void Device::show_values() noexcept {
+  for (AxisObjects& axis : axes_) axis.publish();
+  for (FreeObjects& objects : free_objects_) objects.publish();
+}
+
+void Device::invalidate_buffers() noexcept {
+  for (ProcessDataBuffers& buffers : buffers_) buffers.invalidate();
 }
 
 void Device::wake() noexcept {
@@ -148,7 +208,8 @@ void Device::on_awake() noexcept {
 }
 
 void Device::on_rpdo(std::uint16_t number) noexcept {
-  axes_[number / kPdosOfAnAxis].on_rpdo();
+  rpdo_monitor_.on_rpdo(now_);
+  axes_[number / pdo::kStride].on_rpdo();
 }
 
 canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
@@ -162,15 +223,40 @@ canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
 
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
   tell_time(now_);
+  rpdo_monitor_.stop();
   if (to == canopen::NmtState::Initialising) {
     unit_.power_off();
     for (AxisObjects& axis : axes_) axis.forget_written();
   } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
+  if (from != canopen::NmtState::Initialising) pdo_rules_.end_alarms();
+  show_messages();
+}
+
+/// From within a call of the node, where TPDOs must not be judged yet: the cycle that follows does that.
+void Device::show_messages() noexcept {
   error_objects_.update(node_);
-  for (AxisObjects& axis : axes_) axis.publish();
+  show_values();
   wake();
+}
+
+void Device::on_communication_error(canopen::CommunicationError error, std::uint16_t) noexcept {
+  if (error != canopen::CommunicationError::LifeGuarding) return;
+  tell_time(now_);
+  communication_.on_life_time_over();
+  show_messages();
+}
+
+void Device::on_bus_state(BusState state, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  const bool is_back = communication_.on_bus_state(state);
+  error_objects_.set_bus_off(communication_.is_bus_off());
+  wake();
+  publish();
+  if (!is_back) return;
+  node_.report(canopen::CommunicationError::BusOffRecovered, now);
+  node_.report_recovery(canopen::CommunicationError::BusOffRecovered, now);
 }
 
 /// F08701 on every axis; the control unit has no part in it.
@@ -185,8 +271,22 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
   if (command == canopen::NmtCommand::ResetNode) {
     unit_.restore_parameters();
     apply_presets();
+    mirrored_parameters_.bring_out(kFirstObject, kLastObject);
+  } else {
+    mirrored_parameters_.take_in(kFirstObject, kLastCommunicationObject);  // initial values again
+    apply_mirrored_presets();
+    mirrored_parameters_.bring_out(kFirstObject, kLastCommunicationObject);
   }
-  for (AxisObjects& axis : axes_) axis.publish();  // the dictionary holds its initial values
+  take_over_parameters();
+  pdo_rules_.limit();
+  invalidate_buffers();
+  show_values();  // the dictionary holds its initial values
+}
+
+/// What parameters of the unit say of its communication, whichever way they came.
+void Device::take_over_parameters() noexcept {
+  communication_.set_start_state();
+  rpdo_monitor_.set_time(unit_.object(drive::kControlUnitNumber)->read(RpdoMonitor::kParameter).value_or(0.0));
 }
 
 tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,

@@ -6,10 +6,19 @@
 #include <vector>
 
 #include "device/axis_objects.hpp"
+#include "device/communication.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
+#include "device/free_objects.hpp"
+#include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
+#include "device/parameter_window.hpp"
+#include "device/pdo_rules.hpp"
+#include "device/process_data_buffers.hpp"
+#include "device/process_data_parameters.hpp"
+#include "device/rpdo_monitor.hpp"
 #include "device/sdo_identifiers.hpp"
+#include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
@@ -53,7 +62,11 @@ class Listener {
 /// The drive unit as a CANopen node: control unit and axes behind the objects of CiA 301 and CiA 402. It is fed
 /// frames and time and hands its frames to a sink; nothing in it reads a clock, blocks or, after construction,
 /// allocates. Axes are counted from 1; where a function takes one, 0 is the control unit.
-class Device final : private canopen::Application, private canopen::EntryOwner, private AxisListener {
+class Device final : private canopen::Application,
+                     private canopen::EntryOwner,
+                     private AxisListener,
+                     private PdoListener,
+                     private WindowListener {
  public:
   /// Process-data cycle p8848.
   static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
@@ -85,6 +98,9 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   /// Sets the load torque of @p axis (1..axes; N·m, positive against positive rotation).
   void set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept;
 
+  /// The CAN controller is in error state @p state now.
+  void on_bus_state(BusState state, canopen::TimePoint now) noexcept;
+
   const canopen::Node& node() const noexcept { return node_; }
   const drive::DriveUnit& unit() const noexcept { return unit_; }
   /// Axis @p number (1..axes).
@@ -103,31 +119,56 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
+  void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
+  void on_mapping_changed(std::size_t axis) noexcept override { buffers_[axis - 1].invalidate(); }
+  void on_pdo_alarm() noexcept override;
+  void on_parameter_access() noexcept override { tell_time(now_); }
+  void on_parameter_written(std::uint8_t object) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
+  void show_values() noexcept;
+  void invalidate_buffers() noexcept;
   void publish() noexcept;
+  void show_messages() noexcept;
+  void follow_parameters() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
   void apply_presets() noexcept;
+  void apply_mirrored_presets() noexcept;
+  template <class Visit>
+  void for_each_preset(const Visit& visit);
+  void take_over_parameters() noexcept;
+  void miss_rpdos() noexcept;
   canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
 
   Configuration configuration_;
   Listener& listener_;
+  UnitParameters parameters_;
   drive::DriveUnit unit_;
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
+  MirroredParameters mirrored_parameters_;
   std::deque<AxisObjects> axes_;
   ErrorObjects error_objects_;
   ErrorControl error_control_;
   SdoIdentifiers sdo_identifiers_;
   canopen::Node node_;
+  PdoRules pdo_rules_;
+  std::deque<ProcessDataBuffers> buffers_;
+  std::deque<FreeObjects> free_objects_;
+  ProcessDataParameters process_data_parameters_;
+  Communication communication_;
+  ParameterWindow window_;
+  RpdoMonitor rpdo_monitor_;
   canopen::TimePoint started_{};     ///< when the unit was switched on
   canopen::TimePoint now_{};         ///< as last told
   canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
   bool resting_ = true;              ///< every axis is idle
+  bool alarm_changed_ = false;       ///< within a call into the node: messages are shown after it
+  bool parameter_written_ = false;   ///< within a call into the node: what follows from it comes after it
   std::uint64_t skipped_cycles_ = 0;
 };
 
