@@ -5,6 +5,7 @@
 #include <cassert>
 #include <chrono>
 #include <iterator>
+#include <utility>
 
 #include "device/node_policy.hpp"
 #include "device/object_index.hpp"
@@ -39,6 +40,10 @@ constexpr std::uint16_t kPdosOfAnAxis = 0x40;
 constexpr std::uint16_t kFirstObject = 0x1000;
 constexpr std::uint16_t kLastCommunicationObject = 0x1FFF;
 constexpr std::uint16_t kLastObject = 0x9FFF;
+
+// p0970 resets a drive object from p0010 = 30, which it ends.
+constexpr std::uint16_t kResetObject = 970;
+constexpr std::uint16_t kFilter = 10;
 
 constexpr std::uint16_t kRpdosMissing = 8702;
 constexpr std::uint16_t kLeftOperational = 8701;
@@ -119,8 +124,10 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
   if (parameter_written_) follow_parameters();
 }
 
-void Device::on_parameter_written(std::uint8_t object) noexcept {
+void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
   parameter_written_ = true;
+  const bool left_reset = number == kResetObject && unit_.object(object)->read(kFilter) == 0.0;
+  if (left_reset) restored_object_ = object;
   if (object == drive::kControlUnitNumber) return wake();
   axes_[object - drive::kFirstAxisNumber].wake();
 }
@@ -128,6 +135,10 @@ void Device::on_parameter_written(std::uint8_t object) noexcept {
 /// What the written parameters command besides their own effect, now that the answer is out.
 void Device::follow_parameters() noexcept {
   parameter_written_ = false;
+  if (const std::uint8_t object = std::exchange(restored_object_, std::uint8_t{0}); object != 0) {
+    mirrored_parameters_.bring_out(object);
+    node_.reload(now_);
+  }
   publish();
   if (const auto command = communication_.take_command()) node_.command(*command, now_);
 }

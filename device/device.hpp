@@ -118,7 +118,7 @@ class Device final : private canopen::Application,
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
   void on_parameter_access() noexcept override { tell_time(now_); }
-  void on_parameter_written(std::uint8_t object) noexcept override;
+  void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
@@ -150,11 +150,12 @@ class Device final : private canopen::Application,
   Communication communication_;
   ParameterWindow window_;
   RpdoMonitor rpdo_monitor_;
-  canopen::TimePoint started_{};     ///< when the unit was switched on
-  canopen::TimePoint now_{};         ///< as last told
-  canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
-  bool resting_ = true;              ///< every axis is idle
-  bool parameter_written_ = false;   ///< within a call into the node: what follows from it comes after it
+  canopen::TimePoint started_{};      ///< when the unit was switched on
+  canopen::TimePoint now_{};          ///< as last told
+  canopen::TimePoint last_cycle_{};   ///< cycles lie on a grid of kCycle, also after a rest
+  bool resting_ = true;               ///< every axis is idle
+  std::uint8_t restored_object_ = 0;  ///< a drive object that was reset by p0970, 0 = none
+  bool parameter_written_ = false;    ///< within a call into the node: what follows from it comes after it
   std::uint64_t skipped_cycles_ = 0;
 };
 
