@@ -45,7 +45,6 @@ constexpr std::uint16_t kLastObject = 0x9FFF;
 constexpr std::uint16_t kResetObject = 970;
 constexpr std::uint16_t kFilter = 10;
 
-constexpr std::uint16_t kRpdosMissing = 8702;
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
@@ -81,7 +80,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
 
 void Device::apply_presets() noexcept {
   for_each_preset([this](drive::Axis& axis, const ParameterPreset& preset) {
-    if (mirrored_parameters_.contains(axis.kind(), preset.number)) return;
+    if (MirroredParameters::contains(axis.kind(), preset.number)) return;
     [[maybe_unused]] const auto written = axis.write(preset.number, preset.index, preset.value);
     assert(written);
   });
@@ -91,7 +90,7 @@ void Device::apply_presets() noexcept {
 /// Those that objects show: the services of the node judge them when they start.
 void Device::apply_mirrored_presets() noexcept {
   for_each_preset([this](drive::Axis& axis, const ParameterPreset& preset) {
-    if (!mirrored_parameters_.contains(axis.kind(), preset.number)) return;
+    if (!MirroredParameters::contains(axis.kind(), preset.number)) return;
     [[maybe_unused]] const auto loaded = axis.load(preset.number, preset.index, preset.value);
     assert(loaded);
   });
@@ -153,7 +152,7 @@ void Device::on_time(canopen::TimePoint now) noexcept {
 void Device::miss_rpdos() noexcept {
   rpdo_monitor_.stop();
   tell_time(now_);
-  static_cast<void>(unit_.raise(drive::kControlUnitNumber, kRpdosMissing));
+  communication_.on_rpdos_missing();
   wake();
   publish();
 }

@@ -14,10 +14,10 @@ enum class Indexed : std::uint8_t { SubIndex, Object };
 /// The parameters `first` to `last` of the drive objects `kinds`, and the entry that index 0 of the first one is;
 /// of an axis: of axis 1, the others by the offset rule.
 struct Mirror {
-  std::uint16_t first, last;
-  drive::ObjectKinds kinds;
-  std::uint16_t index;
-  std::uint8_t sub_index;
+  std::uint16_t first = 0, last = 0;
+  drive::ObjectKinds kinds = drive::kAxes;
+  std::uint16_t index = 0;
+  std::uint8_t sub_index = 0;
   Indexed indexed = Indexed::SubIndex;
 };
 constexpr std::array kMirrors{
