@@ -34,8 +34,6 @@ std::vector<canopen::EntryDescription> rows_of(const Configuration& configuratio
   return object_rows(kinds);
 }
 
-constexpr std::uint16_t kPdosOfAnAxis = 0x40;
-
 // Communication objects, and all that the parameters may be.
 constexpr std::uint16_t kFirstObject = 0x1000;
 constexpr std::uint16_t kLastCommunicationObject = 0x1FFF;
@@ -63,43 +61,26 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
       mirrored_parameters_{dictionary_, unit_, parameters_},
+      presets_{configuration_, unit_},
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this},
+      pdo_rules_{dictionary_, unit_, node_, *this},
+      process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_},
       communication_{unit_, parameters_, node_},
       window_{unit_, parameters_, *this},
       rpdo_monitor_{parameters_} {
   node_.show(window_);
-  apply_presets();
+  for (const drive::Axis& axis : unit_.axes()) {
+    buffers_.emplace_back(dictionary_, unit_, axis, node_);
+    free_objects_.emplace_back(dictionary_, unit_, axis, buffers_.back());
+  }
+  presets_.apply();
   mirrored_parameters_.bring_out(kFirstObject, kLastObject);
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
-}
-
-void Device::apply_presets() noexcept {
-  for_each_preset([this](drive::Axis& axis, const ParameterPreset& preset) {
-    if (MirroredParameters::contains(axis.kind(), preset.number)) return;
-    [[maybe_unused]] const auto written = axis.write(preset.number, preset.index, preset.value);
-    assert(written);
-  });
-  apply_mirrored_presets();
-}
-
-/// Those that objects show: the services of the node judge them when they start.
-void Device::apply_mirrored_presets() noexcept {
-  for_each_preset([this](drive::Axis& axis, const ParameterPreset& preset) {
-    if (!MirroredParameters::contains(axis.kind(), preset.number)) return;
-    [[maybe_unused]] const auto loaded = axis.load(preset.number, preset.index, preset.value);
-    assert(loaded);
-  });
-}
-
-template <class Visit>
-void Device::for_each_preset(const Visit& visit) {
-  for (std::size_t i = 0; i < configuration_.axes.size(); ++i)
-    for (const ParameterPreset& preset : configuration_.axes[i].presets) visit(unit_.axes()[i], preset);
 }
 
 void Device::start(canopen::TimePoint now) noexcept {
@@ -107,7 +88,8 @@ void Device::start(canopen::TimePoint now) noexcept {
     started_ = last_cycle_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
-    for (AxisObjects& axis : axes_) axis.publish();
+    pdo_rules_.limit();
+    show_values();
   }
   tell_time(now);
   communication_.on_bus_state(BusState::Active);
@@ -121,6 +103,12 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
   now_ = now;
   node_.on_frame(frame, now);
   if (parameter_written_) follow_parameters();
+  if (alarm_changed_) publish();
+}
+
+void Device::on_pdo_alarm() noexcept {
+  tell_time(now_);
+  alarm_changed_ = true;
 }
 
 void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
@@ -134,12 +122,17 @@ void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noe
 /// What the written parameters command besides their own effect, now that the answer is out.
 void Device::follow_parameters() noexcept {
   parameter_written_ = false;
-  if (const std::uint8_t object = std::exchange(restored_object_, std::uint8_t{0}); object != 0) {
-    mirrored_parameters_.bring_out(object);
-    node_.reload(now_);
-  }
+  if (restored_object_ != 0) restore_object(std::exchange(restored_object_, std::uint8_t{0}));
   publish();
   if (const auto command = communication_.take_command()) node_.command(*command, now_);
+}
+
+/// The objects of drive object @p object follow its parameters, which are those of a new one.
+void Device::restore_object(std::uint8_t object) noexcept {
+  mirrored_parameters_.bring_out(object);
+  pdo_rules_.limit();
+  invalidate_buffers();
+  node_.reload(now_);
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
@@ -180,9 +173,20 @@ void Device::run_cycles() noexcept {
 }
 
 void Device::publish() noexcept {
-  for (AxisObjects& axis : axes_) axis.publish();
+  alarm_changed_ = false;
+  show_values();
   error_objects_.update(node_);
   node_.on_values_changed(now_);
+}
+
+/// Everything that the axes show; free objects last, as they may show any of it.
+void Device::show_values() noexcept {
+  for (AxisObjects& axis : axes_) axis.publish();
+  for (FreeObjects& objects : free_objects_) objects.publish();
+}
+
+void Device::invalidate_buffers() noexcept {
+  for (ProcessDataBuffers& buffers : buffers_) buffers.invalidate();
 }
 
 void Device::wake() noexcept {
@@ -197,7 +201,7 @@ void Device::on_awake() noexcept {
 
 void Device::on_rpdo(std::uint16_t number) noexcept {
   rpdo_monitor_.on_rpdo(now_);
-  axes_[number / kPdosOfAnAxis].on_rpdo();
+  axes_[number / pdo::kStride].on_rpdo();
 }
 
 canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
@@ -218,13 +222,14 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
+  if (from != canopen::NmtState::Initialising) pdo_rules_.end_alarms();
   show_messages();
 }
 
 /// From within a call of the node, where TPDOs must not be judged yet: the cycle that follows does that.
 void Device::show_messages() noexcept {
   error_objects_.update(node_);
-  for (AxisObjects& axis : axes_) axis.publish();
+  show_values();
   wake();
 }
 
@@ -257,15 +262,17 @@ void Device::leave_operational(std::uint32_t value) noexcept {
 void Device::on_reset(canopen::NmtCommand command) noexcept {
   if (command == canopen::NmtCommand::ResetNode) {
     unit_.restore_parameters();
-    apply_presets();
+    presets_.apply();
     mirrored_parameters_.bring_out(kFirstObject, kLastObject);
   } else {
     mirrored_parameters_.take_in(kFirstObject, kLastCommunicationObject);  // initial values again
-    apply_mirrored_presets();
+    presets_.apply_mirrored();
     mirrored_parameters_.bring_out(kFirstObject, kLastCommunicationObject);
   }
   take_over_parameters();
-  for (AxisObjects& axis : axes_) axis.publish();  // the dictionary holds its initial values
+  pdo_rules_.limit();
+  invalidate_buffers();
+  show_values();  // the dictionary holds its initial values
 }
 
 /// What parameters of the unit say of its communication, whichever way they came.

@@ -167,6 +167,10 @@ void FaultMemory::clear_fault_buffer() noexcept {
 }
 
 void FaultMemory::clear_alarm_buffer() noexcept {
+  const auto is_latched = [](const FaultEntry& entry) { return entry.cause == Cause::Latched; };
+  for (const FaultEntry& entry : alarms())
+    if (is_latched(entry)) alarm_buffer_.leave(entry.row->number, now_);
+  if (alarms_.remove_if(is_latched) != 0) ++change_count_;
   alarm_buffer_.clear();
   counters_.alarms = 0;
   ++counters_.alarm_changes;

@@ -13,7 +13,11 @@
 namespace drive {
 
 /// Whether the cause of a message is still there after it was raised.
-enum class Cause : std::uint8_t { Gone, Present };
+enum class Cause : std::uint8_t {
+  Gone,
+  Present,
+  Latched,  ///< gone, but an alarm stays until it is withdrawn or p2111 = 0
+};
 
 /// An active fault or alarm.
 struct FaultEntry {
@@ -79,7 +83,7 @@ class FaultMemory {
   const Counters& counters() const noexcept { return counters_; }
   /// p0952 = 0: the buffer holds only what is active.
   void clear_fault_buffer() noexcept;
-  /// p2111 = 0: the buffer holds only what is active.
+  /// p2111 = 0: latched alarms leave, the buffer holds only what is active.
   void clear_alarm_buffer() noexcept;
 
   /// What is made of messages other than the table says; it holds for messages to come.
