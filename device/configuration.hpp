@@ -29,4 +29,11 @@ struct Configuration {
   bool remote_frames = true;                 ///< false: the bus carries none, so there is no life guarding
 };
 
+/// What the drive unit behind it is made of.
+[[nodiscard]] inline drive::UnitConfiguration unit_configuration(const Configuration& configuration) {
+  drive::UnitConfiguration unit{.axes = {}, .node_id = configuration.node_id};
+  for (const AxisSetup& axis : configuration.axes) unit.axes.push_back(axis.drive);
+  return unit;
+}
+
 }  // namespace device

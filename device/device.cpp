@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <chrono>
-#include <iterator>
 #include <utility>
 
 #include "device/node_policy.hpp"
@@ -14,19 +13,6 @@ namespace device {
 namespace {
 
 constexpr double kCycleSeconds = std::chrono::duration<double>(Device::kCycle).count();
-
-canopen::Policy policy_of(const Configuration& configuration) noexcept {
-  canopen::Policy policy = kNodePolicy;
-  policy.sdo_block = configuration.sdo_block;
-  policy.remote_frames = configuration.remote_frames;
-  return policy;
-}
-
-drive::UnitConfiguration unit_of(const Configuration& configuration) {
-  drive::UnitConfiguration unit{.axes = {}, .node_id = configuration.node_id};
-  std::ranges::transform(configuration.axes, std::back_inserter(unit.axes), &AxisSetup::drive);
-  return unit;
-}
 
 std::vector<canopen::EntryDescription> rows_of(const Configuration& configuration) {
   std::vector<drive::ObjectKind> kinds;
@@ -57,7 +43,7 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
       listener_{listener},
-      unit_{unit_of(configuration), &parameters_},
+      unit_{unit_configuration(configuration), &parameters_},
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
       mirrored_parameters_{dictionary_, unit_, parameters_},
@@ -65,7 +51,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
-      node_{dictionary_, policy_of(configuration), sink, *this},
+      node_{dictionary_, node_policy(configuration), sink, *this},
       pdo_rules_{dictionary_, unit_, node_, *this},
       process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_},
       communication_{unit_, parameters_, node_},
