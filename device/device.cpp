@@ -120,11 +120,6 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
   if (alarm_changed_) publish();
 }
 
-void Device::on_alarm() noexcept {
-  tell_time(now_);
-  alarm_changed_ = true;
-}
-
 void Device::on_parameter_written(std::uint8_t object) noexcept {
   parameter_written_ = true;
   if (object == drive::kControlUnitNumber) return wake();

@@ -119,7 +119,7 @@ class Device final : private canopen::Application,
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
-  void on_alarm() noexcept override;
+  void on_alarm() noexcept override { tell_time(now_), alarm_changed_ = true; }
   void on_parameter_access() noexcept override { tell_time(now_); }
   void on_parameter_written(std::uint8_t object) noexcept override;
 
