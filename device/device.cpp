@@ -52,16 +52,11 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
       node_{dictionary_, node_policy(configuration), sink, *this},
-      pdo_rules_{dictionary_, unit_, node_, *this},
-      process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_},
+      process_data_{dictionary_, unit_, node_, parameters_, *this},
       communication_{unit_, parameters_, node_},
       window_{unit_, parameters_, *this},
       rpdo_monitor_{parameters_} {
   node_.show(window_);
-  for (const drive::Axis& axis : unit_.axes()) {
-    buffers_.emplace_back(dictionary_, unit_, axis, node_);
-    free_objects_.emplace_back(dictionary_, unit_, axis, buffers_.back());
-  }
   presets_.apply();
   mirrored_parameters_.bring_out(kFirstObject, kLastObject);
   AxisListener& listener_of_axes = *this;
@@ -74,7 +69,7 @@ void Device::start(canopen::TimePoint now) noexcept {
     started_ = last_cycle_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
-    pdo_rules_.limit();
+    process_data_.take_over();
     show_values();
   }
   tell_time(now);
@@ -90,11 +85,6 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
   node_.on_frame(frame, now);
   if (parameter_written_) follow_parameters();
   if (alarm_changed_) publish();
-}
-
-void Device::on_pdo_alarm() noexcept {
-  tell_time(now_);
-  alarm_changed_ = true;
 }
 
 void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
@@ -116,8 +106,7 @@ void Device::follow_parameters() noexcept {
 /// The objects of drive object @p object follow its parameters, which are those of a new one.
 void Device::restore_object(std::uint8_t object) noexcept {
   mirrored_parameters_.bring_out(object);
-  pdo_rules_.limit();
-  invalidate_buffers();
+  process_data_.take_over();
   node_.reload(now_);
 }
 
@@ -168,11 +157,7 @@ void Device::publish() noexcept {
 /// Everything that the axes show; free objects last, as they may show any of it.
 void Device::show_values() noexcept {
   for (AxisObjects& axis : axes_) axis.publish();
-  for (FreeObjects& objects : free_objects_) objects.publish();
-}
-
-void Device::invalidate_buffers() noexcept {
-  for (ProcessDataBuffers& buffers : buffers_) buffers.invalidate();
+  process_data_.publish();
 }
 
 void Device::wake() noexcept {
@@ -208,7 +193,7 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
-  if (from != canopen::NmtState::Initialising) pdo_rules_.end_alarms();
+  if (from != canopen::NmtState::Initialising) process_data_.end_alarms();
   show_messages();
 }
 
@@ -256,8 +241,7 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
     mirrored_parameters_.bring_out(kFirstObject, kLastCommunicationObject);
   }
   take_over_parameters();
-  pdo_rules_.limit();
-  invalidate_buffers();
+  process_data_.take_over();
   show_values();  // the dictionary holds its initial values
 }
 

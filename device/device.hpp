@@ -10,17 +10,14 @@
 #include "device/configuration.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
-#include "device/free_objects.hpp"
 #include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
 #include "device/parameter_window.hpp"
-#include "device/pdo_rules.hpp"
 #include "device/presets.hpp"
-#include "device/process_data_buffers.hpp"
-#include "device/process_data_parameters.hpp"
 #include "device/rpdo_monitor.hpp"
 #include "device/sdo_identifiers.hpp"
 #include "device/unit_parameters.hpp"
+#include "device/unit_process_data.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
@@ -45,7 +42,7 @@ class Listener {
 class Device final : private canopen::Application,
                      private canopen::EntryOwner,
                      private AxisListener,
-                     private PdoListener,
+                     private AlarmListener,
                      private WindowListener {
  public:
   /// Process-data cycle p8848.
@@ -102,15 +99,13 @@ class Device final : private canopen::Application,
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
-  void on_mapping_changed(std::size_t axis) noexcept override { buffers_[axis - 1].invalidate(); }
-  void on_pdo_alarm() noexcept override;
+  void on_alarm() noexcept override { tell_time(now_), alarm_changed_ = true; }
   void on_parameter_access() noexcept override { tell_time(now_); }
   void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
   void show_values() noexcept;
-  void invalidate_buffers() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;
   void follow_parameters() noexcept;
@@ -134,10 +129,7 @@ class Device final : private canopen::Application,
   ErrorControl error_control_;
   SdoIdentifiers sdo_identifiers_;
   canopen::Node node_;
-  PdoRules pdo_rules_;
-  std::deque<ProcessDataBuffers> buffers_;
-  std::deque<FreeObjects> free_objects_;
-  ProcessDataParameters process_data_parameters_;
+  UnitProcessData process_data_;
   Communication communication_;
   ParameterWindow window_;
   RpdoMonitor rpdo_monitor_;
