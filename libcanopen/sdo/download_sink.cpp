@@ -82,7 +82,7 @@ Result<void> DownloadSink::commit(Context& context) noexcept {
   }
   entry_ = nullptr;  // the write may take the server away, and the transfer with it
   if (entry.size == 0) return context.dictionary.write_text(entry, window_.first(held_));
-  return write_number(context.dictionary, entry, load<std::uint64_t>(window_.data()), held_);
+  return write_number(context, entry, load<std::uint64_t>(window_.data()), held_);
 }
 
 Result<void> DownloadSink::commit_viewed(SdoView& view) noexcept {

@@ -42,10 +42,12 @@ SdoServer::SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& lock
       source_{std::span{buffer_}.first(buffer_.size() - kMargin)},
       sink_{std::span{buffer_}.first(buffer_.size() - kMargin)} {}
 
-void SdoServer::connect(Identifier request, Identifier response) noexcept {
+bool SdoServer::connect(Identifier request, Identifier response) noexcept {
+  if (request == request_identifier() && response == response_identifier()) return false;
   end();
   request_identifier_ = request;
   answer_ = frame_under(response, 8);
+  return true;
 }
 
 void SdoServer::on_frame(const Frame& frame) noexcept {
@@ -115,7 +117,7 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
 
 Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
   if (entry.size != 0) {
-    return sdo::write_number(context_.dictionary, entry, load<std::uint32_t>(bytes.data()), bytes.size());
+    return sdo::write_number(context_, entry, load<std::uint32_t>(bytes.data()), bytes.size());
   }
   if (entry.domain == nullptr) return context_.dictionary.write_text(entry, bytes);
   if (auto opened = open_sink(entry, static_cast<std::uint32_t>(bytes.size())); !opened) return opened;

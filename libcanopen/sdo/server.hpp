@@ -21,9 +21,9 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position,
             std::uint8_t number);
 
-  /// Listens to @p request and answers under @p response from now on, without the transfer that it had; 0 and 0:
-  /// the server does not exist.
-  void connect(Identifier request, Identifier response) noexcept;
+  /// Listens to @p request and answers under @p response from now on; 0 and 0: the server does not exist. False if
+  /// nothing changes, otherwise the transfer that it had is forgotten.
+  bool connect(Identifier request, Identifier response) noexcept;
   /// What it listens to, 0 if it does not exist.
   Identifier request_identifier() const noexcept { return request_identifier_; }
   /// What it answers under, 0 if it does not exist.

@@ -57,14 +57,14 @@ std::size_t SdoServers::timers_for(const Dictionary& dictionary) noexcept {
 }
 
 void SdoServers::reload() noexcept {
-  for (SdoServer& server : servers_) server.connect(0, 0);
   for (std::size_t position = 0; position < servers_.size(); ++position) {
     const CobIds stored = cob_ids(position);
     if (is_possible(position, stored)) {
       servers_[position].connect(identifier_in(stored.request), identifier_in(stored.response));
-    } else if (!is_incomplete(position, stored)) {
-      mark_invalid(position);
+      continue;
     }
+    servers_[position].connect(0, 0);
+    if (!is_incomplete(position, stored)) mark_invalid(position);
   }
 }
 
@@ -106,7 +106,7 @@ std::uint32_t SdoServers::cob_id(std::uint16_t index, std::uint8_t sub_index,
                                       : otherwise;
 }
 
-/// True if the server at @p position can work with @p wanted beside the servers that exist already.
+/// True if the server at @p position can work with @p wanted beside those before it.
 bool SdoServers::is_possible(std::size_t position, CobIds wanted) const noexcept {
   if (!is_valid(wanted.request) || !is_valid(wanted.response)) return false;
   const Identifier request = identifier_in(wanted.request);
@@ -116,7 +116,8 @@ bool SdoServers::is_possible(std::size_t position, CobIds wanted) const noexcept
     return std::ranges::count(theirs, request) != 0 || std::ranges::count(theirs, response) != 0;
   };
   return request != response && may_have(position, kRequest, wanted.request) &&
-         may_have(position, kResponse, wanted.response) && std::ranges::none_of(servers_, collides);
+         may_have(position, kResponse, wanted.response) &&
+         std::ranges::none_of(servers().first(position), collides);
 }
 
 /// True for what the pre-defined connection set gives to the first server: kept for it, and for nobody else.
@@ -174,8 +175,7 @@ void SdoServers::connect(std::size_t position, CobIds wanted) noexcept {
   const bool works = is_valid(wanted.request) && is_valid(wanted.response);
   const Identifier request = works ? identifier_in(wanted.request) : 0;
   const Identifier response = works ? identifier_in(wanted.response) : 0;
-  if (request == server.request_identifier() && response == server.response_identifier()) return;
-  server.connect(request, response);
+  if (!server.connect(request, response)) return;
   context_.identifiers.on_identifiers_changed();
 }
 

@@ -19,8 +19,9 @@ class CANOPEN_EXPORT SdoServers final : public EntryOwner {
   /// Timers that the servers of @p dictionary need.
   static std::size_t timers_for(const Dictionary& dictionary) noexcept;
 
-  /// Starts over with the values of the objects, without transfers. A server whose identifiers cannot be had, or
-  /// are those of a server before it, does not exist: bit 31 of its COB-IDs is set in the dictionary.
+  /// Goes on with the values of the objects; a server that keeps its identifiers keeps its transfer. A server
+  /// whose identifiers cannot be had, or are those of a server before it, does not exist: bit 31 of its COB-IDs is
+  /// set in the dictionary.
   void reload() noexcept;
   /// Forgets half-finished transfers without a word (NMT state change).
   void forget() noexcept;
