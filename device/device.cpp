@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 #include <chrono>
-#include <iterator>
+#include <utility>
 
 #include "device/node_policy.hpp"
 #include "device/object_index.hpp"
@@ -13,19 +13,6 @@ namespace device {
 namespace {
 
 constexpr double kCycleSeconds = std::chrono::duration<double>(Device::kCycle).count();
-
-canopen::Policy policy_of(const Configuration& configuration) noexcept {
-  canopen::Policy policy = kNodePolicy;
-  policy.sdo_block = configuration.sdo_block;
-  policy.remote_frames = configuration.remote_frames;
-  return policy;
-}
-
-drive::UnitConfiguration unit_of(const Configuration& configuration) {
-  drive::UnitConfiguration unit{.axes = {}, .node_id = configuration.node_id};
-  std::ranges::transform(configuration.axes, std::back_inserter(unit.axes), &AxisSetup::drive);
-  return unit;
-}
 
 std::vector<canopen::EntryDescription> rows_of(const Configuration& configuration) {
   std::vector<drive::ObjectKind> kinds;
@@ -38,7 +25,10 @@ constexpr std::uint16_t kFirstObject = 0x1000;
 constexpr std::uint16_t kLastCommunicationObject = 0x1FFF;
 constexpr std::uint16_t kLastObject = 0x9FFF;
 
-constexpr std::uint16_t kRpdosMissing = 8702;
+// p0970 resets a drive object from p0010 = 30, which it ends.
+constexpr std::uint16_t kResetObject = 970;
+constexpr std::uint16_t kFilter = 10;
+
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
@@ -53,48 +43,25 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
       listener_{listener},
-      unit_{unit_of(configuration), &parameters_},
+      unit_{unit_configuration(configuration), &parameters_},
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
       mirrored_parameters_{dictionary_, unit_, parameters_},
+      presets_{configuration_, unit_},
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
-      node_{dictionary_, policy_of(configuration), sink, *this},
+      node_{dictionary_, node_policy(configuration), sink, *this},
       process_data_{dictionary_, unit_, node_, parameters_, *this},
       communication_{unit_, parameters_, node_},
       window_{unit_, parameters_, *this},
       rpdo_monitor_{parameters_} {
   node_.show(window_);
-  apply_presets();
+  presets_.apply();
   mirrored_parameters_.bring_out(kFirstObject, kLastObject);
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
-}
-
-void Device::apply_presets() noexcept {
-  for_each_preset([this](drive::Axis& axis, const ParameterPreset& preset) {
-    if (mirrored_parameters_.contains(axis.kind(), preset.number)) return;
-    [[maybe_unused]] const auto written = axis.write(preset.number, preset.index, preset.value);
-    assert(written);
-  });
-  apply_mirrored_presets();
-}
-
-/// Those that objects show: the services of the node judge them when they start.
-void Device::apply_mirrored_presets() noexcept {
-  for_each_preset([this](drive::Axis& axis, const ParameterPreset& preset) {
-    if (!mirrored_parameters_.contains(axis.kind(), preset.number)) return;
-    [[maybe_unused]] const auto loaded = axis.load(preset.number, preset.index, preset.value);
-    assert(loaded);
-  });
-}
-
-template <class Visit>
-void Device::for_each_preset(const Visit& visit) {
-  for (std::size_t i = 0; i < configuration_.axes.size(); ++i)
-    for (const ParameterPreset& preset : configuration_.axes[i].presets) visit(unit_.axes()[i], preset);
 }
 
 void Device::start(canopen::TimePoint now) noexcept {
@@ -120,8 +87,10 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
   if (alarm_changed_) publish();
 }
 
-void Device::on_parameter_written(std::uint8_t object) noexcept {
+void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
   parameter_written_ = true;
+  const bool left_reset = number == kResetObject && unit_.object(object)->read(kFilter) == 0.0;
+  if (left_reset) restored_object_ = object;
   if (object == drive::kControlUnitNumber) return wake();
   axes_[object - drive::kFirstAxisNumber].wake();
 }
@@ -129,8 +98,16 @@ void Device::on_parameter_written(std::uint8_t object) noexcept {
 /// What the written parameters command besides their own effect, now that the answer is out.
 void Device::follow_parameters() noexcept {
   parameter_written_ = false;
+  if (restored_object_ != 0) restore_object(std::exchange(restored_object_, std::uint8_t{0}));
   publish();
   if (const auto command = communication_.take_command()) node_.command(*command, now_);
+}
+
+/// The objects of drive object @p object follow its parameters, which are those of a new one.
+void Device::restore_object(std::uint8_t object) noexcept {
+  mirrored_parameters_.bring_out(object);
+  process_data_.take_over();
+  node_.reload(now_);
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
@@ -143,7 +120,7 @@ void Device::on_time(canopen::TimePoint now) noexcept {
 void Device::miss_rpdos() noexcept {
   rpdo_monitor_.stop();
   tell_time(now_);
-  static_cast<void>(unit_.raise(drive::kControlUnitNumber, kRpdosMissing));
+  communication_.on_rpdos_missing();
   wake();
   publish();
 }
@@ -256,11 +233,11 @@ void Device::leave_operational(std::uint32_t value) noexcept {
 void Device::on_reset(canopen::NmtCommand command) noexcept {
   if (command == canopen::NmtCommand::ResetNode) {
     unit_.restore_parameters();
-    apply_presets();
+    presets_.apply();
     mirrored_parameters_.bring_out(kFirstObject, kLastObject);
   } else {
     mirrored_parameters_.take_in(kFirstObject, kLastCommunicationObject);  // initial values again
-    apply_mirrored_presets();
+    presets_.apply_mirrored();
     mirrored_parameters_.bring_out(kFirstObject, kLastCommunicationObject);
   }
   take_over_parameters();

@@ -7,11 +7,13 @@
 
 #include "device/axis_objects.hpp"
 #include "device/communication.hpp"
+#include "device/configuration.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
 #include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
 #include "device/parameter_window.hpp"
+#include "device/presets.hpp"
 #include "device/rpdo_monitor.hpp"
 #include "device/sdo_identifiers.hpp"
 #include "device/unit_parameters.hpp"
@@ -21,28 +23,6 @@
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {
-
-/// A value laid over a parameter of a new axis, in the parameter's own unit.
-struct ParameterPreset {
-  std::uint16_t number;
-  double value;
-  std::uint8_t index = 0;
-};
-
-/// One axis of the unit.
-struct AxisSetup {
-  drive::AxisConfiguration drive{};
-  std::vector<ParameterPreset> presets{};  ///< existing, writable and within their limits
-};
-
-/// What the unit is made of.
-struct Configuration {
-  std::uint8_t node_id = 2;                  ///< 1..127
-  std::vector<AxisSetup> axes{AxisSetup{}};  ///< 1..drive::kMostAxes
-  bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
-  bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
-  bool remote_frames = true;                 ///< false: the bus carries none, so there is no life guarding
-};
 
 /// What the unit tells the program around it. Called from within the functions of Device.
 class Listener {
@@ -121,7 +101,7 @@ class Device final : private canopen::Application,
   void on_awake() noexcept override;
   void on_alarm() noexcept override { tell_time(now_), alarm_changed_ = true; }
   void on_parameter_access() noexcept override { tell_time(now_); }
-  void on_parameter_written(std::uint8_t object) noexcept override;
+  void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
@@ -131,10 +111,7 @@ class Device final : private canopen::Application,
   void follow_parameters() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
-  void apply_presets() noexcept;
-  void apply_mirrored_presets() noexcept;
-  template <class Visit>
-  void for_each_preset(const Visit& visit);
+  void restore_object(std::uint8_t object) noexcept;
   void take_over_parameters() noexcept;
   void miss_rpdos() noexcept;
   canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
@@ -146,6 +123,7 @@ class Device final : private canopen::Application,
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
   MirroredParameters mirrored_parameters_;
+  Presets presets_;
   std::deque<AxisObjects> axes_;
   ErrorObjects error_objects_;
   ErrorControl error_control_;
@@ -155,12 +133,13 @@ class Device final : private canopen::Application,
   Communication communication_;
   ParameterWindow window_;
   RpdoMonitor rpdo_monitor_;
-  canopen::TimePoint started_{};     ///< when the unit was switched on
-  canopen::TimePoint now_{};         ///< as last told
-  canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
-  bool resting_ = true;              ///< every axis is idle
-  bool alarm_changed_ = false;       ///< within a call into the node: messages are shown after it
-  bool parameter_written_ = false;   ///< within a call into the node: what follows from it comes after it
+  canopen::TimePoint started_{};      ///< when the unit was switched on
+  canopen::TimePoint now_{};          ///< as last told
+  canopen::TimePoint last_cycle_{};   ///< cycles lie on a grid of kCycle, also after a rest
+  bool resting_ = true;               ///< every axis is idle
+  std::uint8_t restored_object_ = 0;  ///< a drive object that was reset by p0970, 0 = none
+  bool alarm_changed_ = false;        ///< within a call into the node: messages are shown after it
+  bool parameter_written_ = false;    ///< within a call into the node: what follows from it comes after it
   std::uint64_t skipped_cycles_ = 0;
 };
 
