@@ -119,7 +119,7 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
 
 Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
   if (entry.size != 0) {
-    return sdo::write_number(context_, entry, load<std::uint32_t>(bytes.data()), bytes.size());
+    return sdo::write_number(context_.dictionary, entry, load<std::uint32_t>(bytes.data()), bytes.size());
   }
   if (entry.domain == nullptr) return context_.dictionary.write_text(entry, bytes);
   if (auto opened = open_sink(entry, static_cast<std::uint32_t>(bytes.size())); !opened) return opened;
