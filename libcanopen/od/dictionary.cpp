@@ -143,7 +143,7 @@ const Entry* Dictionary::search(Slot place, std::uint8_t sub_index) const noexce
   return found != end ? found : nullptr;
 }
 
-Result<void> Dictionary::check(const Entry& entry, std::int64_t value) const noexcept {
+Result<void> Dictionary::check(const Entry& entry, std::int64_t value) noexcept {
   if (!entry.writable) return refuse(AbortCode::ReadOnly);
   if (entry.size == 0) return refuse(AbortCode::UnsupportedAccess);
   if (entry.limited) {

@@ -75,7 +75,7 @@ class CANOPEN_EXPORT Dictionary {
   }
   /// May a master write @p value to a number, as far as its owner is not concerned? ReadOnly, ValueTooHigh,
   /// ValueTooLow, UnsupportedAccess for a string.
-  Result<void> check(const Entry& entry, std::int64_t value) const noexcept;
+  static Result<void> check(const Entry& entry, std::int64_t value) noexcept;
   /// Writes a number as a master would: check(), then all owners, the services of a node among them. The refusal
   /// of either.
   Result<void> write(const Entry& entry, std::int64_t value);

@@ -22,7 +22,7 @@ void tell_refusal(Context& context, const Entry& entry, std::span<const std::uin
   std::array<std::uint8_t, sizeof(std::uint64_t)> word{};
   std::copy(bytes.begin(), bytes.end(), word.begin());
   const std::int64_t value = number_in(entry, load<std::uint64_t>(word.data()));
-  if (context.dictionary.check(entry, value)) context.application.on_write_refused(entry, value, code);
+  if (Dictionary::check(entry, value)) context.application.on_write_refused(entry, value, code);
 }
 
 Result<void> DownloadSink::open(const Entry& entry, std::optional<std::uint32_t> size) noexcept {
