@@ -8,10 +8,8 @@
 #include "libcanopen/od/dictionary.hpp"
 #include "libcanopen/pdo/mapping.hpp"
 
-namespace device {
-
 /// PDO records of the unit: every axis has eight of each kind, those of the next axis 40h higher.
-namespace pdo {
+namespace device::pdo {
 
 using canopen::Direction;
 
@@ -74,5 +72,4 @@ Mapping mapping_of(const canopen::Dictionary& dictionary, Pdo pdo) noexcept;
 /// own objects, sub-index 0, mappable that way and as long as the entry says.
 const canopen::Entry* mapped_object(const canopen::Dictionary& dictionary, Pdo pdo, std::uint32_t entry) noexcept;
 
-}  // namespace pdo
-}  // namespace device
+}  // namespace device::pdo

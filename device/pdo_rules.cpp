@@ -158,9 +158,9 @@ void PdoRules::raise_for(AbortCode code, const pdo::Record& record) noexcept {
   if (row != kAlarms.end()) raise(row->alarm, detail_of(row->detail, record.pdo));
 }
 
-void PdoRules::raise(std::uint16_t alarm, std::uint32_t value) noexcept {
+void PdoRules::raise(std::uint16_t number, std::uint32_t value) noexcept {
   listeners_.alarm.on_alarm();
-  static_cast<void>(unit_.raise(drive::kControlUnitNumber, alarm, value, drive::Cause::Latched));
+  static_cast<void>(unit_.raise(drive::kControlUnitNumber, number, value, drive::Cause::Latched));
 }
 
 void PdoRules::end_alarms() noexcept {

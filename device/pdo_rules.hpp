@@ -68,7 +68,7 @@ class PdoRules final : public canopen::EntryOwner {
   canopen::Result<void> judge_mapping(pdo::Pdo pdo, std::uint8_t sub_index, std::uint32_t value) const noexcept;
   canopen::Result<void> judge_whole(pdo::Pdo pdo, const pdo::Mapping& mapping) const noexcept;
   void raise_for(canopen::AbortCode code, const pdo::Record& record) noexcept;
-  void raise(std::uint16_t alarm, std::uint32_t value) noexcept;
+  void raise(std::uint16_t number, std::uint32_t value) noexcept;
   canopen::Identifier identifier_of(pdo::Pdo pdo) const noexcept;
   bool counts_by_itself(pdo::Pdo pdo) const noexcept;
   bool is_operational() const noexcept { return node_.state() == canopen::NmtState::Operational; }

@@ -11,7 +11,7 @@ namespace device {
 
 /// A mapping that is about to be written, in place of the one that stands.
 struct PendingMapping {
-  pdo::Pdo pdo;
+  pdo::Pdo pdo{};
   pdo::Mapping mapping;
 };
 
