@@ -51,6 +51,18 @@ std::vector<canopen::EntryDescription> rows_of(const Configuration& configuratio
 
 constexpr std::uint16_t kPdosOfAnAxis = 0x40;
 
+/// The objects whose values a restore of parameters changes.
+struct Objects {
+  ParameterGroup group;
+  std::uint16_t first;
+  std::uint16_t last;
+};
+constexpr std::array kRestored{
+    Objects{ParameterGroup::All, 0x1000, 0x9FFF},
+    Objects{ParameterGroup::Communication, 0x1000, 0x1FFF},
+    Objects{ParameterGroup::Application, 0x6000, 0x9FFF},
+};
+
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
@@ -65,26 +77,54 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
       listener_{listener},
-      unit_{unit_of(configuration)},
+      unit_{unit_of(configuration), this},
+      storage_{unit_, listener},
+      retained_(drive::retained_image::size(unit_)),
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this} {
-  apply_presets();
+  apply_presets(ParameterGroup::All);
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
-void Device::apply_presets() noexcept {
+/// The configuration lies over the parameters of @p group, whatever they were before.
+void Device::apply_presets(ParameterGroup group) noexcept {
   for (std::size_t i = 0; i < configuration_.axes.size(); ++i) {
     for (const ParameterPreset& preset : configuration_.axes[i].presets) {
+      if (!belongs_to(group, preset.number)) continue;
       [[maybe_unused]] const auto written = unit_.axes()[i].write(preset.number, preset.index, preset.value);
       assert(written);
     }
   }
+}
+
+/// What objects hold of the parameters goes into the dictionary.
+void Device::bring_out_parameters() noexcept {
+  error_objects_.show_again();
+  for (AxisObjects& axis : axes_) axis.publish();
+}
+
+tl::expected<void, drive::image_format::Error> Device::load_parameters(std::span<const std::byte> image) noexcept {
+  auto loaded = storage_.adopt(image);
+  if (loaded) {
+    apply_presets(ParameterGroup::All);
+    bring_out_parameters();
+  }
+  return loaded;
+}
+
+tl::expected<void, drive::image_format::Error> Device::load_retained(std::span<const std::byte> image) noexcept {
+  return drive::retained_image::load(unit_, image);
+}
+
+std::span<const std::byte> Device::retained(canopen::TimePoint now) noexcept {
+  tell_time(now);
+  return drive::retained_image::save(unit_, retained_).value_or(std::span<const std::byte>{});
 }
 
 void Device::start(canopen::TimePoint now) noexcept {
@@ -101,12 +141,14 @@ void Device::start(canopen::TimePoint now) noexcept {
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   now_ = now;
   node_.on_frame(frame, now);
+  if (storage_.has_task()) carry_out_task();
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
   now_ = now;
   if (next_cycle() <= now) run_cycles();
   node_.on_time(now);
+  if (storage_.has_task()) carry_out_task();
 }
 
 canopen::TimePoint Device::next_deadline() const noexcept {
@@ -160,6 +202,41 @@ canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
   return {};
 }
 
+std::optional<drive::Refusal> Device::on_parameter(const drive::DriveObject& object,
+                                                   const drive::ParameterRow& row, std::size_t,
+                                                   double value) noexcept {
+  constexpr std::array<std::uint16_t, 4> kStorageCommands{971, 972, 976, 977};
+  if (std::ranges::find(kStorageCommands, row.number) == kStorageCommands.end()) return std::nullopt;
+  return storage_.on_command(row.number, object, value);
+}
+
+void Device::carry_out_task() noexcept {
+  using Task = ParameterStorage::Task;
+  switch (storage_.take_task()) {
+    case Task::None:
+      break;
+    case Task::RestoreAll:
+      return restore(ParameterGroup::All);
+    case Task::RestoreCommunication:
+      return restore(ParameterGroup::Communication);
+    case Task::RestoreApplication:
+      return restore(ParameterGroup::Application);
+    case Task::Restart:
+      return node_.command(canopen::NmtCommand::ResetNode, now_);
+  }
+}
+
+/// The state of a new unit, at once: the vendor's departure from CiA 301, which waits for the next reset.
+void Device::restore(ParameterGroup group) noexcept {
+  storage_.reset(group);
+  apply_presets(group);
+  for (const Objects& objects : kRestored)
+    if (objects.group == group) dictionary_.restore(objects.first, objects.last);
+  for (AxisObjects& axis : axes_) axis.forget_written();
+  bring_out_parameters();
+  wake();
+}
+
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
   tell_time(now_);
   if (to == canopen::NmtState::Initialising) {
@@ -168,6 +245,8 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
+  const bool left = from == canopen::NmtState::Operational && to != canopen::NmtState::Initialising;
+  if (left) storage_.on_operational_left();
   error_objects_.update(node_);
   for (AxisObjects& axis : axes_) axis.publish();
   wake();
@@ -182,11 +261,11 @@ void Device::leave_operational(std::uint32_t value) noexcept {
 }
 
 void Device::on_reset(canopen::NmtCommand command) noexcept {
-  if (command == canopen::NmtCommand::ResetNode) {
-    unit_.restore_parameters();
-    apply_presets();
-  }
-  for (AxisObjects& axis : axes_) axis.publish();  // the dictionary holds its initial values
+  const bool all = command == canopen::NmtCommand::ResetNode;
+  const ParameterGroup group = all ? ParameterGroup::All : ParameterGroup::Communication;
+  storage_.reload(group);
+  apply_presets(group);
+  bring_out_parameters();
 }
 
 tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,

@@ -9,8 +9,10 @@
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
 #include "device/object_rows.hpp"
+#include "device/parameter_storage.hpp"
 #include "device/sdo_identifiers.hpp"
 #include "drive/drive_unit.hpp"
+#include "drive/retained_image.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
@@ -39,9 +41,8 @@ struct Configuration {
 };
 
 /// What the unit tells the program around it. Called from within the functions of Device.
-class Listener {
+class Listener : public ParameterKeeper {
  public:
-  virtual ~Listener() = default;
   /// The identifiers to be received have changed: see Device::subscriptions().
   virtual void on_subscriptions_changed() noexcept = 0;
   /// Another station has sent @p identifier, which belongs to this node-ID.
@@ -53,7 +54,10 @@ class Listener {
 /// The drive unit as a CANopen node: control unit and axes behind the objects of CiA 301 and CiA 402. It is fed
 /// frames and time and hands its frames to a sink; nothing in it reads a clock, blocks or, after construction,
 /// allocates. Axes are counted from 1; where a function takes one, 0 is the control unit.
-class Device final : private canopen::Application, private canopen::EntryOwner, private AxisListener {
+class Device final : private canopen::Application,
+                     private canopen::EntryOwner,
+                     private drive::ParameterHost,
+                     private AxisListener {
  public:
   /// Process-data cycle p8848.
   static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
@@ -64,6 +68,15 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   ~Device() override = default;
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
+
+  /// Before the first start(): the saved parameters, and what a power cut did not take. An image that does not fit
+  /// changes nothing.
+  [[nodiscard]] tl::expected<void, drive::image_format::Error> load_parameters(
+      std::span<const std::byte> image) noexcept;
+  [[nodiscard]] tl::expected<void, drive::image_format::Error> load_retained(
+      std::span<const std::byte> image) noexcept;
+  /// What survives a power cut at @p now; valid until the next call.
+  std::span<const std::byte> retained(canopen::TimePoint now) noexcept;
 
   /// Power-on, or the bus is back: sends the boot-up message and starts the communication afresh. If the node was
   /// Operational, that is leaving Operational.
@@ -93,6 +106,10 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   drive::Setpoints setpoints(std::size_t number = 1) const noexcept { return axes_[number - 1].setpoints(); }
   /// What must be received (see canopen::Node::subscriptions()).
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
+  /// Counts how often the faults and alarms were different from before.
+  std::uint32_t message_changes() const noexcept { return error_objects_.updates(); }
+  /// Whether every axis is at rest: no time passes for what is counted there.
+  bool is_resting() const noexcept { return resting_; }
   /// Cycles left out because the program was kept from running for too long.
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
@@ -103,6 +120,12 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
+  canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override { return storage_.store(sub_index); }
+  canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
+    return storage_.restore(sub_index);
+  }
+  std::optional<drive::Refusal> on_parameter(const drive::DriveObject& object, const drive::ParameterRow& row,
+                                             std::size_t index, double value) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
 
@@ -111,12 +134,17 @@ class Device final : private canopen::Application, private canopen::EntryOwner, 
   void publish() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
-  void apply_presets() noexcept;
+  void apply_presets(ParameterGroup group) noexcept;
+  void bring_out_parameters() noexcept;
+  void carry_out_task() noexcept;
+  void restore(ParameterGroup group) noexcept;
   canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
 
   Configuration configuration_;
   Listener& listener_;
   drive::DriveUnit unit_;
+  ParameterStorage storage_;
+  std::vector<std::byte> retained_;
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
   std::deque<AxisObjects> axes_;

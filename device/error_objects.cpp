@@ -54,12 +54,18 @@ void ErrorObjects::update(canopen::Node& node) noexcept {
   const std::uint32_t change = change_count();
   if (change == seen_change_) return;
   seen_change_ = change;
+  ++updates_;
   error_register_.set(error_register());
   const bool had_entries = entries_ != 0;
   const Messages active = messages();
   fill(active);
   report(active, node);
   if (had_entries && entries_ == 0) node.send_emcy(0, error_register_.get(), {});
+}
+
+void ErrorObjects::show_again() noexcept {
+  error_register_.set(error_register());
+  fill(messages());
 }
 
 /// Differs from before if a message of any drive object has entered, left or changed.
@@ -91,9 +97,8 @@ ErrorObjects::Messages ErrorObjects::messages() const noexcept {
     for (const drive::FaultEntry& entry : object.messages().faults()) found.add(entry, object.number());
     for (const drive::FaultEntry& entry : object.messages().alarms()) found.add(entry, object.number());
   });
-  std::sort(found.items.begin(), found.items.begin() + found.count, [](const Reported& a, const Reported& b) {
-    return a.entry->sequence < b.entry->sequence;
-  });
+  std::sort(found.items.begin(), found.items.begin() + found.count,
+            [](const Reported& a, const Reported& b) { return a.entry->sequence < b.entry->sequence; });
   return found;
 }
 

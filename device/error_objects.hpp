@@ -20,6 +20,10 @@ class ErrorObjects final : public canopen::EntryOwner {
   /// Brings the objects up to date and sends an emergency message for every message that entered since the last
   /// call, and one with code 0000h when the last one has left.
   void update(canopen::Node& node) noexcept;
+  /// The dictionary has had its initial values: shows what is active again.
+  void show_again() noexcept;
+  /// Counts the calls of update() that found a change.
+  std::uint32_t updates() const noexcept { return updates_; }
 
   canopen::Result<std::int64_t> read(const canopen::Entry& entry, std::int64_t stored) override;
 
@@ -49,6 +53,7 @@ class ErrorObjects final : public canopen::EntryOwner {
   const drive::DriveUnit& unit_;
   canopen::Cell<std::uint8_t> error_register_;
   std::uint32_t seen_change_ = 0;
+  std::uint32_t updates_ = 0;
   std::uint32_t seen_sequence_ = 0;
   std::uint32_t entries_ = 0;  ///< messages that 1003h shows now
 };

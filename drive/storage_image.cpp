@@ -208,6 +208,11 @@ tl::expected<std::span<const std::byte>, Error> update(const DriveUnit& unit, st
   return image_format::seal(writer);
 }
 
+bool has(const DriveUnit& unit, std::span<const std::byte> image, std::uint8_t object) noexcept {
+  const auto content = image_format::open(image, kKind, unit);
+  return content && unit.object(object) != nullptr && Blocks{*content}.has(object);
+}
+
 bool is_complete(const DriveUnit& unit, std::span<const std::byte> image) noexcept {
   auto content = image_format::open(image, kKind, unit);
   return content && content->take<std::uint16_t>() == image_format::object_count(unit);

@@ -51,6 +51,9 @@ std::size_t size(const DriveUnit& unit, std::uint8_t object = kAllObjects) noexc
                                                                      std::span<std::byte> buffer,
                                                                      const Selection& selection) noexcept;
 
+/// Whether @p image, one of @p unit or empty, has drive object @p object.
+bool has(const DriveUnit& unit, std::span<const std::byte> image, std::uint8_t object) noexcept;
+
 /// Whether @p image, one of @p unit or empty, has all of its drive objects.
 bool is_complete(const DriveUnit& unit, std::span<const std::byte> image) noexcept;
 

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "drive/storage_image.hpp"
+#include "libcanopen/od/abort_code.hpp"
+
+namespace device {
+
+/// Who writes the saved parameters to where they last.
+class ParameterKeeper {
+ public:
+  virtual ~ParameterKeeper() = default;
+  /// Keeps @p image for the next start; false if it cannot, and the former one is still kept then.
+  virtual bool on_store(std::span<const std::byte> image) noexcept {
+    static_cast<void>(image);
+    return false;
+  }
+};
+
+/// The groups of 1010h and 1011h, by sub-index.
+enum class ParameterGroup : std::uint8_t {
+  All = 1,
+  Communication = 2,  ///< what objects 1000h to 1FFFh show
+  Application = 3,    ///< what objects 6000h to 9FFFh show
+};
+
+/// Whether parameter @p number belongs to @p group.
+bool belongs_to(ParameterGroup group, std::uint16_t number) noexcept;
+
+/// The saved parameters of the unit: 1010h, 1011h, p0971, p0972, p0976 and p0977. Nothing is allocated after
+/// construction.
+///
+/// What changes many parameters at once is only noted by a request, to be done when it has been answered: see
+/// take_task().
+class ParameterStorage {
+ public:
+  using Error = drive::storage_image::Error;
+
+  /// What a request has asked for.
+  enum class Task : std::uint8_t { None, RestoreAll, RestoreCommunication, RestoreApplication, Restart };
+
+  /// The arguments must outlive this.
+  ParameterStorage(drive::DriveUnit& unit, ParameterKeeper& keeper);
+
+  /// The unit, which is new, takes over the saved parameters @p image; nothing changes if it does not fit.
+  [[nodiscard]] tl::expected<void, Error> adopt(std::span<const std::byte> image) noexcept;
+
+  /// "save" in 1010h, @p sub_index. DeviceState for a part before all was saved once, HardwareError if the keeper
+  /// cannot.
+  [[nodiscard]] canopen::Result<void> store(std::uint8_t sub_index) noexcept;
+  /// "load" in 1011h, @p sub_index, becomes a task. DeviceState while pulses are enabled.
+  [[nodiscard]] canopen::Result<void> restore(std::uint8_t sub_index) noexcept;
+  /// @p value is written to the command @p number of @p object; the reason if it cannot be carried out.
+  [[nodiscard]] std::optional<drive::Refusal> on_command(std::uint16_t number, const drive::DriveObject& object,
+                                                         double value) noexcept;
+  /// The node has left Operational: p0972 = 3 waits for that.
+  void on_operational_left() noexcept;
+
+  bool has_task() const noexcept { return task_ != Task::None; }
+  /// What is to be done now; afterwards there is no task.
+  Task take_task() noexcept;
+
+  /// The parameters of @p group are those of a new unit.
+  void reset(ParameterGroup group) noexcept;
+  /// The parameters of @p group are the saved ones, as after power-on.
+  void reload(ParameterGroup group) noexcept;
+
+ private:
+  std::span<const std::byte> image() const noexcept { return std::span{image_}.first(length_); }
+  bool save(const drive::storage_image::Selection& selection) noexcept;
+  bool pulses_enabled() const noexcept;
+  std::optional<drive::Refusal> save_object(const drive::DriveObject& object, int value) noexcept;
+  std::optional<drive::Refusal> save_all(const drive::DriveObject& object, int value) noexcept;
+  std::optional<drive::Refusal> load_all(const drive::DriveObject& object, int value) noexcept;
+  std::optional<drive::Refusal> restart(const drive::DriveObject& object, int value) noexcept;
+  void show_restart(int value) noexcept;
+
+  drive::DriveUnit& unit_;
+  ParameterKeeper& keeper_;
+  std::vector<std::byte> image_;  ///< as last saved
+  std::size_t length_ = 0;        ///< of it; 0 = nothing was saved yet
+  std::vector<std::byte> spare_;  ///< for the next one
+  Task task_ = Task::None;
+};
+
+}  // namespace device
