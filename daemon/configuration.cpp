@@ -190,7 +190,7 @@ std::vector<AxisConfiguration> read_axes(const JsonReader& json) {
     const auto same = std::ranges::find(axes, axis.name, &AxisConfiguration::name);
     if (same != axes.end()) {
       const JsonReader& named = json.at(i).has("name") ? json.at(i).at("name") : json.at(i);
-      named.fail(fmt::format("a name that axes[{}] does not have", same - axes.begin()));
+      named.fail(fmt::format("a name that /axes/{} does not have", same - axes.begin()));
     }
     axes.push_back(std::move(axis));
   }

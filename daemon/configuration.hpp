@@ -28,7 +28,7 @@ struct ParameterValue {
 
 /// One axis of the unit.
 struct AxisConfiguration {
-  std::string name;                                  ///< unique in the unit
+  std::string name;                                   ///< unique in the unit
   drive::ObjectKind kind = drive::ObjectKind::Servo;  ///< Servo or Vector
   motor::MachineData machine;
   motor::Load load;
@@ -43,8 +43,8 @@ struct Configuration {
   bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
   int node_id = 2;
   std::vector<AxisConfiguration> axes = default_axes(1);  ///< 1..drive::kMostAxes
-  bool sdo_block = false;                    ///< key "sdo_block"
-  bool fault_on_leaving_operational = true;  ///< key "f08701"
+  bool sdo_block = false;                                 ///< key "sdo_block"
+  bool fault_on_leaving_operational = true;               ///< key "f08701"
 };
 
 /// Reads @p text, the content of configuration file @p file; throws ConfigurationError.

@@ -62,11 +62,10 @@ Outcome inject_fault(Daemon& daemon, const json& params) {
   const auto raised = daemon.raise(*place, static_cast<std::uint16_t>(*number), *value);
   if (raised) return json::object();
   const bool unknown = raised.error() == drive::FaultError::Unknown;
-  return refuse(
-      fmt::format("number: {} is {}", *number,
-                  unknown               ? "no fault or alarm of the unit"
-                  : *place == kControlUnit ? "a message of an axis, not of the control unit"
-                                        : "a message of the control unit, not of an axis"));
+  return refuse(fmt::format("number: {} is {}", *number,
+                            unknown                  ? "no fault or alarm of the unit"
+                            : *place == kControlUnit ? "a message of an axis, not of the control unit"
+                                                     : "a message of the control unit, not of an axis"));
 }
 
 Outcome acknowledge_fault(Daemon& daemon, const json& params) {

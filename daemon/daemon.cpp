@@ -177,7 +177,7 @@ void Daemon::on_life_guarding_withheld() noexcept {
 }
 
 tl::expected<void, drive::FaultError> Daemon::raise(std::size_t axis, std::uint16_t number,
-                                                     std::uint32_t value) noexcept {
+                                                    std::uint32_t value) noexcept {
   return device_.raise(axis, number, value, read_clock());
 }
 

@@ -51,7 +51,8 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
                  "socketcand://HOST:PORT/NAME (default: vcan0)")
       ->type_name("IF");
   app.add_option("--node-id", node_id, "node-ID, 1 to 127 (default: 2)")->type_name("N");
-  app.add_option("--axes", axes, "number of axes, 1 to 8 (default: those of the configuration file, else 1)")->type_name("N");
+  app.add_option("--axes", axes, "number of axes, 1 to 8 (default: those of the configuration file, else 1)")
+      ->type_name("N");
   app.add_option("--state-directory", options.state_directory, "where the unit keeps its state")->type_name("DIR");
   app.add_option("--control", options.control, "control socket, or none")->type_name("SOCKET");
   app.add_flag("--check-config", options.check_config, "check the configuration and exit");

@@ -30,7 +30,8 @@ void take_initial(EntryDescription& row, std::span<const OtherInitial> others) n
 }
 
 EntryDescription on_axis(EntryDescription row, std::size_t axis, drive::ObjectKind kind) noexcept {
-  if (maps(row)) row.initial += std::int64_t{axis_offset(static_cast<std::uint16_t>(row.initial >> 16), axis)} << 16;
+  if (maps(row))
+    row.initial += std::int64_t{axis_offset(static_cast<std::uint16_t>(row.initial >> 16), axis)} << 16;
   if (axis > 1) take_initial(row, generated::kOtherAxesInitials);
   if (kind == drive::ObjectKind::Vector) take_initial(row, generated::kVectorInitials);
   row.index = static_cast<std::uint16_t>(row.index + axis_offset(row.index, axis));
@@ -38,7 +39,8 @@ EntryDescription on_axis(EntryDescription row, std::size_t axis, drive::ObjectKi
 }
 
 /// Adds @p row of the module list if its axis exists.
-void add_module(std::vector<EntryDescription>& rows, EntryDescription row, std::span<const drive::ObjectKind> axes) {
+void add_module(std::vector<EntryDescription>& rows, EntryDescription row,
+                std::span<const drive::ObjectKind> axes) {
   if (row.sub_index > axes.size()) return;
   if (row.sub_index == 0) {
     row.initial = static_cast<std::int64_t>(axes.size());

@@ -28,7 +28,7 @@ test_packages=(
   # ip, modprobe for the module vcan, and unshare for networks of their own
   iproute2 kmod util-linux
   # masters of the tests
-  python3-can python3-msgpack python3-pytest
+  python3-can python3-msgpack python3-pytest python3-yaml
   # form and faults of the source
   clang-format clang-tidy
   # systemd-analyze, which checks the units

@@ -16,6 +16,10 @@ BOOT_UP = (0x700 + NODE, '00')
 DEVICE_TYPE = 0xFFFF0192
 
 
+class Abort(Exception):
+    """The unit has refused an SDO transfer; args[0] is the abort code."""
+
+
 class Master:
     """Sends frames and waits for those of node 5."""
 
@@ -44,10 +48,27 @@ class Master:
 
     def read(self, index, sub_index=0):
         """Expedited SDO upload of four bytes; the value."""
+        return struct.unpack('<I', self.upload(index, sub_index))[0]
+
+    def write(self, index, sub_index, data):
+        """Expedited SDO download of one to four bytes."""
+        self.send(0x600 + NODE, (struct.pack('<BHB', 0x23 | (4 - len(data)) << 2, index, sub_index)
+                                 + data.ljust(4, b'\0')).hex())
+        self._sdo_answer(index, sub_index)
+
+    def upload(self, index, sub_index=0):
+        """Expedited SDO upload; one to four bytes."""
         self.send(0x600 + NODE, struct.pack('<BHB4x', 0x40, index, sub_index).hex())
+        answer = self._sdo_answer(index, sub_index)
+        assert answer[0] & 0xF3 == 0x43, answer.hex()
+        return bytes(answer[4:8 - (answer[0] >> 2 & 3)])
+
+    def _sdo_answer(self, index, sub_index):
         answer = self.receive(0x580 + NODE)
-        assert answer[:4] == struct.pack('<BHB', 0x43, index, sub_index), answer.hex()
-        return struct.unpack('<I', answer[4:])[0]
+        assert answer[1:4] == struct.pack('<HB', index, sub_index), answer.hex()
+        if answer[0] == 0x80:
+            raise Abort(struct.unpack('<I', answer[4:])[0])
+        return answer
 
 
 def drive(master):

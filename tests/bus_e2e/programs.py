@@ -1,5 +1,6 @@
 """Programs that run beside a test, in a folder of their own."""
 
+import json
 import os
 import re
 import select
@@ -72,3 +73,13 @@ class Folder:
         """Runs a program that ends by itself; its standard output."""
         return subprocess.run([os.path.join(self.bin_folder, name), *options], env=self.environment, check=True,
                               capture_output=True, text=True, timeout=PATIENCE).stdout
+
+
+def start_unit(folder):
+    """axisd as node 5 with short ramps, ready on the bus of with-can."""
+    with open(folder.path('axisd.json'), 'w', encoding='ascii') as file:
+        json.dump({'axes': [{'parameters': {'p1120': 0.5, 'p1121': 0.5}}]}, file)
+    unit = folder.start('axisd', '--interface', f'unix:{os.environ["CAN_BUS"]}', '--node-id', '5',
+                        '--config', folder.path('axisd.json'))
+    unit.expect('ready: node 5 on')
+    return unit

@@ -61,7 +61,8 @@ TEST_F(Program, RefusesAnUnknownLogLevelInOneLine) {
 TEST_F(Program, RefusesValuesOutOfRange) {
   expect_refusal({"--node-id", "0"}, 2, "--node-id: expected an integer 1 to 127, got 0");
   expect_refusal({"--node-id", "128"}, 2, "--node-id: expected an integer 1 to 127, got 128");
-  expect_refusal({"--axes", "2"}, 2, "--axes: expected 1 in this version, got 2");
+  expect_refusal({"--axes", "0"}, 2, "--axes: expected an integer 1 to 8, got 0");
+  expect_refusal({"--axes", "9"}, 2, "--axes: expected an integer 1 to 8, got 9");
 }
 
 TEST_F(Program, AcceptsAGoodConfigurationWithoutAWord) {

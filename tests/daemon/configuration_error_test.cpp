@@ -71,9 +71,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /node_id: expected an integer 1 to 127, got 18446744073709551615"},
         BadFile{R"({"sdo_block": 1})", "node.json: /sdo_block: expected true or false, got 1"},
         BadFile{R"({"f08701": "no"})", "node.json: /f08701: expected true or false, got \"no\""},
-        BadFile{R"({"axes": {}})", "node.json: /axes: expected an array of 1, got {}"},
-        BadFile{R"({"axes": []})", "node.json: /axes: expected an array of 1, got []"},
-        BadFile{R"({"axes": [{}, {}]})", "node.json: /axes: expected an array of 1, got [{},{}]"}));
+        BadFile{R"({"axes": {}})", "node.json: /axes: expected an array of 1 to 8, got {}"},
+        BadFile{R"({"axes": []})", "node.json: /axes: expected an array of 1 to 8, got []"},
+        BadFile{R"({"axes": [{},{},{},{},{},{},{},{},{}]})",
+                "node.json: /axes: expected an array of 1 to 8, got [{},{},{},{},{},{},{},{},{}]"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Axis, BadFiles,
@@ -82,7 +83,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [{"speed": 1}]})",
                 "node.json: /axes/0/speed: unknown key, expected one of: name, type, motor, load, parameters"},
         BadFile{R"({"axes": [{"name": 1}]})", "node.json: /axes/0/name: expected a string, got 1"},
-        BadFile{R"({"axes": [{"type": "vector"}]})", "node.json: /axes/0/type: expected servo, got \"vector\""},
+        BadFile{R"({"axes": [{"type": "infeed"}]})",
+                "node.json: /axes/0/type: expected servo or vector, got \"infeed\""},
+        BadFile{R"({"axes": [{"name": "X"}, {"name": "Y"}, {"name": "X"}]})",
+                "node.json: /axes/2/name: expected a name that /axes/0 does not have, got \"X\""},
+        BadFile{R"({"axes": [{"name": "Y"}, {}]})",
+                "node.json: /axes/1: expected a name that /axes/0 does not have, got {}"},
         BadFile{R"({"axes": [{"motor": 1}]})", "node.json: /axes/0/motor: expected a string, got 1"},
         BadFile{R"({"axes": [{"motor": "1fk7"}]})",
                 "node.json: /axes/0/motor: expected a motor preset (1fk7063) or the path of a motor file, got "
@@ -90,9 +96,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [{"motor": "/nowhere/motor.json"}]})",
                 "/nowhere/motor.json: cannot be read: No such file or directory"},
         BadFile{R"({"axes": [{"parameters": []}]})", "node.json: /axes/0/parameters: expected an object, got []"},
-        BadFile{
-            R"({"axes": [{"parameters": {"1120": 1}}]})",
-            "node.json: /axes/0/parameters/1120: expected a parameter of the axis such as p1120 as key, got 1"},
+        BadFile{R"({"axes": [{"parameters": {"1120": 1}}]})",
+                "node.json: /axes/0/parameters/1120: expected a parameter of the axis such as p1120 or p1070[1] "
+                "as key, "
+                "got 1"},
+        BadFile{R"({"axes": [{}, {"parameters": {"p1120[1]": 1}}]})",
+                "node.json: /axes/1/parameters/p1120[1]: expected an index 0 to 0 of p1120 as key, got 1"},
         BadFile{R"({"axes": [{"parameters": {"p1120": "1"}}]})",
                 "node.json: /axes/0/parameters/p1120: expected a number, got \"1\""},
         BadFile{R"({"axes": [{"parameters": {"p1120": -1}}]})",
@@ -190,7 +199,7 @@ TEST(CommandLineValues, OutOfRangeAreRefused) {
               configuration_of({"--node-id", "128"});
             }),
             "--node-id: expected an integer 1 to 127, got 128");
-  EXPECT_EQ(message_of([] { configuration_of({"--axes", "2"}); }), "--axes: expected 1 in this version, got 2");
+  EXPECT_EQ(message_of([] { configuration_of({"--axes", "9"}); }), "--axes: expected an integer 1 to 8, got 9");
   EXPECT_EQ(message_of([] {
               configuration_of({"--interface", "with space"});
             }),

@@ -104,7 +104,8 @@ TEST(ErrorField, ShowsTheMessagesInTheOrderOfTheirArrival) {
   TestUnit unit;
   unit.start();
 
-  for (const std::uint16_t number : Numbers{7860, 8751, 30002}) ASSERT_TRUE(unit.device.raise(1, number, 0, unit.now));
+  for (const std::uint16_t number : Numbers{7860, 8751, 30002})
+    ASSERT_TRUE(unit.device.raise(1, number, 0, unit.now));
 
   EXPECT_EQ(unit.passes(0ms), (Lines{"085#001081B41E020000", "085#1081912F22010000", "085#0010913275020000"}));
 }

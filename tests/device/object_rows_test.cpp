@@ -107,7 +107,8 @@ TEST(ObjectRowsOfOneAxis, LeaveExactlyTheCobIdsAndTheErrorFieldToTheirOwners) {
 }
 
 TEST(ObjectRowsOfSeveralAxes, TellServoFromVectorAxes) {
-  const auto rows = object_rows(std::array{drive::ObjectKind::Servo, drive::ObjectKind::Vector, drive::ObjectKind::Servo});
+  const auto rows =
+      object_rows(std::array{drive::ObjectKind::Servo, drive::ObjectKind::Vector, drive::ObjectKind::Servo});
 
   EXPECT_EQ(row_at(rows, 0x1027, 0).initial, 3);
   EXPECT_EQ(row_at(rows, 0x1027, 1).initial, 0x000B);

@@ -205,7 +205,7 @@ TEST(PdoMapping, ReachesTheObjectsOfEveryAxis) {
       {"605#2341140113030000", "585#6041140100000000"},  // RPDO 2 of axis 2: 6840h and 68FFh
       {"605#2340180191010040", "585#6040180100000000"},  // TPDO 1 of axis 2: 6841h
   });
-  EXPECT_EQ(from("191#", unit.says("000#0105")), Lines{"191#0000"});
+  EXPECT_EQ(from("191#", unit.says("000#0105")), Lines{"191#4016"});
   unit.says("313#0F0078563412");
 
   EXPECT_EQ(unit.upload(0x6840).number(), 0x000FU);

@@ -15,6 +15,7 @@
 #include "device/device.hpp"
 #include "tests/fakes/candump.hpp"
 #include "tests/fakes/vector_bus.hpp"
+#include "tests/sdo/sdo_client.hpp"
 
 namespace device {
 
@@ -46,16 +47,7 @@ struct Exchange {
   std::string_view request, answer;
 };
 
-/// What an SDO upload brought.
-struct Upload {
-  std::uint32_t abort_code = 0;  ///< 0 = none
-  std::vector<std::uint8_t> bytes{};
-
-  /// The bytes as a number, least significant first.
-  std::uint64_t number() const;
-  /// The bytes as characters.
-  std::string text() const { return {bytes.begin(), bytes.end()}; }
-};
+using sdo_test::Upload;
 
 /// One revolution per second in the increments of the default encoder (60FFh, 606Ch).
 inline constexpr std::int32_t kRevolution = 4194304;
@@ -68,7 +60,7 @@ constexpr double bus_speed(double rpm) {
 Configuration unit_with(std::vector<ParameterPreset> presets);
 
 /// Node 5 on a bus of its own, with a clock that the test moves.
-class TestUnit {
+class TestUnit : public sdo_test::SdoClient {
  public:
   explicit TestUnit(const Configuration& configuration = unit_with({})) : device{configuration, bus, listener} {}
 
@@ -92,10 +84,6 @@ class TestUnit {
 
   /// Plays @p exchanges in order and compares every answer.
   void expect_dialogue(std::initializer_list<Exchange> exchanges);
-  /// Reads an object over SDO, in segments if it is longer than four bytes.
-  Upload upload(std::uint16_t index, std::uint8_t sub_index = 0);
-  /// Writes an object of @p size bytes over SDO; 0 or the abort code.
-  std::uint32_t download(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value, unsigned size);
 
   /// 6041h as read over SDO.
   std::uint16_t statusword() { return static_cast<std::uint16_t>(upload(0x6041).number()); }
@@ -112,7 +100,7 @@ class TestUnit {
 
  private:
   Lines sent();
-  canopen::Frame asks(const canopen::Frame& request);
+  std::optional<canopen::Frame> ask(const canopen::Frame& request) override;
 };
 
 /// Those of @p lines that come from @p identifier, such as "185#".

@@ -11,10 +11,12 @@ namespace axisctl {
 
 namespace {
 
-constexpr Argument kAxis{"AXIS", "Axis of the unit, 1.."};
-constexpr std::array kInjectArguments{kAxis, Argument{"NUMBER", "Fault number: 7860, F7860 or F07860"}};
-constexpr std::array kAcknowledgeArguments{kAxis};
-constexpr std::array kLoadArguments{kAxis, Argument{"TORQUE", "Load torque at the motor shaft (N·m)"}};
+constexpr Argument kPlace{"AXIS", "Axis of the unit, 1.., or 0 for the control unit"};
+constexpr std::array kInjectArguments{kPlace, Argument{"NUMBER", "Fault number: 7860, F7860 or F07860"},
+                                      Argument{"VALUE", "Fault value (r0949), 0 if not given", true}};
+constexpr std::array kAcknowledgeArguments{kPlace};
+constexpr std::array kLoadArguments{Argument{"AXIS", "Axis of the unit, 1.."},
+                                    Argument{"TORQUE", "Load torque at the motor shaft (N·m)"}};
 
 tl::expected<nlohmann::json, std::string> no_parameters(Words /*words*/) {
   return nlohmann::json::object();
@@ -35,10 +37,10 @@ constexpr std::array kCommands{
             control::Method::Status,
             no_parameters,
             print_status},
-    Command{"fault", "inject", "Make a fault occur on an axis", kInjectArguments, control::Method::FaultInject,
+    Command{"fault", "inject", "Make a fault or alarm occur", kInjectArguments, control::Method::FaultInject,
             fault_inject_parameters, print_members},
-    Command{"fault", "ack", "Acknowledge the faults of an axis", kAcknowledgeArguments,
-            control::Method::FaultAcknowledge, fault_ack_parameters, print_members},
+    Command{"fault", "ack", "Acknowledge faults", kAcknowledgeArguments, control::Method::FaultAcknowledge,
+            fault_ack_parameters, print_members},
     Command{"", "load", "Set the load torque of an axis", kLoadArguments, control::Method::SetLoad,
             load_parameters, print_members},
     Command{"", "quit", "Switch the unit off", {}, control::Method::Quit, no_parameters, print_members},
@@ -50,12 +52,12 @@ std::span<const Command> commands() noexcept {
   return kCommands;
 }
 
-tl::expected<int, std::string> parse_axis(const std::string& word) {
+tl::expected<int, std::string> parse_axis(const std::string& word, int first) {
   int axis = 0;
   const char* const end = word.data() + word.size();
   const auto [rest, error] = std::from_chars(word.data(), end, axis);
-  if (error == std::errc{} && rest == end && axis >= 1) return axis;
-  return tl::unexpected{fmt::format("AXIS: expected a number from 1, got \"{}\"", word)};
+  if (error == std::errc{} && rest == end && axis >= first) return axis;
+  return tl::unexpected{fmt::format("AXIS: expected a number from {}, got \"{}\"", first, word)};
 }
 
 }  // namespace axisctl

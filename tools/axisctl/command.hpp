@@ -16,9 +16,10 @@ namespace axisctl {
 struct Argument {
   std::string_view name;     ///< as in the usage line
   std::string_view summary;  ///< one line
+  bool optional = false;     ///< only the last ones
 };
 
-/// Words of the command line, one for each Argument.
+/// Words of the command line, one for each Argument; an optional one that is missing is empty.
 using Words = std::span<const std::string>;
 
 /// A row of the command table.
@@ -37,10 +38,12 @@ struct Command {
 /// Every command of the program, those of one group side by side.
 [[nodiscard]] std::span<const Command> commands() noexcept;
 
-/// Axis number that @p word means (1..), or in one line what is wrong with it.
-[[nodiscard]] tl::expected<int, std::string> parse_axis(const std::string& word);
+/// Axis number that @p word means (@p first..), or in one line what is wrong with it.
+[[nodiscard]] tl::expected<int, std::string> parse_axis(const std::string& word, int first);
+/// For commands that the control unit knows too: it is axis 0.
+inline constexpr int kControlUnit = 0;
 
-/// Parameters of fault inject (AXIS NUMBER); NUMBER is 7860, F7860 or F07860, 1..65535.
+/// Parameters of fault inject (AXIS NUMBER [VALUE]); NUMBER is 7860, F7860 or F07860, 1..65535.
 tl::expected<nlohmann::json, std::string> fault_inject_parameters(Words words);
 /// Parameters of fault ack (AXIS).
 tl::expected<nlohmann::json, std::string> fault_ack_parameters(Words words);

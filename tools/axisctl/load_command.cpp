@@ -21,7 +21,7 @@ tl::expected<double, std::string> parse_torque(const std::string& word) {
 }  // namespace
 
 tl::expected<nlohmann::json, std::string> load_parameters(Words words) {
-  const auto axis = parse_axis(words[0]);
+  const auto axis = parse_axis(words[0], 1);
   if (!axis) return tl::unexpected{axis.error()};
   const auto torque = parse_torque(words[1]);
   if (!torque) return tl::unexpected{torque.error()};

@@ -62,7 +62,7 @@ void add_commands(CLI::App& app, Invocation& invocation, std::list<std::vector<s
     std::vector<std::string>& own = words.emplace_back(command.arguments.size());
     for (std::size_t i = 0; i < own.size(); ++i)
       sub->add_option(std::string{command.arguments[i].name}, own[i], std::string{command.arguments[i].summary})
-          ->required()
+          ->required(!command.arguments[i].optional)
           ->type_name("");
     sub->callback([&invocation, &command, &own] {
       invocation.command = &command;

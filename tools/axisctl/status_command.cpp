@@ -29,6 +29,7 @@ constexpr std::array kUnitLabels{
     Label{"skipped_cycles", "skipped cycles", ""},
     Label{"version", "axisd version", ""},
 };
+constexpr std::array kControlUnitLabels{Label{"faults", "faults", ""}, Label{"alarms", "alarms", ""}};
 constexpr std::array kAxisLabels{
     Label{"state", "state", ""},
     Label{"controlword", "controlword", ""},
@@ -42,7 +43,7 @@ constexpr std::array kAxisLabels{
     Label{"alarms", "alarms", ""},
 };
 // Shown in the heading of an axis or below the unit.
-constexpr std::array<std::string_view, 4> kElsewhere{"axis", "name", "type", "axes"};
+constexpr std::array<std::string_view, 5> kElsewhere{"axis", "name", "type", "axes", "control_unit"};
 constexpr int kIndent = 2;
 constexpr int kLabelWidth = 16;
 
@@ -112,6 +113,10 @@ void print_status(std::ostream& out, const json& result) {
     return;
   }
   print_members(out, 0, kUnitLabels, result);
+  if (const auto unit = result.find("control_unit"); unit != result.end() && unit->is_object()) {
+    out << "control unit\n";
+    print_members(out, kIndent, kControlUnitLabels, *unit);
+  }
   const auto axes = result.find("axes");
   if (axes == result.end() || !axes->is_array()) return;
   for (const json& axis : *axes)

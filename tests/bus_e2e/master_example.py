@@ -1,0 +1,37 @@
+"""Runs a master of examples/masters against axisd: master_example.py BIN-FOLDER [--module NAME] PATTERN COMMAND...
+
+What the command prints has to match PATTERN from its beginning to its end. Without the Python module NAME the test is
+skipped: exit status 77.
+"""
+
+import re
+import subprocess
+import sys
+
+import programs
+
+SKIPPED = 77
+
+
+def skip_without(module, python):
+    if subprocess.run([python, '-c', f'import {module}'], stderr=subprocess.DEVNULL).returncode != 0:
+        print(f'skipped: {python} has no module {module}; docs/masters.md says how to install it')
+        sys.exit(SKIPPED)
+
+
+def main():
+    bin_folder, *words = sys.argv[1:]
+    if words[0] == '--module':
+        _, module, *words = words
+        skip_without(module, words[1])
+    pattern, *command = words
+    with programs.Folder(bin_folder) as folder:
+        unit = programs.start_unit(folder)
+        run = subprocess.run(command, stdout=subprocess.PIPE, text=True, timeout=6 * programs.PATIENCE)
+        print(run.stdout, end='')
+        assert run.returncode == 0, f'exit status {run.returncode}'
+        assert re.fullmatch(pattern, run.stdout.strip()), f'that does not match {pattern}'
+        assert unit.end() == 0
+
+
+main()
