@@ -1,5 +1,6 @@
 #include "daemon/daemon.hpp"
 
+#include <array>
 #include <chrono>
 
 #include <sys/epoll.h>
@@ -28,6 +29,13 @@ device::Configuration device_configuration(const Configuration& configuration, c
                                .remote_frames = port.carries_remote_frames()};
   for (const AxisConfiguration& axis : configuration.axes) result.axes.push_back(setup_of(axis));
   return result;
+}
+
+/// The unit does not tell the warning limit apart.
+constexpr device::BusState bus_state_of(bus::ErrorState state) noexcept {
+  constexpr std::array kStates{device::BusState::Active, device::BusState::Active, device::BusState::Passive,
+                               device::BusState::Off};
+  return kStates[static_cast<std::size_t>(state)];
 }
 
 std::vector<double> load_torques(const Configuration& configuration) {
@@ -154,6 +162,7 @@ void Daemon::on_link_lost() noexcept {
 
 void Daemon::on_error_state(bus::ErrorState state) noexcept {
   log_.warning("{}: {}", bus_name(), bus::name_of(state));
+  device_.on_bus_state(bus_state_of(state), read_clock());
 }
 
 void Daemon::on_subscriptions_changed() noexcept {

@@ -23,6 +23,7 @@ constexpr canopen::Policy kPolicy{
     .error_keeping = canopen::ErrorKeeping::Owner,
     .extended_identifiers = false,
     .sdo_block = false,
+    .predefined_sdo_identifiers = true,
     .pdo_changes_in_operational = false,  // A08754
     .count_follows_entries = true,
     .tpdo_requests = false,
@@ -51,17 +52,17 @@ std::vector<canopen::EntryDescription> rows_of(const Configuration& configuratio
 
 constexpr std::uint16_t kPdosOfAnAxis = 0x40;
 
-/// The objects whose values a restore of parameters changes.
-struct Objects {
-  ParameterGroup group;
+/// Objects with indices `first` to `last`.
+struct ObjectRange {
   std::uint16_t first;
   std::uint16_t last;
 };
-constexpr std::array kRestored{
-    Objects{ParameterGroup::All, 0x1000, 0x9FFF},
-    Objects{ParameterGroup::Communication, 0x1000, 0x1FFF},
-    Objects{ParameterGroup::Application, 0x6000, 0x9FFF},
-};
+/// The objects that show parameters of @p group, and what belongs to them.
+constexpr ObjectRange objects_of(ParameterGroup group) noexcept {
+  constexpr std::array kRanges{ObjectRange{0x1000, 0x9FFF}, ObjectRange{0x1000, 0x1FFF},
+                               ObjectRange{0x6000, 0x9FFF}};
+  return kRanges[static_cast<std::size_t>(group) - 1];
+}
 
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
@@ -77,44 +78,46 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
       listener_{listener},
-      unit_{unit_of(configuration), this},
-      storage_{unit_, listener},
+      unit_{unit_of(configuration), &parameters_},
+      storage_{unit_, parameters_, listener},
       retained_(drive::retained_image::size(unit_)),
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
+      mirrored_parameters_{dictionary_, unit_, parameters_},
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
-      node_{dictionary_, policy_of(configuration), sink, *this} {
+      node_{dictionary_, policy_of(configuration), sink, *this},
+      communication_{unit_, parameters_, node_},
+      window_{unit_, parameters_, *this} {
+  node_.show(window_);
   apply_presets(ParameterGroup::All);
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
-/// The configuration lies over the parameters of @p group, whatever they were before.
+/// The configuration lies over the parameters of @p group, whatever they were before; what objects show of them is
+/// brought into the dictionary.
 void Device::apply_presets(ParameterGroup group) noexcept {
   for (std::size_t i = 0; i < configuration_.axes.size(); ++i) {
     for (const ParameterPreset& preset : configuration_.axes[i].presets) {
       if (!belongs_to(group, preset.number)) continue;
-      [[maybe_unused]] const auto written = unit_.axes()[i].write(preset.number, preset.index, preset.value);
-      assert(written);
+      drive::Axis& axis = unit_.axes()[i];
+      if (axis.write(preset.number, preset.index, preset.value)) continue;
+      // The rules of an object are those of a change, not of a beginning.
+      [[maybe_unused]] const auto loaded = axis.load(preset.number, preset.index, preset.value);
+      assert(loaded);
     }
   }
-}
-
-/// What objects hold of the parameters goes into the dictionary.
-void Device::bring_out_parameters() noexcept {
-  error_objects_.show_again();
+  const ObjectRange objects = objects_of(group);
+  mirrored_parameters_.bring_out(objects.first, objects.last);
   for (AxisObjects& axis : axes_) axis.publish();
 }
 
 tl::expected<void, drive::image_format::Error> Device::load_parameters(std::span<const std::byte> image) noexcept {
   auto loaded = storage_.adopt(image);
-  if (loaded) {
-    apply_presets(ParameterGroup::All);
-    bring_out_parameters();
-  }
+  if (loaded) apply_presets(ParameterGroup::All);
   return loaded;
 }
 
@@ -135,13 +138,30 @@ void Device::start(canopen::TimePoint now) noexcept {
     for (AxisObjects& axis : axes_) axis.publish();
   }
   tell_time(now);
+  communication_.on_bus_state(BusState::Active);
+  error_objects_.set_bus_off(false);
+  communication_.set_start_state();
   node_.start(now);
+  error_objects_.update(node_);
 }
 
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   now_ = now;
   node_.on_frame(frame, now);
+  if (parameter_written_) follow_parameters();
   if (storage_.has_task()) carry_out_task();
+}
+
+void Device::on_parameter_written(std::uint8_t object) noexcept {
+  parameter_written_ = true;
+  if (object >= drive::kFirstAxisNumber) axes_[object - drive::kFirstAxisNumber].wake();
+}
+
+/// What the written parameters command besides their own effect, now that the answer is out.
+void Device::follow_parameters() noexcept {
+  parameter_written_ = false;
+  publish();
+  if (const auto command = communication_.take_command()) node_.command(*command, now_);
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
@@ -202,14 +222,6 @@ canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
   return {};
 }
 
-std::optional<drive::Refusal> Device::on_parameter(const drive::DriveObject& object,
-                                                   const drive::ParameterRow& row, std::size_t,
-                                                   double value) noexcept {
-  constexpr std::array<std::uint16_t, 4> kStorageCommands{971, 972, 976, 977};
-  if (std::ranges::find(kStorageCommands, row.number) == kStorageCommands.end()) return std::nullopt;
-  return storage_.on_command(row.number, object, value);
-}
-
 void Device::carry_out_task() noexcept {
   using Task = ParameterStorage::Task;
   switch (storage_.take_task()) {
@@ -229,12 +241,14 @@ void Device::carry_out_task() noexcept {
 /// The state of a new unit, at once: the vendor's departure from CiA 301, which waits for the next reset.
 void Device::restore(ParameterGroup group) noexcept {
   storage_.reset(group);
-  apply_presets(group);
-  for (const Objects& objects : kRestored)
-    if (objects.group == group) dictionary_.restore(objects.first, objects.last);
+  const ObjectRange objects = objects_of(group);
+  dictionary_.restore(objects.first, objects.last);
   for (AxisObjects& axis : axes_) axis.forget_written();
-  bring_out_parameters();
+  apply_presets(group);
+  error_objects_.show_again();
+  if (group != ParameterGroup::Application) node_.reload(now_);
   wake();
+  publish();
 }
 
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
@@ -247,9 +261,32 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   }
   const bool left = from == canopen::NmtState::Operational && to != canopen::NmtState::Initialising;
   if (left) storage_.on_operational_left();
+  show_messages();
+}
+
+/// From within a call of the node, where TPDOs must not be judged yet: the cycle that follows does that.
+void Device::show_messages() noexcept {
   error_objects_.update(node_);
   for (AxisObjects& axis : axes_) axis.publish();
   wake();
+}
+
+void Device::on_communication_error(canopen::CommunicationError error, std::uint16_t) noexcept {
+  if (error != canopen::CommunicationError::LifeGuarding) return;
+  tell_time(now_);
+  communication_.on_life_time_over();
+  show_messages();
+}
+
+void Device::on_bus_state(BusState state, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  const bool is_back = communication_.on_bus_state(state);
+  error_objects_.set_bus_off(communication_.is_bus_off());
+  wake();
+  publish();
+  if (!is_back) return;
+  node_.report(canopen::CommunicationError::BusOffRecovered, now);
+  node_.report_recovery(canopen::CommunicationError::BusOffRecovered, now);
 }
 
 /// F08701 on every axis; the control unit has no part in it.
@@ -265,7 +302,7 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
   const ParameterGroup group = all ? ParameterGroup::All : ParameterGroup::Communication;
   storage_.reload(group);
   apply_presets(group);
-  bring_out_parameters();
+  communication_.set_start_state();
 }
 
 tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,

@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "device/axis_objects.hpp"
+#include "device/communication.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
+#include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
 #include "device/parameter_storage.hpp"
+#include "device/parameter_window.hpp"
 #include "device/sdo_identifiers.hpp"
+#include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
 #include "drive/retained_image.hpp"
 #include "libcanopen/node/node.hpp"
@@ -56,8 +60,8 @@ class Listener : public ParameterKeeper {
 /// allocates. Axes are counted from 1; where a function takes one, 0 is the control unit.
 class Device final : private canopen::Application,
                      private canopen::EntryOwner,
-                     private drive::ParameterHost,
-                     private AxisListener {
+                     private AxisListener,
+                     private WindowListener {
  public:
   /// Process-data cycle p8848.
   static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
@@ -98,6 +102,9 @@ class Device final : private canopen::Application,
   /// Sets the load torque of @p axis (1..axes; N·m, positive against positive rotation).
   void set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept;
 
+  /// The CAN controller is in error state @p state now.
+  void on_bus_state(BusState state, canopen::TimePoint now) noexcept;
+
   const canopen::Node& node() const noexcept { return node_; }
   const drive::DriveUnit& unit() const noexcept { return unit_; }
   /// Axis @p number (1..axes).
@@ -124,38 +131,45 @@ class Device final : private canopen::Application,
   canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
     return storage_.restore(sub_index);
   }
-  std::optional<drive::Refusal> on_parameter(const drive::DriveObject& object, const drive::ParameterRow& row,
-                                             std::size_t index, double value) noexcept override;
+  void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
+  void on_parameter_access() noexcept override { tell_time(now_); }
+  void on_parameter_written(std::uint8_t object) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
   void publish() noexcept;
+  void show_messages() noexcept;
+  void follow_parameters() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
   void apply_presets(ParameterGroup group) noexcept;
-  void bring_out_parameters() noexcept;
   void carry_out_task() noexcept;
   void restore(ParameterGroup group) noexcept;
   canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
 
   Configuration configuration_;
   Listener& listener_;
+  UnitParameters parameters_;
   drive::DriveUnit unit_;
   ParameterStorage storage_;
   std::vector<std::byte> retained_;
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
+  MirroredParameters mirrored_parameters_;
   std::deque<AxisObjects> axes_;
   ErrorObjects error_objects_;
   ErrorControl error_control_;
   SdoIdentifiers sdo_identifiers_;
   canopen::Node node_;
+  Communication communication_;
+  ParameterWindow window_;
   canopen::TimePoint started_{};     ///< when the unit was switched on
   canopen::TimePoint now_{};         ///< as last told
   canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
   bool resting_ = true;              ///< every axis is idle
+  bool parameter_written_ = false;   ///< within a call into the node: what follows from it comes after it
   std::uint64_t skipped_cycles_ = 0;
 };
 

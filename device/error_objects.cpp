@@ -15,6 +15,11 @@ constexpr unsigned kFirstModule = 0x02;
 constexpr unsigned kControlUnit = 0x4A;
 constexpr unsigned kEntriesEach = 8;
 
+/// Of 1001h: a fault outside the communication.
+constexpr unsigned kManufacturerBit = 0x80;
+/// Sub-index of 1029h for such faults.
+constexpr std::uint8_t kDeviceErrorClass = canopen::kCommunicationErrorClass + 1;
+
 /// Sub-index of the count of messages of drive object @p object; the entries follow it.
 constexpr unsigned block_of(unsigned object) noexcept {
   if (object == drive::kControlUnitNumber) return kControlUnit;
@@ -52,20 +57,23 @@ canopen::Result<std::int64_t> ErrorObjects::read(const canopen::Entry&, std::int
 
 void ErrorObjects::update(canopen::Node& node) noexcept {
   const std::uint32_t change = change_count();
-  if (change == seen_change_) return;
+  if (change == seen_change_ && !stale_) return;
+  if (change != seen_change_) ++updates_;
   seen_change_ = change;
-  ++updates_;
+  stale_ = false;
   error_register_.set(error_register());
-  const bool had_entries = entries_ != 0;
   const Messages active = messages();
   fill(active);
-  report(active, node);
-  if (had_entries && entries_ == 0) node.send_emcy(0, error_register_.get(), {});
+  if (bus_off_) return;
+  const bool device_fault = report(active, node);
+  if (told_ && entries_ == 0) node.send_emcy(0, error_register_.get(), {});
+  told_ = entries_ != 0;
+  if (device_fault) node.apply_error_behaviour(kDeviceErrorClass);
 }
 
-void ErrorObjects::show_again() noexcept {
-  error_register_.set(error_register());
-  fill(messages());
+void ErrorObjects::set_bus_off(bool off) noexcept {
+  bus_off_ = off;
+  stale_ = true;
 }
 
 /// Differs from before if a message of any drive object has entered, left or changed.
@@ -125,7 +133,9 @@ void ErrorObjects::set(unsigned sub_index, std::uint32_t value) noexcept {
   if (entry) dictionary_.set(**entry, value);
 }
 
-void ErrorObjects::report(const Messages& messages, canopen::Node& node) noexcept {
+/// True if a fault of a drive object is among what entered.
+bool ErrorObjects::report(const Messages& messages, canopen::Node& node) noexcept {
+  bool device_fault = false;
   for (const auto& [entry, object] : messages.all()) {
     if (entry->sequence <= seen_sequence_) continue;
     seen_sequence_ = entry->sequence;
@@ -133,7 +143,9 @@ void ErrorObjects::report(const Messages& messages, canopen::Node& node) noexcep
     const std::array<std::uint8_t, 5> bytes{static_cast<std::uint8_t>(number),
                                             static_cast<std::uint8_t>(number >> 8), object, 0, 0};
     node.send_emcy(entry->emcy_code(), error_register_.get(), bytes);
+    device_fault = device_fault || (entry->error_register() & kManufacturerBit) != 0;
   }
+  return device_fault;
 }
 
 }  // namespace device

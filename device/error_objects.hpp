@@ -18,12 +18,15 @@ class ErrorObjects final : public canopen::EntryOwner {
   ErrorObjects(canopen::Dictionary& dictionary, const drive::DriveUnit& unit);
 
   /// Brings the objects up to date and sends an emergency message for every message that entered since the last
-  /// call, and one with code 0000h when the last one has left.
+  /// call, and one with code 0000h when the last one has left. A fault outside the communication acts on the NMT
+  /// state as 1029h:02 says.
   void update(canopen::Node& node) noexcept;
-  /// The dictionary has had its initial values: shows what is active again.
-  void show_again() noexcept;
-  /// Counts the calls of update() that found a change.
+  /// The dictionary has had its initial values: the next update() shows again what is active.
+  void show_again() noexcept { stale_ = true; }
+  /// Counts the changes that update() has found.
   std::uint32_t updates() const noexcept { return updates_; }
+  /// While the bus is off nothing is sent; what has entered meanwhile is sent with the update() after it.
+  void set_bus_off(bool off) noexcept;
 
   canopen::Result<std::int64_t> read(const canopen::Entry& entry, std::int64_t stored) override;
 
@@ -47,7 +50,7 @@ class ErrorObjects final : public canopen::EntryOwner {
   Messages messages() const noexcept;
   void fill(const Messages& messages) noexcept;
   void set(unsigned sub_index, std::uint32_t value) noexcept;
-  void report(const Messages& messages, canopen::Node& node) noexcept;
+  bool report(const Messages& messages, canopen::Node& node) noexcept;
 
   canopen::Dictionary& dictionary_;
   const drive::DriveUnit& unit_;
@@ -56,6 +59,9 @@ class ErrorObjects final : public canopen::EntryOwner {
   std::uint32_t updates_ = 0;
   std::uint32_t seen_sequence_ = 0;
   std::uint32_t entries_ = 0;  ///< messages that 1003h shows now
+  bool told_ = false;          ///< the bus knows of a message
+  bool bus_off_ = false;
+  bool stale_ = false;  ///< an update is due though no message has changed
 };
 
 }  // namespace device

@@ -6,11 +6,13 @@
 namespace device::object {
 
 // Communication objects of the unit that carry more than the protocol itself.
+inline constexpr std::uint16_t kDeviceType = 0x1000;
 inline constexpr std::uint16_t kErrorRegister = 0x1001;
 inline constexpr std::uint16_t kErrorField = 0x1003;
 inline constexpr std::uint16_t kGuardTime = 0x100C;
 inline constexpr std::uint16_t kLifeTimeFactor = 0x100D;
 inline constexpr std::uint16_t kHeartbeatTime = 0x1017;
+inline constexpr std::uint16_t kIdentity = 0x1018;
 inline constexpr std::uint16_t kModuleList = 0x1027;
 
 // Profile objects of the first axis (CiA 402); axis n has them 800h·(n-1) higher.

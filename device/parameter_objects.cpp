@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "device/abort_codes.hpp"
 #include "device/object_index.hpp"
 
 namespace device {
 namespace {
-
-using canopen::AbortCode;
 
 /// How an object shows its parameter.
 enum class Form : std::uint8_t {
@@ -33,34 +32,6 @@ const Row& row_of(std::uint16_t index) noexcept {
   return *std::find_if(kRows.begin(), kRows.end(), [=](const Row& row) { return row.index == first; });
 }
 
-/// Refusals of a parameter with an abort code of their own; for every other one it is the state of the unit.
-struct AbortRow {
-  drive::Refusal reason;
-  AbortCode code;
-};
-constexpr std::array kAbortCodes{
-    AbortRow{drive::Refusal::NoParameter, AbortCode::NoObject},
-    AbortRow{drive::Refusal::NoDriveObject, AbortCode::NoObject},
-    AbortRow{drive::Refusal::ReadOnly, AbortCode::ReadOnly},
-    AbortRow{drive::Refusal::NoIndex, AbortCode::NoSubIndex},
-    AbortRow{drive::Refusal::NotIndexed, AbortCode::NoSubIndex},
-    AbortRow{drive::Refusal::WrongType, AbortCode::LengthMismatch},
-    AbortRow{drive::Refusal::OutOfRange, AbortCode::InvalidValue},
-    AbortRow{drive::Refusal::OnlyZero, AbortCode::InvalidValue},
-    AbortRow{drive::Refusal::IllegalValue, AbortCode::InvalidValue},
-    AbortRow{drive::Refusal::IllegalSource, AbortCode::InvalidValue},
-    AbortRow{drive::Refusal::BelowMinimum, AbortCode::ValueTooLow},
-    AbortRow{drive::Refusal::AboveMaximum, AbortCode::ValueTooHigh},
-};
-
-/// The abort code for a refused parameter access.
-AbortCode abort_code(const drive::ParameterError& error) noexcept {
-  const auto* const row = std::find_if(kAbortCodes.begin(), kAbortCodes.end(), [&](const AbortRow& candidate) {
-    return candidate.reason == error.reason;
-  });
-  return row != kAbortCodes.end() ? row->code : AbortCode::DeviceState;
-}
-
 }  // namespace
 
 ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis,
@@ -76,7 +47,7 @@ ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis&
 canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry, std::int64_t) {
   const Row& row = row_of(entry.index);
   const auto value = axis_.read(row.parameter);
-  if (!value) return canopen::refuse(abort_code(value.error()));
+  if (!value) return canopen::refuse(abort_code(value.error().reason));
   if (row.form == Form::Number) return static_cast<std::int64_t>(*value);
   return scaling_.slope_to_bus(axis_.parameters().maximum_speed, *value);
 }
@@ -88,11 +59,11 @@ canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::
     const double longest = drive::find_parameter(axis_.kind(), row.parameter)->row->range.maximum;
     const auto time =
         scaling_.ramp_time_from_bus(static_cast<std::uint32_t>(value), axis_.parameters().maximum_speed, longest);
-    if (!time) return canopen::refuse(AbortCode::ValueTooLow);
+    if (!time) return canopen::refuse(canopen::AbortCode::ValueTooLow);
     parameter_value = *time;
   }
   const auto written = axis_.write(row.parameter, parameter_value);
-  if (!written) return canopen::refuse(abort_code(written.error()));
+  if (!written) return canopen::refuse(abort_code(written.error().reason));
   listener_.on_parameter_written(axis_);
   return {};
 }

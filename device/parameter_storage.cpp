@@ -9,7 +9,6 @@ namespace device {
 namespace {
 
 using canopen::AbortCode;
-using drive::Refusal;
 using drive::storage_image::Selection;
 
 /// Parameters with consecutive numbers.
@@ -62,14 +61,10 @@ const GroupRow& row_of(ParameterGroup group) noexcept {
   return kGroups[static_cast<std::size_t>(group) - 1];
 }
 
-constexpr std::uint16_t kSaveObject = 971;
 constexpr std::uint16_t kRestart = 972;
-constexpr std::uint16_t kLoadAll = 976;
-constexpr std::uint16_t kSaveAll = 977;
 
 // Values of p0972 and p0976.
 constexpr int kRestartNow = 1;
-constexpr int kRestartPrepared = 2;
 constexpr int kRestartAfterOperational = 3;
 constexpr int kFactoryValues = 1;
 constexpr int kSavedValues = 2;
@@ -82,8 +77,17 @@ bool belongs_to(ParameterGroup group, std::uint16_t number) noexcept {
                                                 : contains(kApplication, number);
 }
 
-ParameterStorage::ParameterStorage(drive::DriveUnit& unit, ParameterKeeper& keeper)
-    : unit_{unit}, keeper_{keeper}, image_(drive::storage_image::size(unit)), spare_(image_.size()) {}
+constinit const std::array<ParameterStorage::Command, 4> ParameterStorage::kCommands{
+    Command{971, &ParameterStorage::save_object},
+    Command{kRestart, &ParameterStorage::restart},
+    Command{976, &ParameterStorage::load_all},
+    Command{977, &ParameterStorage::save_all},
+};
+
+ParameterStorage::ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper)
+    : unit_{unit}, keeper_{keeper}, image_(drive::storage_image::size(unit)), spare_(image_.size()) {
+  for (const Command& command : kCommands) parameters.answer(command.number, *this);
+}
 
 tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<const std::byte> image) noexcept {
   if (const auto loaded = drive::storage_image::load(unit_, image); !loaded) return loaded;
@@ -101,13 +105,13 @@ tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<co
   return {};
 }
 
-bool ParameterStorage::save(const Selection& selection) noexcept {
+canopen::Result<void> ParameterStorage::save(const Selection& selection) noexcept {
   const auto written = drive::storage_image::update(unit_, image(), spare_, selection);
   assert(written);
-  if (!written || !keeper_.on_store(*written)) return false;
+  if (!written || !keeper_.on_store(*written)) return canopen::refuse(AbortCode::HardwareError);
   length_ = written->size();
   std::swap(image_, spare_);
-  return true;
+  return {};
 }
 
 canopen::Result<void> ParameterStorage::store(std::uint8_t sub_index) noexcept {
@@ -115,13 +119,16 @@ canopen::Result<void> ParameterStorage::store(std::uint8_t sub_index) noexcept {
   const bool partial = group.group != ParameterGroup::All;
   if (partial && !drive::storage_image::is_complete(unit_, image()))
     return canopen::refuse(AbortCode::DeviceState);
-  if (!save({.rows = group.saved})) return canopen::refuse(AbortCode::HardwareError);
-  return {};
+  return save({.rows = group.saved});
 }
 
 canopen::Result<void> ParameterStorage::restore(std::uint8_t sub_index) noexcept {
+  return ask_for(row_of(ParameterGroup{sub_index}).restore);
+}
+
+canopen::Result<void> ParameterStorage::ask_for(Task task) noexcept {
   if (pulses_enabled()) return canopen::refuse(AbortCode::DeviceState);
-  task_ = row_of(ParameterGroup{sub_index}).restore;
+  task_ = task;
   return {};
 }
 
@@ -129,55 +136,38 @@ bool ParameterStorage::pulses_enabled() const noexcept {
   return std::ranges::any_of(unit_.axes(), [](const drive::Axis& axis) { return axis.actual().pulses_enabled; });
 }
 
-std::optional<Refusal> ParameterStorage::on_command(std::uint16_t number, const drive::DriveObject& object,
-                                                    double value) noexcept {
-  struct Command {
-    std::uint16_t number;
-    std::optional<Refusal> (ParameterStorage::*carry_out)(const drive::DriveObject&, int) noexcept;
-  };
-  static constexpr std::array kCommands{
-      Command{kSaveObject, &ParameterStorage::save_object},
-      Command{kRestart, &ParameterStorage::restart},
-      Command{kLoadAll, &ParameterStorage::load_all},
-      Command{kSaveAll, &ParameterStorage::save_all},
-  };
-  const auto* const command = std::ranges::find(kCommands, number, &Command::number);
-  if (command == kCommands.end()) return Refusal::NotNow;
-  return (this->*command->carry_out)(object, static_cast<int>(value));
+std::optional<double> ParameterStorage::value_of(const ParameterPlace& place) const noexcept {
+  return place.row.number == kRestart ? restart_ : 0;
 }
 
-std::optional<Refusal> ParameterStorage::save_object(const drive::DriveObject& object, int value) noexcept {
-  const bool done = value == 0 || save({.object = object.number()});
-  return done ? std::nullopt : std::optional{Refusal::NotNow};
+canopen::Result<void> ParameterStorage::take(const ParameterPlace& place, double value) noexcept {
+  const auto* const command = std::ranges::find(kCommands, place.row.number, &Command::number);
+  return (this->*command->carry_out)(place.object, static_cast<int>(value));
 }
 
-std::optional<Refusal> ParameterStorage::save_all(const drive::DriveObject&, int value) noexcept {
-  if (value > 1) return Refusal::IllegalValue;
-  const bool done = value == 0 || save({});
-  return done ? std::nullopt : std::optional{Refusal::NotNow};
+canopen::Result<void> ParameterStorage::save_object(const drive::DriveObject& object, int value) noexcept {
+  return value == 0 ? canopen::Result<void>{} : save({.object = object.number()});
 }
 
-std::optional<Refusal> ParameterStorage::load_all(const drive::DriveObject&, int value) noexcept {
-  if (value > kSavedValues) return Refusal::IllegalValue;
-  if (value == 0) return std::nullopt;
-  if (pulses_enabled()) return Refusal::PulsesEnabled;
-  task_ = value == kFactoryValues ? Task::RestoreAll : Task::Restart;
-  return std::nullopt;
+canopen::Result<void> ParameterStorage::save_all(const drive::DriveObject&, int value) noexcept {
+  if (value > 1) return canopen::refuse(AbortCode::InvalidValue);
+  return value == 0 ? canopen::Result<void>{} : save({});
 }
 
-std::optional<Refusal> ParameterStorage::restart(const drive::DriveObject&, int value) noexcept {
+canopen::Result<void> ParameterStorage::load_all(const drive::DriveObject&, int value) noexcept {
+  if (value > kSavedValues) return canopen::refuse(AbortCode::InvalidValue);
+  if (value == 0) return {};
+  return ask_for(value == kFactoryValues ? Task::RestoreAll : Task::Restart);
+}
+
+canopen::Result<void> ParameterStorage::restart(const drive::DriveObject&, int value) noexcept {
   if (value == kRestartNow) task_ = Task::Restart;
-  show_restart(value == kRestartPrepared || value == kRestartAfterOperational ? value : 0);
-  return std::nullopt;
-}
-
-void ParameterStorage::show_restart(int value) noexcept {
-  unit_.object(drive::kControlUnitNumber)->bring_in(kRestart, 0, value);
+  restart_ = value == kRestartNow ? 0 : value;
+  return {};
 }
 
 void ParameterStorage::on_operational_left() noexcept {
-  const auto wanted = unit_.object(drive::kControlUnitNumber)->read(kRestart);
-  if (static_cast<int>(wanted.value_or(0.0)) == kRestartAfterOperational) task_ = Task::Restart;
+  if (restart_ == kRestartAfterOperational) task_ = Task::Restart;
 }
 
 ParameterStorage::Task ParameterStorage::take_task() noexcept {
@@ -193,7 +183,7 @@ void ParameterStorage::reload(ParameterGroup group) noexcept {
   unit_.restore_parameters(row_of(group).saved);
   if (group == ParameterGroup::All) {
     unit_.leave_commissioning();
-    show_restart(0);
+    restart_ = 0;
   }
   if (length_ == 0) return;
   [[maybe_unused]] const auto loaded = drive::storage_image::load(unit_, image(), {.rows = row_of(group).saved});

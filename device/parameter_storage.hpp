@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "device/unit_parameters.hpp"
 #include "drive/storage_image.hpp"
 #include "libcanopen/od/abort_code.hpp"
 
@@ -37,15 +39,15 @@ bool belongs_to(ParameterGroup group, std::uint16_t number) noexcept;
 ///
 /// What changes many parameters at once is only noted by a request, to be done when it has been answered: see
 /// take_task().
-class ParameterStorage {
+class ParameterStorage final : public ParameterOwner {
  public:
   using Error = drive::storage_image::Error;
 
   /// What a request has asked for.
   enum class Task : std::uint8_t { None, RestoreAll, RestoreCommunication, RestoreApplication, Restart };
 
-  /// The arguments must outlive this.
-  ParameterStorage(drive::DriveUnit& unit, ParameterKeeper& keeper);
+  /// Answers in @p parameters for p0971, p0972, p0976 and p0977 of @p unit; all arguments must outlive this.
+  ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper);
 
   /// The unit, which is new, takes over the saved parameters @p image; nothing changes if it does not fit.
   [[nodiscard]] tl::expected<void, Error> adopt(std::span<const std::byte> image) noexcept;
@@ -55,9 +57,10 @@ class ParameterStorage {
   [[nodiscard]] canopen::Result<void> store(std::uint8_t sub_index) noexcept;
   /// "load" in 1011h, @p sub_index, becomes a task. DeviceState while pulses are enabled.
   [[nodiscard]] canopen::Result<void> restore(std::uint8_t sub_index) noexcept;
-  /// @p value is written to the command @p number of @p object; the reason if it cannot be carried out.
-  [[nodiscard]] std::optional<drive::Refusal> on_command(std::uint16_t number, const drive::DriveObject& object,
-                                                         double value) noexcept;
+  /// The commands read 0, p0972 as long as it waits what was written.
+  std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
+  /// Carries a command out: InvalidValue, DeviceState while pulses are enabled, HardwareError as store().
+  canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
   /// The node has left Operational: p0972 = 3 waits for that.
   void on_operational_left() noexcept;
 
@@ -71,14 +74,20 @@ class ParameterStorage {
   void reload(ParameterGroup group) noexcept;
 
  private:
+  struct Command {
+    std::uint16_t number;
+    canopen::Result<void> (ParameterStorage::*carry_out)(const drive::DriveObject& object, int value) noexcept;
+  };
+  static const std::array<Command, 4> kCommands;
+
   std::span<const std::byte> image() const noexcept { return std::span{image_}.first(length_); }
-  bool save(const drive::storage_image::Selection& selection) noexcept;
+  canopen::Result<void> save(const drive::storage_image::Selection& selection) noexcept;
+  canopen::Result<void> ask_for(Task task) noexcept;
   bool pulses_enabled() const noexcept;
-  std::optional<drive::Refusal> save_object(const drive::DriveObject& object, int value) noexcept;
-  std::optional<drive::Refusal> save_all(const drive::DriveObject& object, int value) noexcept;
-  std::optional<drive::Refusal> load_all(const drive::DriveObject& object, int value) noexcept;
-  std::optional<drive::Refusal> restart(const drive::DriveObject& object, int value) noexcept;
-  void show_restart(int value) noexcept;
+  canopen::Result<void> save_object(const drive::DriveObject& object, int value) noexcept;
+  canopen::Result<void> save_all(const drive::DriveObject& object, int value) noexcept;
+  canopen::Result<void> load_all(const drive::DriveObject& object, int value) noexcept;
+  canopen::Result<void> restart(const drive::DriveObject& object, int value) noexcept;
 
   drive::DriveUnit& unit_;
   ParameterKeeper& keeper_;
@@ -86,6 +95,7 @@ class ParameterStorage {
   std::size_t length_ = 0;        ///< of it; 0 = nothing was saved yet
   std::vector<std::byte> spare_;  ///< for the next one
   Task task_ = Task::None;
+  int restart_ = 0;  ///< p0972
 };
 
 }  // namespace device

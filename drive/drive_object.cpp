@@ -54,6 +54,11 @@ tl::expected<double, ParameterError> DriveObject::read(std::uint16_t number, std
   return find(number, index).map([&](const PlacedRow* placed) { return value_of(*placed, index); });
 }
 
+tl::expected<double, ParameterError> DriveObject::kept_value(std::uint16_t number,
+                                                             std::size_t index) const noexcept {
+  return find(number, index).map([&](const PlacedRow* placed) { return kept_value_of(*placed, index); });
+}
+
 tl::expected<void, ParameterError> DriveObject::write(std::uint16_t number, std::size_t index,
                                                       double value) noexcept {
   const auto found = find(number, index);
@@ -127,6 +132,13 @@ std::optional<Refusal> DriveObject::value_refusal(const ParameterRow& row, std::
 }
 
 double DriveObject::value_of(const PlacedRow& placed, std::size_t index) const noexcept {
+  const ParameterRow& row = *placed.row;
+  if (is_agreed(row) && surroundings_ != nullptr)
+    if (const auto value = surroundings_->agreed_value(*this, row, index)) return *value;
+  return kept_value_of(placed, index);
+}
+
+double DriveObject::kept_value_of(const PlacedRow& placed, std::size_t index) const noexcept {
   const ParameterRow& row = *placed.row;
   if (placed.slot != kNoSlot) return decode({row.type, slots_[placed.slot + index]});
   if (const auto* const fixed = std::get_if<Fixed>(&row.home)) return fixed->value;

@@ -29,6 +29,9 @@ class Surroundings {
   /// Takes over @p value of an agreed parameter or carries out a command; the reason if it cannot.
   virtual std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
                                        double value) noexcept = 0;
+  /// What an agreed parameter or a command reads as, if that is not the value of its slot.
+  virtual std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
+                                             std::size_t index) const noexcept = 0;
 };
 
 /// What all drive objects have: parameters, each in its own unit here, faults and alarms. It is a value; nothing
@@ -61,6 +64,10 @@ class DriveObject {
                                                         double value) noexcept;
   /// Why load() would refuse, if it would.
   std::optional<ParameterError> load_error(std::uint16_t number, std::size_t index, double value) const noexcept;
+  /// The value of a parameter as it was last written, loaded or brought in, whatever the layer that owns the bus
+  /// shows of it.
+  [[nodiscard]] tl::expected<double, ParameterError> kept_value(std::uint16_t number,
+                                                                std::size_t index = 0) const noexcept;
   /// The layer that owns the bus brings in what a parameter is that it answers for.
   void bring_in(std::uint16_t number, std::size_t index, double value) noexcept;
   /// The saved parameters that @p which chooses are as in a new unit again; without it all but those that outlive
@@ -108,6 +115,7 @@ class DriveObject {
   std::optional<Refusal> source_refusal(const ParameterRow& row, double value) const noexcept;
   std::optional<Refusal> value_refusal(const ParameterRow& row, std::size_t index, double value) const noexcept;
   double value_of(const PlacedRow& placed, std::size_t index) const noexcept;
+  double kept_value_of(const PlacedRow& placed, std::size_t index) const noexcept;
   void assign(const PlacedRow& placed, std::size_t index, double value) noexcept;
 
   ObjectContext context_;

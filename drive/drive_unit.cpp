@@ -154,6 +154,11 @@ std::optional<Refusal> DriveUnit::agree(const DriveObject& object, const Paramet
   return refused;
 }
 
+std::optional<double> DriveUnit::agreed_value(const DriveObject& object, const ParameterRow& row,
+                                              std::size_t index) const noexcept {
+  return host_ != nullptr ? host_->value_of(object, row, index) : std::nullopt;
+}
+
 void DriveUnit::inhibit_axes(bool inhibited) noexcept {
   for (Axis& axis : axes_) axis.inhibit(inhibited);
 }

@@ -18,6 +18,13 @@ class ParameterHost {
   /// Takes over @p value of parameter @p row of @p object, or carries the command out; the reason if it cannot.
   virtual std::optional<Refusal> on_parameter(const DriveObject& object, const ParameterRow& row,
                                               std::size_t index, double value) noexcept = 0;
+  /// What an agreed parameter or a command reads as, in the parameter's own unit; nothing: the last value that was
+  /// written, loaded or brought in.
+  virtual std::optional<double> value_of(const DriveObject& object, const ParameterRow& row,
+                                         std::size_t index) const noexcept {
+    (void)object, (void)row, (void)index;
+    return std::nullopt;
+  }
 };
 
 /// What the unit is made of.
@@ -79,6 +86,8 @@ class DriveUnit final : private Surroundings {
   std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept override;
   std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
                                double value) noexcept override;
+  std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
+                                     std::size_t index) const noexcept override;
   void inhibit_axes(bool inhibited) noexcept;
 
   ParameterHost* host_;

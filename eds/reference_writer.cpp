@@ -51,7 +51,8 @@ constexpr std::string_view kParameterHead = R"(
 ## Parameters of the drive objects
 
 Objects 2000h + parameter number, which the EDS files of the drive objects list; the sub-index is the parameter index,
-from 0. They are not in the dictionary of the unit and not served yet: every index 2000h to 470Fh answers 06020000h.
+from 0. The default SDO server shows those of the drive object p8630[0] (41B6h:00), of every parameter in parameters.md; the
+servers 1201h to 1209h show those of their own drive object.
 
 | Index | Sub | Of | Name | Type | Access | Default | Low | High | Unit |
 |---|---|---|---|---|---|---|---|---|---|

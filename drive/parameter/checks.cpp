@@ -39,6 +39,8 @@ std::optional<Refusal> one_of(const std::array<int, Count>& values, double value
 
 constexpr std::array kDriveFilters{0, 1, 2, 3, 4, 5, 15, 17, 25, 30, 95};
 constexpr std::array kDeviceFilters{0, 1, 2, 3, 4, 29, 30};
+constexpr std::array kStartStates{4, 5, 127};
+constexpr std::array kStateCommands{4, 5, 127, 128, 129};
 
 }  // namespace
 
@@ -92,6 +94,14 @@ std::optional<Refusal> server_cob_id(const DriveObject&, std::size_t index, doub
 std::optional<Refusal> object_window(const DriveObject&, std::size_t index, double value) noexcept {
   constexpr std::array kLast{65535.0, 3.0, 5.0};
   return refuse_unless(value <= kLast[index], Refusal::IllegalValue);
+}
+
+std::optional<Refusal> start_state(const DriveObject&, std::size_t, double value) noexcept {
+  return one_of(kStartStates, value);
+}
+
+std::optional<Refusal> state_command(const DriveObject&, std::size_t, double value) noexcept {
+  return one_of(kStateCommands, value);
 }
 
 std::optional<Refusal> receive_pdo(const DriveObject&, std::size_t index, double value) noexcept {

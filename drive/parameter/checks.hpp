@@ -32,6 +32,10 @@ std::optional<Refusal> address_switch_off(const DriveObject& object, std::size_t
 std::optional<Refusal> server_cob_id(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8630: the windows [1] and [2] end at 3 and 5.
 std::optional<Refusal> object_window(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8684: 4, 5 or 127.
+std::optional<Refusal> start_state(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8685: 4, 5, 127, or a reset: 128, 129.
+std::optional<Refusal> state_command(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8700..p8707: COB-ID 1..6DFh or bit 31; types 0..F0h, FEh, FFh.
 std::optional<Refusal> receive_pdo(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8720..p8727: the same with bit 30 free; times of 16 bits.

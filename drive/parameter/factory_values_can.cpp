@@ -30,7 +30,7 @@ constexpr std::array<Mapping, kPredefined> kTransmitMappings{{
 constexpr std::array<std::uint32_t, 8> kBitTimings{0x1405, 0x1605, 0x1C05,  0x1C0B,
                                                    0x1C17, 0x1C3B, 0x21C15, 0x41C2B};
 
-constexpr std::array<std::uint32_t, 4> kIdentity{0x06000053, 0x5000, 0, 0};
+constexpr std::array<std::uint32_t, 4> kIdentity{0x06000053, 0x5000, 0x00010000, 1};
 
 /// What p8851 (words) and p8861 (double words) send from a place of the process data.
 struct Wire {

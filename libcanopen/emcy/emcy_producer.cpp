@@ -17,13 +17,18 @@ EmcyProducer::EmcyProducer(Context& context, std::size_t timer) : context_{conte
 }
 
 void EmcyProducer::reload() noexcept {
+  sent_ = TimePoint::min();
+  forget();
+  take_over();
+}
+
+void EmcyProducer::take_over() noexcept {
   const Dictionary& dictionary = context_.dictionary;
   const auto cob_id = dictionary.stored(kCobIdEmcy, 0);
   identifier_ =
       cob_id ? valid_identifier(static_cast<std::uint32_t>(*cob_id)) : function_code::kEmcy + dictionary.node_id();
-  inhibit_ = inhibit_time(dictionary.stored(kInhibitTime, 0).value_or(0));
-  sent_ = TimePoint::min();
-  forget();
+  set_inhibit_time(inhibit_time(dictionary.stored(kInhibitTime, 0).value_or(0)));
+  if (identifier_ == 0) forget();
 }
 
 void EmcyProducer::forget() noexcept {

@@ -25,6 +25,8 @@ class CANOPEN_EXPORT EmcyProducer final : public EntryOwner {
   void forget() noexcept;
   /// Starts over with the values of 1014h and 1015h.
   void reload() noexcept;
+  /// Goes on with the values of 1014h and 1015h: what waits is sent under the new identifier.
+  void take_over() noexcept;
   /// The identifier in use, 0 while there is none.
   Identifier identifier() const noexcept { return identifier_; }
 

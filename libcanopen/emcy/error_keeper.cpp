@@ -55,6 +55,10 @@ void ErrorKeeper::reload() noexcept {
   show_register(0);
 }
 
+void ErrorKeeper::take_over() noexcept {
+  if (enabled_) show_register(0);
+}
+
 /// Brings 1001h up to date. Returns it, with @p further_bits of an error that is not kept.
 std::uint8_t ErrorKeeper::show_register(std::uint8_t further_bits) noexcept {
   std::uint8_t bits = 0;

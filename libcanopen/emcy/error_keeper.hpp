@@ -27,6 +27,8 @@ class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
   /// The services start afresh: no error is present. The history is what the dictionary holds, so that a reset
   /// empties it and the return of the bus does not.
   void reload() noexcept;
+  /// The values of the dictionary are others: 1001h shows the errors that are present.
+  void take_over() noexcept;
 
   /// An entry of the history; NoData beyond their number.
   Result<std::int64_t> read(const Entry& entry, std::int64_t stored) override;

@@ -50,11 +50,28 @@ std::uint8_t HeartbeatConsumer::node_id(std::size_t position) const noexcept {
 }
 
 void HeartbeatConsumer::reload() noexcept {
+  for (std::size_t position = 0; position < watches_.size(); ++position) release(position);
+  take_over();
+}
+
+void HeartbeatConsumer::release(std::size_t position) noexcept {
+  stop_watching(position);
+  identifiers_[position] = 0;
+}
+
+/// True if the entry at @p position watches what the dictionary says.
+bool HeartbeatConsumer::is_current(std::size_t position) const noexcept {
+  const Watch& watch = watches_[position];
+  const auto word = static_cast<std::uint32_t>(context_.dictionary.stored(*watch.entry));
+  return !has_reserved_bits(word) && watched_by(word) == identifiers_[position] && time_in(word) == watch.time;
+}
+
+void HeartbeatConsumer::take_over() noexcept {
   for (std::size_t position = 0; position < watches_.size(); ++position) {
-    stop_watching(position);
-    identifiers_[position] = 0;
+    if (!is_current(position)) release(position);
   }
   for (std::size_t position = 0; position < watches_.size(); ++position) {
+    if (is_current(position)) continue;
     const auto word = static_cast<std::uint32_t>(context_.dictionary.stored(*watches_[position].entry));
     configure(position, check(position, word) ? word : 0);
   }

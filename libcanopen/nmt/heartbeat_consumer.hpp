@@ -21,6 +21,8 @@ class CANOPEN_EXPORT HeartbeatConsumer final : public EntryOwner {
 
   /// Starts over with the values of 1016h; what could not be written is not used.
   void reload() noexcept;
+  /// Goes on with the values of 1016h: entries that have not changed watch on.
+  void take_over() noexcept;
   /// An error control frame of the node that entry @p position watches.
   void on_frame(std::size_t position, const Frame& frame) noexcept;
   /// Timer @p which of this service fired, counted from its first.
@@ -44,6 +46,8 @@ class CANOPEN_EXPORT HeartbeatConsumer final : public EntryOwner {
   };
 
   Result<void> check(std::size_t position, std::uint32_t word) const noexcept;
+  bool is_current(std::size_t position) const noexcept;
+  void release(std::size_t position) noexcept;
   void configure(std::size_t position, std::uint32_t word) noexcept;
   void on_boot_up(std::size_t position) noexcept;
   void on_heartbeat(std::size_t position, std::uint8_t code) noexcept;

@@ -11,19 +11,26 @@ HeartbeatProducer::HeartbeatProducer(Context& context, std::size_t timer) : cont
   context_.dictionary.serve_writes(kProducerHeartbeatTime, 0, *this);
 }
 
+Duration HeartbeatProducer::stored() const noexcept {
+  return std::chrono::milliseconds{context_.dictionary.stored(kProducerHeartbeatTime, 0).value_or(0)};
+}
+
 void HeartbeatProducer::reload() noexcept {
-  const std::int64_t period_ms = context_.dictionary.stored(kProducerHeartbeatTime, 0).value_or(0);
-  start(period_ms, std::chrono::milliseconds{period_ms});
+  start(stored(), stored());
+}
+
+void HeartbeatProducer::take_over() noexcept {
+  if (stored() != period_) start(stored(), Duration{0});
 }
 
 Result<void> HeartbeatProducer::write(const Entry&, std::int64_t value) {
-  start(value, Duration{0});  // the protocol begins at once
+  start(std::chrono::milliseconds{value}, Duration{0});  // the protocol begins at once
   return {};
 }
 
-void HeartbeatProducer::start(std::int64_t period_ms, Duration delay) noexcept {
-  period_ = std::chrono::milliseconds{period_ms};
-  if (period_ms == 0) {
+void HeartbeatProducer::start(Duration period, Duration delay) noexcept {
+  period_ = period;
+  if (period == Duration{0}) {
     context_.timers.cancel(timer_);
     return;
   }

@@ -13,12 +13,15 @@ class CANOPEN_EXPORT HeartbeatProducer final : public EntryOwner {
 
   /// Starts over with the value of 1017h; the boot-up frame of now counts as the first heartbeat.
   void reload() noexcept;
+  /// Goes on with the value of 1017h: another one begins at once, as if it had been written.
+  void take_over() noexcept;
   /// The period is over: sends and arms the next, one whole period after the last deadline.
   void on_timer() noexcept;
   Result<void> write(const Entry& entry, std::int64_t value) override;
 
  private:
-  void start(std::int64_t period_ms, Duration delay) noexcept;
+  Duration stored() const noexcept;
+  void start(Duration period, Duration delay) noexcept;
 
   Context& context_;
   std::size_t timer_;

@@ -32,11 +32,22 @@ std::int64_t NodeGuarding::stored(std::uint16_t index) const noexcept {
 void NodeGuarding::reload() noexcept {
   stop_watching();
   heartbeat_ = stored(kProducerHeartbeatTime) != 0;
-  life_time_ = life_time(stored(kGuardTime), stored(kLifeTimeFactor));
+  life_time_ = stored_life_time();
   toggle_ = false;
-  if (life_time_ == Duration{0} || context_.policy.remote_frames) return;
-  life_time_ = Duration{0};
+}
+
+void NodeGuarding::take_over() noexcept {
+  switch_heartbeat(stored(kProducerHeartbeatTime) != 0);
+  const Duration wanted = stored_life_time();
+  if (wanted != life_time_) set_life_time(wanted);
+}
+
+/// The life time of the objects, or none where no request can come.
+Duration NodeGuarding::stored_life_time() const noexcept {
+  const Duration wanted = life_time(stored(kGuardTime), stored(kLifeTimeFactor));
+  if (wanted == Duration{0} || context_.policy.remote_frames) return wanted;
   context_.application.on_life_guarding_withheld();
+  return Duration{0};
 }
 
 void NodeGuarding::on_request() noexcept {

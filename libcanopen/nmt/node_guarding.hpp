@@ -16,6 +16,8 @@ class CANOPEN_EXPORT NodeGuarding final : public EntryOwner {
 
   /// Starts over with the values of the objects; the toggle bit is 0 again.
   void reload() noexcept;
+  /// Goes on with the values of the objects, the toggle bit too; another life time is counted from now on.
+  void take_over() noexcept;
   /// True if the dictionary has both objects.
   bool is_on() const noexcept { return exists_; }
   /// A remote frame asks for the NMT state.
@@ -31,6 +33,7 @@ class CANOPEN_EXPORT NodeGuarding final : public EntryOwner {
   enum class Life : std::uint8_t { Unwatched, Present, Lost };
 
   std::int64_t stored(std::uint16_t index) const noexcept;
+  Duration stored_life_time() const noexcept;
   Result<void> check(const Entry& entry, std::int64_t value) noexcept;
   void switch_heartbeat(bool on) noexcept;
   void set_life_time(Duration life_time) noexcept;

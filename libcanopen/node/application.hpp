@@ -3,7 +3,7 @@
 #include "libcanopen/base/export.hpp"
 #include "libcanopen/nmt/state.hpp"
 #include "libcanopen/node/communication_error.hpp"
-#include "libcanopen/od/abort_code.hpp"
+#include "libcanopen/od/entry.hpp"
 #include "libcanopen/time/time_of_day.hpp"
 
 namespace canopen {
@@ -22,6 +22,11 @@ class CANOPEN_EXPORT Application {
   virtual void on_reset(NmtCommand command) noexcept { (void)command; }
   /// The values of RPDO @p number (0 for 1400h) have just been stored.
   virtual void on_rpdo(std::uint16_t number) noexcept { (void)number; }
+  /// The owner of @p entry, the application or a service, has refused @p value with @p code: an SDO client has
+  /// written it to this number, and access, length and limits were right. The abort has not been sent yet.
+  virtual void on_write_refused(const Entry& entry, std::int64_t value, AbortCode code) noexcept {
+    (void)entry, (void)value, (void)code;
+  }
   /// A SYNC has come and the TPDOs that belong to it are out; @p counter is 0 if it carries none.
   virtual void on_sync(std::uint8_t counter) noexcept { (void)counter; }
   /// The identifiers that the node listens to have changed: see Node::subscriptions().

@@ -9,6 +9,7 @@
 #include "libcanopen/node/communication_error.hpp"
 #include "libcanopen/node/policy.hpp"
 #include "libcanopen/od/dictionary.hpp"
+#include "libcanopen/sdo/sdo_view.hpp"
 
 namespace canopen {
 
@@ -21,7 +22,8 @@ struct Context {
   TimerQueue& timers;
   IdentifierUse& identifiers;
   ErrorReports& errors;
-  TimePoint now{};  ///< the time that the owner told with the event being handled
+  SdoView* view = nullptr;  ///< what the SDO servers show; nullptr: the dictionary
+  TimePoint now{};          ///< the time that the owner told with the event being handled
   NmtState state = NmtState::Initialising;
 };
 

@@ -1,6 +1,7 @@
 #include "libcanopen/node/node.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace canopen {
 namespace {
@@ -73,6 +74,9 @@ void Node::on_frame(const Frame& frame, TimePoint now) noexcept {
   switch (route.service) {
     case Service::Sdo:
       if (gate_.sdo) sdo_servers_.on_frame(route.position, frame);
+      break;
+    case Service::ViewedSdo:
+      if (gate_.sdo) sdo_servers_.on_viewed_frame(route.position, frame);
       break;
     case Service::Rpdo:
       if (gate_.pdo) receive_pdos_.on_frame(route.position, frame);
@@ -162,20 +166,53 @@ void Node::reset(NmtCommand command) noexcept {
 void Node::boot() noexcept {
   emcy_.reload();
   errors_.reload();  // before the services whose errors end: no EMCY tells of it
+  sdo_servers_.forget();
   sdo_servers_.reload();
   receive_pdos_.reload();
   transmit_pdos_.reload();
   sync_.reload();
   time_.reload();
   heartbeat_consumer_.reload();
-  lay_routes();  // those that PDOs must leave alone
-  receive_pdos_.claim_identifiers();
-  transmit_pdos_.claim_identifiers();
-  on_identifiers_changed();
+  claim_identifiers();
   context_.sink.send(frame_under(function_code::kErrorControl + node_id(), 1), Delivery::Ordered);
   heartbeat_.reload();
   guarding_.reload();
   enter(policy_.start_state);
+}
+
+/// The identifiers of all services but PDOs are there.
+void Node::claim_identifiers() noexcept {
+  lay_routes();  // those that PDOs must leave alone
+  receive_pdos_.claim_identifiers();
+  transmit_pdos_.claim_identifiers();
+  on_identifiers_changed();
+}
+
+void Node::set_start_state(NmtState state) noexcept {
+  assert(state != NmtState::Initialising);
+  policy_.start_state = state;
+}
+
+void Node::reload(TimePoint now) noexcept {
+  context_.now = now;
+  if (context_.state == NmtState::Initialising) return;
+  transmit_pdos_.take_over();  // first: nothing is sent while the settings are not in force
+  emcy_.take_over();
+  errors_.take_over();
+  sdo_servers_.reload();
+  receive_pdos_.reload();
+  sync_.reload();
+  time_.reload();
+  heartbeat_consumer_.take_over();
+  claim_identifiers();
+  heartbeat_.take_over();
+  guarding_.take_over();
+  if (context_.state == NmtState::Operational) transmit_pdos_.start();
+}
+
+std::size_t Node::valid_pdos(Direction direction) const noexcept {
+  const auto pdos = direction == Direction::Receive ? receive_pdos() : transmit_pdos();
+  return static_cast<std::size_t>(std::ranges::count_if(pdos, &PdoSettings::is_valid));
 }
 
 void Node::enter(NmtState state) noexcept {
@@ -237,57 +274,6 @@ void Node::on_recovery(CommunicationError error, std::uint16_t detail) noexcept 
 void Node::apply_error_behaviour(std::uint8_t error_class) noexcept {
   if (context_.state == NmtState::Initialising) return;
   enter(error_behaviour_.after(error_class, context_.state));
-}
-
-bool Node::is_used(Identifier identifier) const noexcept {
-  const auto servers = sdo_servers_.servers();
-  const auto carries = [=](std::span<const PdoSettings> pdos) {
-    return std::ranges::find(pdos, identifier, &PdoSettings::identifier) != pdos.end();
-  };
-  return routes_.of(identifier).service != Service::None || identifier == emcy_.identifier() ||
-         carries(receive_pdos_.pdos()) || carries(transmit_pdos_.pdos()) ||
-         std::any_of(servers.begin(), servers.end(),
-                     [=](const auto& s) { return s.response_identifier() == identifier; });
-}
-
-void Node::on_identifiers_changed() noexcept {
-  lay_routes();
-  context_.application.on_subscriptions_changed();
-}
-
-namespace {
-
-/// Leads the identifiers of @p objects, 0 if they do not exist, to their positions in @p service.
-template <class Objects, class IdentifierOf>
-void lead_all(Routes& routes, Service service, const Objects& objects, const IdentifierOf& identifier_of_object) {
-  for (std::size_t position = 0; position < objects.size(); ++position) {
-    const Identifier identifier = identifier_of_object(objects[position]);
-    if (identifier != 0) routes.lead(identifier, {service, static_cast<std::uint16_t>(position)});
-  }
-}
-
-}  // namespace
-
-void Node::lay_routes() noexcept {
-  const Identifier error_control = function_code::kErrorControl + node_id();
-  routes_.clear();
-  lead_all(routes_, Service::Heartbeat, heartbeat_consumer_.identifiers(), [](Identifier i) { return i; });
-  lead_all(routes_, Service::Rpdo, receive_pdos_.pdos(), [](const PdoSettings& p) { return p.identifier; });
-  routes_.lead(error_control, {Service::Own, 0});
-  routes_.lead(function_code::kSdoResponse + node_id(), {Service::Own, 0});
-  lead_all(routes_, Service::Sdo, sdo_servers_.servers(),
-           [](const SdoServer& s) { return s.request_identifier(); });
-  if (time_.identifier() != 0) routes_.lead(time_.identifier(), {Service::Time, 0});
-  if (sync_.identifier() != 0) routes_.lead(sync_.identifier(), {Service::Sync, 0});
-  routes_.lead(function_code::kNmt, {Service::Nmt, 0});
-
-  if (guarding_.is_on()) routes_.lead_remote(error_control, {Service::Guarding, 0});
-  const auto tpdos = transmit_pdos_.pdos();
-  for (std::size_t position = 0; position < tpdos.size(); ++position) {
-    if (!tpdos[position].is_requestable()) continue;
-    routes_.lead_remote(tpdos[position].identifier, {Service::TpdoRequest, static_cast<std::uint16_t>(position)});
-  }
-  routes_.list_subscriptions();
 }
 
 }  // namespace canopen

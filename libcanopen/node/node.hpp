@@ -32,9 +32,21 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
 
+  /// Lets the SDO servers show what @p view says, which must outlive the node, in place of the dictionary alone.
+  /// To be called before start().
+  void show(SdoView& view) noexcept { context_.view = &view; }
+
   /// Boots: sends the boot-up message and enters the start state. Again later, when the bus was away: the
   /// dictionary keeps its values, the services start afresh, no error is present, and Operational is left.
   void start(TimePoint now) noexcept;
+  /// Lets every boot-up from now on lead to @p state: Operational, PreOperational or Stopped. Until then it is
+  /// Policy::start_state. May be called from within Application::on_reset().
+  void set_start_state(NmtState state) noexcept;
+  /// The application has put other values into the dictionary: all services go on with them, in the NMT state and
+  /// with the errors that there are. What has not changed goes on undisturbed: transfers of SDO servers that keep
+  /// their identifiers, heartbeat and guarding. In Operational all PDOs begin anew. What cannot be in force is
+  /// treated as after a reset. Nothing happens before start().
+  void reload(TimePoint now) noexcept;
   /// A frame from the bus.
   void on_frame(const Frame& frame, TimePoint now) noexcept;
   /// Does what @p wanted says, as if the NMT master had sent it (CiA 301, 7.3.2.2: local NMT services). Nothing
@@ -73,6 +85,11 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   std::uint8_t node_id() const noexcept { return context_.dictionary.node_id(); }
   /// What the node must receive, in ascending order of identifiers, data frames before remote frames.
   std::span<const Subscription> subscriptions() const noexcept { return routes_.subscriptions(); }
+  /// All PDOs of the dictionary with what is in force of them, in the order of their numbers.
+  std::span<const PdoSettings> receive_pdos() const noexcept { return receive_pdos_.pdos(); }
+  std::span<const PdoSettings> transmit_pdos() const noexcept { return transmit_pdos_.pdos(); }
+  /// How many PDOs of @p direction have a valid COB-ID.
+  std::size_t valid_pdos(Direction direction) const noexcept;
   /// RPDO frames ignored because they were shorter than their mapping.
   std::uint64_t short_rpdos() const noexcept { return receive_pdos_.too_short(); }
   /// Frames of synchronous RPDOs dropped because they came after the synchronous window (1007h).
@@ -90,16 +107,19 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   void command(NmtCommand command) noexcept;
   void reset(NmtCommand command) noexcept;
   void boot() noexcept;
+  void claim_identifiers() noexcept;
   void enter(NmtState state) noexcept;
   void on_sync(const Frame& frame) noexcept;
   void on_timers() noexcept;
   void on_timer(std::size_t timer) noexcept;
 
+  // identifiers.cpp
   bool is_used(Identifier identifier) const noexcept override;
   void on_identifiers_changed() noexcept override;
+  void lay_routes() noexcept;
+
   void on_error(CommunicationError error, std::uint16_t detail) noexcept override;
   void on_recovery(CommunicationError error, std::uint16_t detail) noexcept override;
-  void lay_routes() noexcept;
 
   Policy policy_;
   TimerPlan plan_;

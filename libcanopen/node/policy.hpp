@@ -42,7 +42,9 @@ struct Policy {
                               ///< refused with DeviceState, and stored values do not switch it on
   bool extended_identifiers = true;  ///< false: a COB-ID with the frame bit is refused with InvalidValue
 
-  bool sdo_block = true;  ///< false: block transfer is refused with CommandSpecifierInvalid
+  bool sdo_block = true;                    ///< false: block transfer is refused with CommandSpecifierInvalid
+  bool predefined_sdo_identifiers = false;  ///< true: servers beyond the first may listen to 601h..67Fh and answer
+                                            ///< under 581h..5FFh, those of their own node-ID excepted
   Duration sdo_timeout = std::chrono::seconds{10};  ///< above 0: silence that aborts a half-finished transfer
 
   bool pdo_changes_in_operational = true;  ///< false: PDO parameters are refused with DeviceState in Operational

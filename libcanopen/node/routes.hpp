@@ -15,6 +15,7 @@ enum class Service : std::uint8_t {
   Nmt,
   Sync,
   Sdo,
+  ViewedSdo,  ///< with an SdoView
   Rpdo,
   Heartbeat,
   Time,

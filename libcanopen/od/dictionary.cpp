@@ -143,7 +143,7 @@ const Entry* Dictionary::search(Slot place, std::uint8_t sub_index) const noexce
   return found != end ? found : nullptr;
 }
 
-Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {
+Result<void> Dictionary::check(const Entry& entry, std::int64_t value) const noexcept {
   if (!entry.writable) return refuse(AbortCode::ReadOnly);
   if (entry.size == 0) return refuse(AbortCode::UnsupportedAccess);
   if (entry.limited) {
@@ -151,6 +151,11 @@ Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {
     if (place > entry.high) return refuse(AbortCode::ValueTooHigh);
     if (place < entry.low) return refuse(AbortCode::ValueTooLow);
   }
+  return {};
+}
+
+Result<void> Dictionary::write(const Entry& entry, std::int64_t value) {
+  if (auto allowed = check(entry, value); !allowed) return allowed;
   if (entry.write_owner != nullptr) {
     if (auto accepted = entry.write_owner->write(entry, value); !accepted) return accepted;
   }

@@ -73,7 +73,11 @@ class CANOPEN_EXPORT Dictionary {
     if (entry.size == 0) return refuse(AbortCode::UnsupportedAccess);
     return entry.read_owner != nullptr ? entry.read_owner->read(entry, stored(entry)) : stored(entry);
   }
-  /// Writes a number as a master would: access, limits, then the owner. ReadOnly, ValueTooHigh, ValueTooLow.
+  /// May a master write @p value to a number, as far as its owner is not concerned? ReadOnly, ValueTooHigh,
+  /// ValueTooLow, UnsupportedAccess for a string.
+  Result<void> check(const Entry& entry, std::int64_t value) const noexcept;
+  /// Writes a number as a master would: check(), then all owners, the services of a node among them. The refusal
+  /// of either.
   Result<void> write(const Entry& entry, std::int64_t value);
   /// Reads a string as a master would see it; asks the owner. WriteOnly, UnsupportedAccess for a number.
   Result<std::span<const std::uint8_t>> read_text(const Entry& entry) const;

@@ -52,6 +52,11 @@ void TransmitPdos::load_settings(std::size_t position) noexcept {
   begin_anew(pdo);
 }
 
+/// The inhibit time of a TPDO that was synchronous runs from the last SYNC.
+void TransmitPdos::note_last_sync(Outgoing& pdo) const noexcept {
+  if (pdo.trigger == Trigger::Cyclic || pdo.trigger == Trigger::Acyclic) pdo.sent = last_sync_;
+}
+
 void TransmitPdos::begin_anew(Outgoing& pdo) noexcept {
   pdo.left = pdo.period;
   pdo.waits = pdo.first_sync != 0;
@@ -72,8 +77,13 @@ void TransmitPdos::sort_out() noexcept {
 }
 
 void TransmitPdos::reload() noexcept {
-  stop();
+  take_over();
   for (Outgoing& pdo : outgoing_) pdo.sent = TimePoint::min();
+}
+
+void TransmitPdos::take_over() noexcept {
+  stop();
+  for (Outgoing& pdo : outgoing_) note_last_sync(pdo);
   parameters_.reload();
 }
 
@@ -196,7 +206,7 @@ void TransmitPdos::on_timer(std::size_t which) noexcept {
 void TransmitPdos::on_pdo_changed(std::size_t position) noexcept {
   Outgoing& pdo = outgoing_[position];
   for (const Timer which : {Timer::Event, Timer::Inhibit}) context_.timers.cancel(timer(position, which));
-  if (pdo.trigger == Trigger::Cyclic || pdo.trigger == Trigger::Acyclic) pdo.sent = last_sync_;
+  note_last_sync(pdo);
   load_settings(position);
   sort_out();
   // As an event, so that the answer to the write comes first.

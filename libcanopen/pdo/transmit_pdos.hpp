@@ -18,6 +18,8 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   /// Starts over with the values in the dictionary; nothing is valid before claim_identifiers(), and nothing is
   /// sent before start().
   void reload() noexcept;
+  /// The same, but inhibit times that run go on.
+  void take_over() noexcept;
   /// As PdoParameters::claim_identifiers().
   void claim_identifiers() noexcept;
   /// NMT Operational is entered: the event-driven TPDOs send their first frame, at once unless an inhibit time
@@ -83,6 +85,7 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   std::uint64_t pack(const Outgoing& pdo) const noexcept { return pdo.plan.pack(image_); }
   static bool takes(Outgoing& pdo, std::uint64_t payload) noexcept;
   void begin_cycles(std::uint8_t counter) noexcept;
+  void note_last_sync(Outgoing& pdo) const noexcept;
   void begin_anew(Outgoing& pdo) noexcept;
   void request(std::size_t position, std::uint64_t payload) noexcept;
   void transmit(std::size_t position, std::uint64_t payload) noexcept;

@@ -24,16 +24,18 @@ void SdoServer::initiate_block_download(const Frame& frame) noexcept {
   if (!context_.policy.sdo_block) {
     return abort(phase_ == Phase::Idle ? at : address_, AbortCode::CommandSpecifierInvalid);
   }
-  const Command command{frame.data[0]};
   const Entry* const entry = find(at);
   if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
   if (!entry->writable) return abort(at, AbortCode::ReadOnly);
-  std::optional<std::uint32_t> size;
-  if (command.has_block_size()) size = load<std::uint32_t>(&frame.data[4]);
-  if (auto opened = open_sink(*entry, size); !opened) return abort(at, opened.error());
+  if (auto opened = open_sink(*entry, sdo::size_in_block(frame)); !opened) return abort(at, opened.error());
+  begin_block_download(frame);
+}
 
+/// Begins to take what the sink has been opened for.
+void SdoServer::begin_block_download(const Frame& frame) noexcept {
+  const Address at = sdo::address_in(frame);
   begin(Phase::BlockDownload, at);
-  crc_wanted_ = command.has_crc();
+  crc_wanted_ = Command{frame.data[0]}.has_crc();
   crc_ = 0;
   sequence_ = 0;
   must_restart_ = false;

@@ -14,12 +14,6 @@ using sdo::Command;
 using sdo::command_byte;
 using sdo::Response;
 
-namespace {
-constexpr bool is_block_size(std::uint8_t segments) noexcept {
-  return segments >= 1 && segments <= sdo::kLongestBlock;
-}
-}  // namespace
-
 void SdoServer::on_block_upload(const Frame& frame) noexcept {
   switch (Command{frame.data[0]}.block_upload()) {
     case BlockUploadRequest::Initiate:
@@ -45,19 +39,26 @@ void SdoServer::initiate_block_upload(const Frame& frame) noexcept {
     return abort(phase_ == Phase::Idle ? at : address_, AbortCode::CommandSpecifierInvalid);
   }
   const std::uint8_t block_size = frame.data[4];
-  const std::uint8_t switch_size = frame.data[5];  // the "protocol switch threshold": 0 forbids it
+  const std::uint8_t switch_size = frame.data[5];
   const Entry* const entry = find(at);
   if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
   if (!entry->readable) return abort(at, AbortCode::WriteOnly);
-  if (!is_block_size(block_size)) return abort(at, AbortCode::InvalidBlockSize);
+  if (!sdo::is_block_size(block_size)) return abort(at, AbortCode::InvalidBlockSize);
   const std::uint8_t number_size = entry->size;
   if (number_size >= 1 && number_size <= 4 && number_size <= switch_size) return initiate_upload(frame);
   if (auto opened = open_source(*entry); !opened) return abort(at, opened.error());
+  begin_block_upload(frame);
+}
+
+/// Begins to send what the source has been opened for.
+void SdoServer::begin_block_upload(const Frame& frame) noexcept {
+  const Address at = sdo::address_in(frame);
+  const std::uint8_t switch_size = frame.data[5];  // the "protocol switch threshold": 0 forbids it
   const auto size = source_.size();
   if (switch_size != 0 && size && *size <= switch_size) return begin_segmented_upload(at);
 
   begin(Phase::BlockUploadStart, at);
-  block_size_ = block_size;
+  block_size_ = frame.data[4];
   crc_wanted_ = Command{frame.data[0]}.has_crc();
   crc_ = 0;
   send(sdo::response_bytes(command_byte(Response::BlockUpload, sdo::kBlockCrc | (size ? sdo::kBlockSize : 0)), at,
@@ -66,7 +67,7 @@ void SdoServer::initiate_block_upload(const Frame& frame) noexcept {
 
 /// Sends the next segments, as many as the client takes, without dropping them.
 void SdoServer::send_sub_block() noexcept {
-  assert(is_block_size(block_size_));
+  assert(sdo::is_block_size(block_size_));
   if (auto ready = source_.want(block_size_ * sdo::kSegmentBytes + 1); !ready) return abort(ready.error());
   phase_ = Phase::BlockUploadConfirm;
   sequence_ = 0;
@@ -89,7 +90,7 @@ void SdoServer::take_confirmation(const Frame& frame) noexcept {
   const std::uint8_t confirmed = frame.data[1];
   const std::uint8_t block_size = frame.data[2];
   if (confirmed > sequence_) return abort(AbortCode::InvalidSequenceNumber);
-  if (!is_block_size(block_size)) return abort(AbortCode::InvalidBlockSize);
+  if (!sdo::is_block_size(block_size)) return abort(AbortCode::InvalidBlockSize);
   const bool complete = last_sent_ && confirmed == sequence_;
   const std::size_t bytes = std::min(confirmed * sdo::kSegmentBytes, source_.available());
   if (crc_wanted_) crc_ = sdo::crc({source_.data(), bytes}, crc_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "libcanopen/base/cob_id.hpp"
 #include "libcanopen/base/little_endian.hpp"
@@ -69,8 +70,23 @@ struct Command {
   constexpr std::uint8_t end_size() const noexcept { return static_cast<std::uint8_t>(7 - (byte >> 2 & 7)); }
 };
 
+/// True for a number of segments that a sub-block may have.
+constexpr bool is_block_size(std::uint8_t segments) noexcept {
+  return segments >= 1 && segments <= kLongestBlock;
+}
+
 inline Address address_in(const Frame& frame) noexcept {
   return {.index = load<std::uint16_t>(&frame.data[1]), .sub_index = frame.data[3]};
+}
+
+/// Bytes that the request of a segmented download says it will send.
+inline std::optional<std::uint32_t> size_in(const Frame& frame) noexcept {
+  return Command{frame.data[0]}.has_size() ? std::optional{load<std::uint32_t>(&frame.data[4])} : std::nullopt;
+}
+/// The same of a block download.
+inline std::optional<std::uint32_t> size_in_block(const Frame& frame) noexcept {
+  const bool said = Command{frame.data[0]}.has_block_size();
+  return said ? std::optional{load<std::uint32_t>(&frame.data[4])} : std::nullopt;
 }
 
 /// The eight data bytes of a response with the multiplexer and @p word in the last four bytes, as one number.

@@ -16,7 +16,7 @@ std::uint64_t capacity_of(const Entry& entry) noexcept {
 }  // namespace
 
 Result<void> DownloadSink::open(const Entry& entry, std::optional<std::uint32_t> size) noexcept {
-  assert(entry_ == nullptr);
+  assert(!is_open());
   const std::uint64_t capacity = capacity_of(entry);
   if (size && (*size > capacity || (entry.size != 0 && *size != entry.size))) {
     return refuse(AbortCode::LengthMismatch);
@@ -25,15 +25,27 @@ Result<void> DownloadSink::open(const Entry& entry, std::optional<std::uint32_t>
     if (auto begun = entry.domain->begin_write(entry, size); !begun) return begun;
   }
   entry_ = &entry;
+  expect(capacity, size);
+  return {};
+}
+
+Result<void> DownloadSink::open(ViewedObject object, std::optional<std::uint32_t> size) noexcept {
+  assert(!is_open());
+  if (size && (*size == 0 || *size > kLongestViewedValue)) return refuse(AbortCode::LengthMismatch);
+  object_ = object;
+  expect(kLongestViewedValue, size);
+  return {};
+}
+
+void DownloadSink::expect(std::uint64_t capacity, std::optional<std::uint32_t> size) noexcept {
   held_ = 0;
   given_ = 0;
   most_ = size ? *size : capacity;
   size_said_ = size.has_value();
-  return {};
 }
 
 Result<void> DownloadSink::append(std::span<const std::uint8_t> bytes) noexcept {
-  assert(entry_ != nullptr && given_ + held_ <= most_);
+  assert(is_open() && given_ + held_ <= most_);
   if (bytes.size() > most_ - given_ - held_) {
     return refuse(size_said_ ? AbortCode::LengthTooHigh : AbortCode::LengthMismatch);
   }
@@ -56,9 +68,10 @@ Result<void> DownloadSink::flush() noexcept {
   return {};
 }
 
-Result<void> DownloadSink::commit(Dictionary& dictionary) noexcept {
-  assert(entry_ != nullptr);
+Result<void> DownloadSink::commit(Context& context) noexcept {
+  assert(is_open());
   if (size_said_ && given_ + held_ < most_) return refuse(AbortCode::LengthTooLow);
+  if (entry_ == nullptr) return commit_viewed(*context.view);
   const Entry& entry = *entry_;
   if (entry.domain != nullptr) {
     if (auto taken = flush(); !taken) return taken;
@@ -68,11 +81,19 @@ Result<void> DownloadSink::commit(Dictionary& dictionary) noexcept {
     return counts;
   }
   entry_ = nullptr;  // the write may take the server away, and the transfer with it
-  if (entry.size == 0) return dictionary.write_text(entry, window_.first(held_));
-  return write_number(dictionary, entry, load<std::uint64_t>(window_.data()), held_);
+  if (entry.size == 0) return context.dictionary.write_text(entry, window_.first(held_));
+  return write_number(context, entry, load<std::uint64_t>(window_.data()), held_);
+}
+
+Result<void> DownloadSink::commit_viewed(SdoView& view) noexcept {
+  if (held_ == 0) return refuse(AbortCode::LengthMismatch);
+  const ViewedObject object = *object_;
+  object_.reset();  // the write may take the server away
+  return object.write(view, window_.first(held_), true);
 }
 
 void DownloadSink::cancel() noexcept {
+  object_.reset();
   const Entry* const entry = std::exchange(entry_, nullptr);
   if (entry != nullptr && entry->domain != nullptr) entry->domain->cancel_write(*entry);
 }

@@ -4,7 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "libcanopen/od/dictionary.hpp"
+#include "libcanopen/node/context.hpp"
+#include "libcanopen/sdo/viewed_object.hpp"
 
 namespace canopen::sdo {
 
@@ -18,24 +19,30 @@ class DownloadSink {
   /// Begins a value of @p entry with @p size bytes if that is said. LengthMismatch if that is none of the entry's
   /// lengths; the refusal of the DomainOwner.
   Result<void> open(const Entry& entry, std::optional<std::uint32_t> size) noexcept;
+  /// Begins a value of @p object likewise. LengthMismatch for a size that is not 1..8.
+  Result<void> open(ViewedObject object, std::optional<std::uint32_t> size) noexcept;
   /// Takes @p bytes. LengthTooHigh for more than was said, LengthMismatch for more than the entry can hold; the
   /// refusal of the DomainOwner.
   Result<void> append(std::span<const std::uint8_t> bytes) noexcept;
   /// Writes the value: all of it has come. LengthTooLow for fewer bytes than was said; the refusal of the
-  /// dictionary or of the DomainOwner.
-  Result<void> commit(Dictionary& dictionary) noexcept;
+  /// dictionary, of the DomainOwner or of the view, for which LengthMismatch if nothing has come.
+  Result<void> commit(Context& context) noexcept;
   /// Gives the value up if it has not been written; nothing happens if nothing was begun.
   void cancel() noexcept;
 
  private:
+  bool is_open() const noexcept { return entry_ != nullptr || object_; }
+  void expect(std::uint64_t capacity, std::optional<std::uint32_t> size) noexcept;
   Result<void> flush() noexcept;
+  Result<void> commit_viewed(SdoView& view) noexcept;
 
   std::span<std::uint8_t> window_;
   std::size_t held_ = 0;     ///< bytes in the window
   std::uint64_t given_ = 0;  ///< bytes that the owner has taken
   std::uint64_t most_ = 0;   ///< bytes that may come in all
-  bool size_said_ = false;   ///< that many must come
   const Entry* entry_ = nullptr;
+  bool size_said_ = false;                ///< `most_` must come
+  std::optional<ViewedObject> object_{};  ///< if there is no entry
 };
 
 /// True for a number that every client may set to every value of its size: nobody has to be asked.
@@ -44,13 +51,17 @@ constexpr bool is_plain(const Entry& entry) noexcept {
 }
 
 /// Writes the number in the lowest bytes of @p word, of which @p size count, with anything above them.
-/// LengthMismatch, and what the dictionary refuses.
-inline Result<void> write_number(Dictionary& dictionary, const Entry& entry, std::uint64_t word,
+/// LengthMismatch, and what the dictionary refuses; the application is told if it was the owner who refused.
+inline Result<void> write_number(Context& context, const Entry& entry, std::uint64_t word,
                                  std::size_t size) noexcept {
   if (size != entry.size) return refuse(AbortCode::LengthMismatch);
   const std::uint64_t bits = word & byte_mask(entry.size);
-  return dictionary.write(entry,
-                          entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits));
+  const std::int64_t value = entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
+  auto written = context.dictionary.write(entry, value);
+  if (!written && context.dictionary.check(entry, value)) {
+    context.application.on_write_refused(entry, value, written.error());
+  }
+  return written;
 }
 
 }  // namespace canopen::sdo

@@ -31,11 +31,14 @@ void SdoServer::upload_segment(Command command) noexcept {
   send(sdo::segment_bytes(static_cast<std::uint8_t>(answer | unused << 1 | sdo::kLastSegment), data, left));
 }
 
-void SdoServer::begin_segmented_download(const Entry& entry, const Frame& frame) noexcept {
+void SdoServer::initiate_segmented_download(const Entry& entry, const Frame& frame) noexcept {
   const Address at = sdo::address_in(frame);
-  std::optional<std::uint32_t> size;
-  if (Command{frame.data[0]}.has_size()) size = load<std::uint32_t>(&frame.data[4]);
-  if (auto opened = open_sink(entry, size); !opened) return abort(at, opened.error());
+  if (auto opened = open_sink(entry, sdo::size_in(frame)); !opened) return abort(at, opened.error());
+  begin_segmented_download(at);
+}
+
+/// Begins to take what the sink has been opened for.
+void SdoServer::begin_segmented_download(Address at) noexcept {
   begin(Phase::Download, at);
   send(sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0));
 }

@@ -31,19 +31,23 @@ constexpr unsigned expedited_size(const Entry& entry) noexcept {
 
 }  // namespace
 
-SdoServer::SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position)
+SdoServer::SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position,
+                     std::uint8_t number)
     : context_{context},
       locks_{locks},
       timer_{timer},
       position_{position},
+      number_{number},
       buffer_(std::max(kWindow, context.dictionary.longest_value()) + kMargin),
       source_{std::span{buffer_}.first(buffer_.size() - kMargin)},
       sink_{std::span{buffer_}.first(buffer_.size() - kMargin)} {}
 
-void SdoServer::connect(Identifier request, Identifier response) noexcept {
+bool SdoServer::connect(Identifier request, Identifier response) noexcept {
+  if (request == request_identifier() && response == response_identifier()) return false;
   end();
   request_identifier_ = request;
   answer_ = frame_under(response, 8);
+  return true;
 }
 
 void SdoServer::on_frame(const Frame& frame) noexcept {
@@ -95,7 +99,7 @@ void SdoServer::initiate_download(const Frame& frame) noexcept {
   if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
   if (!entry->writable) return abort(at, AbortCode::ReadOnly);
   const Command command{frame.data[0]};
-  if (!command.is_expedited()) return begin_segmented_download(*entry, frame);
+  if (!command.is_expedited()) return initiate_segmented_download(*entry, frame);
   const unsigned size = command.has_size() ? command.expedited_size() : expedited_size(*entry);
   if (!sdo::is_plain(*entry) || size != entry->size) return download_expedited(*entry, frame, size);
   context_.dictionary.set(*entry, load<std::uint32_t>(&frame.data[4]));
@@ -113,12 +117,12 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
 
 Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
   if (entry.size != 0) {
-    return sdo::write_number(context_.dictionary, entry, load<std::uint32_t>(bytes.data()), bytes.size());
+    return sdo::write_number(context_, entry, load<std::uint32_t>(bytes.data()), bytes.size());
   }
   if (entry.domain == nullptr) return context_.dictionary.write_text(entry, bytes);
   if (auto opened = open_sink(entry, static_cast<std::uint32_t>(bytes.size())); !opened) return opened;
   auto written = sink_.append(bytes);
-  if (written) written = sink_.commit(context_.dictionary);
+  if (written) written = sink_.commit(context_);
   sink_.cancel();
   locks_.release(position_);
   return written;
@@ -162,7 +166,7 @@ void SdoServer::end() noexcept {
 void SdoServer::finish_download(std::uint64_t answer) noexcept {
   Frame frame = answer_;  // the write may connect the server anew: the client still waits here
   const Address at = address_;
-  const auto written = sink_.commit(context_.dictionary);
+  const auto written = sink_.commit(context_);
   end();
   store(frame.data.data(), written ? answer : sdo::abort_bytes(at, written.error()));
   context_.sink.send(frame, Delivery::Ordered);

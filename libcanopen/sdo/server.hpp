@@ -16,12 +16,14 @@ namespace canopen {
 /// gets its answer within the call; a refusal is an abort frame.
 class alignas(64) CANOPEN_EXPORT SdoServer {
  public:
-  /// @p timer is the number of its timer in the context's queue, @p position its own one in @p locks.
-  SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position);
+  /// @p timer is the number of its timer in the context's queue, @p position its own one in @p locks, @p number
+  /// that of its object: 0 for 1200h.
+  SdoServer(Context& context, std::size_t timer, sdo::DomainLocks& locks, std::size_t position,
+            std::uint8_t number);
 
-  /// Listens to @p request and answers under @p response from now on, without the transfer that it had; 0 and 0:
-  /// the server does not exist.
-  void connect(Identifier request, Identifier response) noexcept;
+  /// Listens to @p request and answers under @p response from now on; 0 and 0: the server does not exist. False if
+  /// nothing changes, otherwise the transfer that it had is forgotten.
+  bool connect(Identifier request, Identifier response) noexcept;
   /// What it listens to, 0 if it does not exist.
   Identifier request_identifier() const noexcept { return request_identifier_; }
   /// What it answers under, 0 if it does not exist.
@@ -29,6 +31,8 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
 
   /// A data frame of the client. A frame that is not eight bytes long is ignored.
   void on_frame(const Frame& frame) noexcept;
+  /// The same where the view of the context says what the server shows.
+  void on_viewed_frame(const Frame& frame) noexcept;
   /// A half-finished transfer has been silent: confirms a sub-block of a download early, once, after half the time
   /// that the policy allows; aborts the transfer with ProtocolTimedOut after all of it. Segments out of order are
   /// heard, but do not keep a block download alive.
@@ -73,7 +77,8 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
 
   // segmented.cpp
   void begin_segmented_upload(sdo::Address at) noexcept;
-  void begin_segmented_download(const Entry& entry, const Frame& frame) noexcept;
+  void initiate_segmented_download(const Entry& entry, const Frame& frame) noexcept;
+  void begin_segmented_download(sdo::Address at) noexcept;
   void upload_segment(sdo::Command command) noexcept;
   void download_segment(const Frame& frame) noexcept;
   bool continues(Phase phase, sdo::Command command) noexcept;
@@ -81,6 +86,7 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   // block_upload.cpp
   void on_block_upload(const Frame& frame) noexcept;
   void initiate_block_upload(const Frame& frame) noexcept;
+  void begin_block_upload(const Frame& frame) noexcept;
   void send_sub_block() noexcept;
   void take_confirmation(const Frame& frame) noexcept;
   void send_block_end() noexcept;
@@ -88,11 +94,22 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   // block_download.cpp
   void on_block_download(const Frame& frame) noexcept;
   void initiate_block_download(const Frame& frame) noexcept;
+  void begin_block_download(const Frame& frame) noexcept;
   void take_block_segment(const Frame& frame) noexcept;
   void keep_segment(std::span<const std::uint8_t> bytes, bool last) noexcept;
   void confirm_sub_block() noexcept;
   void confirm_early() noexcept;
   void end_block_download(const Frame& frame) noexcept;
+
+  // viewed.cpp
+  bool begins_transfer(sdo::Command command) const noexcept;
+  void initiate_viewed(const Frame& frame) noexcept;
+  void upload_viewed(sdo::ViewedObject object) noexcept;
+  void send_viewed(sdo::Address at) noexcept;
+  void upload_viewed_block(sdo::ViewedObject object, const Frame& frame) noexcept;
+  void download_viewed(sdo::ViewedObject object, const Frame& frame) noexcept;
+  void gather_viewed(sdo::ViewedObject object, const Frame& frame) noexcept;
+  void gather_viewed_block(sdo::ViewedObject object, const Frame& frame) noexcept;
 
   void send(std::uint64_t bytes) noexcept {
     store(answer_.data.data(), bytes);
@@ -106,6 +123,7 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   Identifier request_identifier_ = 0;
   Frame answer_{};  ///< identifier and length stand, the data are those of the last answer
 
+  std::uint8_t number_;
   Phase phase_ = Phase::Idle;
   std::uint8_t toggle_ = 0;    ///< expected in the next segment: 0 or 10h
   sdo::Address address_;       ///< of the transfer

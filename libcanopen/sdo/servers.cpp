@@ -12,6 +12,16 @@ constexpr std::uint16_t kObjects = 128;
 constexpr std::uint8_t kRequest = 1;   ///< COB-ID client to server
 constexpr std::uint8_t kResponse = 2;  ///< COB-ID server to client
 
+constexpr std::uint32_t kLastNodeId = 127;
+
+/// True for an identifier that the pre-defined connection set gives to the SDOs of a node, in the direction of
+/// @p sub_index.
+constexpr bool is_predefined(std::uint8_t sub_index, std::uint32_t cob_id) noexcept {
+  const Identifier base = sub_index == kRequest ? function_code::kSdoRequest : function_code::kSdoResponse;
+  const Identifier identifier = cob_id & (cob_id::kExtended | cob_id::kLong);
+  return identifier > base && identifier <= base + kLastNodeId;
+}
+
 constexpr bool is_valid(std::uint32_t cob_id) noexcept {
   return (cob_id & cob_id::kInvalid) == 0;
 }
@@ -27,7 +37,7 @@ SdoServers::SdoServers(Context& context, std::size_t first_timer)
     if (number != 0 && !context_.dictionary.contains(index)) continue;
     const std::size_t position = servers_.size();
     position_[number] = static_cast<std::uint8_t>(position);
-    servers_.emplace_back(context_, first_timer + position, locks_, position);
+    servers_.emplace_back(context_, first_timer + position, locks_, position, static_cast<std::uint8_t>(number));
     indices_.push_back(index);
     own(index);
   }
@@ -47,24 +57,24 @@ std::size_t SdoServers::timers_for(const Dictionary& dictionary) noexcept {
 }
 
 void SdoServers::reload() noexcept {
-  for (SdoServer& server : servers_) server.connect(0, 0);
   for (std::size_t position = 0; position < servers_.size(); ++position) {
     const CobIds stored = cob_ids(position);
     if (is_possible(position, stored)) {
       servers_[position].connect(identifier_in(stored.request), identifier_in(stored.response));
-    } else if (!is_incomplete(position, stored)) {
-      mark_invalid(position);
+      continue;
     }
+    servers_[position].connect(0, 0);
+    if (!is_incomplete(position, stored)) mark_invalid(position);
   }
 }
 
 /// True if the server at @p position only waits for an identifier, and may have the other one if there is one.
 bool SdoServers::is_incomplete(std::size_t position, CobIds stored) const noexcept {
-  const auto may_stay = [=, this](std::uint32_t cob_id) {
-    return !is_valid(cob_id) || is_allowed(position, cob_id);
+  const auto may_stay = [=, this](std::uint8_t sub_index, std::uint32_t cob_id) {
+    return !is_valid(cob_id) || may_have(position, sub_index, cob_id);
   };
-  return !(is_valid(stored.request) && is_valid(stored.response)) && may_stay(stored.request) &&
-         may_stay(stored.response);
+  return !(is_valid(stored.request) && is_valid(stored.response)) && may_stay(kRequest, stored.request) &&
+         may_stay(kResponse, stored.response);
 }
 
 /// Shows that the server at @p position does not exist, so that a client gives it other identifiers.
@@ -96,7 +106,7 @@ std::uint32_t SdoServers::cob_id(std::uint16_t index, std::uint8_t sub_index,
                                       : otherwise;
 }
 
-/// True if the server at @p position can work with @p wanted beside the servers that exist already.
+/// True if the server at @p position can work with @p wanted beside those before it.
 bool SdoServers::is_possible(std::size_t position, CobIds wanted) const noexcept {
   if (!is_valid(wanted.request) || !is_valid(wanted.response)) return false;
   const Identifier request = identifier_in(wanted.request);
@@ -105,8 +115,9 @@ bool SdoServers::is_possible(std::size_t position, CobIds wanted) const noexcept
     const Identifier theirs[] = {server.request_identifier(), server.response_identifier()};
     return std::ranges::count(theirs, request) != 0 || std::ranges::count(theirs, response) != 0;
   };
-  return request != response && is_allowed(position, wanted.request) && is_allowed(position, wanted.response) &&
-         std::ranges::none_of(servers_, collides);
+  return request != response && may_have(position, kRequest, wanted.request) &&
+         may_have(position, kResponse, wanted.response) &&
+         std::ranges::none_of(servers().first(position), collides);
 }
 
 /// True for what the pre-defined connection set gives to the first server: kept for it, and for nobody else.
@@ -116,8 +127,19 @@ bool SdoServers::is_default(std::size_t position, Identifier identifier) const n
                            identifier == function_code::kSdoResponse + node_id);
 }
 
-bool SdoServers::is_allowed(std::size_t position, std::uint32_t cob_id) const noexcept {
-  return is_default(position, cob_id) || is_assignable(cob_id, context_.policy.extended_identifiers);
+bool SdoServers::is_allowed(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
+  const bool is_further = context_.policy.predefined_sdo_identifiers && position != 0;
+  return is_default(position, cob_id) || is_assignable(cob_id, context_.policy.extended_identifiers) ||
+         (is_further && is_predefined(sub_index, cob_id));
+}
+
+/// True for what is left to the first server, whether that uses it or not.
+bool SdoServers::is_kept(std::size_t position, Identifier identifier) const noexcept {
+  return position != 0 && is_default(0, identifier);
+}
+
+bool SdoServers::may_have(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
+  return is_allowed(position, sub_index, cob_id) && !is_kept(position, identifier_in(cob_id));
 }
 
 Result<void> SdoServers::write(const Entry& entry, std::int64_t value) {
@@ -132,7 +154,7 @@ Result<void> SdoServers::write(const Entry& entry, std::int64_t value) {
 
 Result<void> SdoServers::check(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept {
   if (!is_valid(cob_id)) return {};
-  if (!is_allowed(position, cob_id)) return refuse(AbortCode::InvalidValue);
+  if (!is_allowed(position, sub_index, cob_id)) return refuse(AbortCode::InvalidValue);
   const CobIds present = cob_ids(position);
   const bool is_request = sub_index == kRequest;
   const Identifier wanted = identifier_in(cob_id);
@@ -140,7 +162,8 @@ Result<void> SdoServers::check(std::size_t position, std::uint8_t sub_index, std
   const Identifier other = valid_identifier(is_request ? present.response : present.request);
   if (own != 0) return wanted == own ? Result<void>{} : refuse(AbortCode::DeviceState);
   const auto is_taken = [&](Identifier identifier) {
-    return !is_default(position, identifier) && context_.identifiers.is_used(identifier);
+    if (is_default(position, identifier)) return false;
+    return is_kept(position, identifier) || context_.identifiers.is_used(identifier);
   };
   const bool collides = wanted == other || is_taken(wanted) || (other != 0 && is_taken(other));
   return collides ? refuse(AbortCode::ParameterIncompatible) : Result<void>{};
@@ -152,8 +175,7 @@ void SdoServers::connect(std::size_t position, CobIds wanted) noexcept {
   const bool works = is_valid(wanted.request) && is_valid(wanted.response);
   const Identifier request = works ? identifier_in(wanted.request) : 0;
   const Identifier response = works ? identifier_in(wanted.response) : 0;
-  if (request == server.request_identifier() && response == server.response_identifier()) return;
-  server.connect(request, response);
+  if (!server.connect(request, response)) return;
   context_.identifiers.on_identifiers_changed();
 }
 

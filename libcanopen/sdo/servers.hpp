@@ -19,13 +19,18 @@ class CANOPEN_EXPORT SdoServers final : public EntryOwner {
   /// Timers that the servers of @p dictionary need.
   static std::size_t timers_for(const Dictionary& dictionary) noexcept;
 
-  /// Starts over with the values of the objects, without transfers. A server whose identifiers cannot be had, or
-  /// are those of a server before it, does not exist: bit 31 of its COB-IDs is set in the dictionary.
+  /// Goes on with the values of the objects; a server that keeps its identifiers keeps its transfer. A server
+  /// whose identifiers cannot be had, or are those of a server before it, does not exist: bit 31 of its COB-IDs is
+  /// set in the dictionary.
   void reload() noexcept;
   /// Forgets half-finished transfers without a word (NMT state change).
   void forget() noexcept;
   /// A data frame for the server at @p position.
   void on_frame(std::size_t position, const Frame& frame) noexcept { servers_[position].on_frame(frame); }
+  /// The same where the view of the context says what the server shows.
+  void on_viewed_frame(std::size_t position, const Frame& frame) noexcept {
+    servers_[position].on_viewed_frame(frame);
+  }
   /// Timer @p which of this service fired, counted from its first.
   void on_timer(std::size_t which) noexcept { servers_[which].on_timer(); }
   /// In the order of their objects.
@@ -48,7 +53,9 @@ class CANOPEN_EXPORT SdoServers final : public EntryOwner {
   void mark_invalid(std::size_t position) noexcept;
   bool is_possible(std::size_t position, CobIds wanted) const noexcept;
   bool is_default(std::size_t position, Identifier identifier) const noexcept;
-  bool is_allowed(std::size_t position, std::uint32_t cob_id) const noexcept;
+  bool is_allowed(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
+  bool is_kept(std::size_t position, Identifier identifier) const noexcept;
+  bool may_have(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
   Result<void> check(std::size_t position, std::uint8_t sub_index, std::uint32_t cob_id) const noexcept;
   void connect(std::size_t position, CobIds wanted) noexcept;
 

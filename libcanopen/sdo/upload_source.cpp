@@ -22,6 +22,14 @@ Result<void> UploadSource::open(const Dictionary& dictionary, const Entry& entry
   return {};
 }
 
+Result<void> UploadSource::open(SdoView& view, ViewedObject object) noexcept {
+  const auto size = object.read(view, window_.first<kLongestViewedValue>());
+  if (!size) return refuse(size.error());
+  if (*size == 0 || *size > kLongestViewedValue) return refuse(AbortCode::CannotTransfer);
+  hold(*size);
+  return {};
+}
+
 void UploadSource::hold(std::size_t bytes) noexcept {
   first_ = 0;
   last_ = bytes;

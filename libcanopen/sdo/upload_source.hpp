@@ -6,6 +6,7 @@
 
 #include "libcanopen/base/export.hpp"
 #include "libcanopen/od/dictionary.hpp"
+#include "libcanopen/sdo/viewed_object.hpp"
 
 namespace canopen::sdo {
 
@@ -19,6 +20,8 @@ class CANOPEN_EXPORT UploadSource {
 
   /// Begins with the value of @p entry. The refusal of its owner; OutOfMemory if a text is longer than the window.
   Result<void> open(const Dictionary& dictionary, const Entry& entry) noexcept;
+  /// Begins with the value of @p object. The refusal of @p view; CannotTransfer if that gives no 1..8 bytes.
+  Result<void> open(SdoView& view, ViewedObject object) noexcept;
   /// Bytes in all; std::nullopt if only the end will tell.
   std::optional<std::uint32_t> size() const noexcept { return size_; }
 

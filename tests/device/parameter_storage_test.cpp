@@ -10,7 +10,6 @@ namespace device {
 namespace {
 
 using canopen::AbortCode;
-using drive::Refusal;
 using Task = ParameterStorage::Task;
 
 constexpr std::uint8_t kControlUnit = 1;
@@ -21,8 +20,12 @@ constexpr std::uint8_t kY = 3;
 struct Storage : testing::Test {
   static drive::UnitConfiguration two_axes() { return {.axes = {{}, {}}, .node_id = 5}; }
 
-  std::optional<Refusal> command(std::uint8_t object, std::uint16_t number, double value) {
-    return storage.on_command(number, *unit.object(object), value);
+  /// Writes a command: 0 or the abort code.
+  std::uint32_t command(std::uint8_t object, std::uint16_t number, double value) {
+    const auto written = unit.object(object)->write(number, value);
+    const auto code = parameters.take_refusal();
+    EXPECT_EQ(written.has_value(), !code.has_value());
+    return code ? static_cast<std::uint32_t>(*code) : 0;
   }
   double value(std::uint8_t object, std::uint16_t number) const {
     return unit.object(object)->read(number).value();
@@ -34,9 +37,10 @@ struct Storage : testing::Test {
     return next.object(object)->read(number).value();
   }
 
-  drive::DriveUnit unit{two_axes()};
+  UnitParameters parameters;
+  drive::DriveUnit unit{two_axes(), &parameters};
   RecordingListener shelf;
-  ParameterStorage storage{unit, shelf};
+  ParameterStorage storage{unit, parameters, shelf};
 };
 
 TEST_F(Storage, SavesEveryDriveObjectOnP0977) {
@@ -44,7 +48,7 @@ TEST_F(Storage, SavesEveryDriveObjectOnP0977) {
   ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
   ASSERT_TRUE(unit.object(kControlUnit)->write(8699, 3.0));
 
-  EXPECT_EQ(command(kControlUnit, 977, 1), std::nullopt);
+  EXPECT_EQ(command(kControlUnit, 977, 1), 0U);
 
   EXPECT_EQ(saved_value(kX, 1120), 1.0);
   EXPECT_EQ(saved_value(kY, 1120), 2.0);
@@ -53,11 +57,11 @@ TEST_F(Storage, SavesEveryDriveObjectOnP0977) {
 }
 
 TEST_F(Storage, SavesOneDriveObjectOnItsP0971) {
-  ASSERT_EQ(command(kControlUnit, 977, 1), std::nullopt);
+  ASSERT_EQ(command(kControlUnit, 977, 1), 0U);
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
   ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
 
-  EXPECT_EQ(command(kY, 971, 1), std::nullopt);
+  EXPECT_EQ(command(kY, 971, 1), 0U);
 
   EXPECT_EQ(saved_value(kX, 1120), 10.0);
   EXPECT_EQ(saved_value(kY, 1120), 2.0);
@@ -66,28 +70,30 @@ TEST_F(Storage, SavesOneDriveObjectOnItsP0971) {
 
 TEST_F(Storage, SavesDriveObjectsOneByOneBeforeAllWereSaved) {
   ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
-  ASSERT_EQ(command(kY, 971, 1), std::nullopt);
+  ASSERT_EQ(command(kY, 971, 1), 0U);
   EXPECT_EQ(storage.store(3).error(), AbortCode::DeviceState);
 
-  ASSERT_EQ(command(kX, 971, 1), std::nullopt);
-  ASSERT_EQ(command(kControlUnit, 971, 1), std::nullopt);
+  ASSERT_EQ(command(kX, 971, 1), 0U);
+  ASSERT_EQ(command(kControlUnit, 971, 1), 0U);
 
   EXPECT_EQ(saved_value(kY, 1120), 2.0);
   EXPECT_TRUE(storage.store(3));
 }
 
 TEST_F(Storage, DoesNothingOnZero) {
+  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
   for (const std::uint16_t number : std::vector<std::uint16_t>{971, 972, 976, 977})
-    EXPECT_EQ(command(kControlUnit, number, 0), std::nullopt);
+    EXPECT_EQ(command(kControlUnit, number, 0), 0U);
 
   EXPECT_EQ(shelf.stores, 0);
   EXPECT_FALSE(storage.has_task());
 }
 
 TEST_F(Storage, RefusesOtherValues) {
-  EXPECT_EQ(command(kControlUnit, 977, 2), Refusal::IllegalValue);
-  EXPECT_EQ(command(kControlUnit, 977, 1013), Refusal::IllegalValue);
-  EXPECT_EQ(command(kControlUnit, 976, 3), Refusal::IllegalValue);
+  EXPECT_EQ(command(kControlUnit, 977, 2), 0x06090030U);
+  EXPECT_EQ(command(kControlUnit, 977, 1013), 0x06090030U);
+  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
+  EXPECT_EQ(command(kControlUnit, 976, 3), 0x06090030U);
 
   EXPECT_EQ(shelf.stores, 0);
   EXPECT_FALSE(storage.has_task());
@@ -120,8 +126,8 @@ TEST_F(Storage, StaysAsItWasWhenNobodyKeepsTheImage) {
 
   EXPECT_EQ(storage.store(1).error(), AbortCode::HardwareError);
   EXPECT_EQ(storage.store(3).error(), AbortCode::HardwareError);
-  EXPECT_EQ(command(kControlUnit, 977, 1), Refusal::NotNow);
-  EXPECT_EQ(command(kX, 971, 1), Refusal::NotNow);
+  EXPECT_EQ(command(kControlUnit, 977, 1), 0x06060000U);
+  EXPECT_EQ(command(kX, 971, 1), 0x06060000U);
   storage.reload(ParameterGroup::All);
 
   EXPECT_EQ(value(kX, 1120), 10.0);
@@ -168,7 +174,8 @@ TEST_F(Storage, AdoptsAnImageAndGoesOnFromIt) {
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
   ASSERT_TRUE(storage.store(1));
   drive::DriveUnit next{two_axes()};
-  ParameterStorage adopted{next, shelf};
+  UnitParameters none;
+  ParameterStorage adopted{next, none, shelf};
 
   ASSERT_TRUE(adopted.adopt(std::vector<std::byte>{shelf.image}));
   EXPECT_EQ(next.object(kX)->read(1120).value(), 1.0);
@@ -188,12 +195,13 @@ TEST_F(Storage, AdoptsNothingOfAnImageThatDoesNotFit) {
 }
 
 TEST_F(Storage, NotesWhatIsToBeDoneAfterTheAnswer) {
-  EXPECT_EQ(command(kControlUnit, 976, 1), std::nullopt);
+  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
+  EXPECT_EQ(command(kControlUnit, 976, 1), 0U);
   EXPECT_EQ(storage.take_task(), Task::RestoreAll);
   EXPECT_FALSE(storage.has_task());
-  EXPECT_EQ(command(kControlUnit, 976, 2), std::nullopt);
+  EXPECT_EQ(command(kControlUnit, 976, 2), 0U);
   EXPECT_EQ(storage.take_task(), Task::Restart);
-  EXPECT_EQ(command(kControlUnit, 972, 1), std::nullopt);
+  EXPECT_EQ(command(kControlUnit, 972, 1), 0U);
   EXPECT_EQ(storage.take_task(), Task::Restart);
   EXPECT_EQ(value(kControlUnit, 972), 0.0);
   for (const auto& [sub_index, task] : {std::pair{1, Task::RestoreAll}, std::pair{2, Task::RestoreCommunication},
@@ -206,12 +214,12 @@ TEST_F(Storage, NotesWhatIsToBeDoneAfterTheAnswer) {
 TEST_F(Storage, RestartsWhenOperationalIsLeftIfP0972SaysSo) {
   storage.on_operational_left();
   EXPECT_FALSE(storage.has_task());
-  ASSERT_EQ(command(kControlUnit, 972, 2), std::nullopt);
+  ASSERT_EQ(command(kControlUnit, 972, 2), 0U);
   EXPECT_EQ(value(kControlUnit, 972), 2.0);
   storage.on_operational_left();
   EXPECT_FALSE(storage.has_task());
 
-  ASSERT_EQ(command(kControlUnit, 972, 3), std::nullopt);
+  ASSERT_EQ(command(kControlUnit, 972, 3), 0U);
   EXPECT_EQ(value(kControlUnit, 972), 3.0);
   storage.on_operational_left();
 
@@ -227,7 +235,8 @@ TEST_F(Storage, RefusesToRestoreWhilePulsesAreEnabled) {
 
   for (std::uint8_t sub_index = 1; sub_index <= 3; ++sub_index)
     EXPECT_EQ(storage.restore(sub_index).error(), AbortCode::DeviceState);
-  EXPECT_EQ(command(kControlUnit, 976, 1), Refusal::PulsesEnabled);
+  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
+  EXPECT_EQ(command(kControlUnit, 976, 1), 0x08000022U);
 
   EXPECT_FALSE(storage.has_task());
   EXPECT_TRUE(storage.store(1));

@@ -46,6 +46,13 @@ class RecordingApplication final : public canopen::Application {
   void on_life_guarding_withheld() noexcept override { tell(told, "life guarding withheld"); }
   void on_rpdo(std::uint16_t number) noexcept override { tell(told, "RPDO " + std::to_string(number)); }
   void on_subscriptions_changed() noexcept override { ++subscription_changes; }
+  void on_write_refused(const canopen::Entry& entry, std::int64_t value,
+                        canopen::AbortCode code) noexcept override {
+    char text[64];
+    std::snprintf(text, sizeof text, "refused %04X:%02X = %llX: %08X", entry.index, entry.sub_index,
+                  static_cast<unsigned long long>(value), static_cast<unsigned>(code));
+    tell(told, text);
+  }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override {
     tell(errors, text_of(error, detail));

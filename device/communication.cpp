@@ -1,0 +1,75 @@
+#include "device/communication.hpp"
+
+#include <algorithm>
+
+namespace device {
+namespace {
+
+constexpr std::uint16_t kClearBusOff = 8608;
+constexpr std::size_t kAutomaticRestart = 1;
+constexpr std::uint16_t kStartState = 8684;
+constexpr std::uint16_t kState = 8685;
+
+constexpr std::uint16_t kCommunicationError = 8700;
+constexpr std::uint32_t kBusOff = 1, kLifeTimeOver = 2;  // fault values
+constexpr std::uint16_t kErrorPassive = 8752;
+
+/// Values of p8685; the NMT states have those of error control.
+struct CommandRow {
+  int value;
+  canopen::NmtCommand command;
+};
+constexpr std::array kCommands{
+    CommandRow{4, canopen::NmtCommand::Stop},
+    CommandRow{5, canopen::NmtCommand::Start},
+    CommandRow{127, canopen::NmtCommand::EnterPreOperational},
+    CommandRow{128, canopen::NmtCommand::ResetNode},
+    CommandRow{129, canopen::NmtCommand::ResetCommunication},
+};
+
+}  // namespace
+
+Communication::Communication(drive::DriveUnit& unit, UnitParameters& parameters, canopen::Node& node)
+    : unit_{unit}, node_{node} {
+  for (const std::uint16_t number : {kClearBusOff, kState}) parameters.answer(number, *this);
+}
+
+void Communication::set_start_state() noexcept {
+  const double state = unit_.object(drive::kControlUnitNumber)->read(kStartState).value_or(0.0);
+  static_cast<void>(state);  // STUB node_.set_start_state(static_cast<canopen::NmtState>(state));
+}
+
+void Communication::on_life_time_over() noexcept {
+  static_cast<void>(unit_.raise(drive::kControlUnitNumber, kCommunicationError, kLifeTimeOver));
+}
+
+bool Communication::on_bus_state(BusState state) noexcept {
+  const BusState before = std::exchange(bus_, state);
+  if (state == before) return false;
+  if (state == BusState::Active) unit_.withdraw(drive::kControlUnitNumber, kErrorPassive);
+  if (state == BusState::Passive)
+    static_cast<void>(unit_.raise(drive::kControlUnitNumber, kErrorPassive, 0, drive::Cause::Present));
+  if (state == BusState::Off)
+    static_cast<void>(unit_.raise(drive::kControlUnitNumber, kCommunicationError, kBusOff, drive::Cause::Present));
+  if (before != BusState::Off) return false;
+  unit_.withdraw(drive::kControlUnitNumber, kCommunicationError);
+  return true;
+}
+
+std::optional<double> Communication::value_of(const ParameterPlace& place) const noexcept {
+  if (place.row.number == kState) return static_cast<double>(node_.state());
+  return place.index == kAutomaticRestart ? automatic_restart_ : 0.0;
+}
+
+canopen::Result<void> Communication::take(const ParameterPlace& place, double value) noexcept {
+  if (place.row.number == kState) {
+    const auto* const row = std::ranges::find(kCommands, static_cast<int>(value), &CommandRow::value);
+    if (row == kCommands.end()) return canopen::refuse(canopen::AbortCode::InvalidValue);
+    command_ = row->command;
+  } else if (place.index == kAutomaticRestart) {
+    automatic_restart_ = value;
+  }
+  return {};
+}
+
+}  // namespace device

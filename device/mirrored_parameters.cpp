@@ -1,0 +1,121 @@
+#include "device/mirrored_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "device/object_rows.hpp"
+
+namespace device {
+namespace {
+
+/// What the index of a parameter selects.
+enum class Indexed : std::uint8_t { SubIndex, Object };
+
+/// The parameters `first` to `last` of the drive objects `kinds`, and the entry that index 0 of the first one is;
+/// of an axis: of axis 1, the others by the offset rule.
+struct Mirror {
+  std::uint16_t first, last;
+  drive::ObjectKinds kinds;
+  std::uint16_t index;
+  std::uint8_t sub_index;
+  Indexed indexed = Indexed::SubIndex;
+};
+constexpr std::array kMirrors{
+    Mirror{8600, 8600, drive::kControlUnit, 0x1000, 0},
+    Mirror{8601, 8601, drive::kControlUnit, 0x1001, 0},
+    Mirror{8602, 8602, drive::kControlUnit, 0x1005, 0},
+    Mirror{8603, 8603, drive::kControlUnit, 0x1014, 0},
+    Mirror{8604, 8604, drive::kControlUnit, 0x100C, 0, Indexed::Object},
+    Mirror{8606, 8606, drive::kControlUnit, 0x1017, 0},
+    Mirror{8607, 8607, drive::kControlUnit, 0x1018, 1},
+    Mirror{8609, 8609, drive::kControlUnit, 0x1029, 1},
+    Mirror{8610, 8610, drive::kControlUnit, 0x1200, 1},
+    Mirror{8611, 8611, drive::kControlUnit, 0x1003, 0},
+    Mirror{8612, 8612, drive::kControlUnit, 0x1201, 1},
+    Mirror{8612, 8612, drive::kAxes, 0x1202, 1},
+    Mirror{8700, 8707, drive::kAxes, 0x1400, 1},
+    Mirror{8710, 8717, drive::kAxes, 0x1600, 1},
+    Mirror{8720, 8727, drive::kAxes, 0x1800, 1},
+    Mirror{8730, 8737, drive::kAxes, 0x1A00, 1},
+    Mirror{8798, 8798, drive::kAxes, 0x6094, 1},
+};
+
+constexpr std::uint8_t kMostMapped = 4;
+
+/// The row of parameter @p number of a drive object of @p kind, or nullptr.
+const Mirror* mirror_of(drive::ObjectKind kind, std::uint16_t number) noexcept {
+  const auto* const row = std::ranges::find_if(kMirrors, [=](const Mirror& mirror) {
+    return number >= mirror.first && number <= mirror.last && drive::contains(mirror.kinds, kind);
+  });
+  return row != kMirrors.end() ? row : nullptr;
+}
+
+constexpr bool is_mapping(std::uint16_t index) noexcept {
+  return (index >= 0x1600 && index < 0x1800) || (index >= 0x1A00 && index < 0x1C00);
+}
+
+}  // namespace
+
+MirroredParameters::MirroredParameters(canopen::Dictionary& dictionary, drive::DriveUnit& unit,
+                                       UnitParameters& parameters)
+    : dictionary_{dictionary}, unit_{unit} {
+  for (const Mirror& mirror : kMirrors) parameters.answer(mirror.first, mirror.last, *this);
+}
+
+const canopen::Entry* MirroredParameters::entry_of(const ParameterPlace& place) const noexcept {
+  const Mirror* const mirror = mirror_of(place.object.kind(), place.row.number);
+  if (mirror == nullptr) return nullptr;
+  const auto of_object = mirror->indexed == Indexed::Object ? place.index : 0U;
+  const auto of_sub_index = mirror->indexed == Indexed::SubIndex ? place.index : 0U;
+  std::size_t index = mirror->index + of_object + place.row.number - mirror->first;
+  if (drive::contains(drive::kAxes, place.object.kind()))
+    index += axis_offset(mirror->index, std::size_t{place.object.context().module} + 1);
+  return dictionary_.lookup(static_cast<std::uint16_t>(index),
+                            static_cast<std::uint8_t>(mirror->sub_index + of_sub_index));
+}
+
+std::optional<double> MirroredParameters::value_of(const ParameterPlace& place) const noexcept {
+  const canopen::Entry* const entry = entry_of(place);
+  if (entry == nullptr) return std::nullopt;
+  const auto value = dictionary_.read(*entry);
+  return value ? std::optional{static_cast<double>(*value)} : std::nullopt;
+}
+
+canopen::Result<void> MirroredParameters::take(const ParameterPlace& place, double value) noexcept {
+  const canopen::Entry* const entry = entry_of(place);
+  if (entry == nullptr) return canopen::refuse(canopen::AbortCode::NoObject);
+  const auto number = static_cast<std::int64_t>(value);
+  if (number >> entry->bits != 0) return canopen::refuse(canopen::AbortCode::ValueTooHigh);
+  return dictionary_.write(*entry, number);
+}
+
+void MirroredParameters::bring_out(std::uint16_t first, std::uint16_t last) noexcept {
+  bring_out(*unit_.object(drive::kControlUnitNumber), first, last);
+  for (const drive::Axis& axis : unit_.axes()) bring_out(axis, first, last);
+}
+
+void MirroredParameters::bring_out(const drive::DriveObject& object, std::uint16_t first,
+                                   std::uint16_t last) noexcept {
+  for (const drive::PlacedRow& placed : drive::parameters_of(object.kind())) {
+    const drive::ParameterRow& row = *placed.row;
+    if (!row.is_writable() || row.keep == drive::Keep::No) continue;
+    for (std::size_t i = 0; i < row.count; ++i) {
+      const canopen::Entry* const entry = entry_of({object, row, i});
+      if (entry == nullptr || entry->index < first || entry->index > last) continue;
+      dictionary_.set(*entry, static_cast<std::int64_t>(object.kept_value(row.number, i).value_or(0.0)));
+      if (is_mapping(entry->index)) count_mapped(*entry);
+    }
+  }
+}
+
+/// Sets the count of the mapping that @p entry belongs to: no parameter holds it, it is that of the entries before
+/// the first empty one.
+void MirroredParameters::count_mapped(const canopen::Entry& entry) noexcept {
+  std::int64_t count = 0;
+  while (count < kMostMapped &&
+         dictionary_.stored(entry.index, static_cast<std::uint8_t>(count + 1)).value_or(0) != 0)
+    ++count;
+  if (const canopen::Entry* const counter = dictionary_.lookup(entry.index, 0)) dictionary_.set(*counter, count);
+}
+
+}  // namespace device

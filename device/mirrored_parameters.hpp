@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "device/parameter_owner.hpp"
+#include "device/unit_parameters.hpp"
+#include "drive/drive_unit.hpp"
+#include "libcanopen/od/dictionary.hpp"
+
+namespace device {
+
+/// The parameters that are communication objects under another number: p8602 is 1005h, p8700[0] of the second axis
+/// 1440h:01. The dictionary is their only home, so that its rules judge a value whichever way it comes.
+class MirroredParameters final : public ParameterOwner {
+ public:
+  /// Answers in @p parameters for what is mirrored; all arguments must outlive this.
+  MirroredParameters(canopen::Dictionary& dictionary, drive::DriveUnit& unit, UnitParameters& parameters);
+
+  /// The entry that @p place shows; nullptr if it is none that the dictionary has.
+  const canopen::Entry* entry_of(const ParameterPlace& place) const noexcept;
+  /// Puts what was loaded or restored into the objects @p first to @p last, without asking anybody: the services
+  /// of the node take it over with their next start.
+  void bring_out(std::uint16_t first, std::uint16_t last) noexcept;
+
+  std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
+  /// Writes the object; ValueTooHigh for what it cannot hold, and what the dictionary refuses.
+  canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
+
+ private:
+  void bring_out(const drive::DriveObject& object, std::uint16_t first, std::uint16_t last) noexcept;
+  void count_mapped(const canopen::Entry& entry) noexcept;
+
+  canopen::Dictionary& dictionary_;
+  drive::DriveUnit& unit_;
+};
+
+}  // namespace device

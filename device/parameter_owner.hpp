@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "drive/drive_object.hpp"
+#include "libcanopen/od/abort_code.hpp"
+
+namespace device {
+
+/// One index of a parameter of a drive object.
+struct ParameterPlace {
+  const drive::DriveObject& object;
+  const drive::ParameterRow& row;
+  std::size_t index;
+};
+
+/// Answers for parameters whose home is the bus, that is, agreed parameters and commands.
+class ParameterOwner {
+ public:
+  virtual ~ParameterOwner() = default;
+  /// What @p place reads as, in the parameter's own unit; nothing: the value that was last written or loaded.
+  virtual std::optional<double> value_of(const ParameterPlace& place) const noexcept {
+    (void)place;
+    return std::nullopt;
+  }
+  /// Takes @p value, which has passed type, limits and state, or carries the command out.
+  virtual canopen::Result<void> take(const ParameterPlace& place, double value) noexcept {
+    (void)place, (void)value;
+    return {};
+  }
+};
+
+}  // namespace device

@@ -1,0 +1,36 @@
+#include "device/unit_parameters.hpp"
+
+#include <algorithm>
+
+#include "device/abort_codes.hpp"
+
+namespace device {
+
+void UnitParameters::answer(std::uint16_t first, std::uint16_t last, ParameterOwner& owner) {
+  ranges_.insert(ranges_.begin(), Range{first, last, &owner});
+}
+
+ParameterOwner* UnitParameters::owner_of(std::uint16_t number) const noexcept {
+  const auto range =
+      std::ranges::find_if(ranges_, [=](const Range& r) { return number >= r.first && number <= r.last; });
+  return range != ranges_.end() ? range->owner : nullptr;
+}
+
+std::optional<drive::Refusal> UnitParameters::on_parameter(const drive::DriveObject& object,
+                                                           const drive::ParameterRow& row, std::size_t index,
+                                                           double value) noexcept {
+  ParameterOwner* const owner = owner_of(row.number);
+  if (owner == nullptr) return std::nullopt;
+  const auto taken = owner->take({object, row, index}, value);
+  if (taken) return std::nullopt;
+  refusal_ = taken.error();
+  return refusal(taken.error());
+}
+
+std::optional<double> UnitParameters::value_of(const drive::DriveObject& object, const drive::ParameterRow& row,
+                                               std::size_t index) const noexcept {
+  const ParameterOwner* const owner = owner_of(row.number);
+  return owner != nullptr ? owner->value_of({object, row, index}) : std::nullopt;
+}
+
+}  // namespace device

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "device/parameter_owner.hpp"
+#include "drive/drive_unit.hpp"
+
+namespace device {
+
+/// Leads the agreed parameters and the commands of the drive unit to those who answer for them; a parameter of
+/// nobody is a value that is kept.
+class UnitParameters final : public drive::ParameterHost {
+ public:
+  /// @p owner, which outlives this, answers for the parameters @p first to @p last of every drive object, in place
+  /// of whom was named before. To be called before the unit is switched on.
+  void answer(std::uint16_t first, std::uint16_t last, ParameterOwner& owner);
+  void answer(std::uint16_t number, ParameterOwner& owner) { answer(number, number, owner); }
+
+  std::optional<drive::Refusal> on_parameter(const drive::DriveObject& object, const drive::ParameterRow& row,
+                                             std::size_t index, double value) noexcept override;
+  std::optional<double> value_of(const drive::DriveObject& object, const drive::ParameterRow& row,
+                                 std::size_t index) const noexcept override;
+
+  /// The abort code with which an owner has refused a value since the last call, if one did.
+  std::optional<canopen::AbortCode> take_refusal() noexcept { return std::exchange(refusal_, std::nullopt); }
+
+ private:
+  struct Range {
+    std::uint16_t first, last;
+    ParameterOwner* owner;
+  };
+  ParameterOwner* owner_of(std::uint16_t number) const noexcept;
+
+  std::vector<Range> ranges_;  ///< the latest first
+  std::optional<canopen::AbortCode> refusal_{};
+};
+
+}  // namespace device
