@@ -133,6 +133,153 @@ TEST(Presets, LieOverStoredAndRestoredParameters) {
   EXPECT_EQ(next.unit.upload(kHaltOption).number(), 3U);
 }
 
+/// Gives RPDO 1 the identifier 215h and TPDO 1 the event timer 100 ms.
+void change_pdos(TestUnit& unit) {
+  ASSERT_EQ(unit.download(0x1400, 1, 0x80000205, 4), 0U);
+  ASSERT_EQ(unit.download(0x1400, 1, 0x00000215, 4), 0U);
+  ASSERT_EQ(unit.download(0x1800, 5, 100, 2), 0U);
+}
+
+/// Whether the unit takes RPDO 1 under 215h and not under 205h, and sends TPDO 1 every 100 ms.
+bool has_changed_pdos(TestUnit& unit) {
+  unit.says("000#0105");
+  unit.passes(50ms);
+  const bool sends = from("185#", unit.passes(200ms)).size() == 2;
+  unit.says("215#0600");
+  unit.says("205#0000");
+  EXPECT_EQ(unit.upload(0x6040).number(), sends ? 6U : 0U);
+  unit.says("000#8005");
+  return sends;
+}
+
+TEST(StoredCommunication, IsInForceAfterAPowerCut) {
+  const Configuration quiet{.node_id = 5, .fault_on_leaving_operational = false};
+  TestUnit unit{quiet};
+  unit.start();
+  change_pdos(unit);
+
+  ASSERT_EQ(unit.download(kStore, 1, kSave, 4), 0U);
+
+  NextLife next{unit, quiet};
+  EXPECT_TRUE(has_changed_pdos(next.unit));
+}
+
+TEST(StoredCommunication, IsWhatAResetOfTheCommunicationReturnsTo) {
+  TestUnit unit;
+  unit.start();
+  ASSERT_EQ(unit.download(kStore, 1, kSave, 4), 0U);
+  change_pdos(unit);
+  ASSERT_EQ(unit.download(kHaltOption, 0, 2, 2), 0U);
+  ASSERT_EQ(unit.download(kStore, 2, kSave, 4), 0U);
+  ASSERT_EQ(unit.download(0x1800, 5, 7, 2), 0U);
+  ASSERT_EQ(unit.download(0x1017, 0, 500, 2), 0U);
+
+  EXPECT_EQ(unit.says("000#8205"), Lines{"705#00"});
+
+  EXPECT_EQ(unit.upload(0x1400, 1).number(), 0x215U);
+  EXPECT_EQ(unit.upload(0x1800, 5).number(), 100U);
+  EXPECT_EQ(unit.upload(0x1017).number(), 0U);
+  EXPECT_EQ(NextLife{unit}.unit.upload(kHaltOption).number(), 0xFFFFU);
+}
+
+TEST(Restore, OfTheCommunicationIsInForceAtOnceWithoutABootUp) {
+  TestUnit unit{{.node_id = 5, .fault_on_leaving_operational = false}};
+  unit.start();
+  change_pdos(unit);
+  ASSERT_TRUE(has_changed_pdos(unit));
+  unit.passes(10ms);
+  const int changes = unit.listener.subscription_changes;
+
+  EXPECT_EQ(unit.says("605#231110026C6F6164"), Lines{"585#6011100200000000"});
+
+  EXPECT_EQ(unit.device.node().state(), canopen::NmtState::PreOperational);
+  EXPECT_GT(unit.listener.subscription_changes, changes);
+  EXPECT_FALSE(has_changed_pdos(unit));
+}
+
+/// A unit whose window 2000h to 470Fh shows drive object @p object.
+struct Window : TestUnit {
+  explicit Window(std::uint16_t object) {
+    start();
+    show(object);
+  }
+  void show(std::uint16_t object) { ASSERT_EQ(download(0x41B6, 0, object, 2), 0U); }
+  std::uint32_t write(std::uint16_t parameter, std::uint32_t value) {
+    return download(static_cast<std::uint16_t>(0x2000 + parameter), 0, value, 2);
+  }
+  std::uint64_t read(std::uint16_t parameter) {
+    return upload(static_cast<std::uint16_t>(0x2000 + parameter)).number();
+  }
+};
+
+TEST(StorageParameters, SaveAndReadZero) {
+  Window unit{1};
+  ASSERT_EQ(unit.download(kHaltOption, 0, 2, 2), 0U);
+
+  EXPECT_EQ(unit.write(977, 1), 0U);
+  EXPECT_EQ(unit.read(977), 0U);
+  EXPECT_EQ(NextLife{unit}.unit.upload(kHaltOption).number(), 2U);
+
+  unit.show(2);
+  ASSERT_EQ(unit.download(kHaltOption, 0, 1, 2), 0U);
+  EXPECT_EQ(unit.write(971, 1), 0U);
+  EXPECT_EQ(unit.read(971), 0U);
+  EXPECT_EQ(NextLife{unit}.unit.upload(kHaltOption).number(), 1U);
+}
+
+TEST(StorageParameters, SayWhatIsWrong) {
+  Window unit{1};
+
+  EXPECT_EQ(unit.write(977, 10), 0x06090030U);
+  EXPECT_EQ(unit.write(977, 1014), 0x06090031U);
+  EXPECT_EQ(unit.write(976, 1), kDeviceState) << "p0009 is not 30";
+  unit.listener.is_full = true;
+  EXPECT_EQ(unit.write(977, 1), kHardwareError);
+  EXPECT_EQ(unit.write(971, 1), kHardwareError);
+}
+
+TEST(StorageParameters, RestoreTheStateOfANewUnit) {
+  Window unit{1};
+  ASSERT_EQ(unit.download(kHaltOption, 0, 2, 2), 0U);
+  ASSERT_EQ(unit.write(8622, 3), 0U);
+  ASSERT_EQ(unit.write(9, 30), 0U);
+
+  EXPECT_EQ(unit.write(976, 1), 0U);
+
+  EXPECT_EQ(unit.upload(kHaltOption).number(), 0xFFFFU);
+  ASSERT_EQ(unit.upload(0x41B6).number(), 0U) << "p8630 is reset too";
+  unit.show(1);
+  EXPECT_EQ(unit.read(9), 0U);
+  EXPECT_EQ(unit.read(976), 0U);
+  EXPECT_EQ(unit.read(8622), 3U);
+  EXPECT_EQ(unit.read(8620), 5U);
+}
+
+TEST(StorageParameters, RestartTheUnitAfterTheAnswer) {
+  Window unit{1};
+  ASSERT_EQ(unit.download(kHaltOption, 0, 2, 2), 0U);
+  ASSERT_EQ(unit.write(977, 1), 0U);
+  ASSERT_EQ(unit.download(kHaltOption, 0, 1, 2), 0U);
+
+  EXPECT_EQ(unit.says("605#2BCC230001000000"), (Lines{"585#60CC230000000000", "705#00"}));
+  EXPECT_EQ(unit.upload(kHaltOption).number(), 2U);
+
+  unit.show(1);
+  ASSERT_EQ(unit.write(9, 30), 0U);
+  EXPECT_EQ(unit.says("605#2BD0230002000000"), (Lines{"585#60D0230000000000", "705#00"}));
+}
+
+TEST(StorageParameters, RestartTheUnitWhenOperationalIsLeft) {
+  Window unit{1};
+  unit.says("000#0105");
+  unit.passes(10ms);
+  ASSERT_EQ(unit.write(972, 3), 0U);
+  EXPECT_EQ(unit.read(972), 3U);
+  unit.passes(100ms);
+
+  EXPECT_EQ(from("705#", unit.says("000#8005")), Lines{"705#00"});
+}
+
 TEST(Restore, ActsAtOnceAndLeavesWhatIsStored) {
   TestUnit unit;
   unit.start();
