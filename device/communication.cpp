@@ -36,7 +36,7 @@ Communication::Communication(drive::DriveUnit& unit, UnitParameters& parameters,
 
 void Communication::set_start_state() noexcept {
   const double state = unit_.object(drive::kControlUnitNumber)->read(kStartState).value_or(0.0);
-  static_cast<void>(state);  // STUB node_.set_start_state(static_cast<canopen::NmtState>(state));
+  node_.set_start_state(static_cast<canopen::NmtState>(state));
 }
 
 void Communication::on_life_time_over() noexcept {

@@ -4,8 +4,10 @@
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 
+#include "device/node_policy.hpp"
 #include "device/object_index.hpp"
 
 namespace device {
@@ -13,26 +15,8 @@ namespace {
 
 constexpr double kCycleSeconds = std::chrono::duration<double>(Device::kCycle).count();
 
-/// No remote frame ever asks for a TPDO of the unit.
-constexpr std::array kTpdoTypes{canopen::TypeRange{0, 240}, canopen::TypeRange{254, 255}};
-
-/// Where the unit differs from what most nodes do; the rest are the library's defaults.
-constexpr canopen::Policy kPolicy{
-    .unknown_command = canopen::UnknownCommand::Stop,
-    .error_control_conflict = canopen::ErrorControlConflict::Refuse,
-    .error_keeping = canopen::ErrorKeeping::Owner,
-    .extended_identifiers = false,
-    .sdo_block = false,
-    .predefined_sdo_identifiers = true,
-    .pdo_changes_in_operational = false,  // A08754
-    .count_follows_entries = true,
-    .tpdo_requests = false,
-    .dummy_types = 0,
-    .tpdo_types = kTpdoTypes,
-};
-
 canopen::Policy policy_of(const Configuration& configuration) noexcept {
-  canopen::Policy policy = kPolicy;
+  canopen::Policy policy = kNodePolicy;
   policy.sdo_block = configuration.sdo_block;
   policy.remote_frames = configuration.remote_frames;
   return policy;
@@ -50,20 +34,7 @@ std::vector<canopen::EntryDescription> rows_of(const Configuration& configuratio
   return object_rows(kinds);
 }
 
-constexpr std::uint16_t kPdosOfAnAxis = 0x40;
-
-/// Objects with indices `first` to `last`.
-struct ObjectRange {
-  std::uint16_t first;
-  std::uint16_t last;
-};
-/// The objects that show parameters of @p group, and what belongs to them.
-constexpr ObjectRange objects_of(ParameterGroup group) noexcept {
-  constexpr std::array kRanges{ObjectRange{0x1000, 0x9FFF}, ObjectRange{0x1000, 0x1FFF},
-                               ObjectRange{0x6000, 0x9FFF}};
-  return kRanges[static_cast<std::size_t>(group) - 1];
-}
-
+constexpr std::uint16_t kRpdosMissing = 8702;
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
@@ -88,8 +59,11 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
       node_{dictionary_, policy_of(configuration), sink, *this},
+      pdo_rules_{dictionary_, unit_, node_, *this},
+      process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_},
       communication_{unit_, parameters_, node_},
-      window_{unit_, parameters_, *this} {
+      window_{unit_, parameters_, *this},
+      rpdo_monitor_{parameters_} {
   node_.show(window_);
   apply_presets(ParameterGroup::All);
   AxisListener& listener_of_axes = *this;
@@ -97,50 +71,19 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
   dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
-/// The configuration lies over the parameters of @p group, whatever they were before; what objects show of them is
-/// brought into the dictionary.
-void Device::apply_presets(ParameterGroup group) noexcept {
-  for (std::size_t i = 0; i < configuration_.axes.size(); ++i) {
-    for (const ParameterPreset& preset : configuration_.axes[i].presets) {
-      if (!belongs_to(group, preset.number)) continue;
-      drive::Axis& axis = unit_.axes()[i];
-      if (axis.write(preset.number, preset.index, preset.value)) continue;
-      // The rules of an object are those of a change, not of a beginning.
-      [[maybe_unused]] const auto loaded = axis.load(preset.number, preset.index, preset.value);
-      assert(loaded);
-    }
-  }
-  const ObjectRange objects = objects_of(group);
-  mirrored_parameters_.bring_out(objects.first, objects.last);
-  for (AxisObjects& axis : axes_) axis.publish();
-}
-
-tl::expected<void, drive::image_format::Error> Device::load_parameters(std::span<const std::byte> image) noexcept {
-  auto loaded = storage_.adopt(image);
-  if (loaded) apply_presets(ParameterGroup::All);
-  return loaded;
-}
-
-tl::expected<void, drive::image_format::Error> Device::load_retained(std::span<const std::byte> image) noexcept {
-  return drive::retained_image::load(unit_, image);
-}
-
-std::span<const std::byte> Device::retained(canopen::TimePoint now) noexcept {
-  tell_time(now);
-  return drive::retained_image::save(unit_, retained_).value_or(std::span<const std::byte>{});
-}
-
 void Device::start(canopen::TimePoint now) noexcept {
   if (node_.state() == canopen::NmtState::Initialising) {
-    started_ = last_cycle_ = now;
+    last_cycle_ = now;
+    started_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
-    for (AxisObjects& axis : axes_) axis.publish();
+    pdo_rules_.limit();
+    show_values();
   }
   tell_time(now);
   communication_.on_bus_state(BusState::Active);
   error_objects_.set_bus_off(false);
-  communication_.set_start_state();
+  take_over_parameters();
   node_.start(now);
   error_objects_.update(node_);
 }
@@ -150,11 +93,18 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
   node_.on_frame(frame, now);
   if (parameter_written_) follow_parameters();
   if (storage_.has_task()) carry_out_task();
+  if (alarm_changed_) publish();
+}
+
+void Device::on_pdo_alarm() noexcept {
+  tell_time(now_);
+  alarm_changed_ = true;
 }
 
 void Device::on_parameter_written(std::uint8_t object) noexcept {
   parameter_written_ = true;
-  if (object >= drive::kFirstAxisNumber) axes_[object - drive::kFirstAxisNumber].wake();
+  if (object == drive::kControlUnitNumber) return wake();
+  axes_[object - drive::kFirstAxisNumber].wake();
 }
 
 /// What the written parameters command besides their own effect, now that the answer is out.
@@ -166,19 +116,35 @@ void Device::follow_parameters() noexcept {
 
 void Device::on_time(canopen::TimePoint now) noexcept {
   now_ = now;
+  if (rpdo_monitor_.deadline() <= now) miss_rpdos();
   if (next_cycle() <= now) run_cycles();
   node_.on_time(now);
   if (storage_.has_task()) carry_out_task();
 }
 
+void Device::miss_rpdos() noexcept {
+  rpdo_monitor_.stop();
+  tell_time(now_);
+  static_cast<void>(unit_.raise(drive::kControlUnitNumber, kRpdosMissing));
+  wake();
+  publish();
+}
+
+bool Device::is_moving() const noexcept {
+  return !resting_ && std::ranges::any_of(unit_.axes(), [](const drive::Axis& axis) {
+    return axis.actual().pulses_enabled || std::abs(axis.actual().speed) > 0.0;
+  });
+}
+
 canopen::TimePoint Device::next_deadline() const noexcept {
-  return std::min(node_.next_deadline(), next_cycle());
+  return std::min({node_.next_deadline(), next_cycle(), rpdo_monitor_.deadline()});
 }
 
 /// The time that faults and alarms are stamped with.
 void Device::tell_time(canopen::TimePoint now) noexcept {
   now_ = now;
-  const auto uptime = std::chrono::duration_cast<std::chrono::milliseconds>(now - started_).count();
+  const canopen::Duration running = now - started_.value_or(now);
+  const auto uptime = std::chrono::duration_cast<std::chrono::milliseconds>(running).count();
   unit_.set_time(static_cast<drive::Uptime>(uptime));
 }
 
@@ -194,9 +160,20 @@ void Device::run_cycles() noexcept {
 }
 
 void Device::publish() noexcept {
-  for (AxisObjects& axis : axes_) axis.publish();
+  alarm_changed_ = false;
+  show_values();
   error_objects_.update(node_);
   node_.on_values_changed(now_);
+}
+
+/// Everything that the axes show; free objects last, as they may show any of it.
+void Device::show_values() noexcept {
+  for (AxisObjects& axis : axes_) axis.publish();
+  for (FreeObjects& objects : free_objects_) objects.publish();
+}
+
+void Device::invalidate_buffers() noexcept {
+  for (ProcessDataBuffers& buffers : buffers_) buffers.invalidate();
 }
 
 void Device::wake() noexcept {
@@ -210,7 +187,8 @@ void Device::on_awake() noexcept {
 }
 
 void Device::on_rpdo(std::uint16_t number) noexcept {
-  axes_[number / kPdosOfAnAxis].on_rpdo();
+  rpdo_monitor_.on_rpdo(now_);
+  axes_[number / pdo::kStride].on_rpdo();
 }
 
 canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
@@ -222,37 +200,9 @@ canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
   return {};
 }
 
-void Device::carry_out_task() noexcept {
-  using Task = ParameterStorage::Task;
-  switch (storage_.take_task()) {
-    case Task::None:
-      break;
-    case Task::RestoreAll:
-      return restore(ParameterGroup::All);
-    case Task::RestoreCommunication:
-      return restore(ParameterGroup::Communication);
-    case Task::RestoreApplication:
-      return restore(ParameterGroup::Application);
-    case Task::Restart:
-      return node_.command(canopen::NmtCommand::ResetNode, now_);
-  }
-}
-
-/// The state of a new unit, at once: the vendor's departure from CiA 301, which waits for the next reset.
-void Device::restore(ParameterGroup group) noexcept {
-  storage_.reset(group);
-  const ObjectRange objects = objects_of(group);
-  dictionary_.restore(objects.first, objects.last);
-  for (AxisObjects& axis : axes_) axis.forget_written();
-  apply_presets(group);
-  error_objects_.show_again();
-  if (group != ParameterGroup::Application) node_.reload(now_);
-  wake();
-  publish();
-}
-
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
   tell_time(now_);
+  rpdo_monitor_.stop();
   if (to == canopen::NmtState::Initialising) {
     unit_.power_off();
     for (AxisObjects& axis : axes_) axis.forget_written();
@@ -261,13 +211,14 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   }
   const bool left = from == canopen::NmtState::Operational && to != canopen::NmtState::Initialising;
   if (left) storage_.on_operational_left();
+  if (from != canopen::NmtState::Initialising) pdo_rules_.end_alarms();
   show_messages();
 }
 
 /// From within a call of the node, where TPDOs must not be judged yet: the cycle that follows does that.
 void Device::show_messages() noexcept {
   error_objects_.update(node_);
-  for (AxisObjects& axis : axes_) axis.publish();
+  show_values();
   wake();
 }
 
@@ -295,14 +246,6 @@ void Device::leave_operational(std::uint32_t value) noexcept {
     [[maybe_unused]] const auto raised = axis.raise(kLeftOperational, value);
     assert(raised);
   }
-}
-
-void Device::on_reset(canopen::NmtCommand command) noexcept {
-  const bool all = command == canopen::NmtCommand::ResetNode;
-  const ParameterGroup group = all ? ParameterGroup::All : ParameterGroup::Communication;
-  storage_.reload(group);
-  apply_presets(group);
-  communication_.set_start_state();
 }
 
 tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,

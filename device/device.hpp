@@ -9,10 +9,15 @@
 #include "device/communication.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
+#include "device/free_objects.hpp"
 #include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
 #include "device/parameter_storage.hpp"
 #include "device/parameter_window.hpp"
+#include "device/pdo_rules.hpp"
+#include "device/process_data_buffers.hpp"
+#include "device/process_data_parameters.hpp"
+#include "device/rpdo_monitor.hpp"
 #include "device/sdo_identifiers.hpp"
 #include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
@@ -61,6 +66,7 @@ class Listener : public ParameterKeeper {
 class Device final : private canopen::Application,
                      private canopen::EntryOwner,
                      private AxisListener,
+                     private PdoListener,
                      private WindowListener {
  public:
   /// Process-data cycle p8848.
@@ -115,8 +121,8 @@ class Device final : private canopen::Application,
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
   /// Counts how often the faults and alarms were different from before.
   std::uint32_t message_changes() const noexcept { return error_objects_.updates(); }
-  /// Whether every axis is at rest: no time passes for what is counted there.
-  bool is_resting() const noexcept { return resting_; }
+  /// Whether an axis turns or has its pulses enabled.
+  bool is_moving() const noexcept;
   /// Cycles left out because the program was kept from running for too long.
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
@@ -134,19 +140,26 @@ class Device final : private canopen::Application,
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
+  void on_mapping_changed(std::size_t axis) noexcept override { buffers_[axis - 1].invalidate(); }
+  void on_pdo_alarm() noexcept override;
   void on_parameter_access() noexcept override { tell_time(now_); }
   void on_parameter_written(std::uint8_t object) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
+  void show_values() noexcept;
+  void invalidate_buffers() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;
   void follow_parameters() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
   void apply_presets(ParameterGroup group) noexcept;
+  void take_over(ParameterGroup group) noexcept;
+  void take_over_parameters() noexcept;
   void carry_out_task() noexcept;
   void restore(ParameterGroup group) noexcept;
+  void miss_rpdos() noexcept;
   canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
 
   Configuration configuration_;
@@ -163,13 +176,19 @@ class Device final : private canopen::Application,
   ErrorControl error_control_;
   SdoIdentifiers sdo_identifiers_;
   canopen::Node node_;
+  PdoRules pdo_rules_;
+  std::deque<ProcessDataBuffers> buffers_;
+  std::deque<FreeObjects> free_objects_;
+  ProcessDataParameters process_data_parameters_;
   Communication communication_;
   ParameterWindow window_;
-  canopen::TimePoint started_{};     ///< when the unit was switched on
-  canopen::TimePoint now_{};         ///< as last told
-  canopen::TimePoint last_cycle_{};  ///< cycles lie on a grid of kCycle, also after a rest
-  bool resting_ = true;              ///< every axis is idle
-  bool parameter_written_ = false;   ///< within a call into the node: what follows from it comes after it
+  RpdoMonitor rpdo_monitor_;
+  std::optional<canopen::TimePoint> started_;  ///< when the unit was switched on
+  canopen::TimePoint now_{};                   ///< as last told
+  canopen::TimePoint last_cycle_{};            ///< cycles lie on a grid of kCycle, also after a rest
+  bool resting_ = true;                        ///< every axis is idle
+  bool alarm_changed_ = false;                 ///< within a call into the node: messages are shown after it
+  bool parameter_written_ = false;  ///< within a call into the node: what follows from it comes after it
   std::uint64_t skipped_cycles_ = 0;
 };
 

@@ -62,6 +62,10 @@ MirroredParameters::MirroredParameters(canopen::Dictionary& dictionary, drive::D
   for (const Mirror& mirror : kMirrors) parameters.answer(mirror.first, mirror.last, *this);
 }
 
+bool MirroredParameters::contains(drive::ObjectKind kind, std::uint16_t number) noexcept {
+  return mirror_of(kind, number) != nullptr;
+}
+
 const canopen::Entry* MirroredParameters::entry_of(const ParameterPlace& place) const noexcept {
   const Mirror* const mirror = mirror_of(place.object.kind(), place.row.number);
   if (mirror == nullptr) return nullptr;
@@ -89,23 +93,33 @@ canopen::Result<void> MirroredParameters::take(const ParameterPlace& place, doub
   return dictionary_.write(*entry, number);
 }
 
-void MirroredParameters::bring_out(std::uint16_t first, std::uint16_t last) noexcept {
-  bring_out(*unit_.object(drive::kControlUnitNumber), first, last);
-  for (const drive::Axis& axis : unit_.axes()) bring_out(axis, first, last);
+/// Calls @p visit for every index of a mirrored parameter that is kept, with the drive object and the entry, which
+/// is one of the objects @p first to @p last.
+template <class Visit>
+void MirroredParameters::for_each_kept(std::uint16_t first, std::uint16_t last, const Visit& visit) {
+  const auto visit_index = [&](drive::DriveObject& object, const drive::ParameterRow& row, std::size_t index) {
+    const canopen::Entry* const entry = entry_of({object, row, index});
+    if (entry != nullptr && entry->index >= first && entry->index <= last)
+      visit(object, row.number, index, *entry);
+  };
+  const auto visit_object = [&](drive::DriveObject& object) {
+    for (const drive::PlacedRow& placed : drive::parameters_of(object.kind())) {
+      const bool is_kept = placed.row->is_writable() && placed.row->keep != drive::Keep::No;
+      for (std::size_t i = 0; is_kept && i < placed.row->count; ++i) visit_index(object, *placed.row, i);
+    }
+  };
+  visit_object(*unit_.object(drive::kControlUnitNumber));
+  for (drive::Axis& axis : unit_.axes()) visit_object(axis);
 }
 
-void MirroredParameters::bring_out(const drive::DriveObject& object, std::uint16_t first,
-                                   std::uint16_t last) noexcept {
-  for (const drive::PlacedRow& placed : drive::parameters_of(object.kind())) {
-    const drive::ParameterRow& row = *placed.row;
-    if (!row.is_writable() || row.keep == drive::Keep::No) continue;
-    for (std::size_t i = 0; i < row.count; ++i) {
-      const canopen::Entry* const entry = entry_of({object, row, i});
-      if (entry == nullptr || entry->index < first || entry->index > last) continue;
-      dictionary_.set(*entry, static_cast<std::int64_t>(object.kept_value(row.number, i).value_or(0.0)));
-      if (is_mapping(entry->index)) count_mapped(*entry);
-    }
-  }
+void MirroredParameters::bring_out(std::uint16_t first, std::uint16_t last) noexcept {
+  for_each_kept(first, last,
+                [this](const drive::DriveObject& object, std::uint16_t number, std::size_t index,
+                       const canopen::Entry& entry) {
+                  const double value = object.kept_value(number, index).value_or(0.0);
+                  dictionary_.set(entry, static_cast<std::int64_t>(value));
+                  if (is_mapping(entry.index)) count_mapped(entry);
+                });
 }
 
 /// Sets the count of the mapping that @p entry belongs to: no parameter holds it, it is that of the entries before

@@ -16,6 +16,8 @@ class MirroredParameters final : public ParameterOwner {
   /// Answers in @p parameters for what is mirrored; all arguments must outlive this.
   MirroredParameters(canopen::Dictionary& dictionary, drive::DriveUnit& unit, UnitParameters& parameters);
 
+  /// Whether parameter @p number of a drive object of @p kind is mirrored.
+  static bool contains(drive::ObjectKind kind, std::uint16_t number) noexcept;
   /// The entry that @p place shows; nullptr if it is none that the dictionary has.
   const canopen::Entry* entry_of(const ParameterPlace& place) const noexcept;
   /// Puts what was loaded or restored into the objects @p first to @p last, without asking anybody: the services
@@ -27,7 +29,8 @@ class MirroredParameters final : public ParameterOwner {
   canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
 
  private:
-  void bring_out(const drive::DriveObject& object, std::uint16_t first, std::uint16_t last) noexcept;
+  template <class Visit>
+  void for_each_kept(std::uint16_t first, std::uint16_t last, const Visit& visit);
   void count_mapped(const canopen::Entry& entry) noexcept;
 
   canopen::Dictionary& dictionary_;

@@ -20,9 +20,13 @@ inline constexpr std::uint16_t kAbortConnectionOption = 0x6007;
 inline constexpr std::uint16_t kControlword = 0x6040;
 inline constexpr std::uint16_t kStatusword = 0x6041;
 inline constexpr std::uint16_t kHaltOption = 0x605D;
+inline constexpr std::uint16_t kVlTargetVelocity = 0x6042;
+inline constexpr std::uint16_t kVlVelocityDemand = 0x6043;
+inline constexpr std::uint16_t kVlVelocityActual = 0x6044;
 inline constexpr std::uint16_t kModesOfOperation = 0x6060;
 inline constexpr std::uint16_t kModesOfOperationDisplay = 0x6061;
 inline constexpr std::uint16_t kPositionActual = 0x6063;
+inline constexpr std::uint16_t kVelocitySensorActual = 0x6069;
 inline constexpr std::uint16_t kVelocityDemand = 0x606B;
 inline constexpr std::uint16_t kVelocityActual = 0x606C;
 inline constexpr std::uint16_t kTargetTorque = 0x6071;
@@ -35,6 +39,26 @@ inline constexpr std::uint16_t kTargetVelocity = 0x60FF;
 
 inline constexpr std::uint16_t kFirstProfileObject = 0x6000;
 inline constexpr std::uint16_t kProfileStride = 0x800;
+
+// Free objects of the first axis: 16 words and 8 double words each way; axis n has them 80h·(n-1) higher.
+inline constexpr std::uint16_t kReceiveWords = 0x5800;
+inline constexpr std::uint16_t kTransmitWords = 0x5810;
+inline constexpr std::uint16_t kReceiveDoubleWords = 0x5820;
+inline constexpr std::uint16_t kTransmitDoubleWords = 0x5830;
+inline constexpr std::uint16_t kFreeWords = 16;
+inline constexpr std::uint16_t kFreeDoubleWords = 8;
+
+inline constexpr std::uint16_t kFirstFreeObject = kReceiveWords;
+inline constexpr std::uint16_t kFreeStride = 0x80;
+
+/// The free object @p index of the first axis, on axis @p axis (1..8).
+constexpr std::uint16_t free_on_axis(std::uint16_t index, std::size_t axis) noexcept {
+  return static_cast<std::uint16_t>(index + kFreeStride * (axis - 1));
+}
+/// The axis (from 1) that the free object @p index belongs to.
+constexpr std::size_t axis_of_free(std::uint16_t index) noexcept {
+  return 1 + static_cast<std::size_t>(index - kFirstFreeObject) / kFreeStride;
+}
 
 /// The profile object @p index of the first axis, on axis @p axis (1..8).
 constexpr std::uint16_t on_axis(std::uint16_t index, std::size_t axis) noexcept {

@@ -1,12 +1,14 @@
 #include "drive/drive_unit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace drive {
 namespace {
 
-constexpr std::uint16_t kDeviceFilter = 9;  // p0009
+constexpr std::uint16_t kDeviceFilter = 9;     // p0009
+constexpr std::uint16_t kAlarmCounter = 2111;  // p2111
 
 ObjectContext control_unit_context(const UnitConfiguration& configuration) noexcept {
   ObjectContext context{};
@@ -68,7 +70,20 @@ tl::expected<void, ParameterError> DriveUnit::write(std::uint8_t object, std::ui
   const PlacedRow* const placed = find_parameter(owner->kind(), number);
   if (placed != nullptr && placed->row->type != value.type)
     return tl::unexpected{ParameterError{Refusal::WrongType, number, placed->row}};
+  if (number == kAlarmCounter) return clear_alarms(*owner, decode(value));
   return owner->write(number, index, decode(value));
+}
+
+/// p2111 = 0 ends latched alarms where they came from and where they spread to.
+tl::expected<void, ParameterError> DriveUnit::clear_alarms(DriveObject& object, double count) noexcept {
+  std::array<std::uint16_t, FaultMemory::kCapacity> latched{};
+  std::size_t number = 0;
+  for (const FaultEntry& alarm : object.messages().alarms())
+    if (alarm.cause == Cause::Latched) latched[number++] = alarm.row->number;
+  auto written = object.write(kAlarmCounter, count);
+  if (!written) return written;
+  for (std::size_t i = 0; i < number; ++i) withdraw(object.number(), latched[i]);
+  return written;
 }
 
 void DriveUnit::set_time(Uptime now) noexcept {

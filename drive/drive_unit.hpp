@@ -86,6 +86,7 @@ class DriveUnit final : private Surroundings {
   std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept override;
   std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
                                double value) noexcept override;
+  tl::expected<void, ParameterError> clear_alarms(DriveObject& object, double count) noexcept;
   std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
                                      std::size_t index) const noexcept override;
   void inhibit_axes(bool inhibited) noexcept;

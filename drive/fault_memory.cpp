@@ -186,6 +186,10 @@ void FaultMemory::bring_back(const Kept& kept, Uptime power_off) noexcept {
 }
 
 void FaultMemory::clear_alarm_buffer() noexcept {
+  const auto is_latched = [](const FaultEntry& entry) { return entry.cause == Cause::Latched; };
+  for (const FaultEntry& entry : alarms())
+    if (is_latched(entry)) alarm_buffer_.leave(entry.row->number, now_);
+  if (alarms_.remove_if(is_latched) != 0) ++change_count_;
   alarm_buffer_.clear();
   counters_.alarms = 0;
   ++counters_.alarm_changes;

@@ -13,7 +13,11 @@
 namespace drive {
 
 /// Whether the cause of a message is still there after it was raised.
-enum class Cause : std::uint8_t { Gone, Present };
+enum class Cause : std::uint8_t {
+  Gone,
+  Present,
+  Latched,  ///< gone, but an alarm stays until it is withdrawn or p2111 = 0
+};
 
 /// An active fault or alarm.
 struct FaultEntry {
@@ -89,7 +93,7 @@ class FaultMemory {
   Kept kept() const noexcept;
   /// Takes over what a former life kept; a case that was active then has ended at @p power_off.
   void bring_back(const Kept& kept, Uptime power_off) noexcept;
-  /// p2111 = 0: the buffer holds only what is active.
+  /// p2111 = 0: latched alarms leave, the buffer holds only what is active.
   void clear_alarm_buffer() noexcept;
 
   /// What is made of messages other than the table says; it holds for messages to come.

@@ -85,6 +85,8 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   std::uint8_t node_id() const noexcept { return context_.dictionary.node_id(); }
   /// What the node must receive, in ascending order of identifiers, data frames before remote frames.
   std::span<const Subscription> subscriptions() const noexcept { return routes_.subscriptions(); }
+  /// Whether a service of the node sends or receives @p identifier.
+  bool uses(Identifier identifier) const noexcept { return is_used(identifier); }
   /// All PDOs of the dictionary with what is in force of them, in the order of their numbers.
   std::span<const PdoSettings> receive_pdos() const noexcept { return receive_pdos_.pdos(); }
   std::span<const PdoSettings> transmit_pdos() const noexcept { return transmit_pdos_.pdos(); }

@@ -151,6 +151,7 @@ Result<void> PdoParameters::write_cob_id(std::size_t position, std::uint32_t cob
   PdoSettings& pdo = pdos_[position];
   if ((cob_id & cob_id::kInvalid) != 0) {
     pdo.identifier = 0;
+    pdo.zero_written = false;
     changed(position);
     return {};
   }

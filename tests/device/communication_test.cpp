@@ -231,6 +231,39 @@ TEST(BusOffParameter, TakesTheCommandsAndShowsTheAutomaticRestart) {
   EXPECT_EQ(unit.upload(index, 1).number(), 1U);
 }
 
+TEST(RpdoMonitoring, RaisesF08702WhenNoRpdoComesAnyMore) {
+  ControlUnit unit{2};
+  ASSERT_EQ(unit.download(0x2000 + 8699, 0, 0x42C80000, 4), 0U);  // 100 ms
+  unit.says("000#0105");
+  EXPECT_EQ(from("085#", unit.passes(1s)), Lines{}) << "no RPDO has come yet";
+
+  for (int i = 0; i < 5; ++i) {
+    unit.says("205#0600");
+    EXPECT_EQ(from("085#", unit.passes(99ms)), Lines{});
+  }
+  EXPECT_EQ(from("085#", unit.passes(2ms)),
+            (Lines{"085#011011FE21010000", "085#011011FE21020000", "085#011011FE21030000"}));
+  EXPECT_EQ(unit.faults(3), Numbers{8702});
+  EXPECT_EQ(unit.download(0x1003, 0, 0, 1), 0U);
+  EXPECT_EQ(from("085#", unit.passes(1s)), Lines{});
+}
+
+TEST(RpdoMonitoring, EndsWithOperationalAndWithTheTime0) {
+  ControlUnit unit;
+  ASSERT_EQ(unit.download(0x2000 + 8699, 0, 0x42C80000, 4), 0U);
+  unit.says("000#0105");
+  unit.says("205#0600");
+  ASSERT_EQ(unit.download(0x2000 + 8699, 0, 0, 4), 0U);
+  unit.passes(1s);
+  EXPECT_EQ(unit.faults(2), Numbers{});
+
+  ASSERT_EQ(unit.download(0x2000 + 8699, 0, 0x42C80000, 4), 0U);
+  unit.says("205#0600");
+  unit.says("000#8005");
+  unit.passes(1s);
+  EXPECT_EQ(unit.faults(2), Numbers{8701});
+}
+
 TEST(NodeAddress, BelongsToTheConfiguration) {
   ControlUnit unit;
 

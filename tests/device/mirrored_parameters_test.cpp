@@ -99,6 +99,30 @@ TEST(MirroredParameters, ShowWhatWasWrittenToTheObject) {
   EXPECT_EQ(unit.read(kAxis8, 8798, 1), 7.0);
 }
 
+TEST(MirroredParameters, OfTheConfigurationAreInForceFromTheStartAndAfterAReset) {
+  const std::vector<ParameterPreset> presets{
+      {8700, 0x80000205, 0}, {8720, 0x40000195, 0}, {8711, 0x60710010, 1}, {8711, 0, 2}, {8798, 3, 1}};
+  TestUnit unit{unit_with(presets)};
+  unit.start();
+  const auto expect_presets = [&] {
+    EXPECT_EQ(unit.upload(0x1400, 1).number(), 0x80000205U);
+    EXPECT_EQ(unit.upload(0x1800, 1).number(), 0x40000195U);
+    EXPECT_EQ(unit.upload(0x1601, 0).number(), 2U);
+    EXPECT_EQ(unit.upload(0x1601, 2).number(), 0x60710010U);
+    EXPECT_EQ(unit.upload(0x6094, 2).number(), 3U);
+  };
+
+  expect_presets();
+  for (const char* const reset : {"000#8205", "000#8105"}) {
+    ASSERT_EQ(unit.download(0x1800, 1, 0xC0000195, 4), 0U);
+    ASSERT_EQ(unit.download(0x1017, 0, 1000, 2), 0U);
+    EXPECT_EQ(unit.says(reset), Lines{"705#00"});
+    expect_presets();
+    EXPECT_EQ(unit.upload(0x1017).number(), 0U);
+  }
+  EXPECT_EQ(from("195#", unit.says("000#0105")).size(), 1U);
+}
+
 TEST(MirroredParameters, ShowTheActiveMessages) {
   MirroredUnit unit;
   ASSERT_TRUE(unit.device.raise(2, 7900, 0, unit.now));

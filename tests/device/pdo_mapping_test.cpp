@@ -5,6 +5,12 @@ namespace {
 
 constexpr std::string_view kDone1401 = "585#6001140100000000";
 
+/// Plays @p exchanges and compares the answers; the alarms of refusals are shown elsewhere.
+void expect_answers(TestUnit& unit, std::initializer_list<Exchange> exchanges) {
+  for (const Exchange& exchange : exchanges)
+    EXPECT_EQ(from("585#", unit.says(exchange.request)), Lines{std::string{exchange.answer}}) << exchange.request;
+}
+
 TEST(PdoMapping, OfAnRpdoChangesByTheProcedureOfCia301) {
   TestUnit unit;
   unit.start();
@@ -80,12 +86,12 @@ TEST(PdoMapping, IsRefusedWhileTheCobIdIsValid) {
   TestUnit unit;
   unit.start();
 
-  unit.expect_dialogue({
-      {"605#2F00160000000000", "585#8000160022000008"},
-      {"605#230016022000FF60", "585#8000160222000008"},
-      {"605#2300140115020000", "585#8000140122000008"},  // another valid COB-ID
-      {"605#2B00180364000000", "585#8000180322000008"},  // inhibit time
-  });
+  expect_answers(unit, {
+                           {"605#2F00160000000000", "585#8000160022000008"},
+                           {"605#230016022000FF60", "585#8000160222000008"},
+                           {"605#2300140115020000", "585#8000140122000008"},  // another valid COB-ID
+                           {"605#2B00180364000000", "585#8000180322000008"},  // inhibit time
+                       });
 }
 
 TEST(PdoMapping, IsRefusedInOperational) {
@@ -94,13 +100,13 @@ TEST(PdoMapping, IsRefusedInOperational) {
   ASSERT_EQ(unit.download(0x1401, 1, 0x80000305, 4), 0U);
   unit.says("000#0105");
 
-  unit.expect_dialogue({
-      {"605#2F01160000000000", "585#8001160022000008"},
-      {"605#2301160110004060", "585#8001160122000008"},
-      {"605#2301140105030000", "585#8001140122000008"},
-      {"605#2300140105020080", "585#8000140122000008"},
-      {"605#2F00180201000000", "585#8000180222000008"},
-  });
+  expect_answers(unit, {
+                           {"605#2F01160000000000", "585#8001160022000008"},
+                           {"605#2301160110004060", "585#8001160122000008"},
+                           {"605#2301140105030000", "585#8001140122000008"},
+                           {"605#2300140105020080", "585#8000140122000008"},
+                           {"605#2F00180201000000", "585#8000180222000008"},
+                       });
 }
 
 TEST(PdoMapping, RefusesWhatCannotBeMapped) {
@@ -109,29 +115,30 @@ TEST(PdoMapping, RefusesWhatCannotBeMapped) {
   ASSERT_EQ(unit.download(0x1401, 1, 0x80000305, 4), 0U);
   ASSERT_EQ(unit.download(0x1800, 1, 0x80000185, 4), 0U);
 
-  unit.expect_dialogue({
-      {"605#2301160110004160", "585#8001160141000406"},  // statusword in an RPDO
-      {"605#2301160108004060", "585#8001160141000406"},  // 8 bits of 16
-      {"605#2301160120008360", "585#8001160141000406"},  // 6083h
-      {"605#2301160108000500", "585#8001160100000206"},  // dummy entry
-      {"605#2301160110004068", "585#8001160100000206"},  // 6840h: no second axis
-      {"605#2301160110014060", "585#8001160111000906"},  // sub-index 1
-      {"605#23001A0120000010", "585#80001A0141000406"},  // 1000h
-  });
+  expect_answers(unit, {
+                           {"605#2301160110004160", "585#8001160141000406"},  // statusword in an RPDO
+                           {"605#2301160108004060", "585#8001160141000406"},  // 8 bits of 16
+                           {"605#2301160120008360", "585#8001160141000406"},  // 6083h
+                           {"605#2301160108000500", "585#8001160141000406"},  // dummy entry
+                           {"605#2301160110004068", "585#8001160141000406"},  // 6840h: no second axis
+                           {"605#2301160110014060", "585#8001160141000406"},  // sub-index 1
+                           {"605#23001A0120000010", "585#80001A0141000406"},  // 1000h
+                       });
 }
 
 TEST(PdoMapping, RefusesMoreThanEightBytes) {
   TestUnit unit;
   unit.start();
 
-  unit.expect_dialogue({
-      {"605#2303140105050080", "585#6003140100000000"},
-      {"605#230316042000FF60", "585#8003160442000406"},  // 2 + 4 + 2 + 4 bytes, short procedure
-      {"605#2F03160000000000", "585#6003160000000000"},
-      {"605#230316042000FF60", "585#6003160400000000"},
-      {"605#2F03160004000000", "585#8003160042000406"},  // the same, procedure of CiA 301
-      {"605#2F03160005000000", "585#8003160031000906"},
-  });
+  expect_answers(unit,
+                 {
+                     {"605#2303140105050080", "585#6003140100000000"},
+                     {"605#230316042000FF60", "585#8003160442000406"},  // 2 + 4 + 2 + 4 bytes, short procedure
+                     {"605#2F03160000000000", "585#6003160000000000"},
+                     {"605#230316042000FF60", "585#6003160400000000"},
+                     {"605#2F03160004000000", "585#8003160042000406"},  // the same, procedure of CiA 301
+                     {"605#2F03160005000000", "585#8003160031000906"},
+                 });
 }
 
 TEST(PdoMapping, RefusesAnIdentifierThatIsInUse) {

@@ -388,7 +388,7 @@ TEST(Retained, TellsWhenThereIsSomethingToKeep) {
   unit.start();
   unit.passes(1s);
   const std::uint32_t before = unit.device.message_changes();
-  EXPECT_TRUE(unit.device.is_resting());
+  EXPECT_FALSE(unit.device.is_moving());
   unit.passes(60s);
   EXPECT_EQ(unit.device.message_changes(), before);
 
@@ -398,6 +398,28 @@ TEST(Retained, TellsWhenThereIsSomethingToKeep) {
   unit.device.acknowledge(1, unit.now);
 
   EXPECT_NE(unit.device.message_changes(), raised);
+}
+
+TEST(Retained, TellsWhenAnAxisMoves) {
+  TestUnit unit;
+  unit.turn_at(600, 8s);
+  EXPECT_TRUE(unit.device.is_moving());
+
+  unit.says("205#0000");
+  unit.passes(100ms);
+  EXPECT_TRUE(unit.device.is_moving()) << "it coasts";
+  unit.passes(10min);
+
+  EXPECT_FALSE(unit.device.is_moving());
+}
+
+TEST(Retained, CountsNoTimeBeforeTheStart) {
+  TestUnit unit;
+
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
+  unit.device.retained(unit.now);
+
+  EXPECT_EQ(unit.device.unit().runtime(), 0U);
 }
 
 }  // namespace

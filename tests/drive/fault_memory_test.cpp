@@ -87,6 +87,23 @@ TEST(FaultMemory, AnAcknowledgementLeavesAlarmsAlone) {
   EXPECT_EQ(memory.alarms().size(), 1u);
 }
 
+TEST(FaultMemory, KeepsALatchedAlarmUntilTheAlarmsAreCleared) {
+  FaultMemory memory;
+  memory.enter(row(8752), 0, Cause::Present);
+  memory.enter(row(8758), 1, Cause::Latched);
+
+  EXPECT_TRUE(memory.acknowledge(false));
+  EXPECT_EQ(memory.alarms().size(), 2u);
+  const auto changes = memory.change_count();
+  memory.clear_alarm_buffer();
+
+  ASSERT_EQ(memory.alarms().size(), 1u);
+  EXPECT_EQ(memory.alarms()[0].row->number, 8752);
+  EXPECT_NE(memory.change_count(), changes);
+  EXPECT_EQ(memory.alarm(0).number, 8752);
+  EXPECT_EQ(memory.alarm(1).number, 0);
+}
+
 TEST(FaultMemory, ShowsTheErrorRegisterOfWhatIsActive) {
   FaultMemory memory;
   EXPECT_EQ(memory.error_register(), 0x00);

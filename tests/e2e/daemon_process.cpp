@@ -28,8 +28,13 @@ void DaemonProcess::start() {
 }
 
 std::vector<std::string> DaemonProcess::arguments() const {
-  std::vector<std::string> words{AXISD_PROGRAM, "--interface", options_.interface, "--node-id",
-                                 std::to_string(options_.node_id)};
+  std::vector<std::string> words{AXISD_PROGRAM,
+                                 "--interface",
+                                 options_.interface,
+                                 "--node-id",
+                                 std::to_string(options_.node_id),
+                                 "--axes",
+                                 std::to_string(options_.axes)};
   const std::string state = options_.state_directory.empty() ? folder_.path("state") : options_.state_directory;
   words.insert(words.end(), {"--state-directory", state, "--control", control_socket()});
   const std::string file = configuration_of(options_, folder_.path("axisd.json"));

@@ -22,6 +22,7 @@ struct DaemonOptions {
   std::string interface = served_interface();
   int node_id = 5;
   nlohmann::json axis{};  ///< the axis of the configuration file; null: none is written
+  int axes = 1;           ///< how many, the first one as above
   std::vector<std::string> environment{};
   std::string state_directory{};  ///< empty: one of its own
 };

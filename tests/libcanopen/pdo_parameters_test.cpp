@@ -282,4 +282,14 @@ TEST_F(PdoParametersThatCount, TakeTheProcedureOfCiA301AsWell) {
   EXPECT_EQ(value_of(0x1600, 0), 2);
 }
 
+TEST_F(PdoParametersThatCount, ForgetAWrittenZeroWithTheNextInvalidCobId) {
+  expect_writes({
+      {0x1400, 1, 4, 0x80000205, 0},
+      {0x1600, 0, 1, 0, 0},
+      {0x1400, 1, 4, 0x80000205, 0},
+      {0x1600, 1, 4, 0x60600008, 0},
+  });
+  EXPECT_GE(value_of(0x1600, 0), 1) << "it follows the entries again";
+}
+
 }  // namespace

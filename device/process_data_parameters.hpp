@@ -1,0 +1,33 @@
+#pragma once
+
+#include <deque>
+
+#include "device/parameter_owner.hpp"
+#include "device/pdo_rules.hpp"
+#include "device/process_data_buffers.hpp"
+#include "device/unit_parameters.hpp"
+
+namespace device {
+
+/// Answers for the parameters of the PDO configuration and of the process data: p8741, r8742, p8790, the
+/// converters and what ProcessDataBuffers shows.
+class ProcessDataParameters final : public ParameterOwner {
+ public:
+  /// Answers in @p parameters; @p buffers has one for each axis, in their order. All arguments must outlive this.
+  ProcessDataParameters(const drive::DriveUnit& unit, const std::deque<ProcessDataBuffers>& buffers,
+                        PdoRules& rules, UnitParameters& parameters);
+
+  std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
+  /// p8741 = 1 takes p8744 over, with what PdoRules::take_over() refuses. p8790 = 1: DeviceState unless 6040h is
+  /// mapped to one of the first four words.
+  canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
+
+ private:
+  canopen::Result<void> judge_controlword(std::size_t module) const noexcept;
+
+  const drive::DriveUnit& unit_;
+  const std::deque<ProcessDataBuffers>& buffers_;
+  PdoRules& rules_;
+};
+
+}  // namespace device

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+
+#include "device/unit_parameters.hpp"
+#include "libcanopen/base/time.hpp"
+
+namespace device {
+
+/// Watches the process data (p8699): they are missing if no RPDO of the unit has come for that time. It begins
+/// with the first one that comes in Operational, and again with the first one after they were missing.
+class RpdoMonitor final : public ParameterOwner {
+ public:
+  static constexpr std::uint16_t kParameter = 8699;
+
+  /// Answers in @p parameters, which outlive this, for p8699.
+  explicit RpdoMonitor(UnitParameters& parameters) { parameters.answer(kParameter, *this); }
+
+  /// p8699 is @p milliseconds from now on, 0 = off.
+  void set_time(double milliseconds) noexcept {
+    time_ = std::chrono::duration_cast<canopen::Duration>(std::chrono::duration<double, std::milli>{milliseconds});
+    stop();
+  }
+  /// An RPDO has come.
+  void on_rpdo(canopen::TimePoint now) noexcept {
+    if (time_ != canopen::Duration{0}) deadline_ = now + time_;
+  }
+  /// Nothing is missing: Operational is over.
+  void stop() noexcept { deadline_ = canopen::kNever; }
+  /// When the process data are missing; kNever while nothing is watched.
+  canopen::TimePoint deadline() const noexcept { return deadline_; }
+
+  canopen::Result<void> take(const ParameterPlace&, double value) noexcept override {
+    set_time(value);
+    return {};
+  }
+
+ private:
+  canopen::Duration time_{0};
+  canopen::TimePoint deadline_ = canopen::kNever;
+};
+
+}  // namespace device

@@ -1,0 +1,30 @@
+#include "tests/e2e/bus_sdo_client.hpp"
+#include "tests/e2e/daemon_process.hpp"
+#include "tests/sdo/object_sweep.hpp"
+
+namespace e2e {
+namespace {
+
+struct Objects : testing::TestWithParam<int> {
+  DaemonProcess daemon{{.axes = GetParam()}};
+  BusSdoClient client;
+  sdo_test::ObjectSweep sweep{client, static_cast<unsigned>(GetParam())};
+};
+
+TEST_P(Objects, AreThoseOfTheRealUnit) {
+  ASSERT_TRUE(daemon.is_ready());
+
+  sweep.find_the_modules();
+  sweep.find_every_entry();
+}
+
+TEST_P(Objects, AreAllThereIs) {
+  ASSERT_TRUE(daemon.is_ready());
+
+  sweep.find_nothing_else(false);
+}
+
+INSTANTIATE_TEST_SUITE_P(Axes, Objects, testing::Values(1, 2, 6, 8));
+
+}  // namespace
+}  // namespace e2e

@@ -1,0 +1,60 @@
+#include "tests/sdo/parameter_sweep.hpp"
+
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "libcanopen/base/little_endian.hpp"
+#include "tests/drive/csv.hpp"
+#include "tests/fakes/candump.hpp"
+
+namespace sdo_test {
+namespace {
+
+constexpr unsigned kFirstObject = 0x2000;
+constexpr unsigned kNumbersOfAnArea = 10000;
+constexpr std::uint8_t kUpload = 0x40;
+
+const std::map<std::string, unsigned> kSizes{{"I8", 1},  {"U8", 1},  {"I16", 2}, {"U16", 2}, {"I32", 4},
+                                             {"U32", 4}, {"F32", 4}, {"CI", 4},  {"BI", 4}};
+
+/// Answer to an expedited upload of @p size bytes.
+constexpr std::uint8_t expedited(unsigned size) {
+  return static_cast<std::uint8_t>(0x43U | (4U - size) << 2);
+}
+
+}  // namespace
+
+std::vector<ListedParameter> listed_parameters(bool of_the_control_unit) {
+  std::vector<ListedParameter> parameters;
+  for (const drive_test::CsvRow& row : drive_test::read_csv("parameters.csv")) {
+    const std::string& owner = row.at("do");
+    const bool has = owner == "BOTH" || (owner == "CU") == of_the_control_unit;
+    const auto number = static_cast<unsigned>(std::stoi(row.at("number").substr(1)));
+    if (!has || number >= kNumbersOfAnArea) continue;
+    const auto count = static_cast<unsigned>(std::stoi(row.at("index_count")));
+    for (unsigned index = 0; index < count; ++index)
+      parameters.push_back({.name = row.at("number") + "[" + std::to_string(index) + "]",
+                            .object = static_cast<std::uint16_t>(kFirstObject + number),
+                            .sub_index = static_cast<std::uint8_t>(index),
+                            .size = kSizes.at(row.at("type"))});
+  }
+  return parameters;
+}
+
+std::optional<canopen::Frame> ServerTransfer::request_frame() const {
+  if (next == parameters.size()) return std::nullopt;
+  canopen::Frame frame{.id = request, .length = 8, .data = {kUpload}};
+  canopen::store(&frame.data[1], parameters[next].object);
+  frame.data[3] = parameters[next].sub_index;
+  return frame;
+}
+
+void ServerTransfer::take_answer(const canopen::Frame& answer) {
+  const ListedParameter& asked = parameters[next++];
+  EXPECT_EQ(canopen::load<std::uint16_t>(&answer.data[1]), asked.object) << asked.name;
+  EXPECT_EQ(answer.data[3], asked.sub_index) << asked.name;
+  EXPECT_EQ(answer.data[0], expedited(asked.size)) << asked.name << ": " << fakes::candump(answer);
+}
+
+}  // namespace sdo_test
