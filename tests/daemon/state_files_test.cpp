@@ -1,5 +1,6 @@
 #include "daemon/state_files.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
