@@ -65,6 +65,10 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       window_{unit_, parameters_, *this},
       rpdo_monitor_{parameters_} {
   node_.show(window_);
+  for (const drive::Axis& axis : unit_.axes()) {
+    buffers_.emplace_back(dictionary_, unit_, axis, node_);
+    free_objects_.emplace_back(dictionary_, unit_, axis, buffers_.back());
+  }
   apply_presets(ParameterGroup::All);
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
