@@ -12,7 +12,11 @@ constexpr std::uint16_t kState = 8685;
 
 constexpr std::uint16_t kCommunicationError = 8700;
 constexpr std::uint32_t kBusOff = 1, kLifeTimeOver = 2;  // fault values
+constexpr std::uint16_t kRpdosMissing = 8702;
 constexpr std::uint16_t kErrorPassive = 8752;
+
+/// The drive object that messages of the unit as a whole come from.
+constexpr std::uint8_t kOrigin = drive::kControlUnitNumber;
 
 /// Values of p8685; the NMT states have those of error control.
 struct CommandRow {
@@ -40,19 +44,22 @@ void Communication::set_start_state() noexcept {
 }
 
 void Communication::on_life_time_over() noexcept {
-  static_cast<void>(unit_.raise(drive::kControlUnitNumber, kCommunicationError, kLifeTimeOver));
+  static_cast<void>(unit_.raise(kOrigin, kCommunicationError, kLifeTimeOver));
+}
+
+void Communication::on_rpdos_missing() noexcept {
+  static_cast<void>(unit_.raise(kOrigin, kRpdosMissing));
 }
 
 bool Communication::on_bus_state(BusState state) noexcept {
   const BusState before = std::exchange(bus_, state);
   if (state == before) return false;
-  if (state == BusState::Active) unit_.withdraw(drive::kControlUnitNumber, kErrorPassive);
-  if (state == BusState::Passive)
-    static_cast<void>(unit_.raise(drive::kControlUnitNumber, kErrorPassive, 0, drive::Cause::Present));
+  if (state == BusState::Active) unit_.withdraw(kOrigin, kErrorPassive);
+  if (state == BusState::Passive) static_cast<void>(unit_.raise(kOrigin, kErrorPassive, 0, drive::Cause::Present));
   if (state == BusState::Off)
-    static_cast<void>(unit_.raise(drive::kControlUnitNumber, kCommunicationError, kBusOff, drive::Cause::Present));
+    static_cast<void>(unit_.raise(kOrigin, kCommunicationError, kBusOff, drive::Cause::Present));
   if (before != BusState::Off) return false;
-  unit_.withdraw(drive::kControlUnitNumber, kCommunicationError);
+  unit_.withdraw(kOrigin, kCommunicationError);
   return true;
 }
 

@@ -30,6 +30,8 @@ class Communication final : public ParameterOwner {
 
   /// The life time of node guarding is over: F08700 with value 2.
   void on_life_time_over() noexcept;
+  /// The monitoring time p8699 is over: F08702.
+  void on_rpdos_missing() noexcept;
   /// The controller is in @p state now. Bus-off: F08700 with value 1. True if the bus is back from bus-off.
   bool on_bus_state(BusState state) noexcept;
   /// The bus is off: what is sent gets lost.

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include "device/node_policy.hpp"
 #include "device/object_index.hpp"
@@ -15,26 +15,16 @@ namespace {
 
 constexpr double kCycleSeconds = std::chrono::duration<double>(Device::kCycle).count();
 
-canopen::Policy policy_of(const Configuration& configuration) noexcept {
-  canopen::Policy policy = kNodePolicy;
-  policy.sdo_block = configuration.sdo_block;
-  policy.remote_frames = configuration.remote_frames;
-  return policy;
-}
-
-drive::UnitConfiguration unit_of(const Configuration& configuration) {
-  drive::UnitConfiguration unit{.axes = {}, .node_id = configuration.node_id};
-  std::ranges::transform(configuration.axes, std::back_inserter(unit.axes), &AxisSetup::drive);
-  return unit;
-}
-
 std::vector<canopen::EntryDescription> rows_of(const Configuration& configuration) {
   std::vector<drive::ObjectKind> kinds;
   for (const AxisSetup& axis : configuration.axes) kinds.push_back(axis.drive.kind);
   return object_rows(kinds);
 }
 
-constexpr std::uint16_t kRpdosMissing = 8702;
+// p0970 resets a drive object from p0010 = 30, which it ends.
+constexpr std::uint16_t kResetObject = 970;
+constexpr std::uint16_t kFilter = 10;
+
 constexpr std::uint16_t kLeftOperational = 8701;
 constexpr std::uint32_t kToPreOperational = 1;  // fault value
 constexpr std::uint32_t kToStopped = 2;
@@ -49,27 +39,23 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
       listener_{listener},
-      unit_{unit_of(configuration), &parameters_},
+      unit_{unit_configuration(configuration), &parameters_},
       storage_{unit_, parameters_, listener},
       retained_(drive::retained_image::size(unit_)),
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
       mirrored_parameters_{dictionary_, unit_, parameters_},
+      presets_{configuration_, unit_},
       error_objects_{dictionary_, unit_},
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
-      node_{dictionary_, policy_of(configuration), sink, *this},
-      pdo_rules_{dictionary_, unit_, node_, *this},
-      process_data_parameters_{unit_, buffers_, pdo_rules_, parameters_},
+      node_{dictionary_, node_policy(configuration), sink, *this},
+      process_data_{dictionary_, unit_, node_, parameters_, *this},
       communication_{unit_, parameters_, node_},
       window_{unit_, parameters_, *this},
       rpdo_monitor_{parameters_} {
   node_.show(window_);
-  for (const drive::Axis& axis : unit_.axes()) {
-    buffers_.emplace_back(dictionary_, unit_, axis, node_);
-    free_objects_.emplace_back(dictionary_, unit_, axis, buffers_.back());
-  }
-  apply_presets(ParameterGroup::All);
+  bring_out(ParameterGroup::All);
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
@@ -81,7 +67,7 @@ void Device::start(canopen::TimePoint now) noexcept {
     started_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
-    pdo_rules_.limit();
+    process_data_.take_over();
     show_values();
   }
   tell_time(now);
@@ -100,13 +86,10 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
   if (alarm_changed_) publish();
 }
 
-void Device::on_pdo_alarm() noexcept {
-  tell_time(now_);
-  alarm_changed_ = true;
-}
-
-void Device::on_parameter_written(std::uint8_t object) noexcept {
+void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
   parameter_written_ = true;
+  const bool left_reset = number == kResetObject && unit_.object(object)->read(kFilter) == 0.0;
+  if (left_reset) restored_object_ = object;
   if (object == drive::kControlUnitNumber) return wake();
   axes_[object - drive::kFirstAxisNumber].wake();
 }
@@ -114,8 +97,16 @@ void Device::on_parameter_written(std::uint8_t object) noexcept {
 /// What the written parameters command besides their own effect, now that the answer is out.
 void Device::follow_parameters() noexcept {
   parameter_written_ = false;
+  if (restored_object_ != 0) restore_object(std::exchange(restored_object_, std::uint8_t{0}));
   publish();
   if (const auto command = communication_.take_command()) node_.command(*command, now_);
+}
+
+/// The objects of drive object @p object follow its parameters, which are those of a new one.
+void Device::restore_object(std::uint8_t object) noexcept {
+  mirrored_parameters_.bring_out(object);
+  process_data_.take_over();
+  node_.reload(now_);
 }
 
 void Device::on_time(canopen::TimePoint now) noexcept {
@@ -129,7 +120,7 @@ void Device::on_time(canopen::TimePoint now) noexcept {
 void Device::miss_rpdos() noexcept {
   rpdo_monitor_.stop();
   tell_time(now_);
-  static_cast<void>(unit_.raise(drive::kControlUnitNumber, kRpdosMissing));
+  communication_.on_rpdos_missing();
   wake();
   publish();
 }
@@ -173,11 +164,7 @@ void Device::publish() noexcept {
 /// Everything that the axes show; free objects last, as they may show any of it.
 void Device::show_values() noexcept {
   for (AxisObjects& axis : axes_) axis.publish();
-  for (FreeObjects& objects : free_objects_) objects.publish();
-}
-
-void Device::invalidate_buffers() noexcept {
-  for (ProcessDataBuffers& buffers : buffers_) buffers.invalidate();
+  process_data_.publish();
 }
 
 void Device::wake() noexcept {
@@ -215,7 +202,7 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   }
   const bool left = from == canopen::NmtState::Operational && to != canopen::NmtState::Initialising;
   if (left) storage_.on_operational_left();
-  if (from != canopen::NmtState::Initialising) pdo_rules_.end_alarms();
+  if (from != canopen::NmtState::Initialising) process_data_.end_alarms();
   show_messages();
 }
 

@@ -7,47 +7,24 @@
 
 #include "device/axis_objects.hpp"
 #include "device/communication.hpp"
+#include "device/configuration.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
-#include "device/free_objects.hpp"
 #include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
 #include "device/parameter_storage.hpp"
 #include "device/parameter_window.hpp"
-#include "device/pdo_rules.hpp"
-#include "device/process_data_buffers.hpp"
-#include "device/process_data_parameters.hpp"
+#include "device/presets.hpp"
 #include "device/rpdo_monitor.hpp"
 #include "device/sdo_identifiers.hpp"
 #include "device/unit_parameters.hpp"
+#include "device/unit_process_data.hpp"
 #include "drive/drive_unit.hpp"
 #include "drive/retained_image.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {
-
-/// A value laid over a parameter of a new axis, in the parameter's own unit.
-struct ParameterPreset {
-  std::uint16_t number;
-  double value;
-  std::uint8_t index = 0;
-};
-
-/// One axis of the unit.
-struct AxisSetup {
-  drive::AxisConfiguration drive{};
-  std::vector<ParameterPreset> presets{};  ///< existing, writable and within their limits
-};
-
-/// What the unit is made of.
-struct Configuration {
-  std::uint8_t node_id = 2;                  ///< 1..127
-  std::vector<AxisSetup> axes{AxisSetup{}};  ///< 1..drive::kMostAxes
-  bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
-  bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
-  bool remote_frames = true;                 ///< false: the bus carries none, so there is no life guarding
-};
 
 /// What the unit tells the program around it. Called from within the functions of Device.
 class Listener : public ParameterKeeper {
@@ -66,7 +43,7 @@ class Listener : public ParameterKeeper {
 class Device final : private canopen::Application,
                      private canopen::EntryOwner,
                      private AxisListener,
-                     private PdoListener,
+                     private AlarmListener,
                      private WindowListener {
  public:
   /// Process-data cycle p8848.
@@ -140,22 +117,21 @@ class Device final : private canopen::Application,
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
-  void on_mapping_changed(std::size_t axis) noexcept override { buffers_[axis - 1].invalidate(); }
-  void on_pdo_alarm() noexcept override;
+  void on_alarm() noexcept override { tell_time(now_), alarm_changed_ = true; }
   void on_parameter_access() noexcept override { tell_time(now_); }
-  void on_parameter_written(std::uint8_t object) noexcept override;
+  void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
   void show_values() noexcept;
-  void invalidate_buffers() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;
   void follow_parameters() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
-  void apply_presets(ParameterGroup group) noexcept;
+  void bring_out(ParameterGroup group) noexcept;
   void take_over(ParameterGroup group) noexcept;
+  void restore_object(std::uint8_t object) noexcept;
   void take_over_parameters() noexcept;
   void carry_out_task() noexcept;
   void restore(ParameterGroup group) noexcept;
@@ -171,15 +147,13 @@ class Device final : private canopen::Application,
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
   MirroredParameters mirrored_parameters_;
+  Presets presets_;
   std::deque<AxisObjects> axes_;
   ErrorObjects error_objects_;
   ErrorControl error_control_;
   SdoIdentifiers sdo_identifiers_;
   canopen::Node node_;
-  PdoRules pdo_rules_;
-  std::deque<ProcessDataBuffers> buffers_;
-  std::deque<FreeObjects> free_objects_;
-  ProcessDataParameters process_data_parameters_;
+  UnitProcessData process_data_;
   Communication communication_;
   ParameterWindow window_;
   RpdoMonitor rpdo_monitor_;
@@ -187,6 +161,7 @@ class Device final : private canopen::Application,
   canopen::TimePoint now_{};                   ///< as last told
   canopen::TimePoint last_cycle_{};            ///< cycles lie on a grid of kCycle, also after a rest
   bool resting_ = true;                        ///< every axis is idle
+  std::uint8_t restored_object_ = 0;           ///< a drive object that was reset by p0970, 0 = none
   bool alarm_changed_ = false;                 ///< within a call into the node: messages are shown after it
   bool parameter_written_ = false;  ///< within a call into the node: what follows from it comes after it
   std::uint64_t skipped_cycles_ = 0;

@@ -1,6 +1,5 @@
 // Whence the parameters of the unit come: presets of the configuration over saved values over those of a new unit.
 #include <array>
-#include <cassert>
 
 #include "device/device.hpp"
 
@@ -22,25 +21,15 @@ constexpr ObjectRange objects_of(ParameterGroup group) noexcept {
 }  // namespace
 
 /// The configuration lies over the parameters of @p group, whatever they were before; then objects show them.
-void Device::apply_presets(ParameterGroup group) noexcept {
-  for (std::size_t i = 0; i < configuration_.axes.size(); ++i) {
-    drive::Axis& axis = unit_.axes()[i];
-    for (const ParameterPreset& preset : configuration_.axes[i].presets) {
-      if (!belongs_to(group, preset.number)) continue;
-      // What objects show is judged by the services of the node when they start.
-      const bool shown = mirrored_parameters_.contains(axis.kind(), preset.number);
-      [[maybe_unused]] const auto done = shown ? axis.load(preset.number, preset.index, preset.value)
-                                               : axis.write(preset.number, preset.index, preset.value);
-      assert(done);
-    }
-  }
+void Device::bring_out(ParameterGroup group) noexcept {
+  presets_.apply(group);
   const ObjectRange objects = objects_of(group);
   mirrored_parameters_.bring_out(objects.first, objects.last);
 }
 
 tl::expected<void, drive::image_format::Error> Device::load_parameters(std::span<const std::byte> image) noexcept {
   auto loaded = storage_.adopt(image);
-  if (loaded) apply_presets(ParameterGroup::All);
+  if (loaded) bring_out(ParameterGroup::All);
   return loaded;
 }
 
@@ -62,10 +51,9 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
 
 /// The parameters of @p group have become others: all that works with them.
 void Device::take_over(ParameterGroup group) noexcept {
-  apply_presets(group);
+  bring_out(group);
   take_over_parameters();
-  pdo_rules_.limit();
-  invalidate_buffers();
+  process_data_.take_over();
   show_values();
 }
 

@@ -14,10 +14,10 @@ enum class Indexed : std::uint8_t { SubIndex, Object };
 /// The parameters `first` to `last` of the drive objects `kinds`, and the entry that index 0 of the first one is;
 /// of an axis: of axis 1, the others by the offset rule.
 struct Mirror {
-  std::uint16_t first, last;
-  drive::ObjectKinds kinds;
-  std::uint16_t index;
-  std::uint8_t sub_index;
+  std::uint16_t first = 0, last = 0;
+  drive::ObjectKinds kinds = drive::kAxes;
+  std::uint16_t index = 0;
+  std::uint8_t sub_index = 0;
   Indexed indexed = Indexed::SubIndex;
 };
 constexpr std::array kMirrors{
@@ -93,16 +93,17 @@ canopen::Result<void> MirroredParameters::take(const ParameterPlace& place, doub
   return dictionary_.write(*entry, number);
 }
 
-/// Calls @p visit for every index of a mirrored parameter that is kept, with the drive object and the entry, which
-/// is one of the objects @p first to @p last.
+/// Calls @p visit with drive object, number, index and entry for every index of the mirrored parameters that
+/// @p selection means and that are kept.
 template <class Visit>
-void MirroredParameters::for_each_kept(std::uint16_t first, std::uint16_t last, const Visit& visit) {
+void MirroredParameters::for_each_kept(const Selection& selection, const Visit& visit) {
   const auto visit_index = [&](drive::DriveObject& object, const drive::ParameterRow& row, std::size_t index) {
     const canopen::Entry* const entry = entry_of({object, row, index});
-    if (entry != nullptr && entry->index >= first && entry->index <= last)
+    if (entry != nullptr && entry->index >= selection.first && entry->index <= selection.last)
       visit(object, row.number, index, *entry);
   };
   const auto visit_object = [&](drive::DriveObject& object) {
+    if (selection.object != 0 && selection.object != object.number()) return;
     for (const drive::PlacedRow& placed : drive::parameters_of(object.kind())) {
       const bool is_kept = placed.row->is_writable() && placed.row->keep != drive::Keep::No;
       for (std::size_t i = 0; is_kept && i < placed.row->count; ++i) visit_index(object, *placed.row, i);
@@ -112,14 +113,21 @@ void MirroredParameters::for_each_kept(std::uint16_t first, std::uint16_t last, 
   for (drive::Axis& axis : unit_.axes()) visit_object(axis);
 }
 
+void MirroredParameters::bring_out(const Selection& selection) noexcept {
+  for_each_kept(selection, [this](const drive::DriveObject& object, std::uint16_t number, std::size_t index,
+                                  const canopen::Entry& entry) {
+    const double value = object.kept_value(number, index).value_or(0.0);
+    dictionary_.set(entry, static_cast<std::int64_t>(value));
+    if (is_mapping(entry.index)) count_mapped(entry);
+  });
+}
+
 void MirroredParameters::bring_out(std::uint16_t first, std::uint16_t last) noexcept {
-  for_each_kept(first, last,
-                [this](const drive::DriveObject& object, std::uint16_t number, std::size_t index,
-                       const canopen::Entry& entry) {
-                  const double value = object.kept_value(number, index).value_or(0.0);
-                  dictionary_.set(entry, static_cast<std::int64_t>(value));
-                  if (is_mapping(entry.index)) count_mapped(entry);
-                });
+  bring_out({.first = first, .last = last});
+}
+
+void MirroredParameters::bring_out(std::uint8_t object) noexcept {
+  bring_out({.object = object});
 }
 
 /// Sets the count of the mapping that @p entry belongs to: no parameter holds it, it is that of the entries before

@@ -23,14 +23,23 @@ class MirroredParameters final : public ParameterOwner {
   /// Puts what was loaded or restored into the objects @p first to @p last, without asking anybody: the services
   /// of the node take it over with their next start.
   void bring_out(std::uint16_t first, std::uint16_t last) noexcept;
+  /// The same for all objects that show parameters of drive object @p object.
+  void bring_out(std::uint8_t object) noexcept;
 
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
   /// Writes the object; ValueTooHigh for what it cannot hold, and what the dictionary refuses.
   canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
 
  private:
+  /// Some of the parameters: those of a drive object, or of all if it is 0, which are objects from `first` to
+  /// `last`.
+  struct Selection {
+    std::uint8_t object = 0;
+    std::uint16_t first = 0, last = 0xFFFF;
+  };
   template <class Visit>
-  void for_each_kept(std::uint16_t first, std::uint16_t last, const Visit& visit);
+  void for_each_kept(const Selection& selection, const Visit& visit);
+  void bring_out(const Selection& selection) noexcept;
   void count_mapped(const canopen::Entry& entry) noexcept;
 
   canopen::Dictionary& dictionary_;

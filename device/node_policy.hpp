@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "device/configuration.hpp"
 #include "libcanopen/node/policy.hpp"
 
 namespace device {
@@ -23,5 +24,13 @@ inline constexpr canopen::Policy kNodePolicy{
     .dummy_types = 0,
     .tpdo_types = kUnitTpdoTypes,
 };
+
+/// The policy of a unit with @p configuration.
+inline canopen::Policy node_policy(const Configuration& configuration) noexcept {
+  canopen::Policy policy = kNodePolicy;
+  policy.sdo_block = configuration.sdo_block;
+  policy.remote_frames = configuration.remote_frames;
+  return policy;
+}
 
 }  // namespace device

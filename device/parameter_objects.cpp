@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "device/abort_codes.hpp"
 #include "device/object_index.hpp"
@@ -11,25 +12,44 @@ namespace {
 
 /// How an object shows its parameter.
 enum class Form : std::uint8_t {
-  Number,  ///< as it is
-  Slope,   ///< a ramp time as the slope from p1082 (increments/s²)
+  Number,       ///< the nearest whole number
+  Slope,        ///< a ramp time as the slope from p1082 (increments/s²)
+  ProfileType,  ///< p1115: 0 is a linear ramp (0), 1 one with rounding (3); CiA 402 has other types beside them
 };
+constexpr std::int64_t kLinearRamp = 0;
+constexpr std::int64_t kRoundedRamp = 3;
 
 struct Row {
   std::uint16_t index;
+  std::uint8_t sub_index;
   std::uint16_t parameter;
   Form form;
 };
 constexpr std::array kRows{
-    Row{object::kAbortConnectionOption, 8641, Form::Number}, Row{object::kHaltOption, 8791, Form::Number},
-    Row{object::kProfileAcceleration, 1120, Form::Slope},    Row{object::kProfileDeceleration, 1121, Form::Slope},
-    Row{object::kQuickStopDeceleration, 1135, Form::Slope},
+    Row{object::kAbortConnectionOption, 0, 8641, Form::Number},
+    Row{object::kVelocityLimits, 1, 1080, Form::Number},
+    Row{object::kVelocityLimits, 2, 1082, Form::Number},
+    Row{object::kVelocityAcceleration, 1, 1082, Form::Number},
+    Row{object::kVelocityAcceleration, 2, 1120, Form::Number},
+    Row{object::kHaltOption, 0, 8791, Form::Number},
+    Row{object::kProfileAcceleration, 0, 1120, Form::Slope},
+    Row{object::kProfileDeceleration, 0, 1121, Form::Slope},
+    Row{object::kQuickStopDeceleration, 0, 1135, Form::Slope},
+    Row{object::kMotionProfileType, 0, 1115, Form::ProfileType},
 };
 
 /// Only objects of the table come here.
-const Row& row_of(std::uint16_t index) noexcept {
-  const std::uint16_t first = object::on_first_axis(index);
-  return *std::find_if(kRows.begin(), kRows.end(), [=](const Row& row) { return row.index == first; });
+const Row& row_of(const canopen::Entry& entry) noexcept {
+  const std::uint16_t first = object::on_first_axis(entry.index);
+  return *std::find_if(kRows.begin(), kRows.end(),
+                       [&](const Row& row) { return row.index == first && row.sub_index == entry.sub_index; });
+}
+
+/// @p value as a whole number that @p entry can hold.
+std::int64_t whole(double value, const canopen::Entry& entry) noexcept {
+  const double values = std::ldexp(1.0, 8 * entry.size);
+  const double lowest = entry.is_signed ? -values / 2.0 : 0.0;
+  return std::llround(std::clamp(value, lowest, lowest + values - 1.0));
 }
 
 }  // namespace
@@ -39,30 +59,45 @@ ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis&
     : axis_{axis}, listener_{listener}, scaling_{scaling} {
   for (const Row& row : kRows) {
     const std::uint16_t index = object::on_axis(row.index, axis.axis_number());
-    dictionary.own_read(index, 0, *this);
-    dictionary.own_write(index, 0, *this);
+    dictionary.own_read(index, row.sub_index, *this);
+    dictionary.own_write(index, row.sub_index, *this);
   }
 }
 
 canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry, std::int64_t) {
-  const Row& row = row_of(entry.index);
+  const Row& row = row_of(entry);
   const auto value = axis_.read(row.parameter);
   if (!value) return canopen::refuse(abort_code(value.error().reason));
-  if (row.form == Form::Number) return static_cast<std::int64_t>(*value);
-  return scaling_.slope_to_bus(axis_.parameters().maximum_speed, *value);
+  switch (row.form) {
+    case Form::Slope:
+      return scaling_.slope_to_bus(axis_.parameters().maximum_speed, *value);
+    case Form::ProfileType:
+      return *value > 0.0 ? kRoundedRamp : kLinearRamp;
+    case Form::Number:
+      break;
+  }
+  return whole(*value, entry);
+}
+
+/// What the parameter of @p entry becomes with @p value: InvalidValue or ValueTooLow if there is nothing.
+canopen::Result<double> ParameterObjects::parameter_value(const canopen::Entry& entry, std::int64_t value) const {
+  const Row& row = row_of(entry);
+  if (row.form == Form::Number) return static_cast<double>(value);
+  if (row.form == Form::ProfileType) {
+    if (value != kLinearRamp && value != kRoundedRamp) return canopen::refuse(canopen::AbortCode::InvalidValue);
+    return value == kRoundedRamp ? 1.0 : 0.0;
+  }
+  const double longest = drive::find_parameter(axis_.kind(), row.parameter)->row->range.maximum;
+  const auto time =
+      scaling_.ramp_time_from_bus(static_cast<std::uint32_t>(value), axis_.parameters().maximum_speed, longest);
+  if (!time) return canopen::refuse(canopen::AbortCode::ValueTooLow);
+  return *time;
 }
 
 canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::int64_t value) {
-  const Row& row = row_of(entry.index);
-  auto parameter_value = static_cast<double>(value);
-  if (row.form == Form::Slope) {
-    const double longest = drive::find_parameter(axis_.kind(), row.parameter)->row->range.maximum;
-    const auto time =
-        scaling_.ramp_time_from_bus(static_cast<std::uint32_t>(value), axis_.parameters().maximum_speed, longest);
-    if (!time) return canopen::refuse(canopen::AbortCode::ValueTooLow);
-    parameter_value = *time;
-  }
-  const auto written = axis_.write(row.parameter, parameter_value);
+  const auto wanted = parameter_value(entry, value);
+  if (!wanted) return canopen::refuse(wanted.error());
+  const auto written = axis_.write(row_of(entry).parameter, *wanted);
   if (!written) return canopen::refuse(abort_code(written.error().reason));
   listener_.on_parameter_written(axis_);
   return {};

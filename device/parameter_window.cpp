@@ -103,7 +103,7 @@ canopen::Result<void> ParameterWindow::write(std::uint8_t server, std::uint16_t 
   const drive::ParameterValue number{row.type, number_in(value.first(size))};
   const auto written = unit_.write(wanted->object, wanted->number, wanted->index, number);
   if (!written) return canopen::refuse(parameters_.take_refusal().value_or(abort_code(written.error().reason)));
-  listener_.on_parameter_written(wanted->object);
+  listener_.on_parameter_written(wanted->object, wanted->number);
   return {};
 }
 

@@ -16,9 +16,9 @@ class WindowListener {
   virtual ~WindowListener() = default;
   /// A parameter is about to be read or written.
   virtual void on_parameter_access() noexcept = 0;
-  /// A parameter of drive object @p object has been written; what follows from it beyond the drive object itself
-  /// has to wait until the node has returned.
-  virtual void on_parameter_written(std::uint8_t object) noexcept = 0;
+  /// Parameter @p number of drive object @p object has been written; what follows from it beyond the drive object
+  /// itself has to wait until the node has returned.
+  virtual void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept = 0;
 };
 
 /// The parameters of the drive objects as objects 2000h to 470Fh: 2000h plus the number, the sub-index being the

@@ -85,8 +85,8 @@ std::uint8_t leading_entries(const pdo::Mapping& mapping) noexcept {
 }  // namespace
 
 PdoRules::PdoRules(canopen::Dictionary& dictionary, drive::DriveUnit& unit, const canopen::Node& node,
-                   PdoListener& listener)
-    : dictionary_{dictionary}, unit_{unit}, node_{node}, listener_{listener} {
+                   const Listeners& listeners)
+    : dictionary_{dictionary}, unit_{unit}, node_{node}, listeners_{listeners} {
   for (const canopen::Entry& entry : dictionary.entries())
     if (pdo::record_of(entry.index) && entry.writable) dictionary.own_write(entry.index, entry.sub_index, *this);
 }
@@ -159,7 +159,7 @@ void PdoRules::raise_for(AbortCode code, const pdo::Record& record) noexcept {
 }
 
 void PdoRules::raise(std::uint16_t alarm, std::uint32_t value) noexcept {
-  listener_.on_pdo_alarm();
+  listeners_.alarm.on_alarm();
   static_cast<void>(unit_.raise(drive::kControlUnitNumber, alarm, value, drive::Cause::Latched));
 }
 
@@ -171,7 +171,7 @@ void PdoRules::end_alarm(std::uint16_t number) noexcept {
   const auto alarms = unit_.object(drive::kControlUnitNumber)->messages().alarms();
   const auto is_it = [=](const drive::FaultEntry& alarm) { return alarm.row->number == number; };
   if (std::ranges::none_of(alarms, is_it)) return;
-  listener_.on_pdo_alarm();
+  listeners_.alarm.on_alarm();
   unit_.withdraw(drive::kControlUnitNumber, number);
 }
 
@@ -183,7 +183,7 @@ Result<void> PdoRules::write(const canopen::Entry& entry, std::int64_t value) {
   } else if (record.part == Part::Mapping) {
     end_alarm(kNotMappable);
     end_alarm(kTooManyBytes);
-    listener_.on_mapping_changed(record.pdo.axis());
+    listeners_.mapping.on_mapping_changed(record.pdo.axis());
   } else if (entry.sub_index == canopen::pdo_sub::kCobId) {
     end_alarms();
   }

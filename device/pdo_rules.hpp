@@ -9,14 +9,20 @@
 
 namespace device {
 
-/// Who acts on what PdoRules finds.
-class PdoListener {
+/// Who knows where mapped objects lie.
+class MappingListener {
  public:
-  virtual ~PdoListener() = default;
+  virtual ~MappingListener() = default;
   /// A mapping of @p axis (from 1) is about to change.
   virtual void on_mapping_changed(std::size_t axis) noexcept = 0;
-  /// An alarm of the control unit is about to come or to go.
-  virtual void on_pdo_alarm() noexcept = 0;
+};
+
+/// Who shows alarms.
+class AlarmListener {
+ public:
+  virtual ~AlarmListener() = default;
+  /// An alarm of the unit is about to come or to go.
+  virtual void on_alarm() noexcept = 0;
 };
 
 /// The rules of the unit for PDO parameters beyond those of CiA 301: how many PDOs may be valid, which objects an
@@ -24,12 +30,17 @@ class PdoListener {
 /// A08760, which stays until a COB-ID is written with success, the NMT state changes or p2111 = 0.
 class PdoRules final : public canopen::EntryOwner {
  public:
+  /// Who is told.
+  struct Listeners {
+    MappingListener& mapping;
+    AlarmListener& alarm;
+  };
   /// Most valid RPDOs of the unit.
   static constexpr std::size_t kMostReceivePdos = 25;
 
   /// Owns the PDO records in @p dictionary; all arguments must outlive this.
   PdoRules(canopen::Dictionary& dictionary, drive::DriveUnit& unit, const canopen::Node& node,
-           PdoListener& listener);
+           const Listeners& listeners);
 
   /// Valid PDOs that the unit can have in @p direction: 25, or p8848 over the shortest p0115[0], at least 8.
   std::size_t most(pdo::Direction direction) const noexcept;
@@ -67,7 +78,7 @@ class PdoRules final : public canopen::EntryOwner {
   canopen::Dictionary& dictionary_;
   drive::DriveUnit& unit_;
   const canopen::Node& node_;
-  PdoListener& listener_;
+  Listeners listeners_;
 };
 
 }  // namespace device

@@ -31,6 +31,9 @@ class ProcessData {
   canopen::Cell<std::uint16_t> statusword_;
   canopen::Cell<std::int8_t> mode_display_;
   canopen::Cell<std::int32_t> position_actual_;
+  canopen::Cell<std::int16_t> vl_velocity_demand_;
+  canopen::Cell<std::int16_t> vl_velocity_actual_;
+  canopen::Cell<std::int32_t> velocity_sensor_actual_;
   canopen::Cell<std::int32_t> velocity_demand_;
   canopen::Cell<std::int32_t> velocity_actual_;
   canopen::Cell<std::int16_t> torque_demand_;

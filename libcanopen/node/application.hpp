@@ -9,8 +9,8 @@
 namespace canopen {
 
 /// What the application behind a node is told and asked. Called from within the calls of the node that cause it;
-/// must not call Node::start(), on_frame(), on_time(), on_values_changed() or command(). All other functions of
-/// the node may be called, those that end Operational too.
+/// must not call Node::start(), reload(), on_frame(), on_time(), on_values_changed() or command(). All other
+/// functions of the node may be called, those that end Operational too.
 class CANOPEN_EXPORT Application {
  public:
   virtual ~Application() = default;

@@ -1,6 +1,7 @@
 #include "libcanopen/sdo/download_sink.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -14,6 +15,15 @@ std::uint64_t capacity_of(const Entry& entry) noexcept {
 }
 
 }  // namespace
+
+void tell_refusal(Context& context, const Entry& entry, std::span<const std::uint8_t> bytes,
+                  AbortCode code) noexcept {
+  if (entry.size == 0 || bytes.size() != entry.size) return;
+  std::array<std::uint8_t, sizeof(std::uint64_t)> word{};
+  std::copy(bytes.begin(), bytes.end(), word.begin());
+  const std::int64_t value = number_in(entry, load<std::uint64_t>(word.data()));
+  if (context.dictionary.check(entry, value)) context.application.on_write_refused(entry, value, code);
+}
 
 Result<void> DownloadSink::open(const Entry& entry, std::optional<std::uint32_t> size) noexcept {
   assert(!is_open());
@@ -82,7 +92,9 @@ Result<void> DownloadSink::commit(Context& context) noexcept {
   }
   entry_ = nullptr;  // the write may take the server away, and the transfer with it
   if (entry.size == 0) return context.dictionary.write_text(entry, window_.first(held_));
-  return write_number(context, entry, load<std::uint64_t>(window_.data()), held_);
+  auto written = write_number(context.dictionary, entry, load<std::uint64_t>(window_.data()), held_);
+  if (!written) tell_refusal(context, entry, window_.first(held_), written.error());
+  return written;
 }
 
 Result<void> DownloadSink::commit_viewed(SdoView& view) noexcept {

@@ -50,18 +50,23 @@ constexpr bool is_plain(const Entry& entry) noexcept {
   return entry.size != 0 && !entry.limited && entry.write_owner == nullptr;
 }
 
+/// The number of @p entry in the lowest bytes of @p word, with anything above them.
+inline std::int64_t number_in(const Entry& entry, std::uint64_t word) noexcept {
+  const std::uint64_t bits = word & byte_mask(entry.size);
+  return entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
+}
+
 /// Writes the number in the lowest bytes of @p word, of which @p size count, with anything above them.
-/// LengthMismatch, and what the dictionary refuses; the application is told if it was the owner who refused.
-inline Result<void> write_number(Context& context, const Entry& entry, std::uint64_t word,
+/// LengthMismatch, and what the dictionary refuses.
+inline Result<void> write_number(Dictionary& dictionary, const Entry& entry, std::uint64_t word,
                                  std::size_t size) noexcept {
   if (size != entry.size) return refuse(AbortCode::LengthMismatch);
-  const std::uint64_t bits = word & byte_mask(entry.size);
-  const std::int64_t value = entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
-  auto written = context.dictionary.write(entry, value);
-  if (!written && context.dictionary.check(entry, value)) {
-    context.application.on_write_refused(entry, value, written.error());
-  }
-  return written;
+  return dictionary.write(entry, number_in(entry, word));
 }
+
+/// Tells the application that write_number() was refused with @p code, if it was the owner of @p entry who
+/// refused.
+void tell_refusal(Context& context, const Entry& entry, std::span<const std::uint8_t> bytes,
+                  AbortCode code) noexcept;
 
 }  // namespace canopen::sdo

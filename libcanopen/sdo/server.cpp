@@ -109,7 +109,9 @@ void SdoServer::initiate_download(const Frame& frame) noexcept {
 void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::size_t size) noexcept {
   Frame answer = answer_;  // the write may connect the server anew: the client still waits here
   const Address at = sdo::address_in(frame);
-  const auto written = write_expedited(entry, {&frame.data[4], size});
+  const std::span bytes{&frame.data[4], size};
+  const auto written = write_expedited(entry, bytes);
+  if (!written) sdo::tell_refusal(context_, entry, bytes, written.error());
   store(answer.data.data(), written ? sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0)
                                     : sdo::abort_bytes(at, written.error()));
   context_.sink.send(answer, Delivery::Ordered);
@@ -117,7 +119,7 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
 
 Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
   if (entry.size != 0) {
-    return sdo::write_number(context_, entry, load<std::uint32_t>(bytes.data()), bytes.size());
+    return sdo::write_number(context_.dictionary, entry, load<std::uint32_t>(bytes.data()), bytes.size());
   }
   if (entry.domain == nullptr) return context_.dictionary.write_text(entry, bytes);
   if (auto opened = open_sink(entry, static_cast<std::uint32_t>(bytes.size())); !opened) return opened;

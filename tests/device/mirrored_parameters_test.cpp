@@ -123,6 +123,24 @@ TEST(MirroredParameters, OfTheConfigurationAreInForceFromTheStartAndAfterAReset)
   EXPECT_EQ(from("195#", unit.says("000#0105")).size(), 1U);
 }
 
+TEST(MirroredParameters, ReturnToTheirFactoryValuesWithTheirDriveObject) {
+  MirroredUnit unit;
+  ASSERT_EQ(unit.download(0x1400, 1, 0x80000215, 4), 0U);
+  ASSERT_EQ(unit.download(0x1600, 1, 0x60600008, 4), 0U);
+  ASSERT_EQ(unit.download(0x1400, 1, 0x00000215, 4), 0U);
+  ASSERT_EQ(unit.download(0x1440, 1, 0x00000216, 4), 0U);
+  ASSERT_EQ(unit.download(0x41B6, 0, kAxis1, 2), 0U);
+  ASSERT_EQ(unit.download(0x2000 + 10, 0, 30, 2), 0U);
+
+  ASSERT_EQ(unit.download(0x2000 + 970, 0, 1, 2), 0U);
+
+  EXPECT_EQ(unit.upload(0x1400, 1).number(), 0x205U);
+  EXPECT_EQ(unit.upload(0x1600, 1).number(), 0x60400010U);
+  EXPECT_EQ(unit.upload(0x1440, 1).number(), 0x216U);
+  unit.says("000#0105");
+  EXPECT_NE(from("185#", unit.cycles_with("205#0600")), Lines{}) << "RPDO 1 is the one of a new unit";
+}
+
 TEST(MirroredParameters, ShowTheActiveMessages) {
   MirroredUnit unit;
   ASSERT_TRUE(unit.device.raise(2, 7900, 0, unit.now));

@@ -123,5 +123,58 @@ TEST(ModesOfOperation, KeepAnyRequestAndStayInProfileVelocity) {
   }
 }
 
+/// An object in rpm or s, its parameter and a value for both.
+struct Plain {
+  std::uint16_t index;
+  std::uint8_t sub_index;
+  unsigned size;
+  std::uint16_t parameter;
+};
+constexpr std::array kPlain{Plain{0x6046, 1, 4, 1080}, Plain{0x6046, 2, 4, 1082}, Plain{0x6048, 1, 4, 1082},
+                            Plain{0x6048, 2, 2, 1120}};
+
+TEST(VelocityObjects, AreTheLimitsAndTheRampOfTheSetpointChannel) {
+  TestUnit unit{unit_with({{1080, 10.0}, {1082, 2999.6}, {1120, 2.4}})};
+  unit.start();
+
+  EXPECT_EQ(unit.upload(0x6046, 1).number(), 10U);
+  EXPECT_EQ(unit.upload(0x6046, 2).number(), 3000U);
+  EXPECT_EQ(unit.upload(0x6048, 1).number(), 3000U);
+  EXPECT_EQ(unit.upload(0x6048, 2).number(), 2U);
+  for (const Plain& object : kPlain) {
+    EXPECT_EQ(unit.download(object.index, object.sub_index, 1500, object.size), 0U);
+    EXPECT_EQ(unit.device.axis().read(object.parameter).value(), 1500.0);
+  }
+}
+
+TEST(VelocityObjects, ShowTheLongestTimeThatTheyCan) {
+  TestUnit unit{unit_with({{1120, 999999.0}})};
+  unit.start();
+
+  EXPECT_EQ(unit.upload(0x6048, 2).number(), 0xFFFFU);
+}
+
+TEST(VelocityObjects, ShowTheSpeedInRpm) {
+  TestUnit unit{unit_with({{1120, 0.5}})};
+  unit.turn_at(1500.0, 2s);
+
+  EXPECT_NEAR(static_cast<double>(unit.upload(0x6043).number()), 1500.0, 2.0);
+  EXPECT_NEAR(static_cast<double>(unit.upload(0x6044).number()), 1500.0, 2.0);
+  EXPECT_NEAR(static_cast<double>(unit.upload(0x6069).number()), bus_speed(1500.0), bus_speed(2.0));
+}
+
+TEST(MotionProfileType, IsTheKindOfRamp) {
+  TestUnit unit;
+  unit.start();
+
+  EXPECT_EQ(unit.upload(0x6086).number(), 0U);
+  EXPECT_EQ(unit.download(0x6086, 0, 3, 2), 0U);
+  EXPECT_EQ(unit.device.axis().read(1115).value(), 1.0);
+  EXPECT_EQ(unit.upload(0x6086).number(), 3U);
+  EXPECT_EQ(unit.download(0x6086, 0, 1, 2), 0x06090030U);
+  EXPECT_EQ(unit.download(0x6086, 0, 0, 2), 0U);
+  EXPECT_EQ(unit.device.axis().read(1115).value(), 0.0);
+}
+
 }  // namespace
 }  // namespace device

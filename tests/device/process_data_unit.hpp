@@ -13,7 +13,7 @@
 namespace device {
 
 /// The PDO configuration and the process data of a unit, node-ID 5, without the motors and the rest of the device.
-class ProcessDataUnit final : private PdoListener, private canopen::Application {
+class ProcessDataUnit final : private MappingListener, private AlarmListener, private canopen::Application {
  public:
   explicit ProcessDataUnit(std::size_t axes)
       : rows{object_rows(std::vector<drive::ObjectKind>(axes, drive::ObjectKind::Servo))},
@@ -58,14 +58,14 @@ class ProcessDataUnit final : private PdoListener, private canopen::Application 
   fakes::VectorBus bus;
   canopen::Policy policy{.pdo_changes_in_operational = false, .count_follows_entries = true};
   canopen::Node node{dictionary, policy, bus, *this};
-  PdoRules rules{dictionary, unit, node, *this};
+  PdoRules rules{dictionary, unit, node, {*this, *this}};
   std::deque<ProcessDataBuffers> buffers;
   std::deque<FreeObjects> free_objects;
   ProcessDataParameters process_data_parameters{unit, buffers, rules, parameters};
 
  private:
   void on_mapping_changed(std::size_t axis) noexcept override { buffers[axis - 1].invalidate(); }
-  void on_pdo_alarm() noexcept override {}
+  void on_alarm() noexcept override {}
 };
 
 }  // namespace device

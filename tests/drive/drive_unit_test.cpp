@@ -183,6 +183,13 @@ struct RecordingHost final : ParameterHost {
     value = asked;
     return answer;
   }
+  std::optional<double> value_of(const DriveObject& object, const ParameterRow& row,
+                                 std::size_t index) const noexcept override {
+    if (row.number != shown) return std::nullopt;
+    return 100.0 * object.number() + static_cast<double>(index);
+  }
+
+  std::uint16_t shown = 0;
 };
 
 TEST(DriveUnit, AsksTheLayerAboveForWhatThatAnswersFor) {
@@ -204,6 +211,31 @@ TEST(DriveUnit, AsksTheLayerAboveForWhatThatAnswersFor) {
   EXPECT_EQ(test.read(kUnit, 977), 0.0);
   test.unit.object(kUnit)->bring_in(8601, 0, 0x91);
   EXPECT_EQ(test.read(kUnit, 8601), 145.0);
+}
+
+TEST(DriveUnit, ShowsWhatTheLayerAboveSaysOfAParameterAndKeepsWhatWasWritten) {
+  RecordingHost host;
+  TestUnit test{&host};
+  ASSERT_FALSE(test.write(kX, 8700, 5.0, 1));
+
+  host.shown = 8700;
+  EXPECT_EQ(test.read(kX, 8700, 1), 201.0);
+  EXPECT_EQ(test.unit.object(kX)->kept_value(8700, 1).value(), 5.0);
+  EXPECT_EQ(test.unit.object(kX)->kept_value(8700, 2).error().reason, Refusal::NoIndex);
+
+  host.shown = 1120;  // not the layer above's to say
+  EXPECT_EQ(test.read(kX, 1120), 10.0);
+}
+
+TEST(DriveUnit, CommandsTheNmtStateByItsCodesOnly) {
+  TestUnit test;
+
+  for (const double value : {4.0, 5.0, 127.0}) {
+    EXPECT_FALSE(test.write(kUnit, 8684, value));
+    EXPECT_FALSE(test.write(kUnit, 8685, value));
+  }
+  EXPECT_EQ(test.write(kUnit, 8684, 6.0), Refusal::IllegalValue);
+  EXPECT_EQ(test.write(kUnit, 8685, 0.0), Refusal::IllegalValue);
 }
 
 TEST(DriveUnit, ReturnsToTheStateOfANewUnitExceptForItsAddressAndBitRate) {

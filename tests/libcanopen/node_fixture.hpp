@@ -49,9 +49,9 @@ class RecordingApplication final : public canopen::Application {
   void on_write_refused(const canopen::Entry& entry, std::int64_t value,
                         canopen::AbortCode code) noexcept override {
     char text[64];
-    std::snprintf(text, sizeof text, "refused %04X:%02X = %llX: %08X", entry.index, entry.sub_index,
+    std::snprintf(text, sizeof text, "%04X:%02X = %llX: %08X", entry.index, entry.sub_index,
                   static_cast<unsigned long long>(value), static_cast<unsigned>(code));
-    tell(told, text);
+    tell(refused, text);
   }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override {
@@ -63,7 +63,8 @@ class RecordingApplication final : public canopen::Application {
 
   std::vector<std::string> told;
   std::vector<std::uint32_t> foreign;
-  std::vector<std::string> errors;  ///< EMCY code and detail: "8210 1", "8210 1 over"
+  std::vector<std::string> refused;  ///< writes: "1400:01 = 211: 08000022"
+  std::vector<std::string> errors;   ///< EMCY code and detail: "8210 1", "8210 1 over"
   int subscription_changes = 0;
   std::function<void(const std::string&)> reaction;  ///< called with what has just been told
 

@@ -42,13 +42,13 @@ TEST_F(OwnerOfANode, ChangesAPdoThroughTheDictionaryAtOnce) {
 
 TEST_F(OwnerOfANode, IsNotToldOfItsOwnRefusedWrites) {
   EXPECT_EQ(owner_writes(0x1400, 1, 0x211), 0x08000022U);
-  EXPECT_EQ(application.told, Lines{});
+  EXPECT_EQ(application.refused, Lines{});
 }
 
 TEST_F(OwnerOfANode, HearsOfWritesThatServicesRefuse) {
   EXPECT_EQ(writes_u32(0x1400, 1, 0x211), 0x08000022U);
   EXPECT_EQ(writes_u8(0x1400, 2, 250), 0x06090030U);
-  EXPECT_EQ(application.told, (Lines{"refused 1400:01 = 211: 08000022", "refused 1400:02 = FA: 06090030"}));
+  EXPECT_EQ(application.refused, (Lines{"1400:01 = 211: 08000022", "1400:02 = FA: 06090030"}));
 }
 
 TEST_F(OwnerOfANode, HearsOfThemHoweverTheyCome) {
@@ -56,7 +56,7 @@ TEST_F(OwnerOfANode, HearsOfThemHoweverTheyCome) {
   const SdoClient::Outcome refused = AbortCode::DeviceState;
   EXPECT_EQ(client.download({0x1400, 1}, {0x11, 0x02, 0, 0}), refused);
   EXPECT_EQ(client.block_download({0x1400, 1}, {0x11, 0x02, 0, 0}), refused);
-  EXPECT_EQ(application.told, (Lines{"refused 1400:01 = 211: 08000022", "refused 1400:01 = 211: 08000022"}));
+  EXPECT_EQ(application.refused, (Lines{"1400:01 = 211: 08000022", "1400:01 = 211: 08000022"}));
 }
 
 TEST_F(OwnerOfANode, HearsNothingOfWritesThatNobodyElseRefuses) {
@@ -66,7 +66,7 @@ TEST_F(OwnerOfANode, HearsNothingOfWritesThatNobodyElseRefuses) {
   EXPECT_EQ(writes_u32(0x1404, 1, 1), 0x06020000U);
   EXPECT_EQ(writes_u32(0x1400, 9, 1), 0x06090011U);
   EXPECT_EQ(writes_u32(0x1400, 1, 0x205), 0U);
-  EXPECT_EQ(application.told, Lines{});
+  EXPECT_EQ(application.refused, Lines{});
 }
 
 TEST_F(OwnerOfANode, CountsThePdosWhoseCobIdIsValid) {

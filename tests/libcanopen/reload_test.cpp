@@ -1,6 +1,5 @@
-#include "tests/libcanopen/node_fixture.hpp"
 #include "tests/libcanopen/pdo_table.hpp"
-#include "tests/libcanopen/sdo_table.hpp"
+#include "tests/libcanopen/sdo_servers_fixture.hpp"
 
 namespace {
 
@@ -105,14 +104,7 @@ TEST_F(NodeReload, KeepsInhibitTimesThatRun) {
 }
 
 /// Node::reload(): SDO servers.
-class SdoReload : public NodeTest {
- protected:
-  SdoReload() : NodeTest{{.extended_identifiers = false}, sdo_table()} { start(); }
-  void store_ids(std::uint16_t index, std::uint32_t request, std::uint32_t response) {
-    store_value(index, 1, request);
-    store_value(index, 2, response);
-  }
-};
+class SdoReload : public SdoServers {};
 
 TEST_F(SdoReload, LeavesTransfersToServersThatKeepTheirIdentifiers) {
   says("605#2100200004000000");

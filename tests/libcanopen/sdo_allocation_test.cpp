@@ -43,6 +43,25 @@ class Zeros final : public canopen::DomainOwner {
   std::uint64_t written = 0;
 };
 
+/// Eight zeros behind every index from 3000h on.
+class ZeroView final : public canopen::SdoView {
+ public:
+  canopen::ObjectPlace place_of(std::uint8_t, std::uint16_t index) const noexcept override {
+    return index < 0x3000 ? canopen::ObjectPlace::Dictionary : canopen::ObjectPlace::Application;
+  }
+  canopen::Result<std::size_t> read(std::uint8_t, std::uint16_t, std::uint8_t,
+                                    std::span<std::uint8_t, 8> value) noexcept override {
+    std::fill(value.begin(), value.end(), std::uint8_t{0});
+    return value.size();
+  }
+  canopen::Result<void> write(std::uint8_t, std::uint16_t, std::uint8_t, std::span<const std::uint8_t> value,
+                              bool) noexcept override {
+    written += value.size();
+    return {};
+  }
+  std::uint64_t written = 0;
+};
+
 class SdoAllocation : public testing::Test {
  protected:
   void says(std::uint64_t word) {
@@ -112,6 +131,24 @@ TEST_F(SdoAllocation, DoesNotHappenInTransfersOfAnyKind) {
   EXPECT_EQ(zeros.written, 3 * Zeros::kSize);
   EXPECT_GT(bus.sent, 3 * (kSegments + 2000));
   EXPECT_EQ(bus.aborts, 3U) << "besides the three that time out";
+}
+
+TEST_F(SdoAllocation, DoesNotHappenWithAViewOrWhenTheNodeTakesOverItsValues) {
+  ZeroView view;
+  node.show(view);
+
+  const std::uint64_t before = fakes::allocations();
+  node.start(now);
+  constexpr std::array<std::uint64_t, 6> kRequests{0x00300040, 0x60, 0x70, 0x0000000800300021, 0x00, 0x1D};
+  for (const std::uint64_t word : kRequests) says(word);
+  says(0x0403020100300023);
+  switch_a_server();
+  node.reload(now);
+  const std::uint64_t during = fakes::allocations() - before;
+
+  EXPECT_EQ(during, 0U);
+  EXPECT_EQ(view.written, 12U);
+  EXPECT_EQ(bus.aborts, 0U);
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+#include "device/presets.hpp"
+
+#include <cassert>
+
+#include "device/mirrored_parameters.hpp"
+
+namespace device {
+
+void Presets::apply(ParameterGroup group) noexcept {
+  for (std::size_t i = 0; i < configuration_.axes.size(); ++i) {
+    drive::Axis& axis = unit_.axes()[i];
+    for (const ParameterPreset& preset : configuration_.axes[i].presets) {
+      if (!belongs_to(group, preset.number)) continue;
+      const bool shown = MirroredParameters::contains(axis.kind(), preset.number);
+      [[maybe_unused]] const auto done = shown ? axis.load(preset.number, preset.index, preset.value)
+                                               : axis.write(preset.number, preset.index, preset.value);
+      assert(done);
+    }
+  }
+}
+
+}  // namespace device
