@@ -52,11 +52,14 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
       log_{log},
       started_{read_clock()},
       lock_{state_root, configuration.address, configuration.node_id},
+      parameters_{lock_.directory(), "parameters.bin", log},
+      retained_{lock_.directory(), "retained.bin", log},
       bus_{bus::open(configuration.address)},
       loop_{*bus_.port, *this},
       device_{device_configuration(configuration, *bus_.port), loop_.queue(), *this},
       events_{[this] { stop(); }},
       load_torques_{load_torques(configuration)} {
+  load_state();
   loop_.watch(events_.descriptor());
   link_source_ = events_.watch(bus_.link->descriptor(), EPOLLIN, &Daemon::on_link, this);
   if (!control.empty()) {
@@ -65,6 +68,23 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
   log_receive_buffer();
   if (!loop_.port().carries_remote_frames())
     log_.notice("{} carries no remote frames: no node guarding, no life guarding", bus_name());
+}
+
+/// What cannot be used is not there: the unit starts as a new one.
+void Daemon::load_state() {
+  using drive::image_format::text_of;
+  if (const auto image = parameters_.read()) {
+    if (const auto loaded = device_.load_parameters(*image); !loaded)
+      parameters_.set_aside(text_of(loaded.error()));
+  }
+  if (const auto image = retained_.read()) {
+    if (const auto loaded = device_.load_retained(*image); !loaded) retained_.set_aside(text_of(loaded.error()));
+  }
+}
+
+void Daemon::retain(Durability durability) noexcept {
+  const canopen::TimePoint now = read_clock();
+  retention_.on_write(retained_.write(device_.retained(now), durability), now);
 }
 
 void Daemon::log_receive_buffer() const {
@@ -91,6 +111,7 @@ void Daemon::run() {
     look_around();
   }
   sd_notify(0, "STOPPING=1\nSTATUS=");
+  retain(Durability::OnDisk);
   log_.info("power-off");
 }
 
@@ -99,6 +120,15 @@ void Daemon::look_around() noexcept {
   if (!ready_told_) tell_ready();
   if (!full_logged_ && loop_.queue().waiting() != 0) log_full_queue();
   if (device_.skipped_cycles() != skipped_seen_) log_skipped_cycles();
+  const bool planned = retention_.due() != canopen::kNever;
+  if (device_.message_changes() != messages_seen_ || (!planned && device_.is_moving())) plan_retention();
+}
+
+void Daemon::plan_retention() noexcept {
+  const canopen::TimePoint now = read_clock();
+  if (device_.message_changes() != messages_seen_) retention_.on_faults(now);
+  if (device_.is_moving()) retention_.on_motion(now);
+  messages_seen_ = device_.message_changes();
 }
 
 void Daemon::tell_ready() noexcept {

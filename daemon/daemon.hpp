@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,7 +13,9 @@
 #include "daemon/control_server.hpp"
 #include "daemon/instance_lock.hpp"
 #include "daemon/log.hpp"
+#include "daemon/retention_schedule.hpp"
 #include "daemon/service_events.hpp"
+#include "daemon/state_files.hpp"
 #include "daemon/station.hpp"
 #include "device/device.hpp"
 
@@ -61,12 +64,20 @@ class Daemon final : private device::Listener, private Station {
   void on_subscriptions_changed() noexcept override;
   void on_foreign_frame(std::uint32_t identifier) noexcept override;
   void on_life_guarding_withheld() noexcept override;
+  bool on_store(std::span<const std::byte> image) noexcept override {
+    return parameters_.write(image, Durability::OnDisk);
+  }
 
   void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override {
     device_.on_frame(frame, now);
   }
-  void on_time(canopen::TimePoint now) noexcept override { device_.on_time(now); }
-  canopen::TimePoint next_deadline() const noexcept override { return device_.next_deadline(); }
+  void on_time(canopen::TimePoint now) noexcept override {
+    device_.on_time(now);
+    if (retention_.due() <= now) retain(Durability::InTheCache);
+  }
+  canopen::TimePoint next_deadline() const noexcept override {
+    return std::min(device_.next_deadline(), retention_.due());
+  }
   std::span<const canopen::Subscription> subscriptions() const noexcept override {
     return device_.subscriptions();
   }
@@ -74,7 +85,10 @@ class Daemon final : private device::Listener, private Station {
   void on_link_lost() noexcept override;
   void on_error_state(bus::ErrorState state) noexcept override;
 
+  void load_state();
+  void retain(Durability durability) noexcept;
   void look_around() noexcept;
+  void plan_retention() noexcept;
   void log_full_queue() noexcept;
   void log_skipped_cycles() noexcept;
   void tell_ready() noexcept;
@@ -90,6 +104,8 @@ class Daemon final : private device::Listener, private Station {
   const Log& log_;
   canopen::TimePoint started_;
   InstanceLock lock_;
+  StateFile parameters_;
+  StateFile retained_;
   bus::Connection bus_;
   BusLoop loop_;
   device::Device device_;
@@ -97,6 +113,8 @@ class Daemon final : private device::Listener, private Station {
   EventSource link_source_;
   std::optional<ControlServer> control_;
 
+  RetentionSchedule retention_;
+  std::uint32_t messages_seen_ = 0;
   bool stopping_ = false;
   bool ready_told_ = false;
   bool full_logged_ = false;

@@ -45,6 +45,7 @@ int fail(const std::exception& error, int status) {
 
 int main(int count, char** words) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader of the log that goes away must not take the drive with it
+  std::signal(SIGXFSZ, SIG_IGN);  // nor must a limit on the size of files: it is an error of the write
   try {
     const auto options = axisd::parse_command_line(count, words);
     return options ? serve(*options) : 0;

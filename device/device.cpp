@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "device/node_policy.hpp"
@@ -19,11 +20,6 @@ std::vector<canopen::EntryDescription> rows_of(const Configuration& configuratio
   for (const AxisSetup& axis : configuration.axes) kinds.push_back(axis.drive.kind);
   return object_rows(kinds);
 }
-
-// Communication objects, and all that the parameters may be.
-constexpr std::uint16_t kFirstObject = 0x1000;
-constexpr std::uint16_t kLastCommunicationObject = 0x1FFF;
-constexpr std::uint16_t kLastObject = 0x9FFF;
 
 // p0970 resets a drive object from p0010 = 30, which it ends.
 constexpr std::uint16_t kResetObject = 970;
@@ -44,6 +40,8 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
     : configuration_{configuration},
       listener_{listener},
       unit_{unit_configuration(configuration), &parameters_},
+      storage_{unit_, parameters_, listener},
+      retained_(drive::retained_image::size(unit_)),
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
       mirrored_parameters_{dictionary_, unit_, parameters_},
@@ -57,8 +55,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       window_{unit_, parameters_, *this},
       rpdo_monitor_{parameters_} {
   node_.show(window_);
-  presets_.apply();
-  mirrored_parameters_.bring_out(kFirstObject, kLastObject);
+  bring_out(ParameterGroup::All);
   AxisListener& listener_of_axes = *this;
   for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
@@ -66,7 +63,8 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
 
 void Device::start(canopen::TimePoint now) noexcept {
   if (node_.state() == canopen::NmtState::Initialising) {
-    started_ = last_cycle_ = now;
+    last_cycle_ = now;
+    started_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
     process_data_.take_over();
@@ -84,6 +82,7 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
   now_ = now;
   node_.on_frame(frame, now);
   if (parameter_written_) follow_parameters();
+  if (storage_.has_task()) carry_out_task();
   if (alarm_changed_) publish();
 }
 
@@ -115,6 +114,7 @@ void Device::on_time(canopen::TimePoint now) noexcept {
   if (rpdo_monitor_.deadline() <= now) miss_rpdos();
   if (next_cycle() <= now) run_cycles();
   node_.on_time(now);
+  if (storage_.has_task()) carry_out_task();
 }
 
 void Device::miss_rpdos() noexcept {
@@ -125,6 +125,12 @@ void Device::miss_rpdos() noexcept {
   publish();
 }
 
+bool Device::is_moving() const noexcept {
+  return !resting_ && std::ranges::any_of(unit_.axes(), [](const drive::Axis& axis) {
+    return axis.actual().pulses_enabled || std::abs(axis.actual().speed) > 0.0;
+  });
+}
+
 canopen::TimePoint Device::next_deadline() const noexcept {
   return std::min({node_.next_deadline(), next_cycle(), rpdo_monitor_.deadline()});
 }
@@ -132,7 +138,8 @@ canopen::TimePoint Device::next_deadline() const noexcept {
 /// The time that faults and alarms are stamped with.
 void Device::tell_time(canopen::TimePoint now) noexcept {
   now_ = now;
-  const auto uptime = std::chrono::duration_cast<std::chrono::milliseconds>(now - started_).count();
+  const canopen::Duration running = now - started_.value_or(now);
+  const auto uptime = std::chrono::duration_cast<std::chrono::milliseconds>(running).count();
   unit_.set_time(static_cast<drive::Uptime>(uptime));
 }
 
@@ -193,6 +200,8 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
   }
+  const bool left = from == canopen::NmtState::Operational && to != canopen::NmtState::Initialising;
+  if (left) storage_.on_operational_left();
   if (from != canopen::NmtState::Initialising) process_data_.end_alarms();
   show_messages();
 }
@@ -228,27 +237,6 @@ void Device::leave_operational(std::uint32_t value) noexcept {
     [[maybe_unused]] const auto raised = axis.raise(kLeftOperational, value);
     assert(raised);
   }
-}
-
-void Device::on_reset(canopen::NmtCommand command) noexcept {
-  if (command == canopen::NmtCommand::ResetNode) {
-    unit_.restore_parameters();
-    presets_.apply();
-    mirrored_parameters_.bring_out(kFirstObject, kLastObject);
-  } else {
-    mirrored_parameters_.take_in(kFirstObject, kLastCommunicationObject);  // initial values again
-    presets_.apply_mirrored();
-    mirrored_parameters_.bring_out(kFirstObject, kLastCommunicationObject);
-  }
-  take_over_parameters();
-  process_data_.take_over();
-  show_values();  // the dictionary holds its initial values
-}
-
-/// What parameters of the unit say of its communication, whichever way they came.
-void Device::take_over_parameters() noexcept {
-  communication_.set_start_state();
-  rpdo_monitor_.set_time(unit_.object(drive::kControlUnitNumber)->read(RpdoMonitor::kParameter).value_or(0.0));
 }
 
 tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,

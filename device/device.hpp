@@ -12,6 +12,7 @@
 #include "device/error_objects.hpp"
 #include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
+#include "device/parameter_storage.hpp"
 #include "device/parameter_window.hpp"
 #include "device/presets.hpp"
 #include "device/rpdo_monitor.hpp"
@@ -19,15 +20,15 @@
 #include "device/unit_parameters.hpp"
 #include "device/unit_process_data.hpp"
 #include "drive/drive_unit.hpp"
+#include "drive/retained_image.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {
 
 /// What the unit tells the program around it. Called from within the functions of Device.
-class Listener {
+class Listener : public ParameterKeeper {
  public:
-  virtual ~Listener() = default;
   /// The identifiers to be received have changed: see Device::subscriptions().
   virtual void on_subscriptions_changed() noexcept = 0;
   /// Another station has sent @p identifier, which belongs to this node-ID.
@@ -54,6 +55,15 @@ class Device final : private canopen::Application,
   ~Device() override = default;
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
+
+  /// Before the first start(): the saved parameters, and what a power cut did not take. An image that does not fit
+  /// changes nothing.
+  [[nodiscard]] tl::expected<void, drive::image_format::Error> load_parameters(
+      std::span<const std::byte> image) noexcept;
+  [[nodiscard]] tl::expected<void, drive::image_format::Error> load_retained(
+      std::span<const std::byte> image) noexcept;
+  /// What survives a power cut at @p now; valid until the next call.
+  std::span<const std::byte> retained(canopen::TimePoint now) noexcept;
 
   /// Power-on, or the bus is back: sends the boot-up message and starts the communication afresh. If the node was
   /// Operational, that is leaving Operational.
@@ -86,6 +96,10 @@ class Device final : private canopen::Application,
   drive::Setpoints setpoints(std::size_t number = 1) const noexcept { return axes_[number - 1].setpoints(); }
   /// What must be received (see canopen::Node::subscriptions()).
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
+  /// Counts how often the faults and alarms were different from before.
+  std::uint32_t message_changes() const noexcept { return error_objects_.updates(); }
+  /// Whether an axis turns or has its pulses enabled.
+  bool is_moving() const noexcept;
   /// Cycles left out because the program was kept from running for too long.
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
@@ -96,6 +110,10 @@ class Device final : private canopen::Application,
   void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
+  canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override { return storage_.store(sub_index); }
+  canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
+    return storage_.restore(sub_index);
+  }
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
@@ -111,8 +129,12 @@ class Device final : private canopen::Application,
   void follow_parameters() noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
+  void bring_out(ParameterGroup group) noexcept;
+  void take_over(ParameterGroup group) noexcept;
   void restore_object(std::uint8_t object) noexcept;
   void take_over_parameters() noexcept;
+  void carry_out_task() noexcept;
+  void restore(ParameterGroup group) noexcept;
   void miss_rpdos() noexcept;
   canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
 
@@ -120,6 +142,8 @@ class Device final : private canopen::Application,
   Listener& listener_;
   UnitParameters parameters_;
   drive::DriveUnit unit_;
+  ParameterStorage storage_;
+  std::vector<std::byte> retained_;
   std::vector<canopen::EntryDescription> object_rows_;
   canopen::Dictionary dictionary_;
   MirroredParameters mirrored_parameters_;
@@ -133,13 +157,13 @@ class Device final : private canopen::Application,
   Communication communication_;
   ParameterWindow window_;
   RpdoMonitor rpdo_monitor_;
-  canopen::TimePoint started_{};      ///< when the unit was switched on
-  canopen::TimePoint now_{};          ///< as last told
-  canopen::TimePoint last_cycle_{};   ///< cycles lie on a grid of kCycle, also after a rest
-  bool resting_ = true;               ///< every axis is idle
-  std::uint8_t restored_object_ = 0;  ///< a drive object that was reset by p0970, 0 = none
-  bool alarm_changed_ = false;        ///< within a call into the node: messages are shown after it
-  bool parameter_written_ = false;    ///< within a call into the node: what follows from it comes after it
+  std::optional<canopen::TimePoint> started_;  ///< when the unit was switched on
+  canopen::TimePoint now_{};                   ///< as last told
+  canopen::TimePoint last_cycle_{};            ///< cycles lie on a grid of kCycle, also after a rest
+  bool resting_ = true;                        ///< every axis is idle
+  std::uint8_t restored_object_ = 0;           ///< a drive object that was reset by p0970, 0 = none
+  bool alarm_changed_ = false;                 ///< within a call into the node: messages are shown after it
+  bool parameter_written_ = false;  ///< within a call into the node: what follows from it comes after it
   std::uint64_t skipped_cycles_ = 0;
 };
 

@@ -58,6 +58,7 @@ canopen::Result<std::int64_t> ErrorObjects::read(const canopen::Entry&, std::int
 void ErrorObjects::update(canopen::Node& node) noexcept {
   const std::uint32_t change = change_count();
   if (change == seen_change_ && !stale_) return;
+  if (change != seen_change_) ++updates_;
   seen_change_ = change;
   stale_ = false;
   error_register_.set(error_register());

@@ -21,6 +21,10 @@ class ErrorObjects final : public canopen::EntryOwner {
   /// call, and one with code 0000h when the last one has left. A fault outside the communication acts on the NMT
   /// state as 1029h:02 says.
   void update(canopen::Node& node) noexcept;
+  /// The dictionary has had its initial values: the next update() shows again what is active.
+  void show_again() noexcept { stale_ = true; }
+  /// Counts the changes that update() has found.
+  std::uint32_t updates() const noexcept { return updates_; }
   /// While the bus is off nothing is sent; what has entered meanwhile is sent with the update() after it.
   void set_bus_off(bool off) noexcept;
 
@@ -52,6 +56,7 @@ class ErrorObjects final : public canopen::EntryOwner {
   const drive::DriveUnit& unit_;
   canopen::Cell<std::uint8_t> error_register_;
   std::uint32_t seen_change_ = 0;
+  std::uint32_t updates_ = 0;
   std::uint32_t seen_sequence_ = 0;
   std::uint32_t entries_ = 0;  ///< messages that 1003h shows now
   bool told_ = false;          ///< the bus knows of a message

@@ -130,13 +130,6 @@ void MirroredParameters::bring_out(std::uint8_t object) noexcept {
   bring_out({.object = object});
 }
 
-void MirroredParameters::take_in(std::uint16_t first, std::uint16_t last) noexcept {
-  for_each_kept({.first = first, .last = last}, [this](drive::DriveObject& object, std::uint16_t number,
-                                                       std::size_t index, const canopen::Entry& entry) {
-    object.bring_in(number, index, static_cast<double>(dictionary_.stored(entry)));
-  });
-}
-
 /// Sets the count of the mapping that @p entry belongs to: no parameter holds it, it is that of the entries before
 /// the first empty one.
 void MirroredParameters::count_mapped(const canopen::Entry& entry) noexcept {

@@ -25,8 +25,6 @@ class MirroredParameters final : public ParameterOwner {
   void bring_out(std::uint16_t first, std::uint16_t last) noexcept;
   /// The same for all objects that show parameters of drive object @p object.
   void bring_out(std::uint8_t object) noexcept;
-  /// The other way: what is loaded over the parameters later finds the values of the objects @p first to @p last.
-  void take_in(std::uint16_t first, std::uint16_t last) noexcept;
 
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
   /// Writes the object; ValueTooHigh for what it cannot hold, and what the dictionary refuses.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device/configuration.hpp"
+#include "device/parameter_storage.hpp"
 #include "drive/drive_unit.hpp"
 
 namespace device {
@@ -12,11 +13,9 @@ class Presets {
   Presets(const Configuration& configuration, drive::DriveUnit& unit) noexcept
       : configuration_{configuration}, unit_{unit} {}
 
-  /// Sets all of them. Those that objects show have to be brought out yet: the services of the node judge them
-  /// when they start.
-  void apply() noexcept;
-  /// Sets only those that objects show.
-  void apply_mirrored() noexcept;
+  /// Sets those of @p group. Those that objects show have to be brought out yet: the services of the node judge
+  /// them when they start.
+  void apply(ParameterGroup group) noexcept;
 
  private:
   const Configuration& configuration_;

@@ -51,7 +51,7 @@ struct AxisInsight {
   bool target_reached = false;
   bool overspeed = false;
   bool blocked = false;
-  double energy_drawn = 0.0;     ///< at the shaft since power-on (J)
+  double energy_drawn = 0.0;     ///< at the shaft (J)
   double energy_fed_back = 0.0;  ///< the same, not negative (J)
 };
 
@@ -84,6 +84,11 @@ class Axis final : public DriveObject {
   const AxisParameters& parameters() const noexcept { return parameters_; }
   /// What parameters show that is no actual value.
   AxisInsight insight() const noexcept;
+  /// Counts the energies on from @p drawn and @p fed_back (J, not negative), those of a former life.
+  void continue_energy(double drawn, double fed_back) noexcept {
+    energy_drawn_ = drawn;
+    energy_fed_back_ = fed_back;
+  }
   /// Computes p0340's choice anew from the machine: 1 everything, 3 and 4 the controllers, 5 the limits.
   void compute_parameters(int choice) noexcept;
   /// Ends commissioning (p0010 = 0).

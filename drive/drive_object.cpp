@@ -80,7 +80,7 @@ std::optional<ParameterError> DriveObject::load_error(std::uint16_t number, std:
   const auto found = find(number, index);
   if (!found) return found.error();
   const ParameterRow& row = *(*found)->row;
-  if (!row.is_writable() || row.keep == Keep::No) return ParameterError{Refusal::ReadOnly, number, &row};
+  if (!is_saved(row)) return ParameterError{Refusal::ReadOnly, number, &row};
   const auto reason = limit_refusal(row, value);
   return reason ? std::optional{ParameterError{*reason, number, &row}} : std::nullopt;
 }
@@ -98,10 +98,10 @@ void DriveObject::bring_in(std::uint16_t number, std::size_t index, double value
   if (found && is_agreed(*(*found)->row)) assign(**found, index, value);
 }
 
-void DriveObject::restore_parameters() noexcept {
+void DriveObject::restore_parameters(RowFilter which) noexcept {
   for (const PlacedRow& placed : parameters_of(kind())) {
     const ParameterRow& row = *placed.row;
-    if (!row.is_writable() || row.keep != Keep::Stored) continue;
+    if (!is_saved(row) || !which(row)) continue;
     for (std::size_t i = 0; i < row.count; ++i) assign(placed, i, factory_value(row, context_, i));
   }
   on_parameters_changed();

@@ -70,12 +70,17 @@ class DriveObject {
                                                                 std::size_t index = 0) const noexcept;
   /// The layer that owns the bus brings in what a parameter is that it answers for.
   void bring_in(std::uint16_t number, std::size_t index, double value) noexcept;
-  /// Back to the state of a new unit, except what outlives a factory reset.
-  void restore_parameters() noexcept;
+  /// The saved parameters that @p which chooses are as in a new unit again; without it all but those that outlive
+  /// a factory reset.
+  void restore_parameters(RowFilter which = is_reset) noexcept;
 
   /// Active faults and alarms, and those that were.
   const FaultMemory& messages() const noexcept { return memory_; }
-  /// Tells the time since the unit was switched on (ms).
+  /// Takes over the fault buffer of a former life, which ended at @p power_off.
+  void bring_back(const FaultMemory::Kept& kept, Uptime power_off) noexcept {
+    memory_.bring_back(kept, power_off);
+  }
+  /// Tells the time (ms) that messages are stamped with.
   void set_time(Uptime now) noexcept { memory_.set_time(now); }
   /// A fault or an alarm with its value (r0949, r2124) appears; the reaction follows at once.
   [[nodiscard]] tl::expected<void, FaultError> raise(std::uint16_t number, std::uint32_t value = 0,

@@ -87,8 +87,9 @@ tl::expected<void, ParameterError> DriveUnit::clear_alarms(DriveObject& object, 
 }
 
 void DriveUnit::set_time(Uptime now) noexcept {
-  control_unit_.set_time(now);
-  for (Axis& axis : axes_) axis.set_time(now);
+  uptime_ = now;
+  control_unit_.set_time(runtime());
+  for (Axis& axis : axes_) axis.set_time(runtime());
 }
 
 tl::expected<void, FaultError> DriveUnit::raise(std::uint8_t object, std::uint16_t number, std::uint32_t value,
@@ -140,11 +141,17 @@ void DriveUnit::power_off() noexcept {
 }
 
 void DriveUnit::restore_parameters() noexcept {
-  control_unit_.restore_parameters();
-  for (Axis& axis : axes_) {
-    axis.restore_parameters();
-    axis.leave_commissioning();
-  }
+  restore_parameters(is_reset);
+  leave_commissioning();
+}
+
+void DriveUnit::restore_parameters(RowFilter which) noexcept {
+  control_unit_.restore_parameters(which);
+  for (Axis& axis : axes_) axis.restore_parameters(which);
+}
+
+void DriveUnit::leave_commissioning() noexcept {
+  for (Axis& axis : axes_) axis.leave_commissioning();
   control_unit_.bring_in(kDeviceFilter, 0, 0.0);
   inhibit_axes(false);
 }

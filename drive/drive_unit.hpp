@@ -58,6 +58,10 @@ class DriveUnit final : private Surroundings {
 
   /// Tells every drive object the time since the unit was switched on (ms).
   void set_time(Uptime now) noexcept;
+  /// The unit has a former life of @p runtime (ms), which the times of messages go on from.
+  void continue_after(Uptime runtime) noexcept { former_runtime_ = runtime; }
+  /// Time switched on over all lives (ms), as of set_time().
+  Uptime runtime() const noexcept { return former_runtime_ + uptime_; }
   /// A message appears on drive object @p object, and one that propagates globally on all that can have it.
   [[nodiscard]] tl::expected<void, FaultError> raise(std::uint8_t object, std::uint16_t number,
                                                      std::uint32_t value = 0, Cause cause = Cause::Gone) noexcept;
@@ -72,6 +76,10 @@ class DriveUnit final : private Surroundings {
   void power_off() noexcept;
   /// Factory reset: every drive object in the state of a new one, commissioning ended.
   void restore_parameters() noexcept;
+  /// The saved parameters that @p which chooses are as in a new unit again.
+  void restore_parameters(RowFilter which) noexcept;
+  /// Ends commissioning everywhere (p0009 = 0, p0010 = 0).
+  void leave_commissioning() noexcept;
 
  private:
   std::uint32_t& message_counter() noexcept override { return message_counter_; }
@@ -85,6 +93,8 @@ class DriveUnit final : private Surroundings {
 
   ParameterHost* host_;
   std::uint32_t message_counter_ = 0;
+  Uptime former_runtime_ = 0;
+  Uptime uptime_ = 0;
   ControlUnit control_unit_;
   std::vector<Axis> axes_;
 };

@@ -164,6 +164,25 @@ void FaultMemory::clear_fault_buffer() noexcept {
   history_.clear();
   counters_.fault_cases = 0;
   ++counters_.fault_changes;
+  ++change_count_;
+}
+
+FaultMemory::Kept FaultMemory::kept() const noexcept {
+  Kept kept{.fault_changes = counters_.fault_changes, .fault_cases = counters_.fault_cases};
+  for (std::size_t i = 0; i < kept.faults.size(); ++i) kept.faults[i] = fault(i);
+  return kept;
+}
+
+void FaultMemory::bring_back(const Kept& kept, Uptime power_off) noexcept {
+  counters_.fault_changes = kept.fault_changes;
+  counters_.fault_cases = kept.fault_cases;
+  history_.assign(std::span{kept.faults}.subspan(kCapacity));
+  std::array<BufferEntry, kCapacity> active{};
+  std::copy_n(kept.faults.begin(), kCapacity, active.begin());
+  if (active.front().number == 0) return;
+  for (BufferEntry& entry : active)
+    if (entry.number != 0) entry.removed = power_off;
+  history_.push(active);
 }
 
 void FaultMemory::clear_alarm_buffer() noexcept {
@@ -174,6 +193,7 @@ void FaultMemory::clear_alarm_buffer() noexcept {
   alarm_buffer_.clear();
   counters_.alarms = 0;
   ++counters_.alarm_changes;
+  ++change_count_;
 }
 
 }  // namespace drive

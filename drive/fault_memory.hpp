@@ -43,7 +43,7 @@ class FaultMemory {
  public:
   static constexpr std::size_t kCapacity = 8;
 
-  /// Tells the time since the unit was switched on (ms) that holds for what follows.
+  /// Tells the time (ms) that holds for what follows.
   void set_time(Uptime now) noexcept { now_ = now; }
   /// Enters a message as what the settings make of it, if anything. One that is active already only takes over
   /// @p value and @p cause.
@@ -62,7 +62,7 @@ class FaultMemory {
   std::span<const FaultEntry> faults() const noexcept { return faults_.entries(); }
   /// Active alarms, oldest first.
   std::span<const FaultEntry> alarms() const noexcept { return alarms_.entries(); }
-  /// Changes with every message that enters, leaves or takes another value.
+  /// Changes with every message that enters, leaves or takes another value, and when a buffer is cleared.
   std::uint32_t change_count() const noexcept { return change_count_; }
   /// The message that entered last among the active ones, or nullptr.
   const FaultEntry* most_recent() const noexcept;
@@ -83,6 +83,16 @@ class FaultMemory {
   const Counters& counters() const noexcept { return counters_; }
   /// p0952 = 0: the buffer holds only what is active.
   void clear_fault_buffer() noexcept;
+  /// What survives a power cut.
+  struct Kept {
+    static constexpr std::size_t kFaults = 64;
+    std::uint16_t fault_changes = 0;            ///< r0944
+    std::uint16_t fault_cases = 0;              ///< p0952
+    std::array<BufferEntry, kFaults> faults{};  ///< as fault() shows them
+  };
+  Kept kept() const noexcept;
+  /// Takes over what a former life kept; a case that was active then has ended at @p power_off.
+  void bring_back(const Kept& kept, Uptime power_off) noexcept;
   /// p2111 = 0: latched alarms leave, the buffer holds only what is active.
   void clear_alarm_buffer() noexcept;
 

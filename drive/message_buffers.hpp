@@ -8,7 +8,8 @@
 
 namespace drive {
 
-/// Time since the unit was switched on (ms).
+/// Time that the unit has been switched on (ms), over all its lives if it keeps what it should (see
+/// DriveUnit::continue_after()).
 using Uptime = std::uint64_t;
 
 /// A fault or alarm as the buffers show it.
@@ -34,6 +35,10 @@ class FaultHistory {
   }
   /// Forgets every case.
   void clear() noexcept { entries_.fill(BufferEntry{}); }
+  /// Takes the first 56 of @p entries as the cases of a former life.
+  void assign(std::span<const BufferEntry> entries) noexcept {
+    std::copy_n(entries.begin(), std::min(entries.size(), entries_.size()), entries_.begin());
+  }
   /// Entry 0..55, the latest case first.
   const BufferEntry& at(std::size_t index) const noexcept { return entries_[index]; }
 

@@ -3,19 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 #include <tl/expected.hpp>
 
-#include "drive/drive_unit.hpp"
+#include "drive/image_format.hpp"
 
-/// The saved parameters as bytes, little endian:
+/// The saved parameters as bytes: an image (see image_format.hpp) with the signature "axisdpar" and as content
 ///
-///     "axisdpar"           8 bytes
-///     format version       U16, kFormatVersion
-///     drive objects        U16, of the unit, control unit included
-///     unit identity        U32, CRC-32 over kind and machine of every axis
-///     saved objects        U16, in the image; then for each one
+///     saved objects        U16, in the image; then for each one, in ascending order
 ///       number             U8, drive object number
 ///       kind               U8, ObjectKind
 ///       values             U16; then for each one
@@ -23,30 +18,22 @@
 ///         index            U8
 ///         type             U8, DataType
 ///         value            U32, an integer or the bits of a REAL32
-///     checksum             U32, CRC-32 over everything before it
 ///
 /// A parameter that the reader does not have is refused, one that the image does not have keeps its value.
 namespace drive::storage_image {
 
 inline constexpr std::uint16_t kFormatVersion = 1;
 
-/// Why an image was not loaded, or did not fit.
-enum class Error : std::uint8_t {
-  NoRoom,      ///< the buffer is shorter than size()
-  NotAnImage,  ///< it does not begin as one
-  OtherVersion,
-  Truncated,  ///< its counts lead beyond its end, or end before it
-  WrongChecksum,
-  OtherUnit,        ///< another number or kind of axes, or another motor
-  NoSuchObject,     ///< it has a drive object that the unit does not have, or none that was asked for
-  NoSuchParameter,  ///< it has a value that the drive object cannot be given
-};
-
-/// One line of plain text for @p error.
-std::string_view text_of(Error error) noexcept;
+using Error = image_format::Error;
 
 /// Stands for all drive objects.
 inline constexpr std::uint8_t kAllObjects = 0;
+
+/// Which of the saved parameters are meant.
+struct Selection {
+  std::uint8_t object = kAllObjects;  ///< a drive object number, or all
+  RowFilter rows = is_saved;
+};
 
 /// Bytes that save() needs for drive object @p object of @p unit, or for all.
 std::size_t size(const DriveUnit& unit, std::uint8_t object = kAllObjects) noexcept;
@@ -56,9 +43,22 @@ std::size_t size(const DriveUnit& unit, std::uint8_t object = kAllObjects) noexc
                                                                    std::span<std::byte> buffer,
                                                                    std::uint8_t object = kAllObjects) noexcept;
 
-/// Takes the parameters of @p object, or of all, out of @p image. If anything in the image does not fit, nothing
-/// changes.
+/// Writes to @p buffer what @p image becomes when it takes over the present values of @p selection; returns the
+/// part that was written. @p image is one of this unit, or empty. A drive object that it does not have is added if
+/// the selection is all of its parameters.
+[[nodiscard]] tl::expected<std::span<const std::byte>, Error> update(const DriveUnit& unit,
+                                                                     std::span<const std::byte> image,
+                                                                     std::span<std::byte> buffer,
+                                                                     const Selection& selection) noexcept;
+
+/// Whether @p image, one of @p unit or empty, has drive object @p object.
+bool has(const DriveUnit& unit, std::span<const std::byte> image, std::uint8_t object) noexcept;
+
+/// Whether @p image, one of @p unit or empty, has all of its drive objects.
+bool is_complete(const DriveUnit& unit, std::span<const std::byte> image) noexcept;
+
+/// Takes the parameters of @p selection out of @p image. If anything in the image does not fit, nothing changes.
 [[nodiscard]] tl::expected<void, Error> load(DriveUnit& unit, std::span<const std::byte> image,
-                                             std::uint8_t object = kAllObjects) noexcept;
+                                             const Selection& selection = {}) noexcept;
 
 }  // namespace drive::storage_image

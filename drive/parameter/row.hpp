@@ -114,6 +114,17 @@ struct ParameterRow {
   constexpr bool is_writable() const noexcept { return when != When::ReadOnly; }
 };
 
+/// Whether @p row is part of the saved parameters.
+constexpr bool is_saved(const ParameterRow& row) noexcept {
+  return row.is_writable() && row.keep != Keep::No;
+}
+/// Whether a factory reset changes @p row.
+constexpr bool is_reset(const ParameterRow& row) noexcept {
+  return row.is_writable() && row.keep == Keep::Stored;
+}
+/// Chooses among the saved parameters.
+using RowFilter = bool (*)(const ParameterRow& row) noexcept;
+
 /// Lowest and highest value of @p row in its own unit.
 constexpr Range limits_of(const ParameterRow& row) noexcept {
   const DataTypeRow& type = row_of(row.type);

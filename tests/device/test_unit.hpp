@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,16 @@ using Lines = std::vector<std::string>;
 struct RecordingListener final : Listener {
   void on_subscriptions_changed() noexcept override { ++subscription_changes; }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }
+  bool on_store(std::span<const std::byte> stored) noexcept override {
+    if (is_full) return false;
+    image.assign(stored.begin(), stored.end());
+    ++stores;
+    return true;
+  }
 
+  std::vector<std::byte> image;  ///< as last stored
+  int stores = 0;
+  bool is_full = false;  ///< nothing more can be stored
   int subscription_changes = 0;
   std::vector<std::uint32_t> foreign;
 };

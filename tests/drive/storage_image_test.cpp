@@ -66,15 +66,73 @@ TEST(StorageImage, TakesOneDriveObjectOnly) {
   const std::vector<std::byte> only_x = saved(unit, kX);
 
   DriveUnit fresh{two_axes()};
-  ASSERT_TRUE(storage_image::load(fresh, all, kY));
+  ASSERT_TRUE(storage_image::load(fresh, all, {kY}));
   EXPECT_EQ(value(fresh, kX, 1120), 10.0);
   EXPECT_EQ(value(fresh, kY, 1120), 2.0);
   ASSERT_TRUE(storage_image::load(fresh, only_x));
   EXPECT_EQ(value(fresh, kX, 1120), 1.0);
-  EXPECT_EQ(storage_image::load(fresh, only_x, kY).error(), Error::NoSuchObject);
+  EXPECT_EQ(storage_image::load(fresh, only_x, {kY}).error(), Error::NoSuchObject);
   std::vector<std::byte> buffer(all.size());
   EXPECT_EQ(storage_image::save(unit, buffer, 9).error(), Error::NoSuchObject);
   EXPECT_EQ(storage_image::save(unit, std::span{buffer}.first(100)).error(), Error::NoRoom);
+}
+
+/// @p image with the present values of @p selection.
+std::vector<std::byte> updated(const DriveUnit& unit, std::span<const std::byte> image,
+                               const storage_image::Selection& selection) {
+  std::vector<std::byte> buffer(storage_image::size(unit));
+  const auto written = storage_image::update(unit, image, buffer, selection);
+  EXPECT_TRUE(written);
+  buffer.resize(written->size());
+  return buffer;
+}
+
+bool is_a_ramp(const ParameterRow& row) noexcept {
+  return row.number == 1120 || row.number == 1121;
+}
+
+TEST(StorageImage, TakesOverTheChosenParametersOnly) {
+  DriveUnit unit{two_axes()};
+  const std::vector<std::byte> image = saved(unit);
+  for (const std::uint8_t axis : {kX, kY}) {
+    ASSERT_TRUE(unit.object(axis)->write(1120, 1.0));
+    ASSERT_TRUE(unit.object(axis)->write(1121, 2.0));
+    ASSERT_TRUE(unit.object(axis)->write(1135, 3.0));
+  }
+
+  DriveUnit ramps{two_axes()};
+  ASSERT_TRUE(storage_image::load(ramps, updated(unit, image, {.rows = is_a_ramp})));
+  DriveUnit ramps_of_y{two_axes()};
+  ASSERT_TRUE(storage_image::load(ramps_of_y, updated(unit, image, {kY, is_a_ramp})));
+  DriveUnit only_y{two_axes()};
+  ASSERT_TRUE(storage_image::load(only_y, updated(unit, image, {kY})));
+  DriveUnit loaded{two_axes()};
+  ASSERT_TRUE(storage_image::load(loaded, saved(unit), {kX, is_a_ramp}));
+
+  EXPECT_EQ(value(ramps, kX, 1120), 1.0);
+  EXPECT_EQ(value(ramps, kY, 1121), 2.0);
+  EXPECT_EQ(value(ramps, kY, 1135), 0.0);
+  EXPECT_EQ(value(ramps_of_y, kX, 1120), 10.0);
+  EXPECT_EQ(value(ramps_of_y, kY, 1120), 1.0);
+  EXPECT_EQ(value(only_y, kX, 1135), 0.0);
+  EXPECT_EQ(value(only_y, kY, 1135), 3.0);
+  EXPECT_EQ(value(loaded, kX, 1121), 2.0);
+  EXPECT_EQ(value(loaded, kX, 1135), 0.0);
+  EXPECT_EQ(value(loaded, kY, 1121), 10.0);
+}
+
+TEST(StorageImage, GrowsByWholeDriveObjects) {
+  DriveUnit unit{two_axes()};
+  EXPECT_FALSE(storage_image::is_complete(unit, {}));
+  std::vector<std::byte> image = updated(unit, {}, {kY});
+  EXPECT_EQ(image, saved(unit, kY));
+  EXPECT_FALSE(storage_image::is_complete(unit, image));
+  EXPECT_EQ(updated(unit, image, {kX, is_a_ramp}), image);
+
+  image = updated(unit, updated(unit, image, {1}), {kX});
+
+  EXPECT_TRUE(storage_image::is_complete(unit, image));
+  EXPECT_EQ(image, saved(unit));
 }
 
 TEST(StorageImage, LeavesOutCommandsCountersAndFilters) {
@@ -127,7 +185,7 @@ TEST(StorageImage, IsRefusedWithTheReasonAndWithoutAnEffect) {
   EXPECT_EQ(error_of(changed(18, std::byte{9}, true)), Error::NoSuchObject);
   EXPECT_EQ(error_of(changed(22, std::byte{0xFF}, true)), Error::NoSuchParameter);
   EXPECT_EQ(value(fresh, 1, 8699), 0.0);
-  EXPECT_EQ(storage_image::text_of(Error::OtherUnit), "saved parameters of a unit with other axes or motors");
+  EXPECT_EQ(image_format::text_of(Error::OtherUnit), "of a unit with other axes or motors");
 }
 
 TEST(StorageImage, NeitherCrashesNorLoadsWhatWasDamagedAnywhere) {

@@ -6,6 +6,7 @@
 
 #include <sys/mount.h>
 
+#include "tests/e2e/bus_sdo_client.hpp"
 #include "tests/e2e/daemon_process.hpp"
 
 namespace e2e {
@@ -78,6 +79,29 @@ TEST(FullDisk, DoesNotKeepTheUnitFromRunning) {
   ASSERT_TRUE(daemon.is_ready());
   EXPECT_TRUE(can.ask(kAskDeviceType, kDeviceType));
   EXPECT_EQ(daemon.end(SIGTERM), 0);
+}
+
+TEST(FullDisk, RefusesToStoreAndKeepsWhatIsStored) {
+  constexpr std::uint32_t kSave = 0x65766173;
+  constexpr std::uint16_t kHaltOption = 0x605D;
+  const fakes::TemporaryDirectory folder;
+  const std::string path = folder.path("disk");
+  const SmallDisk disk{path, "size=128k"};
+  BusSdoClient sdo;
+  DaemonProcess daemon{{.state_directory = path}};
+  ASSERT_TRUE(daemon.is_ready());
+  ASSERT_EQ(sdo.download(kHaltOption, 0, 1, 2), 0U);
+  ASSERT_EQ(sdo.download(0x1010, 1, kSave, 4), 0U);
+  ASSERT_EQ(sdo.download(kHaltOption, 0, 2, 2), 0U);
+  disk.fill();
+
+  EXPECT_EQ(sdo.download(0x1010, 1, kSave, 4), 0x06060000U);
+
+  EXPECT_TRUE(daemon.program().wait_for_output("parameters.bin: cannot be written: No space left on device\n"));
+  ASSERT_EQ(daemon.end(SIGKILL), -SIGKILL);
+  daemon.start();
+  ASSERT_TRUE(daemon.is_ready());
+  EXPECT_EQ(sdo.upload(kHaltOption).number(), 1U);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ inline constexpr std::array kDisplayRows{
     Row{36, 1, kAxes, F32, Unit::Percent, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Connector, "Power unit overload I2t", ""},
     Row{37, 3, kControlUnit, F32, Unit::Celsius, kWhole, 40.0, When::ReadOnly, Fixed{40.0}, Output::Connector, "CU temperature [0] actual [1] max [2] min", ""},
     Row{37, 20, kAxes, F32, Unit::Celsius, kWhole, 30.0, When::ReadOnly, Fixed{30.0}, Output::Connector, "Power unit temperatures", ""},
-    Row{39, 3, kAxes, F32, Unit::KilowattHours, kWhole, 0.0, When::ReadOnly, axis(axis_value::energy), Output::Connector, "Energy display: balance, drawn, fed back", "[0] balance, [1] drawn, [2] fed back at the shaft since power-on"},
+    Row{39, 3, kAxes, F32, Unit::KilowattHours, kWhole, 0.0, When::ReadOnly, axis(axis_value::energy), Output::Connector, "Energy display: balance, drawn, fed back", "[0] balance, [1] drawn, [2] fed back at the shaft; a power cut keeps them"},
     Row{42, 3, kAxes, I32, Unit::WattHours, kWhole, 0.0, When::ReadOnly, axis(axis_value::process_energy), Output::Connector, "Process energy display", "as r0039"},
     Row{46, 1, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::missing_enables), Output::Both, "Missing enable signals", ""},
     Row{53, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_status), Output::Both, "Status word 2 (VECTOR)", "bits 1, 4, 5 and 6"},

@@ -37,8 +37,8 @@ inline constexpr std::array kUnitRows{
     Row{969, 1, kControlUnit, U32, Unit::Milliseconds, {0.0, 4294967295.0}, 0.0, When::Always, Command{}, Output::No, "System runtime relative", "", Keep::No},
     Row{970, 1, kAxes, U16, Unit::None, {0.0, 100.0}, 0.0, When::Reset, axis(axis_value::no_value, axis_value::reset_parameters), Output::No, "Reset drive object parameters", "1 resets this drive object and p0010; reads 0", Keep::No},
     Row{971, 1, kAll, U16, Unit::None, {0.0, 1.0}, 0.0, When::Always, Command{}, Output::No, "Save drive object parameters", "1 saves this drive object; reads 0", Keep::No},
-    Row{972, 1, kControlUnit, U16, Unit::None, {0.0, 3.0}, 0.0, When::Always, Command{}, Output::No, "Drive unit reset", "restarts the unit; reads 0", Keep::No},
-    Row{976, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::DeviceReset, Command{}, Output::No, "Reset and load all parameters", "1 factory values, 2 warm restart; reads 0", Keep::No},
+    Row{972, 1, kControlUnit, U16, Unit::None, {0.0, 3.0}, 0.0, When::Always, Command{}, Output::No, "Drive unit reset", "1 restarts the unit, 2 is only shown, 3 restarts it when the node leaves Operational", Keep::No},
+    Row{976, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::DeviceReset, Command{}, Output::No, "Reset and load all parameters", "1 state of a new unit, 2 restart with the saved values; reads 0", Keep::No},
     Row{977, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::Always, Command{}, Output::No, "Save all parameters", "1 saves all drive objects; reads 0", Keep::No},
     Row{3100, 1, kControlUnit, U16, Unit::None, {0.0, 1.0}, 0.0, When::Ready, Stored{}, Output::No, "RTC time stamp mode", ""},
 };

@@ -1,0 +1,96 @@
+// Whence the parameters of the unit come: presets of the configuration over saved values over those of a new unit.
+#include <array>
+
+#include "device/device.hpp"
+
+namespace device {
+namespace {
+
+/// Objects with indices `first` to `last`.
+struct ObjectRange {
+  std::uint16_t first;
+  std::uint16_t last;
+};
+/// The objects that show parameters of @p group, and what belongs to them.
+constexpr ObjectRange objects_of(ParameterGroup group) noexcept {
+  constexpr std::array kRanges{ObjectRange{0x1000, 0x9FFF}, ObjectRange{0x1000, 0x1FFF},
+                               ObjectRange{0x6000, 0x9FFF}};
+  return kRanges[static_cast<std::size_t>(group) - 1];
+}
+
+}  // namespace
+
+/// The configuration lies over the parameters of @p group, whatever they were before; then objects show them.
+void Device::bring_out(ParameterGroup group) noexcept {
+  presets_.apply(group);
+  const ObjectRange objects = objects_of(group);
+  mirrored_parameters_.bring_out(objects.first, objects.last);
+}
+
+tl::expected<void, drive::image_format::Error> Device::load_parameters(std::span<const std::byte> image) noexcept {
+  auto loaded = storage_.adopt(image);
+  if (loaded) bring_out(ParameterGroup::All);
+  return loaded;
+}
+
+tl::expected<void, drive::image_format::Error> Device::load_retained(std::span<const std::byte> image) noexcept {
+  return drive::retained_image::load(unit_, image);
+}
+
+std::span<const std::byte> Device::retained(canopen::TimePoint now) noexcept {
+  tell_time(now);
+  return drive::retained_image::save(unit_, retained_).value_or(std::span<const std::byte>{});
+}
+
+void Device::on_reset(canopen::NmtCommand command) noexcept {
+  const bool all = command == canopen::NmtCommand::ResetNode;
+  const ParameterGroup group = all ? ParameterGroup::All : ParameterGroup::Communication;
+  storage_.reload(group);
+  take_over(group);
+}
+
+/// The parameters of @p group have become others: all that works with them.
+void Device::take_over(ParameterGroup group) noexcept {
+  bring_out(group);
+  take_over_parameters();
+  process_data_.take_over();
+  show_values();
+}
+
+/// What parameters of the unit say of its communication, whichever way they came.
+void Device::take_over_parameters() noexcept {
+  communication_.set_start_state();
+  rpdo_monitor_.set_time(unit_.object(drive::kControlUnitNumber)->read(RpdoMonitor::kParameter).value_or(0.0));
+}
+
+void Device::carry_out_task() noexcept {
+  using Task = ParameterStorage::Task;
+  switch (storage_.take_task()) {
+    case Task::None:
+      break;
+    case Task::RestoreAll:
+      return restore(ParameterGroup::All);
+    case Task::RestoreCommunication:
+      return restore(ParameterGroup::Communication);
+    case Task::RestoreApplication:
+      return restore(ParameterGroup::Application);
+    case Task::Restart:
+      return node_.command(canopen::NmtCommand::ResetNode, now_);
+  }
+}
+
+/// The state of a new unit, at once: the vendor's departure from CiA 301, which waits for the next reset.
+void Device::restore(ParameterGroup group) noexcept {
+  tell_time(now_);
+  storage_.reset(group);
+  const ObjectRange objects = objects_of(group);
+  dictionary_.restore(objects.first, objects.last);
+  for (AxisObjects& axis : axes_) axis.forget_written();
+  take_over(group);
+  error_objects_.show_again();
+  if (group != ParameterGroup::Application) node_.reload(now_);
+  wake();
+  publish();
+}
+
+}  // namespace device

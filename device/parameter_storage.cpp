@@ -1,0 +1,193 @@
+#include "device/parameter_storage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+namespace device {
+namespace {
+
+using canopen::AbortCode;
+using drive::storage_image::Selection;
+
+/// Parameters with consecutive numbers.
+struct Numbers {
+  std::uint16_t first;
+  std::uint16_t last;
+};
+
+// 1005h, 1014h, 100Ch and 100Dh, 1017h, 1029h, the SDO servers, and the PDOs with p8744, which says where they are
+// from.
+constexpr std::array kCommunication{
+    Numbers{8602, 8604}, Numbers{8606, 8606}, Numbers{8609, 8609}, Numbers{8612, 8612}, Numbers{8700, 8707},
+    Numbers{8710, 8717}, Numbers{8720, 8727}, Numbers{8730, 8737}, Numbers{8744, 8744},
+};
+// 6046h, 6048h, 6086h, 6083h to 6085h, 6060h, 6072h, 6007h, 605Dh, 6094h.
+constexpr std::array kApplication{
+    Numbers{1080, 1080}, Numbers{1082, 1082}, Numbers{1115, 1115}, Numbers{1120, 1121}, Numbers{1134, 1135},
+    Numbers{1300, 1300}, Numbers{1520, 1520}, Numbers{8641, 8641}, Numbers{8791, 8791}, Numbers{8798, 8798},
+};
+
+template <std::size_t Count>
+constexpr bool contains(const std::array<Numbers, Count>& all, std::uint16_t number) noexcept {
+  return std::any_of(all.begin(), all.end(),
+                     [=](const Numbers& n) { return n.first <= number && number <= n.last; });
+}
+
+bool is_communication(const drive::ParameterRow& row) noexcept {
+  return contains(kCommunication, row.number);
+}
+bool is_application(const drive::ParameterRow& row) noexcept {
+  return contains(kApplication, row.number);
+}
+
+struct GroupRow {
+  ParameterGroup group;
+  drive::RowFilter saved;  ///< what of the saved parameters it has
+  drive::RowFilter reset;  ///< what of them a reset changes
+  ParameterStorage::Task restore;
+};
+constexpr std::array kGroups{
+    GroupRow{ParameterGroup::All, drive::is_saved, drive::is_reset, ParameterStorage::Task::RestoreAll},
+    GroupRow{ParameterGroup::Communication, is_communication, is_communication,
+             ParameterStorage::Task::RestoreCommunication},
+    GroupRow{ParameterGroup::Application, is_application, is_application,
+             ParameterStorage::Task::RestoreApplication},
+};
+
+/// Only sub-indices of 1010h and 1011h come here.
+const GroupRow& row_of(ParameterGroup group) noexcept {
+  return kGroups[static_cast<std::size_t>(group) - 1];
+}
+
+constexpr std::uint16_t kRestart = 972;
+
+// Values of p0972 and p0976.
+constexpr int kRestartNow = 1;
+constexpr int kRestartAfterOperational = 3;
+constexpr int kFactoryValues = 1;
+constexpr int kSavedValues = 2;
+
+}  // namespace
+
+bool belongs_to(ParameterGroup group, std::uint16_t number) noexcept {
+  if (group == ParameterGroup::All) return true;
+  return group == ParameterGroup::Communication ? contains(kCommunication, number)
+                                                : contains(kApplication, number);
+}
+
+constinit const std::array<ParameterStorage::Command, 4> ParameterStorage::kCommands{
+    Command{971, &ParameterStorage::save_object},
+    Command{kRestart, &ParameterStorage::restart},
+    Command{976, &ParameterStorage::load_all},
+    Command{977, &ParameterStorage::save_all},
+};
+
+ParameterStorage::ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper)
+    : unit_{unit}, keeper_{keeper}, image_(drive::storage_image::size(unit)), spare_(image_.size()) {
+  for (const Command& command : kCommands) parameters.answer(command.number, *this);
+}
+
+tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<const std::byte> image) noexcept {
+  if (const auto loaded = drive::storage_image::load(unit_, image); !loaded) return loaded;
+  // Parameters that the image does not have are as in a new unit, and part of it from now on.
+  std::size_t length = 0;
+  for (std::uint8_t number = drive::kControlUnitNumber; unit_.object(number) != nullptr; ++number) {
+    if (!drive::storage_image::has(unit_, image, number)) continue;
+    const auto written =
+        drive::storage_image::update(unit_, std::span{image_}.first(length), spare_, {.object = number});
+    if (!written) return tl::unexpected{written.error()};
+    length = written->size();
+    std::swap(image_, spare_);
+  }
+  length_ = length;
+  return {};
+}
+
+canopen::Result<void> ParameterStorage::save(const Selection& selection) noexcept {
+  const auto written = drive::storage_image::update(unit_, image(), spare_, selection);
+  assert(written);
+  if (!written || !keeper_.on_store(*written)) return canopen::refuse(AbortCode::HardwareError);
+  length_ = written->size();
+  std::swap(image_, spare_);
+  return {};
+}
+
+canopen::Result<void> ParameterStorage::store(std::uint8_t sub_index) noexcept {
+  const GroupRow& group = row_of(ParameterGroup{sub_index});
+  const bool partial = group.group != ParameterGroup::All;
+  if (partial && !drive::storage_image::is_complete(unit_, image()))
+    return canopen::refuse(AbortCode::DeviceState);
+  return save({.rows = group.saved});
+}
+
+canopen::Result<void> ParameterStorage::restore(std::uint8_t sub_index) noexcept {
+  return ask_for(row_of(ParameterGroup{sub_index}).restore);
+}
+
+canopen::Result<void> ParameterStorage::ask_for(Task task) noexcept {
+  if (pulses_enabled()) return canopen::refuse(AbortCode::DeviceState);
+  task_ = task;
+  return {};
+}
+
+bool ParameterStorage::pulses_enabled() const noexcept {
+  return std::ranges::any_of(unit_.axes(), [](const drive::Axis& axis) { return axis.actual().pulses_enabled; });
+}
+
+std::optional<double> ParameterStorage::value_of(const ParameterPlace& place) const noexcept {
+  return place.row.number == kRestart ? restart_ : 0;
+}
+
+canopen::Result<void> ParameterStorage::take(const ParameterPlace& place, double value) noexcept {
+  const auto* const command = std::ranges::find(kCommands, place.row.number, &Command::number);
+  return (this->*command->carry_out)(place.object, static_cast<int>(value));
+}
+
+canopen::Result<void> ParameterStorage::save_object(const drive::DriveObject& object, int value) noexcept {
+  return value == 0 ? canopen::Result<void>{} : save({.object = object.number()});
+}
+
+canopen::Result<void> ParameterStorage::save_all(const drive::DriveObject&, int value) noexcept {
+  if (value > 1) return canopen::refuse(AbortCode::InvalidValue);
+  return value == 0 ? canopen::Result<void>{} : save({});
+}
+
+canopen::Result<void> ParameterStorage::load_all(const drive::DriveObject&, int value) noexcept {
+  if (value > kSavedValues) return canopen::refuse(AbortCode::InvalidValue);
+  if (value == 0) return {};
+  return ask_for(value == kFactoryValues ? Task::RestoreAll : Task::Restart);
+}
+
+canopen::Result<void> ParameterStorage::restart(const drive::DriveObject&, int value) noexcept {
+  if (value == kRestartNow) task_ = Task::Restart;
+  restart_ = value == kRestartNow ? 0 : value;
+  return {};
+}
+
+void ParameterStorage::on_operational_left() noexcept {
+  if (restart_ == kRestartAfterOperational) task_ = Task::Restart;
+}
+
+ParameterStorage::Task ParameterStorage::take_task() noexcept {
+  return std::exchange(task_, Task::None);
+}
+
+void ParameterStorage::reset(ParameterGroup group) noexcept {
+  unit_.restore_parameters(row_of(group).reset);
+  if (group == ParameterGroup::All) unit_.leave_commissioning();
+}
+
+void ParameterStorage::reload(ParameterGroup group) noexcept {
+  unit_.restore_parameters(row_of(group).saved);
+  if (group == ParameterGroup::All) {
+    unit_.leave_commissioning();
+    restart_ = 0;
+  }
+  if (length_ == 0) return;
+  [[maybe_unused]] const auto loaded = drive::storage_image::load(unit_, image(), {.rows = row_of(group).saved});
+  assert(loaded);
+}
+
+}  // namespace device

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "device/unit_parameters.hpp"
+#include "drive/storage_image.hpp"
+#include "libcanopen/od/abort_code.hpp"
+
+namespace device {
+
+/// Who writes the saved parameters to where they last.
+class ParameterKeeper {
+ public:
+  virtual ~ParameterKeeper() = default;
+  /// Keeps @p image for the next start; false if it cannot, and the former one is still kept then.
+  virtual bool on_store(std::span<const std::byte> image) noexcept {
+    static_cast<void>(image);
+    return false;
+  }
+};
+
+/// The groups of 1010h and 1011h, by sub-index.
+enum class ParameterGroup : std::uint8_t {
+  All = 1,
+  Communication = 2,  ///< what objects 1000h to 1FFFh show
+  Application = 3,    ///< what objects 6000h to 9FFFh show
+};
+
+/// Whether parameter @p number belongs to @p group.
+bool belongs_to(ParameterGroup group, std::uint16_t number) noexcept;
+
+/// The saved parameters of the unit: 1010h, 1011h, p0971, p0972, p0976 and p0977. Nothing is allocated after
+/// construction.
+///
+/// What changes many parameters at once is only noted by a request, to be done when it has been answered: see
+/// take_task().
+class ParameterStorage final : public ParameterOwner {
+ public:
+  using Error = drive::storage_image::Error;
+
+  /// What a request has asked for.
+  enum class Task : std::uint8_t { None, RestoreAll, RestoreCommunication, RestoreApplication, Restart };
+
+  /// Answers in @p parameters for p0971, p0972, p0976 and p0977 of @p unit; all arguments must outlive this.
+  ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper);
+
+  /// The unit, which is new, takes over the saved parameters @p image; nothing changes if it does not fit.
+  [[nodiscard]] tl::expected<void, Error> adopt(std::span<const std::byte> image) noexcept;
+
+  /// "save" in 1010h, @p sub_index. DeviceState for a part before all was saved once, HardwareError if the keeper
+  /// cannot.
+  [[nodiscard]] canopen::Result<void> store(std::uint8_t sub_index) noexcept;
+  /// "load" in 1011h, @p sub_index, becomes a task. DeviceState while pulses are enabled.
+  [[nodiscard]] canopen::Result<void> restore(std::uint8_t sub_index) noexcept;
+  /// The commands read 0, p0972 as long as it waits what was written.
+  std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
+  /// Carries a command out: InvalidValue, DeviceState while pulses are enabled, HardwareError as store().
+  canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
+  /// The node has left Operational: p0972 = 3 waits for that.
+  void on_operational_left() noexcept;
+
+  bool has_task() const noexcept { return task_ != Task::None; }
+  /// What is to be done now; afterwards there is no task.
+  Task take_task() noexcept;
+
+  /// The parameters of @p group are those of a new unit.
+  void reset(ParameterGroup group) noexcept;
+  /// The parameters of @p group are the saved ones, as after power-on.
+  void reload(ParameterGroup group) noexcept;
+
+ private:
+  struct Command {
+    std::uint16_t number;
+    canopen::Result<void> (ParameterStorage::*carry_out)(const drive::DriveObject& object, int value) noexcept;
+  };
+  static const std::array<Command, 4> kCommands;
+
+  std::span<const std::byte> image() const noexcept { return std::span{image_}.first(length_); }
+  canopen::Result<void> save(const drive::storage_image::Selection& selection) noexcept;
+  canopen::Result<void> ask_for(Task task) noexcept;
+  bool pulses_enabled() const noexcept;
+  canopen::Result<void> save_object(const drive::DriveObject& object, int value) noexcept;
+  canopen::Result<void> save_all(const drive::DriveObject& object, int value) noexcept;
+  canopen::Result<void> load_all(const drive::DriveObject& object, int value) noexcept;
+  canopen::Result<void> restart(const drive::DriveObject& object, int value) noexcept;
+
+  drive::DriveUnit& unit_;
+  ParameterKeeper& keeper_;
+  std::vector<std::byte> image_;  ///< as last saved
+  std::size_t length_ = 0;        ///< of it; 0 = nothing was saved yet
+  std::vector<std::byte> spare_;  ///< for the next one
+  Task task_ = Task::None;
+  int restart_ = 0;  ///< p0972
+};
+
+}  // namespace device

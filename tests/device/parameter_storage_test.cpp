@@ -1,0 +1,246 @@
+#include "device/parameter_storage.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/device/test_unit.hpp"
+
+namespace device {
+namespace {
+
+using canopen::AbortCode;
+using Task = ParameterStorage::Task;
+
+constexpr std::uint8_t kControlUnit = 1;
+constexpr std::uint8_t kX = 2;
+constexpr std::uint8_t kY = 3;
+
+/// A unit of two axes with its saved parameters.
+struct Storage : testing::Test {
+  static drive::UnitConfiguration two_axes() { return {.axes = {{}, {}}, .node_id = 5}; }
+
+  /// Writes a command: 0 or the abort code.
+  std::uint32_t command(std::uint8_t object, std::uint16_t number, double value) {
+    const auto written = unit.object(object)->write(number, value);
+    const auto code = parameters.take_refusal();
+    EXPECT_EQ(written.has_value(), !code.has_value());
+    return code ? static_cast<std::uint32_t>(*code) : 0;
+  }
+  double value(std::uint8_t object, std::uint16_t number) const {
+    return unit.object(object)->read(number).value();
+  }
+  /// The value after the next power-on.
+  double saved_value(std::uint8_t object, std::uint16_t number) const {
+    drive::DriveUnit next{two_axes()};
+    EXPECT_TRUE(drive::storage_image::load(next, shelf.image));
+    return next.object(object)->read(number).value();
+  }
+
+  UnitParameters parameters;
+  drive::DriveUnit unit{two_axes(), &parameters};
+  RecordingListener shelf;
+  ParameterStorage storage{unit, parameters, shelf};
+};
+
+TEST_F(Storage, SavesEveryDriveObjectOnP0977) {
+  ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
+  ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
+  ASSERT_TRUE(unit.object(kControlUnit)->write(8699, 3.0));
+
+  EXPECT_EQ(command(kControlUnit, 977, 1), 0U);
+
+  EXPECT_EQ(saved_value(kX, 1120), 1.0);
+  EXPECT_EQ(saved_value(kY, 1120), 2.0);
+  EXPECT_EQ(saved_value(kControlUnit, 8699), 3.0);
+  EXPECT_EQ(value(kControlUnit, 977), 0.0);
+}
+
+TEST_F(Storage, SavesOneDriveObjectOnItsP0971) {
+  ASSERT_EQ(command(kControlUnit, 977, 1), 0U);
+  ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
+  ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
+
+  EXPECT_EQ(command(kY, 971, 1), 0U);
+
+  EXPECT_EQ(saved_value(kX, 1120), 10.0);
+  EXPECT_EQ(saved_value(kY, 1120), 2.0);
+  EXPECT_EQ(value(kY, 971), 0.0);
+}
+
+TEST_F(Storage, SavesDriveObjectsOneByOneBeforeAllWereSaved) {
+  ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
+  ASSERT_EQ(command(kY, 971, 1), 0U);
+  EXPECT_EQ(storage.store(3).error(), AbortCode::DeviceState);
+
+  ASSERT_EQ(command(kX, 971, 1), 0U);
+  ASSERT_EQ(command(kControlUnit, 971, 1), 0U);
+
+  EXPECT_EQ(saved_value(kY, 1120), 2.0);
+  EXPECT_TRUE(storage.store(3));
+}
+
+TEST_F(Storage, DoesNothingOnZero) {
+  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
+  for (const std::uint16_t number : std::vector<std::uint16_t>{971, 972, 976, 977})
+    EXPECT_EQ(command(kControlUnit, number, 0), 0U);
+
+  EXPECT_EQ(shelf.stores, 0);
+  EXPECT_FALSE(storage.has_task());
+}
+
+TEST_F(Storage, RefusesOtherValues) {
+  EXPECT_EQ(command(kControlUnit, 977, 2), 0x06090030U);
+  EXPECT_EQ(command(kControlUnit, 977, 1013), 0x06090030U);
+  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
+  EXPECT_EQ(command(kControlUnit, 976, 3), 0x06090030U);
+
+  EXPECT_EQ(shelf.stores, 0);
+  EXPECT_FALSE(storage.has_task());
+}
+
+TEST_F(Storage, SavesOneGroupOfEveryDriveObject) {
+  ASSERT_TRUE(storage.store(1));
+  for (const std::uint8_t axis : {kX, kY}) {
+    ASSERT_TRUE(unit.object(axis)->write(1120, 1.0));
+    ASSERT_TRUE(unit.object(axis)->write(2161, 7.0));
+    ASSERT_TRUE(unit.object(axis)->write(8701, 0, 0x345));
+  }
+  ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 250));
+
+  ASSERT_TRUE(storage.store(2));
+  EXPECT_EQ(saved_value(kX, 8701), 0x345);
+  EXPECT_EQ(saved_value(kControlUnit, 8606), 250.0);
+  EXPECT_EQ(saved_value(kX, 1120), 10.0);
+
+  ASSERT_TRUE(storage.store(3));
+  EXPECT_EQ(saved_value(kX, 1120), 1.0);
+  EXPECT_EQ(saved_value(kY, 1120), 1.0);
+  EXPECT_EQ(saved_value(kX, 2161), 5.0);
+}
+
+TEST_F(Storage, StaysAsItWasWhenNobodyKeepsTheImage) {
+  ASSERT_TRUE(storage.store(1));
+  ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
+  shelf.is_full = true;
+
+  EXPECT_EQ(storage.store(1).error(), AbortCode::HardwareError);
+  EXPECT_EQ(storage.store(3).error(), AbortCode::HardwareError);
+  EXPECT_EQ(command(kControlUnit, 977, 1), 0x06060000U);
+  EXPECT_EQ(command(kX, 971, 1), 0x06060000U);
+  storage.reload(ParameterGroup::All);
+
+  EXPECT_EQ(value(kX, 1120), 10.0);
+}
+
+TEST_F(Storage, ReloadsWhatWasSavedAndForgetsTheRest) {
+  ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
+  ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 250));
+  ASSERT_TRUE(storage.store(1));
+  ASSERT_TRUE(unit.object(kX)->write(1120, 2.0));
+  ASSERT_TRUE(unit.object(kY)->write(1121, 2.0));
+  ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 500));
+  ASSERT_TRUE(unit.object(kControlUnit)->write(8622, 3));
+  ASSERT_TRUE(unit.object(kX)->write(10, 1));
+
+  storage.reload(ParameterGroup::Communication);
+  EXPECT_EQ(value(kControlUnit, 8606), 250.0);
+  EXPECT_EQ(value(kX, 1120), 2.0);
+  EXPECT_EQ(value(kX, 10), 1.0);
+
+  storage.reload(ParameterGroup::All);
+  EXPECT_EQ(value(kX, 1120), 1.0);
+  EXPECT_EQ(value(kY, 1121), 10.0);
+  EXPECT_EQ(value(kX, 10), 0.0);
+  EXPECT_EQ(value(kControlUnit, 8622), 6.0);
+}
+
+TEST_F(Storage, KeepsTheBitRateThroughAReset) {
+  ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
+  ASSERT_TRUE(unit.object(kControlUnit)->write(8622, 3));
+  ASSERT_TRUE(unit.object(kControlUnit)->write(8623, 1, 7.0));
+  ASSERT_TRUE(unit.object(kControlUnit)->write(9, 30));
+
+  storage.reset(ParameterGroup::All);
+
+  EXPECT_EQ(value(kX, 1120), 10.0);
+  EXPECT_EQ(value(kControlUnit, 9), 0.0);
+  EXPECT_EQ(value(kControlUnit, 8620), 5.0);
+  EXPECT_EQ(value(kControlUnit, 8622), 3.0);
+  EXPECT_EQ(unit.object(kControlUnit)->read(8623, 1).value(), 7.0);
+}
+
+TEST_F(Storage, AdoptsAnImageAndGoesOnFromIt) {
+  ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
+  ASSERT_TRUE(storage.store(1));
+  drive::DriveUnit next{two_axes()};
+  UnitParameters none;
+  ParameterStorage adopted{next, none, shelf};
+
+  ASSERT_TRUE(adopted.adopt(std::vector<std::byte>{shelf.image}));
+  EXPECT_EQ(next.object(kX)->read(1120).value(), 1.0);
+  ASSERT_TRUE(next.object(kY)->write(1135, 4.0));
+  ASSERT_TRUE(adopted.store(3));
+
+  EXPECT_EQ(saved_value(kX, 1120), 1.0);
+  EXPECT_EQ(saved_value(kY, 1135), 4.0);
+}
+
+TEST_F(Storage, AdoptsNothingOfAnImageThatDoesNotFit) {
+  const std::vector<std::byte> garbage(100, std::byte{0x55});
+
+  EXPECT_EQ(storage.adopt(garbage).error(), ParameterStorage::Error::NotAnImage);
+
+  EXPECT_EQ(storage.store(2).error(), AbortCode::DeviceState);
+}
+
+TEST_F(Storage, NotesWhatIsToBeDoneAfterTheAnswer) {
+  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
+  EXPECT_EQ(command(kControlUnit, 976, 1), 0U);
+  EXPECT_EQ(storage.take_task(), Task::RestoreAll);
+  EXPECT_FALSE(storage.has_task());
+  EXPECT_EQ(command(kControlUnit, 976, 2), 0U);
+  EXPECT_EQ(storage.take_task(), Task::Restart);
+  EXPECT_EQ(command(kControlUnit, 972, 1), 0U);
+  EXPECT_EQ(storage.take_task(), Task::Restart);
+  EXPECT_EQ(value(kControlUnit, 972), 0.0);
+  for (const auto& [sub_index, task] : {std::pair{1, Task::RestoreAll}, std::pair{2, Task::RestoreCommunication},
+                                        std::pair{3, Task::RestoreApplication}}) {
+    ASSERT_TRUE(storage.restore(static_cast<std::uint8_t>(sub_index)));
+    EXPECT_EQ(storage.take_task(), task);
+  }
+}
+
+TEST_F(Storage, RestartsWhenOperationalIsLeftIfP0972SaysSo) {
+  storage.on_operational_left();
+  EXPECT_FALSE(storage.has_task());
+  ASSERT_EQ(command(kControlUnit, 972, 2), 0U);
+  EXPECT_EQ(value(kControlUnit, 972), 2.0);
+  storage.on_operational_left();
+  EXPECT_FALSE(storage.has_task());
+
+  ASSERT_EQ(command(kControlUnit, 972, 3), 0U);
+  EXPECT_EQ(value(kControlUnit, 972), 3.0);
+  storage.on_operational_left();
+
+  EXPECT_EQ(storage.take_task(), Task::Restart);
+  storage.reload(ParameterGroup::All);
+  EXPECT_EQ(value(kControlUnit, 972), 0.0);
+}
+
+TEST_F(Storage, RefusesToRestoreWhilePulsesAreEnabled) {
+  for (const std::uint16_t controlword : std::vector<std::uint16_t>{0x0, 0x6, 0x7, 0xF})
+    for (int i = 0; i < 3; ++i) unit.axes()[1].cycle({.controlword = controlword}, 0.004);
+  ASSERT_TRUE(unit.axes()[1].actual().pulses_enabled);
+
+  for (std::uint8_t sub_index = 1; sub_index <= 3; ++sub_index)
+    EXPECT_EQ(storage.restore(sub_index).error(), AbortCode::DeviceState);
+  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
+  EXPECT_EQ(command(kControlUnit, 976, 1), 0x08000022U);
+
+  EXPECT_FALSE(storage.has_task());
+  EXPECT_TRUE(storage.store(1));
+}
+
+}  // namespace
+}  // namespace device
