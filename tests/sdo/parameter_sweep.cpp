@@ -1,6 +1,7 @@
 #include "tests/sdo/parameter_sweep.hpp"
 
 #include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,18 @@ namespace {
 
 constexpr unsigned kFirstObject = 0x2000;
 constexpr unsigned kNumbersOfAnArea = 10000;
+constexpr unsigned kVectorHasTwo = 1801;  // r1801: one index on a servo
 constexpr std::uint8_t kUpload = 0x40;
 
-const std::map<std::string, unsigned> kSizes{{"I8", 1},  {"U8", 1},  {"I16", 2}, {"U16", 2}, {"I32", 4},
-                                             {"U32", 4}, {"F32", 4}, {"CI", 4},  {"BI", 4}};
+/// Saturation characteristic, encoder fault reaction, BICO inputs of the positioner, sequence control and
+/// messages.
+const std::set<unsigned> kNamedElsewhere{108,  362,  363,  364,  365,  366,  367,  368,  369,
+                                         491,  856,  1085, 2130, 2136, 2145, 2146, 2510, 2511,
+                                         2523, 2657, 2658, 2659, 2660, 2661, 2662, 2663};
+
+const std::map<std::string, unsigned> kSizes{{"I8", 1},  {"U8", 1},      {"I16", 2},    {"U16", 2},
+                                             {"I32", 4}, {"U32", 4},     {"F32", 4},    {"CI", 4},
+                                             {"BI", 4},  {"U32/I16", 4}, {"U32/I32", 4}};
 
 /// Answer to an expedited upload of @p size bytes.
 constexpr std::uint8_t expedited(unsigned size) {
@@ -32,7 +41,7 @@ std::vector<ListedParameter> listed_parameters(bool of_the_control_unit) {
     const bool has = owner == "BOTH" || (owner == "CU") == of_the_control_unit;
     const auto number = static_cast<unsigned>(std::stoi(row.at("number").substr(1)));
     if (!has || number >= kNumbersOfAnArea) continue;
-    const auto count = static_cast<unsigned>(std::stoi(row.at("index_count")));
+    const auto count = number == kVectorHasTwo ? 1U : static_cast<unsigned>(std::stoi(row.at("index_count")));
     for (unsigned index = 0; index < count; ++index)
       parameters.push_back({.name = row.at("number") + "[" + std::to_string(index) + "]",
                             .object = static_cast<std::uint16_t>(kFirstObject + number),
@@ -40,6 +49,10 @@ std::vector<ListedParameter> listed_parameters(bool of_the_control_unit) {
                             .size = kSizes.at(row.at("type"))});
   }
   return parameters;
+}
+
+bool is_named_elsewhere(std::uint16_t object) {
+  return kNamedElsewhere.contains(object - kFirstObject);
 }
 
 std::optional<canopen::Frame> ServerTransfer::request_frame() const {

@@ -20,9 +20,12 @@ struct ListedParameter {
   unsigned size;           ///< bytes
 };
 
-/// The parameters of the control unit, or of an axis, that the default areas show: number below 10000, index below
-/// 256.
+/// The parameters of the control unit, or of a servo axis, that the default areas show: number below 10000, index
+/// below 256.
 std::vector<ListedParameter> listed_parameters(bool of_the_control_unit);
+
+/// Whether the parameter at @p object is not in the list but named by what else is known of the real unit.
+bool is_named_elsewhere(std::uint16_t object);
 
 /// The SDO server of a drive object and where its client is in the list of parameters.
 struct ServerTransfer {
