@@ -169,6 +169,20 @@ TEST_P(Messages, LeaveAxesWithTheEdgeOfTheControlword) {
   EXPECT_EQ(from("085#", sent).size(), all_gone ? 1U : 0U);
 }
 
+TEST_P(Messages, LeaveOneDriveObjectAfterTheOtherByItsParameter) {
+  if (is_alarm()) return;
+  inject();
+  constexpr std::uint16_t kWindow = 0x2000 + 8630, kAcknowledge = 0x2000 + 3981;
+  Lines sent;
+  for (const std::size_t owner : owners()) {
+    EXPECT_EQ(unit.download(kWindow, 0, static_cast<std::uint32_t>(owner + 1), 2), 0U);
+    EXPECT_EQ(unit.upload(kAcknowledge).number(), 0U);
+    sent = unit.says("605#2F8D2F0001000000");
+  }
+
+  expect_acknowledged(sent);
+}
+
 TEST_P(Messages, LeaveOneDriveObjectAfterTheOtherFromOutside) {
   if (is_alarm()) return;
   inject();

@@ -22,6 +22,9 @@ TEST_P(Objects, AreAllThereIs) {
   ASSERT_TRUE(daemon.is_ready());
 
   sweep.find_nothing_else(false);
+  constexpr std::uint16_t kWindow = 0x41B6;  // p8630
+  ASSERT_EQ(client.download(kWindow, 0, 2, 2), 0U);
+  sweep.find_nothing_else(true);
 }
 
 INSTANTIATE_TEST_SUITE_P(Axes, Objects, testing::Values(1, 2, 6, 8));
