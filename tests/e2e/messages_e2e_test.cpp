@@ -39,7 +39,7 @@ struct Messages : RunningDaemon {
 };
 
 TEST_F(Messages, AreInjectedAndAcknowledgedOneByOne) {
-  can->listen_to({0x085});
+  can->listen_to({0x085, 0x705});
   unsigned messages = 0;
   for (const FaultRow& row : drive::fault_rows()) {
     SCOPED_TRACE(drive::fault_text(row));
@@ -50,12 +50,14 @@ TEST_F(Messages, AreInjectedAndAcknowledgedOneByOne) {
     for (const std::uint8_t object : objects) ASSERT_TRUE(can->expect(emcy(row, object)));
 
     const bool stays = row.acknowledge == drive::Acknowledge::PowerOn;
-    for (const char* const place : {"0", "1", "2"}) {
+    const bool spreads = row.propagation == drive::Propagation::Global;
+    for (const std::string& place : spreads ? std::vector<std::string>{"0", "1", "2"} : std::vector{axis}) {
       const auto acknowledged = daemon->axisctl({"fault", "ack", place});
       EXPECT_EQ(acknowledged.status, stays && axis == place ? 1 : 0) << acknowledged.errors;
     }
     if (stays) {
       can->send("000#8105");
+      ASSERT_TRUE(can->expect("705#00"));
     } else if (!objects.empty()) {
       ASSERT_TRUE(can->expect("085#0000000000000000"));
     }
