@@ -147,7 +147,7 @@ TEST_F(FullBus, CostsNothingButOutdatedTpdos) {
     ASSERT_TRUE(wait_for_state(bus.witness, state));
   }
   const Rivals rivals;
-  constexpr std::uint64_t kRefusals = 20;
+  constexpr std::uint64_t kRefusals = 3;
   constexpr int kMostRounds = 100;
 
   int rounds = 0;
