@@ -185,7 +185,7 @@ void Device::on_rpdo(std::uint16_t number) noexcept {
 canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
   if (value != 0) return canopen::refuse(canopen::AbortCode::InvalidValue);
   tell_time(now_);
-  for (std::size_t axis = 0; axis <= axes_.size(); ++axis) unit_.acknowledge(object_of(axis));
+  unit_.for_each_object([this](const drive::DriveObject& object) { unit_.acknowledge(object.number()); });
   wake();
   publish();
   return {};

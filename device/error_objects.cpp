@@ -35,13 +35,6 @@ constexpr std::uint32_t field(std::uint16_t code, std::uint16_t high_word) noexc
   return std::uint32_t{high_word} << 16 | code;
 }
 
-/// Calls @p visit for the control unit and every axis of @p unit.
-template <class Visit>
-void for_each_object(const drive::DriveUnit& unit, const Visit& visit) {
-  visit(*unit.object(drive::kControlUnitNumber));
-  for (const drive::Axis& axis : unit.axes()) visit(axis);
-}
-
 }  // namespace
 
 ErrorObjects::ErrorObjects(canopen::Dictionary& dictionary, const drive::DriveUnit& unit)
@@ -79,13 +72,13 @@ void ErrorObjects::set_bus_off(bool off) noexcept {
 /// Differs from before if a message of any drive object has entered, left or changed.
 std::uint32_t ErrorObjects::change_count() const noexcept {
   std::uint32_t changes = 0;
-  for_each_object(unit_, [&](const drive::DriveObject& object) { changes += object.messages().change_count(); });
+  unit_.for_each_object([&](const drive::DriveObject& object) { changes += object.messages().change_count(); });
   return changes;
 }
 
 std::uint8_t ErrorObjects::error_register() const noexcept {
   unsigned bits = 0;
-  for_each_object(unit_, [&](const drive::DriveObject& object) { bits |= object.messages().error_register(); });
+  unit_.for_each_object([&](const drive::DriveObject& object) { bits |= object.messages().error_register(); });
   return static_cast<std::uint8_t>(bits);
 }
 
@@ -101,7 +94,7 @@ void ErrorObjects::Messages::add(const drive::FaultEntry& entry, std::uint8_t ob
 
 ErrorObjects::Messages ErrorObjects::messages() const noexcept {
   Messages found;
-  for_each_object(unit_, [&](const drive::DriveObject& object) {
+  unit_.for_each_object([&](const drive::DriveObject& object) {
     for (const drive::FaultEntry& entry : object.messages().faults()) found.add(entry, object.number());
     for (const drive::FaultEntry& entry : object.messages().alarms()) found.add(entry, object.number());
   });

@@ -48,8 +48,9 @@ ObjectPlace ParameterWindow::place_of(std::uint8_t server, std::uint16_t index) 
     const bool shown = is_default ? index == kWindowObject || is_open() : unit_.object(server) != nullptr;
     return shown ? ObjectPlace::Application : ObjectPlace::Nowhere;
   }
+  if (is_default) return ObjectPlace::Dictionary;
   const bool is_common = std::ranges::find(kCommonObjects, index) != kCommonObjects.end();
-  return is_default || is_common ? ObjectPlace::Dictionary : ObjectPlace::Nowhere;
+  return is_common ? ObjectPlace::Dictionary : ObjectPlace::Nowhere;
 }
 
 std::uint16_t ParameterWindow::window(std::size_t index) const noexcept {

@@ -147,8 +147,9 @@ std::size_t highest_word_behind(const View& view, const drive::DriveObject& obje
 }
 
 std::size_t highest_source(const View& view) noexcept {
-  std::size_t highest = highest_word_behind(view, *view.unit.object(drive::kControlUnitNumber));
-  for (const drive::Axis& axis : view.unit.axes()) highest = std::max(highest, highest_word_behind(view, axis));
+  std::size_t highest = 0;
+  view.unit.for_each_object(
+      [&](const drive::DriveObject& object) { highest = std::max(highest, highest_word_behind(view, object)); });
   return highest;
 }
 

@@ -38,8 +38,7 @@ DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host
   axes_.reserve(configuration.axes.size());
   for (const AxisConfiguration& axis : configuration.axes)
     axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id);
-  control_unit_.join(*this);
-  for (Axis& axis : axes_) axis.join(*this);
+  for_each_object([this](DriveObject& object) { object.join(*this); });
 }
 
 DriveObject* DriveUnit::object(std::uint8_t number) noexcept {
@@ -88,8 +87,7 @@ tl::expected<void, ParameterError> DriveUnit::clear_alarms(DriveObject& object, 
 
 void DriveUnit::set_time(Uptime now) noexcept {
   uptime_ = now;
-  control_unit_.set_time(runtime());
-  for (Axis& axis : axes_) axis.set_time(runtime());
+  for_each_object([time = runtime()](DriveObject& object) { object.set_time(time); });
 }
 
 tl::expected<void, FaultError> DriveUnit::raise(std::uint8_t object, std::uint16_t number, std::uint32_t value,
@@ -100,11 +98,9 @@ tl::expected<void, FaultError> DriveUnit::raise(std::uint8_t object, std::uint16
   if (origin == nullptr) return tl::unexpected{FaultError::NotOnThisAxis};
   auto raised = origin->raise(number, value, cause);
   if (!raised || row->propagation == Propagation::Local) return raised;
-  const auto spread = [&](DriveObject& other) {
+  for_each_object([&](DriveObject& other) {
     if (&other != origin) static_cast<void>(other.raise(number, value, cause));
-  };
-  spread(control_unit_);
-  std::for_each(axes_.begin(), axes_.end(), spread);
+  });
   return raised;
 }
 
@@ -113,13 +109,12 @@ void DriveUnit::withdraw(std::uint8_t object, std::uint16_t number) noexcept {
   DriveObject* const origin = this->object(object);
   if (row == nullptr || origin == nullptr) return;
   if (row->propagation == Propagation::Local) return origin->withdraw(number);
-  control_unit_.withdraw(number);
-  for (Axis& axis : axes_) axis.withdraw(number);
+  for_each_object([=](DriveObject& other) { other.withdraw(number); });
 }
 
 bool DriveUnit::acknowledge() noexcept {
-  bool none_left = control_unit_.acknowledge();
-  for (Axis& axis : axes_) none_left = axis.acknowledge() && none_left;
+  bool none_left = true;
+  for_each_object([&](DriveObject& object) { none_left = object.acknowledge() && none_left; });
   return none_left;
 }
 
@@ -136,8 +131,7 @@ bool DriveUnit::acknowledge(std::uint8_t object) noexcept {
 }
 
 void DriveUnit::power_off() noexcept {
-  control_unit_.power_off();
-  for (Axis& axis : axes_) axis.power_off();
+  for_each_object([](DriveObject& object) { object.power_off(); });
 }
 
 void DriveUnit::restore_parameters() noexcept {
@@ -146,8 +140,7 @@ void DriveUnit::restore_parameters() noexcept {
 }
 
 void DriveUnit::restore_parameters(RowFilter which) noexcept {
-  control_unit_.restore_parameters(which);
-  for (Axis& axis : axes_) axis.restore_parameters(which);
+  for_each_object([=](DriveObject& object) { object.restore_parameters(which); });
 }
 
 void DriveUnit::leave_commissioning() noexcept {

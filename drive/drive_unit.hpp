@@ -46,6 +46,17 @@ class DriveUnit final : private Surroundings {
   /// Drive object @p number, or nullptr.
   DriveObject* object(std::uint8_t number) noexcept;
   const DriveObject* object(std::uint8_t number) const noexcept;
+  /// Calls @p visit with every drive object in ascending order of their numbers.
+  template <class Visit>
+  void for_each_object(const Visit& visit) {
+    visit(static_cast<DriveObject&>(control_unit_));
+    for (Axis& axis : axes_) visit(static_cast<DriveObject&>(axis));
+  }
+  template <class Visit>
+  void for_each_object(const Visit& visit) const {
+    visit(static_cast<const DriveObject&>(control_unit_));
+    for (const Axis& axis : axes_) visit(static_cast<const DriveObject&>(axis));
+  }
   std::span<Axis> axes() noexcept { return axes_; }
   std::span<const Axis> axes() const noexcept { return axes_; }
 

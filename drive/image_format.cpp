@@ -58,6 +58,12 @@ void begin(Writer& writer, const Kind& kind, const DriveUnit& unit) noexcept {
   writer.put(identity(unit));
 }
 
+void put_object_head(Writer& writer, const DriveObject& object, std::uint16_t count) noexcept {
+  writer.put(object.number());
+  writer.put(object.kind());
+  writer.put(count);
+}
+
 std::span<const std::byte> seal(Writer& writer) noexcept {
   writer.put(crc32(writer.written()));
   return writer.written();

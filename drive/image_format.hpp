@@ -47,6 +47,7 @@ struct Kind {
 
 inline constexpr std::size_t kHeadSize = 8 + 2 + 2 + 4;
 inline constexpr std::size_t kChecksumSize = 4;
+inline constexpr std::size_t kObjectHeadSize = 1 + 1 + 2;
 
 /// Puts numbers one after the other into a buffer that is long enough.
 class Writer {
@@ -95,6 +96,8 @@ std::uint16_t object_count(const DriveUnit& unit) noexcept;
 
 /// Puts the head of an image of @p kind.
 void begin(Writer& writer, const Kind& kind, const DriveUnit& unit) noexcept;
+/// Puts number and kind of @p object and @p count, of what follows for it.
+void put_object_head(Writer& writer, const DriveObject& object, std::uint16_t count) noexcept;
 /// Puts the checksum; the whole image.
 std::span<const std::byte> seal(Writer& writer) noexcept;
 /// Checks head and checksum of @p image; what reads its content.

@@ -14,7 +14,6 @@ constexpr image_format::Kind kKind{{'a', 'x', 'i', 's', 'd', 'r', 'e', 't'}, kFo
 enum class Section : std::uint16_t { Faults = 1, Energy = 2 };
 
 constexpr std::size_t kFixedSize = image_format::kHeadSize + 8 + 2 + image_format::kChecksumSize;
-constexpr std::size_t kObjectHeadSize = 1 + 1 + 2;
 constexpr std::size_t kSectionHeadSize = 2 + 2;
 constexpr std::size_t kFaultsSize = 2 + 2 + FaultMemory::Kept::kFaults * (2 + 4 + 8 + 8);
 constexpr std::size_t kEnergySize = 8 + 8;
@@ -40,12 +39,6 @@ void put_energy(Writer& writer, const AxisInsight& insight) noexcept {
   put_section(writer, Section::Energy, kEnergySize);
   writer.put(insight.energy_drawn);
   writer.put(insight.energy_fed_back);
-}
-
-void put_head(Writer& writer, const DriveObject& object, std::uint16_t sections) noexcept {
-  writer.put(object.number());
-  writer.put(object.kind());
-  writer.put(sections);
 }
 
 FaultMemory::Kept take_faults(Reader& reader) noexcept {
@@ -125,7 +118,7 @@ void load_section(DriveUnit& unit, Place place, Uptime runtime) noexcept {
 }  // namespace
 
 std::size_t size(const DriveUnit& unit) noexcept {
-  constexpr std::size_t kObjectSize = kObjectHeadSize + kSectionHeadSize + kFaultsSize;
+  constexpr std::size_t kObjectSize = image_format::kObjectHeadSize + kSectionHeadSize + kFaultsSize;
   const std::size_t axes = unit.axes().size();
   return kFixedSize + kObjectSize + axes * (kObjectSize + kSectionHeadSize + kEnergySize);
 }
@@ -137,10 +130,10 @@ tl::expected<std::span<const std::byte>, Error> save(const DriveUnit& unit, std:
   writer.put(unit.runtime());
   writer.put(image_format::object_count(unit));
   const DriveObject& control_unit = *unit.object(kControlUnitNumber);
-  put_head(writer, control_unit, 1);
+  image_format::put_object_head(writer, control_unit, 1);
   put_faults(writer, control_unit.messages().kept());
   for (const Axis& axis : unit.axes()) {
-    put_head(writer, axis, 2);
+    image_format::put_object_head(writer, axis, 2);
     put_faults(writer, axis.messages().kept());
     put_energy(writer, axis.insight());
   }

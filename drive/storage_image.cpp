@@ -10,20 +10,12 @@ using image_format::Writer;
 
 constexpr image_format::Kind kKind{{'a', 'x', 'i', 's', 'd', 'p', 'a', 'r'}, kFormatVersion};
 constexpr std::size_t kFixedSize = image_format::kHeadSize + 2 + image_format::kChecksumSize;
-constexpr std::size_t kObjectHeadSize = 1 + 1 + 2;
 constexpr std::size_t kValueSize = 2 + 1 + 1 + 4;
 
 std::uint16_t value_count(ObjectKind kind) noexcept {
   std::size_t count = 0;
   for (const PlacedRow& placed : parameters_of(kind)) count += is_saved(*placed.row) ? placed.row->count : 0U;
   return static_cast<std::uint16_t>(count);
-}
-
-/// Calls @p visit for every drive object of @p unit, in ascending order.
-template <class Visit>
-void for_each_object(const DriveUnit& unit, const Visit& visit) {
-  visit(*unit.object(kControlUnitNumber));
-  for (const Axis& axis : unit.axes()) visit(axis);
 }
 
 bool concerns(std::uint8_t selected, std::uint8_t number) noexcept {
@@ -74,14 +66,8 @@ Block take_block(Reader& reader) noexcept {
   return {number, kind, count, reader.take_bytes(count * kValueSize)};
 }
 
-void put_head(Writer& writer, const DriveObject& object, std::uint16_t count) noexcept {
-  writer.put(object.number());
-  writer.put(object.kind());
-  writer.put(count);
-}
-
 void put_present(Writer& writer, const DriveObject& object) noexcept {
-  put_head(writer, object, value_count(object.kind()));
+  image_format::put_object_head(writer, object, value_count(object.kind()));
   for (const PlacedRow& placed : parameters_of(object.kind())) {
     if (!is_saved(*placed.row)) continue;
     for (std::size_t i = 0; i < placed.row->count; ++i) put_value(writer, present_value(object, *placed.row, i));
@@ -90,7 +76,7 @@ void put_present(Writer& writer, const DriveObject& object) noexcept {
 
 /// The values of @p block, those that @p rows chooses as they are at present.
 void put_updated(Writer& writer, const DriveObject& object, const Block& block, RowFilter rows) noexcept {
-  put_head(writer, object, block.count);
+  image_format::put_object_head(writer, object, block.count);
   Reader reader = block.reader();
   for (std::uint16_t i = 0; i < block.count; ++i) {
     const SavedValue saved = take_value(reader);
@@ -164,8 +150,8 @@ class Blocks {
 
 std::size_t size(const DriveUnit& unit, std::uint8_t object) noexcept {
   std::size_t bytes = kFixedSize;
-  for_each_object(unit, [&](const DriveObject& o) {
-    if (concerns(object, o.number())) bytes += kObjectHeadSize + kValueSize * value_count(o.kind());
+  unit.for_each_object([&](const DriveObject& o) {
+    if (concerns(object, o.number())) bytes += image_format::kObjectHeadSize + kValueSize * value_count(o.kind());
   });
   return bytes;
 }
@@ -189,9 +175,10 @@ tl::expected<std::span<const std::byte>, Error> update(const DriveUnit& unit, st
   };
   std::size_t bytes = kFixedSize;
   std::uint16_t objects = 0;
-  for_each_object(unit, [&](const DriveObject& o) {
+  unit.for_each_object([&](const DriveObject& o) {
     if (!former.has(o.number()) && !is_added(o)) return;
-    bytes += kObjectHeadSize + kValueSize * (is_added(o) ? value_count(o.kind()) : former.of(o.number()).count);
+    bytes += image_format::kObjectHeadSize +
+             kValueSize * (is_added(o) ? value_count(o.kind()) : former.of(o.number()).count);
     ++objects;
   });
   if (buffer.size() < bytes) return tl::unexpected{Error::NoRoom};
@@ -199,7 +186,7 @@ tl::expected<std::span<const std::byte>, Error> update(const DriveUnit& unit, st
   Writer writer{buffer};
   image_format::begin(writer, kKind, unit);
   writer.put(objects);
-  for_each_object(unit, [&](const DriveObject& o) {
+  unit.for_each_object([&](const DriveObject& o) {
     if (is_added(o)) return put_present(writer, o);
     constexpr RowFilter kNone = [](const ParameterRow&) noexcept { return false; };
     if (former.has(o.number()))

@@ -45,9 +45,9 @@ TEST(ObjectsOfTheCatalogue, StartWithTheirInitialValues) {
   unit.start();
 
   for (const EntryDescription& row : kRows) {
-    const bool shows_parameter =
-        row.index == 0x6046 || row.index == 0x6048 || (row.index >= 0x6083 && row.index <= 0x6085);
-    const bool lives = row.index == 0x6041 || (shows_parameter && !(row.sub_index == 0 && row.index < 0x6083));
+    const bool limits_speed = (row.index == 0x6046 || row.index == 0x6048) && row.sub_index != 0;
+    const bool is_ramp = row.index >= 0x6083 && row.index <= 0x6085;
+    const bool lives = row.index == 0x6041 || limits_speed || is_ramp;
     if (lives || canopen::size_of(row.type) == 0) continue;
     const auto mask = (std::uint64_t{1} << (8 * canopen::size_of(row.type))) - 1;
     const auto initial = static_cast<std::uint64_t>(row.initial + (row.node_relative ? 5 : 0)) & mask;

@@ -60,15 +60,7 @@ TEST_F(Service, EndsWhenAskedToQuit) {
 TEST_F(Service, EndsWhileTheMotorTurns) {
   DaemonProcess daemon;
   ASSERT_TRUE(daemon.is_ready());
-  can.send("000#0105");
-  ASSERT_TRUE(can.ask("205#0600", "185#4016"));
-  ASSERT_TRUE(can.expect("185#3116"));
-  ASSERT_TRUE(can.ask("205#0700", "185#3316"));
-  ASSERT_TRUE(can.ask("205#0F00", "185#3716"));
-  can.send("305#0F000000800C");
-  ASSERT_TRUE(wait_for_drive(can, "a turning motor", [](const StatusAndSpeed& drive) {
-    return drive.speed > 0 && !drive.has(kStandstill);
-  }));
+  ASSERT_NO_FATAL_FAILURE(make_motor_turn(can));
 
   EXPECT_EQ(daemon.end(SIGTERM), 0);
 }

@@ -75,15 +75,7 @@ TEST_F(Storage, RestoresANewUnitThatTurnsUnderItsAddress) {
 
   EXPECT_EQ(sdo.upload(kHaltOption).number(), 0xFFFFU);
   EXPECT_EQ(sdo.upload(0x1800, 1).number(), 0x40000185U);
-  can.send("000#0105");
-  ASSERT_TRUE(can.ask("205#0600", "185#4016"));
-  ASSERT_TRUE(can.expect("185#3116"));
-  ASSERT_TRUE(can.ask("205#0700", "185#3316"));
-  ASSERT_TRUE(can.ask("205#0F00", "185#3716"));
-  can.send("305#0F000000800C");
-  EXPECT_TRUE(wait_for_drive(can, "a turning motor", [](const StatusAndSpeed& drive) {
-    return drive.speed > 0 && !drive.has(kStandstill);
-  }));
+  ASSERT_NO_FATAL_FAILURE(make_motor_turn(can));
 
   start_again_after(SIGTERM);
   EXPECT_EQ(sdo.upload(kHaltOption).number(), 2U) << "a restore stores nothing";
