@@ -43,8 +43,8 @@ AxisParameters commissioned_parameters(const motor::MachineData& machine, const 
   }
   parameters.rated_speed = machine.rated_speed;
   parameters.motor_inertia = machine.inertia;
-  parameters.encoder_pulses = static_cast<std::int32_t>(machine.encoder_pulses);
-  parameters.encoder_fine_bits = machine.encoder_fine_bits;
+  parameters.encoder_pulses = static_cast<std::int32_t>(machine.encoder.pulses);
+  parameters.encoder_fine_bits = machine.encoder.fine_bits;
   return parameters;
 }
 

@@ -26,8 +26,8 @@ std::uint32_t identity(const DriveUnit& unit) noexcept {
                              machine.rated_torque,
                              machine.maximum_torque,
                              machine.inertia,
-                             static_cast<double>(machine.encoder_pulses),
-                             static_cast<double>(machine.encoder_fine_bits)};
+                             static_cast<double>(machine.encoder.pulses),
+                             static_cast<double>(machine.encoder.fine_bits)};
     all = crc32(std::as_bytes(std::span{numbers}));
   }
   return all;

@@ -3,18 +3,23 @@
 #include <cmath>
 
 namespace motor {
+namespace {
+
+constexpr double kCurrentLoopTimeConstant = 400e-6;  // s
+
+}  // namespace
 
 SpeedControllerGains default_gains(const MachineData& machine, const Load& load) noexcept {
   Encoder encoder{machine};
   encoder.configure(kControlPeriod);
   // Calculation (one period), output hold and difference quotient (half a period each), torque response, speed
   // filter.
-  const double delay = 2.0 * kControlPeriod + machine.current_loop_time_constant + encoder.filter_time();
+  const double delay = 2.0 * kControlPeriod + kCurrentLoopTimeConstant + encoder.filter_time();
   return {.proportional = (machine.inertia + load.inertia) / (3.0 * delay), .integral_time = 10.0 * delay};
 }
 
 DriveTrain::DriveTrain(const MachineData& machine, const Load& load) noexcept
-    : current_loop_time_constant_{machine.current_loop_time_constant},
+    : current_loop_time_constant_{kCurrentLoopTimeConstant},
       gains_{default_gains(machine, load)},
       mechanics_{machine, load},
       encoder_{machine} {

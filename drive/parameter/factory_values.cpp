@@ -43,11 +43,11 @@ double inertia_ratio(const ObjectContext& context, std::size_t) noexcept {
 }
 double encoder_pulses(const ObjectContext& context, std::size_t index) noexcept {
   constexpr double kOtherEncoders = 2048.0;
-  return index == kMotorEncoder ? static_cast<double>(machine(context).encoder_pulses) : kOtherEncoders;
+  return index == kMotorEncoder ? static_cast<double>(machine(context).encoder.pulses) : kOtherEncoders;
 }
 double encoder_fine_bits(const ObjectContext& context, std::size_t index) noexcept {
   constexpr double kOtherEncoders = 11.0;
-  return index == kMotorEncoder ? static_cast<double>(machine(context).encoder_fine_bits) : kOtherEncoders;
+  return index == kMotorEncoder ? static_cast<double>(machine(context).encoder.fine_bits) : kOtherEncoders;
 }
 
 double overspeed_hysteresis(const ObjectContext& context, std::size_t) noexcept {

@@ -60,7 +60,7 @@ void PrintTo(const StepCase& c, std::ostream* out) {  // NOLINT(readability-iden
 class SpeedStep : public testing::TestWithParam<StepCase> {};
 
 TEST_P(SpeedStep, OvershootsByLessThanOnePerCentOfRatedSpeedAndSettles) {
-  const MachineData machine{.encoder_pulses = GetParam().pulses, .encoder_fine_bits = GetParam().fine_bits};
+  const MachineData machine{.encoder = {.pulses = GetParam().pulses, .fine_bits = GetParam().fine_bits}};
   DriveTrain train{machine, {.inertia = GetParam().load_inertia}};
   const double target = GetParam().rpm * kRpm;
   double highest = 0.0;
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(SmallAndLarge, SpeedStep,
                                          StepCase{3000.0, 0.0, 1024, 2}));
 
 TEST(DriveTrain, TheControllerSeesTheEncoderAndNotTheShaft) {
-  const MachineData coarse{.encoder_pulses = 1024, .encoder_fine_bits = 2};
+  const MachineData coarse{.encoder = {.pulses = 1024, .fine_bits = 2}};
   DriveTrain train{coarse, {}};
   run(train, at_speed(100.0), 1.0);
   double lowest = 1e9;
@@ -183,7 +183,7 @@ TEST(DriveTrain, StartsUpAsTheExactSolutionOfItsCurrentLoopAndMass) {
 
   run(train, at_speed(6000.0), 0.01);
 
-  const double lag = machine.current_loop_time_constant;
+  const double lag = 400e-6;
   const double time = 0.01 - kControlPeriod;  // the first period calculates
   const double expected = 35.0 / machine.inertia * (time - lag * (1.0 - std::exp(-time / lag)));
   EXPECT_NEAR(train.signals().true_speed, expected, 1e-9 * expected);

@@ -61,7 +61,7 @@ TEST(Encoder, MeasuresExactlyZeroAfterTheShaftHasStopped) {
 }
 
 TEST(Encoder, SmoothsACoarseEncoderMoreThanAFineOneButNeverBeyondTwoMilliseconds) {
-  Encoder coarse{MachineData{.encoder_pulses = 1024, .encoder_fine_bits = 2}};
+  Encoder coarse{MachineData{.encoder = {.pulses = 1024, .fine_bits = 2}}};
   coarse.configure(kPeriod);
 
   EXPECT_GT(coarse.filter_time(), fine_encoder().filter_time());

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cmath>
+
+namespace motor {
+
+/// A three-phase quantity as a vector, peak valued: the length is the amplitude of a phase. Stator frame: re =
+/// alpha (phase a), im = beta; rotor frame: re = d, im = q.
+struct SpaceVector {
+  double re = 0.0;
+  double im = 0.0;
+
+  constexpr friend SpaceVector operator+(SpaceVector a, SpaceVector b) noexcept {
+    return {a.re + b.re, a.im + b.im};
+  }
+  constexpr friend SpaceVector operator-(SpaceVector a, SpaceVector b) noexcept {
+    return {a.re - b.re, a.im - b.im};
+  }
+  constexpr friend SpaceVector operator*(double k, SpaceVector a) noexcept { return {k * a.re, k * a.im}; }
+  /// Turned by the angle of @p b and stretched by its length.
+  constexpr friend SpaceVector operator*(SpaceVector a, SpaceVector b) noexcept {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  }
+  friend bool operator==(const SpaceVector&, const SpaceVector&) = default;
+};
+
+/// The vector turned back by what @p a turns forth.
+constexpr SpaceVector conjugate(SpaceVector a) noexcept {
+  return {a.re, -a.im};
+}
+/// Real part of a·conj(b): 1.5 of it is the power of voltage and current.
+constexpr double dot(SpaceVector a, SpaceVector b) noexcept {
+  return a.re * b.re + a.im * b.im;
+}
+/// Imaginary part of conj(a)·b: 1.5 pole pairs of it is the torque of flux and current.
+constexpr double cross(SpaceVector a, SpaceVector b) noexcept {
+  return a.re * b.im - a.im * b.re;
+}
+/// Square of the length.
+constexpr double norm(SpaceVector a) noexcept {
+  return dot(a, a);
+}
+/// Length.
+inline double length(SpaceVector a) noexcept {
+  return std::sqrt(norm(a));
+}
+
+}  // namespace motor
