@@ -62,7 +62,7 @@ void Axis::apply_parameters() noexcept {
   const double off3 = ramp_slope(p.maximum_speed, p.off3_ramp_down_time);
   slopes_ = {RampSlopes{ramp_slope(p.maximum_speed, p.ramp_up_time), off1}, RampSlopes{off1, off1},
              RampSlopes{off3, off3}, RampSlopes{}};
-  train_.tune({p.speed_gain, p.speed_integral_time});
+  train_.tune(motor::SpeedControllerGains{p.speed_gain, p.speed_integral_time});
   settled_ = false;
 }
 
@@ -162,14 +162,15 @@ void Axis::select_ramp(const Setpoints& setpoints) noexcept {
 void Axis::move(double duration) noexcept {
   const int steps = std::max(1, static_cast<int>(std::lround(duration / motor::kControlPeriod)));
   const RampSlopes slopes = slopes_[static_cast<std::size_t>(ramp_)];
-  motor::Command command{pulses_enabled_in(state_), 0.0, torque_limits_};
+  motor::Command command{.pulses_enabled = pulses_enabled_in(state_), .limits = torque_limits_};
+  constexpr double kDcVoltage = 540.0;
   double torque_demand = 0.0;
   double torque = 0.0;
   const double demand_before = ramp_generator_.output();
   for (int i = 0; i < steps; ++i) {
     if (command.pulses_enabled)
       command.speed_setpoint = ramp_generator_.step(motor::kControlPeriod, target_, slopes);
-    train_.step(motor::kControlPeriod, command);
+    train_.step(kDcVoltage, command);
     if (!command.pulses_enabled && train_.rests()) break;  // the other steps would change nothing
     torque_demand += train_.signals().torque_setpoint;
     torque += train_.signals().torque;

@@ -1,67 +1,67 @@
 #pragma once
 
-#include <cstdint>
-
+#include "motor/control_settings.hpp"
 #include "motor/current_loop.hpp"
 #include "motor/encoder.hpp"
+#include "motor/inverter_data.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
 #include "motor/mechanics.hpp"
+#include "motor/plant.hpp"
+#include "motor/signals.hpp"
 #include "motor/speed_controller.hpp"
+#include "motor/tuning.hpp"
 
 namespace motor {
 
-/// Sampling time of the control loops (s), p0115[0] of a servo.
-inline constexpr double kControlPeriod = 125e-6;
-
-/// What a drive train is told for one step.
-struct Command {
-  bool pulses_enabled = false;  ///< off: no torque, the controllers are emptied, the shaft coasts
-  double speed_setpoint = 0.0;  ///< rad/s
-  TorqueLimits limits{};
-};
-
-/// What can be seen of a drive train after a step.
-struct Signals {
-  double measured_speed = 0.0;        ///< from the encoder, what the controller sees (rad/s)
-  double true_speed = 0.0;            ///< of the shaft (rad/s)
-  double torque_setpoint = 0.0;       ///< r0079 (N·m)
-  double torque = 0.0;                ///< r0080, mean of the period (N·m)
-  std::int64_t encoder_counts = 0;    ///< increments since power-on
-  bool torque_limit_reached = false;  ///< r1407.7
-};
-
-/// Speed controller gains for @p machine with @p load, from the inertia and the sum of the loop's delays.
-SpeedControllerGains default_gains(const MachineData& machine, const Load& load) noexcept;
-
-/// One speed-controlled machine: speed controller, current loop, shaft and encoder in a closed loop.
+/// One axis from the DC link to the load: inverter, machine, shaft, encoder and the control loops around them.
 class DriveTrain {
  public:
-  DriveTrain(const MachineData& machine, const Load& load) noexcept;
+  /// At rest and cold; the control knows @p machine exactly and is set by computed_settings().
+  DriveTrain(const MachineData& machine, const Load& load, const InverterData& inverter = {}) noexcept;
 
-  /// Changes the gains of the speed controller; what it has integrated stays.
+  /// Replaces all settings of the control; what the speed controller has integrated stays.
+  void tune(const ControlSettings& settings) noexcept;
+  /// Changes the gains of the speed controller with encoder.
   void tune(const SpeedControllerGains& gains) noexcept;
-  /// Advances by @p dt (s), normally kControlPeriod, with @p command held.
-  void step(double dt, const Command& command) noexcept;
+  /// What the control believes of the machine (p03xx) from now on; the machine itself stays what it is.
+  void set_machine(const MachineData& machine) noexcept;
+  /// Settings in force.
+  const ControlSettings& settings() const noexcept { return settings_; }
+
+  /// Advances by kControlPeriod with @p command held and the DC link at @p dc_voltage (V, not negative). Returns
+  /// the energy drawn from the link in the step, losses of the inverter included, negative when fed back (J).
+  double step(double dc_voltage, const Command& command) noexcept;
+  /// Lets @p duration (s) pass with the pulses off and the shaft at rest: only temperatures change.
+  void rest(double duration) noexcept;
+
   /// Replaces the constant load torque (N·m, positive against positive rotation).
   void set_load_torque(double torque) noexcept { mechanics_.set_load_torque(torque); }
+  /// Closes or opens the holding brake at once; opening and closing times are the owner's.
+  void set_brake(bool closed) noexcept { brake_closed_ = closed; }
   /// The state after the last step.
   const Signals& signals() const noexcept { return signals_; }
-  /// Whether nothing changes any more while the pulses are off.
+  /// Where the energy of the last step went, behind the terminals (J).
+  const PlantEnergies& energies() const noexcept { return energies_; }
+  /// What the inverter has lost in the last step (J).
+  double inverter_losses() const noexcept { return 0.0; }
+  /// What machine and load have stored (J).
+  StoredEnergy stored() const noexcept;
+  /// Whether nothing but temperatures changes any more while the pulses are off.
   bool rests() const noexcept;
 
  private:
-  void configure(double period) noexcept;
   double torque_setpoint(const Command& command) noexcept;
 
-  double current_loop_time_constant_;
-  SpeedControllerGains gains_;
-  double period_ = kControlPeriod;
+  MachineData machine_;
+  ControlSettings settings_;
   SpeedController speed_controller_;
   CurrentLoop current_loop_;
   Mechanics mechanics_;
   Encoder encoder_;
-  Signals signals_;
+  Signals signals_{};
+  PlantEnergies energies_{};
+  bool brake_closed_ = false;
 };
 
 }  // namespace motor

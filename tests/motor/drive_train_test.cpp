@@ -10,14 +10,15 @@ namespace motor {
 namespace {
 
 constexpr TorqueLimits kFullTorque{35.0, -35.0};
+constexpr double kDcVoltage = 540.0;
 
 Command at_speed(double rpm, TorqueLimits limits = kFullTorque) {
-  return {true, rpm * kRpm, limits};
+  return {.pulses_enabled = true, .speed_setpoint = rpm * kRpm, .limits = limits};
 }
 
 void run(DriveTrain& train, const Command& command, double seconds) {
   const int steps = static_cast<int>(std::lround(seconds / kControlPeriod));
-  for (int i = 0; i < steps; ++i) train.step(kControlPeriod, command);
+  for (int i = 0; i < steps; ++i) train.step(kDcVoltage, command);
 }
 
 TEST(DriveTrain, ReachesTheSpeedSetpointAndHoldsItUnderLoad) {
@@ -66,7 +67,7 @@ TEST_P(SpeedStep, OvershootsByLessThanOnePerCentOfRatedSpeedAndSettles) {
   double highest = 0.0;
 
   for (int i = 0; i < 16000; ++i) {
-    train.step(kControlPeriod, at_speed(GetParam().rpm));
+    train.step(kDcVoltage, at_speed(GetParam().rpm));
     highest = std::max(highest, train.signals().true_speed);
   }
 
@@ -88,7 +89,7 @@ TEST(DriveTrain, TheControllerSeesTheEncoderAndNotTheShaft) {
   double highest = -1e9;
 
   for (int i = 0; i < 8000; ++i) {
-    train.step(kControlPeriod, at_speed(100.0));
+    train.step(kDcVoltage, at_speed(100.0));
     lowest = std::min(lowest, train.signals().torque_setpoint);
     highest = std::max(highest, train.signals().torque_setpoint);
   }
@@ -101,7 +102,7 @@ TEST(DriveTrain, HasNoTorqueWithThePulsesOffAndCoastsToAnExactStandstill) {
   run(train, at_speed(1000.0), 1.0);
   const double start = train.signals().true_speed;
 
-  train.step(kControlPeriod, {});
+  train.step(kDcVoltage, {});
   EXPECT_EQ(train.signals().torque, 0.0);
   EXPECT_EQ(train.signals().torque_setpoint, 0.0);
   EXPECT_GT(train.signals().true_speed, 0.999 * start);
@@ -147,7 +148,7 @@ TEST(DriveTrain, CountsWhatTheShaftHasTurned) {
   double before = 0.0;
 
   for (int i = 0; i < 16000; ++i) {
-    train.step(kControlPeriod, at_speed(i < 8000 ? 2000.0 : -500.0));
+    train.step(kDcVoltage, at_speed(i < 8000 ? 2000.0 : -500.0));
     angle += 0.5 * (before + train.signals().true_speed) * kControlPeriod;
     before = train.signals().true_speed;
   }
@@ -164,7 +165,7 @@ TEST(DriveTrain, PutsExactlyTheMotorsWorkIntoMotionAndFriction) {
   double before = 0.0;
 
   for (int i = 0; i < 8000; ++i) {
-    train.step(kControlPeriod, at_speed(3000.0));
+    train.step(kDcVoltage, at_speed(3000.0));
     const double mean = 0.5 * (before + train.signals().true_speed);
     work += train.signals().torque * mean * kControlPeriod;
     friction += (0.1 + 2e-4 * mean) * mean * kControlPeriod;
@@ -187,16 +188,6 @@ TEST(DriveTrain, StartsUpAsTheExactSolutionOfItsCurrentLoopAndMass) {
   const double time = 0.01 - kControlPeriod;  // the first period calculates
   const double expected = 35.0 / machine.inertia * (time - lag * (1.0 - std::exp(-time / lag)));
   EXPECT_NEAR(train.signals().true_speed, expected, 1e-9 * expected);
-}
-
-TEST(DriveTrain, BehavesAlikeAtAnotherSamplingTime) {
-  DriveTrain slow{MachineData{}, {.inertia = 0.003}};
-  DriveTrain fast{MachineData{}, {.inertia = 0.003}};
-
-  for (int i = 0; i < 200; ++i) slow.step(250e-6, at_speed(1000.0, {5.0, -5.0}));
-  for (int i = 0; i < 400; ++i) fast.step(125e-6, at_speed(1000.0, {5.0, -5.0}));
-
-  EXPECT_NEAR(slow.signals().true_speed, fast.signals().true_speed, 0.2);
 }
 
 }  // namespace
