@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drive/object_kind.hpp"
+#include "motor/inverter_data.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
 
@@ -10,6 +11,7 @@ namespace drive {
 struct AxisConfiguration {
   motor::MachineData machine{};
   motor::Load load{};
+  motor::InverterData inverter{};
   ObjectKind kind = ObjectKind::Servo;  ///< Servo or Vector
 };
 

@@ -32,19 +32,18 @@ constexpr std::array<std::uint16_t, 4> kLimits{1082, 1520, 1521, 2162};
 
 }  // namespace
 
-AxisParameters commissioned_parameters(const motor::MachineData& machine, const motor::Load& load) noexcept {
+AxisParameters commissioned_parameters(const AxisConfiguration& configuration) noexcept {
   ObjectContext context{};
-  context.axis = {machine, load, ObjectKind::Servo};
+  context.kind = configuration.kind;
+  context.axis = configuration;
   AxisParameters parameters{};
-  for (const PlacedRow& placed : parameters_of(ObjectKind::Servo)) {
+  for (const PlacedRow& placed : parameters_of(configuration.kind)) {
     const auto* const home = std::get_if<Member>(&placed.row->home);
     if (home == nullptr) continue;
     set(parameters, home->member, factory_value(*placed.row, context) * row_of(placed.row->unit).si);
   }
-  parameters.rated_speed = machine.rated_speed;
-  parameters.motor_inertia = machine.inertia;
-  parameters.encoder_pulses = static_cast<std::int32_t>(machine.encoder.pulses);
-  parameters.encoder_fine_bits = machine.encoder.fine_bits;
+  parameters.encoder_pulses = static_cast<std::int32_t>(configuration.machine.encoder.pulses);
+  parameters.encoder_fine_bits = configuration.machine.encoder.fine_bits;
   return parameters;
 }
 
@@ -84,12 +83,20 @@ void Axis::leave_commissioning() noexcept {
   settled_ = false;
 }
 
+/// With the pulses off, what the parameters and the motor allow.
+motor::TorqueLimits Axis::effective_torque_limits() const noexcept {
+  if (pulses_enabled_in(state_)) return train_.signals().torque_limits;
+  const double highest = context().axis.machine.maximum_torque;
+  return {std::min(torque_limits_.upper, highest), std::max(torque_limits_.lower, -highest)};
+}
+
 AxisInsight Axis::insight() const noexcept {
   return {.controlword = controlword_,
           .switching_on_inhibited = inhibited_ || parameters_.commissioning != 0,
           .ramp_input = target_,
           .ramp_acceleration = ramp_acceleration_,
-          .torque_limits = torque_limits_,
+          .torque_limits = effective_torque_limits(),
+          .dc_voltage = dc_voltage_,
           .torque_limit_reached = pulses_enabled_in(state_) && train_.signals().torque_limit_reached,
           .target_reached = target_reached_,
           .overspeed = overspeed_,
