@@ -162,8 +162,7 @@ void Device::run_cycles() noexcept {
 
 void Device::run_cycle(Wanted (AxisObjects::*source)() noexcept) noexcept {
   std::array<Wanted, drive::kMostAxes> wanted{};
-  std::transform(axes_.begin(), axes_.end(), wanted.begin(),
-                 [=](AxisObjects& axis) { return (axis.*source)(); });
+  std::transform(axes_.begin(), axes_.end(), wanted.begin(), [=](AxisObjects& axis) { return (axis.*source)(); });
   unit_.cycle({wanted.data(), axes_.size()}, kCycleSeconds);
 }
 
@@ -273,6 +272,12 @@ void Device::set_line_voltage(double voltage, canopen::TimePoint now) noexcept {
   tell_time(now);
   unit_.set_line_voltage(voltage);
   wake();
+}
+
+void Device::fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  unit_.axes()[axis - 1].fail_encoder(defect);
+  axes_[axis - 1].wake();
 }
 
 void Device::set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept {

@@ -192,6 +192,11 @@ void Axis::set_load_torque(double torque) noexcept {
   settled_ = false;
 }
 
+void Axis::fail_encoder(motor::EncoderDefect defect) noexcept {
+  train_.inject(defect);
+  settled_ = false;
+}
+
 void Axis::inhibit(bool inhibited) noexcept {
   inhibited_ = inhibited;
   settled_ = false;

@@ -96,6 +96,9 @@ class Axis final : public DriveObject {
   /// Replaces the constant load torque (N·m, positive against positive rotation).
   void set_load_torque(double torque) noexcept;
 
+  /// The motor encoder has @p defect from now on.
+  void fail_encoder(motor::EncoderDefect defect) noexcept;
+
   /// All parameters in SI units.
   const AxisParameters& parameters() const noexcept { return parameters_; }
   /// What parameters show that is no actual value.

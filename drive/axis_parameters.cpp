@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drive/axis.hpp"
+#include "drive/machine_model.hpp"
 #include "drive/parameter/rounding.hpp"
 
 namespace drive {
@@ -27,8 +28,8 @@ double factory_value(const ParameterRow& row, const ObjectContext& context) noex
 }
 
 /// What p0340 computes for its values 3 and 4, and for 5.
-constexpr std::array<std::uint16_t, 2> kControllers{1460, 1462};
-constexpr std::array<std::uint16_t, 4> kLimits{1082, 1520, 1521, 2162};
+constexpr std::array<std::uint16_t, 4> kControllers{1460, 1462, 1470, 1472};
+constexpr std::array<std::uint16_t, 7> kLimits{640, 1082, 1520, 1521, 1530, 1531, 2162};
 
 }  // namespace
 
@@ -68,9 +69,13 @@ WriteState Axis::write_state() const noexcept {
 void Axis::compute_parameters(int choice) noexcept {
   constexpr int kEverything = 1;
   constexpr int kLimitsOnly = 5;
+  // A new unit of the machine that the motor data describe would have the values.
+  ObjectContext described = context();
+  described.axis.machine = believed_machine(parameters_, context().axis.machine);
+  described.axis.load.inertia = parameters_.motor_inertia * (parameters_.inertia_ratio - 1.0);
   const auto compute = [&](std::uint16_t number) {
     const ParameterRow& row = *find_parameter(kind(), number)->row;
-    set_own_value(row, 0, factory_value(row, context()));
+    set_own_value(row, 0, factory_value(row, described));
   };
   const bool controllers = choice == kEverything || choice == 3 || choice == 4;
   if (controllers) std::for_each(kControllers.begin(), kControllers.end(), compute);

@@ -21,7 +21,6 @@ constexpr std::array kCauses{
     CauseRow{7011, &O::motor_temperature, Side::Above, &L::temperature_alarm, 2.0, 240.0, Pulses::Any, &O::motor_temperature, 10.0, "p0604 for longer than p0606, whose factory value is 240 s"},
     CauseRow{7012, &O::motor_utilisation, Side::Above, 1.1, 0.02, kAtOnce, Pulses::Any, nullptr, kNone, "I2t model at 110 %, the factory value of p5390"},
     CauseRow{7090, &O::crossed_torque_limits, Side::Above, kNone, kNone, kAtOnce, Pulses::Any, nullptr, kNone, "p1520 below p1521"},
-    CauseRow{7575, &O::encoder_lost, Side::Above, kYes, kNone, kAtOnce, Pulses::Any, nullptr, kNone, "encoder without signals"},
     CauseRow{7805, &O::overload, Side::Above, 0.95, 0.02, kAtOnce, Pulses::Any, &O::overload, 16384.0, "r0036 at 95 %, the factory value of p0294"},
     CauseRow{7900, &O::stuck, Side::Above, kYes, kNone, &L::blocked_delay, Pulses::On, nullptr, kNone, "p2175, p2177"},
     CauseRow{7901, &O::overspeed, Side::Above, &L::overspeed_hysteresis, kNone, kAtOnce, Pulses::Any, nullptr, kNone, "p1082, p1083, p1086, p0322 with p2162"},
@@ -37,6 +36,7 @@ constexpr std::array kCauses{
     CauseRow{30025, &O::chip_rise, Side::Above, 95.0, 5.0, kAtOnce, Pulses::Any, &O::chip_rise, 100.0, "chip above heat sink, plausible"},
     CauseRow{30502, &O::dc_voltage, Side::Above, &L::overvoltage, 10.0, kAtOnce, Pulses::Off, &O::dc_voltage, 1.0, "trip voltage of the power unit"},
     CauseRow{31100, &O::zero_mark_deviation, Side::Above, kYes, kNone, kAtOnce, Pulses::Any, &O::zero_mark_deviation, 1.0, "increments between two zero marks"},
+    CauseRow{31116, &O::encoder_lost, Side::Above, kYes, kNone, kAtOnce, Pulses::Any, nullptr, kNone, "encoder without signals"},
 };
 // clang-format on
 static_assert(kCauses.size() <= kMostCauses);

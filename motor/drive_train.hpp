@@ -39,6 +39,8 @@ class DriveTrain {
   void set_load_torque(double torque) noexcept { mechanics_.set_load_torque(torque); }
   /// Closes or opens the holding brake at once; opening and closing times are the owner's.
   void set_brake(bool closed) noexcept { brake_closed_ = closed; }
+  /// The encoder has @p defect from now on.
+  void inject(EncoderDefect defect) noexcept { encoder_.inject(defect); }
   /// The state after the last step.
   const Signals& signals() const noexcept { return signals_; }
   /// Where the energy of the last step went, behind the terminals (J).
