@@ -233,6 +233,12 @@ constexpr std::array kSupplyRules{
                    return within(s.chopper_off, 0.0, s.chopper_on) && s.chopper_off < s.chopper_on;
                  },
                  "less than the voltage at which the chopper goes on"},
+    Rule<Supply>{"chopper_sampling",
+                 [](const Supply& s) noexcept {
+                   return s.chopper_sampling <= 0.0 ? s.chopper_sampling >= 0.0
+                                                    : within(s.chopper_sampling, 2.5e-6, 1.0);
+                 },
+                 "0 or a number 2.5e-6 to 1"},
     Rule<Supply>{"overvoltage", kPositive<&Supply::overvoltage>, kPositiveText},
     Rule<Supply>{"undervoltage", kNotNegative<&Supply::undervoltage>, kNotNegativeText},
     Rule<Supply>{"undervoltage", [](const Supply& s) noexcept { return s.undervoltage < s.overvoltage; },

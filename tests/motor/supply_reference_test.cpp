@@ -47,7 +47,8 @@ DcLink link_of(const File& file) {
                  .capacitance = file.number("/plant/C_dc"),
                  .chopper_resistance = brake.is_null() ? 0.0 : brake.get<double>(),
                  .chopper_on = file.number("/plant/U_on"),
-                 .chopper_off = file.number("/plant/U_off")}};
+                 .chopper_off = file.number("/plant/U_off"),
+                 .chopper_sampling = file.number("/event_resolution_s")}};
 }
 
 struct ChopperEvent {
