@@ -7,7 +7,7 @@
 
 namespace drive {
 
-/// The machine of an axis, what it turns, and the control that drives it.
+/// The machine of an axis, what it turns, the power unit that feeds it, and the control that drives it.
 struct AxisConfiguration {
   motor::MachineData machine{};
   motor::Load load{};

@@ -58,8 +58,14 @@ void Axis::apply_parameters() noexcept {
   torque_limits_ = {p.upper_torque_limit, p.lower_torque_limit};
   const double off1 = ramp_slope(p.maximum_speed, p.ramp_down_time);
   const double off3 = ramp_slope(p.maximum_speed, p.off3_ramp_down_time);
-  slopes_ = {RampSlopes{ramp_slope(p.maximum_speed, p.ramp_up_time), off1}, RampSlopes{off1, off1},
-             RampSlopes{off3, off3}, RampSlopes{}};
+  const bool extended = p.ramp_selection != 0;
+  const auto ramp = [&](double up, double down, double initial, double final_time) {
+    const auto type = static_cast<RoundingType>(p.rounding_type);
+    return RampSlopes{up, down, extended ? initial : 0.0, extended ? final_time : 0.0, type};
+  };
+  slopes_ = {ramp(ramp_slope(p.maximum_speed, p.ramp_up_time), off1, p.initial_rounding, p.final_rounding),
+             ramp(off1, off1, p.initial_rounding, p.final_rounding),
+             ramp(off3, off3, p.off3_initial_rounding, p.off3_final_rounding), RampSlopes{}};
   implausible_parameter_ = p.commissioning == 0 ? implausible_motor_parameter(p, context().axis.machine) : 0;
   if (implausible_motor_parameter(p, context().axis.machine) == 0) {  // otherwise the last possible model stays
     train_.set_machine(believed_machine(p, context().axis.machine));
@@ -87,10 +93,9 @@ void Axis::begin_cycle(const Setpoints& setpoints, double duration) noexcept {
 double Axis::step(double dc_voltage) noexcept {
   motor::Command& command = cycle_.command;
   if (command.pulses_enabled) {
-    const double before = ramp_generator_.output();
     command.speed_setpoint =
         ramp_generator_.step(kControlPeriod, target_, slopes_[static_cast<std::size_t>(ramp_)]);
-    command.acceleration_setpoint = (command.speed_setpoint - before) / kControlPeriod;
+    command.acceleration_setpoint = ramp_generator_.acceleration();
   }
   const double drawn = train_.step(dc_voltage, command);
   const motor::Signals& seen = train_.signals();

@@ -40,9 +40,15 @@ struct AxisParameters {
   double maximum_speed = 0.0;               ///< p1082
   double speed_limit_positive = 0.0;        ///< p1083
   double speed_limit_negative = 0.0;        ///< p1086, not positive
+  std::int32_t ramp_selection = 0;          ///< p1115: 0 basic, 1 extended with the roundings
   double ramp_up_time = 0.0;                ///< p1120, from zero to p1082
   double ramp_down_time = 0.0;              ///< p1121, from p1082 to zero, also OFF1
+  double initial_rounding = 0.0;            ///< p1130
+  double final_rounding = 0.0;              ///< p1131
+  std::int32_t rounding_type = 0;           ///< p1134: 0 continuous, 1 discontinuous
   double off3_ramp_down_time = 0.0;         ///< p1135, 0 = as fast as the torque limit allows
+  double off3_initial_rounding = 0.0;       ///< p1136
+  double off3_final_rounding = 0.0;         ///< p1137
   double standstill_threshold = 0.0;        ///< p1226
   double standstill_monitoring_time = 0.0;  ///< p1227
   double pulse_suppression_delay = 0.0;     ///< p1228
