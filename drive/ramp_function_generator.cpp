@@ -104,7 +104,7 @@ double RampFunctionGenerator::advance(double time) noexcept {
   output_ = reached;
   acceleration_ = part.slope + t * part.jerk;
   time_ = t;
-  if (taken < rest) return taken;
+  if (rest - taken > kRounding) return taken;
   time_ = 0.0;
   start_output_ = output_;
   if (++part_ == count_)
