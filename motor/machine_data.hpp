@@ -50,9 +50,11 @@ enum class EncoderType : std::uint8_t { None, Incremental, Absolute };
 /// Motor encoder.
 struct EncoderData {
   EncoderType type = EncoderType::Incremental;
-  std::uint32_t pulses = 2048;       ///< p0408 (pulses per revolution), 1..16777215
-  std::uint8_t fine_bits = 11;       ///< p0418 (bits per pulse), 2..18
-  std::uint32_t revolutions = 4096;  ///< p0421, what an absolute encoder can tell apart, 1..65535
+  std::uint32_t pulses = 2048;          ///< p0408 (pulses per revolution), 1..16777215
+  std::uint8_t fine_bits = 11;          ///< p0418 (bits per pulse), 2..18
+  std::uint32_t revolutions = 4096;     ///< p0421, what an absolute encoder can tell apart, 1..65535
+  std::uint8_t absolute_fine_bits = 9;  ///< p0419, of the absolute position (bits per pulse), 2..18
+  double start_position = 0.0;          ///< at power-on, past the zero of the disc (revolutions)
 };
 
 /// Data of a machine as on its rating plate and in its data sheet. The defaults describe a 3000 rpm servo of the
