@@ -8,8 +8,8 @@
 
 namespace motor {
 
-/// PI controllers of the current along and across the flux. The voltage stays within a circle, and the current along
-/// the flux has the first claim on it; an axis at its limit integrates only what leads back from it.
+/// PI controllers of the current along and across the flux. The voltage stays within a circle, and the current
+/// along the flux has the first claim on it; an axis at its limit integrates only what leads back from it.
 class CurrentController {
  public:
   /// Fixes @p gains for steps of @p period (s).

@@ -5,11 +5,11 @@
 namespace motor {
 namespace {
 
-constexpr double kFluxRate = 40.0;       // 1/s, of the flux controller
-constexpr double kFluxShare = 0.8;       // of the current limit that may build up flux
-constexpr double kMagnetised = 0.95;     // of the rated flux
-constexpr double kSpeedRate = 300.0;     // 1/s, of the speed estimate
-constexpr double kObserverDamping = 0.2; // of the observer at speed
+constexpr double kFluxRate = 40.0;        // 1/s, of the flux controller
+constexpr double kFluxShare = 0.8;        // of the current limit that may build up flux
+constexpr double kMagnetised = 0.95;      // of the rated flux
+constexpr double kSpeedRate = 300.0;      // 1/s, of the speed estimate
+constexpr double kObserverDamping = 0.2;  // of the observer at speed
 
 }  // namespace
 

@@ -4,16 +4,16 @@
 #include <cmath>
 
 #include "motor/control_settings.hpp"
+#include "motor/frame.hpp"
 #include "motor/induction_circuit.hpp"
 #include "motor/measurement.hpp"
-#include "motor/rotation.hpp"
 #include "motor/signals.hpp"
 #include "motor/voltage_reserve.hpp"
 
 namespace motor {
 
-/// An induction machine as its field-oriented control sees it. With an encoder the rotor flux follows from currents
-/// and speed, without one from voltages and currents. Currents and voltages are those of the flux frame.
+/// An induction machine as its field-oriented control sees it. With an encoder the rotor flux follows from
+/// currents and speed, without one from voltages and currents. Currents and voltages are those of the flux frame.
 class InductionField {
  public:
   void configure(const MachineData& machine, const ControlSettings& settings) noexcept;
@@ -76,7 +76,7 @@ class InductionField {
   double goal_ = 0.0;       // flux setpoint (V·s)
   double reachable_ = 0.0;  // N·m
   double electrical_speed_ = 0.0;
-  SpaceVector current_{};   // of the last period, stator frame
+  SpaceVector current_{};  // of the last period, stator frame
   SpaceVector setpoint_{};
   bool weakening_ = false;
   bool magnetised_ = false;

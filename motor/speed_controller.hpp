@@ -26,9 +26,9 @@ struct TorqueForward {
   double additional = 0.0;    ///< for a load that is known from elsewhere
 };
 
-/// PI speed controller. A reference model, the shaft as the proportional part and the precontrol would lead it, feeds
-/// the integral part, so that a change of the setpoint leaves nothing to unwind and only loads are integrated; at a
-/// torque limit nothing is integrated at all.
+/// PI speed controller. A reference model, the shaft as the proportional part and the precontrol would lead it,
+/// feeds the integral part, so that a change of the setpoint leaves nothing to unwind and only loads are
+/// integrated; at a torque limit nothing is integrated at all.
 class SpeedController {
  public:
   /// Fixes @p gains for a shaft of @p inertia (kg·m²) and steps of @p period (s); the torque comes @p delay (s)
@@ -50,8 +50,8 @@ class SpeedController {
   /// Torque setpoint (N·m) for a speed setpoint and a measured speed (rad/s).
   double step(double setpoint, double measured, const TorqueLimits& limits,
               const TorqueForward& forward = {}) noexcept {
-    const double wanted = proportional_ * (setpoint - measured) + integral_torque_ + forward.acceleration +
-                          forward.additional;
+    const double wanted =
+        proportional_ * (setpoint - measured) + integral_torque_ + forward.acceleration + forward.additional;
     const double torque = limits.bound(wanted);
     limited_ = torque < wanted || torque > wanted;
     follow(setpoint, measured, forward.acceleration);

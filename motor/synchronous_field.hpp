@@ -1,8 +1,8 @@
 #pragma once
 
 #include "motor/control_settings.hpp"
+#include "motor/frame.hpp"
 #include "motor/measurement.hpp"
-#include "motor/rotation.hpp"
 #include "motor/signals.hpp"
 #include "motor/synchronous_observer.hpp"
 #include "motor/synchronous_reference.hpp"
@@ -10,8 +10,8 @@
 
 namespace motor {
 
-/// A permanent-magnet machine as its field-oriented control sees it: where the flux is, which currents give a torque
-/// there, and which voltage they need. Currents and voltages are those of the rotor frame.
+/// A permanent-magnet machine as its field-oriented control sees it: where the flux is, which currents give a
+/// torque there, and which voltage they need. Currents and voltages are those of the rotor frame.
 class SynchronousField {
  public:
   void configure(const MachineData& machine, const ControlSettings& settings) noexcept;
@@ -19,9 +19,7 @@ class SynchronousField {
   void reset() noexcept;
 
   /// Frame of the rotor as the encoder sees it.
-  Frame frame(const Measurement& measured) noexcept {
-    return {measured.rotor, pole_pairs_ * measured.speed};
-  }
+  Frame frame(const Measurement& measured) noexcept { return {measured.rotor, pole_pairs_ * measured.speed}; }
   /// Nothing: the encoder keeps the frame.
   void advance(SpaceVector /*current*/) noexcept {}
   /// Frame of the rotor as voltages and currents show it.

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motor/frame.hpp"
 #include "motor/machine_data.hpp"
 #include "motor/measurement.hpp"
-#include "motor/rotation.hpp"
 
 namespace motor {
 
-/// Finds angle and speed of a permanent-magnet rotor from voltages and currents: what the voltage of a period leaves
-/// after the resistance and the flux of the current is the change of the magnets' flux, and a phase-locked loop
-/// follows its direction. Without speed there is nothing to see.
+/// Finds angle and speed of a permanent-magnet rotor from voltages and currents: what the voltage of a period
+/// leaves after the resistance and the flux of the current is the change of the magnets' flux, and a phase-locked
+/// loop follows its direction. Without speed there is nothing to see.
 class SynchronousObserver {
  public:
   void configure(const MachineData& machine, double period) noexcept {

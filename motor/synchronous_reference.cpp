@@ -22,26 +22,18 @@ double crossing(double lower, double upper, Function function) noexcept {
 
 void SynchronousReference::configure(const MachineData& machine, double current_limit) noexcept {
   const SynchronousData& data = machine.synchronous;
+  model_ = SynchronousMachine{machine};
   d_inductance_ = data.d_inductance;
   q_inductance_ = data.q_inductance;
   magnet_flux_ = data.magnet_flux;
-  factor_ = 1.5 * machine.pole_pairs;
   current_limit_ = current_limit;
   salient_ = std::abs(q_inductance_ - d_inductance_) > kSalient * q_inductance_;
-  knee_ = 2.0 * machine.stall_current * machine.stall_current;
-  const double span = 2.0 * machine.maximum_current * machine.maximum_current - knee_;
-  saturation_ = span > 0.0 ? data.torque_saturation / span : 0.0;
   const SpaceVector full = cheapest(current_limit_);
   highest_torque_ = torque(full);
   full_flux_ = length(flux(full));
   q_current_.fill(highest_torque_, [this](double wanted) { return cheapest(current_for(wanted)).im; });
   d_current_.fill(highest_torque_, [this](double wanted) { return cheapest(current_for(wanted)).re; });
   torque_by_flux_.fill(full_flux_, [this](double limit) { return limited_by(limit); });
-}
-
-double SynchronousReference::torque(SpaceVector current) const noexcept {
-  const double lost = std::max(0.0, saturation_ * (current.im * current.im - knee_));
-  return factor_ * (magnet_flux_ * (1.0 - lost) + (d_inductance_ - q_inductance_) * current.re) * current.im;
 }
 
 /// Most torque for a current: d part from the derivative of the torque along the circle.

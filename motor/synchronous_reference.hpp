@@ -5,6 +5,7 @@
 #include "motor/curve.hpp"
 #include "motor/machine_data.hpp"
 #include "motor/space_vector.hpp"
+#include "motor/synchronous_machine.hpp"
 
 namespace motor {
 
@@ -27,7 +28,7 @@ class SynchronousReference {
     return {d_inductance_ * current.re + magnet_flux_, q_inductance_ * current.im};
   }
   /// Torque that the machine's data promise for @p current (N·m).
-  double torque(SpaceVector current) const noexcept;
+  double torque(SpaceVector current) const noexcept { return model_.torque({current.re, current.im}); }
   /// Highest torque with the current limit alone (N·m).
   double highest_torque() const noexcept { return highest_torque_; }
   /// Highest torque with the stator flux below @p flux (V·s) too (N·m).
@@ -46,13 +47,11 @@ class SynchronousReference {
   SpaceVector at_limits(double flux) const noexcept;
   SpaceVector least_flux_per_torque(double flux) const noexcept;
 
-  double d_inductance_ = 1e-3;  // H
-  double q_inductance_ = 1e-3;  // H
-  double magnet_flux_ = 0.1;    // V·s
-  double factor_ = 1.5;         // 1.5 pole pairs
-  double current_limit_ = 1.0;  // A
-  double saturation_ = 0.0;     // share of the magnet flux lost a square ampere above the knee
-  double knee_ = 0.0;           // A², where saturation begins
+  SynchronousMachine model_{MachineData{}};  // cold
+  double d_inductance_ = 1e-3;               // H
+  double q_inductance_ = 1e-3;               // H
+  double magnet_flux_ = 0.1;                 // V·s
+  double current_limit_ = 1.0;               // A
   double highest_torque_ = 0.0;
   double full_flux_ = 0.0;
   bool salient_ = false;

@@ -7,8 +7,8 @@
 
 namespace motor {
 
-/// Brings the limits of torque together: those commanded (p1520, p1521), current and voltage, power (p1530, p1531),
-/// and the DC link that must not rise further (Vdc_max controller).
+/// Brings the limits of torque together: those commanded (p1520, p1521), current and voltage, power (p1530,
+/// p1531), and the DC link that must not rise further (Vdc_max controller).
 class TorqueLimiter {
  public:
   void configure(const ControlSettings& settings) noexcept {
