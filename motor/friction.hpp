@@ -37,8 +37,11 @@ struct Grip {
   /// For a mass at @p speed (rad/s) that @p driving (N·m) pulls forward. @p drag is dry as well, but not of @p
   /// friction.
   static Grip decide(const DryFriction& friction, double drag, double speed, double driving) noexcept {
-    const double reference = speed < 0.0 || speed > 0.0 ? speed : driving;
-    if (speed == 0.0 && std::abs(driving) <= friction.holding() + drag) return {true, 0.0, 0.0};
+    const double holds = friction.holding() + drag;
+    if (holds <= 0.0) return {};
+    const bool stands = speed == 0.0;
+    if (stands && std::abs(driving) <= holds) return {true, 0.0, 0.0};
+    const double reference = stands ? driving : speed;
     const double direction = reference > 0.0 ? 1.0 : -1.0;
     return {false, direction * (friction.at(speed) + drag), direction};
   }
