@@ -24,6 +24,12 @@ class CurrentController {
     demand_ = 0.0;
     limited_ = false;
   }
+  /// Goes on in a frame that is turned by the direction @p by, after @p added (V) has joined the integral parts.
+  void turn(SpaceVector by, SpaceVector added) noexcept {
+    integral_voltage_ = (integral_voltage_ + added) * conjugate(by);
+  }
+  /// Adds @p voltage (V) to the integral parts.
+  void shift(SpaceVector voltage) noexcept { integral_voltage_ = integral_voltage_ + voltage; }
   /// Voltage (V) for @p setpoint and @p current (A) in the same frame; @p forward (V) is added before the limit,
   /// the circle of radius @p limit (V).
   SpaceVector step(SpaceVector setpoint, SpaceVector current, SpaceVector forward, double limit) noexcept {

@@ -26,6 +26,7 @@ void InductionField::configure(const MachineData& machine, const ControlSettings
 void InductionField::reset() noexcept {
   reserve_.reset();
   flux_ = 0.0;
+  goal_ = rated_flux_;
   frame_ = {};
   current_ = {};
   setpoint_ = {};

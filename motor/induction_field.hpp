@@ -37,6 +37,10 @@ class InductionField {
   void start_observer(const Frame& frame, SpaceVector current) noexcept;
   /// Speed of the shaft in the frame last observed (rad/s).
   double speed(const Frame& /*frame*/) const noexcept { return electrical_speed_ / pole_pairs_; }
+  /// Torque (N·m) that a fed current of @p amplitude (A) can give.
+  double pull(double amplitude) const noexcept {
+    return 0.5 * torque_factor_ * standing_flux(circuit_, amplitude) * amplitude;
+  }
   /// The flux follows a fed current by itself.
   double lag(double /*torque*/, double /*amplitude*/) const noexcept { return 0.0; }
   double damping(const Frame& /*frame*/) const noexcept { return 0.0; }

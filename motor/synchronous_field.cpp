@@ -26,7 +26,7 @@ void SynchronousField::reset() noexcept {
 }
 
 double SynchronousField::lag(double torque, double amplitude) const noexcept {
-  const double most = 1.5 * pole_pairs_ * reference_.magnet_flux() * amplitude;
+  const double most = pull(amplitude);
   return most > 0.0 ? std::clamp(torque / most, -0.9, 0.9) : 0.0;
 }
 

@@ -31,6 +31,8 @@ class SynchronousField {
   void start_observer(const Frame& frame, SpaceVector current) noexcept { observer_.start(frame, current); }
   /// Speed of the shaft in @p frame (rad/s).
   double speed(const Frame& frame) const noexcept { return frame.frequency / pole_pairs_; }
+  /// Torque (N·m) that a fed current of @p amplitude (A) can give.
+  double pull(double amplitude) const noexcept { return 1.5 * pole_pairs_ * flux() * amplitude; }
   /// Angle by which the rotor lags behind a current of @p amplitude (A) that is fed to carry @p torque (N·m), as
   /// sine.
   double lag(double torque, double amplitude) const noexcept;

@@ -24,7 +24,6 @@ class SynchronousObserver {
   void start(const Frame& frame, SpaceVector current) noexcept {
     frame_ = frame;
     current_ = current;
-    induced_ = {};
   }
   /// Takes in the period that ends now.
   void step(const Measurement& measured) noexcept {
