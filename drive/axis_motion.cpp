@@ -120,7 +120,7 @@ void Axis::watch(double dc_voltage) noexcept {
   const bool overvoltage = dc_voltage > context().supply.overvoltage;
   const bool overcurrent = current > trip;
   if (overcurrent) {
-    const auto phases = motor::phase_values(train_.signals().stator_current);
+    const auto phases = motor::phase_values(train_.plant_state().current);
     for (std::size_t i = 0; i < phases.size(); ++i)
       if (std::abs(phases[i]) > trip) cycle_.tripped_phases |= 1U << i;
   }
@@ -182,9 +182,8 @@ Observed Axis::observed() const noexcept {
           .motor_utilisation = seen.motor_utilisation,
           .stuck = stuck ? 1.0 : 0.0,
           .overspeed = std::max(actual_.speed - forward_limit_, backward_limit_ - actual_.speed),
-          .stalled = seen.stalled ? 1.0 : 0.0,
-          .zero_mark_deviation = std::abs(seen.zero_mark_deviation),
-          .encoder_lost = seen.encoder_lost ? 1.0 : 0.0,
+          .zero_mark_deviation = std::abs(static_cast<double>(train_.encoder().status().zero_mark_deviation)),
+          .encoder_lost = train_.encoder().status().signal_lost ? 1.0 : 0.0,
           .crossed_torque_limits = p.lower_torque_limit - p.upper_torque_limit,
           .implausible_parameter = static_cast<double>(implausible_parameter_)};
 }

@@ -24,7 +24,6 @@ constexpr std::array kCauses{
     CauseRow{7805, &O::overload, Side::Above, 0.95, 0.02, kAtOnce, Pulses::Any, &O::overload, 16384.0, "r0036 at 95 %, the factory value of p0294"},
     CauseRow{7900, &O::stuck, Side::Above, kYes, kNone, &L::blocked_delay, Pulses::On, nullptr, kNone, "p2175, p2177"},
     CauseRow{7901, &O::overspeed, Side::Above, &L::overspeed_hysteresis, kNone, kAtOnce, Pulses::Any, nullptr, kNone, "p1082, p1083, p1086, p0322 with p2162"},
-    CauseRow{7902, &O::stalled, Side::Above, kYes, kNone, 0.1, Pulses::On, nullptr, kNone, "p2178, whose factory value is 0.1 s"},
     CauseRow{7910, &O::motor_temperature, Side::Above, &L::temperature_alarm, 2.0, kAtOnce, Pulses::Any, &O::motor_temperature, 10.0, "p0604"},
     CauseRow{7950, &O::implausible_parameter, Side::Above, kYes, kNone, kAtOnce, Pulses::Any, &O::implausible_parameter, 1.0, "motor data"},
     CauseRow{30001, &O::peak_current, Side::Above, &L::trip_current, kNone, kAtOnce, Pulses::Any, &O::overcurrent_phases, 1.0, "trip current of the power unit"},

@@ -24,8 +24,6 @@ struct Observed {
   double motor_utilisation = 0.0;      ///< r0034, 1 = 100 %
   double stuck = 0.0;                  ///< 1 = at the torque limit, slower than p2175, although it should turn
   double overspeed = 0.0;              ///< speed beyond its limits (rad/s), negative within them
-  double speed_deviation = 0.0;        ///< of setpoint and actual value (rad/s)
-  double stalled = 0.0;                ///< 1 = without encoder, the motor does not follow
   double zero_mark_deviation = 0.0;    ///< of the last distance of zero marks (increments, absolute)
   double encoder_lost = 0.0;           ///< 1 = no signals
   double crossed_torque_limits = 0.0;  ///< lower limit above the upper one (N·m)
@@ -41,7 +39,6 @@ struct CauseLimits {
   double temperature_fault = 0.0;     ///< p0605 (°C)
   double overspeed_hysteresis = 0.0;  ///< p2162 (rad/s)
   double blocked_delay = 0.0;         ///< p2177 (s)
-  double speed_tolerance = 0.0;       ///< p2163 (rad/s)
 };
 
 /// A fixed number, or a limit that is set.

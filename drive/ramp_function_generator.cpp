@@ -6,6 +6,8 @@
 namespace drive {
 namespace {
 
+constexpr double kRounding = 1e-9;  // s, of a sum of steps
+
 /// Change of the output while the slope goes between @p low and @p high, with @p time (s) for each rad/s² of it.
 double change_between(double low, double high, double time) noexcept {
   return 0.5 * (high * high - low * low) * time;

@@ -19,19 +19,22 @@ struct CurrentControllerGains {
   double q_proportional = 0.0;   ///< p1715 (V/A)
   double d_integral_time = 0.0;  ///< p1717 (s), positive
   double q_integral_time = 0.0;  ///< p1717 (s), positive
+
+  friend bool operator==(const CurrentControllerGains&, const CurrentControllerGains&) = default;
 };
 
 /// Settings of V/f control. Voltages are rms between lines.
 struct VoltageFrequencySettings {
-  double rated_voltage = 400.0;     ///< at rated_frequency, p0304 (V)
-  double rated_frequency = 50.0;    ///< p0310 (Hz), positive
-  double boost = 0.0;               ///< at standstill, fades to 0 at the rated frequency, p1310 (V)
-  double acceleration_boost = 0.0;  ///< added while the frequency rises or falls, p1311 (V)
-  bool parabolic = false;           ///< p1300 = 2: for fans
-  double slip_compensation = 0.0;   ///< share of the rated slip that is compensated at rated torque, p1335
-  double resonance_damping = 0.0;   ///< gain of the active current on the frequency, p1338
-  double frequency_reduction =
-      0.05;  ///< of the I_max controller: share of the rated frequency a second and ampere
+  double rated_voltage = 400.0;      ///< at rated_frequency, p0304 (V)
+  double rated_frequency = 50.0;     ///< p0310 (Hz), positive
+  double boost = 0.0;                ///< at standstill, fades to 0 at the rated frequency, p1310 (V)
+  double acceleration_boost = 0.0;   ///< added while the frequency rises or falls, p1311 (V)
+  bool parabolic = false;            ///< p1300 = 2: for fans
+  double slip_compensation = 0.0;    ///< share of the rated slip that is compensated at rated torque, p1335
+  double resonance_damping = 0.0;    ///< gain of the active current on the frequency, p1338
+  double frequency_reduction = 0.5;  ///< of the I_max controller: rated frequencies a second and ampere
+
+  friend bool operator==(const VoltageFrequencySettings&, const VoltageFrequencySettings&) = default;
 };
 
 /// Settings of all control loops of an axis. computed_settings() fills them from the rating plate, as p0340 does.
@@ -50,6 +53,8 @@ struct ControlSettings {
   double start_current = 0.0;             ///< that current (A rms), p1610
   double vdc_max = 0.0;  ///< DC link voltage at which generating torque is gone (V), r1242; 0 = never
   VoltageFrequencySettings voltage_frequency{};
+
+  friend bool operator==(const ControlSettings&, const ControlSettings&) = default;
 };
 
 }  // namespace motor

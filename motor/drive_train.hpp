@@ -1,16 +1,19 @@
 #pragma once
 
+#include <cstdint>
+
 #include "motor/control_settings.hpp"
-#include "motor/current_loop.hpp"
 #include "motor/encoder.hpp"
+#include "motor/field_control.hpp"
 #include "motor/inverter_data.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
-#include "motor/mechanics.hpp"
 #include "motor/plant.hpp"
+#include "motor/power_unit.hpp"
 #include "motor/signals.hpp"
-#include "motor/speed_controller.hpp"
+#include "motor/thermal.hpp"
 #include "motor/tuning.hpp"
+#include "motor/voltage_frequency.hpp"
 
 namespace motor {
 
@@ -20,7 +23,7 @@ class DriveTrain {
   /// At rest and cold; the control knows @p machine exactly and is set by computed_settings().
   DriveTrain(const MachineData& machine, const Load& load, const InverterData& inverter = {}) noexcept;
 
-  /// Replaces all settings of the control; what the speed controller has integrated stays.
+  /// Replaces all settings of the control; what the controllers have integrated stays unless the mode changes.
   void tune(const ControlSettings& settings) noexcept;
   /// Changes the gains of the speed controller with encoder.
   void tune(const SpeedControllerGains& gains) noexcept;
@@ -36,34 +39,70 @@ class DriveTrain {
   void rest(double duration) noexcept;
 
   /// Replaces the constant load torque (N·m, positive against positive rotation).
-  void set_load_torque(double torque) noexcept { mechanics_.set_load_torque(torque); }
-  /// Closes or opens the holding brake at once; opening and closing times are the owner's.
-  void set_brake(bool closed) noexcept { brake_closed_ = closed; }
-  /// The encoder has @p defect from now on.
-  void inject(EncoderDefect defect) noexcept { encoder_.inject(defect); }
+  void set_load_torque(double torque) noexcept { plant_.set_load_torque(torque); }
+  /// Commands the holding brake; it acts after its opening or closing time.
+  void set_brake(bool closed) noexcept { plant_.set_brake(closed); }
+  /// From now on the encoder has @p defect instead of the one before.
+  void inject(EncoderDefect defect) noexcept;
+  /// Forgets what the encoder has found wrong; what still is comes back.
+  void acknowledge_encoder() noexcept { encoder_.acknowledge(); }
+
   /// The state after the last step.
   const Signals& signals() const noexcept { return signals_; }
+  const Encoder& encoder() const noexcept { return encoder_; }
+  const PlantState& plant_state() const noexcept { return plant_.state(); }
   /// Where the energy of the last step went, behind the terminals (J).
-  const PlantEnergies& energies() const noexcept { return energies_; }
+  const PlantEnergies& energies() const noexcept { return plant_.energies(); }
   /// What the inverter has lost in the last step (J).
-  double inverter_losses() const noexcept { return 0.0; }
+  double inverter_losses() const noexcept { return inverter_losses_; }
   /// What machine and load have stored (J).
-  StoredEnergy stored() const noexcept;
+  StoredEnergy stored() const noexcept { return plant_.stored(); }
   /// Whether nothing but temperatures changes any more while the pulses are off.
   bool rests() const noexcept;
 
  private:
-  double torque_setpoint(const Command& command) noexcept;
+  /// Which control leads.
+  enum class Lead : std::uint8_t { Synchronous, Induction, VoltageFrequency };
 
-  MachineData machine_;
+  /// Sums since temperatures were last brought up to date.
+  struct Heat {
+    double copper = 0.0;          // J
+    double iron = 0.0;            // J
+    double square_current = 0.0;  // A² peak, sum of the steps
+    int steps = 0;
+  };
+
+  void configure() noexcept;
+  SpaceVector control(const Measurement& measured, const Command& command) noexcept;
+  void start() noexcept;
+  void stop() noexcept;
+  SpaceVector rotor_direction() const noexcept;
+  void move(double dc_voltage, bool pulses) noexcept;
+  void observe() noexcept;
+  void warm() noexcept;
+  void warm(double duration, const Heat& heat) noexcept;
+
+  MachineData believed_;
   ControlSettings settings_;
-  SpeedController speed_controller_;
-  CurrentLoop current_loop_;
-  Mechanics mechanics_;
+  Plant plant_;
   Encoder encoder_;
+  PowerUnit power_unit_;
+  MotorThermal thermal_;
+  OverloadModel motor_model_;  // what the drive believes of its temperature
+  FieldControl<SynchronousField> synchronous_;
+  FieldControl<InductionField> induction_;
+  VoltageFrequencyControl voltage_frequency_;
   Signals signals_{};
-  PlantEnergies energies_{};
-  bool brake_closed_ = false;
+  Heat heat_{};
+  SpaceVector voltage_{};  // of the last step, stator frame (V)
+  SpaceVector next_{};     // calculated, acts in the next step (V)
+  double inverter_losses_ = 0.0;
+  double idle_losses_ = 0.0;
+  Lead lead_ = Lead::Synchronous;
+  bool pulses_ = false;  // the controllers run
+  bool driven_ = false;  // the inverter gives next_
+  bool encoder_true_ = true;
+  bool with_encoder_ = true;
 };
 
 }  // namespace motor

@@ -2,13 +2,10 @@
 
 #include <cstdint>
 
-#include "motor/space_vector.hpp"
+#include "motor/control_period.hpp"
 #include "motor/speed_controller.hpp"
 
 namespace motor {
-
-/// Sampling time of the control loops (s), p0115[0] of a servo.
-inline constexpr double kControlPeriod = 125e-6;
 
 /// What a drive train is told for one step.
 struct Command {
@@ -46,11 +43,7 @@ struct Signals {
   double overload = 0.0;              ///< I²t of the power unit, r0036 (1 = 100 %)
   double heat_sink_temperature = 20.0;  ///< r0037 (°C)
   double chip_temperature = 20.0;       ///< r0037 (°C)
-  SpaceVector stator_current{};         ///< stator frame (A)
   double motor_utilisation = 0.0;       ///< of the drive's own I²t model, r0034 (1 = 100 %)
-  bool stalled = false;                 ///< without encoder: the motor does not follow
-  bool encoder_lost = false;            ///< no signals of the encoder
-  double zero_mark_deviation = 0.0;     ///< last distance of zero marks less a revolution (increments)
 };
 
 }  // namespace motor

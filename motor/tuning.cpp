@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motor/encoder.hpp"
+#include "motor/induction_circuit.hpp"
 #include "motor/signals.hpp"
 
 namespace motor {
@@ -16,21 +17,8 @@ constexpr double kChangeover = 0.1;         // of the rated speed
 constexpr double kPowerReserve = 2.0;       // p1530 does not act before twice the peak torque at rated speed
 constexpr double kBoostShare = 0.5;         // p1310 of a new unit (share of the rated current's voltage drop)
 
-/// Calculation (one period), output hold and difference quotient (half a period each), torque response, speed
-/// filter.
-double speed_loop_delay(const MachineData& machine) noexcept {
-  Encoder encoder{machine};
-  encoder.configure(kControlPeriod);
-  return 2.0 * kControlPeriod + 1.0 / kCurrentBandwidth + encoder.filter_time();
-}
-
 SpeedControllerGains gains_for(double inertia, double delay) noexcept {
   return {.proportional = inertia / (kDamping * delay), .integral_time = kIntegralDelays * delay};
-}
-
-double rotor_leakage_seen(const InductionData& data) noexcept {
-  const double k = data.magnetising_inductance / (data.magnetising_inductance + data.rotor_leakage);
-  return data.stator_leakage + k * data.rotor_leakage;
 }
 
 CurrentControllerGains current_gains(const MachineData& machine) noexcept {
@@ -40,11 +28,9 @@ CurrentControllerGains current_gains(const MachineData& machine) noexcept {
     return {kCurrentBandwidth * data.d_inductance, kCurrentBandwidth * data.q_inductance,
             data.d_inductance / resistance, data.q_inductance / resistance};
   }
-  const InductionData& data = machine.induction;
-  const double k = data.magnetising_inductance / (data.magnetising_inductance + data.rotor_leakage);
-  const double leakage = rotor_leakage_seen(data);
-  const double time = leakage / (resistance + k * k * data.rotor_resistance);
-  return {kCurrentBandwidth * leakage, kCurrentBandwidth * leakage, time, time};
+  const InductionCircuit circuit = induction_circuit(machine);
+  const double time = circuit.leakage / (resistance + circuit.rotor_resistance);
+  return {kCurrentBandwidth * circuit.leakage, kCurrentBandwidth * circuit.leakage, time, time};
 }
 
 VoltageFrequencySettings voltage_frequency_of(const MachineData& machine) noexcept {
@@ -58,6 +44,14 @@ VoltageFrequencySettings voltage_frequency_of(const MachineData& machine) noexce
 }
 
 }  // namespace
+
+/// Calculation (one period), output hold and difference quotient (half a period each), torque response, speed
+/// filter.
+double speed_loop_delay(const MachineData& machine) noexcept {
+  Encoder encoder{machine};
+  encoder.configure(kControlPeriod);
+  return 2.0 * kControlPeriod + 1.0 / kCurrentBandwidth + encoder.filter_time();
+}
 
 SpeedControllerGains default_gains(const MachineData& machine, const Load& load) noexcept {
   return gains_for(machine.inertia + load.inertia, speed_loop_delay(machine));

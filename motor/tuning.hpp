@@ -12,6 +12,9 @@ namespace motor {
 ControlSettings computed_settings(const MachineData& machine, const InverterData& inverter,
                                   double total_inertia) noexcept;
 
+/// How late a torque comes after the speed that asked for it has changed (s), with the encoder of @p machine.
+double speed_loop_delay(const MachineData& machine) noexcept;
+
 /// Speed controller gains for @p machine with @p load, from the inertia and the sum of the loop's delays.
 SpeedControllerGains default_gains(const MachineData& machine, const Load& load) noexcept;
 

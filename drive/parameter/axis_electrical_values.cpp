@@ -49,7 +49,7 @@ double torque_current_setpoint(const Axis& axis, std::size_t) noexcept {
   return axis.signals().q_current_setpoint / sqrt2;
 }
 double phase_current(const Axis& axis, std::size_t index) noexcept {
-  const std::array phases = motor::phase_values(axis.signals().stator_current);
+  const std::array phases = motor::phase_values(axis.drive_train().plant_state().current);
   return index < phases.size() ? phases[index] : 0.0;
 }
 double maximum_current(const Axis& axis, std::size_t index) noexcept {

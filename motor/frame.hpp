@@ -1,0 +1,19 @@
+#pragma once
+
+#include "motor/rotation.hpp"
+
+namespace motor {
+
+/// @p direction turned by @p angle (rad, small), its length drawn back to 1.
+constexpr SpaceVector turned(SpaceVector direction, double angle) noexcept {
+  const SpaceVector next = direction * small_rotation(angle);
+  return (1.5 - 0.5 * norm(next)) * next;
+}
+
+/// Coordinates that turn with a flux: the direction of their d axis in the stator frame, and its speed.
+struct Frame {
+  SpaceVector direction{1.0, 0.0};
+  double frequency = 0.0;  ///< (electrical rad/s)
+};
+
+}  // namespace motor

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "motor/frame.hpp"
+#include "motor/machine_data.hpp"
+#include "motor/measurement.hpp"
+
+namespace motor {
+
+/// Finds angle and speed of a permanent-magnet rotor from voltages and currents: what the voltage of a period
+/// leaves after the resistance and the flux of the current is the change of the magnets' flux, and a phase-locked
+/// loop follows its direction. Without speed there is nothing to see.
+class SynchronousObserver {
+ public:
+  void configure(const MachineData& machine, double period) noexcept {
+    resistance_ = machine.stator_resistance;
+    inductance_ = machine.synchronous.q_inductance;
+    flux_ = machine.synchronous.magnet_flux;
+    period_ = period;
+  }
+  /// Starts on @p frame with the present @p current (A).
+  void start(const Frame& frame, SpaceVector current) noexcept {
+    frame_ = frame;
+    current_ = current;
+  }
+  /// Takes in the period that ends now.
+  void step(const Measurement& measured) noexcept {
+    const SpaceVector mean = 0.5 * (measured.current + current_);
+    const SpaceVector change = (inductance_ / period_) * (measured.current - current_);
+    induced_ = measured.voltage - resistance_ * mean - change;
+    current_ = measured.current;
+    const SpaceVector middle = frame_.direction * small_rotation(0.5 * period_ * frame_.frequency);
+    const SpaceVector seen = induced_ * conjugate(middle);
+    const double scale = std::max(std::abs(frame_.frequency) * flux_, kLeastVoltage);
+    const double error = std::clamp(-std::copysign(seen.re, seen.re * frame_.frequency) / scale, -1.0, 1.0);
+    frame_.frequency += kBandwidth * kBandwidth * period_ * error;
+    frame_.direction = turned(frame_.direction, period_ * (frame_.frequency + 2.0 * kBandwidth * error));
+  }
+  /// Where the magnets point, and how fast they turn.
+  const Frame& frame() const noexcept { return frame_; }
+  /// Voltage that the magnets induce, mean of the last period, stator frame (V).
+  SpaceVector induced() const noexcept { return induced_; }
+
+ private:
+  static constexpr double kBandwidth = 400.0;   // rad/s
+  static constexpr double kLeastVoltage = 1.0;  // V
+
+  double resistance_ = 0.0;
+  double inductance_ = 0.0;
+  double flux_ = 0.0;
+  double period_ = 0.0;
+  Frame frame_{};
+  SpaceVector current_{};
+  SpaceVector induced_{};
+};
+
+}  // namespace motor
