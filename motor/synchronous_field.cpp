@@ -37,8 +37,9 @@ double SynchronousField::lag(double torque, double amplitude) const noexcept {
 }
 
 double SynchronousField::damping(const Frame& frame) noexcept {
-  const SpaceVector seen = observer_.induced() * conjugate(frame.direction);
-  const double turning = seen.im / reference_.magnet_flux();  // electrical speed while the lag is small
+  const SpaceVector induced = observer_.induced();
+  const double turning =
+      std::copysign(length(induced), cross(frame.direction, induced)) / observer_.followed_flux();
   swing_ += kControlPeriod / kSwingTime * (frame.frequency - turning - swing_);
   return damping_ * swing_;
 }
