@@ -24,6 +24,7 @@ struct AxisSetup {
 struct Configuration {
   std::uint8_t node_id = 2;                  ///< 1..127
   std::vector<AxisSetup> axes{AxisSetup{}};  ///< 1..drive::kMostAxes
+  motor::SupplyData supply{};                ///< of the DC link that feeds all axes
   bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
   bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
   bool remote_frames = true;                 ///< false: the bus carries none, so there is no life guarding
@@ -31,7 +32,7 @@ struct Configuration {
 
 /// What the drive unit behind it is made of.
 [[nodiscard]] inline drive::UnitConfiguration unit_configuration(const Configuration& configuration) {
-  drive::UnitConfiguration unit{.axes = {}, .node_id = configuration.node_id};
+  drive::UnitConfiguration unit{.axes = {}, .node_id = configuration.node_id, .supply = configuration.supply};
   for (const AxisSetup& axis : configuration.axes) unit.axes.push_back(axis.drive);
   return unit;
 }

@@ -8,6 +8,7 @@
 
 #include "drive/axis.hpp"
 #include "drive/control_unit.hpp"
+#include "motor/supply_data.hpp"
 
 namespace drive {
 
@@ -30,7 +31,8 @@ class ParameterHost {
 /// What the unit is made of.
 struct UnitConfiguration {
   std::vector<AxisConfiguration> axes{AxisConfiguration{}};  ///< 1..8
-  std::uint8_t node_id = 0;  ///< CANopen address by the address switch, 1..127; 0 = p8620 counts
+  std::uint8_t node_id = 0;    ///< CANopen address by the address switch, 1..127; 0 = p8620 counts
+  motor::SupplyData supply{};  ///< of the DC link that feeds all axes
 };
 
 /// The drive unit: control unit and axes with their parameters and messages, reached by drive object number

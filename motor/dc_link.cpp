@@ -7,8 +7,9 @@ namespace motor {
 namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr int kMostStretches = 256;          // of a step; a chopper at 125 us needs a handful
-constexpr double kSettledDeviation = 1e-12;  // of the level
+constexpr int kMostStretches = 8192;           // of a step; a chopper at 125 us needs a handful
+constexpr double kLongestSampledStep = 10e-3;  // s; in longer ones the voltage itself says when to look
+constexpr double kSettledDeviation = 1e-12;    // of the level
 
 }  // namespace
 
@@ -19,7 +20,8 @@ DcLink::DcLink(const SupplyData& data) noexcept
       chopper_start_{data.chopper_resistance > 0.0 ? energy_at(data.chopper_on) : kUnlimited},
       chopper_end_{energy_at(data.chopper_off)},
       highest_power_{data.infeed == Infeed::Diode ? kUnlimited : data.rated_power},
-      lowest_power_{data.infeed == Infeed::Diode ? 0.0 : -data.rated_power} {
+      lowest_power_{data.infeed == Infeed::Diode ? 0.0 : -data.rated_power},
+      next_look_{data.chopper_sampling > 0.0 ? data.chopper_sampling : kUnlimited} {
   set_line_voltage(data.line_voltage);
   energy_ = level_;
 }
@@ -48,11 +50,17 @@ void DcLink::step(double dt, double energy_drawn) noexcept {
   const double axes_power = energy_drawn / dt;
   energies_.axes += energy_drawn;
   chopper_time_ = 0.0;
+  if (data_.chopper_sampling > 0.0)
+    next_look_ = dt > kLongestSampledStep ? kUnlimited : std::min(next_look_, data_.chopper_sampling);
   double left = dt;
   for (int i = 0; left > 0.0 && i < kMostStretches; ++i) {
     const double slope = infeed_power() - axes_power - chopper_power();
     if (energy_ <= 0.0 && slope <= 0.0) break;
-    left -= advance(stretch(slope > 0.0), axes_power, left);
+    const double taken = advance(stretch(slope > 0.0), axes_power, std::min(left, next_look_));
+    left -= taken;
+    next_look_ -= taken;
+    if (next_look_ > 0.0 && next_look_ < kUnlimited) continue;
+    if (next_look_ < kUnlimited) next_look_ = data_.chopper_sampling;
     switch_chopper();
   }
   if (left > 0.0) hold(axes_power, left);
@@ -77,6 +85,7 @@ DcLink::Stretch DcLink::stretch(bool rising) const noexcept {
     result.lower = std::max(0.0, above ? highest : (below ? 0.0 : lowest));
     result.upper = above ? kUnlimited : (below ? lowest : highest);
   }
+  if (next_look_ < kUnlimited) return result;
   if (chopper_on_)
     result.lower = std::max(result.lower, chopper_end_);
   else

@@ -82,6 +82,7 @@ class DcLink {
   double chopper_end_;     // J
   double highest_power_;   // W, that the infeed can draw
   double lowest_power_;    // W, not positive, what it can feed back
+  double next_look_;       // s, until the comparator of the chopper looks
   double level_ = 0.0;     // J, where the infeed gives nothing
   bool connected_ = true;  // to the line
   double energy_ = 0.0;    // J

@@ -22,6 +22,7 @@ struct SupplyData {
   double chopper_resistance = 20.0;  ///< (Ω); 0 = no chopper
   double chopper_on = 774.0;         ///< (V)
   double chopper_off = 759.0;        ///< (V), below chopper_on
+  double chopper_sampling = 0.0;     ///< how often its comparator looks (s); 0 = always
   double overvoltage = 820.0;        ///< trip (V)
   double undervoltage = 360.0;       ///< trip (V)
 };
