@@ -52,12 +52,10 @@ class CurrentController {
 
  private:
   SpaceVector bounded(SpaceVector wanted, SpaceVector error, double limit) noexcept {
-    const double d = std::clamp(wanted.re, -limit, limit);
-    const double room = std::sqrt(std::max(0.0, limit * limit - d * d));
-    const double q = std::clamp(wanted.im, -room, room);
-    if ((wanted.re - d) * error.re <= 0.0) integral_voltage_.re += integral_.re * error.re;
-    if ((wanted.im - q) * error.im <= 0.0) integral_voltage_.im += integral_.im * error.im;
-    return {d, q};
+    const SpaceVector given = (limit / std::sqrt(demand_)) * wanted;
+    if ((wanted.re - given.re) * error.re <= 0.0) integral_voltage_.re += integral_.re * error.re;
+    if ((wanted.im - given.im) * error.im <= 0.0) integral_voltage_.im += integral_.im * error.im;
+    return given;
   }
 
   SpaceVector proportional_{};  // V/A

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "motor/load.hpp"
+#include "motor/machine_data.hpp"
+
 namespace motor {
 
 /// exp(-y) for y from 0 to 9, 1e-4 of the result or better, without the mathematical library.
@@ -28,6 +31,17 @@ struct DryFriction {
   }
 };
 
+/// Dry friction of @p load alone.
+constexpr DryFriction load_friction(const Load& load) noexcept {
+  const double excess = load.breakaway_torque - load.coulomb_friction;
+  return {load.coulomb_friction, excess > 0.0 ? excess : 0.0, load.stribeck_speed};
+}
+/// @p friction and that of the bearings of @p machine, for one mass.
+constexpr DryFriction with_bearings(DryFriction friction, const MachineData& machine) noexcept {
+  friction.coulomb += machine.coulomb_friction;
+  return friction;
+}
+
 /// How one mass meets its dry friction in a step: decided at the start, while the step the torque is constant.
 struct Grip {
   bool stuck = false;
@@ -53,6 +67,12 @@ struct Motion {
   double angle = 0.0;  ///< (rad)
   double path = 0.0;   ///< the angle without its sign (rad)
 };
+
+/// A step of @p h (s) from @p speed with the mean rates @p change (rad/s) and @p acceleration (rad/s²).
+inline Motion made(const Grip& grip, double speed, double change, double acceleration, double h) noexcept {
+  const double angle = h * change;
+  return {speed + h * acceleration, angle, grip.direction * angle};
+}
 
 /// Speed below which a mass without dry friction is taken for standing, or its last trace would never end (rad/s).
 inline constexpr double kRestSpeed = 1e-9;

@@ -83,7 +83,7 @@ SpaceVector InductionField::currents(double torque, double frequency) noexcept {
 }
 
 void InductionField::trim(double dt, double demand, double highest, double frequency) noexcept {
-  const double drop = circuit_.stator_resistance * std::copysign(1.0, frequency) * setpoint_.im;
+  const double drop = circuit_.stator_resistance * std::max(0.0, std::copysign(1.0, frequency) * setpoint_.im);
   reserve_.follow(dt, demand, highest, drop, weakening_);
   inductance_ = magnetising_inductance(circuit_, flux_);
   decay_ = circuit_.rotor_resistance / inductance_;

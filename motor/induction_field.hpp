@@ -43,7 +43,7 @@ class InductionField {
   }
   /// The flux follows a fed current by itself.
   double lag(double /*torque*/, double /*amplitude*/) const noexcept { return 0.0; }
-  double damping(const Frame& /*frame*/) const noexcept { return 0.0; }
+  double damping(const Frame& /*frame*/) noexcept { return 0.0; }
 
   /// Currents for @p torque (N·m) and the flux that voltage and speed allow.
   SpaceVector currents(double torque, double frequency) noexcept;

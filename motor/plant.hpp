@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
+#include "motor/elastic_shaft.hpp"
+#include "motor/induction_machine.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
 #include "motor/plant_data.hpp"
@@ -12,7 +15,7 @@
 namespace motor {
 
 /// Machine, shaft and load as they really are: one Runge-Kutta step of all states a control period, without
-/// allocation. The load is described in load.hpp; the brake is closed until it is told to open.
+/// allocation. The brake is closed until it is told to open.
 class Plant {
  public:
   /// @p substeps in a control period; 0 = as many as the fastest time constants of the data need.
@@ -21,7 +24,7 @@ class Plant {
   /// Advances by kControlPeriod with @p voltage held in the stator frame (V, peak).
   void step(SpaceVector voltage) noexcept;
   /// Advances by kControlPeriod with the pulses inhibited: the currents flow through the diodes against
-  /// @p dc_voltage (V) until they are gone; more only flow where the machine induces more than the DC link has.
+  /// @p dc_voltage (V, not negative) until they are gone; more only flow where the machine induces more than that.
   void coast(double dc_voltage) noexcept;
 
   /// At the end of the last step.
@@ -29,39 +32,55 @@ class Plant {
   /// Of the last step.
   const PlantEnergies& energies() const noexcept { return energies_; }
   StoredEnergy stored() const noexcept;
-  /// Cosine and sine of the electrical angle of the rotor at the end of the last step.
+  /// Cosine and sine of the electrical angle of the rotor at the end of the last step (synchronous machine).
   SpaceVector direction() const noexcept { return direction_; }
-  /// How many Runge-Kutta steps make a control period.
+  /// Flux linkages of an induction machine in the stator frame (V·s); zero for a synchronous one.
+  InductionMachine::State fluxes() const noexcept;
+  /// How many Runge-Kutta steps make a control period, unless the shaft turns faster than the machine should.
   int substeps() const noexcept { return substeps_; }
 
   /// Winding and rotor (°C): for the resistances and the flux of the magnets.
   void set_temperatures(double winding, double rotor) noexcept;
   /// Replaces the constant load torque (N·m, positive against positive rotation).
   void set_load_torque(double torque) noexcept;
-  /// Commands the holding brake; it acts after its opening or closing time.
+  /// Commands the holding brake; it acts after its closing or opening time.
   void set_brake(bool closed) noexcept;
-  /// Lets the rotor turn at @p speed (rad/s), the load with it, whatever it did before.
+  /// Lets rotor and load turn at @p speed (rad/s), whatever they did before.
   void set_speed(double speed) noexcept;
+  /// Magnetises an induction machine at once, whatever it was before.
+  void set_fluxes(const InductionMachine::State& fluxes) noexcept;
   /// Whether no current flows, everything stands, and nothing will change while the pulses are inhibited.
   bool rests() const noexcept;
 
  private:
-  /// Which of the models below are in use.
-  enum class Kind : std::uint8_t { SynchronousPlain, SynchronousRigid };
+  using Machine = std::variant<SynchronousMachine, InductionMachine>;
+  using Shaft = std::variant<RigidShaft<true>, RigidShaft<false>, ElasticShaft>;
 
-  template <class Shaft>
-  void step_synchronous(Shaft& shaft, SpaceVector voltage) noexcept;
-  template <class Shaft>
-  void take_over(const Shaft& shaft, const Motion& motion) noexcept;
+  static Machine made_machine(const MachineData& machine) noexcept;
+  static Shaft made_shaft(const MachineData& machine, const Load& load) noexcept;
+
+  template <class M, class S>
+  void drive(M& machine, S& shaft, SpaceVector voltage) noexcept;
+  template <class M, class S>
+  void coast_down(M& machine, S& shaft, double limit) noexcept;
+  template <class Circuit, class M, class S>
+  void advance(Circuit& circuit, M& machine, S& shaft, double h) noexcept;
+  template <class M, class S>
+  void begin(M& machine, S& shaft, int part, double h) noexcept;
+  template <class M, class S>
+  void finish(const M& machine, S& shaft) noexcept;
+  void turn(const Motion& motion) noexcept;
+  void apply_brake() noexcept;
+  int needed(int parts) const noexcept;
   double angle() const noexcept;
 
-  SynchronousMachine synchronous_;
-  SynchronousMachine::State currents_{};  // rotor frame
-  RigidShaft<true> plain_;
-  RigidShaft<false> rigid_;
-  Kind kind_;
+  Machine machine_;
+  Shaft shaft_;
   int substeps_;
-  double substep_;                   // s
+  double pole_pairs_;
+  HoldingBrake brake_;
+  bool brake_closed_ = true;         // as commanded
+  int brake_delay_ = 0;              // steps until the command acts
   std::int64_t steps_ = 0;           // since power-on
   SpaceVector direction_{1.0, 0.0};  // of the d axis
   PlantState state_{};

@@ -6,14 +6,9 @@
 #include "motor/machine_data.hpp"
 #include "motor/plant_data.hpp"
 #include "motor/runge_kutta.hpp"
+#include "motor/step_start.hpp"
 
 namespace motor {
-
-/// Where and when a step begins.
-struct StepStart {
-  double time = 0.0;   ///< since power-on (s)
-  double angle = 0.0;  ///< of the rotor since power-on (rad)
-};
 
 /// Rotor and load as one mass. @p Plain: nothing hangs on it but a constant torque, and no wall is near.
 template <bool Plain>
@@ -47,10 +42,7 @@ class RigidShaft {
   RigidShaft(const MachineData& machine, const Load& load) noexcept
       : inertia_{machine.inertia + load.inertia},
         inverse_inertia_{1.0 / inertia_},
-        friction_{
-            machine.coulomb_friction + load.coulomb_friction,
-            load.breakaway_torque > load.coulomb_friction ? load.breakaway_torque - load.coulomb_friction : 0.0,
-            load.stribeck_speed},
+        friction_{with_bearings(load_friction(load), machine)},
         open_friction_{friction_.coulomb},
         hysteresis_{machine.hysteresis_torque},
         viscous_{machine.viscous_friction + load.viscous_friction},
@@ -86,9 +78,8 @@ class RigidShaft {
   }
   /// Takes over the step of @p h (s) that was made with the rates @p mean, and books its energies.
   Motion finish(const Rate& mean, double h, PlantEnergies& energies) noexcept {
-    const double angle = h * mean.speed;
-    const Motion motion = settled(grip_, speed_, {speed_ + h * mean.acceleration, angle, grip_.direction * angle},
-                                  inverse_inertia_, h);
+    const Motion motion =
+        settled(grip_, speed_, made(grip_, speed_, mean.speed, mean.acceleration, h), inverse_inertia_, h);
     speed_ = motion.speed;
     const double square = h * mean.square;
     const double dry = grip_.torque * grip_.direction - hysteresis_;

@@ -5,6 +5,11 @@
 #include <numbers>
 
 namespace motor {
+namespace {
+
+constexpr double kSwingTime = 2e-3;  // s, the voltages of changing currents are not the rotor's
+
+}  // namespace
 
 void SynchronousField::configure(const MachineData& machine, const ControlSettings& settings) noexcept {
   pole_pairs_ = machine.pole_pairs;
@@ -22,6 +27,7 @@ void SynchronousField::configure(const MachineData& machine, const ControlSettin
 void SynchronousField::reset() noexcept {
   reserve_.reset();
   setpoint_ = {};
+  swing_ = 0.0;
   weakening_ = false;
 }
 
@@ -30,14 +36,16 @@ double SynchronousField::lag(double torque, double amplitude) const noexcept {
   return most > 0.0 ? std::clamp(torque / most, -0.9, 0.9) : 0.0;
 }
 
-double SynchronousField::damping(const Frame& frame) const noexcept {
-  const SpaceVector seen = observer_.induced() * conjugate(frame.direction);
-  const double turning = seen.im / reference_.magnet_flux();  // electrical speed while the lag is small
-  return damping_ * (frame.frequency - turning);
+double SynchronousField::damping(const Frame& frame) noexcept {
+  const SpaceVector induced = observer_.induced();
+  const double turning =
+      std::copysign(length(induced), cross(frame.direction, induced)) / observer_.followed_flux();
+  swing_ += kControlPeriod / kSwingTime * (frame.frequency - turning - swing_);
+  return damping_ * swing_;
 }
 
 void SynchronousField::trim(double dt, double demand, double highest, double frequency) noexcept {
-  const double drop = resistance_ * std::copysign(1.0, frequency) * setpoint_.im;
+  const double drop = resistance_ * std::max(0.0, std::copysign(1.0, frequency) * setpoint_.im);
   reserve_.follow(dt, demand, highest, drop, weakening_);
   const double fastest = std::max(std::abs(frequency), 1e-3);
   reachable_ = reference_.highest_torque(reserve_.room() / fastest);

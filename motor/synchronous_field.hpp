@@ -37,7 +37,7 @@ class SynchronousField {
   /// sine.
   double lag(double torque, double amplitude) const noexcept;
   /// Current (A) across a fed one that damps the rotor's swinging about it; @p frame is that of the fed current.
-  double damping(const Frame& frame) const noexcept;
+  double damping(const Frame& frame) noexcept;
 
   /// Currents for @p torque (N·m) in a frame of @p frequency (electrical rad/s).
   SpaceVector currents(double torque, double frequency) noexcept {
@@ -71,6 +71,7 @@ class SynchronousField {
   double current_limit_ = 0.0;
   double reachable_ = 0.0;
   SpaceVector setpoint_{};
+  double swing_ = 0.0;  // frequency of the frame less that of the rotor, smoothed (electrical rad/s)
   bool weakening_ = false;
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "motor/machine_data.hpp"
-#include "motor/rotation.hpp"
 #include "motor/runge_kutta.hpp"
 #include "motor/space_vector.hpp"
 
@@ -13,8 +13,8 @@ namespace motor {
 /// W' = L_d i_d²/2 + psi_f (1 - s(i_q)) i_d + L_q i_q²/2, so that saturation neither makes nor loses energy.
 class SynchronousMachine {
  public:
-  /// Currents of the rotor frame (A).
   struct Rate;
+  /// Currents of the rotor frame (A).
   struct State {
     double i_d = 0.0;
     double i_q = 0.0;
@@ -36,28 +36,44 @@ class SynchronousMachine {
     }
   };
 
+  /// Its voltages and currents are those of the rotor frame.
+  static constexpr bool kTurnsWithRotor = true;
+
   explicit SynchronousMachine(const MachineData& machine) noexcept;
+
+  const State& state() const noexcept { return state_; }
+  void set_state(const State& state) noexcept { state_ = state; }
 
   /// Temperatures of winding and magnets (°C).
   void set_temperatures(double winding, double rotor) noexcept;
   double pole_pairs() const noexcept { return pole_pairs_; }
-  double resistance() const noexcept { return resistance_; }
-  /// Flux of the magnets (V·s, peak).
-  double magnet_flux() const noexcept { return magnet_flux_; }
   /// The smaller of both inductances (H).
   double least_inductance() const noexcept { return std::min(l_d_, l_q_); }
+  /// Amplitude of the voltage that it induces in open terminals at the mechanical speed @p w (V).
+  double induced(double w) const noexcept { return std::abs(pole_pairs_ * w) * magnet_flux_; }
+  /// Copper losses of a step with the mean rates @p mean (W).
+  double losses(const Rate& mean) const noexcept { return 1.5 * resistance_ * mean.heating; }
+  /// Takes the currents away; what the field gives back (J).
+  double cut() noexcept {
+    const double released = stored();
+    state_ = {};
+    return released;
+  }
+  /// Rates without current.
+  Rate blocked_rate(const State&, double) const noexcept { return {}; }
+  SpaceVector current(const State& y) const noexcept { return {y.i_d, y.i_q}; }
   /// Flux linkages of the rotor frame (V·s).
   SpaceVector flux(const State& y) const noexcept {
     const Saturation s = saturation(y.i_q);
     return {l_d_ * y.i_d + magnet_flux_ - s.loss, l_q_ * y.i_q - s.slope * y.i_d};
   }
   /// Torque in the air gap (N·m).
-  double torque(const State& y) const noexcept {
-    const SpaceVector psi = flux(y);
-    return torque_factor_ * (psi.re * y.i_q - psi.im * y.i_d);
-  }
+  double torque() const noexcept { return torque_factor_ * cross(flux(state_), current(state_)); }
+  /// Flux linkage of the d axis (V·s).
+  double main_flux() const noexcept { return flux(state_).re; }
   /// Energy of the magnetic field above that of the magnets alone (J).
-  double stored(const State& y) const noexcept {
+  double stored() const noexcept {
+    const State& y = state_;
     const double cross_term = saturation(y.i_q).slope * y.i_d * y.i_q;
     return 1.5 * (0.5 * (l_d_ * y.i_d * y.i_d + l_q_ * y.i_q * y.i_q) - cross_term);
   }
@@ -84,6 +100,7 @@ class SynchronousMachine {
   Saturation saturation(double i_q) const noexcept;
   Rate saturated_rate(const State& y, SpaceVector u, double w_e) const noexcept;
 
+  State state_{};
   double pole_pairs_;
   double torque_factor_;
   double l_d_;
@@ -99,44 +116,6 @@ class SynchronousMachine {
   double saturation_knee_;        // i_q² from which it falls with i_q² (A²)
   double saturation_end_;         // i_q² of the maximum current (A²)
   double saturation_gain_ = 0.0;  // share of the flux lost for each A²
-};
-
-/// The machine under a voltage that is held in the stator frame while the rotor turns on.
-class HeldSynchronous {
- public:
-  using State = SynchronousMachine::State;
-  using Rate = SynchronousMachine::Rate;
-  /// @p voltage in the rotor frame at the start of the step (V).
-  HeldSynchronous(const SynchronousMachine& machine, const State& state, SpaceVector voltage) noexcept
-      : machine_{machine}, state_{state}, voltage_{voltage} {}
-
-  const State& state() const noexcept { return state_; }
-  template <int Stage>
-  Rate rate(const State& y, double angle, double speed) noexcept {
-    return machine_.rate(y, voltage<Stage>(machine_.pole_pairs() * angle), speed);
-  }
-
- private:
-  /// One series a step: the stages differ from the first half step, or from twice it, by the acceleration only.
-  template <int Stage>
-  SpaceVector voltage(double angle) noexcept {
-    if constexpr (Stage == 0) return voltage_;
-    if constexpr (Stage == 1) {
-      half_angle_ = angle;
-      half_turn_ = conjugate(small_rotation(angle));
-      half_way_ = voltage_ * half_turn_;
-      return half_way_;
-    }
-    if constexpr (Stage == 2) return turned_back_a_little(half_way_, angle - half_angle_);
-    return turned_back_a_little(half_way_ * half_turn_, angle - 2.0 * half_angle_);
-  }
-
-  const SynchronousMachine& machine_;
-  const State& state_;
-  SpaceVector voltage_;
-  SpaceVector half_turn_{};
-  SpaceVector half_way_{};
-  double half_angle_ = 0.0;
 };
 
 }  // namespace motor

@@ -17,6 +17,7 @@ class SynchronousObserver {
   void configure(const MachineData& machine, double period) noexcept {
     resistance_ = machine.stator_resistance;
     inductance_ = machine.synchronous.q_inductance;
+    saliency_ = machine.synchronous.d_inductance - inductance_;
     flux_ = machine.synchronous.magnet_flux;
     period_ = period;
   }
@@ -30,26 +31,41 @@ class SynchronousObserver {
     const SpaceVector mean = 0.5 * (measured.current + current_);
     const SpaceVector change = (inductance_ / period_) * (measured.current - current_);
     induced_ = measured.voltage - resistance_ * mean - change;
+    const double d_before = dot(current_, frame_.direction);
     current_ = measured.current;
-    const SpaceVector middle = frame_.direction * small_rotation(0.5 * period_ * frame_.frequency);
+    const SpaceVector half_turn = small_rotation(0.5 * period_ * frame_.frequency);
+    const SpaceVector middle = frame_.direction * half_turn;
     const SpaceVector seen = induced_ * conjugate(middle);
-    const double scale = std::max(std::abs(frame_.frequency) * flux_, kLeastVoltage);
-    const double error = std::clamp(-std::copysign(seen.re, seen.re * frame_.frequency) / scale, -1.0, 1.0);
-    frame_.frequency += kBandwidth * kBandwidth * period_ * error;
-    frame_.direction = turned(frame_.direction, period_ * (frame_.frequency + 2.0 * kBandwidth * error));
+    // With unlike inductances the flux to be followed has a part of the current along it, whose changes are no
+    // rotation.
+    const double d_current = dot(current_, middle * half_turn);
+    const double along = seen.re - saliency_ / period_ * (d_current - d_before);
+    followed_flux_ = flux_ + saliency_ * d_current;
+    const double scale = std::max(std::abs(frame_.frequency) * followed_flux_, kLeastVoltage);
+    const double error = std::clamp(-std::copysign(1.0, frame_.frequency) * along / scale, -1.0, 1.0);
+    const double bandwidth = std::clamp(kBandwidthShare * std::abs(frame_.frequency), kLowest, kHighest);
+    frame_.frequency += bandwidth * bandwidth * period_ * error;
+    frame_.direction = turned(frame_.direction, period_ * (frame_.frequency + 2.0 * bandwidth * error));
   }
   /// Where the magnets point, and how fast they turn.
   const Frame& frame() const noexcept { return frame_; }
+  /// Flux that turns with the rotor: that of the magnets, and with unlike inductances a part of the current's
+  /// (V·s).
+  double followed_flux() const noexcept { return followed_flux_; }
   /// Voltage that the magnets induce, mean of the last period, stator frame (V).
   SpaceVector induced() const noexcept { return induced_; }
 
  private:
-  static constexpr double kBandwidth = 400.0;   // rad/s
-  static constexpr double kLeastVoltage = 1.0;  // V
+  static constexpr double kBandwidthShare = 2.0;  // of the loop, of the speed: slow rotors are seen dimly
+  static constexpr double kLowest = 50.0;         // rad/s
+  static constexpr double kHighest = 400.0;       // rad/s
+  static constexpr double kLeastVoltage = 1.0;    // V
 
   double resistance_ = 0.0;
   double inductance_ = 0.0;
+  double saliency_ = 0.0;  // H
   double flux_ = 0.0;
+  double followed_flux_ = 1.0;
   double period_ = 0.0;
   Frame frame_{};
   SpaceVector current_{};

@@ -23,6 +23,7 @@ double crossing(double lower, double upper, Function function) noexcept {
 void SynchronousReference::configure(const MachineData& machine, double current_limit) noexcept {
   const SynchronousData& data = machine.synchronous;
   model_ = SynchronousMachine{machine};
+  torque_factor_ = 1.5 * machine.pole_pairs;
   d_inductance_ = data.d_inductance;
   q_inductance_ = data.q_inductance;
   magnet_flux_ = data.magnet_flux;

@@ -28,7 +28,9 @@ class SynchronousReference {
     return {d_inductance_ * current.re + magnet_flux_, q_inductance_ * current.im};
   }
   /// Torque that the machine's data promise for @p current (N·m).
-  double torque(SpaceVector current) const noexcept { return model_.torque({current.re, current.im}); }
+  double torque(SpaceVector current) const noexcept {
+    return torque_factor_ * cross(model_.flux({current.re, current.im}), current);
+  }
   /// Highest torque with the current limit alone (N·m).
   double highest_torque() const noexcept { return highest_torque_; }
   /// Highest torque with the stator flux below @p flux (V·s) too (N·m).
@@ -48,6 +50,7 @@ class SynchronousReference {
   SpaceVector least_flux_per_torque(double flux) const noexcept;
 
   SynchronousMachine model_{MachineData{}};  // cold
+  double torque_factor_ = 1.5;               // 1.5 pole pairs
   double d_inductance_ = 1e-3;               // H
   double q_inductance_ = 1e-3;               // H
   double magnet_flux_ = 0.1;                 // V·s

@@ -10,12 +10,12 @@
 namespace motor {
 namespace {
 
-constexpr double kDamping = 3.0;            // share of the delays in the gain: calm, not the fastest
-constexpr double kIntegralDelays = 10.0;    // integral time in sums of delays
-constexpr double kSensorlessDelay = 10e-3;  // s, of the speed estimate
-constexpr double kChangeover = 0.1;         // of the rated speed
-constexpr double kPowerReserve = 2.0;       // p1530 does not act before twice the peak torque at rated speed
-constexpr double kBoostShare = 0.5;         // p1310 of a new unit (share of the rated current's voltage drop)
+constexpr double kDamping = 3.0;           // share of the delays in the gain: calm, not the fastest
+constexpr double kIntegralDelays = 10.0;   // integral time in sums of delays
+constexpr double kSensorlessDelay = 5e-3;  // s, of the speed estimate
+constexpr double kChangeover = 0.1;        // of the rated speed
+constexpr double kPowerReserve = 2.0;      // p1530 does not act before twice the peak torque at rated speed
+constexpr double kBoostShare = 0.5;        // p1310 of a new unit (share of the rated current's voltage drop)
 
 SpeedControllerGains gains_for(double inertia, double delay) noexcept {
   return {.proportional = inertia / (kDamping * delay), .integral_time = kIntegralDelays * delay};
