@@ -21,8 +21,11 @@ constexpr std::string_view kPositiveText = "a number above 0";
 constexpr std::string_view kNotNegativeText = "a number not below 0";
 constexpr std::string_view kNumberText = "a finite number";
 
+constexpr double kSmallest = 1e-12;   // that counts as above 0, so that its reciprocal is harmless
+constexpr double kFastestRate = 1e5;  // 1/s, of what the models integrate with sub-steps
+
 bool positive(double value) noexcept {
-  return std::isfinite(value) && value > 0.0;
+  return std::isfinite(value) && value >= kSmallest;
 }
 bool not_negative(double value) noexcept {
   return std::isfinite(value) && value >= 0.0;
@@ -245,6 +248,14 @@ constexpr std::array kSupplyRules{
                  "less than the overvoltage"},
 };
 
+/// Whether the currents of @p machine change slowly enough.
+bool can_be_integrated(const Machine& machine) noexcept {
+  const bool magnets = machine.type == MachineType::Synchronous;
+  const double inductance = magnets ? std::min(machine.synchronous.d_inductance, machine.synchronous.q_inductance)
+                                    : machine.induction.stator_leakage;
+  return machine.stator_resistance <= kFastestRate * inductance;
+}
+
 /// The first of two answers that says something.
 std::optional<Impossible> either(std::optional<Impossible> first, std::optional<Impossible> second) noexcept {
   return first ? first : second;
@@ -258,11 +269,23 @@ std::optional<Impossible> find_impossible(const MachineData& machine) noexcept {
                         : first_broken<InductionData>(kInductionRules, machine.induction);
   const auto rest = either(first_broken<ThermalData>(kThermalRules, machine.thermal),
                            first_broken<EncoderData>(kEncoderRules, machine.encoder));
-  return either(first_broken<MachineData>(kMachineRules, machine), either(type, rest));
+  const auto broken = either(first_broken<MachineData>(kMachineRules, machine), either(type, rest));
+  if (broken || can_be_integrated(machine)) return broken;
+  return Impossible{"stator_resistance", "a resistance with an electrical time constant above 10 us"};
 }
 
 std::optional<Impossible> find_impossible(const Load& load) noexcept {
   return first_broken<Load>(kLoadRules, load);
+}
+
+std::optional<Impossible> find_impossible(const MachineData& machine, const Load& load) noexcept {
+  if (load.coupling.stiffness <= 0.0) return std::nullopt;
+  const double mobility = 1.0 / machine.inertia + 1.0 / load.inertia;
+  if (!(load.coupling.stiffness * mobility <= kFastestRate * kFastestRate))
+    return Impossible{"coupling.stiffness", "a stiffness that resonates below 16 kHz"};
+  if (!(load.coupling.damping * mobility <= kFastestRate))
+    return Impossible{"coupling.damping", "a damping with a time constant above 10 us"};
+  return std::nullopt;
 }
 
 std::optional<Impossible> find_impossible(const InverterData& inverter) noexcept {
