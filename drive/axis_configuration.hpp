@@ -11,8 +11,8 @@ namespace drive {
 struct AxisConfiguration {
   motor::MachineData machine{};
   motor::Load load{};
-  motor::InverterData inverter{};
   ObjectKind kind = ObjectKind::Servo;  ///< Servo or Vector
+  motor::InverterData inverter{};
 };
 
 }  // namespace drive

@@ -26,7 +26,7 @@ struct InverterData {
 };
 
 /// Trip current (A peak) over maximum current (A rms).
-inline constexpr double kTripRatio = 40.0 / 18.0;
+inline constexpr double kTripRatio = 75.0 / 36.0;
 
 /// A power unit of @p rated_current (A rms, positive) with the properties of the default one in proportion.
 constexpr InverterData inverter_of(double rated_current) noexcept {
@@ -44,12 +44,11 @@ constexpr InverterData inverter_of(double rated_current) noexcept {
 /// Rated currents of the power units of the series (A rms).
 inline constexpr std::array kRatedCurrents{3.0, 5.0, 9.0, 18.0, 30.0, 45.0, 60.0, 85.0, 132.0, 200.0};
 
-/// The smallest power unit of the series that carries @p stall_current (A rms) for ever; beyond it, one made for
-/// it.
-constexpr InverterData inverter_for(double stall_current) noexcept {
+/// The smallest power unit of the series that gives @p maximum_current (A rms); beyond it, one made for it.
+constexpr InverterData inverter_for(double maximum_current) noexcept {
   for (const double rated : kRatedCurrents)
-    if (rated >= stall_current) return inverter_of(rated);
-  return inverter_of(stall_current);
+    if (inverter_of(rated).maximum_current >= maximum_current) return inverter_of(rated);
+  return inverter_of(0.5 * maximum_current);
 }
 
 }  // namespace motor
