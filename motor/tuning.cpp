@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "motor/encoder.hpp"
 #include "motor/induction_circuit.hpp"
@@ -33,10 +34,12 @@ CurrentControllerGains current_gains(const MachineData& machine) noexcept {
   return {kCurrentBandwidth * circuit.leakage, kCurrentBandwidth * circuit.leakage, time, time};
 }
 
+/// A magnet machine gets the voltage it induces, so that it takes no more current than its torque needs.
 VoltageFrequencySettings voltage_frequency_of(const MachineData& machine) noexcept {
-  const double drop = machine.stator_resistance * machine.rated_current * std::sqrt(3.0);
+  const double drop = machine.stator_resistance * machine.rated_current * std::numbers::sqrt3;
   const bool synchronous = machine.type == MachineType::Synchronous;
-  return {.rated_voltage = machine.rated_voltage,
+  const double induced = std::sqrt(1.5) * 2.0 * std::numbers::pi * machine.rated_frequency;
+  return {.rated_voltage = synchronous ? induced * machine.synchronous.magnet_flux : machine.rated_voltage,
           .rated_frequency = machine.rated_frequency,
           .boost = (synchronous ? 1.0 : kBoostShare) * drop,
           .slip_compensation = synchronous ? 0.0 : 1.0,
