@@ -33,7 +33,7 @@ class SynchronousObserver {
     induced_ = measured.voltage - resistance_ * mean - change;
     const double d_before = dot(current_, frame_.direction);
     current_ = measured.current;
-    const SpaceVector half_turn = small_rotation(0.5 * period_ * frame_.frequency);
+    const SpaceVector half_turn = bounded_rotation(0.5 * period_ * frame_.frequency);
     const SpaceVector middle = frame_.direction * half_turn;
     const SpaceVector seen = induced_ * conjugate(middle);
     // With unlike inductances the flux to be followed has a part of the current along it, whose changes are no

@@ -60,6 +60,10 @@ void PrintTo(const NamedMachine& machine, std::ostream* out) {  // NOLINT(readab
   *out << machine.name;
 }
 
+std::string name_of(const testing::TestParamInfo<NamedMachine>& info) {
+  return std::string{info.param.name};
+}
+
 std::vector<NamedMachine> machines() {
   return {
       {"1ft7044", synchronous({3, 6000, 9000, 300, 340, 2.5, 2.0, 1257, 30, 23, 5.43e-4}, 5.7, 0.61,

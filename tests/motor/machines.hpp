@@ -1,8 +1,11 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 #include <string_view>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "motor/drive_train.hpp"
 
@@ -15,6 +18,9 @@ struct NamedMachine {
 };
 /// How GoogleTest names it.
 void PrintTo(const NamedMachine& machine, std::ostream* out);  // NOLINT(readability-identifier-naming)
+
+/// The name of a test with it.
+std::string name_of(const testing::TestParamInfo<NamedMachine>& info);
 
 /// The delivered presets and two machines of the references, by their names.
 std::vector<NamedMachine> machines();
