@@ -35,9 +35,10 @@ StoredEnergy Plant::stored() const noexcept {
           .spring = std::visit([this](const auto& shaft) { return shaft.spring(angle()); }, shaft_)};
 }
 
-InductionMachine::State Plant::fluxes() const noexcept {
+MachineFluxes Plant::fluxes() const noexcept {
   const auto* const machine = std::get_if<InductionMachine>(&machine_);
-  return machine == nullptr ? InductionMachine::State{} : machine->state();
+  if (machine == nullptr) return {};
+  return {vector(machine->state().stator), vector(machine->state().rotor)};
 }
 
 void Plant::set_temperatures(double winding, double rotor) noexcept {
@@ -66,11 +67,11 @@ void Plant::set_speed(double speed) noexcept {
   state_.load_speed = speed;
 }
 
-void Plant::set_fluxes(const InductionMachine::State& fluxes) noexcept {
+void Plant::set_fluxes(const MachineFluxes& fluxes) noexcept {
   auto* const machine = std::get_if<InductionMachine>(&machine_);
   if (machine == nullptr) return;
-  machine->set_state(fluxes);
-  state_.current = machine->current(fluxes);
+  machine->set_state({pair(fluxes.stator), pair(fluxes.rotor)});
+  state_.current = vector(machine->current(machine->state()));
   state_.flux = machine->main_flux();
 }
 

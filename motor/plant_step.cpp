@@ -16,10 +16,37 @@ constexpr int kCoastingParts = 8;
 /// Most steps in a control period; a shaft that would need more does not get any faster.
 constexpr int kMostParts = 256;
 
+/// Rates of a step in which saturation counts.
+template <class S>
+[[gnu::noinline]] auto saturated_rates(const SynchronousMachine& machine, const S& shaft, SpaceVector voltage,
+                                       SpaceVector direction, double h) noexcept {
+  HeldVoltage<SynchronousMachine, true> circuit{machine, voltage, direction};
+  return runge_kutta(circuit, shaft, h);
+}
+
+/// Rates under a held voltage: without saturation, unless the step begins or ends in it.
+template <class S>
+auto held_rates(const SynchronousMachine& machine, const S& shaft, SpaceVector voltage, SpaceVector direction,
+                double h) noexcept {
+  if (!machine.is_saturated(machine.state())) [[likely]] {
+    HeldVoltage<SynchronousMachine, false> circuit{machine, voltage, direction};
+    const auto sum = runge_kutta(circuit, shaft, h);
+    if (!machine.is_saturated(machine.state().moved(sum.circuit, stage_weight(h)))) [[likely]]
+      return sum;
+  }
+  return saturated_rates(machine, shaft, voltage, direction, h);
+}
+template <class S>
+auto held_rates(const InductionMachine& machine, const S& shaft, SpaceVector voltage, SpaceVector direction,
+                double h) noexcept {
+  HeldVoltage<InductionMachine> circuit{machine, voltage, direction};
+  return runge_kutta(circuit, shaft, h);
+}
+
 }  // namespace
 
 /// As many parts as asked for, or more where the shaft turns faster than the machine was made for.
-int Plant::needed(int parts) const noexcept {
+[[gnu::always_inline]] inline int Plant::needed(int parts) const noexcept {
   const double turning = std::abs(state_.speed) * pole_pairs_ * kControlPeriod;
   if (turning <= 1.2 * kElectricalStep * parts) return parts;
   return turning < kElectricalStep * kMostParts ? static_cast<int>(turning / kElectricalStep) + 1 : kMostParts;
@@ -29,7 +56,7 @@ double Plant::angle() const noexcept {
   return static_cast<double>(state_.revolutions) * kTurn + state_.rotor_angle;
 }
 
-void Plant::turn(const Motion& motion) noexcept {
+[[gnu::always_inline]] inline void Plant::turn(const Motion& motion) noexcept {
   state_.speed = motion.speed;
   state_.rotor_angle += motion.angle;
   if (state_.rotor_angle >= 0.0 && state_.rotor_angle < kTurn) return;
@@ -38,37 +65,35 @@ void Plant::turn(const Motion& motion) noexcept {
   state_.revolutions += static_cast<std::int64_t>(turns);
 }
 
-template <class M, class S>
-void Plant::begin(M& machine, S& shaft, int part, double h) noexcept {
-  shaft.begin({static_cast<double>(steps_) * kControlPeriod + part * h, angle()}, machine.torque());
+template <class S>
+[[gnu::always_inline]] inline void Plant::begin(S& shaft, int part, double h, double torque) noexcept {
+  StepStart start{};
+  if constexpr (!S::kPlain) start = {static_cast<double>(steps_) * kControlPeriod + part * h, angle()};
+  shaft.begin(start, torque);
 }
 
-template <class Circuit, class M, class S>
-void Plant::advance(Circuit& circuit, M& machine, S& shaft, double h) noexcept {
-  const auto mean = runge_kutta(circuit, shaft, h);
-  machine.set_state(machine.state().moved(mean.circuit, h));
-  energies_.electrical += 1.5 * h * mean.circuit.power;
-  energies_.copper += h * machine.losses(mean.circuit);
-  state_.torque += mean.circuit.torque * h;
-  turn(shaft.finish(mean.shaft, h, energies_));
-  if constexpr (M::kTurnsWithRotor) {
-    const double electrical = pole_pairs_ * state_.rotor_angle;
-    direction_ = {std::cos(electrical), std::sin(electrical)};
-  }
+template <class Rates, class M, class S>
+[[gnu::always_inline]] inline void Plant::advance(const Rates& sum, M& machine, S& shaft, double h) noexcept {
+  const double weight = stage_weight(h);
+  machine.set_state(machine.state().moved(sum.circuit, weight));
+  energies_.electrical += 1.5 * weight * motor::sum(sum.circuit.power);
+  energies_.copper += machine.losses(sum.circuit, weight);
+  state_.torque += weight * (1.0 / kControlPeriod) * sum.circuit.torque;
+  turn(shaft.finish(sum.shaft, h, energies_));
+  if constexpr (M::kTurnsWithRotor) direction_ = unit_vector(pole_pairs_ * state_.rotor_angle);
 }
 
 template <class M, class S>
-void Plant::finish(const M& machine, S& shaft) noexcept {
+[[gnu::always_inline]] inline void Plant::finish(const M& machine, S& shaft) noexcept {
   ++steps_;
   const double most = kElectricalStep * kMostParts / (pole_pairs_ * kControlPeriod);
   if (std::abs(state_.speed) > most) [[unlikely]] {
     shaft.set_speed(std::copysign(most, state_.speed));
     state_.speed = shaft.speed();
   }
-  state_.torque *= 1.0 / kControlPeriod;
   state_.load_speed = shaft.load_speed();
   state_.twist = shaft.twist();
-  const SpaceVector current = machine.current(machine.state());
+  const SpaceVector current = vector(machine.current(machine.state()));
   state_.current = M::kTurnsWithRotor ? current * direction_ : current;
   state_.flux = machine.main_flux();
 }
@@ -78,9 +103,8 @@ void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
   const int parts = needed(substeps_);
   const double h = parts == 1 ? kControlPeriod : kControlPeriod / parts;
   for (int part = 0; part < parts; ++part) {
-    HeldVoltage<M> circuit{machine, voltage, direction_};
-    begin(machine, shaft, part, h);
-    advance(circuit, machine, shaft, h);
+    begin(shaft, part, h, shaft.stands() ? machine.torque() : 0.0);
+    advance(held_rates(machine, shaft, voltage, direction_, h), machine, shaft, h);
   }
   finish(machine, shaft);
 }
@@ -91,16 +115,12 @@ void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
   const double h = kControlPeriod / parts;
   for (int part = 0; part < parts; ++part) {
     DiodeVoltage<M> diodes{machine, limit, h};
-    const double current = length(machine.current(machine.state()));
+    const double current = length(vector(machine.current(machine.state())));
     const bool blocks = machine.induced(state_.speed) <= limit && current <= diodes.least_current();
     if (blocks) energies_.electrical -= machine.cut();
-    begin(machine, shaft, part, h);
-    if (blocks) {
-      OpenTerminals<M> open{machine};
-      advance(open, machine, shaft, h);
-    } else {
-      advance(diodes, machine, shaft, h);
-    }
+    begin(shaft, part, h, shaft.stands() ? machine.torque() : 0.0);
+    OpenTerminals<M> open{machine};
+    advance(blocks ? runge_kutta(open, shaft, h) : runge_kutta(diodes, shaft, h), machine, shaft, h);
   }
   finish(machine, shaft);
 }
