@@ -68,16 +68,25 @@ class Plant {
   template <class S>
   void begin(S& shaft, int part, double h, double torque) noexcept;
   template <class M, class S>
-  void finish(const M& machine, S& shaft) noexcept;
+  void drive_part(M& machine, S& shaft, SpaceVector voltage, int part, double h) noexcept;
+  template <class M, class S>
+  void drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept;
+  template <class M, class S>
+  void finish(const M& machine, const S& shaft) noexcept;
+  template <class S>
+  void hold_back(S& shaft) noexcept;
+  void start_period() noexcept;
   void turn(const Motion& motion) noexcept;
   void apply_brake() noexcept;
   int needed(int parts) const noexcept;
+  double followed_speed(int parts) const noexcept;
   double angle() const noexcept;
 
   Machine machine_;
   Shaft shaft_;
   int substeps_;
   double pole_pairs_;
+  double calm_speed_;  // up to which substeps_ will do (rad/s)
   HoldingBrake brake_;
   bool brake_closed_ = true;         // as commanded
   int brake_delay_ = 0;              // steps until the command acts

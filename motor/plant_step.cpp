@@ -13,7 +13,7 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Steps in a control period without pulses: what the diodes do changes faster than a held voltage.
 constexpr int kCoastingParts = 8;
-/// Most steps in a control period; a shaft that would need more does not get any faster.
+/// Most steps in a control period.
 constexpr int kMostParts = 256;
 
 /// Rates of a step in which saturation counts.
@@ -46,10 +46,16 @@ auto held_rates(const InductionMachine& machine, const S& shaft, SpaceVector vol
 }  // namespace
 
 /// As many parts as asked for, or more where the shaft turns faster than the machine was made for.
-[[gnu::always_inline]] inline int Plant::needed(int parts) const noexcept {
+int Plant::needed(int parts) const noexcept {
   const double turning = std::abs(state_.speed) * pole_pairs_ * kControlPeriod;
-  if (turning <= 1.2 * kElectricalStep * parts) return parts;
-  return turning < kElectricalStep * kMostParts ? static_cast<int>(turning / kElectricalStep) + 1 : kMostParts;
+  if (turning <= kElectricalStep * parts) return parts;
+  return turning < kElectricalStep * kMostParts ? static_cast<int>(turning * (1.0 / kElectricalStep)) + 1
+                                                : kMostParts;
+}
+
+/// Speed of the rotor that @p parts in a control period can follow (rad/s).
+double Plant::followed_speed(int parts) const noexcept {
+  return kElectricalStep * parts / (pole_pairs_ * kControlPeriod);
 }
 
 double Plant::angle() const noexcept {
@@ -84,13 +90,8 @@ template <class Rates, class M, class S>
 }
 
 template <class M, class S>
-[[gnu::always_inline]] inline void Plant::finish(const M& machine, S& shaft) noexcept {
+[[gnu::always_inline]] inline void Plant::finish(const M& machine, const S& shaft) noexcept {
   ++steps_;
-  const double most = kElectricalStep * kMostParts / (pole_pairs_ * kControlPeriod);
-  if (std::abs(state_.speed) > most) [[unlikely]] {
-    shaft.set_speed(std::copysign(most, state_.speed));
-    state_.speed = shaft.speed();
-  }
   state_.load_speed = shaft.load_speed();
   state_.twist = shaft.twist();
   const SpaceVector current = vector(machine.current(machine.state()));
@@ -99,14 +100,35 @@ template <class M, class S>
 }
 
 template <class M, class S>
+[[gnu::always_inline]] inline void Plant::drive_part(M& machine, S& shaft, SpaceVector voltage, int part,
+                                                     double h) noexcept {
+  begin(shaft, part, h, shaft.stands() ? machine.torque() : 0.0);
+  advance(held_rates(machine, shaft, voltage, direction_, h), machine, shaft, h);
+}
+
+/// A control period in @p parts.
+template <class M, class S>
+[[gnu::noinline]] void Plant::drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept {
+  for (int part = 0; part < parts; ++part) drive_part(machine, shaft, voltage, part, kControlPeriod / parts);
+  hold_back(shaft);
+}
+
+template <class M, class S>
 void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
-  const int parts = needed(substeps_);
-  const double h = parts == 1 ? kControlPeriod : kControlPeriod / parts;
-  for (int part = 0; part < parts; ++part) {
-    begin(shaft, part, h, shaft.stands() ? machine.torque() : 0.0);
-    advance(held_rates(machine, shaft, voltage, direction_, h), machine, shaft, h);
-  }
+  if (substeps_ == 1 && std::abs(state_.speed) <= calm_speed_) [[likely]]
+    drive_part(machine, shaft, voltage, 0, kControlPeriod);
+  else
+    drive_parts(machine, shaft, voltage, needed(substeps_));
   finish(machine, shaft);
+}
+
+/// A shaft that would need more than kMostParts does not get any faster.
+template <class S>
+void Plant::hold_back(S& shaft) noexcept {
+  const double most = followed_speed(kMostParts);
+  if (std::abs(state_.speed) <= most) return;
+  shaft.set_speed(std::copysign(most, state_.speed));
+  state_.speed = shaft.speed();
 }
 
 template <class M, class S>
@@ -122,20 +144,23 @@ void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
     OpenTerminals<M> open{machine};
     advance(blocks ? runge_kutta(open, shaft, h) : runge_kutta(diodes, shaft, h), machine, shaft, h);
   }
+  hold_back(shaft);
   finish(machine, shaft);
 }
 
-void Plant::step(SpaceVector voltage) noexcept {
+void Plant::start_period() noexcept {
   if (brake_delay_ > 0 && --brake_delay_ == 0) apply_brake();
   energies_ = {};
   state_.torque = 0.0;
+}
+
+void Plant::step(SpaceVector voltage) noexcept {
+  start_period();
   std::visit([&](auto& machine, auto& shaft) { drive(machine, shaft, voltage); }, machine_, shaft_);
 }
 
 void Plant::coast(double dc_voltage) noexcept {
-  if (brake_delay_ > 0 && --brake_delay_ == 0) apply_brake();
-  energies_ = {};
-  state_.torque = 0.0;
+  start_period();
   const double limit = dc_voltage > 0.0 ? dc_voltage / std::numbers::sqrt3 : 0.0;
   std::visit([&](auto& machine, auto& shaft) { coast_down(machine, shaft, limit); }, machine_, shaft_);
 }
