@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "motor/control_period.hpp"
 #include "motor/current_loop.hpp"
 #include "motor/encoder.hpp"
 #include "motor/load.hpp"
@@ -10,9 +11,6 @@
 #include "motor/speed_controller.hpp"
 
 namespace motor {
-
-/// Sampling time of the control loops (s), p0115[0] of a servo.
-inline constexpr double kControlPeriod = 125e-6;
 
 /// What a drive train is told for one step.
 struct Command {

@@ -60,6 +60,11 @@ struct Load {
   HoldingBrake brake{};
 };
 
+/// Whether rotor and load are two masses.
+constexpr bool is_elastic(const Load& load) noexcept {
+  return load.coupling.stiffness > 0.0 && load.inertia > 0.0;
+}
+
 /// Constant torque of a hoist (N·m): @p mass (kg) on a rope over a drum of @p radius (m); lifting turns positive.
 constexpr double hoist_torque(double mass, double radius) noexcept {
   return mass * kGravity * radius;

@@ -1,42 +1,90 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
+#include "motor/elastic_shaft.hpp"
+#include "motor/induction_machine.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
+#include "motor/plant_data.hpp"
+#include "motor/rigid_shaft.hpp"
 #include "motor/space_vector.hpp"
+#include "motor/synchronous_machine.hpp"
 
 namespace motor {
 
-/// The true state of machine and load at the end of a step; what a drive knows of it comes through sensors.
-struct PlantState {
-  SpaceVector current{};         ///< of the stator, stator frame (A)
-  double rotor_angle = 0.0;      ///< mechanical, within one revolution, 0..2π (rad)
-  std::int64_t revolutions = 0;  ///< whole ones since the start, counted down backwards
-  double speed = 0.0;            ///< of the rotor (rad/s)
-  double load_speed = 0.0;       ///< of the load, the rotor's own with a rigid coupling (rad/s)
-  double twist = 0.0;            ///< rotor angle less load angle (rad)
-  double torque = 0.0;           ///< air gap, mean of the step (N·m)
-  double flux = 0.0;             ///< of rotor (induction) or magnets with i_d (synchronous) (V·s, peak)
-};
+/// Machine, shaft and load as they really are: one Runge-Kutta step of all states a control period, without
+/// allocation. The brake is closed until it is told to open.
+class Plant {
+ public:
+  /// @p substeps in a control period; 0 = as many as the fastest time constants of the data need.
+  Plant(const MachineData& machine, const Load& load, int substeps = 0) noexcept;
 
-/// Where the energy of a step went (J); what comes in is positive in `electrical`, the others are positive when
-/// they take it.
-struct PlantEnergies {
-  double electrical = 0.0;  ///< at the terminals, from the inverter
-  double copper = 0.0;      ///< stator and rotor
-  double iron = 0.0;
-  double friction = 0.0;  ///< bearings, load, damping of the coupling, end stops, brake
-  double load = 0.0;      ///< done on what hangs on the shaft: weights, fans, profiles
-};
+  /// Advances by kControlPeriod with @p voltage held in the stator frame (V, peak).
+  void step(SpaceVector voltage) noexcept;
+  /// Advances by kControlPeriod with the pulses inhibited: the currents flow through the diodes against
+  /// @p dc_voltage (V, not negative) until they are gone; more only flow where the machine induces more than that.
+  void coast(double dc_voltage) noexcept;
 
-/// What a plant has stored (J).
-struct StoredEnergy {
-  double magnetic = 0.0;
-  double kinetic = 0.0;
-  double spring = 0.0;  ///< coupling and end stops
+  /// At the end of the last step.
+  const PlantState& state() const noexcept { return state_; }
+  /// Of the last step.
+  const PlantEnergies& energies() const noexcept { return energies_; }
+  StoredEnergy stored() const noexcept;
+  /// Cosine and sine of the electrical angle of the rotor at the end of the last step (synchronous machine).
+  SpaceVector direction() const noexcept { return direction_; }
+  /// Flux linkages of an induction machine in the stator frame (V·s); zero for a synchronous one.
+  InductionMachine::State fluxes() const noexcept;
+  /// How many Runge-Kutta steps make a control period, unless the shaft turns faster than the machine should.
+  int substeps() const noexcept { return substeps_; }
 
-  double sum() const noexcept { return magnetic + kinetic + spring; }
+  /// Winding and rotor (°C): for the resistances and the flux of the magnets.
+  void set_temperatures(double winding, double rotor) noexcept;
+  /// Replaces the constant load torque (N·m, positive against positive rotation).
+  void set_load_torque(double torque) noexcept;
+  /// Commands the holding brake; it acts after its closing or opening time.
+  void set_brake(bool closed) noexcept;
+  /// Lets rotor and load turn at @p speed (rad/s), whatever they did before.
+  void set_speed(double speed) noexcept;
+  /// Magnetises an induction machine at once, whatever it was before.
+  void set_fluxes(const InductionMachine::State& fluxes) noexcept;
+  /// Whether no current flows, everything stands, and nothing will change while the pulses are inhibited.
+  bool rests() const noexcept;
+
+ private:
+  using Machine = std::variant<SynchronousMachine, InductionMachine>;
+  using Shaft = std::variant<RigidShaft<true>, RigidShaft<false>, ElasticShaft>;
+
+  static Machine made_machine(const MachineData& machine) noexcept;
+  static Shaft made_shaft(const MachineData& machine, const Load& load) noexcept;
+
+  template <class M, class S>
+  void drive(M& machine, S& shaft, SpaceVector voltage) noexcept;
+  template <class M, class S>
+  void coast_down(M& machine, S& shaft, double limit) noexcept;
+  template <class Circuit, class M, class S>
+  void advance(Circuit& circuit, M& machine, S& shaft, double h) noexcept;
+  template <class M, class S>
+  void begin(M& machine, S& shaft, int part, double h) noexcept;
+  template <class M, class S>
+  void finish(const M& machine, S& shaft) noexcept;
+  void turn(const Motion& motion) noexcept;
+  void apply_brake() noexcept;
+  int needed(int parts) const noexcept;
+  double angle() const noexcept;
+
+  Machine machine_;
+  Shaft shaft_;
+  int substeps_;
+  double pole_pairs_;
+  HoldingBrake brake_;
+  bool brake_closed_ = true;         // as commanded
+  int brake_delay_ = 0;              // steps until the command acts
+  std::int64_t steps_ = 0;           // since power-on
+  SpaceVector direction_{1.0, 0.0};  // of the d axis
+  PlantState state_{};
+  PlantEnergies energies_{};
 };
 
 }  // namespace motor

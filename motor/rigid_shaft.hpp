@@ -1,0 +1,133 @@
+#pragma once
+
+#include "motor/friction.hpp"
+#include "motor/load.hpp"
+#include "motor/load_torque.hpp"
+#include "motor/machine_data.hpp"
+#include "motor/plant_data.hpp"
+#include "motor/runge_kutta.hpp"
+#include "motor/step_start.hpp"
+
+namespace motor {
+
+/// Rotor and load as one mass. @p Plain: nothing hangs on it but a constant torque, and no wall is near.
+template <bool Plain>
+class RigidShaft {
+ public:
+  struct Rate;
+  /// Angle turned since the start of the step (rad), and speed (rad/s).
+  struct State {
+    double angle = 0.0;
+    double speed = 0.0;
+
+    State moved(const Rate& rate, double h) const noexcept {
+      return {angle + h * rate.speed, speed + h * rate.acceleration};
+    }
+  };
+  struct Rate {
+    double speed;         ///< (rad/s)
+    double acceleration;  ///< (rad/s²)
+    double square;        ///< of the speed (rad²/s²)
+    double load;          ///< power into the load (W), unless Plain
+    double damping;       ///< power lost in the end stops (W), unless Plain
+
+    static Rate mean(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
+      return {stage_mean(a.speed, b.speed, c.speed, d.speed),
+              stage_mean(a.acceleration, b.acceleration, c.acceleration, d.acceleration),
+              stage_mean(a.square, b.square, c.square, d.square), stage_mean(a.load, b.load, c.load, d.load),
+              stage_mean(a.damping, b.damping, c.damping, d.damping)};
+    }
+  };
+
+  RigidShaft(const MachineData& machine, const Load& load) noexcept
+      : inertia_{machine.inertia + load.inertia},
+        inverse_inertia_{1.0 / inertia_},
+        friction_{with_bearings(load_friction(load), machine)},
+        open_friction_{friction_.coulomb},
+        hysteresis_{machine.hysteresis_torque},
+        viscous_{machine.viscous_friction + load.viscous_friction},
+        eddy_current_drag_{machine.eddy_current_drag},
+        drag_{viscous_ + eddy_current_drag_},
+        load_{load},
+        stops_{load.end_stops} {}
+
+  /// Whether nothing but a constant torque hangs on it.
+  bool is_plain() const noexcept { return !load_.varies() && !stops_.present(); }
+  State state() const noexcept { return {0.0, speed_}; }
+  double speed() const noexcept { return speed_; }
+  double load_speed() const noexcept { return speed_; }
+  double twist() const noexcept { return 0.0; }
+  void set_speed(double speed) noexcept { speed_ = speed; }
+  void set_load_torque(double torque) noexcept { load_.set_constant(torque); }
+  /// Friction of the brake on the rotor (N·m), 0 = open.
+  void set_brake(double torque) noexcept { friction_.coulomb = open_friction_ + torque; }
+
+  /// Decides for the coming step whether the mass holds fast against @p torque of the machine (N·m).
+  void begin(const StepStart& start, double torque) noexcept {
+    if constexpr (!Plain) {
+      load_.begin(start.time, start.angle);
+      start_angle_ = start.angle;
+    }
+    grip_ = Grip::decide(friction_, hysteresis_, speed_, torque - outside(state(), 0.0).total());
+    active_inverse_ = grip_.stuck ? 0.0 : inverse_inertia_;
+  }
+  Rate rate(const State& z, double torque, double time) const noexcept {
+    const Outside out = outside(z, time);
+    return {z.speed, (torque - grip_.torque - drag_ * z.speed - out.total()) * active_inverse_, z.speed * z.speed,
+            Plain ? 0.0 : out.load * z.speed, Plain ? 0.0 : (out.stop.total - out.stop.spring) * z.speed};
+  }
+  /// Takes over the step of @p h (s) that was made with the rates @p mean, and books its energies.
+  Motion finish(const Rate& mean, double h, PlantEnergies& energies) noexcept {
+    const Motion motion =
+        settled(grip_, speed_, made(grip_, speed_, mean.speed, mean.acceleration, h), inverse_inertia_, h);
+    speed_ = motion.speed;
+    const double square = h * mean.square;
+    const double dry = grip_.torque * grip_.direction - hysteresis_;
+    energies.friction += dry * motion.path + viscous_ * square + h * mean.damping;
+    energies.iron += hysteresis_ * motion.path + eddy_current_drag_ * square;
+    energies.load += Plain ? load_.constant() * motion.angle : h * mean.load;
+    return motion;
+  }
+  double kinetic() const noexcept { return 0.5 * inertia_ * speed_ * speed_; }
+  /// Energy in the springs with the rotor at @p angle (rad since power-on).
+  double spring(double angle) const noexcept { return stops_.stored(angle); }
+  /// Whether it stands, and stays so without torque of the machine, with the rotor at @p angle (rad since
+  /// power-on).
+  bool rests(double angle) const noexcept {
+    if (speed_ != 0.0 || !load_.settled()) return false;
+    LoadTorque here = load_;
+    here.turn_to(angle);
+    return std::abs(here.at(0.0, 0.0, 0.0) + stops_.at(angle, 0.0).total) <= friction_.holding() + hysteresis_;
+  }
+
+ private:
+  /// Torques from outside (N·m, against positive rotation).
+  struct Outside {
+    double load = 0.0;
+    EndStopTorque::Push stop{};
+
+    double total() const noexcept { return Plain ? load : load + stop.total; }
+  };
+  Outside outside(const State& z, double time) const noexcept {
+    if constexpr (Plain) return {load_.constant()};
+    return {load_.at(z.speed, z.angle, time),
+            stops_.present() ? stops_.at(start_angle_ + z.angle, z.speed) : EndStopTorque::Push{}};
+  }
+
+  double inertia_;
+  double inverse_inertia_;
+  DryFriction friction_;
+  double open_friction_;  // of friction_.coulomb without the brake
+  double hysteresis_;
+  double viscous_;
+  double eddy_current_drag_;
+  double drag_;
+  LoadTorque load_;
+  EndStopTorque stops_;
+  double speed_ = 0.0;
+  double start_angle_ = 0.0;
+  Grip grip_{};
+  double active_inverse_ = 0.0;  // 0 while the mass is stuck
+};
+
+}  // namespace motor

@@ -1,0 +1,40 @@
+#pragma once
+
+namespace motor {
+
+/// Mean of four stage values with the weights of the classical Runge-Kutta method.
+constexpr double stage_mean(double k1, double k2, double k3, double k4) noexcept {
+  return (1.0 / 6.0) * (k1 + k4 + 2.0 * (k2 + k3));
+}
+
+/// Mean rates of a step: what the states and the energies change by, for each second.
+template <class Circuit, class Shaft>
+struct MeanRates {
+  typename Circuit::Rate circuit;
+  typename Shaft::Rate shaft;
+};
+
+/// One classical Runge-Kutta step of @p h (s) of a circuit and the shaft that its torque turns, all states
+/// coupled. The circuit sees where the shaft is; the shaft sees the torque of the circuit in the same stage.
+template <class Circuit, class Shaft>
+MeanRates<Circuit, Shaft> runge_kutta(Circuit& circuit, const Shaft& shaft, double h) noexcept {
+  const double half = 0.5 * h;
+  const auto y = circuit.state();
+  const auto z = shaft.state();
+
+  const auto c1 = circuit.template rate<0>(y, z.angle, z.speed);
+  const auto m1 = shaft.rate(z, c1.torque, 0.0);
+  const auto z2 = z.moved(m1, half);
+  const auto c2 = circuit.template rate<1>(y.moved(c1, half), z2.angle, z2.speed);
+  const auto m2 = shaft.rate(z2, c2.torque, half);
+  const auto z3 = z.moved(m2, half);
+  const auto c3 = circuit.template rate<2>(y.moved(c2, half), z3.angle, z3.speed);
+  const auto m3 = shaft.rate(z3, c3.torque, half);
+  const auto z4 = z.moved(m3, h);
+  const auto c4 = circuit.template rate<3>(y.moved(c3, h), z4.angle, z4.speed);
+  const auto m4 = shaft.rate(z4, c4.torque, h);
+
+  return {Circuit::Rate::mean(c1, c2, c3, c4), Shaft::Rate::mean(m1, m2, m3, m4)};
+}
+
+}  // namespace motor
