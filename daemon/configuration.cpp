@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "daemon/json_reader.hpp"
+#include "daemon/load_reader.hpp"
+#include "daemon/motor_file.hpp"
+#include "daemon/supply_reader.hpp"
 #include "drive/axis.hpp"
 
 namespace axisd {
@@ -30,98 +29,6 @@ struct AxisTypeRow {
 constexpr std::array kAxisTypes{AxisTypeRow{"servo", drive::ObjectKind::Servo},
                                 AxisTypeRow{"vector", drive::ObjectKind::Vector}};
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr double kHighestTorque = 1e6;  // N·m
-
-struct MotorPreset {
-  std::string_view name;
-  motor::MachineData data;
-};
-constexpr std::array kMotorPresets{MotorPreset{"1fk7063", motor::MachineData{}}};
-
-std::string read_file(const std::string& name) {
-  std::ifstream file{name};
-  if (!file) throw ConfigurationError{fmt::format("{}: cannot be read: {}", name, std::strerror(errno))};
-  try {
-    return std::string{std::istreambuf_iterator<char>{file}, {}};
-  } catch (const std::ios_base::failure& error) {  // a folder opens, but cannot be read
-    throw ConfigurationError{fmt::format("{}: cannot be read: {}", name, error.code().message())};
-  }
-}
-
-/// A key of a motor file and where its value belongs; the factor makes the unit in the key an SI unit.
-struct MotorKey {
-  const char* key;
-  double motor::MachineData::*member;
-  double factor;
-};
-constexpr std::array kMotorKeys{
-    MotorKey{"rated_speed_rpm", &motor::MachineData::rated_speed, motor::kRpm},
-    MotorKey{"maximum_speed_rpm", &motor::MachineData::maximum_speed, motor::kRpm},
-    MotorKey{"rated_torque_Nm", &motor::MachineData::rated_torque, 1.0},
-    MotorKey{"maximum_torque_Nm", &motor::MachineData::maximum_torque, 1.0},
-    MotorKey{"inertia_kgm2", &motor::MachineData::inertia, 1.0},
-};
-
-motor::MachineData read_motor_file(const std::string& name) {
-  const JsonReader json = JsonReader::parse(read_file(name), name);
-  json.expect_object(
-      {"rated_speed_rpm", "maximum_speed_rpm", "rated_torque_Nm", "maximum_torque_Nm", "inertia_kgm2"});
-  motor::MachineData data;
-  for (const MotorKey& row : kMotorKeys) {
-    constexpr double kSmallest = 1e-9;
-    if (json.has(row.key)) data.*row.member = row.factor * json.at(row.key).number(kSmallest, kUnlimited);
-  }
-  return data;
-}
-
-motor::MachineData read_motor(const JsonReader& json) {
-  const std::string motor = json.text();
-  for (const MotorPreset& preset : kMotorPresets) {
-    if (preset.name == motor) return preset.data;
-  }
-  if (motor.find_first_of("./") == std::string::npos)
-    json.fail("a motor preset (1fk7063) or the path of a motor file");
-  return read_motor_file(json.folder() / motor);  // an absolute path stands for itself
-}
-
-void read_load_torque(const JsonReader& json, motor::Load& load) {
-  if (!json.is_object()) {
-    load.constant_torque = json.number(-kHighestTorque, kHighestTorque);
-    return;
-  }
-  if (!json.has("type")) json.fail("a number (N·m) or an object with the key type");
-  const std::string type = json.at("type").text();
-  if (type == "hoist") {
-    json.expect_object({"type", "mass", "radius"});
-    for (const char* const key : {"mass", "radius"}) {
-      if (!json.has(key)) json.fail(fmt::format("the key {}", key));
-    }
-    load.constant_torque =
-        motor::hoist_torque(json.at("mass").number(0, kUnlimited), json.at("radius").number(0, kUnlimited));
-    if (load.constant_torque > kHighestTorque)
-      json.fail(fmt::format("mass and radius that make at most {} N·m", kHighestTorque));
-  } else if (type == "fan") {
-    json.expect_object({"type", "coefficient"});
-    if (!json.has("coefficient")) json.fail("the key coefficient (N·m·s²)");
-    load.fan_coefficient = json.at("coefficient").number(0, kUnlimited);
-  } else {
-    json.at("type").fail("hoist or fan");
-  }
-}
-
-motor::Load read_load(const JsonReader& json) {
-  json.expect_object({"inertia", "friction", "torque"});
-  motor::Load load;
-  if (json.has("inertia")) load.inertia = json.at("inertia").number(0, kUnlimited);
-  if (json.has("friction")) {
-    const JsonReader friction = json.at("friction");
-    friction.expect_object({"coulomb", "viscous"});
-    if (friction.has("coulomb")) load.coulomb_friction = friction.at("coulomb").number(0, kUnlimited);
-    if (friction.has("viscous")) load.viscous_friction = friction.at("viscous").number(0, kUnlimited);
-  }
-  if (json.has("torque")) read_load_torque(json.at("torque"), load);
-  return load;
-}
 
 /// What should have been written instead of what @p error refused.
 std::string expectation(const drive::ParameterError& error) {
@@ -149,7 +56,10 @@ std::optional<std::uint8_t> take_index(std::string& text) {
 }
 
 ParameterValue read_parameter(const JsonReader& json, std::string text, const AxisConfiguration& configuration) {
-  drive::Axis trial{{.machine = configuration.machine, .load = configuration.load, .kind = configuration.kind}};
+  drive::Axis trial{{.machine = configuration.machine,
+                     .load = configuration.load,
+                     .kind = configuration.kind,
+                     .inverter = configuration.inverter}};
   const auto index = take_index(text);
   const drive::ParameterRow* const row = drive::find_parameter(trial.kind(), text);
   if (!index || row == nullptr) json.fail("a parameter of the axis such as p1120 or p1070[1] as key");
@@ -169,11 +79,14 @@ drive::ObjectKind read_axis_type(const JsonReader& json) {
 
 /// What is said of @p axis, over its defaults.
 AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
-  json.expect_object({"name", "type", "motor", "load", "parameters"});
+  json.expect_object({"name", "type", "motor", "encoder", "load", "power_unit", "parameters"});
   if (json.has("name")) axis.name = json.at("name").text();
   if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"));
-  if (json.has("load")) axis.load = read_load(json.at("load"));
+  if (json.has("encoder")) read_encoder(json.at("encoder"), axis.machine.encoder);
+  if (json.has("load")) axis.load = read_load(json.at("load"), axis.machine);
+  axis.inverter = motor::inverter_for(axis.machine.stall_current);
+  if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
   if (!json.has("parameters")) return axis;
   const JsonReader parameters = json.at("parameters");
   if (!parameters.is_object()) parameters.fail("an object");
@@ -241,12 +154,13 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 Configuration parse_configuration(std::string_view text, const std::string& file) {
   const JsonReader json = JsonReader::parse(text, file);
-  json.expect_object({"interface", "node_id", "axes", "sdo_block", "f08701"});
+  json.expect_object({"interface", "node_id", "axes", "supply", "sdo_block", "f08701"});
   Configuration configuration;
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
+  if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"));
   return configuration;
 }
@@ -254,7 +168,7 @@ Configuration parse_configuration(std::string_view text, const std::string& file
 Configuration load_configuration(const Options& options) {
   Configuration configuration;
   if (!options.config_file.empty()) {
-    configuration = parse_configuration(read_file(options.config_file), options.config_file);
+    configuration = parse_configuration(read_text_file(options.config_file), options.config_file);
   }
   override_with(configuration, options);
   return configuration;

@@ -9,8 +9,10 @@
 #include "bus/address.hpp"
 #include "daemon/options.hpp"
 #include "drive/object_kind.hpp"
+#include "motor/inverter_data.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
+#include "motor/supply_data.hpp"
 
 namespace axisd {
 
@@ -32,6 +34,7 @@ struct AxisConfiguration {
   drive::ObjectKind kind = drive::ObjectKind::Servo;  ///< Servo or Vector
   motor::MachineData machine;
   motor::Load load;
+  motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.stall_current);  ///< key "power_unit"
   std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis
 };
 
@@ -43,6 +46,7 @@ struct Configuration {
   bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
   int node_id = 2;
   std::vector<AxisConfiguration> axes = default_axes(1);  ///< 1..drive::kMostAxes
+  motor::SupplyData supply{};                             ///< key "supply"
   bool sdo_block = false;                                 ///< key "sdo_block"
   bool fault_on_leaving_operational = true;               ///< key "f08701"
 };

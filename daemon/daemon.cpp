@@ -15,7 +15,9 @@ namespace {
 constexpr canopen::Duration kRepeatedLogPeriod = std::chrono::seconds{10};
 
 device::AxisSetup setup_of(const AxisConfiguration& axis) {
-  device::AxisSetup setup{.drive = {.machine = axis.machine, .load = axis.load, .kind = axis.kind}, .presets = {}};
+  device::AxisSetup setup{
+      .drive = {.machine = axis.machine, .load = axis.load, .kind = axis.kind, .inverter = axis.inverter},
+      .presets = {}};
   for (const ParameterValue& parameter : axis.parameters)
     setup.presets.push_back({parameter.number, parameter.value, parameter.index});
   return setup;
@@ -24,6 +26,7 @@ device::AxisSetup setup_of(const AxisConfiguration& axis) {
 device::Configuration device_configuration(const Configuration& configuration, const bus::Port& port) {
   device::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
                                .axes = {},
+                               .supply = configuration.supply,
                                .sdo_block = configuration.sdo_block,
                                .fault_on_leaving_operational = configuration.fault_on_leaving_operational,
                                .remote_frames = port.carries_remote_frames()};

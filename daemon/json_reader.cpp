@@ -1,7 +1,11 @@
 #include "daemon/json_reader.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -28,6 +32,16 @@ std::string quote(const nlohmann::json& value) {
 
 }  // namespace
 
+std::string read_text_file(const std::string& file) {
+  std::ifstream stream{file};
+  if (!stream) throw ConfigurationError{fmt::format("{}: cannot be read: {}", file, std::strerror(errno))};
+  try {
+    return std::string{std::istreambuf_iterator<char>{stream}, {}};
+  } catch (const std::ios_base::failure& error) {  // a folder opens, but cannot be read
+    throw ConfigurationError{fmt::format("{}: cannot be read: {}", file, error.code().message())};
+  }
+}
+
 JsonReader JsonReader::parse(std::string_view text, const std::string& file) {
   try {
     return JsonReader{nlohmann::json::parse(text), file, ""};
@@ -46,7 +60,7 @@ void JsonReader::fail(const std::string& expected) const {
   throw ConfigurationError{fmt::format("{}: expected {}, got {}", place(), expected, quote(value_))};
 }
 
-void JsonReader::expect_object(std::initializer_list<std::string_view> keys) const {
+void JsonReader::expect_object(std::span<const std::string_view> keys) const {
   if (!value_.is_object()) fail("an object");
   for (const auto& item : value_.items()) {
     if (std::find(keys.begin(), keys.end(), item.key()) != keys.end()) continue;

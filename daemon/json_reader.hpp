@@ -2,12 +2,16 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
 namespace axisd {
+
+/// The content of @p file; throws ConfigurationError with its name if it cannot be read.
+std::string read_text_file(const std::string& file);
 
 /// A value in a JSON file that knows where it stands, so that every complaint names file and key path.
 class JsonReader {
@@ -16,7 +20,10 @@ class JsonReader {
   static JsonReader parse(std::string_view text, const std::string& file);
 
   /// Throws ConfigurationError unless this is an object that has no other keys than @p keys.
-  void expect_object(std::initializer_list<std::string_view> keys) const;
+  void expect_object(std::span<const std::string_view> keys) const;
+  void expect_object(std::initializer_list<std::string_view> keys) const {
+    expect_object(std::span{keys.begin(), keys.size()});
+  }
   /// Throws ConfigurationError unless this is an array of @p low to @p high values.
   void expect_array(std::size_t low, std::size_t high) const;
 
@@ -32,6 +39,7 @@ class JsonReader {
 
   bool is_string() const { return value_.is_string(); }
   bool is_object() const { return value_.is_object(); }
+  bool is_array() const { return value_.is_array(); }
   std::string text() const;
   bool boolean() const;
   int integer(int low, int high) const;

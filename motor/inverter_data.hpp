@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace motor {
 
 /// A power unit: what it can carry, what it loses and how it warms. The defaults are a 9 A module, chosen for the
@@ -22,5 +24,32 @@ struct InverterData {
   double heat_sink_rise = 35.0;            ///< above the air at rated current (K)
   double ambient = 30.0;                   ///< (°C)
 };
+
+/// Trip current (A peak) over maximum current (A rms).
+inline constexpr double kTripRatio = 40.0 / 18.0;
+
+/// A power unit of @p rated_current (A rms, positive) with the properties of the default one in proportion.
+constexpr InverterData inverter_of(double rated_current) noexcept {
+  const InverterData model{};
+  InverterData unit = model;
+  const double size = rated_current / model.rated_current;
+  unit.rated_current = rated_current;
+  unit.maximum_current = 2.0 * rated_current;
+  unit.trip_current = kTripRatio * unit.maximum_current;
+  unit.idle_losses = model.idle_losses * size;
+  unit.losses_per_square = model.losses_per_square / size;
+  return unit;
+}
+
+/// Rated currents of the power units of the series (A rms).
+inline constexpr std::array kRatedCurrents{3.0, 5.0, 9.0, 18.0, 30.0, 45.0, 60.0, 85.0, 132.0, 200.0};
+
+/// The smallest power unit of the series that carries @p stall_current (A rms) for ever; beyond it, one made for
+/// it.
+constexpr InverterData inverter_for(double stall_current) noexcept {
+  for (const double rated : kRatedCurrents)
+    if (rated >= stall_current) return inverter_of(rated);
+  return inverter_of(stall_current);
+}
 
 }  // namespace motor

@@ -22,6 +22,8 @@ struct Impossible {
 std::optional<Impossible> find_impossible(const MachineData& machine) noexcept;
 /// The same for what hangs on the shaft.
 std::optional<Impossible> find_impossible(const Load& load) noexcept;
+/// A coupling between the two that would ring or damp faster than the models can follow.
+std::optional<Impossible> find_impossible(const MachineData& machine, const Load& load) noexcept;
 /// The same for a power unit.
 std::optional<Impossible> find_impossible(const InverterData& inverter) noexcept;
 /// The same for DC link and infeed; a line voltage of 0 is possible.
