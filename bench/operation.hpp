@@ -40,9 +40,10 @@ std::unique_ptr<Operation> make() {
   return std::make_unique<Repeated<Work>>();
 }
 
-/// The operations of the library, of one axis and of the whole unit.
+/// The operations of the library, of the physics, of one axis and of the whole unit.
 std::vector<OperationRow> library_operations();
 std::vector<OperationRow> library_pdo_operations();
+std::vector<OperationRow> plant_operations();
 std::vector<OperationRow> axis_operations();
 std::vector<OperationRow> device_operations();
 

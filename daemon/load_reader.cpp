@@ -176,7 +176,8 @@ Load read_load(const JsonReader& json, const motor::MachineData& machine) {
     if (json.has(section.key)) read_section(json.at(section.key), section, load);
   refuse<Load>(json, kOwnKeys, motor::find_impossible(load));
   if (json.has("gear")) read_gear(json.at("gear"), load);
-  refuse<Load>(json, kCouplingKeys, motor::find_impossible(machine, load));
+  if (json.has("coupling"))
+    refuse<Load>(json.at("coupling"), kCouplingKeys, motor::find_impossible(machine, load));
   return load;
 }
 

@@ -161,8 +161,9 @@ std::vector<std::filesystem::path> preset_folders() {
     folders.emplace_back(std::filesystem::path{home} / ".config/axisd/motors");
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  for (std::filesystem::path above = program.parent_path(); above.has_relative_path(); above = above.parent_path())
-    folders.push_back(above.parent_path() / "share/axisd/motors");
+  const std::filesystem::path folder = program.parent_path();
+  folders.push_back(folder / "../share/axisd/motors");
+  folders.push_back(folder / "../../share/axisd/motors");  // of a test program
   return folders;
 }
 

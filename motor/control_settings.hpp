@@ -32,7 +32,7 @@ struct VoltageFrequencySettings {
   bool parabolic = false;            ///< p1300 = 2: for fans
   double slip_compensation = 0.0;    ///< share of the rated slip that is compensated at rated torque, p1335
   double resonance_damping = 0.0;    ///< gain of the active current on the frequency, p1338
-  double frequency_reduction = 0.5;  ///< of the I_max controller: rated frequencies a second and ampere
+  double frequency_reduction = 2.0;  ///< of the I_max controller: rated frequencies a second at twice the limit
 
   friend bool operator==(const VoltageFrequencySettings&, const VoltageFrequencySettings&) = default;
 };

@@ -114,7 +114,7 @@ DcLink::Course DcLink::decay(const Stretch& s, double axes_power, double time) n
   const double drop = (chopper_rate * level_ - s.infeed_power + axes_power) / rate;  // of the end below the level
   const double before = energy_;
   const double way = level_ - drop - before;
-  double covered = -std::expm1(-rate * time);  // share of the way
+  double covered = covered_within(rate * time);  // share of the way
   double taken = time;
   energy_ = before + way * covered;
   if (energy_ < s.lower || energy_ > s.upper) {
@@ -123,6 +123,16 @@ DcLink::Course DcLink::decay(const Stretch& s, double axes_power, double time) n
     taken = std::min(time, -std::log1p(-covered) / rate);
   }
   return {.time = taken, .below_level = taken > 0.0 ? drop + way * covered / (rate * taken) : 0.0};
+}
+
+/// What an exponential has covered of its way after @p exponent time constants; most steps are as long as the
+/// last.
+double DcLink::covered_within(double exponent) noexcept {
+  if (exponent < exponent_ || exponent > exponent_) {
+    exponent_ = exponent;
+    covered_ = -std::expm1(-exponent);
+  }
+  return covered_;
 }
 
 /// With constant powers only.

@@ -70,6 +70,7 @@ class DcLink {
   double advance(const Stretch& stretch, double axes_power, double time) noexcept;
   Course decay(const Stretch& stretch, double axes_power, double time) noexcept;
   Course climb(const Stretch& stretch, double axes_power, double time) noexcept;
+  double covered_within(double exponent) noexcept;
   void hold(double axes_power, double time) noexcept;
   void switch_chopper() noexcept;
   void book_infeed(double energy, double time, double mean_stored) noexcept;
@@ -88,6 +89,8 @@ class DcLink {
   double energy_ = 0.0;    // J
   bool chopper_on_ = false;
   double chopper_time_ = 0.0;  // s, in the last step
+  double exponent_ = 0.0;      // of the last exponential, and what it covered
+  double covered_ = 0.0;
   SupplyEnergies energies_;
 };
 

@@ -118,6 +118,7 @@ SpaceVector DriveTrain::control(const Measurement& measured, const Command& comm
 double DriveTrain::step(double dc_voltage, const Command& command) noexcept {
   if (!command.pulses_enabled) {
     if (pulses_) stop();
+    if (lead_ == Lead::Induction) induction_.coast(encoder_.speed());
     move(dc_voltage, false);
   } else {
     if (!pulses_) start();

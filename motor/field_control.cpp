@@ -32,9 +32,9 @@ template <class Field>
 void FieldControl<Field>::start(double speed) noexcept {
   loop_.reset(speed);
   controller_.reset();
-  field_.reset();
+  field_.start();
   fed_.start({});
-  field_.start_observer({}, {});
+  if (!with_encoder_) field_.start_observer({}, {});
   feeding_ = true;
   surplus_ = 0.0;
   frequency_ = 0.0;

@@ -21,6 +21,8 @@ class FieldControl {
   void configure(const MachineData& machine, const ControlSettings& settings, double delay) noexcept;
   /// Pulses come: empty controllers, at @p speed of the encoder (rad/s).
   void start(double speed) noexcept;
+  /// One period with the pulses off at @p speed of the encoder (rad/s).
+  void coast(double speed) noexcept { field_.coast(speed); }
   /// Voltage for the period after this one, stator frame (V); fills what the control knows into @p signals.
   SpaceVector step(const Measurement& measured, const Command& command, Signals& signals) noexcept {
     if (++ticks_ == kSlowTicks) trim(measured.dc_voltage);
@@ -69,7 +71,7 @@ class FieldControl {
     signals.q_current_setpoint = setpoint.im;
     signals.frequency = frequency_;
     signals.voltage_limited = controller_.limited();
-    return voltage * (now.frame.direction * small_rotation(kLead * frequency_));
+    return voltage * (now.frame.direction * bounded_rotation(kLead * frequency_));
   }
   void trim(double dc_voltage) noexcept {
     ticks_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "motor/crossing.hpp"
 #include "motor/machine_data.hpp"
 
 namespace motor {
@@ -31,14 +32,9 @@ constexpr double magnetising_inductance(const InductionCircuit& circuit, double 
 }
 
 /// Rotor flux (V·s) at which @p current (A peak) along it lets it stand.
-constexpr double standing_flux(const InductionCircuit& circuit, double current) noexcept {
-  double lower = 0.0;
-  double upper = circuit.magnetising_inductance * current;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (lower + upper);
-    (magnetising_inductance(circuit, middle) * current > middle ? lower : upper) = middle;
-  }
-  return upper;
+inline double standing_flux(const InductionCircuit& circuit, double current) noexcept {
+  return crossing(0.0, circuit.magnetising_inductance * current,
+                  [&](double flux) { return flux - magnetising_inductance(circuit, flux) * current; });
 }
 
 }  // namespace motor

@@ -16,6 +16,7 @@ constexpr double kObserverDamping = 0.2;  // of the observer at speed
 void InductionField::configure(const MachineData& machine, const ControlSettings& settings) noexcept {
   circuit_ = induction_circuit(machine);
   pole_pairs_ = machine.pole_pairs;
+  with_encoder_ = settings.mode == ControlMode::Encoder;
   torque_factor_ = 1.5 * pole_pairs_;
   current_limit_ = std::numbers::sqrt2 * settings.current_limit;
   rated_flux_ = standing_flux(circuit_, std::numbers::sqrt2 * machine.induction.magnetising_current);
@@ -23,11 +24,13 @@ void InductionField::configure(const MachineData& machine, const ControlSettings
   decay_ = circuit_.rotor_resistance / inductance_;
 }
 
-void InductionField::reset() noexcept {
+void InductionField::start() noexcept {
   reserve_.reset();
-  flux_ = 0.0;
+  if (!with_encoder_) {
+    flux_ = 0.0;
+    frame_ = {};
+  }
   goal_ = rated_flux_;
-  frame_ = {};
   current_ = {};
   setpoint_ = {};
   electrical_speed_ = 0.0;
@@ -48,7 +51,7 @@ Frame InductionField::observe(const Measurement& measured) noexcept {
   const SpaceVector mean = 0.5 * (measured.current + current_);
   const SpaceVector change = (circuit_.leakage / kControlPeriod) * (measured.current - current_);
   current_ = measured.current;
-  const SpaceVector middle = frame_.direction * small_rotation(0.5 * kControlPeriod * frame_.frequency);
+  const SpaceVector middle = frame_.direction * bounded_rotation(0.5 * kControlPeriod * frame_.frequency);
   const SpaceVector back = conjugate(middle);
   const SpaceVector induced = (measured.voltage - circuit_.stator_resistance * mean - change) * back;
   const SpaceVector current = mean * back;

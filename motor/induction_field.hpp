@@ -17,8 +17,14 @@ namespace motor {
 class InductionField {
  public:
   void configure(const MachineData& machine, const ControlSettings& settings) noexcept;
-  /// Pulses off: the flux is gone.
-  void reset() noexcept;
+  /// Pulses come: what is left of the flux is taken over with an encoder, and lost without.
+  void start() noexcept;
+  /// One period with the pulses off: the flux decays, and turns with the rotor at @p speed (rad/s).
+  void coast(double speed) noexcept {
+    if (flux_ <= 0.0) return;
+    flux_ = flux_ > kGone * rated_flux_ ? flux_ * (1.0 - kControlPeriod * decay_) : 0.0;
+    frame_.direction = turned(frame_.direction, kControlPeriod * pole_pairs_ * speed);
+  }
 
   /// Frame of the rotor flux by the current model.
   Frame frame(const Measurement& measured) noexcept {
@@ -66,6 +72,7 @@ class InductionField {
   double slip(double current) const noexcept { return circuit_.rotor_resistance * current / usable_flux(); }
 
   static constexpr double kLeastFlux = 0.1;  // of the rated one
+  static constexpr double kGone = 1e-3;      // of the rated one
 
   InductionCircuit circuit_;
   VoltageReserve reserve_;
@@ -84,6 +91,7 @@ class InductionField {
   SpaceVector setpoint_{};
   bool weakening_ = false;
   bool magnetised_ = false;
+  bool with_encoder_ = true;
 };
 
 }  // namespace motor

@@ -24,7 +24,7 @@ void SynchronousField::configure(const MachineData& machine, const ControlSettin
   damping_ = 1.4 * std::sqrt(settings.inertia * amplitude / stiffness);
 }
 
-void SynchronousField::reset() noexcept {
+void SynchronousField::start() noexcept {
   reserve_.reset();
   setpoint_ = {};
   swing_ = 0.0;

@@ -15,8 +15,10 @@ namespace motor {
 class SynchronousField {
  public:
   void configure(const MachineData& machine, const ControlSettings& settings) noexcept;
-  /// Pulses off.
-  void reset() noexcept;
+  /// Pulses come.
+  void start() noexcept;
+  /// One period with the pulses off: nothing changes.
+  void coast(double /*speed*/) noexcept {}
 
   /// Frame of the rotor as the encoder sees it.
   Frame frame(const Measurement& measured) noexcept { return {measured.rotor, pole_pairs_ * measured.speed}; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "motor/frame.hpp"
 #include "motor/machine_data.hpp"
@@ -14,7 +15,20 @@ namespace motor {
 /// loop follows its direction. Without speed there is nothing to see.
 class SynchronousObserver {
  public:
+  /// Bandwidth of the loop (rad/s) a rad/s of speed. Where the inductances differ, the current's part of the flux
+  /// makes the loop see itself, which a slow one can bear.
+  static double bandwidth_share(const MachineData& machine) noexcept {
+    const SynchronousData& data = machine.synchronous;
+    const double current = std::numbers::sqrt2 * machine.maximum_current;
+    const double seen = 2.0 * std::abs(data.q_inductance - data.d_inductance) * current;
+    return data.magnet_flux / std::max(seen, kLeastSeen * data.magnet_flux);
+  }
+  /// Bandwidth of the loop (rad/s) at @p frequency (electrical rad/s).
+  static double bandwidth(double share, double frequency) noexcept {
+    return std::clamp(share * std::abs(frequency), kLowest, kHighest);
+  }
   void configure(const MachineData& machine, double period) noexcept {
+    bandwidth_share_ = bandwidth_share(machine);
     resistance_ = machine.stator_resistance;
     inductance_ = machine.synchronous.q_inductance;
     saliency_ = machine.synchronous.d_inductance - inductance_;
@@ -33,7 +47,7 @@ class SynchronousObserver {
     induced_ = measured.voltage - resistance_ * mean - change;
     const double d_before = dot(current_, frame_.direction);
     current_ = measured.current;
-    const SpaceVector half_turn = small_rotation(0.5 * period_ * frame_.frequency);
+    const SpaceVector half_turn = bounded_rotation(0.5 * period_ * frame_.frequency);
     const SpaceVector middle = frame_.direction * half_turn;
     const SpaceVector seen = induced_ * conjugate(middle);
     // With unlike inductances the flux to be followed has a part of the current along it, whose changes are no
@@ -43,9 +57,9 @@ class SynchronousObserver {
     followed_flux_ = flux_ + saliency_ * d_current;
     const double scale = std::max(std::abs(frame_.frequency) * followed_flux_, kLeastVoltage);
     const double error = std::clamp(-std::copysign(1.0, frame_.frequency) * along / scale, -1.0, 1.0);
-    const double bandwidth = std::clamp(kBandwidthShare * std::abs(frame_.frequency), kLowest, kHighest);
-    frame_.frequency += bandwidth * bandwidth * period_ * error;
-    frame_.direction = turned(frame_.direction, period_ * (frame_.frequency + 2.0 * bandwidth * error));
+    const double rate = bandwidth(bandwidth_share_, frame_.frequency);
+    frame_.frequency += rate * rate * period_ * error;
+    frame_.direction = turned(frame_.direction, period_ * (frame_.frequency + 2.0 * rate * error));
   }
   /// Where the magnets point, and how fast they turn.
   const Frame& frame() const noexcept { return frame_; }
@@ -56,11 +70,12 @@ class SynchronousObserver {
   SpaceVector induced() const noexcept { return induced_; }
 
  private:
-  static constexpr double kBandwidthShare = 2.0;  // of the loop, of the speed: slow rotors are seen dimly
-  static constexpr double kLowest = 50.0;         // rad/s
-  static constexpr double kHighest = 400.0;       // rad/s
-  static constexpr double kLeastVoltage = 1.0;    // V
+  static constexpr double kLeastSeen = 0.02;
+  static constexpr double kLowest = 50.0;       // rad/s
+  static constexpr double kHighest = 400.0;     // rad/s
+  static constexpr double kLeastVoltage = 1.0;  // V
 
+  double bandwidth_share_ = 1.0;
   double resistance_ = 0.0;
   double inductance_ = 0.0;
   double saliency_ = 0.0;  // H

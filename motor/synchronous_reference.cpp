@@ -2,21 +2,12 @@
 
 #include <algorithm>
 
+#include "motor/crossing.hpp"
+
 namespace motor {
 namespace {
 
-constexpr int kHalvings = 40;
 constexpr double kSalient = 1e-3;  // difference of the inductances below which there is no reluctance torque
-
-/// Where the rising @p function crosses zero between @p lower and @p upper.
-template <class Function>
-double crossing(double lower, double upper, Function function) noexcept {
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (lower + upper);
-    (function(middle) < 0.0 ? lower : upper) = middle;
-  }
-  return 0.5 * (lower + upper);
-}
 
 }  // namespace
 

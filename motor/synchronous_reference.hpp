@@ -29,7 +29,7 @@ class SynchronousReference {
   }
   /// Torque that the machine's data promise for @p current (N·m).
   double torque(SpaceVector current) const noexcept {
-    return torque_factor_ * cross(model_.flux({current.re, current.im}), current);
+    return torque_factor_ * cross(model_.flux({pair(current)}), pair(current));
   }
   /// Highest torque with the current limit alone (N·m).
   double highest_torque() const noexcept { return highest_torque_; }

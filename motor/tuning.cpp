@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "motor/encoder.hpp"
 #include "motor/induction_circuit.hpp"
 #include "motor/signals.hpp"
+#include "motor/synchronous_observer.hpp"
 
 namespace motor {
 namespace {
 
 constexpr double kDamping = 3.0;           // share of the delays in the gain: calm, not the fastest
 constexpr double kIntegralDelays = 10.0;   // integral time in sums of delays
-constexpr double kSensorlessDelay = 5e-3;  // s, of the speed estimate
+constexpr double kSensorlessDelay = 3e-3;  // s, of the speed estimate
+constexpr double kObserverLags = 0.5;      // of the observer's loop at the changeover that count as delay
 constexpr double kChangeover = 0.1;        // of the rated speed
 constexpr double kPowerReserve = 2.0;      // p1530 does not act before twice the peak torque at rated speed
 constexpr double kBoostShare = 0.5;        // p1310 of a new unit (share of the rated current's voltage drop)
@@ -33,10 +36,20 @@ CurrentControllerGains current_gains(const MachineData& machine) noexcept {
   return {kCurrentBandwidth * circuit.leakage, kCurrentBandwidth * circuit.leakage, time, time};
 }
 
+/// How late a torque comes after the speed has changed, without encoder (s).
+double sensorless_delay(const MachineData& machine) noexcept {
+  if (machine.type == MachineType::Induction) return kSensorlessDelay;
+  const double frequency = machine.pole_pairs * kChangeover * machine.rated_speed;
+  const double share = SynchronousObserver::bandwidth_share(machine);
+  return std::max(kSensorlessDelay, kObserverLags / SynchronousObserver::bandwidth(share, frequency));
+}
+
+/// A magnet machine gets the voltage it induces, so that it takes no more current than its torque needs.
 VoltageFrequencySettings voltage_frequency_of(const MachineData& machine) noexcept {
-  const double drop = machine.stator_resistance * machine.rated_current * std::sqrt(3.0);
+  const double drop = machine.stator_resistance * machine.rated_current * std::numbers::sqrt3;
   const bool synchronous = machine.type == MachineType::Synchronous;
-  return {.rated_voltage = machine.rated_voltage,
+  const double induced = std::sqrt(1.5) * 2.0 * std::numbers::pi * machine.rated_frequency;
+  return {.rated_voltage = synchronous ? induced * machine.synchronous.magnet_flux : machine.rated_voltage,
           .rated_frequency = machine.rated_frequency,
           .boost = (synchronous ? 1.0 : kBoostShare) * drop,
           .slip_compensation = synchronous ? 0.0 : 1.0,
@@ -62,7 +75,7 @@ ControlSettings computed_settings(const MachineData& machine, const InverterData
   const double power = kPowerReserve * machine.maximum_torque * machine.rated_speed;
   const double limit = std::min(machine.maximum_current, inverter.maximum_current);
   return {.speed = gains_for(total_inertia, speed_loop_delay(machine)),
-          .sensorless_speed = gains_for(total_inertia, kSensorlessDelay),
+          .sensorless_speed = gains_for(total_inertia, sensorless_delay(machine)),
           .current = current_gains(machine),
           .current_limit = limit,
           .motoring_power_limit = power,

@@ -35,7 +35,7 @@ void VoltageFrequencyControl::configure(const MachineData& machine, const Contro
   rated_frequency_ = 2.0 * std::numbers::pi * settings_.rated_frequency;
   current_limit_ = std::numbers::sqrt2 * settings.current_limit;
   vdc_max_ = settings.vdc_max;
-  reduction_rate_ = settings_.frequency_reduction * rated_frequency_;
+  reduction_rate_ = settings_.frequency_reduction * rated_frequency_ / current_limit_;
   if (machine.type == MachineType::Synchronous) {
     slip_rate_ = 0.0;
     damping_gain_ = settings_.resonance_damping * synchronous_damping(machine, settings.inertia);
@@ -114,7 +114,7 @@ void VoltageFrequencyControl::report(SpaceVector current, Signals& signals) cons
   signals.torque = torque_;
   signals.torque_setpoint = torque_;
   signals.torque_limits = {};
-  signals.torque_limit_reached = excess_ > 0.0;
+  signals.torque_limit_reached = excess_ > 0.0 || std::abs(reduction_) > 0.0;
   signals.d_current = -current.im;
   signals.q_current = current.re;
   signals.d_current_setpoint = signals.d_current;

@@ -54,7 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
     Unit, BadFiles,
     testing::Values(
         BadFile{R"({"nodeid": 5})",
-                "node.json: /nodeid: unknown key, expected one of: interface, node_id, axes, sdo_block, f08701"},
+                "node.json: /nodeid: unknown key, expected one of: interface, node_id, axes, supply, sdo_block, "
+                "f08701"},
         BadFile{R"({"interface": 0})", "node.json: /interface: expected a string, got 0"},
         BadFile{R"({"interface": ""})", "node.json: /interface: expected " + kForms + ", got \"\""},
         BadFile{R"({"interface": "a-rather-long-name"})",
@@ -81,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadFile{R"({"axes": [1]})", "node.json: /axes/0: expected an object, got 1"},
         BadFile{R"({"axes": [{"speed": 1}]})",
-                "node.json: /axes/0/speed: unknown key, expected one of: name, type, motor, load, parameters"},
+                "node.json: /axes/0/speed: unknown key, expected one of: name, type, motor, encoder, load, "
+                "power_unit, parameters"},
         BadFile{R"({"axes": [{"name": 1}]})", "node.json: /axes/0/name: expected a string, got 1"},
         BadFile{R"({"axes": [{"type": "infeed"}]})",
                 "node.json: /axes/0/type: expected servo or vector, got \"infeed\""},
@@ -91,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /axes/1: expected a name that /axes/0 does not have, got {}"},
         BadFile{R"({"axes": [{"motor": 1}]})", "node.json: /axes/0/motor: expected a string, got 1"},
         BadFile{R"({"axes": [{"motor": "1fk7"}]})",
-                "node.json: /axes/0/motor: expected a motor preset (1fk7063) or the path of a motor file, got "
-                "\"1fk7\""},
+                "node.json: /axes/0/motor: expected a motor preset (1fk7042, 1fk7063, 1ft7044, 1le1003-2k2, "
+                "1ph8131, im-2k2, ipmsm-2k2) or the path of a motor file, got \"1fk7\""},
         BadFile{R"({"axes": [{"motor": "/nowhere/motor.json"}]})",
                 "/nowhere/motor.json: cannot be read: No such file or directory"},
         BadFile{R"({"axes": [{"parameters": []}]})", "node.json: /axes/0/parameters: expected an object, got []"},
@@ -121,15 +123,17 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadFile{R"({"axes": [{"load": 5}]})", "node.json: /axes/0/load: expected an object, got 5"},
         BadFile{R"({"axes": [{"load": {"mass": 5}}]})",
-                "node.json: /axes/0/load/mass: unknown key, expected one of: inertia, friction, torque"},
+                "node.json: /axes/0/load/mass: unknown key, expected one of: inertia, friction, torque, coupling, "
+                "end_stops, gear, brake"},
         BadFile{R"({"axes": [{"load": {"inertia": -1}}]})",
                 "node.json: /axes/0/load/inertia: expected a number not below 0, got -1"},
         BadFile{R"({"axes": [{"load": {"friction": 1}}]})",
                 "node.json: /axes/0/load/friction: expected an object, got 1"},
         BadFile{R"({"axes": [{"load": {"friction": {"dry": 1}}}]})",
-                "node.json: /axes/0/load/friction/dry: unknown key, expected one of: coulomb, viscous"},
+                "node.json: /axes/0/load/friction/dry: unknown key, expected one of: coulomb, viscous, "
+                "breakaway, stribeck_speed"},
         BadFile{R"({"axes": [{"load": {"friction": {"viscous": true}}}]})",
-                "node.json: /axes/0/load/friction/viscous: expected a number not below 0, got true"},
+                "node.json: /axes/0/load/friction/viscous: expected a number, got true"},
         BadFile{R"({"axes": [{"load": {"torque": "5"}}]})",
                 "node.json: /axes/0/load/torque: expected a number -1000000 to 1000000, got \"5\""},
         BadFile{R"({"axes": [{"load": {"torque": 1000001}}]})",
@@ -137,7 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [{"load": {"torque": {}}}]})",
                 "node.json: /axes/0/load/torque: expected a number (N·m) or an object with the key type, got {}"},
         BadFile{R"({"axes": [{"load": {"torque": {"type": "spring"}}}]})",
-                "node.json: /axes/0/load/torque/type: expected hoist or fan, got \"spring\""},
+                "node.json: /axes/0/load/torque/type: expected constant, hoist, fan, pendulum or profile, got "
+                "\"spring\""},
         BadFile{R"({"axes": [{"load": {"torque": {"type": "hoist", "mass": 1}}}]})",
                 "node.json: /axes/0/load/torque: expected the key radius, got {\"mass\":1,\"type\":\"hoist\"}"},
         BadFile{R"({"axes": [{"load": {"torque": {"type": "hoist", "mass": 1, "radius": -1}}}]})",
@@ -148,7 +153,58 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [{"load": {"torque": {"type": "fan", "mass": 1}}}]})",
                 "node.json: /axes/0/load/torque/mass: unknown key, expected one of: type, coefficient"},
         BadFile{R"({"axes": [{"load": {"torque": {"type": "fan"}}}]})",
-                "node.json: /axes/0/load/torque: expected the key coefficient (N·m·s²), got {\"type\":\"fan\"}"}));
+                "node.json: /axes/0/load/torque: expected the key coefficient, got {\"type\":\"fan\"}"},
+        BadFile{R"({"axes": [{"load": {"friction": {"coulomb": -1}}}]})",
+                "node.json: /axes/0/load/friction/coulomb: expected a number not below 0, got -1"},
+        BadFile{
+            R"({"axes": [{"load": {"torque": {"type": "profile", "points": [[0, 1], [0, 2]]}}}]})",
+            "node.json: /axes/0/load/torque/points/1/0: expected a time after that of the point before, got 0"},
+        BadFile{
+            R"({"axes": [{"load": {"torque": {"type": "profile", "points": [[1, 1], [2, 2]], "repeats": true}}}]})",
+            "node.json: /axes/0/load: expected a value for profile that is two points or more, the first at "
+            "time 0, to repeat, got {\"torque\":{\"points\":[[1,1],[2,2]],\"repeats\":true,\"type\":\"pro..."},
+        BadFile{
+            R"({"axes": [{"load": {"coupling": {"stiffness": 100}}}]})",
+            "node.json: /axes/0/load: expected a value for inertia that is a number above 0 behind a coupling, "
+            "got {\"coupling\":{\"stiffness\":100}}"},
+        BadFile{
+            R"({"axes": [{"load": {"inertia": 1e-6, "coupling": {"stiffness": 1e8}}}]})",
+            "node.json: /axes/0/load/coupling/stiffness: expected a stiffness that resonates below 16 kHz, got "
+            "100000000.0"},
+        BadFile{R"({"axes": [{"load": {"end_stops": {"lower": 1}}}]})",
+                "node.json: /axes/0/load/end_stops/lower: expected a number not above 0, where the load is at "
+                "power-on, got 1"},
+        BadFile{R"({"axes": [{"load": {"gear": 0}}]})",
+                "node.json: /axes/0/load/gear: expected a number 0.001 to 10000, got 0"},
+        BadFile{R"({"axes": [{"load": {"gear": 2, "torque": {"type": "pendulum", "mass": 1, "radius": 1}}}]})",
+                "node.json: /axes/0/load/gear: expected 1, since there is a pendulum, got 2"},
+        BadFile{R"({"axes": [{"load": {"brake": {"torque": "strong"}}}]})",
+                "node.json: /axes/0/load/brake/torque: expected a number, got \"strong\""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Supply, BadFiles,
+    testing::Values(
+        BadFile{R"({"supply": {"infeed": "thyristor"}})",
+                "node.json: /supply/infeed: expected diode, regenerative or active, got \"thyristor\""},
+        BadFile{R"({"supply": {"capacitance_F": 0}})",
+                "node.json: /supply/capacitance_F: expected a number above 0, got 0"},
+        BadFile{
+            R"({"supply": {"chopper_off_V": 780}})",
+            "node.json: /supply/chopper_off_V: expected less than the voltage at which the chopper goes on, got "
+            "780"},
+        BadFile{R"({"supply": {"capacity": 1}})",
+                "node.json: /supply/capacity: unknown key, expected one of: infeed, line_voltage_V, "
+                "active_voltage_V, line_resistance_ohm, rated_power_W, capacitance_F, chopper_ohm, chopper_on_V, "
+                "chopper_off_V, overvoltage_V, undervoltage_V"},
+        BadFile{R"({"axes": [{"power_unit": {"rated_current_A": 0}}]})",
+                "node.json: /axes/0/power_unit/rated_current_A: expected a number 0.001 to 1000000, got 0"},
+        BadFile{R"({"axes": [{"power_unit": {"maximum_current_A": 5}}]})",
+                "node.json: /axes/0/power_unit: expected a value for rated_current_A that is not more than the "
+                "maximum current, got {\"maximum_current_A\":5}"},
+        BadFile{R"({"axes": [{"encoder": {"pulses": 0}}]})",
+                "node.json: /axes/0/encoder/pulses: expected an integer 1 to 16777215, got 0"},
+        BadFile{R"({"axes": [{"encoder": {"type": "resolver"}}]})",
+                "node.json: /axes/0/encoder/type: expected none, incremental or absolute, got \"resolver\""}));
 
 /// Text of a motor file and the message it earns, without the name of the file.
 class BadMotorFiles : public testing::TestWithParam<BadFile> {};
@@ -165,14 +221,45 @@ TEST_P(BadMotorFiles, AreRefusedWithFilePlaceAndExpectation) {
 
 INSTANTIATE_TEST_SUITE_P(
     Motor, BadMotorFiles,
-    testing::Values(BadFile{"{", "line 1, column 2: expected valid JSON"},
-                    BadFile{"7", "/: expected an object, got 7"},
-                    BadFile{R"({"poles": 4})",
-                            "/poles: unknown key, expected one of: rated_speed_rpm, maximum_speed_rpm, "
-                            "rated_torque_Nm, maximum_torque_Nm, inertia_kgm2"},
-                    BadFile{R"({"inertia_kgm2": 0})", "/inertia_kgm2: expected a number not below 1e-09, got 0"},
-                    BadFile{R"({"rated_speed_rpm": "fast"})",
-                            "/rated_speed_rpm: expected a number not below 1e-09, got \"fast\""}));
+    testing::Values(
+        BadFile{"{", "line 1, column 2: expected valid JSON"}, BadFile{"7", "/: expected an object, got 7"},
+        BadFile{R"({"inertia_kgm2": 0})", "/inertia_kgm2: expected a number above 0, got 0"},
+        BadFile{R"({"rated_speed_rpm": "fast"})", "/rated_speed_rpm: expected a number, got \"fast\""},
+        BadFile{R"({"stator_resistance_ohm": -0.5})",
+                "/stator_resistance_ohm: expected a number above 0, got -0.5"},
+        BadFile{R"({"q_inductance_mH": 0})", "/q_inductance_mH: expected a number above 0, got 0"},
+        BadFile{R"({"pole_pairs": 0})", "/pole_pairs: expected an integer 1 to 255, got 0"},
+        BadFile{R"({"rated_speed_rpm": 9000})",
+                "/rated_speed_rpm: expected not more than the maximum speed, got 9000"},
+        BadFile{R"({"maximum_speed_rpm": 1000})",
+                "/: expected a value for rated_speed_rpm that is not more than the maximum speed, got "
+                "{\"maximum_speed_rpm\":1000}"},
+        BadFile{R"({"rated_current_A": 50})",
+                "/rated_current_A: expected not more than the maximum current, got 50"},
+        BadFile{R"({"winding_capacity_J_per_K": 0})",
+                "/winding_capacity_J_per_K: expected a number above 0, got 0"},
+        BadFile{R"({"d_inductance_mH": 1e-6})",
+                "/: expected a value for stator_resistance_ohm that is a resistance with an electrical time "
+                "constant above 10 us, got {\"d_inductance_mH\":1e-06}"},
+        BadFile{R"({"type": "reluctance"})", "/type: expected synchronous or induction, got \"reluctance\""},
+        BadFile{R"({"type": "induction", "pole_pairs": 2})",
+                "/: expected the key rated_current_A, since there is a type, got {\"pole_pairs\":2,\"type\":"
+                "\"induction\"}"},
+        BadFile{R"({"source": 1})", "/source: expected a string, got 1"},
+        BadFile{R"({"encoder": {"fine_bits": 1}})", "/encoder/fine_bits: expected an integer 2 to 18, got 1"}));
+
+TEST(MotorFile, WithAnUnknownKeyIsToldAllKeys) {
+  const fakes::TemporaryDirectory folder;
+  std::ofstream{folder.path("motor.json")} << R"({"poles": 4})";
+
+  const std::string message = message_of([&] {
+    parse_configuration(R"({"axes": [{"motor": ")" + folder.path("motor.json") + R"("}]})", "node.json");
+  });
+
+  EXPECT_EQ(message.find(folder.path("motor.json") + ": /poles: unknown key, expected one of: description, "), 0U);
+  for (const char* const key : {"pole_pairs", "rated_speed_rpm", "inertia_kgm2", "encoder"})
+    EXPECT_NE(message.find(key), std::string::npos) << key;
+}
 
 TEST(ConfigurationFile, ThatDoesNotExistIsNamed) {
   EXPECT_EQ(message_of([] {

@@ -104,6 +104,123 @@ TEST(Configuration, TakesEveryKeyOfAMotorFile) {
   EXPECT_EQ(machine.inertia, 0.004);
 }
 
+TEST(Configuration, CompletesAMotorFileSoThatItFitsItself) {
+  const fakes::TemporaryDirectory folder;
+  std::ofstream{folder.path("motor.json")} << R"({"rated_torque_Nm": 12, "maximum_torque_Nm": 70})";
+
+  const motor::MachineData machine = axis_of(R"({"motor": ")" + folder.path("motor.json") + R"("})").machine;
+
+  EXPECT_DOUBLE_EQ(machine.rated_current, 12.0 / 1.37);
+  EXPECT_DOUBLE_EQ(machine.rated_power, 12.0 * 3000.0 * motor::kRpm);
+  EXPECT_NEAR(machine.maximum_current, 56.2, 0.1);
+  EXPECT_GE(machine.stall_current, machine.rated_current);
+}
+
+TEST(Configuration, TakesEverySectionOfALoad) {
+  const motor::Load load = axis_of(R"({"load": {
+    "inertia": 0.01,
+    "friction": {"coulomb": 1, "viscous": 0.1, "breakaway": 1.5, "stribeck_speed": 2},
+    "coupling": {"stiffness": 500, "damping": 0.2, "backlash": 0.01},
+    "end_stops": {"lower": -10, "upper": 20, "stiffness": 5000, "damping": 3},
+    "brake": {"torque": 15, "opening_time": 0.2, "closing_time": 0.03},
+    "torque": [2, {"type": "constant", "torque": 3}, {"type": "pendulum", "mass": 1, "radius": 0.1},
+               {"type": "profile", "points": [[0, 1], [0.5, -1], [1, 1]], "repeats": true}]
+  }})")
+                               .load;
+
+  EXPECT_EQ(load.inertia, 0.01);
+  EXPECT_EQ(load.breakaway_torque, 1.5);
+  EXPECT_EQ(load.stribeck_speed, 2.0);
+  EXPECT_EQ(load.coupling.stiffness, 500.0);
+  EXPECT_EQ(load.coupling.damping, 0.2);
+  EXPECT_EQ(load.coupling.backlash, 0.01);
+  EXPECT_EQ(load.end_stops.lower, -10.0);
+  EXPECT_EQ(load.end_stops.upper, 20.0);
+  EXPECT_EQ(load.end_stops.stiffness, 5000.0);
+  EXPECT_EQ(load.end_stops.damping, 3.0);
+  EXPECT_EQ(load.brake.torque, 15.0);
+  EXPECT_EQ(load.brake.opening_time, 0.2);
+  EXPECT_EQ(load.brake.closing_time, 0.03);
+  EXPECT_EQ(load.constant_torque, 5.0);
+  EXPECT_DOUBLE_EQ(load.pendulum_torque, 0.1 * 9.80665);
+  ASSERT_EQ(load.profile.count, 3U);
+  EXPECT_EQ(load.profile.points[1].time, 0.5);
+  EXPECT_EQ(load.profile.points[1].torque, -1.0);
+  EXPECT_TRUE(load.profile.repeats);
+}
+
+TEST(Configuration, RefersALoadBehindAGearToTheShaft) {
+  const motor::Load load = axis_of(R"({"load": {
+    "gear": 10, "inertia": 1, "friction": {"coulomb": 5, "viscous": 2, "breakaway": 6, "stribeck_speed": 1},
+    "coupling": {"stiffness": 1000, "damping": 1, "backlash": 0.01}, "end_stops": {"lower": -1, "upper": 2},
+    "brake": {"torque": 3}, "torque": [20, {"type": "fan", "coefficient": 1}]
+  }})")
+                               .load;
+
+  EXPECT_DOUBLE_EQ(load.inertia, 0.01);
+  EXPECT_DOUBLE_EQ(load.coulomb_friction, 0.5);
+  EXPECT_DOUBLE_EQ(load.viscous_friction, 0.02);
+  EXPECT_DOUBLE_EQ(load.breakaway_torque, 0.6);
+  EXPECT_DOUBLE_EQ(load.stribeck_speed, 10.0);
+  EXPECT_DOUBLE_EQ(load.coupling.stiffness, 10.0);
+  EXPECT_DOUBLE_EQ(load.coupling.damping, 0.01);
+  EXPECT_DOUBLE_EQ(load.coupling.backlash, 0.1);
+  EXPECT_DOUBLE_EQ(load.end_stops.lower, -10.0);
+  EXPECT_DOUBLE_EQ(load.end_stops.upper, 20.0);
+  EXPECT_DOUBLE_EQ(load.constant_torque, 2.0);
+  EXPECT_DOUBLE_EQ(load.fan_coefficient, 1e-3);
+  EXPECT_DOUBLE_EQ(load.brake.torque, 3.0);  // it is on the motor shaft
+}
+
+TEST(Configuration, GivesAnAxisTheSmallestPowerUnitThatCarriesItsMotor) {
+  EXPECT_EQ(axis_of("{}").inverter.rated_current, 9.0);
+  EXPECT_EQ(axis_of(R"({"motor": "1fk7042"})").inverter.rated_current, 3.0);
+  EXPECT_EQ(axis_of(R"({"motor": "1fk7042"})").inverter.maximum_current, 6.0);
+  EXPECT_EQ(axis_of(R"({"motor": "1ph8131"})").inverter.rated_current, 30.0);
+}
+
+TEST(Configuration, TakesAPowerUnitAndFitsWhatIsNotSaid) {
+  const motor::InverterData unit =
+      axis_of(R"({"power_unit": {"rated_current_A": 30, "pulse_frequency_kHz": 4, "ambient_C": 45}})").inverter;
+
+  EXPECT_EQ(unit.rated_current, 30.0);
+  EXPECT_EQ(unit.maximum_current, 60.0);
+  EXPECT_GT(unit.trip_current, 60.0 * 1.4142);
+  EXPECT_EQ(unit.pulse_frequency, 4000.0);
+  EXPECT_EQ(unit.ambient, 45.0);
+}
+
+TEST(Configuration, TakesTheSupplyOfTheUnit) {
+  const motor::SupplyData supply = parse(R"({"supply": {
+    "infeed": "active", "line_voltage_V": 480, "active_voltage_V": 720, "line_resistance_ohm": 0.1,
+    "rated_power_W": 16000, "capacitance_F": 0.002, "chopper_ohm": 0, "chopper_on_V": 780, "chopper_off_V": 770,
+    "overvoltage_V": 830, "undervoltage_V": 400
+  }})")
+                                       .supply;
+
+  EXPECT_EQ(supply.infeed, motor::Infeed::Active);
+  EXPECT_EQ(supply.line_voltage, 480.0);
+  EXPECT_EQ(supply.active_voltage, 720.0);
+  EXPECT_EQ(supply.line_resistance, 0.1);
+  EXPECT_EQ(supply.rated_power, 16e3);
+  EXPECT_EQ(supply.capacitance, 2e-3);
+  EXPECT_EQ(supply.chopper_resistance, 0.0);
+  EXPECT_EQ(supply.chopper_on, 780.0);
+  EXPECT_EQ(supply.chopper_off, 770.0);
+  EXPECT_EQ(supply.overvoltage, 830.0);
+  EXPECT_EQ(supply.undervoltage, 400.0);
+}
+
+TEST(Configuration, TakesTheEncoderOfAnAxisOverThatOfItsMotor) {
+  const motor::EncoderData encoder =
+      axis_of(R"({"motor": "1ft7044", "encoder": {"pulses": 512, "start_position": 17.5}})").machine.encoder;
+
+  EXPECT_EQ(encoder.type, motor::EncoderType::Absolute);
+  EXPECT_EQ(encoder.pulses, 512U);
+  EXPECT_EQ(encoder.start_position, 17.5);
+  EXPECT_EQ(axis_of(R"({"encoder": {"type": "none"}})").machine.encoder.type, motor::EncoderType::None);
+}
+
 TEST(Configuration, OfAFileIsOverriddenByTheCommandLine) {
   const fakes::TemporaryDirectory folder;
   std::ofstream{folder.path("node.json")} << R"({"interface": "can1", "node_id": 5, "f08701": false})";

@@ -192,10 +192,20 @@ Table Table::sorted() const {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return abscissa()[a] < abscissa()[b]; });
+  return selected(order);
+}
+
+Table Table::selected(std::span<const std::size_t> rows) const {
   Table result{names_};
   for (std::size_t c = 0; c < names_.size(); ++c)
-    for (const std::size_t row : order) result.values_[c].push_back(values_[c][row]);
+    for (const std::size_t row : rows) result.values_[c].push_back(values_[c].at(row));
   return result;
+}
+
+void File::keep_every(std::size_t n) {
+  std::vector<std::size_t> kept;
+  for (std::size_t row = 0; row < table.rows(); row += n) kept.push_back(row);
+  table = table.selected(kept);
 }
 
 File::File(std::string_view file_name)

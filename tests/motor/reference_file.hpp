@@ -26,6 +26,8 @@ class Table {
   const std::vector<double>& abscissa() const noexcept { return values_.front(); }
   /// The same rows in ascending order of the abscissa.
   Table sorted() const;
+  /// The rows with these numbers.
+  Table selected(std::span<const std::size_t> rows) const;
 
  private:
   std::vector<std::string> names_;
@@ -38,6 +40,8 @@ struct File {
   explicit File(std::string_view name);
   /// A number of the JSON file by its JSON pointer, "/plant/R_s"; throws when it is missing.
   double number(std::string_view pointer) const;
+  /// Forgets all rows but every @p n-th, the first among them: what a coarser sampling can be held against.
+  void keep_every(std::size_t n);
 
   std::string name;
   nlohmann::json about;
