@@ -3,65 +3,67 @@
 #include <algorithm>
 
 #include "motor/induction_machine.hpp"
+#include "motor/pair.hpp"
 #include "motor/rotation.hpp"
 #include "motor/space_vector.hpp"
 #include "motor/synchronous_machine.hpp"
 
 namespace motor {
 
-/// A machine under the voltage of an inverter, which is held in the stator frame.
-template <class Machine>
+/// A machine under the voltage of an inverter, which is held in the stator frame. Not @p Saturated: the currents
+/// are known to be too small for saturation.
+template <class Machine, bool Saturated = true>
 class HeldVoltage;
 
 /// The stator frame turns back, seen from the rotor.
-template <>
-class HeldVoltage<SynchronousMachine> {
+template <bool Saturated>
+class HeldVoltage<SynchronousMachine, Saturated> {
  public:
   using State = SynchronousMachine::State;
   using Rate = SynchronousMachine::Rate;
 
   /// @p voltage of the stator frame (V), with the rotor in @p direction at the start of the step.
   HeldVoltage(const SynchronousMachine& machine, SpaceVector voltage, SpaceVector direction) noexcept
-      : machine_{machine}, voltage_{voltage * conjugate(direction)} {}
+      : machine_{machine}, voltage_{turned_back(pair(voltage), direction.re, direction.im)} {}
 
   const State& state() const noexcept { return machine_.state(); }
   /// In stage @p Stage, with the rotor turned by @p angle (rad) since the start of the step.
   template <int Stage>
   Rate rate(const State& y, double angle, double speed) noexcept {
-    return machine_.rate(y, voltage<Stage>(machine_.pole_pairs() * angle), speed);
+    return machine_.rate<Saturated>(y, voltage<Stage>(machine_.pole_pairs() * angle), speed);
   }
 
  private:
   /// One series a step: the stages differ from the first half step, or from twice it, by the acceleration only.
   template <int Stage>
-  SpaceVector voltage(double angle) noexcept {
+  Pair voltage(double angle) noexcept {
     if constexpr (Stage == 0) return voltage_;
     if constexpr (Stage == 1) {
       half_angle_ = angle;
-      half_turn_ = conjugate(small_rotation(angle));
-      half_way_ = voltage_ * half_turn_;
+      half_turn_ = small_rotation(angle);
+      half_way_ = turned_back(voltage_, half_turn_[0], half_turn_[1]);
       return half_way_;
     }
     if constexpr (Stage == 2) return turned_back_a_little(half_way_, angle - half_angle_);
-    return turned_back_a_little(half_way_ * half_turn_, angle - 2.0 * half_angle_);
+    return turned_back_a_little(turned_back(half_way_, half_turn_[0], half_turn_[1]), angle - 2.0 * half_angle_);
   }
 
   const SynchronousMachine& machine_;
-  SpaceVector voltage_;
-  SpaceVector half_turn_{};
-  SpaceVector half_way_{};
+  Pair voltage_;
+  Pair half_turn_{};
+  Pair half_way_{};
   double half_angle_ = 0.0;
 };
 
 /// Constant in the frame of the machine.
-template <>
-class HeldVoltage<InductionMachine> {
+template <bool Saturated>
+class HeldVoltage<InductionMachine, Saturated> {
  public:
   using State = InductionMachine::State;
   using Rate = InductionMachine::Rate;
 
   HeldVoltage(const InductionMachine& machine, SpaceVector voltage, SpaceVector) noexcept
-      : machine_{machine}, voltage_{voltage} {}
+      : machine_{machine}, voltage_{pair(voltage)} {}
 
   const State& state() const noexcept { return machine_.state(); }
   template <int Stage>
@@ -71,7 +73,7 @@ class HeldVoltage<InductionMachine> {
 
  private:
   const InductionMachine& machine_;
-  SpaceVector voltage_;
+  Pair voltage_;
 };
 
 /// A machine behind an inverter without pulses: the diodes hold the voltage against the current.
@@ -91,8 +93,8 @@ class DiodeVoltage {
   double least_current() const noexcept { return least_current_; }
   template <int Stage>
   Rate rate(const State& y, double, double speed) const noexcept {
-    const SpaceVector i = machine_.current(y);
-    const double amplitude = std::max({length(i), least_current_, kTinyCurrent});
+    const Pair i = machine_.current(y);
+    const double amplitude = std::max({length(vector(i)), least_current_, kTinyCurrent});
     return machine_.rate(y, (-limit_ / amplitude) * i, speed);
   }
 

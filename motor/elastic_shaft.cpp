@@ -33,20 +33,24 @@ void ElasticShaft::begin(const StepStart& start, double torque) noexcept {
   load_active_inverse_ = load_grip_.stuck ? 0.0 : load_inverse_inertia_;
 }
 
-Motion ElasticShaft::finish(const Rate& mean, double h, PlantEnergies& energies) noexcept {
-  const Motion rotor =
-      settled(grip_, speed_, made(grip_, speed_, mean.speed, mean.acceleration, h), inverse_inertia_, h);
+Motion ElasticShaft::finish(const Rate& sum, double h, PlantEnergies& energies) noexcept {
+  const double weight = stage_weight(h);
+  const double angle = weight * sum.speed;
+  const double load_angle = weight * sum.load_speed;
+  const Motion rotor = settled(grip_, speed_, {speed_ + weight * sum.acceleration, angle, grip_.direction * angle},
+                               inverse_inertia_, h);
   const Motion load =
-      settled(load_grip_, load_speed_, made(load_grip_, load_speed_, mean.load_speed, mean.load_acceleration, h),
+      settled(load_grip_, load_speed_,
+              {load_speed_ + weight * sum.load_acceleration, load_angle, load_grip_.direction * load_angle},
               load_inverse_inertia_, h);
   speed_ = rotor.speed;
   load_speed_ = load.speed;
   twist_ += rotor.angle - load.angle;
   const double dry = grip_.torque * grip_.direction - hysteresis_;
   energies.friction += dry * rotor.path + load_grip_.torque * load_grip_.direction * load.path +
-                       h * (viscous_ * mean.square + load_viscous_ * mean.load_square + mean.damping);
-  energies.iron += hysteresis_ * rotor.path + h * eddy_current_drag_ * mean.square;
-  energies.load += h * mean.load;
+                       weight * (viscous_ * sum.square + load_viscous_ * sum.load_square + sum.damping);
+  energies.iron += hysteresis_ * rotor.path + weight * eddy_current_drag_ * sum.square;
+  energies.load += weight * sum.load;
   return rotor;
 }
 

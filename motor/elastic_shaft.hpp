@@ -50,6 +50,8 @@ class CouplingTorque {
 /// Rotor and load as two masses; each has its own friction.
 class ElasticShaft {
  public:
+  static constexpr bool kPlain = false;
+
   struct Rate;
   /// Angles turned since the start of the step (rad), and speeds (rad/s).
   struct State {
@@ -73,15 +75,15 @@ class ElasticShaft {
     double load;               ///< power into the load (W)
     double damping;            ///< power lost in coupling and end stops (W)
 
-    static Rate mean(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
-      return {stage_mean(a.speed, b.speed, c.speed, d.speed),
-              stage_mean(a.acceleration, b.acceleration, c.acceleration, d.acceleration),
-              stage_mean(a.load_speed, b.load_speed, c.load_speed, d.load_speed),
-              stage_mean(a.load_acceleration, b.load_acceleration, c.load_acceleration, d.load_acceleration),
-              stage_mean(a.square, b.square, c.square, d.square),
-              stage_mean(a.load_square, b.load_square, c.load_square, d.load_square),
-              stage_mean(a.load, b.load, c.load, d.load),
-              stage_mean(a.damping, b.damping, c.damping, d.damping)};
+    static Rate summed(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
+      return {stage_sum(a.speed, b.speed, c.speed, d.speed),
+              stage_sum(a.acceleration, b.acceleration, c.acceleration, d.acceleration),
+              stage_sum(a.load_speed, b.load_speed, c.load_speed, d.load_speed),
+              stage_sum(a.load_acceleration, b.load_acceleration, c.load_acceleration, d.load_acceleration),
+              stage_sum(a.square, b.square, c.square, d.square),
+              stage_sum(a.load_square, b.load_square, c.load_square, d.load_square),
+              stage_sum(a.load, b.load, c.load, d.load),
+              stage_sum(a.damping, b.damping, c.damping, d.damping)};
     }
   };
 
@@ -89,6 +91,8 @@ class ElasticShaft {
 
   State state() const noexcept { return {0.0, speed_, 0.0, load_speed_}; }
   double speed() const noexcept { return speed_; }
+  /// Whether anything on it stands, so that the torque at the start of a step counts.
+  bool stands() const noexcept { return speed_ == 0.0; }
   double load_speed() const noexcept { return load_speed_; }
   double twist() const noexcept { return twist_; }
   void set_speed(double speed) noexcept { speed_ = load_speed_ = speed; }
@@ -113,8 +117,8 @@ class ElasticShaft {
             load * z.load_speed,
             (shaft.total - shaft.spring) * change + (stop.total - stop.spring) * z.load_speed};
   }
-  /// Takes over the step of @p h (s) that was made with the rates @p mean, and books its energies.
-  Motion finish(const Rate& mean, double h, PlantEnergies& energies) noexcept;
+  /// Takes over the step of @p h (s) that was made with the summed rates @p sum, and books its energies.
+  Motion finish(const Rate& sum, double h, PlantEnergies& energies) noexcept;
   double kinetic() const noexcept;
   /// Energy in the springs with the rotor at @p angle (rad since power-on).
   double spring(double angle) const noexcept { return coupling_.stored(twist_) + stops_.stored(angle - twist_); }

@@ -68,12 +68,6 @@ struct Motion {
   double path = 0.0;   ///< the angle without its sign (rad)
 };
 
-/// A step of @p h (s) from @p speed with the mean rates @p change (rad/s) and @p acceleration (rad/s²).
-inline Motion made(const Grip& grip, double speed, double change, double acceleration, double h) noexcept {
-  const double angle = h * change;
-  return {speed + h * acceleration, angle, grip.direction * angle};
-}
-
 /// Speed below which a mass without dry friction is taken for standing, or its last trace would never end (rad/s).
 inline constexpr double kRestSpeed = 1e-9;
 

@@ -15,7 +15,8 @@ double per_sixth_power(double flux) noexcept {
 }  // namespace
 
 InductionMachine::InductionMachine(const MachineData& machine) noexcept
-    : pole_pairs_{static_cast<double>(machine.pole_pairs)},
+    : signed_pole_pairs_{-static_cast<double>(machine.pole_pairs), static_cast<double>(machine.pole_pairs)},
+      pole_pairs_{static_cast<double>(machine.pole_pairs)},
       torque_factor_{1.5 * pole_pairs_},
       saturation_{per_sixth_power(machine.induction.saturation_flux)},
       cold_stator_resistance_{machine.stator_resistance} {
@@ -34,24 +35,23 @@ void InductionMachine::set_temperatures(double winding, double rotor) noexcept {
 
 double InductionMachine::cut() noexcept {
   const double before = stored();
-  if (norm(state_.rotor) < kNoFlux) state_.rotor = {};
+  if (dot(state_.rotor, state_.rotor) < kNoFlux) state_.rotor = Pair{};
   state_.stator = state_.rotor;
   return before - stored();
 }
 
 double InductionMachine::stored() const noexcept {
-  const double square = norm(state_.rotor);
-  const double leakage = norm(state_.stator - state_.rotor) * inverse_leakage_;
+  const double square = dot(state_.rotor, state_.rotor);
+  const Pair beside = state_.stator - state_.rotor;
+  const double leakage = dot(beside, beside) * inverse_leakage_;
   const double main = reluctance_ * square * (1.0 + 0.25 * saturation_ * square * square * square);
   return 1.5 * 0.5 * (leakage + main);
 }
 
 InductionMachine::Rate InductionMachine::blocked_rate(const State& y, double w) const noexcept {
-  const SpaceVector slip = reluctance(norm(y.rotor)) * y.rotor;
-  const double w_e = pole_pairs_ * w;
-  const SpaceVector fading{-rotor_resistance_ * slip.re - w_e * y.rotor.im,
-                           -rotor_resistance_ * slip.im + w_e * y.rotor.re};
-  return {fading, fading, 0.0, 0.0, 0.0, norm(slip)};
+  const Pair slip = reluctance(dot(y.rotor, y.rotor)) * y.rotor;
+  const Pair fading = turned(y.rotor, w) - rotor_resistance_ * slip;
+  return {fading, fading, Pair{}, Pair{}, slip * slip, 0.0};
 }
 
 }  // namespace motor

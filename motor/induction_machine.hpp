@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "motor/machine_data.hpp"
+#include "motor/pair.hpp"
 #include "motor/runge_kutta.hpp"
 #include "motor/space_vector.hpp"
 
@@ -15,8 +16,8 @@ class InductionMachine {
   struct Rate;
   /// Flux linkages of the stator frame (V·s).
   struct State {
-    SpaceVector stator{};
-    SpaceVector rotor{};
+    Pair stator{};
+    Pair rotor{};
 
     State moved(const Rate& rate, double h) const noexcept {
       return {stator + h * rate.stator, rotor + h * rate.rotor};
@@ -24,22 +25,20 @@ class InductionMachine {
   };
   /// Change of the fluxes (V), and what the energies and the torque are made of.
   struct Rate {
-    SpaceVector stator;
-    SpaceVector rotor;
-    double torque;         ///< (N·m)
-    double power;          ///< u·i, 2/3 of the electrical power (W)
-    double heating;        ///< square of the stator current (A²)
-    double rotor_heating;  ///< square of the rotor current (A²)
+    Pair stator;
+    Pair rotor;
+    Pair power;          ///< by components u·i, 2/3 of the electrical power (W)
+    Pair heating;        ///< squares of the stator current (A²)
+    Pair rotor_heating;  ///< squares of the rotor current (A²)
+    double torque;       ///< (N·m)
 
-    static Rate mean(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
-      return {{stage_mean(a.stator.re, b.stator.re, c.stator.re, d.stator.re),
-               stage_mean(a.stator.im, b.stator.im, c.stator.im, d.stator.im)},
-              {stage_mean(a.rotor.re, b.rotor.re, c.rotor.re, d.rotor.re),
-               stage_mean(a.rotor.im, b.rotor.im, c.rotor.im, d.rotor.im)},
-              stage_mean(a.torque, b.torque, c.torque, d.torque),
-              stage_mean(a.power, b.power, c.power, d.power),
-              stage_mean(a.heating, b.heating, c.heating, d.heating),
-              stage_mean(a.rotor_heating, b.rotor_heating, c.rotor_heating, d.rotor_heating)};
+    static Rate summed(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
+      return {stage_sum(a.stator, b.stator, c.stator, d.stator),
+              stage_sum(a.rotor, b.rotor, c.rotor, d.rotor),
+              stage_sum(a.power, b.power, c.power, d.power),
+              stage_sum(a.heating, b.heating, c.heating, d.heating),
+              stage_sum(a.rotor_heating, b.rotor_heating, c.rotor_heating, d.rotor_heating),
+              stage_sum(a.torque, b.torque, c.torque, d.torque)};
     }
   };
 
@@ -56,42 +55,45 @@ class InductionMachine {
   /// Inductance that limits the change of the current (H).
   double least_inductance() const noexcept { return 1.0 / inverse_leakage_; }
   /// Amplitude of the voltage that the rotor flux induces in open terminals at the mechanical speed @p w (V).
-  double induced(double w) const noexcept { return length(blocked_rate(state_, w).rotor); }
-  /// Copper losses of a step with the mean rates @p mean (W).
-  double losses(const Rate& mean) const noexcept {
-    return 1.5 * (stator_resistance_ * mean.heating + rotor_resistance_ * mean.rotor_heating);
+  double induced(double w) const noexcept { return length(vector(blocked_rate(state_, w).rotor)); }
+  /// Copper losses (J) of a step with the summed rates @p sum, @p weight from stage_weight().
+  double losses(const Rate& sum, double weight) const noexcept {
+    return 1.5 * weight *
+           (stator_resistance_ * motor::sum(sum.heating) + rotor_resistance_ * motor::sum(sum.rotor_heating));
   }
   /// Takes the stator current away; what its field gives back (J).
   double cut() noexcept;
-  SpaceVector current(const State& y) const noexcept { return inverse_leakage_ * (y.stator - y.rotor); }
+  Pair current(const State& y) const noexcept { return inverse_leakage_ * (y.stator - y.rotor); }
   /// Torque in the air gap (N·m).
   double torque() const noexcept { return torque_factor_ * cross(state_.rotor, current(state_)); }
   /// Length of the rotor flux linkage (V·s).
-  double main_flux() const noexcept { return length(state_.rotor); }
+  double main_flux() const noexcept { return length(vector(state_.rotor)); }
   /// Energy of the magnetic field (J).
   double stored() const noexcept;
   /// Rates under the voltage @p u of the stator frame (V) at the mechanical speed @p w (rad/s).
-  Rate rate(const State& y, SpaceVector u, double w) const noexcept {
-    const SpaceVector i = current(y);
-    const SpaceVector slip = reluctance(norm(y.rotor)) * y.rotor - i;  // rotor current, reversed
-    const double w_e = pole_pairs_ * w;
+  Rate rate(const State& y, Pair u, double w) const noexcept {
+    const Pair i = current(y);
+    const Pair slip = reluctance(dot(y.rotor, y.rotor)) * y.rotor - i;  // rotor current, reversed
     return {u - stator_resistance_ * i,
-            {-rotor_resistance_ * slip.re - w_e * y.rotor.im, -rotor_resistance_ * slip.im + w_e * y.rotor.re},
-            torque_factor_ * cross(y.rotor, i),
-            dot(u, i),
-            norm(i),
-            norm(slip)};
+            turned(y.rotor, w) - rotor_resistance_ * slip,
+            u * i,
+            i * i,
+            slip * slip,
+            torque_factor_ * cross(y.rotor, i)};
   }
   /// Rates without stator current: the rotor flux turns on and fades.
   Rate blocked_rate(const State& y, double w) const noexcept;
 
  private:
+  /// What the rotor flux changes by because the rotor turns.
+  Pair turned(Pair flux, double w) const noexcept { return both(w) * signed_pole_pairs_ * swapped(flux); }
   /// 1/L_M at the square of the rotor flux (1/H).
   double reluctance(double square) const noexcept {
     return reluctance_ * (1.0 + saturation_ * square * square * square);
   }
 
   State state_{};
+  Pair signed_pole_pairs_;  // -p, p
   double pole_pairs_;
   double torque_factor_;
   double inverse_leakage_;

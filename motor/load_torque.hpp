@@ -61,7 +61,7 @@ class LoadTorque {
   /// Torque (N·m) at @p speed (rad/s), @p angle (rad) and @p time (s) after the start of the step.
   double at(double speed, double angle, double time) const noexcept {
     double torque = constant_ + line_.torque + line_.slope * time + fan_ * speed * std::abs(speed);
-    if (pendulum_ != 0.0) torque += pendulum_ * (direction_ * small_rotation(angle)).im;
+    if (pendulum_ != 0.0) torque += pendulum_ * (direction_ * vector(small_rotation(angle))).im;
     return torque;
   }
 

@@ -24,6 +24,7 @@ Plant::Plant(const MachineData& machine, const Load& load, int substeps) noexcep
       shaft_{made_shaft(machine, load)},
       substeps_{substeps > 0 ? substeps : needed_substeps(machine, load)},
       pole_pairs_{static_cast<double>(machine.pole_pairs)},
+      calm_speed_{followed_speed(substeps_)},
       brake_{load.brake} {
   apply_brake();
   state_.flux = std::visit([](const auto& m) { return m.main_flux(); }, machine_);
@@ -35,9 +36,10 @@ StoredEnergy Plant::stored() const noexcept {
           .spring = std::visit([this](const auto& shaft) { return shaft.spring(angle()); }, shaft_)};
 }
 
-InductionMachine::State Plant::fluxes() const noexcept {
+MachineFluxes Plant::fluxes() const noexcept {
   const auto* const machine = std::get_if<InductionMachine>(&machine_);
-  return machine == nullptr ? InductionMachine::State{} : machine->state();
+  if (machine == nullptr) return {};
+  return {vector(machine->state().stator), vector(machine->state().rotor)};
 }
 
 void Plant::set_temperatures(double winding, double rotor) noexcept {
@@ -66,11 +68,11 @@ void Plant::set_speed(double speed) noexcept {
   state_.load_speed = speed;
 }
 
-void Plant::set_fluxes(const InductionMachine::State& fluxes) noexcept {
+void Plant::set_fluxes(const MachineFluxes& fluxes) noexcept {
   auto* const machine = std::get_if<InductionMachine>(&machine_);
   if (machine == nullptr) return;
-  machine->set_state(fluxes);
-  state_.current = machine->current(fluxes);
+  machine->set_state({pair(fluxes.stator), pair(fluxes.rotor)});
+  state_.current = vector(machine->current(machine->state()));
   state_.flux = machine->main_flux();
 }
 

@@ -35,7 +35,7 @@ class Plant {
   /// Cosine and sine of the electrical angle of the rotor at the end of the last step (synchronous machine).
   SpaceVector direction() const noexcept { return direction_; }
   /// Flux linkages of an induction machine in the stator frame (V·s); zero for a synchronous one.
-  InductionMachine::State fluxes() const noexcept;
+  MachineFluxes fluxes() const noexcept;
   /// How many Runge-Kutta steps make a control period, unless the shaft turns faster than the machine should.
   int substeps() const noexcept { return substeps_; }
 
@@ -48,7 +48,7 @@ class Plant {
   /// Lets rotor and load turn at @p speed (rad/s), whatever they did before.
   void set_speed(double speed) noexcept;
   /// Magnetises an induction machine at once, whatever it was before.
-  void set_fluxes(const InductionMachine::State& fluxes) noexcept;
+  void set_fluxes(const MachineFluxes& fluxes) noexcept;
   /// Whether no current flows, everything stands, and nothing will change while the pulses are inhibited.
   bool rests() const noexcept;
 
@@ -63,21 +63,30 @@ class Plant {
   void drive(M& machine, S& shaft, SpaceVector voltage) noexcept;
   template <class M, class S>
   void coast_down(M& machine, S& shaft, double limit) noexcept;
-  template <class Circuit, class M, class S>
-  void advance(Circuit& circuit, M& machine, S& shaft, double h) noexcept;
+  template <class Rates, class M, class S>
+  void advance(const Rates& sum, M& machine, S& shaft, double h) noexcept;
+  template <class S>
+  void begin(S& shaft, int part, double h, double torque) noexcept;
   template <class M, class S>
-  void begin(M& machine, S& shaft, int part, double h) noexcept;
+  void drive_part(M& machine, S& shaft, SpaceVector voltage, int part, double h) noexcept;
   template <class M, class S>
-  void finish(const M& machine, S& shaft) noexcept;
+  void drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept;
+  template <class M, class S>
+  void finish(const M& machine, const S& shaft) noexcept;
+  template <class S>
+  void hold_back(S& shaft) noexcept;
+  void start_period() noexcept;
   void turn(const Motion& motion) noexcept;
   void apply_brake() noexcept;
   int needed(int parts) const noexcept;
+  double followed_speed(int parts) const noexcept;
   double angle() const noexcept;
 
   Machine machine_;
   Shaft shaft_;
   int substeps_;
   double pole_pairs_;
+  double calm_speed_;  // up to which substeps_ will do (rad/s)
   HoldingBrake brake_;
   bool brake_closed_ = true;         // as commanded
   int brake_delay_ = 0;              // steps until the command acts

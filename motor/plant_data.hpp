@@ -18,6 +18,12 @@ struct PlantState {
   double flux = 0.0;             ///< of rotor (induction) or magnets with i_d (synchronous) (V·s, peak)
 };
 
+/// Flux linkages of an induction machine (V·s, peak, stator frame).
+struct MachineFluxes {
+  SpaceVector stator{};
+  SpaceVector rotor{};
+};
+
 /// Where the energy of a step went (J); what comes in is positive in `electrical`, the others are positive when
 /// they take it.
 struct PlantEnergies {

@@ -13,23 +13,56 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Steps in a control period without pulses: what the diodes do changes faster than a held voltage.
 constexpr int kCoastingParts = 8;
-/// Most steps in a control period; a shaft that would need more does not get any faster.
+/// Most steps in a control period.
 constexpr int kMostParts = 256;
+
+/// Rates of a step in which saturation counts.
+template <class S>
+[[gnu::noinline]] auto saturated_rates(const SynchronousMachine& machine, const S& shaft, SpaceVector voltage,
+                                       SpaceVector direction, double h) noexcept {
+  HeldVoltage<SynchronousMachine, true> circuit{machine, voltage, direction};
+  return runge_kutta(circuit, shaft, h);
+}
+
+/// Rates under a held voltage: without saturation, unless the step begins or ends in it.
+template <class S>
+auto held_rates(const SynchronousMachine& machine, const S& shaft, SpaceVector voltage, SpaceVector direction,
+                double h) noexcept {
+  if (!machine.is_saturated(machine.state())) [[likely]] {
+    HeldVoltage<SynchronousMachine, false> circuit{machine, voltage, direction};
+    const auto sum = runge_kutta(circuit, shaft, h);
+    if (!machine.is_saturated(machine.state().moved(sum.circuit, stage_weight(h)))) [[likely]]
+      return sum;
+  }
+  return saturated_rates(machine, shaft, voltage, direction, h);
+}
+template <class S>
+auto held_rates(const InductionMachine& machine, const S& shaft, SpaceVector voltage, SpaceVector direction,
+                double h) noexcept {
+  HeldVoltage<InductionMachine> circuit{machine, voltage, direction};
+  return runge_kutta(circuit, shaft, h);
+}
 
 }  // namespace
 
 /// As many parts as asked for, or more where the shaft turns faster than the machine was made for.
 int Plant::needed(int parts) const noexcept {
   const double turning = std::abs(state_.speed) * pole_pairs_ * kControlPeriod;
-  if (turning <= 1.2 * kElectricalStep * parts) return parts;
-  return turning < kElectricalStep * kMostParts ? static_cast<int>(turning / kElectricalStep) + 1 : kMostParts;
+  if (turning <= kElectricalStep * parts) return parts;
+  return turning < kElectricalStep * kMostParts ? static_cast<int>(turning * (1.0 / kElectricalStep)) + 1
+                                                : kMostParts;
+}
+
+/// Speed of the rotor that @p parts in a control period can follow (rad/s).
+double Plant::followed_speed(int parts) const noexcept {
+  return kElectricalStep * parts / (pole_pairs_ * kControlPeriod);
 }
 
 double Plant::angle() const noexcept {
   return static_cast<double>(state_.revolutions) * kTurn + state_.rotor_angle;
 }
 
-void Plant::turn(const Motion& motion) noexcept {
+[[gnu::always_inline]] inline void Plant::turn(const Motion& motion) noexcept {
   state_.speed = motion.speed;
   state_.rotor_angle += motion.angle;
   if (state_.rotor_angle >= 0.0 && state_.rotor_angle < kTurn) return;
@@ -38,51 +71,64 @@ void Plant::turn(const Motion& motion) noexcept {
   state_.revolutions += static_cast<std::int64_t>(turns);
 }
 
-template <class M, class S>
-void Plant::begin(M& machine, S& shaft, int part, double h) noexcept {
-  shaft.begin({static_cast<double>(steps_) * kControlPeriod + part * h, angle()}, machine.torque());
+template <class S>
+[[gnu::always_inline]] inline void Plant::begin(S& shaft, int part, double h, double torque) noexcept {
+  StepStart start{};
+  if constexpr (!S::kPlain) start = {static_cast<double>(steps_) * kControlPeriod + part * h, angle()};
+  shaft.begin(start, torque);
 }
 
-template <class Circuit, class M, class S>
-void Plant::advance(Circuit& circuit, M& machine, S& shaft, double h) noexcept {
-  const auto mean = runge_kutta(circuit, shaft, h);
-  machine.set_state(machine.state().moved(mean.circuit, h));
-  energies_.electrical += 1.5 * h * mean.circuit.power;
-  energies_.copper += h * machine.losses(mean.circuit);
-  state_.torque += mean.circuit.torque * h;
-  turn(shaft.finish(mean.shaft, h, energies_));
-  if constexpr (M::kTurnsWithRotor) {
-    const double electrical = pole_pairs_ * state_.rotor_angle;
-    direction_ = {std::cos(electrical), std::sin(electrical)};
-  }
+template <class Rates, class M, class S>
+[[gnu::always_inline]] inline void Plant::advance(const Rates& sum, M& machine, S& shaft, double h) noexcept {
+  const double weight = stage_weight(h);
+  machine.set_state(machine.state().moved(sum.circuit, weight));
+  energies_.electrical += 1.5 * weight * motor::sum(sum.circuit.power);
+  energies_.copper += machine.losses(sum.circuit, weight);
+  state_.torque += weight * (1.0 / kControlPeriod) * sum.circuit.torque;
+  turn(shaft.finish(sum.shaft, h, energies_));
+  if constexpr (M::kTurnsWithRotor) direction_ = unit_vector(pole_pairs_ * state_.rotor_angle);
 }
 
 template <class M, class S>
-void Plant::finish(const M& machine, S& shaft) noexcept {
+[[gnu::always_inline]] inline void Plant::finish(const M& machine, const S& shaft) noexcept {
   ++steps_;
-  const double most = kElectricalStep * kMostParts / (pole_pairs_ * kControlPeriod);
-  if (std::abs(state_.speed) > most) [[unlikely]] {
-    shaft.set_speed(std::copysign(most, state_.speed));
-    state_.speed = shaft.speed();
-  }
-  state_.torque *= 1.0 / kControlPeriod;
   state_.load_speed = shaft.load_speed();
   state_.twist = shaft.twist();
-  const SpaceVector current = machine.current(machine.state());
+  const SpaceVector current = vector(machine.current(machine.state()));
   state_.current = M::kTurnsWithRotor ? current * direction_ : current;
   state_.flux = machine.main_flux();
 }
 
 template <class M, class S>
+[[gnu::always_inline]] inline void Plant::drive_part(M& machine, S& shaft, SpaceVector voltage, int part,
+                                                     double h) noexcept {
+  begin(shaft, part, h, shaft.stands() ? machine.torque() : 0.0);
+  advance(held_rates(machine, shaft, voltage, direction_, h), machine, shaft, h);
+}
+
+/// A control period in @p parts.
+template <class M, class S>
+[[gnu::noinline]] void Plant::drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept {
+  for (int part = 0; part < parts; ++part) drive_part(machine, shaft, voltage, part, kControlPeriod / parts);
+  hold_back(shaft);
+}
+
+template <class M, class S>
 void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
-  const int parts = needed(substeps_);
-  const double h = parts == 1 ? kControlPeriod : kControlPeriod / parts;
-  for (int part = 0; part < parts; ++part) {
-    HeldVoltage<M> circuit{machine, voltage, direction_};
-    begin(machine, shaft, part, h);
-    advance(circuit, machine, shaft, h);
-  }
+  if (substeps_ == 1 && std::abs(state_.speed) <= calm_speed_) [[likely]]
+    drive_part(machine, shaft, voltage, 0, kControlPeriod);
+  else
+    drive_parts(machine, shaft, voltage, needed(substeps_));
   finish(machine, shaft);
+}
+
+/// A shaft that would need more than kMostParts does not get any faster.
+template <class S>
+void Plant::hold_back(S& shaft) noexcept {
+  const double most = followed_speed(kMostParts);
+  if (std::abs(state_.speed) <= most) return;
+  shaft.set_speed(std::copysign(most, state_.speed));
+  state_.speed = shaft.speed();
 }
 
 template <class M, class S>
@@ -91,31 +137,30 @@ void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
   const double h = kControlPeriod / parts;
   for (int part = 0; part < parts; ++part) {
     DiodeVoltage<M> diodes{machine, limit, h};
-    const double current = length(machine.current(machine.state()));
+    const double current = length(vector(machine.current(machine.state())));
     const bool blocks = machine.induced(state_.speed) <= limit && current <= diodes.least_current();
     if (blocks) energies_.electrical -= machine.cut();
-    begin(machine, shaft, part, h);
-    if (blocks) {
-      OpenTerminals<M> open{machine};
-      advance(open, machine, shaft, h);
-    } else {
-      advance(diodes, machine, shaft, h);
-    }
+    begin(shaft, part, h, shaft.stands() ? machine.torque() : 0.0);
+    OpenTerminals<M> open{machine};
+    advance(blocks ? runge_kutta(open, shaft, h) : runge_kutta(diodes, shaft, h), machine, shaft, h);
   }
+  hold_back(shaft);
   finish(machine, shaft);
 }
 
-void Plant::step(SpaceVector voltage) noexcept {
+void Plant::start_period() noexcept {
   if (brake_delay_ > 0 && --brake_delay_ == 0) apply_brake();
   energies_ = {};
   state_.torque = 0.0;
+}
+
+void Plant::step(SpaceVector voltage) noexcept {
+  start_period();
   std::visit([&](auto& machine, auto& shaft) { drive(machine, shaft, voltage); }, machine_, shaft_);
 }
 
 void Plant::coast(double dc_voltage) noexcept {
-  if (brake_delay_ > 0 && --brake_delay_ == 0) apply_brake();
-  energies_ = {};
-  state_.torque = 0.0;
+  start_period();
   const double limit = dc_voltage > 0.0 ? dc_voltage / std::numbers::sqrt3 : 0.0;
   std::visit([&](auto& machine, auto& shaft) { coast_down(machine, shaft, limit); }, machine_, shaft_);
 }

@@ -14,6 +14,8 @@ namespace motor {
 template <bool Plain>
 class RigidShaft {
  public:
+  static constexpr bool kPlain = Plain;
+
   struct Rate;
   /// Angle turned since the start of the step (rad), and speed (rad/s).
   struct State {
@@ -31,11 +33,11 @@ class RigidShaft {
     double load;          ///< power into the load (W), unless Plain
     double damping;       ///< power lost in the end stops (W), unless Plain
 
-    static Rate mean(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
-      return {stage_mean(a.speed, b.speed, c.speed, d.speed),
-              stage_mean(a.acceleration, b.acceleration, c.acceleration, d.acceleration),
-              stage_mean(a.square, b.square, c.square, d.square), stage_mean(a.load, b.load, c.load, d.load),
-              stage_mean(a.damping, b.damping, c.damping, d.damping)};
+    static Rate summed(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
+      return {stage_sum(a.speed, b.speed, c.speed, d.speed),
+              stage_sum(a.acceleration, b.acceleration, c.acceleration, d.acceleration),
+              stage_sum(a.square, b.square, c.square, d.square), stage_sum(a.load, b.load, c.load, d.load),
+              stage_sum(a.damping, b.damping, c.damping, d.damping)};
     }
   };
 
@@ -55,6 +57,8 @@ class RigidShaft {
   bool is_plain() const noexcept { return !load_.varies() && !stops_.present(); }
   State state() const noexcept { return {0.0, speed_}; }
   double speed() const noexcept { return speed_; }
+  /// Whether anything on it stands, so that the torque at the start of a step counts.
+  bool stands() const noexcept { return speed_ == 0.0; }
   double load_speed() const noexcept { return speed_; }
   double twist() const noexcept { return 0.0; }
   void set_speed(double speed) noexcept { speed_ = speed; }
@@ -70,22 +74,30 @@ class RigidShaft {
     }
     grip_ = Grip::decide(friction_, hysteresis_, speed_, torque - outside(state(), 0.0).total());
     active_inverse_ = grip_.stuck ? 0.0 : inverse_inertia_;
+    resistance_ = Plain ? grip_.torque + load_.constant() : grip_.torque;
   }
   Rate rate(const State& z, double torque, double time) const noexcept {
-    const Outside out = outside(z, time);
-    return {z.speed, (torque - grip_.torque - drag_ * z.speed - out.total()) * active_inverse_, z.speed * z.speed,
-            Plain ? 0.0 : out.load * z.speed, Plain ? 0.0 : (out.stop.total - out.stop.spring) * z.speed};
+    const double free = torque - resistance_ - drag_ * z.speed;
+    if constexpr (Plain) {
+      return {z.speed, free * active_inverse_, z.speed * z.speed, 0.0, 0.0};
+    } else {
+      const Outside out = outside(z, time);
+      return {z.speed, (free - out.total()) * active_inverse_, z.speed * z.speed, out.load * z.speed,
+              (out.stop.total - out.stop.spring) * z.speed};
+    }
   }
-  /// Takes over the step of @p h (s) that was made with the rates @p mean, and books its energies.
-  Motion finish(const Rate& mean, double h, PlantEnergies& energies) noexcept {
-    const Motion motion =
-        settled(grip_, speed_, made(grip_, speed_, mean.speed, mean.acceleration, h), inverse_inertia_, h);
+  /// Takes over the step of @p h (s) that was made with the summed rates @p sum, and books its energies.
+  Motion finish(const Rate& sum, double h, PlantEnergies& energies) noexcept {
+    const double weight = stage_weight(h);
+    const double angle = weight * sum.speed;
+    const Motion motion = settled(
+        grip_, speed_, {speed_ + weight * sum.acceleration, angle, grip_.direction * angle}, inverse_inertia_, h);
     speed_ = motion.speed;
-    const double square = h * mean.square;
+    const double square = weight * sum.square;
     const double dry = grip_.torque * grip_.direction - hysteresis_;
-    energies.friction += dry * motion.path + viscous_ * square + h * mean.damping;
+    energies.friction += dry * motion.path + viscous_ * square + (Plain ? 0.0 : weight * sum.damping);
     energies.iron += hysteresis_ * motion.path + eddy_current_drag_ * square;
-    energies.load += Plain ? load_.constant() * motion.angle : h * mean.load;
+    energies.load += Plain ? load_.constant() * motion.angle : weight * sum.load;
     return motion;
   }
   double kinetic() const noexcept { return 0.5 * inertia_ * speed_ * speed_; }
@@ -127,6 +139,7 @@ class RigidShaft {
   double speed_ = 0.0;
   double start_angle_ = 0.0;
   Grip grip_{};
+  double resistance_ = 0.0;      // what is constant in a step (N·m)
   double active_inverse_ = 0.0;  // 0 while the mass is stuck
 };
 

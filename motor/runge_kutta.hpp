@@ -2,22 +2,30 @@
 
 namespace motor {
 
-/// Mean of four stage values with the weights of the classical Runge-Kutta method.
-constexpr double stage_mean(double k1, double k2, double k3, double k4) noexcept {
-  return (1.0 / 6.0) * (k1 + k4 + 2.0 * (k2 + k3));
+/// Sum of four stage values with the weights of the classical Runge-Kutta method, 1, 2, 2 and 1.
+template <class Value>
+constexpr Value stage_sum(Value k1, Value k2, Value k3, Value k4) noexcept {
+  const Value middle = k2 + k3;
+  return (k1 + k4) + (middle + middle);
 }
 
-/// Mean rates of a step: what the states and the energies change by, for each second.
-template <class Circuit, class Shaft>
-struct MeanRates {
-  typename Circuit::Rate circuit;
-  typename Shaft::Rate shaft;
+/// What stage_sum() is to be multiplied by to give the change in a step of @p h (s).
+constexpr double stage_weight(double h) noexcept {
+  return h * (1.0 / 6.0);
+}
+
+/// Weighted sums of the rates of all stages: of states and of energies.
+template <class CircuitRate, class ShaftRate>
+struct SummedRates {
+  CircuitRate circuit;
+  ShaftRate shaft;
 };
 
 /// One classical Runge-Kutta step of @p h (s) of a circuit and the shaft that its torque turns, all states
 /// coupled. The circuit sees where the shaft is; the shaft sees the torque of the circuit in the same stage.
 template <class Circuit, class Shaft>
-MeanRates<Circuit, Shaft> runge_kutta(Circuit& circuit, const Shaft& shaft, double h) noexcept {
+[[gnu::always_inline]] inline SummedRates<typename Circuit::Rate, typename Shaft::Rate> runge_kutta(
+    Circuit& circuit, const Shaft& shaft, double h) noexcept {
   const double half = 0.5 * h;
   const auto y = circuit.state();
   const auto z = shaft.state();
@@ -34,7 +42,7 @@ MeanRates<Circuit, Shaft> runge_kutta(Circuit& circuit, const Shaft& shaft, doub
   const auto c4 = circuit.template rate<3>(y.moved(c3, h), z4.angle, z4.speed);
   const auto m4 = shaft.rate(z4, c4.torque, h);
 
-  return {Circuit::Rate::mean(c1, c2, c3, c4), Shaft::Rate::mean(m1, m2, m3, m4)};
+  return {Circuit::Rate::summed(c1, c2, c3, c4), Shaft::Rate::summed(m1, m2, m3, m4)};
 }
 
 }  // namespace motor

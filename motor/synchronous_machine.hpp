@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "motor/machine_data.hpp"
+#include "motor/pair.hpp"
 #include "motor/runge_kutta.hpp"
-#include "motor/space_vector.hpp"
 
 namespace motor {
 
@@ -14,25 +14,23 @@ namespace motor {
 class SynchronousMachine {
  public:
   struct Rate;
-  /// Currents of the rotor frame (A).
+  /// Current of the rotor frame: d, q (A).
   struct State {
-    double i_d = 0.0;
-    double i_q = 0.0;
+    Pair current{};
 
-    State moved(const Rate& rate, double h) const noexcept { return {i_d + h * rate.i_d, i_q + h * rate.i_q}; }
+    State moved(const Rate& rate, double h) const noexcept { return {current + h * rate.current}; }
   };
-  /// Change of the currents (A/s), and what the energies and the torque are made of.
+  /// Change of the current (A/s), and what the energies and the torque are made of.
   struct Rate {
-    double i_d;
-    double i_q;
-    double torque;   ///< (N·m)
-    double power;    ///< u·i, 2/3 of the electrical power (W)
-    double heating;  ///< |i|² (A²)
+    Pair current;
+    Pair power;     ///< by components u·i, 2/3 of the electrical power (W)
+    Pair heating;   ///< by components i² (A²)
+    double torque;  ///< (N·m)
 
-    static Rate mean(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
-      return {stage_mean(a.i_d, b.i_d, c.i_d, d.i_d), stage_mean(a.i_q, b.i_q, c.i_q, d.i_q),
-              stage_mean(a.torque, b.torque, c.torque, d.torque), stage_mean(a.power, b.power, c.power, d.power),
-              stage_mean(a.heating, b.heating, c.heating, d.heating)};
+    static Rate summed(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
+      return {stage_sum(a.current, b.current, c.current, d.current), stage_sum(a.power, b.power, c.power, d.power),
+              stage_sum(a.heating, b.heating, c.heating, d.heating),
+              stage_sum(a.torque, b.torque, c.torque, d.torque)};
     }
   };
 
@@ -48,11 +46,13 @@ class SynchronousMachine {
   void set_temperatures(double winding, double rotor) noexcept;
   double pole_pairs() const noexcept { return pole_pairs_; }
   /// The smaller of both inductances (H).
-  double least_inductance() const noexcept { return std::min(l_d_, l_q_); }
+  double least_inductance() const noexcept { return std::min(inductance_[0], inductance_[1]); }
   /// Amplitude of the voltage that it induces in open terminals at the mechanical speed @p w (V).
-  double induced(double w) const noexcept { return std::abs(pole_pairs_ * w) * magnet_flux_; }
-  /// Copper losses of a step with the mean rates @p mean (W).
-  double losses(const Rate& mean) const noexcept { return 1.5 * resistance_ * mean.heating; }
+  double induced(double w) const noexcept { return std::abs(pole_pairs_ * w) * magnets_[0]; }
+  /// Copper losses (J) of a step with the summed rates @p sum, @p weight from stage_weight().
+  double losses(const Rate& sum, double weight) const noexcept {
+    return 1.5 * weight * motor::sum(resistance_ * sum.heating);
+  }
   /// Takes the currents away; what the field gives back (J).
   double cut() noexcept {
     const double released = stored();
@@ -60,34 +60,35 @@ class SynchronousMachine {
     return released;
   }
   /// Rates without current.
-  Rate blocked_rate(const State&, double) const noexcept { return {}; }
-  SpaceVector current(const State& y) const noexcept { return {y.i_d, y.i_q}; }
+  Rate blocked_rate(const State&, double) const noexcept { return {Pair{}, Pair{}, Pair{}, 0.0}; }
+  Pair current(const State& y) const noexcept { return y.current; }
   /// Flux linkages of the rotor frame (V·s).
-  SpaceVector flux(const State& y) const noexcept {
-    const Saturation s = saturation(y.i_q);
-    return {l_d_ * y.i_d + magnet_flux_ - s.loss, l_q_ * y.i_q - s.slope * y.i_d};
+  Pair flux(const State& y) const noexcept {
+    const Pair linear = inductance_ * y.current + magnets_;
+    if (!is_saturated(y)) return linear;
+    const Saturation s = saturation(y.current[1]);
+    return linear - Pair{s.loss, s.slope * y.current[0]};
   }
   /// Torque in the air gap (N·m).
-  double torque() const noexcept { return torque_factor_ * cross(flux(state_), current(state_)); }
+  double torque() const noexcept { return torque_factor_ * cross(flux(state_), state_.current); }
   /// Flux linkage of the d axis (V·s).
-  double main_flux() const noexcept { return flux(state_).re; }
+  double main_flux() const noexcept { return flux(state_)[0]; }
   /// Energy of the magnetic field above that of the magnets alone (J).
   double stored() const noexcept {
-    const State& y = state_;
-    const double cross_term = saturation(y.i_q).slope * y.i_d * y.i_q;
-    return 1.5 * (0.5 * (l_d_ * y.i_d * y.i_d + l_q_ * y.i_q * y.i_q) - cross_term);
+    const Pair i = state_.current;
+    return 1.5 * (0.5 * sum(inductance_ * i * i) - saturation(i[1]).slope * i[0] * i[1]);
   }
+  /// Whether saturation counts for the current @p y.
+  bool is_saturated(const State& y) const noexcept { return y.current[1] * y.current[1] > saturation_start_; }
   /// Rates under the voltage @p u of the rotor frame (V) at the mechanical speed @p w (rad/s).
-  Rate rate(const State& y, SpaceVector u, double w) const noexcept {
-    const double w_e = pole_pairs_ * w;
-    const double square = y.i_q * y.i_q;
-    if (square > saturation_start_) [[unlikely]]
-      return saturated_rate(y, u, w_e);
-    const double psi_d = l_d_ * y.i_d + magnet_flux_;
-    const double psi_q = l_q_ * y.i_q;
-    return {(u.re - resistance_ * y.i_d + w_e * psi_q) * inverse_l_d_,
-            (u.im - resistance_ * y.i_q - w_e * psi_d) * inverse_l_q_,
-            torque_factor_ * (psi_d * y.i_q - psi_q * y.i_d), u.re * y.i_d + u.im * y.i_q, y.i_d * y.i_d + square};
+  template <bool Saturated = true>
+  Rate rate(const State& y, Pair u, double w) const noexcept {
+    if constexpr (Saturated) return saturated_rate(y, u, w);
+    const Pair i = y.current;
+    const Pair psi = inductance_ * i + magnets_;
+    const Pair turning = swapped(psi);
+    return {inverse_inductance_ * (u - resistance_ * i + both(w) * signed_pole_pairs_ * turning), u * i, i * i,
+            torque_factor_ * difference(psi * swapped(i))};
   }
 
  private:
@@ -98,20 +99,19 @@ class SynchronousMachine {
     double curvature = 0.0;
   };
   Saturation saturation(double i_q) const noexcept;
-  Rate saturated_rate(const State& y, SpaceVector u, double w_e) const noexcept;
+  Rate saturated_rate(const State& y, Pair u, double w) const noexcept;
 
   State state_{};
+  Pair inductance_;          // d, q
+  Pair inverse_inductance_;  // d, q
+  Pair magnets_;             // flux linkage d, and none of q
+  Pair signed_pole_pairs_;   // p, -p
   double pole_pairs_;
   double torque_factor_;
-  double l_d_;
-  double l_q_;
-  double inverse_l_d_;
-  double inverse_l_q_;
   double cold_resistance_;
   double cold_magnet_flux_;
   double temperature_coefficient_;
-  double resistance_;
-  double magnet_flux_;
+  Pair resistance_;               // of one phase, twice
   double saturation_start_;       // i_q² above which the flux falls (A²)
   double saturation_knee_;        // i_q² from which it falls with i_q² (A²)
   double saturation_end_;         // i_q² of the maximum current (A²)

@@ -25,9 +25,9 @@ struct LaggingTorque {
     double change;
     double torque;
 
-    static Rate mean(const Rate& a, const Rate& b, const Rate& c, const Rate& d) {
-      return {stage_mean(a.change, b.change, c.change, d.change),
-              stage_mean(a.torque, b.torque, c.torque, d.torque)};
+    static Rate summed(const Rate& a, const Rate& b, const Rate& c, const Rate& d) {
+      return {stage_sum(a.change, b.change, c.change, d.change),
+              stage_sum(a.torque, b.torque, c.torque, d.torque)};
     }
   };
   struct State {
@@ -66,10 +66,10 @@ struct SwingingTorque {
 template <class Torque>
 void step(Torque& torque, ElasticShaft& shaft, double h) {
   shaft.begin({}, 0.0);
-  const auto mean = runge_kutta(torque, shaft, h);
-  if constexpr (std::is_same_v<Torque, LaggingTorque>) torque.now = torque.now.moved(mean.circuit, h);
+  const auto sum = runge_kutta(torque, shaft, h);
+  if constexpr (std::is_same_v<Torque, LaggingTorque>) torque.now = torque.now.moved(sum.circuit, stage_weight(h));
   PlantEnergies energies{};
-  shaft.finish(mean.shaft, h, energies);
+  shaft.finish(sum.shaft, h, energies);
 }
 
 /// Control periods until the last row.

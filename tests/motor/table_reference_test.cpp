@@ -28,8 +28,9 @@ class SteadyState {
 
   /// Voltage at which the currents @p y stay at the mechanical speed @p w: what their change without any lacks.
   double voltage(const SynchronousMachine::State& y, double w) const {
-    const auto rate = machine_.rate(y, {}, w);
-    return std::hypot(data_.synchronous.d_inductance * rate.i_d, data_.synchronous.q_inductance * rate.i_q);
+    const auto rate = machine_.rate(y, Pair{}, w);
+    return std::hypot(data_.synchronous.d_inductance * rate.current[0],
+                      data_.synchronous.q_inductance * rate.current[1]);
   }
   /// The currents with the most motoring torque at @p w: of all i_d the one whose largest i_q gives most.
   SynchronousMachine::State strongest(double w) const {
@@ -37,8 +38,8 @@ class SteadyState {
     SynchronousMachine::State best{};
     for (int i = 0; i <= kGrid; ++i) {
       const double i_d = -current_limit_ * i / kGrid;
-      const SynchronousMachine::State y{i_d, largest_q_current(i_d, w)};
-      if (y.i_q >= 0.0 && torque(y) > torque(best)) best = y;
+      const SynchronousMachine::State y{Pair{i_d, largest_q_current(i_d, w)}};
+      if (y.current[1] >= 0.0 && torque(y) > torque(best)) best = y;
     }
     return best;
   }
@@ -52,12 +53,12 @@ class SteadyState {
   /// By bisection, -1 when no i_q is within the limits.
   double largest_q_current(double i_d, double w) const {
     double high = std::sqrt(current_limit_ * current_limit_ - i_d * i_d);
-    if (voltage({i_d, high}, w) <= voltage_limit_) return high;
-    if (voltage({i_d, 0.0}, w) > voltage_limit_) return -1.0;
+    if (voltage({Pair{i_d, high}}, w) <= voltage_limit_) return high;
+    if (voltage({Pair{i_d, 0.0}}, w) > voltage_limit_) return -1.0;
     double low = 0.0;
     for (int i = 0; i < 40; ++i) {
       const double middle = 0.5 * (low + high);
-      (voltage({i_d, middle}, w) <= voltage_limit_ ? low : high) = middle;
+      (voltage({Pair{i_d, middle}}, w) <= voltage_limit_ ? low : high) = middle;
     }
     return low;
   }
@@ -75,7 +76,7 @@ TEST(TableReference, SynchronousMachineAtItsLimitsOverTheSpeed) {
 
   for (const double w : file.table.abscissa()) {
     const auto best = steady.strongest(w);
-    ours.append({w, w / kRpm, steady.torque(best), best.i_d, best.i_q, steady.voltage(best, w)});
+    ours.append({w, w / kRpm, steady.torque(best), best.current[0], best.current[1], steady.voltage(best, w)});
   }
 
   expect_agreement(file, ours, Band::Target);
