@@ -6,6 +6,9 @@
 namespace drive {
 namespace {
 
+constexpr double kRoundingError =
+    1e-9;  // s, of the sum of the steps, so that a ramp of n steps ends with the n-th
+
 /// Change of the output while the slope goes between @p low and @p high, with @p time (s) for each rad/s² of it.
 double change_between(double low, double high, double time) noexcept {
   return 0.5 * (high * high - low * low) * time;
@@ -91,7 +94,8 @@ double RampFunctionGenerator::advance(double time) noexcept {
   const Part& part = parts_[part_];
   const double rest = part.duration - time_;
   const double taken = std::min(time, rest);
-  const double t = time_ + taken;
+  const bool ends = taken + kRoundingError >= rest;
+  const double t = ends ? part.duration : time_ + taken;
   const double reached = start_output_ + t * (part.slope + 0.5 * t * part.jerk);
   const bool crosses = output_ * target_ < 0.0 && reached * target_ >= 0.0;
   if (crosses && (slopes_.up < slopes_.down || slopes_.up > slopes_.down)) {
@@ -104,7 +108,7 @@ double RampFunctionGenerator::advance(double time) noexcept {
   output_ = reached;
   acceleration_ = part.slope + t * part.jerk;
   time_ = t;
-  if (taken < rest) return taken;
+  if (!ends) return taken;
   time_ = 0.0;
   start_output_ = output_;
   if (++part_ == count_)
