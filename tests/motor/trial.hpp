@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/motor/machines.hpp"
+#include "tests/motor/controlled_machines.hpp"
 
 namespace motor {
 

@@ -1,4 +1,4 @@
-#include "tests/motor/machines.hpp"
+#include "tests/motor/controlled_machines.hpp"
 
 #include <ostream>
 
