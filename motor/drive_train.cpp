@@ -9,6 +9,16 @@ namespace {
 constexpr double kRms = 1.0 / std::numbers::sqrt2;  // of an amplitude
 constexpr int kWarmSteps = 80;                      // 10 ms: nothing warms noticeably faster
 
+/// The I²t model that a drive computes from the data sheet: one body with the motor's time constant.
+OverloadData model_of(const MachineData& machine) noexcept {
+  const ThermalData& bodies = machine.thermal;
+  const double current = machine.type == MachineType::Synchronous ? machine.stall_current : machine.rated_current;
+  const double capacity = bodies.winding_capacity + bodies.frame_capacity;
+  return {.reference_current = current,
+          .time_constant = capacity / bodies.frame_to_ambient,
+          .ambient = bodies.ambient};
+}
+
 }  // namespace
 
 DriveTrain::DriveTrain(const MachineData& machine, const Load& load, const InverterData& inverter) noexcept
@@ -17,7 +27,8 @@ DriveTrain::DriveTrain(const MachineData& machine, const Load& load, const Inver
       plant_{machine, load},
       encoder_{machine},
       power_unit_{inverter},
-      thermal_{machine.thermal} {
+      thermal_{machine.thermal},
+      motor_model_{model_of(machine)} {
   encoder_.configure(kControlPeriod);
   configure();
   warm(kControlPeriod, {.steps = 1});
@@ -163,6 +174,8 @@ void DriveTrain::warm(double duration, const Heat& heat) noexcept {
   plant_.set_temperatures(thermal_.winding(), thermal_.frame());
   signals_.winding_temperature = thermal_.winding();
   signals_.frame_temperature = thermal_.frame();
+  motor_model_.step(duration, 0.5 * heat.square_current / heat.steps);
+  signals_.motor_utilisation = motor_model_.utilisation();
   signals_.overload = power_unit_.overload();
   signals_.heat_sink_temperature = power_unit_.heat_sink_temperature();
   signals_.chip_temperature = power_unit_.chip_temperature();

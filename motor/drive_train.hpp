@@ -88,6 +88,7 @@ class DriveTrain {
   Encoder encoder_;
   PowerUnit power_unit_;
   MotorThermal thermal_;
+  OverloadModel motor_model_;  // what the drive believes of its temperature
   FieldControl<SynchronousField> synchronous_;
   FieldControl<InductionField> induction_;
   VoltageFrequencyControl voltage_frequency_;

@@ -43,6 +43,7 @@ struct Signals {
   double overload = 0.0;              ///< I²t of the power unit, r0036 (1 = 100 %)
   double heat_sink_temperature = 20.0;  ///< r0037 (°C)
   double chip_temperature = 20.0;       ///< r0037 (°C)
+  double motor_utilisation = 0.0;       ///< of the drive's own I²t model, r0034 (1 = 100 %)
 };
 
 }  // namespace motor
