@@ -42,7 +42,7 @@ class SynchronousField {
   double damping(const Frame& frame) noexcept;
 
   /// Currents for @p torque (N·m) in a frame of @p frequency (electrical rad/s).
-  SpaceVector currents(double torque, double frequency) noexcept {
+  [[gnu::always_inline]] SpaceVector currents(double torque, double frequency) noexcept {
     const SpaceVector wanted = reference_.currents(torque);
     const double room = reserve_.room();
     weakening_ = norm(reference_.flux(wanted)) * frequency * frequency > room * room;
