@@ -44,6 +44,7 @@ std::unique_ptr<Operation> make() {
 std::vector<OperationRow> library_operations();
 std::vector<OperationRow> library_pdo_operations();
 std::vector<OperationRow> plant_operations();
+std::vector<OperationRow> drive_train_operations();
 std::vector<OperationRow> axis_operations();
 std::vector<OperationRow> device_operations();
 

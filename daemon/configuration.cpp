@@ -85,7 +85,7 @@ AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"));
   if (json.has("encoder")) read_encoder(json.at("encoder"), axis.machine.encoder);
   if (json.has("load")) axis.load = read_load(json.at("load"), axis.machine);
-  axis.inverter = motor::inverter_for(axis.machine.stall_current);
+  axis.inverter = motor::inverter_for(axis.machine.maximum_current);
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
   if (!json.has("parameters")) return axis;
   const JsonReader parameters = json.at("parameters");

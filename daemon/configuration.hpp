@@ -34,7 +34,7 @@ struct AxisConfiguration {
   drive::ObjectKind kind = drive::ObjectKind::Servo;  ///< Servo or Vector
   motor::MachineData machine;
   motor::Load load;
-  motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.stall_current);  ///< key "power_unit"
+  motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.maximum_current);  ///< key "power_unit"
   std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis
 };
 

@@ -1,7 +1,7 @@
 #include "daemon/control_methods.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -16,7 +16,8 @@ namespace {
 using nlohmann::json;
 using Outcome = tl::expected<json, std::string>;
 
-constexpr double kHighestTorque = 1e6;  // N·m
+constexpr double kHighestTorque = 1e6;          // N·m
+constexpr double kHighestLineVoltage = 1000.0;  // V
 constexpr int kControlUnit = 0;
 constexpr int kFirstAxis = 1;
 
@@ -76,15 +77,50 @@ Outcome acknowledge_fault(Daemon& daemon, const json& params) {
   return json::object();
 }
 
+/// A number from @p low to @p high under @p key of @p params.
+tl::expected<double, std::string> number(const json& params, const char* key, double low, double high) {
+  const auto found = params.find(key);
+  const bool fits = found != params.end() && found->is_number() && *found >= low && *found <= high;
+  if (fits) return found->get<double>();
+  return refuse(fmt::format("{}: expected a number {} to {}, got {}", key, low, high,
+                            found == params.end() ? "nothing" : found->dump()));
+}
+
 Outcome set_load(Daemon& daemon, const json& params) {
   const auto place = axis(daemon, params, kFirstAxis);
   if (!place) return refuse(place.error());
-  const auto torque = params.find("torque_Nm");
-  if (torque == params.end() || !torque->is_number() || !(std::abs(torque->get<double>()) <= kHighestTorque)) {
-    return refuse(fmt::format("torque_Nm: expected a number -{0} to {0}, got {1}", kHighestTorque,
-                              torque == params.end() ? "nothing" : torque->dump()));
-  }
-  daemon.set_load_torque(*place, torque->get<double>());
+  const auto torque = number(params, "torque_Nm", -kHighestTorque, kHighestTorque);
+  if (!torque) return refuse(torque.error());
+  daemon.set_load_torque(*place, *torque);
+  return json::object();
+}
+
+Outcome set_supply(Daemon& daemon, const json& params) {
+  const auto voltage = number(params, "line_voltage_V", 0.0, kHighestLineVoltage);
+  if (!voltage) return refuse(voltage.error());
+  daemon.set_line_voltage(*voltage);
+  return json::object();
+}
+
+struct DefectName {
+  motor::EncoderDefect defect;
+  std::string_view name;
+};
+constexpr std::array kDefects{DefectName{motor::EncoderDefect::None, "none"},
+                              DefectName{motor::EncoderDefect::Loss, "loss"},
+                              DefectName{motor::EncoderDefect::LostPulses, "lost_pulses"},
+                              DefectName{motor::EncoderDefect::Reversed, "reversed"}};
+
+Outcome fail_encoder(Daemon& daemon, const json& params) {
+  const auto place = axis(daemon, params, kFirstAxis);
+  if (!place) return refuse(place.error());
+  const auto found = params.find("defect");
+  const std::string name = found != params.end() && found->is_string() ? found->get<std::string>() : "";
+  const auto* const row = std::ranges::find(kDefects, name, &DefectName::name);
+  if (row == kDefects.end())
+    return refuse(fmt::format("defect: expected none, loss, lost_pulses or reversed, got {}",
+                              found == params.end() ? "nothing" : found->dump()));
+  daemon.fail_encoder(*place, row->defect);
   return json::object();
 }
 
@@ -95,8 +131,8 @@ Outcome quit(Daemon& daemon, const json&) {
 
 /// What each method does, in the order of control::Method.
 using Function = Outcome (*)(Daemon&, const json& params);
-constexpr std::array<Function, control::kMethods.size()> kFunctions{&status, &inject_fault, &acknowledge_fault,
-                                                                    &set_load, &quit};
+constexpr std::array<Function, control::kMethods.size()> kFunctions{
+    &status, &inject_fault, &acknowledge_fault, &set_load, &set_supply, &fail_encoder, &quit};
 
 Outcome call(Daemon& daemon, const control::Request& request) {
   const auto method = control::method_named(request.method);

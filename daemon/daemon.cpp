@@ -232,6 +232,14 @@ void Daemon::set_load_torque(std::size_t axis, double torque) noexcept {
   device_.set_load_torque(axis, torque, read_clock());
 }
 
+void Daemon::set_line_voltage(double voltage) noexcept {
+  device_.set_line_voltage(voltage, read_clock());
+}
+
+void Daemon::fail_encoder(std::size_t axis, motor::EncoderDefect defect) noexcept {
+  device_.fail_encoder(axis, defect, read_clock());
+}
+
 double Daemon::uptime_s() const noexcept {
   return std::chrono::duration<double>(read_clock() - started_).count();
 }

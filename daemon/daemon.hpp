@@ -45,6 +45,10 @@ class Daemon final : private device::Listener, private Station {
   bool acknowledge(std::size_t axis) noexcept;
   /// Sets the load torque of @p axis (1..axes; N·m).
   void set_load_torque(std::size_t axis, double torque) noexcept;
+  /// Sets the line voltage of the unit (V rms between lines, not negative).
+  void set_line_voltage(double voltage) noexcept;
+  /// The encoder of @p axis (1..axes) has @p defect from now on.
+  void fail_encoder(std::size_t axis, motor::EncoderDefect defect) noexcept;
 
   const Configuration& configuration() const noexcept { return configuration_; }
   const device::Device& device() const noexcept { return device_; }

@@ -1,6 +1,7 @@
 #include "daemon/status.hpp"
 
 #include <array>
+#include <numbers>
 #include <span>
 #include <string_view>
 
@@ -43,6 +44,8 @@ json axis_status(const Daemon& daemon, std::size_t number) {
           {"setpoint_rpm", setpoints.speed / motor::kRpm},
           {"torque_Nm", actual.torque},
           {"load_torque_Nm", daemon.load_torque(number)},
+          {"current_A", axis.signals().current / std::numbers::sqrt2},
+          {"motor_temperature_C", axis.signals().winding_temperature},
           {"position", actual.encoder_position},
           {"faults", messages(axis.messages().faults())},
           {"alarms", messages(axis.messages().alarms())}};
@@ -84,6 +87,7 @@ json status_of(const Daemon& daemon) {
           {"nmt_state", canopen::name_of(daemon.device().node().state())},
           {"uptime_s", daemon.uptime_s()},
           {"bus", bus_status(daemon)},
+          {"dc_link_V", daemon.device().unit().dc_link().voltage()},
           {"skipped_cycles", daemon.device().skipped_cycles()},
           {"control_unit", control_unit_status(daemon)},
           {"axes", axes_status(daemon)}};

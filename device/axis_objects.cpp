@@ -22,14 +22,14 @@ AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, Axi
     dictionary.own_write(object::on_axis(index, axis.axis_number()), 0, *this);
 }
 
-void AxisObjects::run(std::int64_t count, double duration) noexcept {
-  if (idle_) return;
+std::optional<drive::Setpoints> AxisObjects::take_setpoints() noexcept {
+  if (idle_) return std::nullopt;
   drive::Setpoints wanted = setpoints();
-  const std::uint16_t latest = wanted.controlword;
-  for (std::int64_t i = 0; i < count; ++i) {
-    wanted.controlword = written_controlwords_.take().value_or(latest);
-    axis_.cycle(wanted, duration);
-  }
+  wanted.controlword = written_controlwords_.take().value_or(wanted.controlword);
+  return wanted;
+}
+
+void AxisObjects::end_cycles() noexcept {
   idle_ = axis_.is_quiescent() && written_controlwords_.is_empty();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "device/parameter_objects.hpp"
 #include "device/process_data.hpp"
@@ -27,8 +28,12 @@ class AxisObjects final : private canopen::EntryOwner, private ParameterListener
   AxisObjects(const AxisObjects&) = delete;
   AxisObjects& operator=(const AxisObjects&) = delete;
 
-  /// Runs @p count cycles of @p duration (s) each; of controlwords that came over SDO each cycle takes one.
-  void run(std::int64_t count, double duration) noexcept;
+  /// What the next cycle is to be run with, nothing while idle; of controlwords that came over SDO each takes one.
+  std::optional<drive::Setpoints> take_setpoints() noexcept;
+  /// The setpoints at present, whether idle or not.
+  std::optional<drive::Setpoints> current_setpoints() noexcept { return setpoints(); }
+  /// Cycles have been run: sees whether the axis has become idle.
+  void end_cycles() noexcept;
   /// Shows what the axis does.
   void publish() noexcept { process_data_.publish(axis_.actual()); }
   /// Nothing moves, and nothing has come since the last cycle that could change that.

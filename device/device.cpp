@@ -66,7 +66,8 @@ void Device::start(canopen::TimePoint now) noexcept {
     last_cycle_ = now;
     started_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
-    for (std::size_t i = 0; i < axes_.size(); ++i) unit_.axes()[i].cycle(axes_[i].setpoints(), kCycleSeconds);
+    rested_until_ = now;
+    run_cycle(&AxisObjects::current_setpoints);
     process_data_.take_over();
     show_values();
   }
@@ -139,6 +140,10 @@ canopen::TimePoint Device::next_deadline() const noexcept {
 void Device::tell_time(canopen::TimePoint now) noexcept {
   now_ = now;
   const canopen::Duration running = now - started_.value_or(now);
+  if (resting_ && now > rested_until_) {
+    unit_.rest(std::chrono::duration<double>{now - rested_until_}.count());
+  }
+  rested_until_ = now;
   const auto uptime = std::chrono::duration_cast<std::chrono::milliseconds>(running).count();
   unit_.set_time(static_cast<drive::Uptime>(uptime));
 }
@@ -149,9 +154,16 @@ void Device::run_cycles() noexcept {
   const std::int64_t run = std::min(due, kMostCyclesAtOnce);
   last_cycle_ += due * kCycle;
   skipped_cycles_ += static_cast<std::uint64_t>(due - run);
-  for (AxisObjects& axis : axes_) axis.run(run, kCycleSeconds);
+  for (std::int64_t i = 0; i < run; ++i) run_cycle(&AxisObjects::take_setpoints);
+  for (AxisObjects& axis : axes_) axis.end_cycles();
   publish();
   resting_ = std::ranges::all_of(axes_, &AxisObjects::is_idle);
+}
+
+void Device::run_cycle(Wanted (AxisObjects::*source)() noexcept) noexcept {
+  std::array<Wanted, drive::kMostAxes> wanted{};
+  std::transform(axes_.begin(), axes_.end(), wanted.begin(), [=](AxisObjects& axis) { return (axis.*source)(); });
+  unit_.cycle({wanted.data(), axes_.size()}, kCycleSeconds);
 }
 
 void Device::publish() noexcept {
@@ -254,6 +266,18 @@ bool Device::acknowledge(std::size_t axis, canopen::TimePoint now) noexcept {
   wake();
   publish();
   return clear;
+}
+
+void Device::set_line_voltage(double voltage, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  unit_.set_line_voltage(voltage);
+  wake();
+}
+
+void Device::fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  unit_.axes()[axis - 1].fail_encoder(defect);
+  axes_[axis - 1].wake();
 }
 
 void Device::set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept {

@@ -84,6 +84,10 @@ class Device final : private canopen::Application,
   bool acknowledge(std::size_t axis, canopen::TimePoint now) noexcept;
   /// Sets the load torque of @p axis (1..axes; N·m, positive against positive rotation).
   void set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept;
+  /// The encoder of @p axis (1..axes) has @p defect from now on.
+  void fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen::TimePoint now) noexcept;
+  /// Sets the line voltage of the supply (V rms between lines, not negative; 0 = mains failure).
+  void set_line_voltage(double voltage, canopen::TimePoint now) noexcept;
 
   /// The CAN controller is in error state @p state now.
   void on_bus_state(BusState state, canopen::TimePoint now) noexcept;
@@ -104,6 +108,8 @@ class Device final : private canopen::Application,
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
  private:
+  using Wanted = std::optional<drive::Setpoints>;
+
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   void on_reset(canopen::NmtCommand command) noexcept override;
   void on_rpdo(std::uint16_t number) noexcept override;
@@ -123,6 +129,7 @@ class Device final : private canopen::Application,
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
+  void run_cycle(Wanted (AxisObjects::*source)() noexcept) noexcept;
   void show_values() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;
@@ -161,6 +168,7 @@ class Device final : private canopen::Application,
   canopen::TimePoint now_{};                   ///< as last told
   canopen::TimePoint last_cycle_{};            ///< cycles lie on a grid of kCycle, also after a rest
   bool resting_ = true;                        ///< every axis is idle
+  canopen::TimePoint rested_until_{};          ///< temperatures have been brought up to here while resting
   std::uint8_t restored_object_ = 0;           ///< a drive object that was reset by p0970, 0 = none
   bool alarm_changed_ = false;                 ///< within a call into the node: messages are shown after it
   bool parameter_written_ = false;  ///< within a call into the node: what follows from it comes after it

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "drive/statusword.hpp"
+#include "motor/dc_link.hpp"
 
 namespace drive {
 namespace {
@@ -14,9 +15,6 @@ constexpr std::uint16_t kEnableOperationBit = 0x0008;
 constexpr std::uint16_t kAcknowledgeBit = 0x0080;
 constexpr std::uint16_t kHaltBit = 0x0100;
 
-constexpr std::uint16_t kLimitsCrossed = 7090;
-constexpr std::uint16_t kBlocked = 7900;
-constexpr std::uint16_t kOverspeed = 7901;
 constexpr std::uint16_t kConnectionAbort = 8700;
 
 constexpr std::int32_t kHaltWithPulsesOff = 0;
@@ -43,37 +41,18 @@ bool halt_requested(std::uint16_t controlword, const AxisParameters& parameters)
 
 }  // namespace
 
-Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uint8_t node_id)
-    : DriveObject{{.kind = configuration.kind, .module = module, .node_id = node_id, .axis = configuration}},
-      parameters_{commissioned_parameters(configuration.machine, configuration.load)},
-      train_{configuration.machine, configuration.load},
-      counts_to_speed_{2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine)} {
+Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uint8_t node_id,
+           const motor::SupplyData& supply)
+    : DriveObject{{.kind = configuration.kind,
+                   .module = module,
+                   .node_id = node_id,
+                   .axis = configuration,
+                   .supply = supply}},
+      parameters_{commissioned_parameters(configuration)},
+      train_{configuration.machine, configuration.load, configuration.inverter},
+      counts_to_speed_{2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine)},
+      dc_voltage_{motor::DcLink{supply}.voltage()} {
   restore_parameters();
-}
-
-void Axis::apply_parameters() noexcept {
-  const AxisParameters& p = parameters_;
-  const double highest = context().axis.machine.maximum_torque;
-  const double speed_limit = std::min(p.maximum_speed, p.motor_maximum_speed);
-  forward_limit_ = std::min(speed_limit, p.speed_limit_positive);
-  backward_limit_ = std::max(-speed_limit, p.speed_limit_negative);
-  torque_limits_ = {std::min(p.upper_torque_limit, highest), std::max(p.lower_torque_limit, -highest)};
-  const double off1 = ramp_slope(p.maximum_speed, p.ramp_down_time);
-  const double off3 = ramp_slope(p.maximum_speed, p.off3_ramp_down_time);
-  slopes_ = {RampSlopes{ramp_slope(p.maximum_speed, p.ramp_up_time), off1}, RampSlopes{off1, off1},
-             RampSlopes{off3, off3}, RampSlopes{}};
-  train_.tune({p.speed_gain, p.speed_integral_time});
-  settled_ = false;
-}
-
-void Axis::cycle(const Setpoints& setpoints, double duration) noexcept {
-  const ActualValues before = actual_;
-  sequence(setpoints.controlword, duration);
-  select_ramp(setpoints);
-  move(duration);
-  monitor(duration);
-  refresh_status();
-  settled_ = actual_ == before;
 }
 
 void Axis::sequence(std::uint16_t controlword, double duration) noexcept {
@@ -159,62 +138,6 @@ void Axis::select_ramp(const Setpoints& setpoints) noexcept {
   target_ = std::clamp(setpoints.speed, backward_limit_, forward_limit_);
 }
 
-void Axis::move(double duration) noexcept {
-  const int steps = std::max(1, static_cast<int>(std::lround(duration / motor::kControlPeriod)));
-  const RampSlopes slopes = slopes_[static_cast<std::size_t>(ramp_)];
-  motor::Command command{pulses_enabled_in(state_), 0.0, torque_limits_};
-  double torque_demand = 0.0;
-  double torque = 0.0;
-  const double demand_before = ramp_generator_.output();
-  for (int i = 0; i < steps; ++i) {
-    if (command.pulses_enabled)
-      command.speed_setpoint = ramp_generator_.step(motor::kControlPeriod, target_, slopes);
-    train_.step(motor::kControlPeriod, command);
-    if (!command.pulses_enabled && train_.rests()) break;  // the other steps would change nothing
-    torque_demand += train_.signals().torque_setpoint;
-    torque += train_.signals().torque;
-  }
-  ramp_acceleration_ = (ramp_generator_.output() - demand_before) / (steps * motor::kControlPeriod);
-  measure(steps, torque_demand, torque);
-}
-
-/// Means over the @p steps of a cycle, from the sums of the torques.
-void Axis::measure(int steps, double torque_demand, double torque) noexcept {
-  const double time = steps * motor::kControlPeriod;
-  const std::int64_t counts = train_.signals().encoder_counts;
-  const auto moved = static_cast<double>(counts - actual_.encoder_counts);
-  actual_.speed = moved * counts_to_speed_ / time;
-  actual_.torque_demand = torque_demand / steps;
-  actual_.torque = torque / steps;
-  actual_.encoder_counts = counts;
-  actual_.encoder_position = static_cast<std::int32_t>(static_cast<std::uint32_t>(counts));
-  const double work = actual_.torque * actual_.speed * time;
-  (work > 0.0 ? energy_drawn_ : energy_fed_back_) += std::abs(work);
-}
-
-void Axis::monitor(double duration) noexcept {
-  const AxisParameters& p = parameters_;
-  target_reached_ = target_monitor_.update(duration, target_ - actual_.speed,
-                                           {p.target_window, p.target_hysteresis, p.target_off_delay});
-  const bool should_turn = pulses_enabled_in(state_) && std::abs(ramp_generator_.output()) > 0.0;
-  const bool stuck =
-      should_turn && train_.signals().torque_limit_reached && std::abs(actual_.speed) < p.blocked_speed_threshold;
-  is_blocked_ = blocked_.update(duration, stuck, p.blocked_delay);
-  overspeed_ = actual_.speed > forward_limit_ + p.overspeed_hysteresis ||
-               actual_.speed < backward_limit_ - p.overspeed_hysteresis;
-  monitor_fault(kBlocked, is_blocked_);
-  monitor_fault(kOverspeed, overspeed_);
-  monitor_fault(kLimitsCrossed, p.upper_torque_limit < p.lower_torque_limit);
-}
-
-void Axis::monitor_fault(std::uint16_t number, bool cause) noexcept {
-  if (!cause && messages().faults().empty() && messages().alarms().empty()) return;
-  const FaultRow* row = find_fault(number);
-  if (!cause) return memory().withdraw(*row);
-  memory().enter(*row, 0, Cause::Present);
-  if (memory().settings.kind_of(*row) == Kind::Fault) react(*row);
-}
-
 void Axis::react(const FaultRow& row) noexcept {
   const bool abort = row.number == kConnectionAbort;
   const Reaction standard =
@@ -239,7 +162,7 @@ void Axis::refresh_status() noexcept {
 }
 
 bool Axis::is_quiescent() const noexcept {
-  return settled_ && !pulses_enabled_in(state_) && train_.rests();
+  return settled_ && !pulses_enabled_in(state_) && train_.rests() && !causes_.any_present();
 }
 
 void Axis::power_off() noexcept {
@@ -266,6 +189,11 @@ bool Axis::acknowledge() noexcept {
 
 void Axis::set_load_torque(double torque) noexcept {
   train_.set_load_torque(torque);
+  settled_ = false;
+}
+
+void Axis::fail_encoder(motor::EncoderDefect defect) noexcept {
+  train_.inject(defect);
   settled_ = false;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "drive/axis_configuration.hpp"
+#include "drive/causes.hpp"
 #include "drive/drive_object.hpp"
 #include "drive/parameters.hpp"
 #include "drive/ramp_function_generator.hpp"
@@ -47,11 +48,12 @@ struct AxisInsight {
   double ramp_input = 0.0;              ///< r1119 (rad/s)
   double ramp_acceleration = 0.0;       ///< r1149, mean of the last cycle (rad/s²)
   motor::TorqueLimits torque_limits{};  ///< effective, r1538 and r1539 (N·m)
+  double dc_voltage = 0.0;              ///< r0070, at the end of the last step (V)
   bool torque_limit_reached = false;    ///< with the pulses on
   bool target_reached = false;
   bool overspeed = false;
   bool blocked = false;
-  double energy_drawn = 0.0;     ///< at the shaft (J)
+  double energy_drawn = 0.0;     ///< at the motor terminals (J)
   double energy_fed_back = 0.0;  ///< the same, not negative (J)
 };
 
@@ -59,14 +61,28 @@ struct AxisInsight {
 /// object. It is told the time that passes and allocates nothing.
 class Axis final : public DriveObject {
  public:
-  /// An axis at place @p module (0..7) of a unit with CANopen address @p node_id (0 = not known).
-  explicit Axis(const AxisConfiguration& configuration, std::uint8_t module = 0, std::uint8_t node_id = 0);
+  /// An axis at place @p module (0..7) of a unit with CANopen address @p node_id (0 = not known) and DC link
+  /// @p supply.
+  explicit Axis(const AxisConfiguration& configuration, std::uint8_t module = 0, std::uint8_t node_id = 0,
+                const motor::SupplyData& supply = {});
 
   /// Its place among the axes of the unit, 1..8.
   std::size_t axis_number() const noexcept { return context().module + 1U; }
 
-  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod.
+  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod, by itself on a DC link that
+  /// nothing moves.
   void cycle(const Setpoints& setpoints, double duration) noexcept;
+  /// The same in parts, for axes that share a DC link: the sequence control at the beginning of a cycle of
+  /// @p duration (s),
+  void begin_cycle(const Setpoints& setpoints, double duration) noexcept;
+  /// one step of motor::kControlPeriod with the link at @p dc_voltage (V), which returns the energy drawn from it
+  /// (J, negative = fed back),
+  double step(double dc_voltage) noexcept;
+  /// and actual values, monitoring and messages at the end.
+  void end_cycle() noexcept;
+  /// Lets @p duration (s) pass in a quiescent axis with the DC link at @p dc_voltage (V): only temperatures
+  /// change.
+  void rest(double duration, double dc_voltage) noexcept;
   /// The values after the last cycle; the statusword follows a fault at once.
   const ActualValues& actual() const noexcept { return actual_; }
   /// Whether further cycles with the setpoints of the last one would change nothing: pulses off, shaft still.
@@ -80,10 +96,17 @@ class Axis final : public DriveObject {
   /// Replaces the constant load torque (N·m, positive against positive rotation).
   void set_load_torque(double torque) noexcept;
 
+  /// The motor encoder has @p defect from now on.
+  void fail_encoder(motor::EncoderDefect defect) noexcept;
+
   /// All parameters in SI units.
   const AxisParameters& parameters() const noexcept { return parameters_; }
   /// What parameters show that is no actual value.
   AxisInsight insight() const noexcept;
+  /// Machine, power unit and control after the last step.
+  const motor::Signals& signals() const noexcept { return train_.signals(); }
+  /// What machine, power unit and load have done, for balances.
+  const motor::DriveTrain& drive_train() const noexcept { return train_; }
   /// Counts the energies on from @p drawn and @p fed_back (J, not negative), those of a former life.
   void continue_energy(double drawn, double fed_back) noexcept {
     energy_drawn_ = drawn;
@@ -115,10 +138,14 @@ class Axis final : public DriveObject {
   void perform(Action action) noexcept;
   void brake_on(Ramp ramp) noexcept;
   void select_ramp(const Setpoints& setpoints) noexcept;
-  void move(double duration) noexcept;
-  void measure(int steps, double torque_demand, double torque) noexcept;
-  void monitor(double duration) noexcept;
-  void monitor_fault(std::uint16_t number, bool cause) noexcept;
+  motor::ControlSettings control_settings() const noexcept;
+  motor::TorqueLimits effective_torque_limits() const noexcept;
+  void watch(double dc_voltage) noexcept;
+  void measure() noexcept;
+  void monitor() noexcept;
+  Observed observed() const noexcept;
+  CauseLimits cause_limits() const noexcept;
+  void follow(const Verdict& verdict) noexcept;
   void refresh_status() noexcept;
 
   AxisParameters parameters_;
@@ -128,6 +155,7 @@ class Axis final : public DriveObject {
   double backward_limit_ = 0.0;  // rad/s, not positive
   motor::TorqueLimits torque_limits_{};
   std::array<RampSlopes, kRampCount> slopes_{};
+  std::uint16_t implausible_parameter_ = 0;
   double counts_to_speed_;  // rad an increment
 
   State state_ = State::NotReadyToSwitchOn;
@@ -137,7 +165,7 @@ class Axis final : public DriveObject {
   RampFunctionGenerator ramp_generator_;
   StandstillMonitor standstill_;
   TargetMonitor target_monitor_;
-  BlockedMonitor blocked_;
+  CauseMonitor causes_;
   bool inhibited_ = false;  // by the unit
   bool target_reached_ = false;
   bool is_blocked_ = false;
@@ -147,6 +175,23 @@ class Axis final : public DriveObject {
   double energy_fed_back_ = 0.0;    // J
   bool settled_ = false;            // the last cycle changed nothing
   ActualValues actual_;
+
+  /// What the steps of a cycle leave behind.
+  struct Cycle {
+    double duration = 0.0;  // s
+    int steps = 0;
+    motor::Command command{};
+    double torque_demand = 0.0;  // sums of the steps (N·m)
+    double torque = 0.0;
+    double speed = 0.0;         // rad/s
+    double ramp_before = 0.0;   // rad/s
+    double peak_current = 0.0;  // A
+    unsigned tripped_phases = 0;
+    double highest_dc_voltage = 0.0;  // V
+    double lowest_dc_voltage = 0.0;   // V
+  };
+  Cycle cycle_;
+  double dc_voltage_ = 0.0;  // V
 };
 
 }  // namespace drive

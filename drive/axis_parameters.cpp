@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drive/axis.hpp"
+#include "drive/machine_model.hpp"
 #include "drive/parameter/rounding.hpp"
 
 namespace drive {
@@ -27,24 +28,23 @@ double factory_value(const ParameterRow& row, const ObjectContext& context) noex
 }
 
 /// What p0340 computes for its values 3 and 4, and for 5.
-constexpr std::array<std::uint16_t, 2> kControllers{1460, 1462};
-constexpr std::array<std::uint16_t, 4> kLimits{1082, 1520, 1521, 2162};
+constexpr std::array<std::uint16_t, 4> kControllers{1460, 1462, 1470, 1472};
+constexpr std::array<std::uint16_t, 7> kLimits{640, 1082, 1520, 1521, 1530, 1531, 2162};
 
 }  // namespace
 
-AxisParameters commissioned_parameters(const motor::MachineData& machine, const motor::Load& load) noexcept {
+AxisParameters commissioned_parameters(const AxisConfiguration& configuration) noexcept {
   ObjectContext context{};
-  context.axis = {machine, load, ObjectKind::Servo};
+  context.kind = configuration.kind;
+  context.axis = configuration;
   AxisParameters parameters{};
-  for (const PlacedRow& placed : parameters_of(ObjectKind::Servo)) {
+  for (const PlacedRow& placed : parameters_of(configuration.kind)) {
     const auto* const home = std::get_if<Member>(&placed.row->home);
     if (home == nullptr) continue;
     set(parameters, home->member, factory_value(*placed.row, context) * row_of(placed.row->unit).si);
   }
-  parameters.rated_speed = machine.rated_speed;
-  parameters.motor_inertia = machine.inertia;
-  parameters.encoder_pulses = static_cast<std::int32_t>(machine.encoder.pulses);
-  parameters.encoder_fine_bits = machine.encoder.fine_bits;
+  parameters.encoder_pulses = static_cast<std::int32_t>(configuration.machine.encoder.pulses);
+  parameters.encoder_fine_bits = configuration.machine.encoder.fine_bits;
   return parameters;
 }
 
@@ -69,9 +69,13 @@ WriteState Axis::write_state() const noexcept {
 void Axis::compute_parameters(int choice) noexcept {
   constexpr int kEverything = 1;
   constexpr int kLimitsOnly = 5;
+  // A new unit of the machine that the motor data describe would have the values.
+  ObjectContext described = context();
+  described.axis.machine = believed_machine(parameters_, context().axis.machine);
+  described.axis.load.inertia = parameters_.motor_inertia * (parameters_.inertia_ratio - 1.0);
   const auto compute = [&](std::uint16_t number) {
     const ParameterRow& row = *find_parameter(kind(), number)->row;
-    set_own_value(row, 0, factory_value(row, context()));
+    set_own_value(row, 0, factory_value(row, described));
   };
   const bool controllers = choice == kEverything || choice == 3 || choice == 4;
   if (controllers) std::for_each(kControllers.begin(), kControllers.end(), compute);
@@ -84,12 +88,20 @@ void Axis::leave_commissioning() noexcept {
   settled_ = false;
 }
 
+/// With the pulses off, what the parameters and the motor allow.
+motor::TorqueLimits Axis::effective_torque_limits() const noexcept {
+  if (pulses_enabled_in(state_)) return train_.signals().torque_limits;
+  const double highest = context().axis.machine.maximum_torque;
+  return {std::min(torque_limits_.upper, highest), std::max(torque_limits_.lower, -highest)};
+}
+
 AxisInsight Axis::insight() const noexcept {
   return {.controlword = controlword_,
           .switching_on_inhibited = inhibited_ || parameters_.commissioning != 0,
           .ramp_input = target_,
           .ramp_acceleration = ramp_acceleration_,
-          .torque_limits = torque_limits_,
+          .torque_limits = effective_torque_limits(),
+          .dc_voltage = dc_voltage_,
           .torque_limit_reached = pulses_enabled_in(state_) && train_.signals().torque_limit_reached,
           .target_reached = target_reached_,
           .overspeed = overspeed_,

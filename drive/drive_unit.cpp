@@ -34,11 +34,41 @@ ParameterError no_object(std::uint16_t number) noexcept {
 }  // namespace
 
 DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host)
-    : host_{host}, control_unit_{control_unit_context(configuration)} {
+    : host_{host}, dc_link_{configuration.supply}, control_unit_{control_unit_context(configuration)} {
   axes_.reserve(configuration.axes.size());
   for (const AxisConfiguration& axis : configuration.axes)
-    axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id);
+    axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id, configuration.supply);
   for_each_object([this](DriveObject& object) { object.join(*this); });
+}
+
+void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
+  std::array<Axis*, kMostAxes> running{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!setpoints[i]) {
+      axes_[i].rest(duration, dc_link_.voltage());
+      continue;
+    }
+    axes_[i].begin_cycle(*setpoints[i], duration);
+    running[count++] = &axes_[i];
+  }
+  const std::span<Axis* const> moved{running.data(), count};
+  const auto steps = std::lround(duration / motor::kControlPeriod);
+  for (long step = 0; step < steps; ++step) {
+    double drawn = 0.0;
+    for (Axis* const axis : moved) drawn += axis->step(dc_link_.voltage());
+    dc_link_.step(motor::kControlPeriod, drawn);
+  }
+  for (Axis* const axis : moved) axis->end_cycle();
+}
+
+void DriveUnit::rest(double duration) noexcept {
+  dc_link_.step(duration, 0.0);
+  for (Axis& axis : axes_) axis.rest(duration, dc_link_.voltage());
+}
+
+void DriveUnit::set_line_voltage(double voltage) noexcept {
+  dc_link_.set_line_voltage(voltage);
 }
 
 DriveObject* DriveUnit::object(std::uint8_t number) noexcept {

@@ -8,7 +8,7 @@
 
 #include "drive/axis.hpp"
 #include "drive/control_unit.hpp"
-#include "motor/supply_data.hpp"
+#include "motor/dc_link.hpp"
 
 namespace drive {
 
@@ -62,6 +62,16 @@ class DriveUnit final : private Surroundings {
   std::span<Axis> axes() noexcept { return axes_; }
   std::span<const Axis> axes() const noexcept { return axes_; }
 
+  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod: the axes with setpoints run
+  /// it, step by step side by side on their DC link; an axis without any must be quiescent and rests.
+  void cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept;
+  /// Lets @p duration (s) pass while every axis is quiescent.
+  void rest(double duration) noexcept;
+  /// The DC link that the axes share.
+  const motor::DcLink& dc_link() const noexcept { return dc_link_; }
+  /// The line fails (0) or changes its voltage (V rms between lines, not negative).
+  void set_line_voltage(double voltage) noexcept;
+
   /// The value of a parameter as it is transferred.
   [[nodiscard]] tl::expected<ParameterValue, ParameterError> read(std::uint8_t object, std::uint16_t number,
                                                                   std::size_t index) const noexcept;
@@ -108,6 +118,7 @@ class DriveUnit final : private Surroundings {
   std::uint32_t message_counter_ = 0;
   Uptime former_runtime_ = 0;
   Uptime uptime_ = 0;
+  motor::DcLink dc_link_;
   ControlUnit control_unit_;
   std::vector<Axis> axes_;
 };

@@ -59,17 +59,4 @@ class TargetMonitor {
   double outside_time_ = 0.0;  // s
 };
 
-/// The condition of F07900, motor blocked: at the torque limit and slow for too long although it should turn.
-class BlockedMonitor {
- public:
-  /// Tells whether the motor is @p stuck now, @p duration (s) later; true = longer than @p limit (s, p2177).
-  bool update(double duration, bool stuck, double limit) noexcept {
-    time_ = stuck ? time_ + duration : 0.0;
-    return stuck && elapsed(time_, limit);
-  }
-
- private:
-  double time_ = 0.0;  // s
-};
-
 }  // namespace drive

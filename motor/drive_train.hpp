@@ -2,64 +2,107 @@
 
 #include <cstdint>
 
-#include "motor/control_period.hpp"
-#include "motor/current_loop.hpp"
+#include "motor/control_settings.hpp"
 #include "motor/encoder.hpp"
+#include "motor/field_control.hpp"
+#include "motor/inverter_data.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
-#include "motor/mechanics.hpp"
-#include "motor/speed_controller.hpp"
+#include "motor/plant.hpp"
+#include "motor/power_unit.hpp"
+#include "motor/signals.hpp"
+#include "motor/thermal.hpp"
+#include "motor/tuning.hpp"
+#include "motor/voltage_frequency.hpp"
 
 namespace motor {
 
-/// What a drive train is told for one step.
-struct Command {
-  bool pulses_enabled = false;  ///< off: no torque, the controllers are emptied, the shaft coasts
-  double speed_setpoint = 0.0;  ///< rad/s
-  TorqueLimits limits{};
-};
-
-/// What can be seen of a drive train after a step.
-struct Signals {
-  double measured_speed = 0.0;        ///< from the encoder, what the controller sees (rad/s)
-  double true_speed = 0.0;            ///< of the shaft (rad/s)
-  double torque_setpoint = 0.0;       ///< r0079 (N·m)
-  double torque = 0.0;                ///< r0080, mean of the period (N·m)
-  std::int64_t encoder_counts = 0;    ///< increments since power-on
-  bool torque_limit_reached = false;  ///< r1407.7
-};
-
-/// Speed controller gains for @p machine with @p load, from the inertia and the sum of the loop's delays.
-SpeedControllerGains default_gains(const MachineData& machine, const Load& load) noexcept;
-
-/// One speed-controlled machine: speed controller, current loop, shaft and encoder in a closed loop.
+/// One axis from the DC link to the load: inverter, machine, shaft, encoder and the control loops around them.
 class DriveTrain {
  public:
-  DriveTrain(const MachineData& machine, const Load& load) noexcept;
+  /// At rest and cold; the control knows @p machine exactly and is set by computed_settings().
+  DriveTrain(const MachineData& machine, const Load& load, const InverterData& inverter = {}) noexcept;
 
-  /// Changes the gains of the speed controller; what it has integrated stays.
+  /// Replaces all settings of the control; what the controllers have integrated stays unless the mode changes.
+  void tune(const ControlSettings& settings) noexcept;
+  /// Changes the gains of the speed controller with encoder.
   void tune(const SpeedControllerGains& gains) noexcept;
-  /// Advances by @p dt (s), normally kControlPeriod, with @p command held.
-  void step(double dt, const Command& command) noexcept;
+  /// What the control believes of the machine (p03xx) from now on; the machine itself stays what it is.
+  void set_machine(const MachineData& machine) noexcept;
+  /// Settings in force.
+  const ControlSettings& settings() const noexcept { return settings_; }
+
+  /// Advances by kControlPeriod with @p command held and the DC link at @p dc_voltage (V, not negative). Returns
+  /// the energy drawn from the link in the step, losses of the inverter included, negative when fed back (J).
+  double step(double dc_voltage, const Command& command) noexcept;
+  /// Lets @p duration (s) pass with the pulses off and the shaft at rest: only temperatures change.
+  void rest(double duration) noexcept;
+
   /// Replaces the constant load torque (N·m, positive against positive rotation).
-  void set_load_torque(double torque) noexcept { mechanics_.set_load_torque(torque); }
+  void set_load_torque(double torque) noexcept { plant_.set_load_torque(torque); }
+  /// Commands the holding brake; it acts after its opening or closing time.
+  void set_brake(bool closed) noexcept { plant_.set_brake(closed); }
+  /// From now on the encoder has @p defect instead of the one before.
+  void inject(EncoderDefect defect) noexcept;
+  /// Forgets what the encoder has found wrong; what still is comes back.
+  void acknowledge_encoder() noexcept { encoder_.acknowledge(); }
+
   /// The state after the last step.
   const Signals& signals() const noexcept { return signals_; }
-  /// Whether nothing changes any more while the pulses are off.
+  const Encoder& encoder() const noexcept { return encoder_; }
+  const PlantState& plant_state() const noexcept { return plant_.state(); }
+  /// Where the energy of the last step went, behind the terminals (J).
+  const PlantEnergies& energies() const noexcept { return plant_.energies(); }
+  /// What the inverter has lost in the last step (J).
+  double inverter_losses() const noexcept { return inverter_losses_; }
+  /// What machine and load have stored (J).
+  StoredEnergy stored() const noexcept { return plant_.stored(); }
+  /// Whether nothing but temperatures changes any more while the pulses are off.
   bool rests() const noexcept;
 
  private:
-  void configure(double period) noexcept;
-  double torque_setpoint(const Command& command) noexcept;
+  /// Which control leads.
+  enum class Lead : std::uint8_t { Synchronous, Induction, VoltageFrequency };
 
-  double current_loop_time_constant_;
-  SpeedControllerGains gains_;
-  double period_ = kControlPeriod;
-  SpeedController speed_controller_;
-  CurrentLoop current_loop_;
-  Mechanics mechanics_;
+  /// Sums since temperatures were last brought up to date.
+  struct Heat {
+    double copper = 0.0;          // J
+    double iron = 0.0;            // J
+    double square_current = 0.0;  // A² peak, sum of the steps
+    int steps = 0;
+  };
+
+  void configure() noexcept;
+  SpaceVector control(const Measurement& measured, const Command& command) noexcept;
+  void start() noexcept;
+  void stop() noexcept;
+  SpaceVector rotor_direction() const noexcept;
+  void move(double dc_voltage, bool pulses) noexcept;
+  void observe() noexcept;
+  void warm() noexcept;
+  void warm(double duration, const Heat& heat) noexcept;
+
+  MachineData believed_;
+  ControlSettings settings_;
+  Plant plant_;
   Encoder encoder_;
-  Signals signals_;
+  PowerUnit power_unit_;
+  MotorThermal thermal_;
+  OverloadModel motor_model_;  // what the drive believes of its temperature
+  FieldControl<SynchronousField> synchronous_;
+  FieldControl<InductionField> induction_;
+  VoltageFrequencyControl voltage_frequency_;
+  Signals signals_{};
+  Heat heat_{};
+  SpaceVector voltage_{};  // of the last step, stator frame (V)
+  SpaceVector next_{};     // calculated, acts in the next step (V)
+  double inverter_losses_ = 0.0;
+  double idle_losses_ = 0.0;
+  Lead lead_ = Lead::Synchronous;
+  bool pulses_ = false;  // the controllers run
+  bool driven_ = false;  // the inverter gives next_
+  bool encoder_true_ = true;
+  bool with_encoder_ = true;
 };
 
 }  // namespace motor

@@ -68,7 +68,7 @@ struct Motion {
   double path = 0.0;   ///< the angle without its sign (rad)
 };
 
-/// Speed below which a mass without dry friction is taken for standing, or its last trace would never end (rad/s).
+/// Speed below which a mass is taken for standing, or the last trace of a decay would never end (rad/s).
 inline constexpr double kRestSpeed = 1e-9;
 
 /// The end of a step of @p h (s) from @p speed to @p moved, which was made with @p grip throughout. Where the
@@ -76,8 +76,8 @@ inline constexpr double kRestSpeed = 1e-9;
 /// goes on with the friction reversed. @p inverse_inertia in 1/(kg·m²).
 inline Motion settled(const Grip& grip, double speed, const Motion& moved, double inverse_inertia,
                       double h) noexcept {
-  if (grip.torque == 0.0) return {std::abs(moved.speed) < kRestSpeed ? 0.0 : moved.speed, moved.angle, moved.path};
-  if (moved.speed * grip.direction >= 0.0) return moved;
+  if (grip.torque == 0.0 || moved.speed * grip.direction >= 0.0)
+    return {std::abs(moved.speed) < kRestSpeed ? 0.0 : moved.speed, moved.angle, moved.path};
   const double before = (moved.speed - speed) / h;
   const double stops_after = -speed / before;
   const double there = 0.5 * speed * stops_after;

@@ -77,7 +77,7 @@ class RigidShaft {
     resistance_ = Plain ? grip_.torque + load_.constant() : grip_.torque;
   }
   Rate rate(const State& z, double torque, double time) const noexcept {
-    const double free = torque - resistance_ - drag_ * z.speed;
+    const double free = torque - (resistance_ + drag_ * z.speed);
     if constexpr (Plain) {
       return {z.speed, free * active_inverse_, z.speed * z.speed, 0.0, 0.0};
     } else {

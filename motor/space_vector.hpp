@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace motor {
 
@@ -43,6 +45,12 @@ constexpr double norm(SpaceVector a) noexcept {
 /// Length.
 inline double length(SpaceVector a) noexcept {
   return std::sqrt(norm(a));
+}
+
+/// Its values in the phases U, V, W.
+constexpr std::array<double, 3> phase_values(SpaceVector a) noexcept {
+  constexpr double kHalfSqrt3 = 0.5 * std::numbers::sqrt3;
+  return {a.re, -0.5 * a.re + kHalfSqrt3 * a.im, -0.5 * a.re - kHalfSqrt3 * a.im};
 }
 
 }  // namespace motor

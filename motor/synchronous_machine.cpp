@@ -31,6 +31,7 @@ SynchronousMachine::SynchronousMachine(const MachineData& machine) noexcept
       saturation_knee_{saturation_start_},
       saturation_end_{saturation_start_} {
   signed_pole_pairs_ = Pair{pole_pairs_, -pole_pairs_};
+  set_factors();
   const double stall = 2.0 * machine.stall_current * machine.stall_current;
   const double most = 2.0 * machine.maximum_current * machine.maximum_current;
   if (machine.synchronous.torque_saturation <= 0.0 || stall <= 0.0 || most <= (1.0 + kBend) * stall) return;
@@ -45,6 +46,15 @@ SynchronousMachine::SynchronousMachine(const MachineData& machine) noexcept
 void SynchronousMachine::set_temperatures(double winding, double rotor) noexcept {
   resistance_ = both(cold_resistance_ * resistance_factor(winding));
   magnets_[0] = cold_magnet_flux_ * (1.0 + temperature_coefficient_ * (rotor - kDataTemperature));
+  set_factors();
+}
+
+void SynchronousMachine::set_factors() noexcept {
+  damping_ = resistance_ * inverse_inductance_;
+  exchange_ = signed_pole_pairs_ * inverse_inductance_ * swapped(inductance_);
+  induction_ = signed_pole_pairs_ * inverse_inductance_ * swapped(magnets_);
+  magnet_torque_ = torque_factor_ * magnets_[0];
+  reluctance_torque_ = torque_factor_ * difference(inductance_);
 }
 
 SynchronousMachine::Saturation SynchronousMachine::saturation(double i_q) const noexcept {

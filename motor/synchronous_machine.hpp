@@ -84,11 +84,10 @@ class SynchronousMachine {
   template <bool Saturated = true>
   Rate rate(const State& y, Pair u, double w) const noexcept {
     if constexpr (Saturated) return saturated_rate(y, u, w);
+    // The voltage equation divided by the inductances: all that does not depend on the state is in the factors.
     const Pair i = y.current;
-    const Pair psi = inductance_ * i + magnets_;
-    const Pair turning = swapped(psi);
-    return {inverse_inductance_ * (u - resistance_ * i + both(w) * signed_pole_pairs_ * turning), u * i, i * i,
-            torque_factor_ * difference(psi * swapped(i))};
+    return {(inverse_inductance_ * u - damping_ * i) + both(w) * (exchange_ * swapped(i) + induction_), u * i,
+            i * i, i[1] * (magnet_torque_ + reluctance_torque_ * i[0])};
   }
 
  private:
@@ -99,6 +98,7 @@ class SynchronousMachine {
     double curvature = 0.0;
   };
   Saturation saturation(double i_q) const noexcept;
+  void set_factors() noexcept;
   Rate saturated_rate(const State& y, Pair u, double w) const noexcept;
 
   State state_{};
@@ -112,6 +112,11 @@ class SynchronousMachine {
   double cold_magnet_flux_;
   double temperature_coefficient_;
   Pair resistance_;               // of one phase, twice
+  Pair damping_;                  // R/L (1/s)
+  Pair exchange_;                 // p L_q/L_d, -p L_d/L_q
+  Pair induction_;                // what the magnets induce: 0, -p psi_f/L_q (A)
+  double magnet_torque_;          // of i_q (N·m/A)
+  double reluctance_torque_;      // of i_d·i_q (N·m/A²)
   double saturation_start_;       // i_q² above which the flux falls (A²)
   double saturation_knee_;        // i_q² from which it falls with i_q² (A²)
   double saturation_end_;         // i_q² of the maximum current (A²)

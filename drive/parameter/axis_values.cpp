@@ -66,7 +66,7 @@ double lower_torque_limit(const Axis& axis, std::size_t) noexcept {
   return axis.insight().torque_limits.lower;
 }
 double active_power(const Axis& axis, std::size_t) noexcept {
-  return axis.actual().torque * axis.actual().speed / kKilowatt;
+  return axis.signals().power / kKilowatt;
 }
 double energy(const Axis& axis, std::size_t index) noexcept {
   return energy_in(kKilowattHour, axis, index);
@@ -86,11 +86,11 @@ double reference_power(const Axis& axis, std::size_t) noexcept {
 double starting_time(const Axis& axis, std::size_t) noexcept {
   const AxisParameters& p = axis.parameters();
   const double torque = axis.insight().torque_limits.upper;
-  const double ratio = parameter(axis, 342);
-  return torque > 0.0 ? p.motor_inertia * ratio * p.maximum_speed / torque : 0.0;
+  return torque > 0.0 ? p.motor_inertia * p.inertia_ratio * p.maximum_speed / torque : 0.0;
 }
 double pole_pairs(const Axis& axis, std::size_t) noexcept {
-  return parameter(axis, 314);
+  const std::int32_t entered = axis.parameters().pole_pairs;
+  return entered > 0 ? entered : axis.context().axis.machine.pole_pairs;
 }
 double function_modules(const Axis&, std::size_t) noexcept {
   constexpr std::uint32_t kSetpointChannel = 1U << 8;

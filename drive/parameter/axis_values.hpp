@@ -47,6 +47,23 @@ double torque_utilisation(const Axis& axis, std::size_t index) noexcept;
 double units_per_revolution(const Axis& axis, std::size_t index) noexcept;
 double upper_torque_limit(const Axis& axis, std::size_t index) noexcept;
 
+// Machine and power unit (axis_electrical_values.cpp).
+double output_frequency(const Axis& axis, std::size_t index) noexcept;
+double output_voltage(const Axis& axis, std::size_t index) noexcept;
+double dc_voltage(const Axis& axis, std::size_t index) noexcept;
+double current(const Axis& axis, std::size_t index) noexcept;
+double modulation_depth(const Axis& axis, std::size_t index) noexcept;
+double field_current(const Axis& axis, std::size_t index) noexcept;
+double torque_current(const Axis& axis, std::size_t index) noexcept;
+double torque_current_setpoint(const Axis& axis, std::size_t index) noexcept;
+double phase_current(const Axis& axis, std::size_t index) noexcept;
+double maximum_current(const Axis& axis, std::size_t index) noexcept;
+double magnetising_current(const Axis& axis, std::size_t index) noexcept;
+double motor_utilisation(const Axis& axis, std::size_t index) noexcept;
+double motor_temperature(const Axis& axis, std::size_t index) noexcept;
+double overload(const Axis& axis, std::size_t index) noexcept;
+double power_unit_temperature(const Axis& axis, std::size_t index) noexcept;
+
 /// p0340: computes control parameters anew.
 void compute_parameters(Axis& axis, std::size_t index, double value) noexcept;
 /// p0970: 1 returns to the state of a new drive object and ends commissioning.

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "drive/machine_model.hpp"
 #include "drive/parameter/rounding.hpp"
-#include "motor/drive_train.hpp"
+#include "motor/tuning.hpp"
 
 namespace drive::factory {
 namespace {
@@ -17,8 +18,23 @@ double rpm(double speed) noexcept {
   return rounded(speed / kRpm);
 }
 
+/// @p inductance (H) in mH.
+double millihenries(double inductance) noexcept {
+  return rounded(inductance / row_of(Unit::Millihenries).si);
+}
+
 const motor::MachineData& machine(const ObjectContext& context) noexcept {
   return context.axis.machine;
+}
+
+bool is_induction(const ObjectContext& context) noexcept {
+  return machine(context).type == motor::MachineType::Induction;
+}
+
+/// What commissioning computes for the machine and all that turns with it.
+motor::ControlSettings settings(const ObjectContext& context) noexcept {
+  return motor::computed_settings(machine(context), context.axis.inverter,
+                                  machine(context).inertia + context.axis.load.inertia);
 }
 
 }  // namespace
@@ -34,6 +50,28 @@ double rated_torque(const ObjectContext& context, std::size_t) noexcept {
 }
 double rated_power(const ObjectContext& context, std::size_t) noexcept {
   return machine(context).rated_torque * machine(context).rated_speed / row_of(Unit::Kilowatts).si;
+}
+double motor_type(const ObjectContext& context, std::size_t) noexcept {
+  return motor_type_number(machine(context).type);
+}
+double pole_pairs(const ObjectContext& context, std::size_t) noexcept {
+  return machine(context).pole_pairs;
+}
+double magnetising_current(const ObjectContext& context, std::size_t) noexcept {
+  return is_induction(context) ? machine(context).induction.magnetising_current : 0.0;
+}
+double rotor_resistance(const ObjectContext& context, std::size_t) noexcept {
+  return is_induction(context) ? machine(context).induction.rotor_resistance : 0.0;
+}
+double stator_leakage(const ObjectContext& context, std::size_t) noexcept {
+  return millihenries(is_induction(context) ? machine(context).induction.stator_leakage
+                                            : machine(context).synchronous.q_inductance);
+}
+double rotor_leakage(const ObjectContext& context, std::size_t) noexcept {
+  return is_induction(context) ? millihenries(machine(context).induction.rotor_leakage) : 0.0;
+}
+double main_inductance(const ObjectContext& context, std::size_t) noexcept {
+  return is_induction(context) ? millihenries(machine(context).induction.magnetising_inductance) : 0.0;
 }
 double motor_inertia(const ObjectContext& context, std::size_t) noexcept {
   return machine(context).inertia;
@@ -54,11 +92,25 @@ double overspeed_hysteresis(const ObjectContext& context, std::size_t) noexcept 
   return rounded(std::min(0.1 * machine(context).maximum_speed / kRpm, kLargestHysteresis));
 }
 double speed_gain(const ObjectContext& context, std::size_t) noexcept {
-  return motor::default_gains(machine(context), context.axis.load).proportional;
+  return settings(context).speed.proportional;
 }
 double speed_integral_time(const ObjectContext& context, std::size_t) noexcept {
-  const double seconds = motor::default_gains(machine(context), context.axis.load).integral_time;
-  return seconds / row_of(Unit::Milliseconds).si;
+  return settings(context).speed.integral_time / row_of(Unit::Milliseconds).si;
+}
+double encoderless_speed_gain(const ObjectContext& context, std::size_t) noexcept {
+  return settings(context).sensorless_speed.proportional;
+}
+double encoderless_speed_integral_time(const ObjectContext& context, std::size_t) noexcept {
+  return settings(context).sensorless_speed.integral_time / row_of(Unit::Milliseconds).si;
+}
+double current_limit(const ObjectContext& context, std::size_t) noexcept {
+  return rounded(settings(context).current_limit);
+}
+double motoring_power_limit(const ObjectContext& context, std::size_t) noexcept {
+  return rounded(settings(context).motoring_power_limit / row_of(Unit::Kilowatts).si);
+}
+double regenerative_power_limit(const ObjectContext& context, std::size_t) noexcept {
+  return rounded(settings(context).regenerative_power_limit / row_of(Unit::Kilowatts).si);
 }
 double upper_torque_limit(const ObjectContext& context, std::size_t) noexcept {
   return machine(context).maximum_torque;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "drive/parameter/rounding.hpp"
 #include "drive/parameter/row.hpp"
 
 /// Factory values that depend on the drive object, in the unit of the parameter. "Factory" is the state of a new
@@ -10,6 +11,18 @@
 namespace drive::factory {
 
 // The machine of the axis.
+/// A number of its data sheet, in @p Shown.
+template <double motor::MachineData::*Value, Unit Shown>
+double machine_value(const ObjectContext& context, std::size_t) noexcept {
+  return rounded(context.axis.machine.*Value / row_of(Shown).si);
+}
+double motor_type(const ObjectContext& context, std::size_t index) noexcept;
+double pole_pairs(const ObjectContext& context, std::size_t index) noexcept;
+double magnetising_current(const ObjectContext& context, std::size_t index) noexcept;
+double rotor_resistance(const ObjectContext& context, std::size_t index) noexcept;
+double stator_leakage(const ObjectContext& context, std::size_t index) noexcept;
+double rotor_leakage(const ObjectContext& context, std::size_t index) noexcept;
+double main_inductance(const ObjectContext& context, std::size_t index) noexcept;
 double rated_speed(const ObjectContext& context, std::size_t index) noexcept;
 double motor_maximum_speed(const ObjectContext& context, std::size_t index) noexcept;
 double rated_torque(const ObjectContext& context, std::size_t index) noexcept;
@@ -23,6 +36,11 @@ double encoder_fine_bits(const ObjectContext& context, std::size_t index) noexce
 double overspeed_hysteresis(const ObjectContext& context, std::size_t index) noexcept;
 double speed_gain(const ObjectContext& context, std::size_t index) noexcept;
 double speed_integral_time(const ObjectContext& context, std::size_t index) noexcept;
+double encoderless_speed_gain(const ObjectContext& context, std::size_t index) noexcept;
+double encoderless_speed_integral_time(const ObjectContext& context, std::size_t index) noexcept;
+double current_limit(const ObjectContext& context, std::size_t index) noexcept;
+double motoring_power_limit(const ObjectContext& context, std::size_t index) noexcept;
+double regenerative_power_limit(const ObjectContext& context, std::size_t index) noexcept;
 double upper_torque_limit(const ObjectContext& context, std::size_t index) noexcept;
 double lower_torque_limit(const ObjectContext& context, std::size_t index) noexcept;
 double sampling_times(const ObjectContext& context, std::size_t index) noexcept;

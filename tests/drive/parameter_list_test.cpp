@@ -51,13 +51,24 @@ std::optional<double> number_in(const std::string& text, bool is_source) {
 /// What a new unit has instead of the list's value, because it is commissioned and connected.
 const std::map<std::uint16_t, double> kOfANewUnit{{9, 0.0},
                                                   {10, 0.0},
-                                                  {26, 600.0},
+                                                  {26, 540.0},
+                                                  {70, 540.0},
                                                   {300, 2.0},
+                                                  {304, 330.0},
+                                                  {305, 5.6},
                                                   {307, 7.3 * 3000.0 * kRpm / 1000.0},
+                                                  {310, 200.0},
                                                   {311, 3000.0},
                                                   {312, 7.3},
+                                                  {314, 4.0},
+                                                  {316, 1.37},
                                                   {322, 7200.0},
+                                                  {323, 28.0},
+                                                  {338, 28.0},
                                                   {341, 0.00151},
+                                                  {350, 0.55},
+                                                  {356, 5.5},
+                                                  {640, 28.0},
                                                   {840, own_source(8890, 0)},
                                                   {844, own_source(8890, 1)},
                                                   {848, own_source(8890, 2)},
@@ -76,8 +87,8 @@ const std::map<std::uint16_t, double> kOfANewUnit{{9, 0.0},
                                                   {8620, kNodeId},
                                                   {8744, 1.0},
                                                   {8790, 1.0}};
-/// Computed by the speed controller's own tests, or of the axes only and shown on the control unit too.
-const std::set<std::uint16_t> kTestedElsewhere{1460, 1462, 2103, 8851, 8861};
+/// Computed: see the control's own tests, or of the axes only and shown on the control unit too.
+const std::set<std::uint16_t> kTestedElsewhere{1460, 1462, 1470, 1472, 1530, 1531, 2103, 8851, 8861};
 /// Any COB-ID with bit 31 is taken, so the limits are those of the type.
 bool is_cob_id(std::uint16_t number) {
   return (number >= 8700 && number <= 8707) || (number >= 8720 && number <= 8727);

@@ -10,7 +10,7 @@ namespace drive {
 namespace {
 
 AxisParameters parameters() {
-  return commissioned_parameters({}, {});
+  return commissioned_parameters({});
 }
 
 TEST(BusScaling, ShowsSpeedsInIncrementsASecond) {

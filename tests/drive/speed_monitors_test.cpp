@@ -41,13 +41,5 @@ TEST(TargetMonitor, ComesAtOnceInTheWindowAndGoesOnlyBeyondTheHysteresisAfterThe
   EXPECT_FALSE(monitor.update(kCycle, 9.4, limits));
 }
 
-TEST(BlockedMonitor, NeedsTheConditionWithoutInterruption) {
-  BlockedMonitor monitor;
-  for (int i = 0; i < 249; ++i) ASSERT_FALSE(monitor.update(kCycle, true, 1.0));
-  monitor.update(kCycle, false, 1.0);
-
-  EXPECT_EQ(cycles_until([&] { return monitor.update(kCycle, true, 1.0); }), 250);
-}
-
 }  // namespace
 }  // namespace drive

@@ -143,12 +143,16 @@ AssertionResult wait_for_state(CanClient& can, const DriveState& state) {
   return wait_for_drive(can, state.name, [&](const StatusAndSpeed& drive) { return drive.is(state); });
 }
 
-void make_motor_turn(CanClient& can) {
+void enable_operation(CanClient& can) {
   can.send("000#0105");
   ASSERT_TRUE(can.ask("205#0600", "185#4016"));
   ASSERT_TRUE(can.expect("185#3116"));
   ASSERT_TRUE(can.ask("205#0700", "185#3316"));
   ASSERT_TRUE(can.ask("205#0F00", "185#3716"));
+}
+
+void make_motor_turn(CanClient& can) {
+  ASSERT_NO_FATAL_FAILURE(enable_operation(can));
   can.send("305#0F000000800C");
   ASSERT_TRUE(wait_for_drive(can, "a turning motor", [](const StatusAndSpeed& drive) {
     return drive.speed > 0 && !drive.has(kStandstill);

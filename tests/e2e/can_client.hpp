@@ -83,6 +83,9 @@ testing::AssertionResult wait_for_drive(CanClient& can, const std::string& what,
                                         const std::function<bool(const StatusAndSpeed&)>& wanted);
 /// Waits until the drive is in @p state.
 testing::AssertionResult wait_for_state(CanClient& can, const DriveState& state);
+/// Takes a new unit of node 5 to Operational and to Operation enabled at standstill; a test fails where it does
+/// not get on.
+void enable_operation(CanClient& can);
 /// Takes a new unit of node 5 to Operational and through the states until its motor turns; a test fails where it
 /// does not get on.
 void make_motor_turn(CanClient& can);

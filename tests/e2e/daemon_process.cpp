@@ -10,7 +10,9 @@ namespace {
 
 std::string configuration_of(const DaemonOptions& options, const std::string& path) {
   if (options.axis.is_null()) return "";
-  std::ofstream{path} << nlohmann::json{{"axes", nlohmann::json::array({options.axis})}};
+  nlohmann::json configuration{{"axes", nlohmann::json::array({options.axis})}};
+  if (!options.supply.is_null()) configuration["supply"] = options.supply;
+  std::ofstream{path} << configuration;
   return path;
 }
 
@@ -37,6 +39,7 @@ std::vector<std::string> DaemonProcess::arguments() const {
                                  std::to_string(options_.axes)};
   const std::string state = options_.state_directory.empty() ? folder_.path("state") : options_.state_directory;
   words.insert(words.end(), {"--state-directory", state, "--control", control_socket()});
+  if (!options_.motor.is_null()) std::ofstream{folder_.path("motor.json")} << options_.motor;
   const std::string file = configuration_of(options_, folder_.path("axisd.json"));
   if (!file.empty()) words.insert(words.end(), {"--config", file});
   return words;

@@ -21,8 +21,10 @@ namespace e2e {
 struct DaemonOptions {
   std::string interface = served_interface();
   int node_id = 5;
-  nlohmann::json axis{};  ///< the axis of the configuration file; null: none is written
-  int axes = 1;           ///< how many, the first one as above
+  nlohmann::json axis{};    ///< the axis of the configuration file; null: none is written
+  nlohmann::json supply{};  ///< of the configuration file, with an axis only; null: none
+  nlohmann::json motor{};   ///< what motor.json beside that file holds; null: no such file
+  int axes = 1;             ///< how many, the first one as above
   std::vector<std::string> environment{};
   std::string state_directory{};  ///< empty: one of its own
 };

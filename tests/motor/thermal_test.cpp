@@ -63,7 +63,7 @@ TEST(PowerUnit, LosesNothingWithThePulsesOff) {
   const PowerUnit unit{InverterData{}};
 
   EXPECT_EQ(unit.losses(9.0, false), 0.0);
-  EXPECT_DOUBLE_EQ(unit.losses(9.0, true), 20.0 + 6.0 * 9.0 + 0.15 * 81.0);
+  EXPECT_DOUBLE_EQ(unit.losses(9.0, true), 30.0 + 6.0 * 9.0 + 0.08 * 81.0);
 }
 
 TEST(PowerUnit, IsOverloadedSoonerTheHigherTheCurrent) {

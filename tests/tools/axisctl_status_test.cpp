@@ -9,11 +9,12 @@ using nlohmann::json;
 const json kStatus = json::parse(R"({
   "version": "0.1.0", "interface": "vcan0", "node_id": 5, "nmt_state": "Operational", "uptime_s": 12.3,
   "bus": {"state": "error-active", "link": "up", "received": 10, "sent": 20, "dropped": 0, "queued": 1, "refused": 2},
+  "dc_link_V": 538.5,
   "skipped_cycles": 0,
   "axes": [
     {"axis": 1, "name": "X", "type": "servo", "state": "Operation enabled", "statusword": "0x1637",
      "controlword": "0x000F", "speed_rpm": 1499.75, "setpoint_rpm": 1500, "torque_Nm": 0.5, "load_torque_Nm": 0.5,
-     "position": 4096, "faults": [], "alarms": []},
+     "current_A": 1.25, "motor_temperature_C": 35.5, "position": 4096, "faults": [], "alarms": []},
     {"axis": 2, "name": "Y", "type": "servo", "state": "Fault", "statusword": "0x0218", "controlword": "0x0000",
      "speed_rpm": 0.0, "setpoint_rpm": 0, "torque_Nm": 0.0, "load_torque_Nm": 0.0, "position": -7,
      "faults": [{"number": 7860, "text": "External fault 1"}, {"number": 30001, "text": "Overcurrent"}],
@@ -31,6 +32,7 @@ node-ID         5
 NMT state       Operational
 up for          12.300 s
 bus             dropped 0, link up, queued 1, received 10, refused 2, sent 20, state error-active
+DC link         538.500 V
 skipped cycles  0
 axisd version   0.1.0
 axis 1 X (servo)
@@ -41,6 +43,8 @@ axis 1 X (servo)
   speed           1499.750 rpm
   torque          0.500 N·m
   load torque     0.500 N·m
+  current         1.250 A
+  motor           35.500 °C
   position        4096
   faults          none
   alarms          none

@@ -17,6 +17,10 @@ constexpr std::array kInjectArguments{kPlace, Argument{"NUMBER", "Fault number: 
 constexpr std::array kAcknowledgeArguments{kPlace};
 constexpr std::array kLoadArguments{Argument{"AXIS", "Axis of the unit, 1.."},
                                     Argument{"TORQUE", "Load torque at the motor shaft (N·m)"}};
+constexpr std::array kSupplyArguments{
+    Argument{"VOLTAGE", "Line voltage (V rms between lines), 0 = mains failure"}};
+constexpr std::array kEncoderArguments{Argument{"AXIS", "Axis of the unit, 1.."},
+                                       Argument{"DEFECT", "none, loss, lost_pulses or reversed"}};
 
 tl::expected<nlohmann::json, std::string> no_parameters(Words /*words*/) {
   return nlohmann::json::object();
@@ -43,6 +47,10 @@ constexpr std::array kCommands{
             fault_ack_parameters, print_members},
     Command{"", "load", "Set the load torque of an axis", kLoadArguments, control::Method::SetLoad,
             load_parameters, print_members},
+    Command{"", "supply", "Set the line voltage of the unit", kSupplyArguments, control::Method::SetSupply,
+            supply_parameters, print_members},
+    Command{"", "encoder", "Make the encoder of an axis fail", kEncoderArguments, control::Method::FailEncoder,
+            encoder_parameters, print_members},
     Command{"", "quit", "Switch the unit off", {}, control::Method::Quit, no_parameters, print_members},
 };
 

@@ -49,6 +49,10 @@ tl::expected<nlohmann::json, std::string> fault_inject_parameters(Words words);
 tl::expected<nlohmann::json, std::string> fault_ack_parameters(Words words);
 /// Parameters of load (AXIS TORQUE in N·m).
 tl::expected<nlohmann::json, std::string> load_parameters(Words words);
+/// Parameters of supply (VOLTAGE in V rms between lines).
+tl::expected<nlohmann::json, std::string> supply_parameters(Words words);
+/// Parameters of encoder (AXIS DEFECT); the daemon knows the defects.
+tl::expected<nlohmann::json, std::string> encoder_parameters(Words words);
 /// Prints the result of status as aligned lines.
 void print_status(std::ostream& out, const nlohmann::json& result);
 

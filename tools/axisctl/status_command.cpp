@@ -26,6 +26,7 @@ constexpr std::array kUnitLabels{
     Label{"nmt_state", "NMT state", ""},
     Label{"uptime_s", "up for", " s"},
     Label{"bus", "bus", ""},
+    Label{"dc_link_V", "DC link", " V"},
     Label{"skipped_cycles", "skipped cycles", ""},
     Label{"version", "axisd version", ""},
 };
@@ -38,6 +39,8 @@ constexpr std::array kAxisLabels{
     Label{"speed_rpm", "speed", " rpm"},
     Label{"torque_Nm", "torque", " N·m"},
     Label{"load_torque_Nm", "load torque", " N·m"},
+    Label{"current_A", "current", " A"},
+    Label{"motor_temperature_C", "motor", " °C"},
     Label{"position", "position", ""},
     Label{"faults", "faults", ""},
     Label{"alarms", "alarms", ""},

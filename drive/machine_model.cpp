@@ -1,0 +1,97 @@
+#include "drive/machine_model.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace drive {
+namespace {
+
+using motor::MachineType;
+
+/// Kinds of machines that a rule holds for.
+enum class Of : std::uint8_t { Any, Synchronous, Induction };
+
+/// A condition on motor data, and the parameter that is blamed for its breach.
+struct PlausibilityRow {
+  std::uint16_t number;
+  Of machine;
+  bool (*holds)(const AxisParameters& parameters) noexcept;
+};
+
+template <double AxisParameters::*Value>
+bool is_positive(const AxisParameters& parameters) noexcept {
+  return parameters.*Value > 0.0;
+}
+
+template <double AxisParameters::*Lower, double AxisParameters::*Upper>
+bool are_in_order(const AxisParameters& parameters) noexcept {
+  return parameters.*Lower <= parameters.*Upper;
+}
+
+using P = AxisParameters;
+constexpr std::array kPlausibility{
+    PlausibilityRow{304, Of::Any, is_positive<&P::rated_voltage>},
+    PlausibilityRow{305, Of::Any, is_positive<&P::rated_current>},
+    PlausibilityRow{305, Of::Any, are_in_order<&P::rated_current, &P::motor_maximum_current>},
+    PlausibilityRow{307, Of::Any, is_positive<&P::rated_power>},
+    PlausibilityRow{308, Of::Induction, is_positive<&P::power_factor>},
+    PlausibilityRow{310, Of::Any, is_positive<&P::rated_frequency>},
+    PlausibilityRow{311, Of::Any, is_positive<&P::rated_speed>},
+    PlausibilityRow{311, Of::Any, are_in_order<&P::rated_speed, &P::motor_maximum_speed>},
+    PlausibilityRow{316, Of::Synchronous, is_positive<&P::torque_constant>},
+    PlausibilityRow{320, Of::Induction, is_positive<&P::magnetising_current>},
+    PlausibilityRow{341, Of::Any, is_positive<&P::motor_inertia>},
+    PlausibilityRow{350, Of::Any, is_positive<&P::stator_resistance>},
+    PlausibilityRow{354, Of::Induction, is_positive<&P::rotor_resistance>},
+    PlausibilityRow{356, Of::Any, is_positive<&P::stator_leakage>},
+    PlausibilityRow{358, Of::Induction, is_positive<&P::rotor_leakage>},
+    PlausibilityRow{360, Of::Induction, is_positive<&P::main_inductance>},
+};
+constexpr std::uint16_t kMotorType = 300;
+
+bool concerns(Of of, MachineType type) noexcept {
+  return of == Of::Any || (of == Of::Induction) == (type == MachineType::Induction);
+}
+
+}  // namespace
+
+motor::MachineData believed_machine(const AxisParameters& p, const motor::MachineData& machine) noexcept {
+  motor::MachineData data = machine;
+  data.rated_voltage = p.rated_voltage;
+  data.rated_current = p.rated_current;
+  data.rated_power = p.rated_power;
+  data.power_factor = p.power_factor;
+  data.rated_frequency = p.rated_frequency;
+  data.rated_speed = p.rated_speed;
+  data.maximum_speed = p.motor_maximum_speed;
+  data.maximum_current = p.motor_maximum_current;
+  data.inertia = p.motor_inertia;
+  data.stator_resistance = p.stator_resistance;
+  if (p.pole_pairs > 0) data.pole_pairs = static_cast<std::uint8_t>(p.pole_pairs);
+  if (machine.type == MachineType::Induction) {
+    data.induction.rotor_resistance = p.rotor_resistance;
+    data.induction.stator_leakage = p.stator_leakage;
+    data.induction.rotor_leakage = p.rotor_leakage;
+    data.induction.magnetising_inductance = p.main_inductance;
+    data.induction.magnetising_current = p.magnetising_current;
+    return data;
+  }
+  // The data sheet's ratios of the two inductances, and of flux and torque constant, are those of the machine.
+  motor::SynchronousData& magnetic = data.synchronous;
+  magnetic.d_inductance *= p.stator_leakage / magnetic.q_inductance;
+  magnetic.q_inductance = p.stator_leakage;
+  magnetic.magnet_flux *= p.torque_constant / machine.torque_constant;
+  data.torque_constant = p.torque_constant;
+  return data;
+}
+
+std::uint16_t implausible_motor_parameter(const AxisParameters& parameters,
+                                          const motor::MachineData& machine) noexcept {
+  if (parameters.motor_type != motor_type_number(machine.type)) return kMotorType;
+  const auto* const broken = std::ranges::find_if(kPlausibility, [&](const PlausibilityRow& row) {
+    return concerns(row.machine, machine.type) && !row.holds(parameters);
+  });
+  return broken != kPlausibility.end() ? broken->number : std::uint16_t{0};
+}
+
+}  // namespace drive

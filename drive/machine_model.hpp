@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "drive/parameters.hpp"
+#include "motor/machine_data.hpp"
+
+namespace drive {
+
+/// The machine as @p parameters describe it to the control: @p machine with p0304 to p0360 in place of its own
+/// data.
+motor::MachineData believed_machine(const AxisParameters& parameters, const motor::MachineData& machine) noexcept;
+
+/// The first motor parameter whose value cannot be that of @p machine's kind, such as a resistance of 0; 0 if all
+/// can. It is the value of F07950.
+std::uint16_t implausible_motor_parameter(const AxisParameters& parameters,
+                                          const motor::MachineData& machine) noexcept;
+
+/// p0300 of @p type.
+constexpr std::int32_t motor_type_number(motor::MachineType type) noexcept {
+  return type == motor::MachineType::Induction ? 1 : 2;
+}
+
+}  // namespace drive

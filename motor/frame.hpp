@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+
+#include "motor/rotation.hpp"
+
+namespace motor {
+
+/// Unit vector at @p angle (rad) by its series; where no machine ever turns in a period, beyond 1.5 rad, it stays.
+inline SpaceVector bounded_rotation(double angle) noexcept {
+  constexpr double kFurthest = 1.5;
+  return vector(small_rotation(std::min(kFurthest, std::max(-kFurthest, angle))));
+}
+
+/// @p direction turned by @p angle (rad, small), its length drawn back to 1.
+inline SpaceVector turned(SpaceVector direction, double angle) noexcept {
+  const SpaceVector next = direction * bounded_rotation(angle);
+  return (1.5 - 0.5 * norm(next)) * next;
+}
+
+/// Coordinates that turn with a flux: the direction of their d axis in the stator frame, and its speed.
+struct Frame {
+  SpaceVector direction{1.0, 0.0};
+  double frequency = 0.0;  ///< (electrical rad/s)
+};
+
+}  // namespace motor

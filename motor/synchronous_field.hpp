@@ -1,0 +1,80 @@
+#pragma once
+
+#include "motor/control_settings.hpp"
+#include "motor/frame.hpp"
+#include "motor/measurement.hpp"
+#include "motor/signals.hpp"
+#include "motor/synchronous_observer.hpp"
+#include "motor/synchronous_reference.hpp"
+#include "motor/voltage_reserve.hpp"
+
+namespace motor {
+
+/// A permanent-magnet machine as its field-oriented control sees it: where the flux is, which currents give a
+/// torque there, and which voltage they need. Currents and voltages are those of the rotor frame.
+class SynchronousField {
+ public:
+  void configure(const MachineData& machine, const ControlSettings& settings) noexcept;
+  /// Pulses come.
+  void start() noexcept;
+  /// One period with the pulses off: nothing changes.
+  void coast(double /*speed*/) noexcept {}
+
+  /// Frame of the rotor as the encoder sees it.
+  Frame frame(const Measurement& measured) noexcept { return {measured.rotor, pole_pairs_ * measured.speed}; }
+  /// Nothing: the encoder keeps the frame.
+  void advance(SpaceVector /*current*/) noexcept {}
+  /// Frame of the rotor as voltages and currents show it.
+  Frame observe(const Measurement& measured) noexcept {
+    observer_.step(measured);
+    return observer_.frame();
+  }
+  /// Starts to observe on @p frame.
+  void start_observer(const Frame& frame, SpaceVector current) noexcept { observer_.start(frame, current); }
+  /// Speed of the shaft in @p frame (rad/s).
+  double speed(const Frame& frame) const noexcept { return frame.frequency / pole_pairs_; }
+  /// Torque (N·m) that a fed current of @p amplitude (A) can give.
+  double pull(double amplitude) const noexcept { return 1.5 * pole_pairs_ * flux() * amplitude; }
+  /// Angle by which the rotor lags behind a current of @p amplitude (A) that is fed to carry @p torque (N·m), as
+  /// sine.
+  double lag(double torque, double amplitude) const noexcept;
+  /// Current (A) across a fed one that damps the rotor's swinging about it; @p frame is that of the fed current.
+  double damping(const Frame& frame) noexcept;
+
+  /// Currents for @p torque (N·m) in a frame of @p frequency (electrical rad/s).
+  [[gnu::always_inline]] SpaceVector currents(double torque, double frequency) noexcept {
+    const SpaceVector wanted = reference_.currents(torque);
+    const double room = reserve_.room();
+    weakening_ = norm(reference_.flux(wanted)) * frequency * frequency > room * room;
+    setpoint_ = weakening_ ? reference_.weakened(wanted, room / std::abs(frequency)) : wanted;
+    return setpoint_;
+  }
+  /// Voltage that rotation takes with @p current in @p frame.
+  SpaceVector forward(SpaceVector current, const Frame& frame) const noexcept {
+    const SpaceVector flux = reference_.flux(current);
+    return {-frame.frequency * flux.im, frame.frequency * flux.re};
+  }
+  /// Voltage controller and torque limit, every @p dt (s): @p demand is the square of the voltage that the current
+  /// controllers want (V²), @p highest the longest one (V).
+  void trim(double dt, double demand, double highest, double frequency) noexcept;
+  /// Torque that current and voltage allow now, either way (N·m).
+  double reachable() const noexcept { return reachable_; }
+  double torque(SpaceVector current) const noexcept { return reference_.torque(current); }
+  bool magnetised() const noexcept { return true; }
+  double flux() const noexcept { return reference_.magnet_flux(); }
+
+ private:
+  SynchronousReference reference_;
+  VoltageReserve reserve_;
+  SynchronousObserver observer_;
+  double pole_pairs_ = 1.0;
+  double resistance_ = 0.0;
+  double damping_ = 0.0;  // A·s, of the shaft's electrical speed
+  double current_limit_ = 0.0;
+  double reachable_ = 0.0;
+  SpaceVector setpoint_{};
+  double swing_ = 0.0;  // frequency of the frame less that of the rotor, smoothed (electrical rad/s)
+  bool weakening_ = false;
+};
+
+}  // namespace motor

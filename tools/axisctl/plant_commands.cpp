@@ -1,0 +1,47 @@
+// What surrounds the drive: load, line and encoder.
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "tools/axisctl/command.hpp"
+
+namespace axisctl {
+
+namespace {
+
+/// The number that @p word means, an argument called @p name of @p what.
+tl::expected<double, std::string> parse_number(std::string_view name, std::string_view what,
+                                               const std::string& word) {
+  double number = 0.0;
+  const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(begin, end, number);
+  if (error == std::errc{} && rest == end && std::isfinite(number)) return number;
+  return tl::unexpected{fmt::format("{}: expected a number of {}, got \"{}\"", name, what, word)};
+}
+
+}  // namespace
+
+tl::expected<nlohmann::json, std::string> load_parameters(Words words) {
+  const auto axis = parse_axis(words[0], 1);
+  if (!axis) return tl::unexpected{axis.error()};
+  const auto torque = parse_number("TORQUE", "N·m", words[1]);
+  if (!torque) return tl::unexpected{torque.error()};
+  return nlohmann::json{{"axis", *axis}, {"torque_Nm", *torque}};
+}
+
+tl::expected<nlohmann::json, std::string> supply_parameters(Words words) {
+  const auto voltage = parse_number("VOLTAGE", "V", words[0]);
+  if (!voltage) return tl::unexpected{voltage.error()};
+  return nlohmann::json{{"line_voltage_V", *voltage}};
+}
+
+tl::expected<nlohmann::json, std::string> encoder_parameters(Words words) {
+  const auto axis = parse_axis(words[0], 1);
+  if (!axis) return tl::unexpected{axis.error()};
+  return nlohmann::json{{"axis", *axis}, {"defect", words[1]}};
+}
+
+}  // namespace axisctl
