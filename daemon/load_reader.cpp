@@ -165,6 +165,15 @@ void read_gear(const JsonReader& json, Load& load) {
   refer_to_shaft(ratio, load);
 }
 
+/// Throws at the section whose values are @p impossible for the masses that there are.
+void refuse_too_fast(const JsonReader& json, const std::optional<motor::Impossible>& impossible) {
+  for (const Section& section : kSections)
+    for (const Key& row : section.keys)
+      if (impossible && row.member == impossible->member && json.has(section.key))
+        refuse(json.at(section.key), section.keys, impossible);
+  refuse<Load>(json, kOwnKeys, impossible);
+}
+
 }  // namespace
 
 Load read_load(const JsonReader& json, const motor::MachineData& machine) {
@@ -176,8 +185,7 @@ Load read_load(const JsonReader& json, const motor::MachineData& machine) {
     if (json.has(section.key)) read_section(json.at(section.key), section, load);
   refuse<Load>(json, kOwnKeys, motor::find_impossible(load));
   if (json.has("gear")) read_gear(json.at("gear"), load);
-  if (json.has("coupling"))
-    refuse<Load>(json.at("coupling"), kCouplingKeys, motor::find_impossible(machine, load));
+  refuse_too_fast(json, motor::find_impossible(machine, load));
   return load;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "motor/validation_rule.hpp"
@@ -121,7 +122,16 @@ std::optional<Impossible> find_impossible(const Load& load) noexcept {
 }
 
 std::optional<Impossible> find_impossible(const MachineData& machine, const Load& load) noexcept {
-  if (load.coupling.stiffness <= 0.0) return std::nullopt;
+  const bool rigid = load.coupling.stiffness <= 0.0;
+  const double behind = rigid ? machine.inertia + load.inertia : load.inertia;
+  const bool walls = std::isfinite(load.end_stops.lower) || std::isfinite(load.end_stops.upper);
+  if (walls && !(load.end_stops.stiffness <= kFastestRate * kFastestRate * behind))
+    return Impossible{"end_stops.stiffness", "a stiffness that resonates below 16 kHz"};
+  if (walls && !(load.end_stops.damping <= kFastestRate * behind))
+    return Impossible{"end_stops.damping", "a damping with a time constant above 10 us"};
+  if (!(load.viscous_friction <= kFastestRate * behind))
+    return Impossible{"viscous_friction", "a friction with a time constant above 10 us"};
+  if (rigid) return std::nullopt;
   const double mobility = 1.0 / machine.inertia + 1.0 / load.inertia;
   if (!(load.coupling.stiffness * mobility <= kFastestRate * kFastestRate))
     return Impossible{"coupling.stiffness", "a stiffness that resonates below 16 kHz"};

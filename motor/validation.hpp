@@ -22,7 +22,7 @@ struct Impossible {
 std::optional<Impossible> find_impossible(const MachineData& machine) noexcept;
 /// The same for what hangs on the shaft.
 std::optional<Impossible> find_impossible(const Load& load) noexcept;
-/// A coupling between the two that would ring or damp faster than the models can follow.
+/// A coupling, an end stop or a friction that would ring or damp faster than the models can follow.
 std::optional<Impossible> find_impossible(const MachineData& machine, const Load& load) noexcept;
 /// The same for a power unit.
 std::optional<Impossible> find_impossible(const InverterData& inverter) noexcept;

@@ -172,10 +172,10 @@ TEST(Configuration, RefersALoadBehindAGearToTheShaft) {
   EXPECT_DOUBLE_EQ(load.brake.torque, 3.0);  // it is on the motor shaft
 }
 
-TEST(Configuration, GivesAnAxisTheSmallestPowerUnitThatCarriesItsMotor) {
-  EXPECT_EQ(axis_of("{}").inverter.rated_current, 9.0);
-  EXPECT_EQ(axis_of(R"({"motor": "1fk7042"})").inverter.rated_current, 3.0);
-  EXPECT_EQ(axis_of(R"({"motor": "1fk7042"})").inverter.maximum_current, 6.0);
+TEST(Configuration, GivesAnAxisTheSmallestPowerUnitWithTheMaximumCurrentOfItsMotor) {
+  EXPECT_EQ(axis_of("{}").inverter.rated_current, 18.0);
+  EXPECT_EQ(axis_of(R"({"motor": "1fk7042"})").inverter.rated_current, 5.0);
+  EXPECT_EQ(axis_of(R"({"motor": "1fk7042"})").inverter.maximum_current, 10.0);
   EXPECT_EQ(axis_of(R"({"motor": "1ph8131"})").inverter.rated_current, 30.0);
 }
 

@@ -46,6 +46,8 @@ TEST(Validation, NamesWhatNoMachineCanBe) {
        "rated_speed: not more than the maximum speed"},
       {"rated above maximum current", [](M& m) { m.rated_current = 29.0; },
        "rated_current: not more than the maximum current"},
+      {"faster than anything turns", [](M& m) { m.maximum_speed = 1e6; },
+       "maximum_speed: a speed with an electrical frequency below 16 kHz"},
       {"stall above maximum current", [](M& m) { m.stall_current = 29.0; },
        "stall_current: not more than the maximum current"},
       {"no inductance", [](M& m) { m.synchronous.q_inductance = 0.0; },
@@ -95,6 +97,21 @@ TEST(Validation, NamesWhatNoLoadCanBe) {
       {"a brake that drives", [](Load& l) { l.brake.torque = -1.0; }, "brake.torque: a number not below 0"},
   };
   expect_all(cases);
+}
+
+TEST(Validation, NamesWhatIsTooFastForTheMassesThatThereAre) {
+  const MachineData machine;
+  const auto said = [&](const Load& load) {
+    const auto found = find_impossible(machine, load);
+    return found ? std::string{found->member} : "possible";
+  };
+
+  EXPECT_EQ(said({}), "possible");
+  EXPECT_EQ(said({.viscous_friction = 1e3}), "viscous_friction");
+  EXPECT_EQ(said({.inertia = 1e-6, .coupling = {.stiffness = 1e6}}), "coupling.stiffness");
+  EXPECT_EQ(said({.inertia = 1e-3, .coupling = {.stiffness = 1e3, .damping = 1e3}}), "coupling.damping");
+  EXPECT_EQ(said({.end_stops = {.upper = 1.0, .stiffness = 1e9}}), "end_stops.stiffness");
+  EXPECT_EQ(said({.end_stops = {.upper = 1.0, .damping = 1e6}}), "end_stops.damping");
 }
 
 TEST(Validation, NamesWhatNoPowerUnitOrSupplyCanBe) {
