@@ -21,7 +21,9 @@ class SynchronousField {
   void coast(double /*speed*/) noexcept {}
 
   /// Frame of the rotor as the encoder sees it.
-  Frame frame(const Measurement& measured) noexcept { return {measured.rotor, pole_pairs_ * measured.speed}; }
+  Frame frame(const Measurement& measured) const noexcept {
+    return {measured.rotor, pole_pairs_ * measured.speed};
+  }
   /// Nothing: the encoder keeps the frame.
   void advance(SpaceVector /*current*/) noexcept {}
   /// Frame of the rotor as voltages and currents show it.
@@ -60,7 +62,7 @@ class SynchronousField {
   /// Torque that current and voltage allow now, either way (N·m).
   double reachable() const noexcept { return reachable_; }
   double torque(SpaceVector current) const noexcept { return reference_.torque(current); }
-  bool magnetised() const noexcept { return true; }
+  static bool magnetised() noexcept { return true; }
   double flux() const noexcept { return reference_.magnet_flux(); }
 
  private:
