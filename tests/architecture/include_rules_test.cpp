@@ -71,7 +71,7 @@ TEST_F(TemporaryTree, WithEveryKindOfForbiddenIncludeIsCaught) {
 
 TEST_F(TemporaryTree, WithAllowedIncludesIsAccepted) {
   write("libcanopen/a.hpp", "#include <cstdint>\n#include <tl/expected.hpp>\n#include \"libcanopen/b.hpp\"\n");
-  write("motor/a.hpp", "#include <Eigen/Core>\n");
+  write("motor/a.hpp", "#include <array>\n#include \"motor/b.hpp\"\n");
   write("device/a.cpp", "#include \"generated/object_table.hpp\"\n#include \"drive/unit.hpp\"\n");
   write("bus/a.cpp", "#include <linux/can.h>\n#include <unistd.h>\n#include \"libcanopen/base/frame.hpp\"\n");
   write("daemon/a.cpp", "#include <systemd/sd-event.h>\n#include <sys/timerfd.h>\n#include \"device/unit.hpp\"\n");
