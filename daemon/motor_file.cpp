@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
+#include <vector>
 
 namespace axisd {
 namespace {
@@ -220,18 +221,15 @@ void read_encoder(const JsonReader& json, EncoderData& encoder) {
   if (json.has("start_position")) encoder.start_position = json.at("start_position").number(0.0, kMostRevolutions);
 }
 
-std::vector<std::string> motor_presets() {
-  std::vector<std::string> names;
+std::set<std::string> motor_presets() {
+  std::set<std::string> names;
   for (const std::filesystem::path& folder : preset_folders()) {
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator{folder, error}) {
       const std::filesystem::path& file = entry.path();
-      if (file.extension() == ".json" && file.stem().extension().empty()) names.push_back(file.stem().string());
+      if (file.extension() == ".json" && file.stem().extension().empty()) names.insert(file.stem().string());
     }
   }
-  std::ranges::sort(names);
-  const auto repeated = std::ranges::unique(names);
-  names.erase(repeated.begin(), repeated.end());
   return names;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "daemon/quantity_keys.hpp"
 #include "motor/machine_data.hpp"
@@ -19,8 +19,8 @@ motor::MachineData read_motor(const JsonReader& json);
 /// Changes those properties of @p encoder that the object @p json has.
 void read_encoder(const JsonReader& json, motor::EncoderData& encoder);
 
-/// Names of the presets that are found, sorted: those of the user ($XDG_CONFIG_HOME/axisd/motors) and those that
+/// Names of the presets that are found: those of the user ($XDG_CONFIG_HOME/axisd/motors) and those that
 /// were installed or built with the program (share/axisd/motors in a folder above it).
-std::vector<std::string> motor_presets();
+std::set<std::string> motor_presets();
 
 }  // namespace axisd

@@ -78,8 +78,9 @@ std::uint16_t Axis::command_word() const noexcept {
 }
 
 void Axis::check_standstill(double duration) noexcept {
+  const double closing_time = has_brake() ? context().axis.load.brake.closing_time : 0.0;
   const StandstillMonitor::Limits limits{parameters_.standstill_threshold, parameters_.standstill_monitoring_time,
-                                         parameters_.pulse_suppression_delay};
+                                         parameters_.pulse_suppression_delay + closing_time};
   if (standstill_.update(duration, actual_.speed, ramp_generator_.output(), limits)) apply(Event::Standstill);
 }
 

@@ -140,6 +140,8 @@ class Axis final : public DriveObject {
   void select_ramp(const Setpoints& setpoints) noexcept;
   motor::ControlSettings control_settings() const noexcept;
   motor::TorqueLimits effective_torque_limits() const noexcept;
+  bool has_brake() const noexcept;
+  void lead_brake() noexcept;
   void watch(double dc_voltage) noexcept;
   void measure() noexcept;
   void monitor() noexcept;
@@ -173,6 +175,7 @@ class Axis final : public DriveObject {
   double ramp_acceleration_ = 0.0;  // rad/s²
   double energy_drawn_ = 0.0;       // J
   double energy_fed_back_ = 0.0;    // J
+  double brake_opening_ = 0.0;      // s, until the holding brake is open
   bool settled_ = false;            // the last cycle changed nothing
   ActualValues actual_;
 

@@ -24,6 +24,7 @@ constexpr std::array kControlModes{
     ControlModeRow{0, ControlMode::VoltageFrequency}};
 constexpr std::int32_t kParabolic = 2;
 constexpr std::uint16_t kBlocked = 7900;
+constexpr double kVdcMargin = 50.0;  // V, of r1242 below the trip (p1254 = 1)
 
 ControlMode mode_of(std::int32_t number) noexcept {
   return std::ranges::find_if(kControlModes, [=](const ControlModeRow& row) { return number >= row.from; })->mode;
@@ -47,6 +48,10 @@ motor::ControlSettings Axis::control_settings() const noexcept {
   settings.acceleration_precontrol = p.acceleration_precontrol;
   settings.speed_smoothing = p.speed_smoothing;
   settings.voltage_frequency.parabolic = p.control_mode == kParabolic;
+  // p1240 of a new unit: a vector axis keeps the voltage of a link without chopper down, a servo does not.
+  const bool without_chopper = !(context().supply.chopper_resistance > 0.0);
+  if (kind() == ObjectKind::Vector && without_chopper)
+    settings.vdc_max = context().supply.overvoltage - kVdcMargin;
   return settings;
 }
 
@@ -88,6 +93,25 @@ void Axis::begin_cycle(const Setpoints& setpoints, double duration) noexcept {
             .command = {.pulses_enabled = pulses_enabled_in(state_), .limits = torque_limits_},
             .ramp_before = ramp_generator_.output(),
             .lowest_dc_voltage = dc_voltage_};
+  lead_brake();
+}
+
+/// Whether the sequence control opens and closes a holding brake.
+bool Axis::has_brake() const noexcept {
+  constexpr std::int32_t kWithOwnFeedback = 3;
+  const std::int32_t configuration = parameters_.brake_configuration;
+  return context().axis.load.brake.torque > 0.0 && (configuration == 1 || configuration == kWithOwnFeedback);
+}
+
+/// Opens the brake with the pulses, and closes it at the end of a braking ramp while the motor still holds.
+void Axis::lead_brake() noexcept {
+  if (!has_brake()) return train_.set_brake(false);
+  const bool stands = is_braking(state_) && std::abs(actual_.speed) < parameters_.standstill_threshold &&
+                      std::abs(ramp_generator_.output()) <= parameters_.standstill_threshold;
+  const bool open = pulses_enabled_in(state_) && !stands;
+  train_.set_brake(!open);
+  brake_opening_ = open ? std::max(0.0, brake_opening_ - cycle_.duration) : context().axis.load.brake.opening_time;
+  if (brake_opening_ > 0.0) target_ = 0.0;  // the setpoint waits for the brake
 }
 
 double Axis::step(double dc_voltage) noexcept {

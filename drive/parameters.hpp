@@ -49,6 +49,7 @@ struct AxisParameters {
   double off3_ramp_down_time = 0.0;         ///< p1135, 0 = as fast as the torque limit allows
   double off3_initial_rounding = 0.0;       ///< p1136
   double off3_final_rounding = 0.0;         ///< p1137
+  std::int32_t brake_configuration = 0;     ///< p1215: 0 none, 1 and 3 by the sequence control, 2 always open
   double standstill_threshold = 0.0;        ///< p1226
   double standstill_monitoring_time = 0.0;  ///< p1227
   double pulse_suppression_delay = 0.0;     ///< p1228

@@ -6,10 +6,13 @@
 namespace motor {
 namespace {
 
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr int kMostStretches = 8192;           // of a step; a chopper at 125 us needs a handful
 constexpr double kLongestSampledStep = 10e-3;  // s; in longer ones the voltage itself says when to look
 constexpr double kSettledDeviation = 1e-12;    // of the level
+
+constexpr double unlimited() noexcept {
+  return std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
@@ -17,19 +20,26 @@ DcLink::DcLink(const SupplyData& data) noexcept
     : data_{data},
       infeed_rate_{1.0 / (data.line_resistance * data.capacitance)},
       chopper_rate_{data.chopper_resistance > 0.0 ? 2.0 / (data.chopper_resistance * data.capacitance) : 0.0},
-      chopper_start_{data.chopper_resistance > 0.0 ? energy_at(data.chopper_on) : kUnlimited},
+      chopper_start_{data.chopper_resistance > 0.0 ? energy_at(data.chopper_on) : unlimited()},
       chopper_end_{energy_at(data.chopper_off)},
-      highest_power_{data.infeed == Infeed::Diode ? kUnlimited : data.rated_power},
+      highest_power_{data.infeed == Infeed::Diode ? unlimited() : data.rated_power},
       lowest_power_{data.infeed == Infeed::Diode ? 0.0 : -data.rated_power},
-      next_look_{data.chopper_sampling > 0.0 ? data.chopper_sampling : kUnlimited} {
-  set_line_voltage(data.line_voltage);
-  energy_ = level_;
+      connected_{data.line_voltage > 0.0},
+      level_{level_at(data.line_voltage)},
+      energy_{level_},
+      next_look_{data.chopper_sampling > 0.0 ? data.chopper_sampling : unlimited()} {
+  switch_chopper();
 }
 
 void DcLink::set_line_voltage(double voltage) noexcept {
   connected_ = voltage > 0.0;
-  level_ =
-      energy_at(data_.infeed == Infeed::Active && connected_ ? data_.active_voltage : kRectifierRatio * voltage);
+  level_ = level_at(voltage);
+}
+
+/// Where an infeed on a line of @p line_voltage charges to (J).
+double DcLink::level_at(double line_voltage) const noexcept {
+  const bool active = data_.infeed == Infeed::Active && line_voltage > 0.0;
+  return energy_at(active ? data_.active_voltage : kRectifierRatio * line_voltage);
 }
 
 void DcLink::start(double voltage) noexcept {
@@ -51,7 +61,7 @@ void DcLink::step(double dt, double energy_drawn) noexcept {
   energies_.axes += energy_drawn;
   chopper_time_ = 0.0;
   if (data_.chopper_sampling > 0.0)
-    next_look_ = dt > kLongestSampledStep ? kUnlimited : std::min(next_look_, data_.chopper_sampling);
+    next_look_ = dt > kLongestSampledStep ? unlimited() : std::min(next_look_, data_.chopper_sampling);
   double left = dt;
   for (int i = 0; left > 0.0 && i < kMostStretches; ++i) {
     const double slope = infeed_power() - axes_power - chopper_power();
@@ -59,8 +69,8 @@ void DcLink::step(double dt, double energy_drawn) noexcept {
     const double taken = advance(stretch(slope > 0.0), axes_power, std::min(left, next_look_));
     left -= taken;
     next_look_ -= taken;
-    if (next_look_ > 0.0 && next_look_ < kUnlimited) continue;
-    if (next_look_ < kUnlimited) next_look_ = data_.chopper_sampling;
+    if (next_look_ > 0.0 && next_look_ < unlimited()) continue;
+    if (next_look_ < unlimited()) next_look_ = data_.chopper_sampling;
     switch_chopper();
   }
   if (left > 0.0) hold(axes_power, left);
@@ -83,9 +93,9 @@ DcLink::Stretch DcLink::stretch(bool rising) const noexcept {
     if (above) result.infeed_power = lowest_power_;
     if (below) result.infeed_power = highest_power_;
     result.lower = std::max(0.0, above ? highest : (below ? 0.0 : lowest));
-    result.upper = above ? kUnlimited : (below ? lowest : highest);
+    result.upper = above ? unlimited() : (below ? lowest : highest);
   }
-  if (next_look_ < kUnlimited) return result;
+  if (next_look_ < unlimited()) return result;
   if (chopper_on_)
     result.lower = std::max(result.lower, chopper_end_);
   else

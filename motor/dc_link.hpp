@@ -65,6 +65,7 @@ class DcLink {
     double time;         // s
     double below_level;  // J, mean of level - E, where that matters
   };
+  double level_at(double line_voltage) const noexcept;
   double infeed_power() const noexcept;
   Stretch stretch(bool rising) const noexcept;
   double advance(const Stretch& stretch, double axes_power, double time) noexcept;
@@ -77,16 +78,16 @@ class DcLink {
   double energy_at(double voltage) const noexcept { return 0.5 * data_.capacitance * voltage * voltage; }
 
   SupplyData data_;
-  double infeed_rate_;     // 1/s, of a conducting infeed
-  double chopper_rate_;    // 1/s, share of the energy that the resistor takes
-  double chopper_start_;   // J, infinite without a chopper
-  double chopper_end_;     // J
-  double highest_power_;   // W, that the infeed can draw
-  double lowest_power_;    // W, not positive, what it can feed back
-  double next_look_;       // s, until the comparator of the chopper looks
-  double level_ = 0.0;     // J, where the infeed gives nothing
-  bool connected_ = true;  // to the line
-  double energy_ = 0.0;    // J
+  double infeed_rate_;    // 1/s, of a conducting infeed
+  double chopper_rate_;   // 1/s, share of the energy that the resistor takes
+  double chopper_start_;  // J, infinite without a chopper
+  double chopper_end_;    // J
+  double highest_power_;  // W, that the infeed can draw
+  double lowest_power_;   // W, not positive, what it can feed back
+  bool connected_;        // to the line
+  double level_;          // J, where the infeed gives nothing
+  double energy_;         // J
+  double next_look_;      // s, until the comparator of the chopper looks
   bool chopper_on_ = false;
   double chopper_time_ = 0.0;  // s, in the last step
   double exponent_ = 0.0;      // of the last exponential, and what it covered

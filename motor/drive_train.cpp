@@ -6,7 +6,8 @@
 namespace motor {
 namespace {
 
-constexpr int kWarmSteps = 80;  // 10 ms: nothing warms noticeably faster
+constexpr double kRms = 1.0 / std::numbers::sqrt2;  // of an amplitude
+constexpr int kWarmSteps = 80;                      // 10 ms: nothing warms noticeably faster
 
 /// The I²t model that a drive computes from the data sheet: one body with the motor's time constant.
 OverloadData model_of(const MachineData& machine) noexcept {
@@ -144,7 +145,7 @@ void DriveTrain::move(double dc_voltage, bool pulses) noexcept {
   const double square = norm(plant_.state().current);
   signals_.current = std::sqrt(square);
   signals_.voltage = length(voltage_);
-  inverter_losses_ = kControlPeriod * power_unit_.losses(signals_.current / std::numbers::sqrt2, pulses);
+  inverter_losses_ = kControlPeriod * power_unit_.losses(kRms * signals_.current, pulses);
   const PlantEnergies& energies = plant_.energies();
   heat_.copper += energies.copper;
   heat_.iron += energies.iron;

@@ -30,7 +30,8 @@ Encoder::Encoder(const MachineData& machine) noexcept
           std::floor(machine.encoder.start_position * increments_per_revolution(machine)))},
       position_{start_},
       base_position_{start_},
-      mark_{floor_divide(start_, per_revolution_)} {}
+      mark_{floor_divide(start_, per_revolution_)},
+      sound_{machine.encoder.type != EncoderType::None} {}
 
 void Encoder::configure(double period) noexcept {
   speed_per_increment_ = 1.0 / (per_radian_ * period);
@@ -61,6 +62,7 @@ void Encoder::inject(EncoderDefect defect) noexcept {
   base_counts_ = counts_;
   base_position_ = position_;
   defect_ = defect;
+  sound_ = defect == EncoderDefect::None && data_.type != EncoderType::None;
   blind_ = defect == EncoderDefect::LostPulses ? std::max(per_revolution_ / kBlindPart, kQuarters) : 0;
   mark_seen_ = false;
   status_.signal_lost = defect == EncoderDefect::Loss;
@@ -75,6 +77,8 @@ std::int64_t Encoder::seen(std::int64_t position) const noexcept {
 }
 
 std::int64_t Encoder::counts_at(std::int64_t position) const noexcept {
+  if (sound_) [[likely]]
+    return base_counts_ + (position - base_position_);
   if (defect_ == EncoderDefect::Loss || data_.type == EncoderType::None) return base_counts_;
   const std::int64_t way = seen(position) - seen(base_position_);
   return base_counts_ + (defect_ == EncoderDefect::Reversed ? -way : way);

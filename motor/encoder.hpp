@@ -79,6 +79,7 @@ class Encoder {
   std::int64_t counts_ = 0;
   double speed_ = 0.0;
   EncoderStatus status_;
+  bool sound_;  // there is an encoder, and it has no defect
 };
 
 }  // namespace motor

@@ -21,7 +21,9 @@ class SynchronousField {
   void coast(double /*speed*/) noexcept {}
 
   /// Frame of the rotor as the encoder sees it.
-  Frame frame(const Measurement& measured) noexcept { return {measured.rotor, pole_pairs_ * measured.speed}; }
+  Frame frame(const Measurement& measured) const noexcept {
+    return {measured.rotor, pole_pairs_ * measured.speed};
+  }
   /// Nothing: the encoder keeps the frame.
   void advance(SpaceVector /*current*/) noexcept {}
   /// Frame of the rotor as voltages and currents show it.
@@ -42,7 +44,7 @@ class SynchronousField {
   double damping(const Frame& frame) noexcept;
 
   /// Currents for @p torque (N·m) in a frame of @p frequency (electrical rad/s).
-  SpaceVector currents(double torque, double frequency) noexcept {
+  [[gnu::always_inline]] SpaceVector currents(double torque, double frequency) noexcept {
     const SpaceVector wanted = reference_.currents(torque);
     const double room = reserve_.room();
     weakening_ = norm(reference_.flux(wanted)) * frequency * frequency > room * room;
@@ -60,7 +62,7 @@ class SynchronousField {
   /// Torque that current and voltage allow now, either way (N·m).
   double reachable() const noexcept { return reachable_; }
   double torque(SpaceVector current) const noexcept { return reference_.torque(current); }
-  bool magnetised() const noexcept { return true; }
+  static bool magnetised() noexcept { return true; }
   double flux() const noexcept { return reference_.magnet_flux(); }
 
  private:

@@ -21,8 +21,8 @@ class SynchronousReference {
     const double amount = std::abs(torque);
     return {salient_ ? d_current_.at(amount) : 0.0, std::copysign(q_current_.at(amount), torque)};
   }
-  /// The same with the stator flux kept below @p flux (V·s, positive); @p wanted is what currents() gave.
-  SpaceVector weakened(SpaceVector wanted, double flux) const noexcept;
+  /// The same with the stator flux kept below @p limit (V·s, positive); @p wanted is what currents() gave.
+  SpaceVector weakened(SpaceVector wanted, double limit) const noexcept;
   /// Flux of the stator with @p current (V·s).
   SpaceVector flux(SpaceVector current) const noexcept {
     return {d_inductance_ * current.re + magnet_flux_, q_inductance_ * current.im};
@@ -44,10 +44,10 @@ class SynchronousReference {
 
  private:
   SpaceVector cheapest(double current) const noexcept;
-  double current_for(double torque) const noexcept;
-  double limited_by(double flux) const noexcept;
-  SpaceVector at_limits(double flux) const noexcept;
-  SpaceVector least_flux_per_torque(double flux) const noexcept;
+  double current_for(double wanted) const noexcept;
+  double limited_by(double limit) const noexcept;
+  SpaceVector at_limits(double limit) const noexcept;
+  SpaceVector least_flux_per_torque(double limit) const noexcept;
 
   SynchronousMachine model_{MachineData{}};  // cold
   double torque_factor_ = 1.5;               // 1.5 pole pairs

@@ -26,8 +26,8 @@ class TorqueLimiter {
   /// @p dc_voltage (V).
   TorqueLimits limits(const TorqueLimits& commanded, double reachable, double speed,
                       double dc_voltage) const noexcept {
-    TorqueLimits result{std::min({commanded.upper, reachable, power_.upper}),
-                        std::max({commanded.lower, -reachable, power_.lower})};
+    TorqueLimits result{std::min(commanded.upper, std::min(reachable, power_.upper)),
+                        std::max(commanded.lower, std::max(-reachable, power_.lower))};
     if (dc_voltage > vdc_max_ - kBand) shed(result, speed, dc_voltage);
     return result;
   }

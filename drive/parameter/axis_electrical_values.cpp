@@ -52,6 +52,10 @@ double phase_current(const Axis& axis, std::size_t index) noexcept {
   const std::array phases = motor::phase_values(axis.drive_train().plant_state().current);
   return index < phases.size() ? phases[index] : 0.0;
 }
+double absolute_position(const Axis& axis, std::size_t index) noexcept {
+  constexpr std::size_t kMotorEncoder = 0;
+  return index == kMotorEncoder ? axis.drive_train().encoder().absolute_position() : 0.0;
+}
 double maximum_current(const Axis& axis, std::size_t index) noexcept {
   const double of_the_unit = axis.context().axis.inverter.maximum_current;
   return index == kOfThePowerUnit ? of_the_unit

@@ -56,6 +56,7 @@ double modulation_depth(const Axis& axis, std::size_t index) noexcept;
 double field_current(const Axis& axis, std::size_t index) noexcept;
 double torque_current(const Axis& axis, std::size_t index) noexcept;
 double torque_current_setpoint(const Axis& axis, std::size_t index) noexcept;
+double absolute_position(const Axis& axis, std::size_t index) noexcept;
 double phase_current(const Axis& axis, std::size_t index) noexcept;
 double maximum_current(const Axis& axis, std::size_t index) noexcept;
 double magnetising_current(const Axis& axis, std::size_t index) noexcept;

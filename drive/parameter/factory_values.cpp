@@ -103,6 +103,10 @@ double encoderless_speed_gain(const ObjectContext& context, std::size_t) noexcep
 double encoderless_speed_integral_time(const ObjectContext& context, std::size_t) noexcept {
   return settings(context).sensorless_speed.integral_time / row_of(Unit::Milliseconds).si;
 }
+double brake_configuration(const ObjectContext& context, std::size_t) noexcept {
+  constexpr double kBySequenceControl = 1.0;
+  return context.axis.load.brake.torque > 0.0 ? kBySequenceControl : 0.0;
+}
 double current_limit(const ObjectContext& context, std::size_t) noexcept {
   return rounded(settings(context).current_limit);
 }

@@ -38,6 +38,7 @@ double speed_gain(const ObjectContext& context, std::size_t index) noexcept;
 double speed_integral_time(const ObjectContext& context, std::size_t index) noexcept;
 double encoderless_speed_gain(const ObjectContext& context, std::size_t index) noexcept;
 double encoderless_speed_integral_time(const ObjectContext& context, std::size_t index) noexcept;
+double brake_configuration(const ObjectContext& context, std::size_t index) noexcept;
 double current_limit(const ObjectContext& context, std::size_t index) noexcept;
 double motoring_power_limit(const ObjectContext& context, std::size_t index) noexcept;
 double regenerative_power_limit(const ObjectContext& context, std::size_t index) noexcept;

@@ -77,7 +77,7 @@ TEST(MotorPresets, OfTheUserComeFirstAndNeedNoBuild) {
 
   const motor::MachineData mine = machine_of("mine");
   const motor::MachineData changed = machine_of("1fk7042");
-  const std::vector<std::string> presets = motor_presets();
+  const std::set<std::string> presets = motor_presets();
 
   before == nullptr ? unsetenv("XDG_CONFIG_HOME") : setenv("XDG_CONFIG_HOME", kept.c_str(), 1);
   EXPECT_DOUBLE_EQ(mine.rated_speed, 1000.0 * motor::kRpm);

@@ -191,6 +191,17 @@ TEST(DcLink, IsSettledOnlyWhenNothingFlows) {
   EXPECT_TRUE(link.settled());
 }
 
+TEST(DcLink, OnALineAboveItsChopperBurnsAndLosesNoEnergy) {
+  DcLink link{{.line_voltage = 600.0}};
+  const double stored = link.stored();
+  EXPECT_TRUE(link.chopper_on());
+
+  draw(link, 1e3, 0.1);
+
+  EXPECT_GT(link.energies().chopper, 0.1 * 774.0 * 774.0 / 20.0);
+  EXPECT_NEAR(imbalance(link, stored), 0.0, 1e-6);
+}
+
 TEST(DcLink, CanBeStartedFromAnyVoltage) {
   DcLink link{SupplyData{}};
 

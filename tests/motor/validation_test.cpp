@@ -99,7 +99,7 @@ TEST(Validation, NamesWhatNoLoadCanBe) {
 
 TEST(Validation, NamesWhatNoPowerUnitOrSupplyCanBe) {
   const Spoilt<InverterData> units[] = {
-      {"rated above maximum", [](InverterData& i) { i.rated_current = 19.0; },
+      {"rated above maximum", [](InverterData& i) { i.rated_current = 37.0; },
        "rated_current: not more than the maximum current"},
       {"trips in operation", [](InverterData& i) { i.trip_current = 20.0; },
        "trip_current: more than the peak of the maximum current"},

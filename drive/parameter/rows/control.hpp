@@ -14,7 +14,7 @@ inline constexpr std::array kControlRows{
     Row{1155, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CI: speed controller setpoint 1", ""},
     Row{1160, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CI: speed controller setpoint 2", ""},
     Row{1170, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_demand), Output::Connector, "Speed controller setpoint sum", "behind the ramp"},
-    Row{1215, 1, kAxes, I16, Unit::None, {0.0, 3.0}, 0.0, When::Ready, Stored{}, Output::No, "Motor holding brake configuration", ""},
+    Row{1215, 1, kAxes, I16, Unit::None, {0.0, 3.0}, factory::brake_configuration, When::Ready, Member{&P::brake_configuration}, Output::No, "Motor holding brake configuration", "0 none, 1 and 3 by the sequence control, 2 always open"},
     Row{1226, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 20.0, When::Always, Member{&P::standstill_threshold}, Output::No, "Standstill speed threshold", "end of the braking of OFF1 and OFF3"},
     Row{1227, 1, kAxes, F32, Unit::Seconds, {0.0, 300.0}, 4.0, When::Always, Member{&P::standstill_monitoring_time}, Output::No, "Standstill monitoring time", "longest wait for p1226"},
     Row{1228, 1, kAxes, F32, Unit::Seconds, {0.0, 299.0}, 0.01, When::Always, Member{&P::pulse_suppression_delay}, Output::No, "Pulse suppression delay", "pulses stay on so long after standstill"},

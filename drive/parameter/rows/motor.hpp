@@ -53,7 +53,7 @@ inline constexpr std::array kMotorRows{
     Row{419, 3, kAxes, U8, Unit::Bits, {2.0, 18.0}, 9.0, When::Encoder, Stored{}, Output::No, "Fine resolution Gx_XIST2", ""},
     Row{421, 3, kAxes, U32, Unit::None, {0.0, 65535.0}, 4096.0, When::Encoder, Stored{}, Output::No, "Absolute encoder multiturn resolution", ""},
     Row{482, 3, kAxes, U32, Unit::Increments, kWhole, 0.0, When::ReadOnly, axis(axis_value::encoder_position), Output::Connector, "Encoder position actual value Gn_XIST1", "[0] of the motor encoder; other encoders 0"},
-    Row{483, 3, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Connector, "Encoder position actual value Gn_XIST2", ""},
+    Row{483, 3, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::absolute_position), Output::Connector, "Encoder position actual value Gn_XIST2", "[0] of an absolute motor encoder; other encoders 0"},
     Row{491, 1, kAxes, I16, Unit::None, {0.0, 6.0}, 0.0, When::Always, Stored{}, Output::No, "Motor encoder fault response ENCODER", ""},
     Row{604, 1, kAxes, F32, Unit::Celsius, {0.0, 200.0}, 120.0, When::Always, Member{&P::temperature_alarm}, Output::No, "Motor temperature alarm threshold", "A07910; F07011 if it stays so long"},
     Row{605, 1, kAxes, F32, Unit::Celsius, {0.0, 200.0}, 145.0, When::Always, Member{&P::temperature_fault}, Output::No, "Motor temperature fault threshold", "F07011"},
