@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "motor/curve.hpp"
 #include "motor/machine_data.hpp"
@@ -13,7 +14,7 @@ namespace motor {
 /// suffices, above that with the flux weakened along the ellipse that the voltage leaves.
 class SynchronousReference {
  public:
-  /// Computes the curves for @p machine up to @p current_limit (A peak, positive).
+  /// Computes the curves for @p machine up to @p current_limit (A peak, positive), unless they are those already.
   void configure(const MachineData& machine, double current_limit) noexcept;
 
   /// Currents (A) for @p torque (N·m) while no voltage limits them.
@@ -43,12 +44,25 @@ class SynchronousReference {
   double q_inductance() const noexcept { return q_inductance_; }
 
  private:
+  /// What the curves depend on.
+  struct Source {
+    SynchronousData data{};
+    std::uint8_t pole_pairs = 0;
+    double stall_current = 0.0;    // A rms
+    double maximum_current = 0.0;  // A rms
+    double current_limit = 0.0;    // A peak
+
+    friend bool operator==(const Source&, const Source&) = default;
+  };
+
+  void compute() noexcept;
   SpaceVector cheapest(double current) const noexcept;
   double current_for(double wanted) const noexcept;
   double limited_by(double limit) const noexcept;
   SpaceVector at_limits(double limit) const noexcept;
   SpaceVector least_flux_per_torque(double limit) const noexcept;
 
+  Source source_{};
   SynchronousMachine model_{MachineData{}};  // cold
   double torque_factor_ = 1.5;               // 1.5 pole pairs
   double d_inductance_ = 1e-3;               // H
