@@ -24,7 +24,7 @@ Plant::Plant(const MachineData& machine, const Load& load, int substeps) noexcep
       shaft_{made_shaft(machine, load)},
       substeps_{substeps > 0 ? substeps : needed_substeps(machine, load)},
       pole_pairs_{static_cast<double>(machine.pole_pairs)},
-      calm_speed_{followed_speed(substeps_)},
+      whole_step_speed_{substeps_ == 1 ? followed_speed(1) : -1.0},
       brake_{load.brake} {
   apply_brake();
   state_.flux = std::visit([](const auto& m) { return m.main_flux(); }, machine_);

@@ -99,7 +99,7 @@ class Plant {
   Shaft shaft_;
   int substeps_;
   double pole_pairs_;
-  double calm_speed_;  // up to which substeps_ will do (rad/s)
+  double whole_step_speed_;  // up to which one step makes a control period (rad/s), negative = never
   HoldingBrake brake_;
   bool brake_closed_ = true;         // as commanded
   int brake_delay_ = 0;              // steps until the command acts

@@ -134,7 +134,7 @@ template <class M, class S>
 
 template <class M, class S>
 void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
-  const bool whole = substeps_ == 1 && std::abs(state_.speed) <= calm_speed_;
+  const bool whole = std::abs(state_.speed) <= whole_step_speed_;
   const Spent spent = whole ? drive_part(machine, shaft, voltage, 0, kControlPeriod)
                             : drive_parts(machine, shaft, voltage, needed(substeps_));
   finish(spent, machine, shaft);
@@ -174,7 +174,12 @@ void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
 
 void Plant::step(SpaceVector voltage) noexcept {
   start_period();
-  std::visit([&](auto& machine, auto& shaft) { drive(machine, shaft, voltage); }, machine_, shaft_);
+  // The usual one first, past the table that std::visit looks up.
+  auto* const machine = std::get_if<SynchronousMachine>(&machine_);
+  auto* const shaft = std::get_if<RigidShaft<true>>(&shaft_);
+  if (machine != nullptr && shaft != nullptr) return drive(*machine, *shaft, voltage);
+  std::visit([&](auto& any_machine, auto& any_shaft) { drive(any_machine, any_shaft, voltage); }, machine_,
+             shaft_);
 }
 
 void Plant::coast(double dc_voltage) noexcept {
