@@ -80,6 +80,7 @@ SpaceVector FieldControl<Field>::feed(const Measurement& measured, const Frame& 
   signals.torque = field_.torque(measured.current * conjugate(seen.direction));
   signals.torque_setpoint = signals.torque;
   signals.torque_limit_reached = false;
+  signals.torque_limits = command.limits;
   signals.magnetised = field_.magnetised();
   signals.flux = field_.flux();
   return give({measured, frame, current}, setpoint, {}, signals);

@@ -48,8 +48,8 @@ class InductionField {
     return 0.5 * torque_factor_ * standing_flux(circuit_, amplitude) * amplitude;
   }
   /// The flux follows a fed current by itself.
-  double lag(double /*torque*/, double /*amplitude*/) const noexcept { return 0.0; }
-  double damping(const Frame& /*frame*/) noexcept { return 0.0; }
+  static double lag(double /*torque*/, double /*amplitude*/) noexcept { return 0.0; }
+  static double damping(const Frame& /*frame*/) noexcept { return 0.0; }
 
   /// Currents for @p torque (N·m) and the flux that voltage and speed allow.
   SpaceVector currents(double torque, double frequency) noexcept;

@@ -22,6 +22,8 @@ struct SynchronousData {
   /// Share of the torque constant that is lost at maximum_current, by saturation above stall_current; 0..0.5.
   double torque_saturation = 0.0909;
   double magnet_temperature_coefficient = -0.0010;  ///< of the flux (1/K), -0.005..0
+
+  friend bool operator==(const SynchronousData&, const SynchronousData&) = default;
 };
 
 /// The T circuit of an induction machine, rotor values seen from the stator.

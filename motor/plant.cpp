@@ -24,7 +24,7 @@ Plant::Plant(const MachineData& machine, const Load& load, int substeps) noexcep
       shaft_{made_shaft(machine, load)},
       substeps_{substeps > 0 ? substeps : needed_substeps(machine, load)},
       pole_pairs_{static_cast<double>(machine.pole_pairs)},
-      calm_speed_{followed_speed(substeps_)},
+      whole_step_speed_{substeps_ == 1 ? followed_speed(1) : -1.0},
       brake_{load.brake} {
   apply_brake();
   state_.flux = std::visit([](const auto& m) { return m.main_flux(); }, machine_);
@@ -53,7 +53,8 @@ void Plant::set_load_torque(double torque) noexcept {
 void Plant::set_brake(bool closed) noexcept {
   if (closed == brake_closed_) return;
   brake_closed_ = closed;
-  brake_delay_ = static_cast<int>((closed ? brake_.closing_time : brake_.opening_time) / kControlPeriod + 0.5);
+  brake_delay_ =
+      static_cast<int>(std::lround((closed ? brake_.closing_time : brake_.opening_time) / kControlPeriod));
   if (brake_delay_ == 0) apply_brake();
 }
 

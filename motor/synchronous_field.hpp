@@ -21,7 +21,9 @@ class SynchronousField {
   void coast(double /*speed*/) noexcept {}
 
   /// Frame of the rotor as the encoder sees it.
-  Frame frame(const Measurement& measured) noexcept { return {measured.rotor, pole_pairs_ * measured.speed}; }
+  Frame frame(const Measurement& measured) const noexcept {
+    return {measured.rotor, pole_pairs_ * measured.speed};
+  }
   /// Nothing: the encoder keeps the frame.
   void advance(SpaceVector /*current*/) noexcept {}
   /// Frame of the rotor as voltages and currents show it.
@@ -44,6 +46,8 @@ class SynchronousField {
   /// Currents for @p torque (N·m) in a frame of @p frequency (electrical rad/s).
   [[gnu::always_inline]] SpaceVector currents(double torque, double frequency) noexcept {
     const SpaceVector wanted = reference_.currents(torque);
+    if (!near_limit_) [[likely]]
+      return setpoint_ = wanted;
     const double room = reserve_.room();
     weakening_ = norm(reference_.flux(wanted)) * frequency * frequency > room * room;
     setpoint_ = weakening_ ? reference_.weakened(wanted, room / std::abs(frequency)) : wanted;
@@ -60,7 +64,7 @@ class SynchronousField {
   /// Torque that current and voltage allow now, either way (N·m).
   double reachable() const noexcept { return reachable_; }
   double torque(SpaceVector current) const noexcept { return reference_.torque(current); }
-  bool magnetised() const noexcept { return true; }
+  static bool magnetised() noexcept { return true; }
   double flux() const noexcept { return reference_.magnet_flux(); }
 
  private:
@@ -73,7 +77,9 @@ class SynchronousField {
   double current_limit_ = 0.0;
   double reachable_ = 0.0;
   SpaceVector setpoint_{};
-  double swing_ = 0.0;  // frequency of the frame less that of the rotor, smoothed (electrical rad/s)
+  double swing_ = 0.0;        // frequency of the frame less that of the rotor, smoothed (electrical rad/s)
+  double speeding_up_ = 0.0;  // most that the frequency gains until the next trim() (electrical rad/s)
+  bool near_limit_ = true;    // some torque would need the flux weakened
   bool weakening_ = false;
 };
 

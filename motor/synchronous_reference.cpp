@@ -12,6 +12,10 @@ constexpr double kSalient = 1e-3;  // difference of the inductances below which 
 }  // namespace
 
 void SynchronousReference::configure(const MachineData& machine, double current_limit) noexcept {
+  const Source source{machine.synchronous, machine.pole_pairs, machine.stall_current, machine.maximum_current,
+                      current_limit};
+  if (source == source_) return;
+  source_ = source;
   const SynchronousData& data = machine.synchronous;
   model_ = SynchronousMachine{machine};
   torque_factor_ = 1.5 * machine.pole_pairs;
@@ -20,6 +24,10 @@ void SynchronousReference::configure(const MachineData& machine, double current_
   magnet_flux_ = data.magnet_flux;
   current_limit_ = current_limit;
   salient_ = std::abs(q_inductance_ - d_inductance_) > kSalient * q_inductance_;
+  compute();
+}
+
+void SynchronousReference::compute() noexcept {
   const SpaceVector full = cheapest(current_limit_);
   highest_torque_ = torque(full);
   full_flux_ = length(flux(full));

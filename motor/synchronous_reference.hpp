@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "motor/curve.hpp"
 #include "motor/machine_data.hpp"
@@ -13,7 +14,7 @@ namespace motor {
 /// suffices, above that with the flux weakened along the ellipse that the voltage leaves.
 class SynchronousReference {
  public:
-  /// Computes the curves for @p machine up to @p current_limit (A peak, positive).
+  /// Computes the curves for @p machine up to @p current_limit (A peak, positive), unless they are those already.
   void configure(const MachineData& machine, double current_limit) noexcept;
 
   /// Currents (A) for @p torque (N·m) while no voltage limits them.
@@ -21,8 +22,8 @@ class SynchronousReference {
     const double amount = std::abs(torque);
     return {salient_ ? d_current_.at(amount) : 0.0, std::copysign(q_current_.at(amount), torque)};
   }
-  /// The same with the stator flux kept below @p flux (V·s, positive); @p wanted is what currents() gave.
-  SpaceVector weakened(SpaceVector wanted, double flux) const noexcept;
+  /// The same with the stator flux kept below @p limit (V·s, positive); @p wanted is what currents() gave.
+  SpaceVector weakened(SpaceVector wanted, double limit) const noexcept;
   /// Flux of the stator with @p current (V·s).
   SpaceVector flux(SpaceVector current) const noexcept {
     return {d_inductance_ * current.re + magnet_flux_, q_inductance_ * current.im};
@@ -43,12 +44,25 @@ class SynchronousReference {
   double q_inductance() const noexcept { return q_inductance_; }
 
  private:
-  SpaceVector cheapest(double current) const noexcept;
-  double current_for(double torque) const noexcept;
-  double limited_by(double flux) const noexcept;
-  SpaceVector at_limits(double flux) const noexcept;
-  SpaceVector least_flux_per_torque(double flux) const noexcept;
+  /// What the curves depend on.
+  struct Source {
+    SynchronousData data{};
+    std::uint8_t pole_pairs = 0;
+    double stall_current = 0.0;    // A rms
+    double maximum_current = 0.0;  // A rms
+    double current_limit = 0.0;    // A peak
 
+    friend bool operator==(const Source&, const Source&) = default;
+  };
+
+  void compute() noexcept;
+  SpaceVector cheapest(double current) const noexcept;
+  double current_for(double wanted) const noexcept;
+  double limited_by(double limit) const noexcept;
+  SpaceVector at_limits(double limit) const noexcept;
+  SpaceVector least_flux_per_torque(double limit) const noexcept;
+
+  Source source_{};
   SynchronousMachine model_{MachineData{}};  // cold
   double torque_factor_ = 1.5;               // 1.5 pole pairs
   double d_inductance_ = 1e-3;               // H

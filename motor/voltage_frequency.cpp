@@ -105,6 +105,7 @@ SpaceVector VoltageFrequencyControl::step(const Measurement& measured, const Com
   const double wanted = amplitude_for(frame_.frequency, command.acceleration_setpoint);
   const double amplitude = std::min(wanted, VoltageReserve::highest(measured.dc_voltage));
   signals.voltage_limited = amplitude < wanted;
+  signals.torque_limits = command.limits;
   report(current, signals);
   return amplitude * frame_.direction;
 }
@@ -113,7 +114,6 @@ void VoltageFrequencyControl::report(SpaceVector current, Signals& signals) cons
   signals.measured_speed = (frame_.frequency - slip_rate_ * torque_) / pole_pairs_;
   signals.torque = torque_;
   signals.torque_setpoint = torque_;
-  signals.torque_limits = {};
   signals.torque_limit_reached = excess_ > 0.0 || std::abs(reduction_) > 0.0;
   signals.d_current = -current.im;
   signals.q_current = current.re;

@@ -150,6 +150,20 @@ TEST(PlantNumerics, AStepAllocatesNothing) {
   EXPECT_EQ(fakes::allocations(), before);
 }
 
+TEST(PlantNumerics, TheDirectionOfARotorIsRightAtMaximumSpeed) {
+  for (const auto& [name, machine] : machines::all()) {
+    if (machine.type == MachineType::Induction) continue;  // the stator frame needs none
+    PlantRunner runner{machine, {.inertia = 1e6}};
+    runner.plant().set_speed(machine.maximum_speed);
+    for (int i = 0; i < 200; ++i) {
+      runner.run(machine.maximum_speed, kControlPeriod);
+      const double angle = machine.pole_pairs * runner.state().rotor_angle;
+      ASSERT_NEAR(runner.plant().direction().re, std::cos(angle), 5e-7) << name;
+      ASSERT_NEAR(runner.plant().direction().im, std::sin(angle), 5e-7) << name;
+    }
+  }
+}
+
 TEST(Rotation, AgreesWithTheMathematicalLibrary) {
   for (int i = -20000; i <= 20000; ++i) {
     const double angle = 1.234e-3 * i;
