@@ -5,6 +5,7 @@
 #include "drive/axis.hpp"
 #include "drive/machine_model.hpp"
 #include "drive/parameter/rounding.hpp"
+#include "motor/rating_plate.hpp"
 
 namespace drive {
 namespace {
@@ -27,8 +28,9 @@ double factory_value(const ParameterRow& row, const ObjectContext& context) noex
   return function != nullptr ? (*function)(context, 0) : std::get<double>(row.factory);
 }
 
-/// What p0340 computes for its values 3 and 4, and for 5.
+/// What p0340 computes for its values 3 and 4, for 2, and for 5.
 constexpr std::array<std::uint16_t, 4> kControllers{1460, 1462, 1470, 1472};
+constexpr std::array<std::uint16_t, 6> kCircuit{320, 350, 354, 356, 358, 360};
 constexpr std::array<std::uint16_t, 7> kLimits{640, 1082, 1520, 1521, 1530, 1531, 2162};
 
 }  // namespace
@@ -68,6 +70,7 @@ WriteState Axis::write_state() const noexcept {
 
 void Axis::compute_parameters(int choice) noexcept {
   constexpr int kEverything = 1;
+  constexpr int kCircuitOnly = 2;
   constexpr int kLimitsOnly = 5;
   // A new unit of the machine that the motor data describe would have the values.
   ObjectContext described = context();
@@ -77,6 +80,12 @@ void Axis::compute_parameters(int choice) noexcept {
     const ParameterRow& row = *find_parameter(kind(), number)->row;
     set_own_value(row, 0, factory_value(row, described));
   };
+  // The plate of an induction motor gives its circuit; that of a synchronous one does not.
+  const bool has_circuit = described.axis.machine.type == motor::MachineType::Induction;
+  if (has_circuit && (choice == kEverything || choice == kCircuitOnly)) {
+    described.axis.machine = motor::circuit_from_plate(described.axis.machine);
+    std::for_each(kCircuit.begin(), kCircuit.end(), compute);
+  }
   const bool controllers = choice == kEverything || choice == 3 || choice == 4;
   if (controllers) std::for_each(kControllers.begin(), kControllers.end(), compute);
   if (choice == kEverything || choice == kLimitsOnly) std::for_each(kLimits.begin(), kLimits.end(), compute);

@@ -47,10 +47,10 @@ Motion ElasticShaft::finish(const Rate& sum, double h, PlantEnergies& energies) 
   load_speed_ = load.speed;
   twist_ += rotor.angle - load.angle;
   const double dry = grip_.torque * grip_.direction - hysteresis_;
-  energies.friction += dry * rotor.path + load_grip_.torque * load_grip_.direction * load.path +
-                       weight * (viscous_ * sum.square + load_viscous_ * sum.load_square + sum.damping);
-  energies.iron += hysteresis_ * rotor.path + weight * eddy_current_drag_ * sum.square;
-  energies.load += weight * sum.load;
+  energies.friction = dry * rotor.path + load_grip_.torque * load_grip_.direction * load.path +
+                      weight * (viscous_ * sum.square + load_viscous_ * sum.load_square + sum.damping);
+  energies.iron = hysteresis_ * rotor.path + weight * eddy_current_drag_ * sum.square;
+  energies.load = weight * sum.load;
   return rotor;
 }
 

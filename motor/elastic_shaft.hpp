@@ -117,7 +117,7 @@ class ElasticShaft {
             load * z.load_speed,
             (shaft.total - shaft.spring) * change + (stop.total - stop.spring) * z.load_speed};
   }
-  /// Takes over the step of @p h (s) that was made with the summed rates @p sum, and books its energies.
+  /// Takes over the step of @p h (s) that was made with the summed rates @p sum, and says where its energy went.
   Motion finish(const Rate& sum, double h, PlantEnergies& energies) noexcept;
   double kinetic() const noexcept;
   /// Energy in the springs with the rotor at @p angle (rad since power-on).

@@ -71,21 +71,17 @@ struct Motion {
 /// Speed below which a mass is taken for standing, or the last trace of a decay would never end (rad/s).
 inline constexpr double kRestSpeed = 1e-9;
 
-/// The end of a step of @p h (s) from @p speed to @p moved, which was made with @p grip throughout. Where the
-/// speed has changed its sign, the mass stops there if the rest of the torque cannot overcome the friction, or
-/// goes on with the friction reversed. @p inverse_inertia in 1/(kg·m²).
-inline Motion settled(const Grip& grip, double speed, const Motion& moved, double inverse_inertia,
-                      double h) noexcept {
-  if (grip.torque == 0.0 || moved.speed * grip.direction >= 0.0)
-    return {std::abs(moved.speed) < kRestSpeed ? 0.0 : moved.speed, moved.angle, moved.path};
-  const double before = (moved.speed - speed) / h;
-  const double stops_after = -speed / before;
-  const double there = 0.5 * speed * stops_after;
-  const double after = before + 2.0 * grip.torque * inverse_inertia;
-  if (after * grip.direction >= 0.0) return {0.0, there, std::abs(there)};
-  const double left = h - stops_after;
-  const double back = 0.5 * after * left * left;
-  return {after * left, there + back, std::abs(there) + std::abs(back)};
+/// The end of a step of @p h (s) from @p speed to @p moved, made with @p grip throughout, in which the speed has
+/// changed its sign: the mass stops there if the rest of the torque cannot overcome the friction, or goes on with
+/// the friction reversed. @p inverse_inertia in 1/(kg·m²).
+Motion reversed(const Grip& grip, double speed, const Motion& moved, double inverse_inertia, double h) noexcept;
+
+/// The end of any step, as reversed() where the speed has changed its sign against the friction.
+[[gnu::always_inline]] inline Motion settled(const Grip& grip, double speed, const Motion& moved,
+                                             double inverse_inertia, double h) noexcept {
+  if (moved.speed * grip.direction < 0.0) [[unlikely]]
+    return reversed(grip, speed, moved, inverse_inertia, h);
+  return {std::abs(moved.speed) < kRestSpeed ? 0.0 : moved.speed, moved.angle, moved.path};
 }
 
 }  // namespace motor

@@ -101,8 +101,8 @@ class InductionMachine {
   double saturation_;  // 1/(V·s)^6
   double cold_stator_resistance_;
   double cold_rotor_resistance_;
-  double stator_resistance_;
-  double rotor_resistance_;
+  double stator_resistance_ = 0.0;
+  double rotor_resistance_ = 0.0;
 };
 
 }  // namespace motor

@@ -8,42 +8,42 @@ namespace motor {
 using Pair = double __attribute__((vector_size(16)));
 
 /// The components of @p a.
-constexpr Pair pair(SpaceVector a) noexcept {
+inline Pair pair(SpaceVector a) noexcept {
   return Pair{a.re, a.im};
 }
 /// The vector with the components @p a.
-constexpr SpaceVector vector(Pair a) noexcept {
+inline SpaceVector vector(Pair a) noexcept {
   return {a[0], a[1]};
 }
 /// The components exchanged.
-constexpr Pair swapped(Pair a) noexcept {
+inline Pair swapped(Pair a) noexcept {
   return __builtin_shufflevector(a, a, 1, 0);
 }
 /// @p a twice.
-constexpr Pair both(double a) noexcept {
+inline Pair both(double a) noexcept {
   return Pair{a, a};
 }
-constexpr double sum(Pair a) noexcept {
+inline double sum(Pair a) noexcept {
   return a[0] + a[1];
 }
 /// First component less the second.
-constexpr double difference(Pair a) noexcept {
+inline double difference(Pair a) noexcept {
   return a[0] - a[1];
 }
 /// Real part of a·conj(b).
-constexpr double dot(Pair a, Pair b) noexcept {
+inline double dot(Pair a, Pair b) noexcept {
   return sum(a * b);
 }
 /// Imaginary part of conj(a)·b.
-constexpr double cross(Pair a, Pair b) noexcept {
+inline double cross(Pair a, Pair b) noexcept {
   return difference(a * swapped(b));
 }
 /// Turned back by the angle whose cosine and sine are @p c and @p s.
-constexpr Pair turned_back(Pair a, double c, double s) noexcept {
+inline Pair turned_back(Pair a, double c, double s) noexcept {
   return both(c) * a + Pair{s, -s} * swapped(a);
 }
 /// Turned back by an angle whose square does not count (rad).
-constexpr Pair turned_back_a_little(Pair a, double angle) noexcept {
+inline Pair turned_back_a_little(Pair a, double angle) noexcept {
   return a + Pair{angle, -angle} * swapped(a);
 }
 

@@ -53,7 +53,8 @@ void Plant::set_load_torque(double torque) noexcept {
 void Plant::set_brake(bool closed) noexcept {
   if (closed == brake_closed_) return;
   brake_closed_ = closed;
-  brake_delay_ = static_cast<int>((closed ? brake_.closing_time : brake_.opening_time) / kControlPeriod + 0.5);
+  brake_delay_ =
+      static_cast<int>(std::lround((closed ? brake_.closing_time : brake_.opening_time) / kControlPeriod));
   if (brake_delay_ == 0) apply_brake();
 }
 

@@ -59,24 +59,37 @@ class Plant {
   static Machine made_machine(const MachineData& machine) noexcept;
   static Shaft made_shaft(const MachineData& machine, const Load& load) noexcept;
 
+  /// Of one step: where the energy went, and its share of the mean torque of the period.
+  struct Spent {
+    PlantEnergies energies{};
+    double torque = 0.0;
+
+    Spent& operator+=(const Spent& more) noexcept {
+      energies += more.energies;
+      torque += more.torque;
+      return *this;
+    }
+  };
+
   template <class M, class S>
   void drive(M& machine, S& shaft, SpaceVector voltage) noexcept;
   template <class M, class S>
+  Spent drive_part(M& machine, S& shaft, SpaceVector voltage, int part, double h) noexcept;
+  template <class M, class S>
+  Spent drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept;
+  template <class M, class S>
   void coast_down(M& machine, S& shaft, double limit) noexcept;
   template <class Rates, class M, class S>
-  void advance(const Rates& sum, M& machine, S& shaft, double h) noexcept;
+  Spent advance(const Rates& sum, M& machine, S& shaft, double h) noexcept;
   template <class S>
   void begin(S& shaft, int part, double h, double torque) noexcept;
   template <class M, class S>
-  void drive_part(M& machine, S& shaft, SpaceVector voltage, int part, double h) noexcept;
-  template <class M, class S>
-  void drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept;
-  template <class M, class S>
-  void finish(const M& machine, const S& shaft) noexcept;
+  void finish(const Spent& spent, const M& machine, const S& shaft) noexcept;
   template <class S>
   void hold_back(S& shaft) noexcept;
   void start_period() noexcept;
   void turn(const Motion& motion) noexcept;
+  void turn_direction(double angle) noexcept;
   void apply_brake() noexcept;
   int needed(int parts) const noexcept;
   double followed_speed(int parts) const noexcept;

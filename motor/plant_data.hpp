@@ -32,6 +32,15 @@ struct PlantEnergies {
   double iron = 0.0;
   double friction = 0.0;  ///< bearings, load, damping of the coupling, end stops, brake
   double load = 0.0;      ///< done on what hangs on the shaft: weights, fans, profiles
+
+  PlantEnergies& operator+=(const PlantEnergies& more) noexcept {
+    electrical += more.electrical;
+    copper += more.copper;
+    iron += more.iron;
+    friction += more.friction;
+    load += more.load;
+    return *this;
+  }
 };
 
 /// What a plant has stored (J).

@@ -13,6 +13,8 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Steps in a control period without pulses: what the diodes do changes faster than a held voltage.
 constexpr int kCoastingParts = 8;
+/// Control periods until the direction of the rotor is calculated from its angle again.
+constexpr std::int64_t kTurnsFromDirection = 16;
 /// Most steps in a control period.
 constexpr int kMostParts = 256;
 
@@ -26,8 +28,8 @@ template <class S>
 
 /// Rates under a held voltage: without saturation, unless the step begins or ends in it.
 template <class S>
-auto held_rates(const SynchronousMachine& machine, const S& shaft, SpaceVector voltage, SpaceVector direction,
-                double h) noexcept {
+[[gnu::always_inline]] inline auto held_rates(const SynchronousMachine& machine, const S& shaft,
+                                              SpaceVector voltage, SpaceVector direction, double h) noexcept {
   if (!machine.is_saturated(machine.state())) [[likely]] {
     HeldVoltage<SynchronousMachine, false> circuit{machine, voltage, direction};
     const auto sum = runge_kutta(circuit, shaft, h);
@@ -37,8 +39,8 @@ auto held_rates(const SynchronousMachine& machine, const S& shaft, SpaceVector v
   return saturated_rates(machine, shaft, voltage, direction, h);
 }
 template <class S>
-auto held_rates(const InductionMachine& machine, const S& shaft, SpaceVector voltage, SpaceVector direction,
-                double h) noexcept {
+[[gnu::always_inline]] inline auto held_rates(const InductionMachine& machine, const S& shaft, SpaceVector voltage,
+                                              SpaceVector direction, double h) noexcept {
   HeldVoltage<InductionMachine> circuit{machine, voltage, direction};
   return runge_kutta(circuit, shaft, h);
 }
@@ -78,20 +80,34 @@ template <class S>
   shaft.begin(start, torque);
 }
 
+/// By small turns, and now and then from the angle itself, before their errors count (1e-7 at most).
+[[gnu::always_inline]] inline void Plant::turn_direction(double angle) noexcept {
+  if (steps_ % kTurnsFromDirection == 0) [[unlikely]]
+    direction_ = unit_vector(pole_pairs_ * state_.rotor_angle);
+  else
+    direction_ = turned_a_little(direction_, pole_pairs_ * angle);
+}
+
 template <class Rates, class M, class S>
-[[gnu::always_inline]] inline void Plant::advance(const Rates& sum, M& machine, S& shaft, double h) noexcept {
+[[gnu::always_inline]] inline Plant::Spent Plant::advance(const Rates& sum, M& machine, S& shaft,
+                                                          double h) noexcept {
   const double weight = stage_weight(h);
+  Spent spent;
   machine.set_state(machine.state().moved(sum.circuit, weight));
-  energies_.electrical += 1.5 * weight * motor::sum(sum.circuit.power);
-  energies_.copper += machine.losses(sum.circuit, weight);
-  state_.torque += weight * (1.0 / kControlPeriod) * sum.circuit.torque;
-  turn(shaft.finish(sum.shaft, h, energies_));
-  if constexpr (M::kTurnsWithRotor) direction_ = unit_vector(pole_pairs_ * state_.rotor_angle);
+  spent.energies.electrical = 1.5 * weight * motor::sum(sum.circuit.power);
+  spent.energies.copper = machine.losses(sum.circuit, weight);
+  spent.torque = weight * (1.0 / kControlPeriod) * sum.circuit.torque;
+  const Motion motion = shaft.finish(sum.shaft, h, spent.energies);
+  turn(motion);
+  if constexpr (M::kTurnsWithRotor) turn_direction(motion.angle);
+  return spent;
 }
 
 template <class M, class S>
-[[gnu::always_inline]] inline void Plant::finish(const M& machine, const S& shaft) noexcept {
+[[gnu::always_inline]] inline void Plant::finish(const Spent& spent, const M& machine, const S& shaft) noexcept {
   ++steps_;
+  energies_ = spent.energies;
+  state_.torque = spent.torque;
   state_.load_speed = shaft.load_speed();
   state_.twist = shaft.twist();
   const SpaceVector current = vector(machine.current(machine.state()));
@@ -100,26 +116,28 @@ template <class M, class S>
 }
 
 template <class M, class S>
-[[gnu::always_inline]] inline void Plant::drive_part(M& machine, S& shaft, SpaceVector voltage, int part,
-                                                     double h) noexcept {
+[[gnu::always_inline]] inline Plant::Spent Plant::drive_part(M& machine, S& shaft, SpaceVector voltage, int part,
+                                                             double h) noexcept {
   begin(shaft, part, h, shaft.stands() ? machine.torque() : 0.0);
-  advance(held_rates(machine, shaft, voltage, direction_, h), machine, shaft, h);
+  return advance(held_rates(machine, shaft, voltage, direction_, h), machine, shaft, h);
 }
 
 /// A control period in @p parts.
 template <class M, class S>
-[[gnu::noinline]] void Plant::drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept {
-  for (int part = 0; part < parts; ++part) drive_part(machine, shaft, voltage, part, kControlPeriod / parts);
+[[gnu::noinline]] Plant::Spent Plant::drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept {
+  Spent spent;
+  for (int part = 0; part < parts; ++part)
+    spent += drive_part(machine, shaft, voltage, part, kControlPeriod / parts);
   hold_back(shaft);
+  return spent;
 }
 
 template <class M, class S>
 void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
-  if (substeps_ == 1 && std::abs(state_.speed) <= calm_speed_) [[likely]]
-    drive_part(machine, shaft, voltage, 0, kControlPeriod);
-  else
-    drive_parts(machine, shaft, voltage, needed(substeps_));
-  finish(machine, shaft);
+  const bool whole = substeps_ == 1 && std::abs(state_.speed) <= calm_speed_;
+  const Spent spent = whole ? drive_part(machine, shaft, voltage, 0, kControlPeriod)
+                            : drive_parts(machine, shaft, voltage, needed(substeps_));
+  finish(spent, machine, shaft);
 }
 
 /// A shaft that would need more than kMostParts does not get any faster.
@@ -135,23 +153,23 @@ template <class M, class S>
 void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
   const int parts = needed(kCoastingParts * substeps_);
   const double h = kControlPeriod / parts;
+  Spent spent;
   for (int part = 0; part < parts; ++part) {
     DiodeVoltage<M> diodes{machine, limit, h};
     const double current = length(vector(machine.current(machine.state())));
     const bool blocks = machine.induced(state_.speed) <= limit && current <= diodes.least_current();
-    if (blocks) energies_.electrical -= machine.cut();
+    if (blocks) spent.energies.electrical -= machine.cut();
     begin(shaft, part, h, shaft.stands() ? machine.torque() : 0.0);
     OpenTerminals<M> open{machine};
-    advance(blocks ? runge_kutta(open, shaft, h) : runge_kutta(diodes, shaft, h), machine, shaft, h);
+    spent += advance(blocks ? runge_kutta(open, shaft, h) : runge_kutta(diodes, shaft, h), machine, shaft, h);
   }
   hold_back(shaft);
-  finish(machine, shaft);
+  finish(spent, machine, shaft);
 }
 
-void Plant::start_period() noexcept {
-  if (brake_delay_ > 0 && --brake_delay_ == 0) apply_brake();
-  energies_ = {};
-  state_.torque = 0.0;
+[[gnu::always_inline]] inline void Plant::start_period() noexcept {
+  if (brake_delay_ > 0 && --brake_delay_ == 0) [[unlikely]]
+    apply_brake();
 }
 
 void Plant::step(SpaceVector voltage) noexcept {

@@ -29,15 +29,13 @@ class RigidShaft {
   struct Rate {
     double speed;         ///< (rad/s)
     double acceleration;  ///< (rad/s²)
-    double square;        ///< of the speed (rad²/s²)
     double load;          ///< power into the load (W), unless Plain
     double damping;       ///< power lost in the end stops (W), unless Plain
 
     static Rate summed(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
       return {stage_sum(a.speed, b.speed, c.speed, d.speed),
               stage_sum(a.acceleration, b.acceleration, c.acceleration, d.acceleration),
-              stage_sum(a.square, b.square, c.square, d.square), stage_sum(a.load, b.load, c.load, d.load),
-              stage_sum(a.damping, b.damping, c.damping, d.damping)};
+              stage_sum(a.load, b.load, c.load, d.load), stage_sum(a.damping, b.damping, c.damping, d.damping)};
     }
   };
 
@@ -62,13 +60,22 @@ class RigidShaft {
   double load_speed() const noexcept { return speed_; }
   double twist() const noexcept { return 0.0; }
   void set_speed(double speed) noexcept { speed_ = speed; }
-  void set_load_torque(double torque) noexcept { load_.set_constant(torque); }
+  void set_load_torque(double torque) noexcept {
+    load_.set_constant(torque);
+    grip_ = {};
+  }
   /// Friction of the brake on the rotor (N·m), 0 = open.
-  void set_brake(double torque) noexcept { friction_.coulomb = open_friction_ + torque; }
+  void set_brake(double torque) noexcept {
+    friction_.coulomb = open_friction_ + torque;
+    grip_ = {};
+  }
 
   /// Decides for the coming step whether the mass holds fast against @p torque of the machine (N·m).
   void begin(const StepStart& start, double torque) noexcept {
-    if constexpr (!Plain) {
+    if constexpr (Plain) {
+      // What has been decided for a mass that turns holds as long as it does.
+      if (friction_.excess <= 0.0 && speed_ * grip_.direction > 0.0) return;
+    } else {
       load_.begin(start.time, start.angle);
       start_angle_ = start.angle;
     }
@@ -79,25 +86,27 @@ class RigidShaft {
   Rate rate(const State& z, double torque, double time) const noexcept {
     const double free = torque - (resistance_ + drag_ * z.speed);
     if constexpr (Plain) {
-      return {z.speed, free * active_inverse_, z.speed * z.speed, 0.0, 0.0};
+      return {z.speed, free * active_inverse_, 0.0, 0.0};
     } else {
       const Outside out = outside(z, time);
-      return {z.speed, (free - out.total()) * active_inverse_, z.speed * z.speed, out.load * z.speed,
+      return {z.speed, (free - out.total()) * active_inverse_, out.load * z.speed,
               (out.stop.total - out.stop.spring) * z.speed};
     }
   }
-  /// Takes over the step of @p h (s) that was made with the summed rates @p sum, and books its energies.
-  Motion finish(const Rate& sum, double h, PlantEnergies& energies) noexcept {
+  /// Takes over the step of @p h (s) that was made with the summed rates @p sum, and says where its energy went.
+  [[gnu::always_inline]] Motion finish(const Rate& sum, double h, PlantEnergies& energies) noexcept {
     const double weight = stage_weight(h);
     const double angle = weight * sum.speed;
-    const Motion motion = settled(
-        grip_, speed_, {speed_ + weight * sum.acceleration, angle, grip_.direction * angle}, inverse_inertia_, h);
+    const double gain = weight * sum.acceleration;
+    const Motion motion =
+        settled(grip_, speed_, {speed_ + gain, angle, grip_.direction * angle}, inverse_inertia_, h);
+    // Square of the speed over time, with the speed as a line: it changes by little in a step.
+    const double square = angle * (speed_ + 0.5 * gain) + h * (1.0 / 12.0) * gain * gain;
     speed_ = motion.speed;
-    const double square = weight * sum.square;
     const double dry = grip_.torque * grip_.direction - hysteresis_;
-    energies.friction += dry * motion.path + viscous_ * square + (Plain ? 0.0 : weight * sum.damping);
-    energies.iron += hysteresis_ * motion.path + eddy_current_drag_ * square;
-    energies.load += Plain ? load_.constant() * motion.angle : weight * sum.load;
+    energies.friction = dry * motion.path + viscous_ * square + (Plain ? 0.0 : weight * sum.damping);
+    energies.iron = hysteresis_ * motion.path + eddy_current_drag_ * square;
+    energies.load = Plain ? load_.constant() * motion.angle : weight * sum.load;
     return motion;
   }
   double kinetic() const noexcept { return 0.5 * inertia_ * speed_ * speed_; }

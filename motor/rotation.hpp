@@ -11,7 +11,7 @@
 namespace motor {
 
 /// Cosine and sine of a small angle (rad) by their series; 1e-9 up to 0.3, 2e-7 up to 0.6.
-inline Pair small_rotation(double angle) noexcept {
+[[gnu::always_inline]] inline Pair small_rotation(double angle) noexcept {
   const Pair s = both(angle * angle);
   const Pair series =
       1.0 - s * (Pair{1.0 / 2, 1.0 / 6} - s * (Pair{1.0 / 24, 1.0 / 120} - s * Pair{1.0 / 720, 1.0 / 5040}));
@@ -45,6 +45,13 @@ inline SpaceVector unit_vector(double angle) noexcept {
   const Pair series = (low + s4 * high) * Pair{1.0, r};
   const auto quadrant = static_cast<std::size_t>(static_cast<std::int64_t>(quarters) & 3);
   return vector(turned_back(series, kCircle[quadrant], kCircle[quadrant + 1]));
+}
+
+/// The unit vector @p a turned by a small angle (rad) and brought back to length 1.
+[[gnu::always_inline]] inline SpaceVector turned_a_little(SpaceVector a, double angle) noexcept {
+  const Pair turn = small_rotation(angle);
+  const Pair turned = turned_back(pair(a), turn[0], -turn[1]);
+  return vector((1.5 - 0.5 * dot(turned, turned)) * turned);
 }
 
 }  // namespace motor

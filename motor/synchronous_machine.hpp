@@ -60,8 +60,8 @@ class SynchronousMachine {
     return released;
   }
   /// Rates without current.
-  Rate blocked_rate(const State&, double) const noexcept { return {Pair{}, Pair{}, Pair{}, 0.0}; }
-  Pair current(const State& y) const noexcept { return y.current; }
+  static Rate blocked_rate(const State&, double) noexcept { return {Pair{}, Pair{}, Pair{}, 0.0}; }
+  static Pair current(const State& y) noexcept { return y.current; }
   /// Flux linkages of the rotor frame (V·s).
   Pair flux(const State& y) const noexcept {
     const Pair linear = inductance_ * y.current + magnets_;
@@ -111,16 +111,16 @@ class SynchronousMachine {
   double cold_resistance_;
   double cold_magnet_flux_;
   double temperature_coefficient_;
-  Pair resistance_;               // of one phase, twice
-  Pair damping_;                  // R/L (1/s)
-  Pair exchange_;                 // p L_q/L_d, -p L_d/L_q
-  Pair induction_;                // what the magnets induce: 0, -p psi_f/L_q (A)
-  double magnet_torque_;          // of i_q (N·m/A)
-  double reluctance_torque_;      // of i_d·i_q (N·m/A²)
-  double saturation_start_;       // i_q² above which the flux falls (A²)
-  double saturation_knee_;        // i_q² from which it falls with i_q² (A²)
-  double saturation_end_;         // i_q² of the maximum current (A²)
-  double saturation_gain_ = 0.0;  // share of the flux lost for each A²
+  Pair resistance_;                 // of one phase, twice
+  Pair damping_{};                  // R/L (1/s)
+  Pair exchange_{};                 // p L_q/L_d, -p L_d/L_q
+  Pair induction_{};                // what the magnets induce: 0, -p psi_f/L_q (A)
+  double magnet_torque_ = 0.0;      // of i_q (N·m/A)
+  double reluctance_torque_ = 0.0;  // of i_d·i_q (N·m/A²)
+  double saturation_start_;         // i_q² above which the flux falls (A²)
+  double saturation_knee_;          // i_q² from which it falls with i_q² (A²)
+  double saturation_end_;           // i_q² of the maximum current (A²)
+  double saturation_gain_ = 0.0;    // share of the flux lost for each A²
 };
 
 }  // namespace motor

@@ -134,6 +134,31 @@ TEST(MotorData, LetP0340ComputeTheControllersAnew) {
   EXPECT_EQ(shown(axis, 340), 0.0);
 }
 
+TEST(MotorData, LetP0340FindTheCircuitOfAnInductionMotorFromItsPlate) {
+  const motor::MachineData motor{.type = motor::MachineType::Induction,
+                                 .pole_pairs = 2,
+                                 .rated_voltage = 400.0,
+                                 .rated_current = 4.55,
+                                 .rated_power = 2200.0,
+                                 .power_factor = 0.81,
+                                 .rated_frequency = 50.0,
+                                 .rated_speed = 1455.0 * kRpm,
+                                 .maximum_speed = 4200.0 * kRpm,
+                                 .rated_torque = 14.44,
+                                 .maximum_torque = 30.0,
+                                 .maximum_current = 9.1,
+                                 .stator_resistance = 9.0,  // far from the truth
+                                 .inertia = 0.014};
+  Axis axis{{.machine = motor}};
+  ASSERT_EQ(shown(axis, 350), 9.0);
+
+  ASSERT_TRUE(axis.write(340, 2.0));
+
+  EXPECT_NEAR(shown(axis, 350), 2.1, 0.7);
+  EXPECT_NEAR(shown(axis, 354), 1.8, 0.4);
+  EXPECT_NEAR(shown(axis, 360), 294.0, 60.0);
+}
+
 /// Axes that share a DC link.
 struct Link {
   static constexpr double kCycle = 0.004;  // s

@@ -94,7 +94,9 @@ TEST(RampFunctionGenerator, FollowsTheRoundedRampOfTheReference) {
     ours.append({times[i], ramp.output() / kRpm});
     const bool at_its_end =
         std::abs(times[i] - 14.6) < 1e-6;  // where the slope jumps, the reference's is the old one
-    if (!at_its_end) EXPECT_NEAR(ramp.acceleration() / kRpm, slope_column[i], 1e-6 * 1300.0) << times[i];
+    if (!at_its_end) {
+      EXPECT_NEAR(ramp.acceleration() / kRpm, slope_column[i], 1e-6 * 1300.0) << times[i];
+    }
     for (int k = 0; k < 80; ++k) ramp.step(kStep, targets[i] * kRpm, slopes);
   }
 

@@ -150,6 +150,19 @@ TEST(PlantNumerics, AStepAllocatesNothing) {
   EXPECT_EQ(fakes::allocations(), before);
 }
 
+TEST_P(EveryMachine, KnowsTheDirectionOfItsRotorAtMaximumSpeed) {
+  if (named().data.type == MachineType::Induction) GTEST_SKIP() << "the stator frame needs no direction";
+  PlantRunner runner{named().data, {.inertia = 1e6}};
+  runner.plant().set_speed(named().data.maximum_speed);
+
+  for (int i = 0; i < 200; ++i) {
+    runner.run(named().data.maximum_speed, kControlPeriod);
+    const double angle = named().data.pole_pairs * runner.state().rotor_angle;
+    ASSERT_NEAR(runner.plant().direction().re, std::cos(angle), 5e-7);
+    ASSERT_NEAR(runner.plant().direction().im, std::sin(angle), 5e-7);
+  }
+}
+
 TEST(Rotation, AgreesWithTheMathematicalLibrary) {
   for (int i = -20000; i <= 20000; ++i) {
     const double angle = 1.234e-3 * i;
