@@ -1,10 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "motor/control_settings.hpp"
-#include "motor/space_vector.hpp"
+#include "motor/pair.hpp"
 
 namespace motor {
 
@@ -14,36 +13,32 @@ class CurrentController {
  public:
   /// Fixes @p gains for steps of @p period (s).
   void configure(const CurrentControllerGains& gains, double period) noexcept {
-    proportional_ = {gains.d_proportional, gains.q_proportional};
-    integral_ = {gains.d_proportional * period / gains.d_integral_time,
-                 gains.q_proportional * period / gains.q_integral_time};
+    proportional_ = Pair{gains.d_proportional, gains.q_proportional};
+    integral_ = proportional_ * Pair{period / gains.d_integral_time, period / gains.q_integral_time};
   }
   /// Starts with @p voltage (V) as what the integral parts give.
   void reset(SpaceVector voltage = {}) noexcept {
-    integral_voltage_ = voltage;
+    integral_voltage_ = pair(voltage);
     demand_ = 0.0;
     limited_ = false;
   }
   /// Goes on in a frame that is turned by the direction @p by, after @p added (V) has joined the integral parts.
   void turn(SpaceVector by, SpaceVector added) noexcept {
-    integral_voltage_ = (integral_voltage_ + added) * conjugate(by);
+    integral_voltage_ = turned_back(integral_voltage_ + pair(added), by.re, by.im);
   }
   /// Adds @p voltage (V) to the integral parts.
-  void shift(SpaceVector voltage) noexcept { integral_voltage_ = integral_voltage_ + voltage; }
+  void shift(SpaceVector voltage) noexcept { integral_voltage_ += pair(voltage); }
   /// Voltage (V) for @p setpoint and @p current (A) in the same frame; @p forward (V) is added before the limit,
   /// the circle of radius @p limit (V).
   SpaceVector step(SpaceVector setpoint, SpaceVector current, SpaceVector forward, double limit) noexcept {
-    const SpaceVector error = setpoint - current;
-    const SpaceVector wanted{proportional_.re * error.re + integral_voltage_.re + forward.re,
-                             proportional_.im * error.im + integral_voltage_.im + forward.im};
-    demand_ = norm(wanted);
+    const Pair error = pair(setpoint) - pair(current);
+    const Pair wanted = proportional_ * error + integral_voltage_ + pair(forward);
+    demand_ = dot(wanted, wanted);
     limited_ = demand_ > limit * limit;
-    if (!limited_) {
-      integral_voltage_.re += integral_.re * error.re;
-      integral_voltage_.im += integral_.im * error.im;
-      return wanted;
-    }
-    return bounded(wanted, error, limit);
+    if (limited_) [[unlikely]]
+      return vector(bounded(wanted, error, limit));
+    integral_voltage_ += integral_ * error;
+    return vector(wanted);
   }
   /// Square of the voltage that the last step wanted (V²).
   double demand() const noexcept { return demand_; }
@@ -51,16 +46,17 @@ class CurrentController {
   bool limited() const noexcept { return limited_; }
 
  private:
-  SpaceVector bounded(SpaceVector wanted, SpaceVector error, double limit) noexcept {
-    const SpaceVector given = (limit / std::sqrt(demand_)) * wanted;
-    if ((wanted.re - given.re) * error.re <= 0.0) integral_voltage_.re += integral_.re * error.re;
-    if ((wanted.im - given.im) * error.im <= 0.0) integral_voltage_.im += integral_.im * error.im;
+  Pair bounded(Pair wanted, Pair error, double limit) noexcept {
+    const Pair given = both(limit / std::sqrt(demand_)) * wanted;
+    const Pair away = (wanted - given) * error;
+    if (away[0] <= 0.0) integral_voltage_[0] += integral_[0] * error[0];
+    if (away[1] <= 0.0) integral_voltage_[1] += integral_[1] * error[1];
     return given;
   }
 
-  SpaceVector proportional_{};  // V/A
-  SpaceVector integral_{};      // V/A a step
-  SpaceVector integral_voltage_{};
+  Pair proportional_{};      // V/A
+  Pair integral_{};          // V/A a step
+  Pair integral_voltage_{};  // V
   double demand_ = 0.0;
   bool limited_ = false;
 };

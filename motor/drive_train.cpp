@@ -95,16 +95,15 @@ void DriveTrain::stop() noexcept {
   signals_.flux = 0.0;
 }
 
-/// Electrical angle of the rotor as the encoder has it; a sound one is as good as the truth.
+/// Electrical angle of the rotor as the encoder has it, where it cannot be taken for the truth.
 SpaceVector DriveTrain::rotor_direction() const noexcept {
-  if (encoder_true_) [[likely]]
-    return plant_.direction();
   const double revolutions = static_cast<double>(encoder_.counts()) / increments_per_revolution(believed_);
   const double angle = believed_.pole_pairs * 2.0 * std::numbers::pi * (revolutions - std::floor(revolutions));
   return {std::cos(angle), std::sin(angle)};
 }
 
-SpaceVector DriveTrain::control(const Measurement& measured, const Command& command) noexcept {
+[[gnu::always_inline]] inline SpaceVector DriveTrain::control(const Measurement& measured,
+                                                              const Command& command) noexcept {
   switch (lead_) {
     case Lead::Synchronous:
       return synchronous_.step(measured, command, signals_);
@@ -116,25 +115,8 @@ SpaceVector DriveTrain::control(const Measurement& measured, const Command& comm
   return voltage_frequency_.step(measured, command, signals_);
 }
 
-double DriveTrain::step(double dc_voltage, const Command& command) noexcept {
-  if (!command.pulses_enabled) {
-    if (pulses_) stop();
-    if (lead_ == Lead::Induction) induction_.coast(encoder_.speed());
-    move(dc_voltage, false);
-  } else {
-    if (!pulses_) start();
-    const SpaceVector wanted =
-        control({plant_.state().current, voltage_, rotor_direction(), encoder_.speed(), dc_voltage}, command);
-    move(dc_voltage, driven_);
-    next_ = wanted;
-    driven_ = true;
-  }
-  observe();
-  return plant_.energies().electrical + inverter_losses_;
-}
-
 /// One period of the machine with the voltage calculated in the period before, or with the pulses inhibited.
-void DriveTrain::move(double dc_voltage, bool pulses) noexcept {
+[[gnu::always_inline]] inline void DriveTrain::move(double dc_voltage, bool pulses) noexcept {
   if (pulses) [[likely]] {
     voltage_ = next_;
     plant_.step(next_);
@@ -153,7 +135,7 @@ void DriveTrain::move(double dc_voltage, bool pulses) noexcept {
   if (++heat_.steps == kWarmSteps) warm();
 }
 
-void DriveTrain::observe() noexcept {
+[[gnu::always_inline]] inline void DriveTrain::observe() noexcept {
   const PlantState& state = plant_.state();
   encoder_.move_to(state.revolutions, state.rotor_angle);
   signals_.true_speed = state.speed;
@@ -161,6 +143,25 @@ void DriveTrain::observe() noexcept {
   if (with_encoder_ || !pulses_) signals_.measured_speed = encoder_.speed();
   signals_.encoder_counts = encoder_.counts();
   signals_.power = plant_.energies().electrical * (1.0 / kControlPeriod);
+}
+
+double DriveTrain::step(double dc_voltage, const Command& command) noexcept {
+  if (!command.pulses_enabled) {
+    if (pulses_) stop();
+    if (lead_ == Lead::Induction) induction_.coast(encoder_.speed());
+    move(dc_voltage, false);
+  } else {
+    if (!pulses_) start();
+    const SpaceVector wanted =
+        control({plant_.state().current, voltage_, encoder_true_ ? plant_.direction() : rotor_direction(),
+                 encoder_.speed(), dc_voltage},
+                command);
+    move(dc_voltage, driven_);
+    next_ = wanted;
+    driven_ = true;
+  }
+  observe();
+  return plant_.energies().electrical + inverter_losses_;
 }
 
 void DriveTrain::warm() noexcept {

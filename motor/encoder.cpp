@@ -10,7 +10,6 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kRipple = 1e-5;          // of the rated speed, what one increment may leave in the speed
 constexpr double kLongestFilter = 2e-3;   // s, a coarse encoder is allowed to be heard
-constexpr double kZeroSpeed = 1e-6;       // rad/s, far below one increment a period
 constexpr std::int64_t kBlindPart = 256;  // of a revolution that EncoderDefect::LostPulses takes: the 256th
 constexpr std::int64_t kQuarters = 4;     // increments that a pulse has without fine resolution
 
@@ -37,17 +36,6 @@ void Encoder::configure(double period) noexcept {
   speed_per_increment_ = 1.0 / (per_radian_ * period);
   filter_time_ = std::clamp(period * (speed_per_increment_ / tolerated_ripple_ - 1.0), 0.0, kLongestFilter);
   filter_gain_ = period / (period + filter_time_);
-}
-
-void Encoder::move_to(std::int64_t revolutions, double angle) noexcept {
-  position_ = start_ + revolutions * per_revolution_ + static_cast<std::int64_t>(angle * per_radian_);
-  const std::int64_t before = counts_;
-  counts_ = counts_at(position_);
-  const std::int64_t moved = counts_ - before;
-  speed_ += filter_gain_ * (static_cast<double>(moved) * speed_per_increment_ - speed_);
-  if (moved == 0 && std::abs(speed_) < kZeroSpeed) speed_ = 0.0;
-  const std::int64_t past_mark = position_ - mark_ * per_revolution_;
-  if (past_mark < 0 || past_mark >= per_revolution_) look_for_zero_mark();
 }
 
 void Encoder::turn(double angle) noexcept {
@@ -77,8 +65,6 @@ std::int64_t Encoder::seen(std::int64_t position) const noexcept {
 }
 
 std::int64_t Encoder::counts_at(std::int64_t position) const noexcept {
-  if (sound_) [[likely]]
-    return base_counts_ + (position - base_position_);
   if (defect_ == EncoderDefect::Loss || data_.type == EncoderType::None) return base_counts_;
   const std::int64_t way = seen(position) - seen(base_position_);
   return base_counts_ + (defect_ == EncoderDefect::Reversed ? -way : way);

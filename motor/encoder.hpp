@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "motor/machine_data.hpp"
@@ -32,7 +33,16 @@ class Encoder {
   void configure(double period) noexcept;
   /// The shaft is at @p revolutions + @p angle (rad, 0..2π) from its place at power-on, one period after the last
   /// call.
-  void move_to(std::int64_t revolutions, double angle) noexcept;
+  void move_to(std::int64_t revolutions, double angle) noexcept {
+    position_ = start_ + revolutions * per_revolution_ + static_cast<std::int64_t>(angle * per_radian_);
+    const std::int64_t before = counts_;
+    counts_ = sound_ ? base_counts_ + (position_ - base_position_) : counts_at(position_);
+    const std::int64_t moved = counts_ - before;
+    speed_ += filter_gain_ * (static_cast<double>(moved) * speed_per_increment_ - speed_);
+    if (moved == 0 && std::abs(speed_) < kZeroSpeed) speed_ = 0.0;
+    const std::int64_t past_mark = position_ - mark_ * per_revolution_;
+    if (past_mark < 0 || past_mark >= per_revolution_) look_for_zero_mark();
+  }
   /// Turns the shaft by @p angle (rad) within one period.
   void turn(double angle) noexcept;
   /// From now on the encoder has @p defect instead of the one before; what it has counted stays.
@@ -52,6 +62,8 @@ class Encoder {
   const EncoderStatus& status() const noexcept { return status_; }
 
  private:
+  static constexpr double kZeroSpeed = 1e-6;  // rad/s, far below one increment a period
+
   std::int64_t seen(std::int64_t position) const noexcept;
   std::int64_t counts_at(std::int64_t position) const noexcept;
   void look_for_zero_mark() noexcept;

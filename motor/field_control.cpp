@@ -81,8 +81,6 @@ SpaceVector FieldControl<Field>::feed(const Measurement& measured, const Frame& 
   signals.torque_setpoint = signals.torque;
   signals.torque_limit_reached = false;
   signals.torque_limits = command.limits;
-  signals.magnetised = field_.magnetised();
-  signals.flux = field_.flux();
   return give({measured, frame, current}, setpoint, {}, signals);
 }
 
@@ -93,7 +91,7 @@ void FieldControl<Field>::begin_feeding(const Measurement& measured, const Frame
   const double sine = field_.lag(field_.torque(current), fed_.amplitude());
   const SpaceVector lag{std::sqrt(1.0 - sine * sine), sine};
   const Frame frame{seen.direction * lag, seen.frequency};
-  controller_.turn(lag, field_.forward(current, seen));
+  controller_.turn(lag, field_.effect(current, seen).voltage);
   fed_.start(frame, current * conjugate(lag));
   feeding_ = true;
 }
@@ -107,7 +105,7 @@ void FieldControl<Field>::end_feeding(const Measurement& measured, const Frame& 
   surplus_ = current.re - field_.currents(torque, seen.frequency).re;
   loop_.reset(speed, torque);
   controller_.turn(seen.direction * conjugate(fed_.frame().direction), {});
-  controller_.shift(-1.0 * field_.forward(current, seen));
+  controller_.shift(-1.0 * field_.effect(current, seen).voltage);
   feeding_ = false;
 }
 

@@ -25,10 +25,10 @@ class FieldControl {
   void coast(double speed) noexcept { field_.coast(speed); }
   /// Voltage for the period after this one, stator frame (V); fills what the control knows into @p signals.
   SpaceVector step(const Measurement& measured, const Command& command, Signals& signals) noexcept {
-    if (++ticks_ == kSlowTicks) trim(measured.dc_voltage);
+    if (++ticks_ == kSlowTicks) trim(measured.dc_voltage, signals);
     if (!with_encoder_) return without_encoder(measured, command, signals);
     const Frame frame = field_.frame(measured);
-    const SpaceVector current = measured.current * conjugate(frame.direction);
+    const SpaceVector current = product(conjugate(frame.direction), measured.current);
     const SpaceVector voltage = lead({measured, frame, current}, measured.speed, command, signals);
     field_.advance(current);
     return voltage;
@@ -46,10 +46,9 @@ class FieldControl {
     const double torque = torque_for(now, speed, command, signals);
     SpaceVector setpoint = field_.currents(torque, now.frame.frequency);
     setpoint.re += surplus_;
-    signals.torque = field_.torque(now.current);
-    signals.magnetised = field_.magnetised();
-    signals.flux = field_.flux();
-    return give(now, setpoint, field_.forward(now.current, now.frame), signals);
+    const FluxEffect effect = field_.effect(now.current, now.frame);
+    signals.torque = effect.torque;
+    return give(now, setpoint, effect.voltage, signals);
   }
   double torque_for(const Situation& now, double speed, const Command& command, Signals& signals) noexcept {
     if (field_.magnetised()) [[likely]]
@@ -71,13 +70,16 @@ class FieldControl {
     signals.q_current_setpoint = setpoint.im;
     signals.frequency = frequency_;
     signals.voltage_limited = controller_.limited();
-    return voltage * (now.frame.direction * bounded_rotation(kLead * frequency_));
+    return product(product(bounded_rotation(kLead * frequency_), now.frame.direction), voltage);
   }
-  void trim(double dc_voltage) noexcept {
+  /// What need not be done in every period.
+  void trim(double dc_voltage, Signals& signals) noexcept {
     ticks_ = 0;
     loop_.follow();
     field_.trim(kSlowTicks * kControlPeriod, controller_.demand(), VoltageReserve::highest(dc_voltage),
                 frequency_);
+    signals.magnetised = field_.magnetised();
+    signals.flux = field_.flux();
   }
 
   SpaceVector without_encoder(const Measurement& measured, const Command& command, Signals& signals) noexcept;

@@ -6,6 +6,11 @@
 
 namespace motor {
 
+/// @p a turned by the angle of @p b and stretched by its length.
+inline SpaceVector product(SpaceVector a, SpaceVector b) noexcept {
+  return vector(both(a.re) * pair(b) + both(a.im) * Pair{-b.im, b.re});
+}
+
 /// Unit vector at @p angle (rad) by its series; where no machine ever turns in a period, beyond 1.5 rad, it stays.
 inline SpaceVector bounded_rotation(double angle) noexcept {
   constexpr double kFurthest = 1.5;
@@ -22,6 +27,12 @@ inline SpaceVector turned(SpaceVector direction, double angle) noexcept {
 struct Frame {
   SpaceVector direction{1.0, 0.0};
   double frequency = 0.0;  ///< (electrical rad/s)
+};
+
+/// What the flux of a machine does at a current: the voltage that its rotation takes, and its torque.
+struct FluxEffect {
+  SpaceVector voltage{};  ///< (V), in the frame
+  double torque = 0.0;    ///< (N·m)
 };
 
 }  // namespace motor

@@ -53,11 +53,11 @@ class InductionField {
 
   /// Currents for @p torque (N·m) and the flux that voltage and speed allow.
   SpaceVector currents(double torque, double frequency) noexcept;
-  /// Voltage that rotation takes with @p current in @p frame.
-  SpaceVector forward(SpaceVector current, const Frame& frame) const noexcept {
+  /// Voltage that rotation takes with @p current in @p frame, and the torque that it makes.
+  FluxEffect effect(SpaceVector current, const Frame& frame) const noexcept {
     const double across = frame.frequency * circuit_.leakage;
     const double turning = frame.frequency - slip(current.im);
-    return {-across * current.im - decay_ * flux_, across * current.re + turning * flux_};
+    return {{-across * current.im - decay_ * flux_, across * current.re + turning * flux_}, torque(current)};
   }
   /// Voltage controller, saturation and torque limit, every @p dt (s), as for SynchronousField.
   void trim(double dt, double demand, double highest, double frequency) noexcept;

@@ -53,10 +53,9 @@ class SynchronousField {
     setpoint_ = weakening_ ? reference_.weakened(wanted, room / std::abs(frequency)) : wanted;
     return setpoint_;
   }
-  /// Voltage that rotation takes with @p current in @p frame.
-  SpaceVector forward(SpaceVector current, const Frame& frame) const noexcept {
-    const SpaceVector flux = reference_.flux(current);
-    return {-frame.frequency * flux.im, frame.frequency * flux.re};
+  /// Voltage that rotation takes with @p current in @p frame, and the torque that it makes.
+  FluxEffect effect(SpaceVector current, const Frame& frame) const noexcept {
+    return reference_.effect(current, frame.frequency);
   }
   /// Voltage controller and torque limit, every @p dt (s): @p demand is the square of the voltage that the current
   /// controllers want (V²), @p highest the longest one (V).

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "motor/curve.hpp"
+#include "motor/frame.hpp"
 #include "motor/machine_data.hpp"
 #include "motor/space_vector.hpp"
 #include "motor/synchronous_machine.hpp"
@@ -31,6 +32,11 @@ class SynchronousReference {
   /// Torque that the machine's data promise for @p current (N·m).
   double torque(SpaceVector current) const noexcept {
     return torque_factor_ * cross(model_.flux({pair(current)}), pair(current));
+  }
+  /// What the flux does that @p current makes with the magnets, at @p frequency (electrical rad/s).
+  FluxEffect effect(SpaceVector current, double frequency) const noexcept {
+    const Pair flux = model_.flux({pair(current)});
+    return {vector(Pair{-frequency, frequency} * swapped(flux)), torque_factor_ * cross(flux, pair(current))};
   }
   /// Highest torque with the current limit alone (N·m).
   double highest_torque() const noexcept { return highest_torque_; }

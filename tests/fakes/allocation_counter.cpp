@@ -26,12 +26,16 @@ std::uint64_t fakes::allocations() noexcept {
   return count;
 }
 
-// The array and nothrow forms of the library call these.
+// The array forms of the library call these, and its nothrow form too unless a sanitizer brings its own.
 void* operator new(std::size_t size) {
   return counted(size);
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, alignment);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++count;
+  return std::malloc(size);
 }
 void operator delete(void* memory) noexcept {
   std::free(memory);

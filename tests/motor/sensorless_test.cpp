@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/fakes/allocation_counter.hpp"
 #include "tests/motor/trial.hpp"
 
 namespace motor {
@@ -177,6 +178,46 @@ TEST(VoltageFrequencyControl, TheBoostGivesTheTorqueToStart) {
   EXPECT_LT(speed[0], 0.01 * machine.rated_speed);
   EXPECT_GT(speed[1], 0.03 * machine.rated_speed);
 }
+
+class EveryMode : public testing::TestWithParam<ControlMode> {};
+
+TEST_P(EveryMode, SurvivesALinkThatCollapsesAndComesBack) {
+  for (const NamedMachine& machine : machines()) {
+    Trial run{machine.data, GetParam()};
+    run.go(0.5);
+    run.ramp_to(0.6 * machine.data.rated_speed, machine.data.rated_speed, 1.0);
+
+    for (int i = 0; i < 800; ++i) run.train.step(i < 400 ? 540.0 - 1.35 * i : 0.0, run.command);
+    for (int i = 0; i < 400; ++i) run.train.step(1.35 * i, run.command);
+    run.command.pulses_enabled = false;  // as the undervoltage would have done
+    run.go(0.1);
+    run.command.pulses_enabled = true;
+    run.command.speed_setpoint = 0.0;
+    run.go(3.0);
+
+    EXPECT_TRUE(std::isfinite(run.energy)) << machine.name;
+    EXPECT_LT(std::abs(run.train.signals().true_speed), 0.25 * machine.data.rated_speed) << machine.name;
+  }
+}
+
+TEST_P(EveryMode, AllocatesNothing) {
+  for (const NamedMachine& machine : machines()) {
+    Trial run{machine.data, GetParam()};
+    const auto before = fakes::allocations();
+
+    run.ramp_to(0.3 * machine.data.rated_speed, machine.data.rated_speed, 0.5);
+    run.command.pulses_enabled = false;
+    run.go(0.1);
+    run.train.rest(1.0);
+    run.train.tune(run.train.settings());
+
+    EXPECT_EQ(fakes::allocations(), before) << machine.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryMode,
+                         testing::Values(ControlMode::VoltageFrequency, ControlMode::Sensorless,
+                                         ControlMode::Encoder));
 
 TEST(VdcMaxController, CutsTheGeneratingTorqueWhenTheLinkRises) {
   const MachineData machine{};
