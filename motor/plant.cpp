@@ -51,7 +51,8 @@ void Plant::set_load_torque(double torque) noexcept {
 }
 
 void Plant::set_brake(bool closed) noexcept {
-  if (closed == brake_closed_) return;
+  const bool exists = brake_.torque > 0.0;
+  if (!exists || closed == brake_closed_) return;
   brake_closed_ = closed;
   brake_delay_ =
       static_cast<int>(std::lround((closed ? brake_.closing_time : brake_.opening_time) / kControlPeriod));
