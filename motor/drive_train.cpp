@@ -28,7 +28,8 @@ DriveTrain::DriveTrain(const MachineData& machine, const Load& load, const Inver
       encoder_{machine},
       power_unit_{inverter},
       thermal_{machine.thermal},
-      motor_model_{model_of(machine)} {
+      motor_model_{model_of(machine)},
+      ideal_inverter_{power_unit_.is_ideal()} {
   encoder_.configure(kControlPeriod);
   configure();
   warm(kControlPeriod, {.steps = 1});
@@ -115,19 +116,31 @@ SpaceVector DriveTrain::rotor_direction() const noexcept {
   return voltage_frequency_.step(measured, command, signals_);
 }
 
+/// The inverter does not give all that it is asked for, and the control does not know.
+void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
+  const SpaceVector before = plant_.state().current;
+  const SpaceVector drop = power_unit_.distortion(before, dc_voltage);
+  plant_.step(next_ - drop);
+  drop_losses_ = 1.5 * kControlPeriod * dot(drop, 0.5 * (before + plant_.state().current));
+}
+
 /// One period of the machine with the voltage calculated in the period before, or with the pulses inhibited.
 [[gnu::always_inline]] inline void DriveTrain::move(double dc_voltage, bool pulses) noexcept {
   if (pulses) [[likely]] {
     voltage_ = next_;
-    plant_.step(next_);
+    if (ideal_inverter_) [[likely]]
+      plant_.step(next_);
+    else
+      drive_with_drops(dc_voltage);
   } else {
     voltage_ = {};
+    drop_losses_ = 0.0;
     plant_.coast(dc_voltage);
   }
   const double square = norm(plant_.state().current);
   signals_.current = std::sqrt(square);
   signals_.voltage = length(voltage_);
-  inverter_losses_ = kControlPeriod * power_unit_.losses(kRms * signals_.current, pulses);
+  inverter_losses_ = drop_losses_ + kControlPeriod * power_unit_.losses(kRms * signals_.current, pulses);
   const PlantEnergies& energies = plant_.energies();
   heat_.copper += energies.copper;
   heat_.iron += energies.iron;

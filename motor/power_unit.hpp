@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "motor/inverter_data.hpp"
+#include "motor/space_vector.hpp"
 #include "motor/thermal.hpp"
 
 namespace motor {
@@ -25,6 +29,17 @@ class PowerUnit {
   double losses(double current, bool pulses_on) const noexcept {
     if (!pulses_on) return 0.0;
     return data_.idle_losses + current * (data_.losses_per_ampere + data_.losses_per_square * current);
+  }
+  /// Whether the voltage at the terminals is what was asked for.
+  bool is_ideal() const noexcept { return !(data_.dead_time > 0.0 || data_.forward_voltage > 0.0); }
+  /// What dead time and forward voltages take from the voltage at @p current (stator frame, A) and @p dc_voltage
+  /// (V): against each phase current the same, but for a small one (stator frame, V).
+  SpaceVector distortion(SpaceVector current, double dc_voltage) const noexcept {
+    const double knee = 0.01 * data_.rated_current;
+    const double drop = data_.dead_time * data_.pulse_frequency * dc_voltage + data_.forward_voltage;
+    std::array<double, 3> phases = phase_values(current);
+    for (double& phase : phases) phase = drop * std::clamp(phase / knee, -1.0, 1.0);
+    return vector_of(phases);
   }
   /// Goes on for @p dt (s) with the mean of the squared output current (A² rms); exact for any length.
   void step(double dt, double mean_square_current) noexcept {

@@ -52,5 +52,10 @@ constexpr std::array<double, 3> phase_values(SpaceVector a) noexcept {
   constexpr double kHalfSqrt3 = 0.5 * std::numbers::sqrt3;
   return {a.re, -0.5 * a.re + kHalfSqrt3 * a.im, -0.5 * a.re - kHalfSqrt3 * a.im};
 }
+/// The vector of the values @p phases in U, V, W; what they have in common is no part of it.
+constexpr SpaceVector vector_of(const std::array<double, 3>& phases) noexcept {
+  constexpr double kThirdSqrt3 = std::numbers::inv_sqrt3;
+  return {(2.0 * phases[0] - phases[1] - phases[2]) / 3.0, (phases[1] - phases[2]) * kThirdSqrt3};
+}
 
 }  // namespace motor
