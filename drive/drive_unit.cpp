@@ -55,8 +55,9 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
   const std::span<Axis* const> moved{running.data(), count};
   const auto steps = std::lround(duration / motor::kControlPeriod);
   for (long step = 0; step < steps; ++step) {
+    const double voltage = dc_link_.voltage();
     double drawn = 0.0;
-    for (Axis* const axis : moved) drawn += axis->step(dc_link_.voltage());
+    for (Axis* const axis : moved) drawn += axis->step(voltage);
     dc_link_.step(motor::kControlPeriod, drawn);
   }
   for (Axis* const axis : moved) axis->end_cycle();
