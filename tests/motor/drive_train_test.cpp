@@ -276,27 +276,5 @@ TEST(DriveTrain, StillControlsAMachineWhoseDataAreNotQuiteRight) {
   EXPECT_LT(train.signals().torque, train.signals().true_torque);  // it believes in weaker magnets
 }
 
-TEST(DriveTrain, HasToAskForMoreVoltageThanAnInverterWithDropsGives) {
-  const InverterData real{.dead_time = 1.5e-6, .forward_voltage = 0.8};
-  DriveTrain with{MachineData{}, {}, real};
-  DriveTrain without{MachineData{}, {}, {}};
-  double drawn = 0.0;
-  double lost = 0.0;
-  for (DriveTrain* const train : {&with, &without}) {
-    train->set_load_torque(5.0);
-    run(*train, at_speed(30.0, {20.0, -20.0}), 1.0);
-  }
-  EXPECT_GT(with.signals().voltage, without.signals().voltage + 5.0);
-  EXPECT_NEAR(with.signals().measured_speed, 30.0 * kRpm, 0.05);
-
-  const double before = with.stored().sum();
-  for (int i = 0; i < 800; ++i) {
-    drawn += with.step(kDcVoltage, at_speed(30.0, {20.0, -20.0}));
-    const PlantEnergies& went = with.energies();
-    lost += went.copper + went.iron + went.friction + went.load + with.inverter_losses();
-  }
-  EXPECT_NEAR(drawn, lost + with.stored().sum() - before, 1e-3 * drawn);
-}
-
 }  // namespace
 }  // namespace motor

@@ -90,5 +90,28 @@ TEST_P(UnitEnergy, IsAccountedForInStartLoadBrakingIntoTheChopperAndReversal) {
 
 INSTANTIATE_TEST_SUITE_P(EveryMachine, UnitEnergy, testing::ValuesIn(machines()), name_of);
 
+TEST(InverterDrops, AreAskedForByTheControlAndLostInTheInverter) {
+  constexpr double kVoltage = 540.0;
+  const Command command{.pulses_enabled = true, .speed_setpoint = 30.0 * kRpm, .limits = {20.0, -20.0}};
+  const auto started = [&](const InverterData& inverter) {
+    DriveTrain train{MachineData{}, {.constant_torque = 5.0}, inverter};
+    for (int i = 0; i < 8000; ++i) static_cast<void>(train.step(kVoltage, command));
+    return train;
+  };
+  DriveTrain with = started({.dead_time = 1.5e-6, .forward_voltage = 0.8});
+  EXPECT_GT(with.signals().voltage, started({}).signals().voltage + 5.0);
+  EXPECT_NEAR(with.signals().measured_speed, command.speed_setpoint, 0.05);
+
+  const double before = with.stored().sum();
+  double drawn = 0.0;
+  double lost = 0.0;
+  for (int i = 0; i < 800; ++i) {
+    drawn += with.step(kVoltage, command);
+    const PlantEnergies& went = with.energies();
+    lost += went.copper + went.iron + went.friction + went.load + with.inverter_losses();
+  }
+  EXPECT_NEAR(drawn, lost + with.stored().sum() - before, 1e-3 * drawn);
+}
+
 }  // namespace
 }  // namespace motor
