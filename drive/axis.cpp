@@ -16,6 +16,7 @@ constexpr std::uint16_t kAcknowledgeBit = 0x0080;
 constexpr std::uint16_t kHaltBit = 0x0100;
 
 constexpr std::uint16_t kConnectionAbort = 8700;
+constexpr std::uint16_t kZeroMarkDistance = 31100;
 
 constexpr std::int32_t kHaltWithPulsesOff = 0;
 
@@ -182,6 +183,9 @@ void Axis::on_messages_changed() noexcept {
 
 bool Axis::acknowledge() noexcept {
   if (state_ == State::FaultReactionActive) return false;
+  // What the encoder has found is over with the acknowledgement; what is still wrong it finds again.
+  train_.acknowledge_encoder();
+  if (train_.encoder().status().zero_mark_deviation == 0) memory().withdraw(*find_fault(kZeroMarkDistance));
   const bool none_left = memory().acknowledge(pulses_enabled_in(state_));
   if (none_left) apply(Event::Acknowledged);
   on_messages_changed();

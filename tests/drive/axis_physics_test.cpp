@@ -105,6 +105,26 @@ TEST_F(Hoist, WaitsForItsBrakeBeforeItMoves) {
   EXPECT_GT(drive.demand_rpm(), 0.0);
 }
 
+TEST(EncoderDefects, AreAcknowledgedOnceTheyAreGone) {
+  TestAxis drive;
+  drive.turn_at(1000.0);
+  drive.axis.fail_encoder(motor::EncoderDefect::LostPulses);
+  drive.run(0.5);
+  ASSERT_EQ(drive.axis.messages().faults().size(), 1U);
+  EXPECT_EQ(drive.axis.messages().faults()[0].row->number, 31100);
+  EXPECT_GT(drive.axis.messages().faults()[0].value, 0U);
+  EXPECT_FALSE(drive.axis.actual().pulses_enabled);
+
+  drive.axis.fail_encoder(motor::EncoderDefect::None);
+  EXPECT_TRUE(drive.axis.acknowledge());
+  drive.run(0.1);
+  EXPECT_TRUE(drive.axis.messages().faults().empty());
+
+  drive.axis.fail_encoder(motor::EncoderDefect::Loss);
+  drive.run(0.1);
+  EXPECT_FALSE(drive.axis.acknowledge()) << "it is still there";
+}
+
 TEST(MotorData, ThatCannotBeRaiseF07950AndTheMotorTurnsOnWithTheOldOnes) {
   TestAxis drive;
   ASSERT_TRUE(drive.axis.write(10, 3.0));
