@@ -30,8 +30,6 @@ class AxisObjects final : private canopen::EntryOwner, private ParameterListener
 
   /// What the next cycle is to be run with, nothing while idle; of controlwords that came over SDO each takes one.
   std::optional<drive::Setpoints> take_setpoints() noexcept;
-  /// The setpoints at present, whether idle or not.
-  std::optional<drive::Setpoints> current_setpoints() noexcept { return setpoints(); }
   /// Cycles have been run: sees whether the axis has become idle.
   void end_cycles() noexcept;
   /// Shows what the axis does.

@@ -61,13 +61,21 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
   dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
+/// One cycle of every axis with the setpoints that @p take gives for it.
+template <class Take>
+void Device::run_cycle(const Take& take) noexcept {
+  std::array<std::optional<drive::Setpoints>, drive::kMostAxes> wanted{};
+  std::transform(axes_.begin(), axes_.end(), wanted.begin(), take);
+  unit_.cycle({wanted.data(), axes_.size()}, kCycleSeconds);
+}
+
 void Device::start(canopen::TimePoint now) noexcept {
   if (node_.state() == canopen::NmtState::Initialising) {
     last_cycle_ = now;
     started_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     rested_until_ = now;
-    run_cycle(&AxisObjects::current_setpoints);
+    run_cycle([](const AxisObjects& axis) { return std::optional{axis.setpoints()}; });
     process_data_.take_over();
     show_values();
   }
@@ -154,16 +162,10 @@ void Device::run_cycles() noexcept {
   const std::int64_t run = std::min(due, kMostCyclesAtOnce);
   last_cycle_ += due * kCycle;
   skipped_cycles_ += static_cast<std::uint64_t>(due - run);
-  for (std::int64_t i = 0; i < run; ++i) run_cycle(&AxisObjects::take_setpoints);
+  for (std::int64_t i = 0; i < run; ++i) run_cycle([](AxisObjects& axis) { return axis.take_setpoints(); });
   for (AxisObjects& axis : axes_) axis.end_cycles();
   publish();
   resting_ = std::ranges::all_of(axes_, &AxisObjects::is_idle);
-}
-
-void Device::run_cycle(Wanted (AxisObjects::*source)() noexcept) noexcept {
-  std::array<Wanted, drive::kMostAxes> wanted{};
-  std::transform(axes_.begin(), axes_.end(), wanted.begin(), [=](AxisObjects& axis) { return (axis.*source)(); });
-  unit_.cycle({wanted.data(), axes_.size()}, kCycleSeconds);
 }
 
 void Device::publish() noexcept {

@@ -108,8 +108,6 @@ class Device final : private canopen::Application,
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
  private:
-  using Wanted = std::optional<drive::Setpoints>;
-
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   void on_reset(canopen::NmtCommand command) noexcept override;
   void on_rpdo(std::uint16_t number) noexcept override;
@@ -129,7 +127,8 @@ class Device final : private canopen::Application,
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
-  void run_cycle(Wanted (AxisObjects::*source)() noexcept) noexcept;
+  template <class Take>
+  void run_cycle(const Take& take) noexcept;
   void show_values() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;

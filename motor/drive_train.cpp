@@ -116,12 +116,19 @@ SpaceVector DriveTrain::rotor_direction() const noexcept {
   return voltage_frequency_.step(measured, command, signals_);
 }
 
+/// One period in which nothing but temperatures changes.
+double DriveTrain::stand() noexcept {
+  inverter_losses_ = 0.0;
+  if (++heat_.steps == kWarmSteps) warm();
+  return 0.0;
+}
+
 /// The inverter does not give all that it is asked for, and the control does not know.
 void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
   const SpaceVector before = plant_.state().current;
   const SpaceVector drop = power_unit_.distortion(before, dc_voltage);
   plant_.step(next_ - drop);
-  drop_losses_ = 1.5 * kControlPeriod * dot(drop, 0.5 * (before + plant_.state().current));
+  power_unit_.set_drop_losses(1.5 * dot(drop, 0.5 * (before + plant_.state().current)));
 }
 
 /// One period of the machine with the voltage calculated in the period before, or with the pulses inhibited.
@@ -134,13 +141,12 @@ void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
       drive_with_drops(dc_voltage);
   } else {
     voltage_ = {};
-    drop_losses_ = 0.0;
     plant_.coast(dc_voltage);
   }
   const double square = norm(plant_.state().current);
   signals_.current = std::sqrt(square);
   signals_.voltage = length(voltage_);
-  inverter_losses_ = drop_losses_ + kControlPeriod * power_unit_.losses(kRms * signals_.current, pulses);
+  inverter_losses_ = kControlPeriod * power_unit_.losses(kRms * signals_.current, pulses);
   const PlantEnergies& energies = plant_.energies();
   heat_.copper += energies.copper;
   heat_.iron += energies.iron;
@@ -161,6 +167,7 @@ void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
 double DriveTrain::step(double dc_voltage, const Command& command) noexcept {
   if (!command.pulses_enabled) {
     if (pulses_) stop();
+    if (rests()) return stand();
     if (lead_ == Lead::Induction) induction_.coast(encoder_.speed());
     move(dc_voltage, false);
   } else {

@@ -79,6 +79,7 @@ class DriveTrain {
   SpaceVector rotor_direction() const noexcept;
   void move(double dc_voltage, bool pulses) noexcept;
   void observe() noexcept;
+  double stand() noexcept;
   void drive_with_drops(double dc_voltage) noexcept;
   void warm() noexcept;
   void warm(double duration, const Heat& heat) noexcept;
@@ -98,7 +99,6 @@ class DriveTrain {
   SpaceVector voltage_{};  // of the last step, stator frame (V)
   SpaceVector next_{};     // calculated, acts in the next step (V)
   double inverter_losses_ = 0.0;
-  double drop_losses_ = 0.0;  // J, part of the inverter's
   Lead lead_ = Lead::Synchronous;
   bool pulses_ = false;  // the controllers run
   bool driven_ = false;  // the inverter gives next_

@@ -15,6 +15,7 @@ class PowerUnit {
   /// As cold as the air.
   explicit PowerUnit(const InverterData& data) noexcept
       : data_{data},
+        constant_losses_{data.idle_losses},
         overload_{{.reference_current = data.rated_current, .time_constant = data.overload_time_constant}},
         chip_{{.reference_current = data.rated_current,
                .time_constant = data.chip_time_constant,
@@ -28,7 +29,7 @@ class PowerUnit {
   /// What the unit turns into heat (W) at @p current (A rms); nothing with the pulses off.
   double losses(double current, bool pulses_on) const noexcept {
     if (!pulses_on) return 0.0;
-    return data_.idle_losses + current * (data_.losses_per_ampere + data_.losses_per_square * current);
+    return constant_losses_ + current * (data_.losses_per_ampere + data_.losses_per_square * current);
   }
   /// Whether the voltage at the terminals is what was asked for.
   bool is_ideal() const noexcept { return !(data_.dead_time > 0.0 || data_.forward_voltage > 0.0); }
@@ -41,6 +42,8 @@ class PowerUnit {
     for (double& phase : phases) phase = drop * std::clamp(phase / knee, -1.0, 1.0);
     return vector_of(phases);
   }
+  /// From now on distortion() takes @p power (W) besides the other losses.
+  void set_drop_losses(double power) noexcept { constant_losses_ = data_.idle_losses + power; }
   /// Goes on for @p dt (s) with the mean of the squared output current (A² rms); exact for any length.
   void step(double dt, double mean_square_current) noexcept {
     overload_.step(dt, mean_square_current);
@@ -57,6 +60,7 @@ class PowerUnit {
 
  private:
   InverterData data_;
+  double constant_losses_;  // W, whatever the current
   OverloadModel overload_;
   OverloadModel chip_;  // its rise above the heat sink
   OverloadModel heat_sink_;
