@@ -43,12 +43,6 @@ void DriveTrain::tune(const ControlSettings& settings) noexcept {
   if (other_mode) stop();
 }
 
-void DriveTrain::tune(const SpeedControllerGains& gains) noexcept {
-  ControlSettings settings = settings_;
-  settings.speed = gains;
-  tune(settings);
-}
-
 void DriveTrain::set_machine(const MachineData& machine) noexcept {
   believed_ = machine;
   configure();
@@ -82,12 +76,11 @@ void DriveTrain::stop() noexcept {
   pulses_ = false;
   driven_ = false;
   voltage_ = {};
-  const Signals empty{};
   signals_.torque_setpoint = 0.0;
   signals_.torque = 0.0;
   signals_.torque_limit_reached = false;
-  signals_.d_current = empty.d_current;
-  signals_.q_current = empty.q_current;
+  signals_.d_current = 0.0;
+  signals_.q_current = 0.0;
   signals_.d_current_setpoint = 0.0;
   signals_.q_current_setpoint = 0.0;
   signals_.frequency = 0.0;
@@ -114,13 +107,6 @@ SpaceVector DriveTrain::rotor_direction() const noexcept {
       break;
   }
   return voltage_frequency_.step(measured, command, signals_);
-}
-
-/// One period in which nothing but temperatures changes.
-double DriveTrain::stand() noexcept {
-  inverter_losses_ = 0.0;
-  if (++heat_.steps == kWarmSteps) warm();
-  return 0.0;
 }
 
 /// The inverter does not give all that it is asked for, and the control does not know.
@@ -167,7 +153,6 @@ void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
 double DriveTrain::step(double dc_voltage, const Command& command) noexcept {
   if (!command.pulses_enabled) {
     if (pulses_) stop();
-    if (rests()) return stand();
     if (lead_ == Lead::Induction) induction_.coast(encoder_.speed());
     move(dc_voltage, false);
   } else {

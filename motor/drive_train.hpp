@@ -25,8 +25,6 @@ class DriveTrain {
 
   /// Replaces all settings of the control; what the controllers have integrated stays unless the mode changes.
   void tune(const ControlSettings& settings) noexcept;
-  /// Changes the gains of the speed controller with encoder.
-  void tune(const SpeedControllerGains& gains) noexcept;
   /// What the control believes of the machine (p03xx) from now on; the machine itself stays what it is.
   void set_machine(const MachineData& machine) noexcept;
   /// Settings in force.
@@ -79,7 +77,6 @@ class DriveTrain {
   SpaceVector rotor_direction() const noexcept;
   void move(double dc_voltage, bool pulses) noexcept;
   void observe() noexcept;
-  double stand() noexcept;
   void drive_with_drops(double dc_voltage) noexcept;
   void warm() noexcept;
   void warm(double duration, const Heat& heat) noexcept;

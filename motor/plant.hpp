@@ -88,6 +88,7 @@ class Plant {
   template <class S>
   void hold_back(S& shaft) noexcept;
   void start_period() noexcept;
+  void stand() noexcept;
   void turn(const Motion& motion) noexcept;
   void turn_direction(double angle) noexcept;
   void apply_brake() noexcept;

@@ -182,8 +182,16 @@ void Plant::step(SpaceVector voltage) noexcept {
              shaft_);
 }
 
+/// A period in which nothing happens.
+void Plant::stand() noexcept {
+  ++steps_;
+  energies_ = {};
+  state_.torque = 0.0;
+}
+
 void Plant::coast(double dc_voltage) noexcept {
   start_period();
+  if (rests()) return stand();
   const double limit = dc_voltage > 0.0 ? dc_voltage / std::numbers::sqrt3 : 0.0;
   std::visit([&](auto& machine, auto& shaft) { coast_down(machine, shaft, limit); }, machine_, shaft_);
 }

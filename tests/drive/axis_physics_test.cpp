@@ -70,6 +70,23 @@ TEST(AxisDisplays, CountTheEnergyOfBrakingApart) {
   EXPECT_NEAR(shown(drive.axis, 39, 0), shown(drive.axis, 39, 1) - fed_back, 1e-9);
 }
 
+TEST(AxisDisplays, CountNoEnergyOfAMotorThatStandsWithItsPulsesOff) {
+  TestAxis drive{{.load = {.coulomb_friction = 60.0}}};
+  drive.enable(100.0);
+  drive.run(0.2);
+  ASSERT_GT(shown(drive.axis, 32), 0.1) << "it pushes against its friction";
+
+  drive.send(0x0000);
+  drive.run(0.1);
+  const double drawn = shown(drive.axis, 39, 1);
+  const double fed_back = shown(drive.axis, 39, 2);
+  drive.run(10.0);
+
+  EXPECT_EQ(shown(drive.axis, 32), 0.0);
+  EXPECT_EQ(shown(drive.axis, 39, 1), drawn);
+  EXPECT_EQ(shown(drive.axis, 39, 2), fed_back);
+}
+
 struct Hoist : testing::Test {
   static constexpr double kWeight = 5.0;  // N·m
   TestAxis drive{{.load = {.inertia = 0.002, .constant_torque = kWeight, .brake = {.torque = 20.0}}}};
