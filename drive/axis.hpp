@@ -138,7 +138,7 @@ class Axis final : public DriveObject {
   void perform(Action action) noexcept;
   void brake_on(Ramp ramp) noexcept;
   void select_ramp(const Setpoints& setpoints) noexcept;
-  motor::ControlSettings control_settings() const noexcept;
+  motor::ControlSettings control_settings(const motor::MachineData& machine) const noexcept;
   motor::TorqueLimits effective_torque_limits() const noexcept;
   bool has_brake() const noexcept;
   void lead_brake() noexcept;

@@ -32,10 +32,10 @@ ControlMode mode_of(std::int32_t number) noexcept {
 
 }  // namespace
 
-motor::ControlSettings Axis::control_settings() const noexcept {
+/// For @p machine as the control knows it.
+motor::ControlSettings Axis::control_settings(const motor::MachineData& machine) const noexcept {
   const AxisParameters& p = parameters_;
   const double inertia = p.motor_inertia * p.inertia_ratio;
-  const motor::MachineData machine = believed_machine(p, context().axis.machine);
   motor::ControlSettings settings = motor::computed_settings(machine, context().axis.inverter, inertia);
   settings.mode = mode_of(p.control_mode);
   settings.speed = {p.speed_gain, p.speed_integral_time};
@@ -71,10 +71,12 @@ void Axis::apply_parameters() noexcept {
   slopes_ = {ramp(ramp_slope(p.maximum_speed, p.ramp_up_time), off1, p.initial_rounding, p.final_rounding),
              ramp(off1, off1, p.initial_rounding, p.final_rounding),
              ramp(off3, off3, p.off3_initial_rounding, p.off3_final_rounding), RampSlopes{}};
-  implausible_parameter_ = p.commissioning == 0 ? implausible_motor_parameter(p, context().axis.machine) : 0;
-  if (implausible_motor_parameter(p, context().axis.machine) == 0) {  // otherwise the last possible model stays
-    train_.set_machine(believed_machine(p, context().axis.machine));
-    train_.tune(control_settings());
+  const std::uint16_t implausible = implausible_motor_parameter(p, context().axis.machine);
+  implausible_parameter_ = p.commissioning == 0 ? implausible : 0;
+  if (implausible == 0) {  // otherwise the last possible model stays
+    const motor::MachineData machine = believed_machine(p, context().axis.machine);
+    train_.set_machine(machine);
+    train_.tune(control_settings(machine));
   }
   settled_ = false;
 }

@@ -66,10 +66,6 @@ double speed_loop_delay(const MachineData& machine) noexcept {
   return 2.0 * kControlPeriod + 1.0 / kCurrentBandwidth + encoder.filter_time();
 }
 
-SpeedControllerGains default_gains(const MachineData& machine, const Load& load) noexcept {
-  return gains_for(machine.inertia + load.inertia, speed_loop_delay(machine));
-}
-
 ControlSettings computed_settings(const MachineData& machine, const InverterData& inverter,
                                   double total_inertia) noexcept {
   const double power = kPowerReserve * machine.maximum_torque * machine.rated_speed;

@@ -2,7 +2,6 @@
 
 #include "motor/control_settings.hpp"
 #include "motor/inverter_data.hpp"
-#include "motor/load.hpp"
 #include "motor/machine_data.hpp"
 
 namespace motor {
@@ -14,9 +13,6 @@ ControlSettings computed_settings(const MachineData& machine, const InverterData
 
 /// How late a torque comes after the speed that asked for it has changed (s), with the encoder of @p machine.
 double speed_loop_delay(const MachineData& machine) noexcept;
-
-/// Speed controller gains for @p machine with @p load, from the inertia and the sum of the loop's delays.
-SpeedControllerGains default_gains(const MachineData& machine, const Load& load) noexcept;
 
 /// Bandwidth of the current controllers (rad/s): 2π·400, as far as one and a half periods of delay allow.
 inline constexpr double kCurrentBandwidth = 2513.0;
