@@ -11,8 +11,6 @@
 namespace drive {
 namespace {
 
-constexpr std::uint16_t kEnableOperationBit = 0x0008;
-constexpr std::uint16_t kAcknowledgeBit = 0x0080;
 constexpr std::uint16_t kHaltBit = 0x0100;
 
 constexpr std::uint16_t kConnectionAbort = 8700;
@@ -36,6 +34,15 @@ constexpr std::array kReactionEvents{
     ReactionRow{Reaction::ShortCircuit, Event::FaultOff2},
 };
 
+/// Bits 0 to 3 of a controlword from the inputs of the sequence control.
+std::uint16_t sequence_word(const AxisInputs& inputs, bool pulses_allowed) noexcept {
+  const std::array bits{inputs.on, inputs.no_off2 && inputs.no_off2_second,
+                        inputs.no_off3 && inputs.no_off3_second, inputs.enable_operation && pulses_allowed};
+  unsigned word = 0;
+  for (std::size_t i = 0; i < bits.size(); ++i) word |= static_cast<unsigned>(bits[i]) << i;
+  return static_cast<std::uint16_t>(word);
+}
+
 bool halt_requested(std::uint16_t controlword, const AxisParameters& parameters) noexcept {
   return (controlword & kHaltBit) != 0 && parameters.halt_option >= 0;
 }
@@ -56,9 +63,11 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
   restore_parameters();
 }
 
-void Axis::sequence(std::uint16_t controlword, double duration) noexcept {
-  const bool acknowledgement = (controlword & ~controlword_ & kAcknowledgeBit) != 0;
-  controlword_ = controlword;
+void Axis::sequence(const AxisInputs& inputs, double duration) noexcept {
+  const bool acknowledgement = (inputs.acknowledge_1 && !inputs_.acknowledge_1) ||
+                               (inputs.acknowledge_2 && !inputs_.acknowledge_2) ||
+                               (inputs.acknowledge_3 && !inputs_.acknowledge_3);
+  inputs_ = inputs;
   if (apply(Event::Initialised)) return;
   if (acknowledgement) {
     const State before = state_;
@@ -74,8 +83,8 @@ void Axis::sequence(std::uint16_t controlword, double duration) noexcept {
 std::uint16_t Axis::command_word() const noexcept {
   if (inhibited_ || parameters_.commissioning != 0) return 0;
   const bool pulses_off =
-      halt_requested(controlword_, parameters_) && parameters_.halt_option == kHaltWithPulsesOff;
-  return pulses_off ? static_cast<std::uint16_t>(controlword_ & ~kEnableOperationBit) : controlword_;
+      halt_requested(inputs_.controlword, parameters_) && parameters_.halt_option == kHaltWithPulsesOff;
+  return sequence_word(inputs_, !pulses_off);
 }
 
 void Axis::check_standstill(double duration) noexcept {
@@ -128,16 +137,16 @@ void Axis::brake_on(Ramp ramp) noexcept {
   if (ahead) ramp_generator_.start(speed);
 }
 
-void Axis::select_ramp(const Setpoints& setpoints) noexcept {
+void Axis::select_ramp() noexcept {
   static constexpr std::array kHaltRamps{Ramp::Setpoint, Ramp::Off1, Ramp::Off3, Ramp::TorqueLimit};
   target_ = 0.0;
   if (state_ != State::OperationEnabled) return;
-  if (halt_requested(setpoints.controlword, parameters_)) {
+  if (halt_requested(inputs_.controlword, parameters_)) {
     brake_on(kHaltRamps[static_cast<std::size_t>(parameters_.halt_option)]);
     return;
   }
   ramp_ = Ramp::Setpoint;
-  target_ = std::clamp(setpoints.speed, backward_limit_, forward_limit_);
+  target_ = std::clamp(inputs_.main_setpoint, backward_limit_, forward_limit_);
 }
 
 void Axis::react(const FaultRow& row) noexcept {
@@ -155,7 +164,8 @@ void Axis::refresh_status() noexcept {
   actual_.pulses_enabled = pulses;
   actual_.speed_demand = ramp_generator_.output();
   actual_.statusword =
-      statusword(state_, {.controlword = controlword_,
+      statusword(state_, {.no_off2 = inputs_.no_off2 && inputs_.no_off2_second,
+                          .no_off3 = inputs_.no_off3 && inputs_.no_off3_second,
                           .fault = !messages().faults().empty(),
                           .alarm = !messages().alarms().empty(),
                           .target_reached = target_reached_,
@@ -171,7 +181,7 @@ void Axis::power_off() noexcept {
   DriveObject::power_off();
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
-  controlword_ = 0;
+  inputs_ = {};
   refresh_status();
   settled_ = false;
 }

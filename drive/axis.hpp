@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "drive/axis_configuration.hpp"
+#include "drive/axis_inputs.hpp"
 #include "drive/causes.hpp"
 #include "drive/drive_object.hpp"
 #include "drive/parameters.hpp"
@@ -14,13 +15,6 @@
 #include "motor/drive_train.hpp"
 
 namespace drive {
-
-/// What the master sends in one process-data cycle.
-struct Setpoints {
-  std::uint16_t controlword = 0;
-  double speed = 0.0;   ///< rad/s
-  double torque = 0.0;  ///< N·m, has no effect in profile velocity mode
-};
 
 /// Modes of operation that an axis has, with their codes in 6060h and 6061h.
 enum class Mode : std::int8_t { ProfileVelocity = 3 };
@@ -43,7 +37,7 @@ struct ActualValues {
 
 /// What parameters show of an axis beyond its actual values.
 struct AxisInsight {
-  std::uint16_t controlword = 0;        ///< as received
+  AxisInputs inputs{};                  ///< of the last cycle
   bool switching_on_inhibited = false;  ///< by p0010 or p0009
   double ramp_input = 0.0;              ///< r1119 (rad/s)
   double ramp_acceleration = 0.0;       ///< r1149, mean of the last cycle (rad/s²)
@@ -71,10 +65,11 @@ class Axis final : public DriveObject {
 
   /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod, by itself on a DC link that
   /// nothing moves.
-  void cycle(const Setpoints& setpoints, double duration) noexcept;
+  void cycle(const AxisInputs& inputs, double duration) noexcept;
+  void cycle(const Setpoints& setpoints, double duration) noexcept { cycle(inputs_of(setpoints), duration); }
   /// The same in parts, for axes that share a DC link: the sequence control at the beginning of a cycle of
   /// @p duration (s),
-  void begin_cycle(const Setpoints& setpoints, double duration) noexcept;
+  void begin_cycle(const AxisInputs& inputs, double duration) noexcept;
   /// one step of motor::kControlPeriod with the link at @p dc_voltage (V), which returns the energy drawn from it
   /// (J, negative = fed back),
   double step(double dc_voltage) noexcept;
@@ -132,12 +127,12 @@ class Axis final : public DriveObject {
 
   void apply_parameters() noexcept;
   std::uint16_t command_word() const noexcept;
-  void sequence(std::uint16_t controlword, double duration) noexcept;
+  void sequence(const AxisInputs& inputs, double duration) noexcept;
   void check_standstill(double duration) noexcept;
   bool apply(Event event) noexcept;
   void perform(Action action) noexcept;
   void brake_on(Ramp ramp) noexcept;
-  void select_ramp(const Setpoints& setpoints) noexcept;
+  void select_ramp() noexcept;
   motor::ControlSettings control_settings(const motor::MachineData& machine) const noexcept;
   motor::TorqueLimits effective_torque_limits() const noexcept;
   bool has_brake() const noexcept;
@@ -161,7 +156,7 @@ class Axis final : public DriveObject {
   double counts_to_speed_;  // rad an increment
 
   State state_ = State::NotReadyToSwitchOn;
-  std::uint16_t controlword_ = 0;
+  AxisInputs inputs_{};  // of this cycle
   Ramp ramp_ = Ramp::Setpoint;
   double target_ = 0.0;  // ramp input r1119, rad/s
   RampFunctionGenerator ramp_generator_;

@@ -81,16 +81,16 @@ void Axis::apply_parameters() noexcept {
   settled_ = false;
 }
 
-void Axis::cycle(const Setpoints& setpoints, double duration) noexcept {
-  begin_cycle(setpoints, duration);
+void Axis::cycle(const AxisInputs& inputs, double duration) noexcept {
+  begin_cycle(inputs, duration);
   const int steps = std::max(1, static_cast<int>(std::lround(duration / kControlPeriod)));
   for (int i = 0; i < steps; ++i) step(dc_voltage_);
   end_cycle();
 }
 
-void Axis::begin_cycle(const Setpoints& setpoints, double duration) noexcept {
-  sequence(setpoints.controlword, duration);
-  select_ramp(setpoints);
+void Axis::begin_cycle(const AxisInputs& inputs, double duration) noexcept {
+  sequence(inputs, duration);
+  select_ramp();
   cycle_ = {.duration = duration,
             .command = {.pulses_enabled = pulses_enabled_in(state_), .limits = torque_limits_},
             .ramp_before = ramp_generator_.output(),

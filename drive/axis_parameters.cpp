@@ -105,7 +105,7 @@ motor::TorqueLimits Axis::effective_torque_limits() const noexcept {
 }
 
 AxisInsight Axis::insight() const noexcept {
-  return {.controlword = controlword_,
+  return {.inputs = inputs_,
           .switching_on_inhibited = inhibited_ || parameters_.commissioning != 0,
           .ramp_input = target_,
           .ramp_acceleration = ramp_acceleration_,

@@ -49,7 +49,7 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
       axes_[i].rest(duration, dc_link_.voltage());
       continue;
     }
-    axes_[i].begin_cycle(*setpoints[i], duration);
+    axes_[i].begin_cycle(inputs_of(*setpoints[i]), duration);
     running[count++] = &axes_[i];
   }
   const std::span<Axis* const> moved{running.data(), count};

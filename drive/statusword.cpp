@@ -6,9 +6,6 @@
 namespace drive {
 namespace {
 
-constexpr std::uint16_t kOff2 = 0x0002;  // controlword bits, 0 = OFF
-constexpr std::uint16_t kOff3 = 0x0004;
-
 /// Bits that a state sets or clears whatever the signals say.
 struct Row {
   State state;
@@ -42,8 +39,8 @@ struct Bit {
 std::uint16_t statusword(State state, const StatusSignals& signals) noexcept {
   const std::array bits{
       Bit{signals.fault, 3},
-      Bit{(signals.controlword & kOff2) != 0, 4},
-      Bit{(signals.controlword & kOff3) != 0, 5},
+      Bit{signals.no_off2, 4},
+      Bit{signals.no_off3, 5},
       Bit{signals.alarm, 7},
       Bit{true, 9},  // control requested: this unit always listens to its master
       Bit{signals.target_reached, 10},

@@ -8,7 +8,8 @@ namespace drive {
 
 /// What the statusword shows beside the state.
 struct StatusSignals {
-  std::uint16_t controlword = 0;
+  bool no_off2 = false;               ///< bit 4
+  bool no_off3 = false;               ///< bit 5
   bool fault = false;                 ///< bit 3, also for a fault without a reaction
   bool alarm = false;                 ///< bit 7
   bool target_reached = false;        ///< bit 10, r2197.7

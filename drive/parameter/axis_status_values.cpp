@@ -10,11 +10,12 @@
 namespace drive::axis_value {
 namespace {
 
-// Controlword bits.
-constexpr std::uint16_t kOn = 0x0001;
-constexpr std::uint16_t kNoOff2 = 0x0002;
-constexpr std::uint16_t kNoOff3 = 0x0004;
-constexpr std::uint16_t kEnableOperation = 0x0008;
+bool no_off2(const AxisInputs& inputs) noexcept {
+  return inputs.no_off2 && inputs.no_off2_second;
+}
+bool no_off3(const AxisInputs& inputs) noexcept {
+  return inputs.no_off3 && inputs.no_off3_second;
+}
 
 struct Bit {
   unsigned number;
@@ -37,9 +38,8 @@ double inhibited_display(const AxisInsight& seen) noexcept {
     bool holds;
     double code;
   };
-  const std::array reasons{Reason{seen.switching_on_inhibited, 46.0},
-                           Reason{(seen.controlword & kNoOff3) == 0, 43.0},
-                           Reason{(seen.controlword & kNoOff2) == 0, 42.0}};
+  const std::array reasons{Reason{seen.switching_on_inhibited, 46.0}, Reason{!no_off3(seen.inputs), 43.0},
+                           Reason{!no_off2(seen.inputs), 42.0}};
   for (const Reason& reason : reasons)
     if (reason.holds) return reason.code;
   return 41.0;  // ON is still set
@@ -60,17 +60,19 @@ double statusword(const Axis& axis, std::size_t) noexcept {
 }
 
 double controlword(const Axis& axis, std::size_t) noexcept {
-  return axis.insight().controlword;
+  return axis.insight().inputs.controlword;
 }
 
 double missing_enables(const Axis& axis, std::size_t) noexcept {
   const AxisInsight seen = axis.insight();
   const bool fault = is(axis, State::Fault) || is(axis, State::FaultReactionActive);
-  const std::array bits{
-      Bit{0, (seen.controlword & kOn) == 0},         Bit{1, (seen.controlword & kNoOff2) == 0},
-      Bit{2, (seen.controlword & kNoOff3) == 0},     Bit{3, (seen.controlword & kEnableOperation) == 0},
-      Bit{17, fault || seen.switching_on_inhibited}, Bit{19, !axis.actual().pulses_enabled},
-      Bit{30, !axis.actual().pulses_enabled}};
+  const std::array bits{Bit{0, !seen.inputs.on},
+                        Bit{1, !no_off2(seen.inputs)},
+                        Bit{2, !no_off3(seen.inputs)},
+                        Bit{3, !seen.inputs.enable_operation},
+                        Bit{17, fault || seen.switching_on_inhibited},
+                        Bit{19, !axis.actual().pulses_enabled},
+                        Bit{30, !axis.actual().pulses_enabled}};
   return word(bits);
 }
 
@@ -79,9 +81,11 @@ double control_status(const Axis& axis, std::size_t) noexcept {
 }
 
 double sequence_control(const Axis& axis, std::size_t) noexcept {
-  constexpr unsigned kCommands = kOn | kNoOff2 | kNoOff3 | kEnableOperation;
-  constexpr unsigned kAlwaysSet = 0x0470;  // ramp enable and continue, setpoint enable, control by PLC
-  return (axis.insight().controlword & kCommands) | kAlwaysSet;
+  const AxisInputs inputs = axis.insight().inputs;
+  return word(std::array{Bit{0, inputs.on}, Bit{1, no_off2(inputs)}, Bit{2, no_off3(inputs)},
+                         Bit{3, inputs.enable_operation}, Bit{4, inputs.enable_ramp}, Bit{5, inputs.continue_ramp},
+                         Bit{6, inputs.enable_setpoint}, Bit{8, inputs.jog_1}, Bit{9, inputs.jog_2},
+                         Bit{10, inputs.control_by_plc}});
 }
 
 double sequence_status(const Axis& axis, std::size_t) noexcept {
