@@ -11,8 +11,6 @@
 namespace drive {
 namespace {
 
-constexpr std::uint16_t kHaltBit = 0x0100;
-
 constexpr std::uint16_t kConnectionAbort = 8700;
 constexpr std::uint16_t kZeroMarkDistance = 31100;
 
@@ -43,10 +41,6 @@ std::uint16_t sequence_word(const AxisInputs& inputs, bool pulses_allowed) noexc
   return static_cast<std::uint16_t>(word);
 }
 
-bool halt_requested(std::uint16_t controlword, const AxisParameters& parameters) noexcept {
-  return (controlword & kHaltBit) != 0 && parameters.halt_option >= 0;
-}
-
 }  // namespace
 
 Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uint8_t node_id,
@@ -64,10 +58,8 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
 }
 
 void Axis::sequence(const AxisInputs& inputs, double duration) noexcept {
-  const bool acknowledgement = (inputs.acknowledge_1 && !inputs_.acknowledge_1) ||
-                               (inputs.acknowledge_2 && !inputs_.acknowledge_2) ||
-                               (inputs.acknowledge_3 && !inputs_.acknowledge_3);
-  inputs_ = inputs;
+  const bool acknowledgement = has_acknowledgement(wired_, inputs);
+  take_inputs(inputs);
   if (apply(Event::Initialised)) return;
   if (acknowledgement) {
     const State before = state_;
@@ -82,16 +74,21 @@ void Axis::sequence(const AxisInputs& inputs, double duration) noexcept {
 /// missing operation enable.
 std::uint16_t Axis::command_word() const noexcept {
   if (inhibited_ || parameters_.commissioning != 0) return 0;
-  const bool pulses_off =
-      halt_requested(inputs_.controlword, parameters_) && parameters_.halt_option == kHaltWithPulsesOff;
+  const bool pulses_off = halt_requested() && parameters_.halt_option == kHaltWithPulsesOff;
   return sequence_word(inputs_, !pulses_off);
+}
+
+/// Bit 8 of the controlword, where p8791 gives it a function.
+bool Axis::halt_requested() const noexcept {
+  constexpr std::uint16_t kHaltBit = 0x0100;
+  return (inputs_.controlword & kHaltBit) != 0 && parameters_.halt_option >= 0;
 }
 
 void Axis::check_standstill(double duration) noexcept {
   const double closing_time = has_brake() ? context().axis.load.brake.closing_time : 0.0;
   const StandstillMonitor::Limits limits{parameters_.standstill_threshold, parameters_.standstill_monitoring_time,
                                          parameters_.pulse_suppression_delay + closing_time};
-  if (standstill_.update(duration, actual_.speed, ramp_generator_.output(), limits)) apply(Event::Standstill);
+  if (standstill_.update(duration, actual_.speed, channel_.output(), limits)) apply(Event::Standstill);
 }
 
 bool Axis::apply(Event event) noexcept {
@@ -108,15 +105,12 @@ void Axis::perform(Action action) noexcept {
     case Action::None:
       break;
     case Action::EnablePulses:
-      ramp_generator_.start(train_.signals().measured_speed);
-      ramp_ = Ramp::Setpoint;
+      channel_.start(train_.signals().measured_speed);
       break;
     case Action::InhibitPulses:
-      ramp_generator_.start(0.0);
-      ramp_ = Ramp::Setpoint;
+      channel_.start(0.0);
       break;
     case Action::FollowSetpoint:
-      ramp_ = Ramp::Setpoint;
       break;
     case Action::BrakeOnOff1:
       brake_on(Ramp::Off1);
@@ -128,25 +122,7 @@ void Axis::perform(Action action) noexcept {
 }
 
 void Axis::brake_on(Ramp ramp) noexcept {
-  if (ramp_ == ramp) return;
-  ramp_ = ramp;
-  // A motor that has not yet reached its setpoint brakes from where it is instead of speeding up first.
-  const double speed = train_.signals().measured_speed;
-  const double setpoint = ramp_generator_.output();
-  const bool ahead = setpoint * speed < 0.0 || std::abs(setpoint) > std::abs(speed);
-  if (ahead) ramp_generator_.start(speed);
-}
-
-void Axis::select_ramp() noexcept {
-  static constexpr std::array kHaltRamps{Ramp::Setpoint, Ramp::Off1, Ramp::Off3, Ramp::TorqueLimit};
-  target_ = 0.0;
-  if (state_ != State::OperationEnabled) return;
-  if (halt_requested(inputs_.controlword, parameters_)) {
-    brake_on(kHaltRamps[static_cast<std::size_t>(parameters_.halt_option)]);
-    return;
-  }
-  ramp_ = Ramp::Setpoint;
-  target_ = std::clamp(inputs_.main_setpoint, backward_limit_, forward_limit_);
+  channel_.brake(ramp, train_.signals().measured_speed);
 }
 
 void Axis::react(const FaultRow& row) noexcept {
@@ -162,7 +138,8 @@ void Axis::refresh_status() noexcept {
   const bool pulses = pulses_enabled_in(state_);
   actual_.state = state_;
   actual_.pulses_enabled = pulses;
-  actual_.speed_demand = ramp_generator_.output();
+  actual_.speed_demand = channel_.total();
+  actual_.mode = mode_.display(parameters_.control_mode);
   actual_.statusword =
       statusword(state_, {.no_off2 = inputs_.no_off2 && inputs_.no_off2_second,
                           .no_off3 = inputs_.no_off3 && inputs_.no_off3_second,
@@ -181,7 +158,7 @@ void Axis::power_off() noexcept {
   DriveObject::power_off();
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
-  inputs_ = {};
+  wired_ = inputs_ = {};
   refresh_status();
   settled_ = false;
 }

@@ -103,7 +103,9 @@ double speed_controller_control(const Axis& axis, std::size_t) noexcept {
 
 double speed_controller_status(const Axis& axis, std::size_t) noexcept {
   const bool pulses = axis.actual().pulses_enabled;
-  return word(std::array{Bit{3, pulses}, Bit{7, axis.insight().torque_limit_reached}});
+  const AxisInsight seen = axis.insight();
+  return word(std::array{Bit{2, pulses && seen.torque_control}, Bit{3, pulses && !seen.torque_control},
+                         Bit{7, seen.torque_limit_reached}});
 }
 
 double speed_status(const Axis& axis, std::size_t) noexcept {
