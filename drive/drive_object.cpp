@@ -23,10 +23,11 @@ double factory_value(const ParameterRow& row, const ObjectContext& context, std:
   return std::get<FactoryFunction>(row.factory)(context, index);
 }
 
-/// Inputs, and the references that quantities are relative to.
+/// Inputs, the references that quantities are relative to, and what converters invert.
 bool concerns_wiring(const ParameterRow& row) noexcept {
-  constexpr std::uint16_t kFirstReference = 2000, kLastReference = 2007;
-  return is_bico_input(row.type) || (row.number >= kFirstReference && row.number <= kLastReference);
+  constexpr std::uint16_t kFirstReference = 2000, kLastReference = 2007, kInvertBits = 8888, kInvertWords = 8898;
+  const bool is_reference = row.number >= kFirstReference && row.number <= kLastReference;
+  return is_bico_input(row.type) || is_reference || row.number == kInvertBits || row.number == kInvertWords;
 }
 
 bool is_agreed(const ParameterRow& row) noexcept {

@@ -66,10 +66,11 @@ TEST(ProcessDataBuffers, ShowWhatIsSent) {
 TEST(ProcessDataBuffers, SendNothingFromAPlaceThatIsNotConnected) {
   ProcessDataUnit unit{1};
   unit.start();
-  ASSERT_TRUE(unit.set_parameter(2, 8851, 0, 0.0));
+  ASSERT_TRUE(unit.set_parameter(2, 8851, 0, 1.0));
+  ASSERT_EQ(unit.read(0x6041), 0x4000);
 
+  ASSERT_TRUE(unit.set_parameter(2, 8851, 0, 0.0));
   EXPECT_EQ(unit.read(0x6041), 0);
-  EXPECT_NE(unit.parameter(2, 8784), 0);
 }
 
 TEST(ProcessDataBuffers, FollowAMappingOnceItIsWritten) {
