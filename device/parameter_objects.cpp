@@ -14,10 +14,15 @@ namespace {
 enum class Form : std::uint8_t {
   Number,       ///< the nearest whole number
   Slope,        ///< a ramp time as the slope from p1082 (increments/s²)
+  Torque,       ///< per mille of the rated torque
   ProfileType,  ///< p1115: 0 is a linear ramp (0), 1 one with rounding (3); CiA 402 has other types beside them
 };
 constexpr std::int64_t kLinearRamp = 0;
 constexpr std::int64_t kRoundedRamp = 3;
+
+constexpr std::uint16_t kUpperTorqueLimit = 1520;
+constexpr std::uint16_t kLowerTorqueLimit = 1521;
+constexpr double kPerMille = 1000.0;
 
 struct Row {
   std::uint16_t index;
@@ -32,6 +37,7 @@ constexpr std::array kRows{
     Row{object::kVelocityAcceleration, 1, 1082, Form::Number},
     Row{object::kVelocityAcceleration, 2, 1120, Form::Number},
     Row{object::kHaltOption, 0, 8791, Form::Number},
+    Row{object::kMaxTorque, 0, kUpperTorqueLimit, Form::Torque},
     Row{object::kProfileAcceleration, 0, 1120, Form::Slope},
     Row{object::kProfileDeceleration, 0, 1121, Form::Slope},
     Row{object::kQuickStopDeceleration, 0, 1135, Form::Slope},
@@ -70,6 +76,8 @@ canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry
   switch (row.form) {
     case Form::Slope:
       return scaling_.get().slope_to_bus(axis_.parameters().maximum_speed, *value);
+    case Form::Torque:
+      return whole(*value / axis_.parameters().rated_torque * kPerMille, entry);
     case Form::ProfileType:
       return *value > 0.0 ? kRoundedRamp : kLinearRamp;
     case Form::Number:
@@ -82,6 +90,7 @@ canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry
 canopen::Result<double> ParameterObjects::parameter_value(const canopen::Entry& entry, std::int64_t value) const {
   const Row& row = row_of(entry);
   if (row.form == Form::Number) return static_cast<double>(value);
+  if (row.form == Form::Torque) return static_cast<double>(value) / kPerMille * axis_.parameters().rated_torque;
   if (row.form == Form::ProfileType) {
     if (value != kLinearRamp && value != kRoundedRamp) return canopen::refuse(canopen::AbortCode::InvalidValue);
     return value == kRoundedRamp ? 1.0 : 0.0;
@@ -96,7 +105,9 @@ canopen::Result<double> ParameterObjects::parameter_value(const canopen::Entry& 
 canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::int64_t value) {
   const auto wanted = parameter_value(entry, value);
   if (!wanted) return canopen::refuse(wanted.error());
-  const auto written = axis_.write(row_of(entry).parameter, *wanted);
+  const Row& row = row_of(entry);
+  auto written = axis_.write(row.parameter, *wanted);
+  if (written && row.form == Form::Torque) written = axis_.write(kLowerTorqueLimit, -*wanted);  // both directions
   if (!written) return canopen::refuse(abort_code(written.error().reason));
   listener_.on_parameter_written(axis_);
   return {};
