@@ -28,6 +28,7 @@ class ParameterObjects final : public canopen::EntryOwner {
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
 
  private:
+  tl::expected<void, drive::ParameterError> write_torque_limits(double torque) noexcept;
   canopen::Result<double> parameter_value(const canopen::Entry& entry, std::int64_t value) const;
 
   drive::Axis& axis_;
