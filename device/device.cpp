@@ -231,7 +231,7 @@ canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
   if (value != 0) return canopen::refuse(canopen::AbortCode::InvalidValue);
   tell_time(now_);
   unit_.for_each_object([this](const drive::DriveObject& object) { unit_.acknowledge(object.number()); });
-  alarm_changed_ = true;
+  show_messages();
   return {};
 }
 

@@ -96,6 +96,8 @@ class Device final : private canopen::Application,
   /// The CAN controller is in error state @p state now. While the bus is off the unit sends nothing and hears
   /// nothing but SDO requests, which it answers: p8608 ends that also where no controller does.
   void on_bus_state(BusState state, canopen::TimePoint now) noexcept;
+  /// p8608[0] = 1 at @p now; false if the bus is not off.
+  bool restart_bus(canopen::TimePoint now) noexcept;
   /// Frames that had arrived were lost before on_frame(): A08751.
   void on_frames_lost(canopen::TimePoint now) noexcept;
 

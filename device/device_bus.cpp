@@ -124,6 +124,13 @@ void Device::restart_bus() noexcept {
   communication_.plan_restart(now_);
 }
 
+bool Device::restart_bus(canopen::TimePoint now) noexcept {
+  if (!communication_.is_bus_off()) return false;
+  tell_time(now);
+  restart_bus();
+  return true;
+}
+
 IndicatorLeds Device::leds() const noexcept {
   const auto faults = unit_.object(drive::kControlUnitNumber)->messages().faults();
   const bool guarding_lost = std::ranges::any_of(faults, [](const drive::FaultEntry& fault) {

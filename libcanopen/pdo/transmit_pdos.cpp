@@ -236,7 +236,7 @@ void TransmitPdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_in
   if (value == 0) {
     context_.timers.cancel(timer(position, Timer::Event));
   } else {
-    context_.timers.arm(timer(position, Timer::Event), cycle.next_from(context_.now + pdo.event_period));
+    context_.timers.arm(timer(position, Timer::Event), cycle.begin_of(context_.now) + pdo.event_period);
   }
 }
 
