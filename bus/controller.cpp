@@ -97,7 +97,7 @@ std::array<std::byte, 64> restart_request(int index) noexcept {
   message.put(about);
   const std::size_t information = message.open(IFLA_LINKINFO);
   const std::size_t kind = message.open(IFLA_INFO_KIND);
-  message.put(kKind.data(), kKind.size());
+  message.put(kKind.data(), kKind.size() + 1);  // a literal: with its terminator
   message.close(kind);
   const std::size_t data = message.open(IFLA_INFO_DATA);
   const std::size_t restart = message.open(IFLA_CAN_RESTART);

@@ -64,7 +64,7 @@ TEST(RestartRequest, NamesTheInterfaceAndTheRestart) {
   EXPECT_EQ(front<ifinfomsg>(body)->ifi_index, 7);
   const auto information = attribute(after(body, sizeof(ifinfomsg)), IFLA_LINKINFO);
   const auto kind = attribute(information, IFLA_INFO_KIND);
-  EXPECT_EQ(std::string(reinterpret_cast<const char*>(kind.data()), kind.size()), "can");
+  EXPECT_STREQ(reinterpret_cast<const char*>(kind.data()), "can");
   const auto restart = attribute(attribute(information, IFLA_INFO_DATA), IFLA_CAN_RESTART);
   EXPECT_EQ(front<std::uint32_t>(restart), 1U);
 }

@@ -66,20 +66,21 @@ struct BusError : testing::Test {
 TEST_F(BusError, BusOffStopsTheMotorInSilenceUntilP8608EndsIt) {
   ASSERT_TRUE(log.send(kBusOff));
   ASSERT_TRUE(daemon.program().wait_for_output("bus-off"));
-  ASSERT_TRUE(log.send("605#4000100000000000"));
-  ASSERT_TRUE(log.shows({"585#430010009201FFFF"}));
+  EXPECT_EQ(sdo.upload(0x1000).number(), 0xFFFF0192U);
+  ASSERT_TRUE(log.shows({"605#4000100000000000", "585#430010009201FFFF"}));
 
   EXPECT_TRUE(comes_to(kFault));
   EXPECT_TRUE(log.shows_none_of({"085", "185", "285", "385", "485"}));
   EXPECT_EQ(led("error"), "on");
 
-  EXPECT_TRUE(log.send("605#2BA0410001000000"));
-  EXPECT_TRUE(log.shows({"585#60A0410000000000", "085#011011FC21010000", "085#011011FC21020000"}));
+  EXPECT_EQ(sdo.download(kClearBusOff, 0, 1, 2), 0U);
+  EXPECT_TRUE(
+      log.shows({"605#2BA0410001000000", "585#60A0410000000000", "085#011011FC21010000", "085#011011FC21020000"}));
   EXPECT_TRUE(wait_for_state(can, kFault)) << "the TPDOs are back";
   EXPECT_EQ(sdo.upload(kClearBusOff, 0).number(), 0U);
   EXPECT_EQ(led("error"), "off");
 
-  EXPECT_TRUE(log.send("605#2F03100000000000"));
+  EXPECT_EQ(sdo.download(0x1003, 0, 0, 1), 0U);
   EXPECT_TRUE(log.shows({kNothingLeft, "585#6003100000000000"}));
   EXPECT_TRUE(wait_for_state(can, kSwitchOnDisabled));
 }
