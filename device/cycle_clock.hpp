@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "drive/axis.hpp"
 #include "libcanopen/base/time.hpp"
 #include "libcanopen/pdo/pdo_cycle.hpp"
-#include "motor/control_period.hpp"
 
 namespace device {
 

@@ -72,10 +72,10 @@ void Device::miss_rpdos() noexcept {
 /// A frame of RPDO @p number has overwritten the one before in the same cycle. A synchronous RPDO is none of
 /// A08751's, and while the unit is late nobody knows which cycles the frames belong to.
 void Device::lose_telegram(std::uint16_t number) noexcept {
+  if (clock_.next() <= now_) return;
   const auto pdos = node_.receive_pdos();
   const auto found = std::ranges::find(pdos, number, &canopen::PdoSettings::number);
-  const bool synchronous = found != pdos.end() && found->transmission_type <= canopen::kLastSynchronousType;
-  if (synchronous || clock_.next() <= now_) return;
+  if (found != pdos.end() && found->transmission_type <= canopen::kLastSynchronousType) return;
   ++lost_telegrams_;
   if (!telegram_loss_.on_loss(now_)) return;
   tell_time(now_);
