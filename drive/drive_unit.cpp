@@ -68,7 +68,8 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   std::array<std::optional<AxisInputs>, kMostAxes> inputs{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     inputs[i] = wiring_->inputs(i + 1);
-    if (!awake[i] && *inputs[i] == axes_[i].inputs()) inputs[i].reset();
+    const bool rests = !awake[i] && axes_[i].is_quiescent() && *inputs[i] == axes_[i].inputs();
+    if (rests) inputs[i].reset();
   }
   acknowledge_by_inputs();
   run({inputs.data(), axes_.size()}, duration);
