@@ -68,7 +68,7 @@ TEST(Connectors, BringNothingFromWhatIsNotThere) {
 
 TEST(Connectors, BringSingleBits) {
   TwoAxes two;
-  two.unit.axes()[1].cycle({.controlword = 0x0005}, 0.004);
+  two.unit.axes()[1].cycle(Setpoints{.controlword = 0x0005}, 0.004);
 
   for (std::uint16_t bit = 0; bit < 16; ++bit)
     EXPECT_EQ(connected_bit(two.unit, two.unit.axes()[0], pack({8795, 3, bit})), bit == 0 || bit == 2) << bit;
