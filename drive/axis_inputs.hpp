@@ -93,6 +93,12 @@ constexpr AxisInputs inputs_of(const Setpoints& setpoints) noexcept {
   return inputs;
 }
 
+/// Whether an acknowledge input has risen from @p before to @p now.
+constexpr bool has_acknowledgement(const AxisInputs& before, const AxisInputs& now) noexcept {
+  return (now.acknowledge_1 && !before.acknowledge_1) || (now.acknowledge_2 && !before.acknowledge_2) ||
+         (now.acknowledge_3 && !before.acknowledge_3);
+}
+
 /// What acts on the messages and the statusword of an axis when a cycle is over.
 struct AxisFeedback {
   std::optional<double> message_setpoint{};  ///< p2151 (rad/s); nothing: r1119
