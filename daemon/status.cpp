@@ -20,7 +20,7 @@ using nlohmann::json;
 /// Names of drive::State, in its order, as CiA 402 prints them.
 constexpr std::array<std::string_view, drive::kStateCount> kStateNames{
     "Not ready to switch on", "Switch on disabled", "Ready to switch on",    "Switched on", "Operation enabled",
-    "OFF1 braking",           "Quick stop active",  "Fault reaction active", "Fault"};
+    "OFF1 braking",           "Quick stop active",  "Fault reaction active", "STOP2",       "Fault"};
 
 json messages(std::span<const drive::FaultEntry> entries) {
   json list = json::array();
