@@ -96,11 +96,17 @@ void start(SlaveClient& client, const Target&, unsigned long) {
   client.start_node();
 }
 
-/// Every TPDO on every SYNC.
+/// Every TPDO on every SYNC. The further axes of a new unit have no identifiers for theirs.
 void synchronous(SlaveClient& client, const Target& target, unsigned long) {
-  constexpr std::uint16_t kFirst = 0x1800;
-  for (std::uint16_t i = 0; i < target.pdos; ++i)
-    client.download({static_cast<std::uint16_t>(kFirst + i), 2}, 1, 1);
+  constexpr unsigned kFirst = 0x1800, kAxisStride = 0x40, kOfAnAxis = 4;
+  constexpr std::uint32_t kFirstCobId = 0x40000180, kFunctionStride = 0x100;
+  for (unsigned i = 0; i < target.pdos; ++i) {
+    const unsigned axis = target.axes > 1 ? i / kOfAnAxis : 0;
+    const unsigned place = i - axis * kOfAnAxis;
+    const auto index = static_cast<std::uint16_t>(kFirst + axis * kAxisStride + place);
+    client.download({index, 2}, 1, 1);
+    if (axis > 0) client.download({index, 1}, kFirstCobId + place * kFunctionStride + target.node + axis, 4);
+  }
 }
 
 void heartbeat(SlaveClient& client, const Target&, unsigned long milliseconds) {
@@ -141,6 +147,7 @@ bool parse(std::string_view word, Number& number, int base = 10) {
 bool take_option(Target& target, std::string_view name, std::string_view value) {
   constexpr int kHexadecimal = 16;
   if (name == "--pdos") return parse(value, target.pdos);
+  if (name == "--axes") return parse(value, target.axes);
   if (name == "--process") return parse(value, target.process);
   if (name == "--pause") return parse(value, target.pause_us);
   return name == "--object" && parse(value, target.written.index, kHexadecimal);
@@ -175,7 +182,8 @@ std::optional<std::vector<Order>> orders_of(std::span<char*> words) {
 
 int usage() {
   std::fputs(
-      "usage: bus_client INTERFACE NODE [--pdos N] [--process PID] [--object INDEX] [--pause US] TEST[:COUNT]...\n"
+      "usage: bus_client INTERFACE NODE [--pdos N] [--axes N] [--process PID] [--object INDEX] [--pause US] "
+      "TEST[:COUNT]...\n"
       "tests: upload download sync flood (COUNT of them), idle (seconds), start, synchronous, heartbeat (ms)\n",
       stderr);
   return kUsage;

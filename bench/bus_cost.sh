@@ -111,6 +111,8 @@ axisd=("$bin/axisd" --interface vcan0 --node-id "$node" --state-directory "$work
 measure echo4 -- "$bin/can_echo" vcan0 "$node" 4
 measure slave4 -- "$bin/bus_slave" vcan0 "$node" --pdos 4
 measure axisd --object 60FF -- "${axisd[@]}" --control none
+measure echo32 --pdos 32 -- "$bin/can_echo" vcan0 "$node" 32
+measure axisd8 --object 60FF --pdos 32 --axes 8 -- "${axisd[@]}" --axes 8 --state-directory "$work/state8" --control none
 measure echo64 --pdos 64 -- "$bin/can_echo" vcan0 "$node" 64
 measure slave64 --pdos 64 -- "$bin/bus_slave" vcan0 "$node" --pdos 64
 flood echo4 "$bin/can_echo" vcan0 "$node"
@@ -147,9 +149,14 @@ awk '
     line("SYNC to 4th TPDO, p50", "1.05", "sync_p50", "echo4", "slave4 - axisd")
     line("SYNC to 4th TPDO, p99", "", "sync_p99", "echo4", "slave4 - axisd")
     line("SYNC to 4 TPDOs, CPU", "", "sync_cpu", "echo4", "slave4 - axisd")
+    line("SYNC to 32nd TPDO, p50", "", "sync_p50", "echo32", "- - axisd8")
+    line("SYNC to 32 TPDOs, CPU", "1.04", "sync_cpu", "echo32", "- - axisd8")
     line("SYNC to 64th TPDO, p50", "", "sync_p50", "echo64", "- slave64 -")
     line("SYNC to 64 TPDOs, CPU", "1.04", "sync_cpu", "echo64", "- slave64 -")
     line("idle with a heartbeat every 100 ms, CPU a second", "1.3", "idle_cpu", "echo4", every)
+    line("eight axes: SDO upload, CPU", "1.10", "upload_cpu", "echo32", "- - axisd8")
+    line("eight axes: SDO download, CPU", "1.10", "download_cpu", "echo32", "- - axisd8")
+    line("eight axes: idle, CPU a second", "1.3", "idle_cpu", "echo32", "- - axisd8")
     line("RPDO in a flood, CPU", "", "flood_cpu", "echo4", every)
     plain("heartbeat period of 100 ms, p50 (ns)", "", "heartbeat_p50")
     plain("heartbeat period of 100 ms, p99 (ns)", "", "heartbeat_p99")

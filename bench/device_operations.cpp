@@ -1,6 +1,7 @@
 #include <array>
 #include <vector>
 
+#include "bench/cycle_operations.hpp"
 #include "bench/device_unit.hpp"
 #include "bench/operation.hpp"
 #include "device/object_rows.hpp"
@@ -70,10 +71,12 @@ struct Rpdo {
               bus.upload({0x6071, 0}) == 5,
           "values of RPDO 4");
   }
+  /// No cycle comes between, as in a unit that catches up.
   void step() {
     ++frame.data[2];
-    bus.unit.on_frame(frame, bus.now);
+    bus.unit.on_frame(frame, bus.now + kLate);
   }
+  static constexpr canopen::Duration kLate = std::chrono::hours{1};
 
   DeviceUnit bus;
   Frame frame{.id = 0x502, .length = 8, .data = {0x06, 0x00, 0x00, 0x00, 0x02, 0x00, 0x05, 0x00}};
@@ -101,7 +104,7 @@ struct TurningTick {
   TurningTick() {
     for (std::uint16_t pdo = 0; pdo < kTpdos; ++pdo) map_position(pdo);
     bus.enter_operational();
-    bus.turn_axis();
+    bus.turn_axes();
     const std::uint64_t before = bus.sink.count;
     step();
     check(bus.sink.count - before == kTpdos, "number of TPDOs in a tick");
@@ -140,7 +143,7 @@ struct RestingTick {
 }  // namespace
 
 std::vector<OperationRow> device_operations() {
-  return {
+  std::vector<OperationRow> rows{
       {"device/sdo_upload", "unit: SDO expedited upload, the same object", make<Upload>},
       {"device/sdo_upload_random", "unit: SDO expedited upload, random object", make<RandomUpload>},
       {"device/sdo_upload_slope", "unit: SDO expedited upload of 6083h, a parameter", make<SlopeUpload>},
@@ -150,6 +153,9 @@ std::vector<OperationRow> device_operations() {
       {"device/tick_turning", "unit: 4 ms tick, axis at speed, 4 event-driven TPDOs sent", make<TurningTick>},
       {"device/tick_resting", "unit: tick with nothing due", make<RestingTick>},
   };
+  const auto cycles = cycle_operations();
+  rows.insert(rows.end(), cycles.begin(), cycles.end());
+  return rows;
 }
 
 }  // namespace bench

@@ -1,6 +1,5 @@
 #include "bus/link_monitor.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -11,6 +10,8 @@
 #include <linux/rtnetlink.h>
 #include <net/if.h>
 #include <sys/socket.h>
+
+#include "bus/netlink.hpp"
 
 namespace bus {
 
@@ -29,40 +30,19 @@ Descriptor open_socket() {
   return socket;
 }
 
-/// Copies the header of type T off the front of @p bytes; the bytes may lie anywhere in memory.
-template <class T>
-std::optional<T> front(std::span<const std::byte> bytes) noexcept {
-  if (bytes.size() < sizeof(T)) return std::nullopt;
-  T value{};
-  std::memcpy(&value, bytes.data(), sizeof value);
-  return value;
-}
-
-/// @p bytes without the first @p size ones and their padding to four bytes.
-std::span<const std::byte> after(std::span<const std::byte> bytes, std::size_t size) noexcept {
-  return bytes.subspan(std::min(bytes.size(), (size + 3) & ~std::size_t{3}));
-}
-
 /// Value of attribute IFLA_IFNAME in @p attributes, empty if it is missing.
 std::string_view interface_name(std::span<const std::byte> attributes) noexcept {
-  while (const auto header = front<rtattr>(attributes)) {
-    if (header->rta_len < sizeof(rtattr) || header->rta_len > attributes.size()) break;
-    if (header->rta_type == IFLA_IFNAME) {
-      const auto value = attributes.subspan(sizeof(rtattr), header->rta_len - sizeof(rtattr));
-      const auto* text = reinterpret_cast<const char*>(value.data());
-      return {text, ::strnlen(text, value.size())};
-    }
-    attributes = after(attributes, header->rta_len);
-  }
-  return {};
+  const auto value = netlink::attribute(attributes, IFLA_IFNAME);
+  const auto* text = reinterpret_cast<const char*>(value.data());
+  return {text, ::strnlen(text, value.size())};
 }
 
 /// The link after one link message @p payload of type @p type, as far as the message is about it.
 KnownLink follow(std::uint16_t type, std::span<const std::byte> payload, std::string_view name,
                  KnownLink link) noexcept {
-  const auto about = front<ifinfomsg>(payload);
+  const auto about = netlink::front<ifinfomsg>(payload);
   if (!about) return link;
-  const bool named = interface_name(after(payload, sizeof(ifinfomsg))) == name;
+  const bool named = interface_name(netlink::after(payload, sizeof(ifinfomsg))) == name;
   if (type == RTM_NEWLINK && named)
     return {(about->ifi_flags & IFF_UP) != 0 ? LinkState::Up : LinkState::Down, about->ifi_index};
   // Another name on our index is a renaming: nothing of our name is left.
@@ -75,14 +55,14 @@ KnownLink follow(std::uint16_t type, std::span<const std::byte> payload, std::st
 
 bool follow_link_messages(std::span<const std::byte> bytes, std::string_view name, KnownLink& link) noexcept {
   bool changed = false;
-  while (const auto header = front<nlmsghdr>(bytes)) {
+  while (const auto header = netlink::front<nlmsghdr>(bytes)) {
     if (header->nlmsg_len < sizeof(nlmsghdr) || header->nlmsg_len > bytes.size()) break;
     const auto payload = bytes.subspan(sizeof(nlmsghdr), header->nlmsg_len - sizeof(nlmsghdr));
     if (header->nlmsg_type == RTM_NEWLINK || header->nlmsg_type == RTM_DELLINK) {
       const KnownLink next = follow(header->nlmsg_type, payload, name, link);
       changed |= std::exchange(link, next) != next;
     }
-    bytes = after(bytes, header->nlmsg_len);
+    bytes = netlink::after(bytes, header->nlmsg_len);
   }
   return changed;
 }

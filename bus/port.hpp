@@ -44,6 +44,13 @@ struct Received {
   friend constexpr bool operator==(const Received&, const Received&) = default;
 };
 
+/// What came of an attempt to bring a controller back from bus-off.
+enum class Restart : std::uint8_t {
+  Done,     ///< the bus can be used
+  Started,  ///< the controller starts again: Received::Error tells when it is there
+  Refused,  ///< the program may not (CAP_NET_ADMIN): the interface has to do it by itself (restart-ms)
+};
+
 /// One identifier that a port shall deliver; frame format and remote bit must match too.
 struct Filter {
   std::uint32_t identifier = 0;  ///< 0..7FFh, with `extended` 0..1FFFFFFFh
@@ -84,6 +91,8 @@ class Port {
   /// Connects the same port again and forgets what was received before; to be called whenever the Link has told
   /// Up, also if it was up before. After Received::Down nothing is sent or received until then. False: not there.
   [[nodiscard]] virtual bool reopen() noexcept = 0;
+  /// Brings the controller back from bus-off; where there is none, the bus can be used at once.
+  [[nodiscard]] virtual Restart restart() noexcept { return Restart::Done; }
   /// False if the bus cannot carry remote frames: send() fails with them, and none arrives.
   [[nodiscard]] virtual bool carries_remote_frames() const noexcept { return true; }
   /// The receive buffer, where its size is up to the system.

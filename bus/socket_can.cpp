@@ -8,6 +8,7 @@
 #include <linux/can/raw.h>
 #include <sys/socket.h>
 
+#include "bus/controller.hpp"
 #include "bus/socket_option.hpp"
 #include "bus/wire.hpp"
 
@@ -71,6 +72,13 @@ bool SocketCan::reopen() noexcept {
   error_state_ = ErrorState::Active;
   link_failure_ = LinkFailure::None;
   return true;
+}
+
+Restart SocketCan::restart() noexcept {
+  const auto index = can_interface_index(interface_, socket_);
+  const Restart outcome = index ? restart_controller(*index) : Restart::Started;
+  if (outcome == Restart::Done) error_state_ = ErrorState::Active;  // nobody else tells
+  return outcome;
 }
 
 /// What waited while the link was away is no longer meant for anybody.

@@ -33,6 +33,7 @@ class SocketCan final : public Port {
 
   /// Binds the same descriptor to the interface of that name, which may be another one than before.
   [[nodiscard]] bool reopen() noexcept override;
+  [[nodiscard]] Restart restart() noexcept override;
   [[nodiscard]] std::optional<ReceiveBuffer> receive_buffer() const noexcept override;
 
  private:

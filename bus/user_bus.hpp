@@ -28,6 +28,10 @@ class UserBus final : public Port {
   [[nodiscard]] SendStatus send(const canopen::Frame& frame) noexcept override;
   [[nodiscard]] Received receive(canopen::Frame& frame) noexcept override;
   [[nodiscard]] ErrorState error_state() const noexcept override { return error_state_; }
+  [[nodiscard]] Restart restart() noexcept override {
+    error_state_ = ErrorState::Active;  // there is no controller that would tell
+    return Restart::Done;
+  }
   /// As the hub has told with the last frame that arrived.
   [[nodiscard]] std::uint64_t dropped() const noexcept override { return dropped_before_ + dropped_; }
   [[nodiscard]] int descriptor() const noexcept override { return pollable_.descriptor(); }

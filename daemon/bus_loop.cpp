@@ -18,6 +18,10 @@ constexpr std::size_t kMostSubscriptions = 2048;
 constexpr int kBurst = 32;
 /// Every so many single frames the socket is asked for a second one, which shows whether a burst is on.
 constexpr unsigned kBurstProbe = 64;
+/// A turn that is late by this much may have left frames unread that came before its deadline.
+constexpr canopen::Duration kLate = std::chrono::milliseconds{1};
+/// More frames than the receive buffer holds: a bus that never stops must not keep the timer from its turn.
+constexpr int kMostWaiting = 4096;
 /// After so many turns in which the timer rang the rare descriptors are looked after in spite of it.
 constexpr unsigned kMostRings = 16;
 
@@ -67,14 +71,19 @@ void BusLoop::follow_subscriptions() noexcept {
 }
 
 void BusLoop::turn() noexcept {
-  timer_.wake_by(std::min(station_.next_deadline(), queue_.next_retry()), now_);
+  const canopen::TimePoint deadline = station_.next_deadline();
+  timer_.wake_by(std::min(deadline, queue_.next_retry()), now_);
   const bool listens = is_open_ && queue_.accepts_input();
   std::array<pollfd, 2> wait{pollfd{listens ? port_.descriptor() : -1, POLLIN, 0},
                              pollfd{others_.get(), POLLIN, 0}};
   if (::ppoll(wait.data(), wait.size(), nullptr, nullptr) <= 0) return;
   now_ = read_clock();
   queue_.retry(now_);
-  if (wait[0].revents != 0) receive();
+  if (listens && now_ - deadline >= kLate) {
+    catch_up();
+  } else if (wait[0].revents != 0) {
+    receive();
+  }
   if (station_.next_deadline() <= now_) station_.on_time(now_);
   if (wait[1].revents != 0) look_after_others();
 }
@@ -94,6 +103,20 @@ void BusLoop::receive() noexcept {
   int frames = 0;
   while (frames < most && queue_.accepts_input() && receive_frame()) ++frames;
   in_burst_ = frames > 1;
+  end_burst(frames);
+}
+
+void BusLoop::catch_up() noexcept {
+  int frames = 0;
+  while (frames < kMostWaiting && queue_.accepts_input() && receive_frame()) ++frames;
+  end_burst(frames);
+}
+
+/// @p frames have been read at once; fewer than a burst are the last ones.
+void BusLoop::end_burst(int frames) noexcept {
+  const bool is_over = flooded_ && frames < kBurst;
+  flooded_ = frames >= kBurst;
+  if (is_over) station_.on_burst_end();
 }
 
 /// False if there was none.

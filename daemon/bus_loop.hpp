@@ -15,7 +15,8 @@ namespace axisd {
 ///
 /// A turn is one poll over two descriptors: that of the port, and an epoll descriptor that stands for the timer
 /// and for everything rare. A request that comes alone costs poll, read and send; frames that come faster are read
-/// in bursts.
+/// in bursts. A turn that comes late hands over all frames that wait before it tells the time: what they say is
+/// older than the deadlines that have passed.
 class BusLoop {
  public:
   /// Closed at first; @p port and @p station outlive it. Throws std::system_error.
@@ -28,6 +29,8 @@ class BusLoop {
   /// The bus is gone: what waits is dropped, and nothing is received until open().
   void close() noexcept;
   bool is_open() const noexcept { return is_open_; }
+  /// Brings the bus back from bus-off (see bus::Port::restart()).
+  [[nodiscard]] bus::Restart restart_bus() noexcept { return port_.restart(); }
   /// Receives from now on what Station::subscriptions() names.
   void follow_subscriptions() noexcept;
   /// Waits for the next event and handles all that is due. Also without a link: time goes on.
@@ -43,6 +46,8 @@ class BusLoop {
  private:
   void look_after_others() noexcept;
   void receive() noexcept;
+  void catch_up() noexcept;
+  void end_burst(int frames) noexcept;
   bool receive_frame() noexcept;
 
   Station& station_;
@@ -54,6 +59,7 @@ class BusLoop {
   canopen::TimePoint now_{};  ///< of this turn
   bool is_open_ = false;
   bool in_burst_ = false;
+  bool flooded_ = false;  ///< the last burst was not the end of it
   unsigned turns_with_frames_ = 0;
   unsigned rings_in_a_row_ = 0;
   std::uint64_t received_ = 0;

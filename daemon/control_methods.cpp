@@ -124,6 +124,11 @@ Outcome fail_encoder(Daemon& daemon, const json& params) {
   return json::object();
 }
 
+Outcome restart_bus(Daemon& daemon, const json&) {
+  if (!daemon.restart_bus()) return refuse("the bus is not off");
+  return json::object();
+}
+
 Outcome quit(Daemon& daemon, const json&) {
   daemon.stop();
   return json::object();
@@ -132,7 +137,7 @@ Outcome quit(Daemon& daemon, const json&) {
 /// What each method does, in the order of control::Method.
 using Function = Outcome (*)(Daemon&, const json& params);
 constexpr std::array<Function, control::kMethods.size()> kFunctions{
-    &status, &inject_fault, &acknowledge_fault, &set_load, &set_supply, &fail_encoder, &quit};
+    &status, &inject_fault, &acknowledge_fault, &set_load, &set_supply, &fail_encoder, &restart_bus, &quit};
 
 Outcome call(Daemon& daemon, const control::Request& request) {
   const auto method = control::method_named(request.method);

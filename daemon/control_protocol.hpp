@@ -23,7 +23,16 @@ inline constexpr std::string_view kDefaultInterface = "vcan0";
 inline constexpr int kDefaultNode = 2;
 
 /// What a client can ask for.
-enum class Method : std::uint8_t { Status, FaultInject, FaultAcknowledge, SetLoad, SetSupply, FailEncoder, Quit };
+enum class Method : std::uint8_t {
+  Status,
+  FaultInject,
+  FaultAcknowledge,
+  SetLoad,
+  SetSupply,
+  FailEncoder,
+  RestartBus,
+  Quit
+};
 
 /// Name of a method on the socket.
 struct MethodName {
@@ -39,6 +48,7 @@ inline constexpr std::array kMethods{
     MethodName{Method::SetLoad, "load.set"},
     MethodName{Method::SetSupply, "supply.set"},
     MethodName{Method::FailEncoder, "encoder.fail"},
+    MethodName{Method::RestartBus, "bus.restart"},
     MethodName{Method::Quit, "quit"},
 };
 static_assert(std::is_sorted(kMethods.begin(), kMethods.end(),

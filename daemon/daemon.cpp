@@ -155,8 +155,9 @@ int Daemon::on_link(sd_event_source*, int, std::uint32_t, void* self) noexcept {
 void Daemon::log_skipped_cycles() noexcept {
   const canopen::TimePoint now = read_clock();
   if (skipped_seen_ != 0 && now - skipped_logged_ < kRepeatedLogPeriod) return;
-  log_.warning("{} cycles of 4 ms were skipped: the daemon was kept from running",
-               device_.skipped_cycles() - skipped_seen_);
+  log_.warning("{} cycles of {} ms were skipped: the daemon was kept from running",
+               device_.skipped_cycles() - skipped_seen_,
+               std::chrono::duration<double, std::milli>{device_.cycle()}.count());
   skipped_seen_ = device_.skipped_cycles();
   skipped_logged_ = now;
 }
@@ -196,6 +197,27 @@ void Daemon::on_link_lost() noexcept {
 void Daemon::on_error_state(bus::ErrorState state) noexcept {
   log_.warning("{}: {}", bus_name(), bus::name_of(state));
   device_.on_bus_state(bus_state_of(state), read_clock());
+}
+
+bool Daemon::on_bus_restart() noexcept {
+  const bus::Restart outcome = loop_.restart_bus();
+  if (outcome == bus::Restart::Refused) {
+    log_.warning("{}: the controller cannot be restarted without CAP_NET_ADMIN: waiting for its restart-ms",
+                 bus_name());
+  } else {
+    log_.notice("{}: restart from bus-off", bus_name());
+  }
+  return outcome == bus::Restart::Done;
+}
+
+bool Daemon::restart_bus() noexcept {
+  return device_.restart_bus(read_clock());
+}
+
+void Daemon::on_burst_end() noexcept {
+  const std::uint64_t lost = receive_overflows();
+  if (lost == std::exchange(overflows_seen_, lost)) return;
+  device_.on_frames_lost(read_clock());
 }
 
 void Daemon::on_subscriptions_changed() noexcept {

@@ -50,6 +50,9 @@ class Daemon final : private device::Listener, private Station {
   /// The encoder of @p axis (1..axes) has @p defect from now on.
   void fail_encoder(std::size_t axis, motor::EncoderDefect defect) noexcept;
 
+  /// Restarts the controller from bus-off as p8608[0] does; false if the bus is not off.
+  bool restart_bus() noexcept;
+
   const Configuration& configuration() const noexcept { return configuration_; }
   const device::Device& device() const noexcept { return device_; }
   const bus::TransmitQueue& transmit_queue() const noexcept { return loop_.queue(); }
@@ -68,6 +71,7 @@ class Daemon final : private device::Listener, private Station {
   void on_subscriptions_changed() noexcept override;
   void on_foreign_frame(std::uint32_t identifier) noexcept override;
   void on_life_guarding_withheld() noexcept override;
+  bool on_bus_restart() noexcept override;
   bool on_store(std::span<const std::byte> image) noexcept override {
     return parameters_.write(image, Durability::OnDisk);
   }
@@ -87,6 +91,7 @@ class Daemon final : private device::Listener, private Station {
   }
   void on_rare_event() noexcept override { events_.dispatch(); }
   void on_link_lost() noexcept override;
+  void on_burst_end() noexcept override;
   void on_error_state(bus::ErrorState state) noexcept override;
 
   void load_state();
@@ -126,6 +131,7 @@ class Daemon final : private device::Listener, private Station {
   std::uint64_t foreign_frames_ = 0;
   canopen::TimePoint foreign_logged_{};
   bool withheld_logged_ = false;
+  std::uint64_t overflows_seen_ = 0;
   std::uint64_t skipped_seen_ = 0;
   canopen::TimePoint skipped_logged_{};
   std::uint64_t sent_before_boot_up_ = 0;

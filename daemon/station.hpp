@@ -28,6 +28,8 @@ class Station {
   virtual void on_rare_event() noexcept {}
   /// The interface went down or is gone; the loop has closed itself.
   virtual void on_link_lost() noexcept {}
+  /// Many frames have come at once, and all that waited were handed over: some may have been lost.
+  virtual void on_burst_end() noexcept {}
   /// The error state of the CAN controller is now @p state.
   virtual void on_error_state(bus::ErrorState state) noexcept { (void)state; }
 };

@@ -1,6 +1,7 @@
 #include "daemon/status.hpp"
 
 #include <array>
+#include <chrono>
 #include <numbers>
 #include <span>
 #include <string_view>
@@ -19,7 +20,7 @@ using nlohmann::json;
 /// Names of drive::State, in its order, as CiA 402 prints them.
 constexpr std::array<std::string_view, drive::kStateCount> kStateNames{
     "Not ready to switch on", "Switch on disabled", "Ready to switch on",    "Switched on", "Operation enabled",
-    "OFF1 braking",           "Quick stop active",  "Fault reaction active", "Fault"};
+    "OFF1 braking",           "Quick stop active",  "Fault reaction active", "STOP2",       "Fault"};
 
 json messages(std::span<const drive::FaultEntry> entries) {
   json list = json::array();
@@ -62,6 +63,10 @@ json control_unit_status(const Daemon& daemon) {
   return {{"faults", messages(memory.faults())}, {"alarms", messages(memory.alarms())}};
 }
 
+json leds_status(const device::IndicatorLeds& leds) {
+  return {{"run", name_of(leds.run)}, {"error", name_of(leds.error)}};
+}
+
 json bus_status(const Daemon& daemon) {
   const auto& sent = daemon.transmit_queue().counters();
   return {{"state", bus::name_of(daemon.bus_state())},
@@ -74,6 +79,7 @@ json bus_status(const Daemon& daemon) {
           {"replaced", sent.replaced},
           {"send_dropped", sent.dropped},
           {"foreign", daemon.foreign_frames()},
+          {"lost_telegrams", daemon.device().lost_telegrams()},
           {"short_rpdos", daemon.device().node().short_rpdos()}};
 }
 
@@ -86,7 +92,9 @@ json status_of(const Daemon& daemon) {
           {"nmt_state", canopen::name_of(daemon.device().node().state())},
           {"uptime_s", daemon.uptime_s()},
           {"bus", bus_status(daemon)},
+          {"leds", leds_status(daemon.device().leds())},
           {"dc_link_V", daemon.device().unit().dc_link().voltage()},
+          {"cycle_ms", std::chrono::duration<double, std::milli>{daemon.device().cycle()}.count()},
           {"skipped_cycles", daemon.device().skipped_cycles()},
           {"control_unit", control_unit_status(daemon)},
           {"axes", axes_status(daemon)}};

@@ -11,6 +11,10 @@ namespace {
 constexpr std::array kInputs{object::kControlword, object::kTargetVelocity, object::kTargetTorque,
                              object::kVlTargetVelocity, object::kModesOfOperation};
 
+// 6502h by CiA 402: bit 1 velocity, 2 profile velocity, 3 profile torque.
+constexpr std::int64_t kModesWithEncoder = 0x0000000E;
+constexpr std::int64_t kModesWithoutEncoder = 0x00000002;
+
 }  // namespace
 
 AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, const ProcessDataBuffers& places,
@@ -22,7 +26,8 @@ AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, con
       parameter_objects_{dictionary, axis, *this} {
   for (const std::uint16_t index : kInputs)
     dictionary.own_write(object::on_axis(index, axis.axis_number()), 0, *this);
-  dictionary.own_read(object::on_axis(object::kModesOfOperation, axis.axis_number()), 0, *this);
+  for (const std::uint16_t index : {object::kModesOfOperation, object::kSupportedModes})
+    dictionary.own_read(object::on_axis(index, axis.axis_number()), 0, *this);
   const auto own_free = [&](std::uint16_t first, std::uint16_t count) {
     for (std::uint16_t i = 0; i < count; ++i) {
       const auto index = static_cast<std::uint16_t>(object::free_on_axis(first, axis.axis_number()) + i);
@@ -71,6 +76,8 @@ canopen::Result<void> AxisObjects::write(const canopen::Entry& entry, std::int64
 }
 
 canopen::Result<std::int64_t> AxisObjects::read(const canopen::Entry& entry, std::int64_t stored) {
+  if (object::on_first_axis(entry.index) == object::kSupportedModes)
+    return axis_.has_encoder() ? kModesWithEncoder : kModesWithoutEncoder;
   return is_placed(entry) ? stored : axis_.requested_mode();
 }
 

@@ -13,7 +13,11 @@ constexpr std::uint16_t kState = 8685;
 constexpr std::uint16_t kCommunicationError = 8700;
 constexpr std::uint32_t kBusOff = 1, kLifeTimeOver = 2;  // fault values
 constexpr std::uint16_t kRpdosMissing = 8702;
+constexpr std::uint16_t kTelegramLoss = 8751;
 constexpr std::uint16_t kErrorPassive = 8752;
+
+/// Between two attempts with p8608[1].
+constexpr canopen::Duration kRestartPeriod = std::chrono::seconds{2};
 
 /// The drive object that messages of the unit as a whole come from.
 constexpr std::uint8_t kOrigin = drive::kControlUnitNumber;
@@ -51,6 +55,26 @@ void Communication::on_rpdos_missing() noexcept {
   static_cast<void>(unit_.raise(kOrigin, kRpdosMissing));
 }
 
+void Communication::on_telegram_loss() noexcept {
+  static_cast<void>(unit_.raise(kOrigin, kTelegramLoss, 0, drive::Cause::Present));
+}
+
+void Communication::on_telegram_loss_over() noexcept {
+  unit_.withdraw(kOrigin, kTelegramLoss);
+}
+
+void Communication::plan_restart(canopen::TimePoint now) noexcept {
+  const bool asked = std::exchange(restart_asked_, false);
+  const bool automatic = automatic_restart_ != 0.0;
+  if (!is_bus_off() || !(asked || automatic)) {
+    restart_at_ = canopen::kNever;
+  } else if (asked) {
+    restart_at_ = now;
+  } else if (restart_at_ == canopen::kNever) {
+    restart_at_ = now + kRestartPeriod;
+  }
+}
+
 bool Communication::on_bus_state(BusState state) noexcept {
   const BusState before = std::exchange(bus_, state);
   if (state == before) return false;
@@ -75,6 +99,8 @@ canopen::Result<void> Communication::take(const ParameterPlace& place, double va
     command_ = row->command;
   } else if (place.index == kAutomaticRestart) {
     automatic_restart_ = value;
+  } else {
+    restart_asked_ = value != 0.0;
   }
   return {};
 }

@@ -15,8 +15,8 @@ namespace device {
 /// Error state of the CAN controller (ISO 11898-1), as far as the unit tells it apart.
 enum class BusState : std::uint8_t { Active, Passive, Off };
 
-/// What the unit makes of NMT and of errors of the bus: the parameters p8608, p8684 and p8685, the fault F08700
-/// and the alarm A08752.
+/// What the unit makes of NMT and of errors of the bus: the parameters p8608, p8684 and p8685, the faults F08700
+/// and F08702 and the alarms A08751 and A08752.
 class Communication final : public ParameterOwner {
  public:
   /// Answers in @p parameters for p8608 and p8685; all arguments must outlive this.
@@ -32,10 +32,23 @@ class Communication final : public ParameterOwner {
   void on_life_time_over() noexcept;
   /// The monitoring time p8699 is over: F08702.
   void on_rpdos_missing() noexcept;
+  /// Received process data are being lost, or have not been for a while: A08751.
+  void on_telegram_loss() noexcept;
+  void on_telegram_loss_over() noexcept;
   /// The controller is in @p state now. Bus-off: F08700 with value 1. True if the bus is back from bus-off.
   bool on_bus_state(BusState state) noexcept;
   /// The bus is off: what is sent gets lost.
   bool is_bus_off() const noexcept { return bus_ == BusState::Off; }
+  /// The error state that was told last.
+  BusState bus_state() const noexcept { return bus_; }
+
+  /// The bus has gone off, parameters have been written or a restart was of no use: sees when one is to be tried.
+  void plan_restart(canopen::TimePoint now) noexcept;
+  /// When the controller is to be restarted from bus-off: at once if p8608[0] was written, 2 s later with
+  /// p8608[1]; kNever if nobody wants that.
+  canopen::TimePoint restart_at() const noexcept { return restart_at_; }
+  /// A restart is being tried.
+  void on_restart() noexcept { restart_at_ = canopen::kNever; }
 
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
   canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
@@ -45,6 +58,8 @@ class Communication final : public ParameterOwner {
   canopen::Node& node_;
   std::optional<canopen::NmtCommand> command_{};
   double automatic_restart_ = 0.0;  ///< p8608[1]
+  bool restart_asked_ = false;      ///< by p8608[0]
+  canopen::TimePoint restart_at_ = canopen::kNever;
   BusState bus_ = BusState::Active;
 };
 

@@ -13,8 +13,6 @@
 namespace device {
 namespace {
 
-constexpr double kCycleSeconds = std::chrono::duration<double>(Device::kCycle).count();
-
 std::vector<canopen::EntryDescription> rows_of(const Configuration& configuration) {
   std::vector<drive::ObjectKind> kinds;
   for (const AxisSetup& axis : configuration.axes) kinds.push_back(axis.drive.kind);
@@ -25,9 +23,9 @@ std::vector<canopen::EntryDescription> rows_of(const Configuration& configuratio
 constexpr std::uint16_t kResetObject = 970;
 constexpr std::uint16_t kFilter = 10;
 
-constexpr std::uint16_t kLeftOperational = 8701;
-constexpr std::uint32_t kToPreOperational = 1;  // fault value
-constexpr std::uint32_t kToStopped = 2;
+// p8848 comes into force when p0009 is left.
+constexpr std::uint16_t kCyclePeriod = 8848;
+constexpr std::uint16_t kDeviceFilter = 9;
 
 /// The drive object of @p axis, 0 being the control unit.
 constexpr std::uint8_t object_of(std::size_t axis) noexcept {
@@ -38,6 +36,7 @@ constexpr std::uint8_t object_of(std::size_t axis) noexcept {
 
 Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
     : configuration_{configuration},
+      sink_{sink},
       listener_{listener},
       unit_{unit_configuration(configuration), &parameters_},
       storage_{unit_, parameters_, listener},
@@ -68,12 +67,12 @@ void Device::run_cycle(bool all) noexcept {
   for (std::size_t i = 0; i < axes_.size(); ++i) awake[i] = axes_[i].receive() || all;
   process_data_.follow_mappings();
   process_data_.show_state();
-  unit_.cycle({awake.data(), axes_.size()}, kCycleSeconds);
+  unit_.cycle({awake.data(), axes_.size()}, clock_.seconds());
 }
 
 void Device::start(canopen::TimePoint now) noexcept {
   if (node_.state() == canopen::NmtState::Initialising) {
-    last_cycle_ = now;
+    clock_.begin(now);
     started_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     rested_until_ = now;
@@ -84,6 +83,7 @@ void Device::start(canopen::TimePoint now) noexcept {
   tell_time(now);
   communication_.on_bus_state(BusState::Active);
   error_objects_.set_bus_off(false);
+  node_.send_to(sink_);
   take_over_parameters();
   node_.start(now);
   error_objects_.update(node_);
@@ -91,11 +91,16 @@ void Device::start(canopen::TimePoint now) noexcept {
 
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   now_ = now;
-  node_.on_frame(frame, now);
+  if (communication_.is_bus_off()) return serve_off_the_bus(frame);
+  serve(frame);
+}
+
+void Device::serve(const canopen::Frame& frame) noexcept {
+  node_.on_frame(frame, now_);
   process_data_.follow_mappings();
   if (parameter_written_) follow_parameters();
   if (storage_.has_task()) carry_out_task();
-  if (alarm_changed_) publish();
+  if (alarm_changed_) show_messages();
 }
 
 void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
@@ -110,7 +115,9 @@ void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noe
 void Device::follow_parameters() noexcept {
   parameter_written_ = false;
   if (restored_object_ != 0) restore_object(std::exchange(restored_object_, std::uint8_t{0}));
-  publish();
+  show_messages();
+  communication_.plan_restart(now_);
+  if (restart_is_due()) restart();
   if (const auto command = communication_.take_command()) node_.command(*command, now_);
 }
 
@@ -124,34 +131,59 @@ void Device::restore_object(std::uint8_t object) noexcept {
 void Device::on_time(canopen::TimePoint now) noexcept {
   now_ = now;
   if (rpdo_monitor_.deadline() <= now) miss_rpdos();
-  if (next_cycle() <= now) run_cycles();
+  if (telegram_loss_.deadline() <= now) end_telegram_loss();
+  if (communication_.restart_at() <= now) restart_bus();
+  if (clock_.next() <= now) run_cycles();
   node_.on_time(now);
   if (storage_.has_task()) carry_out_task();
 }
 
-void Device::miss_rpdos() noexcept {
-  rpdo_monitor_.stop();
+/// Whether p0009 has been left with another p8848 than is in force.
+bool Device::restart_is_due() const noexcept {
+  const drive::DriveObject& control_unit = *unit_.object(drive::kControlUnitNumber);
+  return control_unit.read(kDeviceFilter) == 0.0 &&
+         CycleClock::period_of(control_unit.read(kCyclePeriod).value_or(0.0)) != clock_.period();
+}
+
+/// The unit starts again with the parameters as they are.
+void Device::restart() noexcept {
   tell_time(now_);
-  communication_.on_rpdos_missing();
-  wake();
-  publish();
+  restarting_ = true;
+  unit_.power_off();
+  for (AxisObjects& axis : axes_) axis.forget_written();
+  telegram_loss_.clear();
+  rpdo_monitor_.stop();
+  take_over_parameters();
+  process_data_.take_over(UnitProcessData::WiredBy::Before);
+  node_.start(now_);
+  restarting_ = false;
+  show_messages();
+}
+
+/// p8848 comes into force.
+void Device::take_over_cycle() noexcept {
+  const double period = unit_.object(drive::kControlUnitNumber)->read(kCyclePeriod).value_or(0.0);
+  clock_.set_period(CycleClock::period_of(period));
+  node_.set_pdo_cycle(clock_.grid());
+  rpdo_monitor_.set_cycle(clock_.grid());
 }
 
 bool Device::is_moving() const noexcept {
-  return !resting_ && std::ranges::any_of(unit_.axes(), [](const drive::Axis& axis) {
+  return !clock_.is_resting() && std::ranges::any_of(unit_.axes(), [](const drive::Axis& axis) {
     return axis.actual().pulses_enabled || std::abs(axis.actual().speed) > 0.0;
   });
 }
 
 canopen::TimePoint Device::next_deadline() const noexcept {
-  return std::min({node_.next_deadline(), next_cycle(), rpdo_monitor_.deadline()});
+  return std::min({node_.next_deadline(), clock_.next(), rpdo_monitor_.deadline(), telegram_loss_.deadline(),
+                   communication_.restart_at()});
 }
 
 /// The time that faults and alarms are stamped with.
 void Device::tell_time(canopen::TimePoint now) noexcept {
   now_ = now;
   const canopen::Duration running = now - started_.value_or(now);
-  if (resting_ && now > rested_until_) {
+  if (clock_.is_resting() && now > rested_until_) {
     unit_.rest(std::chrono::duration<double>{now - rested_until_}.count());
   }
   rested_until_ = now;
@@ -161,16 +193,16 @@ void Device::tell_time(canopen::TimePoint now) noexcept {
 
 void Device::run_cycles() noexcept {
   tell_time(now_);
-  const std::int64_t due = (now_ - last_cycle_) / kCycle;
-  const std::int64_t run = std::min(due, kMostCyclesAtOnce);
-  last_cycle_ += due * kCycle;
-  skipped_cycles_ += static_cast<std::uint64_t>(due - run);
-  for (std::int64_t i = 0; i < run; ++i) run_cycle(false);
+  const CycleClock::Due due = clock_.take_due(now_);
+  skipped_cycles_ += static_cast<std::uint64_t>(due.skipped);
+  telegram_loss_.on_cycle();
+  for (std::int64_t i = 0; i < due.run; ++i) run_cycle(false);
   for (AxisObjects& axis : axes_) axis.end_cycles();
   publish();
-  resting_ = std::ranges::all_of(axes_, &AxisObjects::is_idle);
+  if (std::ranges::all_of(axes_, &AxisObjects::is_idle)) clock_.rest();
 }
 
+/// What a cycle has led to: values change on the bus here and nowhere else.
 void Device::publish() noexcept {
   alarm_changed_ = false;
   show_values();
@@ -189,13 +221,12 @@ void Device::wake() noexcept {
 }
 
 void Device::on_awake() noexcept {
-  if (!resting_) return;
-  resting_ = false;
-  last_cycle_ += (now_ - last_cycle_) / kCycle * kCycle;  // the next cycle lies on the grid
+  clock_.wake(now_);
 }
 
 void Device::on_rpdo(std::uint16_t number) noexcept {
   rpdo_monitor_.on_rpdo(now_);
+  if (telegram_loss_.on_rpdo(number)) lose_telegram(number);
   axes_[number / pdo::kStride].on_rpdo();
 }
 
@@ -203,73 +234,22 @@ canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
   if (value != 0) return canopen::refuse(canopen::AbortCode::InvalidValue);
   tell_time(now_);
   unit_.for_each_object([this](const drive::DriveObject& object) { unit_.acknowledge(object.number()); });
-  wake();
-  publish();
+  show_messages();
   return {};
-}
-
-void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
-  tell_time(now_);
-  rpdo_monitor_.stop();
-  if (to == canopen::NmtState::Initialising) {
-    unit_.power_off();
-    for (AxisObjects& axis : axes_) axis.forget_written();
-  } else if (from == canopen::NmtState::Operational && configuration_.fault_on_leaving_operational) {
-    leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
-  }
-  const bool left = from == canopen::NmtState::Operational && to != canopen::NmtState::Initialising;
-  if (left) storage_.on_operational_left();
-  if (from != canopen::NmtState::Initialising) process_data_.end_alarms();
-  show_messages();
-}
-
-/// From within a call of the node, where TPDOs must not be judged yet: the cycle that follows does that.
-void Device::show_messages() noexcept {
-  error_objects_.update(node_);
-  show_values();
-  wake();
-}
-
-void Device::on_communication_error(canopen::CommunicationError error, std::uint16_t) noexcept {
-  if (error != canopen::CommunicationError::LifeGuarding) return;
-  tell_time(now_);
-  communication_.on_life_time_over();
-  show_messages();
-}
-
-void Device::on_bus_state(BusState state, canopen::TimePoint now) noexcept {
-  tell_time(now);
-  const bool is_back = communication_.on_bus_state(state);
-  error_objects_.set_bus_off(communication_.is_bus_off());
-  wake();
-  publish();
-  if (!is_back) return;
-  node_.report(canopen::CommunicationError::BusOffRecovered, now);
-  node_.report_recovery(canopen::CommunicationError::BusOffRecovered, now);
-}
-
-/// F08701 on every axis; the control unit has no part in it.
-void Device::leave_operational(std::uint32_t value) noexcept {
-  for (drive::Axis& axis : unit_.axes()) {
-    [[maybe_unused]] const auto raised = axis.raise(kLeftOperational, value);
-    assert(raised);
-  }
 }
 
 tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,
                                                     canopen::TimePoint now) noexcept {
   tell_time(now);
   auto raised = unit_.raise(object_of(axis), number, value);
-  wake();
-  publish();
+  show_messages();
   return raised;
 }
 
 bool Device::acknowledge(std::size_t axis, canopen::TimePoint now) noexcept {
   tell_time(now);
   const bool clear = unit_.acknowledge(object_of(axis));
-  wake();
-  publish();
+  show_messages();
   return clear;
 }
 

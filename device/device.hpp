@@ -8,8 +8,10 @@
 #include "device/axis_objects.hpp"
 #include "device/communication.hpp"
 #include "device/configuration.hpp"
+#include "device/cycle_clock.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
+#include "device/indicator_leds.hpp"
 #include "device/mirrored_parameters.hpp"
 #include "device/object_rows.hpp"
 #include "device/parameter_storage.hpp"
@@ -17,6 +19,7 @@
 #include "device/presets.hpp"
 #include "device/rpdo_monitor.hpp"
 #include "device/sdo_identifiers.hpp"
+#include "device/telegram_loss.hpp"
 #include "device/unit_parameters.hpp"
 #include "device/unit_process_data.hpp"
 #include "drive/drive_unit.hpp"
@@ -35,6 +38,9 @@ class Listener : public ParameterKeeper {
   virtual void on_foreign_frame(std::uint32_t identifier) noexcept = 0;
   /// Life guarding was asked for and stays off (see device::Configuration::remote_frames).
   virtual void on_life_guarding_withheld() noexcept {}
+  /// p8608 asks for the controller to be restarted from bus-off. True if the bus can be used now, false if it
+  /// cannot yet: Device::on_bus_state() tells when.
+  virtual bool on_bus_restart() noexcept { return true; }
 };
 
 /// The drive unit as a CANopen node: control unit and axes behind the objects of CiA 301 and CiA 402. It is fed
@@ -46,10 +52,8 @@ class Device final : private canopen::Application,
                      private AlarmListener,
                      private WindowListener {
  public:
-  /// Process-data cycle p8848.
-  static constexpr canopen::Duration kCycle = std::chrono::milliseconds{4};
-  /// Missed cycles that are made up for; what is beyond is skipped and counted.
-  static constexpr std::int64_t kMostCyclesAtOnce = 25;
+  /// Process-data cycle of a new unit.
+  static constexpr canopen::Duration kCycle = CycleClock::kFactory;
 
   Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener);
   ~Device() override = default;
@@ -89,8 +93,13 @@ class Device final : private canopen::Application,
   /// Sets the line voltage of the supply (V rms between lines, not negative; 0 = mains failure).
   void set_line_voltage(double voltage, canopen::TimePoint now) noexcept;
 
-  /// The CAN controller is in error state @p state now.
+  /// The CAN controller is in error state @p state now. While the bus is off the unit sends nothing and hears
+  /// nothing but SDO requests, which it answers: p8608 ends that also where no controller does.
   void on_bus_state(BusState state, canopen::TimePoint now) noexcept;
+  /// p8608[0] = 1 at @p now; false if the bus is not off.
+  bool restart_bus(canopen::TimePoint now) noexcept;
+  /// Frames that had arrived were lost before on_frame(): A08751.
+  void on_frames_lost(canopen::TimePoint now) noexcept;
 
   const canopen::Node& node() const noexcept { return node_; }
   const drive::DriveUnit& unit() const noexcept { return unit_; }
@@ -98,10 +107,16 @@ class Device final : private canopen::Application,
   const drive::Axis& axis(std::size_t number = 1) const noexcept { return unit_.axes()[number - 1]; }
   /// What must be received (see canopen::Node::subscriptions()).
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
+  /// What the LEDs of the CANopen board show.
+  IndicatorLeds leds() const noexcept;
+  /// The process-data cycle in force: p8848 as of the last start of the unit.
+  canopen::Duration cycle() const noexcept { return clock_.period(); }
   /// Counts how often the faults and alarms were different from before.
   std::uint32_t message_changes() const noexcept { return error_objects_.updates(); }
   /// Whether an axis turns or has its pulses enabled.
   bool is_moving() const noexcept;
+  /// Frames of asynchronous RPDOs whose values were overwritten before a cycle has taken them.
+  std::uint64_t lost_telegrams() const noexcept { return lost_telegrams_; }
   /// Cycles left out because the program was kept from running for too long.
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
@@ -120,10 +135,16 @@ class Device final : private canopen::Application,
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
   void on_alarm() noexcept override { tell_time(now_), alarm_changed_ = true; }
+
+  /// Takes the frames of a node that is off the bus.
+  struct Nowhere final : canopen::FrameSink {
+    void send(const canopen::Frame&, canopen::Delivery) override {}
+  };
   void on_parameter_access() noexcept override { tell_time(now_); }
   void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
+  void serve(const canopen::Frame& frame) noexcept;
   void run_cycles() noexcept;
   void run_cycle(bool all) noexcept;
   void show_values() noexcept;
@@ -140,9 +161,18 @@ class Device final : private canopen::Application,
   void carry_out_task() noexcept;
   void restore(ParameterGroup group) noexcept;
   void miss_rpdos() noexcept;
-  canopen::TimePoint next_cycle() const noexcept { return resting_ ? canopen::kNever : last_cycle_ + kCycle; }
+  void take_over_cycle() noexcept;
+  void restart() noexcept;
+  bool restart_is_due() const noexcept;
+  // device_bus.cpp
+  void serve_off_the_bus(const canopen::Frame& frame) noexcept;
+  void restart_bus() noexcept;
+  void lose_telegram(std::uint16_t number) noexcept;
+  void end_telegram_loss() noexcept;
 
   Configuration configuration_;
+  canopen::FrameSink& sink_;
+  Nowhere nowhere_;
   Listener& listener_;
   UnitParameters parameters_;
   drive::DriveUnit unit_;
@@ -161,15 +191,17 @@ class Device final : private canopen::Application,
   Communication communication_;
   ParameterWindow window_;
   RpdoMonitor rpdo_monitor_;
+  TelegramLoss telegram_loss_;
+  CycleClock clock_;
   std::optional<canopen::TimePoint> started_;  ///< when the unit was switched on
   canopen::TimePoint now_{};                   ///< as last told
-  canopen::TimePoint last_cycle_{};            ///< cycles lie on a grid of kCycle, also after a rest
-  bool resting_ = true;                        ///< every axis is idle
   canopen::TimePoint rested_until_{};          ///< temperatures have been brought up to here while resting
   std::uint8_t restored_object_ = 0;           ///< a drive object that was reset by p0970, 0 = none
   bool alarm_changed_ = false;                 ///< within a call into the node: messages are shown after it
   bool parameter_written_ = false;  ///< within a call into the node: what follows from it comes after it
+  bool restarting_ = false;         ///< the unit itself leaves Operational
   std::uint64_t skipped_cycles_ = 0;
+  std::uint64_t lost_telegrams_ = 0;
 };
 
 }  // namespace device

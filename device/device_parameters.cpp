@@ -64,6 +64,7 @@ void Device::take_over(ParameterGroup group, UnitProcessData::WiredBy wired) noe
 /// What parameters of the unit say of its communication, whichever way they came.
 void Device::take_over_parameters() noexcept {
   communication_.set_start_state();
+  take_over_cycle();
   rpdo_monitor_.set_time(unit_.object(drive::kControlUnitNumber)->read(RpdoMonitor::kParameter).value_or(0.0));
 }
 
@@ -94,8 +95,7 @@ void Device::restore(ParameterGroup group) noexcept {
                                                           : UnitProcessData::WiredBy::Factory);
   error_objects_.show_again();
   if (group != ParameterGroup::Application) node_.reload(now_);
-  wake();
-  publish();
+  show_messages();
 }
 
 }  // namespace device

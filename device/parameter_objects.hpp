@@ -17,8 +17,8 @@ class ParameterListener {
 };
 
 /// The profile objects that are parameters of the axis under another number and in another unit:
-/// 6007h = p8641, 6046h = p1080 and p1082, 6048h = p1082 and p1120, 605Dh = p8791, 6083h = p1120, 6084h = p1121,
-/// 6085h = p1135, 6086h = p1115.
+/// 6007h = p8641, 6046h = p1080 and p1082, 6048h = p1082 and p1120, 605Dh = p8791, 6072h = p1520 and p1521, 6083h
+/// = p1120, 6084h = p1121, 6085h = p1135, 6086h = p1115.
 class ParameterObjects final : public canopen::EntryOwner {
  public:
   /// Owns the objects of @p axis in @p dictionary; all arguments must outlive this.
@@ -28,6 +28,7 @@ class ParameterObjects final : public canopen::EntryOwner {
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
 
  private:
+  tl::expected<void, drive::ParameterError> write_torque_limits(double torque) noexcept;
   canopen::Result<double> parameter_value(const canopen::Entry& entry, std::int64_t value) const;
 
   drive::Axis& axis_;

@@ -4,11 +4,13 @@
 
 #include "device/unit_parameters.hpp"
 #include "libcanopen/base/time.hpp"
+#include "libcanopen/pdo/pdo_cycle.hpp"
 
 namespace device {
 
 /// Watches the process data (p8699): they are missing if no RPDO of the unit has come for that time. It begins
-/// with the first one that comes in Operational, and again with the first one after they were missing.
+/// with the first one that comes in Operational, and again with the first one after they were missing. The time is
+/// rounded up to whole process-data cycles and judged where one ends.
 class RpdoMonitor final : public ParameterOwner {
  public:
   static constexpr std::uint16_t kParameter = 8699;
@@ -18,12 +20,15 @@ class RpdoMonitor final : public ParameterOwner {
 
   /// p8699 is @p milliseconds from now on, 0 = off.
   void set_time(double milliseconds) noexcept {
-    time_ = std::chrono::duration_cast<canopen::Duration>(std::chrono::duration<double, std::milli>{milliseconds});
+    const std::chrono::duration<double, std::milli> exact{milliseconds};
+    time_ = cycle_.whole(std::chrono::duration_cast<canopen::Duration>(exact));
     stop();
   }
+  /// Judges in @p cycle from the next set_time() on.
+  void set_cycle(const canopen::PdoCycle& cycle) noexcept { cycle_ = cycle; }
   /// An RPDO has come.
   void on_rpdo(canopen::TimePoint now) noexcept {
-    if (time_ != canopen::Duration{0}) deadline_ = now + time_;
+    if (time_ != canopen::Duration{0}) deadline_ = cycle_.next_from(now + time_);
   }
   /// Nothing is missing: Operational is over.
   void stop() noexcept { deadline_ = canopen::kNever; }
@@ -36,6 +41,7 @@ class RpdoMonitor final : public ParameterOwner {
   }
 
  private:
+  canopen::PdoCycle cycle_{};
   canopen::Duration time_{0};
   canopen::TimePoint deadline_ = canopen::kNever;
 };

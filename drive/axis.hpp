@@ -129,6 +129,20 @@ class Axis final : public DriveObject {
   void compute_parameters(int choice) noexcept;
   /// Ends commissioning (p0010 = 0).
   void leave_commissioning() noexcept;
+  /// Whether the axis was switched on by jog (p1055, p1056) and is still so.
+  bool jogs() const noexcept { return jogging_; }
+  /// Whether it is switched on and waits for the infeed or the DC link.
+  bool waits_for_power() const noexcept { return state_ == State::SwitchedOn && !has_power(); }
+  /// Whether the infeed operates (p0864) and the DC link has its voltage.
+  bool has_power() const noexcept;
+  /// Whether bit 8 of the controlword asks for a halt that p8791 provides.
+  bool halt_requested() const noexcept;
+  /// Whether the setpoint waits until the holding brake is open.
+  bool brake_opens() const noexcept { return pulses_enabled_in(state_) && brake_opening_ > 0.0; }
+  /// Whether the sequence control has a holding brake to lead, and it is open.
+  bool brake_is_open() const noexcept { return has_brake() && pulses_enabled_in(state_) && brake_opening_ <= 0.0; }
+  /// What the active faults do to the motor, as p8641 and p2101 have it.
+  Reactions active_reactions() const noexcept;
   /// Whether the unit, by p0009, keeps the axis from being switched on.
   void inhibit(bool inhibited) noexcept;
 
@@ -142,9 +156,13 @@ class Axis final : public DriveObject {
 
   void apply_parameters() noexcept;
   std::uint16_t command_word() const noexcept;
-  bool halt_requested() const noexcept;
   void sequence(const AxisInputs& inputs, double duration) noexcept;
+  void follow_inputs() noexcept;
+  void follow_jog(const AxisInputs& before) noexcept;
+  void wait_for_power(double duration) noexcept;
   void check_standstill(double duration) noexcept;
+  bool stands() const noexcept;
+  Reaction reaction_to(const FaultRow& row) const noexcept;
   bool apply(Event event) noexcept;
   void perform(Action action) noexcept;
   void brake_on(Ramp ramp) noexcept;
@@ -176,6 +194,8 @@ class Axis final : public DriveObject {
   AxisInputs inputs_{};  // the same with the ramp enables of velocity mode
   OperatingMode mode_;
   bool jogging_ = false;                 // switched on by p1055 or p1056
+  unsigned input_messages_ = 0;          // that an input has brought, a bit each
+  double power_missing_ = 0.0;           // s, since ON
   motor::TorqueLimits torque_limits_{};  // p1522, p1523
   double torque_setpoint_ = 0.0;         // of torque control, N·m
   bool torque_led_ = false;              // in the last cycle

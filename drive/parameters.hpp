@@ -56,6 +56,7 @@ struct AxisParameters {
   double standstill_threshold = 0.0;        ///< p1226
   double standstill_monitoring_time = 0.0;  ///< p1227
   double pulse_suppression_delay = 0.0;     ///< p1228
+  double power_monitoring_time = 0.0;       ///< p0857
   // Control and its limits.
   std::int32_t control_mode = 0;                 ///< p1300: 0..19 V/f, 20 and 22 without encoder, 21 and 23 with
   double speed_smoothing = 0.0;                  ///< p1441

@@ -19,6 +19,7 @@ double energy(const Axis& axis, std::size_t index) noexcept;
 double fixed_setpoint(const Axis& axis, std::size_t index) noexcept;
 double function_modules(const Axis& axis, std::size_t index) noexcept;
 double lower_torque_limit(const Axis& axis, std::size_t index) noexcept;
+double message_control(const Axis& axis, std::size_t index) noexcept;
 double missing_enables(const Axis& axis, std::size_t index) noexcept;
 double mode(const Axis& axis, std::size_t index) noexcept;
 double monitoring_1(const Axis& axis, std::size_t index) noexcept;

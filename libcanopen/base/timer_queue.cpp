@@ -14,7 +14,7 @@ void TimerQueue::arm(std::size_t timer, TimePoint when) noexcept {
   if (position_[timer] == kOut) {
     heap_.push_back(node);  // within the capacity reserved by the constructor
     rise(heap_.size() - 1, node);
-  } else if (const std::size_t at = position_[timer]; when < heap_[at].when) {
+  } else if (const std::size_t at = position_[timer]; node < heap_[at]) {
     rise(at, node);
   } else {
     sink(at, node);
@@ -45,7 +45,7 @@ void TimerQueue::place(std::size_t at, Node node) noexcept {
 void TimerQueue::rise(std::size_t at, Node node) noexcept {
   while (at > 0) {
     const std::size_t parent = (at - 1) / 2;
-    if (heap_[parent].when <= node.when) break;
+    if (!(node < heap_[parent])) break;
     place(at, heap_[parent]);
     at = parent;
   }
@@ -56,8 +56,8 @@ void TimerQueue::sink(std::size_t at, Node node) noexcept {
   for (;;) {
     std::size_t child = 2 * at + 1;
     if (child >= heap_.size()) break;
-    if (child + 1 < heap_.size() && heap_[child + 1].when < heap_[child].when) ++child;
-    if (node.when <= heap_[child].when) break;
+    if (child + 1 < heap_.size() && heap_[child + 1] < heap_[child]) ++child;
+    if (!(heap_[child] < node)) break;
     place(at, heap_[child]);
     at = child;
   }
@@ -69,7 +69,7 @@ void TimerQueue::remove_at(std::size_t at) noexcept {
   const Node last = heap_.back();
   heap_.pop_back();
   if (at == heap_.size()) return;
-  if (at > 0 && last.when < heap_[(at - 1) / 2].when) {
+  if (at > 0 && last < heap_[(at - 1) / 2]) {
     rise(at, last);
   } else {
     sink(at, last);

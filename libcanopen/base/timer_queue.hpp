@@ -10,7 +10,8 @@
 namespace canopen {
 
 /// Deadlines of a fixed set of timers in a binary heap: the earliest one costs nothing to read.
-/// All memory is taken in the constructor; timers are named by their number.
+/// All memory is taken in the constructor; timers are named by their number, and of those that are due at the same
+/// time the lower number comes first.
 class CANOPEN_EXPORT TimerQueue {
  public:
   /// Room for timers 0 .. @p timers - 1, none of them armed.
@@ -37,6 +38,10 @@ class CANOPEN_EXPORT TimerQueue {
   struct Node {
     TimePoint when;
     std::uint32_t timer = 0;
+
+    friend bool operator<(const Node& a, const Node& b) noexcept {
+      return a.when < b.when || (a.when == b.when && a.timer < b.timer);
+    }
   };
   static constexpr std::uint32_t kOut = UINT32_MAX;
 

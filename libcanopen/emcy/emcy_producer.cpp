@@ -89,7 +89,7 @@ void EmcyProducer::transmit(const Message& message) noexcept {
   Frame frame = frame_under(identifier_, static_cast<std::uint8_t>(message.size()));
   frame.data = message;
   sent_ = context_.now;
-  context_.sink.send(frame, Delivery::Ordered);
+  context_.sink->send(frame, Delivery::Ordered);
 }
 
 void EmcyProducer::on_timer() noexcept {

@@ -41,7 +41,7 @@ void HeartbeatProducer::start(Duration period, Duration delay) noexcept {
 void HeartbeatProducer::on_timer() noexcept {
   Frame frame{.id = function_code::kErrorControl + context_.dictionary.node_id(), .length = 1};
   frame.data[0] = static_cast<std::uint8_t>(context_.state);
-  context_.sink.send(frame, Delivery::Replaceable);
+  context_.sink->send(frame, Delivery::Replaceable);
   due_ += period_;
   if (due_ <= context_.now) due_ = context_.now + period_;  // after a pause: no burst of missed ones
   context_.timers.arm(timer_, due_);

@@ -56,7 +56,7 @@ void NodeGuarding::on_request() noexcept {
   answer.data[0] =
       static_cast<std::uint8_t>(static_cast<std::uint8_t>(context_.state) | (toggle_ ? kToggleBit : 0));
   toggle_ = !toggle_;
-  context_.sink.send(answer, Delivery::Ordered);
+  context_.sink->send(answer, Delivery::Ordered);
   if (life_time_ != Duration{0}) watch();
 }
 

@@ -9,13 +9,14 @@
 #include "libcanopen/node/communication_error.hpp"
 #include "libcanopen/node/policy.hpp"
 #include "libcanopen/od/dictionary.hpp"
+#include "libcanopen/pdo/pdo_cycle.hpp"
 #include "libcanopen/sdo/sdo_view.hpp"
 
 namespace canopen {
 
 /// What every service of a node works with.
 struct Context {
-  FrameSink& sink;
+  FrameSink* sink;
   Dictionary& dictionary;
   Application& application;
   const Policy& policy;
@@ -24,6 +25,7 @@ struct Context {
   ErrorReports& errors;
   SdoView* view = nullptr;  ///< what the SDO servers show; nullptr: the dictionary
   TimePoint now{};          ///< the time that the owner told with the event being handled
+  PdoCycle pdo_cycle{};     ///< what event-driven TPDOs are judged in
   NmtState state = NmtState::Initialising;
 };
 

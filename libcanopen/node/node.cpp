@@ -37,7 +37,7 @@ Node::Node(Dictionary& dictionary, const Policy& policy, FrameSink& sink, Applic
     : policy_{policy},
       plan_{dictionary},
       timers_{plan_.count},
-      context_{.sink = sink,
+      context_{.sink = &sink,
                .dictionary = dictionary,
                .application = application,
                .policy = policy_,
@@ -174,7 +174,7 @@ void Node::boot() noexcept {
   time_.reload();
   heartbeat_consumer_.reload();
   claim_identifiers();
-  context_.sink.send(frame_under(function_code::kErrorControl + node_id(), 1), Delivery::Ordered);
+  context_.sink->send(frame_under(function_code::kErrorControl + node_id(), 1), Delivery::Ordered);
   heartbeat_.reload();
   guarding_.reload();
   enter(policy_.start_state);

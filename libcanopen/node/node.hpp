@@ -36,6 +36,15 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   /// To be called before start().
   void show(SdoView& view) noexcept { context_.view = &view; }
 
+  /// From now on frames go to @p sink, which must outlive the node: one that drops them takes the node off the
+  /// bus.
+  void send_to(FrameSink& sink) noexcept { context_.sink = &sink; }
+  /// The device handles its process data in @p cycle: event-driven TPDOs leave at the beginning of a cycle only,
+  /// the first ones too, and their inhibit and event times are rounded up to whole cycles. The owner calls
+  /// on_values_changed() once a cycle, at its beginning or later if it is late; while nothing changes it need not.
+  /// In force with the next start(), reload() or reset; at first there is no cycle.
+  void set_pdo_cycle(const PdoCycle& cycle) noexcept { context_.pdo_cycle = cycle; }
+
   /// Boots: sends the boot-up message and enters the start state. Again later, when the bus was away: the
   /// dictionary keeps its values, the services start afresh, no error is present, and Operational is left.
   void start(TimePoint now) noexcept;

@@ -46,8 +46,9 @@ void TransmitPdos::load_settings(std::size_t position) noexcept {
   pdo.plan = settings.plan;
   pdo.trigger = trigger_of(settings);
   pdo.period = pdo.trigger == Trigger::Cyclic ? settings.transmission_type : std::uint8_t{1};
-  pdo.inhibit = inhibit_time(parameters_.communication(settings, pdo_sub::kInhibitTime));
-  pdo.event_period = event_time(parameters_.communication(settings, pdo_sub::kEventTimer));
+  const PdoCycle& cycle = context_.pdo_cycle;
+  pdo.inhibit = cycle.whole(inhibit_time(parameters_.communication(settings, pdo_sub::kInhibitTime)));
+  pdo.event_period = cycle.whole(event_time(parameters_.communication(settings, pdo_sub::kEventTimer)));
   pdo.first_sync = static_cast<std::uint8_t>(parameters_.communication(settings, pdo_sub::kSyncStart));
   begin_anew(pdo);
 }
@@ -96,10 +97,15 @@ void TransmitPdos::claim_identifiers() noexcept {
 void TransmitPdos::start() noexcept {
   running_ = true;
   last_sync_ = TimePoint::min();
+  begin_moment();
   for (Outgoing& pdo : outgoing_) begin_anew(pdo);
   for (const std::uint16_t position : event_driven_) {
     outgoing_[position].is_due = true;
-    request(position, pack(outgoing_[position]));
+    if (context_.pdo_cycle.is_on()) {
+      context_.timers.arm(timer(position, Timer::Event), context_.pdo_cycle.next_from(context_.now));
+    } else {
+      request(position, pack(outgoing_[position]));
+    }
   }
 }
 
@@ -124,7 +130,7 @@ void TransmitPdos::on_sync(std::uint8_t counter) noexcept {
     *staged++ = &pdo.frame;
   }
   for (const Frame** frame = staged_.data(); frame != staged; ++frame)
-    context_.sink.send(**frame, Delivery::Replaceable);
+    context_.sink->send(**frame, Delivery::Replaceable);
 }
 
 /// A SYNC finds @p payload in a TPDO that does not go with every cycle; tells whether it is to be sent.
@@ -151,16 +157,18 @@ void TransmitPdos::begin_cycles(std::uint8_t counter) noexcept {
 void TransmitPdos::on_request(std::size_t position) noexcept {
   Outgoing& pdo = outgoing_[position];
   if (pdo.trigger == Trigger::Event) {
+    begin_moment();
     pdo.is_due = true;
     return request(position, pack(pdo));
   }
   const bool has_sample = pdo.trigger == Trigger::Sampled && !pdo.fresh;
   if (!has_sample) pdo.set_payload(pack(pdo));
-  context_.sink.send(pdo.frame, Delivery::Replaceable);
+  context_.sink->send(pdo.frame, Delivery::Replaceable);
 }
 
 void TransmitPdos::on_values_changed() noexcept {
   if (!running_) return;
+  begin_moment();
   for (const std::uint16_t position : event_driven_) {
     const Outgoing& pdo = outgoing_[position];
     const std::uint64_t payload = pack(pdo);
@@ -168,14 +176,14 @@ void TransmitPdos::on_values_changed() noexcept {
   }
 }
 
-/// Sends now, or when the inhibit time is over.
+/// Sends now, or when the inhibit time is over: a time on the grid, unless a SYNC has begun it.
 void TransmitPdos::request(std::size_t position, std::uint64_t payload) noexcept {
   const Outgoing& pdo = outgoing_[position];
   const TimePoint allowed = pdo.sent + pdo.inhibit;
-  if (context_.now >= allowed) {
+  if (moment_ >= allowed) {
     transmit(position, payload);
   } else if (!context_.timers.is_armed(timer(position, Timer::Inhibit))) {
-    context_.timers.arm(timer(position, Timer::Inhibit), allowed);
+    context_.timers.arm(timer(position, Timer::Inhibit), context_.pdo_cycle.next_from(allowed));
   }
 }
 
@@ -183,18 +191,22 @@ void TransmitPdos::request(std::size_t position, std::uint64_t payload) noexcept
 void TransmitPdos::transmit(std::size_t position, std::uint64_t payload) noexcept {
   Outgoing& pdo = outgoing_[position];
   pdo.set_payload(payload);
-  context_.sink.send(pdo.frame, Delivery::Replaceable);
-  pdo.sent = context_.now;
-  pdo.is_due = false;
+  context_.sink->send(pdo.frame, Delivery::Replaceable);
+  pdo.sent = moment_;
   if (pdo.inhibit.count() != 0) context_.timers.cancel(timer(position, Timer::Inhibit));
-  if (pdo.event_period.count() != 0)
+  if (pdo.event_period.count() != 0) {
     context_.timers.arm(timer(position, Timer::Event), pdo.sent + pdo.event_period);
+  } else if (pdo.is_due) {
+    context_.timers.cancel(timer(position, Timer::Event));  // the one that waits for the first cycle
+  }
+  pdo.is_due = false;
 }
 
 void TransmitPdos::on_timer(std::size_t which) noexcept {
   const std::size_t position = which / kTimersEach;
   Outgoing& pdo = outgoing_[position];
   const std::uint64_t payload = pack(pdo);
+  begin_moment();
   if (which % kTimersEach == static_cast<std::size_t>(Timer::Event)) {
     pdo.is_due = true;
     request(position, payload);
@@ -210,19 +222,21 @@ void TransmitPdos::on_pdo_changed(std::size_t position) noexcept {
   load_settings(position);
   sort_out();
   // As an event, so that the answer to the write comes first.
-  if (running_ && pdo.trigger == Trigger::Event) context_.timers.arm(timer(position, Timer::Event), context_.now);
+  if (running_ && pdo.trigger == Trigger::Event)
+    context_.timers.arm(timer(position, Timer::Event), context_.pdo_cycle.next_from(context_.now));
 }
 
 void TransmitPdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_index, std::int64_t value) noexcept {
   Outgoing& pdo = outgoing_[position];
-  if (sub_index == pdo_sub::kInhibitTime) pdo.inhibit = inhibit_time(value);
+  const PdoCycle& cycle = context_.pdo_cycle;
+  if (sub_index == pdo_sub::kInhibitTime) pdo.inhibit = cycle.whole(inhibit_time(value));
   if (sub_index != pdo_sub::kEventTimer) return;
-  pdo.event_period = event_time(value);
+  pdo.event_period = cycle.whole(event_time(value));
   if (!running_ || pdo.trigger != Trigger::Event) return;
   if (value == 0) {
     context_.timers.cancel(timer(position, Timer::Event));
   } else {
-    context_.timers.arm(timer(position, Timer::Event), context_.now + pdo.event_period);
+    context_.timers.arm(timer(position, Timer::Event), cycle.begin_of(context_.now) + pdo.event_period);
   }
 }
 

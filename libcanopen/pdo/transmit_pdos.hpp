@@ -7,7 +7,8 @@ namespace canopen {
 
 /// Sends process data (CiA 301, 7.2.2): types 1..240 with every n-th SYNC, type 0 with the SYNC after a change,
 /// type 252 on request with the values of the last SYNC, type 253 on request, types 254 and 255 on a change, by
-/// the event timer and on request, never closer than the inhibit time. Types 0..240 answer a request as well.
+/// the event timer and on request, never closer than the inhibit time. Types 0..240 answer a request as well. With
+/// a PdoCycle, changes, times and the first frame of types 254 and 255 are judged where a cycle begins.
 class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
  public:
   /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
@@ -22,8 +23,8 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   void take_over() noexcept;
   /// As PdoParameters::claim_identifiers().
   void claim_identifiers() noexcept;
-  /// NMT Operational is entered: the event-driven TPDOs send their first frame, at once unless an inhibit time
-  /// still runs, and all cycles begin anew.
+  /// NMT Operational is entered: the event-driven TPDOs send their first frame, at once (with a PdoCycle: where
+  /// the next one begins) unless an inhibit time still runs, and all cycles of SYNCs begin anew.
   void start() noexcept;
   /// NMT Operational is left.
   void stop() noexcept;
@@ -66,7 +67,7 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   struct alignas(64) Outgoing {
     Frame frame{};  ///< as last sent, or as the last SYNC has found it
     MappingPlan plan{};
-    TimePoint sent = TimePoint::min();  ///< event-driven: the last frame
+    TimePoint sent = TimePoint::min();  ///< event-driven: the last frame, or the cycle that began with it
     Duration inhibit{};
     Duration event_period{};
     Trigger trigger = Trigger::None;
@@ -90,6 +91,7 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   void request(std::size_t position, std::uint64_t payload) noexcept;
   void transmit(std::size_t position, std::uint64_t payload) noexcept;
   void load_settings(std::size_t position) noexcept;
+  void begin_moment() noexcept { moment_ = context_.pdo_cycle.begin_of(context_.now); }
   void sort_out() noexcept;
   std::size_t timer(std::size_t position, Timer which) const noexcept;
 
@@ -101,6 +103,7 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   std::vector<std::uint16_t> synchronous_;   ///< positions that SYNC concerns
   std::vector<std::uint16_t> event_driven_;  ///< positions that changes concern
   std::vector<const Frame*> staged_;
+  TimePoint moment_{};  ///< what event-driven TPDOs are judged at: now, or the beginning of this cycle
   TimePoint last_sync_ = TimePoint::min();
   bool any_waits_ = false;  ///< for the SYNC that its first cycle begins with
   bool running_ = false;

@@ -114,7 +114,7 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
   if (!written) sdo::tell_refusal(context_, entry, bytes, written.error());
   store(answer.data.data(), written ? sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0)
                                     : sdo::abort_bytes(at, written.error()));
-  context_.sink.send(answer, Delivery::Ordered);
+  context_.sink->send(answer, Delivery::Ordered);
 }
 
 Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
@@ -171,7 +171,7 @@ void SdoServer::finish_download(std::uint64_t answer) noexcept {
   const auto written = sink_.commit(context_);
   end();
   store(frame.data.data(), written ? answer : sdo::abort_bytes(at, written.error()));
-  context_.sink.send(frame, Delivery::Ordered);
+  context_.sink->send(frame, Delivery::Ordered);
 }
 
 /// When on_timer() acts if the client stays silent.

@@ -113,7 +113,7 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
 
   void send(std::uint64_t bytes) noexcept {
     store(answer_.data.data(), bytes);
-    context_.sink.send(answer_, Delivery::Ordered);
+    context_.sink->send(answer_, Delivery::Ordered);
   }
 
   Context& context_;

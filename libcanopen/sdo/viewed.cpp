@@ -78,7 +78,7 @@ void SdoServer::download_viewed(ViewedObject object, const Frame& frame) noexcep
   store(answer.data.data(),
         written ? sdo::response_bytes(sdo::command_byte(sdo::Response::InitiateDownload), object.address(), 0)
                 : sdo::abort_bytes(object.address(), written.error()));
-  context_.sink.send(answer, Delivery::Ordered);
+  context_.sink->send(answer, Delivery::Ordered);
 }
 
 void SdoServer::gather_viewed(ViewedObject object, const Frame& frame) noexcept {

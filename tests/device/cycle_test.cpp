@@ -104,11 +104,11 @@ TEST(Cycle, TakesTheLastOfTheRpdosThatCameSinceTheOneBefore) {
   TestUnit unit;
   unit.start_operational();
 
-  unit.says("205#0600");
-  unit.says("205#0700");
-  unit.says("205#0600");
+  EXPECT_EQ(unit.says("205#0600"), Lines{});
+  EXPECT_EQ(unit.says("205#0700"), Lines{"085#1081112F22010000"}) << "A08751: the one before was never taken";
+  EXPECT_EQ(unit.says("205#0600"), Lines{});
 
-  EXPECT_EQ(unit.passes(8ms), at_rest(0x1631));
+  EXPECT_EQ(unit.passes(8ms), at_rest(0x16B1));
 }
 
 TEST(LateWakeUp, RunsAtMost25CyclesAndCountsTheRest) {
@@ -194,6 +194,7 @@ TEST(Restart, OfTheBusInOperationalIsALeavingOfIt) {
 
   EXPECT_EQ(unit.start(), (Lines{"705#00", "085#011011FD21020000"}));
 
+  unit.passes(Device::kCycle);
   EXPECT_EQ(unit.statusword() & 0x4F, 0x0F);
   EXPECT_TRUE(unit.reaches(0x4F, 0x08, 1s));
   EXPECT_EQ(unit.upload(0x1003, 0).number(), 1U);

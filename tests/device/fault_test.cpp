@@ -20,6 +20,7 @@ TEST(Fault, IsReportedByEmcyErrorRegisterErrorFieldAndStatusword) {
   EXPECT_EQ(unit.upload(0x1003, 1).number(), 0x00021000U);
   EXPECT_EQ(unit.upload(0x1003, 2).number(), 1U);
   EXPECT_EQ(unit.upload(0x1003, 3).number(), 0x1EB41000U);
+  unit.passes(Device::kCycle);
   EXPECT_EQ(unit.statusword() & 0x4F, kFaultBit);
 }
 
@@ -29,7 +30,7 @@ TEST(Fault, IsSentBeforeTheStatuswordThatShowsIt) {
 
   ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
 
-  const Lines lines = unit.passes(0ms);
+  const Lines lines = unit.passes(Device::kCycle);
   ASSERT_EQ(lines.size(), 5U);
   EXPECT_EQ(lines[0], "085#001081B41E020000");
   EXPECT_EQ(lines[1], "185#0816");
@@ -66,6 +67,7 @@ TEST(Fault, WithOff2LetsTheMotorCoast) {
   unit.turn_at(3000, 1s);
 
   ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
+  unit.passes(Device::kCycle);
   EXPECT_EQ(unit.statusword() & 0x4F, 0x08);
   unit.passes(100ms);
 
@@ -78,8 +80,9 @@ TEST(Fault, WithOff1BrakesInFaultReactionActiveFirst) {
   unit.turn_at(3000, 1s);
 
   ASSERT_TRUE(unit.device.raise(1, 7220, 0, unit.now));
+  unit.passes(Device::kCycle);
   EXPECT_EQ(unit.statusword() & 0x4F, 0x0F);
-  unit.passes(250ms);
+  unit.passes(246ms);
   EXPECT_NEAR(unit.velocity(), bus_speed(1500), bus_speed(100));
 
   EXPECT_TRUE(unit.reaches(0x4F, 0x08, 400ms));
@@ -97,6 +100,7 @@ TEST(ErrorField, AcknowledgesWithZeroOnly) {
 
   EXPECT_EQ(unit.says("605#2F03100000000000"), (Lines{"085#0000000000000000", "585#6003100000000000"}));
   EXPECT_EQ(unit.upload(0x1003, 0).number(), 0U);
+  unit.passes(Device::kCycle);
   EXPECT_EQ(unit.statusword() & 0x4F, 0x40);
 }
 

@@ -63,7 +63,7 @@ TEST_P(Reset, BringsTheCommunicationParametersBack) {
   EXPECT_EQ(unit.upload(0x1800, 2).number(), 0xFEU);
   EXPECT_EQ(unit.upload(0x1017).number(), 0U);
   EXPECT_EQ(unit.passes(1s), Lines{});
-  EXPECT_EQ(unit.says("000#0105"), at_rest(0x1640));
+  EXPECT_EQ(unit.cycles_with("000#0105"), at_rest(0x1640));
   EXPECT_EQ(unit.cycles_with("205#0600"), at_rest(0x1631));
 }
 

@@ -101,6 +101,7 @@ TEST(EventTimer, CannotBeChangedInOperational) {
   unit.passes(100ms);
 
   EXPECT_EQ(unit.download(0x1800, 5, 50, 2), 0x08000022U);
+  EXPECT_EQ(unit.passes(Device::kCycle), at_rest(0x16C0)) << "A08754";
   EXPECT_EQ(unit.passes(1s), Lines{});
 }
 

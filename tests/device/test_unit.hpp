@@ -28,6 +28,7 @@ using Lines = std::vector<std::string>;
 struct RecordingListener final : Listener {
   void on_subscriptions_changed() noexcept override { ++subscription_changes; }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { foreign.push_back(identifier); }
+  bool on_bus_restart() noexcept override { return ++bus_restarts, bus_can_be_used; }
   bool on_store(std::span<const std::byte> stored) noexcept override {
     if (is_full) return false;
     image.assign(stored.begin(), stored.end());
@@ -39,6 +40,8 @@ struct RecordingListener final : Listener {
   int stores = 0;
   bool is_full = false;  ///< nothing more can be stored
   int subscription_changes = 0;
+  int bus_restarts = 0;         ///< asked for
+  bool bus_can_be_used = true;  ///< as soon as one is asked for
   std::vector<std::uint32_t> foreign;
 };
 

@@ -144,9 +144,8 @@ AssertionResult wait_for_state(CanClient& can, const DriveState& state) {
 }
 
 void enable_operation(CanClient& can) {
-  can.send("000#0105");
-  ASSERT_TRUE(can.ask("205#0600", "185#4016"));
-  ASSERT_TRUE(can.expect("185#3116"));
+  ASSERT_TRUE(can.ask("000#0105", "185#4016"));
+  ASSERT_TRUE(can.ask("205#0600", "185#3116"));
   ASSERT_TRUE(can.ask("205#0700", "185#3316"));
   ASSERT_TRUE(can.ask("205#0F00", "185#3716"));
 }

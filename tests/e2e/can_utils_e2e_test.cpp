@@ -1,36 +1,17 @@
+#include "tests/e2e/candump_log.hpp"
 #include "tests/e2e/daemon_process.hpp"
 
 namespace e2e {
 namespace {
 
-/// candump -L on vcan0, and cansend: a dialogue as a person at a terminal leads it.
+/// A dialogue as a person at a terminal leads it.
 struct CanUtils : testing::Test {
-  Program candump{{CANDUMP_PROGRAM, "-L", kTestInterface}, bus_environment()};
+  CandumpLog log;
 
-  static int cansend(const std::string& frame) {
-    return fakes::run_program({CANSEND_PROGRAM, kTestInterface, frame}, bus_environment()).status;
-  }
-  /// Waits until candump records; frames before that are lost.
-  void SetUp() override {
-    const std::string probe = "7FF#00";
-    for (int i = 0; i < 100 && candump.output().find(probe) == std::string::npos; ++i) {
-      ASSERT_EQ(cansend(probe), 0)
-          << "cansend on vcan0; make the interface with scripts/vcan-setup.sh vcan0, or run "
-             "the test in scripts/vcan-vm";
-    }
-    ASSERT_TRUE(candump.wait_for_output(probe));
-  }
   /// Sends @p request and waits until @p answer stands behind it in the record.
   testing::AssertionResult dialogue(const std::string& request, const std::string& answer) {
-    const std::size_t from = candump.output().size();
-    if (cansend(request) != 0) return testing::AssertionFailure() << "cansend " << request;
-    if (!candump.wait_for_output(" vcan0 " + request + '\n', from) ||
-        !candump.wait_for_output(" vcan0 " + answer + '\n', from)) {
-      return testing::AssertionFailure() << "expected " << answer << " in\n" << candump.output();
-    }
-    const std::string log = candump.output().substr(from);
-    if (log.find(request) > log.find(answer)) return testing::AssertionFailure() << "wrong order\n" << log;
-    return testing::AssertionSuccess();
+    if (auto sent = log.send(request); !sent) return sent;
+    return log.shows({answer});
   }
 };
 
@@ -38,7 +19,7 @@ TEST_F(CanUtils, RecordAWholeDialogue) {
   DaemonProcess daemon;
   ASSERT_TRUE(daemon.is_ready());
 
-  EXPECT_TRUE(candump.wait_for_output(" vcan0 705#00\n")) << candump.output();
+  EXPECT_TRUE(log.shows({"705#00"}));
   EXPECT_TRUE(dialogue("605#4000100000000000", "585#430010009201FFFF"));
   EXPECT_TRUE(dialogue("605#4008100000000000", "585#4108100008000000"));
   EXPECT_TRUE(dialogue("605#6000000000000000", "585#0053494E414D4943"));

@@ -109,7 +109,6 @@ TEST_F(Motion, AnInjectedFaultStopsTheDriveUntilTheMasterAcknowledges) {
   EXPECT_TRUE(wait_for_state(*can, kFault));
   EXPECT_TRUE(can->ask("605#4001100000000000", "585#4F01100081000000"));
   EXPECT_TRUE(can->ask("605#4003100100000000", "585#4303100100100200"));
-  can->send("205#0000");
   can->send("205#8000");
   EXPECT_TRUE(can->expect("085#0000000000000000"));
   EXPECT_TRUE(wait_for_state(*can, kSwitchOnDisabled));

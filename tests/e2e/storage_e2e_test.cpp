@@ -51,9 +51,8 @@ TEST_F(Storage, BringsStoredParametersBackAfterAKill) {
   EXPECT_EQ(sdo.upload(kHaltOption).number(), 2U);
   EXPECT_EQ(sdo.upload(0x6007).number(), 3U) << "it was not stored";
   EXPECT_EQ(sdo.upload(0x1400, 1).number(), 0x215U);
-  can.send("000#0105");
-  EXPECT_TRUE(can.ask("215#0600", "185#4016"));
-  EXPECT_TRUE(can.expect("185#3116"));
+  EXPECT_TRUE(can.ask("000#0105", "185#4016"));
+  EXPECT_TRUE(can.ask("215#0600", "185#3116"));
 }
 
 TEST_F(Storage, ForgetsUnstoredParametersWithThePower) {

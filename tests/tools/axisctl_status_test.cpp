@@ -9,7 +9,8 @@ using nlohmann::json;
 const json kStatus = json::parse(R"({
   "version": "0.1.0", "interface": "vcan0", "node_id": 5, "nmt_state": "Operational", "uptime_s": 12.3,
   "bus": {"state": "error-active", "link": "up", "received": 10, "sent": 20, "dropped": 0, "queued": 1, "refused": 2},
-  "dc_link_V": 538.5,
+  "leds": {"run": "on", "error": "single flash"},
+  "dc_link_V": 538.5, "cycle_ms": 4.0,
   "skipped_cycles": 0,
   "axes": [
     {"axis": 1, "name": "X", "type": "servo", "state": "Operation enabled", "statusword": "0x1637",
@@ -32,7 +33,9 @@ node-ID         5
 NMT state       Operational
 up for          12.300 s
 bus             dropped 0, link up, queued 1, received 10, refused 2, sent 20, state error-active
+LEDs            error single flash, run on
 DC link         538.500 V
+cycle           4.000 ms
 skipped cycles  0
 axisd version   0.1.0
 axis 1 X (servo)

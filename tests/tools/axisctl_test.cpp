@@ -29,6 +29,7 @@ TEST_F(Axisctl, SendsWhatEachCommandMeans) {
       {{"load", "1", "+1e1"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", 10.0}}}}},
       {{"supply", "0"}, {{"method", "supply.set"}, {"params", {{"line_voltage_V", 0.0}}}}},
       {{"encoder", "2", "loss"}, {{"method", "encoder.fail"}, {"params", {{"axis", 2}, {"defect", "loss"}}}}},
+      {{"bus", "restart"}, {{"method", "bus.restart"}}},
       {{"quit"}, {{"method", "quit"}}},
   };
   for (const Request& request : requests) {

@@ -51,6 +51,13 @@ constexpr std::array kCommands{
             supply_parameters, print_members},
     Command{"", "encoder", "Make the encoder of an axis fail", kEncoderArguments, control::Method::FailEncoder,
             encoder_parameters, print_members},
+    Command{"bus",
+            "restart",
+            "Restart the CAN controller from bus-off",
+            {},
+            control::Method::RestartBus,
+            no_parameters,
+            print_members},
     Command{"", "quit", "Switch the unit off", {}, control::Method::Quit, no_parameters, print_members},
 };
 

@@ -26,7 +26,9 @@ constexpr std::array kUnitLabels{
     Label{"nmt_state", "NMT state", ""},
     Label{"uptime_s", "up for", " s"},
     Label{"bus", "bus", ""},
+    Label{"leds", "LEDs", ""},
     Label{"dc_link_V", "DC link", " V"},
+    Label{"cycle_ms", "cycle", " ms"},
     Label{"skipped_cycles", "skipped cycles", ""},
     Label{"version", "axisd version", ""},
 };

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "drive/parameter/axis_values.hpp"
 #include "drive/parameter/checks.hpp"
 #include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/message_values.hpp"
@@ -20,7 +21,7 @@ inline constexpr std::array kMessagesRows{
     Row{949, 64, kAll, I32, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::fault_value), Output::No, "Fault value", ""},
     Row{952, 1, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, messages(message_value::fault_cases, message_value::clear_faults), Output::No, "Fault cases counter", "cases since the last 0; 0 clears all but active faults", Keep::No, check::zero_only},
     Row{2100, 20, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, messages(message_value::reaction_number, message_value::set_reaction_number), Output::No, "Fault number for reaction change", "p2101 of the same index is the reaction of this fault"},
-    Row{2101, 20, kAll, I16, Unit::None, {0.0, 6.0}, 0.0, When::Always, messages(message_value::reaction, message_value::set_reaction), Output::No, "Fault reaction", "without effect if the fault does not offer it; STOP2 acts as OFF3, IASC/DCBRK as OFF2", Keep::Stored, check::reaction},
+    Row{2101, 20, kAll, I16, Unit::None, {0.0, 6.0}, 0.0, When::Always, messages(message_value::reaction, message_value::set_reaction), Output::No, "Fault reaction", "without effect if the fault does not offer it; IASC/DCBRK acts as OFF2", Keep::Stored, check::reaction},
     Row{2102, 1, kControlUnit, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "BI: acknowledge all faults of the unit", "a rising edge acknowledges the faults of all drive objects"},
     Row{2103, 1, kAll, BinectorInput, Unit::None, kWhole, factory::acknowledge_source, When::Always, Slot{}, Output::No, "BI: 1st acknowledge faults", "a rising edge acknowledges the faults"},
     Row{2104, 1, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "BI: 2nd acknowledge faults", "a rising edge acknowledges the faults"},
@@ -43,7 +44,8 @@ inline constexpr std::array kMessagesRows{
     Row{2131, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::newest_fault), Output::Connector, "Current fault code", ""},
     Row{2132, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::newest_alarm), Output::Connector, "Current alarm code", ""},
     Row{2136, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::fault_removed_days), Output::No, "Fault time removed in days", ""},
-    Row{2138, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Both, "Control word faults/alarms", ""},
+    Row{2138, 1, kControlUnit, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Both, "Control word faults/alarms", ""},
+    Row{2138, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::message_control), Output::Both, "Control word faults/alarms", "bits 7 acknowledgement, 10 p2112, 13 to 15 p2106 to p2108"},
     Row{2139, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::message_status), Output::Both, "Status word faults/alarms 1", "bits 3 and 7"},
     Row{2145, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::alarm_days), Output::No, "Alarm time received in days", ""},
     Row{2146, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::alarm_removed_days), Output::No, "Alarm time removed in days", ""},

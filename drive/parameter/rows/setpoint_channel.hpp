@@ -19,7 +19,7 @@ inline constexpr std::array kSetpointChannelRows{
     Row{852, 1, kAxes, BinectorInput, Unit::None, kWhole, own_source(8890, 3), When::Always, Slot{}, Output::No, "BI: enable operation", "0 takes the pulses off"},
     Row{854, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, Slot{}, Output::No, "BI: control by PLC", "0 in operation raises F07220"},
     Row{856, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, Slot{}, Output::No, "BI: enable speed controller", "0 leaves no torque"},
-    Row{857, 1, kAxes, F32, Unit::Milliseconds, {100.0, 60000.0}, 6000.0, When::Always, Stored{}, Output::No, "Power unit monitoring time", ""},
+    Row{857, 1, kAxes, F32, Unit::Milliseconds, {100.0, 60000.0}, 6000.0, When::Always, Member{&P::power_monitoring_time}, Output::No, "Power unit monitoring time", "F07840 or F07802 when infeed or DC link do not come within it after ON"},
     Row{864, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, Slot{}, Output::No, "BI: infeed operation", "0 keeps the pulses off"},
     Row{898, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::sequence_control), Output::Both, "Control word sequence control", ""},
     Row{899, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::sequence_status), Output::Both, "Status word sequence control (ZSW1 source)", ""},

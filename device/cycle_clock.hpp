@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+
+#include "drive/axis.hpp"
+#include "libcanopen/base/time.hpp"
+#include "libcanopen/pdo/pdo_cycle.hpp"
+
+namespace device {
+
+/// When process-data cycles (p8848) are due: on a grid from power-on, also after a rest.
+class CycleClock {
+ public:
+  static constexpr canopen::Duration kFactory = std::chrono::milliseconds{4};
+  /// Time that missed cycles are made up for; what is beyond is skipped.
+  static constexpr canopen::Duration kMostAtOnce = std::chrono::milliseconds{100};
+
+  /// Cycles that are due at once.
+  struct Due {
+    std::int64_t run;
+    std::int64_t skipped;
+  };
+
+  /// p8848 as a time: whole control periods, at least one.
+  static canopen::Duration period_of(double milliseconds) noexcept {
+    constexpr canopen::Duration kStep{static_cast<std::int64_t>(motor::kControlPeriod * 1e9 + 0.5)};
+    const double steps = milliseconds * 1e6 / static_cast<double>(kStep.count());
+    return std::max(std::int64_t{1}, static_cast<std::int64_t>(std::llround(steps))) * kStep;
+  }
+
+  /// Power-on: the first cycle begins.
+  void begin(canopen::TimePoint now) noexcept { last_ = now; }
+  /// The next cycle ends @p period after the last one.
+  void set_period(canopen::Duration period) noexcept { period_ = period; }
+  canopen::Duration period() const noexcept { return period_; }
+  double seconds() const noexcept { return std::chrono::duration<double>{period_}.count(); }
+  /// The grid.
+  canopen::PdoCycle grid() const noexcept { return {period_, last_}; }
+
+  bool is_resting() const noexcept { return resting_; }
+  /// When the next cycle ends; kNever while resting.
+  canopen::TimePoint next() const noexcept { return resting_ ? canopen::kNever : last_ + period_; }
+  /// Nothing moves: no cycle is due until wake().
+  void rest() noexcept { resting_ = true; }
+  /// The cycle that @p now lies in is to be run.
+  void wake(canopen::TimePoint now) noexcept {
+    if (!resting_) return;
+    resting_ = false;
+    last_ = grid().begin_of(now);
+  }
+  /// The cycles that have ended by @p now; from then on it counts anew.
+  Due take_due(canopen::TimePoint now) noexcept {
+    const std::int64_t due = (now - last_) / period_;
+    const std::int64_t run = std::min(due, kMostAtOnce / period_);
+    last_ += due * period_;
+    return {run, due - run};
+  }
+
+ private:
+  canopen::Duration period_ = kFactory;
+  canopen::TimePoint last_{};  ///< end of the last cycle
+  bool resting_ = true;
+};
+
+}  // namespace device

@@ -1,0 +1,144 @@
+// What becomes of NMT, of errors of the bus and of process data that are lost or missing.
+#include <algorithm>
+#include <cassert>
+
+#include "device/device.hpp"
+#include "libcanopen/base/cob_id.hpp"
+
+namespace device {
+namespace {
+
+constexpr std::uint16_t kCommunicationError = 8700;
+constexpr std::uint32_t kLifeTimeOver = 2;  // fault value
+constexpr std::uint16_t kLeftOperational = 8701;
+constexpr std::uint32_t kToPreOperational = 1;  // fault value
+constexpr std::uint32_t kToStopped = 2;
+
+/// SDO requests of all servers that the unit may have: 600h to 67Fh.
+bool is_sdo_request(const canopen::Frame& frame) noexcept {
+  constexpr canopen::Identifier kFunction = 0x780;
+  constexpr canopen::Identifier kSdoRequest = 0x600;
+  return !frame.remote && !frame.extended && (frame.id & kFunction) == kSdoRequest;
+}
+
+}  // namespace
+
+void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
+  tell_time(now_);
+  rpdo_monitor_.stop();
+  const bool ends = to == canopen::NmtState::Initialising;
+  const bool left = from == canopen::NmtState::Operational && !ends && !restarting_;
+  if (ends) {
+    unit_.power_off();
+    for (AxisObjects& axis : axes_) axis.forget_written();
+    telegram_loss_.clear();
+  } else if (left && configuration_.fault_on_leaving_operational) {
+    leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
+  }
+  if (left) storage_.on_operational_left();
+  if (from != canopen::NmtState::Initialising) process_data_.end_alarms();
+  show_messages();
+}
+
+/// 1001h, 1003h and EMCY tell at once; what the axes make of it is for the cycle that follows.
+void Device::show_messages() noexcept {
+  alarm_changed_ = false;
+  error_objects_.update(node_);
+  wake();
+}
+
+/// F08701 on every axis; the control unit has no part in it.
+void Device::leave_operational(std::uint32_t value) noexcept {
+  for (drive::Axis& axis : unit_.axes()) {
+    [[maybe_unused]] const auto raised = axis.raise(kLeftOperational, value);
+    assert(raised);
+  }
+}
+
+void Device::on_communication_error(canopen::CommunicationError error, std::uint16_t) noexcept {
+  if (error != canopen::CommunicationError::LifeGuarding || communication_.is_bus_off()) return;
+  tell_time(now_);
+  communication_.on_life_time_over();
+  show_messages();
+}
+
+void Device::miss_rpdos() noexcept {
+  rpdo_monitor_.stop();
+  tell_time(now_);
+  communication_.on_rpdos_missing();
+  show_messages();
+}
+
+/// A frame of RPDO @p number has overwritten the one before in the same cycle. A synchronous RPDO is none of
+/// A08751's, and while the unit is late nobody knows which cycles the frames belong to.
+void Device::lose_telegram(std::uint16_t number) noexcept {
+  if (clock_.next() <= now_) return;
+  const auto pdos = node_.receive_pdos();
+  const auto found = std::ranges::find(pdos, number, &canopen::PdoSettings::number);
+  if (found != pdos.end() && found->transmission_type <= canopen::kLastSynchronousType) return;
+  ++lost_telegrams_;
+  if (!telegram_loss_.on_loss(now_)) return;
+  tell_time(now_);
+  communication_.on_telegram_loss();
+  alarm_changed_ = true;
+}
+
+void Device::end_telegram_loss() noexcept {
+  telegram_loss_.clear();
+  tell_time(now_);
+  communication_.on_telegram_loss_over();
+  show_messages();
+}
+
+void Device::on_frames_lost(canopen::TimePoint now) noexcept {
+  tell_time(now);
+  if (!telegram_loss_.on_loss(now)) return;
+  communication_.on_telegram_loss();
+  show_messages();
+}
+
+void Device::on_bus_state(BusState state, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  const bool is_back = communication_.on_bus_state(state);
+  error_objects_.set_bus_off(communication_.is_bus_off());
+  communication_.plan_restart(now);
+  node_.send_to(communication_.is_bus_off() ? static_cast<canopen::FrameSink&>(nowhere_) : sink_);
+  show_messages();
+  if (!is_back) return;
+  node_.report(canopen::CommunicationError::BusOffRecovered, now);
+  node_.report_recovery(canopen::CommunicationError::BusOffRecovered, now);
+  // The master has seen nothing of what TPDOs said meanwhile.
+  if (node_.state() == canopen::NmtState::Operational) node_.reload(now);
+}
+
+void Device::serve_off_the_bus(const canopen::Frame& frame) noexcept {
+  if (!is_sdo_request(frame)) return;
+  node_.send_to(sink_);
+  serve(frame);
+  if (communication_.is_bus_off()) node_.send_to(nowhere_);
+}
+
+void Device::restart_bus() noexcept {
+  communication_.on_restart();
+  if (listener_.on_bus_restart()) return on_bus_state(BusState::Active, now_);
+  communication_.plan_restart(now_);
+}
+
+bool Device::restart_bus(canopen::TimePoint now) noexcept {
+  if (!communication_.is_bus_off()) return false;
+  tell_time(now);
+  restart_bus();
+  return true;
+}
+
+IndicatorLeds Device::leds() const noexcept {
+  const auto faults = unit_.object(drive::kControlUnitNumber)->messages().faults();
+  const bool guarding_lost = std::ranges::any_of(faults, [](const drive::FaultEntry& fault) {
+    return fault.row->number == kCommunicationError && fault.value == kLifeTimeOver;
+  });
+  return leds_of(node_.state(), {.off = communication_.is_bus_off(),
+                                 .guarding_lost = guarding_lost,
+                                 .passive = communication_.bus_state() == BusState::Passive});
+}
+
+}  // namespace device
