@@ -69,7 +69,8 @@ void Device::miss_rpdos() noexcept {
   show_messages();
 }
 
-/// A frame of RPDO @p number has overwritten the one before in the same cycle. A08751 is for asynchronous ones only.
+/// A frame of RPDO @p number has overwritten the one before in the same cycle. A08751 is for asynchronous ones
+/// only.
 void Device::lose_telegram(std::uint16_t number) noexcept {
   const auto pdos = node_.receive_pdos();
   const auto found = std::ranges::find(pdos, number, &canopen::PdoSettings::number);
