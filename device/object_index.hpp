@@ -32,13 +32,17 @@ inline constexpr std::uint16_t kVelocitySensorActual = 0x6069;
 inline constexpr std::uint16_t kVelocityDemand = 0x606B;
 inline constexpr std::uint16_t kVelocityActual = 0x606C;
 inline constexpr std::uint16_t kTargetTorque = 0x6071;
+inline constexpr std::uint16_t kMaxTorque = 0x6072;
 inline constexpr std::uint16_t kTorqueDemand = 0x6074;
 inline constexpr std::uint16_t kTorqueActual = 0x6077;
 inline constexpr std::uint16_t kProfileAcceleration = 0x6083;
 inline constexpr std::uint16_t kProfileDeceleration = 0x6084;
 inline constexpr std::uint16_t kQuickStopDeceleration = 0x6085;
 inline constexpr std::uint16_t kMotionProfileType = 0x6086;
+inline constexpr std::uint16_t kVelocityFactor = 0x6094;
 inline constexpr std::uint16_t kTargetVelocity = 0x60FF;
+
+inline constexpr std::uint16_t kSupportedModes = 0x6502;
 
 inline constexpr std::uint16_t kFirstProfileObject = 0x6000;
 inline constexpr std::uint16_t kProfileStride = 0x800;

@@ -9,38 +9,6 @@
 #include "motor/dc_link.hpp"
 
 namespace drive {
-namespace {
-
-constexpr std::uint16_t kEnableOperationBit = 0x0008;
-constexpr std::uint16_t kAcknowledgeBit = 0x0080;
-constexpr std::uint16_t kHaltBit = 0x0100;
-
-constexpr std::uint16_t kConnectionAbort = 8700;
-constexpr std::uint16_t kZeroMarkDistance = 31100;
-
-constexpr std::int32_t kHaltWithPulsesOff = 0;
-
-/// p8641 by value: the reaction to F08700.
-constexpr std::array kAbortReactions{Reaction::None, Reaction::Off1, Reaction::Off2, Reaction::Off3};
-
-struct ReactionRow {
-  Reaction reaction;
-  Event event;
-};
-constexpr std::array kReactionEvents{
-    ReactionRow{Reaction::Off1, Event::FaultOff1},
-    ReactionRow{Reaction::Off2, Event::FaultOff2},
-    ReactionRow{Reaction::Off3, Event::FaultOff3},
-    ReactionRow{Reaction::Encoder, Event::FaultOff2},  // p0491 of a new unit
-    ReactionRow{Reaction::Stop2, Event::FaultOff3},
-    ReactionRow{Reaction::ShortCircuit, Event::FaultOff2},
-};
-
-bool halt_requested(std::uint16_t controlword, const AxisParameters& parameters) noexcept {
-  return (controlword & kHaltBit) != 0 && parameters.halt_option >= 0;
-}
-
-}  // namespace
 
 Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uint8_t node_id,
            const motor::SupplyData& supply)
@@ -56,58 +24,17 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
   restore_parameters();
 }
 
-void Axis::sequence(std::uint16_t controlword, double duration) noexcept {
-  const bool acknowledgement = (controlword & ~controlword_ & kAcknowledgeBit) != 0;
-  controlword_ = controlword;
-  if (apply(Event::Initialised)) return;
-  if (acknowledgement) {
-    const State before = state_;
-    acknowledge();
-    if (state_ != before) return;  // Switch on disabled is seen for a cycle, whatever else the word says
-  }
-  apply(command_of(command_word()));
-  if (is_braking(state_)) check_standstill(duration);
-}
-
-/// The controlword as the sequence control sees it: none at all in commissioning, and a halt by option code 0 is a
-/// missing operation enable.
-std::uint16_t Axis::command_word() const noexcept {
-  if (inhibited_ || parameters_.commissioning != 0) return 0;
-  const bool pulses_off =
-      halt_requested(controlword_, parameters_) && parameters_.halt_option == kHaltWithPulsesOff;
-  return pulses_off ? static_cast<std::uint16_t>(controlword_ & ~kEnableOperationBit) : controlword_;
-}
-
-void Axis::check_standstill(double duration) noexcept {
-  const double closing_time = has_brake() ? context().axis.load.brake.closing_time : 0.0;
-  const StandstillMonitor::Limits limits{parameters_.standstill_threshold, parameters_.standstill_monitoring_time,
-                                         parameters_.pulse_suppression_delay + closing_time};
-  if (standstill_.update(duration, actual_.speed, ramp_generator_.output(), limits)) apply(Event::Standstill);
-}
-
-bool Axis::apply(Event event) noexcept {
-  const Transition* row = find_transition(state_, event);
-  if (row == nullptr) return false;
-  if (row->to != row->from) standstill_.restart();
-  state_ = row->to;
-  perform(row->action);
-  return true;
-}
-
 void Axis::perform(Action action) noexcept {
   switch (action) {
     case Action::None:
       break;
     case Action::EnablePulses:
-      ramp_generator_.start(train_.signals().measured_speed);
-      ramp_ = Ramp::Setpoint;
+      channel_.start(train_.signals().measured_speed);
       break;
     case Action::InhibitPulses:
-      ramp_generator_.start(0.0);
-      ramp_ = Ramp::Setpoint;
+      channel_.start(0.0);
       break;
     case Action::FollowSetpoint:
-      ramp_ = Ramp::Setpoint;
       break;
     case Action::BrakeOnOff1:
       brake_on(Ramp::Off1);
@@ -119,59 +46,37 @@ void Axis::perform(Action action) noexcept {
 }
 
 void Axis::brake_on(Ramp ramp) noexcept {
-  if (ramp_ == ramp) return;
-  ramp_ = ramp;
-  // A motor that has not yet reached its setpoint brakes from where it is instead of speeding up first.
-  const double speed = train_.signals().measured_speed;
-  const double setpoint = ramp_generator_.output();
-  const bool ahead = setpoint * speed < 0.0 || std::abs(setpoint) > std::abs(speed);
-  if (ahead) ramp_generator_.start(speed);
-}
-
-void Axis::select_ramp(const Setpoints& setpoints) noexcept {
-  static constexpr std::array kHaltRamps{Ramp::Setpoint, Ramp::Off1, Ramp::Off3, Ramp::TorqueLimit};
-  target_ = 0.0;
-  if (state_ != State::OperationEnabled) return;
-  if (halt_requested(setpoints.controlword, parameters_)) {
-    brake_on(kHaltRamps[static_cast<std::size_t>(parameters_.halt_option)]);
-    return;
-  }
-  ramp_ = Ramp::Setpoint;
-  target_ = std::clamp(setpoints.speed, backward_limit_, forward_limit_);
-}
-
-void Axis::react(const FaultRow& row) noexcept {
-  const bool abort = row.number == kConnectionAbort;
-  const Reaction standard =
-      abort ? kAbortReactions[static_cast<std::size_t>(parameters_.abort_connection_option)] : row.reaction;
-  const Reaction reaction = messages().settings.reaction_to(row).value_or(standard);
-  for (const ReactionRow& candidate : kReactionEvents)
-    if (candidate.reaction == reaction) apply(candidate.event);
+  channel_.brake(ramp, train_.signals().measured_speed);
 }
 
 void Axis::refresh_status() noexcept {
   const bool pulses = pulses_enabled_in(state_);
   actual_.state = state_;
   actual_.pulses_enabled = pulses;
-  actual_.speed_demand = ramp_generator_.output();
+  actual_.speed_demand = channel_.total();
+  actual_.mode = mode_.display(parameters_.control_mode);
   actual_.statusword =
-      statusword(state_, {.controlword = controlword_,
+      statusword(state_, {.no_off2 = inputs_.no_off2 && inputs_.no_off2_second,
+                          .no_off3 = inputs_.no_off3 && inputs_.no_off3_second,
                           .fault = !messages().faults().empty(),
                           .alarm = !messages().alarms().empty(),
                           .target_reached = target_reached_,
                           .torque_limit_reached = pulses && train_.signals().torque_limit_reached,
-                          .speed_zero = std::abs(actual_.speed) < parameters_.zero_speed_threshold});
+                          .speed_zero = std::abs(actual_.speed) < parameters_.zero_speed_threshold,
+                          .free_bit_8 = feedback_.status_bit_8,
+                          .free_bit_14 = feedback_.status_bit_14,
+                          .free_bit_15 = feedback_.status_bit_15});
 }
 
 bool Axis::is_quiescent() const noexcept {
-  return settled_ && !pulses_enabled_in(state_) && train_.rests() && !causes_.any_present();
+  return settled_ && !pulses_enabled_in(state_) && train_.rests() && !causes_.any_present() && !waits_for_power();
 }
 
 void Axis::power_off() noexcept {
   DriveObject::power_off();
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
-  controlword_ = 0;
+  wired_ = inputs_ = {};
   refresh_status();
   settled_ = false;
 }
@@ -179,17 +84,6 @@ void Axis::power_off() noexcept {
 void Axis::on_messages_changed() noexcept {
   refresh_status();
   settled_ = false;
-}
-
-bool Axis::acknowledge() noexcept {
-  if (state_ == State::FaultReactionActive) return false;
-  // What the encoder has found is over with the acknowledgement; what is still wrong it finds again.
-  train_.acknowledge_encoder();
-  if (train_.encoder().status().zero_mark_deviation == 0) memory().withdraw(*find_fault(kZeroMarkDistance));
-  const bool none_left = memory().acknowledge(pulses_enabled_in(state_));
-  if (none_left) apply(Event::Acknowledged);
-  on_messages_changed();
-  return none_left;
 }
 
 void Axis::set_load_torque(double torque) noexcept {

@@ -19,8 +19,8 @@ enum class Reaction : std::uint8_t {
   Off1,          ///< ramp down on p1121, then pulses off
   Off2,          ///< pulses off at once
   Off3,          ///< ramp down on p1135, then pulses off
-  Encoder,       ///< p0491, from the factory OFF2
-  Stop2,         ///< brake on p1135 and hold at zero; here the pulses go off at standstill as after OFF3
+  Encoder,       ///< p0491; here OFF2 whatever it says
+  Stop2,         ///< brake on p1135, then hold at zero with the pulses on
   ShortCircuit,  ///< armature short-circuit or DC brake; here the pulses go off as after OFF2
 };
 

@@ -37,6 +37,9 @@ struct AxisParameters {
   std::int32_t encoder_pulses = 0;     ///< p0408
   std::int32_t encoder_fine_bits = 0;  ///< p0418
   // Setpoint channel and OFF functions.
+  double jog_speed_1 = 0.0;                 ///< p1058
+  double jog_speed_2 = 0.0;                 ///< p1059
+  double minimum_speed = 0.0;               ///< p1080
   double maximum_speed = 0.0;               ///< p1082
   double speed_limit_positive = 0.0;        ///< p1083
   double speed_limit_negative = 0.0;        ///< p1086, not positive
@@ -53,6 +56,7 @@ struct AxisParameters {
   double standstill_threshold = 0.0;        ///< p1226
   double standstill_monitoring_time = 0.0;  ///< p1227
   double pulse_suppression_delay = 0.0;     ///< p1228
+  double power_monitoring_time = 0.0;       ///< p0857
   // Control and its limits.
   std::int32_t control_mode = 0;                 ///< p1300: 0..19 V/f, 20 and 22 without encoder, 21 and 23 with
   double speed_smoothing = 0.0;                  ///< p1441

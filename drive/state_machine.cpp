@@ -15,12 +15,14 @@ constexpr std::array kTransitions{
     Transition{NotReadyToSwitchOn, E::FaultOff1, Fault, A::None},
     Transition{NotReadyToSwitchOn, E::FaultOff2, Fault, A::None},
     Transition{NotReadyToSwitchOn, E::FaultOff3, Fault, A::None},
+    Transition{NotReadyToSwitchOn, E::FaultStop2, Fault, A::None},
 
     // Only an OFF1 command (ON = 0) with OFF2 and OFF3 withdrawn lifts the inhibit: 0000h to 000Fh stays here.
     Transition{SwitchOnDisabled, E::Shutdown, ReadyToSwitchOn, A::None},
     Transition{SwitchOnDisabled, E::FaultOff1, Fault, A::None},
     Transition{SwitchOnDisabled, E::FaultOff2, Fault, A::None},
     Transition{SwitchOnDisabled, E::FaultOff3, Fault, A::None},
+    Transition{SwitchOnDisabled, E::FaultStop2, Fault, A::None},
 
     // 0006h to 000Fh passes Switched on: the second step follows in the next cycle.
     Transition{ReadyToSwitchOn, E::SwitchOn, SwitchedOn, A::None},
@@ -30,6 +32,7 @@ constexpr std::array kTransitions{
     Transition{ReadyToSwitchOn, E::FaultOff1, Fault, A::None},
     Transition{ReadyToSwitchOn, E::FaultOff2, Fault, A::None},
     Transition{ReadyToSwitchOn, E::FaultOff3, Fault, A::None},
+    Transition{ReadyToSwitchOn, E::FaultStop2, Fault, A::None},
 
     Transition{SwitchedOn, E::Shutdown, ReadyToSwitchOn, A::None},
     Transition{SwitchedOn, E::EnableOperation, OperationEnabled, A::EnablePulses},
@@ -38,6 +41,7 @@ constexpr std::array kTransitions{
     Transition{SwitchedOn, E::FaultOff1, Fault, A::None},
     Transition{SwitchedOn, E::FaultOff2, Fault, A::None},
     Transition{SwitchedOn, E::FaultOff3, Fault, A::None},
+    Transition{SwitchedOn, E::FaultStop2, Fault, A::None},
 
     Transition{OperationEnabled, E::Shutdown, Off1Braking, A::BrakeOnOff1},
     Transition{OperationEnabled, E::SwitchOn, SwitchedOn, A::InhibitPulses},
@@ -46,6 +50,7 @@ constexpr std::array kTransitions{
     Transition{OperationEnabled, E::FaultOff1, FaultReactionActive, A::BrakeOnOff1},
     Transition{OperationEnabled, E::FaultOff2, Fault, A::InhibitPulses},
     Transition{OperationEnabled, E::FaultOff3, FaultReactionActive, A::BrakeOnOff3},
+    Transition{OperationEnabled, E::FaultStop2, Stop2Active, A::BrakeOnOff3},
 
     Transition{Off1Braking, E::SwitchOn, SwitchedOn, A::InhibitPulses},
     Transition{Off1Braking, E::EnableOperation, OperationEnabled, A::FollowSetpoint},
@@ -55,6 +60,8 @@ constexpr std::array kTransitions{
     Transition{Off1Braking, E::FaultOff1, FaultReactionActive, A::BrakeOnOff1},
     Transition{Off1Braking, E::FaultOff2, Fault, A::InhibitPulses},
     Transition{Off1Braking, E::FaultOff3, FaultReactionActive, A::BrakeOnOff3},
+    // An OFF is on its way already: nothing is left to hold for.
+    Transition{Off1Braking, E::FaultStop2, FaultReactionActive, A::BrakeOnOff3},
 
     // OFF3 cannot be cancelled; a fault with OFF1 does not soften it.
     Transition{QuickStopActive, E::DisableVoltage, SwitchOnDisabled, A::InhibitPulses},
@@ -62,12 +69,23 @@ constexpr std::array kTransitions{
     Transition{QuickStopActive, E::FaultOff1, FaultReactionActive, A::BrakeOnOff3},
     Transition{QuickStopActive, E::FaultOff2, Fault, A::InhibitPulses},
     Transition{QuickStopActive, E::FaultOff3, FaultReactionActive, A::BrakeOnOff3},
+    Transition{QuickStopActive, E::FaultStop2, FaultReactionActive, A::BrakeOnOff3},
 
     Transition{FaultReactionActive, E::DisableVoltage, Fault, A::InhibitPulses},
     Transition{FaultReactionActive, E::QuickStop, FaultReactionActive, A::BrakeOnOff3},
     Transition{FaultReactionActive, E::Standstill, Fault, A::InhibitPulses},
     Transition{FaultReactionActive, E::FaultOff2, Fault, A::InhibitPulses},
     Transition{FaultReactionActive, E::FaultOff3, FaultReactionActive, A::BrakeOnOff3},
+    Transition{FaultReactionActive, E::FaultStop2, FaultReactionActive, A::BrakeOnOff3},
+
+    // Every OFF ends the holding; acknowledging comes after the braking only, see Axis::acknowledge().
+    Transition{Stop2Active, E::Shutdown, FaultReactionActive, A::BrakeOnOff3},
+    Transition{Stop2Active, E::DisableVoltage, Fault, A::InhibitPulses},
+    Transition{Stop2Active, E::QuickStop, FaultReactionActive, A::BrakeOnOff3},
+    Transition{Stop2Active, E::FaultOff1, FaultReactionActive, A::BrakeOnOff3},
+    Transition{Stop2Active, E::FaultOff2, Fault, A::InhibitPulses},
+    Transition{Stop2Active, E::FaultOff3, FaultReactionActive, A::BrakeOnOff3},
+    Transition{Stop2Active, E::Acknowledged, SwitchOnDisabled, A::InhibitPulses},
 
     // ON still set after the acknowledgement keeps the drive in Switch on disabled, see there.
     Transition{Fault, E::Acknowledged, SwitchOnDisabled, A::None},
@@ -87,6 +105,7 @@ constexpr std::array<StateRow, kStateCount> kStates{{
     {Off1Braking, true, true},
     {QuickStopActive, true, true},
     {FaultReactionActive, true, true},
+    {Stop2Active, true, false},
     {Fault, false, false},
 }};
 

@@ -5,7 +5,7 @@
 
 namespace drive {
 
-/// States of the sequence control (CiA 402 power drive system with the two braking states of a SINAMICS).
+/// States of the sequence control: the CiA 402 power drive system, with OFF1 braking and STOP2 of a SINAMICS.
 enum class State : std::uint8_t {
   NotReadyToSwitchOn,   ///< run-up, r0002 = 70
   SwitchOnDisabled,     ///< switching on inhibited, r0002 = 41..43
@@ -14,10 +14,11 @@ enum class State : std::uint8_t {
   OperationEnabled,     ///< r0002 = 0
   Off1Braking,          ///< ramp down on p1121, then Ready to switch on, r0002 = 16
   QuickStopActive,      ///< OFF3: ramp down on p1135, then Switch on disabled, r0002 = 17
-  FaultReactionActive,  ///< braking because of a fault, r0002 = 18
+  FaultReactionActive,  ///< braking because of a fault, then Fault, r0002 = 18
+  Stop2Active,          ///< the same on p1135, but then the motor holds at zero until OFF or an acknowledgement
   Fault,                ///< pulses off, r0002 = 45
 };
-inline constexpr std::size_t kStateCount = 9;
+inline constexpr std::size_t kStateCount = 10;
 
 /// What moves the sequence control: the command in the controlword, or something that happened.
 enum class Event : std::uint8_t {
@@ -31,9 +32,10 @@ enum class Event : std::uint8_t {
   FaultOff1,        ///< a fault with the reaction OFF1
   FaultOff2,        ///< a fault with the reaction OFF2
   FaultOff3,        ///< a fault with the reaction OFF3
+  FaultStop2,       ///< a fault with the reaction STOP2
   Acknowledged,     ///< the last fault is gone
 };
-inline constexpr std::size_t kEventCount = 11;
+inline constexpr std::size_t kEventCount = 12;
 
 /// What the axis has to do on a transition.
 enum class Action : std::uint8_t {
@@ -62,7 +64,7 @@ const Transition* find_transition(State state, Event event) noexcept;
 /// Whether the motor is on power in @p state.
 bool pulses_enabled_in(State state) noexcept;
 
-/// Whether @p state is one of the three that brake to standstill.
+/// Whether @p state is one of the three that brake to standstill and then switch the pulses off.
 bool is_braking(State state) noexcept;
 
 }  // namespace drive

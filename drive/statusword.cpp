@@ -6,9 +6,6 @@
 namespace drive {
 namespace {
 
-constexpr std::uint16_t kOff2 = 0x0002;  // controlword bits, 0 = OFF
-constexpr std::uint16_t kOff3 = 0x0004;
-
 /// Bits that a state sets or clears whatever the signals say.
 struct Row {
   State state;
@@ -24,6 +21,7 @@ constexpr std::array<Row, kStateCount> kRows{{
     {State::Off1Braking, 0x0027, 0x0000},
     {State::QuickStopActive, 0x0007, 0x0020},
     {State::FaultReactionActive, 0x000F, 0x0000},
+    {State::Stop2Active, 0x000F, 0x0000},
     {State::Fault, 0x0008, 0x0000},
 }};
 static_assert([] {
@@ -41,14 +39,12 @@ struct Bit {
 
 std::uint16_t statusword(State state, const StatusSignals& signals) noexcept {
   const std::array bits{
-      Bit{signals.fault, 3},
-      Bit{(signals.controlword & kOff2) != 0, 4},
-      Bit{(signals.controlword & kOff3) != 0, 5},
-      Bit{signals.alarm, 7},
-      Bit{true, 9},  // control requested: this unit always listens to its master
-      Bit{signals.target_reached, 10},
-      Bit{signals.torque_limit_reached, 11},
-      Bit{signals.speed_zero, 12},
+      Bit{signals.fault, 3},           Bit{signals.no_off2, 4},
+      Bit{signals.no_off3, 5},         Bit{signals.alarm, 7},
+      Bit{signals.free_bit_8, 8},      Bit{true, 9},  // control requested: this unit always listens to its master
+      Bit{signals.target_reached, 10}, Bit{signals.torque_limit_reached, 11},
+      Bit{signals.speed_zero, 12},     Bit{signals.free_bit_14, 14},
+      Bit{signals.free_bit_15, 15},
   };
   unsigned word = 0;
   for (const Bit& bit : bits) word |= static_cast<unsigned>(bit.on) << bit.number;

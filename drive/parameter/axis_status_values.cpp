@@ -1,4 +1,5 @@
 // The status and control words that parameters show of an axis.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,11 +11,12 @@
 namespace drive::axis_value {
 namespace {
 
-// Controlword bits.
-constexpr std::uint16_t kOn = 0x0001;
-constexpr std::uint16_t kNoOff2 = 0x0002;
-constexpr std::uint16_t kNoOff3 = 0x0004;
-constexpr std::uint16_t kEnableOperation = 0x0008;
+bool no_off2(const AxisInputs& inputs) noexcept {
+  return inputs.no_off2 && inputs.no_off2_second;
+}
+bool no_off3(const AxisInputs& inputs) noexcept {
+  return inputs.no_off3 && inputs.no_off3_second;
+}
 
 struct Bit {
   unsigned number;
@@ -31,28 +33,67 @@ bool is(const Axis& axis, State state) noexcept {
   return axis.actual().state == state;
 }
 
-/// Switch on disabled has several reasons; the highest number is shown.
-double inhibited_display(const AxisInsight& seen) noexcept {
-  struct Reason {
-    bool holds;
-    double code;
-  };
-  const std::array reasons{Reason{seen.switching_on_inhibited, 46.0},
-                           Reason{(seen.controlword & kNoOff3) == 0, 43.0},
-                           Reason{(seen.controlword & kNoOff2) == 0, 42.0}};
-  for (const Reason& reason : reasons)
-    if (reason.holds) return reason.code;
-  return 41.0;  // ON is still set
+/// What r0002 shows in a state while something holds.
+struct Display {
+  State state;
+  bool (*holds)(const Axis& axis, const AxisInsight& seen);
+  double code;
+};
+bool always(const Axis&, const AxisInsight&) noexcept {
+  return true;
+}
+constexpr std::array kDisplays{
+    Display{State::OperationEnabled, always, 0.0},
+    Display{State::OperationEnabled, [](const Axis&, const AxisInsight& s) { return !s.inputs.enable_setpoint; },
+            10.0},
+    Display{State::OperationEnabled,
+            [](const Axis&, const AxisInsight& s) { return !s.inputs.enable_speed_controller; }, 11.0},
+    Display{State::OperationEnabled, [](const Axis&, const AxisInsight& s) { return !s.inputs.continue_ramp; },
+            12.0},
+    Display{State::OperationEnabled, [](const Axis&, const AxisInsight& s) { return !s.inputs.enable_ramp; },
+            13.0},
+    Display{State::OperationEnabled, [](const Axis& axis, const AxisInsight&) { return axis.brake_opens(); },
+            15.0},
+    Display{State::Off1Braking, always, 16.0},
+    Display{State::QuickStopActive, always, 17.0},
+    Display{State::FaultReactionActive, always, 18.0},
+    Display{State::Stop2Active, always, 18.0},
+    Display{State::SwitchedOn, always, 21.0},
+    Display{State::SwitchedOn, [](const Axis& axis, const AxisInsight&) { return axis.waits_for_power(); }, 23.0},
+    Display{State::ReadyToSwitchOn, always, 31.0},
+    Display{State::SwitchOnDisabled, always, 41.0},  // ON is still set
+    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return !no_off2(s.inputs); }, 42.0},
+    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return !no_off3(s.inputs); }, 43.0},
+    Display{State::Fault, always, 45.0},
+    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return s.switching_on_inhibited; },
+            46.0},
+    Display{State::NotReadyToSwitchOn, always, 70.0},
+};
+static_assert(std::ranges::is_sorted(kDisplays, {}, &Display::code), "of several causes the highest is shown");
+
+/// Whether the axis is in fault because of one with a reaction of @p reactions.
+bool stopped_by(const Axis& axis, Reactions reactions) noexcept {
+  return (axis.active_reactions() & reactions) != 0;
 }
 
-/// r0002 by state; of Switch on disabled the lowest.
-constexpr std::array<double, kStateCount> kDisplays{70.0, 41.0, 31.0, 21.0, 0.0, 16.0, 17.0, 18.0, 45.0};
+/// OFF2 from within: commissioning, or a fault that is no OFF1 and no OFF3.
+bool has_internal_off2(const Axis& axis, const AxisInsight& seen) noexcept {
+  constexpr auto kOthers =
+      static_cast<Reactions>(bit_of(Reaction::Off1) | bit_of(Reaction::Off3) | bit_of(Reaction::Stop2));
+  constexpr auto kCoasting =
+      static_cast<Reactions>(bit_of(Reaction::Off2) | bit_of(Reaction::Encoder) | bit_of(Reaction::ShortCircuit));
+  const bool not_listed = is(axis, State::Fault) && !stopped_by(axis, kOthers);
+  return seen.switching_on_inhibited || stopped_by(axis, kCoasting) || not_listed;
+}
 
 }  // namespace
 
 double operating_display(const Axis& axis, std::size_t) noexcept {
-  if (is(axis, State::SwitchOnDisabled)) return inhibited_display(axis.insight());
-  return kDisplays[static_cast<std::size_t>(axis.actual().state)];
+  const AxisInsight seen = axis.insight();
+  double code = 0.0;
+  for (const Display& row : kDisplays)
+    if (is(axis, row.state) && row.holds(axis, seen)) code = row.code;
+  return code;
 }
 
 double statusword(const Axis& axis, std::size_t) noexcept {
@@ -60,18 +101,21 @@ double statusword(const Axis& axis, std::size_t) noexcept {
 }
 
 double controlword(const Axis& axis, std::size_t) noexcept {
-  return axis.insight().controlword;
+  return axis.insight().inputs.controlword;
 }
 
 double missing_enables(const Axis& axis, std::size_t) noexcept {
   const AxisInsight seen = axis.insight();
-  const bool fault = is(axis, State::Fault) || is(axis, State::FaultReactionActive);
-  const std::array bits{
-      Bit{0, (seen.controlword & kOn) == 0},         Bit{1, (seen.controlword & kNoOff2) == 0},
-      Bit{2, (seen.controlword & kNoOff3) == 0},     Bit{3, (seen.controlword & kEnableOperation) == 0},
-      Bit{17, fault || seen.switching_on_inhibited}, Bit{19, !axis.actual().pulses_enabled},
-      Bit{30, !axis.actual().pulses_enabled}};
-  return word(bits);
+  const AxisInputs& inputs = seen.inputs;
+  const bool pulses = axis.actual().pulses_enabled;
+  const auto off3 = static_cast<Reactions>(bit_of(Reaction::Off3) | bit_of(Reaction::Stop2));
+  return word(std::array{Bit{0, !inputs.on && !axis.jogs()}, Bit{1, !no_off2(inputs)}, Bit{2, !no_off3(inputs)},
+                         Bit{3, !inputs.enable_operation}, Bit{9, !inputs.infeed_operates},
+                         Bit{10, !inputs.enable_ramp}, Bit{11, !inputs.continue_ramp},
+                         Bit{12, !inputs.enable_setpoint}, Bit{16, stopped_by(axis, bit_of(Reaction::Off1))},
+                         Bit{17, has_internal_off2(axis, seen)}, Bit{18, stopped_by(axis, off3)}, Bit{19, !pulses},
+                         Bit{21, seen.dc_voltage < axis.context().supply.undervoltage},
+                         Bit{30, !pulses || !inputs.enable_speed_controller}, Bit{31, axis.jogs()}});
 }
 
 double control_status(const Axis& axis, std::size_t) noexcept {
@@ -79,27 +123,46 @@ double control_status(const Axis& axis, std::size_t) noexcept {
 }
 
 double sequence_control(const Axis& axis, std::size_t) noexcept {
-  constexpr unsigned kCommands = kOn | kNoOff2 | kNoOff3 | kEnableOperation;
-  constexpr unsigned kAlwaysSet = 0x0470;  // ramp enable and continue, setpoint enable, control by PLC
-  return (axis.insight().controlword & kCommands) | kAlwaysSet;
+  const AxisInputs inputs = axis.insight().inputs;
+  return word(std::array{Bit{0, inputs.on}, Bit{1, no_off2(inputs)}, Bit{2, no_off3(inputs)},
+                         Bit{3, inputs.enable_operation}, Bit{4, inputs.enable_ramp}, Bit{5, inputs.continue_ramp},
+                         Bit{6, inputs.enable_setpoint}, Bit{8, inputs.jog_1}, Bit{9, inputs.jog_2},
+                         Bit{10, inputs.control_by_plc}});
 }
 
 double sequence_status(const Axis& axis, std::size_t) noexcept {
   constexpr unsigned kOfTheStatusword = 0x0277;  // bits 0..2, 4..6 and 9 are the same
   const bool inhibited = is(axis, State::Fault);
   const bool pulses = axis.actual().pulses_enabled;
-  const auto own = static_cast<std::uint32_t>(
-      word(std::array{Bit{6, inhibited}, Bit{7, !inhibited}, Bit{8, pulses}, Bit{11, pulses}}));
+  const auto own =
+      static_cast<std::uint32_t>(word(std::array{Bit{3, axis.jogs()}, Bit{6, inhibited}, Bit{7, !inhibited},
+                                                 Bit{8, pulses && axis.insight().inputs.enable_speed_controller},
+                                                 Bit{11, pulses}, Bit{12, axis.brake_is_open()}}));
   return (axis.actual().statusword & kOfTheStatusword) | own;
 }
 
 double speed_controller_control(const Axis& axis, std::size_t) noexcept {
-  return word(std::array{Bit{4, axis.actual().pulses_enabled}});
+  return word(std::array{Bit{12, axis.insight().inputs.torque_control}});
 }
 
 double speed_controller_status(const Axis& axis, std::size_t) noexcept {
+  constexpr std::int32_t kFirstVectorMode = 20;
+  constexpr std::int32_t kSpeedWithoutEncoder = 20;
+  constexpr std::int32_t kTorqueWithoutEncoder = 22;
+  const std::int32_t mode = axis.parameters().control_mode;
   const bool pulses = axis.actual().pulses_enabled;
-  return word(std::array{Bit{3, pulses}, Bit{7, axis.insight().torque_limit_reached}});
+  const AxisInsight seen = axis.insight();
+  return word(std::array{Bit{0, pulses && mode < kFirstVectorMode},
+                         Bit{1, pulses && (mode == kSpeedWithoutEncoder || mode == kTorqueWithoutEncoder)},
+                         Bit{2, pulses && seen.torque_control}, Bit{3, pulses && !seen.torque_control},
+                         Bit{7, seen.torque_limit_reached}});
+}
+
+double message_control(const Axis& axis, std::size_t) noexcept {
+  const AxisInputs inputs = axis.insight().inputs;
+  return word(std::array{Bit{7, inputs.acknowledge_1 || inputs.acknowledge_2 || inputs.acknowledge_3},
+                         Bit{10, inputs.no_external_alarm_1}, Bit{13, inputs.no_external_fault_1},
+                         Bit{14, inputs.no_external_fault_2}, Bit{15, inputs.no_external_fault_3}});
 }
 
 double speed_status(const Axis& axis, std::size_t) noexcept {

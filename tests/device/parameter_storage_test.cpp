@@ -230,7 +230,7 @@ TEST_F(Storage, RestartsWhenOperationalIsLeftIfP0972SaysSo) {
 
 TEST_F(Storage, RefusesToRestoreWhilePulsesAreEnabled) {
   for (const std::uint16_t controlword : std::vector<std::uint16_t>{0x0, 0x6, 0x7, 0xF})
-    for (int i = 0; i < 3; ++i) unit.axes()[1].cycle({.controlword = controlword}, 0.004);
+    for (int i = 0; i < 3; ++i) unit.axes()[1].cycle(drive::Setpoints{.controlword = controlword}, 0.004);
   ASSERT_TRUE(unit.axes()[1].actual().pulses_enabled);
 
   for (std::uint8_t sub_index = 1; sub_index <= 3; ++sub_index)

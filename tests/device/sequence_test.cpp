@@ -186,7 +186,9 @@ INSTANTIATE_TEST_SUITE_P(Sequence, HaltOptions, testing::Values(HaltOption{1, 0.
                          [](const auto& option) { return "Code" + std::to_string(option.param.code); });
 
 TEST(Halt, WithOptionThreeStopsAtTheTorqueLimitAndStaysInOperationEnabled) {
-  TestUnit unit{quick_unit()};
+  Configuration configuration = quick_unit();
+  configuration.axes[0].presets.push_back({2003, 50.0});  // 6077h saturates at twice the reference torque
+  TestUnit unit{configuration};
   unit.turn_at(3000, 1s);
   ASSERT_EQ(unit.download(0x605D, 0, 3, 2), 0U);
 

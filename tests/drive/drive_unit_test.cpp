@@ -201,7 +201,7 @@ TEST(DriveUnit, ShowsWhatATurningAxisDoes) {
   ASSERT_FALSE(test.write(kX, 1120, 0.0));
   test.enable(kX);
   Axis& axis = test.unit.axes()[0];
-  for (int i = 0; i < 500; ++i) axis.cycle({.controlword = 0x000F, .speed = 1000.0 * kRpm}, kCycle);
+  for (int i = 0; i < 500; ++i) axis.cycle(Setpoints{.controlword = 0x000F, .speed = 1000.0 * kRpm}, kCycle);
 
   EXPECT_NEAR(test.read(kX, 21), 1000.0, 1.0);
   EXPECT_NEAR(test.read(kX, 1119), 1000.0, 0.01);

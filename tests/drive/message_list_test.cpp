@@ -78,7 +78,7 @@ class EveryListedMessage : public testing::TestWithParam<FaultRow> {
  protected:
   EveryListedMessage() {
     for (Axis& axis : unit_.axes())
-      for (int i = 0; i < 2; ++i) axis.cycle({.controlword = 0x0006}, 0.004);
+      for (int i = 0; i < 2; ++i) axis.cycle(Setpoints{.controlword = 0x0006}, 0.004);
   }
   std::uint8_t origin() const { return GetParam().scope == Scope::ControlUnit ? kUnit : kX; }
   double read(std::uint16_t number, std::size_t index = 0) const { return read_of(origin(), number, index); }

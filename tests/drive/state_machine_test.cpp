@@ -20,16 +20,17 @@ struct Row {
 };
 // clang-format off
 constexpr std::array<Row, kStateCount> kPicture{{
-  // from                 Shutdown             SwitchOn             EnableOperation      DisableVoltage       QuickStop            Initialised          Standstill           FaultOff1            FaultOff2            FaultOff3            Acknowledged
-  {NotReadyToSwitchOn,  {NotReadyToSwitchOn,  NotReadyToSwitchOn,  NotReadyToSwitchOn,  NotReadyToSwitchOn,  NotReadyToSwitchOn,  SwitchOnDisabled,    NotReadyToSwitchOn,  Fault,               Fault,               Fault,               NotReadyToSwitchOn}},
-  {SwitchOnDisabled,    {ReadyToSwitchOn,     SwitchOnDisabled,    SwitchOnDisabled,    SwitchOnDisabled,    SwitchOnDisabled,    SwitchOnDisabled,    SwitchOnDisabled,    Fault,               Fault,               Fault,               SwitchOnDisabled}},
-  {ReadyToSwitchOn,     {ReadyToSwitchOn,     SwitchedOn,          SwitchedOn,          SwitchOnDisabled,    SwitchOnDisabled,    ReadyToSwitchOn,     ReadyToSwitchOn,     Fault,               Fault,               Fault,               ReadyToSwitchOn}},
-  {SwitchedOn,          {ReadyToSwitchOn,     SwitchedOn,          OperationEnabled,    SwitchOnDisabled,    SwitchOnDisabled,    SwitchedOn,          SwitchedOn,          Fault,               Fault,               Fault,               SwitchedOn}},
-  {OperationEnabled,    {Off1Braking,         SwitchedOn,          OperationEnabled,    SwitchOnDisabled,    QuickStopActive,     OperationEnabled,    OperationEnabled,    FaultReactionActive, Fault,               FaultReactionActive, OperationEnabled}},
-  {Off1Braking,         {Off1Braking,         SwitchedOn,          OperationEnabled,    SwitchOnDisabled,    QuickStopActive,     Off1Braking,         ReadyToSwitchOn,     FaultReactionActive, Fault,               FaultReactionActive, Off1Braking}},
-  {QuickStopActive,     {QuickStopActive,     QuickStopActive,     QuickStopActive,     SwitchOnDisabled,    QuickStopActive,     QuickStopActive,     SwitchOnDisabled,    FaultReactionActive, Fault,               FaultReactionActive, QuickStopActive}},
-  {FaultReactionActive, {FaultReactionActive, FaultReactionActive, FaultReactionActive, Fault,               FaultReactionActive, FaultReactionActive, Fault,               FaultReactionActive, Fault,               FaultReactionActive, FaultReactionActive}},
-  {Fault,               {Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               SwitchOnDisabled}},
+  // from                 Shutdown             SwitchOn             EnableOperation      DisableVoltage       QuickStop            Initialised          Standstill           FaultOff1            FaultOff2            FaultOff3            FaultStop2           Acknowledged
+  {NotReadyToSwitchOn,  {NotReadyToSwitchOn,  NotReadyToSwitchOn,  NotReadyToSwitchOn,  NotReadyToSwitchOn,  NotReadyToSwitchOn,  SwitchOnDisabled,    NotReadyToSwitchOn,  Fault,               Fault,               Fault,               Fault,               NotReadyToSwitchOn}},
+  {SwitchOnDisabled,    {ReadyToSwitchOn,     SwitchOnDisabled,    SwitchOnDisabled,    SwitchOnDisabled,    SwitchOnDisabled,    SwitchOnDisabled,    SwitchOnDisabled,    Fault,               Fault,               Fault,               Fault,               SwitchOnDisabled}},
+  {ReadyToSwitchOn,     {ReadyToSwitchOn,     SwitchedOn,          SwitchedOn,          SwitchOnDisabled,    SwitchOnDisabled,    ReadyToSwitchOn,     ReadyToSwitchOn,     Fault,               Fault,               Fault,               Fault,               ReadyToSwitchOn}},
+  {SwitchedOn,          {ReadyToSwitchOn,     SwitchedOn,          OperationEnabled,    SwitchOnDisabled,    SwitchOnDisabled,    SwitchedOn,          SwitchedOn,          Fault,               Fault,               Fault,               Fault,               SwitchedOn}},
+  {OperationEnabled,    {Off1Braking,         SwitchedOn,          OperationEnabled,    SwitchOnDisabled,    QuickStopActive,     OperationEnabled,    OperationEnabled,    FaultReactionActive, Fault,               FaultReactionActive, Stop2Active,         OperationEnabled}},
+  {Off1Braking,         {Off1Braking,         SwitchedOn,          OperationEnabled,    SwitchOnDisabled,    QuickStopActive,     Off1Braking,         ReadyToSwitchOn,     FaultReactionActive, Fault,               FaultReactionActive, FaultReactionActive, Off1Braking}},
+  {QuickStopActive,     {QuickStopActive,     QuickStopActive,     QuickStopActive,     SwitchOnDisabled,    QuickStopActive,     QuickStopActive,     SwitchOnDisabled,    FaultReactionActive, Fault,               FaultReactionActive, FaultReactionActive, QuickStopActive}},
+  {FaultReactionActive, {FaultReactionActive, FaultReactionActive, FaultReactionActive, Fault,               FaultReactionActive, FaultReactionActive, Fault,               FaultReactionActive, Fault,               FaultReactionActive, FaultReactionActive, FaultReactionActive}},
+  {Stop2Active,         {FaultReactionActive, Stop2Active,         Stop2Active,         Fault,               FaultReactionActive, Stop2Active,         Stop2Active,         FaultReactionActive, Fault,               FaultReactionActive, Stop2Active,         SwitchOnDisabled}},
+  {Fault,               {Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               Fault,               SwitchOnDisabled}},
 }};
 // clang-format on
 
@@ -44,14 +45,14 @@ TEST(StateMachine, GoesWhereTheStatePictureSaysForEveryStateAndEvent) {
   }
 }
 
-TEST(StateMachine, HasTheMotorOnPowerInFourStatesOnly) {
-  constexpr std::array kPowered{OperationEnabled, Off1Braking, QuickStopActive, FaultReactionActive};
+TEST(StateMachine, HasTheMotorOnPowerInFiveStatesOnly) {
+  constexpr std::array kPowered{OperationEnabled, Off1Braking, QuickStopActive, FaultReactionActive, Stop2Active};
 
   for (std::size_t i = 0; i < kStateCount; ++i) {
     const auto state = static_cast<State>(i);
     const bool expected = std::find(kPowered.begin(), kPowered.end(), state) != kPowered.end();
     EXPECT_EQ(pulses_enabled_in(state), expected) << i;
-    EXPECT_EQ(is_braking(state), expected && state != OperationEnabled) << i;
+    EXPECT_EQ(is_braking(state), expected && state != OperationEnabled && state != Stop2Active) << i;
   }
 }
 
@@ -69,6 +70,9 @@ TEST(StateMachine, BrakesSwitchesAndResumesWhereTheManualSaysSo) {
       ActionCase{OperationEnabled, SwitchOn, Action::InhibitPulses},
       ActionCase{OperationEnabled, FaultOff1, Action::BrakeOnOff1},
       ActionCase{OperationEnabled, FaultOff3, Action::BrakeOnOff3},
+      ActionCase{OperationEnabled, FaultStop2, Action::BrakeOnOff3},
+      ActionCase{Stop2Active, Shutdown, Action::BrakeOnOff3},
+      ActionCase{Stop2Active, Acknowledged, Action::InhibitPulses},
       ActionCase{Off1Braking, EnableOperation, Action::FollowSetpoint},
       ActionCase{Off1Braking, QuickStop, Action::BrakeOnOff3},
       ActionCase{QuickStopActive, FaultOff1, Action::BrakeOnOff3},

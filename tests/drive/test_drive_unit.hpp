@@ -31,7 +31,7 @@ struct TestUnit {
   }
   void enable(std::uint8_t object) {
     for (const int word : {0x0006, 0x0006, 0x0007, 0x000F})
-      unit.axes()[object - kX].cycle({.controlword = static_cast<std::uint16_t>(word)}, kCycle);
+      unit.axes()[object - kX].cycle(Setpoints{.controlword = static_cast<std::uint16_t>(word)}, kCycle);
   }
   State state(std::uint8_t object) const { return unit.axes()[object - kX].actual().state; }
 };

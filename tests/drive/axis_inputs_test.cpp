@@ -1,0 +1,340 @@
+// The inputs of the sequence control beyond the controlword: jog, control by PLC, infeed, external messages.
+#include <gtest/gtest.h>
+
+#include "tests/drive/test_axis.hpp"
+
+namespace drive {
+namespace {
+
+/// An axis whose inputs are set one by one; it starts in Ready to switch on with everything enabled but ON.
+struct WiredAxis {
+  static constexpr double kCycle = TestAxis::kCycle;
+
+  Axis axis{AxisConfiguration{}};
+  AxisInputs inputs{};
+
+  WiredAxis() {
+    EXPECT_TRUE(axis.write(1120, 0.0));
+    cycles(2);
+    EXPECT_EQ(state(), State::ReadyToSwitchOn);
+  }
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) axis.cycle(inputs, kCycle);
+  }
+  void run(double seconds) { cycles(static_cast<int>(std::lround(seconds / kCycle))); }
+  void turn_at(double rpm) {
+    inputs.on = true;
+    inputs.main_setpoint = rpm * kRpm;
+    run(1.0);
+    EXPECT_NEAR(axis.actual().speed / kRpm, rpm, 1.0);
+  }
+  State state() const { return axis.actual().state; }
+  double rpm() const { return axis.actual().speed / kRpm; }
+  unsigned word(std::uint16_t number) const { return static_cast<unsigned>(axis.read(number).value()); }
+  bool has(std::uint16_t number) const {
+    for (const auto entries : {axis.messages().faults(), axis.messages().alarms()})
+      for (const FaultEntry& entry : entries)
+        if (entry.row->number == number) return true;
+    return false;
+  }
+  bool acknowledge() {
+    inputs.acknowledge_1 = true;
+    cycles(1);
+    inputs.acknowledge_1 = false;
+    cycles(1);
+    return axis.messages().faults().empty();
+  }
+};
+
+TEST(Jog, SwitchesOnWithItsRisingEdgeAndOffLikeOff1) {
+  WiredAxis drive;
+
+  drive.inputs.jog_1 = true;
+  drive.cycles(1);
+  EXPECT_EQ(drive.state(), State::SwitchedOn);
+  drive.cycles(1);
+  EXPECT_EQ(drive.state(), State::OperationEnabled);
+  EXPECT_TRUE(drive.axis.jogs());
+  EXPECT_EQ(drive.word(899) & 0x0008U, 0x0008U);
+  EXPECT_EQ(drive.word(898) & 0x0301U, 0x0100U);
+  EXPECT_EQ(drive.word(46), 0x80000000U);
+
+  drive.inputs.jog_1 = false;
+  drive.cycles(1);
+  EXPECT_EQ(drive.state(), State::Off1Braking);
+  EXPECT_FALSE(drive.axis.jogs());
+  drive.run(0.1);
+  EXPECT_EQ(drive.state(), State::ReadyToSwitchOn);
+}
+
+TEST(Jog, GoesOnWhenOneBitFollowsTheOther) {
+  WiredAxis drive;
+  drive.inputs.jog_1 = true;
+  drive.cycles(3);
+
+  drive.inputs.jog_2 = true;
+  drive.cycles(1);
+  EXPECT_EQ(drive.word(898) & 0x0300U, 0x0300U);
+  EXPECT_TRUE(drive.axis.jogs());
+  drive.inputs.jog_1 = false;
+  drive.cycles(1);
+
+  EXPECT_EQ(drive.state(), State::OperationEnabled);
+  EXPECT_TRUE(drive.axis.jogs());
+}
+
+TEST(Jog, WaitsForTheOperationEnableLikeOn) {
+  WiredAxis drive;
+  drive.inputs.enable_operation = false;
+
+  drive.inputs.jog_2 = true;
+  drive.cycles(3);
+  EXPECT_EQ(drive.state(), State::SwitchedOn);
+  drive.inputs.enable_operation = true;
+  drive.cycles(1);
+
+  EXPECT_EQ(drive.state(), State::OperationEnabled);
+}
+
+TEST(Jog, IsIgnoredWhileOnIsSetAndNeedsAnEdgeAfterwards) {
+  WiredAxis drive;
+  drive.turn_at(500.0);
+
+  drive.inputs.jog_1 = true;
+  drive.cycles(2);
+  EXPECT_FALSE(drive.axis.jogs());
+  EXPECT_EQ(drive.state(), State::OperationEnabled);
+  drive.inputs.on = false;
+  drive.cycles(1);
+  EXPECT_EQ(drive.state(), State::Off1Braking);
+  EXPECT_TRUE(drive.axis.write(1121, 0.0));
+  drive.run(0.5);
+
+  EXPECT_EQ(drive.state(), State::ReadyToSwitchOn);
+}
+
+TEST(Jog, NeedsAnEdgeAfterOff2AndAfterAFault) {
+  WiredAxis drive;
+  drive.inputs.jog_1 = true;
+  drive.cycles(3);
+
+  drive.inputs.no_off2 = false;
+  drive.cycles(1);
+  drive.inputs.no_off2 = true;
+  drive.cycles(5);
+  EXPECT_EQ(drive.state(), State::ReadyToSwitchOn) << "ON = 0 lifts the inhibit, the jog bit stays without effect";
+  drive.inputs.jog_1 = false;
+  drive.cycles(1);
+  drive.inputs.jog_1 = true;
+  drive.cycles(2);
+  ASSERT_EQ(drive.state(), State::OperationEnabled);
+
+  ASSERT_TRUE(drive.axis.raise(30001));
+  EXPECT_TRUE(drive.acknowledge());
+  drive.cycles(5);
+  EXPECT_EQ(drive.state(), State::ReadyToSwitchOn);
+}
+
+TEST(Jog, HandsOverToOn) {
+  WiredAxis drive;
+  drive.inputs.jog_1 = true;
+  drive.cycles(3);
+
+  drive.inputs.on = true;
+  drive.cycles(1);
+
+  EXPECT_EQ(drive.state(), State::OperationEnabled);
+  EXPECT_FALSE(drive.axis.jogs());
+}
+
+TEST(ControlByPlc, BrakesOnOff1WhenItIsWithdrawnInOperation) {
+  WiredAxis drive;
+  ASSERT_TRUE(drive.axis.write(1121, 7.2));  // 1000 rpm a second
+  drive.turn_at(1000.0);
+
+  drive.inputs.control_by_plc = false;
+  drive.cycles(1);
+  EXPECT_TRUE(drive.has(7220));
+  EXPECT_EQ(drive.state(), State::FaultReactionActive);
+  EXPECT_FALSE(drive.acknowledge());
+  drive.run(0.5);
+  EXPECT_NEAR(drive.rpm(), 500.0, 20.0);
+  drive.run(0.7);
+
+  EXPECT_EQ(drive.state(), State::Fault);
+  EXPECT_EQ(drive.word(46) & 0x00070000U, 0x00010000U);
+  EXPECT_TRUE(drive.acknowledge());
+}
+
+TEST(Infeed, KeepsThePulsesOffAndAfterP0857IsMissed) {
+  WiredAxis drive;
+  ASSERT_TRUE(drive.axis.write(857, 1000.0));
+  drive.inputs.infeed_operates = false;
+
+  drive.inputs.on = true;
+  drive.run(0.996);
+  EXPECT_EQ(drive.state(), State::SwitchedOn);
+  EXPECT_EQ(drive.word(2), 23U);
+  EXPECT_FALSE(drive.axis.is_quiescent()) << "p0857 runs";
+  drive.cycles(2);
+
+  EXPECT_TRUE(drive.has(7840));
+  EXPECT_EQ(drive.state(), State::Fault);
+  EXPECT_TRUE(drive.acknowledge());
+}
+
+TEST(Infeed, LetsTheAxisGoWhenItComes) {
+  WiredAxis drive;
+  drive.inputs.infeed_operates = false;
+  drive.inputs.on = true;
+  drive.run(0.5);
+
+  drive.inputs.infeed_operates = true;
+  drive.cycles(1);
+
+  EXPECT_EQ(drive.state(), State::OperationEnabled);
+  drive.run(10.0);
+  EXPECT_TRUE(drive.axis.messages().faults().empty());
+}
+
+TEST(Infeed, CoastsWhenItDropsInOperation) {
+  WiredAxis drive;
+  drive.turn_at(1000.0);
+
+  drive.inputs.infeed_operates = false;
+  drive.cycles(1);
+
+  EXPECT_TRUE(drive.has(7841));
+  EXPECT_EQ(drive.state(), State::Fault);
+  EXPECT_NEAR(drive.rpm(), 1000.0, 10.0);
+}
+
+TEST(Infeed, WithoutADcLinkThePowerUnitIsNotReady) {
+  const motor::SupplyData dead{.line_voltage = 0.0};
+  Axis axis{AxisConfiguration{}, 0, 0, dead};
+  AxisInputs inputs{};
+  axis.cycle(inputs, 0.004);
+  axis.cycle(inputs, 0.004);
+  inputs.on = true;
+
+  for (int i = 0; i < 1499; ++i) axis.cycle(inputs, 0.004);
+  EXPECT_EQ(axis.actual().state, State::SwitchedOn);
+  EXPECT_EQ(axis.read(2).value(), 23.0);
+  EXPECT_NE(static_cast<unsigned>(axis.read(46).value()) & 1U << 21, 0U);
+  for (int i = 0; i < 3; ++i) axis.cycle(inputs, 0.004);
+
+  ASSERT_FALSE(axis.messages().faults().empty());
+  EXPECT_EQ(axis.messages().faults().back().row->number, 7802);
+  EXPECT_EQ(axis.actual().state, State::Fault);
+}
+
+struct External {
+  bool AxisInputs::*signal;
+  std::uint16_t number;
+};
+
+TEST(ExternalMessages, LastAsLongAsTheirSignalIs0) {
+  for (const External& external :
+       {External{&AxisInputs::no_external_fault_1, 7860}, External{&AxisInputs::no_external_fault_2, 7861},
+        External{&AxisInputs::no_external_fault_3, 7862}}) {
+    WiredAxis drive;
+    drive.turn_at(1000.0);
+
+    drive.inputs.*external.signal = false;
+    drive.cycles(1);
+    EXPECT_TRUE(drive.has(external.number));
+    EXPECT_EQ(drive.state(), State::Fault);
+    EXPECT_NEAR(drive.rpm(), 1000.0, 10.0);
+    EXPECT_FALSE(drive.acknowledge());
+    drive.inputs.*external.signal = true;
+    drive.cycles(1);
+    EXPECT_TRUE(drive.has(external.number));
+    EXPECT_TRUE(drive.acknowledge());
+    EXPECT_EQ(drive.state(), State::SwitchOnDisabled) << "ON is still set";
+  }
+}
+
+TEST(ExternalMessages, TheAlarmComesAndGoesWithItsSignal) {
+  WiredAxis drive;
+  drive.turn_at(1000.0);
+
+  drive.inputs.no_external_alarm_1 = false;
+  drive.cycles(1);
+  EXPECT_TRUE(drive.has(7850));
+  EXPECT_EQ(drive.axis.actual().statusword, 0x06B7);
+  drive.inputs.no_external_alarm_1 = true;
+  drive.cycles(1);
+
+  EXPECT_FALSE(drive.has(7850));
+  EXPECT_EQ(drive.state(), State::OperationEnabled);
+}
+
+TEST(ExternalMessages, AnInjectedAlarmStaysAlthoughTheSignalIs1) {
+  WiredAxis drive;
+  ASSERT_TRUE(drive.axis.raise(7850, 0, Cause::Latched));
+
+  drive.cycles(3);
+
+  EXPECT_TRUE(drive.has(7850));
+}
+
+struct Enable {
+  bool AxisInputs::*signal;
+  double display;
+  unsigned missing;
+};
+
+TEST(OperatingDisplay, NamesTheEnableThatIsMissingInOperation) {
+  for (const Enable& enable :
+       {Enable{&AxisInputs::enable_setpoint, 10.0, 1U << 12}, Enable{&AxisInputs::continue_ramp, 12.0, 1U << 11},
+        Enable{&AxisInputs::enable_ramp, 13.0, 1U << 10},
+        Enable{&AxisInputs::enable_speed_controller, 11.0, 1U << 30}}) {
+    WiredAxis drive;
+    drive.inputs.on = true;
+    drive.cycles(3);
+    EXPECT_EQ(drive.word(2), 0U);
+    EXPECT_EQ(drive.word(46), 0U);
+
+    drive.inputs.*enable.signal = false;
+    drive.cycles(1);
+
+    EXPECT_EQ(drive.word(2), enable.display);
+    EXPECT_EQ(drive.word(46), enable.missing);
+  }
+}
+
+TEST(OperatingDisplay, ShowsTheHighestOfSeveralCauses) {
+  WiredAxis drive;
+  drive.inputs.on = true;
+  drive.cycles(3);
+
+  drive.inputs.enable_setpoint = false;
+  drive.inputs.enable_ramp = false;
+  drive.cycles(1);
+  EXPECT_EQ(drive.word(2), 13U);
+  drive.inputs.no_off2 = false;
+  drive.cycles(1);
+  EXPECT_EQ(drive.word(2), 42U);
+  drive.inputs.no_off3_second = false;
+  drive.cycles(1);
+  EXPECT_EQ(drive.word(2), 43U);
+  drive.axis.inhibit(true);
+  EXPECT_EQ(drive.word(2), 46U);
+}
+
+TEST(ControlWords, ShowTheInputsOfMessagesAndTorqueControl) {
+  WiredAxis drive;
+  EXPECT_EQ(drive.word(2138), 0xE400U);
+  EXPECT_EQ(drive.word(1406), 0U);
+
+  drive.inputs.no_external_fault_2 = false;
+  drive.inputs.acknowledge_2 = true;
+  drive.inputs.torque_control = true;
+  drive.cycles(1);
+
+  EXPECT_EQ(drive.word(2138), 0xA480U);
+  EXPECT_EQ(drive.word(1406), 0x1000U);
+}
+
+}  // namespace
+}  // namespace drive
