@@ -33,15 +33,14 @@ json axis_status(const Daemon& daemon, std::size_t number) {
   const device::Device& device = daemon.device();
   const drive::Axis& axis = device.axis(number);
   const drive::ActualValues& actual = axis.actual();
-  const drive::Setpoints setpoints = device.setpoints(number);
   return {{"axis", number},
           {"name", daemon.configuration().axes[number - 1].name},
           {"type", axis.kind() == drive::ObjectKind::Vector ? "vector" : "servo"},
           {"state", kStateNames[static_cast<std::size_t>(actual.state)]},
           {"statusword", fmt::format("0x{:04X}", actual.statusword)},
-          {"controlword", fmt::format("0x{:04X}", setpoints.controlword)},
+          {"controlword", fmt::format("0x{:04X}", axis.process_data().whole_controlword)},
           {"speed_rpm", actual.speed / motor::kRpm},
-          {"setpoint_rpm", setpoints.speed / motor::kRpm},
+          {"setpoint_rpm", axis.inputs().main_setpoint / motor::kRpm},
           {"torque_Nm", actual.torque},
           {"load_torque_Nm", daemon.load_torque(number)},
           {"current_A", axis.signals().current / std::numbers::sqrt2},

@@ -9,24 +9,25 @@ namespace {
 
 /// Objects whose writing over SDO is an input of the axis, as an RPDO is.
 constexpr std::array kInputs{object::kControlword, object::kTargetVelocity, object::kTargetTorque,
-                             object::kModesOfOperation};
+                             object::kVlTargetVelocity, object::kModesOfOperation};
 
 }  // namespace
 
-AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, AxisListener& listener)
+AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, const ProcessDataBuffers& places,
+                         AxisListener& listener)
     : axis_{axis},
+      places_{places},
       listener_{listener},
-      process_data_{dictionary, axis.axis_number(), drive::BusScaling{axis.parameters()}},
-      parameter_objects_{dictionary, axis, drive::BusScaling{axis.parameters()}, *this} {
+      process_data_{dictionary, axis, places},
+      parameter_objects_{dictionary, axis, *this} {
   for (const std::uint16_t index : kInputs)
     dictionary.own_write(object::on_axis(index, axis.axis_number()), 0, *this);
+  dictionary.own_read(object::on_axis(object::kModesOfOperation, axis.axis_number()), 0, *this);
 }
 
-std::optional<drive::Setpoints> AxisObjects::take_setpoints() noexcept {
-  if (idle_) return std::nullopt;
-  drive::Setpoints wanted = setpoints();
-  wanted.controlword = written_controlwords_.take().value_or(wanted.controlword);
-  return wanted;
+bool AxisObjects::receive() noexcept {
+  process_data_.receive(written_controlwords_.take().value_or(process_data_.controlword()));
+  return !idle_;
 }
 
 void AxisObjects::end_cycles() noexcept {
@@ -46,11 +47,22 @@ void AxisObjects::on_rpdo() noexcept {
   wake();
 }
 
+bool AxisObjects::is_placed(const canopen::Entry& entry) const noexcept {
+  return places_.received().find(entry.index) != nullptr;
+}
+
+/// The mode as a parameter is p1300; as process data it is for the cycle.
 canopen::Result<void> AxisObjects::write(const canopen::Entry& entry, std::int64_t value) {
-  if (object::on_first_axis(entry.index) == object::kControlword)
-    written_controlwords_.put(static_cast<std::uint16_t>(value));
+  const std::uint16_t object = object::on_first_axis(entry.index);
+  if (object == object::kControlword) written_controlwords_.put(static_cast<std::uint16_t>(value));
+  const bool is_mode = object == object::kModesOfOperation;
+  if (is_mode && !is_placed(entry)) axis_.request_mode(static_cast<std::int8_t>(value));
   wake();
   return {};
+}
+
+canopen::Result<std::int64_t> AxisObjects::read(const canopen::Entry& entry, std::int64_t stored) {
+  return is_placed(entry) ? stored : axis_.requested_mode();
 }
 
 }  // namespace device

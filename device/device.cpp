@@ -57,16 +57,18 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
   node_.show(window_);
   bring_out(ParameterGroup::All);
   AxisListener& listener_of_axes = *this;
-  for (drive::Axis& axis : unit_.axes()) axes_.emplace_back(dictionary_, axis, listener_of_axes);
+  for (drive::Axis& axis : unit_.axes())
+    axes_.emplace_back(dictionary_, axis, process_data_.places(axis.axis_number()), listener_of_axes);
   dictionary_.own_write(object::kErrorField, 0, *this);
 }
 
-/// One cycle of every axis with the setpoints that @p take gives for it.
-template <class Take>
-void Device::run_cycle(const Take& take) noexcept {
-  std::array<std::optional<drive::Setpoints>, drive::kMostAxes> wanted{};
-  std::transform(axes_.begin(), axes_.end(), wanted.begin(), take);
-  unit_.cycle({wanted.data(), axes_.size()}, kCycleSeconds);
+/// One cycle of the axes with what was received; @p all of them, or those that something has come for.
+void Device::run_cycle(bool all) noexcept {
+  std::array<bool, drive::kMostAxes> awake{};
+  for (std::size_t i = 0; i < axes_.size(); ++i) awake[i] = axes_[i].receive() || all;
+  process_data_.follow_mappings();
+  process_data_.show_state();
+  unit_.cycle({awake.data(), axes_.size()}, kCycleSeconds);
 }
 
 void Device::start(canopen::TimePoint now) noexcept {
@@ -75,8 +77,8 @@ void Device::start(canopen::TimePoint now) noexcept {
     started_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     rested_until_ = now;
-    run_cycle([](const AxisObjects& axis) { return std::optional{axis.setpoints()}; });
-    process_data_.take_over();
+    process_data_.take_over(wired_at_start());
+    run_cycle(true);
     show_values();
   }
   tell_time(now);
@@ -90,6 +92,7 @@ void Device::start(canopen::TimePoint now) noexcept {
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   now_ = now;
   node_.on_frame(frame, now);
+  process_data_.follow_mappings();
   if (parameter_written_) follow_parameters();
   if (storage_.has_task()) carry_out_task();
   if (alarm_changed_) publish();
@@ -114,7 +117,7 @@ void Device::follow_parameters() noexcept {
 /// The objects of drive object @p object follow its parameters, which are those of a new one.
 void Device::restore_object(std::uint8_t object) noexcept {
   mirrored_parameters_.bring_out(object);
-  process_data_.take_over();
+  process_data_.take_over(UnitProcessData::WiredBy::Factory);
   node_.reload(now_);
 }
 
@@ -162,7 +165,7 @@ void Device::run_cycles() noexcept {
   const std::int64_t run = std::min(due, kMostCyclesAtOnce);
   last_cycle_ += due * kCycle;
   skipped_cycles_ += static_cast<std::uint64_t>(due - run);
-  for (std::int64_t i = 0; i < run; ++i) run_cycle([](AxisObjects& axis) { return axis.take_setpoints(); });
+  for (std::int64_t i = 0; i < run; ++i) run_cycle(false);
   for (AxisObjects& axis : axes_) axis.end_cycles();
   publish();
   resting_ = std::ranges::all_of(axes_, &AxisObjects::is_idle);
@@ -175,10 +178,10 @@ void Device::publish() noexcept {
   node_.on_values_changed(now_);
 }
 
-/// Everything that the axes show; free objects last, as they may show any of it.
+/// Everything that the axes show.
 void Device::show_values() noexcept {
+  unit_.send_process_data();
   for (AxisObjects& axis : axes_) axis.publish();
-  process_data_.publish();
 }
 
 void Device::wake() noexcept {

@@ -96,8 +96,6 @@ class Device final : private canopen::Application,
   const drive::DriveUnit& unit() const noexcept { return unit_; }
   /// Axis @p number (1..axes).
   const drive::Axis& axis(std::size_t number = 1) const noexcept { return unit_.axes()[number - 1]; }
-  /// What axis @p number (1..axes) is asked for at present.
-  drive::Setpoints setpoints(std::size_t number = 1) const noexcept { return axes_[number - 1].setpoints(); }
   /// What must be received (see canopen::Node::subscriptions()).
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
   /// Counts how often the faults and alarms were different from before.
@@ -127,8 +125,7 @@ class Device final : private canopen::Application,
 
   void tell_time(canopen::TimePoint now) noexcept;
   void run_cycles() noexcept;
-  template <class Take>
-  void run_cycle(const Take& take) noexcept;
+  void run_cycle(bool all) noexcept;
   void show_values() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;
@@ -136,7 +133,8 @@ class Device final : private canopen::Application,
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
   void bring_out(ParameterGroup group) noexcept;
-  void take_over(ParameterGroup group) noexcept;
+  UnitProcessData::WiredBy wired_at_start() const noexcept;
+  void take_over(ParameterGroup group, UnitProcessData::WiredBy wired) noexcept;
   void restore_object(std::uint8_t object) noexcept;
   void take_over_parameters() noexcept;
   void carry_out_task() noexcept;

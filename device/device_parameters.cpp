@@ -46,14 +46,18 @@ void Device::on_reset(canopen::NmtCommand command) noexcept {
   const bool all = command == canopen::NmtCommand::ResetNode;
   const ParameterGroup group = all ? ParameterGroup::All : ParameterGroup::Communication;
   storage_.reload(group);
-  take_over(group);
+  take_over(group, all ? wired_at_start() : UnitProcessData::WiredBy::Before);
+}
+
+UnitProcessData::WiredBy Device::wired_at_start() const noexcept {
+  return storage_.has_saved() ? UnitProcessData::WiredBy::Saved : UnitProcessData::WiredBy::Factory;
 }
 
 /// The parameters of @p group have become others: all that works with them.
-void Device::take_over(ParameterGroup group) noexcept {
+void Device::take_over(ParameterGroup group, UnitProcessData::WiredBy wired) noexcept {
   bring_out(group);
   take_over_parameters();
-  process_data_.take_over();
+  process_data_.take_over(wired);
   show_values();
 }
 
@@ -86,7 +90,8 @@ void Device::restore(ParameterGroup group) noexcept {
   const ObjectRange objects = objects_of(group);
   dictionary_.restore(objects.first, objects.last);
   for (AxisObjects& axis : axes_) axis.forget_written();
-  take_over(group);
+  take_over(group, group == ParameterGroup::Communication ? UnitProcessData::WiredBy::Before
+                                                          : UnitProcessData::WiredBy::Factory);
   error_objects_.show_again();
   if (group != ParameterGroup::Application) node_.reload(now_);
   wake();

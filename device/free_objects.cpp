@@ -4,8 +4,7 @@
 #include <array>
 
 #include "device/object_index.hpp"
-#include "drive/connectors.hpp"
-#include "drive/scaling.hpp"
+#include "drive/signal_source.hpp"
 
 namespace device {
 namespace {
@@ -14,13 +13,11 @@ namespace {
 struct Block {
   std::uint16_t first;  ///< on the first axis
   std::uint16_t count;
-  std::uint16_t unmapped;  ///< input by the number of the object
-  std::uint16_t mapped;    ///< input by its place in the process data
-  double full;             ///< 100 %
+  std::uint16_t input;  ///< by the number of the object
 };
 constexpr std::array kBlocks{
-    Block{object::kTransmitWords, object::kFreeWords, 8746, 8851, 0x4000},
-    Block{object::kTransmitDoubleWords, object::kFreeDoubleWords, 8748, 8861, 0x40000000},
+    Block{object::kTransmitWords, object::kFreeWords, 8746},
+    Block{object::kTransmitDoubleWords, object::kFreeDoubleWords, 8748},
 };
 
 /// The block of object @p index of axis @p axis, or nullptr.
@@ -37,7 +34,7 @@ const Block* block_of(std::uint16_t index, std::size_t axis) noexcept {
 
 FreeObjects::FreeObjects(canopen::Dictionary& dictionary, const drive::DriveUnit& unit, const drive::Axis& axis,
                          const ProcessDataBuffers& buffers)
-    : dictionary_{dictionary}, unit_{unit}, axis_{axis}, buffers_{buffers} {
+    : unit_{unit}, axis_{axis}, buffers_{buffers} {
   for (const Block& block : kBlocks) {
     const std::uint16_t first = object::free_on_axis(block.first, axis.axis_number());
     for (std::uint16_t i = 0; i < block.count; ++i)
@@ -45,27 +42,15 @@ FreeObjects::FreeObjects(canopen::Dictionary& dictionary, const drive::DriveUnit
   }
 }
 
-void FreeObjects::publish() noexcept {
-  for (const ProcessDataLayout::Item& item : buffers_.sent().items())
-    if (block_of(item.object->index, axis_.axis_number()) != nullptr)
-      dictionary_.set(*item.object, value_of(*item.object, &item));
-}
-
-canopen::Result<std::int64_t> FreeObjects::read(const canopen::Entry& entry, std::int64_t) {
-  return value_of(entry, buffers_.sent().find(entry.index));
-}
-
-std::int64_t FreeObjects::value_of(const canopen::Entry& entry,
-                                   const ProcessDataLayout::Item* place) const noexcept {
+canopen::Result<std::int64_t> FreeObjects::read(const canopen::Entry& entry, std::int64_t stored) {
+  if (buffers_.sent().find(entry.index) != nullptr) return stored;
   const Block& block = *block_of(entry.index, axis_.axis_number());
   const auto number =
       static_cast<std::size_t>(entry.index - object::free_on_axis(block.first, axis_.axis_number()));
-  const auto input =
-      place != nullptr ? axis_.read(block.mapped, place->first) : axis_.read(block.unmapped, number);
-  const auto source = static_cast<std::uint32_t>(input.value_or(0.0));
-  const double value = drive::connected_value(unit_, axis_, source, block.full);
-  return entry.size == sizeof(std::int16_t) ? drive::saturated<std::int16_t>(value)
-                                            : drive::saturated<std::int32_t>(value);
+  const auto packed = static_cast<std::uint32_t>(axis_.read(block.input, number).value_or(0.0));
+  const drive::SignalSource source{unit_, axis_, packed};
+  if (entry.size == sizeof(std::int16_t)) return source.process_data<std::int16_t>();
+  return source.process_data<std::int32_t>();
 }
 
 }  // namespace device

@@ -38,6 +38,7 @@ inline constexpr std::uint16_t kProfileAcceleration = 0x6083;
 inline constexpr std::uint16_t kProfileDeceleration = 0x6084;
 inline constexpr std::uint16_t kQuickStopDeceleration = 0x6085;
 inline constexpr std::uint16_t kMotionProfileType = 0x6086;
+inline constexpr std::uint16_t kVelocityFactor = 0x6094;
 inline constexpr std::uint16_t kTargetVelocity = 0x60FF;
 
 inline constexpr std::uint16_t kFirstProfileObject = 0x6000;

@@ -54,9 +54,8 @@ std::int64_t whole(double value, const canopen::Entry& entry) noexcept {
 
 }  // namespace
 
-ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis,
-                                   const drive::BusScaling& scaling, ParameterListener& listener)
-    : axis_{axis}, listener_{listener}, scaling_{scaling} {
+ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis, ParameterListener& listener)
+    : axis_{axis}, listener_{listener}, scaling_{dictionary, axis} {
   for (const Row& row : kRows) {
     const std::uint16_t index = object::on_axis(row.index, axis.axis_number());
     dictionary.own_read(index, row.sub_index, *this);
@@ -70,7 +69,7 @@ canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry
   if (!value) return canopen::refuse(abort_code(value.error().reason));
   switch (row.form) {
     case Form::Slope:
-      return scaling_.slope_to_bus(axis_.parameters().maximum_speed, *value);
+      return scaling_.get().slope_to_bus(axis_.parameters().maximum_speed, *value);
     case Form::ProfileType:
       return *value > 0.0 ? kRoundedRamp : kLinearRamp;
     case Form::Number:
@@ -88,8 +87,8 @@ canopen::Result<double> ParameterObjects::parameter_value(const canopen::Entry& 
     return value == kRoundedRamp ? 1.0 : 0.0;
   }
   const double longest = drive::find_parameter(axis_.kind(), row.parameter)->row->range.maximum;
-  const auto time =
-      scaling_.ramp_time_from_bus(static_cast<std::uint32_t>(value), axis_.parameters().maximum_speed, longest);
+  const auto time = scaling_.get().ramp_time_from_bus(static_cast<std::uint32_t>(value),
+                                                      axis_.parameters().maximum_speed, longest);
   if (!time) return canopen::refuse(canopen::AbortCode::ValueTooLow);
   return *time;
 }

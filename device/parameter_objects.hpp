@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "device/axis_scaling.hpp"
 #include "drive/axis.hpp"
-#include "drive/scaling.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {
@@ -22,8 +22,7 @@ class ParameterListener {
 class ParameterObjects final : public canopen::EntryOwner {
  public:
   /// Owns the objects of @p axis in @p dictionary; all arguments must outlive this.
-  ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis, const drive::BusScaling& scaling,
-                   ParameterListener& listener);
+  ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis, ParameterListener& listener);
 
   canopen::Result<std::int64_t> read(const canopen::Entry& entry, std::int64_t stored) override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
@@ -33,7 +32,7 @@ class ParameterObjects final : public canopen::EntryOwner {
 
   drive::Axis& axis_;
   ParameterListener& listener_;
-  drive::BusScaling scaling_;
+  AxisScaling scaling_;
 };
 
 }  // namespace device

@@ -64,6 +64,8 @@ class ParameterStorage final : public ParameterOwner {
   /// The node has left Operational: p0972 = 3 waits for that.
   void on_operational_left() noexcept;
 
+  /// Whether there are saved parameters.
+  bool has_saved() const noexcept { return length_ != 0; }
   bool has_task() const noexcept { return task_ != Task::None; }
   /// What is to be done now; afterwards there is no task.
   Task take_task() noexcept;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "device/object_index.hpp"
-#include "drive/connectors.hpp"
-#include "drive/scaling.hpp"
+#include "drive/signal_source.hpp"
 
 namespace device {
 namespace {
@@ -14,10 +12,8 @@ using pdo::Direction;
 
 /// All that a displayed value is made of.
 struct View {
-  const canopen::Dictionary& dictionary;
   const drive::DriveUnit& unit;
   const drive::Axis& axis;
-  const canopen::Node& node;
   const ProcessDataLayout& received;
   const ProcessDataLayout& sent;
 
@@ -26,99 +22,11 @@ struct View {
   }
 };
 
-constexpr double kWord = 0x4000;            // 100 %
-constexpr double kDoubleWord = 0x40000000;  // 100 %
-constexpr unsigned kWordBits = 16;
-
-double relative_speed(const drive::AxisParameters& parameters, std::int64_t bus) noexcept {
-  const auto speed = drive::BusScaling{parameters}.speed_from_bus(static_cast<std::int32_t>(bus));
-  return speed / parameters.reference_speed * kDoubleWord;
-}
-double relative_rpm(const drive::AxisParameters& parameters, std::int64_t bus) noexcept {
-  return static_cast<double>(bus) * drive::kRpm / parameters.reference_speed * kWord;
-}
-double relative_torque(const drive::AxisParameters& parameters, std::int64_t bus) noexcept {
-  const auto torque = drive::BusScaling{parameters}.torque_from_bus(static_cast<std::int16_t>(bus));
-  return torque / parameters.reference_torque * kWord;
-}
-
-/// Objects that process data hold relative to a reference.
-struct Quantity {
-  std::uint16_t index;
-  double (*relative)(const drive::AxisParameters& parameters, std::int64_t bus) noexcept;
-};
-constexpr std::array kQuantities{
-    Quantity{object::kTargetVelocity, relative_speed}, Quantity{object::kVelocityActual, relative_speed},
-    Quantity{object::kVelocityDemand, relative_speed}, Quantity{object::kVelocitySensorActual, relative_speed},
-    Quantity{object::kVlTargetVelocity, relative_rpm}, Quantity{object::kVlVelocityDemand, relative_rpm},
-    Quantity{object::kVlVelocityActual, relative_rpm}, Quantity{object::kTargetTorque, relative_torque},
-    Quantity{object::kTorqueDemand, relative_torque},  Quantity{object::kTorqueActual, relative_torque},
-};
-
-/// The value of a mapped object in its words.
-std::uint32_t content(const View& view, const ProcessDataLayout::Item& item) noexcept {
-  const std::int64_t bus = view.dictionary.read(*item.object).value_or(0);
-  const std::uint16_t index = item.object->index;
-  const bool is_free = index < object::kFirstProfileObject;
-  const auto* const quantity =
-      is_free ? kQuantities.end() : std::ranges::find(kQuantities, object::on_first_axis(index), &Quantity::index);
-  if (quantity == kQuantities.end()) return static_cast<std::uint32_t>(bus);
-  const double value = quantity->relative(view.axis.parameters(), bus);
-  return static_cast<std::uint32_t>(item.words == 1 ? drive::saturated<std::int16_t>(value)
-                                                    : drive::saturated<std::int32_t>(value));
-}
-
-std::uint16_t word(const View& view, Direction direction, std::size_t place) noexcept {
-  const ProcessDataLayout::Item* const item = view.layout(direction).at(place);
-  if (item == nullptr) return 0;
-  const bool upper = item->words == 2 && place == item->first;
-  return static_cast<std::uint16_t>(content(view, *item) >> (upper ? kWordBits : 0));
-}
-
-std::uint32_t double_word(const View& view, Direction direction, std::size_t place) noexcept {
-  return std::uint32_t{word(view, direction, place)} << kWordBits | word(view, direction, place + 1);
-}
-
 /// The object of @p words words that begins at @p place.
 template <Direction Which, std::uint8_t Words>
 double mapped_index(const View& view, std::size_t place) noexcept {
   const ProcessDataLayout::Item* const item = view.layout(Which).at(place);
   return item != nullptr && item->first == place && item->words == Words ? item->object->index : 0.0;
-}
-
-double received_word(const View& view, std::size_t place) noexcept {
-  return static_cast<std::int16_t>(word(view, Direction::Receive, place));
-}
-double received_double_word(const View& view, std::size_t place) noexcept {
-  return static_cast<std::int32_t>(double_word(view, Direction::Receive, place));
-}
-double sent_word(const View& view, std::size_t place) noexcept {
-  return word(view, Direction::Transmit, place);
-}
-double sent_double_word(const View& view, std::size_t place) noexcept {
-  return double_word(view, Direction::Transmit, place);
-}
-template <std::size_t Place>
-double received_bits(const View& view, std::size_t) noexcept {
-  return word(view, Direction::Receive, Place);
-}
-
-template <std::uint16_t First>
-double free_object(const View& view, std::size_t index) noexcept {
-  const std::uint16_t first = object::free_on_axis(First, view.axis.axis_number());
-  return static_cast<double>(view.dictionary.stored(static_cast<std::uint16_t>(first + index), 0).value_or(0));
-}
-template <std::uint16_t Index>
-double setpoint(const View& view, std::size_t) noexcept {
-  return static_cast<double>(
-      view.dictionary.stored(object::on_axis(Index, view.axis.axis_number()), 0).value_or(0));
-}
-
-/// r8843: [0] no setpoints come, [2] the bus runs.
-double interface_state(const View& view, std::size_t bit) noexcept {
-  constexpr std::size_t kSetpointFailure = 0, kBusRuns = 2;
-  const bool runs = view.node.state() == canopen::NmtState::Operational;
-  return (bit == kBusRuns && runs) || (bit == kSetpointFailure && !runs) ? 1.0 : 0.0;
 }
 
 /// The number (from 1) of the last received word that @p packed, an input of @p object, is connected to; 0 if to
@@ -176,25 +84,11 @@ struct Row {
   double (*show)(const View& view, std::size_t index) noexcept;
 };
 constexpr std::array kRows{
-    Row{8745, free_object<object::kReceiveWords>},
-    Row{8747, free_object<object::kReceiveDoubleWords>},
     Row{8750, mapped_index<Direction::Receive, 1>},
     Row{8751, mapped_index<Direction::Transmit, 1>},
     Row{8760, mapped_index<Direction::Receive, 2>},
     Row{8761, mapped_index<Direction::Transmit, 2>},
-    Row{8792, setpoint<object::kVlTargetVelocity>},
-    Row{8796, setpoint<object::kTargetVelocity>},
-    Row{8797, setpoint<object::kTargetTorque>},
-    Row{8843, interface_state},
-    Row{8850, received_word},
-    Row{8853, sent_word},
-    Row{8860, received_double_word},
-    Row{8863, sent_double_word},
     Row{8867, highest_connected},
-    Row{8890, received_bits<0>},
-    Row{8891, received_bits<1>},
-    Row{8892, received_bits<2>},
-    Row{8893, received_bits<3>},
 };
 
 }  // namespace
@@ -211,7 +105,7 @@ const ProcessDataBuffers::Layouts& ProcessDataBuffers::layouts() const noexcept 
 std::optional<double> ProcessDataBuffers::value_of(std::uint16_t number, std::size_t index) const noexcept {
   const auto* const row = std::ranges::find(kRows, number, &Row::number);
   if (row == kRows.end()) return std::nullopt;
-  return row->show({dictionary_, unit_, axis_, node_, received(), sent()}, index);
+  return row->show({unit_, axis_, received(), sent()}, index);
 }
 
 }  // namespace device

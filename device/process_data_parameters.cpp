@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "device/converters.hpp"
 #include "device/object_index.hpp"
 
 namespace device {
@@ -17,36 +16,25 @@ struct Numbers {
 };
 constexpr std::array kAnswered{
     Numbers{kTakeOver, kRemaining},
-    Numbers{8745, 8745},
-    Numbers{8747, 8747},
     Numbers{8750, 8751},
     Numbers{8760, 8761},
     Numbers{8790, 8790},
-    Numbers{8792, 8792},
-    Numbers{8796, 8797},
-    Numbers{8843, 8843},
-    Numbers{8850, 8850},
-    Numbers{8853, 8853},
-    Numbers{8860, 8860},
-    Numbers{8863, 8863},
     Numbers{8867, 8867},
-    Numbers{8889, 8895},
 };
 
 constexpr std::array kRemainingOf{pdo::Direction::Receive, pdo::Direction::Transmit};
 
 }  // namespace
 
-ProcessDataParameters::ProcessDataParameters(const drive::DriveUnit& unit,
-                                             const std::deque<ProcessDataBuffers>& buffers, PdoRules& rules,
+ProcessDataParameters::ProcessDataParameters(const std::deque<ProcessDataBuffers>& buffers,
+                                             std::deque<StandardWiring>& wiring, PdoRules& rules,
                                              UnitParameters& parameters)
-    : unit_{unit}, buffers_{buffers}, rules_{rules} {
+    : buffers_{buffers}, wiring_{wiring}, rules_{rules} {
   for (const Numbers& numbers : kAnswered) parameters.answer(numbers.first, numbers.last, *this);
 }
 
 std::optional<double> ProcessDataParameters::value_of(const ParameterPlace& place) const noexcept {
   if (place.row.number == kRemaining) return static_cast<double>(rules_.remaining(kRemainingOf[place.index]));
-  if (const auto converted = converter_value(unit_, place)) return converted;
   const std::size_t module = place.object.context().module;
   const bool of_axis = place.object.kind() != drive::ObjectKind::ControlUnit && module < buffers_.size();
   return of_axis ? buffers_[module].value_of(place.row.number, place.index) : std::nullopt;
@@ -56,15 +44,17 @@ canopen::Result<void> ProcessDataParameters::take(const ParameterPlace& place, d
   const std::size_t module = place.object.context().module;
   if (!(value > 0.0)) return {};
   if (place.row.number == kTakeOver) return rules_.take_over(module + 1);
-  return place.row.number == kConnectControlword ? judge_controlword(module) : canopen::Result<void>{};
+  return place.row.number == kConnectControlword ? connect_controlword(module) : canopen::Result<void>{};
 }
 
-canopen::Result<void> ProcessDataParameters::judge_controlword(std::size_t module) const noexcept {
+canopen::Result<void> ProcessDataParameters::connect_controlword(std::size_t module) noexcept {
   constexpr std::size_t kMostPlaces = 4;
   const ProcessDataLayout::Item* const place =
       buffers_[module].received().find(object::on_axis(object::kControlword, module + 1));
   const bool reachable = place != nullptr && place->first < kMostPlaces;
-  return reachable ? canopen::Result<void>{} : canopen::refuse(canopen::AbortCode::DeviceState);
+  if (!reachable) return canopen::refuse(canopen::AbortCode::DeviceState);
+  wiring_[module].connect_controlword();
+  return {};
 }
 
 }  // namespace device

@@ -5,16 +5,18 @@
 #include "device/parameter_owner.hpp"
 #include "device/pdo_rules.hpp"
 #include "device/process_data_buffers.hpp"
+#include "device/standard_wiring.hpp"
 #include "device/unit_parameters.hpp"
 
 namespace device {
 
-/// Answers for the parameters of the PDO configuration and of the process data: p8741, r8742, p8790, the
-/// converters and what ProcessDataBuffers shows.
+/// Answers for the parameters of the PDO configuration and of the process data: p8741, r8742, p8790 and
+/// what ProcessDataBuffers shows.
 class ProcessDataParameters final : public ParameterOwner {
  public:
-  /// Answers in @p parameters; @p buffers has one for each axis, in their order. All arguments must outlive this.
-  ProcessDataParameters(const drive::DriveUnit& unit, const std::deque<ProcessDataBuffers>& buffers,
+  /// Answers in @p parameters; @p buffers and @p wiring have one for each axis, in their order. All arguments must
+  /// outlive this.
+  ProcessDataParameters(const std::deque<ProcessDataBuffers>& buffers, std::deque<StandardWiring>& wiring,
                         PdoRules& rules, UnitParameters& parameters);
 
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
@@ -23,10 +25,10 @@ class ProcessDataParameters final : public ParameterOwner {
   canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
 
  private:
-  canopen::Result<void> judge_controlword(std::size_t module) const noexcept;
+  canopen::Result<void> connect_controlword(std::size_t module) noexcept;
 
-  const drive::DriveUnit& unit_;
   const std::deque<ProcessDataBuffers>& buffers_;
+  std::deque<StandardWiring>& wiring_;
   PdoRules& rules_;
 };
 

@@ -4,20 +4,46 @@ namespace device {
 
 UnitProcessData::UnitProcessData(canopen::Dictionary& dictionary, drive::DriveUnit& unit,
                                  const canopen::Node& node, UnitParameters& parameters, AlarmListener& listener)
-    : rules_{dictionary, unit, node, {*this, listener}}, parameters_{unit, buffers_, rules_, parameters} {
-  for (const drive::Axis& axis : unit.axes()) {
-    buffers_.emplace_back(dictionary, unit, axis, node);
+    : unit_{unit},
+      node_{node},
+      rules_{dictionary, unit, node, {*this, listener}},
+      parameters_{buffers_, wiring_, rules_, parameters} {
+  for (drive::Axis& axis : unit.axes()) {
+    buffers_.emplace_back(dictionary, unit, axis);
     free_objects_.emplace_back(dictionary, unit, axis, buffers_.back());
+    wiring_.emplace_back(axis, buffers_.back());
   }
 }
 
-void UnitProcessData::take_over() noexcept {
+void UnitProcessData::take_over(WiredBy wired) noexcept {
   rules_.limit();
   for (ProcessDataBuffers& buffers : buffers_) buffers.invalidate();
+  for (StandardWiring& wiring : wiring_) {
+    if (wired == WiredBy::Factory) wiring.follow_from_factory();
+    if (wired == WiredBy::Saved) wiring.adopt();
+  }
+  mapping_changed_ = true;
+  follow_mappings();
 }
 
-void UnitProcessData::publish() noexcept {
-  for (FreeObjects& objects : free_objects_) objects.publish();
+void UnitProcessData::follow_mappings() noexcept {
+  const bool all = mapping_changed_;
+  mapping_changed_ = false;
+  for (std::size_t i = 0; i < wiring_.size(); ++i) {
+    const bool velocity_mode = unit_.axes()[i].velocity_mode();
+    if (!all && velocity_mode == velocity_mode_[i]) continue;
+    velocity_mode_[i] = velocity_mode;
+    wiring_[i].follow();
+  }
+}
+
+void UnitProcessData::show_state() noexcept {
+  constexpr std::size_t kNoSetpoints = 0, kBusRuns = 2;
+  const bool runs = node_.state() == canopen::NmtState::Operational;
+  unit_.for_each_object([=](drive::DriveObject& object) {
+    object.process_data().interface_state[kNoSetpoints] = !runs;
+    object.process_data().interface_state[kBusRuns] = runs;
+  });
 }
 
 }  // namespace device

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <deque>
 
 #include "device/free_objects.hpp"
 #include "device/pdo_rules.hpp"
 #include "device/process_data_buffers.hpp"
 #include "device/process_data_parameters.hpp"
+#include "device/standard_wiring.hpp"
 
 namespace device {
 
@@ -20,20 +23,39 @@ class UnitProcessData final : private MappingListener {
   UnitProcessData(const UnitProcessData&) = delete;
   UnitProcessData& operator=(const UnitProcessData&) = delete;
 
-  /// The dictionary has values that no master has written: PDOs that must not be valid become invalid.
-  void take_over() noexcept;
-  /// Free objects that are mapped get their values; after everything that they may show.
-  void publish() noexcept;
+  /// What the interconnections of the standard objects were before the dictionary got other values.
+  enum class WiredBy : std::uint8_t {
+    Factory,  ///< they have factory values
+    Saved,    ///< they were saved together with the mappings
+    Before,   ///< they are what they were
+  };
+  /// The dictionary has values that no master has written: PDOs that must not be valid become invalid, and the
+  /// interconnections follow.
+  void take_over(WiredBy wired) noexcept;
+  /// What has to follow when a mapping or a mode has changed; between calls into the node, or before a cycle.
+  void follow_mappings() noexcept;
+  /// r8843 follows the NMT state.
+  void show_state() noexcept;
+  /// The places of the process data of @p axis (from 1).
+  const ProcessDataBuffers& places(std::size_t axis) const noexcept { return buffers_[axis - 1]; }
   /// The NMT state has changed.
   void end_alarms() noexcept { rules_.end_alarms(); }
 
  private:
-  void on_mapping_changed(std::size_t axis) noexcept override { buffers_[axis - 1].invalidate(); }
+  void on_mapping_changed(std::size_t axis) noexcept override {
+    buffers_[axis - 1].invalidate();
+    mapping_changed_ = true;
+  }
 
+  drive::DriveUnit& unit_;
+  const canopen::Node& node_;
   PdoRules rules_;
   std::deque<ProcessDataBuffers> buffers_;
   std::deque<FreeObjects> free_objects_;
+  std::deque<StandardWiring> wiring_;
   ProcessDataParameters parameters_;
+  std::array<bool, drive::kMostAxes> velocity_mode_{};  ///< as the interconnections are
+  bool mapping_changed_ = false;
 };
 
 }  // namespace device

@@ -29,15 +29,12 @@ void Axis::perform(Action action) noexcept {
     case Action::None:
       break;
     case Action::EnablePulses:
-      ramp_generator_.start(train_.signals().measured_speed);
-      ramp_ = Ramp::Setpoint;
+      channel_.start(train_.signals().measured_speed);
       break;
     case Action::InhibitPulses:
-      ramp_generator_.start(0.0);
-      ramp_ = Ramp::Setpoint;
+      channel_.start(0.0);
       break;
     case Action::FollowSetpoint:
-      ramp_ = Ramp::Setpoint;
       break;
     case Action::BrakeOnOff1:
       brake_on(Ramp::Off1);
@@ -49,32 +46,15 @@ void Axis::perform(Action action) noexcept {
 }
 
 void Axis::brake_on(Ramp ramp) noexcept {
-  if (ramp_ == ramp) return;
-  ramp_ = ramp;
-  // A motor that has not yet reached its setpoint brakes from where it is instead of speeding up first.
-  const double speed = train_.signals().measured_speed;
-  const double setpoint = ramp_generator_.output();
-  const bool ahead = setpoint * speed < 0.0 || std::abs(setpoint) > std::abs(speed);
-  if (ahead) ramp_generator_.start(speed);
-}
-
-void Axis::select_ramp() noexcept {
-  static constexpr std::array kHaltRamps{Ramp::Setpoint, Ramp::Off1, Ramp::Off3, Ramp::TorqueLimit};
-  target_ = 0.0;
-  if (state_ != State::OperationEnabled) return;
-  if (halt_requested()) {
-    brake_on(kHaltRamps[static_cast<std::size_t>(parameters_.halt_option)]);
-    return;
-  }
-  ramp_ = Ramp::Setpoint;
-  target_ = std::clamp(inputs_.main_setpoint, backward_limit_, forward_limit_);
+  channel_.brake(ramp, train_.signals().measured_speed);
 }
 
 void Axis::refresh_status() noexcept {
   const bool pulses = pulses_enabled_in(state_);
   actual_.state = state_;
   actual_.pulses_enabled = pulses;
-  actual_.speed_demand = ramp_generator_.output();
+  actual_.speed_demand = channel_.total();
+  actual_.mode = mode_.display(parameters_.control_mode);
   actual_.statusword =
       statusword(state_, {.no_off2 = inputs_.no_off2 && inputs_.no_off2_second,
                           .no_off3 = inputs_.no_off3 && inputs_.no_off3_second,
@@ -82,7 +62,10 @@ void Axis::refresh_status() noexcept {
                           .alarm = !messages().alarms().empty(),
                           .target_reached = target_reached_,
                           .torque_limit_reached = pulses && train_.signals().torque_limit_reached,
-                          .speed_zero = std::abs(actual_.speed) < parameters_.zero_speed_threshold});
+                          .speed_zero = std::abs(actual_.speed) < parameters_.zero_speed_threshold,
+                          .free_bit_8 = feedback_.status_bit_8,
+                          .free_bit_14 = feedback_.status_bit_14,
+                          .free_bit_15 = feedback_.status_bit_15});
 }
 
 bool Axis::is_quiescent() const noexcept {
@@ -93,7 +76,7 @@ void Axis::power_off() noexcept {
   DriveObject::power_off();
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
-  inputs_ = {};
+  wired_ = inputs_ = {};
   refresh_status();
   settled_ = false;
 }

@@ -8,16 +8,14 @@
 #include "drive/axis_inputs.hpp"
 #include "drive/causes.hpp"
 #include "drive/drive_object.hpp"
+#include "drive/operating_mode.hpp"
 #include "drive/parameters.hpp"
-#include "drive/ramp_function_generator.hpp"
+#include "drive/setpoint_channel.hpp"
 #include "drive/speed_monitors.hpp"
 #include "drive/state_machine.hpp"
 #include "motor/drive_train.hpp"
 
 namespace drive {
-
-/// Modes of operation that an axis has, with their codes in 6060h and 6061h.
-enum class Mode : std::int8_t { ProfileVelocity = 3 };
 
 /// What the master sees of the axis after a cycle; measured speed and torques are means over the cycle.
 struct ActualValues {
@@ -29,7 +27,7 @@ struct ActualValues {
   std::int64_t encoder_counts = 0;    ///< increments since power-on
   std::int32_t encoder_position = 0;  ///< r0482, wraps at 32 bits
   State state = State::NotReadyToSwitchOn;
-  Mode mode = Mode::ProfileVelocity;
+  std::int8_t mode = mode_code::kProfileVelocity;  ///< r8762, 6061h
   bool pulses_enabled = false;
 
   friend bool operator==(const ActualValues&, const ActualValues&) = default;
@@ -37,9 +35,14 @@ struct ActualValues {
 
 /// What parameters show of an axis beyond its actual values.
 struct AxisInsight {
-  AxisInputs inputs{};                  ///< of the last cycle
+  AxisInputs inputs{};                  ///< of the last cycle, ramp enables as velocity mode has them
   bool switching_on_inhibited = false;  ///< by p0010 or p0009
+  bool torque_control = false;          ///< r1407.2
+  double fixed_setpoint = 0.0;          ///< r1024 (rad/s)
+  double setpoint_sum = 0.0;            ///< r1078 (rad/s)
+  double directed_setpoint = 0.0;       ///< r1114 (rad/s)
   double ramp_input = 0.0;              ///< r1119 (rad/s)
+  double ramp_output = 0.0;             ///< r1150 (rad/s)
   double ramp_acceleration = 0.0;       ///< r1149, mean of the last cycle (rad/s²)
   motor::TorqueLimits torque_limits{};  ///< effective, r1538 and r1539 (N·m)
   double dc_voltage = 0.0;              ///< r0070, at the end of the last step (V)
@@ -73,11 +76,24 @@ class Axis final : public DriveObject {
   /// one step of motor::kControlPeriod with the link at @p dc_voltage (V), which returns the energy drawn from it
   /// (J, negative = fed back),
   double step(double dc_voltage) noexcept;
-  /// and actual values, monitoring and messages at the end.
-  void end_cycle() noexcept;
+  /// when all axes have moved, the actual values,
+  void measure() noexcept;
+  /// and monitoring, messages and statusword with @p feedback at the end.
+  void end_cycle(const AxisFeedback& feedback = {}) noexcept;
   /// Lets @p duration (s) pass in a quiescent axis with the DC link at @p dc_voltage (V): only temperatures
   /// change.
   void rest(double duration, double dc_voltage) noexcept;
+  /// What the interconnections brought in the last cycle.
+  const AxisInputs& inputs() const noexcept { return wired_; }
+  /// 6060h was written as a parameter: p1300 follows if the mode is possible and the pulses are off; otherwise the
+  /// mode stays, and only requested_mode() changes.
+  void request_mode(std::int8_t code) noexcept;
+  /// 6060h: the mode that was last asked for.
+  std::int8_t requested_mode() const noexcept { return mode_.requested(); }
+  /// Whether 6042h leads (mode 2).
+  bool velocity_mode() const noexcept { return mode_.velocity_mode(parameters_.control_mode); }
+  /// Whether an encoder is mounted.
+  bool has_encoder() const noexcept { return context().axis.machine.encoder.type != motor::EncoderType::None; }
   /// The values after the last cycle; the statusword follows a fault at once.
   const ActualValues& actual() const noexcept { return actual_; }
   /// Whether further cycles with the setpoints of the last one would change nothing: pulses off, shaft still.
@@ -129,9 +145,6 @@ class Axis final : public DriveObject {
   void inhibit(bool inhibited) noexcept;
 
  private:
-  enum class Ramp : std::uint8_t { Setpoint, Off1, Off3, TorqueLimit };
-  static constexpr std::size_t kRampCount = 4;
-
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;
@@ -151,13 +164,16 @@ class Axis final : public DriveObject {
   bool apply(Event event) noexcept;
   void perform(Action action) noexcept;
   void brake_on(Ramp ramp) noexcept;
-  void select_ramp() noexcept;
+  void take_inputs(const AxisInputs& inputs) noexcept;
+  void lead_setpoint() noexcept;
+  void lead_torque() noexcept;
+  double halted_torque() noexcept;
+  FixedSetpoints fixed_setpoints() const noexcept;
   motor::ControlSettings control_settings(const motor::MachineData& machine) const noexcept;
   motor::TorqueLimits effective_torque_limits() const noexcept;
   bool has_brake() const noexcept;
   void lead_brake() noexcept;
   void watch(double dc_voltage) noexcept;
-  void measure() noexcept;
   void monitor() noexcept;
   Observed observed() const noexcept;
   CauseLimits cause_limits() const noexcept;
@@ -167,21 +183,20 @@ class Axis final : public DriveObject {
   AxisParameters parameters_;
   motor::DriveTrain train_;
   // Follows from the parameters.
-  double forward_limit_ = 0.0;   // rad/s
-  double backward_limit_ = 0.0;  // rad/s, not positive
-  motor::TorqueLimits torque_limits_{};
-  std::array<RampSlopes, kRampCount> slopes_{};
+  SetpointChannel channel_;
   std::uint16_t implausible_parameter_ = 0;
   double counts_to_speed_;  // rad an increment
 
   State state_ = State::NotReadyToSwitchOn;
-  AxisInputs inputs_{};  // of this cycle
-  bool jogging_ = false;
-  unsigned input_messages_ = 0;  // that an input has brought, a bit each
-  double power_missing_ = 0.0;   // s, since ON
-  Ramp ramp_ = Ramp::Setpoint;
-  double target_ = 0.0;  // ramp input r1119, rad/s
-  RampFunctionGenerator ramp_generator_;
+  AxisInputs wired_{};   // of this cycle
+  AxisInputs inputs_{};  // the same with the ramp enables of velocity mode
+  OperatingMode mode_;
+  bool jogging_ = false;                 // switched on by p1055 or p1056
+  unsigned input_messages_ = 0;          // that an input has brought, a bit each
+  double power_missing_ = 0.0;           // s, since ON
+  motor::TorqueLimits torque_limits_{};  // p1522, p1523
+  double torque_setpoint_ = 0.0;         // of torque control, N·m
+  bool torque_led_ = false;              // in the last cycle
   StandstillMonitor standstill_;
   TargetMonitor target_monitor_;
   CauseMonitor causes_;
@@ -195,6 +210,8 @@ class Axis final : public DriveObject {
   double brake_opening_ = 0.0;      // s, until the holding brake is open
   bool settled_ = false;            // the last cycle changed nothing
   ActualValues actual_;
+  ActualValues before_;    // those of the cycle before
+  AxisFeedback feedback_;  // of the last cycle
 
   /// What the steps of a cycle leave behind.
   struct Cycle {

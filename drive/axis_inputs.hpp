@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace drive {
@@ -17,6 +18,8 @@ struct Setpoints {
 /// What the BICO inputs of an axis bring in one process-data cycle; quantities in SI units. An input that is wired
 /// to nothing has the value it has here.
 struct AxisInputs {
+  static constexpr double kAsParameter = std::numeric_limits<double>::infinity();
+
   /// 6040h as the master sent it: bit 8 is the halt, bits 4 to 6 act in velocity mode; everything else goes
   /// through the binectors.
   std::uint16_t controlword = 0;
@@ -37,33 +40,33 @@ struct AxisInputs {
   bool jog_2 = false;                   ///< p1056
 
   // Setpoint channel.
-  bool fixed_setpoint_bit_0 = false;    ///< p1020
-  bool fixed_setpoint_bit_1 = false;    ///< p1021
-  bool fixed_setpoint_bit_2 = false;    ///< p1022
-  bool fixed_setpoint_bit_3 = false;    ///< p1023
-  bool inhibit_negative = false;        ///< p1110
-  bool inhibit_positive = false;        ///< p1111
-  bool invert_setpoint = false;         ///< p1113
-  bool bypass_ramp = false;             ///< p1122
-  bool enable_ramp = true;              ///< p1140
-  bool continue_ramp = true;            ///< p1141
-  bool enable_setpoint = true;          ///< p1142
-  bool set_ramp = false;                ///< p1143
-  double main_setpoint = 0.0;           ///< p1070 (rad/s)
-  double supplementary_setpoint = 0.0;  ///< p1075 (rad/s)
-  double forward_limit = 1e6;           ///< p1085 (rad/s)
-  double backward_limit = -1e6;         ///< p1088 (rad/s)
-  double ramp_setting = 0.0;            ///< p1144 (rad/s)
-  double speed_setpoint_1 = 0.0;        ///< p1155, behind the ramp (rad/s)
-  double speed_setpoint_2 = 0.0;        ///< p1160, behind the ramp (rad/s)
+  bool fixed_setpoint_bit_0 = false;     ///< p1020
+  bool fixed_setpoint_bit_1 = false;     ///< p1021
+  bool fixed_setpoint_bit_2 = false;     ///< p1022
+  bool fixed_setpoint_bit_3 = false;     ///< p1023
+  bool inhibit_negative = false;         ///< p1110
+  bool inhibit_positive = false;         ///< p1111
+  bool invert_setpoint = false;          ///< p1113
+  bool bypass_ramp = false;              ///< p1122
+  bool enable_ramp = true;               ///< p1140
+  bool continue_ramp = true;             ///< p1141
+  bool enable_setpoint = true;           ///< p1142
+  bool set_ramp = false;                 ///< p1143
+  double main_setpoint = 0.0;            ///< p1070 (rad/s)
+  double supplementary_setpoint = 0.0;   ///< p1075 (rad/s)
+  double forward_limit = kAsParameter;   ///< p1085 (rad/s), p1083 if it is infinite
+  double backward_limit = kAsParameter;  ///< p1088 (rad/s), p1086 if it is infinite
+  double ramp_setting = 0.0;             ///< p1144 (rad/s)
+  double speed_setpoint_1 = 0.0;         ///< p1155, behind the ramp (rad/s)
+  double speed_setpoint_2 = 0.0;         ///< p1160, behind the ramp (rad/s)
 
   // Torque.
-  bool torque_control = false;          ///< p1501
-  double torque_setpoint = 0.0;         ///< p1503 (N·m)
-  double supplementary_torque_1 = 0.0;  ///< p1511 (N·m)
-  double supplementary_torque_2 = 0.0;  ///< p1513 (N·m)
-  double upper_torque_limit = 1e9;      ///< p1522 (N·m)
-  double lower_torque_limit = -1e9;     ///< p1523 (N·m)
+  bool torque_control = false;               ///< p1501
+  double torque_setpoint = 0.0;              ///< p1503 (N·m)
+  double supplementary_torque_1 = 0.0;       ///< p1511 (N·m)
+  double supplementary_torque_2 = 0.0;       ///< p1513 (N·m)
+  double upper_torque_limit = kAsParameter;  ///< p1522 (N·m), p1520 if it is infinite
+  double lower_torque_limit = kAsParameter;  ///< p1523 (N·m), p1521 if it is infinite
 
   // Messages.
   bool acknowledge_1 = false;       ///< p2103, edge

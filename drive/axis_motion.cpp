@@ -26,7 +26,7 @@ constexpr std::int32_t kParabolic = 2;
 constexpr std::uint16_t kBlocked = 7900;
 constexpr double kVdcMargin = 50.0;  // V, of r1242 below the trip (p1254 = 1)
 
-ControlMode mode_of(std::int32_t number) noexcept {
+ControlMode control_of(std::int32_t number) noexcept {
   return std::ranges::find_if(kControlModes, [=](const ControlModeRow& row) { return number >= row.from; })->mode;
 }
 
@@ -37,7 +37,7 @@ motor::ControlSettings Axis::control_settings(const motor::MachineData& machine)
   const AxisParameters& p = parameters_;
   const double inertia = p.motor_inertia * p.inertia_ratio;
   motor::ControlSettings settings = motor::computed_settings(machine, context().axis.inverter, inertia);
-  settings.mode = mode_of(p.control_mode);
+  settings.mode = control_of(p.control_mode);
   settings.speed = {p.speed_gain, p.speed_integral_time};
   settings.sensorless_speed = {p.encoderless_speed_gain, p.encoderless_speed_integral_time};
   settings.current_limit = std::min(p.current_limit, context().axis.inverter.maximum_current);
@@ -57,20 +57,7 @@ motor::ControlSettings Axis::control_settings(const motor::MachineData& machine)
 
 void Axis::apply_parameters() noexcept {
   const AxisParameters& p = parameters_;
-  const double speed_limit = std::min(p.maximum_speed, p.motor_maximum_speed);
-  forward_limit_ = std::min(speed_limit, p.speed_limit_positive);
-  backward_limit_ = std::max(-speed_limit, p.speed_limit_negative);
-  torque_limits_ = {p.upper_torque_limit, p.lower_torque_limit};
-  const double off1 = ramp_slope(p.maximum_speed, p.ramp_down_time);
-  const double off3 = ramp_slope(p.maximum_speed, p.off3_ramp_down_time);
-  const bool extended = p.ramp_selection != 0;
-  const auto ramp = [&](double up, double down, double initial, double final_time) {
-    const auto type = static_cast<RoundingType>(p.rounding_type);
-    return RampSlopes{up, down, extended ? initial : 0.0, extended ? final_time : 0.0, type};
-  };
-  slopes_ = {ramp(ramp_slope(p.maximum_speed, p.ramp_up_time), off1, p.initial_rounding, p.final_rounding),
-             ramp(off1, off1, p.initial_rounding, p.final_rounding),
-             ramp(off3, off3, p.off3_initial_rounding, p.off3_final_rounding), RampSlopes{}};
+  channel_.configure(p, fixed_setpoints());
   const std::uint16_t implausible = implausible_motor_parameter(p, context().axis.machine);
   implausible_parameter_ = p.commissioning == 0 ? implausible : 0;
   if (implausible == 0) {  // otherwise the last possible model stays
@@ -85,16 +72,18 @@ void Axis::cycle(const AxisInputs& inputs, double duration) noexcept {
   begin_cycle(inputs, duration);
   const int steps = std::max(1, static_cast<int>(std::lround(duration / kControlPeriod)));
   for (int i = 0; i < steps; ++i) step(dc_voltage_);
+  measure();
   end_cycle();
 }
 
 void Axis::begin_cycle(const AxisInputs& inputs, double duration) noexcept {
   sequence(inputs, duration);
-  select_ramp();
+  lead_setpoint();
   cycle_ = {.duration = duration,
             .command = {.pulses_enabled = pulses_enabled_in(state_), .limits = torque_limits_},
-            .ramp_before = ramp_generator_.output(),
+            .ramp_before = channel_.output(),
             .lowest_dc_voltage = dc_voltage_};
+  lead_torque();
   lead_brake();
 }
 
@@ -109,19 +98,18 @@ bool Axis::has_brake() const noexcept {
 void Axis::lead_brake() noexcept {
   if (!has_brake()) return train_.set_brake(false);
   const bool stands = is_braking(state_) && std::abs(actual_.speed) < parameters_.standstill_threshold &&
-                      std::abs(ramp_generator_.output()) <= parameters_.standstill_threshold;
+                      std::abs(channel_.output()) <= parameters_.standstill_threshold;
   const bool open = pulses_enabled_in(state_) && !stands;
   train_.set_brake(!open);
   brake_opening_ = open ? std::max(0.0, brake_opening_ - cycle_.duration) : context().axis.load.brake.opening_time;
-  if (brake_opening_ > 0.0) target_ = 0.0;  // the setpoint waits for the brake
+  if (brake_opening_ > 0.0) channel_.wait();  // the setpoint waits for the brake
 }
 
 double Axis::step(double dc_voltage) noexcept {
   motor::Command& command = cycle_.command;
   if (command.pulses_enabled) {
-    command.speed_setpoint =
-        ramp_generator_.step(kControlPeriod, target_, slopes_[static_cast<std::size_t>(ramp_)]);
-    command.acceleration_setpoint = ramp_generator_.acceleration();
+    command.speed_setpoint = channel_.step(kControlPeriod);
+    command.acceleration_setpoint = channel_.acceleration();
   }
   const double drawn = train_.step(dc_voltage, command);
   const motor::Signals& seen = train_.signals();
@@ -153,12 +141,11 @@ void Axis::watch(double dc_voltage) noexcept {
   if (overvoltage || overcurrent) cycle_.command.pulses_enabled = false;
 }
 
-void Axis::end_cycle() noexcept {
-  const ActualValues before = actual_;
-  measure();
+void Axis::end_cycle(const AxisFeedback& feedback) noexcept {
+  feedback_ = feedback;
   monitor();
   refresh_status();
-  settled_ = actual_ == before;
+  settled_ = actual_ == before_;
 }
 
 void Axis::rest(double duration, double dc_voltage) noexcept {
@@ -168,6 +155,7 @@ void Axis::rest(double duration, double dc_voltage) noexcept {
 
 /// Means over the steps of the cycle.
 void Axis::measure() noexcept {
+  before_ = actual_;
   const double steps = std::max(1, cycle_.steps);
   const double time = steps * kControlPeriod;
   const std::int64_t counts = train_.signals().encoder_counts;
@@ -178,12 +166,13 @@ void Axis::measure() noexcept {
   actual_.torque = cycle_.torque / steps;
   actual_.encoder_counts = counts;
   actual_.encoder_position = static_cast<std::int32_t>(static_cast<std::uint32_t>(counts));
-  ramp_acceleration_ = (ramp_generator_.output() - cycle_.ramp_before) / time;
+  ramp_acceleration_ = (channel_.output() - cycle_.ramp_before) / time;
 }
 
 void Axis::monitor() noexcept {
   const AxisParameters& p = parameters_;
-  target_reached_ = target_monitor_.update(cycle_.duration, target_ - actual_.speed,
+  target_reached_ = target_monitor_.update(cycle_.duration,
+                                           feedback_.message_setpoint.value_or(channel_.input()) - actual_.speed,
                                            {p.target_window, p.target_hysteresis, p.target_off_delay});
   const Observed seen = observed();
   overspeed_ = seen.overspeed > p.overspeed_hysteresis;
@@ -193,25 +182,26 @@ void Axis::monitor() noexcept {
 Observed Axis::observed() const noexcept {
   const AxisParameters& p = parameters_;
   const motor::Signals& seen = train_.signals();
-  const bool should_turn = pulses_enabled_in(state_) && std::abs(ramp_generator_.output()) > 0.0;
+  const bool should_turn = pulses_enabled_in(state_) && std::abs(channel_.output()) > 0.0;
   const bool stuck =
       should_turn && seen.torque_limit_reached && std::abs(actual_.speed) < p.blocked_speed_threshold;
-  return {.pulses_enabled = pulses_enabled_in(state_),
-          .peak_current = cycle_.peak_current,
-          .overcurrent_phases = static_cast<double>(cycle_.tripped_phases),
-          .dc_voltage = cycle_.highest_dc_voltage,
-          .lowest_dc_voltage = cycle_.lowest_dc_voltage,
-          .overload = seen.overload,
-          .heat_sink = seen.heat_sink_temperature,
-          .chip_rise = seen.chip_temperature - seen.heat_sink_temperature,
-          .motor_temperature = seen.winding_temperature,
-          .motor_utilisation = seen.motor_utilisation,
-          .stuck = stuck ? 1.0 : 0.0,
-          .overspeed = std::max(actual_.speed - forward_limit_, backward_limit_ - actual_.speed),
-          .zero_mark_deviation = std::abs(static_cast<double>(train_.encoder().status().zero_mark_deviation)),
-          .encoder_lost = train_.encoder().status().signal_lost ? 1.0 : 0.0,
-          .crossed_torque_limits = p.lower_torque_limit - p.upper_torque_limit,
-          .implausible_parameter = static_cast<double>(implausible_parameter_)};
+  return {
+      .pulses_enabled = pulses_enabled_in(state_),
+      .peak_current = cycle_.peak_current,
+      .overcurrent_phases = static_cast<double>(cycle_.tripped_phases),
+      .dc_voltage = cycle_.highest_dc_voltage,
+      .lowest_dc_voltage = cycle_.lowest_dc_voltage,
+      .overload = seen.overload,
+      .heat_sink = seen.heat_sink_temperature,
+      .chip_rise = seen.chip_temperature - seen.heat_sink_temperature,
+      .motor_temperature = seen.winding_temperature,
+      .motor_utilisation = seen.motor_utilisation,
+      .stuck = stuck ? 1.0 : 0.0,
+      .overspeed = std::max(actual_.speed - channel_.forward_limit(), channel_.backward_limit() - actual_.speed),
+      .zero_mark_deviation = std::abs(static_cast<double>(train_.encoder().status().zero_mark_deviation)),
+      .encoder_lost = train_.encoder().status().signal_lost ? 1.0 : 0.0,
+      .crossed_torque_limits = torque_limits_.lower - torque_limits_.upper,
+      .implausible_parameter = static_cast<double>(implausible_parameter_)};
 }
 
 CauseLimits Axis::cause_limits() const noexcept {

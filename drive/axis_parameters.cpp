@@ -10,6 +10,8 @@
 namespace drive {
 namespace {
 
+constexpr std::uint16_t kControlMode = 1300;
+
 using Members = std::variant<double AxisParameters::*, std::int32_t AxisParameters::*>;
 
 double get(const AxisParameters& parameters, const Members& member) noexcept {
@@ -61,6 +63,7 @@ void Axis::set_own_value(const ParameterRow& row, std::size_t index, double valu
     if (command->set != nullptr) command->set(*this, index, value);
   } else if (const auto* const home = std::get_if<Member>(&row.home)) {
     set(parameters_, home->member, value * row_of(row.unit).si);
+    if (row.number == kControlMode) mode_.on_parameter(parameters_.control_mode);
   }
 }
 
@@ -107,7 +110,12 @@ motor::TorqueLimits Axis::effective_torque_limits() const noexcept {
 AxisInsight Axis::insight() const noexcept {
   return {.inputs = inputs_,
           .switching_on_inhibited = inhibited_ || parameters_.commissioning != 0,
-          .ramp_input = target_,
+          .torque_control = mode_.torque_control(parameters_.control_mode),
+          .fixed_setpoint = channel_.fixed_setpoint(),
+          .setpoint_sum = channel_.sum(),
+          .directed_setpoint = channel_.directed(),
+          .ramp_input = channel_.input(),
+          .ramp_output = channel_.output(),
           .ramp_acceleration = ramp_acceleration_,
           .torque_limits = effective_torque_limits(),
           .dc_voltage = dc_voltage_,

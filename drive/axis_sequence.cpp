@@ -1,7 +1,6 @@
 // The sequence control of an axis: what its inputs, its faults and the end of a braking make of its state.
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "drive/axis.hpp"
 
@@ -68,7 +67,8 @@ bool keeps_jogging(State state) noexcept {
 }  // namespace
 
 void Axis::sequence(const AxisInputs& inputs, double duration) noexcept {
-  const AxisInputs before = std::exchange(inputs_, inputs);
+  const AxisInputs before = wired_;
+  take_inputs(inputs);
   if (apply(Event::Initialised)) return;
   follow_inputs();
   if (has_acknowledgement(before, inputs)) {
@@ -132,7 +132,7 @@ void Axis::check_standstill(double duration) noexcept {
   const double closing_time = has_brake() ? context().axis.load.brake.closing_time : 0.0;
   const StandstillMonitor::Limits limits{parameters_.standstill_threshold, parameters_.standstill_monitoring_time,
                                          parameters_.pulse_suppression_delay + closing_time};
-  if (standstill_.update(duration, actual_.speed, ramp_generator_.output(), limits)) apply(Event::Standstill);
+  if (standstill_.update(duration, actual_.speed, channel_.output(), limits)) apply(Event::Standstill);
 }
 
 bool Axis::apply(Event event) noexcept {
@@ -165,7 +165,7 @@ Reactions Axis::active_reactions() const noexcept {
 
 bool Axis::stands() const noexcept {
   return std::abs(actual_.speed) < parameters_.standstill_threshold &&
-         std::abs(ramp_generator_.output()) <= parameters_.standstill_threshold;
+         std::abs(channel_.output()) <= parameters_.standstill_threshold;
 }
 
 bool Axis::acknowledge() noexcept {

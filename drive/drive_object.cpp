@@ -23,6 +23,13 @@ double factory_value(const ParameterRow& row, const ObjectContext& context, std:
   return std::get<FactoryFunction>(row.factory)(context, index);
 }
 
+/// Inputs, the references that quantities are relative to, and what converters invert.
+bool concerns_wiring(const ParameterRow& row) noexcept {
+  constexpr std::uint16_t kFirstReference = 2000, kLastReference = 2007, kInvertBits = 8888, kInvertWords = 8898;
+  const bool is_reference = row.number >= kFirstReference && row.number <= kLastReference;
+  return is_bico_input(row.type) || is_reference || row.number == kInvertBits || row.number == kInvertWords;
+}
+
 bool is_agreed(const ParameterRow& row) noexcept {
   return std::holds_alternative<Agreed>(row.home) || std::holds_alternative<Command>(row.home);
 }
@@ -51,7 +58,7 @@ tl::expected<const PlacedRow*, ParameterError> DriveObject::find(std::uint16_t n
 }
 
 tl::expected<double, ParameterError> DriveObject::read(std::uint16_t number, std::size_t index) const noexcept {
-  return find(number, index).map([&](const PlacedRow* placed) { return value_of(*placed, index); });
+  return find(number, index).map([&](const PlacedRow* placed) { return value(*placed, index); });
 }
 
 tl::expected<double, ParameterError> DriveObject::kept_value(std::uint16_t number,
@@ -131,7 +138,7 @@ std::optional<Refusal> DriveObject::value_refusal(const ParameterRow& row, std::
   return row.check != nullptr ? row.check(*this, index, value) : std::nullopt;
 }
 
-double DriveObject::value_of(const PlacedRow& placed, std::size_t index) const noexcept {
+double DriveObject::value(const PlacedRow& placed, std::size_t index) const noexcept {
   const ParameterRow& row = *placed.row;
   if (is_agreed(row) && surroundings_ != nullptr)
     if (const auto value = surroundings_->agreed_value(*this, row, index)) return *value;
@@ -149,6 +156,7 @@ double DriveObject::kept_value_of(const PlacedRow& placed, std::size_t index) co
 
 void DriveObject::assign(const PlacedRow& placed, std::size_t index, double value) noexcept {
   const ParameterRow& row = *placed.row;
+  if (surroundings_ != nullptr && concerns_wiring(row)) surroundings_->on_wiring_changed();
   if (placed.slot != kNoSlot) {
     slots_[placed.slot + index] = encode(row.type, value).bits;
   } else if (const auto* const own = std::get_if<Computed<DriveObject>>(&row.home)) {

@@ -9,6 +9,7 @@
 
 #include "drive/fault_memory.hpp"
 #include "drive/parameter/table.hpp"
+#include "drive/process_data_image.hpp"
 
 namespace drive {
 
@@ -29,6 +30,8 @@ class Surroundings {
   /// Takes over @p value of an agreed parameter or carries out a command; the reason if it cannot.
   virtual std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
                                        double value) noexcept = 0;
+  /// A BICO input was connected anew, or something that the values of sources are relative to has changed.
+  virtual void on_wiring_changed() noexcept = 0;
   /// What an agreed parameter or a command reads as, if that is not the value of its slot.
   virtual std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
                                              std::size_t index) const noexcept = 0;
@@ -53,6 +56,8 @@ class DriveObject {
   /// Value of a parameter.
   [[nodiscard]] tl::expected<double, ParameterError> read(std::uint16_t number,
                                                           std::size_t index = 0) const noexcept;
+  /// Value of index @p index of @p placed, a parameter of this kind of drive object, in the parameter's own unit.
+  double value(const PlacedRow& placed, std::size_t index) const noexcept;
   /// Writes a parameter as a master does, in a state and within the limits that allow it; it acts at once.
   [[nodiscard]] tl::expected<void, ParameterError> write(std::uint16_t number, std::size_t index,
                                                          double value) noexcept;
@@ -73,6 +78,10 @@ class DriveObject {
   /// The saved parameters that @p which chooses are as in a new unit again; without it all but those that outlive
   /// a factory reset.
   void restore_parameters(RowFilter which = is_reset) noexcept;
+
+  /// What the bus has brought and what it fetches.
+  const ProcessDataImage& process_data() const noexcept { return process_data_; }
+  ProcessDataImage& process_data() noexcept { return process_data_; }
 
   /// Active faults and alarms, and those that were.
   const FaultMemory& messages() const noexcept { return memory_; }
@@ -114,7 +123,6 @@ class DriveObject {
   tl::expected<const PlacedRow*, ParameterError> find(std::uint16_t number, std::size_t index) const noexcept;
   std::optional<Refusal> source_refusal(const ParameterRow& row, double value) const noexcept;
   std::optional<Refusal> value_refusal(const ParameterRow& row, std::size_t index, double value) const noexcept;
-  double value_of(const PlacedRow& placed, std::size_t index) const noexcept;
   double kept_value_of(const PlacedRow& placed, std::size_t index) const noexcept;
   void assign(const PlacedRow& placed, std::size_t index, double value) noexcept;
 
@@ -122,6 +130,7 @@ class DriveObject {
   Surroundings* surroundings_ = nullptr;
   std::vector<std::uint32_t> slots_;  // as ParameterValue has the bits
   FaultMemory memory_;
+  ProcessDataImage process_data_{};
 };
 
 }  // namespace drive

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "drive/wiring.hpp"
+
 namespace drive {
 namespace {
 
@@ -38,18 +40,67 @@ DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host
   axes_.reserve(configuration.axes.size());
   for (const AxisConfiguration& axis : configuration.axes)
     axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id, configuration.supply);
+  wiring_ = std::make_unique<Wiring>(*this);
   for_each_object([this](DriveObject& object) { object.join(*this); });
 }
 
+DriveUnit::~DriveUnit() = default;
+
+void DriveUnit::on_wiring_changed() noexcept {
+  if (wiring_ != nullptr) wiring_->invalidate();
+}
+
+void DriveUnit::send_process_data() noexcept {
+  wiring_->connect();
+  wiring_->send();
+}
+
+void DriveUnit::exchange_process_data() noexcept {
+  wiring_->connect();
+  wiring_->convert_words();
+  wiring_->convert_bits();
+  wiring_->send();
+}
+
+void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
+  wiring_->connect();
+  wiring_->convert_words();
+  std::array<std::optional<AxisInputs>, kMostAxes> inputs{};
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    inputs[i] = wiring_->inputs(i + 1);
+    if (!awake[i] && *inputs[i] == axes_[i].inputs()) inputs[i].reset();
+  }
+  acknowledge_by_inputs();
+  run({inputs.data(), axes_.size()}, duration);
+}
+
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
+  wiring_->connect();
+  std::array<std::optional<AxisInputs>, kMostAxes> inputs{};
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (setpoints[i]) inputs[i] = inputs_of(*setpoints[i]);
+  run({inputs.data(), axes_.size()}, duration);
+}
+
+/// p2102 acknowledges the faults of all drive objects, p2103 to p2105 of the control unit its own.
+void DriveUnit::acknowledge_by_inputs() noexcept {
+  const bool all = wiring_->acknowledge_all();
+  if (all && !acknowledge_all_) acknowledge();
+  acknowledge_all_ = all;
+  const AxisInputs inputs = wiring_->inputs(0);
+  if (has_acknowledgement(control_unit_inputs_, inputs)) control_unit_.acknowledge();
+  control_unit_inputs_ = inputs;
+}
+
+void DriveUnit::run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept {
   std::array<Axis*, kMostAxes> running{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!setpoints[i]) {
+    if (!inputs[i]) {
       axes_[i].rest(duration, dc_link_.voltage());
       continue;
     }
-    axes_[i].begin_cycle(inputs_of(*setpoints[i]), duration);
+    axes_[i].begin_cycle(*inputs[i], duration);
     running[count++] = &axes_[i];
   }
   const std::span<Axis* const> moved{running.data(), count};
@@ -60,7 +111,10 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
     for (Axis* const axis : moved) drawn += axis->step(voltage);
     dc_link_.step(motor::kControlPeriod, drawn);
   }
-  for (Axis* const axis : moved) axis->end_cycle();
+  for (Axis* const axis : moved) axis->measure();
+  for (Axis* const axis : moved) axis->end_cycle(wiring_->feedback(axis->axis_number() - 1));
+  wiring_->convert_bits();
+  wiring_->send();
 }
 
 void DriveUnit::rest(double duration) noexcept {

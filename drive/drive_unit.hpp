@@ -28,6 +28,8 @@ class ParameterHost {
   }
 };
 
+class Wiring;
+
 /// What the unit is made of.
 struct UnitConfiguration {
   std::vector<AxisConfiguration> axes{AxisConfiguration{}};  ///< 1..8
@@ -41,7 +43,7 @@ class DriveUnit final : private Surroundings {
  public:
   /// @p host outlives the unit; without one every agreed value is taken.
   explicit DriveUnit(const UnitConfiguration& configuration, ParameterHost* host = nullptr);
-  ~DriveUnit() override = default;
+  ~DriveUnit() override;
   DriveUnit(const DriveUnit&) = delete;
   DriveUnit& operator=(const DriveUnit&) = delete;
 
@@ -62,9 +64,19 @@ class DriveUnit final : private Surroundings {
   std::span<Axis> axes() noexcept { return axes_; }
   std::span<const Axis> axes() const noexcept { return axes_; }
 
-  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod: the axes with setpoints run
-  /// it, step by step side by side on their DC link; an axis without any must be quiescent and rests.
+  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod, with what the bus has brought
+  /// into the process data of the axes. They run it step by step side by side on their DC link. An axis that is
+  /// not @p awake must be quiescent; it rests unless its inputs have changed.
+  void cycle(std::span<const bool> awake, double duration) noexcept;
+  /// The same with @p setpoints in place of the interconnections, for axes that are wired as new ones; an axis
+  /// without any must be quiescent and rests.
   void cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept;
+  /// Puts what is to be sent into the process data again, as it is now.
+  void send_process_data() noexcept;
+  /// What a cycle does to process data, without moving the axes.
+  void exchange_process_data() noexcept;
+  /// Sources of interconnections are found anew before the next cycle: what they are relative to has changed.
+  void on_wiring_changed() noexcept override;
   /// Lets @p duration (s) pass while every axis is quiescent.
   void rest(double duration) noexcept;
   /// The DC link that the axes share.
@@ -113,6 +125,8 @@ class DriveUnit final : private Surroundings {
   std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
                                      std::size_t index) const noexcept override;
   void inhibit_axes(bool inhibited) noexcept;
+  void acknowledge_by_inputs() noexcept;
+  void run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept;
 
   ParameterHost* host_;
   std::uint32_t message_counter_ = 0;
@@ -121,6 +135,9 @@ class DriveUnit final : private Surroundings {
   motor::DcLink dc_link_;
   ControlUnit control_unit_;
   std::vector<Axis> axes_;
+  std::unique_ptr<Wiring> wiring_;
+  AxisInputs control_unit_inputs_{};  ///< of the last cycle; only those for messages
+  bool acknowledge_all_ = false;      ///< p2102 in the last cycle
 };
 
 }  // namespace drive

@@ -37,6 +37,9 @@ struct AxisParameters {
   std::int32_t encoder_pulses = 0;     ///< p0408
   std::int32_t encoder_fine_bits = 0;  ///< p0418
   // Setpoint channel and OFF functions.
+  double jog_speed_1 = 0.0;                 ///< p1058
+  double jog_speed_2 = 0.0;                 ///< p1059
+  double minimum_speed = 0.0;               ///< p1080
   double maximum_speed = 0.0;               ///< p1082
   double speed_limit_positive = 0.0;        ///< p1083
   double speed_limit_negative = 0.0;        ///< p1086, not positive

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "drive/parameters.hpp"
+#include "drive/units.hpp"
 
 namespace drive {
 
@@ -19,17 +20,26 @@ Int saturated(double value) noexcept {
   return static_cast<Int>(std::clamp(std::round(value), kLow, kHigh));
 }
 
-/// Speeds and accelerations on the bus of an axis with encoder, and torques relative to the rated one.
+/// 6094h: speeds on the bus are multiplied by the numerator and divided by the denominator.
+struct SpeedFactor {
+  double numerator = 1.0;    ///< p8798[0]
+  double denominator = 1.0;  ///< p8798[1]
+};
+
+/// Speeds and accelerations on the bus, in increments of the encoder, or in rpm of an axis without one; torques
+/// relative to the rated one.
 class BusScaling {
  public:
-  /// Encoder and rated torque from @p parameters; @p numerator and @p denominator as in 6094h sub 1 and 2.
-  explicit BusScaling(const AxisParameters& parameters, double numerator = 1.0, double denominator = 1.0) noexcept
-      : per_radian_{static_cast<double>(parameters.encoder_pulses) *
-                    static_cast<double>(std::uint64_t{1} << parameters.encoder_fine_bits) /
-                    (2.0 * std::numbers::pi) * denominator / numerator},
+  /// Rated torque and, with @p has_encoder, encoder from @p parameters.
+  explicit BusScaling(const AxisParameters& parameters, const SpeedFactor& factor = {},
+                      bool has_encoder = true) noexcept
+      : per_radian_{(has_encoder ? increments_per_radian(parameters) : 1.0 / kRpm) * factor.denominator /
+                    factor.numerator},
         per_newton_metre_{1000.0 / parameters.rated_torque} {}
 
-  /// 60FFh (increments/s) in rad/s.
+  /// What 60FFh has for one rad/s.
+  double per_radian() const noexcept { return per_radian_; }
+  /// 60FFh (increments/s or rpm) in rad/s.
   double speed_from_bus(std::int32_t bus) const noexcept { return static_cast<double>(bus) / per_radian_; }
   /// Speed (rad/s) as 60FFh, 606Bh or 606Ch show it (increments/s).
   std::int32_t speed_to_bus(double speed) const noexcept { return saturated<std::int32_t>(speed * per_radian_); }
@@ -58,6 +68,11 @@ class BusScaling {
 
  private:
   static constexpr std::uint32_t kNoRamp = 0xFFFFFFFF;
+
+  static double increments_per_radian(const AxisParameters& parameters) noexcept {
+    return static_cast<double>(parameters.encoder_pulses) *
+           static_cast<double>(std::uint64_t{1} << parameters.encoder_fine_bits) / (2.0 * std::numbers::pi);
+  }
 
   double per_radian_;        // bus increments a radian
   double per_newton_metre_;  // per mille a newton metre

@@ -13,7 +13,8 @@ struct Command {
   double speed_setpoint = 0.0;         ///< (rad/s)
   double acceleration_setpoint = 0.0;  ///< slope of the speed setpoint, for the precontrol (rad/s²)
   bool torque_control = false;         ///< p1300 = 22, 23: torque_setpoint alone leads
-  double torque_setpoint = 0.0;        ///< in speed control added to what the speed controller wants (N·m)
+  double torque_setpoint = 0.0;        ///< of torque control (N·m)
+  double additional_torque = 0.0;      ///< added to it, or to what the speed controller wants (N·m)
   TorqueLimits limits{};               ///< p1520, p1521
 };
 

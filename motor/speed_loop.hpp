@@ -31,7 +31,7 @@ class SpeedLoop {
     smoothed_ += smoothing_ * (speed - smoothed_);
     signals.torque_limits = limiter_.limits(command.limits, reachable, speed, dc_voltage);
     if (command.torque_control) return by_torque(command, signals);
-    const TorqueForward forward{precontrol_ * command.acceleration_setpoint, command.torque_setpoint};
+    const TorqueForward forward{precontrol_ * command.acceleration_setpoint, command.additional_torque};
     signals.torque_setpoint = controller_.step(command.speed_setpoint, smoothed_, signals.torque_limits, forward);
     signals.torque_limit_reached = controller_.limited();
     return signals.torque_setpoint;
@@ -41,11 +41,12 @@ class SpeedLoop {
 
  private:
   double by_torque(const Command& command, Signals& signals) noexcept {
-    signals.torque_setpoint = signals.torque_limits.bound(command.torque_setpoint);
-    signals.torque_limit_reached =
-        signals.torque_setpoint < command.torque_setpoint || signals.torque_setpoint > command.torque_setpoint;
-    controller_.reset(smoothed_, signals.torque_setpoint);
-    return signals.torque_setpoint;
+    const double wanted = command.torque_setpoint + command.additional_torque;
+    const double torque = signals.torque_limits.bound(wanted);
+    signals.torque_setpoint = torque;
+    signals.torque_limit_reached = torque < wanted || torque > wanted;
+    controller_.reset(smoothed_, torque - command.additional_torque);
+    return torque;
   }
 
   SpeedController controller_;

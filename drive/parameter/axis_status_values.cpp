@@ -151,9 +151,11 @@ double speed_controller_status(const Axis& axis, std::size_t) noexcept {
   constexpr std::int32_t kTorqueWithoutEncoder = 22;
   const std::int32_t mode = axis.parameters().control_mode;
   const bool pulses = axis.actual().pulses_enabled;
+  const AxisInsight seen = axis.insight();
   return word(std::array{Bit{0, pulses && mode < kFirstVectorMode},
                          Bit{1, pulses && (mode == kSpeedWithoutEncoder || mode == kTorqueWithoutEncoder)},
-                         Bit{3, pulses}, Bit{7, axis.insight().torque_limit_reached}});
+                         Bit{2, pulses && seen.torque_control}, Bit{3, pulses && !seen.torque_control},
+                         Bit{7, seen.torque_limit_reached}});
 }
 
 double message_control(const Axis& axis, std::size_t) noexcept {

@@ -77,6 +77,18 @@ double process_energy(const Axis& axis, std::size_t index) noexcept {
 double ramp_input(const Axis& axis, std::size_t) noexcept {
   return rpm(axis.insight().ramp_input);
 }
+double ramp_output(const Axis& axis, std::size_t) noexcept {
+  return rpm(axis.insight().ramp_output);
+}
+double fixed_setpoint(const Axis& axis, std::size_t) noexcept {
+  return rpm(axis.insight().fixed_setpoint);
+}
+double setpoint_sum(const Axis& axis, std::size_t) noexcept {
+  return rpm(axis.insight().setpoint_sum);
+}
+double directed_setpoint(const Axis& axis, std::size_t) noexcept {
+  return rpm(axis.insight().directed_setpoint);
+}
 double ramp_acceleration(const Axis& axis, std::size_t) noexcept {
   return axis.insight().ramp_acceleration / kRevolution;
 }
@@ -98,7 +110,7 @@ double function_modules(const Axis&, std::size_t) noexcept {
   return kSetpointChannel | kCan;
 }
 double mode(const Axis& axis, std::size_t) noexcept {
-  return static_cast<double>(axis.actual().mode);
+  return axis.actual().mode;
 }
 double encoder_position(const Axis& axis, std::size_t index) noexcept {
   return index == kMotorEncoder ? static_cast<double>(static_cast<std::uint32_t>(axis.actual().encoder_position))

@@ -151,7 +151,8 @@ constexpr Computed<ControlUnit> unit(double (*get)(const ControlUnit&, std::size
   return {get};
 }
 constexpr Computed<DriveObject> object(double (*get)(const DriveObject&, std::size_t) noexcept,
-                                       void (*set)(DriveObject&, std::size_t, double) noexcept) noexcept {
+                                       void (*set)(DriveObject&, std::size_t,
+                                                   double) noexcept = nullptr) noexcept {
   return {get, set};
 }
 constexpr Computed<FaultMemory> messages(double (*get)(const FaultMemory&, std::size_t) noexcept,

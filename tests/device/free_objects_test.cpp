@@ -61,7 +61,7 @@ TEST(FreeObjects, ShowTheInputAtTheirPlaceWhileTheyAreMapped) {
 
 TEST(FreeObjects, TravelInPdos) {
   Configuration configuration =
-      unit_with({{8851, drive::own_source(8745, 0), 6}, {8861, drive::own_source(62, 0), 7}});
+      unit_with({{8851, drive::own_source(8850, 4), 6}, {8861, drive::own_source(62, 0), 7}});
   TestUnit unit{configuration};
   unit.start();
   unit.expect_dialogue({

@@ -92,7 +92,7 @@ TEST(PdoLimit, MakesWhatNoMasterHasWrittenInvalidInTheOrderOfNumbers) {
       unit.dictionary.set(**unit.dictionary.find(static_cast<std::uint16_t>(0x1400 + 0x40 * axis + place), 1),
                           0x210 + 8 * axis + place);
 
-  unit.rules.limit();
+  unit.unit_process_data.take_over(UnitProcessData::WiredBy::Before);
   unit.start();
 
   std::vector<std::uint16_t> valid;

@@ -50,20 +50,27 @@ TEST(ProcessDataBuffers, SaturateAtTwiceTheReferences) {
 TEST(ProcessDataBuffers, ShowWhatIsSent) {
   ProcessDataUnit unit{1};
   unit.start();
+  ASSERT_TRUE(unit.set_parameter(2, 1083, 0, 1500.0));
   ASSERT_TRUE(unit.set_parameter(2, 2000, 0, 3000.0));
-  const auto show = [&](std::uint16_t index, std::int64_t value) {
-    unit.dictionary.set(**unit.dictionary.find(index, 0), value);
-  };
-  show(0x6041, 0x1637);
-  show(0x606C, kThreeThousandRpm / 2);
-  show(0x6077, 1000);
-  show(0x6063, 0x12345678);
+  ASSERT_TRUE(unit.set_parameter(2, 8861, 1, drive::own_source(1083, 0)));
+  ASSERT_TRUE(unit.set_parameter(2, 8851, 3, 1.0));
 
-  EXPECT_EQ(unit.parameter(2, 8853, 0), 0x1637);
+  EXPECT_EQ(unit.parameter(2, 8853, 0), unit.parameter(2, 8784)) << "p8851[0] is wired to the statusword";
   EXPECT_EQ(unit.parameter(2, 8863, 1), 0x20000000);
   EXPECT_EQ(unit.parameter(2, 8853, 1), 0x2000);
+  EXPECT_EQ(unit.read(0x606C), kThreeThousandRpm / 2);
   EXPECT_EQ(unit.parameter(2, 8853, 3), 0x4000);
-  EXPECT_EQ(unit.parameter(2, 8863, 4), 0x12345678);
+  EXPECT_EQ(unit.read(0x6077), 1000);
+}
+
+TEST(ProcessDataBuffers, SendNothingFromAPlaceThatIsNotConnected) {
+  ProcessDataUnit unit{1};
+  unit.start();
+  ASSERT_TRUE(unit.set_parameter(2, 8851, 0, 1.0));
+  ASSERT_EQ(unit.read(0x6041), 0x4000);
+
+  ASSERT_TRUE(unit.set_parameter(2, 8851, 0, 0.0));
+  EXPECT_EQ(unit.read(0x6041), 0);
 }
 
 TEST(ProcessDataBuffers, FollowAMappingOnceItIsWritten) {
@@ -79,11 +86,11 @@ TEST(ProcessDataBuffers, FollowAMappingOnceItIsWritten) {
   ASSERT_EQ(unit.write(0x6860, 0, -20), 0U);
   EXPECT_EQ(unit.parameter(3, 8850, 4), -2);
   EXPECT_EQ(unit.parameter(3, 8850, 5), -20) << "one byte on the bus, a word with its sign here";
-  EXPECT_EQ(unit.parameter(3, 8745, 0), -2);
+  EXPECT_EQ(unit.parameter(3, 8745, 0), 0) << "for an object without a place only";
 
   ASSERT_EQ(unit.write(0x1644, 1, 0), 0U);
   EXPECT_EQ(unit.parameter(3, 8750, 4), 0x6860) << "what follows moves up";
-  EXPECT_EQ(unit.parameter(3, 8745, 0), -2) << "a free object has its value mapped or not";
+  EXPECT_EQ(unit.parameter(3, 8745, 0), -2);
 }
 
 TEST(ProcessDataBuffers, AreEmptyOnTheControlUnit) {
@@ -142,7 +149,9 @@ TEST(Converters, GiveTheBitsOfWords) {
   ASSERT_TRUE(unit.set_parameter(1, 8898, 1, 0x00FF));
   EXPECT_EQ(unit.parameter(1, 8895), 0xC07E);
   ASSERT_TRUE(unit.set_parameter(1, 8899, 0, drive::own_source(8894, 0)));
-  EXPECT_EQ(unit.parameter(1, 8894), 0) << "a converter behind a converter";
+  ASSERT_TRUE(unit.set_parameter(1, 8898, 0, 0x0001));
+  const double before = unit.parameter(1, 8894);
+  EXPECT_NE(unit.parameter(1, 8894), before) << "a converter behind itself has its word of the last cycle";
 }
 
 TEST(ControlwordWiring, NeedsTheControlwordInTheFirstFourWords) {

@@ -3,25 +3,33 @@
 #include <deque>
 #include <vector>
 
-#include "device/free_objects.hpp"
 #include "device/object_rows.hpp"
-#include "device/pdo_rules.hpp"
-#include "device/process_data_parameters.hpp"
+#include "device/process_data.hpp"
+#include "device/unit_process_data.hpp"
 #include "libcanopen/node/application.hpp"
 #include "tests/fakes/vector_bus.hpp"
 
 namespace device {
 
 /// The PDO configuration and the process data of a unit, node-ID 5, without the motors and the rest of the device.
-class ProcessDataUnit final : private MappingListener, private AlarmListener, private canopen::Application {
+class ProcessDataUnit final : private AlarmListener, private canopen::Application {
  public:
   explicit ProcessDataUnit(std::size_t axes)
       : rows{object_rows(std::vector<drive::ObjectKind>(axes, drive::ObjectKind::Servo))},
         unit{{.axes = std::vector<drive::AxisConfiguration>(axes), .node_id = 5}, &parameters} {
     for (drive::Axis& axis : unit.axes()) {
-      buffers.emplace_back(dictionary, unit, axis, node);
-      free_objects.emplace_back(dictionary, unit, axis, buffers.back());
+      process_data.emplace_back(dictionary, axis, unit_process_data.places(axis.axis_number()));
     }
+    unit_process_data.take_over(UnitProcessData::WiredBy::Factory);
+  }
+
+  /// A cycle without the motors: what was written is received, and what is connected is sent.
+  void exchange() {
+    unit_process_data.follow_mappings();
+    unit_process_data.show_state();
+    for (ProcessData& data : process_data) data.receive(data.controlword());
+    unit.exchange_process_data();
+    for (ProcessData& data : process_data) data.publish();
   }
 
   /// Writes an object as a master does; 0 or the abort code.
@@ -29,12 +37,14 @@ class ProcessDataUnit final : private MappingListener, private AlarmListener, pr
     const auto written = dictionary.write(**dictionary.find(index, sub_index), value);
     return written ? 0 : static_cast<std::uint32_t>(written.error());
   }
-  /// Reads an object as a master does.
+  /// Reads an object as a master does, after a cycle.
   std::int64_t read(std::uint16_t index, std::uint8_t sub_index = 0) {
+    exchange();
     return dictionary.read(**dictionary.find(index, sub_index)).value();
   }
-  /// Reads a parameter of a drive object (control unit 1, axes from 2).
-  double parameter(std::uint8_t object, std::uint16_t number, std::size_t index = 0) const {
+  /// Reads a parameter of a drive object (control unit 1, axes from 2), after a cycle.
+  double parameter(std::uint8_t object, std::uint16_t number, std::size_t index = 0) {
+    exchange();
     return unit.object(object)->read(number, index).value();
   }
   /// Writes one; false if it is refused.
@@ -58,13 +68,10 @@ class ProcessDataUnit final : private MappingListener, private AlarmListener, pr
   fakes::VectorBus bus;
   canopen::Policy policy{.pdo_changes_in_operational = false, .count_follows_entries = true};
   canopen::Node node{dictionary, policy, bus, *this};
-  PdoRules rules{dictionary, unit, node, {*this, *this}};
-  std::deque<ProcessDataBuffers> buffers;
-  std::deque<FreeObjects> free_objects;
-  ProcessDataParameters process_data_parameters{unit, buffers, rules, parameters};
+  UnitProcessData unit_process_data{dictionary, unit, node, parameters, *this};
+  std::deque<ProcessData> process_data;
 
  private:
-  void on_mapping_changed(std::size_t axis) noexcept override { buffers[axis - 1].invalidate(); }
   void on_alarm() noexcept override {}
 };
 

@@ -39,7 +39,7 @@ TEST(BusScaling, ReadsEverySpeedBackAsItWasSent) {
 }
 
 TEST(BusScaling, TheFactorsCanTurnTheUnitIntoRevolutionsAMinute) {
-  const BusScaling scaling{parameters(), 4194304.0, 60.0};
+  const BusScaling scaling{parameters(), {.numerator = 4194304.0, .denominator = 60.0}};
 
   EXPECT_EQ(scaling.speed_to_bus(3000.0 * kRpm), 3000);
   EXPECT_NEAR(scaling.speed_from_bus(1500), 1500.0 * kRpm, 1e-9);

@@ -5,6 +5,7 @@
 #include "drive/parameter/axis_values.hpp"
 #include "drive/parameter/checks.hpp"
 #include "drive/parameter/factory_values.hpp"
+#include "drive/parameter/process_data_values.hpp"
 #include "drive/parameter/row.hpp"
 #include "drive/parameter/unit_values.hpp"
 
@@ -40,9 +41,9 @@ inline constexpr std::array kCanRows{
     Row{8742, 2, kControlUnit, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "CAN PDOs still available: [0] RPDO, [1] TPDO", "25 RPDO and the TPDO limit, less the valid ones"},
     Row{8743, 8, kControlUnit, U16, Unit::None, kWhole, 0.0, When::ReadOnly, unit(unit_value::module_object), Output::No, "CAN device module -> drive object number", "module to drive object"},
     Row{8744, 1, kAxes, I16, Unit::None, {1.0, 2.0}, 1.0, When::Ready, Agreed{}, Output::No, "CAN PDO mapping configuration", "1 predefined connection set, 2 free"},
-    Row{8745, 16, kAxes, I16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "CAN free PZD receive objects 16 bit (CO)", "5800h and up"},
+    Row{8745, 16, kAxes, I16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::free_word), Output::Connector, "CAN free PZD receive objects 16 bit (CO)", "5800h and up"},
     Row{8746, 16, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CAN free PZD send objects 16 bit (CI)", "5810h to 581Fh while they are not mapped"},
-    Row{8747, 8, kAxes, I32, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "CAN free PZD receive objects 32 bit (CO)", "5820h and up"},
+    Row{8747, 8, kAxes, I32, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::free_double_word), Output::Connector, "CAN free PZD receive objects 32 bit (CO)", "5820h and up"},
     Row{8748, 8, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CAN free PZD send objects 32 bit (CI)", "5830h to 5837h while they are not mapped"},
     Row{8750, 16, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "CAN mapped 16-bit receive objects", "index of the object at PZD index + 1"},
     Row{8751, 16, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "CAN mapped 16-bit transmit objects", "index of the object at PZD index + 1"},
@@ -50,15 +51,15 @@ inline constexpr std::array kCanRows{
     Row{8761, 15, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "CAN mapped 32-bit transmit objects", "index of the object that begins at PZD index + 1"},
     Row{8762, 1, kAxes, I16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::mode), Output::Connector, "CAN operating mode display (CO)", ""},
     Row{8784, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::statusword), Output::Both, "CAN status word (CO)", ""},
-    Row{8785, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CAN status word bit 8 source (BI)", ""},
-    Row{8786, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CAN status word bit 14 source (BI)", ""},
-    Row{8787, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{}, Output::No, "CAN status word bit 15 source (BI)", ""},
+    Row{8785, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CAN status word bit 8 source (BI)", "bit 8 of 6041h"},
+    Row{8786, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CAN status word bit 14 source (BI)", "bit 14 of 6041h"},
+    Row{8787, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CAN status word bit 15 source (BI)", "bit 15 of 6041h"},
     Row{8790, 1, kAxes, I16, Unit::None, {0.0, 1.0}, 1.0, When::MotorReady, Agreed{}, Output::No, "CAN control word automatic interconnection", "wires the controlword; 1 needs 6040h in PZD1 to PZD4"},
     Row{8791, 1, kAxes, I16, Unit::None, {-1.0, 3.0}, -1.0, When::Always, Member{&P::halt_option}, Output::No, "CAN stop (halt) option code", "controlword bit 8: -1 no function, 0 pulses off, 1 stop on p1121, 2 on p1135, 3 at the torque limit"},
-    Row{8792, 1, kAxes, I16, Unit::Rpm, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "CAN velocity mode I16 setpoint (CO) [0]=vl target velocity", "6042h"},
-    Row{8795, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::controlword), Output::Both, "CAN control word (CO/BO)", "the one in force"},
-    Row{8796, 1, kAxes, I32, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "CAN profile velocity mode I32 setpoint (CO) [0]=target velocity", "60FFh"},
-    Row{8797, 1, kAxes, I16, Unit::PerMille, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "CAN profile torque mode I16 setpoint (CO) [0]=target torque", "6071h"},
+    Row{8792, 1, kAxes, I16, Unit::Rpm, kWhole, 0.0, When::ReadOnly, object(process_value::vl_velocity), Output::Connector, "CAN velocity mode I16 setpoint (CO) [0]=vl target velocity", "6042h"},
+    Row{8795, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::controlword), Output::Both, "CAN control word (CO/BO)", "the one in force"},
+    Row{8796, 1, kAxes, I32, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::velocity), Output::Connector, "CAN profile velocity mode I32 setpoint (CO) [0]=target velocity", "60FFh"},
+    Row{8797, 1, kAxes, I16, Unit::PerMille, kWhole, 0.0, When::ReadOnly, object(process_value::torque), Output::Connector, "CAN profile torque mode I16 setpoint (CO) [0]=target torque", "6071h"},
     Row{8798, 2, kAxes, U32, Unit::None, {1.0, 4294967295.0}, 1.0, When::Always, Agreed{}, Output::No, "CAN speed conversion factor: [0] numerator, [1] denominator", "6094h"},
 };
 // clang-format on

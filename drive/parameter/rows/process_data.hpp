@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drive/parameter/factory_values.hpp"
+#include "drive/parameter/process_data_values.hpp"
 #include "drive/parameter/row.hpp"
 
 namespace drive::rows {
@@ -13,15 +14,15 @@ inline constexpr std::array kProcessDataRows{
     Row{8805, 2, kControlUnit, I16, Unit::None, kWhole, 0.0, When::Ready, Stored{}, Output::No, "I&M 4 configuration", ""},
     Row{8815, 2, kControlUnit, I16, Unit::None, {1.0, 2.0}, 1.0, When::Ready, Stored{}, Output::No, "IF1/IF2 PZD functionality: [0] isochronous, [1] PROFIsafe", ""},
     Row{8839, 2, kControlUnit, I16, Unit::None, {0.0, 99.0}, 99.0, When::Ready, Stored{}, Output::No, "PZD interface hardware assignment [0]=IF1 [1]=IF2", ""},
-    Row{8843, 3, kAll, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD state bits", "[0] no setpoints come, [2] the bus is Operational"},
+    Row{8843, 3, kAll, U8, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::interface_state), Output::Both, "IF2 PZD state bits", "[0] no setpoints come, [2] the bus is Operational"},
     Row{8848, 1, kControlUnit, F32, Unit::Milliseconds, {1.0, 16.0}, 4.0, When::DeviceConfiguration, Agreed{}, Output::No, "IF2 PZD sampling time (CAN cycle)", "receive and transmit cycle"},
-    Row{8850, 20, kAll, I16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "IF2 PZD receive word (CO)", "speeds and torques relative to p2000 and p2003"},
+    Row{8850, 20, kAll, I16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::received_word), Output::Connector, "IF2 PZD receive word (CO)", "speeds and torques relative to p2000 and p2003"},
     Row{8851, 25, kAll, ConnectorInput, Unit::None, kWhole, factory::send_words, When::Always, Slot{}, Output::No, "IF2 PZD send word (CI)", "the free object of 16 bits that is mapped there"},
-    Row{8853, 25, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 PZD send word diagnostics", "speeds and torques relative to p2000 and p2003"},
+    Row{8853, 25, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::sent_word), Output::No, "IF2 PZD send word diagnostics", "speeds and torques relative to p2000 and p2003"},
     Row{8859, 8, kControlUnit, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "COMM BOARD identification data", ""},
-    Row{8860, 19, kAll, I32, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Connector, "IF2 PZD receive double word (CO)", "two words, the upper one first"},
+    Row{8860, 19, kAll, I32, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::received_double_word), Output::Connector, "IF2 PZD receive double word (CO)", "two words, the upper one first"},
     Row{8861, 24, kAll, ConnectorInput, Unit::None, kWhole, factory::send_double_words, When::Always, Slot{}, Output::No, "IF2 PZD send double word (CI)", "the free object of 32 bits that is mapped there"},
-    Row{8863, 24, kAll, U32, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 PZD send double word diagnostics", "two words, the upper one first"},
+    Row{8863, 24, kAll, U32, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::sent_double_word), Output::No, "IF2 PZD send double word diagnostics", "two words, the upper one first"},
     Row{8867, 2, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 highest interconnected PZD [0] rx [1] tx", ""},
     Row{8874, 20, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 diagnostics sender bus address", ""},
     Row{8875, 20, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "IF2 diagnostics byte offset receive", ""},
@@ -32,13 +33,13 @@ inline constexpr std::array kProcessDataRows{
     Row{8883, 16, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "IF2 binector-connector converter free status word 4", "r8889[3]"},
     Row{8884, 16, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "IF2 binector-connector converter free status word 5", "r8889[4]"},
     Row{8888, 5, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, Slot{}, Output::No, "IF2 invert binector-connector converter", "r8889"},
-    Row{8889, 5, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 binector-connector converter output words", "the bits of p8880 to p8884, inverted by p8888"},
-    Row{8890, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD1 receive bit-serial (BO)", "r8850[0]"},
-    Row{8891, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD2 receive bit-serial (BO)", "r8850[1]"},
-    Row{8892, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD3 receive bit-serial (BO)", "r8850[2]"},
-    Row{8893, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 PZD4 receive bit-serial (BO)", "r8850[3]"},
-    Row{8894, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 connector-binector converter 1", "the word of p8899[0], inverted by p8898[0]"},
-    Row{8895, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::Both, "IF2 connector-binector converter 2", "the word of p8899[1], inverted by p8898[1]"},
+    Row{8889, 5, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::word_of_bits), Output::Both, "IF2 binector-connector converter output words", "the bits of p8880 to p8884, inverted by p8888"},
+    Row{8890, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::received_bits<0>), Output::Both, "IF2 PZD1 receive bit-serial (BO)", "r8850[0]"},
+    Row{8891, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::received_bits<1>), Output::Both, "IF2 PZD2 receive bit-serial (BO)", "r8850[1]"},
+    Row{8892, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::received_bits<2>), Output::Both, "IF2 PZD3 receive bit-serial (BO)", "r8850[2]"},
+    Row{8893, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::received_bits<3>), Output::Both, "IF2 PZD4 receive bit-serial (BO)", "r8850[3]"},
+    Row{8894, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::converted_bits<0>), Output::Both, "IF2 connector-binector converter 1", "the word of p8899[0], inverted by p8898[0]"},
+    Row{8895, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::converted_bits<1>), Output::Both, "IF2 connector-binector converter 2", "the word of p8899[1], inverted by p8898[1]"},
     Row{8898, 2, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, Slot{}, Output::No, "IF2 invert connector-binector converter", "r8894 and r8895"},
     Row{8899, 2, kAll, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "IF2 connector-binector converter source (CI)", "r8894 and r8895"},
 };

@@ -1,4 +1,4 @@
-#include "drive/connectors.hpp"
+#include "drive/signal_source.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,15 @@ struct TwoAxes {
   DriveUnit unit{{.axes = {{}, {}}, .node_id = 5}};
 
   double value(const BicoSource& source, double full = kWord) const {
-    return connected_value(unit, unit.axes()[0], pack(source), full);
+    return SignalSource{unit, unit.axes()[0], pack(source)}.value(full);
   }
+  bool bit(std::uint32_t packed) const { return SignalSource{unit, unit.axes()[0], packed}.bit(); }
   double parameter(std::uint8_t object, std::uint16_t number) const {
     return unit.object(object)->read(number).value();
   }
 };
 
-TEST(Connectors, BringQuantitiesRelativeToTheReferenceOfTheirDriveObject) {
+TEST(SignalSources, BringQuantitiesRelativeToTheReferenceOfTheirDriveObject) {
   TwoAxes two;
   ASSERT_TRUE(two.unit.axes()[0].write(2000, 1000.0));
   ASSERT_TRUE(two.unit.axes()[1].write(2000, 500.0));
@@ -30,7 +31,7 @@ TEST(Connectors, BringQuantitiesRelativeToTheReferenceOfTheirDriveObject) {
   EXPECT_DOUBLE_EQ(two.value({1083, 3, 0}, 0x40000000), two.parameter(3, 1083) / 500.0 * 0x40000000);
 }
 
-TEST(Connectors, BringEveryUnitThatHasAReference) {
+TEST(SignalSources, BringEveryUnitThatHasAReference) {
   TwoAxes two;
   struct Case {
     std::uint16_t source, reference;
@@ -42,36 +43,36 @@ TEST(Connectors, BringEveryUnitThatHasAReference) {
   EXPECT_DOUBLE_EQ(two.value({2692, 2, 0}), two.parameter(2, 2692) / 100.0 * kWord) << "percent";
 }
 
-TEST(Connectors, BringNumbersWithoutUnitAsTheyAre) {
+TEST(SignalSources, BringNumbersWithoutUnitAsTheyAre) {
   TwoAxes two;
 
   EXPECT_EQ(two.value({2, 2, 0}), two.parameter(2, 2));
   EXPECT_EQ(two.value({2691, 2, 0}), two.parameter(2, 2691)) << "1000 LU/min have no reference";
 }
 
-TEST(Connectors, KnowTheConstants) {
+TEST(SignalSources, KnowTheConstants) {
   TwoAxes two;
 
-  EXPECT_EQ(connected_value(two.unit, two.unit.axes()[0], 0, kWord), 0.0);
-  EXPECT_EQ(connected_value(two.unit, two.unit.axes()[0], 1, kWord), kWord);
-  EXPECT_FALSE(connected_bit(two.unit, two.unit.axes()[0], 0));
-  EXPECT_TRUE(connected_bit(two.unit, two.unit.axes()[0], 1));
+  EXPECT_EQ((SignalSource{two.unit, two.unit.axes()[0], 0}.value(kWord)), 0.0);
+  EXPECT_EQ((SignalSource{two.unit, two.unit.axes()[0], 1}.value(kWord)), kWord);
+  EXPECT_FALSE(two.bit(0));
+  EXPECT_TRUE(two.bit(1));
 }
 
-TEST(Connectors, BringNothingFromWhatIsNotThere) {
+TEST(SignalSources, BringNothingFromWhatIsNotThere) {
   TwoAxes two;
 
   EXPECT_EQ(two.value({1083, 9, 0}), 0.0);
   EXPECT_EQ(two.value({1, 2, 0}), 0.0);
-  EXPECT_FALSE(connected_bit(two.unit, two.unit.axes()[0], pack({898, 9, 0})));
+  EXPECT_FALSE(two.bit(pack({898, 9, 0})));
 }
 
-TEST(Connectors, BringSingleBits) {
+TEST(SignalSources, BringSingleBits) {
   TwoAxes two;
-  two.unit.axes()[1].cycle(Setpoints{.controlword = 0x0005}, 0.004);
+  two.unit.axes()[1].process_data().received[0] = 0x0005;
 
   for (std::uint16_t bit = 0; bit < 16; ++bit)
-    EXPECT_EQ(connected_bit(two.unit, two.unit.axes()[0], pack({8795, 3, bit})), bit == 0 || bit == 2) << bit;
+    EXPECT_EQ(two.bit(pack({8890, 3, bit})), bit == 0 || bit == 2) << bit;
 }
 
 }  // namespace

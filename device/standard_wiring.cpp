@@ -1,0 +1,155 @@
+#include "device/standard_wiring.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "device/process_objects.hpp"
+
+namespace device {
+namespace {
+
+/// The inputs that a bit of the controlword leads to (p8790).
+struct Command {
+  std::uint16_t input;
+  std::uint16_t bit;
+};
+constexpr std::array kCommandInputs{Command{840, 0}, Command{844, 1}, Command{848, 2}, Command{852, 3},
+                                    Command{2103, 7}};
+
+constexpr std::uint16_t kMainSetpoint = 1070;
+constexpr std::uint16_t kTorqueSetpoint = 1503;
+constexpr std::uint16_t kSentWord = 8851;
+constexpr std::uint16_t kSentDoubleWord = 8861;
+
+constexpr std::uint16_t kReceivedWord = 8850;
+constexpr std::uint16_t kReceivedDoubleWord = 8860;
+constexpr std::uint16_t kFirstReceivedBits = 8890;
+constexpr std::size_t kWordsWithBits = 4;
+constexpr std::uint16_t kWrittenVlVelocity = 8792;
+constexpr std::uint16_t kWrittenControlword = 8795;
+constexpr std::uint16_t kWrittenVelocity = 8796;
+constexpr std::uint16_t kWrittenTorque = 8797;
+constexpr std::uint16_t kConnectControlword = 8790;
+
+constexpr std::uint32_t own(std::uint16_t number, std::size_t position) noexcept {
+  return drive::pack({number, drive::kOwnObject, static_cast<std::uint16_t>(position)});
+}
+
+/// A BICO input of the axis.
+struct Input {
+  std::uint16_t number;
+  std::size_t index;
+};
+Input input_at(std::size_t position) noexcept {
+  if (position < kCommandInputs.size()) return {kCommandInputs[position].input, 0};
+  position -= kCommandInputs.size();
+  if (position == 0) return {kMainSetpoint, 0};
+  if (position == 1) return {kTorqueSetpoint, 0};
+  position -= 2;
+  const bool is_word = position < ProcessDataLayout::kTransmitWords;
+  return is_word ? Input{kSentWord, position}
+                 : Input{kSentDoubleWord, position - ProcessDataLayout::kTransmitWords};
+}
+
+/// The last double word has no second half to lie in.
+bool exists(const Input& input) noexcept {
+  return input.number != kSentDoubleWord || input.index + 1 < ProcessDataLayout::kTransmitWords;
+}
+
+}  // namespace
+
+StandardWiring::StandardWiring(drive::Axis& axis, const ProcessDataBuffers& places) noexcept
+    : axis_{axis}, places_{places} {
+  static_assert(kCommands == kCommandInputs.size());
+  wired_ = factory();
+}
+
+void StandardWiring::follow_from_factory() noexcept {
+  wired_ = factory();
+  follow();
+}
+
+void StandardWiring::adopt() noexcept {
+  wired_ = wanted();
+}
+
+void StandardWiring::follow() noexcept {
+  const Sources now = wanted();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Input input = input_at(i);
+    if (now[i] == wired_[i] || !exists(input)) continue;
+    const double source = axis_.read(input.number, input.index).value_or(0.0);
+    if (static_cast<std::uint32_t>(source) == wired_[i]) connect(i, now[i]);
+  }
+  wired_ = now;
+}
+
+void StandardWiring::connect_controlword() noexcept {
+  wire_commands(wired_);
+  for (std::size_t i = 0; i < kCommands; ++i) connect(i, wired_[i]);
+}
+
+void StandardWiring::connect(std::size_t input, std::uint32_t source) noexcept {
+  const Input place = input_at(input);
+  static_cast<void>(axis_.load(place.number, place.index, source));
+}
+
+StandardWiring::Sources StandardWiring::wanted() const noexcept {
+  Sources sources = wired_;
+  if (axis_.kept_value(kConnectControlword).value_or(0.0) > 0.0) wire_commands(sources);
+  wire_setpoints(sources);
+  wire_actual_values(sources);
+  return sources;
+}
+
+StandardWiring::Sources StandardWiring::factory() const noexcept {
+  Sources sources{};
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const Input input = input_at(i);
+    if (!exists(input)) continue;
+    const drive::ParameterRow& row = *drive::find_parameter(axis_.kind(), input.number)->row;
+    const auto* const function = std::get_if<drive::FactoryFunction>(&row.factory);
+    const double value =
+        function != nullptr ? (*function)(axis_.context(), input.index) : std::get<double>(row.factory);
+    sources[i] = static_cast<std::uint32_t>(value);
+  }
+  return sources;
+}
+
+/// A controlword beyond the words that have binectors leads nowhere.
+void StandardWiring::wire_commands(Sources& sources) const noexcept {
+  const ProcessDataLayout::Item* const place =
+      places_.received().find(object::on_axis(object::kControlword, axis_.axis_number()));
+  const bool has_bits = place != nullptr && place->first < kWordsWithBits;
+  const auto word = has_bits ? static_cast<std::uint16_t>(kFirstReceivedBits + place->first) : kWrittenControlword;
+  for (std::size_t i = 0; i < kCommandInputs.size(); ++i) sources[i] = own(word, kCommandInputs[i].bit);
+}
+
+void StandardWiring::wire_setpoints(Sources& sources) const noexcept {
+  sources[kCommands] = axis_.velocity_mode() ? source_of(object::kVlTargetVelocity, kWrittenVlVelocity)
+                                             : source_of(object::kTargetVelocity, kWrittenVelocity);
+  sources[kCommands + 1] = source_of(object::kTargetTorque, kWrittenTorque);
+}
+
+/// Where the received @p object comes from: its place in the words, or the parameter @p written without one.
+std::uint32_t StandardWiring::source_of(std::uint16_t object, std::uint16_t written) const noexcept {
+  const ProcessDataLayout::Item* const place =
+      places_.received().find(object::on_axis(object, axis_.axis_number()));
+  if (place == nullptr) return own(written, 0);
+  return own(place->words == 1 ? kReceivedWord : kReceivedDoubleWord, place->first);
+}
+
+void StandardWiring::wire_actual_values(Sources& sources) const noexcept {
+  constexpr std::size_t kWords = kCommands + kSetpoints;
+  constexpr std::size_t kDoubleWords = kWords + kSent;
+  std::fill(sources.begin() + kWords, sources.end(), 0U);
+  for (const ProcessDataLayout::Item& item : places_.sent().items()) {
+    if (item.object->index < object::kFirstProfileObject) continue;
+    const std::uint16_t first = object::on_first_axis(item.object->index);
+    const auto* const row = std::ranges::find(kSentObjects, first, &SentObject::index);
+    if (row == kSentObjects.end()) continue;
+    sources[(item.words == 1 ? kWords : kDoubleWords) + item.first] = own(row->parameter, 0);
+  }
+}
+
+}  // namespace device

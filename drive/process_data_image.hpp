@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace drive {
+
+/// The process data (PZD) of a drive object, in words of 16 bits: what the bus has brought and what it fetches,
+/// and the words that converters make of bits. A double word is two words, the upper one first.
+struct ProcessDataImage {
+  static constexpr std::size_t kReceivedWords = 20;
+  static constexpr std::size_t kSentWords = 25;
+
+  std::array<std::uint16_t, kReceivedWords> received{};  ///< r8850, r8860, r8890 to r8893
+  std::array<std::uint16_t, kSentWords> sent{};          ///< r8853, r8863
+
+  // What was written to objects that have no place in the words; 0 for one that has.
+  std::uint16_t controlword = 0;                    ///< r8795, 6040h
+  std::int16_t vl_velocity = 0;                     ///< r8792, 6042h (rpm)
+  std::int32_t velocity = 0;                        ///< r8796, 60FFh
+  std::int16_t torque = 0;                          ///< r8797, 6071h (per mille)
+  std::array<std::int16_t, 16> free_words{};        ///< r8745
+  std::array<std::int32_t, 8> free_double_words{};  ///< r8747
+
+  std::array<std::uint16_t, 5> words_of_bits{};  ///< r8889
+  std::array<std::uint16_t, 2> bits_of_words{};  ///< r8894, r8895
+  std::array<bool, 3> interface_state{};         ///< r8843
+
+  /// 6040h wherever it comes from: its bits that no binector input takes.
+  std::uint16_t whole_controlword = 0;
+  /// 6060h while it is mapped in an RPDO.
+  std::optional<std::int8_t> requested_mode{};
+  /// What 60FFh and r8796 have for one rad/s.
+  double increments_per_radian = 1.0;
+
+  /// The double word that begins at word @p place of @p words.
+  template <std::size_t Count>
+  static std::uint32_t double_word(const std::array<std::uint16_t, Count>& words, std::size_t place) noexcept {
+    return std::uint32_t{words[place]} << 16 | words[place + 1];
+  }
+  template <std::size_t Count>
+  static void set_double_word(std::array<std::uint16_t, Count>& words, std::size_t place,
+                              std::uint32_t value) noexcept {
+    words[place] = static_cast<std::uint16_t>(value >> 16);
+    words[place + 1] = static_cast<std::uint16_t>(value);
+  }
+};
+
+}  // namespace drive
