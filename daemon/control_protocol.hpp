@@ -23,7 +23,16 @@ inline constexpr std::string_view kDefaultInterface = "vcan0";
 inline constexpr int kDefaultNode = 2;
 
 /// What a client can ask for.
-enum class Method : std::uint8_t { Status, FaultInject, FaultAcknowledge, SetLoad, SetSupply, FailEncoder, Quit };
+enum class Method : std::uint8_t {
+  Status,
+  Explain,
+  FaultInject,
+  FaultAcknowledge,
+  SetLoad,
+  SetSupply,
+  FailEncoder,
+  Quit
+};
 
 /// Name of a method on the socket.
 struct MethodName {
@@ -34,6 +43,7 @@ struct MethodName {
 /// Every method, in the order of its enumeration.
 inline constexpr std::array kMethods{
     MethodName{Method::Status, "status"},
+    MethodName{Method::Explain, "explain"},
     MethodName{Method::FaultInject, "fault.inject"},
     MethodName{Method::FaultAcknowledge, "fault.ack"},
     MethodName{Method::SetLoad, "load.set"},
