@@ -112,7 +112,7 @@ measure echo4 -- "$bin/can_echo" vcan0 "$node" 4
 measure slave4 -- "$bin/bus_slave" vcan0 "$node" --pdos 4
 measure axisd --object 60FF -- "${axisd[@]}" --control none
 measure echo32 --pdos 32 -- "$bin/can_echo" vcan0 "$node" 32
-measure axisd8 --object 60FF --pdos 32 --axes 8 -- "${axisd[@]}" --axes 8 --state-directory "$work/state8" --control none
+measure axisd8 --object 60FF --pdos 32 --axes 8 -- "${axisd[@]}" --axes 8 --control none
 measure echo64 --pdos 64 -- "$bin/can_echo" vcan0 "$node" 64
 measure slave64 --pdos 64 -- "$bin/bus_slave" vcan0 "$node" --pdos 64
 flood echo4 "$bin/can_echo" vcan0 "$node"

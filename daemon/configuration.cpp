@@ -12,7 +12,7 @@
 #include "daemon/load_reader.hpp"
 #include "daemon/motor_file.hpp"
 #include "daemon/supply_reader.hpp"
-#include "drive/axis.hpp"
+#include "drive/drive_unit.hpp"
 
 namespace axisd {
 namespace {
@@ -55,19 +55,50 @@ std::optional<std::uint8_t> take_index(std::string& text) {
   return index;
 }
 
-ParameterValue read_parameter(const JsonReader& json, std::string text, const AxisConfiguration& configuration) {
-  drive::Axis trial{{.machine = configuration.machine,
-                     .load = configuration.load,
-                     .kind = configuration.kind,
-                     .inverter = configuration.inverter}};
+/// A parameter of the drive objects of @p kind and its value; @p refused says why they would not take it.
+template <class Refused>
+ParameterValue read_parameter(const JsonReader& json, std::string text, drive::ObjectKind kind,
+                              const Refused& refused) {
+  const bool of_the_unit = kind == drive::ObjectKind::ControlUnit;
   const auto index = take_index(text);
-  const drive::ParameterRow* const row = drive::find_parameter(trial.kind(), text);
-  if (!index || row == nullptr) json.fail("a parameter of the axis such as p1120 or p1070[1] as key");
+  const drive::ParameterRow* const row = drive::find_parameter(kind, text);
+  if (!index || row == nullptr)
+    json.fail(of_the_unit ? "a parameter of the control unit such as p8848 as key"
+                          : "a parameter of the axis such as p1120 or p1070[1] as key");
   if (*index >= row->count) json.fail(fmt::format("an index 0 to {} of {} as key", row->count - 1, text));
-  const double value = json.number(-kUnlimited, kUnlimited);
-  if (const auto written = trial.write(row->number, *index, value); !written)
-    json.fail(expectation(written.error()));
-  return {row->number, value, *index};
+  const ParameterValue value{row->number, json.number(-kUnlimited, kUnlimited), *index};
+  if (const std::optional<drive::ParameterError> error = refused(value)) json.fail(expectation(*error));
+  return value;
+}
+
+/// The values under the parameters that @p json has as keys.
+template <class Refused>
+std::vector<ParameterValue> read_parameters(const JsonReader& json, drive::ObjectKind kind,
+                                            const Refused& refused) {
+  if (!json.is_object()) json.fail("an object");
+  std::vector<ParameterValue> values;
+  for (const std::string& text : json.keys()) values.push_back(read_parameter(json.at(text), text, kind, refused));
+  return values;
+}
+
+/// What a new axis of @p configuration takes.
+std::vector<ParameterValue> read_axis_parameters(const JsonReader& json, const AxisConfiguration& configuration) {
+  return read_parameters(json, configuration.kind, [&](const ParameterValue& value) {
+    drive::Axis trial{{.machine = configuration.machine,
+                       .load = configuration.load,
+                       .kind = configuration.kind,
+                       .inverter = configuration.inverter}};
+    const auto written = trial.write(value.number, value.index, value.value);
+    return written ? std::nullopt : std::optional{written.error()};
+  });
+}
+
+/// What a new control unit takes: parameters that it saves.
+std::vector<ParameterValue> read_unit_parameters(const JsonReader& json) {
+  const drive::DriveUnit trial{{}};
+  return read_parameters(json, drive::ObjectKind::ControlUnit, [&](const ParameterValue& value) {
+    return trial.object(drive::kControlUnitNumber)->load_error(value.number, value.index, value.value);
+  });
 }
 
 drive::ObjectKind read_axis_type(const JsonReader& json) {
@@ -87,11 +118,7 @@ AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   if (json.has("load")) axis.load = read_load(json.at("load"), axis.machine);
   axis.inverter = motor::inverter_for(axis.machine.maximum_current);
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
-  if (!json.has("parameters")) return axis;
-  const JsonReader parameters = json.at("parameters");
-  if (!parameters.is_object()) parameters.fail("an object");
-  for (const std::string& text : parameters.keys())
-    axis.parameters.push_back(read_parameter(parameters.at(text), text, axis));
+  if (json.has("parameters")) axis.parameters = read_axis_parameters(json.at("parameters"), axis);
   return axis;
 }
 
@@ -154,12 +181,13 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 Configuration parse_configuration(std::string_view text, const std::string& file) {
   const JsonReader json = JsonReader::parse(text, file);
-  json.expect_object({"interface", "node_id", "axes", "supply", "sdo_block", "f08701"});
+  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "sdo_block", "f08701"});
   Configuration configuration;
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
+  if (json.has("parameters")) configuration.parameters = read_unit_parameters(json.at("parameters"));
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"));
   return configuration;

@@ -46,6 +46,7 @@ struct Configuration {
   bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
   int node_id = 2;
   std::vector<AxisConfiguration> axes = default_axes(1);  ///< 1..drive::kMostAxes
+  std::vector<ParameterValue> parameters;                 ///< key "parameters", of the control unit
   motor::SupplyData supply{};                             ///< key "supply"
   bool sdo_block = false;                                 ///< key "sdo_block"
   bool fault_on_leaving_operational = true;               ///< key "f08701"

@@ -14,18 +14,22 @@ namespace {
 
 constexpr canopen::Duration kRepeatedLogPeriod = std::chrono::seconds{10};
 
+std::vector<device::ParameterPreset> presets_of(const std::vector<ParameterValue>& parameters) {
+  std::vector<device::ParameterPreset> presets;
+  for (const ParameterValue& parameter : parameters)
+    presets.push_back({parameter.number, parameter.value, parameter.index});
+  return presets;
+}
+
 device::AxisSetup setup_of(const AxisConfiguration& axis) {
-  device::AxisSetup setup{
-      .drive = {.machine = axis.machine, .load = axis.load, .kind = axis.kind, .inverter = axis.inverter},
-      .presets = {}};
-  for (const ParameterValue& parameter : axis.parameters)
-    setup.presets.push_back({parameter.number, parameter.value, parameter.index});
-  return setup;
+  return {.drive = {.machine = axis.machine, .load = axis.load, .kind = axis.kind, .inverter = axis.inverter},
+          .presets = presets_of(axis.parameters)};
 }
 
 device::Configuration device_configuration(const Configuration& configuration, const bus::Port& port) {
   device::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
                                .axes = {},
+                               .presets = presets_of(configuration.parameters),
                                .supply = configuration.supply,
                                .sdo_block = configuration.sdo_block,
                                .fault_on_leaving_operational = configuration.fault_on_leaving_operational,

@@ -7,7 +7,7 @@
 
 namespace device {
 
-/// A value laid over a parameter of a new axis, in the parameter's own unit.
+/// A value laid over a parameter of a new drive object, in the parameter's own unit.
 struct ParameterPreset {
   std::uint16_t number;
   double value;
@@ -24,6 +24,7 @@ struct AxisSetup {
 struct Configuration {
   std::uint8_t node_id = 2;                  ///< 1..127
   std::vector<AxisSetup> axes{AxisSetup{}};  ///< 1..drive::kMostAxes
+  std::vector<ParameterPreset> presets{};    ///< of the control unit: saved parameters within their limits
   motor::SupplyData supply{};                ///< of the DC link that feeds all axes
   bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
   bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational

@@ -226,7 +226,8 @@ void Device::on_awake() noexcept {
 
 void Device::on_rpdo(std::uint16_t number) noexcept {
   rpdo_monitor_.on_rpdo(now_);
-  if (telegram_loss_.on_rpdo(number)) lose_telegram(number);
+  // While the unit is late nobody knows which cycles the frames belong to.
+  if (telegram_loss_.on_rpdo(number) && now_ < clock_.next()) lose_telegram(number);
   axes_[number / pdo::kStride].on_rpdo();
 }
 

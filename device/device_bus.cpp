@@ -69,10 +69,9 @@ void Device::miss_rpdos() noexcept {
   show_messages();
 }
 
-/// A frame of RPDO @p number has overwritten the one before in the same cycle. A synchronous RPDO is none of
-/// A08751's, and while the unit is late nobody knows which cycles the frames belong to.
+/// A frame of RPDO @p number has overwritten the one before in the same cycle. A08751 is for asynchronous ones
+/// only.
 void Device::lose_telegram(std::uint16_t number) noexcept {
-  if (clock_.next() <= now_) return;
   const auto pdos = node_.receive_pdos();
   const auto found = std::ranges::find(pdos, number, &canopen::PdoSettings::number);
   if (found != pdos.end() && found->transmission_type <= canopen::kLastSynchronousType) return;

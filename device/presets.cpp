@@ -7,6 +7,12 @@
 namespace device {
 
 void Presets::apply(ParameterGroup group) noexcept {
+  for (const ParameterPreset& preset : configuration_.presets) {
+    if (!belongs_to(group, preset.number)) continue;
+    [[maybe_unused]] const auto done =
+        unit_.object(drive::kControlUnitNumber)->load(preset.number, preset.index, preset.value);
+    assert(done);
+  }
   for (std::size_t i = 0; i < configuration_.axes.size(); ++i) {
     drive::Axis& axis = unit_.axes()[i];
     for (const ParameterPreset& preset : configuration_.axes[i].presets) {

@@ -6,7 +6,7 @@
 
 namespace device {
 
-/// The values that a configuration lays over the parameters of its axes.
+/// The values that a configuration lays over the parameters of its drive objects.
 class Presets {
  public:
   /// Both arguments must outlive this.

@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
     Unit, BadFiles,
     testing::Values(
         BadFile{R"({"nodeid": 5})",
-                "node.json: /nodeid: unknown key, expected one of: interface, node_id, axes, supply, sdo_block, "
-                "f08701"},
+                "node.json: /nodeid: unknown key, expected one of: interface, node_id, axes, parameters, supply, "
+                "sdo_block, f08701"},
         BadFile{R"({"interface": 0})", "node.json: /interface: expected a string, got 0"},
         BadFile{R"({"interface": ""})", "node.json: /interface: expected " + kForms + ", got \"\""},
         BadFile{R"({"interface": "a-rather-long-name"})",
@@ -97,6 +97,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "1ph8131, im-2k2, ipmsm-2k2) or the path of a motor file, got \"1fk7\""},
         BadFile{R"({"axes": [{"motor": "/nowhere/motor.json"}]})",
                 "/nowhere/motor.json: cannot be read: No such file or directory"},
+        BadFile{R"({"parameters": []})", "node.json: /parameters: expected an object, got []"},
+        BadFile{
+            R"({"parameters": {"p1120": 1}})",
+            "node.json: /parameters/p1120: expected a parameter of the control unit such as p8848 as key, got 1"},
+        BadFile{R"({"parameters": {"p8848": 17}})",
+                "node.json: /parameters/p8848: expected a number 1 to 16 ms, got 17"},
         BadFile{R"({"axes": [{"parameters": []}]})", "node.json: /axes/0/parameters: expected an object, got []"},
         BadFile{R"({"axes": [{"parameters": {"1120": 1}}]})",
                 "node.json: /axes/0/parameters/1120: expected a parameter of the axis such as p1120 or p1070[1] "

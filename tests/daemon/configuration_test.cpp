@@ -40,12 +40,18 @@ TEST(Configuration, OfAnEmptyObjectIsTheDefault) {
 
 TEST(Configuration, TakesEveryKeyOfTheUnit) {
   const Configuration configuration =
-      parse(R"({"interface": "can1", "node_id": 127, "sdo_block": true, "f08701": false, "axes": [{}]})");
+      parse(R"({"interface": "can1", "node_id": 127, "sdo_block": true, "f08701": false, "axes": [{}],
+                "parameters": {"p8848": 1, "p8609[1]": 2}})");
 
   EXPECT_EQ(configuration.address.text, "can1");
   EXPECT_EQ(configuration.node_id, 127);
   EXPECT_TRUE(configuration.sdo_block);
   EXPECT_FALSE(configuration.fault_on_leaving_operational);
+  ASSERT_EQ(configuration.parameters.size(), 2U);
+  EXPECT_EQ(configuration.parameters[0].number, 8609);
+  EXPECT_EQ(configuration.parameters[0].index, 1);
+  EXPECT_EQ(configuration.parameters[1].number, 8848);
+  EXPECT_EQ(configuration.parameters[1].value, 1.0);
 }
 
 TEST(Configuration, TakesEveryKeyOfAnAxis) {

@@ -174,6 +174,16 @@ TEST(CyclePeriod, ThatWasNotStoredIsGoneAfterAResetOfTheNode) {
   EXPECT_EQ(unit.device.cycle(), 4ms);
 }
 
+TEST(CyclePeriod, MayBeConfigured) {
+  TestUnit unit{{.node_id = 5, .presets = {{8848, 2.0}}}};
+  unit.start();
+  EXPECT_EQ(unit.device.cycle(), 2ms);
+
+  unit.says("000#8105");
+
+  EXPECT_EQ(unit.device.cycle(), 2ms);
+}
+
 TEST(CyclePeriod, BecomesThatOfANewUnitWithTheFactoryValues) {
   TimedUnit unit;
   unit.set_period(2.0F);

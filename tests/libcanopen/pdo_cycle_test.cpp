@@ -1,4 +1,4 @@
-#include "tests/libcanopen/node_fixture.hpp"
+#include "tests/libcanopen/transmit_fixture.hpp"
 
 namespace {
 
@@ -13,20 +13,12 @@ static_assert(kCycle.whole(0ms) == 0ms && kCycle.whole(1ms) == 4ms && kCycle.who
 static_assert(canopen::PdoCycle{}.next_from(canopen::TimePoint{7ms}) == canopen::TimePoint{7ms});
 static_assert(canopen::PdoCycle{}.whole(100us) == 100us);
 
-/// A device with a cycle of 4 ms, the first of which began with the time line; TPDO 1 is event-driven.
-class PdoCycle : public NodeTest {
+/// A device with a cycle of 4 ms, the first of which began with the time line.
+class PdoCycle : public TransmitTest {
  protected:
   void SetUp() override {
     node->set_pdo_cycle({4ms, kStart});
     start();
-  }
-  void operate() { says("000#0105"); }
-  /// Sets the times of TPDO 1 while it is invalid.
-  void give_times(std::uint32_t inhibit_100us, std::uint32_t event_ms) {
-    ASSERT_EQ(writes_u32(0x1800, 1, 0xC0000185), 0U);
-    ASSERT_EQ(writes_u16(0x1800, 3, inhibit_100us), 0U);
-    ASSERT_EQ(writes_u16(0x1800, 5, event_ms), 0U);
-    ASSERT_EQ(writes_u32(0x1800, 1, 0x40000185), 0U);
   }
 };
 

@@ -1,18 +1,10 @@
-#include "tests/libcanopen/node_fixture.hpp"
+#include "tests/libcanopen/transmit_fixture.hpp"
 
 namespace {
 
-class TransmitPdos : public NodeTest {
+class TransmitPdos : public TransmitTest {
  protected:
   void SetUp() override { start(); }
-  void operate() { says("000#0105"); }
-  /// Sets the times of TPDO 1 while it is invalid.
-  void give_times(std::uint32_t inhibit_100us, std::uint32_t event_ms) {
-    ASSERT_EQ(writes_u32(0x1800, 1, 0xC0000185), 0U);
-    ASSERT_EQ(writes_u16(0x1800, 3, inhibit_100us), 0U);
-    ASSERT_EQ(writes_u16(0x1800, 5, event_ms), 0U);
-    ASSERT_EQ(writes_u32(0x1800, 1, 0x40000185), 0U);
-  }
 };
 
 TEST_F(TransmitPdos, OfEventTypeSendTheirFirstFrameOnEnteringOperational) {

@@ -21,7 +21,7 @@ inline constexpr std::array kCanRows{
     Row{8604, 2, kControlUnit, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Ready, Agreed{}, Output::No, "CAN life guarding: [0] guard time (ms), [1] life time factor", "100Ch, 100Dh", Keep::Stored, check::heartbeat_off},
     Row{8606, 1, kControlUnit, U16, Unit::Milliseconds, {0.0, 65535.0}, 0.0, When::Ready, Agreed{}, Output::No, "CAN producer heartbeat time", "1017h", Keep::Stored, check::guarding_off},
     Row{8607, 4, kControlUnit, U32, Unit::None, kWhole, factory::identity, When::ReadOnly, Agreed{}, Output::No, "CAN identity: vendor, product code, revision, serial", "1018h"},
-    Row{8608, 2, kControlUnit, I16, Unit::None, {0.0, 1.0}, 0.0, When::Always, Command{}, Output::No, "CAN clear bus-off: [0] manual restart, [1] automatic restart", "none: the interface restarts the controller by itself; [0] reads 0, [1] as written", Keep::No},
+    Row{8608, 2, kControlUnit, I16, Unit::None, {0.0, 1.0}, 0.0, When::Always, Command{}, Output::No, "CAN clear bus-off: [0] manual restart, [1] automatic restart", "restart from bus-off, at once or every 2 s; [0] reads 0", Keep::No},
     Row{8609, 2, kControlUnit, I16, Unit::None, {0.0, 2.0}, 1.0, When::Ready, Agreed{}, Output::No, "CAN error behaviour: [0] communication error, [1] device fault", "1029h"},
     Row{8610, 2, kControlUnit, U32, Unit::None, kWhole, factory::server_cob_id, When::ReadOnly, Agreed{}, Output::No, "CAN first (default) server SDO COB-IDs rx/tx", "1200h"},
     Row{8611, 83, kControlUnit, U32, Unit::None, {0.0, 4294905856.0}, 0.0, When::Always, Command{}, Output::No, "CAN pre-defined error field", "[0] = 0 acknowledges all drive objects", Keep::No, check::acknowledge_only},
