@@ -24,9 +24,12 @@ struct WiredDevice : TestUnit {
     ASSERT_EQ(download(record, 1, cob_id | kInvalid, 4), 0U);
     ASSERT_EQ(download(mapping, 0, 0, 1), 0U);
     for (std::uint8_t i = 0; i < 4; ++i)
-      ASSERT_EQ(download(mapping, i + 1, i < entries.size() ? entries[i] : 0, 4), 0U) << "entry " << int{i};
+      ASSERT_EQ(download(mapping, static_cast<std::uint8_t>(i + 1), i < entries.size() ? entries[i] : 0, 4), 0U)
+          << "entry " << int{i};
     ASSERT_EQ(download(mapping, 0, static_cast<std::uint32_t>(entries.size()), 1), 0U);
-    if ((cob_id & kInvalid) == 0) ASSERT_EQ(download(record, 1, cob_id, 4), 0U);
+    if ((cob_id & kInvalid) == 0) {
+      ASSERT_EQ(download(record, 1, cob_id, 4), 0U);
+    }
   }
   void map_rpdo(unsigned pdo, const std::vector<std::uint32_t>& entries, unsigned axis = 1) {
     map(0x1400, pdo, entries, axis);
@@ -51,7 +54,8 @@ struct WiredDevice : TestUnit {
     EXPECT_EQ(download(0x41B6, 0, object, 2), 0U);
     return static_cast<std::uint32_t>(upload(static_cast<std::uint16_t>(0x2000 + number), index).number());
   }
-  std::uint32_t wire(std::uint8_t object, std::uint16_t number, const drive::BicoSource& source, std::uint8_t index = 0) {
+  std::uint32_t wire(std::uint8_t object, std::uint16_t number, const drive::BicoSource& source,
+                     std::uint8_t index = 0) {
     return write_parameter(object, number, drive::pack(source), 4, index);
   }
   /// Pre-operational: mappings can be changed.
@@ -75,6 +79,8 @@ struct WiredDevice : TestUnit {
   }
 };
 
-inline double own(std::uint16_t number, std::uint16_t position = 0) { return drive::own_source(number, position); }
+inline double own(std::uint16_t number, std::uint16_t position = 0) {
+  return drive::own_source(number, position);
+}
 
 }  // namespace device
