@@ -9,6 +9,7 @@
 #include "daemon/control_protocol.hpp"
 #include "daemon/daemon.hpp"
 #include "daemon/status.hpp"
+#include "device/explain.hpp"
 
 namespace axisd {
 namespace {
@@ -51,6 +52,28 @@ tl::expected<std::uint32_t, std::string> fault_value(const json& params) {
 
 Outcome status(Daemon& daemon, const json&) {
   return status_of(daemon);
+}
+
+json reasons_of(const Daemon& daemon, std::size_t axis) {
+  json reasons = json::array();
+  if (!daemon.link_is_up()) reasons.push_back("The bus is down: bring the interface up (ip link set up).");
+  if (daemon.bus_state() == bus::ErrorState::BusOff)
+    reasons.push_back("The CAN controller is bus-off: remove the cause, then restart with p8608[0] = 1.");
+  for (const std::string& reason : device::explain(daemon.device(), axis)) reasons.push_back(reason);
+  return reasons;
+}
+
+/// Of one axis, or of all without one.
+Outcome explain(Daemon& daemon, const json& params) {
+  if (params.contains("axis")) {
+    const auto place = axis(daemon, params, kFirstAxis);
+    if (!place) return refuse(place.error());
+    return json{{"reasons", reasons_of(daemon, *place)}};
+  }
+  json axes = json::array();
+  for (std::size_t number = 1; number <= daemon.configuration().axes.size(); ++number)
+    axes.push_back({{"axis", number}, {"reasons", reasons_of(daemon, number)}});
+  return json{{"axes", axes}};
 }
 
 Outcome inject_fault(Daemon& daemon, const json& params) {
@@ -137,7 +160,8 @@ Outcome quit(Daemon& daemon, const json&) {
 /// What each method does, in the order of control::Method.
 using Function = Outcome (*)(Daemon&, const json& params);
 constexpr std::array<Function, control::kMethods.size()> kFunctions{
-    &status, &inject_fault, &acknowledge_fault, &set_load, &set_supply, &fail_encoder, &restart_bus, &quit};
+    &status,       &explain,     &inject_fault, &acknowledge_fault, &set_load, &set_supply,
+    &fail_encoder, &restart_bus, &quit};
 
 Outcome call(Daemon& daemon, const control::Request& request) {
   const auto method = control::method_named(request.method);

@@ -25,6 +25,7 @@ inline constexpr int kDefaultNode = 2;
 /// What a client can ask for.
 enum class Method : std::uint8_t {
   Status,
+  Explain,
   FaultInject,
   FaultAcknowledge,
   SetLoad,
@@ -43,6 +44,7 @@ struct MethodName {
 /// Every method, in the order of its enumeration.
 inline constexpr std::array kMethods{
     MethodName{Method::Status, "status"},
+    MethodName{Method::Explain, "explain"},
     MethodName{Method::FaultInject, "fault.inject"},
     MethodName{Method::FaultAcknowledge, "fault.ack"},
     MethodName{Method::SetLoad, "load.set"},

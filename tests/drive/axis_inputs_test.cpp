@@ -63,7 +63,8 @@ TEST(Jog, SwitchesOnWithItsRisingEdgeAndOffLikeOff1) {
   drive.cycles(1);
   EXPECT_EQ(drive.state(), State::Off1Braking);
   EXPECT_FALSE(drive.axis.jogs());
-  drive.run(0.1);
+  ASSERT_TRUE(drive.axis.write(1121, 0.0));
+  drive.run(0.5);
   EXPECT_EQ(drive.state(), State::ReadyToSwitchOn);
 }
 

@@ -136,10 +136,10 @@ struct Sweep {
       }
     return before.state();
   }
-  /// The first deviation, or nothing.
-  std::string run() {
+  /// The first deviation with the controlwords up to @p highest, or nothing.
+  std::string run(unsigned highest = 0xFFFF) {
     TestAxis trial = before;
-    for (unsigned i = 0; i <= 0xFFFF; ++i) {
+    for (unsigned i = 0; i <= highest; ++i) {
       const auto word = static_cast<std::uint16_t>(i);
       trial.axis = before.axis;
       trial.setpoints.controlword = word;
@@ -154,6 +154,9 @@ struct Sweep {
     return {};
   }
 };
+
+/// Bit 8 and all below it.
+constexpr unsigned kAroundTheHalt = 0x01FF;
 
 class SequenceControl : public testing::TestWithParam<Case> {};
 
@@ -178,7 +181,7 @@ TEST_P(SequenceControl, TakesAHaltWithTheOptionCode0AsAMissingOperationEnable) {
   const SequenceTable table = read_sequence_table();
   const TestAxis before = prepare(GetParam(), 0.0);
 
-  EXPECT_EQ((Sweep{table, table.halt_commands, before, GetParam()}.run()), "");
+  EXPECT_EQ((Sweep{table, table.halt_commands, before, GetParam()}.run(kAroundTheHalt)), "");
 }
 
 TEST_P(SequenceControl, HaltsInItsStateWithTheOptionCodes1To3) {
@@ -186,7 +189,7 @@ TEST_P(SequenceControl, HaltsInItsStateWithTheOptionCodes1To3) {
   for (const double option : {1.0, 2.0, 3.0}) {
     const TestAxis before = prepare(GetParam(), option);
 
-    EXPECT_EQ((Sweep{table, table.commands, before, GetParam()}.run()), "") << option;
+    EXPECT_EQ((Sweep{table, table.commands, before, GetParam()}.run(kAroundTheHalt)), "") << option;
   }
 }
 

@@ -75,6 +75,9 @@ TEST(Statusword, ShowsEachSignalInItsOwnBit) {
   EXPECT_EQ(word({.target_reached = true}), 0x0640);
   EXPECT_EQ(word({.torque_limit_reached = true}), 0x0A40);
   EXPECT_EQ(word({.speed_zero = true}), 0x1240);
+  EXPECT_EQ(word({.free_bit_8 = true}), 0x0340);
+  EXPECT_EQ(word({.free_bit_14 = true}), 0x4240);
+  EXPECT_EQ(word({.free_bit_15 = true}), 0x8240);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 constexpr Argument kPlace{"AXIS", "Axis of the unit, 1.., or 0 for the control unit"};
 constexpr std::array kInjectArguments{kPlace, Argument{"NUMBER", "Fault number: 7860, F7860 or F07860"},
                                       Argument{"VALUE", "Fault value (r0949), 0 if not given", true}};
+constexpr std::array kExplainArguments{Argument{"AXIS", "Axis of the unit, 1.., all if not given", true}};
 constexpr std::array kAcknowledgeArguments{kPlace};
 constexpr std::array kLoadArguments{Argument{"AXIS", "Axis of the unit, 1.."},
                                     Argument{"TORQUE", "Load torque at the motor shaft (N·m)"}};
@@ -41,6 +42,8 @@ constexpr std::array kCommands{
             control::Method::Status,
             no_parameters,
             print_status},
+    Command{"", "explain", "Tell why an axis does not turn", kExplainArguments, control::Method::Explain,
+            explain_parameters, print_explanation},
     Command{"fault", "inject", "Make a fault or alarm occur", kInjectArguments, control::Method::FaultInject,
             fault_inject_parameters, print_members},
     Command{"fault", "ack", "Acknowledge faults", kAcknowledgeArguments, control::Method::FaultAcknowledge,

@@ -43,6 +43,10 @@ struct Command {
 /// For commands that the control unit knows too: it is axis 0.
 inline constexpr int kControlUnit = 0;
 
+/// Parameters of explain ([AXIS]).
+tl::expected<nlohmann::json, std::string> explain_parameters(Words words);
+/// Prints the result of explain, a reason a line, below its axis if all were asked for.
+void print_explanation(std::ostream& out, const nlohmann::json& result);
 /// Parameters of fault inject (AXIS NUMBER [VALUE]); NUMBER is 7860, F7860 or F07860, 1..65535.
 tl::expected<nlohmann::json, std::string> fault_inject_parameters(Words words);
 /// Parameters of fault ack (AXIS).

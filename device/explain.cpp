@@ -1,0 +1,122 @@
+#include "device/explain.hpp"
+
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "device/object_index.hpp"
+#include "drive/explain.hpp"
+#include "drive/parameter/bico.hpp"
+
+namespace device {
+namespace {
+
+constexpr std::uint16_t kRpdoCount = 8;
+constexpr std::uint16_t kMappingEntries = 4;
+constexpr std::uint16_t kPlaces = 4;              // of words whose bits can be connected, r8890 to r8893
+constexpr std::uint16_t kFirstCobId = 8700;       // p8700 to p8707, [0]
+constexpr std::uint16_t kFirstMapping = 8710;     // p8710 to p8717
+constexpr std::uint16_t kReceivedObjects = 8750;  // r8750
+constexpr std::uint16_t kReceivedBits = 8890;     // r8890 to r8893
+constexpr std::uint16_t kUnmappedControlword = 8795;
+constexpr std::uint16_t kOnSource = 840;
+constexpr std::uint32_t kInvalid = 0x80000000U;
+
+/// The axis and the unit as they are between two cycles.
+struct Picture {
+  const Device& device;
+  std::size_t number;
+
+  const drive::Axis& axis() const noexcept { return device.axis(number); }
+  /// 6040h of the axis.
+  std::uint32_t controlword_index() const noexcept { return object::on_axis(object::kControlword, number); }
+  std::uint32_t parameter(std::uint16_t parameter, std::size_t index) const noexcept {
+    return device.unit()
+        .read(axis().number(), parameter, index)
+        .map(drive::decode)
+        .map([](double value) { return static_cast<std::uint32_t>(value); })
+        .value_or(0);
+  }
+};
+using P = const Picture&;
+
+/// How far 6040h gets: whether an RPDO maps it, and whether a valid one does.
+struct Way {
+  bool mapped = false;
+  bool valid = false;
+};
+Way way_of_the_controlword(P p) {
+  Way way{};
+  for (std::uint16_t rpdo = 0; rpdo < kRpdoCount; ++rpdo)
+    for (std::uint16_t entry = 0; entry < kMappingEntries; ++entry) {
+      const std::uint32_t mapped = p.parameter(static_cast<std::uint16_t>(kFirstMapping + rpdo), entry);
+      if (mapped >> 16 != p.controlword_index()) continue;
+      way.mapped = true;
+      way.valid |= (p.parameter(static_cast<std::uint16_t>(kFirstCobId + rpdo), 0) & kInvalid) == 0;
+    }
+  return way;
+}
+
+/// Whether p0840 follows bit 0 of the controlword.
+bool is_on_connected(P p) {
+  const drive::BicoSource source = drive::unpack(p.parameter(kOnSource, 0));
+  const bool own = source.object == drive::kOwnObject || source.object == p.axis().number();
+  if (!own || source.position != 0) return false;
+  if (source.number == kUnmappedControlword) return true;
+  if (source.number < kReceivedBits || source.number >= kReceivedBits + kPlaces) return false;
+  return p.parameter(kReceivedObjects, source.number - kReceivedBits) == p.controlword_index();
+}
+
+bool is_operational(P p) noexcept {
+  return p.device.node().state() == canopen::NmtState::Operational;
+}
+
+struct Reason {
+  bool (*holds)(P);
+  std::string (*text)(P);
+};
+constexpr std::array kReasons{
+    Reason{[](P p) { return !is_operational(p); },
+           [](P p) {
+             return fmt::format("The node is {}, so that no PDO is received: send the NMT command start (01h).",
+                                canopen::name_of(p.device.node().state()));
+           }},
+    Reason{[](P p) { return !way_of_the_controlword(p).mapped; },
+           [](P p) {
+             return fmt::format("No RPDO maps the controlword {:04X}h: map it, or write it over SDO.",
+                                p.controlword_index());
+           }},
+    Reason{[](P p) {
+             const Way way = way_of_the_controlword(p);
+             return way.mapped && !way.valid;
+           },
+           [](P p) {
+             return fmt::format(
+                 "The RPDO of the controlword {:04X}h is not valid: write its COB-ID with bit 31 = 0.",
+                 p.controlword_index());
+           }},
+    Reason{[](P p) { return !is_on_connected(p); },
+           [](P) -> std::string {
+             return "ON (p0840) is not connected to bit 0 of the controlword: write p8790 = 1, or command its "
+                    "source.";
+           }},
+    Reason{[](P p) { return is_operational(p) && p.axis().inputs().controlword == 0; },
+           [](P) -> std::string {
+             return "The controlword is 0000h, as if none had been received yet: send 0006h, then 000Fh.";
+           }},
+};
+
+}  // namespace
+
+std::vector<std::string> explain(const Device& device, std::size_t number) {
+  const Picture picture{device, number};
+  std::vector<std::string> sentences;
+  if (!drive::turns(picture.axis()))
+    for (const Reason& reason : kReasons)
+      if (reason.holds(picture)) sentences.push_back(reason.text(picture));
+  for (std::string& sentence : drive::explain(picture.axis())) sentences.push_back(std::move(sentence));
+  return sentences;
+}
+
+}  // namespace device

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "device/device.hpp"
+
+namespace device {
+
+/// Why axis @p number (1..axes) of @p device does not turn: what the node and its process data have to do with it
+/// before what drive::explain() says. For people, between cycles: it allocates.
+std::vector<std::string> explain(const Device& device, std::size_t number);
+
+}  // namespace device

@@ -1,0 +1,117 @@
+#include "drive/explain.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "drive/explain_reasons.hpp"
+#include "drive/parameter/bico.hpp"
+#include "drive/parameter/table.hpp"
+#include "drive/units.hpp"
+
+namespace drive {
+namespace explanation {
+namespace {
+
+/// r8890 to r8893 are the bits of the first four words that are received.
+constexpr std::uint16_t kFirstReceivedBits = 8890;
+constexpr std::uint16_t kLastReceivedBits = 8893;
+
+std::uint32_t value_of(const Axis& axis, std::uint16_t input) {
+  return static_cast<std::uint32_t>(axis.read(input).value_or(0.0));
+}
+
+bool is_own(const Axis& axis, const BicoSource& source) noexcept {
+  return source.object == kOwnObject || source.object == axis.number();
+}
+
+std::string source_text(const Axis& axis, std::uint16_t input, const BicoSource& source) {
+  const PlacedRow* const placed = find_parameter(axis.kind(), input);
+  const bool bit = placed != nullptr && placed->row->type == DataType::BinectorInput;
+  const std::string at = bit ? fmt::format("r{:04}.{}", source.number, source.position)
+                             : fmt::format("r{:04}[{}]", source.number, source.position);
+  return is_own(axis, source) ? at : fmt::format("{} of drive object {}", at, source.object);
+}
+
+}  // namespace
+
+std::string wiring_of(const Axis& axis, std::uint16_t input) {
+  const std::uint32_t packed = value_of(axis, input);
+  if (packed <= kHighestConstant) return fmt::format("p{:04} = {}", input, packed);
+  return fmt::format("p{:04} = {}", input, source_text(axis, input, unpack(packed)));
+}
+
+std::string order_for(const Axis& axis, std::uint16_t input, bool wanted) {
+  const std::uint32_t packed = value_of(axis, input);
+  if (packed <= kHighestConstant) return fmt::format("write p{:04} = {} or connect it", input, wanted ? 1 : 0);
+  const BicoSource source = unpack(packed);
+  const bool received = source.number >= kFirstReceivedBits && source.number <= kLastReceivedBits;
+  if (received && is_own(axis, source))
+    return fmt::format("send a controlword with bit {} = {}", source.position, wanted ? 1 : 0);
+  return fmt::format("make {} {}", source_text(axis, input, source), wanted ? 1 : 0);
+}
+
+std::string plain(double number) {
+  return fmt::format("{:g}", std::round(number * 1000.0) / 1000.0);
+}
+
+namespace {
+
+std::string fault_sentence(const FaultEntry& fault) {
+  const std::string name = fmt::format("{} {} (value {})", fault_text(*fault.row), fault.row->name, fault.value);
+  if (fault.acknowledge() == Acknowledge::PowerOn)
+    return fmt::format("Fault {}: it leaves only when the unit is switched off and on.", name);
+  if (fault.cause == Cause::Present)
+    return fmt::format("Fault {}: its cause is still there ({}); remove it, then acknowledge.", name,
+                       fault.row->cause);
+  return fmt::format(
+      "Fault {}: it can be acknowledged, by bit 7 of the controlword from 0 to 1; then give ON anew "
+      "(0006h, 000Fh).",
+      name);
+}
+
+void tell_faults(const Picture& picture, std::vector<std::string>& sentences) {
+  constexpr States kStopped = in(State::Fault, State::FaultReactionActive, State::Stop2Active);
+  if ((kStopped & in(picture.state())) == 0) return;
+  for (const FaultEntry& fault : picture.axis.messages().faults()) sentences.push_back(fault_sentence(fault));
+}
+
+void tell(std::span<const Reason> reasons, const Picture& picture, std::vector<std::string>& sentences) {
+  for (const Reason& reason : reasons)
+    if ((reason.states & in(picture.state())) != 0 && reason.holds(picture))
+      sentences.push_back(reason.text(picture));
+}
+
+std::string motion_sentence(const Picture& picture) {
+  const double rpm = picture.axis.actual().speed / kRpm;
+  const std::string what = picture.seen.torque_control
+                               ? fmt::format("torque {} N·m", plain(picture.axis.actual().torque))
+                               : fmt::format("setpoint {} rpm", plain(picture.axis.actual().speed_demand / kRpm));
+  const std::string limit = picture.seen.torque_limit_reached ? "; it is at its torque limit" : "";
+  return fmt::format("It turns at {} rpm ({}{}).", plain(rpm), what, limit);
+}
+
+}  // namespace
+}  // namespace explanation
+
+bool turns(const Axis& axis) noexcept {
+  constexpr double kSlowest = 0.5 * kRpm;
+  return axis.actual().state == State::OperationEnabled && std::abs(axis.actual().speed) > kSlowest;
+}
+
+std::vector<std::string> explain(const Axis& axis) {
+  using namespace explanation;
+  const Picture picture{axis};
+  std::vector<std::string> sentences;
+  if (turns(axis)) return {motion_sentence(picture)};
+  tell_faults(picture, sentences);
+  tell(switching_reasons(), picture, sentences);
+  tell(operation_reasons(), picture, sentences);
+  if (sentences.empty())
+    sentences.push_back(
+        fmt::format("Nothing is missing (r0002 = {:.0f}, r0046 = {:08X}h); wait a cycle and ask again.",
+                    axis.read(2).value_or(0.0), static_cast<std::uint32_t>(axis.read(46).value_or(0.0))));
+  return sentences;
+}
+
+}  // namespace drive

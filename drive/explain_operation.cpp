@@ -1,0 +1,158 @@
+// Why an axis does not turn although it is in Operation enabled.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "drive/explain_reasons.hpp"
+#include "drive/units.hpp"
+
+namespace drive::explanation {
+namespace {
+
+using P = const Picture&;
+
+constexpr double kNothing = 1e-9;
+
+bool is_zero(double value) noexcept {
+  return std::abs(value) < kNothing;
+}
+
+bool torque_leads(P p) noexcept {
+  return p.seen.torque_control;
+}
+bool halts(P p) noexcept {
+  return p.axis.halt_requested() && p.axis.parameters().halt_option > 0;
+}
+/// The ramp follows the setpoint channel.
+bool ramp_leads(P p) noexcept {
+  return !torque_leads(p) && !halts(p) && !p.axis.brake_opens();
+}
+/// In velocity mode, bits 4 to 6 of the controlword are enables too.
+bool is_ramp_bit_missing(P p, unsigned bit) noexcept {
+  return p.axis.velocity_mode() && (p.seen.inputs.controlword >> bit & 1U) == 0;
+}
+std::string ramp_sentence(P p, const char* what, std::uint16_t input, unsigned bit) {
+  if (is_ramp_bit_missing(p, bit))
+    return fmt::format("{} (bit {} of the controlword in velocity mode): send 007Fh.", what, bit);
+  return fmt::format("{} ({}): {}.", what, wiring_of(p.axis, input), order_for(p.axis, input, true));
+}
+bool has_both_jogs(P p) noexcept {
+  return p.axis.jogs() && p.seen.inputs.jog_1 && p.seen.inputs.jog_2;
+}
+bool has_setpoint(P p) noexcept {
+  return !is_zero(p.seen.setpoint_sum);
+}
+/// The setpoint after its inversion.
+double directed(P p) noexcept {
+  return p.seen.inputs.invert_setpoint ? -p.seen.setpoint_sum : p.seen.setpoint_sum;
+}
+bool is_direction_inhibited(P p) noexcept {
+  return directed(p) > 0.0 ? p.seen.inputs.inhibit_positive : p.seen.inputs.inhibit_negative;
+}
+double direction_limit(P p) noexcept {
+  const AxisParameters& parameters = p.axis.parameters();
+  const AxisInputs& inputs = p.seen.inputs;
+  return directed(p) > 0.0 ? std::min(parameters.speed_limit_positive, inputs.forward_limit)
+                           : std::max(parameters.speed_limit_negative, inputs.backward_limit);
+}
+double torque_limit(P p) noexcept {
+  const double wanted = torque_leads(p) ? p.seen.inputs.torque_setpoint : p.seen.ramp_output;
+  return wanted >= 0.0 ? p.seen.torque_limits.upper : -p.seen.torque_limits.lower;
+}
+
+constexpr States kOperation = in(State::OperationEnabled);
+
+constexpr std::array kReasons{
+    Reason{kOperation, [](P p) { return p.axis.brake_opens(); },
+           [](P) -> std::string { return "The holding brake opens (r0002 = 15): wait for its opening time."; }},
+    Reason{kOperation, [](P p) { return !p.seen.inputs.enable_speed_controller; },
+           [](P p) {
+             return fmt::format("The speed controller is inhibited and gives no torque ({}): {}.",
+                                wiring_of(p.axis, 856), order_for(p.axis, 856, true));
+           }},
+    Reason{kOperation, halts,
+           [](P p) {
+             return fmt::format(
+                 "A halt keeps the axis at zero (bit 8 of the controlword with p8791 = {}): clear bit 8.",
+                 p.axis.parameters().halt_option);
+           }},
+    Reason{kOperation, [](P p) { return ramp_leads(p) && !p.seen.inputs.enable_ramp; },
+           [](P p) { return ramp_sentence(p, "The ramp-function generator is held at zero", 1140, 4); }},
+    Reason{kOperation, [](P p) { return ramp_leads(p) && !p.seen.inputs.continue_ramp; },
+           [](P p) { return ramp_sentence(p, "The ramp-function generator is frozen", 1141, 5); }},
+    Reason{kOperation, [](P p) { return ramp_leads(p) && !p.seen.inputs.enable_setpoint; },
+           [](P p) { return ramp_sentence(p, "The setpoint is not enabled", 1142, 6); }},
+    Reason{kOperation, has_both_jogs,
+           [](P) -> std::string {
+             return "Both jog bits are set, which is setpoint 0: take one of p1055 and p1056 away.";
+           }},
+    Reason{kOperation, [](P p) { return ramp_leads(p) && !has_both_jogs(p) && !has_setpoint(p) && p.axis.jogs(); },
+           [](P) -> std::string { return "The jog speed is 0: write p1058 and p1059."; }},
+    Reason{kOperation, [](P p) { return ramp_leads(p) && !has_setpoint(p) && !p.axis.jogs(); },
+           [](P p) {
+             return fmt::format(
+                 "The speed setpoint is 0 ({}, {}): send a setpoint ({}), or connect p1070 to another source.",
+                 wiring_of(p.axis, 1070), wiring_of(p.axis, 1155), p.axis.velocity_mode() ? "6042h" : "60FFh");
+           }},
+    Reason{kOperation, [](P p) { return ramp_leads(p) && is_zero(p.axis.parameters().maximum_speed); },
+           [](P) -> std::string { return "The maximum speed is 0 (p1082): write p1082."; }},
+    Reason{kOperation, [](P p) { return ramp_leads(p) && has_setpoint(p) && is_direction_inhibited(p); },
+           [](P p) {
+             const bool forward = directed(p) > 0.0;
+             const std::uint16_t input = forward ? 1111 : 1110;
+             return fmt::format("The {} direction is inhibited ({}): {}, or reverse the setpoint.",
+                                forward ? "positive" : "negative", wiring_of(p.axis, input),
+                                order_for(p.axis, input, false));
+           }},
+    Reason{kOperation, [](P p) { return ramp_leads(p) && has_setpoint(p) && is_zero(direction_limit(p)); },
+           [](P p) {
+             const bool forward = directed(p) > 0.0;
+             return fmt::format("The speed limit of the {} direction is 0: raise {} ({}).",
+                                forward ? "positive" : "negative", forward ? "p1083" : "p1086",
+                                wiring_of(p.axis, forward ? 1085 : 1088));
+           }},
+    Reason{kOperation, [](P p) { return torque_leads(p) && !halts(p) && is_zero(p.seen.inputs.torque_setpoint); },
+           [](P p) {
+             return fmt::format(
+                 "Torque control is active and its setpoint is 0 ({}): send 6071h, or choose speed control "
+                 "(6060h = 3).",
+                 wiring_of(p.axis, 1503));
+           }},
+    Reason{kOperation, [](P p) { return torque_limit(p) < kNothing; },
+           [](P p) {
+             return fmt::format(
+                 "The torque limits leave no torque in this direction ({} to {} N·m): widen p1520 and p1521.",
+                 plain(p.seen.torque_limits.lower), plain(p.seen.torque_limits.upper));
+           }},
+    Reason{kOperation, [](P p) { return p.seen.torque_limit_reached && torque_limit(p) >= kNothing; },
+           [](P p) {
+             return fmt::format(
+                 "The motor is at its torque limit ({} N·m) and does not turn: take the load or the brake away, "
+                 "or raise p1520, p1521 and p0640.",
+                 plain(torque_limit(p)));
+           }},
+    Reason{kOperation,
+           [](P p) { return ramp_leads(p) && !is_zero(p.seen.ramp_input) && !p.seen.torque_limit_reached; },
+           [](P p) {
+             return fmt::format("The ramp begins (p1120 = {} s, to {} rpm): wait, or shorten it.",
+                                plain(p.axis.parameters().ramp_up_time), plain(p.seen.ramp_input / kRpm));
+           }},
+    Reason{kOperation,
+           [](P p) {
+             return torque_leads(p) && !is_zero(p.seen.inputs.torque_setpoint) && !p.seen.torque_limit_reached;
+           },
+           [](P p) {
+             return fmt::format("The torque setpoint of {} N·m does not move the load: raise it.",
+                                plain(p.seen.inputs.torque_setpoint));
+           }},
+};
+
+}  // namespace
+
+std::span<const Reason> operation_reasons() noexcept {
+  return kReasons;
+}
+
+}  // namespace drive::explanation

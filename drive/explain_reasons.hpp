@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "drive/axis.hpp"
+
+/// What explain() is made of.
+namespace drive::explanation {
+
+/// An axis after a cycle.
+struct Picture {
+  const Axis& axis;
+  AxisInsight seen;
+
+  explicit Picture(const Axis& of) : axis{of}, seen{of.insight()} {}
+  State state() const noexcept { return axis.actual().state; }
+};
+
+/// A set of states, one bit each.
+using States = unsigned;
+template <class... State>
+constexpr States in(State... states) noexcept {
+  return ((1U << static_cast<unsigned>(states)) | ...);
+}
+
+/// A reason that an axis does not turn in one of @p states while it holds.
+struct Reason {
+  States states;
+  bool (*holds)(const Picture&);
+  std::string (*text)(const Picture&);
+};
+
+/// What keeps an axis from Operation enabled.
+std::span<const Reason> switching_reasons() noexcept;
+/// What keeps it from turning in Operation enabled.
+std::span<const Reason> operation_reasons() noexcept;
+
+/// "p0844 = r8890.1": what the BICO input @p input is connected to.
+std::string wiring_of(const Axis& axis, std::uint16_t input);
+/// What makes the binector input @p input be @p wanted, as an order.
+std::string order_for(const Axis& axis, std::uint16_t input, bool wanted);
+/// A number with at most three decimals and without superfluous zeros.
+std::string plain(double number);
+
+}  // namespace drive::explanation
