@@ -41,10 +41,12 @@ TEST(ExplainUnit, NamesTheNmtStateFirst) {
 TEST(ExplainUnit, IsContentWithAnAxisThatTurns) {
   TestUnit unit;
   unit.turn_at(600.0, 2s);
-  EXPECT_EQ(told(unit).find("It turns at 6"), 0U) << told(unit);
 
-  unit.enable();
-  EXPECT_FALSE(tells(unit, kNothingReceived));
+  const std::vector<std::string> sentences = explain(unit.device, 1);
+
+  ASSERT_EQ(sentences.size(), 1U);
+  EXPECT_EQ(sentences.front().rfind("It turns at ", 0), 0U) << sentences.front();
+  EXPECT_TRUE(tells(unit, "(setpoint 600 rpm)"));
 }
 
 TEST(ExplainUnit, MissesAValidRpdoOfAFurtherAxis) {
