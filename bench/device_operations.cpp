@@ -67,9 +67,9 @@ struct Rpdo {
   Rpdo() {
     bus.enter_operational();
     step();
-    check(bus.unit.setpoints().controlword == 0x0006 && bus.upload({0x60FF, 0}) == 0x00020001 &&
-              bus.upload({0x6071, 0}) == 5,
-          "values of RPDO 4");
+    check(
+        bus.upload({0x6040, 0}) == 0x0006 && bus.upload({0x60FF, 0}) == 0x00020001 && bus.upload({0x6071, 0}) == 5,
+        "values of RPDO 4");
   }
   /// No cycle comes between, as in a unit that catches up.
   void step() {
