@@ -129,7 +129,7 @@ TEST(VelocityMode, HasTheLimitsOf6046AndTheRampOf6048) {
 TEST(VelocityMode, IgnoresTheTargetVelocityAndOtherModesIgnoreItsBits) {
   WiredDevice unit{configured({{1120, 0.1}, {1121, 0.1}})};
   unit.switch_on(0x000F);
-  ASSERT_EQ(unit.download(0x60FF, 0, static_cast<std::uint32_t>(bus_speed(300)), 4), 0U);
+  ASSERT_EQ(unit.download(0x60FF, 0, increments(300), 4), 0U);
   ASSERT_EQ(unit.download(0x6042, 0, 900, 2), 0U);
   unit.passes(300ms);
   EXPECT_NEAR(unit.velocity(), bus_speed(300), bus_speed(1)) << "profile velocity needs no bits 4 to 6";

@@ -98,6 +98,38 @@ TEST(VelocityScaling, IsRpmWithoutEncoder) {
   EXPECT_NEAR(unit.velocity_of(150000).second, 1500.0, 1e-5);
 }
 
+TEST(RampScaling, HasTheUnitOfTheVelocity) {
+  for (const bool with_encoder : {true, false}) {
+    Scaled unit{kSpeed, 1.0, with_encoder};
+    ASSERT_EQ(unit.write_parameter(2, 1082, std::bit_cast<std::uint32_t>(3000.0F), 4), 0U);
+    if (with_encoder) {
+      EXPECT_EQ(unit.upload(0x6083).number(), 20971520U);
+      ASSERT_EQ(unit.download(0x6094, 1, 4194304, 4), 0U);
+      ASSERT_EQ(unit.download(0x6094, 2, 60, 4), 0U);
+    }
+    EXPECT_EQ(unit.upload(0x6083).number(), 300U) << "3000 rpm in 10 s, in rpm/s";
+    for (const auto& [index, parameter] :
+         {std::pair{0x6083, 1120}, std::pair{0x6084, 1121}, std::pair{0x6085, 1135}}) {
+      const auto object = static_cast<std::uint16_t>(index);
+      const auto time = [&] { return unit.parameter(static_cast<std::uint16_t>(parameter)); };
+      ASSERT_EQ(unit.download(object, 0, 600, 4), 0U);
+      EXPECT_NEAR(time(), 5.0, 1e-5);
+      EXPECT_EQ(unit.upload(object).number(), 600U);
+      ASSERT_EQ(unit.download(object, 0, 1, 4), 0U);
+      EXPECT_NEAR(time(), parameter == 1135 ? 600.0 : 3000.0, 1e-3) << "clipped to the range of the parameter";
+      ASSERT_EQ(unit.download(object, 0, 0xFFFFFFFE, 4), 0U);
+      EXPECT_GT(time(), 0.0);
+    }
+  }
+}
+
+TEST(RampScaling, SaturatesAtTheEndOfTheObject) {
+  WiredDevice unit;
+  ASSERT_EQ(unit.write_parameter(2, 1082, std::bit_cast<std::uint32_t>(3000.0F), 4), 0U);
+  ASSERT_EQ(unit.write_parameter(2, 1120, std::bit_cast<std::uint32_t>(0.01F), 4), 0U);
+  EXPECT_EQ(unit.upload(0x6083).number(), 0xFFFFFFFFU);
+}
+
 TEST(VelocityScaling, IsRelativeToP2000) {
   Scaled unit{1200.0};
   const auto [words, rpm] = unit.velocity_of(0x0C800000);

@@ -12,9 +12,9 @@ TEST(StandardWiring, SendsTheModeThatIsActive) {
   WiredDevice unit;
   unit.map_tpdo(1, {0x60410010, 0x60610008});
   unit.enter();
-  EXPECT_EQ(from("185#", unit.cycles_with("205#0600")).back().substr(9), "03");
+  EXPECT_EQ(from("185#", unit.cycles_with("205#0600")).back().substr(8), "03");
   ASSERT_EQ(unit.download(0x6060, 0, 4, 1), 0U);
-  EXPECT_EQ(from("185#", unit.passes(20ms)).back().substr(9), "04");
+  EXPECT_EQ(from("185#", unit.passes(20ms)).back().substr(8), "04");
 }
 
 TEST(StandardWiring, GivesTheModeToTheProcessDataWhileItIsMapped) {
@@ -68,22 +68,16 @@ TEST(StandardWiring, IsSavedAndFollowsInTheNextLife) {
   ASSERT_EQ(former.download(0x1010, 1, kSave, 4), 0U);
   former.passes(1s);
 
-  const NextLife next{former, unit_of(1)};
-  const drive::Axis& axis = next.unit.device.axis();
-  EXPECT_EQ(axis.read(840).value(), own(8891, 0));
-  EXPECT_EQ(axis.read(844).value(), 1.0);
-  EXPECT_EQ(axis.read(1070).value(), own(8860, 2));
-  EXPECT_EQ(axis.read(1503).value(), own(8797));
-  EXPECT_EQ(axis.read(1513).value(), own(8745, 4));
-
-  WiredDevice again{unit_of(1)};
-  ASSERT_TRUE(again.device.load_parameters(former.listener.image));
-  again.says("000#8105");
-  again.passes(50ms);
-  again.map_rpdo(1, {kControlword});
-  EXPECT_EQ(again.parameter(840), own(8890, 0)) << "and goes on following";
-  EXPECT_EQ(again.parameter(844), 1.0);
-  EXPECT_EQ(again.parameter(1070), own(8796));
+  WiredDevice next{former};
+  EXPECT_EQ(next.parameter(840), own(8891, 0));
+  EXPECT_EQ(next.parameter(844), 1.0);
+  EXPECT_EQ(next.parameter(1070), own(8860, 2));
+  EXPECT_EQ(next.parameter(1503), own(8797));
+  EXPECT_EQ(next.parameter(1513), own(8745, 4));
+  next.map_rpdo(1, {kControlword});
+  EXPECT_EQ(next.parameter(840), own(8890, 0)) << "and goes on following";
+  EXPECT_EQ(next.parameter(844), 1.0);
+  EXPECT_EQ(next.parameter(1070), own(8796));
 }
 
 TEST(StandardWiring, TakesTheSpeedSetpointAgainWhenItWasSavedInVelocityMode) {
@@ -94,9 +88,9 @@ TEST(StandardWiring, TakesTheSpeedSetpointAgainWhenItWasSavedInVelocityMode) {
   ASSERT_EQ(former.download(0x1010, 1, kSave, 4), 0U);
   former.passes(1s);
 
-  const NextLife next{former, unit_of(1)};
-  EXPECT_EQ(next.unit.device.axis().actual().mode, 3);
-  EXPECT_EQ(next.unit.device.axis().read(1070).value(), own(8860, 1));
+  const WiredDevice next{former};
+  EXPECT_EQ(next.device.axis().actual().mode, 3);
+  EXPECT_EQ(next.parameter(1070), own(8860, 1));
 }
 
 TEST(StandardWiring, OfOneAxisDoesNotConcernAnother) {

@@ -77,10 +77,10 @@ TEST(StandardWiring, FollowsTheSpeedSetpoint) {
   unit.unmap_all();
   EXPECT_EQ(unit.parameter(1070), own(8796));
   unit.switch_on();
-  ASSERT_EQ(unit.download(0x60FF, 0, static_cast<std::uint32_t>(bus_speed(600)), 4), 0U);
+  ASSERT_EQ(unit.download(0x60FF, 0, increments(600), 4), 0U);
   unit.passes(500ms);
   EXPECT_NEAR(unit.velocity(), bus_speed(600), bus_speed(1));
-  EXPECT_EQ(unit.read_parameter(2, 8796), static_cast<std::uint32_t>(bus_speed(600)));
+  EXPECT_EQ(unit.read_parameter(2, 8796), increments(600));
 
   ASSERT_EQ(unit.download(0x6094, 1, 2, 4), 0U);
   unit.passes(500ms);
@@ -92,7 +92,7 @@ TEST(StandardWiring, FollowsTheSpeedSetpoint) {
   unit.passes(100ms);
   EXPECT_NEAR(unit.device.axis().actual().speed / drive::kRpm, 1200.0, 1.0);
   EXPECT_EQ(unit.read_parameter(2, 8796), 0U);
-  ASSERT_EQ(unit.download(0x60FF, 0, static_cast<std::uint32_t>(bus_speed(-150)), 4), 0U);
+  ASSERT_EQ(unit.download(0x60FF, 0, increments(-150), 4), 0U);
   unit.passes(500ms);
   EXPECT_NEAR(unit.device.axis().actual().speed / drive::kRpm, -300.0, 1.0);
 }
@@ -152,7 +152,7 @@ TEST(StandardWiring, FollowsEveryActualValueAndReadsTheDriveWithoutIt) {
     unit.unmap_all();
     unit.switch_on();
     unit.device.set_load_torque(1, 0.5, unit.now);
-    ASSERT_EQ(unit.download(0x60FF, 0, static_cast<std::uint32_t>(bus_speed(750)), 4), 0U);
+    ASSERT_EQ(unit.download(0x60FF, 0, increments(750), 4), 0U);
     unit.passes(1s);
     const std::uint64_t unmapped = unit.upload(index).number();
     EXPECT_NE(unmapped, 0U) << std::hex << index;
@@ -175,6 +175,7 @@ TEST(StandardWiring, FollowsEveryActualValueAndReadsTheDriveWithoutIt) {
     EXPECT_EQ(unit.upload(index).number(), 0U) << "unwired: " << std::hex << index;
     unit.map_tpdo(3, {});
     EXPECT_EQ(unit.parameter(sink, 2), 0.0);
+    unit.cycle();
     EXPECT_NE(unit.upload(index).number(), 0U) << "not mapped, it shows the drive";
   }
 }
@@ -211,11 +212,10 @@ TEST(StandardWiring, LeavesWhatTheUserHasWired) {
 TEST(StandardWiring, FollowsAgainWhatTheUserHasWiredBack) {
   WiredDevice unit;
   ASSERT_EQ(unit.write_parameter(2, 1070, 0, 4), 0U);
-  unit.map_rpdo(3, {kVelocity});
+  unit.unmap_all();
+  unit.map_rpdo(3, {kFiller, kVelocity});
   EXPECT_EQ(unit.parameter(1070), 0.0);
-  const auto& rpdo = unit.device.axis();
-  ASSERT_EQ(unit.wire(2, 1070, {8860, drive::kOwnObject, 2}), 0U);  // where 60FFh lies now
-  ASSERT_EQ(rpdo.read(8760, 2).value_or(0), 0x60FF);
+  ASSERT_EQ(unit.wire(2, 1070, {8860, drive::kOwnObject, 1}), 0U);  // where 60FFh lies now
   unit.map_rpdo(3, {});
   EXPECT_EQ(unit.parameter(1070), own(8796));
 }
@@ -250,6 +250,18 @@ TEST(P8790, IsRefusedWhereTheControlwordHasNoBits) {
   EXPECT_EQ(unit.write_parameter(2, 8790, 1, 2), kNotNow) << "in the fifth word";
   EXPECT_EQ(unit.write_parameter(2, 8790, 2, 2), 0x06090031U);
   EXPECT_EQ(unit.write_parameter(1, 8790, 1, 2), 0x06020000U) << "the control unit has none";
+}
+
+TEST(StandardWiring, FollowsAMappingWhileTheUnitRests) {
+  WiredDevice unit;
+  unit.passes(1s);
+  const std::uint16_t statusword = unit.statusword();
+  ASSERT_EQ(unit.write_parameter(2, 8851, 0, 4, 0), 0U);
+  unit.passes(1s);
+  ASSERT_EQ(unit.statusword(), 0U) << "unwired";
+  unit.unmap_all();
+  unit.passes(1s);
+  EXPECT_EQ(unit.statusword(), statusword) << "not mapped, it shows the drive";
 }
 
 }  // namespace

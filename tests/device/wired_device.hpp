@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
 #include <vector>
 
@@ -11,6 +12,11 @@ namespace device {
 /// A unit that a master maps and wires over SDO; it may leave Operational without a fault.
 struct WiredDevice : TestUnit {
   explicit WiredDevice(const Configuration& configuration = unit_of(1)) : TestUnit{configuration} { start(); }
+  /// The unit after a power cut, with what @p former had stored.
+  explicit WiredDevice(const TestUnit& former) : TestUnit{unit_of(1)} {
+    EXPECT_TRUE(device.load_parameters(former.listener.image));
+    start();
+  }
 
   /// The value of parameter @p number of axis @p axis.
   double parameter(std::uint16_t number, std::size_t index = 0, std::size_t axis = 1) const {
@@ -78,6 +84,11 @@ struct WiredDevice : TestUnit {
     }
   }
 };
+
+/// @p rpm as 60FFh carries it.
+inline std::uint32_t increments(double rpm) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(bus_speed(rpm))));
+}
 
 inline double own(std::uint16_t number, std::uint16_t position = 0) {
   return drive::own_source(number, position);
