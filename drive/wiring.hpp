@@ -45,14 +45,14 @@ class Wiring {
   template <class Member>
   struct Link {
     Member member;
-    SignalSource source;
-    double full;
+    SignalSource source{};
+    double full = 0.0;
   };
   /// A bit or a word of process data.
   struct Place {
-    std::uint8_t word;
-    std::uint8_t bit;
-    SignalSource source;
+    std::uint8_t word = 0;
+    std::uint8_t bit = 0;
+    SignalSource source{};
   };
   /// All of one drive object that changes from cycle to cycle, and what does not.
   struct Object {

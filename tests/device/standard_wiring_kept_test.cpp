@@ -68,7 +68,7 @@ TEST(StandardWiring, IsSavedAndFollowsInTheNextLife) {
   ASSERT_EQ(former.download(0x1010, 1, kSave, 4), 0U);
   former.passes(1s);
 
-  WiredDevice next{former};
+  WiredDevice next{former.listener.image};
   EXPECT_EQ(next.parameter(840), own(8891, 0));
   EXPECT_EQ(next.parameter(844), 1.0);
   EXPECT_EQ(next.parameter(1070), own(8860, 2));
@@ -88,7 +88,7 @@ TEST(StandardWiring, TakesTheSpeedSetpointAgainWhenItWasSavedInVelocityMode) {
   ASSERT_EQ(former.download(0x1010, 1, kSave, 4), 0U);
   former.passes(1s);
 
-  const WiredDevice next{former};
+  const WiredDevice next{former.listener.image};
   EXPECT_EQ(next.device.axis().actual().mode, 3);
   EXPECT_EQ(next.parameter(1070), own(8860, 1));
 }

@@ -12,9 +12,9 @@ namespace device {
 /// A unit that a master maps and wires over SDO; it may leave Operational without a fault.
 struct WiredDevice : TestUnit {
   explicit WiredDevice(const Configuration& configuration = unit_of(1)) : TestUnit{configuration} { start(); }
-  /// The unit after a power cut, with what @p former had stored.
-  explicit WiredDevice(const TestUnit& former) : TestUnit{unit_of(1)} {
-    EXPECT_TRUE(device.load_parameters(former.listener.image));
+  /// The unit after a power cut, with what it had stored.
+  explicit WiredDevice(std::span<const std::byte> stored) : TestUnit{unit_of(1)} {
+    EXPECT_TRUE(device.load_parameters(stored));
     start();
   }
 
