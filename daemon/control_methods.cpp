@@ -58,7 +58,8 @@ json reasons_of(const Daemon& daemon, std::size_t axis) {
   json reasons = json::array();
   if (!daemon.link_is_up()) reasons.push_back("The bus is down: bring the interface up (ip link set up).");
   if (daemon.bus_state() == bus::ErrorState::BusOff)
-    reasons.push_back("The CAN controller is bus-off: remove the cause, then restart with p8608[0] = 1.");
+    reasons.push_back(
+        "The CAN controller is bus-off: remove the cause and let it restart (restart-ms of the interface).");
   for (const std::string& reason : device::explain(daemon.device(), axis)) reasons.push_back(reason);
   return reasons;
 }

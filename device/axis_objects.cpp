@@ -7,7 +7,7 @@
 namespace device {
 namespace {
 
-/// Objects whose writing over SDO is an input of the axis, as an RPDO is.
+/// Objects whose writing over SDO is an input of the axis, as an RPDO is; the free ones too.
 constexpr std::array kInputs{object::kControlword, object::kTargetVelocity, object::kTargetTorque,
                              object::kVlTargetVelocity, object::kModesOfOperation};
 
@@ -28,6 +28,14 @@ AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, con
     dictionary.own_write(object::on_axis(index, axis.axis_number()), 0, *this);
   for (const std::uint16_t index : {object::kModesOfOperation, object::kSupportedModes})
     dictionary.own_read(object::on_axis(index, axis.axis_number()), 0, *this);
+  const auto own_free = [&](std::uint16_t first, std::uint16_t count) {
+    for (std::uint16_t i = 0; i < count; ++i) {
+      const auto index = static_cast<std::uint16_t>(object::free_on_axis(first, axis.axis_number()) + i);
+      dictionary.own_write(index, 0, *this);
+    }
+  };
+  own_free(object::kReceiveWords, object::kFreeWords);
+  own_free(object::kReceiveDoubleWords, object::kFreeDoubleWords);
 }
 
 bool AxisObjects::receive() noexcept {
@@ -58,7 +66,8 @@ bool AxisObjects::is_placed(const canopen::Entry& entry) const noexcept {
 
 /// The mode as a parameter is p1300; as process data it is for the cycle.
 canopen::Result<void> AxisObjects::write(const canopen::Entry& entry, std::int64_t value) {
-  const std::uint16_t object = object::on_first_axis(entry.index);
+  const bool is_free = entry.index < object::kFirstProfileObject;
+  const std::uint16_t object = is_free ? entry.index : object::on_first_axis(entry.index);
   if (object == object::kControlword) written_controlwords_.put(static_cast<std::uint16_t>(value));
   const bool is_mode = object == object::kModesOfOperation;
   if (is_mode && !is_placed(entry)) axis_.request_mode(static_cast<std::int8_t>(value));

@@ -71,6 +71,10 @@ void StandardWiring::follow_from_factory() noexcept {
 
 void StandardWiring::adopt() noexcept {
   wired_ = wanted();
+  // The velocity mode itself is not saved, the input that it connected is.
+  const std::uint32_t velocity_mode = source_of(object::kVlTargetVelocity, kWrittenVlVelocity);
+  const auto connected = static_cast<std::uint32_t>(axis_.read(kMainSetpoint).value_or(0.0));
+  if (connected == velocity_mode) wired_[kCommands] = velocity_mode;
 }
 
 void StandardWiring::follow() noexcept {

@@ -20,7 +20,7 @@ class StandardWiring {
 
   /// The inputs have factory values: they are brought to the mappings that there are.
   void follow_from_factory() noexcept;
-  /// The inputs and the mappings were saved together: the inputs stay as they are.
+  /// The inputs and the mappings were saved together: the inputs are what follow() goes on from.
   void adopt() noexcept;
   /// Mappings or the mode may have changed.
   void follow() noexcept;

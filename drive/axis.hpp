@@ -85,6 +85,8 @@ class Axis final : public DriveObject {
   void rest(double duration, double dc_voltage) noexcept;
   /// What the interconnections brought in the last cycle.
   const AxisInputs& inputs() const noexcept { return wired_; }
+  /// What acted on messages and statusword at the end of it.
+  const AxisFeedback& feedback() const noexcept { return feedback_; }
   /// 6060h was written as a parameter: p1300 follows if the mode is possible and the pulses are off; otherwise the
   /// mode stays, and only requested_mode() changes.
   void request_mode(std::int8_t code) noexcept;

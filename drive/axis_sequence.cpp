@@ -1,6 +1,7 @@
 // The sequence control of an axis: what its inputs, its faults and the end of a braking make of its state.
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "drive/axis.hpp"
 
@@ -119,13 +120,12 @@ bool Axis::has_power() const noexcept {
   return inputs_.infeed_operates && dc_voltage_ >= context().supply.undervoltage;
 }
 
-/// F07840 or F07802 when infeed and DC link have not come within p0857 after ON.
+/// F07840 or F07802, once, when infeed and DC link have not come within p0857 after ON.
 void Axis::wait_for_power(double duration) noexcept {
-  power_missing_ = waits_for_power() ? power_missing_ + duration : 0.0;
-  if (power_missing_ <= 0.0 || !elapsed(power_missing_, parameters_.power_monitoring_time)) return;
-  const std::uint16_t number = inputs_.infeed_operates ? kPowerUnitNotReady : kInfeedMissing;
-  follow({number, true, 0});
-  memory().withdraw(*find_fault(number));  // with the pulses off the next ON is another attempt
+  const double before = std::exchange(power_missing_, waits_for_power() ? power_missing_ + duration : 0.0);
+  const double limit = parameters_.power_monitoring_time;
+  if (elapsed(before, limit) || !elapsed(power_missing_, limit)) return;
+  static_cast<void>(raise(inputs_.infeed_operates ? kPowerUnitNotReady : kInfeedMissing));
 }
 
 void Axis::check_standstill(double duration) noexcept {

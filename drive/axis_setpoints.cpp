@@ -52,12 +52,13 @@ FixedSetpoints Axis::fixed_setpoints() const noexcept {
 
 void Axis::lead_setpoint() noexcept {
   channel_.limit(inputs_);
+  channel_.choose(inputs_, jogging_);
   if (state_ != State::OperationEnabled) return channel_.follow_zero();
   if (halt_requested()) {
     channel_.follow_zero();
     return brake_on(kHaltRamps[static_cast<std::size_t>(parameters_.halt_option)]);
   }
-  channel_.follow(inputs_, jogging_);
+  channel_.follow(inputs_);
 }
 
 /// Torque limits, and in torque control the setpoint. A disabled speed controller (p0856 = 0) gives no torque. Any

@@ -127,7 +127,8 @@ std::optional<Refusal> DriveObject::source_refusal(const ParameterRow& row, doub
   if (placed == nullptr || placed->row->output == Output::No) return Refusal::IllegalSource;
   const bool bit = row.type == DataType::BinectorInput;
   if (bit && placed->row->output != Output::Both) return Refusal::IllegalSource;
-  const std::size_t positions = bit ? 8U * row_of(placed->row->type).size : placed->row->count;
+  const bool bits_of_word = bit && !has_a_bit_per_index(*placed->row);
+  const std::size_t positions = bits_of_word ? 8U * row_of(placed->row->type).size : placed->row->count;
   return source.position < positions ? std::nullopt : std::optional{Refusal::IllegalSource};
 }
 
@@ -152,6 +153,12 @@ double DriveObject::kept_value_of(const PlacedRow& placed, std::size_t index) co
   if (const auto* const shown = std::get_if<Computed<DriveObject>>(&row.home)) return shown->get(*this, index);
   if (const auto* const shown = std::get_if<Computed<FaultMemory>>(&row.home)) return shown->get(memory_, index);
   return own_value(row, index);
+}
+
+void DriveObject::scale_process_data(const ProcessDataImage::Scales& scales) noexcept {
+  if (scales == process_data_.scales) return;
+  process_data_.scales = scales;
+  if (surroundings_ != nullptr) surroundings_->on_wiring_changed();
 }
 
 void DriveObject::assign(const PlacedRow& placed, std::size_t index, double value) noexcept {

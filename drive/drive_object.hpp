@@ -82,6 +82,8 @@ class DriveObject {
   /// What the bus has brought and what it fetches.
   const ProcessDataImage& process_data() const noexcept { return process_data_; }
   ProcessDataImage& process_data() noexcept { return process_data_; }
+  /// 60FFh and 6071h have other scales than before, if they have.
+  void scale_process_data(const ProcessDataImage::Scales& scales) noexcept;
 
   /// Active faults and alarms, and those that were.
   const FaultMemory& messages() const noexcept { return memory_; }

@@ -68,11 +68,16 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   std::array<std::optional<AxisInputs>, kMostAxes> inputs{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     inputs[i] = wiring_->inputs(i + 1);
-    const bool rests = !awake[i] && axes_[i].is_quiescent() && *inputs[i] == axes_[i].inputs();
-    if (rests) inputs[i].reset();
+    if (!awake[i] && has_nothing_to_do(i, *inputs[i])) inputs[i].reset();
   }
   acknowledge_by_inputs();
   run({inputs.data(), axes_.size()}, duration);
+}
+
+/// Whether axis @p axis (from 0) is quiescent and @p inputs and what acts on its messages are those of its last cycle.
+bool DriveUnit::has_nothing_to_do(std::size_t axis, const AxisInputs& inputs) const noexcept {
+  const Axis& idle = axes_[axis];
+  return idle.is_quiescent() && inputs == idle.inputs() && wiring_->feedback(axis) == idle.feedback();
 }
 
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {

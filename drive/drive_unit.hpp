@@ -66,7 +66,7 @@ class DriveUnit final : private Surroundings {
 
   /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod, with what the bus has brought
   /// into the process data of the axes. They run it step by step side by side on their DC link. An axis that is
-  /// not @p awake must be quiescent; it rests unless its inputs have changed.
+  /// not @p awake rests while it is quiescent and its inputs stay as they are.
   void cycle(std::span<const bool> awake, double duration) noexcept;
   /// The same with @p setpoints in place of the interconnections, for axes that are wired as new ones; an axis
   /// without any must be quiescent and rests.
@@ -126,6 +126,7 @@ class DriveUnit final : private Surroundings {
                                      std::size_t index) const noexcept override;
   void inhibit_axes(bool inhibited) noexcept;
   void acknowledge_by_inputs() noexcept;
+  bool has_nothing_to_do(std::size_t axis, const AxisInputs& inputs) const noexcept;
   void run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept;
 
   ParameterHost* host_;

@@ -32,8 +32,14 @@ struct ProcessDataImage {
   std::uint16_t whole_controlword = 0;
   /// 6060h while it is mapped in an RPDO.
   std::optional<std::int8_t> requested_mode{};
-  /// What 60FFh and r8796 have for one rad/s.
-  double increments_per_radian = 1.0;
+  /// What r8796 and r8797 are relative to; changed by DriveObject::scale_process_data().
+  struct Scales {
+    double increments_per_radian = 1.0;  ///< what 60FFh has for one rad/s
+    double rated_torque = 1.0;           ///< 1000 per mille of 6071h (N·m)
+
+    friend bool operator==(const Scales&, const Scales&) = default;
+  };
+  Scales scales{};
 
   /// The double word that begins at word @p place of @p words.
   template <std::size_t Count>

@@ -55,7 +55,7 @@ void SetpointChannel::follow_zero() noexcept {
   moves_ = true;
 }
 
-void SetpointChannel::follow(const AxisInputs& inputs, bool jogs) noexcept {
+void SetpointChannel::choose(const AxisInputs& inputs, bool jogs) noexcept {
   const std::array selection{inputs.fixed_setpoint_bit_0, inputs.fixed_setpoint_bit_1, inputs.fixed_setpoint_bit_2,
                              inputs.fixed_setpoint_bit_3};
   std::size_t number = 0;
@@ -65,6 +65,9 @@ void SetpointChannel::follow(const AxisInputs& inputs, bool jogs) noexcept {
   directed_ = inputs.invert_setpoint ? -sum_ : sum_;
   if (inputs.inhibit_negative) directed_ = std::max(directed_, 0.0);
   if (inputs.inhibit_positive) directed_ = std::min(directed_, 0.0);
+}
+
+void SetpointChannel::follow(const AxisInputs& inputs) noexcept {
   target_ = inputs.enable_setpoint ? limited(directed_) : 0.0;
   behind_ = inputs.speed_setpoint_1 + inputs.speed_setpoint_2;
   lead_ramp(inputs);

@@ -34,10 +34,12 @@ class SetpointChannel {
   void start(double speed) noexcept;
   /// The setpoint goes to zero on @p ramp, from @p speed where the motor is not yet as fast as its setpoint.
   void brake(Ramp ramp, double speed) noexcept;
+  /// Chooses the setpoint of this cycle from @p inputs, of which @p jogs lets p1058 and p1059 lead.
+  void choose(const AxisInputs& inputs, bool jogs) noexcept;
   /// A cycle without setpoint: the ramp goes to zero.
   void follow_zero() noexcept;
-  /// A cycle with the setpoints of @p inputs, of which @p jogs lets p1058 and p1059 lead.
-  void follow(const AxisInputs& inputs, bool jogs) noexcept;
+  /// A cycle with the setpoint that was chosen from @p inputs.
+  void follow(const AxisInputs& inputs) noexcept;
   /// The torque leads: the ramp is where the motor is, at @p speed, so that speed control can take over.
   void track(double speed) noexcept { ramp_generator_.start(speed - behind_); }
   /// The ramp waits at zero, for the holding brake.

@@ -38,7 +38,6 @@ constexpr std::uint16_t kWrittenVelocity = 8796;
 constexpr std::uint16_t kWrittenTorque = 8797;
 constexpr std::uint16_t kReferenceSpeed = 2000;
 constexpr std::uint16_t kReferenceTorque = 2003;
-constexpr std::uint16_t kRatedTorque = 333;
 
 double parameter(const DriveObject& object, std::uint16_t number) noexcept {
   return object.read(number).value_or(0.0);
@@ -49,9 +48,9 @@ std::optional<double> full_scale(const DriveObject& object, const ParameterRow& 
   const auto* const data = std::ranges::find(kProcessData, row.number, &FullScaleRow::parameter);
   if (data != kProcessData.end()) return data->full;
   if (row.number == kWrittenVelocity)
-    return parameter(object, kReferenceSpeed) * kRpm * object.process_data().increments_per_radian;
+    return parameter(object, kReferenceSpeed) * kRpm * object.process_data().scales.increments_per_radian;
   if (row.number == kWrittenTorque)
-    return kPerMille * parameter(object, kReferenceTorque) / parameter(object, kRatedTorque);
+    return kPerMille * parameter(object, kReferenceTorque) / object.process_data().scales.rated_torque;
   if (row.unit == Unit::Percent) return kPercent;
   if (row.unit == Unit::PerMille) return kPerMille;
   const auto* const reference = std::ranges::find(kReferences, row.unit, &ReferenceRow::unit);
@@ -85,6 +84,7 @@ SignalSource::SignalSource(const DriveUnit& unit, const DriveObject& own, std::u
 
 bool SignalSource::bit() const noexcept {
   if (is_constant()) return scale_ > 0.0;
+  if (has_a_bit_per_index(*placed_->row)) return object_->value(*placed_, position_) > 0.0;
   const auto word = static_cast<std::int64_t>(object_->value(*placed_, 0));
   return (word >> position_ & 1) != 0;
 }

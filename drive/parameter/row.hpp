@@ -127,6 +127,12 @@ constexpr bool is_reset(const ParameterRow& row) noexcept {
 /// Chooses among the saved parameters.
 using RowFilter = bool (*)(const ParameterRow& row) noexcept;
 
+/// Whether the bits that @p row has for binector inputs are its indices (r8843).
+constexpr bool has_a_bit_per_index(const ParameterRow& row) noexcept {
+  constexpr std::uint16_t kInterfaceState = 8843;
+  return row.number == kInterfaceState;
+}
+
 /// Lowest and highest value of @p row in its own unit.
 constexpr Range limits_of(const ParameterRow& row) noexcept {
   const DataTypeRow& type = row_of(row.type);

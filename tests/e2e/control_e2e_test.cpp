@@ -37,6 +37,24 @@ TEST_F(Control, TellsTheStatusOfTheUnit) {
   EXPECT_EQ(status.at("axes").at(0).at("statusword"), "0x1640");
 }
 
+TEST_F(Control, ExplainsWhyTheAxisDoesNotTurnAndThatItDoes) {
+  const auto explanation = [] { return daemon->axisctl({"explain", "1"}).output; };
+  can->send("205#0000");
+  ASSERT_TRUE(wait_for_state(*can, kSwitchOnDisabled));
+  EXPECT_NE(explanation().find("OFF2 is given by p0844 = r8890.1: send a controlword with bit 1 = 1.\n"),
+            std::string::npos)
+      << explanation();
+
+  run_motor();
+
+  EXPECT_EQ(explanation().rfind("It turns at ", 0), 0U) << explanation();
+  const fakes::Finished all = daemon->axisctl({"--json", "explain"});
+  EXPECT_EQ(json::parse(all.output).at("axes").at(0).at("reasons").size(), 1U) << all.output;
+  const fakes::Finished refused = daemon->axisctl({"explain", "2"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.errors.find("axis: expected 1, got 2"), std::string::npos) << refused.errors;
+}
+
 TEST_F(Control, ALoadIsFeltByTheMotor) {
   run_motor();
 

@@ -23,6 +23,8 @@ TEST_F(Axisctl, SendsWhatEachCommandMeans) {
        {{"method", "fault.inject"}, {"params", {{"axis", 1}, {"number", 30001}}}}},
       {{"fault", "inject", "0", "F01000", "7"},
        {{"method", "fault.inject"}, {"params", {{"axis", 0}, {"number", 1000}, {"value", 7}}}}},
+      {{"explain"}, {{"method", "explain"}}},
+      {{"explain", "2"}, {{"method", "explain"}, {"params", {{"axis", 2}}}}},
       {{"fault", "ack", "3"}, {{"method", "fault.ack"}, {"params", {{"axis", 3}}}}},
       {{"load", "1", "2.5"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", 2.5}}}}},
       {{"load", "1", "-0.75"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", -0.75}}}}},
@@ -44,6 +46,19 @@ TEST_F(Axisctl, SendsWhatEachCommandMeans) {
     EXPECT_EQ(run_.output + run_.errors, "");
     EXPECT_EQ(json::parse(server.request()), expected);
   }
+}
+
+TEST_F(Axisctl, PrintsAReasonALine) {
+  const json two = {"OFF2 is given.", "The node is Stopped."};
+  {
+    ControlServer server{socket(), answer({{"reasons", two}})};
+    EXPECT_EQ(run({"explain", "1"}).output, "OFF2 is given.\nThe node is Stopped.\n");
+  }
+  std::filesystem::remove(socket());
+  ControlServer server{
+      socket(), answer({{"axes", {{{"axis", 1}, {"reasons", two}}, {{"axis", 2}, {"reasons", {"It turns."}}}}}})};
+
+  EXPECT_EQ(run({"explain"}).output, "axis 1\n  OFF2 is given.\n  The node is Stopped.\naxis 2\n  It turns.\n");
 }
 
 TEST_F(Axisctl, ShowsWhatAnAnswerHoldsBesides) {
