@@ -20,7 +20,9 @@ TEST(OperatingMode, HasACodeForEveryControlMode) {
   for (const CodeRow& row : kCodes) {
     const auto found = control_mode_of(static_cast<std::int8_t>(row.code), true);
     EXPECT_EQ(found.value_or(-1), row.control_mode) << row.code;
-    if (found) EXPECT_EQ(mode_of(*found), row.code);
+    if (found) {
+      EXPECT_EQ(mode_of(*found), row.code);
+    }
   }
   EXPECT_EQ(control_mode_of(2, true), 21);
   EXPECT_EQ(control_mode_of(2, false), 20);
@@ -214,7 +216,9 @@ TEST(SupplementaryTorques, AddInBothControls) {
   for (const bool torque_control : {false, true}) {
     WiredUnit wired;
     const double rated = wired.read(kX, 333);
-    if (torque_control) ASSERT_EQ(wired.write(kX, 1300, 23.0), std::nullopt);
+    if (torque_control) {
+      ASSERT_EQ(wired.write(kX, 1300, 23.0), std::nullopt);
+    }
     wired.wire(kX, 1511, {8850, kY, 0});
     wired.wire(kX, 1513, {8850, kY, 1});
     wired.switch_on(kX);
