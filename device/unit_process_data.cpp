@@ -26,7 +26,7 @@ void UnitProcessData::take_over(WiredBy wired) noexcept {
   follow_mappings();
 }
 
-void UnitProcessData::follow_mappings() noexcept {
+bool UnitProcessData::follow_mappings() noexcept {
   const bool all = mapping_changed_;
   mapping_changed_ = false;
   for (std::size_t i = 0; i < wiring_.size(); ++i) {
@@ -35,6 +35,7 @@ void UnitProcessData::follow_mappings() noexcept {
     velocity_mode_[i] = velocity_mode;
     wiring_[i].follow();
   }
+  return all;
 }
 
 void UnitProcessData::show_state() noexcept {

@@ -33,11 +33,10 @@ class UnitProcessData final : private MappingListener {
   /// interconnections follow.
   void take_over(WiredBy wired) noexcept;
   /// What has to follow when a mapping or a mode has changed; between calls into the node, or before a cycle.
-  void follow_mappings() noexcept;
+  /// Whether a mapping had.
+  bool follow_mappings() noexcept;
   /// The same between cycles: only if a mapping has changed.
-  void follow_changed_mappings() noexcept {
-    if (mapping_changed_) follow_mappings();
-  }
+  bool follow_changed_mappings() noexcept { return mapping_changed_ && follow_mappings(); }
   /// r8843 follows the NMT state.
   void show_state() noexcept;
   /// The places of the process data of @p axis (from 1).

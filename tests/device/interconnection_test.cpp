@@ -21,9 +21,10 @@ TEST(Interconnection, IsRefusedWhereThereIsNoSuchSource) {
     std::uint16_t input;
     drive::BicoSource source;
   };
-  for (const Case& c : {Case{840, {8850, kOwnObject, 0}}, Case{840, {8890, kOwnObject, 16}}, Case{840, {8890, 4, 0}},
-                        Case{840, {1, 2, 0}}, Case{840, {722, 2, 0}}, Case{1070, {8860, 2, 19}}, Case{1070, {1120, 2, 0}},
-                        Case{1070, {1024, 1, 0}}, Case{1070, {1070, 2, 0}}}) {
+  for (const Case& c :
+       {Case{840, {8850, kOwnObject, 0}}, Case{840, {8890, kOwnObject, 16}}, Case{840, {8890, 4, 0}},
+        Case{840, {1, 2, 0}}, Case{840, {722, 2, 0}}, Case{1070, {8860, 2, 19}}, Case{1070, {1120, 2, 0}},
+        Case{1070, {1024, 1, 0}}, Case{1070, {1070, 2, 0}}}) {
     const std::uint32_t before = unit.read_parameter(2, c.input);
     EXPECT_EQ(unit.wire(2, c.input, c.source), kIllegal) << c.input << " to " << c.source.number;
     EXPECT_EQ(unit.read_parameter(2, c.input), before);
@@ -37,7 +38,8 @@ TEST(Interconnection, IsRefusedWhereThereIsNoSuchSource) {
 
 TEST(Interconnection, LetsAnAxisFollowTheBitsThatAnotherOneReceives) {
   WiredDevice unit{unit_of(2)};
-  for (const std::uint16_t input : {844, 848, 852}) ASSERT_EQ(unit.write_parameter(3, input, 1, 4), 0U);
+  for (const std::uint16_t input : std::initializer_list<std::uint16_t>{844, 848, 852})
+    ASSERT_EQ(unit.write_parameter(3, input, 1, 4), 0U);
   ASSERT_EQ(unit.wire(3, 840, {8890, 2, 11}), 0U);
   ASSERT_EQ(unit.wire(3, 1070, {8860, 2, 1}), 0U);
   ASSERT_EQ(unit.write_parameter(3, 1120, 0, 4), 0U);
@@ -53,7 +55,8 @@ TEST(Interconnection, LetsAnAxisFollowTheBitsThatAnotherOneReceives) {
 TEST(Interconnection, ActsOnAUnitThatRestsWhenAFreeObjectIsWritten) {
   WiredDevice unit{unit_of(2)};
   ASSERT_EQ(unit.wire(3, 8899, {8745, 2, 5}), 0U);
-  for (const std::uint16_t input : {844, 848}) ASSERT_EQ(unit.write_parameter(3, input, 1, 4), 0U);
+  for (const std::uint16_t input : std::initializer_list<std::uint16_t>{844, 848})
+    ASSERT_EQ(unit.write_parameter(3, input, 1, 4), 0U);
   ASSERT_EQ(unit.wire(3, 840, {8894, drive::kOwnObject, 2}), 0U);
   unit.passes(1s);
   ASSERT_EQ(unit.word(0x6841) & 0x6F, 0x21);

@@ -4,7 +4,8 @@
 namespace device {
 namespace {
 
-constexpr std::uint32_t kControlword = 0x60400010, kMode = 0x60600008, kTorque = 0x60710010, kVelocity = 0x60FF0020;
+constexpr std::uint32_t kControlword = 0x60400010, kMode = 0x60600008, kTorque = 0x60710010,
+                        kVelocity = 0x60FF0020;
 constexpr std::uint32_t kVlVelocity = 0x60420010;
 
 Configuration configured(std::vector<ParameterPreset> presets, drive::ObjectKind kind = drive::ObjectKind::Servo) {
@@ -28,9 +29,23 @@ void expect_modes(WiredDevice& unit, std::initializer_list<ModeRow> rows) {
 
 TEST(Modes, OfAServoAreThoseOfP1300AndTheVelocityMode) {
   WiredDevice unit;
-  expect_modes(unit, {{3, 3}, {4, 4}, {2, 2}, {6, 2}, {1, 2}, {0, 2}, {-5, 2}, {-20, -20}, {-22, -22}, {-21, -22},
-                      {127, -22}, {-128, -22}, {3, 3}, {2, 2}, {3, 3}});
-  for (const auto& [asked, p1300] : {std::pair{4, 23U}, std::pair{-20, 20U}, std::pair{-22, 22U}, std::pair{2, 21U}}) {
+  expect_modes(unit, {{3, 3},
+                      {4, 4},
+                      {2, 2},
+                      {6, 2},
+                      {1, 2},
+                      {0, 2},
+                      {-5, 2},
+                      {-20, -20},
+                      {-22, -22},
+                      {-21, -22},
+                      {127, -22},
+                      {-128, -22},
+                      {3, 3},
+                      {2, 2},
+                      {3, 3}});
+  for (const auto& [asked, p1300] :
+       {std::pair{4, 23U}, std::pair{-20, 20U}, std::pair{-22, 22U}, std::pair{2, 21U}}) {
     ASSERT_EQ(unit.download(0x6060, 0, static_cast<std::uint8_t>(asked), 1), 0U);
     EXPECT_EQ(unit.read_parameter(2, 1300), p1300) << asked;
   }
@@ -114,7 +129,7 @@ TEST(VelocityMode, HasTheLimitsOf6046AndTheRampOf6048) {
 TEST(VelocityMode, IgnoresTheTargetVelocityAndOtherModesIgnoreItsBits) {
   WiredDevice unit{configured({{1120, 0.1}, {1121, 0.1}})};
   unit.switch_on(0x000F);
-  ASSERT_EQ(unit.download(0x60FF, 0, static_cast<std::uint32_t>(bus_speed(300)), 4), 0U);
+  ASSERT_EQ(unit.download(0x60FF, 0, increments(300), 4), 0U);
   ASSERT_EQ(unit.download(0x6042, 0, 900, 2), 0U);
   unit.passes(300ms);
   EXPECT_NEAR(unit.velocity(), bus_speed(300), bus_speed(1)) << "profile velocity needs no bits 4 to 6";
@@ -122,12 +137,14 @@ TEST(VelocityMode, IgnoresTheTargetVelocityAndOtherModesIgnoreItsBits) {
 
 /// A unit whose RPDO 1 has 6040h, 6060h, 6071h and RPDO 3 60FFh, in operation.
 struct Toggle : WiredDevice {
-  explicit Toggle(const Configuration& configuration = configured({{1120, 0.5}, {1121, 0.5}})) : WiredDevice{configuration} {
+  explicit Toggle(const Configuration& configuration = configured({{1120, 0.5}, {1121, 0.5}}))
+      : WiredDevice{configuration} {
     unmap_all();
     map_rpdo(1, {kControlword, kMode, kTorque});
     map_rpdo(3, {kVelocity, kVlVelocity});
     enter();
-    for (const std::uint16_t word : {0x0006, 0x0007, 0x000F}) send(word, 3, 0), cycle();
+    for (const std::uint16_t word : std::initializer_list<std::uint16_t>{0x0006, 0x0007, 0x000F})
+      send(word, 3, 0), cycle();
   }
   void send(std::uint16_t controlword, std::int8_t mode, std::int16_t torque) {
     canopen::Frame frame{.id = 0x205, .length = 5};

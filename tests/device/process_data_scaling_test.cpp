@@ -8,7 +8,8 @@
 namespace device {
 namespace {
 
-constexpr std::uint32_t kControlword = 0x60400010, kVelocity = 0x60FF0020, kTorque = 0x60710010, kVlVelocity = 0x60420010;
+constexpr std::uint32_t kControlword = 0x60400010, kVelocity = 0x60FF0020, kTorque = 0x60710010,
+                        kVlVelocity = 0x60420010;
 constexpr double kSpeed = 3000.0;  // rpm, p2000
 
 /// An axis whose p2000 is 3000 rpm and whose p2003 is @p torque, given as a share of r0333.
@@ -33,13 +34,13 @@ struct Scaled : WiredDevice {
     return c;
   }
   /// What 60FFh gives: r8860[1] and p1070 (rpm).
-  std::pair<std::uint32_t, double> velocity_of(std::uint32_t bus) {
-    EXPECT_EQ(download(0x60FF, 0, bus, 4), 0U);
+  std::pair<std::uint32_t, double> velocity_of(std::uint32_t wanted) {
+    EXPECT_EQ(download(0x60FF, 0, wanted, 4), 0U);
     cycle();
     return {read_parameter(2, 8860, 1), device.axis().inputs().main_setpoint / drive::kRpm};
   }
-  std::pair<std::uint32_t, double> torque_of(int bus) {
-    EXPECT_EQ(download(0x6071, 0, static_cast<std::uint16_t>(bus), 2), 0U);
+  std::pair<std::uint32_t, double> torque_of(int wanted) {
+    EXPECT_EQ(download(0x6071, 0, static_cast<std::uint16_t>(wanted), 2), 0U);
     cycle();
     return {read_parameter(2, 8850, 3) & 0xFFFFU, device.axis().inputs().torque_setpoint / parameter(333)};
   }
@@ -52,11 +53,16 @@ struct VelocityRow {
 
 TEST(VelocityScaling, OfReceivedIncrements) {
   Scaled unit;
-  for (const VelocityRow& row : std::initializer_list<VelocityRow>{
-           {0x0C800000, 0x40000000, 3000}, {0x06400000, 0x20000000, 1500}, {0x00400000, 0x0147AE14, 60},
-           {0x12C00000, 0x60000000, 4500}, {0xF3800000, 0xC0000000, -3000}, {0, 0, 0},
-           {0x19000000, 0x7FFFFFFF, 6000}, {0x7FFFFFFF, 0x7FFFFFFF, 6000}, {0x80000000, 0x80000000, -6000},
-           {0xE7000000, 0x80000000, -6000}}) {
+  for (const VelocityRow& row : std::initializer_list<VelocityRow>{{0x0C800000, 0x40000000, 3000},
+                                                                   {0x06400000, 0x20000000, 1500},
+                                                                   {0x00400000, 0x0147AE14, 60},
+                                                                   {0x12C00000, 0x60000000, 4500},
+                                                                   {0xF3800000, 0xC0000000, -3000},
+                                                                   {0, 0, 0},
+                                                                   {0x19000000, 0x7FFFFFFF, 6000},
+                                                                   {0x7FFFFFFF, 0x7FFFFFFF, 6000},
+                                                                   {0x80000000, 0x80000000, -6000},
+                                                                   {0xE7000000, 0x80000000, -6000}}) {
     const auto [words, rpm] = unit.velocity_of(row.bus);
     EXPECT_EQ(words, row.words) << std::hex << row.bus;
     EXPECT_NEAR(rpm, row.rpm, 1e-5) << std::hex << row.bus;
@@ -79,8 +85,10 @@ TEST(VelocityScaling, HasTheFactorInBothDirections) {
 
 TEST(VelocityScaling, IsRpmWithoutEncoder) {
   Scaled unit{kSpeed, 1.0, false};
-  for (const VelocityRow& row : std::initializer_list<VelocityRow>{
-           {3000, 0x40000000, 3000}, {static_cast<std::uint32_t>(-1500), 0xE0000000, -1500}, {0x7FFFFFFF, 0x7FFFFFFF, 6000}}) {
+  for (const VelocityRow& row :
+       std::initializer_list<VelocityRow>{{3000, 0x40000000, 3000},
+                                          {static_cast<std::uint32_t>(-1500), 0xE0000000, -1500},
+                                          {0x7FFFFFFF, 0x7FFFFFFF, 6000}}) {
     const auto [words, rpm] = unit.velocity_of(row.bus);
     EXPECT_EQ(words, row.words) << std::hex << row.bus;
     EXPECT_NEAR(rpm, row.rpm, 1e-5) << std::hex << row.bus;
@@ -88,6 +96,38 @@ TEST(VelocityScaling, IsRpmWithoutEncoder) {
   ASSERT_EQ(unit.download(0x6094, 1, 1, 4), 0U);
   ASSERT_EQ(unit.download(0x6094, 2, 100, 4), 0U);
   EXPECT_NEAR(unit.velocity_of(150000).second, 1500.0, 1e-5);
+}
+
+TEST(RampScaling, HasTheUnitOfTheVelocity) {
+  for (const bool with_encoder : {true, false}) {
+    Scaled unit{kSpeed, 1.0, with_encoder};
+    ASSERT_EQ(unit.write_parameter(2, 1082, std::bit_cast<std::uint32_t>(3000.0F), 4), 0U);
+    if (with_encoder) {
+      EXPECT_EQ(unit.upload(0x6083).number(), 20971520U);
+      ASSERT_EQ(unit.download(0x6094, 1, 4194304, 4), 0U);
+      ASSERT_EQ(unit.download(0x6094, 2, 60, 4), 0U);
+    }
+    EXPECT_EQ(unit.upload(0x6083).number(), 300U) << "3000 rpm in 10 s, in rpm/s";
+    for (const auto& [index, parameter] :
+         {std::pair{0x6083, 1120}, std::pair{0x6084, 1121}, std::pair{0x6085, 1135}}) {
+      const auto object = static_cast<std::uint16_t>(index);
+      const auto time = [&] { return unit.parameter(static_cast<std::uint16_t>(parameter)); };
+      ASSERT_EQ(unit.download(object, 0, 600, 4), 0U);
+      EXPECT_NEAR(time(), 5.0, 1e-5);
+      EXPECT_EQ(unit.upload(object).number(), 600U);
+      ASSERT_EQ(unit.download(object, 0, 1, 4), 0U);
+      EXPECT_NEAR(time(), parameter == 1135 ? 600.0 : 3000.0, 1e-3) << "clipped to the range of the parameter";
+      ASSERT_EQ(unit.download(object, 0, 0xFFFFFFFE, 4), 0U);
+      EXPECT_GT(time(), 0.0);
+    }
+  }
+}
+
+TEST(RampScaling, SaturatesAtTheEndOfTheObject) {
+  WiredDevice unit;
+  ASSERT_EQ(unit.write_parameter(2, 1082, std::bit_cast<std::uint32_t>(3000.0F), 4), 0U);
+  ASSERT_EQ(unit.write_parameter(2, 1120, std::bit_cast<std::uint32_t>(0.01F), 4), 0U);
+  EXPECT_EQ(unit.upload(0x6083).number(), 0xFFFFFFFFU);
 }
 
 TEST(VelocityScaling, IsRelativeToP2000) {
@@ -106,7 +146,8 @@ TEST(VelocityScaling, IsWholeIncrementsWithoutPlace) {
   unit.map_rpdo(1, {kControlword});
   ASSERT_EQ(unit.download(0x60FF, 0, 0x0C800000, 4), 0U);
   unit.cycle();
-  EXPECT_NEAR(unit.device.axis().inputs().main_setpoint / drive::kRpm, 3000.0, 1e-5) << "r8796 does not saturate at p2000";
+  EXPECT_NEAR(unit.device.axis().inputs().main_setpoint / drive::kRpm, 3000.0, 1e-5)
+      << "r8796 does not saturate at p2000";
   ASSERT_EQ(unit.download(0x60FF, 0, 0x80000000, 4), 0U);
   unit.cycle();
   EXPECT_NEAR(unit.device.axis().inputs().main_setpoint / drive::kRpm, -30720.0, 1e-3);
@@ -176,7 +217,7 @@ struct SentUnit : ProcessDataUnit {
 };
 
 TEST(SentVelocity, IsIncrementsOfTheWholeRange) {
-  for (const std::uint16_t index : {0x606C, 0x6069, 0x606B}) {
+  for (const std::uint16_t index : std::initializer_list<std::uint16_t>{0x606C, 0x6069, 0x606B}) {
     SentUnit unit;
     ASSERT_EQ(unit.write(0x1A04, 1, std::int64_t{index} << 16 | 0x20), 0U);
     EXPECT_EQ(unit.shown(index, 3000), 0x0C800000);
@@ -200,10 +241,11 @@ TEST(SentVelocity, SaturatesAtTheEndsOfTheObject) {
 }
 
 TEST(SentRpm, IsRpmAndSaturates) {
-  for (const std::uint16_t index : {0x6043, 0x6044}) {
+  for (const std::uint16_t index : std::initializer_list<std::uint16_t>{0x6043, 0x6044}) {
     SentUnit unit;
     ASSERT_EQ(unit.write(0x1A04, 1, std::int64_t{index} << 16 | 0x10), 0U);
-    for (const int rpm : {0, 1, 100, 1500, -3000, 5999}) EXPECT_NEAR(static_cast<double>(unit.shown(index, rpm)), rpm, 0.5) << rpm;
+    for (const int rpm : {0, 1, 100, 1500, -3000, 5999})
+      EXPECT_NEAR(static_cast<double>(unit.shown(index, rpm)), rpm, 0.5) << rpm;
     EXPECT_EQ(unit.shown(index, -20000), -6000);
     ASSERT_TRUE(unit.set_parameter(2, 2000, 0, 200000.0));
     EXPECT_EQ(unit.shown(index, 100000), 32767);
@@ -212,7 +254,7 @@ TEST(SentRpm, IsRpmAndSaturates) {
 }
 
 TEST(SentTorque, IsPerMilleOfTheRatedTorqueAndSaturates) {
-  for (const std::uint16_t index : {0x6074, 0x6077}) {
+  for (const std::uint16_t index : std::initializer_list<std::uint16_t>{0x6074, 0x6077}) {
     ProcessDataUnit unit{1};
     unit.start();
     ASSERT_EQ(unit.write(0x1A04, 1, std::int64_t{index} << 16 | 0x10), 0U);
@@ -221,8 +263,9 @@ TEST(SentTorque, IsPerMilleOfTheRatedTorqueAndSaturates) {
     const double rated = unit.parameter(2, 333);
     ASSERT_TRUE(unit.set_parameter(2, 8851, place, own(1520)));
     for (const auto& [share, reference, per_mille, word] :
-         {std::tuple{0.5, 1.0, 500, 0x2000}, std::tuple{1.0, 1.0, 1000, 0x4000}, std::tuple{3.0, 1.0, 2000, 0x7FFF},
-          std::tuple{3.0, 4.0, 3000, 0x3000}, std::tuple{0.25, 0.5, 250, 0x2000}, std::tuple{3.0, 0.5, 1000, 0x7FFF}}) {
+         {std::tuple{0.5, 1.0, 500, 0x2000}, std::tuple{1.0, 1.0, 1000, 0x4000},
+          std::tuple{3.0, 1.0, 2000, 0x7FFF}, std::tuple{3.0, 4.0, 3000, 0x3000},
+          std::tuple{0.25, 0.5, 250, 0x2000}, std::tuple{3.0, 0.5, 1000, 0x7FFF}}) {
       ASSERT_TRUE(unit.set_parameter(2, 2003, 0, reference * rated));
       ASSERT_TRUE(unit.set_parameter(2, 1520, 0, share * rated));
       EXPECT_NEAR(static_cast<double>(unit.read(index)), per_mille, 1.0) << share << " of " << reference;

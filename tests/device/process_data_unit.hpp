@@ -12,7 +12,7 @@
 namespace device {
 
 /// The PDO configuration and the process data of a unit, node-ID 5, without the motors and the rest of the device.
-class ProcessDataUnit final : private AlarmListener, private canopen::Application {
+class ProcessDataUnit : private AlarmListener, private canopen::Application {
  public:
   explicit ProcessDataUnit(std::size_t axes)
       : rows{object_rows(std::vector<drive::ObjectKind>(axes, drive::ObjectKind::Servo))},

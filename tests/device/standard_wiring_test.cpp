@@ -1,24 +1,12 @@
 // The interconnections of a new unit, and that they follow every mapping, except what the user has wired.
-#include "tests/device/storage_fixture.hpp"
-#include "tests/device/wired_device.hpp"
+#include "tests/device/standard_wiring.hpp"
 
 namespace device {
 namespace {
 
 constexpr std::uint32_t kFiller = 0x58000010;  // a free word
 constexpr std::uint32_t kControlword = 0x60400010, kVelocity = 0x60FF0020, kTorque = 0x60710010;
-constexpr std::uint32_t kVlVelocity = 0x60420010, kMode = 0x60600008;
-
-struct Command {
-  std::uint16_t input;
-  std::uint16_t bit;
-};
-constexpr std::array kCommands{Command{840, 0}, Command{844, 1}, Command{848, 2}, Command{852, 3}, Command{2103, 7}};
-
-void expect_commands_at(const WiredDevice& unit, std::uint16_t word, std::size_t axis = 1) {
-  for (const Command& command : kCommands)
-    EXPECT_EQ(unit.parameter(command.input, 0, axis), own(word, command.bit)) << 'p' << command.input;
-}
+constexpr std::uint32_t kVlVelocity = 0x60420010;
 
 TEST(StandardWiring, OfANewUnitIsThatOfThePredefinedConnectionsOnEveryAxis) {
   WiredDevice unit{unit_of(8)};
@@ -27,7 +15,7 @@ TEST(StandardWiring, OfANewUnitIsThatOfThePredefinedConnectionsOnEveryAxis) {
     EXPECT_EQ(unit.parameter(8790, 0, axis), 1.0);
     EXPECT_EQ(unit.parameter(1070, 0, axis), own(8860, 1));
     EXPECT_EQ(unit.parameter(1503, 0, axis), own(8850, 3));
-    for (const std::uint16_t unwired : {1075, 1155, 1160, 1511, 1513})
+    for (const std::uint16_t unwired : std::initializer_list<std::uint16_t>{1075, 1155, 1160, 1511, 1513})
       EXPECT_EQ(unit.parameter(unwired, 0, axis), 0.0) << 'p' << unwired;
     for (std::uint8_t word = 0; word < 25; ++word) {
       const double expected = word == 0 ? own(8784) : word == 3 ? own(80) : 0.0;
@@ -89,10 +77,10 @@ TEST(StandardWiring, FollowsTheSpeedSetpoint) {
   unit.unmap_all();
   EXPECT_EQ(unit.parameter(1070), own(8796));
   unit.switch_on();
-  ASSERT_EQ(unit.download(0x60FF, 0, static_cast<std::uint32_t>(bus_speed(600)), 4), 0U);
+  ASSERT_EQ(unit.download(0x60FF, 0, increments(600), 4), 0U);
   unit.passes(500ms);
   EXPECT_NEAR(unit.velocity(), bus_speed(600), bus_speed(1));
-  EXPECT_EQ(unit.read_parameter(2, 8796), static_cast<std::uint32_t>(bus_speed(600)));
+  EXPECT_EQ(unit.read_parameter(2, 8796), increments(600));
 
   ASSERT_EQ(unit.download(0x6094, 1, 2, 4), 0U);
   unit.passes(500ms);
@@ -104,7 +92,7 @@ TEST(StandardWiring, FollowsTheSpeedSetpoint) {
   unit.passes(100ms);
   EXPECT_NEAR(unit.device.axis().actual().speed / drive::kRpm, 1200.0, 1.0);
   EXPECT_EQ(unit.read_parameter(2, 8796), 0U);
-  ASSERT_EQ(unit.download(0x60FF, 0, static_cast<std::uint32_t>(bus_speed(-150)), 4), 0U);
+  ASSERT_EQ(unit.download(0x60FF, 0, increments(-150), 4), 0U);
   unit.passes(500ms);
   EXPECT_NEAR(unit.device.axis().actual().speed / drive::kRpm, -300.0, 1.0);
 }
@@ -164,7 +152,7 @@ TEST(StandardWiring, FollowsEveryActualValueAndReadsTheDriveWithoutIt) {
     unit.unmap_all();
     unit.switch_on();
     unit.device.set_load_torque(1, 0.5, unit.now);
-    ASSERT_EQ(unit.download(0x60FF, 0, static_cast<std::uint32_t>(bus_speed(750)), 4), 0U);
+    ASSERT_EQ(unit.download(0x60FF, 0, increments(750), 4), 0U);
     unit.passes(1s);
     const std::uint64_t unmapped = unit.upload(index).number();
     EXPECT_NE(unmapped, 0U) << std::hex << index;
@@ -173,9 +161,12 @@ TEST(StandardWiring, FollowsEveryActualValueAndReadsTheDriveWithoutIt) {
                                          std::pair{std::vector{0x58100010U, 0x58110010U, sent.entry}, 2}}) {
       unit.map_tpdo(3, entries);
       EXPECT_EQ(unit.parameter(sink, static_cast<std::size_t>(place)), own(sent.source)) << std::hex << index;
-      if (place == 2) EXPECT_EQ(unit.parameter(sink, 0), 0.0) << "the former place is free";
+      if (place == 2) {
+        EXPECT_EQ(unit.parameter(sink, 0), 0.0) << "the former place is free";
+      }
       unit.cycle();
-      const auto difference = static_cast<std::int32_t>(static_cast<std::uint32_t>(unit.upload(index).number() - unmapped));
+      const auto difference =
+          static_cast<std::int32_t>(static_cast<std::uint32_t>(unit.upload(index).number() - unmapped));
       const std::int32_t tolerance = index == 0x6063 ? 10'000'000 : sink == 8861 ? 4000 : 3;
       EXPECT_LE(std::abs(difference), tolerance) << std::hex << index << " at " << place;
     }
@@ -184,6 +175,7 @@ TEST(StandardWiring, FollowsEveryActualValueAndReadsTheDriveWithoutIt) {
     EXPECT_EQ(unit.upload(index).number(), 0U) << "unwired: " << std::hex << index;
     unit.map_tpdo(3, {});
     EXPECT_EQ(unit.parameter(sink, 2), 0.0);
+    unit.cycle();
     EXPECT_NE(unit.upload(index).number(), 0U) << "not mapped, it shows the drive";
   }
 }
@@ -220,11 +212,10 @@ TEST(StandardWiring, LeavesWhatTheUserHasWired) {
 TEST(StandardWiring, FollowsAgainWhatTheUserHasWiredBack) {
   WiredDevice unit;
   ASSERT_EQ(unit.write_parameter(2, 1070, 0, 4), 0U);
-  unit.map_rpdo(3, {kVelocity});
+  unit.unmap_all();
+  unit.map_rpdo(3, {kFiller, kVelocity});
   EXPECT_EQ(unit.parameter(1070), 0.0);
-  const auto& rpdo = unit.device.axis();
-  ASSERT_EQ(unit.wire(2, 1070, {8860, drive::kOwnObject, 2}), 0U);  // where 60FFh lies now
-  ASSERT_EQ(rpdo.read(8760, 2).value_or(0), 0x60FF);
+  ASSERT_EQ(unit.wire(2, 1070, {8860, drive::kOwnObject, 1}), 0U);  // where 60FFh lies now
   unit.map_rpdo(3, {});
   EXPECT_EQ(unit.parameter(1070), own(8796));
 }
@@ -261,101 +252,16 @@ TEST(P8790, IsRefusedWhereTheControlwordHasNoBits) {
   EXPECT_EQ(unit.write_parameter(1, 8790, 1, 2), 0x06020000U) << "the control unit has none";
 }
 
-TEST(StandardWiring, SendsTheModeThatIsActive) {
+TEST(StandardWiring, FollowsAMappingWhileTheUnitRests) {
   WiredDevice unit;
-  unit.map_tpdo(1, {0x60410010, 0x60610008});
-  unit.enter();
-  EXPECT_EQ(from("185#", unit.cycles_with("205#0600")).back().substr(9), "03");
-  ASSERT_EQ(unit.download(0x6060, 0, 4, 1), 0U);
-  EXPECT_EQ(from("185#", unit.passes(20ms)).back().substr(9), "04");
-}
-
-TEST(StandardWiring, GivesTheModeToTheProcessDataWhileItIsMapped) {
-  WiredDevice unit;
-  ASSERT_EQ(unit.download(0x6060, 0, 4, 1), 0U);
-  EXPECT_EQ(unit.parameter(1300), 23.0);
-  ASSERT_EQ(unit.download(0x6060, 0, 3, 1), 0U);
-  unit.map_rpdo(1, {kControlword, kMode});
-  ASSERT_EQ(unit.download(0x6060, 0, 4, 1), 0U);
-  unit.cycle();
-  EXPECT_EQ(unit.parameter(1300), 21.0) << "p1300 stays";
-  EXPECT_EQ(unit.upload(0x6060).number(), 4U);
-  EXPECT_EQ(unit.upload(0x6061).number(), 4U);
-  EXPECT_EQ(unit.read_parameter(2, 8850, 1) & 0xFFFFU, 4U);
-  ASSERT_EQ(unit.download(0x6060, 0, 0xEC, 1), 0U);
-  unit.cycle();
-  EXPECT_EQ(unit.read_parameter(2, 8850, 1) & 0xFFFFU, 0xFFECU) << "sign-extended";
-}
-
-TEST(StandardWiring, IsThatOfANewUnitAfterAResetAndARestore) {
-  for (const char* const how : {"reset", "restore", "predefined"}) {
-    WiredDevice unit;
-    ASSERT_EQ(unit.wire(2, 1070, {1024, drive::kOwnObject, 0}), 0U);
-    const bool keeps = std::string_view{how} == "predefined";
-    if (keeps) ASSERT_EQ(unit.wire(2, 1070, {8860, drive::kOwnObject, 1}), 0U);
-    unit.unmap_all();
-    if (std::string_view{how} == "reset") unit.says("000#8105");
-    if (std::string_view{how} == "restore") ASSERT_EQ(unit.download(0x1011, 1, kLoad, 4), 0U);
-    if (keeps) ASSERT_EQ(unit.write_parameter(2, 8741, 1, 2), 0U);
-    unit.cycle();
-    expect_commands_at(unit, 8890);
-    EXPECT_EQ(unit.parameter(1070), own(8860, 1)) << how;
-    EXPECT_EQ(unit.parameter(1503), own(8850, 3)) << how;
-    EXPECT_EQ(unit.parameter(8851, 3), own(80)) << how;
-    EXPECT_EQ(unit.parameter(8861, 4), own(482)) << how;
-  }
-}
-
-TEST(StandardWiring, IsSavedAndFollowsInTheNextLife) {
-  WiredDevice former;
-  former.unmap_all();
-  former.map_rpdo(1, {kFiller, kControlword, kVelocity});
-  ASSERT_EQ(former.wire(2, 1513, {8745, drive::kOwnObject, 4}), 0U);
-  ASSERT_EQ(former.write_parameter(2, 844, 1, 4), 0U);
-  ASSERT_EQ(former.download(0x1010, 1, kSave, 4), 0U);
-  former.passes(1s);
-
-  const NextLife next{former, unit_of(1)};
-  const drive::Axis& axis = next.unit.device.axis();
-  EXPECT_EQ(axis.read(840).value(), own(8891, 0));
-  EXPECT_EQ(axis.read(844).value(), 1.0);
-  EXPECT_EQ(axis.read(1070).value(), own(8860, 2));
-  EXPECT_EQ(axis.read(1503).value(), own(8797));
-  EXPECT_EQ(axis.read(1513).value(), own(8745, 4));
-
-  WiredDevice again{unit_of(1)};
-  ASSERT_TRUE(again.device.load_parameters(former.listener.image));
-  again.says("000#8105");
-  again.passes(50ms);
-  again.map_rpdo(1, {kControlword});
-  EXPECT_EQ(again.parameter(840), own(8890, 0)) << "and goes on following";
-  EXPECT_EQ(again.parameter(844), 1.0);
-  EXPECT_EQ(again.parameter(1070), own(8796));
-}
-
-TEST(StandardWiring, TakesTheSpeedSetpointAgainWhenItWasSavedInVelocityMode) {
-  WiredDevice former;
-  ASSERT_EQ(former.download(0x6060, 0, 2, 1), 0U);
-  former.cycle();
-  ASSERT_EQ(former.parameter(1070), own(8792));
-  ASSERT_EQ(former.download(0x1010, 1, kSave, 4), 0U);
-  former.passes(1s);
-
-  const NextLife next{former, unit_of(1)};
-  EXPECT_EQ(next.unit.device.axis().actual().mode, 3);
-  EXPECT_EQ(next.unit.device.axis().read(1070).value(), own(8860, 1));
-}
-
-TEST(StandardWiring, OfOneAxisDoesNotConcernAnother) {
-  WiredDevice unit{unit_of(3)};
-  unit.unmap_all(2);
-  expect_commands_at(unit, 8890, 1);
-  expect_commands_at(unit, 8795, 2);
-  expect_commands_at(unit, 8890, 3);
-  unit.map_rpdo(4, {0x58800010, 0x68400010, 0x68FF0020}, 2);
-  expect_commands_at(unit, 8891, 2);
-  EXPECT_EQ(unit.parameter(1070, 0, 2), own(8860, 2));
-  EXPECT_EQ(unit.parameter(1070, 0, 1), own(8860, 1));
+  unit.passes(1s);
+  const std::uint16_t statusword = unit.statusword();
+  ASSERT_EQ(unit.write_parameter(2, 8851, 0, 4, 0), 0U);
+  unit.passes(1s);
+  ASSERT_EQ(unit.statusword(), 0U) << "unwired";
+  unit.unmap_all();
+  unit.passes(1s);
+  EXPECT_EQ(unit.statusword(), statusword) << "not mapped, it shows the drive";
 }
 
 }  // namespace

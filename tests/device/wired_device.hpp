@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
 #include <vector>
 
@@ -11,6 +12,11 @@ namespace device {
 /// A unit that a master maps and wires over SDO; it may leave Operational without a fault.
 struct WiredDevice : TestUnit {
   explicit WiredDevice(const Configuration& configuration = unit_of(1)) : TestUnit{configuration} { start(); }
+  /// The unit after a power cut, with what @p former had stored.
+  explicit WiredDevice(const TestUnit& former) : TestUnit{unit_of(1)} {
+    EXPECT_TRUE(device.load_parameters(former.listener.image));
+    start();
+  }
 
   /// The value of parameter @p number of axis @p axis.
   double parameter(std::uint16_t number, std::size_t index = 0, std::size_t axis = 1) const {
@@ -24,9 +30,12 @@ struct WiredDevice : TestUnit {
     ASSERT_EQ(download(record, 1, cob_id | kInvalid, 4), 0U);
     ASSERT_EQ(download(mapping, 0, 0, 1), 0U);
     for (std::uint8_t i = 0; i < 4; ++i)
-      ASSERT_EQ(download(mapping, i + 1, i < entries.size() ? entries[i] : 0, 4), 0U) << "entry " << int{i};
+      ASSERT_EQ(download(mapping, static_cast<std::uint8_t>(i + 1), i < entries.size() ? entries[i] : 0, 4), 0U)
+          << "entry " << int{i};
     ASSERT_EQ(download(mapping, 0, static_cast<std::uint32_t>(entries.size()), 1), 0U);
-    if ((cob_id & kInvalid) == 0) ASSERT_EQ(download(record, 1, cob_id, 4), 0U);
+    if ((cob_id & kInvalid) == 0) {
+      ASSERT_EQ(download(record, 1, cob_id, 4), 0U);
+    }
   }
   void map_rpdo(unsigned pdo, const std::vector<std::uint32_t>& entries, unsigned axis = 1) {
     map(0x1400, pdo, entries, axis);
@@ -51,7 +60,8 @@ struct WiredDevice : TestUnit {
     EXPECT_EQ(download(0x41B6, 0, object, 2), 0U);
     return static_cast<std::uint32_t>(upload(static_cast<std::uint16_t>(0x2000 + number), index).number());
   }
-  std::uint32_t wire(std::uint8_t object, std::uint16_t number, const drive::BicoSource& source, std::uint8_t index = 0) {
+  std::uint32_t wire(std::uint8_t object, std::uint16_t number, const drive::BicoSource& source,
+                     std::uint8_t index = 0) {
     return write_parameter(object, number, drive::pack(source), 4, index);
   }
   /// Pre-operational: mappings can be changed.
@@ -75,6 +85,13 @@ struct WiredDevice : TestUnit {
   }
 };
 
-inline double own(std::uint16_t number, std::uint16_t position = 0) { return drive::own_source(number, position); }
+/// @p rpm as 60FFh carries it.
+inline std::uint32_t increments(double rpm) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(bus_speed(rpm))));
+}
+
+inline double own(std::uint16_t number, std::uint16_t position = 0) {
+  return drive::own_source(number, position);
+}
 
 }  // namespace device

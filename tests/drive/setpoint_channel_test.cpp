@@ -7,7 +7,6 @@
 
 #include "drive/axis.hpp"
 #include "drive/units.hpp"
-#include "tests/drive/wired_unit.hpp"
 
 namespace drive {
 namespace {
@@ -77,10 +76,10 @@ TEST(SetpointChannel, InvertsBeforeItInhibitsDirections) {
     bool invert, inhibit_negative, inhibit_positive;
     double forward, backward;  ///< what 100 and -100 become
   };
-  for (const Case& row : {Case{false, false, false, 100, -100}, Case{true, false, false, -100, 100},
-                          Case{false, true, false, 100, 0}, Case{false, false, true, 0, -100},
-                          Case{true, true, false, 0, 100}, Case{true, false, true, -100, 0},
-                          Case{false, true, true, 0, 0}, Case{true, true, true, 0, 0}}) {
+  for (const Case& row :
+       {Case{false, false, false, 100, -100}, Case{true, false, false, -100, 100},
+        Case{false, true, false, 100, 0}, Case{false, false, true, 0, -100}, Case{true, true, false, 0, 100},
+        Case{true, false, true, -100, 0}, Case{false, true, true, 0, 0}, Case{true, true, true, 0, 0}}) {
     Channel c;
     c.inputs.invert_setpoint = row.invert;
     c.inputs.inhibit_negative = row.inhibit_negative;
@@ -113,13 +112,11 @@ TEST(SetpointChannel, LimitsByTheSmallestOfItsLimitsInEachDirection) {
     double forward, backward;
   };
   constexpr double kFree = AxisInputs::kAsParameter;
-  for (const Case& row : {Case{300, 500, 1000, -1000, kFree, kFree, 300, -300},
-                          Case{300, 250, 1000, -1000, kFree, kFree, 250, -250},
-                          Case{300, 500, 200, -100, kFree, kFree, 200, -100},
-                          Case{300, 500, 200, -100, 150, -50, 150, -50},
-                          Case{300, 500, 200, -100, 250, -280, 250, -280},
-                          Case{300, 500, 200, -100, 900, -900, 300, -300},
-                          Case{300, 500, 0, 0, kFree, kFree, 0, 0}, Case{300, 500, 200, -100, -20, 20, 0, 0}}) {
+  for (const Case& row :
+       {Case{300, 500, 1000, -1000, kFree, kFree, 300, -300}, Case{300, 250, 1000, -1000, kFree, kFree, 250, -250},
+        Case{300, 500, 200, -100, kFree, kFree, 200, -100}, Case{300, 500, 200, -100, 150, -50, 150, -50},
+        Case{300, 500, 200, -100, 250, -280, 250, -280}, Case{300, 500, 200, -100, 900, -900, 300, -300},
+        Case{300, 500, 0, 0, kFree, kFree, 0, 0}, Case{300, 500, 200, -100, -20, 20, 0, 0}}) {
     Channel c;
     c.parameters.maximum_speed = row.maximum;
     c.parameters.motor_maximum_speed = row.motor;
@@ -260,58 +257,6 @@ TEST(SetpointChannel, BeginsASpeedThatItTookOver) {
   c.channel.track(80.0);
   EXPECT_DOUBLE_EQ(c.channel.total(), 80.0);
   EXPECT_NEAR(c.cycle(), 80.0 + c.kPerCycle, 1e-9);
-}
-
-TEST(SetpointChannelOfAnAxis, FollowsItsFixedSetpoint) {
-  WiredUnit wired;
-  ASSERT_EQ(wired.write(kX, 1120, 0.0), std::nullopt);
-  ASSERT_EQ(wired.write(kX, 1121, 0.0), std::nullopt);
-  wired.wire(kX, 1070, {1024, kOwnObject, 0});
-  wired.wire(kX, 1020, {8890, kOwnObject, 11});
-  wired.wire(kX, 1021, {8890, kOwnObject, 12});
-  ASSERT_EQ(wired.write(kX, 1001, 300.0), std::nullopt);
-  ASSERT_EQ(wired.write(kX, 1003, -200.0), std::nullopt);
-  wired.switch_on(kX);
-  for (const auto& [word, rpm] : {std::pair{0x080F, 300.0}, std::pair{0x180F, -200.0}, std::pair{0x000F, 0.0}}) {
-    wired.receives(kX, 0, static_cast<std::uint16_t>(word));
-    wired.cycles(150);
-    EXPECT_NEAR(wired.rpm(kX), rpm, 0.5);
-    EXPECT_NEAR(wired.read(kX, 1024), rpm, 1e-3);
-  }
-}
-
-TEST(SetpointChannelOfAnAxis, ShowsTheChosenSetpointWithThePulsesOff) {
-  WiredUnit wired;
-  wired.set(kX, 1020, true);
-  ASSERT_EQ(wired.write(kX, 1001, 300.0), std::nullopt);
-  wired.set(kX, 1075, true);
-  wired.cycles();
-  EXPECT_NEAR(wired.read(kX, 1024), 300.0, 1e-3);
-  EXPECT_NEAR(wired.read(kX, 1078), wired.read(kX, 2000), 1e-2);
-  EXPECT_EQ(wired.read(kX, 1119), 0.0) << "nothing goes to the ramp";
-  ASSERT_EQ(wired.write(kX, 1001, 100.0), std::nullopt);
-  wired.cycles();
-  EXPECT_NEAR(wired.read(kX, 1024), 100.0, 1e-3);
-}
-
-TEST(SetpointChannelOfAnAxis, BrakesWithASetpointBehindTheRampToStandstill) {
-  for (const int word : {0x000E, 0x000B}) {
-    WiredUnit wired;
-    ASSERT_EQ(wired.write(kX, 1121, 1.0), std::nullopt);
-    ASSERT_EQ(wired.write(kX, 1135, 1.0), std::nullopt);
-    wired.wire(kX, 1155, {8860, kY, 4});
-    wired.switch_on(kX);
-    wired.receives_double_word(kY, 4, 0x10000000);
-    wired.cycles(200);
-    ASSERT_NEAR(wired.rpm(kX), 0.25 * wired.read(kX, 2000), 1.0);
-
-    wired.receives(kX, 0, static_cast<std::uint16_t>(word));
-    wired.cycles(2);
-    EXPECT_GT(wired.rpm(kX), 0.2 * wired.read(kX, 2000)) << "on a ramp";
-    wired.cycles(300);
-    EXPECT_NEAR(wired.rpm(kX), 0.0, 0.5);
-    EXPECT_FALSE(wired.axis(kX).actual().pulses_enabled);
-  }
 }
 
 }  // namespace
