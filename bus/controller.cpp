@@ -38,7 +38,7 @@ struct Writer {
   }
   /// Begins an attribute; close() gives it its length.
   std::size_t open(unsigned short type) noexcept { return put(rtattr{0, type}); }
-  void close(std::size_t at) noexcept {
+  void close(std::size_t at) const noexcept {
     const auto length = static_cast<unsigned short>(size - at);
     std::memcpy(&room[at], &length, sizeof length);
   }

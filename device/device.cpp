@@ -97,7 +97,7 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
 
 void Device::serve(const canopen::Frame& frame) noexcept {
   node_.on_frame(frame, now_);
-  if (process_data_.follow_mappings()) wake();
+  if (process_data_.follow_changed_mappings()) wake();
   if (parameter_written_) follow_parameters();
   if (storage_.has_task()) carry_out_task();
   if (alarm_changed_) show_messages();

@@ -35,6 +35,8 @@ class UnitProcessData final : private MappingListener {
   /// What has to follow when a mapping or a mode has changed; between calls into the node, or before a cycle.
   /// Whether a mapping had.
   bool follow_mappings() noexcept;
+  /// The same between cycles: only if a mapping has changed.
+  bool follow_changed_mappings() noexcept { return mapping_changed_ && follow_mappings(); }
   /// r8843 follows the NMT state.
   void show_state() noexcept;
   /// The places of the process data of @p axis (from 1).

@@ -97,12 +97,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "1ph8131, im-2k2, ipmsm-2k2) or the path of a motor file, got \"1fk7\""},
         BadFile{R"({"axes": [{"motor": "/nowhere/motor.json"}]})",
                 "/nowhere/motor.json: cannot be read: No such file or directory"},
-        BadFile{R"({"parameters": []})", "node.json: /parameters: expected an object, got []"},
-        BadFile{
-            R"({"parameters": {"p1120": 1}})",
-            "node.json: /parameters/p1120: expected a parameter of the control unit such as p8848 as key, got 1"},
-        BadFile{R"({"parameters": {"p8848": 17}})",
-                "node.json: /parameters/p8848: expected a number 1 to 16 ms, got 17"},
         BadFile{R"({"axes": [{"parameters": []}]})", "node.json: /axes/0/parameters: expected an object, got []"},
         BadFile{R"({"axes": [{"parameters": {"1120": 1}}]})",
                 "node.json: /axes/0/parameters/1120: expected a parameter of the axis such as p1120 or p1070[1] "

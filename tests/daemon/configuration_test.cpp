@@ -54,6 +54,23 @@ TEST(Configuration, TakesEveryKeyOfTheUnit) {
   EXPECT_EQ(configuration.parameters[1].value, 1.0);
 }
 
+TEST(Configuration, SaysWhatIsNoParameterOfTheControlUnit) {
+  const auto message = [](const std::string& text) -> std::string {
+    try {
+      parse(text);
+    } catch (const ConfigurationError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const auto ends = [&](const std::string& text, const std::string& end) { return message(text).ends_with(end); };
+
+  EXPECT_TRUE(ends(R"({"parameters": []})", "/parameters: expected an object, got []"));
+  EXPECT_TRUE(ends(R"({"parameters": {"p1120": 1}})",
+                   "/parameters/p1120: expected a parameter of the control unit such as p8848 as key, got 1"));
+  EXPECT_TRUE(ends(R"({"parameters": {"p8848": 17}})", "/parameters/p8848: expected a number 1 to 16 ms, got 17"));
+}
+
 TEST(Configuration, TakesEveryKeyOfAnAxis) {
   const AxisConfiguration axis = axis_of(R"({
     "name": "Spindle", "type": "servo", "motor": "1fk7063",

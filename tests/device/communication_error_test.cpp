@@ -70,6 +70,7 @@ TEST(DeviceFault, ChangesTheNmtStateAsTheSecondClassSays) {
     ASSERT_TRUE(unit.device.raise(1, 7900, 0, unit.now));
 
     EXPECT_EQ(unit.state(), state);
+    EXPECT_EQ(unit.faults(2), behaviour == 1 ? Numbers{7900} : (Numbers{7900, 8701}));
   }
 }
 
@@ -160,6 +161,30 @@ TEST(RpdoMonitoring, RaisesF08702WhenNoRpdoComesAnyMore) {
   EXPECT_EQ(unit.faults(3), Numbers{8702});
   EXPECT_EQ(unit.download(0x1003, 0, 0, 1), 0U);
   EXPECT_EQ(from("085#", unit.passes(1s)), Lines{});
+}
+
+TEST(RpdoMonitoring, IsJudgedWhereACycleEnds) {
+  ControlUnit unit;
+  ASSERT_EQ(unit.download(0x2000 + 8699, 0, 0x40A00000, 4), 0U);  // 5 ms are two cycles
+  unit.says("000#0105");
+  unit.passes(101ms);
+
+  unit.says("205#0600");
+  EXPECT_EQ(from("085#", unit.passes(10ms)), Lines{});
+  EXPECT_EQ(from("085#", unit.passes(1ms)).size(), 2U) << "112 ms after the start";
+}
+
+TEST(RpdoMonitoring, MissesNothingThatALateUnitReadsFirst) {
+  ControlUnit unit;
+  ASSERT_EQ(unit.download(0x2000 + 8699, 0, 0x42C80000, 4), 0U);  // 100 ms
+  unit.says("000#0105");
+  unit.says("205#0600");
+
+  unit.now += 10s;
+  unit.device.on_frame(fakes::frame_of("205#0600"), unit.now);
+  unit.device.on_time(unit.now);
+
+  EXPECT_EQ(from("085#", unit.passes(99ms)), Lines{});
 }
 
 TEST(RpdoMonitoring, EndsWithOperationalAndWithTheTime0) {

@@ -42,6 +42,26 @@ TEST(SynchronousTpdo, OfType0IsSentAtASyncAfterAChange) {
   EXPECT_EQ(unit.says("080#"), Lines{});
 }
 
+TEST(SynchronousTpdo, ShowsTheLastFinishedCycleWhateverHasComeSince) {
+  TestUnit unit;
+  start_with_types(unit, 1, 0xFE);
+
+  EXPECT_EQ(unit.says("205#0600"), Lines{});
+  EXPECT_EQ(unit.says("080#"), Lines{"185#4016"}) << "an RPDO";
+  unit.passes(Device::kCycle);
+  EXPECT_EQ(unit.says("080#"), Lines{"185#3116"});
+
+  ASSERT_EQ(unit.download(0x6040, 0, 7, 2), 0U);
+  EXPECT_EQ(unit.says("080#"), Lines{"185#3116"}) << "an SDO";
+  unit.passes(Device::kCycle);
+  EXPECT_EQ(unit.says("080#"), Lines{"185#3316"});
+
+  ASSERT_TRUE(unit.device.raise(1, 7860, 0, unit.now));
+  EXPECT_EQ(from("185#", unit.says("080#")), Lines{"185#3316"}) << "a fault";
+  unit.passes(Device::kCycle);
+  EXPECT_EQ(unit.says("080#"), Lines{"185#3816"});
+}
+
 TEST(SynchronousTpdo, IsNotSentOutsideOperational) {
   TestUnit unit;
   start_with_types(unit, 1, 0xFE);
@@ -93,6 +113,20 @@ TEST(EventTimer, SendsATpdoOnceAPeriodAlsoAtRest) {
 
   EXPECT_EQ(unit.passes(500ms), Lines(5, "185#4016"));
   EXPECT_EQ(unit.device.next_deadline(), unit.now + 100ms);
+}
+
+TEST(EventTimer, IsRoundedUpToWholeCyclesAlsoAtRest) {
+  TestUnit unit;
+  unit.start();
+  ASSERT_EQ(unit.download(0x1800, 5, 9, 2), 0U);
+  unit.passes(101ms);
+  unit.says("000#0105");
+  EXPECT_EQ(unit.passes(3ms), at_rest(0x1640)) << "where the next cycle would end";
+
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(unit.passes(11ms), Lines{});
+    EXPECT_EQ(unit.passes(1ms), Lines{"185#4016"});
+  }
 }
 
 TEST(EventTimer, CannotBeChangedInOperational) {
