@@ -74,7 +74,8 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   run({inputs.data(), axes_.size()}, duration);
 }
 
-/// Whether axis @p axis (from 0) is quiescent and @p inputs and what acts on its messages are those of its last cycle.
+/// Whether axis @p axis (from 0) is quiescent and @p inputs and what acts on its messages are those of its last
+/// cycle.
 bool DriveUnit::has_nothing_to_do(std::size_t axis, const AxisInputs& inputs) const noexcept {
   const Axis& idle = axes_[axis];
   return idle.is_quiescent() && inputs == idle.inputs() && wiring_->feedback(axis) == idle.feedback();

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kMaximum = 3000.0;  // rpm, p1082
 
-/// Way along a ramp of @p change (all in rpm and s) after @p t: slope @p slope, which builds up in @p ti and vanishes
-/// in @p tf.
+/// Way along a ramp of @p change (all in rpm and s) after @p t: slope @p slope, which builds up in @p ti and
+/// vanishes in @p tf.
 double rounded_way(double t, double change, double slope, double ti, double tf) {
   const bool full = slope * (ti + tf) / 2 <= change;
   const double peak = full ? slope : std::sqrt(2 * change * slope / (ti + tf));
@@ -43,7 +43,8 @@ void expect_solution(TestAxis& drive, const Solution& speed, double seconds) {
 
 /// The time from now until the setpoint is at @p rpm.
 double time_to(TestAxis& drive, double rpm) {
-  return drive.run_until([=](const Axis& a) { return std::abs(a.actual().speed_demand / kRpm - rpm) < 1e-6; }, 60.0);
+  return drive.run_until([=](const Axis& a) { return std::abs(a.actual().speed_demand / kRpm - rpm) < 1e-6; },
+                         60.0);
 }
 
 struct Times {
@@ -85,7 +86,10 @@ TEST_P(RampTime, FromZeroToTheMaximumSpeedEachWay) {
   for (const double direction : {1.0, -1.0}) {
     TestAxis drive = axis_with(p);
     drive.setpoints.speed = direction * kMaximum * kRpm;
-    expect_solution(drive, [&](double t) { return direction * rounded_way(t, kMaximum, kMaximum / p.up, p.initial, p.final_time); }, end);
+    expect_solution(
+        drive,
+        [&](double t) { return direction * rounded_way(t, kMaximum, kMaximum / p.up, p.initial, p.final_time); },
+        end);
   }
 }
 
@@ -93,9 +97,12 @@ TEST_P(RampTime, OverAPartOfTheSpeedAndBackToZero) {
   const Times p = GetParam();
   TestAxis drive = axis_with(p);
   drive.setpoints.speed = 700.0 * kRpm;
-  expect_solution(drive, [&](double t) { return rounded_way(t, 700, kMaximum / p.up, p.initial, p.final_time); }, p.up + 4);
+  expect_solution(
+      drive, [&](double t) { return rounded_way(t, 700, kMaximum / p.up, p.initial, p.final_time); }, p.up + 4);
   drive.setpoints.speed = 0.0;
-  expect_solution(drive, [&](double t) { return 700 - rounded_way(t, 700, kMaximum / p.down, p.initial, p.final_time); }, p.down + 4);
+  expect_solution(
+      drive, [&](double t) { return 700 - rounded_way(t, 700, kMaximum / p.down, p.initial, p.final_time); },
+      p.down + 4);
 }
 
 TEST_P(RampTime, InReversal) {
