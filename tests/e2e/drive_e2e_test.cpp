@@ -64,7 +64,7 @@ struct DriveDialogue : testing::Test {
     return wait_for_drive(can, std::string{state.name} + " while turning",
                           [&](const StatusAndSpeed& drive) { return drive.is(state) && !drive.has(kStandstill); });
   }
-  void write(std::uint16_t index, std::uint8_t sub, std::uint64_t value, std::size_t bytes) {
+  void write(std::uint16_t index, std::uint8_t sub, std::uint32_t value, unsigned bytes) {
     ASSERT_EQ(sdo.download(index, sub, value, bytes), 0U) << std::hex << index << ':' << unsigned{sub};
   }
 };
@@ -188,7 +188,7 @@ struct TwoAxes : DriveDialogue {
 TEST_F(TwoAxes, ReactToOneFaultEachInItsOwnWay) {
   ASSERT_NO_FATAL_FAILURE(write(0x6807, 0, 2, 2));  // OFF2; axis 1 has OFF3
   ASSERT_NO_FATAL_FAILURE(switch_on());
-  for (const std::uint16_t word : {0x0006, 0x0007, 0x000F}) ASSERT_NO_FATAL_FAILURE(write(0x6840, 0, word, 2));
+  for (const std::uint32_t word : {0x0006U, 0x0007U, 0x000FU}) ASSERT_NO_FATAL_FAILURE(write(0x6840, 0, word, 2));
   ASSERT_TRUE(comes_to(0x6841, kOperationEnabled));
   ASSERT_NO_FATAL_FAILURE(write(0x68FF, 0, kFullSpeed / 4, 4));
   can.listen_to({0x285});
