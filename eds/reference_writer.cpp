@@ -29,7 +29,7 @@ Numbers of index and sub-index are hexadecimal. A default in parentheses is what
 EDS states none. `$NODEID` stands for the node-ID. For COB-IDs the limits are those of the EDS; an identifier with
 bit 31 set is accepted beyond them. The last column says what an object does in the simulation.
 
-Objects of an axis are given for axis 1; until further axes turn, those of axes 2 to 8 are *stored only*, PDOs apart.
+Objects of an axis are given for axis 1.
 Axis n has them (n - 1) times the offset higher:
 
 | Objects of axis 1 | Offset |

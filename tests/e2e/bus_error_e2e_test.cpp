@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "tests/e2e/bus_sdo_client.hpp"
 #include "tests/e2e/candump_log.hpp"
@@ -42,11 +44,13 @@ struct BusError : testing::Test {
     can.listen_to({0x285});
   }
   std::uint16_t statusword() { return static_cast<std::uint16_t>(sdo.upload(0x6041).number()); }
-  /// Reads 6041h over SDO until it shows @p state.
+  /// Reads 6041h over SDO, once in the time of a cycle, until it shows @p state: candump has to keep up.
   testing::AssertionResult comes_to(const DriveState& state) {
     const auto end = std::chrono::steady_clock::now() + kPatience;
-    while ((statusword() & state.mask) != state.value)
+    while ((statusword() & state.mask) != state.value) {
       if (std::chrono::steady_clock::now() > end) return testing::AssertionFailure() << "never " << state.name;
+      std::this_thread::sleep_for(std::chrono::milliseconds{4});
+    }
     return testing::AssertionSuccess();
   }
   /// 6041h as the control socket shows it, in every NMT state.

@@ -39,8 +39,7 @@ TEST_F(Control, TellsTheStatusOfTheUnit) {
 
 TEST_F(Control, ExplainsWhyTheAxisDoesNotTurnAndThatItDoes) {
   const auto explanation = [] { return daemon->axisctl({"explain", "1"}).output; };
-  can->send("205#0000");
-  ASSERT_TRUE(wait_for_state(*can, kSwitchOnDisabled));
+  ASSERT_TRUE(can->ask("205#0400", "185#6016"));
   EXPECT_NE(explanation().find("OFF2 is given by p0844 = r8890.1: send a controlword with bit 1 = 1.\n"),
             std::string::npos)
       << explanation();
