@@ -184,11 +184,11 @@ TEST(DriveTrain, FollowsATorqueSetpointInTorqueControl) {
   EXPECT_TRUE(train.signals().torque_limit_reached);
 }
 
-TEST(DriveTrain, AddsATorqueSetpointInSpeedControl) {
+TEST(DriveTrain, AddsAnAdditionalTorqueInSpeedControl) {
   DriveTrain plain{MachineData{}, {.constant_torque = 5.0}};
   DriveTrain helped{MachineData{}, {.constant_torque = 5.0}};
   Command command = at_speed(0.0);
-  command.torque_setpoint = 5.0;
+  command.additional_torque = 5.0;
 
   run(plain, at_speed(0.0), 2e-3);
   run(helped, command, 2e-3);
