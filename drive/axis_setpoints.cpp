@@ -27,7 +27,8 @@ void Axis::take_inputs(const AxisInputs& inputs) noexcept {
   inputs_ = inputs;
   const bool requested = mode_.on_process_data(inputs.requested_mode, parameters_.control_mode);
   const bool changed_over = mode_.on_changeover(inputs.torque_control, parameters_.control_mode);
-  if (!(requested && changed_over) && pulses_enabled_in(state_)) static_cast<void>(raise(kTorqueControlImpossible));
+  if (!(requested && changed_over) && pulses_enabled_in(state_))
+    static_cast<void>(raise(kTorqueControlImpossible));
   if (mode_.velocity_mode(parameters_.control_mode)) {
     inputs_.enable_ramp &= (inputs.controlword & kEnableRamp) != 0;
     inputs_.continue_ramp &= (inputs.controlword & kUnlockRamp) != 0;
