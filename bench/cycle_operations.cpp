@@ -74,7 +74,7 @@ struct FullUnit {
       Frame& frame = frames[i];
       frame.id = static_cast<std::uint32_t>(kFirstRpdo + i);
       frame.length = kLengths[place];
-      canopen::store(&frame.data[0], std::uint16_t{0x000F});
+      canopen::store(frame.data.data(), std::uint16_t{0x000F});
       if (place == 1 || place == 3)
         canopen::store(&frame.data[2],
                        bus.upload({static_cast<std::uint16_t>(0x60FF + 0x800 * (i / kOfAnAxis)), 0}));

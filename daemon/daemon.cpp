@@ -16,6 +16,7 @@ constexpr canopen::Duration kRepeatedLogPeriod = std::chrono::seconds{10};
 
 std::vector<device::ParameterPreset> presets_of(const std::vector<ParameterValue>& parameters) {
   std::vector<device::ParameterPreset> presets;
+  presets.reserve(parameters.size());
   for (const ParameterValue& parameter : parameters)
     presets.push_back({parameter.number, parameter.value, parameter.index});
   return presets;

@@ -26,7 +26,8 @@ class CycleClock {
 
   /// p8848 as a time: whole control periods, at least one.
   static canopen::Duration period_of(double milliseconds) noexcept {
-    constexpr canopen::Duration kStep{static_cast<std::int64_t>(motor::kControlPeriod * 1e9 + 0.5)};
+    constexpr auto kStep =
+        std::chrono::round<canopen::Duration>(std::chrono::duration<double>{motor::kControlPeriod});
     const double steps = milliseconds * 1e6 / static_cast<double>(kStep.count());
     return std::max(std::int64_t{1}, static_cast<std::int64_t>(std::llround(steps))) * kStep;
   }

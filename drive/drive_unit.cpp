@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "drive/wiring.hpp"
 
@@ -11,6 +12,18 @@ namespace {
 
 constexpr std::uint16_t kDeviceFilter = 9;     // p0009
 constexpr std::uint16_t kAlarmCounter = 2111;  // p2111
+
+/// A message that lasts as long as an input of the control unit is 0.
+struct InputMessage {
+  std::uint16_t number;
+  bool AxisInputs::*signal;
+};
+constexpr std::array kUnitMessages{
+    InputMessage{7850, &AxisInputs::no_external_alarm_1},
+    InputMessage{7860, &AxisInputs::no_external_fault_1},
+    InputMessage{7861, &AxisInputs::no_external_fault_2},
+    InputMessage{7862, &AxisInputs::no_external_fault_3},
+};
 
 ObjectContext control_unit_context(const UnitConfiguration& configuration) noexcept {
   ObjectContext context{};
@@ -70,7 +83,7 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
     inputs[i] = wiring_->inputs(i + 1);
     if (!awake[i] && has_nothing_to_do(i, *inputs[i])) inputs[i].reset();
   }
-  acknowledge_by_inputs();
+  follow_unit_inputs();
   run({inputs.data(), axes_.size()}, duration);
 }
 
@@ -89,14 +102,22 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
   run({inputs.data(), axes_.size()}, duration);
 }
 
-/// p2102 acknowledges the faults of all drive objects, p2103 to p2105 of the control unit its own.
-void DriveUnit::acknowledge_by_inputs() noexcept {
+/// Of the control unit: p2102 acknowledges the faults of all drive objects, p2103 to p2105 its own, p2106 to p2108
+/// and p2112 bring messages.
+void DriveUnit::follow_unit_inputs() noexcept {
   const bool all = wiring_->acknowledge_all();
   if (all && !acknowledge_all_) acknowledge();
   acknowledge_all_ = all;
-  const AxisInputs inputs = wiring_->inputs(0);
-  if (has_acknowledgement(control_unit_inputs_, inputs)) control_unit_.acknowledge();
-  control_unit_inputs_ = inputs;
+  const AxisInputs before = std::exchange(control_unit_inputs_, wiring_->inputs(0));
+  for (const InputMessage& message : kUnitMessages) {
+    const bool signal = control_unit_inputs_.*message.signal;
+    if (signal == before.*message.signal) continue;
+    if (signal)
+      control_unit_.withdraw(message.number);
+    else
+      static_cast<void>(control_unit_.raise(message.number, 0, Cause::Present));
+  }
+  if (has_acknowledgement(before, control_unit_inputs_)) control_unit_.acknowledge();
 }
 
 void DriveUnit::run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept {

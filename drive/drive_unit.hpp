@@ -125,7 +125,7 @@ class DriveUnit final : private Surroundings {
   std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
                                      std::size_t index) const noexcept override;
   void inhibit_axes(bool inhibited) noexcept;
-  void acknowledge_by_inputs() noexcept;
+  void follow_unit_inputs() noexcept;
   bool has_nothing_to_do(std::size_t axis, const AxisInputs& inputs) const noexcept;
   void run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept;
 

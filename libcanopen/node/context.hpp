@@ -16,7 +16,7 @@ namespace canopen {
 
 /// What every service of a node works with.
 struct Context {
-  FrameSink* sink;
+  FrameSink* sink = nullptr;
   Dictionary& dictionary;
   Application& application;
   const Policy& policy;

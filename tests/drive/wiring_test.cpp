@@ -194,6 +194,28 @@ TEST(Wiring, AcknowledgesOnEveryEdgeOfEveryInput) {
   }
 }
 
+TEST(Wiring, BringsMessagesToTheControlUnit) {
+  for (const auto& [input, number] :
+       {std::pair{2106, 7860}, std::pair{2107, 7861}, std::pair{2108, 7862}, std::pair{2112, 7850}}) {
+    WiredUnit wired;
+    const FaultMemory& messages = wired.unit.object(kUnit)->messages();
+    const auto active = [&] { return number == 7850 ? messages.alarms() : messages.faults(); };
+    wired.cycles();
+    ASSERT_TRUE(active().empty());
+
+    wired.set(kUnit, static_cast<std::uint16_t>(input), false);
+    wired.cycles();
+    ASSERT_EQ(active().size(), 1U) << "p" << input;
+    EXPECT_EQ(active().front().row->number, number);
+    EXPECT_EQ(wired.unit.acknowledge(kUnit), number == 7850) << "its cause is still there";
+
+    wired.set(kUnit, static_cast<std::uint16_t>(input), true);
+    wired.cycles();
+    EXPECT_TRUE(wired.unit.acknowledge(kUnit));
+    EXPECT_TRUE(active().empty());
+  }
+}
+
 TEST(Wiring, WakesAnAxisThatRestsWhenItsSourceChanges) {
   WiredUnit wired;
   wired.wire(kY, 840, {8890, kX, 11});
