@@ -89,7 +89,12 @@ const std::vector<Cause> kCauses{
                 {"motor", "1le1003-2k2"},
                 {"power_unit", {{"rated_current_A", 5}, {"trip_current_A", 15}}},
                 {"parameters", {{"p1300", 0}, {"p1120", 0.0}}}}),
-     nullptr, [](Bench& bench) { make_motor_turn(bench.can); }, 0, 30001},
+     nullptr,
+     [](Bench& bench) {
+       enable_operation(bench.can);
+       bench.can.send("305#0F000000800C");  // it trips before it turns
+     },
+     0, 30001},
     {"OvervoltageWithoutChopper",
      axis_with({{"load", {{"inertia", 0.05}}}, {"parameters", {{"p1120", 0.5}, {"p1135", 0.1}}}}),
      {{"chopper_ohm", 0}},
