@@ -91,5 +91,5 @@ run_on_can() (
     exec "$@"
   fi
   say "this kernel has no virtual CAN: running in the virtual machine of scripts/vcan-vm"
-  exec scripts/vcan-vm --mem 2048 --timeout "${VCAN_VM_TIMEOUT:-900}" -- "$@"
+  exec scripts/vcan-vm --mem 2048 --timeout "${VCAN_VM_TIMEOUT:-1800}" -- "$@"
 )
