@@ -169,9 +169,9 @@ void Wiring::connect_converters(Object& entry) noexcept {
   const DriveObject& object = *entry.object;
   entry.words_of_bits.clear();
   entry.bits_of_words.clear();
-  for (std::uint8_t word = 0; word < entry.constant_words_of_bits.size(); ++word) {
+  for (std::size_t word = 0; word < entry.constant_words_of_bits.size(); ++word) {
     auto constant = static_cast<unsigned>(parameter(object, kInvertBits, word));
-    for (std::uint8_t bit = 0; bit < kBitsOfAWord; ++bit) {
+    for (std::size_t bit = 0; bit < kBitsOfAWord; ++bit) {
       const SignalSource from = source(object, static_cast<std::uint16_t>(kBits + word), bit);
       if (!from.is_constant())
         entry.words_of_bits.push_back({word, bit, from});
@@ -180,7 +180,7 @@ void Wiring::connect_converters(Object& entry) noexcept {
     }
     entry.constant_words_of_bits[word] = static_cast<std::uint16_t>(constant);
   }
-  for (std::uint8_t word = 0; word < entry.inverted_words.size(); ++word) {
+  for (std::size_t word = 0; word < entry.inverted_words.size(); ++word) {
     entry.inverted_words[word] = static_cast<std::uint16_t>(parameter(object, kInvertWords, word));
     entry.bits_of_words.push_back({word, 0, source(object, kWords, word)});
   }
@@ -192,7 +192,7 @@ void Wiring::connect_sent(Object& entry) noexcept {
   entry.sent_double_words.clear();
   entry.object->process_data().sent = {};
   const auto add = [&](std::uint16_t number, std::size_t count, std::vector<Place>& places) {
-    for (std::uint8_t word = 0; word < count; ++word)
+    for (std::size_t word = 0; word < count; ++word)
       if (parameter(object, number, word) > 0.0) places.push_back({word, 0, source(object, number, word)});
   };
   add(kSentWords, ProcessDataImage::kSentWords, entry.sent_words);

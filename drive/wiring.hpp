@@ -50,8 +50,8 @@ class Wiring {
   };
   /// A bit or a word of process data.
   struct Place {
-    std::uint8_t word = 0;
-    std::uint8_t bit = 0;
+    std::size_t word = 0;
+    std::size_t bit = 0;
     SignalSource source{};
   };
   /// All of one drive object that changes from cycle to cycle, and what does not.
@@ -72,7 +72,7 @@ class Wiring {
     std::vector<Place> sent_double_words{};
   };
 
-  void reserve(Object& entry);
+  static void reserve(Object& entry);
   void connect(Object& entry) noexcept;
   void connect_inputs(Object& entry) noexcept;
   void connect_feedback(Object& entry) noexcept;
