@@ -83,8 +83,8 @@ bool describes_controller(std::span<const std::byte> message) noexcept {
   if (!header || header->nlmsg_type != RTM_NEWLINK) return false;
   const auto attributes = netlink::after(message, sizeof(nlmsghdr) + sizeof(ifinfomsg));
   const auto kind = netlink::attribute(netlink::attribute(attributes, IFLA_LINKINFO), IFLA_INFO_KIND);
-  const auto* const text = reinterpret_cast<const char*>(kind.data());
-  return std::string_view{text, ::strnlen(text, kind.size())} == kKind;
+  const std::string_view text{reinterpret_cast<const char*>(kind.data()), kind.size()};
+  return text.substr(0, text.find('\0')) == kKind;
 }
 
 std::array<std::byte, 64> restart_request(int index) noexcept {
