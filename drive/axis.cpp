@@ -18,7 +18,8 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
                    .axis = configuration,
                    .supply = supply}},
       parameters_{commissioned_parameters(configuration)},
-      train_{configuration.machine, configuration.load, configuration.inverter},
+      train_{configuration.machine, motor::real_machine(configuration.machine, configuration.deviation),
+             configuration.load, configuration.inverter},
       counts_to_speed_{2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine)},
       dc_voltage_{motor::DcLink{supply}.voltage()} {
   restore_parameters();

@@ -4,15 +4,17 @@
 #include "motor/inverter_data.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
+#include "motor/plant_deviation.hpp"
 
 namespace drive {
 
 /// The machine of an axis, what it turns, the power unit that feeds it, and the control that drives it.
 struct AxisConfiguration {
-  motor::MachineData machine{};
+  motor::MachineData machine{};  ///< by its data sheet
   motor::Load load{};
   ObjectKind kind = ObjectKind::Servo;  ///< Servo or Vector
   motor::InverterData inverter{};
+  motor::PlantDeviation deviation{};  ///< of what turns from the data sheet
 };
 
 }  // namespace drive

@@ -21,14 +21,16 @@ OverloadData model_of(const MachineData& machine) noexcept {
 
 }  // namespace
 
-DriveTrain::DriveTrain(const MachineData& machine, const Load& load, const InverterData& inverter) noexcept
-    : believed_{machine},
-      settings_{computed_settings(machine, inverter, machine.inertia + load.inertia)},
+DriveTrain::DriveTrain(const MachineData& data_sheet, const MachineData& machine, const Load& load,
+                       const InverterData& inverter) noexcept
+    : believed_{data_sheet},
+      settings_{computed_settings(data_sheet, inverter, data_sheet.inertia + load.inertia)},
       plant_{machine, load},
       encoder_{machine},
       power_unit_{inverter},
       thermal_{machine.thermal},
-      motor_model_{model_of(machine)},
+      motor_model_{model_of(data_sheet)},
+      current_sensor_{inverter.trip_current},
       ideal_inverter_{power_unit_.is_ideal()} {
   encoder_.configure(kControlPeriod);
   configure();
@@ -52,9 +54,10 @@ void DriveTrain::configure() noexcept {
   const bool synchronous = believed_.type == MachineType::Synchronous;
   const double delay = speed_loop_delay(believed_);
   with_encoder_ = settings_.mode == ControlMode::Encoder;
-  lead_ = settings_.mode == ControlMode::VoltageFrequency ? Lead::VoltageFrequency
-          : synchronous                                   ? Lead::Synchronous
-                                                          : Lead::Induction;
+  lead_ = excitation_ != nullptr                            ? Lead::Excitation
+          : settings_.mode == ControlMode::VoltageFrequency ? Lead::VoltageFrequency
+          : synchronous                                     ? Lead::Synchronous
+                                                            : Lead::Induction;
   switch (lead_) {
     case Lead::Synchronous:
       return synchronous_.configure(believed_, settings_, delay);
@@ -62,7 +65,23 @@ void DriveTrain::configure() noexcept {
       return induction_.configure(believed_, settings_, delay);
     case Lead::VoltageFrequency:
       return voltage_frequency_.configure(believed_, settings_);
+    case Lead::Excitation:
+      break;
   }
+}
+
+void DriveTrain::lead_by(Excitation* excitation) noexcept {
+  excitation_ = excitation;
+  configure();
+}
+
+void DriveTrain::use_sensors(bool used) noexcept {
+  sensors_used_ = used;
+  follow_sensors();
+}
+
+void DriveTrain::follow_sensors() noexcept {
+  sees_truth_ = encoder_true_ && !sensors_used_;
 }
 
 void DriveTrain::start() noexcept {
@@ -104,9 +123,41 @@ SpaceVector DriveTrain::rotor_direction() const noexcept {
     case Lead::Induction:
       return induction_.step(measured, command, signals_);
     case Lead::VoltageFrequency:
+      return voltage_frequency_.step(measured, command, signals_);
+    case Lead::Excitation:
       break;
   }
-  return voltage_frequency_.step(measured, command, signals_);
+  return excitation_->step(measured, signals_);
+}
+
+[[gnu::always_inline]] inline Measurement DriveTrain::measure(double dc_voltage) noexcept {
+  if (!sees_truth_) [[unlikely]]
+    return sense(dc_voltage);
+  return {plant_.state().current, voltage_, plant_.direction(), encoder_.speed(), dc_voltage};
+}
+
+[[gnu::noinline]] Measurement DriveTrain::sense(double dc_voltage) noexcept {
+  dc_voltage_ = dc_voltage;
+  seen_current_ = sensors_used_ ? current_sensor_.read(plant_.state().current) : plant_.state().current;
+  return {seen_current_, voltage_, rotor_direction(), encoder_.speed(), dc_voltage};
+}
+
+Observation DriveTrain::observation() const noexcept {
+  return {.current = sensors_used_ ? seen_current_ : plant_.state().current,
+          .voltage = voltage_,
+          .dc_voltage = dc_voltage_,
+          .encoder_counts = signals_.encoder_counts,
+          .speed = signals_.measured_speed,
+          .frequency = signals_.frequency,
+          .d_current = signals_.d_current,
+          .q_current = signals_.q_current,
+          .torque_setpoint = signals_.torque_setpoint,
+          .torque = signals_.torque,
+          .torque_limits = signals_.torque_limits,
+          .torque_limit_reached = signals_.torque_limit_reached,
+          .voltage_limited = signals_.voltage_limited,
+          .magnetised = signals_.magnetised,
+          .winding_temperature = signals_.winding_temperature};
 }
 
 /// The inverter does not give all that it is asked for, and the control does not know.
@@ -157,10 +208,7 @@ double DriveTrain::step(double dc_voltage, const Command& command) noexcept {
     move(dc_voltage, false);
   } else {
     if (!pulses_) start();
-    const SpaceVector wanted =
-        control({plant_.state().current, voltage_, encoder_true_ ? plant_.direction() : rotor_direction(),
-                 encoder_.speed(), dc_voltage},
-                command);
+    const SpaceVector wanted = control(measure(dc_voltage), command);
     move(dc_voltage, driven_);
     next_ = wanted;
     driven_ = true;
@@ -195,6 +243,7 @@ void DriveTrain::rest(double duration) noexcept {
 void DriveTrain::inject(EncoderDefect defect) noexcept {
   encoder_.inject(defect);
   encoder_true_ = false;  // even a cured encoder has lost its place
+  follow_sensors();
 }
 
 bool DriveTrain::rests() const noexcept {

@@ -3,11 +3,14 @@
 #include <cstdint>
 
 #include "motor/control_settings.hpp"
+#include "motor/current_sensor.hpp"
 #include "motor/encoder.hpp"
+#include "motor/excitation.hpp"
 #include "motor/field_control.hpp"
 #include "motor/inverter_data.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
+#include "motor/observation.hpp"
 #include "motor/plant.hpp"
 #include "motor/power_unit.hpp"
 #include "motor/signals.hpp"
@@ -21,12 +24,25 @@ namespace motor {
 class DriveTrain {
  public:
   /// At rest and cold; the control knows @p machine exactly and is set by computed_settings().
-  DriveTrain(const MachineData& machine, const Load& load, const InverterData& inverter = {}) noexcept;
+  DriveTrain(const MachineData& machine, const Load& load, const InverterData& inverter = {}) noexcept
+      : DriveTrain{machine, machine, load, inverter} {}
+  /// The same with a control that believes in @p data_sheet while @p machine turns; both are of one type, with one
+  /// encoder.
+  DriveTrain(const MachineData& data_sheet, const MachineData& machine, const Load& load,
+             const InverterData& inverter) noexcept;
 
   /// Replaces all settings of the control; what the controllers have integrated stays unless the mode changes.
   void tune(const ControlSettings& settings) noexcept;
   /// What the control believes of the machine (p03xx) from now on; the machine itself stays what it is.
   void set_machine(const MachineData& machine) noexcept;
+  /// @p excitation, which outlives that, leads from the next step on, and nullptr makes it the control again. The
+  /// pulses are off.
+  void lead_by(Excitation* excitation) noexcept;
+  /// From now on control and excitations see currents through their sensors, and the rotor as the encoder counts
+  /// it, or both as they are.
+  void use_sensors(bool used) noexcept;
+  /// Share of the rated flux that an induction machine gets from now on (p1570), positive.
+  void set_flux_share(double share) noexcept { induction_.set_flux_share(share); }
   /// Settings in force.
   const ControlSettings& settings() const noexcept { return settings_; }
 
@@ -47,6 +63,9 @@ class DriveTrain {
 
   /// The state after the last step.
   const Signals& signals() const noexcept { return signals_; }
+  /// What a drive can know after the last step, while it uses its sensors; current and DC link voltage are those
+  /// of the last reading.
+  Observation observation() const noexcept;
   const Encoder& encoder() const noexcept { return encoder_; }
   const PlantState& plant_state() const noexcept { return plant_.state(); }
   /// Where the energy of the last step went, behind the terminals (J).
@@ -60,7 +79,7 @@ class DriveTrain {
 
  private:
   /// Which control leads.
-  enum class Lead : std::uint8_t { Synchronous, Induction, VoltageFrequency };
+  enum class Lead : std::uint8_t { Synchronous, Induction, VoltageFrequency, Excitation };
 
   /// Sums since temperatures were last brought up to date.
   struct Heat {
@@ -72,6 +91,9 @@ class DriveTrain {
 
   void configure() noexcept;
   SpaceVector control(const Measurement& measured, const Command& command) noexcept;
+  Measurement measure(double dc_voltage) noexcept;
+  Measurement sense(double dc_voltage) noexcept;
+  void follow_sensors() noexcept;
   void start() noexcept;
   void stop() noexcept;
   SpaceVector rotor_direction() const noexcept;
@@ -92,14 +114,20 @@ class DriveTrain {
   FieldControl<InductionField> induction_;
   VoltageFrequencyControl voltage_frequency_;
   Signals signals_{};
+  CurrentSensor current_sensor_;
+  Excitation* excitation_ = nullptr;
   Heat heat_{};
-  SpaceVector voltage_{};  // of the last step, stator frame (V)
-  SpaceVector next_{};     // calculated, acts in the next step (V)
+  SpaceVector voltage_{};       // of the last step, stator frame (V)
+  SpaceVector next_{};          // calculated, acts in the next step (V)
+  SpaceVector seen_current_{};  // last reading of the sensors (A)
+  double dc_voltage_ = 0.0;     // at that time
   double inverter_losses_ = 0.0;
   Lead lead_ = Lead::Synchronous;
   bool pulses_ = false;  // the controllers run
   bool driven_ = false;  // the inverter gives next_
   bool encoder_true_ = true;
+  bool sensors_used_ = false;
+  bool sees_truth_ = true;  // neither sensors nor a wrong encoder stand between
   bool ideal_inverter_;
   bool with_encoder_ = true;
 };

@@ -19,6 +19,8 @@ class FieldControl {
   /// Takes over data and settings; @p delay (s) is how late torque and measured speed come. What is running goes
   /// on.
   void configure(const MachineData& machine, const ControlSettings& settings, double delay) noexcept;
+  /// Share of the rated flux to keep from now on (p1570), positive; for machines whose flux is built up.
+  void set_flux_share(double share) noexcept { field_.set_flux_share(share); }
   /// Pulses come: empty controllers, at @p speed of the encoder (rad/s).
   void start(double speed) noexcept;
   /// One period with the pulses off at @p speed of the encoder (rad/s).

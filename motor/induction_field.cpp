@@ -19,9 +19,15 @@ void InductionField::configure(const MachineData& machine, const ControlSettings
   with_encoder_ = settings.mode == ControlMode::Encoder;
   torque_factor_ = 1.5 * pole_pairs_;
   current_limit_ = std::numbers::sqrt2 * settings.current_limit;
-  rated_flux_ = standing_flux(circuit_, std::numbers::sqrt2 * machine.induction.magnetising_current);
+  full_flux_ = standing_flux(circuit_, std::numbers::sqrt2 * machine.induction.magnetising_current);
+  set_flux_share(flux_share_);
   inductance_ = magnetising_inductance(circuit_, flux_);
   decay_ = circuit_.rotor_resistance / inductance_;
+}
+
+void InductionField::set_flux_share(double share) noexcept {
+  flux_share_ = share;
+  rated_flux_ = share * full_flux_;
 }
 
 void InductionField::start() noexcept {

@@ -17,6 +17,8 @@ namespace motor {
 class InductionField {
  public:
   void configure(const MachineData& machine, const ControlSettings& settings) noexcept;
+  /// Share of the rated flux to keep from now on (p1570), positive.
+  void set_flux_share(double share) noexcept;
   /// Pulses come: what is left of the flux is taken over with an encoder, and lost without.
   void start() noexcept;
   /// One period with the pulses off: the flux decays, and turns with the rotor at @p speed (rad/s).
@@ -79,9 +81,11 @@ class InductionField {
   double pole_pairs_ = 1.0;
   double torque_factor_ = 1.5;  // 1.5 pole pairs
   double current_limit_ = 1.0;  // A
-  double rated_flux_ = 1.0;     // V·s
-  double decay_ = 1.0;          // R_R/L_M at the present flux (1/s)
-  double inductance_ = 1.0;     // L_M at the present flux (H)
+  double full_flux_ = 1.0;      // rated one (V·s)
+  double flux_share_ = 1.0;
+  double rated_flux_ = 1.0;  // what is kept below field weakening (V·s)
+  double decay_ = 1.0;       // R_R/L_M at the present flux (1/s)
+  double inductance_ = 1.0;  // L_M at the present flux (H)
   Frame frame_{};
   double flux_ = 0.0;       // V·s
   double goal_ = 0.0;       // flux setpoint (V·s)

@@ -15,6 +15,8 @@ namespace motor {
 class SynchronousField {
  public:
   void configure(const MachineData& machine, const ControlSettings& settings) noexcept;
+  /// Nothing: the flux of magnets is what it is.
+  static void set_flux_share(double /*share*/) noexcept {}
   /// Pulses come.
   void start() noexcept;
   /// One period with the pulses off: nothing changes.
