@@ -11,6 +11,7 @@
 #include "daemon/json_reader.hpp"
 #include "daemon/load_reader.hpp"
 #include "daemon/motor_file.hpp"
+#include "daemon/plant_reader.hpp"
 #include "daemon/supply_reader.hpp"
 #include "drive/drive_unit.hpp"
 
@@ -110,12 +111,13 @@ drive::ObjectKind read_axis_type(const JsonReader& json) {
 
 /// What is said of @p axis, over its defaults.
 AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
-  json.expect_object({"name", "type", "motor", "encoder", "load", "power_unit", "parameters"});
+  json.expect_object({"name", "type", "motor", "encoder", "load", "plant", "power_unit", "parameters"});
   if (json.has("name")) axis.name = json.at("name").text();
   if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"));
   if (json.has("encoder")) read_encoder(json.at("encoder"), axis.machine.encoder);
   if (json.has("load")) axis.load = read_load(json.at("load"), axis.machine);
+  if (json.has("plant")) axis.deviation = read_plant(json.at("plant"), axis.machine, axis.load);
   axis.inverter = motor::inverter_for(axis.machine.maximum_current);
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
   if (json.has("parameters")) axis.parameters = read_axis_parameters(json.at("parameters"), axis);

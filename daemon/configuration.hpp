@@ -12,6 +12,7 @@
 #include "motor/inverter_data.hpp"
 #include "motor/load.hpp"
 #include "motor/machine_data.hpp"
+#include "motor/plant_deviation.hpp"
 #include "motor/supply_data.hpp"
 
 namespace axisd {
@@ -32,7 +33,8 @@ struct ParameterValue {
 struct AxisConfiguration {
   std::string name;                                   ///< unique in the unit
   drive::ObjectKind kind = drive::ObjectKind::Servo;  ///< Servo or Vector
-  motor::MachineData machine;
+  motor::MachineData machine;                         ///< by its data sheet
+  motor::PlantDeviation deviation;                    ///< of what turns from it, key "plant"
   motor::Load load;
   motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.maximum_current);  ///< key "power_unit"
   std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis

@@ -23,7 +23,11 @@ std::vector<device::ParameterPreset> presets_of(const std::vector<ParameterValue
 }
 
 device::AxisSetup setup_of(const AxisConfiguration& axis) {
-  return {.drive = {.machine = axis.machine, .load = axis.load, .kind = axis.kind, .inverter = axis.inverter},
+  return {.drive = {.machine = axis.machine,
+                    .load = axis.load,
+                    .kind = axis.kind,
+                    .inverter = axis.inverter,
+                    .deviation = axis.deviation},
           .presets = presets_of(axis.parameters)};
 }
 

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [1]})", "node.json: /axes/0: expected an object, got 1"},
         BadFile{R"({"axes": [{"speed": 1}]})",
                 "node.json: /axes/0/speed: unknown key, expected one of: name, type, motor, encoder, load, "
-                "power_unit, parameters"},
+                "plant, power_unit, parameters"},
         BadFile{R"({"axes": [{"name": 1}]})", "node.json: /axes/0/name: expected a string, got 1"},
         BadFile{R"({"axes": [{"type": "infeed"}]})",
                 "node.json: /axes/0/type: expected servo or vector, got \"infeed\""},
@@ -97,6 +97,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "1ph8131, im-2k2, ipmsm-2k2) or the path of a motor file, got \"1fk7\""},
         BadFile{R"({"axes": [{"motor": "/nowhere/motor.json"}]})",
                 "/nowhere/motor.json: cannot be read: No such file or directory"},
+        BadFile{R"({"axes": [{"plant": {"stator_resistance": 0}}]})",
+                "node.json: /axes/0/plant/stator_resistance: expected a number 0.1 to 10, got 0"},
+        BadFile{R"({"axes": [{"plant": {"rotor_resistance": 1.2}}]})",
+                "node.json: /axes/0/plant/rotor_resistance: unknown key, expected one of: stator_resistance, "
+                "d_inductance, q_inductance, magnet_flux, inertia, friction"},
+        BadFile{
+            R"({"axes": [{"plant": {"inertia": 0.1}, "load": {"inertia": 1, "coupling": {"stiffness": 1e7}}}]})",
+            "node.json: /axes/0/plant: expected factors with which coupling.stiffness is a stiffness that "
+            "resonates below 16 kHz, got {\"inertia\":0.1}"},
         BadFile{R"({"axes": [{"parameters": []}]})", "node.json: /axes/0/parameters: expected an object, got []"},
         BadFile{R"({"axes": [{"parameters": {"1120": 1}}]})",
                 "node.json: /axes/0/parameters/1120: expected a parameter of the axis such as p1120 or p1070[1] "

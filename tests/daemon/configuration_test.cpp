@@ -195,6 +195,14 @@ TEST(Configuration, RefersALoadBehindAGearToTheShaft) {
   EXPECT_DOUBLE_EQ(load.brake.torque, 3.0);  // it is on the motor shaft
 }
 
+TEST(Configuration, TakesWhatTurnsInPlaceOfTheDataSheet) {
+  const AxisConfiguration axis =
+      axis_of(R"({"motor": "1ph8131", "plant": {"stator_resistance": 1.2, "saturation_flux": 0.9}})");
+
+  EXPECT_EQ(axis.deviation, (motor::PlantDeviation{.stator_resistance = 1.2, .saturation_flux = 0.9}));
+  EXPECT_EQ(axis_of("{}").deviation, motor::PlantDeviation{});
+}
+
 TEST(Configuration, GivesAnAxisTheSmallestPowerUnitWithTheMaximumCurrentOfItsMotor) {
   EXPECT_EQ(axis_of("{}").inverter.rated_current, 18.0);
   EXPECT_EQ(axis_of(R"({"motor": "1fk7042"})").inverter.rated_current, 5.0);
