@@ -212,7 +212,6 @@ void Device::publish() noexcept {
 
 /// Everything that the axes show.
 void Device::show_values() noexcept {
-  unit_.send_process_data();
   for (AxisObjects& axis : axes_) axis.publish();
 }
 

@@ -58,6 +58,7 @@ void Device::take_over(ParameterGroup group, UnitProcessData::WiredBy wired) noe
   bring_out(group);
   take_over_parameters();
   process_data_.take_over(wired);
+  unit_.send_process_data();
   show_values();
 }
 

@@ -6,14 +6,14 @@
 #include <fmt/format.h>
 
 #include "device/object_index.hpp"
+#include "device/pdo_objects.hpp"
 #include "drive/explain.hpp"
 #include "drive/parameter/bico.hpp"
+#include "libcanopen/base/cob_id.hpp"
 
 namespace device {
 namespace {
 
-constexpr std::uint16_t kRpdoCount = 8;
-constexpr std::uint16_t kMappingEntries = 4;
 constexpr std::uint16_t kPlaces = 4;              // of words whose bits can be connected, r8890 to r8893
 constexpr std::uint16_t kFirstCobId = 8700;       // p8700 to p8707, [0]
 constexpr std::uint16_t kFirstMapping = 8710;     // p8710 to p8717
@@ -21,7 +21,6 @@ constexpr std::uint16_t kReceivedObjects = 8750;  // r8750
 constexpr std::uint16_t kReceivedBits = 8890;     // r8890 to r8893
 constexpr std::uint16_t kUnmappedControlword = 8795;
 constexpr std::uint16_t kOnSource = 840;
-constexpr std::uint32_t kInvalid = 0x80000000U;
 
 /// The axis and the unit as they are between two cycles.
 struct Picture {
@@ -48,12 +47,13 @@ struct Way {
 };
 Way way_of_the_controlword(P p) {
   Way way{};
-  for (std::uint16_t rpdo = 0; rpdo < kRpdoCount; ++rpdo)
-    for (std::uint16_t entry = 0; entry < kMappingEntries; ++entry) {
+  for (std::uint16_t rpdo = 0; rpdo < pdo::kOfAnAxis; ++rpdo)
+    for (std::uint16_t entry = 0; entry < pdo::kMostEntries; ++entry) {
       const std::uint32_t mapped = p.parameter(static_cast<std::uint16_t>(kFirstMapping + rpdo), entry);
       if (mapped >> 16 != p.controlword_index()) continue;
       way.mapped = true;
-      way.valid |= (p.parameter(static_cast<std::uint16_t>(kFirstCobId + rpdo), 0) & kInvalid) == 0;
+      way.valid |=
+          (p.parameter(static_cast<std::uint16_t>(kFirstCobId + rpdo), 0) & canopen::cob_id::kInvalid) == 0;
     }
   return way;
 }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "device/pdo_objects.hpp"
+#include "drive/process_data_image.hpp"
 
 namespace device {
 
@@ -20,8 +21,8 @@ struct PendingMapping {
 /// has a place keeps it.
 class ProcessDataLayout {
  public:
-  static constexpr std::size_t kReceiveWords = 20;
-  static constexpr std::size_t kTransmitWords = 25;
+  static constexpr std::size_t kReceiveWords = drive::ProcessDataImage::kReceivedWords;
+  static constexpr std::size_t kTransmitWords = drive::ProcessDataImage::kSentWords;
   /// Words that an axis has in @p direction.
   static constexpr std::size_t words_of(pdo::Direction direction) noexcept {
     return direction == pdo::Direction::Receive ? kReceiveWords : kTransmitWords;
