@@ -17,9 +17,8 @@ constexpr const char* kErrorActive = "20000004#0040000000000000";
 
 // Parameters of the control unit, as its window shows them.
 constexpr std::uint16_t kClearBusOff = 0x2000 + 8608, kMonitoringTime = 0x2000 + 8699;
+constexpr std::uint16_t kStatusword = 0x6041;
 constexpr std::uint32_t kHundred = 0x42C80000;  // as REAL32
-
-constexpr DriveState kReacting{"Fault reaction active", 0x4F, 0x0F};
 
 const std::string kNothingLeft = "085#0000000000000000";
 
@@ -43,16 +42,7 @@ struct BusError : testing::Test {
     }));
     can.listen_to({0x285});
   }
-  std::uint16_t statusword() { return static_cast<std::uint16_t>(sdo.upload(0x6041).number()); }
-  /// Reads 6041h over SDO, once in the time of a cycle, until it shows @p state: candump has to keep up.
-  testing::AssertionResult comes_to(const DriveState& state) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
-    while ((statusword() & state.mask) != state.value) {
-      if (std::chrono::steady_clock::now() > end) return testing::AssertionFailure() << "never " << state.name;
-      std::this_thread::sleep_for(std::chrono::milliseconds{4});
-    }
-    return testing::AssertionSuccess();
-  }
+  std::uint16_t statusword() { return static_cast<std::uint16_t>(sdo.upload(kStatusword).number()); }
   /// 6041h as the control socket shows it, in every NMT state.
   std::uint16_t shown_statusword() const {
     const auto word = daemon.status().at("axes").at(0).at("statusword").get<std::string>();
@@ -61,7 +51,7 @@ struct BusError : testing::Test {
   std::string led(const char* which) const { return daemon.status().at("leds").at(which).get<std::string>(); }
   /// OFF3 to standstill as the statuswords of TPDO 2 show it, and Fault at its end.
   testing::AssertionResult brakes_into_fault() {
-    if (auto seen = wait_for_state(can, kReacting); !seen) return seen;
+    if (auto seen = wait_for_state(can, kFaultReactionActive); !seen) return seen;
     return wait_for_drive(can, "Fault at standstill",
                           [](const StatusAndSpeed& drive) { return drive.is(kFault) && drive.has(kStandstill); });
   }
@@ -73,7 +63,7 @@ TEST_F(BusError, BusOffStopsTheMotorInSilenceUntilP8608EndsIt) {
   EXPECT_EQ(sdo.upload(0x1000).number(), 0xFFFF0192U);
   ASSERT_TRUE(log.shows({"605#4000100000000000", "585#430010009201FFFF"}));
 
-  EXPECT_TRUE(comes_to(kFault));
+  EXPECT_TRUE(sdo.comes_to(kStatusword, kFault));
   EXPECT_TRUE(log.shows_none_of({"085", "185", "285", "385", "485"}));
   EXPECT_EQ(led("error"), "on");
 
@@ -115,7 +105,7 @@ TEST_F(BusError, BusOffIsEndedOverTheControlSocketAndCanComeAgain) {
     ASSERT_TRUE(daemon.program().wait_for_output("bus-off", from));
     EXPECT_EQ(daemon.axisctl({"bus", "restart"}).status, 0);
     EXPECT_TRUE(log.shows({"085#011011FC21010000", "085#011011FC21020000"}));
-    EXPECT_TRUE(comes_to(kFault));
+    EXPECT_TRUE(sdo.comes_to(kStatusword, kFault));
     ASSERT_EQ(sdo.download(0x1003, 0, 0, 1), 0U);
   }
 }
@@ -150,7 +140,7 @@ TEST_F(BusError, NmtStopInMotionBringsTheMotorToStandstill) {
   while ((seen & kFault.mask) != kFault.value && std::chrono::steady_clock::now() < end) {
     seen = shown_statusword();
     if (!braked) log.mark();  // TPDOs may have been under way
-    braked = braked || (seen & kReacting.mask) == kReacting.value;
+    braked = braked || (seen & kFaultReactionActive.mask) == kFaultReactionActive.value;
   }
   EXPECT_TRUE(braked);
   EXPECT_EQ(seen & (kFault.mask | kStandstill), kFault.value | kStandstill);
@@ -165,8 +155,8 @@ TEST_F(BusError, LeavingOperationalInMotionIsTold) {
   ASSERT_TRUE(log.send("000#8005"));
 
   EXPECT_TRUE(log.shows({"085#011011FD21020000"}));
-  EXPECT_TRUE(comes_to(kReacting));
-  EXPECT_TRUE(comes_to(kFault));
+  EXPECT_TRUE(sdo.comes_to(kStatusword, kFaultReactionActive));
+  EXPECT_TRUE(sdo.comes_to(kStatusword, kFault));
 }
 
 TEST_F(BusError, MissingProcessDataStopTheMotor) {

@@ -64,6 +64,7 @@ inline constexpr DriveState kReadyToSwitchOn{"Ready to switch on", 0x6F, 0x21};
 inline constexpr DriveState kSwitchedOn{"Switched on", 0x6F, 0x23};
 inline constexpr DriveState kOperationEnabled{"Operation enabled", 0x6F, 0x27};
 inline constexpr DriveState kQuickStopActive{"Quick stop active", 0x6F, 0x07};
+inline constexpr DriveState kFaultReactionActive{"Fault reaction active", 0x4F, 0x0F};
 inline constexpr DriveState kFault{"Fault", 0x4F, 0x08};
 
 /// Statusword bits of their own.

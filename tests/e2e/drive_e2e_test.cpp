@@ -14,7 +14,6 @@ namespace e2e {
 namespace {
 
 constexpr std::int32_t kFullSpeed = 0x0C800000;  // 3000 rpm
-constexpr DriveState kReacting{"Fault reaction active", 0x4F, 0x0F};
 
 /// Short ramps, and friction enough for the motor to coast to rest soon.
 const nlohmann::json kBriskAxis{{"load", {{"friction", {{"coulomb", 2.0}}}}},
@@ -180,22 +179,13 @@ struct TwoAxes : DriveDialogue {
   TwoAxes() : DriveDialogue{2} {}
 
   std::uint16_t statusword(std::uint16_t index) { return static_cast<std::uint16_t>(sdo.upload(index).number()); }
-  testing::AssertionResult comes_to(std::uint16_t index, const DriveState& state) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
-    while ((statusword(index) & state.mask) != state.value) {
-      if (std::chrono::steady_clock::now() > end)
-        return testing::AssertionFailure() << std::hex << index << " never " << state.name;
-      std::this_thread::sleep_for(std::chrono::milliseconds{4});  // a cycle
-    }
-    return testing::AssertionSuccess();
-  }
 };
 
 TEST_F(TwoAxes, ReactToOneFaultEachInItsOwnWay) {
   ASSERT_NO_FATAL_FAILURE(write(0x6807, 0, 2, 2));  // OFF2; axis 1 has OFF3
   ASSERT_NO_FATAL_FAILURE(switch_on());
   for (const std::uint32_t word : {0x0006U, 0x0007U, 0x000FU}) ASSERT_NO_FATAL_FAILURE(write(0x6840, 0, word, 2));
-  ASSERT_TRUE(comes_to(0x6841, kOperationEnabled));
+  ASSERT_TRUE(sdo.comes_to(0x6841, kOperationEnabled));
   ASSERT_NO_FATAL_FAILURE(write(0x68FF, 0, kFullSpeed / 4, 4));
   can.listen_to({0x285});
   ASSERT_TRUE(log.send("305#0F000000800C"));
@@ -207,7 +197,7 @@ TEST_F(TwoAxes, ReactToOneFaultEachInItsOwnWay) {
   ASSERT_TRUE(log.shows({"705#05"}));
 
   EXPECT_TRUE(log.shows({"085#308111FC21010000", "085#308111FC21020000", "085#308111FC21030000"}));
-  EXPECT_TRUE(wait_for_state(can, kReacting));
+  EXPECT_TRUE(wait_for_state(can, kFaultReactionActive));
   EXPECT_EQ(statusword(0x6841) & kFault.mask, kFault.value) << "its pulses are off at once";
   EXPECT_TRUE(stands_in(kFault));
 }
