@@ -1,9 +1,11 @@
-"""Runs a master of examples/masters against axisd: master_example.py BIN-FOLDER [--module NAME] PATTERN COMMAND...
+"""Runs a master of examples/masters against axisd:
+master_example.py BIN-FOLDER [--module NAME] [--axis JSON] PATTERN COMMAND...
 
 What the command prints has to match PATTERN from its beginning to its end. Without the Python module NAME the test is
-skipped: exit status 77.
+skipped: exit status 77. JSON adds to the axis of the configuration.
 """
 
+import json
 import re
 import subprocess
 import sys
@@ -24,9 +26,12 @@ def main():
     if words[0] == '--module':
         _, module, *words = words
         skip_without(module, words[1])
+    axis = None
+    if words[0] == '--axis':
+        _, axis, *words = words
     pattern, *command = words
     with programs.Folder(bin_folder) as folder:
-        unit = programs.start_unit(folder)
+        unit = programs.start_unit(folder, axis and json.loads(axis))
         run = subprocess.run(command, stdout=subprocess.PIPE, text=True, timeout=6 * programs.PATIENCE)
         print(run.stdout, end='')
         assert run.returncode == 0, f'exit status {run.returncode}'

@@ -75,10 +75,10 @@ class Folder:
                               capture_output=True, text=True, timeout=PATIENCE).stdout
 
 
-def start_unit(folder):
-    """axisd as node 5 with short ramps, ready on the bus of with-can."""
+def start_unit(folder, axis=None):
+    """axisd as node 5 with short ramps, ready on the bus of with-can; `axis` adds to its axis."""
     with open(folder.path('axisd.json'), 'w', encoding='ascii') as file:
-        json.dump({'axes': [{'parameters': {'p1120': 0.5, 'p1121': 0.5}}]}, file)
+        json.dump({'axes': [{'parameters': {'p1120': 0.5, 'p1121': 0.5}, **(axis or {})}]}, file)
     unit = folder.start('axisd', '--interface', f'unix:{os.environ["CAN_BUS"]}', '--node-id', '5',
                         '--config', folder.path('axisd.json'))
     unit.expect('ready: node 5 on')
