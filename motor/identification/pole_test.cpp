@@ -17,10 +17,9 @@ constexpr std::array kDirections{SpaceVector{kDiagonal, kDiagonal}, SpaceVector{
 }  // namespace
 
 SpaceVector PoleTest::step(const Measurement& measured, StandstillBench& bench) noexcept {
-  if (steps_ == 0) start_angle_ = bench.shaft.angle();
+  follow(measured, bench);
   const double current = this->current(bench);
   const SpaceVector direction = measured.rotor * kDirections[static_cast<std::size_t>(pattern_ % kSides)];
-  if (steps_ == 2 * pulse_) look(bench);
   if (++steps_ >= 4 * pulse_ + std::max(kRest, pulse_)) next_pattern(bench);
   bench.axis =
       measured.rotor * SpaceVector{std::cos(bench.result.pole_position), std::sin(bench.result.pole_position)};
@@ -33,21 +32,38 @@ double PoleTest::current(const StandstillBench& bench) const noexcept {
   return sign * share_ * bench.test_current * kForthAndBack[std::min(part, kForthAndBack.size() - 1)];
 }
 
-void PoleTest::look(const StandstillBench& bench) noexcept {
-  const double sign = pattern_ < kSides ? 1.0 : -1.0;
-  way_[static_cast<std::size_t>(pattern_ % kSides)] += 0.5 * sign * (bench.shaft.angle() - start_angle_);
+void PoleTest::follow(const Measurement& measured, const StandstillBench& bench) noexcept {
+  if (steps_ == 0) {
+    start_angle_ = bench.shaft.angle();
+    charge_ = {};
+    pull_ = {};
+  }
+  if (steps_ > 2 * pulse_) return;
+  charge_ = charge_ + kControlPeriod * (measured.current * conjugate(measured.rotor));
+  pull_ = pull_ + kControlPeriod * charge_;
+  if (steps_ == 2 * pulse_) look(bench.shaft.angle() - start_angle_);
+}
+
+void PoleTest::look(double way) noexcept {
+  sums_.along_along += pull_.re * pull_.re;
+  sums_.along_across += pull_.re * pull_.im;
+  sums_.across_across += pull_.im * pull_.im;
+  sums_.along_way += pull_.re * way;
+  sums_.across_way += pull_.im * way;
+  furthest_ = std::max(furthest_, std::abs(way));
 }
 
 void PoleTest::next_pattern(StandstillBench& bench) noexcept {
   steps_ = 0;
   if (++pattern_ < kPatterns) return;
-  if (std::max(std::abs(way_[0]), std::abs(way_[1])) >= kEnough) return conclude(bench);
+  if (furthest_ >= kEnough) return conclude(bench);
   grow(bench);
 }
 
 void PoleTest::grow(StandstillBench& bench) noexcept {
   pattern_ = 0;
-  way_ = {};
+  sums_ = {};
+  furthest_ = 0.0;
   if (share_ < 1.0) {
     share_ = std::min(1.0, 2.0 * share_);
     return;
@@ -56,9 +72,12 @@ void PoleTest::grow(StandstillBench& bench) noexcept {
   pulse_ = std::min(kLongest, pulse_ + (pulse_ + 1) / 2);
 }
 
-/// A current at the angle a past the true axis turns the shaft with sin(a).
+/// A current at the angle a past the true axis turns the shaft with sin(a): its way is a sum of what the currents
+/// across and along the axis of the encoder do, with the cosine and the negative sine of the deviation.
 void PoleTest::conclude(StandstillBench& bench) noexcept {
-  bench.result.pole_position = std::atan2(-(way_[0] + way_[1]), way_[0] - way_[1]);
+  const double cosine = sums_.across_way * sums_.along_along - sums_.along_way * sums_.along_across;
+  const double sine = sums_.across_way * sums_.along_across - sums_.along_way * sums_.across_across;
+  bench.result.pole_position = std::atan2(sine, cosine);
   if (std::abs(bench.result.pole_position) > kLargest) bench.fault = StandstillFault::PolePosition;
   done_ = true;
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "motor/identification/standstill_bench.hpp"
 
 namespace motor {
@@ -23,15 +21,28 @@ class PoleTest {
   static constexpr int kRest = steps_in(20e-3);
 
   double current(const StandstillBench& bench) const noexcept;
-  void look(const StandstillBench& bench) noexcept;
+  void follow(const Measurement& measured, const StandstillBench& bench) noexcept;
+  void look(double way) noexcept;
   void next_pattern(StandstillBench& bench) noexcept;
   void grow(StandstillBench& bench) noexcept;
   void conclude(StandstillBench& bench) noexcept;
 
-  std::array<double, kSides> way_{};  // of the shaft with the current (rad)
-  double start_angle_ = 0.0;          // of the shaft (rad)
-  double share_ = kFirst;             // of the test current
-  int pulse_ = kShortest;             // steps
+  /// Sums of products of ways and what the currents along and across the axis would have made of them.
+  struct Sums {
+    double along_along = 0.0;
+    double along_across = 0.0;
+    double across_across = 0.0;
+    double along_way = 0.0;
+    double across_way = 0.0;
+  };
+
+  Sums sums_{};
+  SpaceVector charge_{};      // integral of the current in the encoder's frame (A·s)
+  SpaceVector pull_{};        // integral of that (A·s²)
+  double furthest_ = 0.0;     // way (rad)
+  double start_angle_ = 0.0;  // of the shaft (rad)
+  double share_ = kFirst;     // of the test current
+  int pulse_ = kShortest;     // steps
   int pattern_ = 0;
   int steps_ = 0;  // in the pattern
   bool done_ = false;

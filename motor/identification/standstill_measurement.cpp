@@ -18,7 +18,17 @@ using Level = ResistanceTest::Level;
 constexpr double kLimitShare = 0.85;       // of the current limit that tests use, the rest is for overshoot
 constexpr double kLeastCurrent = 0.2;      // of the rated current that a test needs
 constexpr double kLargestLoss = 0.05;      // of the DC link voltage that valves may lose
+constexpr double kRestTime = 0.1;          // s
+constexpr double kLongestRest = 2.0;       // s
+constexpr double kFadingTimes = 4.0;       // rotor time constants
 constexpr int kPatience = steps_in(0.01);  // with a voltage at its limit
+
+/// How long the flux of before takes to be gone (s).
+double fading_time(const MachineData& machine) noexcept {
+  const InductionCircuit circuit = induction_circuit(machine);
+  return std::clamp(kFadingTimes * circuit.magnetising_inductance / circuit.rotor_resistance, kRestTime,
+                    kLongestRest);
+}
 
 /// A test, what r0047 shows meanwhile, and where its result goes.
 struct PlanRow {
@@ -28,7 +38,10 @@ struct PlanRow {
 };
 
 constexpr PlanRow kRest{measurement_step::kStandstill,
-                        [](Test& test, const MachineData&) noexcept { test.emplace<RestTest>(); }};
+                        [](Test& test, const MachineData&) noexcept { test.emplace<RestTest>(kRestTime); }};
+constexpr PlanRow kFading{measurement_step::kStandstill, [](Test& test, const MachineData& machine) noexcept {
+                            test.emplace<RestTest>(fading_time(machine));
+                          }};
 constexpr PlanRow kPole{measurement_step::kEncoderTest,
                         [](Test& test, const MachineData&) noexcept { test.emplace<PoleTest>(); }};
 constexpr PlanRow kAlignment{measurement_step::kStandstill,
@@ -59,7 +72,7 @@ constexpr PlanRow kRotor{measurement_step::kRotorTimeConstant,
 
 constexpr std::array kSynchronousPlan{kRest, kPole, kLowerLevel, kUpperLevel, kAlong, kAcross};
 constexpr std::array kBlindPlan{kRest, kAlignment, kLowerLevel, kUpperLevel, kAlong, kAcross};
-constexpr std::array kInductionPlan{kRest, kLowerLevel, kUpperLevel, kLeakage, kRotor};
+constexpr std::array kInductionPlan{kFading, kLowerLevel, kUpperLevel, kLeakage, kRotor};
 
 std::span<const PlanRow> plan_for(const MachineData& machine) noexcept {
   if (machine.type == MachineType::Induction) return kInductionPlan;

@@ -19,8 +19,7 @@ inline constexpr double kDegree = std::numbers::pi / 180.0;
 /// What a drive that believes in @p data_sheet starts with.
 inline motor::StandstillTask task_for(const motor::MachineData& data_sheet) {
   const motor::InverterData inverter = real_inverter(data_sheet);
-  return {.machine = data_sheet,
-          .settings = motor::computed_settings(data_sheet, inverter, data_sheet.inertia)};
+  return {.machine = data_sheet, .settings = motor::computed_settings(data_sheet, inverter, data_sheet.inertia)};
 }
 
 /// Lets @p seconds pass under @p command.
