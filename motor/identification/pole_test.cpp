@@ -7,7 +7,9 @@
 namespace motor {
 namespace {
 
-constexpr double kEnough = 0.02;                              // rad, what a coarse encoder sees well
+constexpr double kEnough = 0.015;                             // rad, that the shaft turns in one current
+constexpr double kEnoughCounts = 16.0;                        // of the encoder, if that is more
+constexpr double kFarthest = 0.3;                             // rad, expected where nothing is seen
 constexpr double kLargest = 15.0 * std::numbers::pi / 180.0;  // electrical rad, that a sound encoder is wrong
 constexpr int kRest = steps_in(20e-3);
 /// How high and how long a current is.
@@ -16,15 +18,23 @@ struct Attempt {
   int pulse;     // steps
 };
 constexpr std::array kAttempts{
-    Attempt{0.25, steps_in(2e-3)}, Attempt{0.25, steps_in(3e-3)},  Attempt{0.25, steps_in(4.5e-3)},
-    Attempt{0.25, steps_in(7e-3)}, Attempt{0.25, steps_in(10e-3)}, Attempt{0.25, steps_in(15e-3)},
-    Attempt{0.5, steps_in(10e-3)}, Attempt{0.5, steps_in(15e-3)},  Attempt{1.0, steps_in(10e-3)},
-    Attempt{1.0, steps_in(15e-3)}, Attempt{1.0, steps_in(22e-3)},  Attempt{1.0, steps_in(33e-3)},
-    Attempt{1.0, steps_in(50e-3)}};
+    Attempt{0.5, steps_in(2e-3)},  Attempt{0.5, steps_in(3e-3)},  Attempt{0.5, steps_in(4.5e-3)},
+    Attempt{0.5, steps_in(7e-3)},  Attempt{0.5, steps_in(10e-3)}, Attempt{1.0, steps_in(7e-3)},
+    Attempt{1.0, steps_in(10e-3)}, Attempt{1.0, steps_in(15e-3)}, Attempt{1.0, steps_in(22e-3)},
+    Attempt{1.0, steps_in(33e-3)}, Attempt{1.0, steps_in(50e-3)}};
 constexpr std::array kForthAndBack{1.0, -1.0, -1.0, 1.0, 0.0};
 /// Directions against the axis: 45° before and behind.
 constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 constexpr std::array kDirections{SpaceVector{kDiagonal, kDiagonal}, SpaceVector{kDiagonal, -kDiagonal}};
+
+/// How far a shaft without friction would turn in one current of @p attempt, as it is believed to be (rad).
+double expected_way(const StandstillBench& bench, const Attempt& attempt) noexcept {
+  const MachineData& machine = bench.task.machine;
+  const double torque =
+      1.5 * machine.pole_pairs * machine.synchronous.magnet_flux * kDiagonal * attempt.share * bench.test_current;
+  const double time = attempt.pulse * kControlPeriod;
+  return 0.5 * torque / std::max(machine.inertia, bench.task.settings.inertia) * time * time;
+}
 
 }  // namespace
 
@@ -52,11 +62,11 @@ void PoleTest::follow(const Measurement& measured, const StandstillBench& bench)
     charge_ = {};
     pull_ = {};
   }
-  const int turning_point = 2 * kAttempts[attempt_].pulse;
-  if (steps_ > turning_point) return;
+  const int pulse = kAttempts[attempt_].pulse;
+  if (steps_ > pulse + pulse / 2) return;
   charge_ = charge_ + kControlPeriod * (measured.current * conjugate(measured.rotor));
   pull_ = pull_ + kControlPeriod * charge_;
-  if (steps_ == turning_point) look(bench.shaft.angle() - start_angle_);
+  look(bench.shaft.angle() - start_angle_);
 }
 
 void PoleTest::look(double way) noexcept {
@@ -71,7 +81,8 @@ void PoleTest::look(double way) noexcept {
 void PoleTest::next_pattern(StandstillBench& bench) noexcept {
   steps_ = 0;
   if (++pattern_ < kPatterns) return;
-  if (furthest_ >= kEnough) return conclude(bench);
+  const double increment = 2.0 * std::numbers::pi / increments_per_revolution(bench.task.machine);
+  if (furthest_ >= std::max(kEnough, kEnoughCounts * increment)) return conclude(bench);
   grow(bench);
 }
 
@@ -79,11 +90,9 @@ void PoleTest::grow(StandstillBench& bench) noexcept {
   pattern_ = 0;
   sums_ = {};
   furthest_ = 0.0;
-  if (attempt_ + 1 == kAttempts.size()) {
-    bench.fault = StandstillFault::PolePosition;
-    return;
-  }
-  ++attempt_;
+  if (++attempt_ < kAttempts.size() && expected_way(bench, kAttempts[attempt_]) < kFarthest) return;
+  attempt_ = 0;
+  bench.fault = StandstillFault::PolePosition;
 }
 
 /// A current at the angle a past the true axis turns the shaft with sin(a): its way is a sum of what the currents
