@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kEnough = 0.015;                             // rad, that the shaft turns in one current
 constexpr double kEnoughCounts = 16.0;                        // of the encoder, if that is more
-constexpr double kFarthest = 0.3;                             // rad, expected where nothing is seen
+constexpr double kSeen = 0.002;                               // rad, that is surely motion
+constexpr double kFarthest = 0.45;                            // rad, expected of the shaft without its load
+constexpr double kFarthestUnseen = 0.15;                      // rad, where nothing was seen
 constexpr double kLargest = 15.0 * std::numbers::pi / 180.0;  // electrical rad, that a sound encoder is wrong
 /// How long a current is (steps).
 constexpr std::array kPulses{steps_in(2e-3),  steps_in(3e-3),  steps_in(4.5e-3), steps_in(7e-3), steps_in(10e-3),
@@ -28,7 +30,8 @@ constexpr std::array kPatterns{kBefore, kBehind, Pattern{kBehind.direction, -1.0
                                Pattern{kBefore.direction, -1.0}};
 constexpr int kCoast = steps_in(10e-3);  // a part of a rest, to see how fast the shaft still is
 constexpr int kLongestRest = steps_in(60e-3);
-constexpr double kStopped = 1e-4;  // rad in such a part
+constexpr double kStopped = 1e-4;   // rad in such a part
+constexpr double kEvenness = 0.05;  // change of the way from part to part
 
 /// How far a shaft without friction would turn in one current of @p pulse steps, as it is believed to be (rad).
 double expected_way(const StandstillBench& bench, int pulse) noexcept {
@@ -64,14 +67,16 @@ void PoleTest::begin_pattern(double angle) noexcept {
   pull_ = {};
 }
 
-/// Waits until the shaft has stopped; one without friction goes on, and that way is not due to the next current.
+/// Waits until the shaft has stopped, or goes on evenly: without friction, which is not due to the next current.
 void PoleTest::rest(StandstillBench& bench, double angle) noexcept {
   const int rested = steps_ - 4 * kPulses[length_];
   if (rested % kCoast != 0) return;
   const double moved = angle - coast_angle_;
+  const double change = std::abs(moved - drift_ * kCoast);
   coast_angle_ = angle;
   drift_ = moved / kCoast;
-  if (rested >= kLongestRest || (rested > kCoast && std::abs(moved) < kStopped)) next_pattern(bench);
+  const bool even = rested > kCoast && change < kStopped + kEvenness * std::abs(moved);
+  if (even || rested >= kLongestRest) next_pattern(bench);
 }
 
 void PoleTest::follow(const Measurement& measured, double angle) noexcept {
@@ -100,10 +105,11 @@ void PoleTest::next_pattern(StandstillBench& bench) noexcept {
 }
 
 void PoleTest::grow(StandstillBench& bench) noexcept {
+  const double farthest = furthest_ >= kSeen ? kFarthest : kFarthestUnseen;
   pattern_ = 0;
   sums_ = {};
   furthest_ = 0.0;
-  if (++length_ < kPulses.size() && expected_way(bench, kPulses[length_]) < kFarthest) return;
+  if (++length_ < kPulses.size() && expected_way(bench, kPulses[length_]) < farthest) return;
   length_ = 0;
   bench.fault = StandstillFault::PolePosition;
 }
