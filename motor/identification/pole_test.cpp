@@ -48,17 +48,16 @@ SpaceVector PoleTest::step(const Measurement& measured, StandstillBench& bench) 
   const double angle = bench.shaft.angle();
   if (steps_ == 0) begin_pattern(angle);
   follow(measured, angle);
-  const double current = kPatterns[pattern_].sign * this->current(bench);
   const SpaceVector direction = measured.rotor * kPatterns[pattern_].direction;
-  if (++steps_ >= 4 * kPulses[length_] + kCoast) rest(bench, angle);
+  if (++steps_ >= 4 * kPulses[length_]) rest(bench, angle);
   bench.axis =
       measured.rotor * SpaceVector{std::cos(bench.result.pole_position), std::sin(bench.result.pole_position)};
-  return bench.currents.step(current * direction, measured);
+  return bench.currents.step(current(bench) * direction, measured);
 }
 
 double PoleTest::current(const StandstillBench& bench) const noexcept {
   const auto part = static_cast<std::size_t>(steps_ / kPulses[length_]);
-  return bench.test_current * kForthAndBack[std::min(part, kForthAndBack.size() - 1)];
+  return kPatterns[pattern_].sign * bench.test_current * kForthAndBack[std::min(part, kForthAndBack.size() - 1)];
 }
 
 void PoleTest::begin_pattern(double angle) noexcept {
@@ -79,6 +78,7 @@ void PoleTest::rest(StandstillBench& bench, double angle) noexcept {
   if (even || rested >= kLongestRest) next_pattern(bench);
 }
 
+/// Until friction may have turned it back.
 void PoleTest::follow(const Measurement& measured, double angle) noexcept {
   const int pulse = kPulses[length_];
   if (steps_ > pulse + pulse / 2) return;

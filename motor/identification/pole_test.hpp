@@ -8,8 +8,8 @@ namespace motor {
 
 /// Finds the axis of the magnets by what short currents do to the shaft. They flow 45° before and behind the axis
 /// that the encoder shows, where both give torque and friction takes as much from either: forth, back, back and
-/// forth, so that the shaft ends where it began. They become longer until
-/// the shaft follows enough to be seen.
+/// forth, so that the shaft ends where it began. They become longer until the shaft follows enough to be seen; its
+/// way is held against the currents that have really flown.
 class PoleTest {
  public:
   SpaceVector step(const Measurement& measured, StandstillBench& bench) noexcept;

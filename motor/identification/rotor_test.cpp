@@ -78,11 +78,10 @@ void RotorTest::conclude(StandstillBench& bench) noexcept {
   const Row found = solution();
   const double resistance = found[0];
   const double rate = -found[1];  // reciprocal of the time constant (1/s)
-  if (!(resistance > 0.0))
-    bench.fault = StandstillFault::RotorResistance;
-  else if (!(rate > 0.0))
-    bench.fault = StandstillFault::RotorTimeConstant;
-  if (bench.fault != StandstillFault::None) return;
+  if (!(resistance > 0.0 && rate > 0.0)) {
+    bench.fault = resistance > 0.0 ? StandstillFault::RotorTimeConstant : StandstillFault::RotorResistance;
+    return;
+  }
   bench.result.rotor_resistance = resistance / resistance_factor(bench.task.winding_temperature);
   bench.result.magnetising_inductance = resistance / rate;
 }

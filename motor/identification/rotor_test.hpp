@@ -28,7 +28,7 @@ class RotorTest {
   Row solution() const noexcept;
 
   SteadyMean start_{};
-  std::array<Row, kUnknowns> products_{};  // sums of the products of charge, area and time
+  std::array<Row, kUnknowns> products_{};  // sums of the products of charge, area, time and its square
   Row with_flux_{};                        // of the same with the flux
   double flux_ = 0.0;                      // of the rotor, since the rise of the current (V·s)
   double charge_ = 0.0;                    // integral of the current above that before (A·s)

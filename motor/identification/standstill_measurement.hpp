@@ -14,6 +14,7 @@
 #include "motor/identification/rotor_test.hpp"
 #include "motor/identification/standstill_bench.hpp"
 #include "motor/identification/standstill_data.hpp"
+#include "motor/identification/stopping.hpp"
 
 namespace motor {
 
@@ -22,7 +23,8 @@ namespace motor {
 class StandstillMeasurement final : public Excitation {
  public:
   /// One of the tests, under way.
-  using Test = std::variant<RestTest, PoleTest, RotorAlignment, ResistanceTest, InductanceTest, RotorTest>;
+  using Test =
+      std::variant<RestTest, PoleTest, Stopping, RotorAlignment, ResistanceTest, InductanceTest, RotorTest>;
 
   /// Begins with @p task at the next step().
   void start(const StandstillTask& task) noexcept;
@@ -40,6 +42,8 @@ class StandstillMeasurement final : public Excitation {
   void begin_test() noexcept;
   void end_test() noexcept;
   void supervise(const Measurement& measured) noexcept;
+  SpaceVector lead(const Measurement& measured) noexcept;
+  void show(const Measurement& measured, Signals& signals) const noexcept;
 
   StandstillBench bench_{};
   Test test_{};
