@@ -29,7 +29,7 @@ constexpr Pattern kBehind{{kDiagonal, -kDiagonal}, 1.0};
 constexpr std::array kPatterns{kBefore, kBehind, Pattern{kBehind.direction, -1.0},
                                Pattern{kBefore.direction, -1.0}};
 constexpr int kCoast = steps_in(7.5e-3);  // a part of a rest, to see how fast the shaft still is
-constexpr int kLongestRest = steps_in(60e-3);
+constexpr int kLongestRest = steps_in(0.3);
 constexpr double kStopped = 1e-4;   // rad in such a part
 constexpr double kEvenness = 0.15;  // change of the way from part to part
 
@@ -67,14 +67,18 @@ void PoleTest::begin_pattern(double angle) noexcept {
 }
 
 /// Waits until the shaft has stopped, or goes on evenly: without friction, which is not due to the next current.
+/// One that swings with an elastic load gets more time.
 void PoleTest::rest(StandstillBench& bench, double angle) noexcept {
   const int rested = steps_ - 4 * kPulses[length_];
+  lowest_ = std::min(lowest_, angle);
+  highest_ = std::max(highest_, angle);
   if (rested % kCoast != 0) return;
   const double moved = angle - coast_angle_;
   const double change = std::abs(moved - drift_ * kCoast);
-  coast_angle_ = angle;
+  const double swing = highest_ - lowest_ - std::abs(moved);
+  coast_angle_ = lowest_ = highest_ = angle;
   drift_ = moved / kCoast;
-  const bool even = rested > kCoast && change < kStopped + kEvenness * std::abs(moved);
+  const bool even = rested > kCoast && std::max(change, swing) < kStopped + kEvenness * std::abs(moved);
   if (even || rested >= kLongestRest) next_pattern(bench);
 }
 

@@ -41,6 +41,8 @@ class PoleTest {
   double start_angle_ = 0.0;  // of the shaft (rad)
   std::size_t length_ = 0;    // of the currents, in their table
   double coast_angle_ = 0.0;  // of the shaft some time before, while it rests (rad)
+  double lowest_ = 0.0;       // since then (rad)
+  double highest_ = 0.0;      // since then (rad)
   double drift_ = 0.0;        // of the shaft from that pattern (rad a step)
   std::size_t pattern_ = 0;
   int steps_ = 0;  // in the pattern

@@ -9,8 +9,8 @@
 namespace motor {
 namespace {
 
-constexpr double kLower = 0.1;     // of the magnetising current
-constexpr double kUpper = 0.4;     // of it, far below saturation
+constexpr double kLower = 0.2;     // of the magnetising current
+constexpr double kUpper = 0.5;     // of it, well below saturation
 constexpr double kWindow = 4.0;    // rotor time constants
 constexpr double kShortest = 0.2;  // s
 constexpr double kLongest = 2.0;   // s
