@@ -91,6 +91,22 @@ TEST(PoleTest, WorksWithCoarseEncodersHeavyLoadsAndFriction) {
   }
 }
 
+TEST(PoleTest, WaitsForAShaftThatSwingsWithAnElasticLoad) {
+  const MachineData& machine = preset("1fk7063");
+  for (const double frequency : {30.0, 60.0, 100.0, 200.0}) {
+    const double reduced = 0.5 * machine.inertia;  // of rotor and load, which are alike
+    const double w = 2.0 * std::numbers::pi * frequency;
+    Load load{.inertia = machine.inertia, .coulomb_friction = 0.02 * machine.rated_torque};
+    load.coupling = {.stiffness = reduced * w * w, .damping = 2.0 * 0.05 * reduced * w};
+    StandstillTrial trial{real_train(machine, {}, load)};
+
+    trial.run(task_for(machine));
+
+    EXPECT_EQ(trial.measurement.state(), MeasurementState::Done) << frequency << " Hz";
+    EXPECT_NEAR(trial.result().pole_position, 0.0, 5.0 * kDegree) << frequency << " Hz";
+  }
+}
+
 TEST(RotorAlignment, TurnsARotorThatNoEncoderSeesIntoItsPlace) {
   MachineData machine = preset("1fk7063");
   machine.encoder.type = EncoderType::None;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motor/induction_circuit.hpp"
+#include "motor/rating_plate.hpp"
 #include "tests/fakes/allocation_counter.hpp"
 #include "tests/motor/identification/standstill_trial.hpp"
 
@@ -89,6 +90,47 @@ TEST(StandstillMeasurement, ReducesTheResistanceOfAHotWindingToTheTemperatureOfT
     EXPECT_NEAR(trial.result().stator_resistance / machine.stator_resistance, 1.0, 0.02) << name;
     if (machine.type == MachineType::Induction) {
       EXPECT_NEAR(trial.result().rotor_resistance / induction_circuit(machine).rotor_resistance, 1.0, 0.05);
+    }
+  }
+}
+
+TEST(StandstillMeasurement, StartsFromTheRatingPlateOfAnInductionMachineAlone) {
+  for (const char* const name : {"1le1003-2k2", "1ph8131", "im-2k2"}) {
+    const MachineData believed = circuit_from_plate(preset(name));
+    const InductionCircuit truth = induction_circuit(preset(name));
+    DriveTrain train{believed, preset(name), {}, identification::real_inverter(believed)};
+    train.use_sensors(true);
+    StandstillTrial trial{std::move(train)};
+
+    trial.run(task_for(believed));
+
+    ASSERT_EQ(trial.measurement.state(), MeasurementState::Done) << name;
+    EXPECT_NEAR(trial.result().stator_resistance / truth.stator_resistance, 1.0, 0.02) << name;
+    EXPECT_NEAR(trial.result().leakage / truth.leakage, 1.0, 0.03) << name;
+    EXPECT_NEAR(trial.result().rotor_resistance / truth.rotor_resistance, 1.0, 0.05) << name;
+    EXPECT_NEAR(trial.result().magnetising_inductance / truth.magnetising_inductance, 1.0, 0.05) << name;
+  }
+}
+
+TEST(StandstillMeasurement, BearsAPowerUnitOfTwiceTheSizeAndOneWithoutLosses) {
+  for (const identification::Preset& row : identification::presets()) {
+    InverterData big = inverter_of(2.0 * row.machine.maximum_current);
+    big.dead_time = 1.5e-6;
+    big.forward_voltage = 1.0;
+    for (const InverterData& inverter : {big, inverter_for(row.machine.maximum_current)}) {
+      DriveTrain train{row.machine, row.machine, {}, inverter};
+      train.use_sensors(true);
+      StandstillTrial trial{std::move(train)};
+
+      trial.run(task_for(row.machine));
+
+      ASSERT_EQ(trial.measurement.state(), MeasurementState::Done) << row.name;
+      const MachineData found = identified_machine(row.machine, trial.result());
+      EXPECT_NEAR(found.stator_resistance / row.machine.stator_resistance, 1.0, 0.02) << row.name;
+      EXPECT_NEAR(found.synchronous.d_inductance / row.machine.synchronous.d_inductance, 1.0, 0.03) << row.name;
+      EXPECT_NEAR(found.synchronous.q_inductance / row.machine.synchronous.q_inductance, 1.0, 0.03) << row.name;
+      EXPECT_NEAR(found.induction.magnetising_inductance / row.machine.induction.magnetising_inductance, 1.0, 0.05)
+          << row.name;
     }
   }
 }
