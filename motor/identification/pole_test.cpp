@@ -48,11 +48,11 @@ SpaceVector PoleTest::step(const Measurement& measured, StandstillBench& bench) 
   const double angle = bench.shaft.angle();
   if (steps_ == 0) begin_pattern(angle);
   follow(measured, angle);
-  const SpaceVector direction = measured.rotor * kPatterns[pattern_].direction;
+  const SpaceVector wanted = current(bench) * (measured.rotor * kPatterns[pattern_].direction);
   if (++steps_ >= 4 * kPulses[length_]) rest(bench, angle);
   bench.axis =
       measured.rotor * SpaceVector{std::cos(bench.result.pole_position), std::sin(bench.result.pole_position)};
-  return bench.currents.step(current(bench) * direction, measured);
+  return bench.currents.step(wanted, measured);
 }
 
 double PoleTest::current(const StandstillBench& bench) const noexcept {

@@ -20,8 +20,7 @@ namespace motor {
 
 /// Identification of the motor data at standstill (p1910): a sequence of tests that leads the machine by itself
 /// and learns from measured currents and the encoder only.
-// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): nothing derives from it, and nobody owns an
-// Excitation
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): final, and owned as itself
 class StandstillMeasurement final : public Excitation {
  public:
   /// One of the tests, under way.
