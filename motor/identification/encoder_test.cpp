@@ -17,6 +17,7 @@ constexpr double kFedShare = 0.25;      // the same where a fed current must car
 constexpr double kRoom = 0.8;           // of what the load leaves
 constexpr double kLeastRoom = 0.1;      // of the rated torque
 constexpr double kShortestRamp = 0.15;  // s
+constexpr double kObservedRamp = 0.4;   // s, the same where the speed is only estimated
 
 /// Inductances whose flux is not that of magnets or rotor.
 SpaceVector leakage_of(const MachineData& machine) noexcept {
@@ -42,7 +43,8 @@ SpeedPlan EncoderTest::start(const RotatingTask& task, const RotatingFindings& f
 }
 
 void EncoderTest::take(const FieldBlock& block, const SpeedPlace& place) noexcept {
-  if (place.stop == 0) return;
+  // From standstill there is more in the way than inertia, and without encoder the torque is not seen.
+  if (place.stop == 0 || (place.stop == 1 && place.held < 0.0)) return;
   shaft_.add({block.speed(), time_ + 0.5 * block.duration}, impulse_ + 0.5 * block.control_impulse);
   impulse_ += block.control_impulse;
   time_ += block.duration;
@@ -71,7 +73,7 @@ bool EncoderTest::finish(RotatingFindings& found) noexcept {
   const bool fed = task_.settings.mode == ControlMode::Sensorless;
   const TestSpeeds speeds = test_speeds(task_, found.dc_voltage);
   found.slope = std::min({(fed ? kFedShare : kTorqueShare) * std::min(room, rated) / inertia,
-                          speeds.high / kShortestRamp, allowed_slope(task_)});
+                          speeds.high / (fed ? kObservedRamp : kShortestRamp), allowed_slope(task_)});
   return true;
 }
 

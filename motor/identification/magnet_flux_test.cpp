@@ -36,18 +36,20 @@ SpeedPlan MagnetFluxTest::start(const RotatingTask& task, const RotatingFindings
 
 void MagnetFluxTest::take(const FieldBlock& block, const SpeedPlace& place) noexcept {
   const double frequency = with_encoder_ ? machine_.pole_pairs * block.speed() : block.frequency;
-  const bool strong = norm(block.current) > least_current_ * least_current_;
-  if (place.stop == 0 || std::abs(frequency) < least_frequency_ || !strong) return;
+  if (place.stop == 0 || std::abs(frequency) < least_frequency_) return;
   const SynchronousData& data = machine_.synchronous;
   const double induced = block.voltage.im - block.resistance * block.current.im -
                          frequency * data.d_inductance * block.current.re -
                          data.q_inductance * block.current_slope.im;
-  flux_.add({frequency, block.threshold.im}, induced);
+  const bool strong = norm(block.current) > least_current_ * least_current_;
+  if (strong) strong_.add({frequency, block.threshold.im}, induced);
+  all_.add({frequency, block.threshold.im}, induced);
 }
 
 bool MagnetFluxTest::finish(RotatingFindings& found) noexcept {
-  const auto solution = flux_.solve();
-  if (!solution || flux_.count() < kLeastBlocks) return false;
+  // Ramps that p1958 makes slow have no strong currents.
+  const auto solution = (strong_.count() < kLeastBlocks ? all_ : strong_).solve();
+  if (!solution) return false;
   const double flux = (*solution)[0];
   const double ratio = flux / machine_.synchronous.magnet_flux;
   if (ratio > kPlausible || ratio < 1.0 / kPlausible) return false;

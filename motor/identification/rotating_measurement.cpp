@@ -14,7 +14,7 @@ constexpr double kStanding = 0.01;     // of the rated speed: does not turn
 constexpr double kHeldFast = 0.2;      // s at the torque limit until a shaft counts as locked
 constexpr double kOvershoot = 0.25;    // of the speeds of a step, by which the shaft may pass them
 constexpr double kSway = 0.06;         // of the rated speed, the same at standstill
-constexpr double kRest = 0.1;          // s
+constexpr double kRest = 0.4;          // s
 constexpr int kFirstPeriods = 80;      // until the sensors have been read with pulses
 
 }  // namespace
