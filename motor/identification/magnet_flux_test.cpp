@@ -9,10 +9,10 @@ namespace motor {
 namespace {
 
 constexpr double kHold = 0.05;         // s
-constexpr double kLeastCurrent = 0.1;  // of the rated one, above which the valves' voltage has its sign
+constexpr double kLeastCurrent = 0.07; // of the rated one, above which the valves' voltage has its sign
 constexpr double kLowest = 0.9;        // of the least speed, where the shaft is turned round
 constexpr double kPlausible = 2.0;     // times what is believed, or the inverse of it
-constexpr int kLeastBlocks = 20;
+constexpr int kParts = 4;              // strong currents count if they are one of so many parts of all
 
 }  // namespace
 
@@ -47,8 +47,8 @@ void MagnetFluxTest::take(const FieldBlock& block, const SpeedPlace& place) noex
 }
 
 bool MagnetFluxTest::finish(RotatingFindings& found) noexcept {
-  // Ramps that p1958 makes slow have no strong currents.
-  const auto solution = (strong_.count() < kLeastBlocks ? all_ : strong_).solve();
+  // Slow ramps have no strong currents.
+  const auto solution = (kParts * strong_.count() < all_.count() ? all_ : strong_).solve();
   if (!solution) return false;
   const double flux = (*solution)[0];
   const double ratio = flux / machine_.synchronous.magnet_flux;
