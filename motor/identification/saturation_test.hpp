@@ -40,6 +40,7 @@ class SaturationTest final : public RotatingStep {
   InductionCircuit circuit_{};
   double rated_flux_ = 1.0;     // V·s
   double rated_current_ = 1.0;  // A
+  std::array<double, kLevels> shares_{};  // of the rated flux
   std::array<Level, kLevels> levels_{};
 };
 
