@@ -7,8 +7,8 @@
 namespace motor {
 namespace {
 
-constexpr double kHold = 0.1;            // s
-constexpr double kLeastOfRotor = 0.3;    // of the rotor's believed inertia: less cannot be
+constexpr double kHold = 0.1;          // s
+constexpr double kLeastOfRotor = 0.3;  // of the rotor's believed inertia: less cannot be
 constexpr int kLeastBlocks = 50;
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace motor {
 /// What the steps of a rotating measurement hand on to each other.
 struct RotatingFindings {
   RotatingResult result{};
-  double slope = 0.0;           ///< that suits the load (rad/s²)
-  double dc_voltage = 0.0;      ///< at the start of the step (V)
+  double slope = 0.0;       ///< that suits the load (rad/s²)
+  double dc_voltage = 0.0;  ///< at the start of the step (V)
 };
 
 /// One step of a rotating measurement: the speeds it wants, and what it makes of what is seen there.

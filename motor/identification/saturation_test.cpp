@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "motor/identification/field_model.hpp"
 #include "motor/identification/least_squares.hpp"
 #include "motor/identification/test_speeds.hpp"
 
@@ -16,9 +17,9 @@ constexpr std::array kShares{0.6, 0.85, 1.15, 1.25, 1.0};
 constexpr std::array kObservedShares{0.8, 0.9, 1.15, 1.25, 1.0};
 constexpr double kHighestShare = 1.25;
 constexpr std::array<std::size_t, 4> kReported{0, 1, 2, 3};
-constexpr double kSettling = 5.0;     // rotor time constants until the flux stands
-constexpr double kAveraging = 0.4;    // s
-constexpr double kPlausible = 2.0;    // of flux and what is believed, or its inverse
+constexpr double kSettling = 5.0;       // rotor time constants until the flux stands
+constexpr double kAveraging = 0.4;      // s
+constexpr double kPlausible = 2.0;      // of flux and what is believed, or its inverse
 constexpr double kFarSaturation = 3.0;  // of the rated flux: beyond, nothing of it was seen
 
 }  // namespace
@@ -26,7 +27,7 @@ constexpr double kFarSaturation = 3.0;  // of the rated flux: beyond, nothing of
 SpeedPlan SaturationTest::start(const RotatingTask& task, const RotatingFindings& found) noexcept {
   *this = {};
   circuit_ = induction_circuit(task.machine);
-  rated_flux_ = believed_flux(task.machine);
+  rated_flux_ = rated_flux(task.machine);
   rated_current_ = std::numbers::sqrt2 * task.machine.induction.magnetising_current;
   const TestSpeeds speeds = test_speeds(task, found.dc_voltage, kHighestShare);
   if (!speeds.useful()) return {};
@@ -69,8 +70,7 @@ SaturationTest::Point SaturationTest::point_of(const Level& level, double thresh
   const SpaceVector current = share * level.current;
   const SpaceVector induced = share * (level.voltage - threshold * level.threshold);
   const double frequency = share * level.frequency;
-  const SpaceVector stator = (1.0 / frequency) * SpaceVector{induced.im, -induced.re};
-  const SpaceVector rotor = stator - circuit_.leakage * current;
+  const SpaceVector rotor = inducing_flux(induced, frequency) - circuit_.leakage * current;
   const double flux = length(rotor);
   return {flux, flux > 0.0 ? dot(current, rotor) / flux : 0.0};
 }
