@@ -10,15 +10,15 @@
 namespace motor {
 namespace {
 
-constexpr double kMagnetised = 0.1;       // s, at standstill
-constexpr double kHold = 0.15;            // s
-constexpr double kTolerance = 0.6;        // of the flux: data sheet, dead time and temperature are in it
-constexpr double kTorqueShare = 0.5;      // of what there is, for the ramps to come
-constexpr double kFedShare = 0.25;        // the same where a fed current must carry it
-constexpr double kRoom = 0.8;             // of what the load leaves
-constexpr double kLeastRoom = 0.1;        // of the rated torque
-constexpr double kShortestRamp = 0.08;    // s
-constexpr double kObservedRamp = 0.4;     // s, the same where the speed is only estimated
+constexpr double kMagnetised = 0.1;      // s, at standstill
+constexpr double kHold = 0.15;           // s
+constexpr double kTolerance = 0.6;       // of the flux: data sheet, dead time and temperature are in it
+constexpr double kTorqueShare = 0.5;     // of what there is, for the ramps to come
+constexpr double kFedShare = 0.25;       // the same where a fed current must carry it
+constexpr double kRoom = 0.8;            // of what the load leaves
+constexpr double kLeastRoom = 0.1;       // of the rated torque
+constexpr double kShortestRamp = 0.08;   // s
+constexpr double kObservedRamp = 0.4;    // s, the same where the speed is only estimated
 constexpr double kObserverTimes = 60.0;  // time constants of an observer in a ramp that it follows
 
 /// Shortest ramp that the speed is known in (s).

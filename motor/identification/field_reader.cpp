@@ -21,6 +21,12 @@ SpaceVector signs_of(SpaceVector current) noexcept {
   return vector_of(phases);
 }
 
+/// One period more of a block.
+void grow(Growth& growth, double by) noexcept {
+  growth.mean += kShare * (growth.total + 0.5 * by);
+  growth.total += by;
+}
+
 }  // namespace
 
 void FieldReader::start(const MachineData& machine, const ControlSettings& settings) noexcept {
@@ -84,11 +90,6 @@ FieldReader::Period FieldReader::between(const Observation& before, const Observ
           .current_slope = (1.0 / kControlPeriod) * (second - first),
           .voltage = shortening * (before.voltage * back),
           .threshold = signs_of(current * conjugate(back)) * back};
-}
-
-void FieldReader::grow(Growth& growth, double by) const noexcept {
-  growth.mean += kShare * (growth.total + 0.5 * by);
-  growth.total += by;
 }
 
 void FieldReader::add(const Period& period, const Observation& before) noexcept {

@@ -61,7 +61,6 @@ class FieldReader {
   double angle_of(const Observation& seen) noexcept;
   Period between(const Observation& before, const Observation& now) const noexcept;
   void add(const Period& period, const Observation& before) noexcept;
-  void grow(Growth& growth, double by) const noexcept;
 
   double resistance_ = 0.0;   // at kDataTemperature
   SpaceVector inductance_{};  // that stores energy as the current changes

@@ -16,6 +16,7 @@ struct RotatingFindings {
 /// One step of a rotating measurement: the speeds it wants, and what it makes of what is seen there.
 class RotatingStep {
  public:
+  virtual ~RotatingStep() = default;
   /// Begins anew. The speeds; none where @p task leaves no room for it.
   virtual SpeedPlan start(const RotatingTask& task, const RotatingFindings& found) noexcept = 0;
   /// Takes in what was seen at @p place.
@@ -27,7 +28,6 @@ class RotatingStep {
   RotatingStep() = default;
   RotatingStep(const RotatingStep&) = default;
   RotatingStep& operator=(const RotatingStep&) = default;
-  ~RotatingStep() = default;
 };
 
 }  // namespace motor
