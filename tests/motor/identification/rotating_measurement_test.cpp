@@ -67,17 +67,19 @@ double deviation_of_drag(const RotatingTrial& trial, const RotatingResult& found
 /// Twenty plants of a preset.
 class RotatingMeasurementOf : public testing::TestWithParam<identification::Preset> {
  protected:
-  Worst worst_of_plants(ControlMode mode) const {
+  /// Measures them after @p change of each trial.
+  template <class Change>
+  Worst worst_of_plants(Change change) const {
     std::mt19937_64 random{identification::plant_seed()};
     Worst worst;
     for (int i = 0; i < kPlants; ++i) {
       RotatingTrial trial = random_trial(GetParam().machine, random);
-      trial.mode = mode;
+      change(trial);
       const RotatingOutcome outcome = measure(trial);
       EXPECT_TRUE(outcome.done()) << "plant " << i << " failed at " << outcome.progress;
       EXPECT_LT(outcome.highest, 0.5 * trial.believed.rated_speed);
       EXPECT_GT(outcome.lowest, -0.5 * trial.believed.rated_speed);
-      EXPECT_TRUE(mode == ControlMode::Sensorless || std::abs(outcome.result.travel - outcome.travel) < 0.2);
+      EXPECT_TRUE(trial.mode == ControlMode::Sensorless || std::abs(outcome.result.travel - outcome.travel) < 0.2);
       worst.inertia = std::max(worst.inertia, deviation_of_inertia(trial, outcome.result));
       worst.flux = std::max(worst.flux, deviation_of_flux(trial, outcome.result));
       worst.friction = std::max(worst.friction, deviation_of_drag(trial, outcome.result));
@@ -97,15 +99,23 @@ class RotatingMeasurementOf : public testing::TestWithParam<identification::Pres
 };
 
 TEST_P(RotatingMeasurementOf, FindsInertiaAndFluxOfRandomPlants) {
-  const Worst worst = worst_of_plants(ControlMode::Encoder);
+  const Worst worst = worst_of_plants([](RotatingTrial&) {});
 
   EXPECT_LT(worst.inertia, 0.01);
   EXPECT_LT(worst.flux, 0.01);
   EXPECT_LT(worst.friction, 0.01);
 }
 
+TEST_P(RotatingMeasurementOf, FindsThemByTheDataSheetAlone) {
+  const Worst worst = worst_of_plants([this](RotatingTrial& trial) { trial.believed = GetParam().machine; });
+
+  EXPECT_LT(worst.inertia, 0.02);
+  EXPECT_LT(worst.flux, 0.04);
+  EXPECT_LT(worst.friction, 0.03);
+}
+
 TEST_P(RotatingMeasurementOf, FindsThemWithoutEncoder) {
-  const Worst worst = worst_of_plants(ControlMode::Sensorless);
+  const Worst worst = worst_of_plants([](RotatingTrial& trial) { trial.mode = ControlMode::Sensorless; });
 
   EXPECT_LT(worst.inertia, 0.05);
   EXPECT_LT(worst.flux, 0.02);
