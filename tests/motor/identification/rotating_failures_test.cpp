@@ -13,11 +13,11 @@ using identification::measure;
 using identification::RotatingOutcome;
 using identification::RotatingTrial;
 
-class RotatingMeasurementFails : public testing::TestWithParam<identification::Preset> {
+class RotatingMeasurementFails : public testing::TestWithParam<std::string> {
  protected:
   RotatingMeasurementFails() {
     std::mt19937_64 random{identification::plant_seed()};
-    trial_ = identification::random_trial(GetParam().machine, random);
+    trial_ = identification::random_trial(identification::preset(GetParam()), random);
     trial_.load.inertia = 2.0 * trial_.believed.inertia;
   }
   /// Makes it, and expects it to fail at @p progress within three seconds, as slow and as weak as it should be.
@@ -121,8 +121,8 @@ TEST_P(RotatingMeasurementFails, AtOnceWithoutFieldOrientation) {
   EXPECT_EQ(expect_failed(measurement_step::kRotating).seconds, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Presets, RotatingMeasurementFails, testing::ValuesIn(identification::presets()),
-                         [](const auto& tested) { return identification::test_name(tested.param); });
+INSTANTIATE_TEST_SUITE_P(Presets, RotatingMeasurementFails, testing::ValuesIn(identification::preset_names()),
+                         identification::test_name);
 
 /// Takes the shaft away from a measurement in the middle of it.
 class RotatingMeasurementOnTheWay : public testing::Test {

@@ -65,7 +65,7 @@ double deviation_of_drag(const RotatingTrial& trial, const RotatingResult& found
 }
 
 /// Twenty plants of a preset.
-class RotatingMeasurementOf : public testing::TestWithParam<identification::Preset> {
+class RotatingMeasurementOf : public testing::TestWithParam<std::string> {
  protected:
   /// Measures them after @p change of each trial.
   template <class Change>
@@ -73,7 +73,7 @@ class RotatingMeasurementOf : public testing::TestWithParam<identification::Pres
     std::mt19937_64 random{identification::plant_seed()};
     Worst worst;
     for (int i = 0; i < kPlants; ++i) {
-      RotatingTrial trial = random_trial(GetParam().machine, random);
+      RotatingTrial trial = random_trial(identification::preset(GetParam()), random);
       change(trial);
       const RotatingOutcome outcome = measure(trial);
       EXPECT_TRUE(outcome.done()) << "plant " << i << " failed at " << outcome.progress;
@@ -92,7 +92,7 @@ class RotatingMeasurementOf : public testing::TestWithParam<identification::Pres
 
  private:
   static void print(const Worst& worst) {
-    std::printf("| %s | %.2f %% | %.2f %% | %.1f %% | %.0f s | %.0f |\n", GetParam().name.c_str(),
+    std::printf("| %s | %.2f %% | %.2f %% | %.1f %% | %.0f s | %.0f |\n", GetParam().c_str(),
                 100.0 * worst.inertia, 100.0 * worst.flux, 100.0 * worst.friction, worst.seconds,
                 worst.travel / (2.0 * std::numbers::pi));
   }
@@ -107,7 +107,8 @@ TEST_P(RotatingMeasurementOf, FindsInertiaAndFluxOfRandomPlants) {
 }
 
 TEST_P(RotatingMeasurementOf, FindsThemByTheDataSheetAlone) {
-  const Worst worst = worst_of_plants([this](RotatingTrial& trial) { trial.believed = GetParam().machine; });
+  const Worst worst =
+      worst_of_plants([this](RotatingTrial& trial) { trial.believed = identification::preset(GetParam()); });
 
   EXPECT_LT(worst.inertia, 0.02);
   EXPECT_LT(worst.flux, 0.04);
@@ -122,11 +123,11 @@ TEST_P(RotatingMeasurementOf, FindsThemWithoutEncoder) {
   EXPECT_LT(worst.friction, 0.05);
 }
 
-INSTANTIATE_TEST_SUITE_P(Presets, RotatingMeasurementOf, testing::ValuesIn(identification::presets()),
-                         [](const auto& tested) { return identification::test_name(tested.param); });
+INSTANTIATE_TEST_SUITE_P(Presets, RotatingMeasurementOf, testing::ValuesIn(identification::preset_names()),
+                         identification::test_name);
 
 /// A servo and an induction motor under special conditions.
-class RotatingMeasurementWith : public testing::TestWithParam<const char*> {
+class RotatingMeasurementWith : public testing::TestWithParam<std::string> {
  protected:
   RotatingMeasurementWith() {
     std::mt19937_64 random{identification::plant_seed()};
@@ -250,7 +251,8 @@ TEST_P(RotatingMeasurementWith, OnlyWhatIsAskedFor) {
   EXPECT_LT(deviation_of_flux(trial_, flux.result), 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Motors, RotatingMeasurementWith, testing::Values("1fk7042", "1ph8131"));
+INSTANTIATE_TEST_SUITE_P(Motors, RotatingMeasurementWith, testing::Values("1fk7042", "1ph8131"),
+                         identification::test_name);
 
 }  // namespace
 }  // namespace motor

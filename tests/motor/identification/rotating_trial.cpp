@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/fakes/allocation_counter.hpp"
+#include "tests/motor/identification/random_plants.hpp"
 
 namespace identification {
 namespace {
@@ -37,8 +38,14 @@ double RotatingTrial::drag(double speed) const {
          speed * (real.viscous_friction + real.eddy_current_drag + load.viscous_friction);
 }
 
-std::string test_name(const Preset& preset) {
-  std::string name = preset.name;
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const Preset& preset : presets()) names.push_back(preset.name);
+  return names;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& tested) {
+  std::string name = tested.param;
   std::ranges::replace(name, '-', '_');
   return name;
 }

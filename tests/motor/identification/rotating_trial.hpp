@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "motor/drive_train.hpp"
 #include "motor/identification/rotating_measurement.hpp"
-#include "tests/motor/identification/random_plants.hpp"
 
 namespace identification {
 
@@ -43,8 +45,10 @@ struct RotatingOutcome {
   bool done() const { return state == motor::MeasurementState::Done; }
 };
 
-/// The name of @p preset as a part of the name of a test.
-std::string test_name(const Preset& preset);
+/// Names of the presets.
+std::vector<std::string> preset_names();
+/// The name of a preset as a part of the name of a test.
+std::string test_name(const testing::TestParamInfo<std::string>& tested);
 /// A random machine of the data sheet @p machine with a load of up to five rotors, after the identification at
 /// standstill: what that finds is believed within its accuracy, all else as the data sheet says.
 RotatingTrial random_trial(const motor::MachineData& machine, std::mt19937_64& random);
