@@ -62,12 +62,6 @@ class MotorThermal {
   double frame_;    // °C
 };
 
-/// Factor of a copper resistance at @p temperature (°C) to that at kDataTemperature.
-constexpr double copper_factor(double temperature) noexcept {
-  constexpr double kCopperCoefficient = 0.00393;  // 1/K
-  return 1.0 + kCopperCoefficient * (temperature - kDataTemperature);
-}
-
 /// Settings of an overload model.
 struct OverloadData {
   double reference_current = 8.0;  ///< that it carries for ever (A rms), positive

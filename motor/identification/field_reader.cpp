@@ -6,7 +6,7 @@
 #include "motor/control_period.hpp"
 #include "motor/identification/field_model.hpp"
 #include "motor/rotation.hpp"
-#include "motor/thermal.hpp"
+#include "motor/temperature.hpp"
 
 namespace motor {
 namespace {
@@ -71,7 +71,7 @@ const FieldBlock* FieldReader::take(const Observation& seen) noexcept {
   if (!complete) return nullptr;
   block_ = open_;
   block_.duration = kPeriods * kControlPeriod;
-  block_.resistance = resistance_ * copper_factor(seen.winding_temperature);
+  block_.resistance = resistance_ * resistance_factor(seen.winding_temperature);
   open_ = {};
   periods_ = 0;
   return &block_;
@@ -102,7 +102,7 @@ void FieldReader::add(const Period& period, const Observation& before) noexcept 
   open_.current_slope = open_.current_slope + kShare * period.current_slope;
   open_.threshold = open_.threshold + kShare * period.threshold;
   if (std::abs(frequency) < kSlowestField) return;
-  const double resistance = resistance_ * copper_factor(before.winding_temperature);
+  const double resistance = resistance_ * resistance_factor(before.winding_temperature);
   const SpaceVector across = period.voltage - resistance * period.current;
   const SpaceVector field = flux_of(inductance_, period.current_slope);
   const double per_power = 1.5 * kControlPeriod * pole_pairs_ / frequency;

@@ -51,33 +51,14 @@ void RotorTest::take(const Measurement& measured, const StandstillBench& bench) 
   flux_ += change;
   charge_ += kControlPeriod * current;
   const double time = kControlPeriod * (taken_ + 1);
-  const Row row{charge_, area_, time, time * time};
-  for (std::size_t i = 0; i < kUnknowns; ++i) {
-    for (std::size_t j = 0; j < kUnknowns; ++j) products_[i][j] += row[i] * row[j];
-    with_flux_[i] += row[i] * flux_;
-  }
-}
-
-/// Of the normal equations, by elimination; they are positive definite.
-RotorTest::Row RotorTest::solution() const noexcept {
-  std::array<Row, kUnknowns> a = products_;
-  Row x = with_flux_;
-  for (std::size_t pivot = 0; pivot < kUnknowns; ++pivot)
-    for (std::size_t row = 0; row < kUnknowns; ++row) {
-      if (row == pivot) continue;
-      const double factor = a[row][pivot] / a[pivot][pivot];
-      for (std::size_t column = 0; column < kUnknowns; ++column) a[row][column] -= factor * a[pivot][column];
-      x[row] -= factor * x[pivot];
-    }
-  for (std::size_t i = 0; i < kUnknowns; ++i) x[i] /= a[i][i];
-  return x;
+  flux_by_.add({charge_, area_, time, time * time}, flux_);
 }
 
 void RotorTest::conclude(StandstillBench& bench) noexcept {
   done_ = true;
-  const Row found = solution();
-  const double resistance = found[0];
-  const double rate = -found[1];  // reciprocal of the time constant (1/s)
+  const auto found = flux_by_.solve();
+  const double resistance = found ? (*found)[0] : 0.0;
+  const double rate = found ? -(*found)[1] : 0.0;  // reciprocal of the time constant (1/s)
   if (!(resistance > 0.0 && rate > 0.0)) {
     bench.fault = resistance > 0.0 ? StandstillFault::RotorTimeConstant : StandstillFault::RotorResistance;
     return;

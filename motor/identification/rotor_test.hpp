@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-
+#include "motor/identification/least_squares.hpp"
 #include "motor/identification/standstill_bench.hpp"
 #include "motor/identification/steady_mean.hpp"
 
@@ -18,24 +17,19 @@ class RotorTest {
   bool done() const noexcept { return done_; }
 
  private:
-  static constexpr std::size_t kUnknowns = 4;
-  using Row = std::array<double, kUnknowns>;
-
   double share() const noexcept;
   void begin(const StandstillBench& bench) noexcept;
   void take(const Measurement& measured, const StandstillBench& bench) noexcept;
   void conclude(StandstillBench& bench) noexcept;
-  Row solution() const noexcept;
 
   SteadyMean start_{};
-  std::array<Row, kUnknowns> products_{};  // sums of the products of charge, area, time and its square
-  Row with_flux_{};                        // of the same with the flux
-  double flux_ = 0.0;                      // of the rotor, since the rise of the current (V·s)
-  double charge_ = 0.0;                    // integral of the current above that before (A·s)
-  double area_ = 0.0;                      // integral of the flux (V·s²)
-  double before_ = 0.0;                    // current (A)
-  int window_ = 0;                         // steps, of the rise and of the fall
-  int taken_ = 0;                          // steps
+  LeastSquares<4> flux_by_{};  // charge, area, time and its square
+  double flux_ = 0.0;          // of the rotor, since the rise of the current (V·s)
+  double charge_ = 0.0;        // integral of the current above that before (A·s)
+  double area_ = 0.0;          // integral of the flux (V·s²)
+  double before_ = 0.0;        // current (A)
+  int window_ = 0;             // steps, of the rise and of the fall
+  int taken_ = 0;              // steps
   bool done_ = false;
 };
 

@@ -8,6 +8,7 @@
 #include "motor/dc_link.hpp"
 #include "motor/encoder.hpp"
 #include "motor/power_unit.hpp"
+#include "motor/temperature.hpp"
 #include "motor/thermal.hpp"
 #include "tests/motor/reference_file.hpp"
 
@@ -125,8 +126,8 @@ TEST(SupplyReference, MotorWarmsAsTwoBodies) {
     const double copper = 3.0 * resistance * current * current;
     const double iron = current > 0.0 ? file.number("/plant/P_fe_when_I_gt_0") : 0.0;
     const auto steps = static_cast<int>(std::lround((to - from) / kPeriod));
-    for (int i = 0; i < steps; ++i) motor.step(kPeriod, copper * copper_factor(motor.winding()), iron);
-    linear.step(to - from, copper * copper_factor(100.0 + kDataTemperature), iron);
+    for (int i = 0; i < steps; ++i) motor.step(kPeriod, copper * resistance_factor(motor.winding()), iron);
+    linear.step(to - from, copper * resistance_factor(100.0 + kDataTemperature), iron);
   };
   walk(file, step, [&](double t) {
     ours.append({t, motor.winding(), motor.frame(), linear.winding(), linear.frame()});
