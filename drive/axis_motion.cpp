@@ -80,11 +80,13 @@ void Axis::begin_cycle(const AxisInputs& inputs, double duration) noexcept {
   sequence(inputs, duration);
   lead_setpoint();
   cycle_ = {.duration = duration,
+            .channel_leads = pulses_enabled_in(state_),
             .command = {.pulses_enabled = pulses_enabled_in(state_), .limits = torque_limits_},
             .ramp_before = channel_.output(),
             .lowest_dc_voltage = dc_voltage_};
   lead_torque();
   lead_brake();
+  if (identification_.leads()) lead_measurement();
 }
 
 /// Whether the sequence control opens and closes a holding brake.
@@ -107,9 +109,11 @@ void Axis::lead_brake() noexcept {
 
 double Axis::step(double dc_voltage) noexcept {
   motor::Command& command = cycle_.command;
-  if (command.pulses_enabled) {
+  if (cycle_.channel_leads) {
     command.speed_setpoint = channel_.step(kControlPeriod);
     command.acceleration_setpoint = channel_.acceleration();
+  } else if (cycle_.measures) [[unlikely]] {
+    step_measurement();
   }
   const double drawn = train_.step(dc_voltage, command);
   const motor::Signals& seen = train_.signals();
@@ -138,12 +142,14 @@ void Axis::watch(double dc_voltage) noexcept {
     for (std::size_t i = 0; i < phases.size(); ++i)
       if (std::abs(phases[i]) > trip) cycle_.tripped_phases |= 1U << i;
   }
-  if (overvoltage || overcurrent) cycle_.command.pulses_enabled = false;
+  if (overvoltage || overcurrent) cycle_.command.pulses_enabled = cycle_.channel_leads = false;
 }
 
 void Axis::end_cycle(const AxisFeedback& feedback) noexcept {
   feedback_ = feedback;
+  if (cycle_.measures) channel_.track(cycle_.command.speed_setpoint);
   monitor();
+  if (cycle_.measures) end_measurement();
   refresh_status();
   settled_ = actual_ == before_;
 }
