@@ -1,22 +1,167 @@
 #include "motor/identification/standstill_measurement.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "motor/identification/standstill_limits.hpp"
+
 namespace motor {
+namespace {
+
+using Test = StandstillMeasurement::Test;
+using Direction = InductanceTest::Direction;
+using Level = ResistanceTest::Level;
+
+constexpr double kLimitShare = 0.85;       // of the current limit that tests use, the rest is for overshoot
+constexpr double kLeastCurrent = 0.2;      // of the rated current that a test needs
+constexpr double kLargestLoss = 0.05;      // of the DC link voltage that valves may lose
+constexpr double kRestTime = 0.1;          // s
+constexpr double kLongestRest = 2.0;       // s
+constexpr double kFadingTimes = 4.0;       // rotor time constants
+constexpr int kPatience = steps_in(0.01);  // with a voltage at its limit
+
+/// How long the flux of before takes to be gone (s).
+double fading_time(const MachineData& machine) noexcept {
+  const InductionCircuit circuit = induction_circuit(machine);
+  return std::clamp(kFadingTimes * circuit.magnetising_inductance / circuit.rotor_resistance, kRestTime,
+                    kLongestRest);
+}
+
+/// A test, what r0047 shows meanwhile, and where its result goes.
+struct PlanRow {
+  std::uint16_t progress;
+  void (*begin)(Test&, const MachineData&) noexcept;
+  double StandstillResult::*inductance = nullptr;
+};
+
+constexpr PlanRow kRest{measurement_step::kStandstill,
+                        [](Test& test, const MachineData&) noexcept { test.emplace<RestTest>(kRestTime); }};
+constexpr PlanRow kFading{measurement_step::kStandstill, [](Test& test, const MachineData& machine) noexcept {
+                            test.emplace<RestTest>(fading_time(machine));
+                          }};
+constexpr PlanRow kPole{measurement_step::kEncoderTest,
+                        [](Test& test, const MachineData&) noexcept { test.emplace<PoleTest>(); }};
+constexpr PlanRow kAlignment{measurement_step::kStandstill,
+                             [](Test& test, const MachineData&) noexcept { test.emplace<RotorAlignment>(); }};
+constexpr PlanRow kLowerLevel{measurement_step::kStatorResistance, [](Test& test, const MachineData&) noexcept {
+                                test.emplace<ResistanceTest>(Level::Lower);
+                              }};
+constexpr PlanRow kUpperLevel{measurement_step::kDeadTime, [](Test& test, const MachineData&) noexcept {
+                                test.emplace<ResistanceTest>(Level::Upper);
+                              }};
+constexpr PlanRow kAlong{measurement_step::kSaliency,
+                         [](Test& test, const MachineData& machine) noexcept {
+                           test.emplace<InductanceTest>(Direction::Along, machine.synchronous.d_inductance);
+                         },
+                         &StandstillResult::d_inductance};
+constexpr PlanRow kAcross{measurement_step::kSaliency,
+                          [](Test& test, const MachineData& machine) noexcept {
+                            test.emplace<InductanceTest>(Direction::Across, machine.synchronous.q_inductance);
+                          },
+                          &StandstillResult::q_inductance};
+constexpr PlanRow kLeakage{measurement_step::kLeakage,
+                           [](Test& test, const MachineData& machine) noexcept {
+                             test.emplace<InductanceTest>(Direction::Along, induction_circuit(machine).leakage);
+                           },
+                           &StandstillResult::leakage};
+constexpr PlanRow kRotor{measurement_step::kRotorTimeConstant,
+                         [](Test& test, const MachineData&) noexcept { test.emplace<RotorTest>(); }};
+
+constexpr std::array kSynchronousPlan{kRest, kPole, kLowerLevel, kUpperLevel, kAlong, kAcross};
+constexpr std::array kBlindPlan{kRest, kAlignment, kLowerLevel, kUpperLevel, kAlong, kAcross};
+constexpr std::array kInductionPlan{kFading, kLowerLevel, kUpperLevel, kLeakage, kRotor};
+
+std::span<const PlanRow> plan_for(const MachineData& machine) noexcept {
+  if (machine.type == MachineType::Induction) return kInductionPlan;
+  if (machine.encoder.type == EncoderType::None) return kBlindPlan;
+  return kSynchronousPlan;
+}
+
+}  // namespace
 
 void StandstillMeasurement::start(const StandstillTask& task) noexcept {
-  task_ = task;
-  result_ = {};
+  bench_ = {};
+  bench_.task = task;
+  bench_.test_current =
+      std::numbers::sqrt2 * std::min(task.machine.rated_current, kLimitShare * task.settings.current_limit);
+  bench_.currents.start(task.machine);
+  bench_.shaft.start(task.machine.pole_pairs);
+  bench_.warm_resistance = task.machine.stator_resistance;
+  if (!(bench_.test_current >= kLeastCurrent * std::numbers::sqrt2 * task.machine.rated_current))
+    bench_.fault = StandstillFault::CurrentLimit;
   state_ = MeasurementState::Running;
-  progress_ = measurement_step::kStandstill;
+  row_ = 0;
+  begin_test();
 }
 
-SpaceVector StandstillMeasurement::step(const Measurement& /*measured*/, Signals& /*signals*/) noexcept {
-  state_ = MeasurementState::Failed;
-  fault_ = StandstillFault::CurrentLimit;
-  return {};
+void StandstillMeasurement::begin_test() noexcept {
+  const PlanRow& row = plan_for(bench_.task.machine)[row_];
+  progress_ = row.progress;
+  row.begin(test_, bench_.task.machine);
 }
 
-MachineData identified_machine(const MachineData& believed, const StandstillResult& /*result*/) noexcept {
-  return believed;
+void StandstillMeasurement::end_test() noexcept {
+  const std::span<const PlanRow> plan = plan_for(bench_.task.machine);
+  const PlanRow& row = plan[row_];
+  if (row.inductance != nullptr) bench_.result.*row.inductance = std::get<InductanceTest>(test_).inductance();
+  bench_.fault = find_implausible(bench_.task.machine, bench_.result);
+  if (bench_.fault != StandstillFault::None) return;
+  if (++row_ < plan.size()) return begin_test();
+  state_ = MeasurementState::Done;
+  progress_ = measurement_step::kCircuit;
+}
+
+/// What must be in order whatever the test is.
+void StandstillMeasurement::supervise(const Measurement& measured) noexcept {
+  bench_.shaft.step(measured);
+  bench_.result.travel = bench_.shaft.travel();
+  const double limit = std::numbers::sqrt2 * bench_.task.settings.current_limit;
+  const struct {
+    bool broken;
+    StandstillFault fault;
+  } rules[]{
+      {length(measured.current) > limit, StandstillFault::CurrentLimit},
+      {bench_.currents.limited_steps() > kPatience, StandstillFault::VoltageLimited},
+      {bench_.shaft.travel() > bench_.task.largest_travel, StandstillFault::ShaftTurns},
+      {std::abs(bench_.result.threshold_voltage) > kLargestLoss * measured.dc_voltage,
+       StandstillFault::ThresholdVoltage},
+  };
+  for (const auto& rule : rules)
+    if (rule.broken && bench_.fault == StandstillFault::None) bench_.fault = rule.fault;
+}
+
+SpaceVector StandstillMeasurement::step(const Measurement& measured, Signals& signals) noexcept {
+  if (state_ != MeasurementState::Running) return {};
+  supervise(measured);
+  SpaceVector voltage{};
+  bool done = false;
+  if (bench_.fault == StandstillFault::None)
+    std::visit(
+        [&](auto& test) noexcept {
+          voltage = test.step(measured, bench_);
+          done = test.done();
+        },
+        test_);
+  if (done && bench_.fault == StandstillFault::None) end_test();
+  if (bench_.fault != StandstillFault::None) {
+    state_ = MeasurementState::Failed;
+    voltage = {};
+  }
+  const SpaceVector current = measured.current * conjugate(bench_.axis);
+  const SpaceVector setpoint = bench_.currents.setpoint() * conjugate(bench_.axis);
+  signals.d_current = current.re;
+  signals.q_current = current.im;
+  signals.d_current_setpoint = setpoint.re;
+  signals.q_current_setpoint = setpoint.im;
+  signals.torque_setpoint = 0.0;
+  signals.torque = 0.0;
+  signals.frequency = 0.0;
+  signals.magnetised = false;
+  signals.voltage_limited = bench_.currents.limited_steps() > 0;
+  return voltage;
 }
 
 }  // namespace motor

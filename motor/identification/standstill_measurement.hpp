@@ -1,55 +1,29 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <variant>
 
-#include "motor/control_settings.hpp"
 #include "motor/excitation.hpp"
+#include "motor/identification/inductance_test.hpp"
 #include "motor/identification/measurement_state.hpp"
-#include "motor/machine_data.hpp"
+#include "motor/identification/pole_test.hpp"
+#include "motor/identification/resistance_test.hpp"
+#include "motor/identification/rest_test.hpp"
+#include "motor/identification/rotor_alignment.hpp"
+#include "motor/identification/rotor_test.hpp"
+#include "motor/identification/standstill_bench.hpp"
+#include "motor/identification/standstill_data.hpp"
 
 namespace motor {
-
-/// Why a measurement at standstill failed: the values of F07990.
-enum class StandstillFault : std::uint8_t {
-  None = 0,
-  CurrentLimit = 1,      ///< the current limit is too low, or was passed
-  StatorResistance = 2,  ///< found beyond what the rating plate allows; so are the next ones
-  RotorResistance = 3,
-  StatorReactance = 4,  ///< of one axis of a synchronous machine
-  MainReactance = 5,
-  RotorTimeConstant = 6,
-  Leakage = 7,
-  ShaftTurns = 11,    ///< further than StandstillTask::largest_travel, or all the time
-  PolePosition = 12,  ///< the shaft does not follow, or the other way
-  ThresholdVoltage = 20,
-  VoltageLimited = 30,  ///< the DC link does not give the current
-};
-
-/// What a measurement at standstill starts from: nothing but what the drive believes.
-struct StandstillTask {
-  MachineData machine{};
-  ControlSettings settings{};
-  double winding_temperature = kDataTemperature;  ///< from its sensor (°C)
-  double largest_travel = 1.5708;                 ///< of the shaft (rad)
-};
-
-/// What it finds. Resistances are those at kDataTemperature.
-struct StandstillResult {
-  double stator_resistance = 0.0;       ///< r1912 (Ω)
-  double threshold_voltage = 0.0;       ///< r1925, what each phase loses to dead time and valves (V)
-  double d_inductance = 0.0;            ///< r1932, of a synchronous machine as the next two (H)
-  double q_inductance = 0.0;            ///< r1934 (H)
-  double pole_position = 0.0;           ///< r1984, of the rotor past where the encoder has it (electrical rad)
-  double rotor_resistance = 0.0;        ///< r1927, of the inverse-Gamma circuit, as the next two (Ω)
-  double leakage = 0.0;                 ///< r1914 (H)
-  double magnetising_inductance = 0.0;  ///< r1936, without saturation (H)
-  double travel = 0.0;                  ///< the furthest way that the shaft made (rad)
-};
 
 /// Identification of the motor data at standstill (p1910): a sequence of tests that leads the machine by itself
 /// and learns from measured currents and the encoder only.
 class StandstillMeasurement final : public Excitation {
  public:
+  /// One of the tests, under way.
+  using Test = std::variant<RestTest, PoleTest, RotorAlignment, ResistanceTest, InductanceTest, RotorTest>;
+
   /// Begins with @p task at the next step().
   void start(const StandstillTask& task) noexcept;
   SpaceVector step(const Measurement& measured, Signals& signals) noexcept override;
@@ -58,15 +32,19 @@ class StandstillMeasurement final : public Excitation {
   /// Of measurement_step, what it does.
   std::uint16_t progress() const noexcept { return progress_; }
   /// Why the state is Failed.
-  StandstillFault fault() const noexcept { return fault_; }
+  StandstillFault fault() const noexcept { return bench_.fault; }
   /// Complete in the state Done.
-  const StandstillResult& result() const noexcept { return result_; }
+  const StandstillResult& result() const noexcept { return bench_.result; }
 
  private:
-  StandstillTask task_{};
-  StandstillResult result_{};
+  void begin_test() noexcept;
+  void end_test() noexcept;
+  void supervise(const Measurement& measured) noexcept;
+
+  StandstillBench bench_{};
+  Test test_{};
+  std::size_t row_ = 0;  // of the plan
   MeasurementState state_ = MeasurementState::Idle;
-  StandstillFault fault_ = StandstillFault::None;
   std::uint16_t progress_ = measurement_step::kNone;
 };
 
