@@ -1,0 +1,78 @@
+#include "motor/identification/encoder_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motor/identification/test_speeds.hpp"
+#include "motor/induction_circuit.hpp"
+
+namespace motor {
+namespace {
+
+constexpr double kMagnetised = 0.1;     // s, at standstill
+constexpr double kHold = 0.15;          // s
+constexpr double kTolerance = 0.6;      // of the flux: data sheet, dead time and temperature are in it
+constexpr double kTorqueShare = 0.5;    // of what there is, for the ramps to come
+constexpr double kFedShare = 0.25;      // the same where a fed current must carry it
+constexpr double kRoom = 0.8;           // of what the load leaves
+constexpr double kLeastRoom = 0.1;      // of the rated torque
+constexpr double kShortestRamp = 0.15;  // s
+
+/// Inductances whose flux is not that of magnets or rotor.
+SpaceVector leakage_of(const MachineData& machine) noexcept {
+  if (machine.type == MachineType::Synchronous)
+    return {machine.synchronous.d_inductance, machine.synchronous.q_inductance};
+  const double leakage = induction_circuit(machine).leakage;
+  return {leakage, leakage};
+}
+
+}  // namespace
+
+SpeedPlan EncoderTest::start(const RotatingTask& task, const RotatingFindings& found) noexcept {
+  *this = {};
+  task_ = task;
+  leakage_ = leakage_of(task.machine);
+  const TestSpeeds speeds = test_speeds(task, found.dc_voltage);
+  if (!speeds.useful()) return {};
+  const double direction = first_direction(task);
+  plan_.add({.speed = 0.0, .hold = kMagnetised});
+  plan_.add({.speed = direction * speeds.low, .hold = kHold});
+  plan_.add({.speed = direction * speeds.moderate, .hold = kHold});
+  return plan_;
+}
+
+void EncoderTest::take(const FieldBlock& block, const SpeedPlace& place) noexcept {
+  if (place.stop == 0) return;
+  shaft_.add({block.speed(), time_ + 0.5 * block.duration}, impulse_ + 0.5 * block.control_impulse);
+  impulse_ += block.control_impulse;
+  time_ += block.duration;
+  if (place.stop + 1 < plan_.count || place.held < 0.0) return;
+  const SpaceVector induced = block.voltage - block.resistance * block.current;
+  const SpaceVector stator = (1.0 / block.frequency) * SpaceVector{induced.im, -induced.re};
+  flux_ = flux_ + stator - SpaceVector{leakage_.re * block.current.re, leakage_.im * block.current.im};
+  expected_ += task_.machine.type == MachineType::Synchronous
+                   ? task_.machine.synchronous.magnet_flux
+                   : standing_flux(induction_circuit(task_.machine), std::max(0.0, block.current.re));
+  torque_ += block.control_impulse / block.duration;
+  ++blocks_;
+}
+
+bool EncoderTest::finish(RotatingFindings& found) noexcept {
+  if (blocks_ == 0 || length(flux_ - SpaceVector{expected_, 0.0}) > kTolerance * expected_) return false;
+  const double load = std::abs(torque_ / blocks_);
+  const double rated = task_.machine.rated_torque;
+  const TorqueLimits limits = test_limits(task_);
+  const double room = kRoom * (std::min(limits.upper, -limits.lower) - load);
+  if (room < kLeastRoom * rated) return false;
+  shaft_.end_group();
+  const auto shaft = shaft_.solve();
+  const double least = 0.5 * task_.machine.inertia;
+  const double inertia = shaft ? std::max((*shaft)[0], least) : least;
+  const bool fed = task_.settings.mode == ControlMode::Sensorless;
+  const TestSpeeds speeds = test_speeds(task_, found.dc_voltage);
+  found.slope = std::min({(fed ? kFedShare : kTorqueShare) * std::min(room, rated) / inertia,
+                          speeds.high / kShortestRamp, allowed_slope(task_)});
+  return true;
+}
+
+}  // namespace motor

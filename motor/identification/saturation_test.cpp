@@ -1,0 +1,105 @@
+#include "motor/identification/saturation_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "motor/identification/least_squares.hpp"
+#include "motor/identification/test_speeds.hpp"
+
+namespace motor {
+namespace {
+
+/// Shares of the rated flux that are looked at; the first four become p0362 to p0365.
+constexpr std::array kShares{0.6, 0.85, 1.15, 1.25, 1.0};
+constexpr std::array<std::size_t, 4> kReported{0, 1, 2, 3};
+constexpr double kSettling = 5.0;     // rotor time constants until the flux stands
+constexpr double kAveraging = 0.4;    // s
+constexpr double kPlausible = 2.0;    // of flux and what is believed, or its inverse
+constexpr double kFarSaturation = 3.0;  // of the rated flux: beyond, nothing of it was seen
+
+}  // namespace
+
+SpeedPlan SaturationTest::start(const RotatingTask& task, const RotatingFindings& found) noexcept {
+  *this = {};
+  circuit_ = induction_circuit(task.machine);
+  rated_flux_ = believed_flux(task.machine);
+  rated_current_ = std::numbers::sqrt2 * task.machine.induction.magnetising_current;
+  const TestSpeeds speeds = test_speeds(task, found.dc_voltage, kShares[3]);
+  if (!speeds.useful()) return {};
+  const double settling = kSettling * circuit_.magnetising_inductance / circuit_.rotor_resistance;
+  SpeedPlan plan;
+  for (const double share : kShares)
+    plan.add({.speed = first_direction(task) * speeds.high, .hold = settling + kAveraging, .flux_share = share});
+  return plan;
+}
+
+void SaturationTest::take(const FieldBlock& block, const SpeedPlace& place) noexcept {
+  if (place.held < 0.0 || place.remaining > kAveraging) return;
+  Level& level = levels_[place.stop];
+  const SpaceVector behind = block.voltage - block.resistance * block.current;
+  level.voltage = level.voltage + behind;
+  level.current = level.current + block.current;
+  level.threshold = level.threshold + block.threshold;
+  level.frequency += block.frequency;
+  level.power += 1.5 * dot(behind, block.current);
+  level.per_volt += 1.5 * dot(block.threshold, block.current);
+  ++level.blocks;
+}
+
+/// The shaft takes the same power at every flux; what changes with the current is lost in the inverter.
+bool SaturationTest::find_threshold(RotatingFindings& found) const noexcept {
+  LeastSquares<2> power;
+  for (const Level& level : levels_) {
+    if (level.blocks == 0) return false;
+    power.add({1.0, level.per_volt / level.blocks}, level.power / level.blocks);
+  }
+  const auto solution = power.solve();
+  if (!solution) return false;
+  found.result.threshold_voltage = std::max(0.0, (*solution)[1]);
+  return true;
+}
+
+SaturationTest::Point SaturationTest::point_of(const Level& level, double threshold) const noexcept {
+  const double share = 1.0 / level.blocks;
+  const SpaceVector current = share * level.current;
+  const SpaceVector induced = share * (level.voltage - threshold * level.threshold);
+  const double frequency = share * level.frequency;
+  const SpaceVector stator = (1.0 / frequency) * SpaceVector{induced.im, -induced.re};
+  const SpaceVector rotor = stator - circuit_.leakage * current;
+  const double flux = length(rotor);
+  return {flux, flux > 0.0 ? dot(current, rotor) / flux : 0.0};
+}
+
+/// i/psi = (1 + (psi/psi_sat)^6)/L_M.
+bool SaturationTest::fit(const std::array<Point, kLevels>& points, RotatingResult& result) const noexcept {
+  LeastSquares<2> reluctance;
+  for (const Point& point : points) {
+    const double square = point.flux * point.flux;
+    reluctance.add({1.0, square * square * square}, point.current / point.flux);
+  }
+  const auto solution = reluctance.solve();
+  if (!solution || !((*solution)[0] > 0.0)) return false;
+  const auto [linear, bend] = *solution;
+  result.fitted_magnetising_inductance = 1.0 / linear;
+  const double saturation = bend > 0.0 ? std::pow(linear / bend, 1.0 / 6.0) : 0.0;
+  result.fitted_saturation_flux = saturation < kFarSaturation * rated_flux_ ? saturation : 0.0;
+  return true;
+}
+
+bool SaturationTest::finish(RotatingFindings& found) noexcept {
+  if (!find_threshold(found)) return false;
+  std::array<Point, kLevels> points{};
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    points[i] = point_of(levels_[i], found.result.threshold_voltage);
+    const double ratio = points[i].flux / (kShares[i] * rated_flux_);
+    if (!(ratio < kPlausible && ratio > 1.0 / kPlausible && points[i].current > 0.0)) return false;
+  }
+  for (std::size_t i = 0; i < kReported.size(); ++i) {
+    found.result.flux[i] = points[kReported[i]].flux / rated_flux_;
+    found.result.magnetising_current[i] = points[kReported[i]].current / rated_current_;
+  }
+  return fit(points, found.result);
+}
+
+}  // namespace motor

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+
+#include "motor/identification/rotating_step.hpp"
+#include "motor/induction_circuit.hpp"
+
+namespace motor {
+
+/// Saturation characteristic of an induction machine: at no load and constant speed the stator voltage shows the
+/// flux, and the current along it is what magnetises.
+class SaturationTest final : public RotatingStep {
+ public:
+  SpeedPlan start(const RotatingTask& task, const RotatingFindings& found) noexcept override;
+  void take(const FieldBlock& block, const SpeedPlace& place) noexcept override;
+  bool finish(RotatingFindings& found) noexcept override;
+
+ private:
+  static constexpr std::size_t kLevels = 5;
+  /// Sums of what was seen at a level of flux.
+  struct Level {
+    SpaceVector voltage{};  // behind the resistance (V)
+    SpaceVector current{};  // A
+    SpaceVector threshold{};
+    double frequency = 0.0;
+    double power = 0.0;      // behind the resistance (W)
+    double per_volt = 0.0;   // power that each volt of threshold voltage takes (W/V)
+    int blocks = 0;
+  };
+  /// A point of the characteristic.
+  struct Point {
+    double flux = 0.0;     // V·s
+    double current = 0.0;  // A
+  };
+
+  bool find_threshold(RotatingFindings& found) const noexcept;
+  Point point_of(const Level& level, double threshold) const noexcept;
+  bool fit(const std::array<Point, kLevels>& points, RotatingResult& result) const noexcept;
+
+  InductionCircuit circuit_{};
+  double rated_flux_ = 1.0;     // V·s
+  double rated_current_ = 1.0;  // A
+  std::array<Level, kLevels> levels_{};
+};
+
+}  // namespace motor
