@@ -185,6 +185,8 @@ class Axis final : public DriveObject {
   motor::TorqueLimits effective_torque_limits() const noexcept;
   bool has_brake() const noexcept;
   void lead_brake() noexcept;
+  double move(double dc_voltage) noexcept;
+  double measured_step(double dc_voltage) noexcept;
   void watch(double dc_voltage) noexcept;
   void monitor() noexcept;
   Observed observed() const noexcept;
@@ -247,8 +249,7 @@ class Axis final : public DriveObject {
   struct Cycle {
     double duration = 0.0;  // s
     int steps = 0;
-    bool channel_leads = false;  // the setpoint channel gives the speed setpoint
-    bool measures = false;       // a measurement leads instead
+    bool measured = false;  // a measurement leads instead of the setpoint channel
     motor::Command command{};
     double torque_demand = 0.0;  // sums of the steps (N·m)
     double torque = 0.0;

@@ -89,8 +89,7 @@ void Axis::lead_measurement() noexcept {
     return identification_.prepare(true);
   }
   if (running == Part::Standstill) train_.lead_by(&identification_.excitation());  // which a copy has of its own
-  cycle_.channel_leads = false;
-  cycle_.measures = true;
+  cycle_.measured = true;
 }
 
 void Axis::begin_measurement() noexcept {
@@ -132,7 +131,7 @@ motor::RotatingTask Axis::rotating_task(const motor::MachineData& machine) const
 }
 
 /// A control period that a measurement leads; when it ends, so do the pulses.
-[[gnu::noinline]] void Axis::step_measurement() noexcept {
+void Axis::step_measurement() noexcept {
   motor::Command& command = cycle_.command;
   if (!command.pulses_enabled) return;
   if (identification_.running() == Part::Rotating) {

@@ -80,7 +80,6 @@ void Axis::begin_cycle(const AxisInputs& inputs, double duration) noexcept {
   sequence(inputs, duration);
   lead_setpoint();
   cycle_ = {.duration = duration,
-            .channel_leads = pulses_enabled_in(state_),
             .command = {.pulses_enabled = pulses_enabled_in(state_), .limits = torque_limits_},
             .ramp_before = channel_.output(),
             .lowest_dc_voltage = dc_voltage_};
@@ -108,14 +107,24 @@ void Axis::lead_brake() noexcept {
 }
 
 double Axis::step(double dc_voltage) noexcept {
+  if (cycle_.measured) [[unlikely]]
+    return measured_step(dc_voltage);
   motor::Command& command = cycle_.command;
-  if (cycle_.channel_leads) {
+  if (command.pulses_enabled) {
     command.speed_setpoint = channel_.step(kControlPeriod);
     command.acceleration_setpoint = channel_.acceleration();
-  } else if (cycle_.measures) [[unlikely]] {
-    step_measurement();
   }
-  const double drawn = train_.step(dc_voltage, command);
+  return move(dc_voltage);
+}
+
+/// A step that a measurement leads.
+[[gnu::noinline]] double Axis::measured_step(double dc_voltage) noexcept {
+  step_measurement();
+  return move(dc_voltage);
+}
+
+[[gnu::always_inline]] inline double Axis::move(double dc_voltage) noexcept {
+  const double drawn = train_.step(dc_voltage, cycle_.command);
   const motor::Signals& seen = train_.signals();
   ++cycle_.steps;
   cycle_.torque_demand += seen.torque_setpoint;
@@ -142,14 +151,14 @@ void Axis::watch(double dc_voltage) noexcept {
     for (std::size_t i = 0; i < phases.size(); ++i)
       if (std::abs(phases[i]) > trip) cycle_.tripped_phases |= 1U << i;
   }
-  if (overvoltage || overcurrent) cycle_.command.pulses_enabled = cycle_.channel_leads = false;
+  if (overvoltage || overcurrent) cycle_.command.pulses_enabled = false;
 }
 
 void Axis::end_cycle(const AxisFeedback& feedback) noexcept {
   feedback_ = feedback;
-  if (cycle_.measures) channel_.track(cycle_.command.speed_setpoint);
+  if (cycle_.measured) channel_.track(cycle_.command.speed_setpoint);
   monitor();
-  if (cycle_.measures) end_measurement();
+  if (cycle_.measured) end_measurement();
   refresh_status();
   settled_ = actual_ == before_;
 }
