@@ -23,26 +23,28 @@ class CurrentLead {
     const double inductance =
         synchronous ? std::min(axes.d_inductance, axes.q_inductance) : induction_circuit(machine).leakage;
     const double gain = kBandwidth * inductance;
-    const double time = inductance / machine.stator_resistance;
-    controller_.configure({gain, gain, time, time}, kControlPeriod);
+    controller_.configure({gain, gain, kIntegralTime, kIntegralTime}, kControlPeriod);
   }
   /// Voltage (V) that leads the current to @p setpoint (A); the DC link must leave @p reserve (V) besides.
   SpaceVector step(SpaceVector setpoint, const Measurement& measured, double reserve = 0.0) noexcept {
     const SpaceVector mean = 0.5 * (measured.current + before_);
     before_ = measured.current;
-    setpoint_ = setpoint;
+    setpoint_ = setpoint_ + kSmoothing * (setpoint - setpoint_);
     const double limit = measured.dc_voltage * std::numbers::inv_sqrt3 - reserve;
-    const SpaceVector voltage = controller_.step(setpoint, mean, {}, std::max(0.0, limit));
+    const SpaceVector voltage = controller_.step(setpoint_, mean, {}, std::max(0.0, limit));
     limited_steps_ = controller_.limited() ? limited_steps_ + 1 : 0;
     return voltage;
   }
-  /// (A), stator frame.
+  /// What the current is led to, smoothed (A), stator frame.
   SpaceVector setpoint() const noexcept { return setpoint_; }
   /// For how many steps the DC link has not given what was wanted.
   int limited_steps() const noexcept { return limited_steps_; }
 
  private:
-  static constexpr double kBandwidth = 2.0 * std::numbers::pi * 150.0;  // rad/s: calm with data that are wrong
+  static constexpr double kBandwidth = 2.0 * std::numbers::pi * 250.0;  // rad/s: calm with data that are wrong
+  /// Soon enough for what the valves lose, which jumps when a current changes its sign (s).
+  static constexpr double kIntegralTime = 4.0 / kBandwidth;
+  static constexpr double kSmoothing = kControlPeriod * kBandwidth;  // of the setpoint, in a step
 
   CurrentController controller_{};
   SpaceVector before_{};

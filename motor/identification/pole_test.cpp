@@ -7,12 +7,34 @@
 namespace motor {
 namespace {
 
-constexpr double kEnough = 0.02;                              // rad, what a coarse encoder sees well
+constexpr double kEnough = 0.015;                             // rad, that the shaft turns in one current
+constexpr double kEnoughCounts = 16.0;                        // of the encoder, if that is more
+constexpr double kFarthest = 0.3;                             // rad, expected where nothing is seen
 constexpr double kLargest = 15.0 * std::numbers::pi / 180.0;  // electrical rad, that a sound encoder is wrong
+constexpr int kRest = steps_in(20e-3);
+/// How high and how long a current is.
+struct Attempt {
+  double share;  // of the test current
+  int pulse;     // steps
+};
+constexpr std::array kAttempts{
+    Attempt{0.5, steps_in(2e-3)},  Attempt{0.5, steps_in(3e-3)},  Attempt{0.5, steps_in(4.5e-3)},
+    Attempt{0.5, steps_in(7e-3)},  Attempt{0.5, steps_in(10e-3)}, Attempt{1.0, steps_in(7e-3)},
+    Attempt{1.0, steps_in(10e-3)}, Attempt{1.0, steps_in(15e-3)}, Attempt{1.0, steps_in(22e-3)},
+    Attempt{1.0, steps_in(33e-3)}, Attempt{1.0, steps_in(50e-3)}};
 constexpr std::array kForthAndBack{1.0, -1.0, -1.0, 1.0, 0.0};
 /// Directions against the axis: 45° before and behind.
 constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 constexpr std::array kDirections{SpaceVector{kDiagonal, kDiagonal}, SpaceVector{kDiagonal, -kDiagonal}};
+
+/// How far a shaft without friction would turn in one current of @p attempt, as it is believed to be (rad).
+double expected_way(const StandstillBench& bench, const Attempt& attempt) noexcept {
+  const MachineData& machine = bench.task.machine;
+  const double torque =
+      1.5 * machine.pole_pairs * machine.synchronous.magnet_flux * kDiagonal * attempt.share * bench.test_current;
+  const double time = attempt.pulse * kControlPeriod;
+  return 0.5 * torque / std::max(machine.inertia, bench.task.settings.inertia) * time * time;
+}
 
 }  // namespace
 
@@ -20,16 +42,18 @@ SpaceVector PoleTest::step(const Measurement& measured, StandstillBench& bench) 
   follow(measured, bench);
   const double current = this->current(bench);
   const SpaceVector direction = measured.rotor * kDirections[static_cast<std::size_t>(pattern_ % kSides)];
-  if (++steps_ >= 4 * pulse_ + std::max(kRest, pulse_)) next_pattern(bench);
+  const int pulse = kAttempts[attempt_].pulse;
+  if (++steps_ >= 4 * pulse + std::max(kRest, pulse)) next_pattern(bench);
   bench.axis =
       measured.rotor * SpaceVector{std::cos(bench.result.pole_position), std::sin(bench.result.pole_position)};
   return bench.currents.step(current * direction, measured);
 }
 
 double PoleTest::current(const StandstillBench& bench) const noexcept {
-  const auto part = static_cast<std::size_t>(steps_ / pulse_);
+  const auto part = static_cast<std::size_t>(steps_ / kAttempts[attempt_].pulse);
   const double sign = pattern_ < kSides ? 1.0 : -1.0;
-  return sign * share_ * bench.test_current * kForthAndBack[std::min(part, kForthAndBack.size() - 1)];
+  return sign * kAttempts[attempt_].share * bench.test_current *
+         kForthAndBack[std::min(part, kForthAndBack.size() - 1)];
 }
 
 void PoleTest::follow(const Measurement& measured, const StandstillBench& bench) noexcept {
@@ -38,10 +62,11 @@ void PoleTest::follow(const Measurement& measured, const StandstillBench& bench)
     charge_ = {};
     pull_ = {};
   }
-  if (steps_ > 2 * pulse_) return;
+  const int pulse = kAttempts[attempt_].pulse;
+  if (steps_ > pulse + pulse / 2) return;
   charge_ = charge_ + kControlPeriod * (measured.current * conjugate(measured.rotor));
   pull_ = pull_ + kControlPeriod * charge_;
-  if (steps_ == 2 * pulse_) look(bench.shaft.angle() - start_angle_);
+  look(bench.shaft.angle() - start_angle_);
 }
 
 void PoleTest::look(double way) noexcept {
@@ -56,7 +81,8 @@ void PoleTest::look(double way) noexcept {
 void PoleTest::next_pattern(StandstillBench& bench) noexcept {
   steps_ = 0;
   if (++pattern_ < kPatterns) return;
-  if (furthest_ >= kEnough) return conclude(bench);
+  const double increment = 2.0 * std::numbers::pi / increments_per_revolution(bench.task.machine);
+  if (furthest_ >= std::max(kEnough, kEnoughCounts * increment)) return conclude(bench);
   grow(bench);
 }
 
@@ -64,12 +90,9 @@ void PoleTest::grow(StandstillBench& bench) noexcept {
   pattern_ = 0;
   sums_ = {};
   furthest_ = 0.0;
-  if (share_ < 1.0) {
-    share_ = std::min(1.0, 2.0 * share_);
-    return;
-  }
-  if (pulse_ >= kLongest) bench.fault = StandstillFault::PolePosition;
-  pulse_ = std::min(kLongest, pulse_ + (pulse_ + 1) / 2);
+  if (++attempt_ < kAttempts.size() && expected_way(bench, kAttempts[attempt_]) < kFarthest) return;
+  attempt_ = 0;
+  bench.fault = StandstillFault::PolePosition;
 }
 
 /// A current at the angle a past the true axis turns the shaft with sin(a): its way is a sum of what the currents

@@ -1,24 +1,23 @@
 #pragma once
 
+#include <cstddef>
+
 #include "motor/identification/standstill_bench.hpp"
 
 namespace motor {
 
 /// Finds the axis of the magnets by what short currents do to the shaft. They flow 45° before and behind the axis
 /// that the encoder shows, where both give torque and friction takes as much from either: forth, back, back and
-/// forth, so that the shaft ends where it began. They grow until the shaft follows enough to be seen.
+/// forth, so that the shaft ends where it began. They grow, in length before height, until
+/// the shaft follows enough to be seen.
 class PoleTest {
  public:
   SpaceVector step(const Measurement& measured, StandstillBench& bench) noexcept;
   bool done() const noexcept { return done_; }
 
  private:
-  static constexpr int kSides = 2;        // before and behind the axis
-  static constexpr int kPatterns = 4;     // both sides, each with both signs
-  static constexpr double kFirst = 0.25;  // of the test current, and doubled
-  static constexpr int kShortest = steps_in(2e-3);
-  static constexpr int kLongest = steps_in(50e-3);
-  static constexpr int kRest = steps_in(20e-3);
+  static constexpr int kSides = 2;     // before and behind the axis
+  static constexpr int kPatterns = 4;  // both sides, each with both signs
 
   double current(const StandstillBench& bench) const noexcept;
   void follow(const Measurement& measured, const StandstillBench& bench) noexcept;
@@ -41,8 +40,7 @@ class PoleTest {
   SpaceVector pull_{};        // integral of that (A·s²)
   double furthest_ = 0.0;     // way (rad)
   double start_angle_ = 0.0;  // of the shaft (rad)
-  double share_ = kFirst;     // of the test current
-  int pulse_ = kShortest;     // steps
+  std::size_t attempt_ = 0;
   int pattern_ = 0;
   int steps_ = 0;  // in the pattern
   bool done_ = false;

@@ -15,7 +15,7 @@ using Test = StandstillMeasurement::Test;
 using Direction = InductanceTest::Direction;
 using Level = ResistanceTest::Level;
 
-constexpr double kLimitShare = 0.85;       // of the current limit that tests use, the rest is for overshoot
+constexpr double kLimitShare = 0.8;        // of the current limit that tests use, the rest is for overshoot
 constexpr double kLeastCurrent = 0.2;      // of the rated current that a test needs
 constexpr double kLargestLoss = 0.05;      // of the DC link voltage that valves may lose
 constexpr double kRestTime = 0.1;          // s
