@@ -5,6 +5,7 @@
 
 #include "motor/identification/test_speeds.hpp"
 #include "motor/induction_circuit.hpp"
+#include "motor/synchronous_observer.hpp"
 
 namespace motor {
 namespace {
@@ -16,7 +17,9 @@ constexpr double kTorqueShare = 0.5;    // of what there is, for the ramps to co
 constexpr double kFedShare = 0.25;      // the same where a fed current must carry it
 constexpr double kRoom = 0.8;           // of what the load leaves
 constexpr double kLeastRoom = 0.1;      // of the rated torque
-constexpr double kShortestRamp = 0.15;  // s
+constexpr double kShortestRamp = 0.08;  // s
+constexpr double kObservedRamp = 0.4;   // s, the same where the speed is only estimated
+constexpr double kObserverTimes = 100.0;  // time constants of an observer in a ramp that it follows
 
 /// Inductances whose flux is not that of magnets or rotor.
 SpaceVector leakage_of(const MachineData& machine) noexcept {
@@ -24,6 +27,15 @@ SpaceVector leakage_of(const MachineData& machine) noexcept {
     return {machine.synchronous.d_inductance, machine.synchronous.q_inductance};
   const double leakage = induction_circuit(machine).leakage;
   return {leakage, leakage};
+}
+
+/// Shortest ramp that the speed is known in (s).
+double shortest_ramp(const RotatingTask& task, double least_speed) noexcept {
+  if (task.settings.mode == ControlMode::Encoder) return kShortestRamp;
+  if (task.machine.type == MachineType::Induction) return kObservedRamp;
+  const double share = SynchronousObserver::bandwidth_share(task.machine);
+  const double bandwidth = SynchronousObserver::bandwidth(share, task.machine.pole_pairs * least_speed);
+  return std::max(kObservedRamp, kObserverTimes / bandwidth);
 }
 
 }  // namespace
@@ -42,7 +54,8 @@ SpeedPlan EncoderTest::start(const RotatingTask& task, const RotatingFindings& f
 }
 
 void EncoderTest::take(const FieldBlock& block, const SpeedPlace& place) noexcept {
-  if (place.stop == 0) return;
+  // From standstill there is more in the way than inertia, and without encoder the torque is not seen.
+  if (place.stop == 0 || (place.stop == 1 && place.held < 0.0)) return;
   shaft_.add({block.speed(), time_ + 0.5 * block.duration}, impulse_ + 0.5 * block.control_impulse);
   impulse_ += block.control_impulse;
   time_ += block.duration;
@@ -71,7 +84,7 @@ bool EncoderTest::finish(RotatingFindings& found) noexcept {
   const bool fed = task_.settings.mode == ControlMode::Sensorless;
   const TestSpeeds speeds = test_speeds(task_, found.dc_voltage);
   found.slope = std::min({(fed ? kFedShare : kTorqueShare) * std::min(room, rated) / inertia,
-                          speeds.high / kShortestRamp, allowed_slope(task_)});
+                          speeds.high / shortest_ramp(task_, speeds.least), allowed_slope(task_)});
   return true;
 }
 

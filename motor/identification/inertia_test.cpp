@@ -15,9 +15,10 @@ constexpr int kLeastBlocks = 50;
 
 SpeedPlan InertiaTest::start(const RotatingTask& task, const RotatingFindings& found) noexcept {
   *this = {};
-  both_directions_ = task.forward && task.backward;
+  // Without encoder what happens about standstill would disturb the flux of the ramps.
+  both_directions_ = task.forward && task.backward && task.settings.mode == ControlMode::Encoder;
   rotor_inertia_ = task.machine.inertia;
-  threshold_known_ = found.result.threshold_voltage > 0.0;
+  threshold_known_ = false;
   threshold_voltage_ = found.result.threshold_voltage;
   const TestSpeeds speeds = test_speeds(task, found.dc_voltage);
   if (!speeds.useful()) return {};

@@ -9,10 +9,10 @@ namespace motor {
 namespace {
 
 constexpr double kHold = 0.05;         // s
-constexpr double kLeastCurrent = 0.1;  // of the rated one, above which the valves' voltage has its sign
+constexpr double kLeastCurrent = 0.07; // of the rated one, above which the valves' voltage has its sign
 constexpr double kLowest = 0.9;        // of the least speed, where the shaft is turned round
 constexpr double kPlausible = 2.0;     // times what is believed, or the inverse of it
-constexpr int kLeastBlocks = 20;
+constexpr int kParts = 4;              // strong currents count if they are one of so many parts of all
 
 }  // namespace
 
@@ -36,18 +36,20 @@ SpeedPlan MagnetFluxTest::start(const RotatingTask& task, const RotatingFindings
 
 void MagnetFluxTest::take(const FieldBlock& block, const SpeedPlace& place) noexcept {
   const double frequency = with_encoder_ ? machine_.pole_pairs * block.speed() : block.frequency;
-  const bool strong = norm(block.current) > least_current_ * least_current_;
-  if (place.stop == 0 || std::abs(frequency) < least_frequency_ || !strong) return;
+  if (place.stop == 0 || std::abs(frequency) < least_frequency_) return;
   const SynchronousData& data = machine_.synchronous;
   const double induced = block.voltage.im - block.resistance * block.current.im -
                          frequency * data.d_inductance * block.current.re -
                          data.q_inductance * block.current_slope.im;
-  flux_.add({frequency, block.threshold.im}, induced);
+  const bool strong = norm(block.current) > least_current_ * least_current_;
+  if (strong) strong_.add({frequency, block.threshold.im}, induced);
+  all_.add({frequency, block.threshold.im}, induced);
 }
 
 bool MagnetFluxTest::finish(RotatingFindings& found) noexcept {
-  const auto solution = flux_.solve();
-  if (!solution || flux_.count() < kLeastBlocks) return false;
+  // Slow ramps have no strong currents.
+  const auto solution = (kParts * strong_.count() < all_.count() ? all_ : strong_).solve();
+  if (!solution) return false;
   const double flux = (*solution)[0];
   const double ratio = flux / machine_.synchronous.magnet_flux;
   if (ratio > kPlausible || ratio < 1.0 / kPlausible) return false;

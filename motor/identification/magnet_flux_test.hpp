@@ -19,7 +19,8 @@ class MagnetFluxTest final : public RotatingStep {
   bool with_encoder_ = true;
   double least_frequency_ = 0.0;  // electrical rad/s
   double least_current_ = 0.0;    // A
-  LeastSquares<2> flux_;          // and threshold voltage
+  LeastSquares<2> strong_;        // flux and threshold voltage, from strong currents
+  LeastSquares<2> all_;           // the same from all
 };
 
 }  // namespace motor

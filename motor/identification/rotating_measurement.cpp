@@ -10,11 +10,10 @@ namespace motor {
 namespace {
 
 constexpr double kArrived = 0.03;      // of the rated speed, near enough to the setpoint
-constexpr double kStanding = 0.01;     // of the rated speed: does not turn
-constexpr double kHeldFast = 0.2;      // s at the torque limit until a shaft counts as locked
+constexpr double kGain = 0.005;        // of the rated speed, that a shaft at the torque limit must gain
 constexpr double kOvershoot = 0.25;    // of the speeds of a step, by which the shaft may pass them
 constexpr double kSway = 0.06;         // of the rated speed, the same at standstill
-constexpr double kRest = 0.1;          // s
+constexpr double kRest = 0.4;          // s
 constexpr int kFirstPeriods = 80;      // until the sensors have been read with pulses
 
 }  // namespace
@@ -77,18 +76,16 @@ void RotatingMeasurement::begin_step(std::size_t index) noexcept {
   const SpeedPlan plan = row.step(*this).start(task_, found_);
   if (plan.count == 0) return fail();
   walk_.start(plan, found_.slope, kArrived * task_.machine.rated_speed);
-  held_fast_ = 0.0;
+  stall_ = StallWatch{kGain * task_.machine.rated_speed};
   const double sway = kSway * task_.machine.rated_speed;
   const double now = walk_.setpoint();
   highest_ = std::min((1.0 + kOvershoot) * std::max(walk_.highest(), now) + sway, task_.maximum_speed);
   lowest_ = std::max((1.0 + kOvershoot) * std::min(walk_.lowest(), now) - sway, -task_.maximum_speed);
 }
 
-/// Whether the shaft turns faster than the step wants or another way, or does not turn at all.
+/// Whether the shaft turns faster than the step wants or another way, or does not follow at all.
 bool RotatingMeasurement::out_of_bounds(const Observation& seen) noexcept {
-  const bool stands = std::abs(seen.speed) < kStanding * task_.machine.rated_speed;
-  held_fast_ = stands && seen.torque_limit_reached ? held_fast_ + kControlPeriod : 0.0;
-  return seen.speed > highest_ || seen.speed < lowest_ || held_fast_ > kHeldFast;
+  return stall_.step(walk_.goal(), seen) || seen.speed > highest_ || seen.speed < lowest_;
 }
 
 void RotatingMeasurement::go_on(const Observation& seen) noexcept {

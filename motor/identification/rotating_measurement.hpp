@@ -12,6 +12,7 @@
 #include "motor/identification/rotating_task.hpp"
 #include "motor/identification/saturation_test.hpp"
 #include "motor/identification/speed_plan.hpp"
+#include "motor/identification/stall_watch.hpp"
 #include "motor/observation.hpp"
 #include "motor/signals.hpp"
 
@@ -63,6 +64,7 @@ class RotatingMeasurement {
   RotatingFindings found_{};
   FieldReader reader_;
   SpeedWalk walk_;
+  StallWatch stall_;
   EncoderTest encoder_test_;
   MagnetFluxTest magnet_flux_;
   SaturationTest saturation_;
@@ -73,7 +75,6 @@ class RotatingMeasurement {
   std::size_t row_ = 0;  // of kSequence
   int waiting_ = 0;      // periods until the first step begins
   double flux_share_ = 1.0;
-  double held_fast_ = 0.0;  // time at the torque limit without turning (s)
   double highest_ = 0.0;    // speeds that the step may reach (rad/s)
   double lowest_ = 0.0;
 };

@@ -60,6 +60,8 @@ class SpeedWalk {
     return State::Running;
   }
   const SpeedPlace& place() const noexcept { return place_; }
+  /// The speed of the present stop (rad/s).
+  double goal() const noexcept { return plan_.stops[place_.stop].speed; }
   /// (rad/s)
   double setpoint() const noexcept { return setpoint_; }
   /// Of the setpoint (rad/s²).
@@ -70,8 +72,8 @@ class SpeedWalk {
   double lowest() const noexcept { return -reach(-1.0); }
 
  private:
-  static constexpr double kPatience = 4.0;  // times the duration of the ramp
-  static constexpr double kLeastTime = 3.0;  // s, to magnetise and to settle
+  static constexpr double kPatience = 4.0;   // times the duration of the ramp
+  static constexpr double kLeastTime = 2.0;  // s, to magnetise and to settle
 
   State arrive(const SpeedPlan::Stop& stop, double speed, bool ready) noexcept {
     const bool there = std::abs(stop.speed - setpoint_) <= 0.0 && std::abs(stop.speed - speed) < tolerance_;
