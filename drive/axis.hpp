@@ -209,6 +209,8 @@ class Axis final : public DriveObject {
   void take_over(IdentificationPart part) noexcept;
   void take_over(const motor::StandstillResult& found) noexcept;
   void take_over(const motor::RotatingResult& found) noexcept;
+  void take_over_saturation(const motor::RotatingResult& found) noexcept;
+  void assign_rotor_circuit(const motor::MachineData& machine) noexcept;
   void assign_rounded(std::uint16_t number, double value) noexcept;
 
   AxisParameters parameters_;

@@ -6,7 +6,7 @@
 
 #include "drive/axis.hpp"
 #include "drive/machine_model.hpp"
-#include "drive/magnetising_characteristic.hpp"
+#include "motor/induction_circuit.hpp"
 
 namespace drive {
 namespace {
@@ -189,33 +189,24 @@ void Axis::take_over(Part part) noexcept {
 }
 
 void Axis::take_over(const motor::StandstillResult& found) noexcept {
-  const motor::MachineData believed = believed_machine(parameters_, context().axis.machine);
-  const motor::MachineData machine = motor::identified_machine(believed, found);
+  const motor::MachineData machine =
+      motor::identified_machine(believed_machine(parameters_, context().axis.machine), found);
   assign_rounded(350, machine.stator_resistance);
   if (machine.type == motor::MachineType::Synchronous) {
     assign_rounded(356, machine.synchronous.q_inductance);
     assign_rounded(357, machine.synchronous.d_inductance);
   } else {
-    assign_rounded(354, machine.induction.rotor_resistance);
-    assign_rounded(356, machine.induction.stator_leakage);
-    assign_rounded(358, machine.induction.rotor_leakage);
-    assign_rounded(360, machine.induction.magnetising_inductance);
+    assign_rotor_circuit(machine);
   }
   compute_parameters(kControllers);
 }
 
 void Axis::take_over(const motor::RotatingResult& found) noexcept {
-  constexpr std::array<std::uint16_t, 4> kFlux{362, 363, 364, 365}, kCurrent{366, 367, 368, 369};
   const motor::MachineData& data_sheet = context().axis.machine;
-  const bool synchronous = data_sheet.type == motor::MachineType::Synchronous;
-  if (synchronous && found.magnet_flux > 0.0)
+  if (data_sheet.type == motor::MachineType::Induction) {
+    take_over_saturation(found);
+  } else if (found.magnet_flux > 0.0) {
     assign_rounded(316, data_sheet.torque_constant * found.magnet_flux / data_sheet.synchronous.magnet_flux);
-  if (!synchronous && found.flux.back() > 0.0) {
-    const MagnetisingCharacteristic shares = normalised({found.flux, found.magnetising_current});
-    for (std::size_t i = 0; i < kFlux.size(); ++i) {
-      assign_rounded(kFlux[i], shares.flux[i]);
-      assign_rounded(kCurrent[i], shares.current[i]);
-    }
   }
   if (found.inertia > 0.0) {
     if (found.inertia < parameters_.motor_inertia) assign_rounded(341, found.inertia);
@@ -225,6 +216,36 @@ void Axis::take_over(const motor::RotatingResult& found) noexcept {
     compute_parameters(kControllers);
   else
     apply_parameters();
+}
+
+/// The characteristic was measured in shares of the flux that was believed the rated one, and refers to the one
+/// that was found from now on. What was found of leakage and rotor resistance at the terminals stays.
+void Axis::take_over_saturation(const motor::RotatingResult& found) noexcept {
+  constexpr std::array<std::uint16_t, 4> kFlux{362, 363, 364, 365}, kCurrent{366, 367, 368, 369};
+  if (!(found.fitted_magnetising_inductance > 0.0)) return;
+  const motor::MachineData believed = believed_machine(parameters_, context().axis.machine);
+  const motor::InductionCircuit circuit = motor::induction_circuit(believed);
+  motor::InductionCircuit fitted = circuit;
+  fitted.magnetising_inductance = found.fitted_magnetising_inductance;
+  fitted.saturation_flux = found.fitted_saturation_flux;
+  const double current = std::numbers::sqrt2 * parameters_.magnetising_current;
+  const double ratio = identification_.results().rated_flux / motor::standing_flux(fitted, current);
+  for (std::size_t i = 0; i < kFlux.size(); ++i) {
+    assign_rounded(kFlux[i], ratio * found.flux[i]);
+    assign_rounded(kCurrent[i], found.magnetising_current[i]);
+  }
+  assign_rotor_circuit(
+      motor::identified_machine(believed, {.stator_resistance = circuit.stator_resistance,
+                                           .rotor_resistance = circuit.rotor_resistance,
+                                           .leakage = circuit.leakage,
+                                           .magnetising_inductance = fitted.magnetising_inductance}));
+}
+
+void Axis::assign_rotor_circuit(const motor::MachineData& machine) noexcept {
+  assign_rounded(354, machine.induction.rotor_resistance);
+  assign_rounded(356, machine.induction.stator_leakage);
+  assign_rounded(358, machine.induction.rotor_leakage);
+  assign_rounded(360, machine.induction.magnetising_inductance);
 }
 
 /// Parameter @p number becomes @p value (SI units) as a master could have written it.

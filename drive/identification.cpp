@@ -1,5 +1,9 @@
 #include "drive/identification.hpp"
 
+#include <numbers>
+
+#include "motor/induction_circuit.hpp"
+
 namespace drive {
 
 using Part = IdentificationPart;
@@ -50,6 +54,8 @@ void Identification::start(const motor::StandstillTask& task) noexcept {
 
 void Identification::start(const motor::RotatingTask& task) noexcept {
   rotating_.start(task);
+  rated_flux_ = motor::standing_flux(motor::induction_circuit(task.machine),
+                                     std::numbers::sqrt2 * task.machine.induction.magnetising_current);
   phase_ = Phase::Running;
 }
 
@@ -81,6 +87,7 @@ void Identification::finish() noexcept {
     select_standstill(kNone);
   } else {
     results_.rotating = rotating_.result();
+    results_.rated_flux = rated_flux_;
     select_rotating(kNone);
   }
 }

@@ -53,25 +53,4 @@ double saturation_flux(const motor::MachineData& machine,
   return rated_flux * std::pow((1.0 - share) / share, 1.0 / 6.0);
 }
 
-/// Least squares of c = u·f + v·f^7, and the flux at which that is 1.
-MagnetisingCharacteristic normalised(const MagnetisingCharacteristic& measured) noexcept {
-  constexpr int kIterations = 20;
-  double ff = 0.0, fg = 0.0, gg = 0.0, fc = 0.0, gc = 0.0;
-  for (std::size_t i = 0; i < measured.flux.size(); ++i) {
-    const double f = measured.flux[i], g = std::pow(f, 7), c = measured.current[i];
-    ff += f * f, fg += f * g, gg += g * g, fc += f * c, gc += g * c;
-  }
-  const double determinant = ff * gg - fg * fg;
-  if (!(determinant > 0.0)) return measured;
-  const double u = (fc * gg - gc * fg) / determinant;
-  const double v = std::max(0.0, (gc * ff - fc * fg) / determinant);
-  double rated = 1.0;
-  for (int i = 0; i < kIterations; ++i)
-    rated -= (u * rated + v * std::pow(rated, 7) - 1.0) / (u + 7.0 * v * std::pow(rated, 6));
-  if (!(rated > 0.0)) return measured;
-  MagnetisingCharacteristic shares = measured;
-  for (double& flux : shares.flux) flux /= rated;
-  return shares;
-}
-
 }  // namespace drive

@@ -23,7 +23,4 @@ MagnetisingCharacteristic characteristic_of(const motor::MachineData& machine) n
 double saturation_flux(const motor::MachineData& machine,
                        const MagnetisingCharacteristic& characteristic) noexcept;
 
-/// @p measured, whose fluxes are shares of any flux, with those of the flux at the rated current.
-MagnetisingCharacteristic normalised(const MagnetisingCharacteristic& measured) noexcept;
-
 }  // namespace drive

@@ -8,6 +8,19 @@
 
 namespace drive {
 
+/// A machine that differs from its data sheet in everything.
+inline constexpr motor::PlantDeviation kOther{.stator_resistance = 1.2,
+                                              .d_inductance = 0.85,
+                                              .q_inductance = 1.15,
+                                              .magnet_flux = 0.9,
+                                              .rotor_resistance = 1.15,
+                                              .stator_leakage = 0.9,
+                                              .rotor_leakage = 0.9,
+                                              .magnetising_inductance = 0.85,
+                                              .saturation_flux = 0.9,
+                                              .inertia = 1.2,
+                                              .friction = 1.2};
+
 /// A real machine with the data sheet of preset @p name: @p deviation from it, dead times in its inverter.
 inline AxisConfiguration real_axis(const std::string& name, const motor::PlantDeviation& deviation = {},
                                    const motor::Load& load = {}) {
@@ -19,10 +32,12 @@ inline AxisConfiguration real_axis(const std::string& name, const motor::PlantDe
           .deviation = deviation};
 }
 
+inline constexpr std::uint16_t kP1900 = 1900;
+inline constexpr std::uint16_t kP1910 = 1910;
+inline constexpr std::uint16_t kP1960 = 1960;
+
 /// An axis that is commissioned by a master.
 struct MeasuringAxis : TestAxis {
-  static constexpr std::uint16_t kStandstill = 1910;
-  static constexpr std::uint16_t kRotating = 1960;
   static constexpr double kLongest = 200.0;  // s, of any measurement
 
   explicit MeasuringAxis(const AxisConfiguration& configuration) : TestAxis{configuration} {
@@ -39,7 +54,7 @@ struct MeasuringAxis : TestAxis {
         if (entry.row->number == number) return true;
     return false;
   }
-  /// ON, after OFF1; returns the controlword's state after two cycles.
+  /// OFF1, then ON.
   void on() {
     for (const int word : {0x0006, 0x0006, 0x0007, 0x000F}) send(static_cast<std::uint16_t>(word));
   }
@@ -52,6 +67,17 @@ struct MeasuringAxis : TestAxis {
   }
   double wait() {
     return run_until([](const Axis& a) { return a.actual().state != State::OperationEnabled; }, kLongest);
+  }
+  /// The refusal of a write; NoParameter if it is taken.
+  Refusal refusal_of(std::uint16_t number, double value) {
+    const auto written = axis.write(number, value);
+    return written ? Refusal::NoParameter : written.error().reason;
+  }
+  /// The active fault @p number, or nullptr.
+  const FaultEntry* fault(std::uint16_t number) const {
+    for (const FaultEntry& entry : axis.messages().faults())
+      if (entry.row->number == number) return &entry;
+    return nullptr;
   }
   /// Every saved value.
   std::vector<double> parameters() const {
