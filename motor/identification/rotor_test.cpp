@@ -9,8 +9,8 @@
 namespace motor {
 namespace {
 
-constexpr double kLower = 0.1;     // of the magnetising current
-constexpr double kUpper = 0.4;     // of it, far below saturation
+constexpr double kLower = 0.2;     // of the magnetising current
+constexpr double kUpper = 0.5;     // of it, well below saturation
 constexpr double kWindow = 4.0;    // rotor time constants
 constexpr double kShortest = 0.2;  // s
 constexpr double kLongest = 2.0;   // s
@@ -18,25 +18,27 @@ constexpr double kLongest = 2.0;   // s
 }  // namespace
 
 SpaceVector RotorTest::step(const Measurement& measured, StandstillBench& bench) noexcept {
-  const double magnetising = std::numbers::sqrt2 * bench.task.machine.induction.magnetising_current;
-  const double current = std::min(magnetising, bench.test_current);
-  if (rising_) {
+  if (window_ > 0) {
     take(measured, bench);
-    if (--left_ == 0) conclude(bench);
+    if (++taken_ == 2 * window_) conclude(bench);
   } else {
     start_.step(measured, bench.axis);
     if (start_.steady()) begin(bench);
     if (start_.overdue()) bench.fault = StandstillFault::RotorTimeConstant;
   }
   before_ = dot(measured.current, bench.axis);
-  return bench.currents.step((rising_ ? kUpper : kLower) * current * bench.axis, measured);
+  const double magnetising = std::numbers::sqrt2 * bench.task.machine.induction.magnetising_current;
+  return bench.currents.step(share() * std::min(magnetising, bench.test_current) * bench.axis, measured);
+}
+
+double RotorTest::share() const noexcept {
+  return taken_ < window_ ? kUpper : kLower;
 }
 
 void RotorTest::begin(const StandstillBench& bench) noexcept {
   const InductionCircuit circuit = induction_circuit(bench.task.machine);
   const double time = kWindow * circuit.magnetising_inductance / circuit.rotor_resistance;
-  left_ = steps_in(std::clamp(time, kShortest, kLongest));
-  rising_ = true;
+  window_ = steps_in(std::clamp(time, kShortest, kLongest));
 }
 
 void RotorTest::take(const Measurement& measured, const StandstillBench& bench) noexcept {
@@ -48,20 +50,34 @@ void RotorTest::take(const Measurement& measured, const StandstillBench& bench) 
   area_ += kControlPeriod * (flux_ + 0.5 * change);
   flux_ += change;
   charge_ += kControlPeriod * current;
-  sums_.flux_charge += flux_ * charge_;
-  sums_.flux_area += flux_ * area_;
-  sums_.charge_charge += charge_ * charge_;
-  sums_.charge_area += charge_ * area_;
-  sums_.area_area += area_ * area_;
+  const double time = kControlPeriod * (taken_ + 1);
+  const Row row{charge_, area_, time, time * time};
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    for (std::size_t j = 0; j < kUnknowns; ++j) products_[i][j] += row[i] * row[j];
+    with_flux_[i] += row[i] * flux_;
+  }
+}
+
+/// Of the normal equations, by elimination; they are positive definite.
+RotorTest::Row RotorTest::solution() const noexcept {
+  std::array<Row, kUnknowns> a = products_;
+  Row x = with_flux_;
+  for (std::size_t pivot = 0; pivot < kUnknowns; ++pivot)
+    for (std::size_t row = 0; row < kUnknowns; ++row) {
+      if (row == pivot) continue;
+      const double factor = a[row][pivot] / a[pivot][pivot];
+      for (std::size_t column = 0; column < kUnknowns; ++column) a[row][column] -= factor * a[pivot][column];
+      x[row] -= factor * x[pivot];
+    }
+  for (std::size_t i = 0; i < kUnknowns; ++i) x[i] /= a[i][i];
+  return x;
 }
 
 void RotorTest::conclude(StandstillBench& bench) noexcept {
   done_ = true;
-  const double determinant = sums_.charge_charge * sums_.area_area - sums_.charge_area * sums_.charge_area;
-  const double resistance =
-      (sums_.flux_charge * sums_.area_area - sums_.flux_area * sums_.charge_area) / determinant;
-  const double rate =
-      (sums_.flux_charge * sums_.charge_area - sums_.flux_area * sums_.charge_charge) / determinant;
+  const Row found = solution();
+  const double resistance = found[0];
+  const double rate = -found[1];  // reciprocal of the time constant (1/s)
   if (!(resistance > 0.0 && rate > 0.0)) {
     bench.fault = resistance > 0.0 ? StandstillFault::RotorTimeConstant : StandstillFault::RotorResistance;
     return;

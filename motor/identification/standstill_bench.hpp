@@ -32,7 +32,7 @@ struct StandstillBench {
 
 /// Control periods in @p seconds.
 constexpr int steps_in(double seconds) noexcept {
-  return static_cast<int>(seconds / kControlPeriod + 0.5);
+  return static_cast<int>((seconds + 0.5 * kControlPeriod) / kControlPeriod);
 }
 
 /// Signs of the currents in the phases.

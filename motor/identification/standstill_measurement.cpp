@@ -44,6 +44,8 @@ constexpr PlanRow kFading{measurement_step::kStandstill, [](Test& test, const Ma
                           }};
 constexpr PlanRow kPole{measurement_step::kEncoderTest,
                         [](Test& test, const MachineData&) noexcept { test.emplace<PoleTest>(); }};
+constexpr PlanRow kStopping{measurement_step::kStandstill,
+                            [](Test& test, const MachineData&) noexcept { test.emplace<Stopping>(); }};
 constexpr PlanRow kAlignment{measurement_step::kStandstill,
                              [](Test& test, const MachineData&) noexcept { test.emplace<RotorAlignment>(); }};
 constexpr PlanRow kLowerLevel{measurement_step::kStatorResistance, [](Test& test, const MachineData&) noexcept {
@@ -70,7 +72,7 @@ constexpr PlanRow kLeakage{measurement_step::kLeakage,
 constexpr PlanRow kRotor{measurement_step::kRotorTimeConstant,
                          [](Test& test, const MachineData&) noexcept { test.emplace<RotorTest>(); }};
 
-constexpr std::array kSynchronousPlan{kRest, kPole, kLowerLevel, kUpperLevel, kAlong, kAcross};
+constexpr std::array kSynchronousPlan{kRest, kPole, kStopping, kLowerLevel, kUpperLevel, kAlong, kAcross};
 constexpr std::array kBlindPlan{kRest, kAlignment, kLowerLevel, kUpperLevel, kAlong, kAcross};
 constexpr std::array kInductionPlan{kFading, kLowerLevel, kUpperLevel, kLeakage, kRotor};
 
@@ -119,37 +121,23 @@ void StandstillMeasurement::supervise(const Measurement& measured) noexcept {
   bench_.shaft.step(measured);
   bench_.result.travel = bench_.shaft.travel();
   const double limit = std::numbers::sqrt2 * bench_.task.settings.current_limit;
-  const struct {
+  struct Rule {
     bool broken;
     StandstillFault fault;
-  } rules[]{
-      {length(measured.current) > limit, StandstillFault::CurrentLimit},
-      {bench_.currents.limited_steps() > kPatience, StandstillFault::VoltageLimited},
-      {bench_.shaft.travel() > bench_.task.largest_travel, StandstillFault::ShaftTurns},
-      {std::abs(bench_.result.threshold_voltage) > kLargestLoss * measured.dc_voltage,
-       StandstillFault::ThresholdVoltage},
   };
-  for (const auto& rule : rules)
+  const std::array rules{
+      Rule{length(measured.current) > limit, StandstillFault::CurrentLimit},
+      Rule{bench_.currents.limited_steps() > kPatience, StandstillFault::VoltageLimited},
+      Rule{bench_.shaft.travel() > bench_.task.largest_travel, StandstillFault::ShaftTurns},
+      Rule{std::abs(bench_.result.threshold_voltage) > kLargestLoss * measured.dc_voltage,
+           StandstillFault::ThresholdVoltage},
+  };
+  for (const Rule& rule : rules)
     if (rule.broken && bench_.fault == StandstillFault::None) bench_.fault = rule.fault;
 }
 
-SpaceVector StandstillMeasurement::step(const Measurement& measured, Signals& signals) noexcept {
-  if (state_ != MeasurementState::Running) return {};
-  supervise(measured);
-  SpaceVector voltage{};
-  bool done = false;
-  if (bench_.fault == StandstillFault::None)
-    std::visit(
-        [&](auto& test) noexcept {
-          voltage = test.step(measured, bench_);
-          done = test.done();
-        },
-        test_);
-  if (done && bench_.fault == StandstillFault::None) end_test();
-  if (bench_.fault != StandstillFault::None) {
-    state_ = MeasurementState::Failed;
-    voltage = {};
-  }
+/// What the control would show of currents that do not turn.
+void StandstillMeasurement::show(const Measurement& measured, Signals& signals) const noexcept {
   const SpaceVector current = measured.current * conjugate(bench_.axis);
   const SpaceVector setpoint = bench_.currents.setpoint() * conjugate(bench_.axis);
   signals.d_current = current.re;
@@ -161,7 +149,30 @@ SpaceVector StandstillMeasurement::step(const Measurement& measured, Signals& si
   signals.frequency = 0.0;
   signals.magnetised = false;
   signals.voltage_limited = bench_.currents.limited_steps() > 0;
+}
+
+SpaceVector StandstillMeasurement::lead(const Measurement& measured) noexcept {
+  SpaceVector voltage{};
+  bool done = false;
+  std::visit(
+      [&](auto& test) noexcept {
+        voltage = test.step(measured, bench_);
+        done = test.done();
+      },
+      test_);
+  if (done && bench_.fault == StandstillFault::None) end_test();
   return voltage;
+}
+
+SpaceVector StandstillMeasurement::step(const Measurement& measured, Signals& signals) noexcept {
+  if (state_ != MeasurementState::Running) return {};
+  supervise(measured);
+  const bool sound = bench_.fault == StandstillFault::None;
+  const SpaceVector voltage = sound ? lead(measured) : SpaceVector{};
+  show(measured, signals);
+  if (bench_.fault == StandstillFault::None) return voltage;
+  state_ = MeasurementState::Failed;
+  return {};
 }
 
 }  // namespace motor

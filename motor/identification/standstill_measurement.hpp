@@ -14,15 +14,18 @@
 #include "motor/identification/rotor_test.hpp"
 #include "motor/identification/standstill_bench.hpp"
 #include "motor/identification/standstill_data.hpp"
+#include "motor/identification/stopping.hpp"
 
 namespace motor {
 
 /// Identification of the motor data at standstill (p1910): a sequence of tests that leads the machine by itself
 /// and learns from measured currents and the encoder only.
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): final, and owned as itself
 class StandstillMeasurement final : public Excitation {
  public:
   /// One of the tests, under way.
-  using Test = std::variant<RestTest, PoleTest, RotorAlignment, ResistanceTest, InductanceTest, RotorTest>;
+  using Test =
+      std::variant<RestTest, PoleTest, Stopping, RotorAlignment, ResistanceTest, InductanceTest, RotorTest>;
 
   /// Begins with @p task at the next step().
   void start(const StandstillTask& task) noexcept;
@@ -40,6 +43,8 @@ class StandstillMeasurement final : public Excitation {
   void begin_test() noexcept;
   void end_test() noexcept;
   void supervise(const Measurement& measured) noexcept;
+  SpaceVector lead(const Measurement& measured) noexcept;
+  void show(const Measurement& measured, Signals& signals) const noexcept;
 
   StandstillBench bench_{};
   Test test_{};

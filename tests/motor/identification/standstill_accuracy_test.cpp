@@ -27,25 +27,26 @@ struct Quantity {
 };
 
 constexpr std::array kQuantities{
-    Quantity{"R_s", MachineType::Synchronous, &StandstillResult::stator_resistance,
+    Quantity{"R_s (%)", MachineType::Synchronous, &StandstillResult::stator_resistance,
              [](const MachineData& m) { return m.stator_resistance; }, 0.02},
-    Quantity{"L_d", MachineType::Synchronous, &StandstillResult::d_inductance,
+    Quantity{"L_d (%)", MachineType::Synchronous, &StandstillResult::d_inductance,
              [](const MachineData& m) { return m.synchronous.d_inductance; }, 0.03},
-    Quantity{"L_q", MachineType::Synchronous, &StandstillResult::q_inductance,
+    Quantity{"L_q (%)", MachineType::Synchronous, &StandstillResult::q_inductance,
              [](const MachineData& m) { return m.synchronous.q_inductance; }, 0.03},
-    Quantity{"R_s", MachineType::Induction, &StandstillResult::stator_resistance,
+    Quantity{"R_s (%)", MachineType::Induction, &StandstillResult::stator_resistance,
              [](const MachineData& m) { return m.stator_resistance; }, 0.02},
-    Quantity{"L_sgm", MachineType::Induction, &StandstillResult::leakage,
+    Quantity{"L_sgm (%)", MachineType::Induction, &StandstillResult::leakage,
              [](const MachineData& m) { return induction_circuit(m).leakage; }, 0.03},
-    Quantity{"R_R", MachineType::Induction, &StandstillResult::rotor_resistance,
+    Quantity{"R_R (%)", MachineType::Induction, &StandstillResult::rotor_resistance,
              [](const MachineData& m) { return induction_circuit(m).rotor_resistance; }, 0.05},
-    Quantity{"L_M", MachineType::Induction, &StandstillResult::magnetising_inductance,
+    Quantity{"L_M (%)", MachineType::Induction, &StandstillResult::magnetising_inductance,
              [](const MachineData& m) { return induction_circuit(m).magnetising_inductance; }, 0.05},
 };
 
-void print_row(std::string_view preset, std::string_view quantity, double worst, std::string_view unit) {
-  std::cout << "| " << std::left << std::setw(12) << preset << " | " << std::setw(14) << quantity << " | "
-            << std::right << std::fixed << std::setprecision(3) << std::setw(8) << worst << ' ' << unit << " |\n";
+/// As a row of the table in docs/physics.md.
+void print_row(std::string_view preset, std::string_view quantity, double worst) {
+  std::cout << "| " << preset << " | " << quantity << " | " << std::fixed << std::setprecision(2) << worst
+            << " |\n";
 }
 
 class StandstillAccuracy : public testing::TestWithParam<Preset> {
@@ -67,10 +68,10 @@ class StandstillAccuracy : public testing::TestWithParam<Preset> {
       note(quantity.name, 100.0 * error);
     }
     EXPECT_LT(std::abs(trial.result().pole_position), 5.0 * identification::kDegree);
-    note("pole position", std::abs(trial.result().pole_position) / identification::kDegree);
-    note("travel", trial.travel / identification::kDegree);
-    note("duration", trial.duration);
-    note("current", 100.0 * trial.current / (std::sqrt(2.0) * preset.machine.rated_current));
+    note("pole position (deg)", std::abs(trial.result().pole_position) / identification::kDegree);
+    note("travel (deg)", trial.travel / identification::kDegree);
+    note("duration (s)", trial.duration);
+    note("current (% of rated)", 100.0 * trial.current / (std::sqrt(2.0) * preset.machine.rated_current));
   }
   void note(std::string_view name, double value) { worst_[name] = std::max(worst_[name], value); }
 
@@ -86,7 +87,7 @@ TEST_P(StandstillAccuracy, IsThatOfTheFactsForAnySpecimen) {
     const PlantDeviation deviation = identification::random_deviation(random);
     measure(deviation, angle(random));
   }
-  for (const auto& [name, value] : worst_) print_row(GetParam().name, name, value, "");
+  for (const auto& [name, value] : worst_) print_row(GetParam().name, name, value);
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, StandstillAccuracy, testing::ValuesIn(identification::presets()),

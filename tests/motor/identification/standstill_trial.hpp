@@ -15,6 +15,9 @@ namespace identification {
 
 inline constexpr double kDcVoltage = 540.0;  // V
 inline constexpr double kDegree = std::numbers::pi / 180.0;
+/// The furthest that the shaft of a servo, or another one, may turn (rad).
+inline constexpr double kServoTravel = 210.0 * kDegree;
+inline constexpr double kVectorTravel = 90.0 * kDegree;
 
 /// What a drive that believes in @p data_sheet starts with.
 inline motor::StandstillTask task_for(const motor::MachineData& data_sheet) {
