@@ -3,31 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motor/identification/field_model.hpp"
 #include "motor/identification/test_speeds.hpp"
-#include "motor/induction_circuit.hpp"
 #include "motor/synchronous_observer.hpp"
 
 namespace motor {
 namespace {
 
-constexpr double kMagnetised = 0.1;     // s, at standstill
-constexpr double kHold = 0.15;          // s
-constexpr double kTolerance = 0.6;      // of the flux: data sheet, dead time and temperature are in it
-constexpr double kTorqueShare = 0.5;    // of what there is, for the ramps to come
-constexpr double kFedShare = 0.25;      // the same where a fed current must carry it
-constexpr double kRoom = 0.8;           // of what the load leaves
-constexpr double kLeastRoom = 0.1;      // of the rated torque
-constexpr double kShortestRamp = 0.08;  // s
-constexpr double kObservedRamp = 0.4;   // s, the same where the speed is only estimated
-constexpr double kObserverTimes = 100.0;  // time constants of an observer in a ramp that it follows
-
-/// Inductances whose flux is not that of magnets or rotor.
-SpaceVector leakage_of(const MachineData& machine) noexcept {
-  if (machine.type == MachineType::Synchronous)
-    return {machine.synchronous.d_inductance, machine.synchronous.q_inductance};
-  const double leakage = induction_circuit(machine).leakage;
-  return {leakage, leakage};
-}
+constexpr double kMagnetised = 0.1;      // s, at standstill
+constexpr double kHold = 0.15;           // s
+constexpr double kTolerance = 0.6;       // of the flux: data sheet, dead time and temperature are in it
+constexpr double kTorqueShare = 0.5;     // of what there is, for the ramps to come
+constexpr double kFedShare = 0.25;       // the same where a fed current must carry it
+constexpr double kRoom = 0.8;            // of what the load leaves
+constexpr double kLeastRoom = 0.1;       // of the rated torque
+constexpr double kShortestRamp = 0.08;   // s
+constexpr double kObservedRamp = 0.4;    // s, the same where the speed is only estimated
+constexpr double kObserverTimes = 60.0;  // time constants of an observer in a ramp that it follows
 
 /// Shortest ramp that the speed is known in (s).
 double shortest_ramp(const RotatingTask& task, double least_speed) noexcept {
@@ -35,7 +27,7 @@ double shortest_ramp(const RotatingTask& task, double least_speed) noexcept {
   if (task.machine.type == MachineType::Induction) return kObservedRamp;
   const double share = SynchronousObserver::bandwidth_share(task.machine);
   const double bandwidth = SynchronousObserver::bandwidth(share, task.machine.pole_pairs * least_speed);
-  return std::max(kObservedRamp, kObserverTimes / bandwidth);
+  return kObserverTimes / bandwidth;
 }
 
 }  // namespace
@@ -43,7 +35,7 @@ double shortest_ramp(const RotatingTask& task, double least_speed) noexcept {
 SpeedPlan EncoderTest::start(const RotatingTask& task, const RotatingFindings& found) noexcept {
   *this = {};
   task_ = task;
-  leakage_ = leakage_of(task.machine);
+  inductances_ = current_inductances(task.machine);
   const TestSpeeds speeds = test_speeds(task, found.dc_voltage);
   if (!speeds.useful()) return {};
   const double direction = first_direction(task);
@@ -61,22 +53,19 @@ void EncoderTest::take(const FieldBlock& block, const SpeedPlace& place) noexcep
   time_ += block.duration;
   if (place.stop + 1 < plan_.count || place.held < 0.0) return;
   const SpaceVector induced = block.voltage - block.resistance * block.current;
-  const SpaceVector stator = (1.0 / block.frequency) * SpaceVector{induced.im, -induced.re};
-  flux_ = flux_ + stator - SpaceVector{leakage_.re * block.current.re, leakage_.im * block.current.im};
-  expected_ += task_.machine.type == MachineType::Synchronous
-                   ? task_.machine.synchronous.magnet_flux
-                   : standing_flux(induction_circuit(task_.machine), std::max(0.0, block.current.re));
+  flux_ = flux_ + inducing_flux(induced, block.frequency) - flux_of(inductances_, block.current);
+  expected_ += believed_flux(task_.machine, std::max(0.0, block.current.re));
   torque_ += block.control_impulse / block.duration;
   ++blocks_;
 }
 
 bool EncoderTest::finish(RotatingFindings& found) noexcept {
-  if (blocks_ == 0 || length(flux_ - SpaceVector{expected_, 0.0}) > kTolerance * expected_) return false;
+  if (!(length(flux_ - SpaceVector{expected_, 0.0}) < kTolerance * expected_)) return false;
   const double load = std::abs(torque_ / blocks_);
   const double rated = task_.machine.rated_torque;
   const TorqueLimits limits = test_limits(task_);
   const double room = kRoom * (std::min(limits.upper, -limits.lower) - load);
-  if (room < kLeastRoom * rated) return false;
+  if (!(room > kLeastRoom * rated)) return false;
   shaft_.end_group();
   const auto shaft = shaft_.solve();
   const double least = 0.5 * task_.machine.inertia;

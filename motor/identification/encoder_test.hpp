@@ -17,11 +17,11 @@ class EncoderTest final : public RotatingStep {
  private:
   RotatingTask task_{};
   SpeedPlan plan_{};
-  SpaceVector leakage_{};  // inductances whose flux is not what is looked for (H)
-  LeastSquares<2> shaft_;  // inertia and constant torque from what the control believes
-  double impulse_ = 0.0;   // N·m·s
-  double time_ = 0.0;      // s
-  SpaceVector flux_{};     // sums of the last stop
+  SpaceVector inductances_{};  // whose flux is not what is looked for (H)
+  LeastSquares<2> shaft_;      // inertia and constant torque from what the control believes
+  double impulse_ = 0.0;       // N·m·s
+  double time_ = 0.0;          // s
+  SpaceVector flux_{};         // sums of the last stop
   double expected_ = 0.0;
   double torque_ = 0.0;
   int blocks_ = 0;

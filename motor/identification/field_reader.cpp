@@ -4,23 +4,16 @@
 #include <numbers>
 
 #include "motor/control_period.hpp"
+#include "motor/identification/field_model.hpp"
 #include "motor/rotation.hpp"
 #include "motor/thermal.hpp"
 
 namespace motor {
 namespace {
 
-constexpr double kSlowestField = 1.0;     // electrical rad/s, below it power says nothing about the torque
-constexpr double kLeastCurrent = 1e-9;    // A, below it a reading has no direction
+constexpr double kSlowestField = 1.0;   // electrical rad/s, below it power says nothing about the torque
+constexpr double kLeastCurrent = 1e-9;  // A, below it a reading has no direction
 constexpr double kShare = 1.0 / FieldReader::kPeriods;
-
-/// What inductance the current changes while the flux of rotor or magnets stays.
-SpaceVector inductance_of(const MachineData& machine) noexcept {
-  if (machine.type == MachineType::Synchronous)
-    return {machine.synchronous.d_inductance, machine.synchronous.q_inductance};
-  const double leakage = induction_circuit(machine).leakage;
-  return {leakage, leakage};
-}
 
 SpaceVector signs_of(SpaceVector current) noexcept {
   std::array<double, 3> phases = phase_values(current);
@@ -28,8 +21,10 @@ SpaceVector signs_of(SpaceVector current) noexcept {
   return vector_of(phases);
 }
 
-SpaceVector by_axes(SpaceVector a, SpaceVector b) noexcept {
-  return {a.re * b.re, a.im * b.im};
+/// One period more of a block.
+void grow(Growth& growth, double by) noexcept {
+  growth.mean += kShare * (growth.total + 0.5 * by);
+  growth.total += by;
 }
 
 }  // namespace
@@ -37,7 +32,7 @@ SpaceVector by_axes(SpaceVector a, SpaceVector b) noexcept {
 void FieldReader::start(const MachineData& machine, const ControlSettings& settings) noexcept {
   *this = {};
   resistance_ = machine.stator_resistance;
-  inductance_ = inductance_of(machine);
+  inductance_ = current_inductances(machine);
   pole_pairs_ = machine.pole_pairs;
   radians_per_count_ = 2.0 * std::numbers::pi / increments_per_revolution(machine);
   with_encoder_ = settings.mode == ControlMode::Encoder;
@@ -97,11 +92,6 @@ FieldReader::Period FieldReader::between(const Observation& before, const Observ
           .threshold = signs_of(current * conjugate(back)) * back};
 }
 
-void FieldReader::grow(Growth& growth, double by) const noexcept {
-  growth.mean += kShare * (growth.total + 0.5 * by);
-  growth.total += by;
-}
-
 void FieldReader::add(const Period& period, const Observation& before) noexcept {
   const double frequency = before.frequency;
   grow(open_.angle, period.angle);
@@ -114,7 +104,7 @@ void FieldReader::add(const Period& period, const Observation& before) noexcept 
   if (std::abs(frequency) < kSlowestField) return;
   const double resistance = resistance_ * copper_factor(before.winding_temperature);
   const SpaceVector across = period.voltage - resistance * period.current;
-  const SpaceVector field = by_axes(inductance_, period.current_slope);
+  const SpaceVector field = flux_of(inductance_, period.current_slope);
   const double per_power = 1.5 * kControlPeriod * pole_pairs_ / frequency;
   grow(open_.impulse, per_power * dot(across - field, period.current));
   grow(open_.lost_impulse, per_power * dot(period.threshold, period.current));

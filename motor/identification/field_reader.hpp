@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "motor/control_settings.hpp"
-#include "motor/induction_circuit.hpp"
 #include "motor/machine_data.hpp"
 #include "motor/observation.hpp"
 #include "motor/space_vector.hpp"
@@ -18,10 +17,10 @@ struct Growth {
 
 /// What a drive saw in some control periods, with vectors as means in the frame of its control.
 struct FieldBlock {
-  double duration = 0.0;         ///< (s)
-  Growth angle{};                ///< of the shaft (rad)
-  Growth impulse{};              ///< of the torque that the power balance gives without threshold voltage (N·m·s)
-  Growth lost_impulse{};         ///< what each volt of threshold voltage takes from it (N·m·s/V)
+  double duration = 0.0;  ///< (s)
+  Growth angle{};         ///< of the shaft (rad)
+  Growth impulse{};       ///< of the torque that the power balance gives without threshold voltage (N·m·s)
+  Growth lost_impulse{};  ///< what each volt of threshold voltage takes from it (N·m·s/V)
   double control_impulse = 0.0;  ///< of the torque that the control believes in (N·m·s)
   double frequency = 0.0;        ///< of the frame (electrical rad/s)
   SpaceVector voltage{};         ///< that was asked for (V)
@@ -62,9 +61,8 @@ class FieldReader {
   double angle_of(const Observation& seen) noexcept;
   Period between(const Observation& before, const Observation& now) const noexcept;
   void add(const Period& period, const Observation& before) noexcept;
-  void grow(Growth& growth, double by) const noexcept;
 
-  double resistance_ = 0.0;  // at kDataTemperature
+  double resistance_ = 0.0;   // at kDataTemperature
   SpaceVector inductance_{};  // that stores energy as the current changes
   double pole_pairs_ = 1.0;
   double radians_per_count_ = 0.0;

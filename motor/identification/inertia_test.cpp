@@ -7,8 +7,8 @@
 namespace motor {
 namespace {
 
-constexpr double kHold = 0.1;            // s
-constexpr double kLeastOfRotor = 0.3;    // of the rotor's believed inertia: less cannot be
+constexpr double kHold = 0.1;          // s
+constexpr double kLeastOfRotor = 0.3;  // of the rotor's believed inertia: less cannot be
 constexpr int kLeastBlocks = 50;
 
 }  // namespace
@@ -18,7 +18,8 @@ SpeedPlan InertiaTest::start(const RotatingTask& task, const RotatingFindings& f
   // Without encoder what happens about standstill would disturb the flux of the ramps.
   both_directions_ = task.forward && task.backward && task.settings.mode == ControlMode::Encoder;
   rotor_inertia_ = task.machine.inertia;
-  threshold_known_ = false;
+  // One direction alone does not tell the threshold voltage from a load well.
+  threshold_known_ = !both_directions_ && found.result.threshold_voltage > 0.0;
   threshold_voltage_ = found.result.threshold_voltage;
   const TestSpeeds speeds = test_speeds(task, found.dc_voltage);
   if (!speeds.useful()) return {};

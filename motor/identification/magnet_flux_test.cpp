@@ -8,11 +8,11 @@
 namespace motor {
 namespace {
 
-constexpr double kHold = 0.05;         // s
-constexpr double kLeastCurrent = 0.07; // of the rated one, above which the valves' voltage has its sign
-constexpr double kLowest = 0.9;        // of the least speed, where the shaft is turned round
-constexpr double kPlausible = 2.0;     // times what is believed, or the inverse of it
-constexpr int kParts = 4;              // strong currents count if they are one of so many parts of all
+constexpr double kHold = 0.05;          // s
+constexpr double kLeastCurrent = 0.07;  // of the rated one, above which the valves' voltage has its sign
+constexpr double kLowest = 0.9;         // of the least speed, where the shaft is turned round
+constexpr double kPlausible = 2.0;      // times what is believed, or the inverse of it
+constexpr int kParts = 4;               // strong currents count if they are one of so many parts of all
 
 }  // namespace
 
@@ -47,14 +47,15 @@ void MagnetFluxTest::take(const FieldBlock& block, const SpeedPlace& place) noex
 }
 
 bool MagnetFluxTest::finish(RotatingFindings& found) noexcept {
-  // Slow ramps have no strong currents.
-  const auto solution = (kParts * strong_.count() < all_.count() ? all_ : strong_).solve();
+  // Slow ramps have no strong currents, and weak ones do not tell the threshold voltage.
+  const bool weak = kParts * strong_.count() < all_.count();
+  const auto solution = (weak ? all_ : strong_).solve();
   if (!solution) return false;
   const double flux = (*solution)[0];
   const double ratio = flux / machine_.synchronous.magnet_flux;
-  if (ratio > kPlausible || ratio < 1.0 / kPlausible) return false;
+  if (!(ratio < kPlausible && ratio > 1.0 / kPlausible)) return false;
   found.result.magnet_flux = flux;
-  found.result.threshold_voltage = (*solution)[1];
+  found.result.threshold_voltage = weak ? 0.0 : (*solution)[1];
   return true;
 }
 

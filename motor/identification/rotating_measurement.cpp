@@ -2,23 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "motor/identification/test_speeds.hpp"
 
 namespace motor {
 namespace {
 
-constexpr double kArrived = 0.03;      // of the rated speed, near enough to the setpoint
-constexpr double kGain = 0.005;        // of the rated speed, that a shaft at the torque limit must gain
-constexpr double kOvershoot = 0.25;    // of the speeds of a step, by which the shaft may pass them
-constexpr double kSway = 0.06;         // of the rated speed, the same at standstill
-constexpr double kRest = 0.4;          // s
-constexpr int kFirstPeriods = 80;      // until the sensors have been read with pulses
+constexpr double kArrived = 0.03;    // of the rated speed, near enough to the setpoint
+constexpr double kGain = 0.005;      // of the rated speed, that a shaft at the torque limit must gain
+constexpr double kOvershoot = 0.25;  // of the speeds of a step, by which the shaft may pass them
+constexpr double kSway = 0.06;       // of the rated speed, the same at standstill
+constexpr double kRest = 0.4;        // s
+constexpr int kFirstPeriods = 80;    // until the sensors have been read with pulses
+
+bool is_possible(const RotatingTask& task) noexcept {
+  const bool turns = (task.forward || task.backward) && task.maximum_speed > 0.0;
+  return turns && task.settings.mode != ControlMode::VoltageFrequency;
+}
 
 }  // namespace
 
-const RotatingMeasurement::Row RotatingMeasurement::kSequence[] = {
+const std::array<RotatingMeasurement::Row, 5> RotatingMeasurement::kSequence{{
     {measurement_step::kEncoderTest, [](const RotatingTask&) { return true; },
      [](RotatingMeasurement& m) -> RotatingStep& { return m.encoder_test_; }},
     {measurement_step::kSaturation,
@@ -31,7 +35,7 @@ const RotatingMeasurement::Row RotatingMeasurement::kSequence[] = {
      [](RotatingMeasurement& m) -> RotatingStep& { return m.inertia_; }},
     {measurement_step::kRotating, [](const RotatingTask&) { return true; },
      [](RotatingMeasurement& m) -> RotatingStep& { return m.rest_; }},
-};
+}};
 
 SpeedPlan ComingToRest::start(const RotatingTask& /*task*/, const RotatingFindings& /*found*/) noexcept {
   SpeedPlan plan;
@@ -42,26 +46,21 @@ SpeedPlan ComingToRest::start(const RotatingTask& /*task*/, const RotatingFindin
 void RotatingMeasurement::start(const RotatingTask& task) noexcept {
   *this = {};
   task_ = task;
-  state_ = MeasurementState::Running;
+  state_ = is_possible(task) ? MeasurementState::Running : MeasurementState::Failed;
   progress_ = measurement_step::kRotating;
   waiting_ = kFirstPeriods;
 }
 
 Command RotatingMeasurement::step(const Observation& seen) noexcept {
-  if (state_ == MeasurementState::Running) {
-    if (waiting_ > 0) {
-      if (--waiting_ == 0) begin(seen);
-    } else {
-      go_on(seen);
-    }
-  }
+  if (state_ != MeasurementState::Running) return command();
+  if (waiting_ == 0)
+    go_on(seen);
+  else if (--waiting_ == 0)
+    begin(seen);
   return command();
 }
 
 void RotatingMeasurement::begin(const Observation& seen) noexcept {
-  const bool turns = (task_.forward || task_.backward) && task_.maximum_speed > 0.0;
-  const bool field_oriented = task_.settings.mode != ControlMode::VoltageFrequency;
-  if (!turns || !field_oriented) return fail();
   found_.slope = cautious_slope(task_);
   found_.dc_voltage = seen.dc_voltage;
   reader_.start(task_.machine, task_.settings);
@@ -69,8 +68,8 @@ void RotatingMeasurement::begin(const Observation& seen) noexcept {
 }
 
 void RotatingMeasurement::begin_step(std::size_t index) noexcept {
-  for (row_ = index; !kSequence[row_].wanted(task_); ++row_) {
-  }
+  row_ = index;
+  while (!kSequence[row_].wanted(task_)) ++row_;
   const Row& row = kSequence[row_];
   progress_ = row.progress;
   const SpeedPlan plan = row.step(*this).start(task_, found_);
@@ -97,7 +96,7 @@ void RotatingMeasurement::go_on(const Observation& seen) noexcept {
   found_.result.travel = std::max(found_.result.travel, std::abs(reader_.angle()));
   if (walked == SpeedWalk::State::Running) return;
   if (walked == SpeedWalk::State::Late || !step.finish(found_)) return fail();
-  if (row_ + 1 == std::size(kSequence)) {
+  if (row_ + 1 == kSequence.size()) {
     state_ = MeasurementState::Done;
     return;
   }
@@ -107,6 +106,7 @@ void RotatingMeasurement::go_on(const Observation& seen) noexcept {
 
 void RotatingMeasurement::fail() noexcept {
   state_ = MeasurementState::Failed;
+  flux_share_ = 1.0;
 }
 
 Command RotatingMeasurement::command() const noexcept {

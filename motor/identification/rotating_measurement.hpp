@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -30,7 +31,8 @@ class ComingToRest final : public RotatingStep {
 /// uses its sensors.
 class RotatingMeasurement {
  public:
-  /// Begins with @p task at the next step().
+  /// Begins with @p task at the next step(); Failed at once where the task allows no direction or speed, or its
+  /// control has no field.
   void start(const RotatingTask& task) noexcept;
   /// The command for the next control period, from what was seen after the last one. Once Done it keeps the shaft
   /// at rest, once Failed it takes the pulses off.
@@ -51,7 +53,7 @@ class RotatingMeasurement {
     bool (*wanted)(const RotatingTask& task);
     RotatingStep& (*step)(RotatingMeasurement& measurement);
   };
-  static const Row kSequence[];
+  static const std::array<Row, 5> kSequence;
 
   void begin(const Observation& seen) noexcept;
   void go_on(const Observation& seen) noexcept;
@@ -75,7 +77,7 @@ class RotatingMeasurement {
   std::size_t row_ = 0;  // of kSequence
   int waiting_ = 0;      // periods until the first step begins
   double flux_share_ = 1.0;
-  double highest_ = 0.0;    // speeds that the step may reach (rad/s)
+  double highest_ = 0.0;  // speeds that the step may reach (rad/s)
   double lowest_ = 0.0;
 };
 

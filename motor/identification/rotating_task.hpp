@@ -22,8 +22,9 @@ struct RotatingTask {
 
 /// What it finds; 0 where nothing was asked for.
 struct RotatingResult {
-  double inertia = 0.0;           ///< r1969, of all that turns (kg·m²)
-  double coulomb_friction = 0.0;  ///< with what the iron loses likewise (N·m); 0 with one direction, see load_torque
+  double inertia = 0.0;  ///< r1969, of all that turns (kg·m²)
+  double coulomb_friction =
+      0.0;  ///< with what the iron loses likewise (N·m); 0 with one direction, see load_torque
   double viscous_friction = 0.0;  ///< with what the iron loses likewise (N·m·s/rad)
   /// Constant one, positive against positive rotation (N·m). Where one direction only is allowed, the dry friction
   /// cannot be told from it and is in it.

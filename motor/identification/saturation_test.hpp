@@ -23,8 +23,8 @@ class SaturationTest final : public RotatingStep {
     SpaceVector current{};  // A
     SpaceVector threshold{};
     double frequency = 0.0;
-    double power = 0.0;      // behind the resistance (W)
-    double per_volt = 0.0;   // power that each volt of threshold voltage takes (W/V)
+    double power = 0.0;     // behind the resistance (W)
+    double per_volt = 0.0;  // power that each volt of threshold voltage takes (W/V)
     int blocks = 0;
   };
   /// A point of the characteristic.
@@ -38,8 +38,9 @@ class SaturationTest final : public RotatingStep {
   bool fit(const std::array<Point, kLevels>& points, RotatingResult& result) const noexcept;
 
   InductionCircuit circuit_{};
-  double rated_flux_ = 1.0;     // V·s
-  double rated_current_ = 1.0;  // A
+  double rated_flux_ = 1.0;               // V·s
+  double rated_current_ = 1.0;            // A
+  std::array<double, kLevels> shares_{};  // of the rated flux
   std::array<Level, kLevels> levels_{};
 };
 

@@ -15,8 +15,8 @@ struct TestSpeeds {
   bool useful() const noexcept { return low > 0.0 && high > 1.5 * least; }
 };
 
-/// For @p task at @p dc_voltage (V) with up to @p flux_share of the rated flux: 40 % of the rated speed, less where
-/// limits of speed or voltage ask for it.
+/// For @p task at @p dc_voltage (V) with up to @p flux_share of the rated flux: 40 % of the rated speed, less
+/// where limits of speed or voltage ask for it.
 TestSpeeds test_speeds(const RotatingTask& task, double dc_voltage, double flux_share = 1.0) noexcept;
 
 /// Sign of the first turns: backwards only where nothing else is allowed.
@@ -30,7 +30,5 @@ double cautious_slope(const RotatingTask& task) noexcept;
 double allowed_slope(const RotatingTask& task) noexcept;
 /// Torque limits of a measurement: those of @p task, and the rated torque (N·m).
 TorqueLimits test_limits(const RotatingTask& task) noexcept;
-/// Flux that induces the voltage: of the magnets, or the rated one of the rotor (V·s).
-double believed_flux(const MachineData& machine) noexcept;
 
 }  // namespace motor

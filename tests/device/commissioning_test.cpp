@@ -52,13 +52,14 @@ TEST(Commissioning, GoesOverCanAsOnTheUnit) {
       {"605#2B0A200000000000", "585#600A200000000000"},  // p0010 = 0
       {"605#2B76270001000000", "585#6076270000000000"},  // p1910 = 1: A07991
   });
+  unit.passes(10ms);
   EXPECT_NE(unit.statusword() & 0x0080, 0) << "alarm";
   EXPECT_EQ(unit.word(47), 300);
   const double gain = unit.real(1460);
 
   unit.on();
   EXPECT_EQ(unit.word(2), 14);
-  EXPECT_TRUE(unit.reaches(0x006F, 0x0040, 60s)) << "Switch on disabled";
+  EXPECT_TRUE(unit.reaches(0x007F, 0x0070, 60s)) << "Switch on disabled";
   EXPECT_EQ(unit.word(1910), 0);
   EXPECT_EQ(unit.statusword() & 0x0088, 0) << "neither alarm nor fault";
   EXPECT_NEAR(unit.real(350), 1.2 * 0.55, 0.02 * 0.66);
@@ -66,7 +67,7 @@ TEST(Commissioning, GoesOverCanAsOnTheUnit) {
 
   unit.expect_dialogue({{"605#2BA8270001000000", "585#60A8270000000000"}});  // p1960 = 1: A07980
   unit.on();
-  EXPECT_TRUE(unit.reaches(0x006F, 0x0040, 60s));
+  EXPECT_TRUE(unit.reaches(0x007F, 0x0070, 60s));
   EXPECT_EQ(unit.word(1960), 0);
   EXPECT_NEAR(unit.real(342), 3.0, 0.06);
   EXPECT_NEAR(unit.real(316), 0.95 * 1.37, 0.01 * 1.37);
