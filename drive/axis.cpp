@@ -31,11 +31,13 @@ void Axis::perform(Action action) noexcept {
       break;
     case Action::EnablePulses:
       channel_.start(train_.signals().measured_speed);
+      if (!jogging_) identification_.prepare(false);
       break;
     case Action::InhibitPulses:
       channel_.start(0.0);
       break;
     case Action::FollowSetpoint:
+      if (!jogging_) identification_.prepare(true);
       break;
     case Action::BrakeOnOff1:
       brake_on(Ramp::Off1);
@@ -75,6 +77,8 @@ bool Axis::is_quiescent() const noexcept {
 
 void Axis::power_off() noexcept {
   DriveObject::power_off();
+  if (identification_.leads()) stop_measurement();
+  identification_.reset();
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
   wired_ = inputs_ = {};

@@ -8,6 +8,7 @@
 #include "drive/axis_inputs.hpp"
 #include "drive/causes.hpp"
 #include "drive/drive_object.hpp"
+#include "drive/identification.hpp"
 #include "drive/operating_mode.hpp"
 #include "drive/parameters.hpp"
 #include "drive/setpoint_channel.hpp"
@@ -125,7 +126,8 @@ class Axis final : public DriveObject {
     energy_drawn_ = drawn;
     energy_fed_back_ = fed_back;
   }
-  /// Computes p0340's choice anew from the machine: 1 everything, 3 and 4 the controllers, 5 the limits.
+  /// Computes p0340's choice anew from the machine: 1 everything, 2 the circuit, 4 the controllers, 5 the
+  /// limits, 3 both.
   void compute_parameters(int choice) noexcept;
   /// Ends commissioning (p0010 = 0).
   void leave_commissioning() noexcept;
@@ -146,6 +148,13 @@ class Axis final : public DriveObject {
   /// Whether the unit, by p0009, keeps the axis from being switched on.
   void inhibit(bool inhibited) noexcept;
 
+  /// What is selected, runs and was found of the motor identification.
+  const Identification& identification() const noexcept { return identification_; }
+  /// p1900, p1910 and p1960 are written with one of their values.
+  void select_identification(std::int32_t value) noexcept;
+  void select_standstill_measurement(std::int32_t value) noexcept;
+  void select_rotating_measurement(std::int32_t value) noexcept;
+
  private:
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
@@ -155,6 +164,7 @@ class Axis final : public DriveObject {
   void on_messages_changed() noexcept override;
 
   void apply_parameters() noexcept;
+  void follow_control_mode() noexcept;
   std::uint16_t command_word() const noexcept;
   void sequence(const AxisInputs& inputs, double duration) noexcept;
   void follow_inputs() noexcept;
@@ -175,12 +185,33 @@ class Axis final : public DriveObject {
   motor::TorqueLimits effective_torque_limits() const noexcept;
   bool has_brake() const noexcept;
   void lead_brake() noexcept;
+  double move(double dc_voltage) noexcept;
+  double measured_step(double dc_voltage) noexcept;
   void watch(double dc_voltage) noexcept;
   void monitor() noexcept;
   Observed observed() const noexcept;
   CauseLimits cause_limits() const noexcept;
   void follow(const Verdict& verdict) noexcept;
   void refresh_status() noexcept;
+
+  // Motor identification (axis_identification.cpp).
+  void lead_measurement() noexcept;
+  void begin_measurement() noexcept;
+  motor::StandstillTask standstill_task(const motor::MachineData& machine) const noexcept;
+  motor::RotatingTask rotating_task(const motor::MachineData& machine) const noexcept;
+  bool can_begin_measurement() const noexcept;
+  void step_measurement() noexcept;
+  void end_measurement() noexcept;
+  void stop_measurement() noexcept;
+  void cancel_identification() noexcept;
+  void give_back_control() noexcept;
+  void show_selection() noexcept;
+  void take_over(IdentificationPart part) noexcept;
+  void take_over(const motor::StandstillResult& found) noexcept;
+  void take_over(const motor::RotatingResult& found) noexcept;
+  void take_over_saturation(const motor::RotatingResult& found) noexcept;
+  void assign_rotor_circuit(const motor::MachineData& machine) noexcept;
+  void assign_rounded(std::uint16_t number, double value) noexcept;
 
   AxisParameters parameters_;
   motor::DriveTrain train_;
@@ -210,7 +241,8 @@ class Axis final : public DriveObject {
   double energy_drawn_ = 0.0;       // J
   double energy_fed_back_ = 0.0;    // J
   double brake_opening_ = 0.0;      // s, until the holding brake is open
-  bool settled_ = false;            // the last cycle changed nothing
+  Identification identification_;
+  bool settled_ = false;  // the last cycle changed nothing
   ActualValues actual_;
   ActualValues before_;    // those of the cycle before
   AxisFeedback feedback_;  // of the last cycle
@@ -219,6 +251,7 @@ class Axis final : public DriveObject {
   struct Cycle {
     double duration = 0.0;  // s
     int steps = 0;
+    bool measured = false;  // a measurement leads instead of the setpoint channel
     motor::Command command{};
     double torque_demand = 0.0;  // sums of the steps (N·m)
     double torque = 0.0;

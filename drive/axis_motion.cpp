@@ -85,6 +85,7 @@ void Axis::begin_cycle(const AxisInputs& inputs, double duration) noexcept {
             .lowest_dc_voltage = dc_voltage_};
   lead_torque();
   lead_brake();
+  if (identification_.leads()) lead_measurement();
 }
 
 /// Whether the sequence control opens and closes a holding brake.
@@ -106,12 +107,24 @@ void Axis::lead_brake() noexcept {
 }
 
 double Axis::step(double dc_voltage) noexcept {
+  if (cycle_.measured) [[unlikely]]
+    return measured_step(dc_voltage);
   motor::Command& command = cycle_.command;
   if (command.pulses_enabled) {
     command.speed_setpoint = channel_.step(kControlPeriod);
     command.acceleration_setpoint = channel_.acceleration();
   }
-  const double drawn = train_.step(dc_voltage, command);
+  return move(dc_voltage);
+}
+
+/// A step that a measurement leads.
+[[gnu::noinline]] double Axis::measured_step(double dc_voltage) noexcept {
+  step_measurement();
+  return move(dc_voltage);
+}
+
+[[gnu::always_inline]] inline double Axis::move(double dc_voltage) noexcept {
+  const double drawn = train_.step(dc_voltage, cycle_.command);
   const motor::Signals& seen = train_.signals();
   ++cycle_.steps;
   cycle_.torque_demand += seen.torque_setpoint;
@@ -143,7 +156,9 @@ void Axis::watch(double dc_voltage) noexcept {
 
 void Axis::end_cycle(const AxisFeedback& feedback) noexcept {
   feedback_ = feedback;
+  if (cycle_.measured) channel_.track(cycle_.command.speed_setpoint);
   monitor();
+  if (cycle_.measured) end_measurement();
   refresh_status();
   settled_ = actual_ == before_;
 }

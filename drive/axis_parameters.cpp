@@ -11,6 +11,7 @@ namespace drive {
 namespace {
 
 constexpr std::uint16_t kControlMode = 1300;
+constexpr std::uint16_t kDirectInductance = 357;
 
 using Members = std::variant<double AxisParameters::*, std::int32_t AxisParameters::*>;
 
@@ -30,9 +31,10 @@ double factory_value(const ParameterRow& row, const ObjectContext& context) noex
   return function != nullptr ? (*function)(context, 0) : std::get<double>(row.factory);
 }
 
-/// What p0340 computes for its values 3 and 4, for 2, and for 5.
+/// What p0340 computes for its values 4, 2 and 5.
 constexpr std::array<std::uint16_t, 4> kControllers{1460, 1462, 1470, 1472};
-constexpr std::array<std::uint16_t, 6> kCircuit{320, 350, 354, 356, 358, 360};
+constexpr std::array<std::uint16_t, 14> kCircuit{320, 350, 354, 356, 358, 360, 362,
+                                                 363, 364, 365, 366, 367, 368, 369};
 constexpr std::array<std::uint16_t, 7> kLimits{640, 1082, 1520, 1521, 1530, 1531, 2162};
 
 }  // namespace
@@ -62,18 +64,32 @@ void Axis::set_own_value(const ParameterRow& row, std::size_t index, double valu
   if (const auto* const command = std::get_if<Computed<Axis>>(&row.home)) {
     if (command->set != nullptr) command->set(*this, index, value);
   } else if (const auto* const home = std::get_if<Member>(&row.home)) {
+    // Nothing but loading brings a motor or another mode while a measurement leads.
+    if (identification_.leads() && row.when != When::Always) cancel_identification();
     set(parameters_, home->member, value * row_of(row.unit).si);
-    if (row.number == kControlMode) mode_.on_parameter(parameters_.control_mode);
+    if (row.number == kControlMode) follow_control_mode();
   }
 }
 
+/// Without closed loop nothing rotates.
+void Axis::follow_control_mode() noexcept {
+  mode_.on_parameter(parameters_.control_mode);
+  const bool rotates = identification_.selection().rotating != selection::kNone;
+  if (rotates && parameters_.control_mode < selection::kLowestClosedLoop)
+    select_rotating_measurement(selection::kNone);
+}
+
 WriteState Axis::write_state() const noexcept {
-  return {.pulses_enabled = pulses_enabled_in(state_), .filter = parameters_.commissioning};
+  return {.pulses_enabled = pulses_enabled_in(state_),
+          .measures = identification_.leads(),
+          .filter = parameters_.commissioning};
 }
 
 void Axis::compute_parameters(int choice) noexcept {
   constexpr int kEverything = 1;
   constexpr int kCircuitOnly = 2;
+  constexpr int kControl = 3;
+  constexpr int kControllersOnly = 4;
   constexpr int kLimitsOnly = 5;
   // A new unit of the machine that the motor data describe would have the values.
   ObjectContext described = context();
@@ -83,19 +99,28 @@ void Axis::compute_parameters(int choice) noexcept {
     const ParameterRow& row = *find_parameter(kind(), number)->row;
     set_own_value(row, 0, factory_value(row, described));
   };
-  // The plate of an induction motor gives its circuit; that of a synchronous one does not.
+  // The plate of an induction motor gives its circuit, with a straight characteristic through the rating point;
+  // that of a synchronous one does not.
   const bool has_circuit = described.axis.machine.type == motor::MachineType::Induction;
   if (has_circuit && (choice == kEverything || choice == kCircuitOnly)) {
     described.axis.machine = motor::circuit_from_plate(described.axis.machine);
+    described.axis.machine.induction.saturation_flux = 0.0;
     std::for_each(kCircuit.begin(), kCircuit.end(), compute);
   }
-  const bool controllers = choice == kEverything || choice == 3 || choice == 4;
-  if (controllers) std::for_each(kControllers.begin(), kControllers.end(), compute);
-  if (choice == kEverything || choice == kLimitsOnly) std::for_each(kLimits.begin(), kLimits.end(), compute);
+  if (!has_circuit && choice == kEverything) {
+    motor::SynchronousData& magnetic = described.axis.machine.synchronous;
+    const motor::SynchronousData& data_sheet = context().axis.machine.synchronous;
+    magnetic.d_inductance = magnetic.q_inductance * data_sheet.d_inductance / data_sheet.q_inductance;
+    compute(kDirectInductance);
+  }
+  const bool everything = choice == kEverything || choice == kControl;
+  if (everything || choice == kControllersOnly) std::ranges::for_each(kControllers, compute);
+  if (everything || choice == kLimitsOnly) std::ranges::for_each(kLimits, compute);
   apply_parameters();
 }
 
 void Axis::leave_commissioning() noexcept {
+  cancel_identification();
   parameters_.commissioning = 0;
   settled_ = false;
 }

@@ -140,6 +140,7 @@ bool Axis::apply(Event event) noexcept {
   if (row == nullptr) return false;
   if (row->to != row->from) standstill_.restart();
   state_ = row->to;
+  if (identification_.leads() && state_ != State::OperationEnabled) stop_measurement();
   perform(row->action);
   return true;
 }
@@ -153,8 +154,10 @@ Reaction Axis::reaction_to(const FaultRow& row) const noexcept {
 
 void Axis::react(const FaultRow& row) noexcept {
   const Reaction reaction = reaction_to(row);
+  const bool measured = identification_.leads();
   for (const ReactionRow& candidate : kReactionEvents)
     if (candidate.reaction == reaction) apply(candidate.event);
+  if (measured && !identification_.leads()) cancel_identification();
 }
 
 Reactions Axis::active_reactions() const noexcept {

@@ -54,7 +54,7 @@ FixedSetpoints Axis::fixed_setpoints() const noexcept {
 void Axis::lead_setpoint() noexcept {
   channel_.limit(inputs_);
   channel_.choose(inputs_, jogging_);
-  if (state_ != State::OperationEnabled) return channel_.follow_zero();
+  if (state_ != State::OperationEnabled || identification_.leads()) return channel_.follow_zero();
   if (halt_requested()) {
     channel_.follow_zero();
     return brake_on(kHaltRamps[static_cast<std::size_t>(parameters_.halt_option)]);
@@ -73,7 +73,8 @@ void Axis::lead_torque() noexcept {
   command.limits = torque_limits_;
   const double additional = inputs_.supplementary_torque_1 + inputs_.supplementary_torque_2;
   command.additional_torque = inputs_.enable_speed_controller ? additional : 0.0;
-  const bool leads = mode_.torque_control(p.control_mode) && state_ == State::OperationEnabled;
+  const bool leads =
+      mode_.torque_control(p.control_mode) && state_ == State::OperationEnabled && !identification_.leads();
   command.torque_control = leads || !inputs_.enable_speed_controller;
   const bool stopping = halt_requested();
   torque_setpoint_ = !leads ? 0.0 : stopping ? halted_torque() : inputs_.torque_setpoint;

@@ -91,6 +91,15 @@ std::string motion_sentence(const Picture& picture) {
   return fmt::format("It turns at {} rpm ({}{}).", plain(rpm), what, limit);
 }
 
+std::string measurement_sentence(const Axis& axis) {
+  const Identification& identification = axis.identification();
+  if (identification.waits())
+    return "The motor identification waits until the holding brake is open and the shaft stands (r0002 = 14).";
+  return fmt::format(
+      "The motor is being measured by {} (r0002 = 14, r0047 = {}): wait for its end, or give OFF1 (0006h).",
+      identification.running() == IdentificationPart::Standstill ? "p1910" : "p1960", identification.progress());
+}
+
 }  // namespace
 }  // namespace explanation
 
@@ -103,6 +112,7 @@ std::vector<std::string> explain(const Axis& axis) {
   using namespace explanation;
   const Picture picture{axis};
   std::vector<std::string> sentences;
+  if (axis.identification().leads()) return {measurement_sentence(axis)};
   if (turns(axis)) return {motion_sentence(picture)};
   tell_faults(picture, sentences);
   tell(switching_reasons(), picture, sentences);

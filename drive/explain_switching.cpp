@@ -47,6 +47,14 @@ constexpr std::array kReasons{
            [](P) -> std::string {
              return "Commissioning of the unit keeps the axis off: write p0009 = 0 on the control unit.";
            }},
+    Reason{in(SwitchOnDisabled, ReadyToSwitchOn, SwitchedOn),
+           [](P p) { return p.axis.identification().due() != IdentificationPart::None; },
+           [](P p) {
+             const bool stands = p.axis.identification().due() == IdentificationPart::Standstill;
+             return fmt::format("{} is selected: the next ON measures the motor {}; write 0 to take it back.",
+                                stands ? "p1910 (A07991)" : "p1960 (A07980)",
+                                stands ? "at standstill" : "turning, up to p1082");
+           }},
     Reason{in(FaultReactionActive), always,
            [](P) -> std::string {
              return "The axis still brakes because of the fault (r0002 = 18): wait for its standstill, then "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "drive/magnetising_characteristic.hpp"
+
 namespace drive {
 namespace {
 
@@ -44,10 +46,17 @@ constexpr std::array kPlausibility{
     PlausibilityRow{350, Of::Any, is_positive<&P::stator_resistance>},
     PlausibilityRow{354, Of::Induction, is_positive<&P::rotor_resistance>},
     PlausibilityRow{356, Of::Any, is_positive<&P::stator_leakage>},
+    PlausibilityRow{357, Of::Synchronous, is_positive<&P::direct_inductance>},
     PlausibilityRow{358, Of::Induction, is_positive<&P::rotor_leakage>},
     PlausibilityRow{360, Of::Induction, is_positive<&P::main_inductance>},
 };
 constexpr std::uint16_t kMotorType = 300;
+
+MagnetisingCharacteristic characteristic_of(const AxisParameters& p) noexcept {
+  return {{p.characteristic_flux_1, p.characteristic_flux_2, p.characteristic_flux_3, p.characteristic_flux_4},
+          {p.characteristic_current_1, p.characteristic_current_2, p.characteristic_current_3,
+           p.characteristic_current_4}};
+}
 
 bool concerns(Of of, MachineType type) noexcept {
   return of == Of::Any || (of == Of::Induction) == (type == MachineType::Induction);
@@ -74,11 +83,12 @@ motor::MachineData believed_machine(const AxisParameters& p, const motor::Machin
     data.induction.rotor_leakage = p.rotor_leakage;
     data.induction.magnetising_inductance = p.main_inductance;
     data.induction.magnetising_current = p.magnetising_current;
+    data.induction.saturation_flux = saturation_flux(data, characteristic_of(p));
     return data;
   }
-  // The data sheet's ratios of the two inductances, and of flux and torque constant, are those of the machine.
+  // The data sheet's ratio of flux and torque constant is that of the machine.
   motor::SynchronousData& magnetic = data.synchronous;
-  magnetic.d_inductance *= p.stator_leakage / magnetic.q_inductance;
+  magnetic.d_inductance = p.direct_inductance;
   magnetic.q_inductance = p.stator_leakage;
   magnetic.magnet_flux *= p.torque_constant / machine.torque_constant;
   data.torque_constant = p.torque_constant;

@@ -27,12 +27,22 @@ struct AxisParameters {
   double inertia_ratio = 1.0;          ///< p0342, of all that turns to the motor's
   double stator_resistance = 0.0;      ///< p0350 (Ω)
   double rotor_resistance = 0.0;       ///< p0354 (Ω)
-  double stator_leakage = 0.0;         ///< p0356 (H); of a synchronous machine the inductance
+  double stator_leakage = 0.0;         ///< p0356 (H); of a synchronous machine the inductance across its magnets
+  double direct_inductance = 0.0;      ///< p0357 (H), of a synchronous machine along its magnets
   double rotor_leakage = 0.0;          ///< p0358 (H)
-  double main_inductance = 0.0;        ///< p0360 (H)
-  double temperature_alarm = 0.0;      ///< p0604 (°C)
-  double temperature_fault = 0.0;      ///< p0605 (°C)
-  double current_limit = 0.0;          ///< p0640 (A rms)
+  double main_inductance = 0.0;        ///< p0360 (H), without saturation
+  // Magnetising characteristic of an induction machine, shares of the rated flux and of p0320.
+  double characteristic_flux_1 = 0.0;     ///< p0362
+  double characteristic_flux_2 = 0.0;     ///< p0363
+  double characteristic_flux_3 = 0.0;     ///< p0364
+  double characteristic_flux_4 = 0.0;     ///< p0365
+  double characteristic_current_1 = 0.0;  ///< p0366
+  double characteristic_current_2 = 0.0;  ///< p0367
+  double characteristic_current_3 = 0.0;  ///< p0368
+  double characteristic_current_4 = 0.0;  ///< p0369
+  double temperature_alarm = 0.0;         ///< p0604 (°C)
+  double temperature_fault = 0.0;         ///< p0605 (°C)
+  double current_limit = 0.0;             ///< p0640 (A rms)
   // Encoder of the machine; only read.
   std::int32_t encoder_pulses = 0;     ///< p0408
   std::int32_t encoder_fine_bits = 0;  ///< p0418

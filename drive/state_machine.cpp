@@ -51,6 +51,7 @@ constexpr std::array kTransitions{
     Transition{OperationEnabled, E::FaultOff2, Fault, A::InhibitPulses},
     Transition{OperationEnabled, E::FaultOff3, FaultReactionActive, A::BrakeOnOff3},
     Transition{OperationEnabled, E::FaultStop2, Stop2Active, A::BrakeOnOff3},
+    Transition{OperationEnabled, E::MeasurementEnded, SwitchOnDisabled, A::InhibitPulses},
 
     Transition{Off1Braking, E::SwitchOn, SwitchedOn, A::InhibitPulses},
     Transition{Off1Braking, E::EnableOperation, OperationEnabled, A::FollowSetpoint},

@@ -22,20 +22,21 @@ inline constexpr std::size_t kStateCount = 10;
 
 /// What moves the sequence control: the command in the controlword, or something that happened.
 enum class Event : std::uint8_t {
-  Shutdown,         ///< controlword xxxx x110: OFF1
-  SwitchOn,         ///< xxxx 0111, from Operation enabled also called disable operation
-  EnableOperation,  ///< xxxx 1111
-  DisableVoltage,   ///< xxxx xx0x: OFF2
-  QuickStop,        ///< xxxx x01x: OFF3
-  Initialised,      ///< run-up is over
-  Standstill,       ///< braking has ended and the pulse suppression delay is over
-  FaultOff1,        ///< a fault with the reaction OFF1
-  FaultOff2,        ///< a fault with the reaction OFF2
-  FaultOff3,        ///< a fault with the reaction OFF3
-  FaultStop2,       ///< a fault with the reaction STOP2
-  Acknowledged,     ///< the last fault is gone
+  Shutdown,          ///< controlword xxxx x110: OFF1
+  SwitchOn,          ///< xxxx 0111, from Operation enabled also called disable operation
+  EnableOperation,   ///< xxxx 1111
+  DisableVoltage,    ///< xxxx xx0x: OFF2
+  QuickStop,         ///< xxxx x01x: OFF3
+  Initialised,       ///< run-up is over
+  Standstill,        ///< braking has ended and the pulse suppression delay is over
+  FaultOff1,         ///< a fault with the reaction OFF1
+  FaultOff2,         ///< a fault with the reaction OFF2
+  FaultOff3,         ///< a fault with the reaction OFF3
+  FaultStop2,        ///< a fault with the reaction STOP2
+  Acknowledged,      ///< the last fault is gone
+  MeasurementEnded,  ///< p1910 or p1960 has found what it was to find, or has given up
 };
-inline constexpr std::size_t kEventCount = 12;
+inline constexpr std::size_t kEventCount = 13;
 
 /// What the axis has to do on a transition.
 enum class Action : std::uint8_t {

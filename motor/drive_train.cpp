@@ -71,8 +71,10 @@ void DriveTrain::configure() noexcept {
 }
 
 void DriveTrain::lead_by(Excitation* excitation) noexcept {
+  const bool other_lead = (excitation != nullptr) != (excitation_ != nullptr);
   excitation_ = excitation;
   configure();
+  if (other_lead) stop();
 }
 
 void DriveTrain::use_sensors(bool used) noexcept {

@@ -35,8 +35,8 @@ class DriveTrain {
   void tune(const ControlSettings& settings) noexcept;
   /// What the control believes of the machine (p03xx) from now on; the machine itself stays what it is.
   void set_machine(const MachineData& machine) noexcept;
-  /// @p excitation, which outlives that, leads from the next step on, and nullptr makes it the control again. The
-  /// pulses are off.
+  /// @p excitation, which outlives that, leads from the next step on, and nullptr makes it the control again. With
+  /// the pulses on, what leads then starts anew.
   void lead_by(Excitation* excitation) noexcept;
   /// From now on control and excitations see currents through their sensors, and the rotor as the encoder counts
   /// it, or both as they are.

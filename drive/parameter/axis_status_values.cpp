@@ -52,6 +52,8 @@ constexpr std::array kDisplays{
             12.0},
     Display{State::OperationEnabled, [](const Axis&, const AxisInsight& s) { return !s.inputs.enable_ramp; },
             13.0},
+    Display{State::OperationEnabled,
+            [](const Axis& axis, const AxisInsight&) { return axis.identification().leads(); }, 14.0},
     Display{State::OperationEnabled, [](const Axis& axis, const AxisInsight&) { return axis.brake_opens(); },
             15.0},
     Display{State::Off1Braking, always, 16.0},

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "drive/drive_object.hpp"
+#include "drive/axis.hpp"
 
 namespace drive::check {
 namespace {
@@ -41,11 +41,39 @@ constexpr std::array kDriveFilters{0, 1, 2, 3, 4, 5, 15, 17, 25, 30, 95};
 constexpr std::array kDeviceFilters{0, 1, 2, 3, 4, 29, 30};
 constexpr std::array kStartStates{4, 5, 127};
 constexpr std::array kStateCommands{4, 5, 127, 128, 129};
+constexpr std::array kServoMeasurements{-3, -1, 0, 1};  // p1910 and p1960
+constexpr std::array kVectorStandstill{-3, -1, 0, 1, 2};
+constexpr std::array kVectorRotating{-3, -1, 0, 1, 2, 3, 4};
+
+/// -3 where nothing was found.
+std::optional<Refusal> nothing_to_take(double value, bool found) noexcept {
+  return refuse_unless(static_cast<int>(value) != selection::kTakeOver || found, Refusal::NotNow);
+}
 
 }  // namespace
 
 std::optional<Refusal> zero_only(const DriveObject&, std::size_t, double value) noexcept {
   return refuse_unless(!(value > 0.0), Refusal::OnlyZero);
+}
+
+std::optional<Refusal> standstill_selection(const DriveObject& object, std::size_t, double value) noexcept {
+  const bool vector = object.kind() == ObjectKind::Vector;
+  if (const auto reason = vector ? one_of(kVectorStandstill, value) : one_of(kServoMeasurements, value))
+    return reason;
+  const auto& axis = static_cast<const Axis&>(object);
+  return nothing_to_take(value, axis.identification().results().standstill.has_value());
+}
+
+std::optional<Refusal> rotating_selection(const DriveObject& object, std::size_t, double value) noexcept {
+  const bool vector = object.kind() == ObjectKind::Vector;
+  if (const auto reason = vector ? one_of(kVectorRotating, value) : one_of(kServoMeasurements, value))
+    return reason;
+  const auto& axis = static_cast<const Axis&>(object);
+  if (axis.parameters().control_mode<selection::kLowestClosedLoop&& static_cast<int>(value)>
+          selection::kTakeOver &&
+      static_cast<int>(value) != selection::kNone)
+    return Refusal::NotNow;
+  return nothing_to_take(value, axis.identification().results().rotating.has_value());
 }
 
 std::optional<Refusal> not_zero(const DriveObject&, std::size_t, double value) noexcept {

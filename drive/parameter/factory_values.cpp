@@ -4,6 +4,7 @@
 #include <array>
 
 #include "drive/machine_model.hpp"
+#include "drive/magnetising_characteristic.hpp"
 #include "drive/parameter/rounding.hpp"
 #include "motor/tuning.hpp"
 
@@ -72,6 +73,14 @@ double rotor_leakage(const ObjectContext& context, std::size_t) noexcept {
 }
 double main_inductance(const ObjectContext& context, std::size_t) noexcept {
   return is_induction(context) ? millihenries(machine(context).induction.magnetising_inductance) : 0.0;
+}
+double direct_inductance(const ObjectContext& context, std::size_t) noexcept {
+  return is_induction(context) ? 0.0 : millihenries(machine(context).synchronous.d_inductance);
+}
+double characteristic_current_of(unsigned point, const ObjectContext& context) noexcept {
+  constexpr std::array kOfASynchronousMachine{50.0, 85.0, 125.0, 210.0};  // stands there without a meaning
+  if (!is_induction(context)) return kOfASynchronousMachine[point];
+  return rounded(characteristic_of(machine(context)).current[point] / row_of(Unit::Percent).si);
 }
 double motor_inertia(const ObjectContext& context, std::size_t) noexcept {
   return machine(context).inertia;

@@ -23,6 +23,13 @@ double rotor_resistance(const ObjectContext& context, std::size_t index) noexcep
 double stator_leakage(const ObjectContext& context, std::size_t index) noexcept;
 double rotor_leakage(const ObjectContext& context, std::size_t index) noexcept;
 double main_inductance(const ObjectContext& context, std::size_t index) noexcept;
+double direct_inductance(const ObjectContext& context, std::size_t index) noexcept;
+/// Point @p point (0..3) of the magnetising characteristic.
+double characteristic_current_of(unsigned point, const ObjectContext& context) noexcept;
+template <unsigned Point>
+double characteristic_current(const ObjectContext& context, std::size_t) noexcept {
+  return characteristic_current_of(Point, context);
+}
 double rated_speed(const ObjectContext& context, std::size_t index) noexcept;
 double motor_maximum_speed(const ObjectContext& context, std::size_t index) noexcept;
 double rated_torque(const ObjectContext& context, std::size_t index) noexcept;

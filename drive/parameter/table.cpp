@@ -9,6 +9,7 @@
 #include "drive/parameter/rows/can.hpp"
 #include "drive/parameter/rows/control.hpp"
 #include "drive/parameter/rows/display.hpp"
+#include "drive/parameter/rows/identification.hpp"
 #include "drive/parameter/rows/messages.hpp"
 #include "drive/parameter/rows/monitoring.hpp"
 #include "drive/parameter/rows/motor.hpp"
@@ -40,7 +41,8 @@ constexpr auto joined(const Tables&... tables) {
 constexpr auto kRows =
     joined(rows::kUnitRows, rows::kCanRows, rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows,
            rows::kDisplayRows, rows::kMotorRows, rows::kSetpointChannelRows, rows::kControlRows,
-           rows::kMonitoringRows, rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
+           rows::kIdentificationRows, rows::kMonitoringRows, rows::kTechnologyRows, rows::kPositionRows,
+           rows::kPositionerRows);
 
 constexpr bool has_slots(const ParameterRow& row) {
   return std::holds_alternative<Stored>(row.home) || std::holds_alternative<Slot>(row.home) ||

@@ -33,7 +33,8 @@ enum class When : std::uint8_t {
 /// What a drive object is doing as far as it bears on writing.
 struct WriteState {
   bool pulses_enabled = false;
-  int filter = 0;  ///< p0010 of an axis, p0009 of the control unit; 0 = ready
+  bool measures = false;  ///< motor identification leads: what C(n) of an axis allows is not for U
+  int filter = 0;         ///< p0010 of an axis, p0009 of the control unit; 0 = ready
 };
 
 /// A write condition: which states allow the write, and the refusal in the others.
@@ -85,7 +86,7 @@ constexpr const WriteCondition& row_of(When when) noexcept {
 /// Whether @p when allows a write in @p state.
 constexpr bool allows(When when, const WriteState& state) noexcept {
   const WriteCondition& row = row_of(when);
-  if (state.pulses_enabled) return row.running;
+  if (state.pulses_enabled) return row.running && !(state.measures && row.filters != kAnyFilter);
   if (state.filter == 0) return row.ready;
   return row.filters == kAnyFilter ||
          std::find(row.filters.begin(), row.filters.end(), state.filter) != row.filters.end();

@@ -196,6 +196,26 @@ TEST_P(SequenceControl, HaltsInItsStateWithTheOptionCodes1To3) {
 INSTANTIATE_TEST_SUITE_P(States, SequenceControl, testing::ValuesIn(cases()),
                          [](const auto& test) { return name_of(test.param); });
 
+TEST(SequenceTable, HoldsWhileAMeasurementOfTheMotorLeads) {
+  const SequenceTable table = read_sequence_table();
+  for (const std::uint16_t parameter : std::array<std::uint16_t, 2>{1910, 1960}) {
+    TestAxis before;
+    ASSERT_TRUE(before.axis.write(parameter, 1.0));
+    before.enable();
+    before.run(0.1);
+    ASSERT_EQ(before.state(), OperationEnabled);
+    ASSERT_TRUE(before.axis.identification().leads());
+    Sweep sweep{table, table.commands, before, {.state = "enabled", .still = true}};
+    for (unsigned word = 0; word <= kAroundTheHalt; ++word) {
+      TestAxis trial = before;
+      trial.setpoints.controlword = static_cast<std::uint16_t>(word);
+      trial.axis.cycle(trial.setpoints, motor::kControlPeriod);
+      EXPECT_EQ(trial.state(), sweep.expected(trial.setpoints.controlword)) << word;
+      EXPECT_EQ(trial.axis.identification().leads(), trial.state() == OperationEnabled) << word;
+    }
+  }
+}
+
 TEST(SequenceTable, HasAStatuswordForEveryStateAndOneCommandForEveryControlword) {
   const SequenceTable table = read_sequence_table();
 

@@ -8,7 +8,7 @@
 
 namespace drive::rows {
 
-/// Closed-loop control, identification, references.
+/// Closed-loop control, references.
 // clang-format off
 inline constexpr std::array kControlRows{
     Row{1155, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CI: speed controller setpoint 1", "speed setpoint behind the ramp"},
@@ -45,11 +45,6 @@ inline constexpr std::array kControlRows{
     Row{1800, 1, kAxes, F32, Unit::Kilohertz, {0.5, 16.0}, 4.0, When::Always, Stored{}, Output::No, "Pulse frequency setpoint", ""},
     Row{1801, 1, kServo, F32, Unit::Kilohertz, kWhole, 4.0, When::ReadOnly, Fixed{4.0}, Output::Connector, "Pulse frequency actual", ""},
     Row{1801, 2, kVector, F32, Unit::Kilohertz, kWhole, 4.0, When::ReadOnly, Fixed{4.0}, Output::Connector, "Pulse frequency actual", ""},
-    Row{1900, 1, kAxes, I16, Unit::None, {0.0, 2.0}, 0.0, When::QuickReady, Stored{}, Output::No, "MotID and rotating measurement", ""},
-    Row{1910, 1, kAxes, I16, Unit::None, {-3.0, 28.0}, 0.0, When::Ready, Stored{}, Output::No, "Motor data identification at standstill", ""},
-    Row{1958, 5, kAxes, F32, Unit::Seconds, {-1.0, 999999.0}, -1.0, When::Ready, Stored{}, Output::No, "Rotating measurement ramp/time", ""},
-    Row{1959, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::Ready, Stored{}, Output::No, "Rotating measurement configuration", ""},
-    Row{1960, 1, kAxes, I16, Unit::None, {-3.0, 4.0}, 0.0, When::Ready, Stored{}, Output::No, "Rotating measurement selection", ""},
     Row{2000, 1, kAxes, F32, Unit::Rpm, {6.0, 210000.0}, factory::rated_speed, When::Ready, Member{&P::reference_speed}, Output::No, "Reference speed", "100 % of a speed in process data"},
     Row{2001, 1, kAxes, F32, Unit::VoltsRms, {10.0, 100000.0}, 1000.0, When::Ready, Stored{}, Output::No, "Reference voltage", ""},
     Row{2002, 1, kAxes, F32, Unit::AmperesRms, {0.1, 100000.0}, 100.0, When::Ready, Stored{}, Output::No, "Reference current", ""},

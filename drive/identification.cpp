@@ -1,0 +1,95 @@
+#include "drive/identification.hpp"
+
+#include <numbers>
+
+#include "motor/induction_circuit.hpp"
+
+namespace drive {
+
+using Part = IdentificationPart;
+using selection::kNone;
+
+void Identification::select_standstill(std::int32_t value) noexcept {
+  selection_.standstill = value;
+  settle();
+}
+
+void Identification::select_rotating(std::int32_t value) noexcept {
+  selection_.rotating = value;
+  settle();
+}
+
+void Identification::select_both(std::int32_t value, bool closed_loop) noexcept {
+  const bool rotates = value == selection::kBothMeasurements && closed_loop;
+  selection_ = {.both = value,
+                .standstill = value != kNone ? selection::kMeasure : kNone,
+                .rotating = rotates ? selection::kMeasure : kNone};
+}
+
+/// p1900 returns to 0 with the last of the other two.
+void Identification::settle() noexcept {
+  if (due() == Part::None) selection_.both = kNone;
+}
+
+IdentificationPart Identification::due() const noexcept {
+  if (selection_.standstill != kNone) return Part::Standstill;
+  return selection_.rotating != kNone ? Part::Rotating : Part::None;
+}
+
+bool Identification::is_taken_over(Part part) const noexcept {
+  if (part == Part::Standstill) return selection_.standstill == selection::kMeasure;
+  return part == Part::Rotating && selection_.rotating > kNone;
+}
+
+void Identification::prepare(bool from_standstill) noexcept {
+  if (due() == Part::None) return;
+  phase_ = Phase::Waiting;
+  from_standstill_ = from_standstill;
+}
+
+void Identification::start(const motor::StandstillTask& task) noexcept {
+  standstill_.start(task);
+  phase_ = Phase::Running;
+}
+
+void Identification::start(const motor::RotatingTask& task) noexcept {
+  rotating_.start(task);
+  rated_flux_ = motor::standing_flux(motor::induction_circuit(task.machine),
+                                     std::numbers::sqrt2 * task.machine.induction.magnetising_current);
+  phase_ = Phase::Running;
+}
+
+motor::MeasurementState Identification::state() const noexcept {
+  return due() == Part::Standstill ? standstill_.state() : rotating_.state();
+}
+
+std::uint16_t Identification::fault_value() const noexcept {
+  return due() == Part::Standstill ? static_cast<std::uint16_t>(standstill_.fault()) : rotating_.progress();
+}
+
+std::uint16_t Identification::progress() const noexcept {
+  using namespace motor::measurement_step;
+  switch (due()) {
+    case Part::Standstill:
+      return phase_ == Phase::Running ? standstill_.progress() : motor::measurement_step::kStandstill;
+    case Part::Rotating:
+      return phase_ == Phase::Running ? rotating_.progress() : kRotating;
+    case Part::None:
+      break;
+  }
+  return motor::measurement_step::kNone;
+}
+
+void Identification::finish() noexcept {
+  phase_ = Phase::Idle;
+  if (due() == Part::Standstill) {
+    results_.standstill = standstill_.result();
+    select_standstill(kNone);
+  } else {
+    results_.rotating = rotating_.result();
+    results_.rated_flux = rated_flux_;
+    select_rotating(kNone);
+  }
+}
+
+}  // namespace drive
