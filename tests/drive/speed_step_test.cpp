@@ -17,15 +17,16 @@ constexpr double kFrom = 500.0, kStep = 50.0;
 /// A servo axis whose control believes that the motor turns alone, though it moves five times its own inertia.
 struct HeavyAxis : TestAxis {
   HeavyAxis() : TestAxis{{.load = {.inertia = 4.0 * motor::MachineData{}.inertia}}} {
-    axis.write(342, 1.0).value();
-    axis.write(10, 3.0).value();
-    axis.write(340, 4.0).value();
-    axis.write(10, 0.0).value();
-    axis.write(1120, 0.0).value();
+    write(342, 1.0);
+    write(10, 3.0);
+    write(340, 4.0);
+    write(10, 0.0);
+    write(1120, 0.0);
   }
+  void write(std::uint16_t parameter, double value) { EXPECT_TRUE(axis.write(parameter, value)) << parameter; }
   /// p1960 at the next ON.
   void measure() {
-    axis.write(1960, 1.0).value();
+    write(1960, 1.0);
     enable();
     run_until([](const Axis& a) { return a.read(1960).value() == 0.0; }, 60.0);
     send(0x0000);

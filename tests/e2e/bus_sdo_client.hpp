@@ -16,8 +16,9 @@ class BusSdoClient final : public sdo_test::SdoClient {
 
   /// The statusword @p index comes to @p wanted. It is asked for once in the time of a cycle: candump has to keep
   /// up.
-  testing::AssertionResult comes_to(std::uint16_t index, const DriveState& wanted) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
+  testing::AssertionResult comes_to(std::uint16_t index, const DriveState& wanted,
+                                    std::chrono::seconds patience = kPatience) {
+    const auto end = std::chrono::steady_clock::now() + patience;
     while (std::chrono::steady_clock::now() < end) {
       if ((upload(index).number() & wanted.mask) == wanted.value) return testing::AssertionSuccess();
       std::this_thread::sleep_for(std::chrono::milliseconds{4});

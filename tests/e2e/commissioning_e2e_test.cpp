@@ -5,7 +5,6 @@
 #include <csignal>
 
 #include "tests/e2e/bus_sdo_client.hpp"
-#include "tests/e2e/candump_log.hpp"
 #include "tests/e2e/daemon_process.hpp"
 
 namespace e2e {
@@ -24,31 +23,37 @@ const nlohmann::json kSpecimen{{"plant",
                                {"power_unit", {{"rated_current_A", 18}, {"dead_time_us", 1.5}}},
                                {"parameters", {{"p1120", 1.0}, {"p1121", 1.0}}}};
 
-/// A value of the rating plate and the parameter for it.
+/// A value of the rating plate and the parameter for it; of the load (p0342) nothing is known.
 struct PlateValue {
   std::uint16_t parameter;
   float value;
 };
 constexpr std::array kPlate{PlateValue{304, 330.0F},  PlateValue{305, 5.6F},    PlateValue{307, 2.293F},
                             PlateValue{310, 200.0F},  PlateValue{311, 3000.0F}, PlateValue{316, 1.37F},
-                            PlateValue{322, 7200.0F}, PlateValue{323, 28.0F},   PlateValue{341, 0.00151F}};
+                            PlateValue{322, 7200.0F}, PlateValue{323, 28.0F},   PlateValue{341, 0.00151F},
+                            PlateValue{342, 1.0F}};
 
 struct Step {
   const char* frame;
   DriveState state;
 };
+// Bit 7 of the statusword.
+constexpr DriveState kAlarm{"alarm", 0x80, 0x80}, kNoAlarm{"no alarm", 0x80, 0x00};
 constexpr std::array kSwitchOn{Step{"205#0600", kReadyToSwitchOn}, Step{"205#0700", kSwitchedOn},
                                Step{"205#0F00", kOperationEnabled}};
 
 struct Commissioning : testing::Test {
   static constexpr std::uint16_t kFilter = 10, kCalculation = 340, kStandstill = 1910, kRotating = 1960;
 
-  CandumpLog log;
+  static constexpr std::chrono::seconds kLongest{60};  // of a measurement
+
+  CanClient can{kTestInterface};
   BusSdoClient sdo;
   DaemonProcess daemon{{.axis = kSpecimen}};
 
   void SetUp() override {
     ASSERT_TRUE(daemon.is_ready());
+    can.listen_to({0x285});
     open_window();
   }
   /// The objects 2000h to 470Fh are the parameters of the axis.
@@ -58,6 +63,12 @@ struct Commissioning : testing::Test {
   }
   std::uint64_t number(std::uint16_t parameter, std::uint8_t index = 0) {
     return sdo.upload(0x2000U + parameter, index).number();
+  }
+  /// The alarm stands in the buffer and is active.
+  bool shows(std::uint16_t alarm) {
+    std::uint8_t index = 0;
+    while (index < 8 && number(2122, index) != alarm) ++index;
+    return index < 8 && sdo.comes_to(0x6041, kAlarm);
   }
   double real(std::uint16_t parameter) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(number(parameter)));
@@ -74,20 +85,20 @@ struct Commissioning : testing::Test {
   /// From Switch on disabled to Operation enabled.
   void switch_on() {
     for (const Step& step : kSwitchOn) {
-      ASSERT_TRUE(log.send(step.frame));
+      can.send(step.frame);
       ASSERT_TRUE(sdo.comes_to(0x6041, step.state)) << step.frame;
     }
   }
   /// Selects the measurement @p parameter and lets it lead until its end.
   void measure(std::uint16_t parameter, std::uint16_t alarm) {
     ASSERT_NO_FATAL_FAILURE(write(parameter, 1));
-    EXPECT_EQ(number(2122), alarm) << "it waits for ON";
+    EXPECT_TRUE(shows(alarm)) << "it waits for ON";
     ASSERT_NO_FATAL_FAILURE(switch_on());
     EXPECT_NE(number(47), 0U) << "its progress";
-    ASSERT_TRUE(sdo.comes_to(0x6041, kSwitchOnDisabled));
+    ASSERT_TRUE(sdo.comes_to(0x6041, kSwitchOnDisabled, kLongest));
     EXPECT_EQ(number(945), 0U) << "no fault";
     EXPECT_EQ(number(parameter), 0U);
-    EXPECT_EQ(number(2122), 0U);
+    EXPECT_TRUE(sdo.comes_to(0x6041, kNoAlarm));
   }
 };
 
@@ -96,7 +107,7 @@ void expect_near(double value, double wanted, double share, const char* what) {
 }
 
 TEST_F(Commissioning, FindsTheSpecimenSavesItAndLetsItRun) {
-  ASSERT_TRUE(log.send("000#0105"));
+  can.send("000#0105");
   ASSERT_NO_FATAL_FAILURE(put_in_rating_plate());
   const double gain_before = real(1460);
 
@@ -108,32 +119,29 @@ TEST_F(Commissioning, FindsTheSpecimenSavesItAndLetsItRun) {
   expect_near(real(341) * real(342), kMotorInertia + kLoadInertia, 0.02, "p0341 p0342");
   EXPECT_GT(real(1460), 3.0 * gain_before);
 
-  const std::uint64_t resistance = number(350);
   ASSERT_EQ(sdo.download(0x1010, 1, 0x65766173, 4), 0U);
+  ASSERT_NO_FATAL_FAILURE(switch_on());
+  can.send("305#0F000000800C");
+  EXPECT_TRUE(wait_for_drive(can, "3000 rpm", [](const StatusAndSpeed& drive) {
+    constexpr std::int32_t kFullSpeed = 0x0C800000;
+    return std::abs(drive.speed - kFullSpeed) < kFullSpeed / 500 && drive.has(kTargetReached);
+  }));
+
+  const std::uint64_t resistance = number(350);
   ASSERT_EQ(daemon.end(SIGTERM), 0);
   daemon.start();
   ASSERT_TRUE(daemon.is_ready());
   ASSERT_NO_FATAL_FAILURE(open_window());
   EXPECT_EQ(number(350), resistance);
-
-  ASSERT_TRUE(log.send("000#0105"));
-  ASSERT_NO_FATAL_FAILURE(switch_on());
-  CanClient can{kTestInterface};
-  can.listen_to({0x285});
-  ASSERT_TRUE(log.send("305#0F000000800C"));
-  EXPECT_TRUE(wait_for_drive(can, "3000 rpm", [](const StatusAndSpeed& drive) {
-    constexpr std::int32_t kFullSpeed = 0x0C800000;
-    return std::abs(drive.speed - kFullSpeed) < kFullSpeed / 500 && drive.has(kTargetReached);
-  }));
 }
 
 TEST_F(Commissioning, OffInTheMiddleLeavesWhatWas) {
-  ASSERT_TRUE(log.send("000#0105"));
+  can.send("000#0105");
   const std::uint64_t resistance = number(350);
   ASSERT_NO_FATAL_FAILURE(write(kStandstill, 1));
   ASSERT_NO_FATAL_FAILURE(switch_on());
 
-  ASSERT_TRUE(log.send("205#0000"));
+  can.send("205#0000");
 
   ASSERT_TRUE(sdo.comes_to(0x6041, kSwitchOnDisabled));
   EXPECT_EQ(number(350), resistance);
