@@ -6,8 +6,8 @@ const can = require('socketcan');
 
 const NODE = 5, AXIS = 2, RPM_1000 = 69905067;            // drive object; increments/s
 const PLATE = { 304: 330, 305: 5.6, 307: 2.293, 310: 200, 311: 3000, 316: 1.37, 322: 7200, 323: 28, 341: 0.00151 };
-const FOUND = { 350: 'Ohm, stator resistance', 356: 'mH, inductance', 316: 'Nm/A, torque constant',
-  342: 'x the motor inertia turn', 1460: 'Nms/rad, speed controller', 1462: 'ms, its integral time' };
+const FOUND = { 316: 'Nm/A, torque constant', 342: 'x the motor inertia turn', 350: 'Ohm, stator resistance',
+  356: 'mH, inductance', 1460: 'Nms/rad, speed controller', 1462: 'ms, its integral time' };
 
 const unit = Eds.fromFile(process.argv[2] || `${__dirname}/../../../eds/axisd.eds`);
 const master = new Device({ id: 126 });
