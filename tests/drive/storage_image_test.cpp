@@ -45,7 +45,7 @@ TEST(StorageImage, PassesOverWhatIsNoLongerSaved) {
   DriveUnit unit{two_axes()};
   std::vector<std::byte> image = saved(unit);
   // In the place of p1300: p1910, which is a command.
-  const std::array before{std::byte{0x14}, std::byte{0x05}, std::byte{0}, std::byte{DataType::I16}};
+  const std::array before{std::byte{0x14}, std::byte{0x05}, std::byte{0}, static_cast<std::byte>(DataType::I16)};
   const auto place = std::ranges::search(image, before);
   ASSERT_FALSE(place.empty());
   place[0] = std::byte{0x76}, place[1] = std::byte{0x07};
