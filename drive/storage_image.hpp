@@ -19,7 +19,8 @@
 ///         type             U8, DataType
 ///         value            U32, an integer or the bits of a REAL32
 ///
-/// A parameter that the reader does not have is refused, one that the image does not have keeps its value.
+/// A parameter that the reader does not have is refused, one that it no longer saves is passed over, one that the
+/// image does not have keeps its value.
 namespace drive::storage_image {
 
 inline constexpr std::uint16_t kFormatVersion = 1;

@@ -1,6 +1,7 @@
 #include "drive/storage_image.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -38,6 +39,23 @@ TEST(StorageImage, BringsEveryWrittenValueBack) {
   EXPECT_EQ(value(fresh, kY, 2100, 19), 7900.0);
   EXPECT_EQ(value(fresh, 1, 8622), 3.0);
   EXPECT_EQ(saved(fresh), image);
+}
+
+TEST(StorageImage, PassesOverWhatIsNoLongerSaved) {
+  DriveUnit unit{two_axes()};
+  std::vector<std::byte> image = saved(unit);
+  // In the place of p1300: p1910, which is a command.
+  const std::array before{std::byte{0x14}, std::byte{0x05}, std::byte{0}, static_cast<std::byte>(DataType::I16)};
+  const auto place = std::ranges::search(image, before);
+  ASSERT_FALSE(place.empty());
+  place[0] = std::byte{0x76}, place[1] = std::byte{0x07};
+  seal(image);
+
+  DriveUnit fresh{two_axes()};
+  EXPECT_TRUE(storage_image::load(fresh, image));
+
+  EXPECT_EQ(value(fresh, kX, 1910), 0.0);
+  EXPECT_EQ(value(fresh, kX, 1300), 21.0);
 }
 
 TEST(StorageImage, TakesOneDriveObjectOnly) {
