@@ -54,7 +54,7 @@ const Row& row_of(const canopen::Entry& entry) noexcept {
 /// What parameter @p number is on a new axis.
 double new_torque_limit(const drive::Axis& axis, std::uint16_t number) noexcept {
   const drive::ParameterRow& row = *drive::find_parameter(axis.kind(), number)->row;
-  return std::get<drive::FactoryFunction>(row.factory)(axis.context(), 0);
+  return drive::factory_value(row, axis.context());
 }
 
 /// Values are shown with fewer digits than they are computed with.

@@ -112,10 +112,7 @@ StandardWiring::Sources StandardWiring::factory() const noexcept {
     const Input input = input_at(i);
     if (!exists(input)) continue;
     const drive::ParameterRow& row = *drive::find_parameter(axis_.kind(), input.number)->row;
-    const auto* const function = std::get_if<drive::FactoryFunction>(&row.factory);
-    const double value =
-        function != nullptr ? (*function)(axis_.context(), input.index) : std::get<double>(row.factory);
-    sources[i] = static_cast<std::uint32_t>(value);
+    sources[i] = static_cast<std::uint32_t>(drive::factory_value(row, axis_.context(), input.index));
   }
   return sources;
 }

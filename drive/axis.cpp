@@ -59,8 +59,8 @@ void Axis::refresh_status() noexcept {
   actual_.speed_demand = channel_.total();
   actual_.mode = mode_.display(parameters_.control_mode);
   actual_.statusword =
-      statusword(state_, {.no_off2 = inputs_.no_off2 && inputs_.no_off2_second,
-                          .no_off3 = inputs_.no_off3 && inputs_.no_off3_second,
+      statusword(state_, {.no_off2 = !inputs_.has_off2(),
+                          .no_off3 = !inputs_.has_off3(),
                           .fault = !messages().faults().empty(),
                           .alarm = !messages().alarms().empty(),
                           .target_reached = target_reached_,

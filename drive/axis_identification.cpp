@@ -46,7 +46,7 @@ double represented(const ParameterRow& row, double value) noexcept {
 }  // namespace
 
 void Axis::select_identification(std::int32_t value) noexcept {
-  identification_.select_both(value, parameters_.control_mode >= selection::kLowestClosedLoop);
+  identification_.select_both(value, is_field_oriented(parameters_.control_mode));
   show_selection();
 }
 

@@ -78,6 +78,11 @@ struct AxisInputs {
   bool no_external_alarm_1 = true;  ///< p2112
 
   friend bool operator==(const AxisInputs&, const AxisInputs&) = default;
+
+  /// Whether OFF2 is given, by either of its inputs.
+  constexpr bool has_off2() const noexcept { return !(no_off2 && no_off2_second); }
+  /// Whether OFF3 is given, by either of its inputs.
+  constexpr bool has_off3() const noexcept { return !(no_off3 && no_off3_second); }
 };
 
 /// What the inputs of an axis that is wired as a new one bring of @p setpoints (p8790 = 1; p1070 and p1503 at

@@ -98,9 +98,7 @@ bool Axis::has_brake() const noexcept {
 /// Opens the brake with the pulses, and closes it at the end of a braking ramp while the motor still holds.
 void Axis::lead_brake() noexcept {
   if (!has_brake()) return train_.set_brake(false);
-  const bool stands = is_braking(state_) && std::abs(actual_.speed) < parameters_.standstill_threshold &&
-                      std::abs(channel_.output()) <= parameters_.standstill_threshold;
-  const bool open = pulses_enabled_in(state_) && !stands;
+  const bool open = pulses_enabled_in(state_) && !(is_braking(state_) && stands());
   train_.set_brake(!open);
   brake_opening_ = open ? std::max(0.0, brake_opening_ - cycle_.duration) : context().axis.load.brake.opening_time;
   if (brake_opening_ > 0.0) channel_.wait();  // the setpoint waits for the brake

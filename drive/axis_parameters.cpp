@@ -26,11 +26,6 @@ void set(AxisParameters& parameters, const Members& member, double si) noexcept 
     parameters.*(*code) = static_cast<std::int32_t>(si);
 }
 
-double factory_value(const ParameterRow& row, const ObjectContext& context) noexcept {
-  const auto* const function = std::get_if<FactoryFunction>(&row.factory);
-  return function != nullptr ? (*function)(context, 0) : std::get<double>(row.factory);
-}
-
 /// What p0340 computes for its values 4, 2 and 5.
 constexpr std::array<std::uint16_t, 4> kControllers{1460, 1462, 1470, 1472};
 constexpr std::array<std::uint16_t, 14> kCircuit{320, 350, 354, 356, 358, 360, 362,
@@ -75,8 +70,7 @@ void Axis::set_own_value(const ParameterRow& row, std::size_t index, double valu
 void Axis::follow_control_mode() noexcept {
   mode_.on_parameter(parameters_.control_mode);
   const bool rotates = identification_.selection().rotating != selection::kNone;
-  if (rotates && parameters_.control_mode < selection::kLowestClosedLoop)
-    select_rotating_measurement(selection::kNone);
+  if (rotates && !is_field_oriented(parameters_.control_mode)) select_rotating_measurement(selection::kNone);
 }
 
 WriteState Axis::write_state() const noexcept {

@@ -49,8 +49,7 @@ constexpr std::array kReactionEvents{
 
 /// Bits 0 to 3 of a controlword.
 std::uint16_t sequence_word(bool on, const AxisInputs& inputs, bool enable) noexcept {
-  const std::array bits{on, inputs.no_off2 && inputs.no_off2_second, inputs.no_off3 && inputs.no_off3_second,
-                        enable};
+  const std::array bits{on, !inputs.has_off2(), !inputs.has_off3(), enable};
   unsigned word = 0;
   for (std::size_t i = 0; i < bits.size(); ++i) word |= static_cast<unsigned>(bits[i]) << i;
   return static_cast<std::uint16_t>(word);

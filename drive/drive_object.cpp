@@ -18,11 +18,6 @@ std::optional<Refusal> limit_refusal(const ParameterRow& row, double value) noex
   return std::nullopt;
 }
 
-double factory_value(const ParameterRow& row, const ObjectContext& context, std::size_t index) noexcept {
-  if (const double* const value = std::get_if<double>(&row.factory)) return *value;
-  return std::get<FactoryFunction>(row.factory)(context, index);
-}
-
 /// Inputs, the references that quantities are relative to, and what converters invert.
 bool concerns_wiring(const ParameterRow& row) noexcept {
   constexpr std::uint16_t kFirstReference = 2000, kLastReference = 2007, kInvertBits = 8888, kInvertWords = 8898;

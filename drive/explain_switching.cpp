@@ -18,10 +18,10 @@ std::string off_sentence(P p, const char* name, const std::array<std::uint16_t, 
 }
 
 bool has_off2(P p) noexcept {
-  return !p.seen.inputs.no_off2 || !p.seen.inputs.no_off2_second;
+  return p.seen.inputs.has_off2();
 }
 bool has_off3(P p) noexcept {
-  return !p.seen.inputs.no_off3 || !p.seen.inputs.no_off3_second;
+  return p.seen.inputs.has_off3();
 }
 bool always(P) noexcept {
   return true;

@@ -24,8 +24,6 @@ inline constexpr std::int32_t kMeasure = 1;
 inline constexpr std::int32_t kMeasureOnlyVector = 2;  ///< of p1910, on a vector axis
 inline constexpr std::int32_t kFirstWithLoad = 3;      ///< of p1960, on a vector axis
 inline constexpr std::int32_t kBothMeasurements = 1;   ///< of p1900
-inline constexpr std::int32_t kLowestClosedLoop =
-    20;  ///< of p1300: below it nothing can lead a rotating measurement
 }  // namespace selection
 
 /// One of the two measurements.

@@ -27,6 +27,10 @@ std::optional<std::int32_t> control_mode_of(std::int8_t code, bool has_encoder) 
 /// The mode that p1300 = @p control_mode is by itself.
 std::int8_t mode_of(std::int32_t control_mode) noexcept;
 
+/// Whether @p control_mode is one of the four with closed loops, not V/f control.
+constexpr bool is_field_oriented(std::int32_t control_mode) noexcept {
+  return control_mode >= control_mode::kSpeedWithoutEncoder;
+}
 /// Whether @p control_mode is one of the two with torque control.
 constexpr bool is_torque_control(std::int32_t control_mode) noexcept {
   return control_mode == control_mode::kTorqueWithoutEncoder || control_mode == control_mode::kTorque;

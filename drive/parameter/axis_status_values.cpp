@@ -11,13 +11,6 @@
 namespace drive::axis_value {
 namespace {
 
-bool no_off2(const AxisInputs& inputs) noexcept {
-  return inputs.no_off2 && inputs.no_off2_second;
-}
-bool no_off3(const AxisInputs& inputs) noexcept {
-  return inputs.no_off3 && inputs.no_off3_second;
-}
-
 struct Bit {
   unsigned number;
   bool on;
@@ -64,8 +57,8 @@ constexpr std::array kDisplays{
     Display{State::SwitchedOn, [](const Axis& axis, const AxisInsight&) { return axis.waits_for_power(); }, 23.0},
     Display{State::ReadyToSwitchOn, always, 31.0},
     Display{State::SwitchOnDisabled, always, 41.0},  // ON is still set
-    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return !no_off2(s.inputs); }, 42.0},
-    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return !no_off3(s.inputs); }, 43.0},
+    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return s.inputs.has_off2(); }, 42.0},
+    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return s.inputs.has_off3(); }, 43.0},
     Display{State::Fault, always, 45.0},
     Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return s.switching_on_inhibited; },
             46.0},
@@ -111,7 +104,7 @@ double missing_enables(const Axis& axis, std::size_t) noexcept {
   const AxisInputs& inputs = seen.inputs;
   const bool pulses = axis.actual().pulses_enabled;
   const auto off3 = static_cast<Reactions>(bit_of(Reaction::Off3) | bit_of(Reaction::Stop2));
-  return word(std::array{Bit{0, !inputs.on && !axis.jogs()}, Bit{1, !no_off2(inputs)}, Bit{2, !no_off3(inputs)},
+  return word(std::array{Bit{0, !inputs.on && !axis.jogs()}, Bit{1, inputs.has_off2()}, Bit{2, inputs.has_off3()},
                          Bit{3, !inputs.enable_operation}, Bit{9, !inputs.infeed_operates},
                          Bit{10, !inputs.enable_ramp}, Bit{11, !inputs.continue_ramp},
                          Bit{12, !inputs.enable_setpoint}, Bit{16, stopped_by(axis, bit_of(Reaction::Off1))},
@@ -126,7 +119,7 @@ double control_status(const Axis& axis, std::size_t) noexcept {
 
 double sequence_control(const Axis& axis, std::size_t) noexcept {
   const AxisInputs inputs = axis.insight().inputs;
-  return word(std::array{Bit{0, inputs.on}, Bit{1, no_off2(inputs)}, Bit{2, no_off3(inputs)},
+  return word(std::array{Bit{0, inputs.on}, Bit{1, !inputs.has_off2()}, Bit{2, !inputs.has_off3()},
                          Bit{3, inputs.enable_operation}, Bit{4, inputs.enable_ramp}, Bit{5, inputs.continue_ramp},
                          Bit{6, inputs.enable_setpoint}, Bit{8, inputs.jog_1}, Bit{9, inputs.jog_2},
                          Bit{10, inputs.control_by_plc}});

@@ -69,10 +69,9 @@ std::optional<Refusal> rotating_selection(const DriveObject& object, std::size_t
   if (const auto reason = vector ? one_of(kVectorRotating, value) : one_of(kServoMeasurements, value))
     return reason;
   const auto& axis = static_cast<const Axis&>(object);
-  if (axis.parameters().control_mode<selection::kLowestClosedLoop&& static_cast<int>(value)>
-          selection::kTakeOver &&
-      static_cast<int>(value) != selection::kNone)
-    return Refusal::NotNow;
+  const int choice = static_cast<int>(value);
+  const bool measures = choice != selection::kNone && choice != selection::kTakeOver;
+  if (measures && !is_field_oriented(axis.parameters().control_mode)) return Refusal::NotNow;
   return nothing_to_take(value, axis.identification().results().rotating.has_value());
 }
 

@@ -133,6 +133,13 @@ constexpr bool has_a_bit_per_index(const ParameterRow& row) noexcept {
   return row.number == kInterfaceState;
 }
 
+/// Factory value of @p row at @p index on a drive object of @p context, in the parameter's own unit.
+inline double factory_value(const ParameterRow& row, const ObjectContext& context,
+                            std::size_t index = 0) noexcept {
+  if (const double* const value = std::get_if<double>(&row.factory)) return *value;
+  return std::get<FactoryFunction>(row.factory)(context, index);
+}
+
 /// Lowest and highest value of @p row in its own unit.
 constexpr Range limits_of(const ParameterRow& row) noexcept {
   const DataTypeRow& type = row_of(row.type);
