@@ -60,19 +60,21 @@ std::optional<Refusal> standstill_selection(const DriveObject& object, std::size
   const bool vector = object.kind() == ObjectKind::Vector;
   if (const auto reason = vector ? one_of(kVectorStandstill, value) : one_of(kServoMeasurements, value))
     return reason;
-  const auto& axis = static_cast<const Axis&>(object);
-  return nothing_to_take(value, axis.identification().results().standstill.has_value());
+  const auto* const axis = dynamic_cast<const Axis*>(&object);
+  if (axis == nullptr) return Refusal::NotNow;
+  return nothing_to_take(value, axis->identification().results().standstill.has_value());
 }
 
 std::optional<Refusal> rotating_selection(const DriveObject& object, std::size_t, double value) noexcept {
   const bool vector = object.kind() == ObjectKind::Vector;
   if (const auto reason = vector ? one_of(kVectorRotating, value) : one_of(kServoMeasurements, value))
     return reason;
-  const auto& axis = static_cast<const Axis&>(object);
+  const auto* const axis = dynamic_cast<const Axis*>(&object);
+  if (axis == nullptr) return Refusal::NotNow;
   const int choice = static_cast<int>(value);
   const bool measures = choice != selection::kNone && choice != selection::kTakeOver;
-  if (measures && !is_field_oriented(axis.parameters().control_mode)) return Refusal::NotNow;
-  return nothing_to_take(value, axis.identification().results().rotating.has_value());
+  if (measures && !is_field_oriented(axis->parameters().control_mode)) return Refusal::NotNow;
+  return nothing_to_take(value, axis->identification().results().rotating.has_value());
 }
 
 std::optional<Refusal> not_zero(const DriveObject&, std::size_t, double value) noexcept {
