@@ -206,7 +206,7 @@ void Axis::take_over(const motor::RotatingResult& found) noexcept {
   if (data_sheet.type == motor::MachineType::Induction) {
     take_over_saturation(found);
   } else if (found.magnet_flux > 0.0) {
-    assign_rounded(316, data_sheet.torque_constant * found.magnet_flux / data_sheet.synchronous.magnet_flux);
+    assign_rounded(316, torque_constant(data_sheet, found.magnet_flux));
   }
   if (found.inertia > 0.0) {
     if (found.inertia < parameters_.motor_inertia) assign_rounded(341, found.inertia);

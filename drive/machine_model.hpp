@@ -11,6 +11,12 @@ namespace drive {
 /// data.
 motor::MachineData believed_machine(const AxisParameters& parameters, const motor::MachineData& machine) noexcept;
 
+/// Torque constant (N·m/A rms) of a synchronous machine like @p data_sheet whose magnets have the flux @p
+/// magnet_flux (V·s).
+constexpr double torque_constant(const motor::MachineData& data_sheet, double magnet_flux) noexcept {
+  return data_sheet.torque_constant * magnet_flux / data_sheet.synchronous.magnet_flux;
+}
+
 /// The first motor parameter whose value cannot be that of @p machine's kind, such as a resistance of 0; 0 if all
 /// can. It is the value of F07950.
 std::uint16_t implausible_motor_parameter(const AxisParameters& parameters,

@@ -1,6 +1,7 @@
 #include "drive/parameter/identification_values.hpp"
 
 #include "drive/axis.hpp"
+#include "drive/machine_model.hpp"
 
 namespace drive::identification_value {
 namespace {
@@ -78,7 +79,7 @@ double torque_constant(const Axis& axis, std::size_t) noexcept {
   const auto& result = axis.identification().results().rotating;
   const motor::MachineData& data_sheet = axis.context().axis.machine;
   const bool known = result && data_sheet.type == motor::MachineType::Synchronous;
-  return known ? data_sheet.torque_constant * result->magnet_flux / data_sheet.synchronous.magnet_flux : 0.0;
+  return known ? drive::torque_constant(data_sheet, result->magnet_flux) : 0.0;
 }
 
 }  // namespace drive::identification_value

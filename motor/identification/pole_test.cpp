@@ -39,7 +39,7 @@ double expected_way(const StandstillBench& bench, int pulse) noexcept {
   const double torque =
       1.5 * machine.pole_pairs * machine.synchronous.magnet_flux * kDiagonal * bench.test_current;
   const double time = pulse * kControlPeriod;
-  return 0.5 * torque / std::max(machine.inertia, bench.task.settings.inertia) * time * time;
+  return 0.5 * torque / bench.believed_inertia() * time * time;
 }
 
 }  // namespace
@@ -50,8 +50,7 @@ SpaceVector PoleTest::step(const Measurement& measured, StandstillBench& bench) 
   follow(measured, angle);
   const SpaceVector wanted = current(bench) * (measured.rotor * kPatterns[pattern_].direction);
   if (++steps_ >= 4 * kPulses[length_]) rest(bench, angle);
-  bench.axis =
-      measured.rotor * SpaceVector{std::cos(bench.result.pole_position), std::sin(bench.result.pole_position)};
+  bench.follow_pole(measured);
   return bench.currents.step(wanted, measured);
 }
 

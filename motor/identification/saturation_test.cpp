@@ -16,7 +16,6 @@ constexpr std::array kShares{0.6, 0.85, 1.15, 1.25, 1.0};
 /// The same without encoder: with little flux the speed is not estimated calmly.
 constexpr std::array kObservedShares{0.8, 0.9, 1.15, 1.25, 1.0};
 constexpr double kHighestShare = 1.25;
-constexpr std::array<std::size_t, 4> kReported{0, 1, 2, 3};
 constexpr double kSettling = 5.0;       // rotor time constants until the flux stands
 constexpr double kAveraging = 0.4;      // s
 constexpr double kPlausible = 2.0;      // of flux and what is believed, or its inverse
@@ -99,9 +98,9 @@ bool SaturationTest::finish(RotatingFindings& found) noexcept {
     const double ratio = points[i].flux / (shares_[i] * rated_flux_);
     if (!(ratio < kPlausible && ratio > 1.0 / kPlausible && points[i].current > 0.0)) return false;
   }
-  for (std::size_t i = 0; i < kReported.size(); ++i) {
-    found.result.flux[i] = points[kReported[i]].flux / rated_flux_;
-    found.result.magnetising_current[i] = points[kReported[i]].current / rated_current_;
+  for (std::size_t i = 0; i < found.result.flux.size(); ++i) {
+    found.result.flux[i] = points[i].flux / rated_flux_;
+    found.result.magnetising_current[i] = points[i].current / rated_current_;
   }
   return fit(points, found.result);
 }

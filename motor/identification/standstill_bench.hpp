@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "motor/control_period.hpp"
 #include "motor/identification/current_lead.hpp"
 #include "motor/identification/shaft_watch.hpp"
 #include "motor/identification/standstill_data.hpp"
+#include "motor/measurement.hpp"
 #include "motor/space_vector.hpp"
 
 namespace motor {
@@ -28,6 +31,13 @@ struct StandstillBench {
   double warm_resistance = 0.0;  ///< of the stator as warm as it is (Ω)
   DirectCurrent lower_level{};   ///< of the two that give the resistance
   SpaceVector axis{1.0, 0.0};    ///< along which the currents do not turn the shaft, stator frame
+
+  /// Lays the axis where the pole position found lies for the encoder now.
+  void follow_pole(const Measurement& measured) noexcept {
+    axis = measured.rotor * SpaceVector{std::cos(result.pole_position), std::sin(result.pole_position)};
+  }
+  /// Of rotor and load as it is believed to be, not less than the rotor's own (kg·m²).
+  double believed_inertia() const noexcept { return std::max(task.machine.inertia, task.settings.inertia); }
 };
 
 /// Control periods in @p seconds.

@@ -15,16 +15,14 @@ constexpr double kStopped = 1e-4;  // rad in a part
 /// Current that takes away a speed (A s/rad).
 double braking_gain(const StandstillBench& bench) noexcept {
   const MachineData& machine = bench.task.machine;
-  const double inertia = std::max(machine.inertia, bench.task.settings.inertia);
-  return kDamping * inertia / (1.5 * machine.pole_pairs * machine.synchronous.magnet_flux);
+  return kDamping * bench.believed_inertia() / (1.5 * machine.pole_pairs * machine.synchronous.magnet_flux);
 }
 
 }  // namespace
 
 SpaceVector Stopping::step(const Measurement& measured, StandstillBench& bench) noexcept {
   const double angle = bench.shaft.angle();
-  const double pole = bench.result.pole_position;
-  bench.axis = measured.rotor * SpaceVector{std::cos(pole), std::sin(pole)};
+  bench.follow_pole(measured);
   if (steps_ == 0) {
     axis_ = bench.axis;
     last_angle_ = angle;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/drive/messages.hpp"
 #include "tests/drive/test_axis.hpp"
 #include "tests/motor/identification/random_plants.hpp"
 
@@ -48,12 +49,7 @@ struct MeasuringAxis : TestAxis {
   }
 
   double shown(std::uint16_t number, std::size_t index = 0) const { return axis.read(number, index).value(); }
-  bool has(std::uint16_t number) const {
-    for (const auto entries : {axis.messages().faults(), axis.messages().alarms()})
-      for (const FaultEntry& entry : entries)
-        if (entry.row->number == number) return true;
-    return false;
-  }
+  bool has(std::uint16_t number) const { return has_message(axis, number); }
   /// OFF1, then ON.
   void on() {
     for (const int word : {0x0006, 0x0006, 0x0007, 0x000F}) send(static_cast<std::uint16_t>(word));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/drive/messages.hpp"
 #include "tests/drive/test_axis.hpp"
 
 namespace drive {
@@ -33,12 +34,7 @@ struct WiredAxis {
   State state() const { return axis.actual().state; }
   double rpm() const { return axis.actual().speed / kRpm; }
   unsigned word(std::uint16_t number) const { return static_cast<unsigned>(axis.read(number).value()); }
-  bool has(std::uint16_t number) const {
-    for (const auto entries : {axis.messages().faults(), axis.messages().alarms()})
-      for (const FaultEntry& entry : entries)
-        if (entry.row->number == number) return true;
-    return false;
-  }
+  bool has(std::uint16_t number) const { return has_message(axis, number); }
   bool acknowledge() {
     inputs.acknowledge_1 = true;
     cycles(1);

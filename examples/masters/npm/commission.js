@@ -1,30 +1,13 @@
 'use strict';
 // Commissions the axis of node 5: rating plate in, motor and load measured, saved, turned; with the npm packages canopen
 // and socketcan: node commission.js [EDS]
-const { DataType, Device, Eds } = require('canopen');
-const can = require('socketcan');
+const { DataType } = require('canopen');
+const { NODE, master, controlword, target, statusword, actual } = require('./unit');
 
-const NODE = 5, AXIS = 2, RPM_1000 = 69905067;            // drive object; increments/s
+const AXIS = 2, RPM_1000 = 69905067;                      // drive object; increments/s
 const PLATE = { 304: 330, 305: 5.6, 307: 2.293, 310: 200, 311: 3000, 316: 1.37, 322: 7200, 323: 28, 341: 0.00151 };
 const FOUND = { 316: 'Nm/A, torque constant', 342: 'x the motor inertia turn', 350: 'Ohm, stator resistance',
   356: 'mH, inductance', 1460: 'Nms/rad, speed controller', 1462: 'ms, its integral time' };
-
-const unit = Eds.fromFile(process.argv[2] || `${__dirname}/../../../eds/axisd.eds`);
-const master = new Device({ id: 126 });
-master.eds.addSdoClientParameter(NODE, 0x600 + NODE, 0x580 + NODE);
-master.eds.addEmcyConsumer(0x080 + NODE);
-const local = (index) => master.eds.addEntry(index, {
-  parameterName: unit.getEntry(index).parameterName, dataType: unit.getEntry(index).dataType });
-const [controlword, target, statusword, actual] = [0x6040, 0x60FF, 0x6041, 0x606C].map(local);
-master.eds.addTransmitPdo({ cobId: 0x300 + NODE, transmissionType: 254, dataObjects: [controlword, target] });
-master.eds.addReceivePdo({ cobId: 0x280 + NODE, transmissionType: 254, dataObjects: [statusword, actual] });
-
-const channel = can.createRawChannel('vcan0');
-master.addListener('message', (frame) => channel.send(frame));
-channel.addListener('onMessage', (frame) => master.receive(frame));
-channel.start();
-master.start();
-master.emcy.on('emergency', ({ em }) => console.log('EMCY', em.code.toString(16), 'fault', em.info.readUInt16LE(0)));
 
 const write = (index, data, dataType, subIndex = 0) =>
   master.sdo.download({ serverId: NODE, index, subIndex, data, dataType, timeout: 1000 });
