@@ -12,21 +12,21 @@ enum class Severity : std::uint8_t { Error, Warning };
 
 /// Where something stands in a file.
 struct Place {
-  std::string_view section;  ///< empty before the first section
-  std::string_view key;      ///< empty where the section or a whole line is meant
+  std::string_view section{};  ///< empty before the first section
+  std::string_view key{};      ///< empty where the section or a whole line is meant
   unsigned line = 0;         ///< from 1; 0 where there is no line, as for what is missing in the whole file
 };
 
 /// Something in a file that is not as it should be. All texts are printable UTF-8.
 struct Finding {
   Severity severity = Severity::Error;
-  std::string_view check;  ///< short stable word, listed in docs/eds-checks.md
-  std::string file;
+  std::string_view check{};  ///< short stable word, listed in docs/eds-checks.md
+  std::string file{};
   unsigned line = 0;  ///< as in Place
-  std::string section;
-  std::string key;
-  std::string expected;
-  std::string found;
+  std::string section{};
+  std::string key{};
+  std::string expected{};
+  std::string found{};
 
   friend bool operator==(const Finding&, const Finding&) = default;
 };
@@ -65,7 +65,7 @@ class Findings {
   void sort();
 
  private:
-  std::string file_;
+  std::string file_{};
   std::vector<Finding> all_;
 };
 

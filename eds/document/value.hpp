@@ -22,7 +22,7 @@ struct Integer {
 
 /// An integer as a file writes it.
 struct IntegerText {
-  Integer value;               ///< without the node-ID
+  Integer value{};               ///< without the node-ID
   bool node_relative = false;  ///< the node-ID is added
   bool sum = false;            ///< "$NODEID+..." or "...+$NODEID"; not "$NODEID" alone
   bool hexadecimal = false;    ///< written with 0x
@@ -44,7 +44,7 @@ enum class ValueKind : std::uint8_t {
 /// A data type that an EDS may name (CiA 301, table 44).
 struct DataTypeRow {
   std::uint16_t number = 0;
-  std::string_view name;
+  std::string_view name{};
   ValueKind kind = ValueKind::Unsigned;
   std::uint8_t bits = 0;  ///< of a number; 0 for texts, bytes and records
 };
@@ -55,10 +55,10 @@ struct DataTypeRow {
 /// A value of an entry.
 struct Value {
   ValueKind kind = ValueKind::Unsigned;
-  Integer integer;             ///< of Signed and Unsigned, without the node-ID
+  Integer integer{};             ///< of Signed and Unsigned, without the node-ID
   bool node_relative = false;  ///< the node-ID (1..127) is added
   double real = 0;             ///< of Real
-  std::string text;            ///< of Text and Bytes, as written
+  std::string text{};            ///< of Text and Bytes, as written
 
   /// Integer value on node @p node_id; nothing where it needs more than 64 bits.
   [[nodiscard]] std::optional<Integer> at(unsigned node_id) const noexcept;
@@ -67,7 +67,7 @@ struct Value {
 /// Why a text is no value of a type.
 struct ValueError {
   bool out_of_range = false;  ///< a number, but none of the type
-  std::string expected;
+  std::string expected{};
 };
 
 /// Reads @p text as a value of @p type. The hexadecimal form of a signed type may be its two's complement, that of
