@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace eds {
@@ -56,7 +57,8 @@ class Findings {
   void add(Severity severity, std::string_view check, const Place& place, std::string_view expected,
            std::string_view found);
 
-  [[nodiscard]] const std::vector<Finding>& all() const noexcept { return all_; }
+  [[nodiscard]] const std::vector<Finding>& all() const& noexcept { return all_; }
+  [[nodiscard]] std::vector<Finding> all() && noexcept { return std::move(all_); }
   /// True when nothing was found.
   [[nodiscard]] bool empty() const noexcept { return all_.empty(); }
   /// True when an error was found.

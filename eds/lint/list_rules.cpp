@@ -1,0 +1,120 @@
+#include <array>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "eds/lint/rules.hpp"
+
+namespace eds {
+namespace {
+
+bool is_mandatory(std::uint64_t index) {
+  return index == 0x1000 || index == 0x1001 || index == 0x1018;
+}
+bool is_manufacturer(std::uint64_t index) {
+  return index >= 0x2000 && index < 0x6000;
+}
+bool is_optional(std::uint64_t index) {
+  return !is_mandatory(index) && !is_manufacturer(index);
+}
+
+/// A list of the device's objects and what belongs to it (CiA 306, 4.5).
+struct ObjectList {
+  std::string_view name;
+  NumberedList DataSheet::*list;
+  bool (*contains)(std::uint64_t index);
+};
+constexpr std::array kLists{
+    ObjectList{"MandatoryObjects", &DataSheet::mandatory, is_mandatory},
+    ObjectList{"OptionalObjects", &DataSheet::optional, is_optional},
+    ObjectList{"ManufacturerObjects", &DataSheet::manufacturer, is_manufacturer},
+};
+
+std::string_view list_of(std::uint64_t index) {
+  for (const ObjectList& row : kLists)
+    if (row.contains(index)) return row.name;
+  return {};
+}
+
+std::string hexadecimal(std::uint64_t index) {
+  return fmt::format("0x{:04X}", index);
+}
+
+/// What an object list says against the sections; @p listed are those that other lists have named.
+void check_list(const DataSheet& sheet, const ObjectList& row, std::set<std::uint64_t>& listed,
+                Findings& findings) {
+  const NumberedList& list = sheet.*row.list;
+  check_numbers(list, findings);
+  std::set<std::uint64_t> own;
+  for (const auto& item : list.items) {
+    if (!item.number) continue;
+    const std::uint64_t index = *item.number;
+    if (!sheet.objects.contains(static_cast<std::uint16_t>(index)))
+      findings.error("list-section", item.number.place(), fmt::format("a section [{:04X}]", index), "none");
+    if (!row.contains(index))
+      findings.error("list-wrong", item.number.place(),
+                     fmt::format("{} in {}", hexadecimal(index), list_of(index)), row.name);
+    if (own.insert(index).second && !listed.insert(index).second)
+      findings.error("list-duplicate", item.number.place(), "each object in one list", hexadecimal(index));
+  }
+}
+
+/// An entry without which a file describes no CANopen device (CiA 301, 7.5.2).
+struct MandatoryEntry {
+  std::uint16_t index;
+  std::uint8_t sub_index;
+};
+constexpr std::array kMandatory{MandatoryEntry{0x1000, 0}, MandatoryEntry{0x1001, 0}, MandatoryEntry{0x1018, 0},
+                                MandatoryEntry{0x1018, 1}};
+
+void check_mandatory(const DataSheet& sheet, Findings& findings) {
+  const Section* const list = sheet.mandatory.section;
+  for (const MandatoryEntry& row : kMandatory) {
+    if (find_entry(sheet.objects, row.index, row.sub_index) != nullptr) continue;
+    const auto object = sheet.objects.find(row.index);
+    const Place place = object != sheet.objects.end() ? object->second.place()
+                        : list != nullptr             ? list->place()
+                                                      : Place{};
+    findings.error("mandatory-object", place, fmt::format("entry {:04X}h:{:02X}", row.index, row.sub_index),
+                   "none");
+  }
+}
+
+}  // namespace
+
+void check_numbers(const NumberedList& list, Findings& findings) {
+  std::map<std::uint64_t, const NumberedList::Item*> known;
+  std::set<std::uint64_t> positions;
+  for (const auto& item : list.items) {
+    positions.insert(item.position);
+    if (!item.number) continue;
+    const auto [first, added] = known.emplace(*item.number, &item);
+    if (!added)
+      findings.error(
+          "list-duplicate", item.number.place(),
+          fmt::format("each object once, it stands in line {} already", first->second->number.place().line),
+          item.number.text());
+  }
+  if (!list.count) return;
+  if (*list.count != list.items.size())
+    return findings.error("list-count", list.count.place(),
+                          fmt::format("{}, as many as follow", list.items.size()), list.count.text());
+  std::uint64_t expected = 1;
+  for (const std::uint64_t position : positions)
+    if (position != expected++)
+      return findings.error("list-gap", list.count.place(), fmt::format("key {} next", expected - 1),
+                            fmt::format("{}", position));
+}
+
+void check_lists(const DataSheet& sheet, Findings& findings) {
+  std::set<std::uint64_t> listed;
+  for (const ObjectList& row : kLists) check_list(sheet, row, listed, findings);
+  for (const auto& [index, object] : sheet.objects)
+    if (!listed.contains(index))
+      findings.error("list-missing", object.place(), fmt::format("{} in {}", hexadecimal(index), list_of(index)),
+                     "it is in no list");
+  check_mandatory(sheet, findings);
+}
+
+}  // namespace eds
