@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "eds/lint/check_table.hpp"
+#include "tests/eds/corpus.hpp"
 #include "tests/eds/sheet/read_sheet.hpp"
 
 namespace eds {
@@ -18,12 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kCorpus = fs::path{SOURCE_FOLDER} / "tests/data/eds";
-
-std::string content_of(const fs::path& path) {
-  std::ifstream stream{path, std::ios::binary};
-  if (!stream) throw std::runtime_error{"cannot read " + path.string()};
-  return {std::istreambuf_iterator<char>{stream}, {}};
-}
 
 std::vector<std::string> files_in(const fs::path& folder) {
   std::vector<std::string> files;
@@ -35,10 +28,7 @@ std::vector<std::string> files_in(const fs::path& folder) {
 
 /// The findings of the file @p path, a line each.
 std::string report(const fs::path& path) {
-  std::string text;
-  for (const Finding& finding : lint(content_of(path), path.filename().string()).all())
-    text += to_text(finding) + "\n";
-  return text;
+  return lint_report(content_of(path), path.filename().string());
 }
 
 std::string name_of(const testing::TestParamInfo<std::string>& file) {
