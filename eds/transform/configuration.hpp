@@ -23,8 +23,8 @@ struct Setting {
 
 /// What section DeviceComissioning of a DCF says.
 struct NodeSettings {
-  unsigned node_id = 0;   ///< 1 to 127
-  unsigned bit_rate = 0;  ///< kbit/s; 0: the highest one that the device supports
+  unsigned node_id = 0;     ///< 1 to 127
+  unsigned bit_rate = 0;    ///< kbit/s; 0: the highest one that the device supports
   std::string node_name{};  ///< empty: as the product
   unsigned net_number = 1;
   std::string network_name{};
