@@ -15,7 +15,7 @@ enum class Severity : std::uint8_t { Error, Warning };
 struct Place {
   std::string_view section{};  ///< empty before the first section
   std::string_view key{};      ///< empty where the section or a whole line is meant
-  unsigned line = 0;         ///< from 1; 0 where there is no line, as for what is missing in the whole file
+  unsigned line = 0;           ///< from 1; 0 where there is no line, as for what is missing in the whole file
 };
 
 /// Something in a file that is not as it should be. All texts are printable UTF-8.

@@ -22,7 +22,7 @@ struct Integer {
 
 /// An integer as a file writes it.
 struct IntegerText {
-  Integer value{};               ///< without the node-ID
+  Integer value{};             ///< without the node-ID
   bool node_relative = false;  ///< the node-ID is added
   bool sum = false;            ///< "$NODEID+..." or "...+$NODEID"; not "$NODEID" alone
   bool hexadecimal = false;    ///< written with 0x
@@ -55,10 +55,10 @@ struct DataTypeRow {
 /// A value of an entry.
 struct Value {
   ValueKind kind = ValueKind::Unsigned;
-  Integer integer{};             ///< of Signed and Unsigned, without the node-ID
+  Integer integer{};           ///< of Signed and Unsigned, without the node-ID
   bool node_relative = false;  ///< the node-ID (1..127) is added
   double real = 0;             ///< of Real
-  std::string text{};            ///< of Text and Bytes, as written
+  std::string text{};          ///< of Text and Bytes, as written
 
   /// Integer value on node @p node_id; nothing where it needs more than 64 bits.
   [[nodiscard]] std::optional<Integer> at(unsigned node_id) const noexcept;

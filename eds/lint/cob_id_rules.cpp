@@ -66,7 +66,7 @@ struct CobId {
   const CobIdObjects* row;
 
   [[nodiscard]] std::uint64_t at(unsigned node) const {
-    const auto value = entry->default_value->at(node);
+    const auto value = entry->effective()->at(node);
     return (value ? value->magnitude : 0) & kIdentifier;
   }
   [[nodiscard]] std::string name() const { return fmt::format("{:04X}h:{:02X}", object->index, entry->sub_index); }
@@ -86,8 +86,8 @@ std::vector<CobId> cob_ids_of(const DataSheet& sheet) {
     for (const CobIdObjects& row : kCobIds) {
       if (index < row.first || index > row.last) continue;
       for (const SheetEntry& entry : object->entries)
-        if (entry.sub_index >= row.subs[0] && entry.sub_index <= row.subs[1] && entry.default_value &&
-            is_used(row, *entry.default_value))
+        if (entry.sub_index >= row.subs[0] && entry.sub_index <= row.subs[1] && entry.effective() &&
+            is_used(row, *entry.effective()))
           list.push_back({object, &entry, &row});
     }
   return list;
@@ -97,7 +97,7 @@ void check_restricted(const CobId& id, Findings& findings) {
   if (id.row->may_be_restricted) return;
   for (unsigned node = kFirstNode; node <= kLastNode; ++node) {
     if (!is_restricted(id.at(node))) continue;
-    return findings.error("cob-id-restricted", place_of(*id.entry, id.entry->default_value),
+    return findings.error("cob-id-restricted", place_of(*id.entry, id.entry->effective()),
                           "an identifier that is not restricted",
                           fmt::format("{:03X}h on node {}", id.at(node), node));
   }
@@ -108,11 +108,11 @@ void check_predefined(const CobId& id, Findings& findings) {
     return p.index == id.object->index && p.sub_index == id.entry->sub_index;
   });
   if (row == kPredefined.end()) return;
-  const Value& value = *id.entry->default_value;
+  const Value& value = *id.entry->effective();
   if ((value.integer.magnitude & kIdentifier) == row->base && value.node_relative == row->node_relative) return;
-  findings.warning("cob-id-predefined", place_of(*id.entry, id.entry->default_value),
+  findings.warning("cob-id-predefined", place_of(*id.entry, id.entry->effective()),
                    fmt::format("{}0x{:X}", row->node_relative ? "$NODEID+" : "", row->base),
-                   id.entry->default_value.text());
+                   id.entry->effective().text());
 }
 
 void check_collisions(const std::vector<CobId>& ids, Findings& findings) {
@@ -122,7 +122,7 @@ void check_collisions(const std::vector<CobId>& ids, Findings& findings) {
     for (const CobId& id : ids) {
       const auto [first, added] = users.emplace(id.at(node), &id);
       if (added || !reported.emplace(id.entry, true).second) continue;
-      findings.error("cob-id-collision", place_of(*id.entry, id.entry->default_value),
+      findings.error("cob-id-collision", place_of(*id.entry, id.entry->effective()),
                      fmt::format("another identifier than {}", first->second->name()),
                      fmt::format("{:03X}h on node {}", id.at(node), node));
     }
@@ -135,7 +135,7 @@ void check_cob_ids(const DataSheet& sheet, Findings& findings) {
   const std::vector<CobId> ids = cob_ids_of(sheet);
   for (const CobId& id : ids) {
     check_restricted(id, findings);
-    check_predefined(id, findings);
+    if (!sheet.is_configuration()) check_predefined(id, findings);
   }
   check_collisions(ids, findings);
 }

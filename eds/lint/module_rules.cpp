@@ -96,8 +96,12 @@ void check_modules(const DataSheet& sheet, Findings& findings) {
   if (sheet.module_count && *sheet.module_count > sheet.modules.size())
     findings.error("module-count", sheet.module_count.place(),
                    fmt::format("{}, as there are", sheet.modules.size()), sheet.module_count.text());
-  if (sheet.module_count.value_or(0) != 0 && !sheet.objects.contains(kModuleList))
-    findings.warning("module-list", sheet.module_count.place(), "the module list, object 1027h", "none");
+  const Section* const supported = sheet.document->find("SupportedModules");
+  const auto list = sheet.objects.find(kModuleList);
+  if (supported != nullptr && list == sheet.objects.end())
+    findings.error("module-list", supported->place(), "the module list, object 1027h", "none");
+  if (supported == nullptr && list != sheet.objects.end())
+    findings.error("module-list", list->second.place(), "a section SupportedModules", "none");
   for (const auto& item : sheet.connected_modules.items)
     if (item.number && (*item.number == 0 || *item.number > sheet.module_count.value_or(0)))
       findings.error("module-number", item.number.place(),

@@ -59,6 +59,9 @@ void check_sub_number(const SheetObject& object, Findings& findings) {
     return;
   }
   const bool malformed = object.sub_number.stated() && !object.sub_number;
+  if (subs == 0)
+    return findings.error("sub-count", object.section->place("SubNumber"), "sub-indices, or CompactSubObj",
+                          "none");
   if (!malformed && object.sub_number.value != subs)
     findings.error("sub-count", object.section->place("SubNumber"), fmt::format("{}, its sub-indices", subs),
                    object.sub_number.text());
@@ -91,9 +94,9 @@ void check_array(const SheetObject& object, Findings& findings) {
     if (entry.sub_index == 0 || entry.sub_index == kStructure || !entry.data_type) continue;
     if (model == nullptr) model = &entry;
     if (*entry.data_type != *model->data_type)
-      findings.warning("array-type", place_of(entry, entry.data_type),
-                       fmt::format("{}, the type of the entries before", model->data_type.text()),
-                       entry.data_type.text());
+      findings.error("array-type", place_of(entry, entry.data_type),
+                     fmt::format("{}, the type of the entries before", model->data_type.text()),
+                     entry.data_type.text());
   }
 }
 

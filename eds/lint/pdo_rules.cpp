@@ -44,7 +44,7 @@ Mapped mapped_by(std::uint64_t value) {
           .bits = static_cast<std::uint8_t>(value)};
 }
 
-/// Holds the default mapping of one PDO against the objects.
+/// Holds the mapping of one PDO, by default or of a DCF, against the objects.
 class MappingRules {
  public:
   MappingRules(const DataSheet& sheet, const AllObjects& all, const Direction& direction, Findings& findings)
@@ -52,18 +52,17 @@ class MappingRules {
 
   void check(const SheetObject& mapping) {
     const SheetEntry* const count = mapping.find(0);
-    if (count == nullptr || !count->default_value || count->default_value->integer.magnitude > kMostEntries)
-      return;
-    const std::uint64_t entries = count->default_value->integer.magnitude;
+    if (count == nullptr || !count->effective() || count->effective()->integer.magnitude > kMostEntries) return;
+    const std::uint64_t entries = count->effective()->integer.magnitude;
     unsigned bits = 0;
     for (std::uint64_t sub = 1; sub <= entries; ++sub) {
       const SheetEntry* const entry = mapping.find(static_cast<std::uint8_t>(sub));
       if (entry == nullptr)
-        return findings_.error("mapping-count", place_of(*count, count->default_value),
+        return findings_.error("mapping-count", place_of(*count, count->effective()),
                                fmt::format("at most {} entries, as there are", sub - 1),
-                               count->default_value.text());
-      if (!entry->default_value) continue;
-      const Mapped mapped = mapped_by(entry->default_value->integer.magnitude);
+                               count->effective().text());
+      if (!entry->effective()) continue;
+      const Mapped mapped = mapped_by(entry->effective()->integer.magnitude);
       bits += mapped.bits;
       check_entry(*entry, mapped);
     }
@@ -97,8 +96,8 @@ class MappingRules {
   }
 
   void report(std::string_view check, const SheetEntry& entry, std::string_view expected) {
-    const Mapped mapped = mapped_by(entry.default_value->integer.magnitude);
-    findings_.error(check, place_of(entry, entry.default_value), expected,
+    const Mapped mapped = mapped_by(entry.effective()->integer.magnitude);
+    findings_.error(check, place_of(entry, entry.effective()), expected,
                     fmt::format("{:04X}h:{:02X}, {} bits", mapped.index, mapped.sub_index, mapped.bits));
   }
 

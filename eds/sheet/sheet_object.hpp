@@ -31,6 +31,10 @@ struct SheetEntry {
   Stated<std::string_view> upload_file{};  ///< of a DCF: where a DOMAIN is read to
   Stated<std::string_view> download_file{};  ///< of a DCF: what a DOMAIN is written from
 
+  /// The value that the node has after its configuration: that of a DCF, else the default.
+  [[nodiscard]] const Stated<Value>& effective() const noexcept {
+    return parameter_value ? parameter_value : default_value;
+  }
   /// Access where it is stated, else that of the standard's default: rw.
   [[nodiscard]] canopen::Access access_or_default() const { return access.value_or(canopen::Access::ReadWrite); }
 };

@@ -13,6 +13,7 @@ namespace eds {
 namespace {
 
 constexpr unsigned kHighestSub = 0xFE;
+constexpr std::uint16_t kModuleList = 0x1027;  // with it goes the section SupportedModules
 
 /// The name that a section of a module's object has in a plain file; empty for what goes.
 std::string plain_name(std::string_view name) {
@@ -72,9 +73,11 @@ class Flattener {
     for (const std::uint16_t index : extended_) count_subs(index);
     write_lists();
     write_pdo_counts();
-    result_.remove_sections([](std::string_view name) {
+    const bool listed = indices_.contains(kModuleList);
+    if (listed) result_.section("SupportedModules").set("NrOfEntries", "0");
+    result_.remove_sections([listed](std::string_view name) {
       const SectionName taken = parse_section_name(name);
-      return taken.module != 0 || taken.kind == SectionKind::SupportedModules ||
+      return taken.module != 0 || (taken.kind == SectionKind::SupportedModules && !listed) ||
              taken.kind == SectionKind::ConnectedModules;
     });
     return std::move(result_);
