@@ -105,15 +105,17 @@ tl::expected<Value, ValueError> parse_real(std::string_view text, const DataType
     const std::uint64_t bits = pattern->value.magnitude;
     if (pattern->value.negative || (type.bits == 32 && bits > std::numeric_limits<std::uint32_t>::max()))
       return tl::unexpected{ValueError{true, error.expected}};
-    value.real = type.bits == 32 ? double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))}
+    value.real = type.bits == 32 ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
                                  : std::bit_cast<double>(bits);
+    if (!std::isfinite(value.real)) return tl::unexpected{ValueError{true, error.expected}};
     return value;
   }
   if (digits.starts_with('+')) digits.remove_prefix(1);
   const char* const end = digits.data() + digits.size();
   const auto [stop, code] = std::from_chars(digits.data(), end, value.real);
   if (code == std::errc::invalid_argument || stop != end) return tl::unexpected{error};
-  const bool too_large = type.bits == 32 && std::abs(value.real) > double{std::numeric_limits<float>::max()};
+  const bool too_large =
+      type.bits == 32 && std::abs(value.real) > static_cast<double>(std::numeric_limits<float>::max());
   if (code != std::errc{} || !std::isfinite(value.real) || too_large)
     return tl::unexpected{ValueError{true, error.expected}};
   return value;

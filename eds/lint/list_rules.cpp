@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "eds/lint/rules.hpp"
+#include "eds/sheet/info_reader.hpp"
 
 namespace eds {
 namespace {
@@ -81,6 +82,15 @@ void check_mandatory(const DataSheet& sheet, Findings& findings) {
   }
 }
 
+/// What other objects an object is linked with (CiA 306, ObjectLinks).
+void check_links(const DataSheet& sheet, const Section& section, Findings& findings) {
+  const NumberedList links = read_list(*sheet.document, section.name(), "ObjectLinks", findings);
+  check_numbers(links, findings);
+  for (const auto& item : links.items)
+    if (item.number && !sheet.objects.contains(static_cast<std::uint16_t>(*item.number)))
+      findings.error("list-section", item.number.place(), fmt::format("a section [{:04X}]", *item.number), "none");
+}
+
 }  // namespace
 
 void check_numbers(const NumberedList& list, Findings& findings) {
@@ -115,6 +125,10 @@ void check_lists(const DataSheet& sheet, Findings& findings) {
       findings.error("list-missing", object.place(), fmt::format("{} in {}", hexadecimal(index), list_of(index)),
                      "it is in no list");
   check_mandatory(sheet, findings);
+  for (const Section& section : sheet.document->sections())
+    if (parse_section_name(section.name()).kind == SectionKind::ObjectLinks &&
+        parse_section_name(section.name()).module == 0 && sheet.document->find(section.name()) == &section)
+      check_links(sheet, section, findings);
 }
 
 }  // namespace eds

@@ -22,7 +22,7 @@ template <class Owner>
 struct NumberField {
   std::string_view key;
   Stated<std::uint64_t> Owner::*member;
-  std::uint64_t highest;
+  std::uint64_t highest = 0;
 };
 template <class Owner>
 struct TextField {

@@ -106,7 +106,7 @@ class Flattener {
   }
 
   /// How many new entries @p extension makes.
-  unsigned new_entries(const SubExtension& extension, Growth& growth) const {
+  static unsigned new_entries(const SubExtension& extension, Growth& growth) {
     if (extension.bits == 0) return extension.entries;
     const unsigned size =
         extension.entry.type != nullptr && extension.entry.type->bits != 0 ? extension.entry.type->bits : 8U;

@@ -46,6 +46,7 @@ struct InputFile {
   explicit InputFile(const std::string& path);
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
+  ~InputFile() = default;
 
   std::string path;
   eds::Findings findings;  ///< bear the path as it was given

@@ -108,6 +108,7 @@ TEST(Value, IsReadAsItsTypeSays) {
       Case{0x08, "2e3", "2000.000000"},
       Case{0x08, "0x3F800000", "1.000000"},
       Case{0x08, "0x3F80000000", "range"},
+      Case{0x08, "0x7FC00000", "range"},
       Case{0x08, "1e39", "range"},
       Case{0x08, "1,5", "form"},
       Case{0x08, "", "form"},
