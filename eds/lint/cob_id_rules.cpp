@@ -7,6 +7,7 @@
 
 #include "eds/lint/all_objects.hpp"
 #include "eds/lint/rules.hpp"
+#include "eds/sheet/object_lists.hpp"
 
 namespace eds {
 namespace {
@@ -16,21 +17,6 @@ constexpr unsigned kLastNode = 127;
 constexpr std::uint64_t kInvalid = 0x80000000;
 constexpr std::uint64_t kExtended = 0x20000000;
 constexpr std::uint64_t kIdentifier = 0x7FF;
-
-/// Objects that hold COB-IDs, and whether these may be restricted ones (CiA 301, 7.3.5).
-struct CobIdObjects {
-  std::uint16_t first;
-  std::uint16_t last;
-  std::array<std::uint8_t, 2> subs;  ///< from .. to
-  bool may_be_restricted;            ///< the default SDO channel
-  bool bit31_is_invalid;             ///< else it means something else
-};
-constexpr std::array kCobIds{
-    CobIdObjects{0x1005, 0x1005, {0, 0}, false, false}, CobIdObjects{0x1012, 0x1012, {0, 0}, false, false},
-    CobIdObjects{0x1014, 0x1014, {0, 0}, false, true},  CobIdObjects{0x1200, 0x1200, {1, 2}, true, true},
-    CobIdObjects{0x1201, 0x127F, {1, 2}, false, true},  CobIdObjects{0x1280, 0x12FF, {1, 2}, false, true},
-    CobIdObjects{0x1400, 0x15FF, {1, 1}, false, true},  CobIdObjects{0x1800, 0x19FF, {1, 1}, false, true},
-};
 
 /// Identifiers that no configurable object may have (CiA 301, 7.3.5), but for 0, which stands for none yet.
 struct Identifiers {
@@ -83,12 +69,10 @@ std::vector<CobId> cob_ids_of(const DataSheet& sheet) {
   std::vector<CobId> list;
   const AllObjects all{sheet};
   for (const auto& [index, object] : all.all())
-    for (const CobIdObjects& row : kCobIds) {
-      if (index < row.first || index > row.last) continue;
-      for (const SheetEntry& entry : object->entries)
-        if (entry.sub_index >= row.subs[0] && entry.sub_index <= row.subs[1] && entry.effective() &&
-            is_used(row, *entry.effective()))
-          list.push_back({object, &entry, &row});
+    for (const SheetEntry& entry : object->entries) {
+      const CobIdObjects* const row = find_cob_id(index, entry.sub_index);
+      if (row != nullptr && entry.effective() && is_used(*row, *entry.effective()))
+        list.push_back({object, &entry, row});
     }
   return list;
 }

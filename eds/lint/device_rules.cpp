@@ -5,6 +5,7 @@
 
 #include "eds/lint/all_objects.hpp"
 #include "eds/lint/rules.hpp"
+#include "eds/sheet/object_lists.hpp"
 
 namespace eds {
 namespace {
@@ -57,8 +58,7 @@ void check_granularity(const DataSheet& sheet, const AllObjects& all, Findings& 
   const auto& granularity = sheet.device_info.granularity;
   if (!granularity || *granularity != 0) return;
   for (const auto& [index, object] : all.all()) {
-    const bool mapping = (index >= 0x1600 && index < 0x1800) || (index >= 0x1A00 && index < 0x1C00);
-    const SheetEntry* const entry = mapping ? object->find(1) : nullptr;
+    const SheetEntry* const entry = is_mapping_parameter(index) ? object->find(1) : nullptr;
     if (entry == nullptr || !entry->access) continue;
     if (*entry->access != canopen::Access::ReadOnly && *entry->access != canopen::Access::Constant)
       return findings.error("granularity", granularity.place(),

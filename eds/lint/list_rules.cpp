@@ -6,56 +6,32 @@
 
 #include "eds/lint/rules.hpp"
 #include "eds/sheet/info_reader.hpp"
+#include "eds/sheet/object_lists.hpp"
 
 namespace eds {
 namespace {
 
-bool is_mandatory(std::uint64_t index) {
-  return index == 0x1000 || index == 0x1001 || index == 0x1018;
-}
-bool is_manufacturer(std::uint64_t index) {
-  return index >= 0x2000 && index < 0x6000;
-}
-bool is_optional(std::uint64_t index) {
-  return !is_mandatory(index) && !is_manufacturer(index);
-}
-
-/// A list of the device's objects and what belongs to it (CiA 306, 4.5).
-struct ObjectList {
-  std::string_view name;
-  NumberedList DataSheet::*list;
-  bool (*contains)(std::uint64_t index);
-};
-constexpr std::array kLists{
-    ObjectList{"MandatoryObjects", &DataSheet::mandatory, is_mandatory},
-    ObjectList{"OptionalObjects", &DataSheet::optional, is_optional},
-    ObjectList{"ManufacturerObjects", &DataSheet::manufacturer, is_manufacturer},
-};
-
-std::string_view list_of(std::uint64_t index) {
-  for (const ObjectList& row : kLists)
-    if (row.contains(index)) return row.name;
-  return {};
-}
+/// What a list of kObjectLists says in a file.
+constexpr std::array kListed{&DataSheet::mandatory, &DataSheet::optional, &DataSheet::manufacturer};
+static_assert(kListed.size() == kObjectLists.size());
 
 std::string hexadecimal(std::uint64_t index) {
   return fmt::format("0x{:04X}", index);
 }
 
 /// What an object list says against the sections; @p listed are those that other lists have named.
-void check_list(const DataSheet& sheet, const ObjectList& row, std::set<std::uint64_t>& listed,
-                Findings& findings) {
-  const NumberedList& list = sheet.*row.list;
+void check_list(const DataSheet& sheet, std::size_t row, std::set<std::uint64_t>& listed, Findings& findings) {
+  const NumberedList& list = sheet.*kListed[row];
   check_numbers(list, findings);
   std::set<std::uint64_t> own;
   for (const auto& item : list.items) {
     if (!item.number) continue;
-    const std::uint64_t index = *item.number;
-    if (!sheet.objects.contains(static_cast<std::uint16_t>(index)))
+    const auto index = static_cast<std::uint16_t>(*item.number);
+    if (!sheet.objects.contains(index))
       findings.error("list-section", item.number.place(), fmt::format("a section [{:04X}]", index), "none");
-    if (!row.contains(index))
+    if (!kObjectLists[row].contains(index))
       findings.error("list-wrong", item.number.place(),
-                     fmt::format("{} in {}", hexadecimal(index), list_of(index)), row.name);
+                     fmt::format("{} in {}", hexadecimal(index), list_of(index)), kObjectLists[row].section);
     if (own.insert(index).second && !listed.insert(index).second)
       findings.error("list-duplicate", item.number.place(), "each object in one list", hexadecimal(index));
   }
@@ -119,7 +95,7 @@ void check_numbers(const NumberedList& list, Findings& findings) {
 
 void check_lists(const DataSheet& sheet, Findings& findings) {
   std::set<std::uint64_t> listed;
-  for (const ObjectList& row : kLists) check_list(sheet, row, listed, findings);
+  for (std::size_t row = 0; row < kObjectLists.size(); ++row) check_list(sheet, row, listed, findings);
   for (const auto& [index, object] : sheet.objects)
     if (!listed.contains(index))
       findings.error("list-missing", object.place(), fmt::format("{} in {}", hexadecimal(index), list_of(index)),

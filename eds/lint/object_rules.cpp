@@ -5,6 +5,7 @@
 
 #include "eds/lint/rules.hpp"
 #include "eds/sheet/field_reader.hpp"
+#include "eds/sheet/object_lists.hpp"
 
 namespace eds {
 namespace {
@@ -19,14 +20,9 @@ bool is_structured(const SheetObject& object) {
   return code == ObjectCode::Array || code == ObjectCode::Record || code == ObjectCode::DefStruct;
 }
 
-/// Mapping parameters, whose sub-index 0 is held against their entries elsewhere.
-bool is_mapping(const SheetObject& object) {
-  return (object.index >= 0x1600 && object.index < 0x1800) || (object.index >= 0x1A00 && object.index < 0x1C00);
-}
-
 /// Objects of the manufacturer may use sub-index 0 as they like.
 bool is_standard(const SheetObject& object) {
-  return object.index < 0x2000 || object.index >= 0x6000;
+  return !is_manufacturer(object.index);
 }
 
 void check_code(const SheetObject& object, Findings& findings) {
@@ -75,7 +71,8 @@ void check_first_sub(const SheetObject& object, Findings& findings) {
   if (first->data_type && *first->data_type != kUnsigned8)
     return findings.error("sub-zero", place_of(*first, first->data_type), "data type 0x0005",
                           first->data_type.text());
-  if (!first->default_value || first->compact || !is_standard(object) || is_mapping(object)) return;
+  if (!first->default_value || first->compact || !is_standard(object) || is_mapping_parameter(object.index))
+    return;
   std::uint64_t highest = 0;
   for (const SheetEntry& entry : object.entries)
     if (entry.sub_index != kStructure) highest = entry.sub_index;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "eds/names.hpp"
+#include "eds/sheet/object_lists.hpp"
 
 namespace eds {
 namespace {
@@ -32,14 +33,6 @@ const TypeName* name_of_type(const SheetEntry& entry) {
   if (entry.type == nullptr) return nullptr;
   const auto* const found = std::ranges::find(kTypes, entry.type->number, &TypeName::number);
   return found == kTypes.end() ? nullptr : found;
-}
-
-/// Objects that hold COB-IDs, whose limits their service judges.
-bool holds_cob_id(std::uint16_t index, std::uint8_t sub_index) {
-  const bool pdo = (index >= 0x1400 && index < 0x1600) || (index >= 0x1800 && index < 0x1A00);
-  const bool sdo = index >= 0x1200 && index < 0x1300;
-  return index == 0x1005 || index == 0x1012 || index == 0x1014 || (pdo && sub_index == 1) ||
-         (sdo && (sub_index == 1 || sub_index == 2));
 }
 
 /// A literal of std::int64_t; the smallest one has no literal of its own.
@@ -141,7 +134,7 @@ void write_row(std::string& text, std::uint16_t index, const SheetEntry& entry, 
   row.add("access", name_of(kAccesses, entry.access_or_default()).enumerator);
   if (entry.mappable.value_or(false)) row.add("pdo_mappable", "true");
   if (entry.default_value && entry.default_value->node_relative) row.add("node_relative", "true");
-  if (holds_cob_id(index, entry.sub_index)) row.add("limit_check", "canopen::LimitCheck::Owner");
+  if (find_cob_id(index, entry.sub_index) != nullptr) row.add("limit_check", "canopen::LimitCheck::Owner");
   row.add_value();
   row.add_name_and_capacity(options);
   row.end();

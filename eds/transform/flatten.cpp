@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "eds/sheet/data_sheet.hpp"
+#include "eds/sheet/object_lists.hpp"
 
 namespace eds {
 namespace {
@@ -34,12 +35,6 @@ std::string plain_name(std::string_view name) {
     default:
       return {};
   }
-}
-
-/// The list that an object belongs to.
-std::string_view list_of(std::uint16_t index) {
-  if (index == 0x1000 || index == 0x1001 || index == 0x1018) return "MandatoryObjects";
-  return index >= 0x2000 && index < 0x6000 ? "ManufacturerObjects" : "OptionalObjects";
 }
 
 /// What the entries of one object that modules extend have come to.
