@@ -10,6 +10,7 @@
 
 #include "eds/names.hpp"
 #include "eds/number.hpp"
+#include "eds/sheet/object_lists.hpp"
 
 namespace eds {
 
@@ -93,10 +94,5 @@ struct CatalogueError : std::runtime_error {
 /// The entry at @p index and @p sub_index, or null.
 [[nodiscard]] const Entry* find_entry(std::span<const Object> objects, std::uint16_t index,
                                       std::uint8_t sub_index) noexcept;
-
-/// True for PDO mapping parameters, whose entries from sub-index 1 name the mapped objects.
-[[nodiscard]] constexpr bool is_mapping_parameter(std::uint16_t index) noexcept {
-  return (index >= 0x1600 && index < 0x1800) || (index >= 0x1A00 && index < 0x1C00);
-}
 
 }  // namespace eds

@@ -18,28 +18,6 @@ namespace {
 constexpr std::array kBaudRates{10, 20, 50, 125, 250, 500, 800, 1000};  // kbit/s
 constexpr int kLastDummy = 7;                                           // data types 0001h to 0007h
 
-/// The list of objects an index belongs to (CiA 306, 4.5).
-struct ObjectList {
-  std::string_view section;
-  bool (*contains)(std::uint16_t index);
-};
-
-bool is_mandatory(std::uint16_t index) {
-  return index == 0x1000 || index == 0x1001 || index == 0x1018;
-}
-bool is_manufacturer(std::uint16_t index) {
-  return index >= 0x2000 && index < 0x6000;
-}
-bool is_optional(std::uint16_t index) {
-  return !is_mandatory(index) && !is_manufacturer(index);
-}
-
-constexpr std::array kObjectLists{
-    ObjectList{"MandatoryObjects", is_mandatory},
-    ObjectList{"OptionalObjects", is_optional},
-    ObjectList{"ManufacturerObjects", is_manufacturer},
-};
-
 /// What one EDS describes.
 struct Content {
   std::vector<Object> objects;  ///< of the device itself, ascending by index

@@ -10,8 +10,16 @@
 
 namespace eds {
 
-/// Object codes by their number in an EDS (CiA 306, ObjectType).
-enum class ObjectCode : std::uint8_t { Variable = 7, Array = 8, Record = 9 };
+/// Object codes by their number in an EDS (CiA 306, ObjectType; CiA 301, table 42).
+enum class ObjectCode : std::uint8_t {
+  Null = 0,
+  Domain = 2,
+  DefType = 5,
+  DefStruct = 6,
+  Variable = 7,
+  Array = 8,
+  Record = 9,
+};
 
 /// Where an object exists: in the dictionary of the unit, or among the parameters of a drive object.
 enum class Scope : std::uint8_t {
@@ -67,7 +75,7 @@ inline constexpr std::array kAccesses{
     Name<canopen::Access>{canopen::Access::Constant, "const", "Constant"},
 };
 
-/// Object codes, spelled as CiA 301 spells them.
+/// Object codes that the catalogue may use, spelled as CiA 301 spells them.
 inline constexpr std::array kObjectCodes{
     Name<ObjectCode>{ObjectCode::Variable, "VAR", "Variable"},
     Name<ObjectCode>{ObjectCode::Array, "ARRAY", "Array"},

@@ -2,33 +2,32 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
+
+#include "eds/document/value.hpp"
 
 namespace eds {
 namespace {
 
-constexpr std::string_view kNodeId = "$NODEID+";
 constexpr std::int64_t kFirstNode = 1;
 constexpr std::int64_t kLastNode = 127;
 
-bool take(std::string_view& text, std::string_view prefix) {
-  if (!text.starts_with(prefix)) return false;
-  text.remove_prefix(prefix.size());
-  return true;
+/// True for what the catalogue may write of all the forms of an EDS: no blanks, $NODEID in front.
+bool is_plain(std::string_view text, const IntegerText& number) {
+  if (text.find_first_of(" \t") != std::string_view::npos || text.starts_with('+')) return false;
+  return !number.node_relative || (text.starts_with("$NODEID+") && !number.value.negative);
 }
 
 }  // namespace
 
 std::optional<Number> parse_number(std::string_view text) {
-  Number number{.text = std::string{text}};
-  number.node_relative = take(text, kNodeId);
-  const bool negative = !number.node_relative && take(text, "-");
-  const int base = take(text, "0x") ? 16 : 10;
-  std::uint32_t magnitude = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, magnitude, base);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  number.value = negative ? -std::int64_t{magnitude} : std::int64_t{magnitude};
-  return number;
+  const auto read = parse_integer(text);
+  if (!read || !is_plain(text, *read) || read->value.magnitude > std::numeric_limits<std::uint32_t>::max())
+    return std::nullopt;
+  const auto magnitude = static_cast<std::int64_t>(read->value.magnitude);
+  return Number{.value = read->value.negative ? -magnitude : magnitude,
+                .node_relative = read->node_relative,
+                .text = std::string{text}};
 }
 
 std::optional<Number> parse_real(std::string_view text) {

@@ -10,8 +10,8 @@
 
 namespace eds {
 
-/// A number as the catalogue and an EDS write it: decimal, 0x hexadecimal, or either after "$NODEID+" (CiA
-/// 306, 4.6.3).
+/// A number as the catalogue writes it, and an EDS: decimal, 0x hexadecimal, 0 octal, or one of these after
+/// "$NODEID+" (CiA 306, 4.6.3).
 struct Number {
   std::int64_t value = 0;      ///< without the node-ID
   bool node_relative = false;  ///< the node-ID (1..127) is added

@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # fuzz.sh [--minutes N | --runs N] [--jobs N] [--fast] [--keep]: lets libFuzzer look for inputs that a node handles against its rules.
+# fuzz.sh --eds [--minutes N | --runs N] [--jobs N] [--fast]: likewise texts that the reader of EDS files handles against its rules.
 #
 # Builds tests/fuzz with clang (build/fuzz; --fast: build/fuzz-fast, without the sanitizers) and runs it for N minutes (1), or
 # for N executions in all, in N processes (all processors), from the kept corpus and the dialogues. Ends with the number of executions, the rate and the
 # edges of the library reached. --keep puts what reaches something new into tests/fuzz/corpus, as few and small inputs as
 # possible. An input that breaks a rule stays in build/fuzz/findings and makes the exit status 1:
 #   build/fuzz/bin/tests/node_replay --trace build/fuzz/findings/crash-...
+# Texts start from tests/data/eds; one that breaks a rule is read again by build/fuzz/bin/tests/eds_fuzz FILE.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "$0")/common.sh"
 
-minutes=1 runs='' preset=fuzz keep=''
+minutes=1 runs='' preset=fuzz keep='' target=node
 while (($#)); do
   case $1 in
     --minutes) need_number "$@"; minutes=$2; shift ;;
@@ -18,22 +20,30 @@ while (($#)); do
     --jobs) need_number "$@"; jobs=$2; shift ;;
     --fast) preset=fuzz-fast ;;
     --keep) keep=yes ;;
-    *) misuse "unknown option $1; usage: fuzz.sh [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
+    --eds) target=eds ;;
+    *) misuse "unknown option $1; usage: fuzz.sh [--eds] [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
   esac
   shift
 done
+[[ $target == node || ! $keep ]] || misuse "--keep is for the inputs of the node; a text that shows something new goes into tests/data/eds"
 
 need_packages clang libclang-rt-14-dev
-build "$preset" node_fuzz node_replay
 folder=$root/build/$preset
-fuzzer=$folder/bin/tests/node_fuzz
-corpus=$root/tests/fuzz/corpus
-# Short inputs are run more often: most of what a node can do shows within some dozen events.
-options=(-max_len=200 -len_control=0 -entropic=0 -timeout=10)
-
-mkdir -p "$folder"/{seeds,found,findings,logs}
+mkdir -p "$folder"/{seeds,found,found-eds,findings,logs}
 rm -f "$folder"/logs/*
-"$folder/bin/tests/node_replay" --write "$folder/seeds" "$root/tests/fuzz/dialogues" >/dev/null
+fuzzer=$folder/bin/tests/${target}_fuzz
+if [[ $target == eds ]]; then
+  build "$preset" eds_fuzz
+  inputs=("$folder/found-eds" "$root/tests/data/eds")
+  options=(-max_len=8192 -timeout=10)
+else
+  build "$preset" node_fuzz node_replay
+  corpus=$root/tests/fuzz/corpus
+  inputs=("$folder/found" "$corpus" "$folder/seeds")
+  # Short inputs are run more often: most of what a node can do shows within some dozen events.
+  options=(-max_len=200 -len_control=0 -entropic=0 -timeout=10)
+  "$folder/bin/tests/node_replay" --write "$folder/seeds" "$root/tests/fuzz/dialogues" >/dev/null
+fi
 
 if [[ $runs ]]; then
   limit=-runs=$(((runs + jobs - 1) / jobs))
@@ -45,7 +55,7 @@ fi
 pids=() status=0
 for ((job = 1; job <= jobs; ++job)); do
   "$fuzzer" "${options[@]}" "$limit" -reload=1 -print_final_stats=1 \
-    -artifact_prefix="$folder/findings/" "$folder/found" "$corpus" "$folder/seeds" &>"$folder/logs/$job" &
+    -artifact_prefix="$folder/findings/" "${inputs[@]}" &>"$folder/logs/$job" &
   pids+=($!)
 done
 trap 'kill "${pids[@]}" 2>/dev/null' INT TERM
@@ -53,7 +63,7 @@ for pid in "${pids[@]}"; do wait "$pid" || status=1; done
 
 grep -h -E '^broken:|Assertion|^SUMMARY' "$folder"/logs/* || true
 awk '/number_of_executed_units/ {runs += $2} /average_exec_per_sec/ {rate += $2} / cov: / {for (i = 1; i < NF; ++i) if ($i == "cov:" && $(i + 1) > edges) edges = $(i + 1)}
-  END {printf "%d executions, %d a second, %d edges of the library\n", runs, rate, edges}' "$folder"/logs/*
+  END {printf "%d executions, %d a second, %d edges of the code\n", runs, rate, edges}' "$folder"/logs/*
 
 if [[ $keep ]]; then
   say "keeping what is new"

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace eds {
+
+/// One check of a file, as docs/eds-checks.md lists it.
+struct Check {
+  std::string_view id;    ///< the word in findings
+  std::string_view rule;  ///< what is right
+};
+
+/// Every check, by group: text, values, sections, lists, objects, entries, PDOs, COB-IDs, device, modules, DCF.
+inline constexpr std::array kChecks{
+    Check{"encoding", "The file is ASCII; UTF-8 and Latin-1 are read, UTF-16 and zero bytes are errors."},
+    Check{"byte-order-mark", "The file begins without a byte order mark."},
+    Check{"line-ending", "All lines end alike."},
+    Check{"line-length", "A line has at most 255 characters; the lengths of texts in CiA 306 follow from it."},
+    Check{"line-form", "A line is a section, an entry, a comment or empty."},
+    Check{"section-form", "A section stands in brackets, with a name and nothing behind it."},
+    Check{"comment-form", "A comment begins with a semicolon."},
+    Check{"entry-outside-section", "No entry stands before the first section."},
+    Check{"duplicate-section", "A section stands once; the first one counts."},
+    Check{"duplicate-key", "A key stands once in a section; the first one counts."},
+    Check{"number-form", "A number is decimal, 0x hexadecimal or 0 octal."},
+    Check{"number-range", "A number fits its entry."},
+    Check{"value-form", "Limits, defaults and parameter values are values of the data type."},
+    Check{"value-range", "They are within its range, on every node."},
+    Check{"access-type", "AccessType is ro, wo, rw, rwr, rww or const."},
+    Check{"extension-count", "Count of an extension is a number from 1, or 0;BITS."},
+    Check{"compact-size", "CompactSubObj makes at most 65536 entries in a file."},
+    Check{"section-missing", "FileInfo, DeviceInfo, DummyUsage and the three lists of objects are there."},
+    Check{"section-unknown", "Every section is one of CiA 306."},
+    Check{"section-spelling", "The section of a DCF is spelled DeviceComissioning."},
+    Check{"key-missing", "What CiA 306 asks for is there."},
+    Check{"key-unknown", "Every key is one of CiA 306, in its section."},
+    Check{"comment-count", "Lines says how many comment lines follow, from Line1 without a gap."},
+    Check{"date-form", "Dates are mm-dd-yyyy, times hh:mmAM or hh:mmPM."},
+    Check{"eds-version", "EDSVersion is 3.0 or 4.0."},
+    Check{"file-name", "FileName is the name of the file."},
+    Check{"list-count", "A list has as many entries as it says."},
+    Check{"list-gap", "A list is numbered from 1 without a gap."},
+    Check{"list-duplicate", "An object is listed once."},
+    Check{"list-section", "A listed object has a section."},
+    Check{"list-missing", "An object that has a section is listed."},
+    Check{"list-wrong",
+          "1000h, 1001h and 1018h are mandatory, 2000h to 5FFFh of the manufacturer, others optional."},
+    Check{"mandatory-object", "1000h, 1001h and 1018h with sub-indices 0 and 1 are there."},
+    Check{"object-type", "ObjectType is one of CiA 301 and agrees with the sub-indices."},
+    Check{"sub-parent", "The object of a sub-index has a section."},
+    Check{"sub-count", "SubNumber is the number of sub-indices, FFh not counted."},
+    Check{"sub-zero", "Arrays and records have a sub-index 0 of type UNSIGNED8."},
+    Check{"sub-highest",
+          "The default of sub-index 0 is the highest sub-index, at most that where it can be written."},
+    Check{"array-type", "The entries of an array have one type."},
+    Check{"compact-form", "CompactSubObj is for arrays and records, its lists name sub-indices that it makes."},
+    Check{"data-type", "DataType is one of CiA 301, or one of the manufacturer or a profile."},
+    Check{"limit-order", "LowLimit is not above HighLimit."},
+    Check{"default-limits", "The default is within the limits."},
+    Check{"parameter-limits", "The value of a parameter is within the limits."},
+    Check{"node-id-form", "The node-ID stands in an addition: $NODEID+NUMBER."},
+    Check{"mapping-access", "The access of what can be mapped tells the direction: ro, wo, rwr or rww."},
+    Check{"mapping-type", "What can be mapped has a length that a PDO takes."},
+    Check{"object-flags", "ObjFlags has bits 0 and 1 only."},
+    Check{"pdo-pair", "Communication and mapping parameters of a PDO are both there."},
+    Check{"pdo-count", "NrOfRXPDO and NrOfTXPDO are the numbers of PDOs."},
+    Check{"mapping-count", "Sub-index 0 of a mapping counts entries that are there."},
+    Check{"mapping-object", "A mapped object is there and can be mapped."},
+    Check{"mapping-direction", "The access of a mapped object allows the direction."},
+    Check{"mapping-length", "A mapping gives the length of its object."},
+    Check{"mapping-bits", "A PDO has at most 64 bits."},
+    Check{"mapping-dummy", "A mapped dummy is one of DummyUsage, in an RPDO."},
+    Check{"cob-id-restricted", "No COB-ID is restricted (CiA 301, 7.3.5), on any node."},
+    Check{"cob-id-collision", "No two COB-IDs are equal, on any node."},
+    Check{"cob-id-predefined", "The defaults of an EDS are those of the predefined connection set, or disabled."},
+    Check{"identity", "Vendor, product and revision of DeviceInfo are those of 1018h."},
+    Check{"granularity", "Granularity is above 0 where mappings can be written."},
+    Check{"bit-rate", "At least one bit rate is supported."},
+    Check{"lss-identity", "A device that supports LSS has 1018h with sub-indices 1 to 4."},
+    Check{"boot-up", "A boot-up master has object 1F80h."},
+    Check{"dynamic-channels", "DynamicChannelsSupported agrees with the section DynamicChannels."},
+    Check{"dummy-type", "A dummy stands for a data type of fixed length."},
+    Check{"module-count", "SupportedModules counts the modules, each has its MxModuleInfo."},
+    Check{"module-list", "SupportedModules and object 1027h are both there, or neither."},
+    Check{"module-overlap", "A module brings objects that neither the device has nor the module extends."},
+    Check{"module-agreement", "Modules that bring the same object describe it alike."},
+    Check{"extension-object", "A module extends objects that have sub-indices."},
+    Check{"module-number", "ConnectedModules names modules that are supported."},
+    Check{"node-id", "The node-ID of a DCF is 1 to 127."},
+    Check{"bit-rate-unsupported", "The bit rate of a DCF is one that the device supports."},
+    Check{"parameter-access", "Only what can be written has a value in a DCF."},
+    Check{"configuration-key", "Values, denotations and files stand in a DCF only."},
+};
+
+}  // namespace eds

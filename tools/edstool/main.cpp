@@ -1,0 +1,37 @@
+#include <exception>
+#include <iostream>
+
+#include "tools/edstool/command.hpp"
+
+namespace {
+
+int complain(std::string_view text) {
+  std::cerr << "edstool: " << text << '\n';
+  return edstool::kUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Reads, checks and makes EDS and DCF files of CANopen devices.", "edstool"};
+  edstool::Invocation invocation;
+  app.set_version_flag("--version", "edstool " AXISD_VERSION);
+  app.add_flag("--json", invocation.json, "Print the result as one line of JSON");
+  app.footer(
+      "Exit status: 0 clean, 1 something was found, 2 wrong usage or a file that cannot be read or written.");
+  for (const edstool::AddCommand add : edstool::commands()) add(app, invocation);
+  app.require_subcommand(1);
+  app.fallthrough();
+  for (CLI::App* const command : app.get_subcommands({})) command->fallthrough();
+  try {
+    app.parse(argc, argv);
+    const int status = invocation.run();
+    std::cout.flush();
+    return std::cout ? status : complain("standard output: cannot be written");
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return complain(error.what());
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}
