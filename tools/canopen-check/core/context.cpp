@@ -12,8 +12,10 @@ constexpr std::uint16_t kHeartbeatTime = 0x1017;
 constexpr std::uint64_t kObservedHeartbeat = 100;  // ms: the shortest that every device is able to
 constexpr canopen::Duration kGuardPatience = std::chrono::milliseconds{100};
 constexpr std::uint8_t kStateBits = 0x7F;
-/// Frames that a finding keeps.
-constexpr std::size_t kMostFrames = 60;
+/// Frames that a finding keeps, and findings of a check that keep any.
+constexpr std::size_t kMostFrames = 60, kMostWithFrames = 20;
+/// Findings of a check; one for every object of a large device has to fit, as each may be a known deviation.
+constexpr std::size_t kMostFindings = 2000;
 
 canopen::NmtCommand command_for(canopen::NmtState state) noexcept {
   switch (state) {
@@ -35,7 +37,13 @@ std::string milliseconds(canopen::Duration time) {
 }
 
 void Context::fail(Subject subject, std::string expected, std::string found) {
-  const std::span<const TimedFrame> frames = session_->since(mark_);
+  if (findings_.size() > kMostFindings) return;
+  if (findings_.size() == kMostFindings) {
+    findings_.push_back({.expected = "fewer findings", .found = "more, which are not listed"});
+    return;
+  }
+  const std::span<const TimedFrame> frames =
+      findings_.size() < kMostWithFrames ? session_->since(mark_) : std::span<const TimedFrame>{};
   const std::span<const TimedFrame> last = frames.last(std::min(frames.size(), kMostFrames));
   findings_.push_back({.subject = subject,
                        .expected = std::move(expected),
