@@ -9,10 +9,15 @@ namespace conformance {
 
 // The checks of each group, in the order in which they run.
 [[nodiscard]] std::span<const Check> device_checks() noexcept;
+[[nodiscard]] std::span<const Check> device_value_checks() noexcept;
 [[nodiscard]] std::span<const Check> nmt_checks() noexcept;
 [[nodiscard]] std::span<const Check> error_control_checks() noexcept;
 [[nodiscard]] std::span<const Check> sdo_checks() noexcept;
+[[nodiscard]] std::span<const Check> sdo_transfer_checks() noexcept;
+[[nodiscard]] std::span<const Check> sdo_download_checks() noexcept;
+[[nodiscard]] std::span<const Check> sdo_frame_checks() noexcept;
 [[nodiscard]] std::span<const Check> sdo_block_checks() noexcept;
+[[nodiscard]] std::span<const Check> sdo_block_download_checks() noexcept;
 [[nodiscard]] std::span<const Check> sdo_server_checks() noexcept;
 [[nodiscard]] std::span<const Check> pdo_parameter_checks() noexcept;
 [[nodiscard]] std::span<const Check> pdo_transmission_checks() noexcept;
