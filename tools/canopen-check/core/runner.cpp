@@ -81,7 +81,9 @@ RunReport Runner::run(std::span<const Check* const> checks, const Progress& prog
   if (changes && initial_state_ != canopen::NmtState::Stopped) {
     Context context{session_, sdo_, *eds_, *settings_};
     if (context.observe_state()) initial_state_ = context.state().value_or(initial_state_);
+    session_.clean_up(true);
     (void)context.undo().restore();
+    session_.clean_up(false);
   }
   if (changes) session_.command(canopen::NmtCommand::EnterPreOperational);
   Snapshot snapshot{sdo_, changes ? *eds_ : Description{}, *settings_};
@@ -92,7 +94,7 @@ RunReport Runner::run(std::span<const Check* const> checks, const Progress& prog
     progress.end(report.results.back());
   }
   if (changes) finish(report, snapshot);
-  if (lost_ || session_.ended()) report.problem = trouble();
+  if (lost_ || session_.interrupted() || !session_.bus_is_up()) report.problem = trouble();
   report.time = session_.now() - begin;
   return report;
 }

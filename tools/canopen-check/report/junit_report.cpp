@@ -1,35 +1,38 @@
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
-#include "eds/document/finding.hpp"
+#include "eds/document/encoding.hpp"
 #include "tools/canopen-check/report/report.hpp"
 
 namespace conformance {
 namespace {
 
-/// @p text as XML may hold it: printable UTF-8, without the characters of the markup.
+struct Entity {
+  char character;
+  std::string_view text;
+};
+constexpr std::array kEntities{Entity{'&', "&amp;"}, Entity{'<', "&lt;"}, Entity{'>', "&gt;"},
+                               Entity{'"', "&quot;"}};
+
+/// @p text as XML may hold it: UTF-8 without control characters and without the characters of the markup.
 std::string escaped(std::string_view text) {
+  const bool latin = eds::encoding_of(text) == eds::Encoding::Latin1;
   std::string result;
-  for (const char character : text) switch (character) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += '\n';
-        break;
-      default:
-        result += static_cast<unsigned char>(character) < ' ' ? '?' : character;
+  for (const char character : text) {
+    const auto byte = static_cast<unsigned char>(character);
+    const auto* const entity = std::ranges::find(kEntities, character, &Entity::character);
+    if (entity != kEntities.end()) {
+      result += entity->text;
+    } else if (byte < ' ' && character != '\n') {
+      result += '?';
+    } else if (latin && byte >= 0x80U) {
+      result += eds::utf8_of_latin1(byte);
+    } else {
+      result += character;
     }
+  }
   return result;
 }
 
