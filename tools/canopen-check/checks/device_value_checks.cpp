@@ -103,7 +103,7 @@ void has_the_defaults_of_the_eds(Context& context) {
   context.step();
   const SdoAnswer loaded = context.sdo().download(kRestore, 1, little_endian(kLoad, 4));
   if (!loaded.done()) return context.fail(kRestore, 1, "\"load\" is taken", to_text(loaded));
-  if (!context.reset(canopen::NmtCommand::ResetNode)) return;
+  if (!context.restart(canopen::NmtCommand::ResetNode)) return;
   // Entries that are read only change by themselves: inputs, states.
   for_each_value(
       context,

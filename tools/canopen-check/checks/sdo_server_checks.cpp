@@ -133,10 +133,10 @@ void falls_silent(Context& context) {
 
 void loses_identifiers_with_a_reset(Context& context) {
   const std::uint16_t server = further_server(context);
-  if (server == 0) return;
+  if (server == 0 || !context.restart(canopen::NmtCommand::ResetCommunication)) return;
   const std::optional<std::uint64_t> request = context.number(server, 1), response = context.number(server, 2);
   if (!request || !response || enable(context, server).request == 0) return;
-  if (!context.reset(canopen::NmtCommand::ResetCommunication)) return;
+  if (!context.restart(canopen::NmtCommand::ResetCommunication)) return;
   for (std::uint8_t sub = 1; sub <= 2; ++sub) {
     const std::uint64_t before = sub == 1 ? *request : *response;
     const std::optional<std::uint64_t> now = context.number(server, sub);
