@@ -149,9 +149,7 @@ SdoAnswer Download::end() {
   return {.kind = SdoAnswer::Kind::Done};
 }
 
-}  // namespace
-
-SdoAnswer block_upload(Context& context, const Target& entry, const BlockOptions& options) {
+SdoAnswer upload(Context& context, const Target& entry, const BlockOptions& options) {
   const std::uint32_t parameters = options.block_size | std::uint32_t{options.switch_up_to} << 8U;
   const std::optional<canopen::Frame> begin = context.sdo().exchange(context.sdo().request(
       static_cast<std::uint8_t>(kUpload | (options.crc ? kCrc : 0U)), entry.index, entry.sub_index, parameters));
@@ -159,22 +157,22 @@ SdoAnswer block_upload(Context& context, const Target& entry, const BlockOptions
   if (options.switch_up_to != 0 && (begin->data[0] & 0xF2U) == 0x42) return switched(*begin);
   if ((begin->data[0] & 0xF9U) != kUploadAccepted)
     return malformed(context, entry, "a block upload begins with " + hexadecimal(begin->data));
-  Upload upload{context, entry, options};
-  upload.crc = options.crc && (begin->data[0] & kCrc) != 0;
+  Upload going{context, entry, options};
+  going.crc = options.crc && (begin->data[0] & kCrc) != 0;
   canopen::Frame request = context.sdo().request(kUploadStart);
-  while (!upload.last && upload.data.size() < kLongest) {
-    const bool first = upload.first_block;
-    const auto confirmed = upload.take(context.sdo().exchange(request));
+  while (!going.last && going.data.size() < kLongest) {
+    const bool first = going.first_block;
+    const auto confirmed = going.take(context.sdo().exchange(request));
     if (!confirmed) return confirmed.error();
     request = context.sdo().request(kUploadConfirm);
     request.data[1] = first && options.confirmed_as != 0 ? options.confirmed_as : *confirmed;
     request.data[2] = options.block_size;
   }
   const std::optional<canopen::Frame> end = context.sdo().exchange(request);
-  return end ? upload.end(*end) : SdoAnswer{};
+  return end ? going.end(*end) : SdoAnswer{};
 }
 
-SdoAnswer block_download(Context& context, const Target& entry, const BlockOptions& options) {
+SdoAnswer download(Context& context, const Target& entry, const BlockOptions& options) {
   const auto command =
       static_cast<std::uint8_t>(kDownload | (options.crc ? kCrc : 0U) | (options.announced ? kSize : 0U));
   const auto size = static_cast<std::uint32_t>(options.announced ? entry.value.size() : 0);
@@ -183,11 +181,28 @@ SdoAnswer block_download(Context& context, const Target& entry, const BlockOptio
   if (!begin || abort_code(*begin)) return answer_of(begin);
   if ((begin->data[0] & 0xFBU) != kDownloadAccepted || begin->data[4] == 0 || begin->data[4] > kLargestBlock)
     return malformed(context, entry, "a block download is answered by " + hexadecimal(begin->data));
-  Download download{context, entry, options, begin->data[4]};
-  download.crc = options.crc && (begin->data[0] & kCrc) != 0;
-  while (download.at < entry.value.size() && !context.session().ended())
-    if (std::optional<SdoAnswer> answer = download.send_block()) return *answer;
-  return download.end();
+  Download going{context, entry, options, begin->data[4]};
+  going.crc = options.crc && (begin->data[0] & kCrc) != 0;
+  while (going.at < entry.value.size() && !context.session().ended())
+    if (std::optional<SdoAnswer> answer = going.send_block()) return *answer;
+  return going.end();
+}
+
+/// A server that waits in the middle of a block would take the next request for a segment.
+SdoAnswer ended(Context& context, const Target& entry, SdoAnswer answer) {
+  if (answer.kind == SdoAnswer::Kind::Silent)
+    context.sdo().abort(entry.index, entry.sub_index, number_of(canopen::AbortCode::ProtocolTimedOut));
+  return answer;
+}
+
+}  // namespace
+
+SdoAnswer block_upload(Context& context, const Target& entry, const BlockOptions& options) {
+  return ended(context, entry, upload(context, entry, options));
+}
+
+SdoAnswer block_download(Context& context, const Target& entry, const BlockOptions& options) {
+  return ended(context, entry, download(context, entry, options));
 }
 
 }  // namespace conformance

@@ -142,6 +142,12 @@ void has_no_other_sub_indices(Context& context) {
 /// Longest time that the scan of all indices may take; on slow buses it ends there.
 constexpr canopen::Duration kScanLimit = std::chrono::seconds{15};
 
+bool says_absent(std::uint32_t code) {
+  constexpr std::array kAbsent{canopen::AbortCode::NoObject, canopen::AbortCode::NoSubIndex,
+                               canopen::AbortCode::GeneralError};
+  return std::ranges::find(kAbsent, static_cast<canopen::AbortCode>(code)) != kAbsent.end();
+}
+
 /// Asks for every index from @p first to @p last that the EDS does not have; the first one that was not asked.
 unsigned scan(Context& context, unsigned first, unsigned last, canopen::TimePoint until) {
   int silent = 0;
@@ -153,8 +159,9 @@ unsigned scan(Context& context, unsigned first, unsigned last, canopen::TimePoin
     context.step();
     const SdoAnswer answer = context.read(object);
     silent = answer.kind == SdoAnswer::Kind::Silent ? silent + 1 : 0;
-    const bool absent = answer.aborted() && answer.abort_code == number_of(canopen::AbortCode::NoObject);
-    if (!absent && silent == 0)
+    // Which code a node has for what does not exist is a matter of the SDO checks.
+    const bool there = answer.done() || (answer.aborted() && !says_absent(answer.abort_code));
+    if (there)
       context.fail(Subject{object, std::nullopt}, "no object that the EDS does not have", to_text(answer));
   }
   return last + 1;

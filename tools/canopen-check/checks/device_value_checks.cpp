@@ -81,7 +81,9 @@ void lies_within_its_limits(Context& context) {
 
 void expect_initial(Context& context, const EntryFacts& entry, const SdoAnswer& answer) {
   const auto initial = encode(*entry.initial, *entry.type, context.eds().node_id());
-  if (!answer.done() || !initial || answer.data == *initial) return;
+  // The length of a number is a matter of device.length.
+  const bool other_length = initial && entry.numeric() && answer.data.size() != initial->size();
+  if (!answer.done() || !initial || other_length || answer.data == *initial) return;
   context.fail(entry.index, entry.sub_index, hexadecimal(*initial) + ", the DefaultValue of the EDS",
                answer.data.empty() ? "nothing" : hexadecimal(answer.data));
 }
@@ -90,10 +92,18 @@ bool has_initial(const EntryFacts& entry) {
   return entry.type != nullptr && entry.initial.has_value();
 }
 
+/// Sub-index 0 that counts the others.
+bool counts(const Context& context, const EntryFacts& entry) {
+  const eds::ObjectCode code = context.eds().code_of(entry.index);
+  return entry.sub_index == 0 && (code == eds::ObjectCode::Array || code == eds::ObjectCode::Record);
+}
+
 void keeps_its_constants(Context& context) {
   for_each_value(
       context,
-      [](const EntryFacts& entry) { return has_initial(entry) && entry.access == canopen::Access::Constant; },
+      [&](const EntryFacts& entry) {
+        return has_initial(entry) && entry.access == canopen::Access::Constant && !counts(context, entry);
+      },
       [&](const EntryFacts& entry, const SdoAnswer& answer) { expect_initial(context, entry, answer); });
 }
 

@@ -39,7 +39,7 @@ bool begin(Context& context, Target& target) {
   context.step();
   const SdoAnswer answer = ask(context, context.sdo().request(kInitiateUpload, target.index, target.sub_index));
   if (begins_with(answer, 0x40) || begins_with(answer, 0x41)) return true;
-  context.fail(target.index, target.sub_index, "an upload in segments", to_text(answer));
+  context.skip("no upload in segments: " + to_text(answer));
   return false;
 }
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "libcanopen/od/abort_code.hpp"
+
 namespace conformance {
 namespace {
 
@@ -99,9 +101,15 @@ RunReport Runner::run(std::span<const Check* const> checks, const Progress& prog
   return report;
 }
 
-void Runner::finish(RunReport& report, Snapshot& snapshot) {
+void Runner::take_over() {
   session_.clean_up(true);
+  // An interruption leaves a transfer open; a server in the middle of a block takes requests for segments.
+  sdo_.abort(0, 0, static_cast<std::uint32_t>(canopen::AbortCode::GeneralError));
   session_.command(canopen::NmtCommand::EnterPreOperational);
+}
+
+void Runner::finish(RunReport& report, Snapshot& snapshot) {
+  take_over();
   report.not_restored = snapshot.restore();
   if (initial_state_ == canopen::NmtState::Operational) session_.command(canopen::NmtCommand::Start);
   if (initial_state_ == canopen::NmtState::Stopped) session_.command(canopen::NmtCommand::Stop);
@@ -161,8 +169,7 @@ void Runner::perform(const Check& check, CheckResult& result) {
 }
 
 void Runner::restore(Context& context, CheckResult& result) {
-  session_.clean_up(true);
-  session_.command(canopen::NmtCommand::EnterPreOperational);
+  take_over();
   for (std::string& line : context.undo().restore())
     result.notes.push_back("not restored at the end of this check: " + std::move(line));
   session_.clean_up(false);
