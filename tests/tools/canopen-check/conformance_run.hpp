@@ -33,6 +33,8 @@ struct WrongSlave {
 [[nodiscard]] std::vector<WrongSlave> wrong_nmt_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_error_control_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sdo_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_sdo_block_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_sdo_server_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_pdo_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sync_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_emcy_slaves();

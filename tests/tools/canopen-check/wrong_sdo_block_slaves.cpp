@@ -23,8 +23,8 @@ Defect tells_wrong_crcs() {
               },
           .outgoing =
               [](Slave& slave, canopen::Frame& frame) {
-                const bool end = frame.id == kSdoResponse && slave.memory["request"] == 0xA2 &&
-                                 (frame.data[0] & 0xE3) == 0xC1;
+                const bool end =
+                    frame.id == kSdoResponse && slave.memory["request"] == 0xA2 && (frame.data[0] & 0xE3) == 0xC1;
                 if (end) frame.data[1] ^= 0xFF;
                 return true;
               }};
@@ -65,9 +65,7 @@ std::vector<WrongSlave> wrong_sdo_block_slaves() {
       {.name = "ConfirmsLostSegments",
        .defect = confirms_lost_segments(),
        .found_by = {"sdo.block-download-loss"}},
-      {.name = "ForgetsLostSegments",
-       .defect = forgets_lost_segments(),
-       .found_by = {"sdo.block-upload-loss"}},
+      {.name = "ForgetsLostSegments", .defect = forgets_lost_segments(), .found_by = {"sdo.block-upload-loss"}},
   };
 }
 
