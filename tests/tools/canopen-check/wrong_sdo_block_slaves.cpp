@@ -52,11 +52,15 @@ std::vector<WrongSlave> wrong_sdo_block_slaves() {
   return {
       {.name = "TakesBlocksOfNoSegments",
        .defect = misreads_upload(kDeviceType,
-                                 [](canopen::Frame& frame) { frame.data[4] += frame.data[4] == 0 ? 1 : 0; }),
+                                 [](canopen::Frame& frame) {
+                                   if (frame.data[4] == 0) frame.data[4] = 1;
+                                 }),
        .found_by = {"sdo.block-size-error"}},
       {.name = "SendsLargeBlocksOnly",
        .defect = misreads_upload(kDeviceName,
-                                 [](canopen::Frame& frame) { frame.data[4] += frame.data[4] == 1 ? 1 : 0; }),
+                                 [](canopen::Frame& frame) {
+                                   if (frame.data[4] == 1) frame.data[4] = 2;
+                                 }),
        .found_by = {"sdo.block-sizes"}},
       {.name = "TellsWrongCrcs", .defect = tells_wrong_crcs(), .found_by = {"sdo.block-upload-crc"}},
       {.name = "ForgivesWrongCrcs",
