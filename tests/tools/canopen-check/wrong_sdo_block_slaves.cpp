@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "tests/tools/canopen-check/conformance_run.hpp"
 #include "tests/tools/canopen-check/sdo_defects.hpp"
 
@@ -30,11 +32,28 @@ Defect tells_wrong_crcs() {
               }};
 }
 
-/// Confirms every segment of a sub-block, whatever got lost.
+/// Confirms every segment of a sub-block of 127, whatever got lost.
 Defect confirms_lost_segments() {
-  return {.outgoing = [](Slave&, canopen::Frame& frame) {
-    if (frame.id == kSdoResponse && frame.data[0] == 0xA2 && frame.data[1] == 2) frame.data[1] = 127;
-    return true;
+  return {.incoming =
+              [](Slave& slave, canopen::Frame& frame) {
+                if (frame.id == kSdoRequest) ++slave.memory["segments"];
+                return true;
+              },
+          .outgoing =
+              [](Slave& slave, canopen::Frame& frame) {
+                if (frame.id != kSdoResponse) return true;
+                const bool large = std::exchange(slave.memory["segments"], 0) > 100;
+                if (large && frame.data[0] == 0xA2) frame.data[1] = 127;
+                return true;
+              }};
+}
+
+/// Refuses block uploads in sub-blocks of one segment.
+Defect refuses_small_blocks() {
+  return {.incoming = [](Slave& slave, canopen::Frame& frame) {
+    if (!is_request(frame, 0xA0, kDeviceName) || frame.data[4] != 1) return true;
+    slave.say(answer(kAbortCommand, kDeviceName, 0, 0x05040002));
+    return false;
   }};
 }
 
@@ -56,12 +75,7 @@ std::vector<WrongSlave> wrong_sdo_block_slaves() {
                                    if (frame.data[4] == 0) frame.data[4] = 1;
                                  }),
        .found_by = {"sdo.block-size-error"}},
-      {.name = "SendsLargeBlocksOnly",
-       .defect = misreads_upload(kDeviceName,
-                                 [](canopen::Frame& frame) {
-                                   if (frame.data[4] == 1) frame.data[4] = 2;
-                                 }),
-       .found_by = {"sdo.block-sizes"}},
+      {.name = "RefusesSmallBlocks", .defect = refuses_small_blocks(), .found_by = {"sdo.block-sizes"}},
       {.name = "TellsWrongCrcs", .defect = tells_wrong_crcs(), .found_by = {"sdo.block-upload-crc"}},
       {.name = "ForgivesWrongCrcs",
        .defect = forgives(0x05040004, 0xC1, 0xDD, 0xA1),

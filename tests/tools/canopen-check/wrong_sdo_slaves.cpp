@@ -44,6 +44,21 @@ Defect answers_stray_segments() {
   }};
 }
 
+/// Confirms that 0000h was written to 0000h, not to 100Ch.
+Defect confirms_another_entry() {
+  return {.incoming =
+              [](Slave& slave, canopen::Frame& frame) {
+                if (frame.id == kSdoRequest)
+                  slave.memory["zero"] = is_request(frame, 0x2B, kGuardTime) && frame.data[4] == 0 ? 1 : 0;
+                return true;
+              },
+          .outgoing =
+              [](Slave& slave, canopen::Frame& frame) {
+                if (slave.memory["zero"] == 1 && is_answer(frame, 0x60, kGuardTime)) frame = answer(0x60);
+                return true;
+              }};
+}
+
 std::vector<WrongSlave> that_refuse_wrongly() {
   return {
       {.name = "HasAnotherCodeForAbsentObjects",
@@ -55,7 +70,7 @@ std::vector<WrongSlave> that_refuse_wrongly() {
       {.name = "IgnoresUnknownCommands",
        .defect = {.incoming =
                       [](Slave&, canopen::Frame& frame) {
-                        return frame.id != kSdoRequest || frame.data[0] < 0xE0;
+                        return !is_request(frame, 0xE0, kDeviceType) && !is_request(frame, 0xFF, kDeviceType);
                       }},
        .found_by = {"sdo.command-specifier"}},
       {.name = "ReadsWhatIsWriteOnly",
@@ -111,9 +126,7 @@ std::vector<WrongSlave> that_transfer_wrongly() {
       {.name = "ForgivesLessThanAnnounced",
        .defect = forgives(0x06070013, 0x00, 0x1F, 0x20),
        .found_by = {"sdo.less-than-announced"}},
-      {.name = "ForgetsExpeditedDownloads",
-       .defect = answers(0x2B, kGuardTime, 0, kAbortCommand, 0x06060000),
-       .found_by = {"sdo.expedited-download"}},
+      {.name = "ConfirmsAnotherEntry", .defect = confirms_another_entry(), .found_by = {"sdo.expedited-download"}},
       {.name = "NeedsTheNumberOfBytes",
        .defect = answers(0x22, 0x1016, 1, kAbortCommand, 0x06070010),
        .found_by = {"sdo.unsized-download"}},

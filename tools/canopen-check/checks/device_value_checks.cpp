@@ -143,7 +143,8 @@ void takes_its_own_values(Context& context) {
         const bool not_now = answer.aborted() && (answer.abort_code == number_of(AbortCode::DeviceState) ||
                                                   answer.abort_code == number_of(AbortCode::LocalControl));
         if (not_now) ++refused_now;
-        if (!answer.done() && !not_now)
+        const bool refused = answer.aborted() || answer.kind == SdoAnswer::Kind::Silent;
+        if (refused && !not_now)
           context.fail(entry.index, entry.sub_index, "its own value " + hexadecimal(value.data) + " is taken",
                        to_text(answer));
       });

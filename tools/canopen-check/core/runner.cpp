@@ -145,6 +145,7 @@ CheckResult Runner::run_check(const Check& check) {
 }
 
 void Runner::perform(const Check& check, CheckResult& result) {
+  session_.drain();  // what comes late belongs to the check before
   session_.forget();
   if (check.mode == Mode::Full) session_.command(canopen::NmtCommand::EnterPreOperational);
   Context context{session_, sdo_, *eds_, *settings_};
