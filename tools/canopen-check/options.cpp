@@ -93,7 +93,8 @@ void judge(Options& options, const Words& words) {
   if (words.interface.empty()) throw UsageError{"--interface: needed, unless --static asks for the EDS alone"};
   if (words.node == 0) throw UsageError{"--node: needed, a node-ID 1 to 127"};
   tl::expected<bus::Address, std::string> address = bus::parse_address(words.interface);
-  if (!address) throw UsageError{"--interface: " + address.error()};
+  if (!address)
+    throw UsageError{fmt::format("--interface: expected {}, got \"{}\"", address.error(), words.interface)};
   options.interface = std::move(*address);
 }
 
