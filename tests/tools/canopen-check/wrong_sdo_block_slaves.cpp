@@ -65,6 +65,25 @@ Defect forgets_lost_segments() {
   }};
 }
 
+/// Answers an abort of the client about @p index that comes directly behind a frame that begins with @p before.
+Defect answers_aborts_behind(std::uint8_t before, std::uint16_t index) {
+  return {.incoming = [=](Slave& slave, canopen::Frame& frame) {
+    if (frame.id != kSdoRequest) return true;
+    const bool behind = std::exchange(slave.memory["before"], frame.data[0]) == before;
+    if (behind && is_request(frame, kAbortCommand, index)) slave.say(answer(kAbortCommand, index));
+    return true;
+  }};
+}
+
+/// Refuses block uploads with a protocol switch threshold.
+Defect knows_no_switch() {
+  return {.incoming = [](Slave& slave, canopen::Frame& frame) {
+    if (!is_request(frame, 0xA0, kDeviceType) || frame.data[5] == 0) return true;
+    slave.say(answer(kAbortCommand, kDeviceType, 0, 0x05040001));
+    return false;
+  }};
+}
+
 }  // namespace
 
 std::vector<WrongSlave> wrong_sdo_block_slaves() {
@@ -83,6 +102,13 @@ std::vector<WrongSlave> wrong_sdo_block_slaves() {
       {.name = "ConfirmsLostSegments",
        .defect = confirms_lost_segments(),
        .found_by = {"sdo.block-download-loss"}},
+      {.name = "KnowsNoProtocolSwitch", .defect = knows_no_switch(), .found_by = {"sdo.block-switch"}},
+      {.name = "AnswersAbortsOfBlockUploads",
+       .defect = answers_aborts_behind(0xA0, kDeviceType),
+       .found_by = {"sdo.block-abort"}},
+      {.name = "AnswersAbortsOfBlockDownloads",
+       .defect = answers_aborts_behind(0x02, kDocument),
+       .found_by = {"sdo.block-download-abort"}},
       {.name = "ForgetsLostSegments", .defect = forgets_lost_segments(), .found_by = {"sdo.block-upload-loss"}},
   };
 }

@@ -65,6 +65,16 @@ Defect answers_while_off() {
   }};
 }
 
+/// Ends the transfer of the first server when the second one is asked.
+Defect has_one_transfer() {
+  return {.incoming = [](Slave& slave, canopen::Frame& frame) {
+    canopen::Frame abort = answer(kAbortCommand);
+    abort.id = kSdoRequest;
+    if (frame.id == kFreeRequest) slave.node().on_frame(abort, slave.now());
+    return true;
+  }};
+}
+
 }  // namespace
 
 std::vector<WrongSlave> wrong_sdo_server_slaves() {
@@ -78,6 +88,9 @@ std::vector<WrongSlave> wrong_sdo_server_slaves() {
       {.name = "HasASilentSecondServer",
        .defect = {.incoming = [](Slave&, canopen::Frame& frame) { return frame.id != kFreeRequest; }},
        .found_by = {"sdo.second-server"}},
+      {.name = "HasOneTransferForAllServers",
+       .defect = has_one_transfer(),
+       .found_by = {"sdo.interleaved-servers"}},
       {.name = "AnswersWhileTheServerIsOff", .defect = answers_while_off(), .found_by = {"sdo.server-disabled"}},
       {.name = "KeepsIdentifiersOverAReset", .defect = keeps_identifiers(), .found_by = {"sdo.server-reset"}},
       {.name = "TakesRestrictedIdentifiers",

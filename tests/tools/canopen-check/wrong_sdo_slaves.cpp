@@ -59,6 +59,19 @@ Defect confirms_another_entry() {
               }};
 }
 
+/// Refuses to begin anew directly behind the initiation of an upload of 1008h.
+Defect refuses_new_transfers() {
+  return {.incoming = [](Slave& slave, canopen::Frame& frame) {
+    if (frame.id != kSdoRequest) return true;
+    const std::int64_t now = slave.now().time_since_epoch().count();
+    const std::int64_t second = canopen::Duration{std::chrono::seconds{1}}.count();
+    const bool busy = slave.memory["until"] > now && is_request(frame, 0x40, kDeviceType);
+    slave.memory["until"] = is_request(frame, 0x40, kDeviceName) ? now + second : 0;
+    if (busy) slave.say(answer(kAbortCommand, kDeviceType, 0, 0x08000022));
+    return !busy;
+  }};
+}
+
 std::vector<WrongSlave> that_refuse_wrongly() {
   return {
       {.name = "HasAnotherCodeForAbsentObjects",
@@ -144,6 +157,7 @@ std::vector<WrongSlave> that_transfer_wrongly() {
 
 std::vector<WrongSlave> that_take_frames_wrongly() {
   return {
+      {.name = "RefusesNewTransfers", .defect = refuses_new_transfers(), .found_by = {"sdo.new-transfer"}},
       {.name = "AnswersStraySegments",
        .defect = answers_stray_segments(),
        .found_by = {"sdo.segment-without-transfer"}},
