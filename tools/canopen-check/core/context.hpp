@@ -79,6 +79,10 @@ class Context {
   /// Sends a reset and waits for the boot-up message: the time that it took; nothing, and a finding, if it does
   /// not come within the limit. The node is left in the state which it enters by itself.
   std::optional<canopen::Duration> reset(canopen::NmtCommand command);
+  /// Sends a reset and waits until the node is back: for its boot-up message, or for an answer to SDO requests
+  /// from one that sends none, which is the finding of another check. False, and the check is skipped, if neither
+  /// comes.
+  bool restart(canopen::NmtCommand command);
   /// Commands a state that is not Initialising.
   void enter(canopen::NmtState state);
   /// Prepares the node to tell its state: by guarding if it answers, else by a heartbeat of 100 ms. False, and the
@@ -98,6 +102,7 @@ class Context {
 
  private:
   [[nodiscard]] std::optional<canopen::NmtState> guard();
+  [[nodiscard]] std::optional<TimedFrame> boot_up(canopen::Duration patience);
 
   Session* session_;
   SdoClient* sdo_;
