@@ -7,7 +7,7 @@ std::vector<WrongSlave> wrong_nmt_slaves() {
       {.name = "BootsWithoutAWord",
        .defect = {.outgoing = [](Slave&,
                                  canopen::Frame& frame) { return frame.id != 0x705 || frame.data[0] != 0; }},
-       .found_by = {"nmt.boot-up-after-reset-node"}},
+       .found_by = {"nmt.boot-up-after-reset-node", "nmt.boot-up-after-reset-communication"}},
   };
 }
 
