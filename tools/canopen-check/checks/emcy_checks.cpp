@@ -62,8 +62,8 @@ void is_silenced(Context& context) {
 }
 
 void keeps_inhibit_time(Context& context) {
-  constexpr std::uint64_t kInhibit = 2000;  // 100 us
-  constexpr canopen::Duration kTime = std::chrono::milliseconds{200};
+  constexpr std::uint64_t kInhibit = 500;  // 100 us
+  constexpr canopen::Duration kTime = std::chrono::milliseconds{50};
   if (!context.need(kInhibitTime)) return;
   const std::optional<Provoked> provoked = provoke(context);
   if (!provoked) return;
@@ -73,7 +73,7 @@ void keeps_inhibit_time(Context& context) {
   const std::optional<Emergency> first = again(context, *provoked);
   if (!first) return context.skip("the error is not told once more");
   provoked->how.end();
-  const auto second = wait_for_emergency(context, provoked->identifier, 2 * kTime);
+  const auto second = wait_for_emergency(context, provoked->identifier, 3 * kTime / 2);
   if (!second) return context.skip("the end of the error is not told");
   const canopen::Duration apart = second->frame.time - first->frame.time;
   context.note(fmt::format("inhibit time {}: messages {} apart", milliseconds(kTime), milliseconds(apart)));
