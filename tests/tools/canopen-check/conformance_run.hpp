@@ -36,6 +36,7 @@ struct WrongSlave {
 [[nodiscard]] std::vector<WrongSlave> wrong_pdo_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sync_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_emcy_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_robustness_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_storage_slaves();
 
 }  // namespace conformance_test
