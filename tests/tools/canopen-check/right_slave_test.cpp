@@ -21,6 +21,12 @@ TEST(RightSlave, HasNoFinding) {
   EXPECT_EQ(report.results.size(), conformance::all_checks().size());
 }
 
+TEST(RightSlave, HasNoFindingWithLssToo) {
+  const conformance::RunReport report = run_checks(right_lss(), "lss.");
+  EXPECT_EQ(findings_of(report), "");
+  EXPECT_EQ(report.count(conformance::Outcome::Passed), report.results.size());
+}
+
 /// Ids of checks that are skipped, with their reasons.
 std::map<std::string, std::string> skipped(const conformance::RunReport& report) {
   std::map<std::string, std::string> reasons;

@@ -80,13 +80,14 @@ std::vector<WrongSlave> of_boot_up() {
   };
 }
 
-/// Says what a TPDO would be when SYNC comes in @p state.
+/// Says what a TPDO would be with the third SYNC in a row in @p state.
 WrongSlave with_tpdo_in(NmtState state, const char* name, const char* check) {
   return {.name = name,
           .defect = {.incoming =
                          [state](Slave& slave, Frame& frame) {
-                           if (frame.id == 0x80 && slave.node().state() == state)
-                             slave.say({.id = 0x185, .length = 6});
+                           std::int64_t& syncs = slave.memory["syncs"];
+                           syncs = frame.id == 0x80 && slave.node().state() == state ? syncs + 1 : 0;
+                           if (syncs == 3) slave.say({.id = 0x185, .length = 6});
                            return true;
                          }},
           .found_by = {check}};

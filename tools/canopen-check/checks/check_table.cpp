@@ -6,6 +6,7 @@ namespace conformance {
 namespace {
 
 constexpr std::array kTables{device_checks,
+                             error_state_checks,
                              nmt_checks,
                              nmt_service_checks,
                              error_control_checks,

@@ -9,6 +9,7 @@ namespace conformance {
 
 // The checks of each group, in the order in which they run.
 [[nodiscard]] std::span<const Check> device_checks() noexcept;
+[[nodiscard]] std::span<const Check> error_state_checks() noexcept;  ///< before other checks bring errors about
 [[nodiscard]] std::span<const Check> nmt_checks() noexcept;
 [[nodiscard]] std::span<const Check> nmt_service_checks() noexcept;
 [[nodiscard]] std::span<const Check> error_control_checks() noexcept;

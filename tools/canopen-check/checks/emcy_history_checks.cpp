@@ -38,10 +38,6 @@ void counts_its_entries(Context& context) {
 void refuses_empty_entries(Context& context) {
   constexpr int kMostTried = 20;
   if (!context.need(kHistory)) return;
-  if (context.settings().mode == Mode::Full) {  // other checks have filled it
-    if (!context.restart(canopen::NmtCommand::ResetNode)) return;
-    context.enter(canopen::NmtState::PreOperational);
-  }
   const std::optional<std::uint64_t> count = context.number(kHistory);
   if (!count) return;
   int tried = 0;
@@ -91,7 +87,7 @@ void register_agrees(Context& context) {
     context.fail(kErrorRegister, 0, "00h while 1003h says that there was no error", fmt::format("{:02X}h", *now));
 }
 
-constexpr std::array kChecks{
+constexpr std::array kStateChecks{
     Check{.id = "emcy.register-without-error",
           .name = "The error register is 00h without an error, and has bit 0 set with any",
           .clause = "CiA 301 7.5.2.2",
@@ -104,6 +100,9 @@ constexpr std::array kChecks{
           .group = Group::Emcy,
           .mode = Mode::ReadOnly,
           .run = refuses_empty_entries},
+};
+
+constexpr std::array kChecks{
     Check{.id = "emcy.history-newest",
           .name = "The newest error is at sub-index 1 of the error history, with its code in the low word",
           .clause = "CiA 301 7.5.2.4",
@@ -129,6 +128,10 @@ constexpr std::array kChecks{
 };
 
 }  // namespace
+
+std::span<const Check> error_state_checks() noexcept {
+  return kStateChecks;
+}
 
 std::span<const Check> emcy_history_checks() noexcept {
   return kChecks;

@@ -6,6 +6,7 @@
 
 #include "tools/canopen-check/checks/check_table.hpp"
 #include "tools/canopen-check/checks/process_data.hpp"
+#include "tools/canopen-check/checks/provocation.hpp"
 #include "tools/canopen-check/checks/stations.hpp"
 
 namespace conformance {
@@ -113,13 +114,14 @@ void survives_random_frames(Context& context) {
   expect_health(context, before, "random frames");
 }
 
-/// Identifiers under which the node may send meanwhile.
-bool may_answer(const Context& context, const Session& session, const canopen::Frame& frame) {
-  constexpr std::uint32_t kEmcy = 0x80, kResponses = 0x580, kFunctionBits = 0x780;
-  if (frame.id == session.identifier(kErrorControl) || frame.id == session.identifier(kEmcy)) return true;
+/// True under the identifiers that the node may send under meanwhile.
+bool may_answer(const Context& context, const Session& session, std::optional<std::uint32_t> emcy,
+                std::uint32_t identifier) {
+  constexpr std::uint32_t kResponses = 0x580, kFunctionBits = 0x780;
+  if (identifier == session.identifier(kErrorControl) || identifier == emcy) return true;
   // The first server answers under that of the node; further ones have identifiers of their own.
-  return frame.id == session.identifier(kResponses) ||
-         (context.eds().has(0x1201) && (frame.id & kFunctionBits) == kResponses);
+  return identifier == session.identifier(kResponses) ||
+         (context.eds().has(0x1201) && (identifier & kFunctionBits) == kResponses);
 }
 
 void survives_all_identifiers(Context& context) {
@@ -127,6 +129,7 @@ void survives_all_identifiers(Context& context) {
   if (!alone(context, "frames under every identifier") || !context.observe_state()) return;
   const Health before = health(context);
   if (!before.device_type) return;
+  const std::optional<std::uint32_t> emcy = emcy_identifier(context);
   Session& session = context.session();
   context.step();
   for (const bool remote : {false, true}) {
@@ -141,7 +144,7 @@ void survives_all_identifiers(Context& context) {
   session.pass(kSettle);
   std::size_t found = 0;
   for (const TimedFrame& each : session.since(before.mark)) {
-    if (each.sent || may_answer(context, session, each.frame) || ++found > kMostFindings) continue;
+    if (each.sent || may_answer(context, session, emcy, each.frame.id) || ++found > kMostFindings) continue;
     context.fail("no frame of the node but answers to SDO requests, guarding and emergency messages",
                  fmt::format("a frame {:03X}h", each.frame.id));
   }
