@@ -45,7 +45,7 @@ bool move_to(Context& context, const Provoked& provoked, std::uint32_t cob_id) {
 void follows_its_cob_id(Context& context) {
   if (!context.need(kCobIdEmcy)) return;
   std::optional<Provoked> provoked = provoke(context);
-  if (!provoked || !move_to(context, *provoked, kFree)) return;
+  if (!provoked || !prepare_again(context, *provoked) || !move_to(context, *provoked, kFree)) return;
   const std::uint32_t before = provoked->identifier;
   provoked->identifier = kFree;
   if (!again(context, *provoked))
@@ -55,8 +55,8 @@ void follows_its_cob_id(Context& context) {
 
 void is_silenced(Context& context) {
   if (!context.need(kCobIdEmcy)) return;
-  const std::optional<Provoked> provoked = provoke(context);
-  if (!provoked || !move_to(context, *provoked, 0)) return;
+  std::optional<Provoked> provoked = provoke(context);
+  if (!provoked || !prepare_again(context, *provoked) || !move_to(context, *provoked, 0)) return;
   if (const auto emergency = again(context, *provoked))
     context.fail(kCobIdEmcy, 0, "no emergency message while bit 31 is set", to_text(*emergency));
 }
@@ -65,10 +65,10 @@ void keeps_inhibit_time(Context& context) {
   constexpr std::uint64_t kInhibit = 500;  // 100 us
   constexpr canopen::Duration kTime = std::chrono::milliseconds{50};
   if (!context.need(kInhibitTime)) return;
-  const std::optional<Provoked> provoked = provoke(context);
+  std::optional<Provoked> provoked = provoke(context);
   if (!provoked) return;
   if (!provoked->how.end) return context.skip("no error can be ended, which would be told at once");
-  if (!context.set(kInhibitTime, 0, kInhibit)) return;
+  if (!prepare_again(context, *provoked) || !context.set(kInhibitTime, 0, kInhibit)) return;
   context.session().pass(kTime);
   const std::optional<Emergency> first = again(context, *provoked);
   if (!first) return context.skip("the error is not told once more");
@@ -118,10 +118,10 @@ void has_the_bit(Context& context) {
 
 void tells_the_end(Context& context) {
   const std::optional<Provoked> provoked =
-      provoke(context, {sync_length, short_rpdo, heartbeat_loss, guarding_loss});
+      provoke(context, Ending::Later, {sync_length, short_rpdo, heartbeat_loss, guarding_loss});
   if (!provoked) return;
   if (!provoked->how.end) return context.skip("no error can be ended");
-  if (!again(context, *provoked)) return context.skip("the error is not told once more");
+  context.session().drain();
   provoked->how.end();
   if (!wait_for_code(context, provoked->identifier, 0, kEmergencyPatience / 4))
     context.fail(fmt::format("error code 0000h once it is over that {}", provoked->how.name), "none");

@@ -14,20 +14,19 @@ constexpr std::uint64_t kCodeBits = 0xFFFF;
 
 void logs_the_newest_first(Context& context) {
   if (!context.need(kHistory) || !context.need(kHistory, 1)) return;
-  const std::optional<Provoked> provoked = provoke(context);
+  const std::optional<Provoked> provoked = provoke(context, Ending::Later);
   if (!provoked) return;
-  const std::optional<Emergency> emergency = again(context, *provoked);
-  if (!emergency) return context.skip("the error is not told once more");
+  const std::uint16_t code = provoked->emergency.code;
   const std::optional<std::uint64_t> newest = context.number(kHistory, 1);
-  if (newest && (*newest & kCodeBits) != emergency->code)
-    context.fail(kHistory, 1, fmt::format("error code {:04X}h, the newest, in the low word", emergency->code),
+  if (newest && (*newest & kCodeBits) != code)
+    context.fail(kHistory, 1, fmt::format("error code {:04X}h, the newest, in the low word", code),
                  fmt::format("{:08X}h", *newest));
 }
 
 void counts_its_entries(Context& context) {
   constexpr std::size_t kMostFindings = 20;
   if (!context.need(kHistory)) return;
-  if (!provoke(context)) return;
+  if (!provoke(context, Ending::Later)) return;
   const std::optional<std::uint64_t> count = context.number(kHistory);
   if (!count) return;
   if (*count == 0) return context.fail(kHistory, 0, "1 or more after an error", "0");

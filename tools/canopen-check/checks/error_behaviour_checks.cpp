@@ -27,24 +27,6 @@ constexpr std::array kCases{
     Case{kToStopped, NmtState::PreOperational, NmtState::Stopped},
 };
 
-/// A heartbeat or guarding event that the node is seen to notice; else the check is skipped.
-std::optional<Provocation> noticed_event(Context& context) {
-  const std::optional<std::uint32_t> emcy = emcy_identifier(context);
-  if (!emcy) {
-    context.skip("1014h is invalid: it cannot be seen that an error is noticed");
-    return std::nullopt;
-  }
-  for (const auto way : {heartbeat_loss, guarding_loss}) {
-    const std::optional<Provocation> how = way(context);
-    if (!how) continue;
-    context.session().drain();
-    how->raise();
-    if (wait_for_emergency(context, *emcy, how->delay + kEmergencyPatience)) return how;
-  }
-  context.skip("the node tells neither the loss of a heartbeat nor of its guarding master");
-  return std::nullopt;
-}
-
 void leads_to(Context& context, const Provocation& how, const Case& row) {
   constexpr canopen::Duration kReaction = std::chrono::milliseconds{100};
   context.enter(NmtState::PreOperational);
@@ -65,10 +47,9 @@ void leads_to(Context& context, const Provocation& how, const Case& row) {
 
 void follows_error_behaviour(Context& context) {
   if (!context.need(kErrorBehaviour, 1) || !context.observe_state()) return;
-  if (!context.set(kErrorBehaviour, 1, kNoChange)) return;
-  const std::optional<Provocation> how = noticed_event(context);
-  if (!how) return;
-  for (const Case& row : kCases) leads_to(context, *how, row);
+  const std::optional<Provoked> provoked = provoke(context, Ending::Later, {heartbeat_loss, guarding_loss});
+  if (!provoked) return;
+  for (const Case& row : kCases) leads_to(context, provoked->how, row);
 }
 
 void has_default_0(Context& context) {

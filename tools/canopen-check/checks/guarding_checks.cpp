@@ -92,9 +92,11 @@ void life_guarding_waits(Context& context) {
     context.fail("no life guarding event before the first request", "emergency message " + to_text(*emergency));
 }
 
-/// Life guarding that has begun, and where its event would be told; else the check is skipped.
+/// Life guarding that has begun on a node without an error, and where its event would be told; else the check is
+/// skipped.
 std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t>& emcy) {
-  if (!can_guard(context)) return std::nullopt;
+  if (!can_guard(context) || !context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
+  context.enter(canopen::NmtState::PreOperational);
   emcy = emcy_identifier(context);
   std::optional<Provocation> how = guarding_loss(context);
   if (!emcy) context.skip("1014h is invalid");

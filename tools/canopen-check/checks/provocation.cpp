@@ -130,26 +130,53 @@ std::optional<Provocation> short_rpdo(Context& context) {
   return std::nullopt;
 }
 
-std::optional<Provoked> provoke(Context& context, std::initializer_list<Way> ways) {
+namespace {
+
+std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std::initializer_list<Way> ways) {
+  for (const Way way : ways) {
+    const std::optional<Provocation> how = way(context);
+    if (!how) continue;
+    Provoked provoked{way, *how, identifier, {}};
+    const std::optional<Emergency> emergency = again(context, provoked);
+    if (!emergency) continue;
+    provoked.emergency = *emergency;
+    return provoked;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Provoked> provoke(Context& context, Ending ending, std::initializer_list<Way> ways) {
   const std::optional<std::uint32_t> identifier = emcy_identifier(context);
   if (!identifier) {
     context.skip("1014h is invalid: the node sends no emergency messages");
     return std::nullopt;
   }
-  for (const Way way : ways) {
-    const std::optional<Provocation> how = way(context);
-    if (!how) continue;
-    const Provoked provoked{*how, *identifier, {}};
-    const std::optional<Emergency> emergency = again(context, provoked);
-    if (!emergency) continue;
-    if (how->end) {
-      how->end();
-      (void)wait_for_code(context, *identifier, 0, kEmergencyPatience / 4);
-    }
-    return Provoked{*how, *identifier, *emergency};
+  std::optional<Provoked> provoked = try_all(context, *identifier, ways);
+  if (!provoked) {
+    if (!context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
+    context.enter(canopen::NmtState::PreOperational);
+    provoked = try_all(context, *identifier, ways);
   }
-  context.skip("the node sends no emergency message for any error that the tester can bring about");
-  return std::nullopt;
+  if (!provoked) context.skip("the node sends no emergency message for any error that the tester can bring about");
+  if (provoked && ending == Ending::Now && provoked->how.end) {
+    provoked->how.end();
+    (void)wait_for_code(context, *identifier, 0, kEmergencyPatience / 4);
+  }
+  return provoked;
+}
+
+bool prepare_again(Context& context, Provoked& provoked) {
+  if (!context.restart(canopen::NmtCommand::ResetNode)) return false;
+  context.enter(canopen::NmtState::PreOperational);
+  const std::optional<Provocation> how = provoked.way(context);
+  if (how) {
+    provoked.how = *how;
+  } else {
+    context.skip("the error cannot be brought about once more");
+  }
+  return how.has_value();
 }
 
 std::optional<Emergency> again(Context& context, const Provoked& provoked) {

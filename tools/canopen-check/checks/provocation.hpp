@@ -51,18 +51,25 @@ struct Provocation {
 /// A way to provoke an error.
 using Way = std::optional<Provocation> (*)(Context&);
 
-/// What has been seen to make the node send an emergency message, and that message. Its cause is ended again where
-/// that is possible.
+/// Whether provoke() ends the cause of the error again, where that is possible.
+enum class Ending : std::uint8_t { Now, Later };
+
+/// What has been seen to make the node send an emergency message, and that message.
 struct Provoked {
+  Way way;
   Provocation how;
   std::uint32_t identifier;  ///< of emergency messages
   Emergency emergency;
 };
-/// The first of @p ways for which the node sends an emergency message; nothing, and the check is skipped, if it
-/// sends none for any of them.
-[[nodiscard]] std::optional<Provoked> provoke(Context& context,
+/// The first of @p ways for which the node sends an emergency message; the node is reset and they are tried once
+/// more if it sends none for any of them, since an error may last. Nothing, and the check is skipped, if that does
+/// not help.
+[[nodiscard]] std::optional<Provoked> provoke(Context& context, Ending ending = Ending::Now,
                                               std::initializer_list<Way> ways = {heartbeat_loss, guarding_loss,
                                                                                  sync_length, short_rpdo});
+/// Resets the node, which ends what lasts, and prepares the same error anew. False, and the check is skipped, if
+/// that is not possible.
+bool prepare_again(Context& context, Provoked& provoked);
 /// Does it once more: the emergency message, or nothing.
 [[nodiscard]] std::optional<Emergency> again(Context& context, const Provoked& provoked);
 
