@@ -1,7 +1,6 @@
 #include "tools/canopen-check/core/runner.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -59,14 +58,15 @@ bool Runner::reach(RunReport& report) {
 std::string Runner::foreign_device() {
   constexpr std::uint16_t kIdentity = 0x1018;
   const DeviceFacts& device = eds_->device();
-  const std::array stated{device.vendor.value_or(0), device.product.value_or(0)};
-  for (std::uint8_t sub = 1; sub <= stated.size(); ++sub) {
-    if (stated[sub - 1U] == 0) continue;
+  std::uint8_t sub = 0;
+  for (const std::optional<std::uint64_t>& stated : {device.vendor, device.product}) {
+    ++sub;
+    if (stated.value_or(0) == 0) continue;
     const SdoAnswer answer = sdo_.upload(kIdentity, sub);
-    if (answer.done() && answer.number() != stated[sub - 1U])
+    if (answer.done() && answer.number() != *stated)
       return fmt::format(
           "the EDS is of another device: 1018h:{:02X} is {:08X}h, the EDS says {:08X}h; nothing is written", sub,
-          answer.number(), stated[sub - 1U]);
+          answer.number(), *stated);
   }
   return {};
 }
