@@ -38,6 +38,11 @@ struct WrongSlave {
 [[nodiscard]] std::vector<WrongSlave> wrong_pdo_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sync_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_emcy_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_robustness_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_lss_slaves();
+
+/// A slave that does everything right, LSS too.
+[[nodiscard]] Defect right_lss();
 [[nodiscard]] std::vector<WrongSlave> wrong_storage_slaves();
 
 }  // namespace conformance_test

@@ -15,6 +15,9 @@ std::vector<WrongSlave> all_wrong_slaves() {
   for (const auto slaves : {wrong_device_slaves, wrong_nmt_slaves, wrong_error_control_slaves, wrong_sdo_slaves,
                             wrong_sdo_block_slaves, wrong_sdo_server_slaves, wrong_pdo_slaves, wrong_sync_slaves,
                             wrong_emcy_slaves, wrong_storage_slaves})
+  for (const auto slaves :
+       {wrong_device_slaves, wrong_nmt_slaves, wrong_error_control_slaves, wrong_sdo_slaves, wrong_pdo_slaves,
+        wrong_sync_slaves, wrong_emcy_slaves, wrong_storage_slaves, wrong_robustness_slaves, wrong_lss_slaves})
     for (WrongSlave& slave : slaves()) all.push_back(std::move(slave));
   return all;
 }
