@@ -116,17 +116,15 @@ void maps_in_operational(Context& context) {
   for (const Pdo& pdo : pdos) write_in_operational(context, pdo.mapping(), 0, 0);
 }
 
-/// Valid ones first: what is valid already takes up what the device has for them.
-void makes_all_valid(Context& context, PdoDirection direction) {
+/// Makes every PDO of @p direction valid that is not, under identifiers from @p identifier on.
+void makes_all_valid(Context& context, PdoDirection direction, std::uint32_t& identifier) {
   FindingLimit findings{context};
-  std::uint32_t identifier = 0x680;
   for (const Pdo& pdo : all_pdos(context, direction)) {
     constexpr std::uint32_t kLastFree = 0x6DF;
-    ++identifier;
     const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
     if (!cob_id.done() || (cob_id.number() & kInvalid) == 0 || identifier > kLastFree) continue;
     context.step();
-    const std::uint64_t valid = identifier | (cob_id.number() & kBit30);
+    const std::uint64_t valid = identifier++ | (cob_id.number() & kBit30);
     const SdoAnswer answer = context.write_number(pdo.parameters(), kCobIdSub, valid);
     if (!answer.done())
       findings.fail({pdo.parameters(), kCobIdSub}, fmt::format("{} can be valid beside the others", pdo.name()),
@@ -136,8 +134,9 @@ void makes_all_valid(Context& context, PdoDirection direction) {
 
 void can_all_be_valid(Context& context) {
   if (test_pdos(context).empty()) return;
-  makes_all_valid(context, PdoDirection::Receive);
-  makes_all_valid(context, PdoDirection::Transmit);
+  std::uint32_t identifier = 0x681;  // no service of the predefined connection set has those up to 6DFh
+  makes_all_valid(context, PdoDirection::Receive, identifier);
+  makes_all_valid(context, PdoDirection::Transmit, identifier);
 }
 
 constexpr std::array kChecks{
