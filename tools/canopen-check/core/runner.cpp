@@ -1,6 +1,7 @@
 #include "tools/canopen-check/core/runner.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -55,15 +56,34 @@ bool Runner::reach(RunReport& report) {
   return report.reached;
 }
 
+std::string Runner::foreign_device() {
+  constexpr std::uint16_t kIdentity = 0x1018;
+  const DeviceFacts& device = eds_->device();
+  const std::array stated{device.vendor.value_or(0), device.product.value_or(0)};
+  for (std::uint8_t sub = 1; sub <= stated.size(); ++sub) {
+    if (stated[sub - 1U] == 0) continue;
+    const SdoAnswer answer = sdo_.upload(kIdentity, sub);
+    if (answer.done() && answer.number() != stated[sub - 1U])
+      return fmt::format(
+          "the EDS is of another device: 1018h:{:02X} is {:08X}h, the EDS says {:08X}h; nothing is written", sub,
+          answer.number(), stated[sub - 1U]);
+  }
+  return {};
+}
+
 RunReport Runner::run(std::span<const Check* const> checks, const Progress& progress) {
   RunReport report;
   const canopen::TimePoint begin = session_.now();
   if (!reach(report)) return report;
-  const bool changes = settings_->mode == Mode::Full;
+  foreign_ = foreign_device();
+  report.problem = foreign_;
+  const bool changes = settings_->mode == Mode::Full && foreign_.empty();
   if (changes && initial_state_ != canopen::NmtState::Stopped) {
     Context context{session_, sdo_, *eds_, *settings_};
     if (context.observe_state()) initial_state_ = context.state().value_or(initial_state_);
+    session_.clean_up(true);
     (void)context.undo().restore();
+    session_.clean_up(false);
   }
   if (changes) session_.command(canopen::NmtCommand::EnterPreOperational);
   Snapshot snapshot{sdo_, changes ? *eds_ : Description{}, *settings_};
@@ -74,7 +94,7 @@ RunReport Runner::run(std::span<const Check* const> checks, const Progress& prog
     progress.end(report.results.back());
   }
   if (changes) finish(report, snapshot);
-  if (lost_ || session_.ended()) report.problem = trouble();
+  if (lost_ || session_.interrupted() || !session_.bus_is_up()) report.problem = trouble();
   report.time = session_.now() - begin;
   return report;
 }
@@ -90,6 +110,7 @@ void Runner::finish(RunReport& report, Snapshot& snapshot) {
 }
 
 std::string Runner::why_not(const Check& check) const {
+  if (check.mode == Mode::Full && !foreign_.empty()) return foreign_;
   if (check.mode > settings_->mode) return "it changes the node: needs --full";
   if (check.stores && !settings_->allow_store) return "needs --allow-store";
   if (check.moves && !settings_->allow_motion) return "needs --allow-motion";

@@ -46,6 +46,8 @@ class Runner {
   /// True if the node answers; it is reset where it does not.
   bool revive();
   bool answers();
+  /// Why nothing must be written: the node says by 1018h that the EDS is of another device. Else empty.
+  [[nodiscard]] std::string foreign_device();
   void finish(RunReport& report, Snapshot& snapshot);
   [[nodiscard]] std::string why_not(const Check& check) const;
   [[nodiscard]] std::string trouble() const;
@@ -56,6 +58,7 @@ class Runner {
   const Settings* settings_;
   Deviations* deviations_;
   bool lost_ = false;
+  std::string foreign_;
   canopen::NmtState initial_state_ = canopen::NmtState::PreOperational;
 };
 
