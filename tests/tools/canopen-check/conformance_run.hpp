@@ -34,6 +34,10 @@ struct WrongSlave {
 [[nodiscard]] std::vector<WrongSlave> wrong_error_control_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sdo_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_pdo_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_parameter_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_mapping_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_transmission_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_reception_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sync_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_emcy_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_storage_slaves();

@@ -28,6 +28,7 @@ void comes_with_every_sync(Context& context) {
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
   context.enter(canopen::NmtState::Operational);
+  context.session().pass(kPeriod);
   context.step();
   const std::vector<std::size_t> counts = sync.count_each(kSyncs, kPeriod, identifier);
   if (std::ranges::any_of(counts, [](std::size_t count) { return count != 1; }))
@@ -43,6 +44,7 @@ void comes_with_every_nth_sync(Context& context) {
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
   context.enter(canopen::NmtState::Operational);
+  context.session().pass(kPeriod);
   context.step();
   const std::vector<std::size_t> counts = sync.count_each(kType * static_cast<int>(kFrames), kPeriod, identifier);
   // Which SYNC of three is the first one is the node's affair.
@@ -110,6 +112,7 @@ void begins_with_the_start_value(Context& context) {
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
   context.enter(canopen::NmtState::Operational);
+  context.session().pass(kPeriod);
   context.step();
   const std::vector<std::size_t> counts = sync.count_each(5, kPeriod, identifier);
   if (counts != std::vector<std::size_t>{0, 0, 1, 1, 1})
@@ -140,6 +143,7 @@ void all_come_with_every_sync(Context& context) {
   for (const Pdo& pdo : pdos) identifiers.push_back(identifier_of(context, pdo));
   SyncSource sync{context};
   context.enter(canopen::NmtState::Operational);
+  context.session().pass(kPeriod);
   context.step();
   const std::size_t mark = context.session().mark();
   for (std::size_t i = 0; i < kSyncs; ++i) {
@@ -163,6 +167,7 @@ void misses_no_sync(Context& context) {
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
   context.enter(canopen::NmtState::Operational);
+  context.session().pass(kPeriod);
   context.step();
   std::size_t frames = sync.run(kSyncs, kFast, identifier).size();
   frames += context.session().collect(under(identifier), kPeriod).size();

@@ -1,0 +1,108 @@
+#include "tests/tools/canopen-check/conformance_run.hpp"
+#include "tests/tools/canopen-check/sdo_tricks.hpp"
+
+namespace conformance_test {
+namespace {
+
+constexpr std::uint16_t kTpdo = 0x1A02;  ///< mapping of the TPDO that checks reconfigure
+constexpr std::uint32_t kFrames = 0x385;
+
+bool mapping(std::uint16_t index) {
+  return (index >= 0x1600 && index < 0x1800) || (index >= 0x1A00 && index < 0x1C00);
+}
+
+/// True for a download of a mapping entry.
+bool maps(const Write& write) {
+  return mapping(write.index) && write.sub_index != 0;
+}
+
+Defect forgets_entries_of(std::uint16_t first, std::uint16_t last) {
+  return pretends_to_write([=](Slave&, const Write& write) {
+    return maps(write) && write.value >> 16U >= first && write.value >> 16U <= last;
+  });
+}
+
+Defect takes_any_length() {
+  return writes_otherwise([](Slave& slave, const Write& write) -> std::optional<std::uint32_t> {
+    if (!maps(write) || write.value >> 16U < 0x2000) return std::nullopt;
+    const auto entry = slave.dictionary().find(static_cast<std::uint16_t>(write.value >> 16U), 0);
+    if (!entry) return std::nullopt;
+    return (write.value & 0xFFFFFF00U) | 8U * (*entry)->size;
+  });
+}
+
+Defect tells_of_refused_mappings() {
+  return {.outgoing = [](Slave& slave, canopen::Frame& frame) {
+    const bool refusal =
+        frame.id == 0x585 && frame.data[0] == 0x80 && frame.data[1] == 0x02 && frame.data[2] == 0x1A;
+    if (refusal) slave.say({.id = 0x85, .length = 8, .data = {0x00, 0x82, 0x81}});
+    return true;
+  }};
+}
+
+Defect has_bytes_the_wrong_way_round() {
+  return {.outgoing = [](Slave& slave, canopen::Frame& frame) {
+    if (frame.id == kFrames && held(slave, 0x1802, 2) == 1) std::swap(frame.data[4], frame.data[5]);
+    return true;
+  }};
+}
+
+Defect keeps_its_length() {
+  return {.outgoing = [](Slave& slave, canopen::Frame& frame) {
+    if (frame.id == kFrames && held(slave, 0x1802, 2) == 1 && held(slave, kTpdo, 1) != 0x20000020) --frame.length;
+    return true;
+  }};
+}
+
+std::vector<WrongSlave> wrong_refusals() {
+  return {
+      {"MapsObjectsThatDoNotExist", forgets_entries_of(0x1004, 0x1004), {"pdo.mapping-missing-object"}},
+      {"MapsObjectsThatAreNotMappable", forgets_entries_of(0x1003, 0x1003), {"pdo.mapping-unmappable"}},
+      {"HasAnotherCodeForWhatIsNotMappable",
+       refuses_to_write([](Slave&, const Write& write) { return maps(write) && write.value >> 16U == 0x1003; },
+                        0x06090030),
+       {"pdo.mapping-unmappable"}},
+      {"MapsWhatGoesTheOtherWay",
+       pretends_to_write([](Slave&, const Write& write) {
+         return (write.index == 0x1602 && maps(write) && write.value >> 16U == 0x1001) ||
+                (write.index == kTpdo && maps(write) && write.value >> 16U == kStep);
+       }),
+       {"pdo.mapping-direction"}},
+      {"MapsAnyLength", takes_any_length(), {"pdo.mapping-bits"}},
+      {"MapsMoreThan64Bits", forgets(kTpdo, 0, 3), {"pdo.mapping-length"}},
+      {"CountsMoreEntriesThanItHas", forgets(kTpdo, 0, 9), {"pdo.mapping-count"}},
+      {"TellsOfRefusedMappings", tells_of_refused_mappings(), {"pdo.mapping-refused"}},
+      {"ChangesTheMappingOfAValidPdo",
+       pretends_to_write([](Slave& slave, const Write& write) {
+         return write.index == kTpdo && write.sub_index == 0 && (held(slave, 0x1802, 1) & 0x80000000U) == 0;
+       }),
+       {"pdo.mapping-valid-lock"}},
+      {"MapsBehindAnyCount",
+       {.policy = [](canopen::Policy& policy) { policy.count_follows_entries = true; }},
+       {"pdo.mapping-entry-lock"}},
+  };
+}
+
+}  // namespace
+
+std::vector<WrongSlave> wrong_pdo_mapping_slaves() {
+  std::vector<WrongSlave> slaves = wrong_refusals();
+  slaves.insert(slaves.end(),
+                {{"HasNoDummies",
+                  {.policy = [](canopen::Policy& policy) { policy.dummy_types = 0; }},
+                  {"pdo.mapping-dummy"}},
+                 {"HasDummiesThatItsEdsForbids",
+                  {.eds = [](std::string& eds) { eds.replace(eds.find("Dummy0006=1"), 11, "Dummy0006=0"); }},
+                  {"pdo.mapping-dummy"}},
+                 {"MapsWhatItsEdsDoesNotAllow",
+                  {.eds =
+                       [](std::string& eds) {
+                         eds.replace(eds.find("PDOMapping=1", eds.find("[2007]")), 12, "PDOMapping=0");
+                       }},
+                  {"pdo.mapping-objects"}},
+                 {"SwapsBytes", has_bytes_the_wrong_way_round(), {"pdo.content"}},
+                 {"CutsANewMapping", keeps_its_length(), {"pdo.new-mapping"}}});
+  return slaves;
+}
+
+}  // namespace conformance_test
