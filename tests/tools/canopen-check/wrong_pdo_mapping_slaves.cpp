@@ -40,9 +40,9 @@ Defect tells_of_refused_mappings() {
   }};
 }
 
-Defect has_bytes_the_wrong_way_round() {
+Defect sends_other_values() {
   return {.outgoing = [](Slave& slave, canopen::Frame& frame) {
-    if (frame.id == kFrames && held(slave, 0x1802, 2) == 1) std::swap(frame.data[4], frame.data[5]);
+    if (frame.id == kFrames && held(slave, 0x1802, 2) == 1) frame.data[0] ^= 1U;
     return true;
   }};
 }
@@ -100,7 +100,7 @@ std::vector<WrongSlave> wrong_pdo_mapping_slaves() {
                          eds.replace(eds.find("PDOMapping=1", eds.find("[2007]")), 12, "PDOMapping=0");
                        }},
                   {"pdo.mapping-objects"}},
-                 {"SwapsBytes", has_bytes_the_wrong_way_round(), {"pdo.content"}},
+                 {"SendsOtherValues", sends_other_values(), {"pdo.content", "pdo.new-mapping"}},
                  {"CutsANewMapping", keeps_its_length(), {"pdo.new-mapping"}}});
   return slaves;
 }

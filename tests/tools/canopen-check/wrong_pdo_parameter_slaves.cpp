@@ -14,7 +14,8 @@ bool valid(Slave& slave, std::uint16_t index) {
 
 /// True for a download to the COB-ID of a PDO.
 bool cob_id(const Write& write) {
-  return write.index >= 0x1400 && write.index < 0x1A00 && write.sub_index == 1;
+  const bool parameters = write.index >= 0x1400 && write.index < 0x1A00 && (write.index & 0x200U) == 0;
+  return parameters && write.sub_index == 1;
 }
 
 bool restricted(std::uint32_t identifier) {
