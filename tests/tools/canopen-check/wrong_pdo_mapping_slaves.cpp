@@ -4,6 +4,8 @@
 namespace conformance_test {
 namespace {
 
+using canopen::Frame;
+
 constexpr std::uint16_t kTpdo = 0x1A02;  ///< mapping of the TPDO that checks reconfigure
 constexpr std::uint32_t kFrames = 0x385;
 
@@ -31,24 +33,32 @@ Defect takes_any_length() {
   });
 }
 
-Defect tells_of_refused_mappings() {
-  return {.outgoing = [](Slave& slave, canopen::Frame& frame) {
-    const bool refusal =
-        frame.id == 0x585 && frame.data[0] == 0x80 && frame.data[1] == 0x02 && frame.data[2] == 0x1A;
-    if (refusal) slave.say({.id = 0x85, .length = 8, .data = {0x00, 0x82, 0x81}});
-    return true;
-  }};
+/// Counts one entry behind a refused one, until the count is written again.
+Defect counts_refused_entries() {
+  return {.incoming =
+              [](Slave& slave, Frame& frame) {
+                if (const auto write = write_in(frame); write && write->index == kTpdo && write->sub_index == 0)
+                  slave.memory["refused"] = 0;
+                return true;
+              },
+          .outgoing =
+              [](Slave& slave, Frame& frame) {
+                if (frame.id != 0x585 || frame.data[1] != 0x02 || frame.data[2] != 0x1A) return true;
+                if (frame.data[0] == 0x80) slave.memory["refused"] = 1;
+                if (frame.data[0] == 0x4F && frame.data[3] == 0 && slave.memory["refused"] != 0) frame.data[4] = 1;
+                return true;
+              }};
 }
 
 Defect sends_other_values() {
-  return {.outgoing = [](Slave& slave, canopen::Frame& frame) {
+  return {.outgoing = [](Slave& slave, Frame& frame) {
     if (frame.id == kFrames && held(slave, 0x1802, 2) == 1) frame.data[0] ^= 1U;
     return true;
   }};
 }
 
 Defect keeps_its_length() {
-  return {.outgoing = [](Slave& slave, canopen::Frame& frame) {
+  return {.outgoing = [](Slave& slave, Frame& frame) {
     if (frame.id == kFrames && held(slave, 0x1802, 2) == 1 && held(slave, kTpdo, 1) != 0x20000020) --frame.length;
     return true;
   }};
@@ -71,7 +81,7 @@ std::vector<WrongSlave> wrong_refusals() {
       {"MapsAnyLength", takes_any_length(), {"pdo.mapping-bits"}},
       {"MapsMoreThan64Bits", forgets(kTpdo, 0, 3), {"pdo.mapping-length"}},
       {"CountsMoreEntriesThanItHas", forgets(kTpdo, 0, 9), {"pdo.mapping-count"}},
-      {"TellsOfRefusedMappings", tells_of_refused_mappings(), {"pdo.mapping-refused"}},
+      {"CountsRefusedEntries", counts_refused_entries(), {"pdo.mapping-refused"}},
       {"ChangesTheMappingOfAValidPdo",
        pretends_to_write([](Slave& slave, const Write& write) {
          return write.index == kTpdo && write.sub_index == 0 && (held(slave, 0x1802, 1) & 0x80000000U) == 0;

@@ -60,7 +60,10 @@ std::vector<MappedObject> receivable(Context& context) {
   for (const EntryFacts& entry : context.eds().entries()) {
     const bool takes = mappable_size(entry) && entry.writable() && entry.readable() &&
                        entry.access != canopen::Access::ReadWriteRead;
-    if (takes && write_refusal(entry, context.settings()) == nullptr) entries.push_back(&entry);
+    // ObjFlags is about downloads of a configuration; an RPDO is none.
+    EntryFacts by_rpdo = entry;
+    by_rpdo.no_write = false;
+    if (takes && write_refusal(by_rpdo, context.settings()) == nullptr) entries.push_back(&entry);
   }
   std::vector<MappedObject> objects = mapped(std::move(entries));
   // Even with leave to move a drive, what its profile defines is no place for test values.

@@ -46,6 +46,23 @@ void send(Context& context, const Reception& reception, std::uint64_t value, int
   context.session().send(frame);
 }
 
+/// Gives the object its former value at the end of a check.
+class GiveBack {
+ public:
+  GiveBack(Context& context, const Reception& reception) : context_{&context}, reception_{&reception} {}
+  GiveBack(const GiveBack&) = delete;
+  GiveBack& operator=(const GiveBack&) = delete;
+  ~GiveBack() {
+    send(*context_, *reception_, reception_->before);
+    SyncSource{*context_}.send();
+    context_->session().pass(milliseconds{20});
+  }
+
+ private:
+  Context* context_;
+  const Reception* reception_;
+};
+
 /// True once the object holds @p value, within 200 ms.
 bool takes(Context& context, const Reception& reception, std::uint64_t value) {
   constexpr int kAttempts = 20;
@@ -65,6 +82,7 @@ std::string held(Context& context, const Reception& reception) {
 void takes_event_driven_values(Context& context) {
   const auto reception = receive(context, 255);
   if (!reception) return;
+  const GiveBack give_back{context, *reception};
   const std::uint64_t value = other_value(context, reception->object);
   context.step();
   send(context, *reception, value);
@@ -77,6 +95,7 @@ void takes_event_driven_values(Context& context) {
 void takes_synchronous_values_with_sync(Context& context) {
   const auto reception = receive(context, 1);
   if (!reception) return;
+  const GiveBack give_back{context, *reception};
   SyncSource sync{context};
   const std::uint64_t value = other_value(context, reception->object);
   context.step();
@@ -97,6 +116,7 @@ void takes_synchronous_values_with_sync(Context& context) {
 void ignores_short_frames(Context& context) {
   const auto reception = receive(context, 255);
   if (!reception) return;
+  const GiveBack give_back{context, *reception};
   const std::uint64_t value = other_value(context, reception->object);
   context.step();
   send(context, *reception, value, -1);
@@ -111,6 +131,7 @@ void ignores_short_frames(Context& context) {
 void takes_the_first_bytes_of_long_frames(Context& context) {
   const auto reception = receive(context, 255);
   if (!reception) return;
+  const GiveBack give_back{context, *reception};
   const std::uint64_t value = other_value(context, reception->object);
   context.step();
   const std::size_t mark = context.session().mark();
@@ -145,6 +166,7 @@ void tells_of_a_missed_deadline(Context& context) {
     return context.skip(fmt::format("object {} is not there", to_text(Subject{pdo->parameters(), kTimerSub})));
   const auto reception = receive(context, 255, kDeadline);
   if (!reception) return;
+  const GiveBack give_back{context, *reception};
   send(context, *reception, reception->before, -1);
   if (!emergency(context, milliseconds{100}))
     return context.skip("the node sends no emergency message, not even for a short RPDO");
