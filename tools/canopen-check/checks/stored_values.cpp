@@ -14,10 +14,11 @@ constexpr std::array kCommunication{StoredValue{0x1017, 0}, StoredValue{0x1015, 
 constexpr std::array kProfile{StoredValue{0x6065, 0}, StoredValue{0x6067, 0}, StoredValue{0x606D, 0},
                               StoredValue{0x606F, 0}, StoredValue{0x6081, 0}, StoredValue{0x6083, 0}};
 
-/// A value beside @p number that is unlikely to be the present, the stored or the factory one.
-std::uint64_t beside(std::uint64_t number, std::size_t bytes) noexcept {
-  constexpr std::uint64_t kStep = 110;
-  return bytes == 1 ? number ^ 1U : number < 0x4000 ? number + kStep : number - kStep;
+/// Values beside @p number, the less likely to be the stored or the factory one first.
+std::array<std::uint64_t, 2> beside(std::uint64_t number, std::size_t bytes) noexcept {
+  constexpr std::uint64_t kStep = 110, kLarge = 0x4000;
+  const std::uint64_t far = number < kLarge ? number + kStep : number - kStep;
+  return {bytes == 1 ? number ^ 1U : far, number ^ 1U};
 }
 
 bool is_writable(Context& context, const StoredValue& value) {
@@ -69,10 +70,12 @@ std::optional<StoredValue> application_value(Context& context) {
 SdoAnswer alter(Context& context, const StoredValue& value) {
   const SdoAnswer before = context.read(value.index, value.sub_index);
   if (!before.done()) return before;
-  const SdoAnswer written =
-      context.write(value.index, value.sub_index,
-                    little_endian(beside(before.number(), before.data.size()), before.data.size()));
-  return written.done() ? context.read(value.index, value.sub_index) : written;
+  SdoAnswer written;
+  for (const std::uint64_t number : beside(before.number(), before.data.size())) {
+    written = context.write(value.index, value.sub_index, little_endian(number, before.data.size()));
+    if (written.done()) return context.read(value.index, value.sub_index);
+  }
+  return written;
 }
 
 StorageGuard::StorageGuard(Context& context, std::vector<StoredValue> values) : context_{&context} {
