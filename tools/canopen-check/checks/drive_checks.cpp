@@ -37,8 +37,8 @@ struct DriveState {
 };
 constexpr DriveState kDisabled{0x4F, 0x40, "Switch on disabled"}, kReady{0x6F, 0x21, "Ready to switch on"},
     kSwitchedOn{0x6F, 0x23, "Switched on"};
-constexpr std::uint16_t kShutdown = 0x0006, kSwitchOn = 0x0007, kEnable = 0x000F, kDisableVoltage = 0x0000,
-                        kFaultReset = 0x0080, kFaultBit = 0x0008;
+constexpr std::uint16_t kShutdown = 0x0006, kSwitchOn = 0x0007, kDisableVoltage = 0x0000, kFaultReset = 0x0080,
+                        kFaultBit = 0x0008;
 
 bool is_in(std::uint64_t statusword, const DriveState& state) noexcept {
   return (statusword & state.mask) == state.bits;
@@ -184,10 +184,9 @@ struct Transition {
   const DriveState* state;
   const char* text;
 };
-/// Enable operation is commanded where it has no effect only: the tester enables no drive.
+/// Enable operation is never commanded, not even where it must have no effect.
 constexpr std::array kTransitions{Transition{kDisableVoltage, &kDisabled, "Disable voltage"},
                                   Transition{kSwitchOn, &kDisabled, "Switch on in Switch on disabled"},
-                                  Transition{kEnable, &kDisabled, "Enable operation in Switch on disabled"},
                                   Transition{kShutdown, &kReady, "Shutdown"},
                                   Transition{kSwitchOn, &kSwitchedOn, "Switch on"},
                                   Transition{kShutdown, &kReady, "Shutdown in Switched on"},
