@@ -76,12 +76,12 @@ std::vector<WrongSlave> wrong_identifiers() {
            0x06040043),
        {"pdo.restricted-identifiers"}},
       {"TakesCobIdsBeyondTheEds", limit_in_the_eds(), {"pdo.cob-id-limits"}},
-      {"HasNoResourcesForItsLastTpdo",
+      {"NeverMakesItsLastTpdoValid",
        refuses_to_write(
            [](Slave&, const Write& write) {
              return write.index == 0x1803 && write.sub_index == 1 && (write.value & kInvalid) == 0;
            },
-           0x06040047),
+           kDeviceState),
        {"pdo.all-valid"}},
   };
 }
