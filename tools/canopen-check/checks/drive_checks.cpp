@@ -194,11 +194,11 @@ constexpr std::array kTransitions{Transition{kDisableVoltage, &kDisabled, "Disab
 
 /// Writes @p command and waits for @p state: the last statusword.
 std::uint64_t command(Context& context, std::uint16_t offset, std::uint16_t command, const DriveState& state) {
-  constexpr int kAttempts = 20;
+  constexpr int kAttempts = 40;
   (void)context.write_number(at(kControlword, offset), 0, command);
   std::uint64_t word = 0;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    context.session().pass(std::chrono::milliseconds{20});
+    context.session().pass(std::chrono::milliseconds{10});
     word = context.read(at(kStatusword, offset)).number();
     if (attempt > 0 && is_in(word, state)) break;
   }

@@ -149,9 +149,14 @@ std::vector<TimedFrame> SyncSource::run(int count, canopen::Duration period, std
   return frames;
 }
 
-std::vector<std::size_t> SyncSource::count_each(int count, canopen::Duration period, std::uint32_t identifier) {
+std::vector<std::size_t> SyncSource::count_each(int count, canopen::Duration period, std::uint32_t identifier,
+                                                canopen::Duration patience) {
   std::vector<std::size_t> counts;
-  for (int i = 0; i < count; ++i) counts.push_back(run(1, period, identifier).size());
+  for (int i = 0; i < count; ++i) {
+    send();
+    const std::size_t first = session_->wait_for(under(identifier), patience) ? 1 : 0;
+    counts.push_back(first + session_->collect(under(identifier), period).size());
+  }
   return counts;
 }
 

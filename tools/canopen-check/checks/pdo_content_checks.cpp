@@ -133,7 +133,7 @@ void takes_a_new_mapping(Context& context) {
   if (!pdo) return;
   std::vector<MappedObject> objects = transmittable(context);
   if (objects.size() < 2) return context.skip("fewer than two objects are known that a TPDO can carry");
-  objects = {objects.back(), objects.front()};
+  objects = {objects[1], objects[0]};
   if (!disable(context, *pdo)) return;
   if (!context.write_number(pdo->mapping(), 0, 0).done()) return context.skip("the mapping is fixed");
   context.step();

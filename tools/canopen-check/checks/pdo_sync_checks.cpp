@@ -12,7 +12,7 @@
 namespace conformance {
 namespace {
 
-constexpr canopen::Duration kPeriod = std::chrono::milliseconds{20};
+constexpr canopen::Duration kPeriod = std::chrono::milliseconds{20}, kPatience = std::chrono::milliseconds{250};
 
 /// The TPDO of a check, with transmission type @p type, in Operational.
 std::optional<Pdo> synchronous(Context& context, std::uint8_t type) {
@@ -30,7 +30,7 @@ void comes_with_every_sync(Context& context) {
   context.enter(canopen::NmtState::Operational);
   context.session().pass(kPeriod);
   context.step();
-  const std::vector<std::size_t> counts = sync.count_each(kSyncs, kPeriod, identifier);
+  const std::vector<std::size_t> counts = sync.count_each(kSyncs, kPeriod, identifier, kPatience);
   if (std::ranges::any_of(counts, [](std::size_t count) { return count != 1; }))
     context.fail(pdo->parameters(), kTypeSub, fmt::format("a frame of {}, type 1, after each SYNC", pdo->name()),
                  fmt::format("{} frames after {} SYNCs", fmt::join(counts, ", "), kSyncs));
@@ -46,7 +46,8 @@ void comes_with_every_nth_sync(Context& context) {
   context.enter(canopen::NmtState::Operational);
   context.session().pass(kPeriod);
   context.step();
-  const std::vector<std::size_t> counts = sync.count_each(kType * static_cast<int>(kFrames), kPeriod, identifier);
+  const std::vector<std::size_t> counts =
+      sync.count_each(kType * static_cast<int>(kFrames), 2 * kPeriod, identifier);
   // Which SYNC of three is the first one is the node's affair.
   bool right = true;
   for (std::size_t i = 0; i + kType <= counts.size(); ++i)
@@ -114,7 +115,7 @@ void begins_with_the_start_value(Context& context) {
   context.enter(canopen::NmtState::Operational);
   context.session().pass(kPeriod);
   context.step();
-  const std::vector<std::size_t> counts = sync.count_each(5, kPeriod, identifier);
+  const std::vector<std::size_t> counts = sync.count_each(5, kPeriod, identifier, kPatience);
   if (counts != std::vector<std::size_t>{0, 0, 1, 1, 1})
     context.fail(pdo->parameters(), kSyncStartSub, "the first frame with the SYNC of counter 3",
                  fmt::format("{} frames with counters 1 to 5", fmt::join(counts, ", ")));
@@ -170,7 +171,7 @@ void misses_no_sync(Context& context) {
   context.session().pass(kPeriod);
   context.step();
   std::size_t frames = sync.run(kSyncs, kFast, identifier).size();
-  frames += context.session().collect(under(identifier), kPeriod).size();
+  frames += context.session().collect(under(identifier), kPatience).size();
   if (frames != kSyncs)
     context.fail(pdo->parameters(), kTypeSub,
                  fmt::format("{} frames of {} with {} SYNCs 4 ms apart", kSyncs, pdo->name(), kSyncs),

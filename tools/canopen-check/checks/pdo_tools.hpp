@@ -101,8 +101,9 @@ class SyncSource {
   void send();
   /// Sends @p count SYNCs, @p period apart: every frame under @p identifier, until one period after the last.
   [[nodiscard]] std::vector<TimedFrame> run(int count, canopen::Duration period, std::uint32_t identifier);
-  /// The same, but how many frames came with each SYNC.
-  [[nodiscard]] std::vector<std::size_t> count_each(int count, canopen::Duration period, std::uint32_t identifier);
+  /// The same, but how many frames came with each SYNC; the first one may take @p patience.
+  [[nodiscard]] std::vector<std::size_t> count_each(int count, canopen::Duration period, std::uint32_t identifier,
+                                                    canopen::Duration patience = {});
 
  private:
   Session* session_;
