@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/checks/check_table.hpp"
+#include "tools/canopen-check/checks/stored_values.hpp"
 #include "tools/canopen-check/core/context.hpp"
 
 namespace conformance {
@@ -141,7 +142,7 @@ void has_generic_pdos(Context& context) {
 void boots_without_power(Context& context) {
   constexpr DriveState kNotReady{0x4F, 0x00, "Not ready to switch on"};
   const auto axes = axes_with(context, kStatusword);
-  if (axes.empty() || !context.reset(canopen::NmtCommand::ResetNode)) return;
+  if (axes.empty() || !restart(context)) return;
   for (const std::uint16_t offset : axes) {
     context.step();
     const auto word = context.number(at(kStatusword, offset));

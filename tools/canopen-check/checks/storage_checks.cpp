@@ -83,7 +83,7 @@ void saves_what_it_works_with(Context& context) {
   context.step();
   if (const SdoAnswer answer = order(context, kStore, kAll, kSave); !answer.done())
     return context.fail(kStore, kAll, "everything can be saved", to_text(answer));
-  if (!context.reset(canopen::NmtCommand::ResetNode)) return;
+  if (!restart(context)) return;
   expect_value(context, *value, wanted, kAll, "after save and reset");
 }
 
@@ -98,14 +98,14 @@ void saves_groups_by_themselves(Context& context) {
   (void)alter(context, *application);
   if (const SdoAnswer answer = order(context, kStore, kCommunication, kSave); !answer.done())
     return context.skip("1010h:02 is refused: " + to_text(answer));
-  if (!context.reset(canopen::NmtCommand::ResetNode)) return;
+  if (!restart(context)) return;
   expect_value(context, *communication, first, kCommunication, "after 1010h:02 and reset");
   expect_value(context, *application, old, kCommunication, "after 1010h:02 and reset, as before");
   const SdoAnswer second = alter(context, *application);
   (void)alter(context, *communication);
   if (const SdoAnswer answer = order(context, kStore, kApplication, kSave); !answer.done())
     return context.skip("1010h:03 is refused: " + to_text(answer));
-  if (!context.reset(canopen::NmtCommand::ResetNode)) return;
+  if (!restart(context)) return;
   expect_value(context, *application, second, kApplication, "after 1010h:03 and reset");
   expect_value(context, *communication, first, kApplication, "after 1010h:03 and reset, as before");
 }
@@ -126,7 +126,7 @@ void loads_with_the_next_reset(Context& context) {
   if (before.data != changed.data)
     context.fail(kRestore, kAll, fmt::format("{} is {} until the reset", name, hexadecimal(changed.data)),
                  hexadecimal(before.data));
-  if (!context.reset(canopen::NmtCommand::ResetNode)) return;
+  if (!restart(context)) return;
   const SdoAnswer after = context.read(value->index, value->sub_index);
   if (after.data == changed.data)
     context.fail(kRestore, kAll, fmt::format("{} has its factory value after load and reset", name),

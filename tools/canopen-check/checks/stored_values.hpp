@@ -25,6 +25,10 @@ SdoAnswer order(Context& context, std::uint16_t index, std::uint8_t group, std::
 /// Gives @p value another value: what it holds then.
 SdoAnswer alter(Context& context, const StoredValue& value);
 
+/// Resets the node and waits for its boot-up message; false, and the check is skipped, without one: the group nmt
+/// has a check for it.
+bool restart(Context& context);
+
 /// Puts values back at the end of a check and saves them.
 class StorageGuard {
  public:
