@@ -21,9 +21,8 @@ bool is_sync(const Frame& frame) {
   return frame.id == 0x80;
 }
 
-/// A frame of the TPDO with the present value of kMirror alone.
-Frame mirror_frame(Slave& slave, std::uint32_t value) {
-  (void)slave;
+/// A frame of the TPDO, which maps kMirror alone.
+Frame mirror_frame(std::uint32_t value) {
   return {.id = kFrames,
           .length = 2,
           .data = {static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8U)}};
@@ -88,7 +87,7 @@ Defect two_frames_for_an_event() {
 Defect no_inhibit_time() {
   return {.incoming = [](Slave& slave, Frame& frame) {
     if (const auto event = event_in(slave, frame, 255); event && held(slave, kTpdo, 3) != 0)
-      slave.say(mirror_frame(slave, event->value));
+      slave.say(mirror_frame(event->value));
     return true;
   }};
 }
@@ -108,12 +107,12 @@ Defect misses_a_sync_now_and_then() {
   }};
 }
 
-/// Says @p what at each frame that fulfils @p when, in Operational with that type.
+/// Sends the TPDO at each frame that fulfils @p when, in Operational with that type.
 Defect says_a_frame(bool (*when)(const Frame&), std::uint32_t type) {
   return {.incoming = [when, type](Slave& slave, Frame& frame) {
     if (when(frame) && type_of(slave) == type && (held(slave, kTpdo, 1) & 0x80000000U) == 0 &&
         (operational(slave) || starts(frame)))
-      slave.say(mirror_frame(slave, held(slave, kMirror, 0)));
+      slave.say(mirror_frame(held(slave, kMirror, 0)));
     return true;
   }};
 }
@@ -141,7 +140,7 @@ Defect old_values_in_type_253() {
 /// Answers requests of the TPDO where @p answers says so.
 Defect answers_requests(bool (*answers)(Slave&)) {
   return {.incoming = [answers](Slave& slave, Frame& frame) {
-    if (frame.remote && frame.id == kFrames && answers(slave)) slave.say(mirror_frame(slave, 0));
+    if (frame.remote && frame.id == kFrames && answers(slave)) slave.say(mirror_frame(0));
     return true;
   }};
 }

@@ -58,7 +58,7 @@ void judges_transmission_types(Context& context) {
   }
 }
 
-/// True if sub-index 3 of @p pdo exists; else the check is skipped.
+/// True if @p pdo has this parameter; else the check is skipped.
 bool need_parameter(Context& context, const Pdo& pdo, std::uint8_t sub_index) {
   if (has_parameter(context, pdo, sub_index)) return true;
   context.skip(fmt::format("object {} is not there", to_text(Subject{pdo.parameters(), sub_index})));
@@ -85,7 +85,7 @@ void takes_an_inhibit_time(Context& context) {
     context.fail(pdo->parameters(), kInhibitSub, fmt::format("{}, as written", time), fmt::format("{}", *now));
 }
 
-/// Sets the COB-ID of an otherwise unchanged PDO to @p cob_id in Operational.
+/// Expects that a value can be written, in Operational.
 void write_in_operational(Context& context, std::uint16_t index, std::uint8_t sub_index, std::uint64_t value) {
   context.step();
   const SdoAnswer answer = context.write_number(index, sub_index, value);
