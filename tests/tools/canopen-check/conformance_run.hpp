@@ -36,6 +36,10 @@ struct WrongSlave {
 [[nodiscard]] std::vector<WrongSlave> wrong_sdo_block_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sdo_server_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_pdo_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_parameter_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_mapping_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_transmission_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_reception_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sync_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_emcy_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_robustness_slaves();

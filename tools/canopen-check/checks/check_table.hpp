@@ -25,7 +25,12 @@ namespace conformance {
 [[nodiscard]] std::span<const Check> sdo_block_download_checks() noexcept;
 [[nodiscard]] std::span<const Check> sdo_server_checks() noexcept;
 [[nodiscard]] std::span<const Check> pdo_parameter_checks() noexcept;
+[[nodiscard]] std::span<const Check> pdo_setting_checks() noexcept;
 [[nodiscard]] std::span<const Check> pdo_transmission_checks() noexcept;
+[[nodiscard]] std::span<const Check> pdo_sync_checks() noexcept;
+[[nodiscard]] std::span<const Check> pdo_request_checks() noexcept;
+[[nodiscard]] std::span<const Check> pdo_reception_checks() noexcept;
+[[nodiscard]] std::span<const Check> pdo_content_checks() noexcept;
 [[nodiscard]] std::span<const Check> pdo_mapping_checks() noexcept;
 [[nodiscard]] std::span<const Check> sync_checks() noexcept;
 [[nodiscard]] std::span<const Check> sync_producer_checks() noexcept;

@@ -52,6 +52,8 @@ class Context {
   void fail(std::string expected, std::string found) { fail(Subject{}, std::move(expected), std::move(found)); }
   /// The check does not apply, for @p reason; it returns then.
   void skip(std::string reason) { skipped_ = std::move(reason); }
+  /// The check applies after all: another part of it does.
+  void unskip() noexcept { skipped_.reset(); }
   /// Something worth to know, such as a measured time.
   void note(std::string text) { notes_.push_back(std::move(text)); }
   [[nodiscard]] bool failed() const noexcept { return !findings_.empty(); }
