@@ -1,14 +1,13 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "eds/catalogue.hpp"
 #include "eds/eds_writer.hpp"
+#include "eds/file_text.hpp"
 #include "eds/reference_writer.hpp"
 #include "eds/table_writer.hpp"
 
@@ -17,29 +16,17 @@ namespace {
 constexpr const char* kUsage =
     "usage: compile_catalogue CATALOGUE [--table FILE] [--objects FILE] [--eds FOLDER]\n";
 
-std::string read_file(const std::string& path) {
-  std::ifstream file{path, std::ios::binary};
-  if (!file) throw std::runtime_error{path + ": cannot be read"};
-  return {std::istreambuf_iterator<char>{file}, {}};
-}
-
-void write_file(const std::string& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text << std::flush;
-  if (!file) throw std::runtime_error{path + ": cannot be written"};
-}
-
 void write_table(const eds::Catalogue& catalogue, const std::string& path) {
-  write_file(path, eds::write_table(catalogue));
+  eds::write_file(path, eds::write_table(catalogue));
 }
 
 void write_reference(const eds::Catalogue& catalogue, const std::string& path) {
-  write_file(path, eds::write_reference(catalogue));
+  eds::write_file(path, eds::write_reference(catalogue));
 }
 
 void write_eds_files(const eds::Catalogue& catalogue, const std::string& folder) {
   for (const eds::EdsFile& file : catalogue.files)
-    write_file(folder + "/" + file.name, eds::write_eds(catalogue, file));
+    eds::write_file(folder + "/" + file.name, eds::write_eds(catalogue, file));
 }
 
 /// What an option asks for.
@@ -55,7 +42,7 @@ constexpr std::array kOutputs{
 };
 
 eds::Catalogue read_catalogue(const std::string& path) {
-  const std::string text = read_file(path);
+  const std::string text = eds::read_file(path);
   try {
     return eds::parse_catalogue(text);
   } catch (const eds::CatalogueError& error) {

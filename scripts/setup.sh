@@ -31,6 +31,8 @@ test_packages=(
   python3-can python3-msgpack python3-pytest python3-yaml
   # form and faults of the source
   clang-format clang-tidy
+  # xmllint, which holds reports against a schema
+  libxml2-utils
   # systemd-analyze, which checks the units
   systemd
 )

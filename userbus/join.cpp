@@ -106,6 +106,8 @@ bool serve(const char* hub, const Path& path, JoinError& error) noexcept {
       error = JoinError::InUse;
       return false;
     case StartStatus::Failed:
+      if (errno == EINTR) return true;  // ended while it started: the next attempt starts another one
+      [[fallthrough]];
     case StartStatus::Usage:
     case StartStatus::Different:
       error = errno == ENOENT || errno == EACCES ? JoinError::NoHub : JoinError::NotServed;

@@ -18,6 +18,7 @@ namespace {
 constexpr size_t kStackSize = size_t{32} * 1024;
 constexpr size_t kStackAlignment = 16;
 constexpr int kCannotExecute = 127;
+constexpr int kKilled = 126;
 
 /// What the processes between the caller and the hub need; they share the caller's memory.
 struct Start {
@@ -68,9 +69,8 @@ void leave_descriptors() noexcept {
   auto& start = *static_cast<Start*>(argument);
   const int hub = clone(become_hub, top_of(start.innermost), CLONE_VM | CLONE_VFORK | SIGCHLD, argument);
   int status = 0;
-  if (hub < 0 || waitpid(hub, &status, 0) != hub || !WIFEXITED(status))
-    _exit(static_cast<int>(StartStatus::Failed));
-  _exit(WEXITSTATUS(status));
+  if (hub < 0 || waitpid(hub, &status, 0) != hub) _exit(static_cast<int>(StartStatus::Failed));
+  _exit(WIFEXITED(status) ? WEXITSTATUS(status) : kKilled);
 }
 
 /// Copies the environment, except what would make the hub load the preload library, to @p copy.
@@ -99,6 +99,10 @@ StartStatus run(Start& start) noexcept {
   if (!ended) return StartStatus::Failed;
   if (WEXITSTATUS(status) == kCannotExecute) {
     errno = start.error;
+    return StartStatus::Failed;
+  }
+  if (WEXITSTATUS(status) == kKilled) {
+    errno = EINTR;
     return StartStatus::Failed;
   }
   errno = EIO;

@@ -2,6 +2,8 @@
 
 #include "tests/e2e/can_client.hpp"
 #include "tests/e2e/program.hpp"
+#include "tests/e2e/test_bus.hpp"
+#include "tests/fakes/child_process.hpp"
 
 namespace e2e {
 namespace {
@@ -38,6 +40,13 @@ TEST_F(ExampleSlave, StartsAgainAfterAReset) {
   EXPECT_TRUE(can.ask("209#0500", "189#05000000"));
   EXPECT_TRUE(can.ask("000#8109", "709#00"));
   EXPECT_TRUE(can.ask("000#0109", "189#00000000"));
+}
+
+TEST_F(ExampleSlave, HasNoFindingOfCanopenCheck) {
+  const fakes::Finished check = fakes::run_program(
+      {CANOPEN_CHECK, "--interface", served_interface(), "--node", "9", "--eds", EXAMPLE_EDS, "--allow-store"},
+      bus_environment());
+  EXPECT_EQ(check.status, 0) << check.output << check.errors;
 }
 
 TEST(ExampleSlaveWithoutInterface, SaysWhichIsMissing) {

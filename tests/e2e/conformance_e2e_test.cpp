@@ -1,0 +1,152 @@
+#include <csignal>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/e2e/daemon_process.hpp"
+
+/// canopen-check against axisd, and against what stands in its way.
+namespace e2e {
+namespace {
+
+using nlohmann::json;
+
+const std::string kEdsFolder = EDS_FOLDER;
+
+std::string eds_of(int axes) {
+  return kEdsFolder + (axes == 1 ? "/axisd.eds" : "/axisd-" + std::to_string(axes) + "-axes.eds");
+}
+
+/// Runs canopen-check on node 5 with @p words.
+fakes::Finished run_check(std::vector<std::string> words) {
+  std::vector<std::string> arguments{CANOPEN_CHECK_PROGRAM, "--interface", served_interface(), "--node", "5"};
+  arguments.insert(arguments.end(), words.begin(), words.end());
+  return fakes::run_program(arguments, bus_environment());
+}
+
+/// The JSON report of a run, which has to end with @p status.
+json report_of(int status, std::vector<std::string> words) {
+  const fakes::TemporaryDirectory folder;
+  words.insert(words.end(), {"--json", folder.path("report.json")});
+  const fakes::Finished run = run_check(words);
+  EXPECT_EQ(run.status, status) << run.output << run.errors;
+  std::ifstream file{folder.path("report.json")};
+  return json::parse(file, nullptr, false);
+}
+
+/// The checks of @p report with that outcome.
+std::set<std::string> checks_with(const json& report, const char* outcome) {
+  std::set<std::string> ids;
+  for (const json& result : report.at("results"))
+    if (result.at("outcome") == outcome) ids.insert(result.at("id"));
+  return ids;
+}
+
+/// The checks that the list of deviations of the unit names.
+std::set<std::string> listed() {
+  std::set<std::string> ids;
+  std::ifstream file{kEdsFolder + "/axisd-deviations.json"};
+  for (const json& item : json::parse(file)) ids.insert(item.at("check"));
+  return ids;
+}
+
+/// Listed checks that ran in @p report.
+std::set<std::string> listed_and_run(const json& report) {
+  std::set<std::string> ids = listed();
+  for (const std::string& id : checks_with(report, "skipped")) ids.erase(id);
+  return ids;
+}
+
+class Conformance : public testing::TestWithParam<int> {};
+
+TEST_P(Conformance, HasTheListedDeviationsAndNoFinding) {
+  DaemonProcess daemon{{.axes = GetParam()}};
+  ASSERT_TRUE(daemon.is_ready());
+  const json report =
+      report_of(0, {"--eds", eds_of(GetParam()), "--deviations", kEdsFolder + "/axisd-deviations.json"});
+  EXPECT_EQ(checks_with(report, "deviation"), listed_and_run(report));
+}
+
+TEST_P(Conformance, FindsEveryListedDeviationWithoutTheList) {
+  DaemonProcess daemon{{.axes = GetParam()}};
+  ASSERT_TRUE(daemon.is_ready());
+  const json report = report_of(1, {"--eds", eds_of(GetParam())});
+  EXPECT_EQ(checks_with(report, "failed"), listed_and_run(report));
+}
+
+INSTANTIATE_TEST_SUITE_P(Axes, Conformance, testing::Values(1, 2, 8));
+
+TEST(ConformanceWithEverythingAllowed, HasTheListedDeviationsAndNoFinding) {
+  DaemonProcess daemon;
+  ASSERT_TRUE(daemon.is_ready());
+  const json report = report_of(0, {"--eds", eds_of(1), "--deviations", kEdsFolder + "/axisd-deviations.json",
+                                    "--allow-store", "--allow-motion"});
+  EXPECT_EQ(checks_with(report, "deviation"), listed_and_run(report));
+}
+
+TEST(ConformanceReadOnly, LeavesTheUnitAlone) {
+  DaemonProcess daemon;
+  ASSERT_TRUE(daemon.is_ready());
+  const json report = report_of(0, {"--eds", eds_of(1), "--read-only"});
+  EXPECT_EQ(checks_with(report, "failed"), std::set<std::string>{});
+  EXPECT_EQ(daemon.status().at("nmt_state"), "Pre-operational");
+}
+
+TEST(ConformanceTrouble, WithoutANodeEndsWithStatus3) {
+  const CanClient somebody_on_the_bus{kTestInterface};
+  const fakes::Finished run = run_check({"--timeout", "100"});
+  EXPECT_EQ(run.status, 3) << run.output;
+  EXPECT_NE(run.errors.find("node 5 does not answer an upload of 1000h:00 (request 605h, 100.0 ms)"),
+            std::string::npos)
+      << run.errors;
+}
+
+TEST(ConformanceTrouble, WithAnotherDevicesEdsWritesNothing) {
+  DaemonProcess daemon;
+  ASSERT_TRUE(daemon.is_ready());
+  const fakes::Finished run = run_check({"--eds", kEdsFolder + "/axisd-vector.eds"});
+  EXPECT_NE(run.status, 0);
+}
+
+TEST(ConformanceTrouble, WithTwoNodesOfOneIdIsSeen) {
+  DaemonProcess daemon, other;
+  ASSERT_TRUE(daemon.is_ready());
+  ASSERT_TRUE(other.is_ready());
+  const json report = report_of(1, {"--eds", eds_of(1), "--read-only", "--only", "device.one-node"});
+  EXPECT_EQ(checks_with(report, "failed"), std::set<std::string>{"device.one-node"});
+}
+
+TEST(ConformanceTrouble, WithANodeThatDisappearsEndsWithAReport) {
+  DaemonProcess daemon;
+  ASSERT_TRUE(daemon.is_ready());
+  CanClient can{kTestInterface};
+  const fakes::TemporaryDirectory folder;
+  Program check{{CANOPEN_CHECK_PROGRAM, "--interface", served_interface(), "--node", "5", "--eds", eds_of(1),
+                 "--timeout", "100", "--boot-limit", "200"},
+                bus_environment()};
+  ASSERT_TRUE(can.wait_for("705#00"));  // it has begun to reset the node
+  EXPECT_EQ(daemon.end(SIGKILL), -SIGKILL);
+  EXPECT_EQ(check.wait(), 1);
+}
+
+TEST(ConformanceTrouble, WhenItIsInterruptedRestoresWhatItChanged) {
+  DaemonProcess daemon;
+  ASSERT_TRUE(daemon.is_ready());
+  CanClient can{kTestInterface};
+  Program check{{CANOPEN_CHECK_PROGRAM, "--interface", served_interface(), "--node", "5", "--eds", eds_of(1),
+                 "--only", "error-control"},
+                bus_environment()};
+  // The heartbeat time is written, and nothing of it is left afterwards.
+  ASSERT_TRUE(can.wait_until("a write of 1017h", [](const canopen::Frame& frame) {
+    return frame.id == 0x605 && frame.data[0] == 0x2B && frame.data[1] == 0x17 && frame.data[4] != 0;
+  }));
+  check.signal(SIGINT);
+  EXPECT_EQ(check.wait(), 1);
+  can.forget();
+  EXPECT_TRUE(can.ask("605#4017100000000000", "585#4B17100000000000"));
+}
+
+}  // namespace
+}  // namespace e2e

@@ -1,0 +1,9 @@
+#include "tests/tools/canopen-check/conformance_run.hpp"
+
+namespace conformance_test {
+
+std::vector<WrongSlave> wrong_storage_slaves() {
+  return {};
+}
+
+}  // namespace conformance_test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tools/canopen-check/core/check.hpp"
+
+namespace conformance {
+
+// The checks of each group, in the order in which they run.
+[[nodiscard]] std::span<const Check> device_checks() noexcept;
+[[nodiscard]] std::span<const Check> nmt_checks() noexcept;
+[[nodiscard]] std::span<const Check> error_control_checks() noexcept;
+[[nodiscard]] std::span<const Check> sdo_checks() noexcept;
+[[nodiscard]] std::span<const Check> sdo_block_checks() noexcept;
+[[nodiscard]] std::span<const Check> sdo_server_checks() noexcept;
+[[nodiscard]] std::span<const Check> pdo_parameter_checks() noexcept;
+[[nodiscard]] std::span<const Check> pdo_transmission_checks() noexcept;
+[[nodiscard]] std::span<const Check> pdo_mapping_checks() noexcept;
+[[nodiscard]] std::span<const Check> sync_checks() noexcept;
+[[nodiscard]] std::span<const Check> emcy_checks() noexcept;
+[[nodiscard]] std::span<const Check> storage_checks() noexcept;
+[[nodiscard]] std::span<const Check> lss_checks() noexcept;
+[[nodiscard]] std::span<const Check> drive_checks() noexcept;
+[[nodiscard]] std::span<const Check> robustness_checks() noexcept;
+
+/// Every check that needs the node, in the order in which they run.
+[[nodiscard]] std::vector<const Check*> all_checks();
+
+}  // namespace conformance

@@ -1,0 +1,149 @@
+#include "tools/canopen-check/core/context.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace conformance {
+namespace {
+
+constexpr std::uint32_t kErrorControl = 0x700;
+constexpr std::uint16_t kHeartbeatTime = 0x1017;
+constexpr std::uint64_t kObservedHeartbeat = 100;  // ms: the shortest that every device is able to
+constexpr canopen::Duration kGuardPatience = std::chrono::milliseconds{100};
+constexpr std::uint8_t kStateBits = 0x7F;
+/// Frames that a finding keeps.
+constexpr std::size_t kMostFrames = 60;
+
+canopen::NmtCommand command_for(canopen::NmtState state) noexcept {
+  switch (state) {
+    case canopen::NmtState::Operational:
+      return canopen::NmtCommand::Start;
+    case canopen::NmtState::Stopped:
+      return canopen::NmtCommand::Stop;
+    case canopen::NmtState::Initialising:
+    case canopen::NmtState::PreOperational:
+      break;
+  }
+  return canopen::NmtCommand::EnterPreOperational;
+}
+
+}  // namespace
+
+std::string milliseconds(canopen::Duration time) {
+  return fmt::format("{:.1f} ms", std::chrono::duration<double, std::milli>{time}.count());
+}
+
+void Context::fail(Subject subject, std::string expected, std::string found) {
+  const std::span<const TimedFrame> frames = session_->since(mark_);
+  const std::span<const TimedFrame> last = frames.last(std::min(frames.size(), kMostFrames));
+  findings_.push_back({.subject = subject,
+                       .expected = std::move(expected),
+                       .found = std::move(found),
+                       .frames = {last.begin(), last.end()}});
+}
+
+bool Context::need(std::uint16_t index, std::uint8_t sub_index) {
+  const bool there = eds_->empty() ? read(index, sub_index).done() : eds_->find(index, sub_index) != nullptr;
+  if (!there)
+    skip(fmt::format("object {} is not {}", to_text(Subject{index, sub_index}),
+                     eds_->empty() ? "on the node" : "in the EDS"));
+  return there;
+}
+
+std::optional<std::uint64_t> Context::number(std::uint16_t index, std::uint8_t sub_index) {
+  step();
+  const SdoAnswer answer = read(index, sub_index);
+  if (answer.done()) return answer.number();
+  fail(index, sub_index, "a value", to_text(answer));
+  return std::nullopt;
+}
+
+SdoAnswer Context::write_number(std::uint16_t index, std::uint8_t sub_index, std::uint64_t value) {
+  const EntryFacts* const facts = eds_->find(index, sub_index);
+  std::size_t size = facts != nullptr ? facts->bytes() : 0;
+  if (size == 0) size = std::clamp<std::size_t>(read(index, sub_index).data.size(), 1, 8);
+  return write(index, sub_index, little_endian(value, size));
+}
+
+bool Context::set(std::uint16_t index, std::uint8_t sub_index, std::uint64_t value) {
+  step();
+  const SdoAnswer answer = write_number(index, sub_index, value);
+  if (!answer.done()) fail(index, sub_index, fmt::format("{:X}h can be written", value), to_text(answer));
+  return answer.done();
+}
+
+void Context::expect_abort(const SdoAnswer& answer, std::initializer_list<std::uint32_t> codes,
+                           std::uint16_t index, std::uint8_t sub_index, const std::string& request) {
+  constexpr std::uint32_t kGeneralError = 0x08000000;
+  if (answer.aborted() && std::ranges::find(codes, answer.abort_code) != codes.end()) return;
+  if (answer.aborted() && answer.abort_code == kGeneralError)
+    return note(
+        fmt::format("{}: {} is refused with the general code", to_text(Subject{index, sub_index}), request));
+  std::string expected;
+  for (const std::uint32_t code : codes) expected += (expected.empty() ? "abort " : " or ") + abort_text(code);
+  fail(index, sub_index, fmt::format("{} for {}", expected, request), to_text(answer));
+}
+
+std::optional<canopen::Duration> Context::reset(canopen::NmtCommand command) {
+  step();
+  session_->drain();
+  const canopen::TimePoint begin = session_->now();
+  session_->command(command);
+  const auto boot_up = session_->wait_for(
+      [id = session_->identifier(kErrorControl)](const canopen::Frame& frame) {
+        return frame.id == id && !frame.remote && frame.length == 1 && frame.data[0] == 0;
+      },
+      settings_->boot_up_limit);
+  if (boot_up) return boot_up->time - begin;
+  fail(fmt::format("a boot-up message within {}", milliseconds(settings_->boot_up_limit)), "none");
+  return std::nullopt;
+}
+
+void Context::enter(canopen::NmtState state) {
+  session_->command(command_for(state));
+}
+
+std::optional<canopen::NmtState> Context::guard() {
+  const std::uint32_t identifier = session_->identifier(kErrorControl);
+  session_->drain();
+  if (!session_->carries_remote_frames() || !session_->send({.id = identifier, .length = 1, .remote = true}))
+    return std::nullopt;
+  const auto answer = session_->wait_for(under(identifier), kGuardPatience);
+  if (!answer || answer->frame.length != 1) return std::nullopt;
+  return static_cast<canopen::NmtState>(answer->frame.data[0] & kStateBits);
+}
+
+bool Context::observe_state() {
+  by_guarding_ = guard().has_value();
+  if (by_guarding_) return true;
+  if (write_number(kHeartbeatTime, 0, kObservedHeartbeat).done() && state()) return true;
+  skip("the node tells its state neither by guarding nor by heartbeat");
+  return false;
+}
+
+std::optional<canopen::NmtState> Context::state() {
+  if (by_guarding_) return guard();
+  session_->drain();
+  const auto beat = session_->wait_for(under(session_->identifier(kErrorControl)),
+                                       5 * std::chrono::milliseconds{kObservedHeartbeat});
+  if (!beat || beat->frame.length != 1) return std::nullopt;
+  return static_cast<canopen::NmtState>(beat->frame.data[0] & kStateBits);
+}
+
+bool Context::expect_state(canopen::NmtState expected, const std::string& after) {
+  step();
+  const std::optional<canopen::NmtState> now = state();
+  if (now == expected) return true;
+  fail(fmt::format("{} after {}", name_of(expected), after),
+       now ? fmt::format("state {} ({:02X}h)", name_of(*now), static_cast<unsigned>(*now)) : "no answer");
+  return false;
+}
+
+bool Context::about(canopen::Duration measured, canopen::Duration wanted) const noexcept {
+  const double allowed =
+      settings_->tolerance * static_cast<double>(wanted.count()) + static_cast<double>(settings_->slack.count());
+  return std::abs(static_cast<double>((measured - wanted).count())) <= allowed;
+}
+
+}  // namespace conformance

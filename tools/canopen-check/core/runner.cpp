@@ -1,0 +1,182 @@
+#include "tools/canopen-check/core/runner.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace conformance {
+namespace {
+
+constexpr std::uint32_t kRequests = 0x600, kResponses = 0x580;
+constexpr std::uint16_t kDeviceType = 0x1000;
+constexpr int kAttempts = 3;
+
+}  // namespace
+
+std::size_t RunReport::count(Outcome outcome) const noexcept {
+  return static_cast<std::size_t>(std::ranges::count(results, outcome, &CheckResult::outcome));
+}
+
+Runner::Runner(Wire& wire, const Description& eds, const Settings& settings, Deviations& deviations)
+    : session_{wire, settings.node_id},
+      sdo_{session_, session_.identifier(kRequests), session_.identifier(kResponses), settings.patience},
+      eds_{&eds},
+      settings_{&settings},
+      deviations_{&deviations} {}
+
+std::string Runner::trouble() const {
+  if (!session_.bus_is_up()) return "the bus is down";
+  if (session_.interrupted()) return "interrupted";
+  return "the node does not answer any more";
+}
+
+bool Runner::answers() {
+  for (int attempt = 0; attempt < kAttempts && !session_.ended(); ++attempt) {
+    const SdoAnswer answer = sdo_.upload(kDeviceType, 0);
+    if (answer.done() || answer.aborted()) return true;
+  }
+  return false;
+}
+
+bool Runner::reach(RunReport& report) {
+  report.reached = answers();
+  if (!report.reached && settings_->mode == Mode::Full && !session_.ended()) {
+    // A stopped node answers no SDO.
+    session_.command(canopen::NmtCommand::EnterPreOperational);
+    report.reached = answers();
+    initial_state_ = canopen::NmtState::Stopped;
+  }
+  if (!report.reached)
+    report.problem =
+        session_.ended()
+            ? trouble()
+            : fmt::format("node {} does not answer an upload of 1000h:00 (request {:03X}h, {})",
+                          session_.node_id(), sdo_.request_identifier(), milliseconds(settings_->patience));
+  return report.reached;
+}
+
+std::string Runner::foreign_device() {
+  constexpr std::uint16_t kIdentity = 0x1018;
+  const DeviceFacts& device = eds_->device();
+  const std::array stated{device.vendor.value_or(0), device.product.value_or(0)};
+  for (std::uint8_t sub = 1; sub <= stated.size(); ++sub) {
+    if (stated[sub - 1U] == 0) continue;
+    const SdoAnswer answer = sdo_.upload(kIdentity, sub);
+    if (answer.done() && answer.number() != stated[sub - 1U])
+      return fmt::format(
+          "the EDS is of another device: 1018h:{:02X} is {:08X}h, the EDS says {:08X}h; nothing is written", sub,
+          answer.number(), stated[sub - 1U]);
+  }
+  return {};
+}
+
+RunReport Runner::run(std::span<const Check* const> checks, const Progress& progress) {
+  RunReport report;
+  const canopen::TimePoint begin = session_.now();
+  if (!reach(report)) return report;
+  foreign_ = foreign_device();
+  report.problem = foreign_;
+  const bool changes = settings_->mode == Mode::Full && foreign_.empty();
+  if (changes && initial_state_ != canopen::NmtState::Stopped) {
+    Context context{session_, sdo_, *eds_, *settings_};
+    if (context.observe_state()) initial_state_ = context.state().value_or(initial_state_);
+    session_.clean_up(true);
+    (void)context.undo().restore();
+    session_.clean_up(false);
+  }
+  if (changes) session_.command(canopen::NmtCommand::EnterPreOperational);
+  Snapshot snapshot{sdo_, changes ? *eds_ : Description{}, *settings_};
+  std::size_t number = 0;
+  for (const Check* check : checks) {
+    progress.begin(*check, ++number, checks.size());
+    report.results.push_back(run_check(*check));
+    progress.end(report.results.back());
+  }
+  if (changes) finish(report, snapshot);
+  if (lost_ || session_.interrupted() || !session_.bus_is_up()) report.problem = trouble();
+  report.time = session_.now() - begin;
+  return report;
+}
+
+void Runner::finish(RunReport& report, Snapshot& snapshot) {
+  session_.clean_up(true);
+  session_.command(canopen::NmtCommand::EnterPreOperational);
+  report.not_restored = snapshot.restore();
+  if (initial_state_ == canopen::NmtState::Operational) session_.command(canopen::NmtCommand::Start);
+  if (initial_state_ == canopen::NmtState::Stopped) session_.command(canopen::NmtCommand::Stop);
+  report.notes.push_back(
+      fmt::format("{} writable entries were read before and compared afterwards", snapshot.size()));
+}
+
+std::string Runner::why_not(const Check& check) const {
+  if (check.mode == Mode::Full && !foreign_.empty()) return foreign_;
+  if (check.mode > settings_->mode) return "it changes the node: needs --full";
+  if (check.stores && !settings_->allow_store) return "needs --allow-store";
+  if (check.moves && !settings_->allow_motion) return "needs --allow-motion";
+  return {};
+}
+
+CheckResult Runner::run_check(const Check& check) {
+  CheckResult result{.check = &check};
+  result.reason = why_not(check);
+  if (!result.reason.empty()) {
+    result.outcome = Outcome::Skipped;
+    return result;
+  }
+  if (lost_ || session_.ended()) {
+    result.outcome = Outcome::Broken;
+    result.reason = trouble();
+    return result;
+  }
+  const canopen::TimePoint begin = session_.now();
+  perform(check, result);
+  result.time = session_.now() - begin;
+  deviations_->judge(result);
+  return result;
+}
+
+void Runner::perform(const Check& check, CheckResult& result) {
+  session_.forget();
+  if (check.mode == Mode::Full) session_.command(canopen::NmtCommand::EnterPreOperational);
+  Context context{session_, sdo_, *eds_, *settings_};
+  check.run(context);
+  const bool ended = session_.ended();
+  result.findings = std::move(context.findings());
+  result.notes = std::move(context.notes());
+  if (!result.findings.empty()) {
+    result.outcome = Outcome::Failed;
+  } else if (context.skipped()) {
+    result.outcome = Outcome::Skipped;
+    result.reason = *context.skipped();
+  }
+  if (check.mode == Mode::Full) restore(context, result);
+  if (ended) {
+    result.findings.clear();  // of frames that could not come any more
+    result.outcome = Outcome::Broken;
+    result.reason = trouble();
+  } else if (result.outcome == Outcome::Failed && !revive()) {
+    lost_ = true;
+  }
+}
+
+void Runner::restore(Context& context, CheckResult& result) {
+  session_.clean_up(true);
+  session_.command(canopen::NmtCommand::EnterPreOperational);
+  for (std::string& line : context.undo().restore())
+    result.notes.push_back("not restored at the end of this check: " + std::move(line));
+  session_.clean_up(false);
+}
+
+bool Runner::revive() {
+  if (answers()) return true;
+  if (settings_->mode != Mode::Full) return false;
+  session_.command(canopen::NmtCommand::ResetNode);
+  const canopen::TimePoint until = session_.now() + settings_->boot_up_limit;
+  while (session_.now() < until && !session_.ended()) {
+    if (sdo_.upload(kDeviceType, 0).kind != SdoAnswer::Kind::Silent) return true;
+  }
+  return false;
+}
+
+}  // namespace conformance

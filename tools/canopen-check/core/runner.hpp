@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/canopen-check/core/context.hpp"
+#include "tools/canopen-check/core/deviations.hpp"
+#include "tools/canopen-check/core/snapshot.hpp"
+
+namespace conformance {
+
+/// Told of what goes on.
+struct Progress {
+  std::function<void(const Check&, std::size_t number, std::size_t total)> begin = [](auto&&...) {};
+  std::function<void(const CheckResult&)> end = [](auto&&...) {};
+};
+
+/// What came of a run.
+struct RunReport {
+  std::vector<CheckResult> results{};
+  bool reached = false;                     ///< the node answered
+  std::string problem{};                    ///< why it was not reached, or was lost
+  std::vector<std::string> not_restored{};  ///< entries that do not hold what they held before
+  std::vector<std::string> notes{};         ///< what was restored
+  canopen::Duration time{};
+
+  [[nodiscard]] std::size_t count(Outcome outcome) const noexcept;
+};
+
+/// Runs checks against a node, one after the other, and leaves it as it was.
+class Runner {
+ public:
+  /// @p wire, @p eds, @p settings and @p deviations must outlive it.
+  Runner(Wire& wire, const Description& eds, const Settings& settings, Deviations& deviations);
+
+  /// Runs @p checks in their order; those that settings or mode do not allow are skipped.
+  RunReport run(std::span<const Check* const> checks, const Progress& progress);
+
+ private:
+  /// True once the node has answered an upload of 1000h.
+  bool reach(RunReport& report);
+  CheckResult run_check(const Check& check);
+  void perform(const Check& check, CheckResult& result);
+  void restore(Context& context, CheckResult& result);
+  /// True if the node answers; it is reset where it does not.
+  bool revive();
+  bool answers();
+  /// Why nothing must be written: the node says by 1018h that the EDS is of another device. Else empty.
+  [[nodiscard]] std::string foreign_device();
+  void finish(RunReport& report, Snapshot& snapshot);
+  [[nodiscard]] std::string why_not(const Check& check) const;
+  [[nodiscard]] std::string trouble() const;
+
+  Session session_;
+  SdoClient sdo_;
+  const Description* eds_;
+  const Settings* settings_;
+  Deviations* deviations_;
+  bool lost_ = false;
+  std::string foreign_;
+  canopen::NmtState initial_state_ = canopen::NmtState::PreOperational;
+};
+
+}  // namespace conformance

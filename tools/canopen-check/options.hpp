@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bus/address.hpp"
+#include "tools/canopen-check/core/context.hpp"
+
+namespace conformance {
+
+/// Exit statuses.
+inline constexpr int kClean = 0;       ///< no check failed
+inline constexpr int kFound = 1;       ///< a check failed, or could not be ended
+inline constexpr int kUsage = 2;       ///< wrong command line, or a file that cannot be used
+inline constexpr int kNotReached = 3;  ///< nothing was tested
+
+/// What is wrong with the command line or a file, in one line.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What the command line asks for.
+struct Options {
+  std::optional<bus::Address> interface {};
+  std::vector<std::string> eds_files{};
+  std::vector<std::string> only{};  ///< groups, or beginnings of ids; none: everything
+  std::string deviations{};         ///< file; empty: no deviation is known
+  std::string junit{}, json{};      ///< files to write; empty: none
+  bool list = false;                ///< print the checks and exit
+  bool verbose = false;
+  Settings settings{};
+};
+
+/// Reads the command line; nothing if it asked for --help or --version, which is printed then. UsageError.
+[[nodiscard]] std::optional<Options> parse_command_line(int count, const char* const* words);
+
+/// True if @p options ask for @p check.
+[[nodiscard]] bool is_wanted(const Options& options, const Check& check);
+
+}  // namespace conformance

@@ -1,0 +1,100 @@
+#include "tools/canopen-check/port_wire.hpp"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <ctime>
+
+#include <poll.h>
+
+namespace conformance {
+namespace {
+
+volatile std::sig_atomic_t signalled = 0;
+
+/// A queue that is full for that long belongs to a bus on which nobody confirms.
+constexpr canopen::Duration kRoomPatience = std::chrono::seconds{1};
+constexpr canopen::Duration kRetry = std::chrono::milliseconds{1};
+/// A signal that comes just before the wait is seen after this time at the latest.
+constexpr canopen::Duration kLongestWait = std::chrono::milliseconds{200};
+
+timespec timespec_of(canopen::Duration time) noexcept {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
+  return {.tv_sec = static_cast<time_t>(seconds.count()), .tv_nsec = static_cast<long>((time - seconds).count())};
+}
+
+}  // namespace
+
+void take_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { signalled = 1; };
+  for (const int signal : {SIGINT, SIGTERM}) (void)::sigaction(signal, &action, nullptr);
+}
+
+PortWire::PortWire(const bus::Address& address) : connection_{bus::open(address)} {
+  if (connection_.link->state() == bus::LinkState::Up) return;
+  throw bus::OpenError{address.text +
+                       (connection_.link->state() == bus::LinkState::Gone ? " is not there" : " is down")};
+}
+
+canopen::TimePoint PortWire::now() {
+  timespec time{};
+  (void)::clock_gettime(CLOCK_MONOTONIC, &time);
+  return canopen::TimePoint{std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec}};
+}
+
+bool PortWire::interrupted() const {
+  return signalled != 0;
+}
+
+bool PortWire::send(const canopen::Frame& frame) {
+  const canopen::TimePoint until = now() + kRoomPatience;
+  while (up_) {
+    switch (connection_.port->send(frame)) {
+      case bus::SendStatus::Sent:
+        return true;
+      case bus::SendStatus::Full: {
+        if (now() >= until) return false;
+        const timespec pause = timespec_of(kRetry);
+        (void)::nanosleep(&pause, nullptr);
+        break;
+      }
+      case bus::SendStatus::Down:
+        up_ = false;
+        break;
+      case bus::SendStatus::Failed:
+        return false;
+    }
+  }
+  return false;
+}
+
+bool PortWire::wait(canopen::TimePoint until) {
+  std::array<pollfd, 2> descriptors{pollfd{connection_.port->descriptor(), POLLIN, 0},
+                                    pollfd{connection_.link->descriptor(), POLLIN, 0}};
+  const canopen::Duration left = std::clamp(until - now(), canopen::Duration::zero(), kLongestWait);
+  const timespec limit = timespec_of(left);
+  (void)::ppoll(descriptors.data(), descriptors.size(), &limit, nullptr);
+  if (descriptors[1].revents != 0 && connection_.link->read() && connection_.link->state() != bus::LinkState::Up)
+    up_ = false;
+  return descriptors[0].revents != 0;
+}
+
+std::optional<TimedFrame> PortWire::receive(canopen::TimePoint until) {
+  TimedFrame received;
+  while (up_) {
+    const bus::Received what = connection_.port->receive(received.frame);
+    if (what.kind == bus::Received::Frame) {
+      received.time = now();
+      return received;
+    }
+    if (what.kind == bus::Received::Down) up_ = false;
+    if (what.kind != bus::Received::Nothing) continue;
+    if (!wait(until) && now() >= until) return std::nullopt;
+    // The runner decides what an interruption means; nobody waits for the end of a long time then.
+    if (signalled != 0 && now() + kLongestWait < until) until = now() + kLongestWait;
+  }
+  return std::nullopt;
+}
+
+}  // namespace conformance

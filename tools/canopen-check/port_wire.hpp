@@ -1,0 +1,32 @@
+#pragma once
+
+#include "bus/connection.hpp"
+#include "tools/canopen-check/core/wire.hpp"
+
+namespace conformance {
+
+/// A bus that was opened, in the time of the machine. Frames carry the time at which they were read.
+class PortWire final : public Wire {
+ public:
+  /// Opens the bus at @p address. Throws bus::OpenError if it is not there or down.
+  explicit PortWire(const bus::Address& address);
+
+  bool send(const canopen::Frame& frame) override;
+  std::optional<TimedFrame> receive(canopen::TimePoint until) override;
+  canopen::TimePoint now() override;
+  bool up() const override { return up_; }
+  bool interrupted() const override;
+  bool carries_remote_frames() const override { return connection_.port->carries_remote_frames(); }
+
+ private:
+  /// Waits until something can be read, @p until the latest; false if nothing can.
+  bool wait(canopen::TimePoint until);
+
+  bus::Connection connection_;
+  bool up_ = true;
+};
+
+/// From now on SIGINT and SIGTERM interrupt every PortWire instead of ending the program.
+void take_signals();
+
+}  // namespace conformance
