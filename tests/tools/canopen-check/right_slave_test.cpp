@@ -37,7 +37,7 @@ std::map<std::string, std::string> skipped(const conformance::RunReport& report)
 
 TEST(RightSlave, SkipsOnlyWhatItDoesNotOffer) {
   for (const auto& [id, reason] : skipped(run_checks({})))
-    EXPECT_TRUE(id.starts_with("lss.") || id.starts_with("drive.") ||
+    EXPECT_TRUE(id.starts_with("lss.") || id.starts_with("drive.") || id == "pdo.cob-id-limits" ||
                 reason.find("produces no SYNC") != std::string::npos)
         << id << ": " << reason;
 }

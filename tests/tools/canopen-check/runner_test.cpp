@@ -31,8 +31,6 @@ struct TestRun {
   }
 
   /// What every writable number of the slave holds, but for 1003h, which tells what has happened.
-  /// What every writable number of the slave holds, without 1003h: the history keeps the errors that a check
-  /// provokes.
   std::map<std::pair<std::uint16_t, std::uint8_t>, std::int64_t> values() {
     std::map<std::pair<std::uint16_t, std::uint8_t>, std::int64_t> held;
     for (const canopen::Entry& entry : slave.dictionary().entries())

@@ -47,7 +47,8 @@ Defect counts_refused_entries() {
                 if (frame.data[0] == 0x80) slave.memory["refused"] = 1;
                 if (frame.data[0] == 0x4F && frame.data[3] == 0 && slave.memory["refused"] != 0) frame.data[4] = 1;
                 return true;
-              }};
+              },
+          .after_reset = [](Slave& slave) { slave.memory["refused"] = 0; }};
 }
 
 Defect sends_other_values() {

@@ -66,7 +66,7 @@ std::vector<WrongSlave> wrong_identifiers() {
          return kInvalid | 0x385;
        }),
        {"pdo.remote-request-bit"}},
-      {"TakesRestrictedIdentifiers",
+      {"TakesRestrictedIdentifiersForPdos",
        pretends_to_write(
            [](Slave&, const Write& write) { return cob_id(write) && restricted(write.value & ~kNoRemote); }),
        {"pdo.restricted-identifiers"}},

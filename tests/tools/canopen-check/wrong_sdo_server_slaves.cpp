@@ -93,7 +93,7 @@ std::vector<WrongSlave> wrong_sdo_server_slaves() {
        .found_by = {"sdo.interleaved-servers"}},
       {.name = "AnswersWhileTheServerIsOff", .defect = answers_while_off(), .found_by = {"sdo.server-disabled"}},
       {.name = "KeepsIdentifiersOverAReset", .defect = keeps_identifiers(), .found_by = {"sdo.server-reset"}},
-      {.name = "TakesRestrictedIdentifiers",
+      {.name = "TakesRestrictedIdentifiersForServers",
        .defect = takes_identifiers([](std::uint32_t identifier) { return identifier == 0x701; }),
        .found_by = {"sdo.server-restricted"}},
       {.name = "TakesIdentifiersInUse",

@@ -141,7 +141,7 @@ std::vector<WrongSlave> that_transfer_wrongly() {
        .found_by = {"sdo.less-than-announced"}},
       {.name = "ConfirmsAnotherEntry", .defect = confirms_another_entry(), .found_by = {"sdo.expedited-download"}},
       {.name = "NeedsTheNumberOfBytes",
-       .defect = answers(0x22, 0x1016, 1, kAbortCommand, 0x06070010),
+       .defect = answers(0x22, 0x1006, 0, kAbortCommand, 0x06070010),
        .found_by = {"sdo.unsized-download"}},
       {.name = "TakesNoShortSegments",
        .defect = answers(0x21, kGuardTime, 0, kAbortCommand, 0x06070010),
