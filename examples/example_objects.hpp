@@ -9,9 +9,10 @@ inline constexpr auto kObjects = [] {
   using enum canopen::DataType;
   using enum canopen::Access;
   return std::to_array<canopen::EntryDescription>({
-      {.index = 0x1000, .type = Unsigned32},                       // device type: no profile
-      {.index = 0x1001},                                           // error register
-      {.index = 0x1017, .type = Unsigned16, .access = ReadWrite},  // heartbeat time, ms
+      {.index = 0x1000, .type = Unsigned32},                                        // device type: no profile
+      {.index = 0x1001},                                                            // error register
+      {.index = 0x1005, .type = Unsigned32, .access = ReadWrite, .initial = 0x80},  // identifier of SYNC
+      {.index = 0x1017, .type = Unsigned16, .access = ReadWrite},                   // heartbeat time, ms
       // identity: vendor, product
       {.index = 0x1018, .sub_index = 0, .access = Constant, .initial = 2},
       {.index = 0x1018, .sub_index = 1, .type = Unsigned32},

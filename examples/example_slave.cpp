@@ -46,8 +46,9 @@ int main(int argc, char** argv) {
     if (poll(&readable, 1, static_cast<int>(std::clamp<long>(wait.count(), 0, 60'000))) == 0) continue;
     can_frame in{};
     if (read(bus.descriptor, &in, sizeof in) < 0) return std::perror("read"), 1;
-    if (in.can_id > CAN_SFF_MASK) continue;  // 29 bits or remote: this device has no use for them
-    canopen::Frame frame{.id = in.can_id, .length = in.len};
+    if ((in.can_id & CAN_EFF_FLAG) != 0) continue;  // this device has no use for 29 bits
+    const bool remote = (in.can_id & CAN_RTR_FLAG) != 0;
+    canopen::Frame frame{.id = in.can_id & CAN_SFF_MASK, .length = in.len, .remote = remote};
     std::copy_n(in.data, frame.data.size(), frame.data.begin());
     node.on_frame(frame, now());
     node.on_values_changed(now());

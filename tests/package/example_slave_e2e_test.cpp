@@ -49,6 +49,16 @@ TEST_F(ExampleSlave, HasNoFindingOfCanopenCheck) {
   EXPECT_EQ(check.status, 0) << check.output << check.errors;
 }
 
+TEST_F(ExampleSlave, IsNotAloneForCanopenCheckIfAnotherHasItsNodeId) {
+  const Program other{{EXAMPLE_SLAVE, kTestInterface, "9"}, bus_environment()};
+  ASSERT_TRUE(can.expect("709#00"));
+  const fakes::Finished check = fakes::run_program(
+      {CANOPEN_CHECK, "--interface", served_interface(), "--node", "9", "--read-only", "--only", "device.alone"},
+      bus_environment());
+  EXPECT_EQ(check.status, 1) << check.output << check.errors;
+  EXPECT_NE(check.output.find("failed    device.alone"), std::string::npos) << check.output;
+}
+
 TEST(ExampleSlaveWithoutInterface, SaysWhichIsMissing) {
   Program slave{{EXAMPLE_SLAVE, "nosuch", "9"}, bus_environment()};
 

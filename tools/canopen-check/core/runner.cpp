@@ -1,6 +1,7 @@
 #include "tools/canopen-check/core/runner.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -111,10 +112,23 @@ void Runner::take_over() {
 void Runner::finish(RunReport& report, Snapshot& snapshot) {
   take_over();
   report.not_restored = snapshot.restore();
+  store_again(report);
   if (initial_state_ == canopen::NmtState::Operational) session_.command(canopen::NmtCommand::Start);
   if (initial_state_ == canopen::NmtState::Stopped) session_.command(canopen::NmtCommand::Stop);
   report.notes.push_back(
       fmt::format("{} writable entries were read before and compared afterwards", snapshot.size()));
+}
+
+void Runner::store_again(RunReport& report) {
+  constexpr std::uint16_t kStore = 0x1010;
+  constexpr std::array<std::uint8_t, 4> kSave{'s', 'a', 'v', 'e'};
+  const bool stored = std::ranges::any_of(report.results, [](const CheckResult& result) {
+    return result.check->stores && result.outcome != Outcome::Skipped;
+  });
+  if (!stored) return;
+  const SdoAnswer answer = sdo_.download(kStore, 1, kSave);
+  report.notes.push_back(answer.done() ? "what the node works with was stored by 1010h:01"
+                                       : "what the node works with could not be stored: " + to_text(answer));
 }
 
 std::string Runner::why_not(const Check& check) const {

@@ -51,6 +51,8 @@ class Runner {
   /// Makes the node ready for what is written back: from here on an interruption is passed over.
   void take_over();
   void finish(RunReport& report, Snapshot& snapshot);
+  /// Checks that store and load leave factory settings behind: what the node works with is stored instead.
+  void store_again(RunReport& report);
   [[nodiscard]] std::string why_not(const Check& check) const;
   [[nodiscard]] std::string trouble() const;
 
