@@ -34,6 +34,7 @@ std::string Runner::trouble() const {
 }
 
 bool Runner::answers() {
+  sdo_.ask_again();
   for (int attempt = 0; attempt < kAttempts && !session_.ended(); ++attempt) {
     const SdoAnswer answer = sdo_.upload(kDeviceType, 0);
     if (answer.done() || answer.aborted()) return true;
@@ -103,6 +104,7 @@ RunReport Runner::run(std::span<const Check* const> checks, const Progress& prog
 }
 
 void Runner::take_over() {
+  sdo_.ask_again();
   session_.clean_up(true);
   // An interruption leaves a transfer open; a server in the middle of a block takes requests for segments.
   sdo_.abort(0, 0, static_cast<std::uint32_t>(canopen::AbortCode::GeneralError));
@@ -161,6 +163,7 @@ CheckResult Runner::run_check(const Check& check) {
 void Runner::perform(const Check& check, CheckResult& result) {
   session_.drain();  // what comes late belongs to the check before
   session_.forget();
+  sdo_.ask_again();
   if (check.mode == Mode::Full) session_.command(canopen::NmtCommand::EnterPreOperational);
   Context context{session_, sdo_, *eds_, *settings_};
   check.run(context);
@@ -196,6 +199,7 @@ bool Runner::revive() {
   session_.command(canopen::NmtCommand::ResetNode);
   const canopen::TimePoint until = session_.now() + settings_->boot_up_limit;
   while (session_.now() < until && !session_.ended()) {
+    sdo_.ask_again();
     if (sdo_.upload(kDeviceType, 0).kind != SdoAnswer::Kind::Silent) return true;
   }
   return false;

@@ -125,10 +125,12 @@ std::optional<canopen::Frame> SdoClient::listen(canopen::Duration patience) {
 }
 
 std::optional<canopen::Frame> SdoClient::exchange(const canopen::Frame& request) {
+  if (silent_ >= kMostSilent) return std::nullopt;
   session_->drain();
   const canopen::TimePoint begin = session_->now();
   if (!session_->send(request)) return std::nullopt;
   const std::optional<TimedFrame> answer = session_->wait_for(under(response_), patience_);
+  silent_ = answer ? 0 : silent_ + 1;
   if (!answer) return std::nullopt;
   times_.push_back(answer->time - begin);
   return answer->frame;

@@ -57,6 +57,8 @@ class SdoClient {
                                        std::uint32_t value = 0) const;
   /// Sends @p request and gives the next frame of the server; nothing if none comes in time.
   std::optional<canopen::Frame> exchange(const canopen::Frame& request);
+  /// Asks again after a silence so long that requests were not sent any more: see kMostSilent.
+  void ask_again() noexcept { silent_ = 0; }
   /// Ends a transfer from the client's side.
   void abort(std::uint16_t index, std::uint8_t sub_index, std::uint32_t code);
   /// Sends nothing and gives the next frame of the server within @p patience.
@@ -69,12 +71,17 @@ class SdoClient {
   [[nodiscard]] const std::vector<canopen::Duration>& response_times() const noexcept { return times_; }
 
  private:
+  /// After so many requests in a row without an answer the node has gone: further ones are not sent, so that a
+  /// check of thousands of entries ends.
+  static constexpr unsigned kMostSilent = 20;
+
   SdoAnswer upload_segments(std::uint16_t index, std::uint8_t sub_index, std::optional<std::uint32_t> announced);
   SdoAnswer malformed(std::uint16_t index, std::uint8_t sub_index, std::string problem);
 
   Session* session_;
   std::uint32_t request_, response_;
   canopen::Duration patience_;
+  unsigned silent_ = 0;  ///< requests in a row without an answer
   std::vector<canopen::Duration> times_;
 };
 
