@@ -33,9 +33,20 @@ struct WrongSlave {
 [[nodiscard]] std::vector<WrongSlave> wrong_nmt_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_error_control_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sdo_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_sdo_block_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_sdo_server_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_pdo_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_parameter_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_mapping_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_transmission_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_pdo_reception_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_sync_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_emcy_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_robustness_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_lss_slaves();
+
+/// A slave that does everything right, LSS too.
+[[nodiscard]] Defect right_lss();
 [[nodiscard]] std::vector<WrongSlave> wrong_storage_slaves();
 
 }  // namespace conformance_test

@@ -34,6 +34,7 @@ void add_services(Table& table) {
        {.index = 0x1003, .sub_index = 2, .type = Unsigned32, .name = "Error 2"},
        {.index = 0x1003, .sub_index = 3, .type = Unsigned32, .name = "Error 3"},
        {.index = 0x1005, .type = Unsigned32, .access = ReadWrite, .initial = 0x80, .name = "COB-ID SYNC"},
+       {.index = 0x1006, .type = Unsigned32, .access = ReadWrite, .name = "Communication cycle period"},
        {.index = 0x1008, .type = VisibleString, .access = Constant, .text = "Right slave", .name = "Device name"},
        {.index = 0x1009, .type = VisibleString, .access = Constant, .text = "1", .name = "Hardware version"},
        {.index = 0x100A, .type = VisibleString, .access = Constant, .text = "1.0", .name = "Software version"},

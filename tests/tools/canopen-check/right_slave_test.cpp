@@ -1,3 +1,5 @@
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "eds/lint/lint.hpp"
@@ -17,6 +19,27 @@ TEST(RightSlave, HasNoFinding) {
   EXPECT_TRUE(report.reached);
   EXPECT_EQ(findings_of(report), "");
   EXPECT_EQ(report.results.size(), conformance::all_checks().size());
+}
+
+TEST(RightSlave, HasNoFindingWithLssToo) {
+  const conformance::RunReport report = run_checks(right_lss(), "lss.");
+  EXPECT_EQ(findings_of(report), "");
+  EXPECT_EQ(report.count(conformance::Outcome::Passed), report.results.size());
+}
+
+/// Ids of checks that are skipped, with their reasons.
+std::map<std::string, std::string> skipped(const conformance::RunReport& report) {
+  std::map<std::string, std::string> reasons;
+  for (const conformance::CheckResult& result : report.results)
+    if (result.outcome == conformance::Outcome::Skipped) reasons.emplace(result.check->id, result.reason);
+  return reasons;
+}
+
+TEST(RightSlave, SkipsOnlyWhatItDoesNotOffer) {
+  for (const auto& [id, reason] : skipped(run_checks({})))
+    EXPECT_TRUE(id.starts_with("lss.") || id.starts_with("drive.") || id == "pdo.cob-id-limits" ||
+                reason.find("produces no SYNC") != std::string::npos)
+        << id << ": " << reason;
 }
 
 }  // namespace

@@ -12,8 +12,10 @@ constexpr std::uint16_t kHeartbeatTime = 0x1017;
 constexpr std::uint64_t kObservedHeartbeat = 100;  // ms: the shortest that every device is able to
 constexpr canopen::Duration kGuardPatience = std::chrono::milliseconds{100};
 constexpr std::uint8_t kStateBits = 0x7F;
-/// Frames that a finding keeps.
-constexpr std::size_t kMostFrames = 60;
+/// Frames that a finding keeps, and findings of a check that keep any.
+constexpr std::size_t kMostFrames = 60, kMostWithFrames = 20;
+/// Findings of a check; one for every object of a large device has to fit, as each may be a known deviation.
+constexpr std::size_t kMostFindings = 2000;
 
 canopen::NmtCommand command_for(canopen::NmtState state) noexcept {
   switch (state) {
@@ -35,7 +37,13 @@ std::string milliseconds(canopen::Duration time) {
 }
 
 void Context::fail(Subject subject, std::string expected, std::string found) {
-  const std::span<const TimedFrame> frames = session_->since(mark_);
+  if (findings_.size() > kMostFindings) return;
+  if (findings_.size() == kMostFindings) {
+    findings_.push_back({.expected = "fewer findings", .found = "more, which are not listed"});
+    return;
+  }
+  const std::span<const TimedFrame> frames =
+      findings_.size() < kMostWithFrames ? session_->since(mark_) : std::span<const TimedFrame>{};
   const std::span<const TimedFrame> last = frames.last(std::min(frames.size(), kMostFrames));
   findings_.push_back({.subject = subject,
                        .expected = std::move(expected),
@@ -85,19 +93,34 @@ void Context::expect_abort(const SdoAnswer& answer, std::initializer_list<std::u
   fail(index, sub_index, fmt::format("{} for {}", expected, request), to_text(answer));
 }
 
+std::optional<TimedFrame> Context::boot_up(canopen::Duration patience) {
+  return session_->wait_for(
+      [id = session_->identifier(kErrorControl)](const canopen::Frame& frame) {
+        return frame.id == id && !frame.remote && frame.length == 1 && frame.data[0] == 0;
+      },
+      patience);
+}
+
 std::optional<canopen::Duration> Context::reset(canopen::NmtCommand command) {
   step();
   session_->drain();
   const canopen::TimePoint begin = session_->now();
   session_->command(command);
-  const auto boot_up = session_->wait_for(
-      [id = session_->identifier(kErrorControl)](const canopen::Frame& frame) {
-        return frame.id == id && !frame.remote && frame.length == 1 && frame.data[0] == 0;
-      },
-      settings_->boot_up_limit);
-  if (boot_up) return boot_up->time - begin;
+  if (const auto first = boot_up(settings_->boot_up_limit)) return first->time - begin;
   fail(fmt::format("a boot-up message within {}", milliseconds(settings_->boot_up_limit)), "none");
   return std::nullopt;
+}
+
+bool Context::restart(canopen::NmtCommand command) {
+  constexpr std::uint16_t kDeviceType = 0x1000;
+  constexpr int kAttempts = 10;
+  step();
+  session_->drain();
+  session_->command(command);
+  for (int attempt = 0; attempt < kAttempts; ++attempt)
+    if (boot_up(settings_->boot_up_limit / kAttempts) || read(kDeviceType).done()) return true;
+  skip("the node does not come back after a reset");
+  return false;
 }
 
 void Context::enter(canopen::NmtState state) {
@@ -133,7 +156,8 @@ std::optional<canopen::NmtState> Context::state() {
 
 bool Context::expect_state(canopen::NmtState expected, const std::string& after) {
   step();
-  const std::optional<canopen::NmtState> now = state();
+  std::optional<canopen::NmtState> now = state();
+  if (now != expected) now = state();  // a heartbeat may have been under way before the command
   if (now == expected) return true;
   fail(fmt::format("{} after {}", name_of(expected), after),
        now ? fmt::format("state {} ({:02X}h)", name_of(*now), static_cast<unsigned>(*now)) : "no answer");

@@ -52,6 +52,8 @@ class Context {
   void fail(std::string expected, std::string found) { fail(Subject{}, std::move(expected), std::move(found)); }
   /// The check does not apply, for @p reason; it returns then.
   void skip(std::string reason) { skipped_ = std::move(reason); }
+  /// The check applies after all: another part of it does.
+  void unskip() noexcept { skipped_.reset(); }
   /// Something worth to know, such as a measured time.
   void note(std::string text) { notes_.push_back(std::move(text)); }
   [[nodiscard]] bool failed() const noexcept { return !findings_.empty(); }
@@ -79,6 +81,10 @@ class Context {
   /// Sends a reset and waits for the boot-up message: the time that it took; nothing, and a finding, if it does
   /// not come within the limit. The node is left in the state which it enters by itself.
   std::optional<canopen::Duration> reset(canopen::NmtCommand command);
+  /// Sends a reset and waits until the node is back: for its boot-up message, or for an answer to SDO requests
+  /// from one that sends none, which is the finding of another check. False, and the check is skipped, if neither
+  /// comes.
+  bool restart(canopen::NmtCommand command);
   /// Commands a state that is not Initialising.
   void enter(canopen::NmtState state);
   /// Prepares the node to tell its state: by guarding if it answers, else by a heartbeat of 100 ms. False, and the
@@ -98,6 +104,7 @@ class Context {
 
  private:
   [[nodiscard]] std::optional<canopen::NmtState> guard();
+  [[nodiscard]] std::optional<TimedFrame> boot_up(canopen::Duration patience);
 
   Session* session_;
   SdoClient* sdo_;

@@ -1,9 +1,10 @@
 #include "tools/canopen-check/core/runner.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
+
+#include "libcanopen/od/abort_code.hpp"
 
 namespace conformance {
 namespace {
@@ -59,14 +60,15 @@ bool Runner::reach(RunReport& report) {
 std::string Runner::foreign_device() {
   constexpr std::uint16_t kIdentity = 0x1018;
   const DeviceFacts& device = eds_->device();
-  const std::array stated{device.vendor.value_or(0), device.product.value_or(0)};
-  for (std::uint8_t sub = 1; sub <= stated.size(); ++sub) {
-    if (stated[sub - 1U] == 0) continue;
+  std::uint8_t sub = 0;
+  for (const std::optional<std::uint64_t>& stated : {device.vendor, device.product}) {
+    ++sub;
+    if (stated.value_or(0) == 0) continue;
     const SdoAnswer answer = sdo_.upload(kIdentity, sub);
-    if (answer.done() && answer.number() != stated[sub - 1U])
+    if (answer.done() && answer.number() != *stated)
       return fmt::format(
           "the EDS is of another device: 1018h:{:02X} is {:08X}h, the EDS says {:08X}h; nothing is written", sub,
-          answer.number(), stated[sub - 1U]);
+          answer.number(), *stated);
   }
   return {};
 }
@@ -99,9 +101,15 @@ RunReport Runner::run(std::span<const Check* const> checks, const Progress& prog
   return report;
 }
 
-void Runner::finish(RunReport& report, Snapshot& snapshot) {
+void Runner::take_over() {
   session_.clean_up(true);
+  // An interruption leaves a transfer open; a server in the middle of a block takes requests for segments.
+  sdo_.abort(0, 0, static_cast<std::uint32_t>(canopen::AbortCode::GeneralError));
   session_.command(canopen::NmtCommand::EnterPreOperational);
+}
+
+void Runner::finish(RunReport& report, Snapshot& snapshot) {
+  take_over();
   report.not_restored = snapshot.restore();
   if (initial_state_ == canopen::NmtState::Operational) session_.command(canopen::NmtCommand::Start);
   if (initial_state_ == canopen::NmtState::Stopped) session_.command(canopen::NmtCommand::Stop);
@@ -137,6 +145,7 @@ CheckResult Runner::run_check(const Check& check) {
 }
 
 void Runner::perform(const Check& check, CheckResult& result) {
+  session_.drain();  // what comes late belongs to the check before
   session_.forget();
   if (check.mode == Mode::Full) session_.command(canopen::NmtCommand::EnterPreOperational);
   Context context{session_, sdo_, *eds_, *settings_};
@@ -161,8 +170,7 @@ void Runner::perform(const Check& check, CheckResult& result) {
 }
 
 void Runner::restore(Context& context, CheckResult& result) {
-  session_.clean_up(true);
-  session_.command(canopen::NmtCommand::EnterPreOperational);
+  take_over();
   for (std::string& line : context.undo().restore())
     result.notes.push_back("not restored at the end of this check: " + std::move(line));
   session_.clean_up(false);

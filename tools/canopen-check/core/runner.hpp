@@ -48,6 +48,8 @@ class Runner {
   bool answers();
   /// Why nothing must be written: the node says by 1018h that the EDS is of another device. Else empty.
   [[nodiscard]] std::string foreign_device();
+  /// Makes the node ready for what is written back: from here on an interruption is passed over.
+  void take_over();
   void finish(RunReport& report, Snapshot& snapshot);
   [[nodiscard]] std::string why_not(const Check& check) const;
   [[nodiscard]] std::string trouble() const;
