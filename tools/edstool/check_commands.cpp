@@ -3,6 +3,8 @@
 #include <iostream>
 #include <memory>
 
+#include <CLI/CLI.hpp>
+
 #include "eds/lint/lint.hpp"
 #include "eds/transform/comparison.hpp"
 #include "eds/transform/object_tree.hpp"

@@ -5,10 +5,13 @@
 #include <stdexcept>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "eds/sheet/data_sheet.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace edstool {
 

@@ -1,6 +1,8 @@
 #include <exception>
 #include <iostream>
 
+#include <CLI/CLI.hpp>
+
 #include "tools/edstool/command.hpp"
 
 namespace {

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <memory>
 
+#include <CLI/CLI.hpp>
+
 #include "eds/transform/configuration.hpp"
 #include "eds/transform/dictionary_source.hpp"
 #include "eds/transform/flatten.hpp"

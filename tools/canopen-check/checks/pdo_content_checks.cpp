@@ -17,7 +17,7 @@ constexpr std::uint16_t kLastDummy = 7;
 std::optional<std::string> objection(Context& context, const Pdo& pdo, const MappedObject& object) {
   const Subject subject{object.index, object.sub_index};
   if (object.index <= kLastDummy) {
-    const bool allowed = (context.eds().device().dummy_types >> object.index & 1U) != 0;
+    const bool allowed = (unsigned{context.eds().device().dummy_types} >> object.index & 1U) != 0;
     if (allowed && pdo.direction == PdoDirection::Receive) return std::nullopt;
     return fmt::format("the dummy object {:04X}h", object.index);
   }

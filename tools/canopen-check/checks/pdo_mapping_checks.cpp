@@ -184,8 +184,8 @@ void keeps_to_its_dummies(Context& context) {
   FindingLimit findings{context};
   for (const Pdo& pdo : test_pdos(context))
     for (const MappedObject& dummy : kDummies) {
-      const bool allowed =
-          pdo.direction == PdoDirection::Receive && (context.eds().device().dummy_types >> dummy.index & 1U) != 0;
+      const bool allowed = pdo.direction == PdoDirection::Receive &&
+                           (unsigned{context.eds().device().dummy_types} >> dummy.index & 1U) != 0;
       if (!allowed) {
         expect_refused(context, pdo, dummy, {number_of(NotMappable), number_of(NoObject)}, "a dummy object");
         continue;
