@@ -4,7 +4,8 @@
 # In order: packages; form of the sources; the sanitizer build of what unit tests need, and these; the release build of
 # everything else, with the unit tests that cannot be in the former and those of the package; the end-to-end tests, for
 # which npm brings an independent master, on user-space buses and then on a CAN interface (where the kernel has none: in
-# one start of the virtual machine); clang-tidy. A failure does not keep the rest from running. A test that was skipped
+# one start of the virtual machine); clang-tidy over what the last commit changed. A failure does not keep the rest from
+# running. A test that was skipped
 # counts as failed, for it has shown nothing.
 #
 # --quick: the whole release build and its unit tests only.
@@ -98,6 +99,6 @@ if check 'build release' build release end_to_end_tests; then
   tests 'user-space bus' ctest --test-dir build/release -L '^bus$' -j "$jobs" --output-on-failure --no-tests=error
   # One after the other: they share the bus.
   tests 'SocketCAN' run_on_can ctest --test-dir build/release -L '^e2e$' --output-on-failure --no-tests=error
-  check 'clang-tidy' scripts/lint.sh --tidy-only
+  check 'clang-tidy' scripts/lint.sh --tidy-changed
 fi
 finish

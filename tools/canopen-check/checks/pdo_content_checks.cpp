@@ -59,6 +59,7 @@ void maps_what_can_be_mapped(Context& context) {
 /// What SDO reads say of mapped objects.
 std::vector<SdoAnswer> read_all(Context& context, const std::vector<MappedObject>& objects) {
   std::vector<SdoAnswer> answers;
+  answers.reserve(objects.size());
   for (const MappedObject& object : objects) answers.push_back(context.read(object.index, object.sub_index));
   return answers;
 }
