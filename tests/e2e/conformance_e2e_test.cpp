@@ -89,7 +89,8 @@ TEST(ConformanceWithEverythingAllowed, HasTheListedDeviationsAndNoFinding) {
 TEST(ConformanceReadOnly, LeavesTheUnitAlone) {
   DaemonProcess daemon;
   ASSERT_TRUE(daemon.is_ready());
-  const json report = report_of(0, {"--eds", eds_of(1), "--read-only"});
+  const json report =
+      report_of(0, {"--eds", eds_of(1), "--read-only", "--deviations", kEdsFolder + "/axisd-deviations.json"});
   EXPECT_EQ(checks_with(report, "failed"), std::set<std::string>{});
   EXPECT_EQ(daemon.status().at("nmt_state"), "Pre-operational");
 }

@@ -10,6 +10,7 @@
 namespace conformance {
 namespace {
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler has no other place
 volatile std::sig_atomic_t signalled = 0;
 
 /// A queue that is full for that long belongs to a bus on which nobody confirms.
@@ -49,24 +50,14 @@ bool PortWire::interrupted() const {
 
 bool PortWire::send(const canopen::Frame& frame) {
   const canopen::TimePoint until = now() + kRoomPatience;
-  while (up_) {
-    switch (connection_.port->send(frame)) {
-      case bus::SendStatus::Sent:
-        return true;
-      case bus::SendStatus::Full: {
-        if (now() >= until) return false;
-        const timespec pause = timespec_of(kRetry);
-        (void)::nanosleep(&pause, nullptr);
-        break;
-      }
-      case bus::SendStatus::Down:
-        up_ = false;
-        break;
-      case bus::SendStatus::Failed:
-        return false;
-    }
+  bus::SendStatus status = connection_.port->send(frame);
+  while (status == bus::SendStatus::Full && now() < until) {
+    const timespec pause = timespec_of(kRetry);
+    (void)::nanosleep(&pause, nullptr);
+    status = connection_.port->send(frame);
   }
-  return false;
+  if (status == bus::SendStatus::Down) up_ = false;
+  return status == bus::SendStatus::Sent;
 }
 
 bool PortWire::wait(canopen::TimePoint until) {

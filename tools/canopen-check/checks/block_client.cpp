@@ -19,7 +19,7 @@ constexpr std::uint8_t kCrc = 0x04, kSize = 0x02, kLast = 0x80, kSequence = 0x7F
 constexpr std::uint8_t kCommand = 0xE3;
 constexpr std::size_t kSegment = 7;
 constexpr std::uint8_t kLargestBlock = 127;
-constexpr std::size_t kLongest = 1024 * 1024;
+constexpr std::size_t kLongest = std::size_t{1024} * 1024;
 
 SdoAnswer malformed(Context& context, const Target& entry, std::string problem) {
   context.sdo().abort(entry.index, entry.sub_index, number_of(canopen::AbortCode::GeneralError));
@@ -141,8 +141,7 @@ SdoAnswer Download::end() {
   std::uint16_t sum = crc ? canopen::sdo::crc(entry.value) : std::uint16_t{0};
   if (options.wrong_crc) sum ^= 0xFFFFU;
   const auto bytes = little_endian(sum, 2);
-  const SdoAnswer answer =
-      ask(context, segment(context, static_cast<std::uint8_t>(kDownloadEnd | unused << 2U), bytes));
+  SdoAnswer answer = ask(context, segment(context, static_cast<std::uint8_t>(kDownloadEnd | unused << 2U), bytes));
   if (!answer.done()) return answer;
   if (!begins_with(answer, kDownloadDone))
     return malformed(context, entry, "the end of a block download is answered by " + to_text(answer));

@@ -37,9 +37,9 @@ void has_the_identity_of_the_eds(Context& context) {
   if (without_eds(context)) return;
   const DeviceFacts& facts = context.eds().device();
   struct Part {
-    std::uint8_t sub_index;
-    const char* name;
-    std::optional<std::uint64_t> stated;
+    std::uint8_t sub_index = 0;
+    const char* name = nullptr;
+    std::optional<std::uint64_t> stated{};
   };
   for (const Part& part : {Part{1, "VendorNumber", facts.vendor}, Part{2, "ProductNumber", facts.product},
                            Part{3, "RevisionNumber", facts.revision}}) {
