@@ -14,22 +14,29 @@ namespace {
 
 constexpr canopen::Duration kPeriod = std::chrono::milliseconds{20}, kPatience = std::chrono::milliseconds{250};
 
-/// The TPDO of a check, with transmission type @p type, in Operational.
+/// The TPDO of a check, with transmission type @p type.
 std::optional<Pdo> synchronous(Context& context, std::uint8_t type) {
   const auto pdo = test_pdo(context, PdoDirection::Transmit);
   if (!pdo || !set_up(context, *pdo, {.type = type, .inhibit_time = 0, .event_timer = 0})) return std::nullopt;
   return pdo;
 }
 
-void comes_with_every_sync(Context& context) {
-  constexpr int kSyncs = 10;
-  const auto pdo = synchronous(context, 1);
-  if (!pdo) return;
-  const std::uint32_t identifier = identifier_of(context, *pdo);
-  SyncSource sync{context};
+/// The same in Operational; a step begins.
+std::optional<Pdo> started(Context& context, std::uint8_t type) {
+  std::optional<Pdo> pdo = synchronous(context, type);
+  if (!pdo) return pdo;
   context.enter(canopen::NmtState::Operational);
   context.session().pass(kPeriod);
   context.step();
+  return pdo;
+}
+
+void comes_with_every_sync(Context& context) {
+  constexpr int kSyncs = 10;
+  const auto pdo = started(context, 1);
+  if (!pdo) return;
+  const std::uint32_t identifier = identifier_of(context, *pdo);
+  SyncSource sync{context};
   const std::vector<std::size_t> counts = sync.count_each(kSyncs, kPeriod, identifier, kPatience);
   if (std::ranges::any_of(counts, [](std::size_t count) { return count != 1; }))
     context.fail(pdo->parameters(), kTypeSub, fmt::format("a frame of {}, type 1, after each SYNC", pdo->name()),
@@ -39,13 +46,10 @@ void comes_with_every_sync(Context& context) {
 void comes_with_every_nth_sync(Context& context) {
   constexpr std::uint8_t kType = 3;
   constexpr std::size_t kFrames = 4;
-  const auto pdo = synchronous(context, kType);
+  const auto pdo = started(context, kType);
   if (!pdo) return;
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
-  context.enter(canopen::NmtState::Operational);
-  context.session().pass(kPeriod);
-  context.step();
   const std::vector<std::size_t> counts =
       sync.count_each(kType * static_cast<int>(kFrames), 2 * kPeriod, identifier);
   // Which SYNC of three is the first one is the node's affair.
@@ -163,13 +167,10 @@ void all_come_with_every_sync(Context& context) {
 void misses_no_sync(Context& context) {
   constexpr int kSyncs = 250;
   constexpr canopen::Duration kFast = std::chrono::milliseconds{4};
-  const auto pdo = synchronous(context, 1);
+  const auto pdo = started(context, 1);
   if (!pdo) return;
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
-  context.enter(canopen::NmtState::Operational);
-  context.session().pass(kPeriod);
-  context.step();
   std::size_t frames = sync.run(kSyncs, kFast, identifier).size();
   frames += context.session().collect(under(identifier), kPatience).size();
   if (frames != kSyncs)
