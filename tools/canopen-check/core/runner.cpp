@@ -112,6 +112,10 @@ void Runner::take_over() {
 }
 
 void Runner::finish(RunReport& report, Snapshot& snapshot) {
+  if (lost_ || !session_.bus_is_up()) {
+    report.not_restored.push_back(trouble() + ", and nothing could be compared with what was there before");
+    return;
+  }
   take_over();
   report.not_restored = snapshot.restore();
   store_again(report);
