@@ -23,7 +23,7 @@ fakes::Finished run(std::vector<std::string> words) {
 TEST(EdstoolLint, IsSilentAboutEveryFileOfTheUnit) {
   std::vector<std::string> words{"lint"};
   for (const auto& file : std::filesystem::directory_iterator{GENERATED_EDS_FOLDER})
-    words.push_back(file.path().string());
+    if (file.path().extension() == ".eds") words.push_back(file.path().string());
   const auto done = run(words);
 
   EXPECT_EQ(done.status, 0);
