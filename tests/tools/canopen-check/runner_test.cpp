@@ -145,7 +145,7 @@ TEST(Runner, StoresAndMovesNothingWithoutPermission) {
   (void)run();
   for (const canopen::Frame& frame : watched.frames) {
     const bool download = frame.id == 0x605 && (frame.data[0] & 0xE0U) == 0x20;
-    const unsigned index = frame.data[1] | frame.data[2] << 8U;
+    const unsigned index = unsigned{frame.data[1]} | unsigned{frame.data[2]} << 8U;
     EXPECT_FALSE(download && (index == 0x1010 || index == 0x1011)) << std::hex << index;
   }
 }
