@@ -21,10 +21,11 @@ MappedObject object_of(const EntryFacts& entry) {
 
 /// Objects of the manufacturer first: those of a profile tell what moves.
 std::vector<MappedObject> mapped(std::vector<const EntryFacts*> entries) {
-  std::ranges::stable_partition(entries, [](const EntryFacts* entry) {
+  std::stable_partition(entries.begin(), entries.end(), [](const EntryFacts* entry) {
     return entry->index >= kManufacturer && entry->index < kEndOfManufacturer;
   });
   std::vector<MappedObject> objects;
+  objects.reserve(entries.size());
   for (const EntryFacts* const entry : entries) objects.push_back(object_of(*entry));
   return objects;
 }

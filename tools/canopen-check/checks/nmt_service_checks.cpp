@@ -150,7 +150,8 @@ std::vector<const EntryFacts*> candidates(const Context& context) {
         entry.numeric() && !entry.no_read && entry.type->kind != eds::ValueKind::Real &&
         write_refusal(entry, context.settings()) == nullptr)
       found.push_back(&entry);
-  std::ranges::stable_partition(found, [](const EntryFacts* each) { return each->index >= kProfiles; });
+  std::stable_partition(found.begin(), found.end(),
+                        [](const EntryFacts* each) { return each->index >= kProfiles; });
   return found;
 }
 

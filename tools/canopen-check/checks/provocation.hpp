@@ -56,10 +56,10 @@ enum class Ending : std::uint8_t { Now, Later };
 
 /// What has been seen to make the node send an emergency message, and that message.
 struct Provoked {
-  Way way;
-  Provocation how;
-  std::uint32_t identifier;  ///< of emergency messages
-  Emergency emergency;
+  Way way = nullptr;
+  Provocation how{};
+  std::uint32_t identifier = 0;  ///< of emergency messages
+  Emergency emergency{};
 };
 /// The first of @p ways for which the node sends an emergency message; the node is reset and they are tried once
 /// more if it sends none for any of them, since an error may last. Nothing, and the check is skipped, if that does

@@ -74,8 +74,9 @@ const EntryFacts* Description::find(std::uint16_t index, std::uint8_t sub_index)
 }
 
 std::span<const EntryFacts> Description::entries_of(std::uint16_t index) const noexcept {
-  const auto range = std::ranges::equal_range(entries_, index, {}, &EntryFacts::index);
-  return {range.begin(), range.end()};
+  const auto first = std::ranges::lower_bound(entries_, index, {}, &EntryFacts::index);
+  const auto last = std::ranges::upper_bound(entries_, index, {}, &EntryFacts::index);
+  return {first, last};
 }
 
 eds::ObjectCode Description::code_of(std::uint16_t index) const noexcept {

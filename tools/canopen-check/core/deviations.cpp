@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <ranges>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -97,12 +96,13 @@ bool ObjectRange::contains(const Subject& subject) const noexcept {
 
 std::optional<std::vector<ObjectRange>> parse_objects(std::string_view text) {
   std::vector<ObjectRange> ranges;
-  for (const auto piece : std::views::split(text, ',')) {
-    const std::optional<ObjectRange> range = parse_range(trimmed(std::string_view{piece.begin(), piece.end()}));
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::optional<ObjectRange> range = parse_range(trimmed(text.substr(begin, end - begin)));
     if (!range) return std::nullopt;
     ranges.push_back(*range);
+    begin = end + 1;
   }
-  if (ranges.empty()) return std::nullopt;
   return ranges;
 }
 
