@@ -17,7 +17,9 @@ endif()
 if(AXISD_SANITIZE)
   # The sanitizers' code keeps g++ from seeing that std::regex initialises what it copies.
   target_compile_options(axisd_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  target_compile_options(axisd_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # Behind the rest, which it restricts: sources of tests are compiled a third faster without the second one.
+  target_compile_options(axisd_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+    $<$<BOOL:$<TARGET_PROPERTY:AXISD_TEST_SOURCES>>:-fno-sanitize=undefined>)
   target_link_options(axisd_options INTERFACE -fsanitize=address,undefined)
 endif()
 
