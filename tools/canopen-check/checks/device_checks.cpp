@@ -9,6 +9,7 @@
 namespace conformance {
 namespace {
 
+constexpr std::uint16_t kDeviceType = 0x1000, kIdentity = 0x1018;
 constexpr std::uint8_t kStructure = 0xFF;  // sub-index
 /// Uploads without an answer in a row, after which the rest of the objects is left.
 constexpr int kMostSilent = 3;

@@ -12,6 +12,7 @@ namespace {
 
 using canopen::AbortCode;
 
+constexpr std::uint16_t kStore = 0x1010, kRestore = 0x1011;
 constexpr int kMostSilent = 3;
 
 /// Uploads every entry that the EDS calls readable and @p concerns, and hands entry and answer to @p judge. Stops

@@ -9,17 +9,19 @@
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kInhibitTime = 0x1015;
+constexpr std::uint16_t kErrorRegister = 0x1001, kCobIdEmcy = 0x1014, kInhibitTime = 0x1015;
+constexpr std::uint32_t kInvalidValue = 0x06090030, kDeviceState = 0x08000022;
 constexpr std::uint32_t kFree = 0x6C3;  // an identifier that CiA 301 leaves free
 constexpr std::uint8_t kGenericError = 0x01, kCommunicationError = 0x10;
 
 void emcy_has_default(Context& context) {
+  constexpr std::uint32_t kEmcy = 0x80;
   if (!context.need(kCobIdEmcy)) return;
-  const std::uint32_t expected = context.session().identifier(function_code::kEmcy);
+  const std::uint32_t expected = context.session().identifier(kEmcy);
   const EntryFacts* const facts = context.eds().find(kCobIdEmcy);
   if (facts == nullptr || !facts->initial) return context.skip("the EDS states no default of 1014h");
   const std::optional<eds::Integer> value = facts->initial->at(context.eds().node_id());
-  if (value && (value->magnitude & cob_id::kLong) != expected)
+  if (value && (value->magnitude & kIdentifierBits) != expected)
     context.fail(kCobIdEmcy, 0, fmt::format("default {:X}h, 80h + node-ID", expected),
                  fmt::format("{:X}h", value->magnitude));
 }
@@ -28,14 +30,13 @@ void cob_id_is_locked(Context& context) {
   if (!context.need(kCobIdEmcy)) return;
   if (!emcy_identifier(context)) return context.skip("1014h is invalid");
   context.step();
-  context.expect_abort(context.write_number(kCobIdEmcy, 0, kFree),
-                       {canopen::AbortCode::DeviceState, canopen::AbortCode::InvalidValue}, kCobIdEmcy, 0,
+  context.expect_abort(context.write_number(kCobIdEmcy, 0, kFree), {kDeviceState, kInvalidValue}, kCobIdEmcy, 0,
                        fmt::format("identifier {:X}h while EMCY is valid", kFree));
 }
 
 /// Writes 1014h, by way of invalid.
 bool move_to(Context& context, const Provoked& provoked, std::uint32_t cob_id) {
-  const SdoAnswer off = context.write_number(kCobIdEmcy, 0, cob_id::kInvalid | provoked.identifier);
+  const SdoAnswer off = context.write_number(kCobIdEmcy, 0, kInvalid | provoked.identifier);
   const SdoAnswer on = off.done() && cob_id != 0 ? context.write_number(kCobIdEmcy, 0, cob_id) : off;
   if (!on.done()) context.skip("1014h cannot be changed: " + to_text(on));
   return on.done();

@@ -11,11 +11,13 @@ namespace {
 
 using canopen::NmtState;
 
+constexpr std::uint16_t kHeartbeatTime = 0x1017;
+constexpr std::uint32_t kErrorControl = 0x700;
 constexpr std::uint64_t kPeriod = 100, kLongPeriod = 200;  // ms
 constexpr canopen::Duration kPeriodTime = std::chrono::milliseconds{kPeriod};
 
 Condition heartbeats(const Session& session) {
-  return under(session.identifier(function_code::kErrorControl));
+  return under(session.identifier(kErrorControl));
 }
 
 /// Switches the heartbeat off, so that a new one begins with its write.

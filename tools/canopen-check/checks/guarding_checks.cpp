@@ -9,7 +9,9 @@
 namespace conformance {
 namespace {
 
-constexpr std::uint8_t kToggle = 0x80;
+constexpr std::uint16_t kGuardTime = 0x100C, kLifeTimeFactor = 0x100D, kHeartbeatTime = 0x1017;
+constexpr std::uint32_t kErrorControl = 0x700;
+constexpr std::uint8_t kToggle = 0x80, kStateBits = 0x7F;
 constexpr std::uint64_t kLife = 100, kFactor = 2;  // ms
 constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kLife * kFactor};
 constexpr canopen::Duration kAnswer = std::chrono::milliseconds{100};
@@ -28,8 +30,8 @@ bool can_guard(Context& context) {
 std::optional<canopen::Frame> guard(Context& context, std::uint8_t node_id) {
   Session& session = context.session();
   session.drain();
-  session.send({.id = function_code::kErrorControl + node_id, .length = 1, .remote = true});
-  const auto answer = session.wait_for(under(function_code::kErrorControl + node_id), kAnswer);
+  session.send({.id = kErrorControl + node_id, .length = 1, .remote = true});
+  const auto answer = session.wait_for(under(kErrorControl + node_id), kAnswer);
   if (!answer) return std::nullopt;
   return answer->frame;
 }
@@ -68,8 +70,8 @@ void leaves_others_alone(Context& context) {
   if (!other) return context.skip("every node-ID is taken by another station");
   context.step();
   session.drain();
-  session.send({.id = function_code::kErrorControl + *other, .length = 1, .remote = true});
-  const auto own = session.wait_for(under(session.identifier(function_code::kErrorControl)), kAnswer);
+  session.send({.id = kErrorControl + *other, .length = 1, .remote = true});
+  const auto own = session.wait_for(under(session.identifier(kErrorControl)), kAnswer);
   if (own) context.fail(fmt::format("no answer to a guarding request to node {}", *other), "an answer");
 }
 
@@ -159,9 +161,8 @@ void heartbeat_wins(Context& context) {
   std::size_t frames = 0;
   bool toggled = false;
   for (int i = 0; i < kRequests; ++i) {
-    session.send({.id = session.identifier(function_code::kErrorControl), .length = 1, .remote = true});
-    for (const TimedFrame& each :
-         session.collect(under(session.identifier(function_code::kErrorControl)), kPause)) {
+    session.send({.id = session.identifier(kErrorControl), .length = 1, .remote = true});
+    for (const TimedFrame& each : session.collect(under(session.identifier(kErrorControl)), kPause)) {
       ++frames;
       toggled = toggled || (each.frame.data[0] & kToggle) != 0;
     }

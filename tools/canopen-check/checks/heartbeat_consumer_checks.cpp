@@ -9,6 +9,9 @@
 namespace conformance {
 namespace {
 
+constexpr std::uint16_t kConsumers = 0x1016;
+constexpr std::uint32_t kParameterIncompatible = 0x06040043;
+
 /// A watched heartbeat, and where its loss would be told; else the check is skipped.
 struct Watched {
   Provocation how;
@@ -31,9 +34,8 @@ void refuses_a_node_twice(Context& context) {
   const std::uint64_t word = std::uint64_t{*node} << 16U;
   if (!context.set(kConsumers, 1, word | kTime)) return;
   context.step();
-  context.expect_abort(context.write_number(kConsumers, 2, word | kOtherTime),
-                       {canopen::AbortCode::ParameterIncompatible}, kConsumers, 2,
-                       fmt::format("node {} a second time", *node));
+  context.expect_abort(context.write_number(kConsumers, 2, word | kOtherTime), {kParameterIncompatible},
+                       kConsumers, 2, fmt::format("node {} a second time", *node));
 }
 
 void waits_for_the_first_heartbeat(Context& context) {

@@ -14,6 +14,7 @@ constexpr std::uint32_t kMaster = 0x7E5, kSlave = 0x7E4;
 constexpr std::uint8_t kSwitchGlobal = 0x04, kSwitchSelective = 0x40, kSwitched = 0x44, kConfigureNodeId = 0x11,
                        kInquireIdentity = 0x5A, kInquireNodeId = 0x5E;
 constexpr std::uint8_t kWaiting = 0, kConfiguration = 1;
+constexpr std::uint16_t kIdentity = 0x1018;
 constexpr std::size_t kNumbers = 4;
 constexpr canopen::Duration kPatience = std::chrono::milliseconds{200};
 

@@ -121,12 +121,13 @@ std::vector<TimedFrame> frames_since(Context& context, std::size_t mark, std::ui
 }
 
 SyncSource::SyncSource(Context& context) : session_{&context.session()} {
+  constexpr std::uint16_t kSync = 0x1005, kOverflow = 0x1019;
   const auto has = [&](std::uint16_t index) { return context.eds().empty() || context.eds().has(index); };
-  if (has(kCobIdSync))
-    if (const SdoAnswer cob_id = context.read(kCobIdSync); cob_id.done())
-      identifier_ = static_cast<std::uint32_t>(cob_id.number()) & cob_id::kBase;
-  if (has(kSyncOverflow))
-    if (const SdoAnswer overflow = context.read(kSyncOverflow); overflow.done())
+  if (has(kSync))
+    if (const SdoAnswer cob_id = context.read(kSync); cob_id.done())
+      identifier_ = static_cast<std::uint32_t>(cob_id.number()) & 0x7FFU;
+  if (has(kOverflow))
+    if (const SdoAnswer overflow = context.read(kOverflow); overflow.done())
       overflow_ = static_cast<std::uint8_t>(overflow.number());
 }
 

@@ -11,6 +11,7 @@ namespace {
 using canopen::NmtCommand;
 using canopen::NmtState;
 
+constexpr std::uint32_t kErrorControl = 0x700;
 constexpr canopen::Duration kQuiet = std::chrono::milliseconds{200};
 
 void boots_after(Context& context, NmtCommand command) {
@@ -30,14 +31,13 @@ void boots_once(Context& context) {
   context.step();
   session.drain();
   session.command(NmtCommand::ResetNode);
-  const auto first =
-      session.wait_for(under(session.identifier(function_code::kErrorControl)), context.settings().boot_up_limit);
+  const auto first = session.wait_for(under(session.identifier(kErrorControl)), context.settings().boot_up_limit);
   if (!first) return context.skip("the node sends no boot-up message");
   if (first->frame.length != 1 || first->frame.data[0] != 0)
     context.fail("a boot-up message of one byte, 00h",
                  fmt::format("{} bytes, the first {:02X}h", first->frame.length, first->frame.data[0]));
   const auto others = session.collect(
-      [id = session.identifier(function_code::kErrorControl)](const canopen::Frame& frame) {
+      [id = session.identifier(kErrorControl)](const canopen::Frame& frame) {
         return frame.id == id && !frame.remote && frame.length >= 1 && frame.data[0] == 0;
       },
       kQuiet);

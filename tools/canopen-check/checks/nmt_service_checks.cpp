@@ -13,6 +13,8 @@ namespace {
 using canopen::NmtCommand;
 using canopen::NmtState;
 
+constexpr std::uint16_t kDeviceType = 0x1000, kHeartbeatTime = 0x1017;
+constexpr std::uint32_t kSegmentWithoutTransfer = 0x05040001;
 /// How long something must not come.
 constexpr canopen::Duration kQuiet = std::chrono::milliseconds{100};
 
@@ -111,9 +113,8 @@ void reset_ends_transfers(Context& context) {
   // Which code refuses a segment without a transfer is a matter of the SDO checks.
   const auto answer = context.sdo().exchange(context.sdo().request(kUploadSegment));
   if (answer && !abort_code(*answer))
-    context.fail(
-        "abort " + abort_text(canopen::AbortCode::CommandSpecifierInvalid) + " for a segment after the reset",
-        "the transfer goes on: " + hexadecimal(std::span{answer->data}.first(answer->length)));
+    context.fail("abort " + abort_text(kSegmentWithoutTransfer) + " for a segment after the reset",
+                 "the transfer goes on: " + hexadecimal(std::span{answer->data}.first(answer->length)));
   (void)context.number(kDeviceType);
 }
 

@@ -117,7 +117,7 @@ void holds_what_uploads_give(Context& context) {
   for (const Pdo& pdo : all_pdos(context, PdoDirection::Transmit)) {
     const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
     const std::vector<MappedObject> objects = mapping_of(context, pdo);
-    if (!cob_id.done() || (cob_id.number() & cob_id::kInvalid) != 0 || objects.empty()) continue;
+    if (!cob_id.done() || (cob_id.number() & kInvalid) != 0 || objects.empty()) continue;
     if (compared == kMostPdos) break;
     context.enter(canopen::NmtState::PreOperational);
     if (!set_up(context, pdo, {.type = 1, .inhibit_time = 0, .event_timer = 0})) continue;

@@ -45,10 +45,9 @@ void keeps_its_identifier(Context& context) {
 void takes_another_identifier(Context& context) {
   for (const Pdo& pdo : test_pdos(context)) {
     if (!disable(context, pdo)) return;
-    const std::uint64_t keeps = context.read(pdo.parameters(), kCobIdSub).number() & cob_id::kNoRemote &
+    const std::uint64_t keeps = context.read(pdo.parameters(), kCobIdSub).number() & kBit30 &
                                 (pdo.direction == PdoDirection::Transmit ? ~0U : 0U);
-    for (const std::uint64_t cob_id :
-         {keeps | cob_id::kInvalid | kFree, keeps | kFree, keeps | cob_id::kInvalid | kFree}) {
+    for (const std::uint64_t cob_id : {keeps | kInvalid | kFree, keeps | kFree, keeps | kInvalid | kFree}) {
       if (!context.set(pdo.parameters(), kCobIdSub, cob_id)) return;
       const auto now = context.number(pdo.parameters(), kCobIdSub);
       if (now && *now != cob_id)
@@ -64,7 +63,7 @@ void uses_its_identifier(Context& context) {
   if (!pdo || !set_up(context, *pdo, {.type = 254, .inhibit_time = 0, .event_timer = kPeriod})) return;
   const std::uint32_t before = identifier_of(context, *pdo);
   if (!disable(context, *pdo)) return;
-  const SdoAnswer answer = context.write_number(pdo->parameters(), kCobIdSub, cob_id::kNoRemote | kOtherFree);
+  const SdoAnswer answer = context.write_number(pdo->parameters(), kCobIdSub, kBit30 | kOtherFree);
   if (!answer.done()) return context.skip("another identifier is refused: " + to_text(answer));
   context.step();
   context.enter(canopen::NmtState::Operational);
@@ -102,8 +101,8 @@ void judges_the_frame_bit(Context& context) {
 void judges_the_request_bit(Context& context) {
   const auto pdo = test_pdo(context, PdoDirection::Transmit);
   if (!pdo || !disable(context, *pdo)) return;
-  for (const std::uint64_t bit : {std::uint64_t{cob_id::kNoRemote}, std::uint64_t{0}}) {
-    const std::uint64_t cob_id = cob_id::kInvalid | bit | identifier_of(context, *pdo);
+  for (const std::uint64_t bit : {std::uint64_t{kBit30}, std::uint64_t{0}}) {
+    const std::uint64_t cob_id = kInvalid | bit | identifier_of(context, *pdo);
     context.step();
     const SdoAnswer answer = context.write_number(pdo->parameters(), kCobIdSub, cob_id);
     if (answer.aborted() && bit == 0) {
@@ -125,7 +124,7 @@ void refuses_restricted_identifiers(Context& context) {
   FindingLimit findings{context};
   for (const Pdo& pdo : test_pdos(context)) {
     if (!disable(context, pdo)) return;
-    const std::uint32_t keeps = pdo.direction == PdoDirection::Transmit ? cob_id::kNoRemote : 0;
+    const std::uint32_t keeps = pdo.direction == PdoDirection::Transmit ? kBit30 : 0;
     for (const std::uint32_t identifier : kRestricted) {
       context.step();
       const SdoAnswer answer = context.write_number(pdo.parameters(), kCobIdSub, keeps | identifier);
@@ -149,7 +148,7 @@ void keeps_to_its_limits(Context& context) {
     const EntryFacts* const facts = context.eds().find(pdo.parameters(), kCobIdSub);
     const auto high =
         facts != nullptr && facts->high ? facts->high->at(context.session().node_id()) : std::nullopt;
-    if (!high || high->negative || high->magnitude < cob_id::kInvalid || high->magnitude >= 0xFFFF'FFFF) continue;
+    if (!high || high->negative || high->magnitude < kInvalid || high->magnitude >= 0xFFFF'FFFF) continue;
     any = true;
     if (!disable(context, pdo)) return;
     context.step();

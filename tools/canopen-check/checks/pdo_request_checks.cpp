@@ -35,7 +35,7 @@ std::optional<Requested> requestable(Context& context, std::uint8_t type, std::v
                        .remote_requests = true};
   if (!set_up(context, *pdo, setup)) return std::nullopt;
   const SdoAnswer cob_id = context.read(pdo->parameters(), kCobIdSub);
-  if ((cob_id.number() & cob_id::kNoRemote) != 0) {
+  if ((cob_id.number() & kBit30) != 0) {
     context.skip(fmt::format("{} keeps bit 30: it answers no remote request", pdo->name()));
     return std::nullopt;
   }

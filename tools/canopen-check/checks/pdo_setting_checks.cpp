@@ -99,7 +99,7 @@ void changes_in_operational(Context& context) {
   for (const Pdo& pdo : pdos) {
     const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
     if (!cob_id.done()) return context.skip("the node answers no SDO in Operational");
-    write_in_operational(context, pdo.parameters(), kCobIdSub, cob_id.number() | cob_id::kInvalid);
+    write_in_operational(context, pdo.parameters(), kCobIdSub, cob_id.number() | kInvalid);
     const SdoAnswer type = context.read(pdo.parameters(), kTypeSub);
     write_in_operational(context, pdo.parameters(), kTypeSub, type.number());
   }
@@ -122,9 +122,9 @@ void makes_all_valid(Context& context, PdoDirection direction, std::uint32_t& id
   for (const Pdo& pdo : all_pdos(context, direction)) {
     constexpr std::uint32_t kLastFree = 0x6DF;
     const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
-    if (!cob_id.done() || (cob_id.number() & cob_id::kInvalid) == 0 || identifier > kLastFree) continue;
+    if (!cob_id.done() || (cob_id.number() & kInvalid) == 0 || identifier > kLastFree) continue;
     context.step();
-    const std::uint64_t valid = identifier++ | (cob_id.number() & cob_id::kNoRemote);
+    const std::uint64_t valid = identifier++ | (cob_id.number() & kBit30);
     const SdoAnswer answer = context.write_number(pdo.parameters(), kCobIdSub, valid);
     if (answer.done()) continue;
     if (answer.abort_code == number_of(InternalIncompatibility) ||

@@ -104,14 +104,15 @@ void type_0_waits_for_an_event(Context& context) {
 }
 
 void begins_with_the_start_value(Context& context) {
+  constexpr std::uint16_t kOverflow = 0x1019;
   constexpr std::uint8_t kStart = 3;
-  if (!context.need(kSyncOverflow)) return;
+  if (!context.need(kOverflow)) return;
   const auto pdo = test_pdo(context, PdoDirection::Transmit);
   if (!pdo) return;
   if (!has_parameter(context, *pdo, kSyncStartSub))
     return context.skip(fmt::format("object {} is not there", to_text(Subject{pdo->parameters(), kSyncStartSub})));
   if (!set_up(context, *pdo, {.type = 1, .inhibit_time = 0, .event_timer = 0, .sync_start = kStart})) return;
-  if (const SdoAnswer answer = context.write_number(kSyncOverflow, 0, 10); !answer.done())
+  if (const SdoAnswer answer = context.write_number(kOverflow, 0, 10); !answer.done())
     return context.skip("1019h cannot be set: " + to_text(answer));
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
@@ -129,7 +130,7 @@ std::vector<Pdo> all_with_type_1(Context& context) {
   std::vector<Pdo> pdos;
   for (const Pdo& pdo : all_pdos(context, PdoDirection::Transmit)) {
     const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
-    if (!cob_id.done() || (cob_id.number() & cob_id::kInvalid) != 0 || mapping_of(context, pdo).empty()) continue;
+    if (!cob_id.done() || (cob_id.number() & kInvalid) != 0 || mapping_of(context, pdo).empty()) continue;
     if (set_up(context, pdo, {.type = 1, .inhibit_time = 0, .event_timer = 0})) pdos.push_back(pdo);
   }
   if (!pdos.empty()) context.unskip();

@@ -9,10 +9,11 @@
 namespace conformance {
 namespace {
 
+constexpr std::uint16_t kPdoNumbers = 512, kReceive = 0x1400, kTransmit = 0x1800;
 constexpr std::uint16_t kPredefined = 4;
 
 std::uint16_t first_index(PdoDirection direction) noexcept {
-  return direction == PdoDirection::Receive ? kFirstRpdo : kFirstTpdo;
+  return direction == PdoDirection::Receive ? kReceive : kTransmit;
 }
 
 /// Writes a parameter of @p pdo; the check is skipped where it is refused.
@@ -35,7 +36,7 @@ bool configure_optional(Context& context, const Pdo& pdo, std::uint8_t sub_index
 
 bool is_valid(Context& context, const Pdo& pdo) {
   const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
-  return cob_id.done() && (cob_id.number() & cob_id::kInvalid) == 0;
+  return cob_id.done() && (cob_id.number() & kInvalid) == 0;
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ std::uint16_t Pdo::parameters() const noexcept {
 }
 
 std::uint16_t Pdo::mapping() const noexcept {
-  return static_cast<std::uint16_t>(parameters() + kMostPdos);
+  return static_cast<std::uint16_t>(parameters() + kPdoNumbers);
 }
 
 std::string Pdo::name() const {
@@ -60,7 +61,7 @@ std::vector<Pdo> all_pdos(Context& context, PdoDirection direction) {
       if (const Pdo pdo{direction, number}; context.read(pdo.parameters(), kCobIdSub).done()) pdos.push_back(pdo);
     return pdos;
   }
-  for (const std::uint16_t index : context.eds().objects_within(first, first + kMostPdos - 1))
+  for (const std::uint16_t index : context.eds().objects_within(first, first + kPdoNumbers - 1))
     if (context.eds().find(index, kCobIdSub) != nullptr)
       pdos.push_back({direction, static_cast<std::uint16_t>(index - first)});
   return pdos;
@@ -96,7 +97,7 @@ std::uint32_t identifier_of(Context& context, const Pdo& pdo) {
       static_cast<std::uint32_t>((pdo.direction == PdoDirection::Receive ? 0x200 : 0x180) +
                                  0x100 * (pdo.number % kPredefined) + context.session().node_id());
   const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
-  const auto identifier = static_cast<std::uint32_t>(cob_id.number() & cob_id::kBase);
+  const auto identifier = static_cast<std::uint32_t>(cob_id.number() & 0x7FF);
   return cob_id.done() && identifier > 0x180 && identifier < 0x580 ? identifier : predefined;
 }
 
@@ -122,7 +123,7 @@ bool disable(Context& context, const Pdo& pdo) {
         fmt::format("{} cannot be read: {}", to_text(Subject{pdo.parameters(), kCobIdSub}), to_text(cob_id)));
     return false;
   }
-  return configure(context, pdo, pdo.parameters(), kCobIdSub, cob_id.number() | cob_id::kInvalid);
+  return configure(context, pdo, pdo.parameters(), kCobIdSub, cob_id.number() | kInvalid);
 }
 
 SdoAnswer map_objects(Context& context, const Pdo& pdo, const std::vector<MappedObject>& objects) {
@@ -148,7 +149,7 @@ bool set_up(Context& context, const Pdo& pdo, const PdoSetup& setup) {
   if (!configure_optional(context, pdo, kTimerSub, setup.event_timer)) return false;
   if (!configure_optional(context, pdo, kSyncStartSub, setup.sync_start)) return false;
   const bool forbids = pdo.direction == PdoDirection::Transmit && !setup.remote_requests;
-  return configure(context, pdo, pdo.parameters(), kCobIdSub, identifier | (forbids ? cob_id::kNoRemote : 0));
+  return configure(context, pdo, pdo.parameters(), kCobIdSub, identifier | (forbids ? kBit30 : 0));
 }
 
 }  // namespace conformance

@@ -5,9 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "libcanopen/od/abort_code.hpp"
 #include "tools/canopen-check/core/context.hpp"
 
 namespace conformance {
+
+/// The number of @p code.
+[[nodiscard]] constexpr std::uint32_t number_of(canopen::AbortCode code) noexcept {
+  return static_cast<std::uint32_t>(code);
+}
 
 /// Which way a PDO goes, as seen from the node.
 enum class PdoDirection : std::uint8_t { Receive, Transmit };

@@ -7,7 +7,9 @@
 namespace conformance {
 namespace {
 
+constexpr std::uint16_t kMappingOffset = 0x200, kMostPdos = 512;
 constexpr std::uint16_t kFirstOfDevice = 0x1000;
+constexpr std::uint32_t kExtended = 0x2000'0000, kStandardBits = 0x7FF;
 constexpr std::uint8_t kMostMapped = 64;
 constexpr canopen::Duration kProcessed = std::chrono::milliseconds{20};
 
@@ -94,8 +96,7 @@ std::vector<ValidPdo> valid_pdos(Context& context, std::uint16_t first) {
   for (const std::uint16_t index : indices) {
     const SdoAnswer cob_id = context.read(index, 1);
     const auto word = static_cast<std::uint32_t>(cob_id.number());
-    if (cob_id.done() && (word & (cob_id::kInvalid | cob_id::kExtended)) == 0)
-      pdos.push_back({index, word & cob_id::kBase});
+    if (cob_id.done() && (word & (kInvalid | kExtended)) == 0) pdos.push_back({index, word & kStandardBits});
   }
   return pdos;
 }
@@ -155,9 +156,10 @@ std::optional<ValidPdo> synchronous_tpdo(Context& context) {
 }
 
 std::uint32_t sync_identifier(Context& context) {
+  constexpr std::uint16_t kCobIdSync = 0x1005;
   constexpr std::uint32_t kDefault = 0x80;
   const SdoAnswer cob_id = context.read(kCobIdSync);
-  return cob_id.done() ? static_cast<std::uint32_t>(cob_id.number()) & cob_id::kBase : kDefault;
+  return cob_id.done() ? static_cast<std::uint32_t>(cob_id.number()) & kStandardBits : kDefault;
 }
 
 }  // namespace conformance

@@ -14,6 +14,8 @@ struct ValidPdo {
   std::uint32_t identifier = 0;
 };
 
+inline constexpr std::uint16_t kFirstRpdo = 0x1400, kFirstTpdo = 0x1800;
+
 /// The valid PDOs of 11-bit identifiers whose parameters begin at @p first, kFirstRpdo or kFirstTpdo. Without an
 /// EDS the first four are looked at.
 [[nodiscard]] std::vector<ValidPdo> valid_pdos(Context& context, std::uint16_t first);

@@ -8,6 +8,9 @@
 namespace conformance {
 namespace {
 
+constexpr std::uint16_t kGuardTime = 0x100C, kLifeTimeFactor = 0x100D, kCobIdEmcy = 0x1014, kConsumers = 0x1016,
+                        kHeartbeatTime = 0x1017, kSyncOverflow = 0x1019;
+constexpr std::uint32_t kErrorControl = 0x700, kEmcy = 0x80, kStandardBits = 0x7FF;
 /// Time that a heartbeat or a guarding request may be missing, in ms.
 constexpr std::uint64_t kLife = 100;
 constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kLife};
@@ -21,8 +24,8 @@ bool answers_guarding(Context& context) {
   Session& session = context.session();
   if (!session.carries_remote_frames()) return false;
   session.drain();
-  session.send({.id = session.identifier(function_code::kErrorControl), .length = 1, .remote = true});
-  return session.wait_for(under(session.identifier(function_code::kErrorControl)), kLifeTime).has_value();
+  session.send({.id = session.identifier(kErrorControl), .length = 1, .remote = true});
+  return session.wait_for(under(session.identifier(kErrorControl)), kLifeTime).has_value();
 }
 
 std::uint16_t code_of(const canopen::Frame& frame) noexcept {
@@ -33,10 +36,10 @@ std::uint16_t code_of(const canopen::Frame& frame) noexcept {
 
 std::optional<std::uint32_t> emcy_identifier(Context& context) {
   const SdoAnswer cob_id = context.read(kCobIdEmcy);
-  if (!cob_id.done()) return context.session().identifier(function_code::kEmcy);
+  if (!cob_id.done()) return context.session().identifier(kEmcy);
   const auto word = static_cast<std::uint32_t>(cob_id.number());
-  if ((word & cob_id::kInvalid) != 0) return std::nullopt;
-  return word & cob_id::kBase;
+  if ((word & kInvalid) != 0) return std::nullopt;
+  return word & kStandardBits;
 }
 
 std::optional<Emergency> wait_for_emergency(Context& context, std::uint32_t identifier,
@@ -66,7 +69,7 @@ std::optional<Provocation> heartbeat_loss(Context& context) {
   const std::optional<std::uint8_t> node = unused_node_id(context);
   if (!node || !context.write_number(kConsumers, 1, std::uint64_t{*node} << 16U | kLife).done())
     return std::nullopt;
-  const auto beat = [session = &context.session(), id = function_code::kErrorControl + *node] {
+  const auto beat = [session = &context.session(), id = kErrorControl + *node] {
     session->send({.id = id, .length = 1, .data = {static_cast<std::uint8_t>(canopen::NmtState::Operational)}});
   };
   return Provocation{.name = fmt::format("the heartbeat of node {} is lost", *node),
@@ -86,7 +89,7 @@ std::optional<Provocation> guarding_loss(Context& context) {
       !context.write_number(kLifeTimeFactor, 0, kFactor).done())
     return std::nullopt;
   const auto request = [session = &context.session()] {
-    session->send({.id = session->identifier(function_code::kErrorControl), .length = 1, .remote = true});
+    session->send({.id = session->identifier(kErrorControl), .length = 1, .remote = true});
   };
   return Provocation{.name = "the guarding master is lost",
                      .code = 0x8130,

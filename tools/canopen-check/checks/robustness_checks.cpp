@@ -15,10 +15,12 @@ namespace {
 using canopen::NmtCommand;
 using canopen::NmtState;
 
+constexpr std::uint16_t kDeviceType = 0x1000;
+constexpr std::uint32_t kErrorControl = 0x700, kRequests = 0x600;
 constexpr canopen::Duration kSettle = std::chrono::milliseconds{100};
 
 bool is_boot_up(const Session& session, const canopen::Frame& frame) {
-  return under(session.identifier(function_code::kErrorControl))(frame) && frame.length == 1 && frame.data[0] == 0;
+  return under(session.identifier(kErrorControl))(frame) && frame.length == 1 && frame.data[0] == 0;
 }
 
 /// What the node says of itself before and after.
@@ -53,8 +55,8 @@ class RandomFrames {
  public:
   RandomFrames(Context& context, const std::vector<ValidPdo>& rpdos)
       : random_{context.settings().seed},
-        request_{context.session().identifier(function_code::kSdoRequest)},
-        error_control_{context.session().identifier(function_code::kErrorControl)},
+        request_{context.session().identifier(kRequests)},
+        error_control_{context.session().identifier(kErrorControl)},
         sync_{sync_identifier(context)} {
     for (const ValidPdo& rpdo : rpdos) rpdos_.push_back(rpdo.identifier);
   }
@@ -115,11 +117,11 @@ void survives_random_frames(Context& context) {
 /// True under the identifiers that the node may send under meanwhile.
 bool may_answer(const Context& context, const Session& session, std::optional<std::uint32_t> emcy,
                 std::uint32_t identifier) {
-  constexpr std::uint32_t kFunctionBits = 0x780;
-  if (identifier == session.identifier(function_code::kErrorControl) || identifier == emcy) return true;
+  constexpr std::uint32_t kResponses = 0x580, kFunctionBits = 0x780;
+  if (identifier == session.identifier(kErrorControl) || identifier == emcy) return true;
   // The first server answers under that of the node; further ones have identifiers of their own.
-  return identifier == session.identifier(function_code::kSdoResponse) ||
-         (context.eds().has(0x1201) && (identifier & kFunctionBits) == function_code::kSdoResponse);
+  return identifier == session.identifier(kResponses) ||
+         (context.eds().has(0x1201) && (identifier & kFunctionBits) == kResponses);
 }
 
 void survives_all_identifiers(Context& context) {
@@ -134,7 +136,7 @@ void survives_all_identifiers(Context& context) {
     if (remote && !session.carries_remote_frames()) continue;
     for (std::uint32_t id = 1; id < kIdentifiers; ++id) {  // 0 is NMT
       // Without data where an RPDO may be: it has no values then.
-      const std::uint32_t length = id < function_code::kSdoRequest ? 0 : (id + session.node_id()) % kLengths;
+      const std::uint32_t length = id < kRequests ? 0 : (id + session.node_id()) % kLengths;
       session.send({.id = id, .length = static_cast<std::uint8_t>(length), .remote = remote});
       if (id % kAtOnce == 0) session.drain();
     }

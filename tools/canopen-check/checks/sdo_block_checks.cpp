@@ -10,6 +10,7 @@ namespace {
 
 using canopen::AbortCode;
 
+constexpr std::uint16_t kDeviceType = 0x1000;
 constexpr std::uint8_t kRequest = 0xA0;
 
 /// False, and the check is skipped, where the server has no block transfer.

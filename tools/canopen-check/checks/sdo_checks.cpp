@@ -13,7 +13,8 @@ namespace {
 
 using canopen::AbortCode;
 
-constexpr std::uint16_t kServer = 0x1200;
+constexpr std::uint16_t kDeviceType = 0x1000, kReserved = 0x1004, kServer = 0x1200;
+constexpr std::uint16_t kPdosBegin = 0x1400, kPdosEnd = 0x1C00;
 constexpr int kMostSilent = 3;
 
 /// Calls @p judge for every entry of the EDS that @p concerns, until the session has ended or @p judge says that
@@ -135,7 +136,8 @@ void expect_limit_abort(Context& context, bool above) {
       context,
       [&](const EntryFacts& entry) {
         return entry.writable() && entry.numeric() && limit(entry) && beyond(*limit(entry), entry, above) &&
-               eds::find_cob_id(entry.index, entry.sub_index) == nullptr && !belongs_to_pdo(entry.index) &&
+               eds::find_cob_id(entry.index, entry.sub_index) == nullptr &&
+               (entry.index < kPdosBegin || entry.index >= kPdosEnd) &&
                write_refusal(entry, context.settings()) == nullptr;
       },
       [&](const EntryFacts& entry) {

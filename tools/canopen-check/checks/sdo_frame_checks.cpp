@@ -10,6 +10,8 @@ namespace {
 
 using canopen::AbortCode;
 
+constexpr std::uint16_t kDeviceType = 0x1000, kReserved = 0x1004;
+
 /// A finding for every frame of the server that comes within kQuiet; @p request tells what went before.
 void expect_quiet(Context& context, const std::string& request) {
   const auto frames = context.session().collect(under(context.sdo().response_identifier()), kQuiet);
@@ -131,12 +133,13 @@ void ignores_remote_frames(Context& context) {
 }
 
 void ignores_requests_to_others(Context& context) {
+  constexpr std::uint32_t kRequests = 0x600;
   constexpr std::uint8_t kHighestNode = 127;
   context.step();
   canopen::Frame frame = context.sdo().request(kInitiateUpload, kDeviceType);
   for (std::uint8_t node = 1; node <= kHighestNode; ++node) {
     if (node == context.session().node_id()) continue;
-    frame.id = function_code::kSdoRequest + node;
+    frame.id = kRequests + node;
     context.session().send(frame);
   }
   expect_quiet(context, "requests to all other nodes");

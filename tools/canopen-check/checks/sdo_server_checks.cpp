@@ -10,9 +10,10 @@ namespace {
 
 using canopen::AbortCode;
 
-constexpr std::uint16_t kFirst = 0x1201, kLast = 0x127F;
+constexpr std::uint16_t kDeviceType = 0x1000, kFirst = 0x1201, kLast = 0x127F;
 // 680h to 6DFh belong to no service of the predefined connection set and are not restricted.
 constexpr std::uint32_t kFreeRequest = 0x6A0, kFreeResponse = 0x6A1;
+constexpr std::uint32_t kRequests = 0x600, kResponses = 0x580;
 
 /// The first further server of the EDS whose COB-IDs can be written; 0, and the check is skipped, without one.
 std::uint16_t further_server(Context& context) {
@@ -46,7 +47,7 @@ bool disable(Context& context, std::uint16_t server) {
   for (std::uint8_t sub = 1; sub <= 2; ++sub) {
     const std::optional<std::uint64_t> now = context.number(server, sub);
     if (!now) return false;
-    if ((*now & cob_id::kInvalid) == 0 && !context.set(server, sub, *now | cob_id::kInvalid)) return false;
+    if ((*now & kInvalid) == 0 && !context.set(server, sub, *now | kInvalid)) return false;
   }
   return true;
 }
@@ -65,8 +66,7 @@ bool takes(Context& context, std::uint16_t server, const Channel& channel) {
 Channel enable(Context& context, std::uint16_t server) {
   if (!disable(context, server)) return {};
   const std::uint32_t other = context.session().node_id() == 127 ? 126 : context.session().node_id() + 1U;
-  const Channel free{kFreeRequest, kFreeResponse},
-      of_other{function_code::kSdoRequest + other, function_code::kSdoResponse + other};
+  const Channel free{kFreeRequest, kFreeResponse}, of_other{kRequests + other, kResponses + other};
   for (const Channel& channel : {free, of_other})
     if (takes(context, server, channel)) return channel;
   context.skip("the server takes no identifiers");  // sdo.server-identifiers
@@ -124,7 +124,7 @@ void falls_silent(Context& context) {
   const std::uint16_t server = further_server(context);
   if (server == 0) return;
   const Channel channel = enable(context, server);
-  if (channel.request == 0 || !context.set(server, 1, channel.request | cob_id::kInvalid)) return;
+  if (channel.request == 0 || !context.set(server, 1, channel.request | kInvalid)) return;
   context.step();
   context.session().send(client_of(context, channel).request(kInitiateUpload, kDeviceType));
   const auto frames = context.session().collect(under(channel.response), kQuiet);
@@ -159,7 +159,7 @@ void refuses_restricted_identifiers(Context& context) {
                          {number_of(AbortCode::InvalidValue), number_of(AbortCode::ValueTooLow),
                           number_of(AbortCode::ValueTooHigh)},
                          server, 1, fmt::format("the restricted identifier {:03X}h", identifier));
-    if (answer.done()) (void)context.write_number(server, 1, identifier | cob_id::kInvalid);
+    if (answer.done()) (void)context.write_number(server, 1, identifier | kInvalid);
   }
 }
 
@@ -169,7 +169,7 @@ void refuses_identifiers_in_use(Context& context) {
   const std::uint32_t own = context.sdo().request_identifier();
   context.step();
   const SdoAnswer answer = context.write_number(server, 1, own);
-  if (answer.done()) (void)context.write_number(server, 1, own | cob_id::kInvalid);
+  if (answer.done()) (void)context.write_number(server, 1, own | kInvalid);
   if (!answer.aborted())
     context.fail(server, 1, fmt::format("{:03X}h, which the first server has, is refused", own), to_text(answer));
 }

@@ -11,6 +11,9 @@ namespace {
 /// Entries that are asked until one fits; a device may refuse some of them.
 constexpr int kMostAsked = 30;
 
+constexpr std::uint16_t kDeviceType = 0x1000, kHeartbeatTime = 0x1017;
+constexpr std::uint16_t kPdosBegin = 0x1400, kPdosEnd = 0x1C00;
+
 /// The first entry of the EDS that @p fits, and whose value @p takes.
 template <class Fits, class Takes>
 std::optional<Target> first_entry(Context& context, Fits fits, Takes takes) {
@@ -30,7 +33,7 @@ std::optional<Target> first_entry(Context& context, Fits fits, Takes takes) {
 bool harmless(const EntryFacts& entry, const Settings& settings) noexcept {
   Settings calm = settings;
   calm.allow_motion = calm.allow_store = false;
-  const bool pdo = belongs_to_pdo(entry.index);
+  const bool pdo = entry.index >= kPdosBegin && entry.index < kPdosEnd;
   return entry.writable() && !pdo && eds::find_cob_id(entry.index, entry.sub_index) == nullptr &&
          write_refusal(entry, calm) == nullptr;
 }
@@ -63,6 +66,7 @@ std::optional<Target> writable_text(Context& context, bool domain) {
 }
 
 std::optional<Target> long_entry(Context& context, std::size_t bytes) {
+  constexpr std::uint16_t kFirstName = 0x1008, kLastName = 0x100A;
   if (context.eds().empty()) {
     for (std::uint16_t index = kFirstName; index <= kLastName; ++index)
       if (SdoAnswer answer = context.read(index); answer.done() && answer.data.size() > bytes)

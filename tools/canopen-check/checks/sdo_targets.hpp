@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libcanopen/od/abort_code.hpp"
 #include "tools/canopen-check/core/context.hpp"
 
 namespace conformance {
@@ -14,6 +15,11 @@ struct Target {
   std::uint8_t sub_index = 0;
   std::vector<std::uint8_t> value{};
 };
+
+/// @p code as a number.
+[[nodiscard]] constexpr std::uint32_t number_of(canopen::AbortCode code) noexcept {
+  return static_cast<std::uint32_t>(code);
+}
 
 /// A writable number of @p bytes that it does no harm to write again; the first of the EDS that can be read, no
 /// COB-ID and no PDO parameter. Without an EDS 1017h, for two bytes.

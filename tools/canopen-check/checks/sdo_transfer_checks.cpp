@@ -11,6 +11,7 @@ namespace {
 
 using canopen::AbortCode;
 
+constexpr std::uint16_t kDeviceType = 0x1000;
 constexpr std::size_t kExpedited = 4, kSegment = 7;
 constexpr const char* kNoLongEntry = "no entry that can be read has more than four bytes";
 
@@ -84,6 +85,7 @@ std::optional<Target> begin_any_upload(Context& context) {
     const SdoAnswer answer = ask(context, context.sdo().request(kInitiateUpload, index, sub_index));
     return begins_with(answer, 0x40) || begins_with(answer, 0x41);
   };
+  constexpr std::uint16_t kFirstName = 0x1008, kLastName = 0x100A;
   for (std::uint16_t index = kFirstName; index <= kLastName; ++index)
     if (begun(index, 0)) return Target{index, 0};
   for (const EntryFacts& entry : context.eds().entries()) {

@@ -8,21 +8,20 @@
 namespace conformance {
 namespace {
 
+constexpr std::uint32_t kErrorControl = 0x700, kRequests = 0x600, kResponses = 0x580;
 constexpr std::uint8_t kHighestNodeId = 127, kNodeIdBits = 0x7F;
 constexpr canopen::Duration kListen = std::chrono::milliseconds{50};
 
 /// Asks @p node_id for its state and its device type: whatever state it is in, it answers one of them.
 void ask(Context& context, std::uint8_t node_id) {
   Session& session = context.session();
-  if (session.carries_remote_frames())
-    session.send({.id = function_code::kErrorControl + node_id, .length = 1, .remote = true});
-  session.send({.id = function_code::kSdoRequest + node_id, .length = 8, .data = {0x40, 0x00, 0x10}});
+  if (session.carries_remote_frames()) session.send({.id = kErrorControl + node_id, .length = 1, .remote = true});
+  session.send({.id = kRequests + node_id, .length = 8, .data = {0x40, 0x00, 0x10}});
 }
 
 bool is_answer(const canopen::Frame& frame) noexcept {
   const std::uint32_t function = frame.id & ~std::uint32_t{kNodeIdBits};
-  return !frame.remote && !frame.extended &&
-         (function == function_code::kErrorControl || function == function_code::kSdoResponse) &&
+  return !frame.remote && !frame.extended && (function == kErrorControl || function == kResponses) &&
          (frame.id & kNodeIdBits) != 0;
 }
 

@@ -9,7 +9,10 @@
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kCobIdTime = 0x1012;
+constexpr std::uint16_t kCobIdSync = 0x1005, kCyclePeriod = 0x1006, kCobIdTime = 0x1012, kOverflow = 0x1019;
+constexpr std::uint32_t kInvalidValue = 0x06090030, kTooHigh = 0x06090031, kTooLow = 0x06090032,
+                        kDeviceState = 0x08000022;
+constexpr std::uint32_t kStandardBits = 0x7FF;
 /// Identifiers that CiA 301 leaves free.
 constexpr std::uint32_t kFree = 0x6C1, kOtherFree = 0x6C2;
 
@@ -19,7 +22,7 @@ void sync_has_default_80(Context& context) {
   const EntryFacts* const facts = context.eds().find(kCobIdSync);
   if (facts == nullptr || !facts->initial) return context.skip("the EDS states no default of 1005h");
   const std::optional<eds::Integer> value = facts->initial->at(context.eds().node_id());
-  if (value && (value->magnitude & cob_id::kLong) != kDefault)
+  if (value && (value->magnitude & kIdentifierBits) != kDefault)
     context.fail(kCobIdSync, 0, "default identifier 80h", fmt::format("{:X}h", value->magnitude));
 }
 
@@ -44,33 +47,31 @@ void sync_follows_its_cob_id(Context& context) {
 /// Findings for values that 1019h must not take.
 void counter_refuses(Context& context) {
   constexpr std::array kWrong{1, 241, 255};
-  if (!context.need(kSyncOverflow)) return;
+  if (!context.need(kOverflow)) return;
   for (const int value : kWrong) {
     context.step();
-    context.expect_abort(
-        context.write_number(kSyncOverflow, 0, static_cast<std::uint64_t>(value)),
-        {canopen::AbortCode::InvalidValue, canopen::AbortCode::ValueTooHigh, canopen::AbortCode::ValueTooLow},
-        kSyncOverflow, 0, fmt::format("writing {}", value));
+    context.expect_abort(context.write_number(kOverflow, 0, static_cast<std::uint64_t>(value)),
+                         {kInvalidValue, kTooHigh, kTooLow}, kOverflow, 0, fmt::format("writing {}", value));
   }
 }
 
 void counter_takes(Context& context) {
-  if (!context.need(kSyncOverflow)) return;
+  if (!context.need(kOverflow)) return;
   for (const std::uint64_t value : std::array<std::uint64_t, 3>{2, 240, 0})
-    if (!context.set(kSyncOverflow, 0, value)) return;
+    if (!context.set(kOverflow, 0, value)) return;
 }
 
 void counter_is_locked(Context& context) {
   constexpr std::uint64_t kPeriod = 100'000, kCounter = 10;  // us
-  if (!context.need(kSyncOverflow) || !context.need(kCyclePeriod)) return;
+  if (!context.need(kOverflow) || !context.need(kCyclePeriod)) return;
   if (!context.set(kCyclePeriod, 0, kPeriod)) return;
   context.step();
-  context.expect_abort(context.write_number(kSyncOverflow, 0, kCounter), {canopen::AbortCode::DeviceState},
-                       kSyncOverflow, 0, "writing it while 1006h is not 0");
+  context.expect_abort(context.write_number(kOverflow, 0, kCounter), {kDeviceState}, kOverflow, 0,
+                       "writing it while 1006h is not 0");
 }
 
 void tells_unexpected_length(Context& context) {
-  if (!context.need(kSyncOverflow)) return;
+  if (!context.need(kOverflow)) return;
   const std::optional<std::uint32_t> emcy = emcy_identifier(context);
   const std::optional<Provocation> how = sync_length(context);
   if (!emcy || !how) return context.skip("1014h is invalid");
@@ -78,7 +79,7 @@ void tells_unexpected_length(Context& context) {
   context.session().drain();
   how->raise();
   if (!wait_for_emergency(context, *emcy, kEmergencyPatience))
-    context.fail(kSyncOverflow, 0, "an emergency message for a SYNC of unexpected length", "none");
+    context.fail(kOverflow, 0, "an emergency message for a SYNC of unexpected length", "none");
   how->end();
 }
 
@@ -87,7 +88,7 @@ std::optional<std::uint32_t> consume_time(Context& context) {
   if (!context.need(kCobIdTime)) return std::nullopt;
   const std::optional<std::uint64_t> now = context.number(kCobIdTime);
   if (!now) return std::nullopt;
-  const std::uint32_t consuming = static_cast<std::uint32_t>(*now) | cob_id::kInvalid;
+  const std::uint32_t consuming = static_cast<std::uint32_t>(*now) | kInvalid;
   const SdoAnswer answer = context.write_number(kCobIdTime, 0, consuming);
   if (answer.done()) return consuming;
   context.skip("the node does not consume TIME: 1012h with bit 31 is answered with " + to_text(answer));
@@ -98,9 +99,8 @@ void time_cob_id_is_locked(Context& context) {
   const std::optional<std::uint32_t> cob_id = consume_time(context);
   if (!cob_id) return;
   context.step();
-  context.expect_abort(context.write_number(kCobIdTime, 0, cob_id::kInvalid | kOtherFree),
-                       {canopen::AbortCode::DeviceState, canopen::AbortCode::InvalidValue}, kCobIdTime, 0,
-                       fmt::format("identifier {:X}h while it consumes TIME", kOtherFree));
+  context.expect_abort(context.write_number(kCobIdTime, 0, kInvalid | kOtherFree), {kDeviceState, kInvalidValue},
+                       kCobIdTime, 0, fmt::format("identifier {:X}h while it consumes TIME", kOtherFree));
 }
 
 void time_does_no_harm(Context& context) {
@@ -110,7 +110,7 @@ void time_does_no_harm(Context& context) {
   Session& session = context.session();
   context.step();
   for (std::uint8_t length = 0; length <= kLongest; ++length)
-    session.send({.id = *cob_id & cob_id::kBase, .length = length, .data = {0x00, 0x5C, 0x26, 0x05, 0xC9, 0x3A}});
+    session.send({.id = *cob_id & kStandardBits, .length = length, .data = {0x00, 0x5C, 0x26, 0x05, 0xC9, 0x3A}});
   if (!context.expect_state(canopen::NmtState::PreOperational, "time stamps of 0 to 8 bytes")) return;
   (void)context.number(kCobIdTime);
 }

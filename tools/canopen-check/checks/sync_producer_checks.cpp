@@ -9,6 +9,8 @@
 namespace conformance {
 namespace {
 
+constexpr std::uint16_t kCobIdSync = 0x1005, kCyclePeriod = 0x1006, kOverflow = 0x1019;
+constexpr std::uint32_t kInvalidValue = 0x06090030, kDeviceState = 0x08000022;
 constexpr std::uint64_t kPeriod = 20'000;  // us
 constexpr canopen::Duration kPeriodTime = std::chrono::microseconds{kPeriod};
 constexpr int kPeriods = 10;
@@ -17,15 +19,15 @@ constexpr int kPeriods = 10;
 /// Nothing, and the check is skipped, where it does not.
 std::optional<std::uint32_t> produce(Context& context, std::uint64_t counter = 0) {
   if (!context.need(kCobIdSync) || !context.need(kCyclePeriod)) return std::nullopt;
-  if (counter != 0 && !context.need(kSyncOverflow)) return std::nullopt;
+  if (counter != 0 && !context.need(kOverflow)) return std::nullopt;
   const std::uint32_t identifier = sync_identifier(context);
   if (!context.set(kCyclePeriod, 0, 0)) return std::nullopt;
-  const SdoAnswer answer = context.write_number(kCobIdSync, 0, cob_id::kProduce | identifier);
+  const SdoAnswer answer = context.write_number(kCobIdSync, 0, kBit30 | identifier);
   if (!answer.done()) {
     context.skip("the node produces no SYNC: 1005h with bit 30 is answered with " + to_text(answer));
     return std::nullopt;
   }
-  if (counter != 0 && !context.set(kSyncOverflow, 0, counter)) return std::nullopt;
+  if (counter != 0 && !context.set(kOverflow, 0, counter)) return std::nullopt;
   if (!context.set(kCyclePeriod, 0, kPeriod)) return std::nullopt;
   context.session().drain();
   return identifier;
@@ -83,21 +85,21 @@ void counts(Context& context) {
   for (const TimedFrame& each : frames) {
     const bool right = each.frame.length == 1 && each.frame.data[0] == expected && expected >= 1;
     if (!right)
-      return context.fail(kSyncOverflow, 0, fmt::format("a SYNC with counter {}", expected),
+      return context.fail(kOverflow, 0, fmt::format("a SYNC with counter {}", expected),
                           fmt::format("{} bytes, counter {}", each.frame.length, each.frame.data[0]));
     expected = expected == kCounter ? std::uint8_t{1} : static_cast<std::uint8_t>(expected + 1);
   }
 }
 
 void has_no_counter(Context& context) {
-  if (context.eds().has(kSyncOverflow) && !context.set(kSyncOverflow, 0, 0)) return;
+  if (context.eds().has(kOverflow) && !context.set(kOverflow, 0, 0)) return;
   const std::optional<std::uint32_t> identifier = produce(context);
   if (!identifier) return;
   context.step();
   const std::vector<TimedFrame> frames = syncs(context, *identifier);
   const auto wrong = std::ranges::find_if(frames, [](const TimedFrame& each) { return each.frame.length != 0; });
   if (wrong != frames.end())
-    context.fail(kSyncOverflow, 0, "a SYNC without data while 1019h is 0",
+    context.fail(kOverflow, 0, "a SYNC without data while 1019h is 0",
                  fmt::format("{} bytes", wrong->frame.length));
 }
 
@@ -106,9 +108,8 @@ void is_locked(Context& context) {
   const std::optional<std::uint32_t> identifier = produce(context);
   if (!identifier) return;
   context.step();
-  context.expect_abort(context.write_number(kCobIdSync, 0, cob_id::kProduce | kFree),
-                       {canopen::AbortCode::DeviceState, canopen::AbortCode::InvalidValue}, kCobIdSync, 0,
-                       "another identifier while SYNC is produced");
+  context.expect_abort(context.write_number(kCobIdSync, 0, kBit30 | kFree), {kDeviceState, kInvalidValue},
+                       kCobIdSync, 0, "another identifier while SYNC is produced");
 }
 
 constexpr std::array kChecks{

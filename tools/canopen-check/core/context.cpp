@@ -7,8 +7,11 @@
 namespace conformance {
 namespace {
 
+constexpr std::uint32_t kErrorControl = 0x700;
+constexpr std::uint16_t kHeartbeatTime = 0x1017;
 constexpr std::uint64_t kObservedHeartbeat = 100;  // ms: the shortest that every device is able to
 constexpr canopen::Duration kGuardPatience = std::chrono::milliseconds{100};
+constexpr std::uint8_t kStateBits = 0x7F;
 /// Frames that a finding keeps, and findings of a check that keep any.
 constexpr std::size_t kMostFrames = 60, kMostWithFrames = 20;
 /// Findings of a check; one for every object of a large device has to fit, as each may be a known deviation.
@@ -78,22 +81,21 @@ bool Context::set(std::uint16_t index, std::uint8_t sub_index, std::uint64_t val
   return answer.done();
 }
 
-void Context::expect_abort(const SdoAnswer& answer, std::initializer_list<canopen::AbortCode> codes,
+void Context::expect_abort(const SdoAnswer& answer, std::initializer_list<std::uint32_t> codes,
                            std::uint16_t index, std::uint8_t sub_index, const std::string& request) {
-  const auto code = static_cast<canopen::AbortCode>(answer.abort_code);
-  if (answer.aborted() && std::ranges::find(codes, code) != codes.end()) return;
-  if (answer.aborted() && code == canopen::AbortCode::GeneralError)
+  constexpr std::uint32_t kGeneralError = 0x08000000;
+  if (answer.aborted() && std::ranges::find(codes, answer.abort_code) != codes.end()) return;
+  if (answer.aborted() && answer.abort_code == kGeneralError)
     return note(
         fmt::format("{}: {} is refused with the general code", to_text(Subject{index, sub_index}), request));
   std::string expected;
-  for (const canopen::AbortCode each : codes)
-    expected += (expected.empty() ? "abort " : " or ") + abort_text(number_of(each));
+  for (const std::uint32_t code : codes) expected += (expected.empty() ? "abort " : " or ") + abort_text(code);
   fail(index, sub_index, fmt::format("{} for {}", expected, request), to_text(answer));
 }
 
 std::optional<TimedFrame> Context::boot_up(canopen::Duration patience) {
   return session_->wait_for(
-      [id = session_->identifier(function_code::kErrorControl)](const canopen::Frame& frame) {
+      [id = session_->identifier(kErrorControl)](const canopen::Frame& frame) {
         return frame.id == id && !frame.remote && frame.length == 1 && frame.data[0] == 0;
       },
       patience);
@@ -110,6 +112,7 @@ std::optional<canopen::Duration> Context::reset(canopen::NmtCommand command) {
 }
 
 bool Context::restart(canopen::NmtCommand command) {
+  constexpr std::uint16_t kDeviceType = 0x1000;
   constexpr int kAttempts = 10;
   step();
   session_->drain();
@@ -125,7 +128,7 @@ void Context::enter(canopen::NmtState state) {
 }
 
 std::optional<canopen::NmtState> Context::guard() {
-  const std::uint32_t identifier = session_->identifier(function_code::kErrorControl);
+  const std::uint32_t identifier = session_->identifier(kErrorControl);
   session_->drain();
   if (!session_->carries_remote_frames() || !session_->send({.id = identifier, .length = 1, .remote = true}))
     return std::nullopt;
@@ -145,7 +148,7 @@ bool Context::observe_state() {
 std::optional<canopen::NmtState> Context::state() {
   if (by_guarding_) return guard();
   session_->drain();
-  const auto beat = session_->wait_for(under(session_->identifier(function_code::kErrorControl)),
+  const auto beat = session_->wait_for(under(session_->identifier(kErrorControl)),
                                        5 * std::chrono::milliseconds{kObservedHeartbeat});
   if (!beat || beat->frame.length != 1) return std::nullopt;
   return static_cast<canopen::NmtState>(beat->frame.data[0] & kStateBits);

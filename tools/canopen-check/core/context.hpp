@@ -9,7 +9,6 @@
 
 #include "tools/canopen-check/core/check.hpp"
 #include "tools/canopen-check/core/description.hpp"
-#include "tools/canopen-check/core/objects.hpp"
 #include "tools/canopen-check/core/undo_log.hpp"
 
 namespace conformance {
@@ -75,7 +74,7 @@ class Context {
   bool set(std::uint16_t index, std::uint8_t sub_index, std::uint64_t value);
   /// A finding unless @p answer is an abort with one of @p codes. The general code 08000000h is accepted with a
   /// note. @p request tells what was asked: "writing 00 to it".
-  void expect_abort(const SdoAnswer& answer, std::initializer_list<canopen::AbortCode> codes, std::uint16_t index,
+  void expect_abort(const SdoAnswer& answer, std::initializer_list<std::uint32_t> codes, std::uint16_t index,
                     std::uint8_t sub_index, const std::string& request);
 
   // NMT.
@@ -121,5 +120,12 @@ class Context {
 
 /// @p time in milliseconds: "12.3 ms".
 [[nodiscard]] std::string milliseconds(canopen::Duration time);
+
+/// The bits that make @p number an identifier in a COB-ID.
+inline constexpr std::uint32_t kIdentifierBits = 0x1FFF'FFFF;
+/// Bit 31 of a COB-ID: the service does not exist.
+inline constexpr std::uint32_t kInvalid = 0x8000'0000;
+/// Bit 30: of a TPDO no remote frame is answered; of 1005h the node produces SYNC.
+inline constexpr std::uint32_t kBit30 = 0x4000'0000;
 
 }  // namespace conformance

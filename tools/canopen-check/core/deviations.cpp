@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/canopen-check/core/objects.hpp"
-
 namespace conformance {
 namespace {
+
+constexpr std::uint16_t kFirstAxis = 0x6000, kSecondAxis = 0x6800, kEndOfAxes = 0xA000, kAxisDistance = 0x800;
 
 std::optional<unsigned> parse_hexadecimal(std::string_view text, unsigned most) {
   unsigned value = 0;
@@ -87,9 +87,9 @@ tl::expected<Deviation, std::string> parse_deviation(const nlohmann::json& item,
 
 bool ObjectRange::contains(const Subject& subject) const noexcept {
   if (!subject.index) return false;
-  constexpr std::uint16_t kFirstAxis = 0x6000, kSecondAxis = 0x6800;
-  const bool of_axes = first >= kFirstAxis && first < kSecondAxis;
-  const std::uint16_t index = of_axes ? of_first_axis(*subject.index) : *subject.index;
+  std::uint16_t index = *subject.index;
+  if (first >= kFirstAxis && first < kSecondAxis && index >= kSecondAxis && index < kEndOfAxes)
+    index = static_cast<std::uint16_t>(kFirstAxis + (index - kFirstAxis) % kAxisDistance);
   if (index < first || index > last) return false;
   return !subject.sub_index || (*subject.sub_index >= first_sub && *subject.sub_index <= last_sub);
 }

@@ -5,9 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "libcanopen/od/abort_code.hpp"
+
 namespace conformance {
 namespace {
 
+constexpr std::uint32_t kRequests = 0x600, kResponses = 0x580;
+constexpr std::uint16_t kDeviceType = 0x1000;
 constexpr int kAttempts = 3;
 
 }  // namespace
@@ -18,8 +22,7 @@ std::size_t RunReport::count(Outcome outcome) const noexcept {
 
 Runner::Runner(Wire& wire, const Description& eds, const Settings& settings, Deviations& deviations)
     : session_{wire, settings.node_id},
-      sdo_{session_, session_.identifier(function_code::kSdoRequest),
-           session_.identifier(function_code::kSdoResponse), settings.patience},
+      sdo_{session_, session_.identifier(kRequests), session_.identifier(kResponses), settings.patience},
       eds_{&eds},
       settings_{&settings},
       deviations_{&deviations} {}
@@ -57,6 +60,7 @@ bool Runner::reach(RunReport& report) {
 }
 
 std::string Runner::foreign_device() {
+  constexpr std::uint16_t kIdentity = 0x1018;
   const DeviceFacts& device = eds_->device();
   std::uint8_t sub = 0;
   for (const std::optional<std::uint64_t>& stated : {device.vendor, device.product}) {
@@ -103,7 +107,7 @@ void Runner::take_over() {
   sdo_.ask_again();
   session_.clean_up(true);
   // An interruption leaves a transfer open; a server in the middle of a block takes requests for segments.
-  sdo_.abort(0, 0, number_of(canopen::AbortCode::GeneralError));
+  sdo_.abort(0, 0, static_cast<std::uint32_t>(canopen::AbortCode::GeneralError));
   session_.command(canopen::NmtCommand::EnterPreOperational);
 }
 
@@ -122,6 +126,7 @@ void Runner::finish(RunReport& report, Snapshot& snapshot) {
 }
 
 void Runner::store_again(RunReport& report) {
+  constexpr std::uint16_t kStore = 0x1010;
   constexpr std::array<std::uint8_t, 4> kSave{'s', 'a', 'v', 'e'};
   const bool stored = std::ranges::any_of(report.results, [](const CheckResult& result) {
     return result.check->stores && result.outcome != Outcome::Skipped;

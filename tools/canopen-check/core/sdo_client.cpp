@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "libcanopen/od/abort_code.hpp"
 #include "tools/canopen-check/core/description.hpp"
 
 namespace conformance {
@@ -140,7 +141,7 @@ void SdoClient::abort(std::uint16_t index, std::uint8_t sub_index, std::uint32_t
 }
 
 SdoAnswer SdoClient::malformed(std::uint16_t index, std::uint8_t sub_index, std::string problem) {
-  abort(index, sub_index, number_of(canopen::AbortCode::CommandSpecifierInvalid));
+  abort(index, sub_index, static_cast<std::uint32_t>(canopen::AbortCode::CommandSpecifierInvalid));
   return {.kind = SdoAnswer::Kind::Malformed, .problem = std::move(problem)};
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "libcanopen/od/abort_code.hpp"
 #include "tools/canopen-check/core/session.hpp"
 
 namespace conformance {
@@ -34,10 +33,6 @@ struct SdoAnswer {
 
 /// "done", "abort 06090011h (no such sub-index)", "no answer", or the problem.
 [[nodiscard]] std::string to_text(const SdoAnswer& answer);
-/// @p code as a number.
-[[nodiscard]] constexpr std::uint32_t number_of(canopen::AbortCode code) noexcept {
-  return static_cast<std::uint32_t>(code);
-}
 /// "06090011h (no such sub-index)".
 [[nodiscard]] std::string abort_text(std::uint32_t code);
 /// Bytes as candump prints them: "0102FF".

@@ -11,6 +11,11 @@ namespace conformance {
 namespace {
 
 constexpr std::uint16_t kPdoMask = 0xFC00;
+constexpr std::uint16_t kPdosBegin = 0x1400, kPdosEnd = 0x1C00, kMappingOffset = 0x200;
+
+bool belongs_to_pdo(std::uint16_t index) noexcept {
+  return index >= kPdosBegin && index < kPdosEnd;
+}
 
 /// Communication parameters that @p index, these or a mapping, belongs to.
 std::uint16_t parameters_of(std::uint16_t index) noexcept {
