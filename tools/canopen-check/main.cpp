@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -26,6 +27,12 @@ std::string read_file(const std::string& path) {
   if (file) text << file.rdbuf();
   if (!file || !text) throw UsageError{path + ": cannot be read"};
   return text.str();
+}
+
+/// Throws UsageError unless a report can be written to @p path: at once, not after the run that it is about.
+void expect_writable(const std::string& path) {
+  if (path.empty()) return;
+  if (!std::ofstream{path, std::ios::binary | std::ios::app}) throw UsageError{path + ": cannot be written"};
 }
 
 void write_file(const std::string& path, const std::string& text) {
@@ -73,11 +80,16 @@ RunInfo info_of(const Options& options, const Sheets& sheets) {
                                       hexadecimal_of(device.revision))};
 }
 
-void print_list() {
-  const auto print = [](const Check& check) {
-    std::cout << fmt::format("| `{}` | {} | {} | {}{}{} |\n", check.id, check.name, check.clause,
-                             word_of(check.mode), check.stores ? ", --allow-store" : "",
-                             check.moves ? ", --allow-motion" : "");
+void print_list(bool markdown) {
+  const auto print = [markdown](const Check& check) {
+    if (markdown)
+      std::cout << fmt::format("| `{}` | {} | {} | {}{}{} |\n", check.id, check.name, check.clause,
+                               word_of(check.mode), check.stores ? ", --allow-store" : "",
+                               check.moves ? ", --allow-motion" : "");
+    else
+      std::cout << fmt::format("{:<44} {:<10} {} ({}){}{}\n", check.id, word_of(check.mode), check.name,
+                               check.clause, check.stores ? ", needs --allow-store" : "",
+                               check.moves ? ", needs --allow-motion" : "");
   };
   for (const Check& check : static_checks()) print(check);
   for (const Check* const check : all_checks()) print(*check);
@@ -99,6 +111,10 @@ class Printer {
     if (!bare || verbose_) std::cout << details_of(result, *info_);
     std::cout << std::flush;
   }
+  static void left_out(std::size_t count, const std::string& reason) {
+    std::cout << fmt::format("{:<9} {} further checks: {}\n", word_of(Outcome::Skipped), count, reason)
+              << std::flush;
+  }
 
  private:
   bool verbose_;
@@ -107,7 +123,8 @@ class Printer {
 };
 
 int status_of(const RunReport& report) {
-  if (report.count(Outcome::Failed) + report.count(Outcome::Broken) != 0 || !report.not_restored.empty())
+  if (report.cut_short || report.count(Outcome::Failed) + report.count(Outcome::Broken) != 0 ||
+      !report.not_restored.empty())
     return kFound;
   return report.count(Outcome::Passed) + report.count(Outcome::Deviates) == 0 ? kNotReached : kClean;
 }
@@ -127,7 +144,9 @@ RunReport test_node(const Options& options, const Sheets& sheets, Deviations& de
   Runner runner{*wire, sheets.description, options.settings, deviations};
   return runner.run(wanted, {.begin = [&](const Check& check, std::size_t number,
                                           std::size_t total) { printer.begin(check, number, total); },
-                             .end = [&](const CheckResult& result) { printer.end(result); }});
+                             .end = [&](const CheckResult& result) { printer.end(result); },
+                             .left_out = [](std::size_t count,
+                                            const std::string& reason) { Printer::left_out(count, reason); }});
 }
 
 int run(const Options& options) {
@@ -138,13 +157,17 @@ int run(const Options& options) {
     deviations = std::move(*read);
   }
   const Sheets sheets{options};
+  expect_writable(options.junit);
+  expect_writable(options.json);
   const RunInfo info = info_of(options, sheets);
   const Printer printer{options, info};
   RunReport report;
   std::vector<CheckResult> of_files;
   if (!options.eds_files.empty())
     for (CheckResult& result : judge_files(sheets.findings)) {
-      if (!is_wanted(options, *result.check)) continue;
+      const bool left_out = std::ranges::any_of(
+          options.settings.skip, [&](const std::string& word) { return is_named(*result.check, word); });
+      if (!is_wanted(options, *result.check) || left_out) continue;
       deviations.judge(result);
       if (result.outcome != Outcome::Passed || options.verbose) printer.end(result);
       of_files.push_back(std::move(result));
@@ -168,7 +191,7 @@ int main(int argc, char** argv) {
     const std::optional<Options> options = parse_command_line(argc, argv);
     if (!options) return kClean;
     if (options->list) {
-      print_list();
+      print_list(options->markdown);
       return kClean;
     }
     return run(*options);

@@ -27,7 +27,8 @@ struct Words {
   std::string interface {};
   unsigned node = 0;
   unsigned timeout = 1000, boot_limit = 10'000;
-  bool is_static = false, read_only = false, full = false;
+  bool is_static = false, read_only = false, full = false, no_reset = false;
+  std::string list{};
 };
 
 void add_options(CLI::App& app, Options& options, Words& words) {
@@ -41,6 +42,9 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_option("--only", options.only, "checks of this group, or those whose id begins so")
       ->delimiter(',')
       ->type_name("GROUP");
+  app.add_option("--skip", options.settings.skip, "leave out this check, those whose id begins so, or a group")
+      ->delimiter(',')
+      ->type_name("CHECK");
   app.add_option("--deviations", options.deviations, "JSON list of deviations that are known")->type_name("FILE");
   app.add_option("--junit", options.junit, "write a JUnit XML report")->type_name("FILE");
   app.add_option("--json", options.json, "write a JSON report")->type_name("FILE");
@@ -52,6 +56,8 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_flag("--allow-store", options.settings.allow_store, "may store and load parameters (1010h, 1011h)");
   app.add_flag("--allow-motion", options.settings.allow_motion,
                "may write controlword, mode and setpoints; never enables the drive");
+  app.add_flag("--no-reset", words.no_reset,
+               "sends no NMT command that resets the node; checks that need one are skipped");
   app.add_option("--timeout", words.timeout, "how long an SDO answer may take (default: 1000)")
       ->check(CLI::Range(10U, 60'000U))
       ->type_name("MS");
@@ -59,22 +65,24 @@ void add_options(CLI::App& app, Options& options, Words& words) {
       ->check(CLI::Range(100U, 600'000U))
       ->type_name("MS");
   app.add_option("--seed", options.settings.seed, "of random frames (default: 1)")->type_name("N");
-  app.add_flag("--list", options.list, "print every check and exit");
-  app.add_flag("--verbose", options.verbose, "print the checks that passed, too");
+  app.add_flag("--list{text}", words.list, "print every check and exit; --list=markdown prints rows of a table")
+      ->check(CLI::IsMember({"text", "markdown"}));
+  app.add_flag("--verbose", options.verbose, "print what was measured, for the checks that passed too");
 }
 
-void check_groups(const Options& options) {
-  const auto known = [&](const std::string& word) {
-    const auto begins = [&](const Check& check) { return check.id.starts_with(word); };
-    return std::ranges::any_of(static_checks(), begins) ||
-           std::ranges::any_of(all_checks(), [&](const Check* check) { return begins(*check); });
+/// Throws UsageError unless each of @p words, which @p option brought, names a check.
+void expect_checks(const char* option, const std::vector<std::string>& words) {
+  const auto known = [](const std::string& word) {
+    const auto named = [&](const Check& check) { return is_named(check, word); };
+    return std::ranges::any_of(static_checks(), named) ||
+           std::ranges::any_of(all_checks(), [&](const Check* check) { return named(*check); });
   };
-  for (const std::string& word : options.only) {
+  for (const std::string& word : words) {
     if (known(word)) continue;
     std::string groups;
     for (const GroupName& group : kGroups) groups += (groups.empty() ? "" : ", ") + std::string{group.word};
-    throw UsageError{fmt::format(
-        "--only: expected a group ({}) or the beginning of an id (see --list), got \"{}\"", groups, word)};
+    throw UsageError{fmt::format("{}: expected a group ({}) or the beginning of an id (see --list), got \"{}\"",
+                                 option, groups, word)};
   }
 }
 
@@ -83,7 +91,11 @@ void judge(Options& options, const Words& words) {
   options.settings.node_id = static_cast<std::uint8_t>(words.node);
   options.settings.patience = std::chrono::milliseconds{words.timeout};
   options.settings.boot_up_limit = std::chrono::milliseconds{words.boot_limit};
-  check_groups(options);
+  options.settings.allow_reset = !words.no_reset;
+  options.list = !words.list.empty();
+  options.markdown = words.list == "markdown";
+  expect_checks("--only", options.only);
+  expect_checks("--skip", options.settings.skip);
   if (options.list) return;
   if (options.settings.mode == Mode::Static) {
     if (options.eds_files.empty()) throw UsageError{"--static: needs --eds FILE"};
@@ -119,9 +131,8 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
 }
 
 bool is_wanted(const Options& options, const Check& check) {
-  return options.only.empty() || std::ranges::any_of(options.only, [&](const std::string& word) {
-           return check.id.starts_with(word) || name_of(check.group).word == word;
-         });
+  return options.only.empty() ||
+         std::ranges::any_of(options.only, [&](const std::string& word) { return is_named(check, word); });
 }
 
 }  // namespace conformance

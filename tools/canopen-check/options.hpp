@@ -29,6 +29,7 @@ struct Options {
   std::string deviations{};         ///< file; empty: no deviation is known
   std::string junit{}, json{};      ///< files to write; empty: none
   bool list = false;                ///< print the checks and exit
+  bool markdown = false;            ///< as rows of a table of Markdown
   bool verbose = false;
   Settings settings{};
 };

@@ -19,11 +19,15 @@ constexpr std::uint8_t kCrc = 0x04, kSize = 0x02, kLast = 0x80, kSequence = 0x7F
 constexpr std::uint8_t kCommand = 0xE3;
 constexpr std::size_t kSegment = 7;
 constexpr std::uint8_t kLargestBlock = 127;
-constexpr std::size_t kLongest = std::size_t{1024} * 1024;
 
 SdoAnswer malformed(Context& context, const Target& entry, std::string problem) {
   context.sdo().abort(entry.index, entry.sub_index, number_of(canopen::AbortCode::GeneralError));
   return {.kind = SdoAnswer::Kind::Malformed, .problem = std::move(problem)};
+}
+
+SdoAnswer cut(Context& context, const Target& entry, std::string problem) {
+  context.sdo().abort(entry.index, entry.sub_index, number_of(canopen::AbortCode::OutOfMemory));
+  return {.kind = SdoAnswer::Kind::Cut, .problem = std::move(problem)};
 }
 
 /// One upload that goes on.
@@ -46,7 +50,7 @@ tl::expected<std::uint8_t, SdoAnswer> Upload::take(std::optional<canopen::Frame>
   const std::uint8_t lost = first_block ? options.lost : std::uint8_t{0};
   first_block = false;
   for (std::uint8_t sequence = 1; sequence <= options.block_size; ++sequence) {
-    if (sequence > 1) frame = context.sdo().listen(context.sdo().patience());
+    if (sequence > 1) frame = context.sdo().next_answer();
     if (!frame) return tl::unexpected{SdoAnswer{}};
     if (abort_code(*frame)) return tl::unexpected{answer_of(frame)};
     if (frame->length != 8 || (frame->data[0] & kSequence) != sequence)
@@ -122,7 +126,7 @@ std::optional<SdoAnswer> Download::send_block() {
 }
 
 std::optional<SdoAnswer> Download::confirm(std::uint8_t expected) {
-  const std::optional<canopen::Frame> frame = context.sdo().listen(context.sdo().patience());
+  const std::optional<canopen::Frame> frame = context.sdo().confirmation();
   if (!frame || abort_code(*frame)) return answer_of(frame);
   if (frame->length != 8 || (frame->data[0] & kCommand) != kDownloadConfirmed)
     return malformed(context, entry, "a sub-block is confirmed by " + hexadecimal(frame->data));
@@ -156,10 +160,24 @@ SdoAnswer upload(Context& context, const Target& entry, const BlockOptions& opti
   if (options.switch_up_to != 0 && (begin->data[0] & 0xF2U) == 0x42) return switched(*begin);
   if ((begin->data[0] & 0xF9U) != kUploadAccepted)
     return malformed(context, entry, "a block upload begins with " + hexadecimal(begin->data));
+  // Bytes 4 to 7 hold the size where bit 1 says so.
+  const std::uint64_t announced = SdoAnswer{.data = {begin->data.begin() + 4, begin->data.end()}}.number();
+  const bool sized = (begin->data[0] & kSize) != 0;
+  if (sized && announced > kLongestTransfer)
+    return cut(context, entry, fmt::format("{} bytes are announced, more than are read", announced));
+  const std::size_t most =
+      sized ? announced + kMostUnannounced + std::size_t{kLargestBlock} * kSegment : kLongestTransfer;
+  const canopen::TimePoint until = context.session().now() + kLongestTransferTime;
   Upload going{context, entry, options};
   going.crc = options.crc && (begin->data[0] & kCrc) != 0;
   canopen::Frame request = context.sdo().request(kUploadStart);
-  while (!going.last && going.data.size() < kLongest) {
+  while (!going.last) {
+    if (going.data.size() > most && sized)
+      return malformed(
+          context, entry,
+          fmt::format("a block upload does not end after the {} bytes that are announced", announced));
+    if (going.data.size() > most || context.session().now() > until)
+      return cut(context, entry, fmt::format("more than the {} bytes that were read", going.data.size()));
     const bool first = going.first_block;
     const auto confirmed = going.take(context.sdo().exchange(request));
     if (!confirmed) return confirmed.error();
@@ -182,8 +200,12 @@ SdoAnswer download(Context& context, const Target& entry, const BlockOptions& op
     return malformed(context, entry, "a block download is answered by " + hexadecimal(begin->data));
   Download going{context, entry, options, begin->data[4]};
   going.crc = options.crc && (begin->data[0] & kCrc) != 0;
-  while (going.at < entry.value.size() && !context.session().ended())
+  const canopen::TimePoint until = context.session().now() + kLongestTransferTime;
+  while (going.at < entry.value.size() && !context.session().ended()) {
+    if (context.session().now() > until)
+      return cut(context, entry, fmt::format("more bytes than the {} that were written in time", going.at));
     if (std::optional<SdoAnswer> answer = going.send_block()) return *answer;
+  }
   return going.end();
 }
 

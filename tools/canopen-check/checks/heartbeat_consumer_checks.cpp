@@ -22,7 +22,7 @@ std::optional<Watched> watch(Context& context) {
   const std::optional<std::uint32_t> identifier = emcy_identifier(context);
   const std::optional<Provocation> how = heartbeat_loss(context);
   if (identifier && how) return Watched{*how, *identifier};
-  context.skip(identifier ? "1016h:01 takes no node-ID that is free" : "1014h is invalid");
+  context.skip(identifier ? "1016h:01 takes no node-ID that is free" : "1014h is not there or invalid");
   return std::nullopt;
 }
 

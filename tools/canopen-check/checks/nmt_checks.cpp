@@ -27,6 +27,8 @@ void boots_after_reset_communication(Context& context) {
 }
 
 void boots_once(Context& context) {
+  if (!context.may_reset()) return;
+  if (context.manners().boots_without_message) return context.skip("the node sends no boot-up message");
   Session& session = context.session();
   context.step();
   session.drain();
@@ -65,6 +67,13 @@ void pre_operational_after_boot_up(Context& context) {
   context.expect_state(NmtState::PreOperational, "boot-up");
 }
 
+void enters_operational(Context& context) {
+  context.step();
+  std::string& refusal = context.manners().refuses_operational;
+  refusal = refusal_of_operational(context);
+  if (!refusal.empty()) context.fail("Operational after Start", refusal);
+}
+
 void follows_transitions(Context& context) {
   constexpr std::array kWay{NmtState::Operational,    NmtState::PreOperational, NmtState::Stopped,
                             NmtState::PreOperational, NmtState::Operational,    NmtState::Stopped,
@@ -99,6 +108,7 @@ void resets_in_every_state(Context& context) {
 void obeys_node_id_0(Context& context) {
   if (!alone(context, "a command to all nodes") || !context.observe_state()) return;
   context.step();
+  context.rest_on_operational();
   context.session().command_to(0, NmtCommand::Start);
   if (!context.expect_state(NmtState::Operational, "Start to node-ID 0")) return;
   context.session().command_to(0, NmtCommand::EnterPreOperational);
@@ -125,9 +135,16 @@ void ignores_wrong_lengths(Context& context) {
     context.session().send({.id = 0,
                             .length = length,
                             .data = {static_cast<std::uint8_t>(NmtCommand::Stop), context.session().node_id()}});
-    if (!context.expect_state(NmtState::PreOperational, fmt::format("a Stop of {} bytes", length)))
+    const std::optional<NmtState> state = context.state();
+    if (state == NmtState::Stopped) {
+      context.note(fmt::format("a Stop of {} bytes is obeyed", length));
       context.enter(NmtState::PreOperational);
+    } else if (state != NmtState::PreOperational) {
+      context.expect_state(NmtState::PreOperational, fmt::format("a Stop of {} bytes", length));
+    }
   }
+  context.enter(NmtState::PreOperational);
+  context.expect_state(NmtState::PreOperational, "Enter Pre-operational behind commands of wrong lengths");
 }
 
 void ignores_unknown_commands(Context& context) {
@@ -161,6 +178,11 @@ constexpr std::array kChecks{
           .clause = "CiA 301 7.3.2.2",
           .group = Group::Nmt,
           .run = pre_operational_after_boot_up},
+    Check{.id = "nmt.operational",
+          .name = "The node enters Operational, on which many checks rest",
+          .clause = "CiA 301 7.3.2.2",
+          .group = Group::Nmt,
+          .run = enters_operational},
     Check{.id = "nmt.transitions",
           .name = "Start, Stop and Enter Pre-operational are obeyed in every state",
           .clause = "CiA 301 7.3.2.2",
@@ -182,7 +204,7 @@ constexpr std::array kChecks{
           .group = Group::Nmt,
           .run = ignores_other_node_ids},
     Check{.id = "nmt.wrong-length",
-          .name = "Commands that are not two bytes long have no effect",
+          .name = "Commands that are not two bytes long are ignored or obeyed, and do no harm",
           .clause = "CiA 301 7.2.8.3.1",
           .group = Group::Nmt,
           .run = ignores_wrong_lengths},

@@ -48,7 +48,12 @@ void takes_another_identifier(Context& context) {
     const std::uint64_t keeps = context.read(pdo.parameters(), kCobIdSub).number() & kBit30 &
                                 (pdo.direction == PdoDirection::Transmit ? ~0U : 0U);
     for (const std::uint64_t cob_id : {keeps | kInvalid | kFree, keeps | kFree, keeps | kInvalid | kFree}) {
-      if (!context.set(pdo.parameters(), kCobIdSub, cob_id)) return;
+      context.step();
+      const SdoAnswer answer = context.write_number(pdo.parameters(), kCobIdSub, cob_id);
+      if ((cob_id & kInvalid) == 0 && refused_as_empty(context, pdo, answer)) continue;
+      if (!answer.done())
+        return context.fail(pdo.parameters(), kCobIdSub, fmt::format("{:X}h can be written", cob_id),
+                            to_text(answer));
       const auto now = context.number(pdo.parameters(), kCobIdSub);
       if (now && *now != cob_id)
         context.fail(pdo.parameters(), kCobIdSub, fmt::format("{:08X}h, as written", cob_id),
@@ -85,6 +90,7 @@ void judges_the_frame_bit(Context& context) {
     context.step();
     const std::uint64_t cob_id = kFrameBit | 0x1'2345;
     const SdoAnswer answer = context.write_number(pdo.parameters(), kCobIdSub, cob_id);
+    if (refused_as_empty(context, pdo, answer)) continue;
     if (!answer.done()) {
       context.expect_abort(answer, {number_of(InvalidValue), number_of(ValueTooHigh)}, pdo.parameters(), kCobIdSub,
                            "an identifier of 29 bits");
@@ -131,6 +137,7 @@ void refuses_restricted_identifiers(Context& context) {
       const bool refused = answer.aborted() && (answer.abort_code == number_of(InvalidValue) ||
                                                 answer.abort_code == number_of(ValueTooLow) ||
                                                 answer.abort_code == number_of(ValueTooHigh));
+      if (!refused && refused_as_empty(context, pdo, answer)) break;
       if (!refused)
         findings.fail({pdo.parameters(), kCobIdSub},
                       fmt::format("{} for the restricted identifier {:03X}h", abort_text(number_of(InvalidValue)),

@@ -50,9 +50,20 @@ void judge_type(Context& context, FindingLimit& findings, const Pdo& pdo, std::u
     findings.fail(subject, fmt::format("type {}, as accepted", type), fmt::format("type {}", *now));
 }
 
+/// True if the EDS says that the transmission type of @p pdo cannot be written, which is noted.
+bool has_fixed_type(Context& context, const Pdo& pdo) {
+  if (!context.is_fixed(pdo.parameters(), kTypeSub)) return false;
+  context.note(fmt::format("the transmission type of {} is fixed", pdo.name()));
+  return true;
+}
+
 void judges_transmission_types(Context& context) {
   FindingLimit findings{context};
-  for (const Pdo& pdo : test_pdos(context)) {
+  std::vector<Pdo> pdos = test_pdos(context);
+  if (pdos.empty()) return;
+  std::erase_if(pdos, [&](const Pdo& pdo) { return has_fixed_type(context, pdo); });
+  if (pdos.empty()) return context.skip("the EDS calls no transmission type writable");
+  for (const Pdo& pdo : pdos) {
     if (!disable(context, pdo)) return;
     for (const std::uint8_t type : kTypes) judge_type(context, findings, pdo, type);
   }
@@ -100,6 +111,7 @@ void changes_in_operational(Context& context) {
     const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
     if (!cob_id.done()) return context.skip("the node answers no SDO in Operational");
     write_in_operational(context, pdo.parameters(), kCobIdSub, cob_id.number() | kInvalid);
+    if (has_fixed_type(context, pdo)) continue;
     const SdoAnswer type = context.read(pdo.parameters(), kTypeSub);
     write_in_operational(context, pdo.parameters(), kTypeSub, type.number());
   }
@@ -126,7 +138,7 @@ void makes_all_valid(Context& context, PdoDirection direction, std::uint32_t& id
     context.step();
     const std::uint64_t valid = identifier++ | (cob_id.number() & kBit30);
     const SdoAnswer answer = context.write_number(pdo.parameters(), kCobIdSub, valid);
-    if (answer.done()) continue;
+    if (answer.done() || refused_as_empty(context, pdo, answer)) continue;
     if (answer.abort_code == number_of(InternalIncompatibility) ||
         answer.abort_code == number_of(ResourceNotAvailable))
       context.note(fmt::format("no resources for {}: {}", pdo.name(), to_text(answer)));

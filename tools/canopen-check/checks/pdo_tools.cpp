@@ -21,6 +21,7 @@ bool configure(Context& context, const Pdo& pdo, std::uint16_t index, std::uint8
                std::uint64_t value) {
   const SdoAnswer answer = context.write_number(index, sub_index, value);
   if (answer.done()) return true;
+  if (const SdoAnswer now = context.read(index, sub_index); now.done() && now.number() == value) return true;
   context.skip(fmt::format("{} cannot be set up: {} = {:X}h: {}", pdo.name(), to_text(Subject{index, sub_index}),
                            value, to_text(answer)));
   return false;
@@ -81,7 +82,10 @@ std::optional<Pdo> test_pdo(Context& context, PdoDirection direction) {
   }
   const auto valid =
       std::find_if(pdos.rbegin(), pdos.rend(), [&](const Pdo& pdo) { return is_valid(context, pdo); });
-  return valid == pdos.rend() ? pdos.front() : *valid;
+  if (valid != pdos.rend()) return *valid;
+  const auto mapped =
+      std::ranges::find_if(pdos, [&](const Pdo& pdo) { return !mapping_of(context, pdo).empty(); });
+  return mapped == pdos.end() ? pdos.front() : *mapped;
 }
 
 std::vector<Pdo> test_pdos(Context& context) {
@@ -114,6 +118,12 @@ std::vector<MappedObject> mapping_of(Context& context, const Pdo& pdo) {
     if (const SdoAnswer entry = context.read(pdo.mapping(), static_cast<std::uint8_t>(sub)); entry.done())
       objects.push_back(MappedObject::of(static_cast<std::uint32_t>(entry.number())));
   return objects;
+}
+
+bool refused_as_empty(Context& context, const Pdo& pdo, const SdoAnswer& answer) {
+  if (!answer.aborted() || !mapping_of(context, pdo).empty()) return false;
+  context.note(fmt::format("{}, which maps nothing, cannot be enabled: {}", pdo.name(), to_text(answer)));
+  return true;
 }
 
 bool disable(Context& context, const Pdo& pdo) {

@@ -10,11 +10,6 @@
 
 namespace conformance {
 
-/// The number of @p code.
-[[nodiscard]] constexpr std::uint32_t number_of(canopen::AbortCode code) noexcept {
-  return static_cast<std::uint32_t>(code);
-}
-
 /// Which way a PDO goes, as seen from the node.
 enum class PdoDirection : std::uint8_t { Receive, Transmit };
 
@@ -56,7 +51,8 @@ struct PdoSetup {
 
 /// Every PDO of the EDS; without one those of the first four that the node has.
 [[nodiscard]] std::vector<Pdo> all_pdos(Context& context, PdoDirection direction);
-/// The PDO that checks reconfigure: the last valid one, else the first. Without any the check is skipped.
+/// The PDO that checks reconfigure: the last valid one, else the first that maps something, else the first.
+/// Without any the check is skipped.
 [[nodiscard]] std::optional<Pdo> test_pdo(Context& context, PdoDirection direction);
 /// test_pdo() of both directions; skipped only without any.
 [[nodiscard]] std::vector<Pdo> test_pdos(Context& context);
@@ -67,6 +63,8 @@ struct PdoSetup {
 /// True if the node, or the EDS, has this parameter of @p pdo.
 [[nodiscard]] bool has_parameter(Context& context, const Pdo& pdo, std::uint8_t sub_index);
 
+/// True if @p answer refuses to make @p pdo valid, and that maps nothing: a device may do so. It is noted.
+bool refused_as_empty(Context& context, const Pdo& pdo, const SdoAnswer& answer);
 /// Makes @p pdo invalid; false, and the check is skipped, where that is refused.
 bool disable(Context& context, const Pdo& pdo);
 /// Gives @p pdo @p setup by the procedure of CiA 301 7.5.2.36 and makes it valid. False, and the check is skipped,

@@ -36,6 +36,9 @@ std::uint16_t code_of(const canopen::Frame& frame) noexcept {
 
 std::optional<std::uint32_t> emcy_identifier(Context& context) {
   const SdoAnswer cob_id = context.read(kCobIdEmcy);
+  // Who sends emergency messages has 1014h (CiA 301, 7.5.2.17).
+  const bool absent = cob_id.aborted() && cob_id.abort_code == number_of(canopen::AbortCode::NoObject);
+  if (absent && !context.eds().has(kCobIdEmcy)) return std::nullopt;
   if (!cob_id.done()) return context.session().identifier(kEmcy);
   const auto word = static_cast<std::uint32_t>(cob_id.number());
   if ((word & kInvalid) != 0) return std::nullopt;
@@ -112,11 +115,12 @@ std::optional<Provocation> sync_length(Context& context) {
 }
 
 std::optional<Provocation> short_rpdo(Context& context) {
+  if (!context.manners().refuses_operational.empty()) return std::nullopt;
   const auto made_of = [&context](const canopen::Frame& good, bool ends) {
     // Without data it has no values to process, whatever it is mapped to.
     Provocation how{.name = fmt::format("RPDO {:03X}h has no data", good.id), .code = 0x8210};
     how.raise = [&context, id = good.id] {
-      context.enter(canopen::NmtState::Operational);
+      context.session().command(canopen::NmtCommand::Start);
       context.session().send({.id = id});
     };
     if (ends) how.end = [&context, good] { context.session().send(good); };
@@ -150,15 +154,19 @@ std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std:
 std::optional<Provoked> provoke(Context& context, Ending ending, std::initializer_list<Way> ways) {
   const std::optional<std::uint32_t> identifier = emcy_identifier(context);
   if (!identifier) {
-    context.skip("1014h is invalid: the node sends no emergency messages");
+    context.skip("1014h is not there or invalid: the node sends no emergency messages");
     return std::nullopt;
   }
-  std::optional<Provoked> provoked = try_all(context, *identifier, ways);
-  if (!provoked) {
-    if (!context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
+  bool& sends_none = context.manners().sends_no_emergency;
+  std::optional<Provoked> provoked;
+  if (!sends_none) provoked = try_all(context, *identifier, ways);
+  const bool again = !provoked && !sends_none && context.settings().allow_reset;
+  if (again && !context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
+  if (again) {
     context.enter(canopen::NmtState::PreOperational);
     provoked = try_all(context, *identifier, ways);
   }
+  sends_none = !provoked && !context.session().ended();
   if (!provoked) context.skip("the node sends no emergency message for any error that the tester can bring about");
   if (provoked && ending == Ending::Now && provoked->how.end) {
     provoked->how.end();

@@ -17,7 +17,8 @@ struct Emergency {
   std::uint8_t error_register = 0;
 };
 
-/// The identifier of the node's emergency messages, as 1014h says; nothing while it is invalid.
+/// The identifier of the node's emergency messages, as 1014h says; nothing while it is invalid, and
+/// without 1014h.
 [[nodiscard]] std::optional<std::uint32_t> emcy_identifier(Context& context);
 
 /// The next emergency message of the node under @p identifier, or nothing.

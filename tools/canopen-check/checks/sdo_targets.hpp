@@ -16,11 +16,6 @@ struct Target {
   std::vector<std::uint8_t> value{};
 };
 
-/// @p code as a number.
-[[nodiscard]] constexpr std::uint32_t number_of(canopen::AbortCode code) noexcept {
-  return static_cast<std::uint32_t>(code);
-}
-
 /// A writable number of @p bytes that it does no harm to write again; the first of the EDS that can be read, no
 /// COB-ID and no PDO parameter. Without an EDS 1017h, for two bytes.
 [[nodiscard]] std::optional<Target> writable_number(Context& context, std::size_t bytes);

@@ -79,18 +79,7 @@ SdoAnswer alter(Context& context, const StoredValue& value) {
 }
 
 bool restart(Context& context) {
-  constexpr std::uint32_t kErrorControl = 0x700;
-  Session& session = context.session();
-  context.step();
-  session.drain();
-  session.command(canopen::NmtCommand::ResetNode);
-  const auto boot_up = session.wait_for(
-      [id = session.identifier(kErrorControl)](const canopen::Frame& frame) {
-        return frame.id == id && !frame.remote && frame.length == 1 && frame.data[0] == 0;
-      },
-      context.settings().boot_up_limit);
-  if (!boot_up) context.skip("the node sends no boot-up message");
-  return boot_up.has_value();
+  return context.restart(canopen::NmtCommand::ResetNode);
 }
 
 StorageGuard::StorageGuard(Context& context, std::vector<StoredValue> values) : context_{&context} {

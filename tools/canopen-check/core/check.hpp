@@ -74,6 +74,9 @@ struct Check {
   void (*run)(Context&) = nullptr;
 };
 
+/// True if @p word is the group of @p check, or its id begins so.
+[[nodiscard]] bool is_named(const Check& check, std::string_view word) noexcept;
+
 /// What a finding is about: an entry of the dictionary, an object, or the node as a whole.
 struct Subject {
   std::optional<std::uint16_t> index{};

@@ -4,6 +4,10 @@
 
 namespace conformance {
 
+bool is_named(const Check& check, std::string_view word) noexcept {
+  return name_of(check.group).word == word || check.id.starts_with(word);
+}
+
 std::string to_text(const Subject& subject) {
   if (!subject.index) return {};
   return subject.sub_index ? fmt::format("{:04X}h:{:02X}", *subject.index, *subject.sub_index)

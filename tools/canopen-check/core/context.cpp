@@ -8,7 +8,7 @@ namespace conformance {
 namespace {
 
 constexpr std::uint32_t kErrorControl = 0x700;
-constexpr std::uint16_t kHeartbeatTime = 0x1017;
+constexpr std::uint16_t kDeviceType = 0x1000, kHeartbeatTime = 0x1017;
 constexpr std::uint64_t kObservedHeartbeat = 100;  // ms: the shortest that every device is able to
 constexpr canopen::Duration kGuardPatience = std::chrono::milliseconds{100};
 constexpr std::uint8_t kStateBits = 0x7F;
@@ -16,6 +16,20 @@ constexpr std::uint8_t kStateBits = 0x7F;
 constexpr std::size_t kMostFrames = 60, kMostWithFrames = 20;
 /// Findings of a check; one for every object of a large device has to fit, as each may be a known deviation.
 constexpr std::size_t kMostFindings = 2000;
+/// Characters of a text in a finding.
+constexpr std::size_t kMostCharacters = 300;
+/// How long a boot-up message is waited for of a node that has sent none before.
+constexpr canopen::Duration kKnownSilent = std::chrono::seconds{1};
+
+std::string fixed_text(const Subject& subject) {
+  return fmt::format("{} cannot be written, as the EDS says", to_text(subject));
+}
+
+std::string bounded(std::string text) {
+  if (text.size() <= kMostCharacters) return text;
+  text.resize(kMostCharacters);
+  return text + "...";
+}
 
 canopen::NmtCommand command_for(canopen::NmtState state) noexcept {
   switch (state) {
@@ -46,8 +60,8 @@ void Context::fail(Subject subject, std::string expected, std::string found) {
       findings_.size() < kMostWithFrames ? session_->since(mark_) : std::span<const TimedFrame>{};
   const std::span<const TimedFrame> last = frames.last(std::min(frames.size(), kMostFrames));
   findings_.push_back({.subject = subject,
-                       .expected = std::move(expected),
-                       .found = std::move(found),
+                       .expected = bounded(std::move(expected)),
+                       .found = bounded(std::move(found)),
                        .frames = {last.begin(), last.end()}});
 }
 
@@ -57,6 +71,11 @@ bool Context::need(std::uint16_t index, std::uint8_t sub_index) {
     skip(fmt::format("object {} is not {}", to_text(Subject{index, sub_index}),
                      eds_->empty() ? "on the node" : "in the EDS"));
   return there;
+}
+
+bool Context::is_fixed(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+  const EntryFacts* const facts = eds_->find(index, sub_index);
+  return facts != nullptr && !facts->writable();
 }
 
 std::optional<std::uint64_t> Context::number(std::uint16_t index, std::uint8_t sub_index) {
@@ -76,6 +95,7 @@ SdoAnswer Context::write_number(std::uint16_t index, std::uint8_t sub_index, std
 
 bool Context::set(std::uint16_t index, std::uint8_t sub_index, std::uint64_t value) {
   step();
+  if (is_fixed(index, sub_index)) return skip(fixed_text({index, sub_index})), false;
   const SdoAnswer answer = write_number(index, sub_index, value);
   if (!answer.done()) fail(index, sub_index, fmt::format("{:X}h can be written", value), to_text(answer));
   return answer.done();
@@ -85,6 +105,7 @@ void Context::expect_abort(const SdoAnswer& answer, std::initializer_list<std::u
                            std::uint16_t index, std::uint8_t sub_index, const std::string& request) {
   constexpr std::uint32_t kGeneralError = 0x08000000;
   if (answer.aborted() && std::ranges::find(codes, answer.abort_code) != codes.end()) return;
+  if (answer.aborted() && is_fixed(index, sub_index)) return note(fixed_text({index, sub_index}));
   if (answer.aborted() && answer.abort_code == kGeneralError)
     return note(
         fmt::format("{}: {} is refused with the general code", to_text(Subject{index, sub_index}), request));
@@ -101,29 +122,50 @@ std::optional<TimedFrame> Context::boot_up(canopen::Duration patience) {
       patience);
 }
 
+bool Context::may_reset() {
+  if (!settings_->allow_reset) skip("it resets the node, which --no-reset forbids");
+  return settings_->allow_reset;
+}
+
 std::optional<canopen::Duration> Context::reset(canopen::NmtCommand command) {
+  if (!may_reset()) return std::nullopt;
+  const canopen::Duration limit = manners_->boots_without_message
+                                      ? std::min(kKnownSilent, settings_->boot_up_limit)
+                                      : settings_->boot_up_limit;
   step();
+  sdo_->forget_transfer();
   session_->drain();
   const canopen::TimePoint begin = session_->now();
   session_->command(command);
-  if (const auto first = boot_up(settings_->boot_up_limit)) return first->time - begin;
-  fail(fmt::format("a boot-up message within {}", milliseconds(settings_->boot_up_limit)), "none");
+  if (const auto first = boot_up(limit)) return first->time - begin;
+  const bool answers = read(kDeviceType).done();
+  manners_->boots_without_message = manners_->boots_without_message || answers;
+  fail(fmt::format("a boot-up message within {}", milliseconds(limit)),
+       answers ? "none, but answers to SDO requests" : "none, and no answer to SDO requests");
   return std::nullopt;
 }
 
 bool Context::restart(canopen::NmtCommand command) {
-  constexpr std::uint16_t kDeviceType = 0x1000;
   constexpr int kAttempts = 10;
+  constexpr canopen::Duration kSoon = std::chrono::milliseconds{200};
+  if (!may_reset()) return false;
   step();
+  sdo_->forget_transfer();
   session_->drain();
+  const canopen::TimePoint until = session_->now() + settings_->boot_up_limit;
+  const canopen::Duration patience =
+      manners_->boots_without_message ? kSoon : settings_->boot_up_limit / kAttempts;
   session_->command(command);
-  for (int attempt = 0; attempt < kAttempts; ++attempt)
-    if (boot_up(settings_->boot_up_limit / kAttempts) || read(kDeviceType).done()) return true;
+  do {
+    sdo_->ask_again();
+    if (boot_up(patience) || read(kDeviceType).done()) return true;
+  } while (session_->now() < until && !session_->ended());
   skip("the node does not come back after a reset");
   return false;
 }
 
 void Context::enter(canopen::NmtState state) {
+  was_operational_ = was_operational_ || state == canopen::NmtState::Operational;
   session_->command(command_for(state));
 }
 
@@ -155,7 +197,6 @@ std::optional<canopen::NmtState> Context::state() {
 }
 
 bool Context::expect_state(canopen::NmtState expected, const std::string& after) {
-  step();
   std::optional<canopen::NmtState> now = state();
   if (now != expected) now = state();  // a heartbeat may have been under way before the command
   if (now == expected) return true;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kRequests = 0x600, kResponses = 0x580;
 constexpr std::uint16_t kDeviceType = 0x1000;
+/// Requests for 1000h:00 until a node counts as absent.
 constexpr int kAttempts = 3;
 
 }  // namespace
@@ -30,24 +31,15 @@ Runner::Runner(Wire& wire, const Description& eds, const Settings& settings, Dev
 std::string Runner::trouble() const {
   if (!session_.bus_is_up()) return "the bus is down";
   if (session_.interrupted()) return "interrupted";
-  return "the node does not answer any more";
-}
-
-bool Runner::answers() {
-  sdo_.ask_again();
-  for (int attempt = 0; attempt < kAttempts && !session_.ended(); ++attempt) {
-    const SdoAnswer answer = sdo_.upload(kDeviceType, 0);
-    if (answer.done() || answer.aborted()) return true;
-  }
-  return false;
+  return over_;
 }
 
 bool Runner::reach(RunReport& report) {
-  report.reached = answers();
+  report.reached = answers(kAttempts);
   if (!report.reached && settings_->mode == Mode::Full && !session_.ended()) {
     // A stopped node answers no SDO.
     session_.command(canopen::NmtCommand::EnterPreOperational);
-    report.reached = answers();
+    report.reached = answers(kAttempts);
     initial_state_ = canopen::NmtState::Stopped;
   }
   if (!report.reached)
@@ -75,30 +67,48 @@ std::string Runner::foreign_device() {
   return {};
 }
 
+void Runner::explore() {
+  Context context{session_, sdo_, *eds_, *settings_, manners_};
+  if (initial_state_ != canopen::NmtState::Stopped && context.observe_state())
+    initial_state_ = context.state().value_or(initial_state_);
+  session_.clean_up(true);
+  session_.command(canopen::NmtCommand::EnterPreOperational);
+  (void)context.undo().restore();
+  session_.clean_up(false);
+}
+
 RunReport Runner::run(std::span<const Check* const> checks, const Progress& progress) {
   RunReport report;
   const canopen::TimePoint begin = session_.now();
-  if (!reach(report)) return report;
+  if (!settings_->allow_reset) session_.forbid_resets();
+  if (!reach(report)) {
+    report.time = session_.now() - begin;
+    return report;
+  }
   foreign_ = foreign_device();
   report.problem = foreign_;
+  sdo_.learn_aborts();
   const bool changes = settings_->mode == Mode::Full && foreign_.empty();
-  if (changes && initial_state_ != canopen::NmtState::Stopped) {
-    Context context{session_, sdo_, *eds_, *settings_};
-    if (context.observe_state()) initial_state_ = context.state().value_or(initial_state_);
-    session_.clean_up(true);
-    (void)context.undo().restore();
-    session_.clean_up(false);
-  }
-  if (changes) session_.command(canopen::NmtCommand::EnterPreOperational);
+  if (changes) explore();
   Snapshot snapshot{sdo_, changes ? *eds_ : Description{}, *settings_};
   std::size_t number = 0;
   for (const Check* check : checks) {
+    if (!over_.empty()) {
+      report.results.push_back({.check = check, .outcome = Outcome::Skipped, .reason = over_});
+      continue;
+    }
     progress.begin(*check, ++number, checks.size());
     report.results.push_back(run_check(*check));
     progress.end(report.results.back());
+    over_ = consequence(*check, report);
   }
+  if (number < checks.size()) progress.left_out(checks.size() - number, over_);
   if (changes) finish(report, snapshot);
-  if (lost_ || session_.interrupted() || !session_.bus_is_up()) report.problem = trouble();
+  report.cut_short = !over_.empty() || session_.ended();
+  if (report.cut_short) report.problem = over_.empty() ? trouble() : over_;
+  if (sdo_.strays() != 0)
+    report.notes.push_back(fmt::format("{} frames of the SDO server answered no request, the first: {}",
+                                       sdo_.strays(), sdo_.first_stray()));
   report.time = session_.now() - begin;
   return report;
 }
@@ -112,8 +122,8 @@ void Runner::take_over() {
 }
 
 void Runner::finish(RunReport& report, Snapshot& snapshot) {
-  if (lost_ || !session_.bus_is_up()) {
-    report.not_restored.push_back(trouble() + ", and nothing could be compared with what was there before");
+  if (gone_ || !session_.bus_is_up()) {
+    report.not_restored.push_back(over_ + ", and nothing could be compared with what was there before");
     return;
   }
   take_over();
@@ -141,6 +151,8 @@ std::string Runner::why_not(const Check& check) const {
   if (check.mode == Mode::Full && !foreign_.empty()) return foreign_;
   if (check.mode > settings_->mode) return "it changes the node: needs --full";
   if (check.stores && !settings_->allow_store) return "needs --allow-store";
+  if (std::ranges::any_of(settings_->skip, [&](const std::string& word) { return is_named(check, word); }))
+    return "left out by --skip";
   if (check.moves && !settings_->allow_motion) return "needs --allow-motion";
   return {};
 }
@@ -152,42 +164,45 @@ CheckResult Runner::run_check(const Check& check) {
     result.outcome = Outcome::Skipped;
     return result;
   }
-  if (lost_ || session_.ended()) {
-    result.outcome = Outcome::Broken;
-    result.reason = trouble();
-    return result;
-  }
   const canopen::TimePoint begin = session_.now();
+  const std::size_t strays = sdo_.strays();
   perform(check, result);
+  judge_operational(check, result);
+  judge_presence(result);
+  if (strays == 0 && sdo_.strays() != 0)
+    result.notes.push_back("a frame of the SDO server that answers no request is ignored: " + sdo_.first_stray());
   result.time = session_.now() - begin;
   deviations_->judge(result);
   return result;
 }
 
 void Runner::perform(const Check& check, CheckResult& result) {
+  sdo_.settle();
   session_.drain();  // what comes late belongs to the check before
   session_.forget();
   sdo_.ask_again();
   if (check.mode == Mode::Full) session_.command(canopen::NmtCommand::EnterPreOperational);
-  Context context{session_, sdo_, *eds_, *settings_};
+  Context context{session_, sdo_, *eds_, *settings_, manners_};
   check.run(context);
   const bool ended = session_.ended();
+  was_operational_ = context.was_operational();
   result.findings = std::move(context.findings());
   result.notes = std::move(context.notes());
-  if (!result.findings.empty()) {
-    result.outcome = Outcome::Failed;
-  } else if (context.skipped()) {
+  if (was_operational_ && !manners_.refuses_operational.empty()) {
+    result.findings.clear();  // of what follows from another state
+    context.skip(manners_.refuses_operational);
+  }
+  if (result.findings.empty() && context.skipped()) {
     result.outcome = Outcome::Skipped;
     result.reason = *context.skipped();
+  } else if (!result.findings.empty()) {
+    result.outcome = Outcome::Failed;
   }
   if (check.mode == Mode::Full) restore(context, result);
-  if (ended) {
-    result.findings.clear();  // of frames that could not come any more
-    result.outcome = Outcome::Broken;
-    result.reason = trouble();
-  } else if (result.outcome == Outcome::Failed && !revive()) {
-    lost_ = true;
-  }
+  if (!ended) return;
+  result.findings.clear();  // of frames that could not come any more
+  result.outcome = Outcome::Broken;
+  result.reason = trouble();
 }
 
 void Runner::restore(Context& context, CheckResult& result) {
@@ -195,18 +210,6 @@ void Runner::restore(Context& context, CheckResult& result) {
   for (std::string& line : context.undo().restore())
     result.notes.push_back("not restored at the end of this check: " + std::move(line));
   session_.clean_up(false);
-}
-
-bool Runner::revive() {
-  if (answers()) return true;
-  if (settings_->mode != Mode::Full) return false;
-  session_.command(canopen::NmtCommand::ResetNode);
-  const canopen::TimePoint until = session_.now() + settings_->boot_up_limit;
-  while (session_.now() < until && !session_.ended()) {
-    sdo_.ask_again();
-    if (sdo_.upload(kDeviceType, 0).kind != SdoAnswer::Kind::Silent) return true;
-  }
-  return false;
 }
 
 }  // namespace conformance

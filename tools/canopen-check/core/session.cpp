@@ -1,6 +1,15 @@
 #include "tools/canopen-check/core/session.hpp"
 
 namespace conformance {
+namespace {
+
+bool is_reset(const canopen::Frame& frame) noexcept {
+  return frame.id == 0 && !frame.extended && !frame.remote &&
+         (frame.data[0] == static_cast<std::uint8_t>(canopen::NmtCommand::ResetNode) ||
+          frame.data[0] == static_cast<std::uint8_t>(canopen::NmtCommand::ResetCommunication));
+}
+
+}  // namespace
 
 Condition under(std::uint32_t identifier) {
   return [identifier](const canopen::Frame& frame) {
@@ -9,7 +18,7 @@ Condition under(std::uint32_t identifier) {
 }
 
 bool Session::send(const canopen::Frame& frame) {
-  if (ended() || !wire_->send(frame)) return false;
+  if (ended() || (!resets_ && is_reset(frame)) || !wire_->send(frame)) return false;
   keep({.time = wire_->now(), .frame = frame, .sent = true});
   return true;
 }
@@ -21,28 +30,38 @@ bool Session::command_to(std::uint8_t node_id, canopen::NmtCommand command) {
 std::optional<TimedFrame> Session::next(canopen::TimePoint until) {
   if (ended()) return std::nullopt;
   const std::optional<TimedFrame> frame = wire_->receive(until);
-  if (frame) keep(*frame);
+  if (!frame) return frame;
+  keep(*frame);
+  constexpr std::uint32_t kEmergency = 0x80;
+  if (under(identifier(kEmergency))(frame->frame) && frame->frame.length >= 3) emergency_ = frame->frame;
+  return frame;
+}
+
+std::optional<TimedFrame> Session::Window::next() {
+  if (late_ > kMostLate) return std::nullopt;
+  std::optional<TimedFrame> frame = session_->next(until_);
+  if (frame && frame->time > until_) ++late_;
   return frame;
 }
 
 std::optional<TimedFrame> Session::wait_for(const Condition& condition, canopen::Duration patience) {
-  const canopen::TimePoint until = now() + patience;
-  while (const std::optional<TimedFrame> frame = next(until))
+  Window window{*this, now() + patience};
+  while (std::optional<TimedFrame> frame = window.next())
     if (condition(frame->frame)) return frame;
   return std::nullopt;
 }
 
 std::vector<TimedFrame> Session::collect(const Condition& condition, canopen::Duration span) {
   std::vector<TimedFrame> found;
-  const canopen::TimePoint until = now() + span;
-  while (const std::optional<TimedFrame> frame = next(until))
+  Window window{*this, now() + span};
+  while (const std::optional<TimedFrame> frame = window.next())
     if (condition(frame->frame)) found.push_back(*frame);
   return found;
 }
 
 void Session::pass(canopen::Duration span) {
-  const canopen::TimePoint until = now() + span;
-  while (next(until)) {
+  Window window{*this, now() + span};
+  while (window.next()) {
   }
 }
 

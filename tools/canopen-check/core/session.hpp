@@ -45,6 +45,10 @@ class Session {
   void pass(canopen::Duration span);
   /// Takes what waits already.
   void drain();
+  /// From now on no reset command is sent.
+  void forbid_resets() noexcept { resets_ = false; }
+  /// The last emergency message under the identifier of the predefined connection set.
+  [[nodiscard]] const std::optional<canopen::Frame>& emergency() const noexcept { return emergency_; }
 
   /// A place in the traffic, for since().
   [[nodiscard]] std::size_t mark() const noexcept { return frames_.size(); }
@@ -63,11 +67,28 @@ class Session {
  private:
   static constexpr std::size_t kMostFrames = 200'000;
 
+  /// What comes until a point in time, and what waited then; a bus on which there is always something to take ends
+  /// it too.
+  class Window {
+   public:
+    Window(Session& session, canopen::TimePoint until) : session_{&session}, until_{until} {}
+    [[nodiscard]] std::optional<TimedFrame> next();
+
+   private:
+    static constexpr unsigned kMostLate = 10'000;
+
+    Session* session_;
+    canopen::TimePoint until_;
+    unsigned late_ = 0;  ///< frames taken behind that point
+  };
+
   void keep(const TimedFrame& frame);
 
   Wire* wire_;
   std::uint8_t node_id_;
   bool cleaning_ = false;
+  bool resets_ = true;
+  std::optional<canopen::Frame> emergency_{};
   std::vector<TimedFrame> frames_;
 };
 

@@ -57,14 +57,18 @@ struct Counts {
   }
 };
 
+/// The first findings of a check; all of them are in its details.
 std::string message_of(const CheckResult& result) {
+  constexpr int kMost = 3;
   std::string text;
+  int count = 0;
   for (const Finding& finding : result.findings) {
-    if (!finding.deviation.empty()) continue;
+    if (!finding.deviation.empty() || ++count > kMost) continue;
     const std::string subject = to_text(finding.subject);
     text += fmt::format("{}{}{}expected {}, found {}", text.empty() ? "" : "; ", subject,
                         subject.empty() ? "" : ": ", finding.expected, finding.found);
   }
+  if (count > kMost) text += fmt::format("; and {} more", count - kMost);
   return text;
 }
 

@@ -22,6 +22,20 @@ std::string row(std::string_view title, const std::array<std::size_t, kOutcomes.
                      counts[4]);
 }
 
+/// A line for each check that failed or could not be ended, with the first that it found.
+std::string failures_of(const RunReport& report) {
+  constexpr std::size_t kMostCharacters = 160;
+  std::string text;
+  for (const CheckResult& result : report.results) {
+    if (result.outcome != Outcome::Failed && result.outcome != Outcome::Broken) continue;
+    const auto unknown = std::ranges::find_if(result.findings, &std::string::empty, &Finding::deviation);
+    std::string what = unknown == result.findings.end() ? result.reason : finding_text(*unknown);
+    if (what.size() > kMostCharacters) what = what.substr(0, kMostCharacters) + "...";
+    text += fmt::format("{:<9} {:<40} {}\n", word_of(result.outcome), result.check->id, what);
+  }
+  return text.empty() ? text : "\n" + text;
+}
+
 }  // namespace
 
 std::string_view word_of(Mode mode) noexcept {
@@ -71,6 +85,7 @@ std::string summary_of(const RunReport& report) {
       text += row(group.title, counts);
   }
   text += row("in all", sums);
+  text += failures_of(report);
   for (const std::string& note : report.notes) text += note + "\n";
   for (const std::string& line : report.not_restored) text += "not restored: " + line + "\n";
   text += fmt::format("{:.1f} s\n", std::chrono::duration<double>{report.time}.count());
