@@ -44,7 +44,7 @@ constexpr std::array kEntries{
     StandardEntry{.first = 0x1001, .last = 0x1001, .type = kU8, .access = kFixed, .mappable = true},
     StandardEntry{.first = 0x1002, .last = 0x1002, .type = kU32, .access = kFixed, .mappable = true},
     StandardEntry{.first = 0x1003, .last = 0x1003, .code = Array, .access = kCommand, .values = kHistory, .standard_default = 0},
-    StandardEntry{.first = 0x1003, .last = 0x1003, .code = Array, .first_sub = 1, .last_sub = 254, .type = kU32, .access = kFixed, .needed = true},
+    StandardEntry{.first = 0x1003, .last = 0x1003, .code = Array, .first_sub = 1, .last_sub = 254, .type = kU32, .access = kFixed, .needed = true, .mappable = true},
     StandardEntry{.first = 0x1005, .last = 0x1007, .type = kU32, .access = kSetting},
     StandardEntry{.first = 0x1008, .last = 0x100A, .type = kText, .access = kName},
     StandardEntry{.first = 0x100C, .last = 0x100C, .type = kU16, .access = kSetting},
@@ -86,12 +86,12 @@ constexpr std::array kEntries{
 
     // SDO servers and clients. The default server is fixed.
     StandardEntry{.first = 0x1200, .last = 0x1200, .code = Record, .access = kCount},
-    StandardEntry{.first = 0x1200, .last = 0x1200, .code = Record, .first_sub = 1, .last_sub = 2, .type = kU32, .access = kFixed, .needed = true},
+    StandardEntry{.first = 0x1200, .last = 0x1200, .code = Record, .first_sub = 1, .last_sub = 2, .type = kU32, .access = kFixed, .needed = true, .mappable = true},
     StandardEntry{.first = 0x1201, .last = 0x127F, .code = Record, .access = kCount},
-    StandardEntry{.first = 0x1201, .last = 0x127F, .code = Record, .first_sub = 1, .last_sub = 2, .type = kU32, .access = kSetting, .needed = true},
+    StandardEntry{.first = 0x1201, .last = 0x127F, .code = Record, .first_sub = 1, .last_sub = 2, .type = kU32, .access = kSetting, .needed = true, .mappable = true},
     StandardEntry{.first = 0x1201, .last = 0x127F, .code = Record, .first_sub = 3, .last_sub = 3, .type = kU8, .access = kSetting},
     StandardEntry{.first = 0x1280, .last = 0x12FF, .code = Record, .access = kCount},
-    StandardEntry{.first = 0x1280, .last = 0x12FF, .code = Record, .first_sub = 1, .last_sub = 2, .type = kU32, .access = kSetting, .needed = true},
+    StandardEntry{.first = 0x1280, .last = 0x12FF, .code = Record, .first_sub = 1, .last_sub = 2, .type = kU32, .access = kSetting, .needed = true, .mappable = true},
     StandardEntry{.first = 0x1280, .last = 0x12FF, .code = Record, .first_sub = 3, .last_sub = 3, .type = kU8, .access = kSetting},
 
     // PDOs: COB-ID, transmission type, inhibit time, compatibility entry, event timer, SYNC start value.
