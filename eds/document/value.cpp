@@ -13,8 +13,6 @@
 namespace eds {
 namespace {
 
-constexpr unsigned kLastNode = 127;
-
 constexpr std::array kTypes{
     DataTypeRow{0x01, "BOOLEAN", ValueKind::Unsigned, 1},
     DataTypeRow{0x02, "INTEGER8", ValueKind::Signed, 8},
@@ -81,7 +79,7 @@ std::string range_text(const DataTypeRow& type) {
   return fmt::format("a value of {} ({}..{})", type.name, to_text(limits.low), to_text(limits.high));
 }
 
-tl::expected<Value, ValueError> parse_number(std::string_view text, const DataTypeRow& type) {
+tl::expected<Value, ValueError> parse_number(std::string_view text, const DataTypeRow& type, NodeRange nodes) {
   const auto number = parse_integer(text);
   if (!number) return tl::unexpected{ValueError{false, range_text(type)}};
   const Limits limits = limits_of(type);
@@ -91,7 +89,7 @@ tl::expected<Value, ValueError> parse_number(std::string_view text, const DataTy
   const bool complement = type.kind == ValueKind::Signed && number->hexadecimal && !number->value.negative &&
                           pattern > limits.high.magnitude && pattern <= all;
   if (complement) value.integer = {.magnitude = all - pattern + 1, .negative = true};
-  const auto highest = value.at(kLastNode);
+  const auto highest = value.at(nodes.last);
   if (value.integer < limits.low || !highest || *highest > limits.high)
     return tl::unexpected{ValueError{true, range_text(type)}};
   return value;
@@ -172,11 +170,11 @@ std::optional<Integer> Value::at(unsigned node_id) const noexcept {
   return Integer{.magnitude = integer.magnitude + node_id};
 }
 
-tl::expected<Value, ValueError> parse_value(std::string_view text, const DataTypeRow& type) {
+tl::expected<Value, ValueError> parse_value(std::string_view text, const DataTypeRow& type, NodeRange nodes) {
   switch (type.kind) {
     case ValueKind::Signed:
     case ValueKind::Unsigned:
-      return parse_number(text, type);
+      return parse_number(text, type, nodes);
     case ValueKind::Real:
       return parse_real(text, type);
     case ValueKind::Text:
@@ -187,10 +185,15 @@ tl::expected<Value, ValueError> parse_value(std::string_view text, const DataTyp
   return tl::unexpected{ValueError{}};
 }
 
-bool ordered(const Value& one, const Value& other) noexcept {
+bool ordered(const Value& one, const Value& other, NodeRange nodes) noexcept {
   if (one.kind == ValueKind::Real) return one.real <= other.real;
   if (one.kind != ValueKind::Signed && one.kind != ValueKind::Unsigned) return true;
-  return one.at(1) <= other.at(1) && one.at(kLastNode) <= other.at(kLastNode);
+  return one.at(nodes.first) <= other.at(nodes.first) && one.at(nodes.last) <= other.at(nodes.last);
+}
+
+std::string with_sign(std::string_view written, const Value& value) {
+  const bool hidden = value.integer.negative && !written.starts_with('-');
+  return hidden ? fmt::format("{} ({})", written, to_text(value.integer)) : std::string{written};
 }
 
 std::string to_text(const Integer& integer) {

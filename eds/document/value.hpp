@@ -52,6 +52,14 @@ struct DataTypeRow {
 /// The data type @p number; null for records (0020h and above), reserved numbers and those of the manufacturer.
 [[nodiscard]] const DataTypeRow* find_data_type(std::uint64_t number) noexcept;
 
+/// Node-IDs that a file is for, the first and the last.
+struct NodeRange {
+  unsigned first = 1;
+  unsigned last = 127;
+};
+/// Those of an EDS; a DCF is for one.
+inline constexpr NodeRange kAnyNode{};
+
 /// A value of an entry.
 struct Value {
   ValueKind kind = ValueKind::Unsigned;
@@ -71,12 +79,16 @@ struct ValueError {
 };
 
 /// Reads @p text as a value of @p type. The hexadecimal form of a signed type may be its two's complement, that of
-/// REAL32 and REAL64 its bit pattern.
-[[nodiscard]] tl::expected<Value, ValueError> parse_value(std::string_view text, const DataTypeRow& type);
+/// REAL32 and REAL64 its bit pattern. What the node-ID is added to must fit on every one of @p nodes.
+[[nodiscard]] tl::expected<Value, ValueError> parse_value(std::string_view text, const DataTypeRow& type,
+                                                          NodeRange nodes = kAnyNode);
 
-/// True when @p one is at most @p other, two values of one type, whatever the node-ID is; also where they have no
+/// True when @p one is at most @p other, two values of one type, on every one of @p nodes; also where they have no
 /// order, as texts.
-[[nodiscard]] bool ordered(const Value& one, const Value& other) noexcept;
+[[nodiscard]] bool ordered(const Value& one, const Value& other, NodeRange nodes = kAnyNode) noexcept;
+
+/// @p written, the text of @p value, with the number behind it where the form hides its sign: "0xFFFF (-1)".
+[[nodiscard]] std::string with_sign(std::string_view written, const Value& value);
 
 /// The decimal form of @p integer.
 [[nodiscard]] std::string to_text(const Integer& integer);

@@ -11,7 +11,8 @@ struct Check {
   std::string_view rule;  ///< what is right
 };
 
-/// Every check, by group: text, values, sections, lists, objects, entries, PDOs, COB-IDs, device, modules, DCF.
+/// Every check, by group: text, values, sections, lists, objects, entries, standard objects, PDOs, COB-IDs,
+/// device, modules, DCF.
 inline constexpr std::array kChecks{
     Check{"encoding", "The file is ASCII; UTF-8 and Latin-1 are read, UTF-16 and zero bytes are errors."},
     Check{"byte-order-mark", "The file begins without a byte order mark."},
@@ -20,6 +21,7 @@ inline constexpr std::array kChecks{
     Check{"line-form", "A line is a section, an entry, a comment or empty."},
     Check{"section-form", "A section stands in brackets, with a name and nothing behind it."},
     Check{"comment-form", "A comment begins with a semicolon."},
+    Check{"comment-place", "A comment has a line of its own; what stands before one behind a number counts."},
     Check{"entry-outside-section", "No entry stands before the first section."},
     Check{"duplicate-section", "A section stands once; the first one counts."},
     Check{"duplicate-key", "A key stands once in a section; the first one counts."},
@@ -29,7 +31,7 @@ inline constexpr std::array kChecks{
     Check{"value-range", "They are within its range, on every node."},
     Check{"access-type", "AccessType is ro, wo, rw, rwr, rww or const."},
     Check{"extension-count", "Count of an extension is a number from 1, or 0;BITS."},
-    Check{"compact-size", "CompactSubObj makes at most 65536 entries in a file."},
+    Check{"compact-size", "CompactSubObj is at most 254, and makes at most 65536 entries in a file."},
     Check{"section-missing", "FileInfo, DeviceInfo, DummyUsage and the three lists of objects are there."},
     Check{"section-unknown", "Every section is one of CiA 306."},
     Check{"section-spelling", "The section of a DCF is spelled DeviceComissioning."},
@@ -63,6 +65,13 @@ inline constexpr std::array kChecks{
     Check{"mapping-access", "The access of what can be mapped tells the direction: ro, wo, rwr or rww."},
     Check{"mapping-type", "What can be mapped has a length that a PDO takes."},
     Check{"object-flags", "ObjFlags has bits 0 and 1 only."},
+    Check{"standard-code", "The object code is that of the standard; an array may pass for a record."},
+    Check{"standard-sub", "Sub-indices are those of the standard, and those are there that it asks for."},
+    Check{"standard-type", "The data type is that of the standard."},
+    Check{"standard-access", "The access is one of those that the standard allows; settings may be constant."},
+    Check{"standard-value", "Defaults and parameter values are none that the standard reserves."},
+    Check{"standard-default", "The default is that of the standard where no other one makes sense."},
+    Check{"standard-mapping", "What the standard does not let into PDOs is not mapped."},
     Check{"pdo-pair", "Communication and mapping parameters of a PDO are both there."},
     Check{"pdo-count", "NrOfRXPDO and NrOfTXPDO are the numbers of PDOs."},
     Check{"mapping-count", "Sub-index 0 of a mapping counts entries that are there."},

@@ -12,8 +12,6 @@
 namespace eds {
 namespace {
 
-constexpr unsigned kFirstNode = 1;
-constexpr unsigned kLastNode = 127;
 constexpr std::uint64_t kInvalid = 0x80000000;
 constexpr std::uint64_t kExtended = 0x20000000;
 constexpr std::uint64_t kIdentifier = 0x7FF;
@@ -77,9 +75,9 @@ std::vector<CobId> cob_ids_of(const DataSheet& sheet) {
   return list;
 }
 
-void check_restricted(const CobId& id, Findings& findings) {
+void check_restricted(const CobId& id, NodeRange nodes, Findings& findings) {
   if (id.row->may_be_restricted) return;
-  for (unsigned node = kFirstNode; node <= kLastNode; ++node) {
+  for (unsigned node = nodes.first; node <= nodes.last; ++node) {
     if (!is_restricted(id.at(node))) continue;
     return findings.error("cob-id-restricted", place_of(*id.entry, id.entry->effective()),
                           "an identifier that is not restricted",
@@ -99,9 +97,9 @@ void check_predefined(const CobId& id, Findings& findings) {
                    id.entry->effective().text());
 }
 
-void check_collisions(const std::vector<CobId>& ids, Findings& findings) {
+void check_collisions(const std::vector<CobId>& ids, NodeRange nodes, Findings& findings) {
   std::map<const SheetEntry*, bool> reported;
-  for (unsigned node = kFirstNode; node <= kLastNode; ++node) {
+  for (unsigned node = nodes.first; node <= nodes.last; ++node) {
     std::map<std::uint64_t, const CobId*> users;
     for (const CobId& id : ids) {
       const auto [first, added] = users.emplace(id.at(node), &id);
@@ -118,10 +116,10 @@ void check_collisions(const std::vector<CobId>& ids, Findings& findings) {
 void check_cob_ids(const DataSheet& sheet, Findings& findings) {
   const std::vector<CobId> ids = cob_ids_of(sheet);
   for (const CobId& id : ids) {
-    check_restricted(id, findings);
+    check_restricted(id, sheet.nodes(), findings);
     if (!sheet.is_configuration()) check_predefined(id, findings);
   }
-  check_collisions(ids, findings);
+  check_collisions(ids, sheet.nodes(), findings);
 }
 
 }  // namespace eds

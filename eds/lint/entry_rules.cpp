@@ -42,17 +42,18 @@ constexpr std::array kOrders{
 };
 
 /// Entries of CompactSubObj have their values alone, the rest is that of the model.
-void check_limits(const SheetEntry& entry, Findings& findings) {
+void check_limits(const SheetEntry& entry, NodeRange nodes, Findings& findings) {
   for (const Order& order : kOrders) {
     if (entry.compact && order.wrong != &SheetEntry::parameter_value) continue;
     const Stated<Value>& low = entry.*order.low;
     const Stated<Value>& high = entry.*order.high;
     const Stated<Value>& wrong = entry.*order.wrong;
-    if (!low || !high || !wrong.stated() || ordered(*low, *high)) continue;
+    if (!low || !high || !wrong.stated() || ordered(*low, *high, nodes)) continue;
     const bool at_most = &wrong == &low;
+    const Stated<Value>& limit = at_most ? high : low;
     findings.error(order.check, wrong.place(),
-                   fmt::format("at {} {}", at_most ? "most" : "least", (at_most ? high : low).text()),
-                   wrong.text());
+                   fmt::format("at {} {}", at_most ? "most" : "least", with_sign(limit.text(), *limit)),
+                   with_sign(wrong.text(), *wrong));
   }
 }
 
@@ -83,8 +84,8 @@ void check_flags(const SheetEntry& entry, Findings& findings) {
     findings.warning("object-flags", entry.flags.place(), "bits 0 and 1 only", entry.flags.text());
 }
 
-void check_entry(const SheetEntry& entry, Findings& findings) {
-  check_limits(entry, findings);
+void check_entry(const SheetEntry& entry, NodeRange nodes, Findings& findings) {
+  check_limits(entry, nodes, findings);
   if (entry.compact) return;
   check_presence(entry, findings);
   check_type(entry, findings);
@@ -95,25 +96,26 @@ void check_entry(const SheetEntry& entry, Findings& findings) {
 }
 
 /// What the entries of CompactSubObj have in common is checked once.
-void check_model(const SheetObject& object, Findings& findings) {
+void check_model(const SheetObject& object, NodeRange nodes, Findings& findings) {
   const auto found = std::ranges::find_if(
       object.entries, [](const SheetEntry& entry) { return entry.compact && entry.sub_index != 0; });
   if (found == object.entries.end()) return;
   SheetEntry model = *found;
   model.compact = false;
   model.parameter_value = {};
-  check_entry(model, findings);
+  check_entry(model, nodes, findings);
 }
 
 }  // namespace
 
 void check_entries(const DataSheet& sheet, Findings& findings) {
+  const NodeRange nodes = sheet.nodes();
   for_each_object(sheet, [&](const SheetObject& object) {
-    check_model(object, findings);
-    for (const SheetEntry& entry : object.entries) check_entry(entry, findings);
+    check_model(object, nodes, findings);
+    for (const SheetEntry& entry : object.entries) check_entry(entry, nodes, findings);
   });
   for (const auto& [number, module] : sheet.modules)
-    for (const auto& [index, extension] : module.extensions) check_entry(extension.entry, findings);
+    for (const auto& [index, extension] : module.extensions) check_entry(extension.entry, nodes, findings);
 }
 
 }  // namespace eds

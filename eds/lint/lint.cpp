@@ -8,8 +8,9 @@ namespace eds {
 namespace {
 
 using Group = void (*)(const DataSheet&, Findings&);
-constexpr std::array<Group, 8> kGroups{check_lists,   check_objects,     check_entries, check_pdos,
-                                       check_cob_ids, check_device_info, check_modules, check_configuration};
+constexpr std::array<Group, 9> kGroups{
+    check_lists,   check_objects,     check_entries, check_standard_objects, check_pdos,
+    check_cob_ids, check_device_info, check_modules, check_configuration};
 
 }  // namespace
 

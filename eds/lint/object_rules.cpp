@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "eds/lint/rules.hpp"
+#include "eds/lint/standard_objects.hpp"
 #include "eds/sheet/field_reader.hpp"
 #include "eds/sheet/object_lists.hpp"
 
@@ -84,8 +85,9 @@ void check_first_sub(const SheetObject& object, Findings& findings) {
                    fmt::format("{}{}", fixed ? "" : "at most ", highest), first->default_value.text());
 }
 
+/// Entries of standard objects are held against the type of the standard instead.
 void check_array(const SheetObject& object, Findings& findings) {
-  if (object.code() != ObjectCode::Array) return;
+  if (object.code() != ObjectCode::Array || !standard_entries(object.index).empty()) return;
   const SheetEntry* model = nullptr;
   for (const SheetEntry& entry : object.entries) {
     if (entry.sub_index == 0 || entry.sub_index == kStructure || !entry.data_type) continue;

@@ -17,6 +17,8 @@ void check_lists(const DataSheet& sheet, Findings& findings);
 void check_objects(const DataSheet& sheet, Findings& findings);
 /// Data types, access, limits and defaults, PDO mapping of entries.
 void check_entries(const DataSheet& sheet, Findings& findings);
+/// Objects 1000h to 1FFFh against the table of what CiA 301 and CiA 302 say of them.
+void check_standard_objects(const DataSheet& sheet, Findings& findings);
 /// PDOs: pairs of parameters, default mappings.
 void check_pdos(const DataSheet& sheet, Findings& findings);
 /// COB-IDs: restricted ones, collisions, the predefined connection set.

@@ -103,13 +103,19 @@ bool NumberedList::contains(std::uint64_t number) const noexcept {
   return std::ranges::any_of(items, [number](const Item& item) { return item.number.value == number; });
 }
 
+NodeRange DataSheet::nodes() const noexcept {
+  const std::uint64_t node = commissioning.node_id.value_or(0);
+  if (node < kAnyNode.first || node > kAnyNode.last) return kAnyNode;
+  return {.first = static_cast<unsigned>(node), .last = static_cast<unsigned>(node)};
+}
+
 DataSheet read_data_sheet(const Document& document, Findings& findings) {
   DataSheet sheet{.document = &document};
   read_info(sheet, findings);
   sheet.mandatory = read_list(document, "MandatoryObjects", "SupportedObjects", findings);
   sheet.optional = read_list(document, "OptionalObjects", "SupportedObjects", findings);
   sheet.manufacturer = read_list(document, "ManufacturerObjects", "SupportedObjects", findings);
-  ObjectReader objects{findings};
+  ObjectReader objects{findings, sheet.nodes()};
   read_modules(sheet, objects, findings);
   for (const auto& [key, sections] : sections_of(document, findings)) {
     const auto [module, index] = key;

@@ -108,6 +108,8 @@ struct DataSheet {
 
   /// True for a DCF: a file with a section DeviceComissioning.
   [[nodiscard]] bool is_configuration() const noexcept { return commissioning.section != nullptr; }
+  /// The nodes that the file is for: that of a DCF, else any.
+  [[nodiscard]] NodeRange nodes() const noexcept;
 };
 
 /// Reads @p document, with a finding for every value that is not of its type. Takes whatever it is given.

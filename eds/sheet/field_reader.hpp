@@ -12,10 +12,13 @@ namespace eds {
 /// Reads the entries of one section as what they should be; what is something else becomes a finding.
 class FieldReader {
  public:
-  FieldReader(const Section& section, Findings& findings) : section_{section}, findings_{findings} {}
+  FieldReader(const Section& section, Findings& findings, NodeRange nodes = kAnyNode)
+      : section_{section}, findings_{findings}, nodes_{nodes} {}
 
   /// The text of @p key.
   [[nodiscard]] Stated<std::string_view> text(std::string_view key) const;
+  /// The same of what is never more than a word, so that a comment may be told from it.
+  [[nodiscard]] Stated<std::string_view> word(std::string_view key) const;
   /// A whole number 0 to @p highest, without the node-ID.
   [[nodiscard]] Stated<std::uint64_t> number(std::string_view key, std::uint64_t highest) const;
   /// The same of the entry @p line of the section.
@@ -31,8 +34,13 @@ class FieldReader {
   [[nodiscard]] Findings& findings() const noexcept { return findings_; }
 
  private:
+  /// What @p line states, before a comment behind it; nothing where that is all.
+  template <class T>
+  [[nodiscard]] Stated<T> without_comment(const Line& line) const;
+
   const Section& section_;
   Findings& findings_;
+  NodeRange nodes_;
 };
 
 /// The number of a numbered entry such as "12": decimal, from 1; nothing for any other key.

@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "eds/sheet/field_reader.hpp"
-
 namespace eds {
 namespace {
 
-constexpr std::uint64_t kHighestSub = 0xFE;  // FFh is the structure of the object
+constexpr std::uint64_t kHighestSub = 0xFE;
+constexpr std::uint64_t kStructure = 0xFF;  // sub-index that describes the object
 constexpr std::size_t kMostExpanded = 0x10000;
 constexpr std::uint64_t kAny32 = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint16_t kUnsigned8 = 5;
@@ -48,8 +47,9 @@ SheetEntry count_entry(const SheetObject& object) {
 }  // namespace
 
 Stated<canopen::Access> ObjectReader::access(const Section& section) {
-  const auto word = FieldReader{section, findings_}.text("AccessType");
-  Stated<canopen::Access> result{.section = word.section, .line = word.line, .value = {}};
+  const auto word = FieldReader{section, findings_}.word("AccessType");
+  Stated<canopen::Access> result{
+      .section = word.section, .line = word.line, .value = {}, .before_comment = word.before_comment};
   if (!word) return result;
   result.value = value_of(kAccesses, lower_case(*word));
   if (!result) findings_.error("access-type", word.place(), "one of " + access_words(), *word);
@@ -57,7 +57,7 @@ Stated<canopen::Access> ObjectReader::access(const Section& section) {
 }
 
 SheetEntry ObjectReader::entry(std::uint8_t sub_index, const Section& section) {
-  const FieldReader fields{section, findings_};
+  const FieldReader fields{section, findings_, nodes_};
   SheetEntry entry{.sub_index = sub_index, .section = &section, .name = {}};
   entry.name = section.value("ParameterName");
   entry.object_type = fields.number("ObjectType", std::numeric_limits<std::uint8_t>::max());
@@ -76,6 +76,17 @@ SheetEntry ObjectReader::entry(std::uint8_t sub_index, const Section& section) {
   return entry;
 }
 
+Stated<std::uint64_t> ObjectReader::compact_count(const FieldReader& fields) {
+  auto count = fields.number("CompactSubObj", kStructure);
+  if (count && *count == kStructure) {
+    findings_.warning("compact-size", count.place(),
+                      fmt::format("at most {}, since sub-index FFh is the structure of the object", kHighestSub),
+                      count.text());
+    count.value = kHighestSub;
+  }
+  return count;
+}
+
 SheetObject ObjectReader::object(const SectionName& name, const ObjectSections& sections) {
   SheetObject object{
       .module = name.module, .index = name.index, .section = sections.object, .name = {}, .entries = {}};
@@ -85,7 +96,7 @@ SheetObject ObjectReader::object(const SectionName& name, const ObjectSections& 
   const FieldReader fields{*sections.object, findings_};
   object.name = sections.object->value("ParameterName");
   object.sub_number = fields.number("SubNumber", std::numeric_limits<std::uint8_t>::max());
-  object.compact_count = fields.number("CompactSubObj", kHighestSub);
+  object.compact_count = compact_count(fields);
   const bool compact = object.compact_count.value_or(0) != 0;
   if (object.has_subs && !compact) {
     object.object_type = fields.number("ObjectType", std::numeric_limits<std::uint8_t>::max());
@@ -118,7 +129,7 @@ void ObjectReader::expand(SheetObject& object, const ObjectSections& sections) {
 
 void ObjectReader::fill(SheetObject& object, const ObjectSections& sections) {
   Findings known{""};  // the section has been read, its findings are there
-  SheetEntry model = ObjectReader{known}.entry(0, *sections.object);
+  SheetEntry model = ObjectReader{known, nodes_}.entry(0, *sections.object);
   model.compact = true;
   const auto names = numbered(sections.names), values = numbered(sections.values),
              denotations = numbered(sections.denotations);
@@ -128,7 +139,7 @@ void ObjectReader::fill(SheetObject& object, const ObjectSections& sections) {
     entry.sub_index = static_cast<std::uint8_t>(sub);
     entry.name = names.contains(sub) ? std::string{names.at(sub)->value()} : fmt::format("{}{}", object.name, sub);
     if (values.contains(sub))
-      entry.parameter_value = FieldReader{*sections.values, findings_}.value(*values.at(sub), entry.type);
+      entry.parameter_value = FieldReader{*sections.values, findings_, nodes_}.value(*values.at(sub), entry.type);
     if (denotations.contains(sub))
       entry.denotation = {
           .section = sections.denotations, .line = denotations.at(sub), .value = denotations.at(sub)->value()};

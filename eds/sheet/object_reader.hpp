@@ -5,6 +5,7 @@
 
 #include "eds/document/finding.hpp"
 #include "eds/sheet/data_sheet.hpp"
+#include "eds/sheet/field_reader.hpp"
 
 namespace eds {
 
@@ -20,7 +21,8 @@ struct ObjectSections {
 /// Reads the objects of a file.
 class ObjectReader {
  public:
-  explicit ObjectReader(Findings& findings) : findings_{findings} {}
+  /// Values that the node-ID is added to must fit on every one of @p nodes.
+  ObjectReader(Findings& findings, NodeRange nodes) : findings_{findings}, nodes_{nodes} {}
 
   /// The object @p name of @p sections.
   [[nodiscard]] SheetObject object(const SectionName& name, const ObjectSections& sections);
@@ -33,7 +35,11 @@ class ObjectReader {
   void expand(SheetObject& object, const ObjectSections& sections);
   void fill(SheetObject& object, const ObjectSections& sections);
 
+  /// CompactSubObj: how many sub-indices follow sub-index 0.
+  [[nodiscard]] Stated<std::uint64_t> compact_count(const FieldReader& fields);
+
   Findings& findings_;
+  NodeRange nodes_;
   std::size_t expanded_ = 0;  ///< entries made from CompactSubObj
 };
 

@@ -14,6 +14,7 @@ struct Stated {
   const Section* section = nullptr;
   const Line* line = nullptr;  ///< null where nothing is stated
   std::optional<T> value{};
+  std::string_view before_comment{};  ///< the text where a comment stands behind it; else empty
 
   /// True when the file says something, well formed or not.
   [[nodiscard]] bool stated() const noexcept { return line != nullptr; }
@@ -23,9 +24,10 @@ struct Stated {
   const T* operator->() const { return &*value; }
   /// The value, or @p otherwise.
   [[nodiscard]] T value_or(T otherwise) const { return value.value_or(std::move(otherwise)); }
-  /// As written; empty where nothing is stated.
+  /// As written, without a comment behind it; empty where nothing is stated.
   [[nodiscard]] std::string_view text() const noexcept {
-    return line == nullptr ? std::string_view{} : line->value();
+    if (line == nullptr || !before_comment.empty()) return before_comment;
+    return line->value();
   }
   /// Where it stands; for what is stated only.
   [[nodiscard]] Place place() const noexcept {

@@ -44,8 +44,8 @@ Target target_of(const SheetEntry& entry, const Setting& setting) {
 
 class Configurator {
  public:
-  Configurator(const DataSheet& sheet, Findings& findings)
-      : sheet_{sheet}, findings_{findings}, result_{*sheet.document} {}
+  Configurator(const DataSheet& sheet, unsigned node_id, Findings& findings)
+      : sheet_{sheet}, nodes_{.first = node_id, .last = node_id}, findings_{findings}, result_{*sheet.document} {}
 
   void commission(const NodeSettings& node) {
     if (node.node_id == 0 || node.node_id > kLastNode)
@@ -111,12 +111,12 @@ class Configurator {
       return refuse("parameter-access", "no value of what cannot be written");
     if (!is_one_line(setting.value)) return refuse("value-form", "one line");
     if (entry.type == nullptr) return true;
-    const auto value = parse_value(setting.value, *entry.type);
+    const auto value = parse_value(setting.value, *entry.type, nodes_);
     if (!value) return refuse(value.error().out_of_range ? "value-range" : "value-form", value.error().expected);
-    if (entry.low && !ordered(*entry.low, *value))
-      return refuse("parameter-limits", fmt::format("at least {}", entry.low.text()));
-    if (entry.high && !ordered(*value, *entry.high))
-      return refuse("parameter-limits", fmt::format("at most {}", entry.high.text()));
+    if (entry.low && !ordered(*entry.low, *value, nodes_))
+      return refuse("parameter-limits", fmt::format("at least {}", with_sign(entry.low.text(), *entry.low)));
+    if (entry.high && !ordered(*value, *entry.high, nodes_))
+      return refuse("parameter-limits", fmt::format("at most {}", with_sign(entry.high.text(), *entry.high)));
     return true;
   }
 
@@ -127,6 +127,7 @@ class Configurator {
   }
 
   const DataSheet& sheet_;
+  NodeRange nodes_;
   Findings& findings_;
   Document result_;
 };
@@ -156,7 +157,7 @@ Document configure(const Document& eds, const NodeSettings& node, std::span<cons
                    Findings& findings) {
   Findings reading{""};
   const DataSheet sheet = read_data_sheet(eds, reading);
-  Configurator configurator{sheet, findings};
+  Configurator configurator{sheet, node.node_id, findings};
   configurator.commission(node);
   for (const Setting& setting : settings) configurator.set(setting);
   return configurator.take();

@@ -55,10 +55,7 @@ class Flattener {
 
   void plug(unsigned number) {
     const auto found = sheet_.modules.find(number);
-    if (found == sheet_.modules.end() || found->second.info == nullptr)
-      return findings_.error("module-number", {.section = "SupportedModules", .key = {}, .line = 0},
-                             fmt::format("a module 1 to {}", sheet_.module_count.value_or(0)),
-                             fmt::format("{}", number));
+    if (found == sheet_.modules.end() || found->second.info == nullptr) return refuse(number);
     const SheetModule& module = found->second;
     if (plugged_.insert(number).second) add_fixed(module);
     for (const auto& [index, extension] : module.extensions) extend(extension);
@@ -79,6 +76,13 @@ class Flattener {
   }
 
  private:
+  void refuse(unsigned number) {
+    const Place place{.section = "SupportedModules", .key = {}, .line = 0};
+    const std::uint64_t modules = sheet_.module_count.value_or(0);
+    if (modules == 0) return findings_.error("module-number", place, "the modules of a modular file", "none");
+    findings_.error("module-number", place, fmt::format("a module 1 to {}", modules), fmt::format("{}", number));
+  }
+
   void copy(const Section& from, const std::string& name) {
     Section& to = result_.section(name);
     for (const Line& line : from.lines()) to.append(Line{line.text(), line.ending(), 0});

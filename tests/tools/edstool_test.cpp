@@ -1,8 +1,13 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include "tests/eds/corpus.hpp"
 #include "tests/fakes/child_process.hpp"
@@ -60,6 +65,81 @@ TEST(EdstoolLint, PrintsJson) {
   EXPECT_EQ(run({"lint", kCorpus + "good/plain.eds", "--json"}).output, "[]\n");
 }
 
+/// A file with @p count objects of the manufacturer, each of which has a key that CiA 306 does not know.
+std::string many_warnings(unsigned count) {
+  std::string text = eds::content_of(kCorpus + "good/minimal.eds"), list;
+  text.erase(text.find("[ManufacturerObjects]"));
+  for (unsigned n = 1; n <= count; ++n) {
+    char index[5] = {};
+    std::snprintf(index, sizeof index, "%04X", 0x2000 + n);
+    list += std::to_string(n) + "=0x" + index + "\n";
+    text += std::string{"["} + index +
+            "]\nParameterName=Value\nDataType=0x0005\nAccessType=rw\nPDOMapping=0\nUnit=" + std::to_string(n) +
+            "\n";
+  }
+  return text + "[ManufacturerObjects]\nSupportedObjects=" + std::to_string(count) + "\n" + list;
+}
+
+struct EdstoolLintChoice : testing::Test {
+  fakes::TemporaryDirectory folder;
+
+  std::string file(const std::string& name, const std::string& text) const {
+    std::string path = folder.path(name);
+    std::ofstream{path, std::ios::binary} << text;
+    return path;
+  }
+};
+
+TEST_F(EdstoolLintChoice, TellsOnceOfWarningsThatAreAlikeAndEndsWithZero) {
+  const std::string path = file("minimal.eds", many_warnings(649));
+  const auto done = run({"lint", path});
+
+  EXPECT_EQ(done.status, 0);
+  EXPECT_EQ(done.output,
+            path +
+                ":88: warning: [2001] Unit: expected a key of CiA 306, got Unit=1 (key-unknown), and 648 "
+                "like it to line 3976\n");
+  EXPECT_EQ(json::parse(run({"--json", "lint", path}).output).size(), 649U);
+  const std::string all = run({"lint", "--all", path}).output;
+  EXPECT_EQ(std::ranges::count(all, '\n'), 649);
+}
+
+TEST_F(EdstoolLintChoice, LeavesOutWhatIsIgnoredAndWhatIsLessSevere) {
+  const std::string path = kCorpus + "wrong/standard-access.eds";
+  const std::string list =
+      file("ignored", "# known\r\nstandard-access:1000 # the type\n\nstandard-access:1003SUB0\n");
+
+  EXPECT_EQ(run({"lint", path, "--ignore", "standard-access"}).output, "");
+  EXPECT_EQ(run({"lint", path, "--ignore", "standard-access"}).status, 0);
+  const std::string errors = run({"lint", "--severity", "error", path}).output;
+  EXPECT_EQ(std::ranges::count(errors, '\n'), 5);
+  EXPECT_EQ(errors.find("warning"), std::string::npos);
+  const auto rest = run(
+      {"lint", "--ignore-list", list, "--ignore", "bit-rate,standard-access:1010sub1", "--severity=error", path});
+  EXPECT_EQ(rest.status, 1);
+  EXPECT_EQ(std::ranges::count(rest.output, '\n'), 2);
+  EXPECT_EQ(run({"lint", "--ignore-list", file("wrong", "bit-rate\nnothing\n"), path}).errors,
+            "edstool: " + folder.path("wrong") + ":2: there is no check \"nothing\"\n");
+}
+
+TEST_F(EdstoolLintChoice, ReadsRegularFilesOfABoundedSizeOnly) {
+  const std::string pipe = folder.path("pipe.eds"), large = file("large.eds", "");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::resize_file(large, (std::uintmax_t{32} << 20U) + 1);
+
+  EXPECT_EQ(run({"lint", pipe}).errors, "edstool: " + pipe + ": cannot be read: expected a regular file\n");
+  EXPECT_EQ(run({"lint", large}).errors, "edstool: " + large + ": cannot be read: expected at most 32 MiB\n");
+}
+
+TEST(EdstoolShow, EndsWithZeroWhateverTheReaderFound) {
+  for (const char* const name : {"wrong/value-form.eds", "wrong/number-range.eds", "wrong/encoding.eds"}) {
+    const auto done = run({"show", kCorpus + name});
+    EXPECT_EQ(done.status, 0) << name;
+    EXPECT_NE(done.output, "") << name;
+    EXPECT_NE(done.errors, "") << name;
+  }
+}
+
 TEST(EdstoolShow, PrintsTheDeviceAndItsObjects) {
   const auto done = run({"show", kCorpus + "good/plain.eds"});
 
@@ -77,6 +157,21 @@ TEST(EdstoolShow, PrintsJson) {
   EXPECT_EQ(shown.at("device").at("vendor_number"), 0x1F0);
   EXPECT_EQ(shown.at("objects").at(0).at("index"), 0x1000);
   EXPECT_EQ(shown.at("objects").at(0).at("entries").at(0).at("type"), "UNSIGNED32");
+}
+
+TEST(EdstoolDiff, FindsNoDifferenceOfAnyFileToItself) {
+  unsigned files = 0;
+  for (const char* const part : {"good", "wild", "wrong"})
+    for (const auto& file : std::filesystem::directory_iterator{kCorpus + part}) {
+      const std::string path = file.path().string();
+      const bool sheet = path.ends_with(".eds") || path.ends_with(".dcf");
+      if (!sheet) continue;
+      ++files;
+      const auto done = run({"diff", path, path});
+      EXPECT_EQ(done.status, 0) << path;
+      EXPECT_EQ(done.output, "") << path;
+    }
+  EXPECT_GT(files, 90U);
 }
 
 TEST(EdstoolDiff, TellsFilesApart) {
@@ -110,6 +205,13 @@ TEST(EdstoolFlatten, RefusesAModuleThatIsNotThere) {
   EXPECT_EQ(done.output, "");
   EXPECT_EQ(done.errors,
             file + ": error: [SupportedModules]: expected a module 1 to 16, got 17 (module-number)\n");
+}
+
+TEST(EdstoolFlatten, SaysThatAPlainFileHasNoModules) {
+  const std::string file = kCorpus + "good/plain.eds";
+  EXPECT_EQ(
+      run({"flatten", "--modules=1", file}).errors,
+      file + ": error: [SupportedModules]: expected the modules of a modular file, got none (module-number)\n");
 }
 
 TEST(EdstoolDcf, ConfiguresANode) {
@@ -154,8 +256,16 @@ TEST(Edstool, SaysInOneLineWhatIsWrongWithTheCommandLine) {
   const std::vector<Misuse> cases{
       {{}, "edstool: A subcommand is required\n"},
       {{"lint"}, "edstool: files is required\n"},
-      {{"lint", "/no/such/file"}, "edstool: /no/such/file: cannot be read\n"},
-      {{"lint", "/"}, "edstool: /: cannot be read\n"},
+      {{"lint", "/no/such/file"}, "edstool: /no/such/file: cannot be read: No such file or directory\n"},
+      {{"lint", "/"}, "edstool: /: cannot be read: expected a regular file\n"},
+      {{"lint", "/dev/zero"}, "edstool: /dev/zero: cannot be read: expected a regular file\n"},
+      {{"lint", "--severity", "note", plain}, "edstool: --severity: note not in {error,warning}\n"},
+      {{"lint", "--ignore", "no-such", plain}, "edstool: --ignore: there is no check \"no-such\"\n"},
+      {{"lint", "--ignore", "bit-rate:", plain},
+       "edstool: --ignore: expected CHECK or CHECK:SECTION, got \"bit-rate:\"\n"},
+      {{"show", "/dev/null"}, "edstool: /dev/null: cannot be read: expected a regular file\n"},
+      {{"show", EDSTOOL},
+       std::string{"edstool: "} + EDSTOOL + ": expected an EDS or DCF, found no section in it\n"},
       {{"flatten", plain}, "edstool: --modules is required\n"},
       {{"flatten", "--modules", "1,x", plain},
        "edstool: --modules: expected numbers separated by commas, as 1,1,2, got \"1,x\"\n"},

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,17 +15,16 @@
 #include "tools/canopen-check/options.hpp"
 #include "tools/canopen-check/port_wire.hpp"
 #include "tools/canopen-check/report/report.hpp"
+#include "tools/regular_file.hpp"
 
 namespace {
 
 using namespace conformance;
 
 std::string read_file(const std::string& path) {
-  std::ifstream file{path, std::ios::binary};
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || !text) throw UsageError{path + ": cannot be read"};
-  return text.str();
+  auto text = tools::read_regular_file(path);
+  if (!text) throw UsageError{text.error()};
+  return *std::move(text);
 }
 
 /// Throws UsageError unless a report can be written to @p path: at once, not after the run that it is about.

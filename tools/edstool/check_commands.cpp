@@ -1,11 +1,10 @@
-#include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 
-#include "eds/lint/lint.hpp"
+#include "eds/document/finding_filter.hpp"
 #include "eds/transform/comparison.hpp"
 #include "eds/transform/object_tree.hpp"
 #include "tools/edstool/command.hpp"
@@ -14,22 +13,6 @@ namespace edstool {
 namespace {
 
 using nlohmann::json;
-
-int lint(const std::vector<std::string>& files, bool as_json) {
-  json list = json::array();
-  bool clean = true;
-  for (const std::string& file : files)
-    for (const eds::Finding& finding : eds::lint(read_file(file), file).all()) {
-      clean = false;
-      if (as_json) {
-        list.push_back(to_json(finding));
-      } else {
-        std::cout << eds::to_text(finding) << '\n';
-      }
-    }
-  if (as_json) std::cout << list.dump() << '\n';
-  return clean ? kClean : kFound;
-}
 
 template <class T>
 json text_of(const eds::Stated<T>& stated) {
@@ -77,10 +60,10 @@ json to_json(const eds::DataSheet& sheet) {
           {"modules", std::move(modules)}};
 }
 
-/// Findings of a file whose values are shown or compared, to standard error.
-int complain(const InputFile& file) {
-  for (const eds::Finding& finding : file.findings.all()) std::cerr << eds::to_text(finding) << '\n';
-  return file.findings.empty() ? kClean : kFound;
+/// What could not be read of a file that is shown or compared, to standard error.
+void complain(const InputFile& file) {
+  for (const eds::FindingGroup& group : eds::group_warnings(file.findings.all()))
+    std::cerr << eds::to_text(group) << '\n';
 }
 
 int show(const std::string& path, bool as_json) {
@@ -90,7 +73,8 @@ int show(const std::string& path, bool as_json) {
   } else {
     std::cout << eds::write_tree(file.sheet);
   }
-  return complain(file);
+  complain(file);
+  return kClean;
 }
 
 int diff(const std::string& first_path, const std::string& second_path, bool as_json) {
@@ -111,19 +95,12 @@ int diff(const std::string& first_path, const std::string& second_path, bool as_
     }
   }
   if (as_json) std::cout << list.dump() << '\n';
-  const int first_status = complain(first), second_status = complain(second);
-  return std::max({first_status, second_status, differences.empty() ? kClean : kFound});
+  complain(first);
+  if (first_path != second_path) complain(second);
+  return differences.empty() ? kClean : kFound;
 }
 
 }  // namespace
-
-void add_lint(CLI::App& app, Invocation& invocation) {
-  CLI::App* const command = app.add_subcommand("lint", "Check files against CiA 306 and CiA 301");
-  const auto files = std::make_shared<std::vector<std::string>>();
-  command->add_option("files", *files, "EDS or DCF files")->required()->type_name("FILE");
-  command->callback(
-      [&invocation, files] { invocation.run = [&invocation, files] { return lint(*files, invocation.json); }; });
-}
 
 void add_show(CLI::App& app, Invocation& invocation) {
   CLI::App* const command = app.add_subcommand("show", "Print the device and its objects");

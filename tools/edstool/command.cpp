@@ -1,10 +1,10 @@
 #include "tools/edstool/command.hpp"
 
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
+
+#include "tools/regular_file.hpp"
 
 namespace edstool {
 namespace {
@@ -25,18 +25,19 @@ std::span<const AddCommand> commands() noexcept {
 }
 
 std::string read_file(const std::string& path) {
-  std::ifstream stream{path, std::ios::binary};
-  if (!stream || std::filesystem::is_directory(path)) throw UsageError{path + ": cannot be read"};
-  std::string text{std::istreambuf_iterator<char>{stream}, {}};
-  if (stream.bad()) throw UsageError{path + ": cannot be read"};
-  return text;
+  auto text = tools::read_regular_file(path);
+  if (!text) throw UsageError{text.error()};
+  return *std::move(text);
 }
 
 InputFile::InputFile(const std::string& path_given)
     : path{path_given},
       findings{path_given},
       document{eds::read_document(read_file(path_given), findings)},
-      sheet{eds::read_data_sheet(document, findings)} {}
+      sheet{eds::read_data_sheet(document, findings)} {
+  if (document.sections().size() == 1)  // what stands before the first one
+    throw UsageError{path + ": expected an EDS or DCF, found no section in it"};
+}
 
 nlohmann::json to_json(const eds::Finding& finding) {
   return {{"file", eds::printable(finding.file)},
@@ -62,7 +63,7 @@ int deliver(const Made& made, bool json) {
     for (const eds::Finding& finding : findings) std::cerr << eds::to_text(finding) << '\n';
     if (complete && made.output.empty()) std::cout << made.text;
   }
-  return findings.empty() ? kClean : kFound;
+  return complete ? kClean : kFound;
 }
 
 }  // namespace edstool

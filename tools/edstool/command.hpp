@@ -46,6 +46,7 @@ void add_source(CLI::App& app, Invocation& invocation);
 
 /// A file that was read, with what its values are not.
 struct InputFile {
+  /// UsageError where it cannot be read or has no section at all.
   explicit InputFile(const std::string& path);
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;

@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "edstool " AXISD_VERSION);
   app.add_flag("--json", invocation.json, "Print the result as one line of JSON");
   app.footer(
-      "Exit status: 0 clean, 1 something was found, 2 wrong usage or a file that cannot be read or written.");
+      "Exit status: 0 clean or warnings only, 1 an error or a difference was found, 2 wrong usage or a file that "
+      "cannot be read or written.");
   for (const edstool::AddCommand add : edstool::commands()) add(app, invocation);
   app.require_subcommand(1);
   app.fallthrough();

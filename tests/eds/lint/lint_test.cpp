@@ -21,7 +21,8 @@ const fs::path kCorpus = fs::path{SOURCE_FOLDER} / "tests/data/eds";
 std::vector<std::string> files_in(const fs::path& folder) {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator{folder})
-    if (entry.path().extension() != ".txt") files.push_back(entry.path().string());
+    if (entry.path().extension() == ".eds" || entry.path().extension() == ".dcf")
+      files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;
 }

@@ -32,7 +32,7 @@ TEST(DictionarySource, IsTheTableThatTheseTestsAreBuiltWith) {
 TEST(DictionarySource, GivesADictionaryWithTheDefaultsOfTheFile) {
   const canopen::Dictionary dictionary{kPlainObjects, 5};
 
-  EXPECT_EQ(dictionary.entries().size(), 38U);
+  EXPECT_EQ(dictionary.entries().size(), 39U);
   EXPECT_EQ(dictionary.stored(0x1018, 1), 0x1F0);
   EXPECT_EQ(dictionary.stored(0x1400, 1), 0x205) << "the node-ID is added";
   EXPECT_EQ(dictionary.stored(0x2002, 3), -1) << "an entry of CompactSubObj";

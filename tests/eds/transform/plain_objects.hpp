@@ -37,6 +37,7 @@ inline constexpr auto kPlainObjects = [] {
       {.index = 0x1600, .sub_index = 3, .type = Unsigned32, .access = ReadWrite, .name = "Third"},
       {.index = 0x1800, .type = Unsigned8, .access = Constant, .initial = 5, .name = "Highest sub-index"},
       {.index = 0x1800, .sub_index = 1, .type = Unsigned32, .access = ReadWrite, .node_relative = true, .limit_check = canopen::LimitCheck::Owner, .initial = 1073742208, .name = "COB-ID"},
+      {.index = 0x1800, .sub_index = 2, .type = Unsigned8, .access = ReadWrite, .initial = 254, .name = "Transmission type"},
       {.index = 0x1800, .sub_index = 5, .type = Unsigned16, .access = ReadWrite, .name = "Event timer"},
       {.index = 0x1A00, .type = Unsigned8, .access = ReadWrite, .initial = 2, .name = "Number of mapped objects"},
       {.index = 0x1A00, .sub_index = 1, .type = Unsigned32, .access = ReadWrite, .initial = 536936480, .name = "First"},
