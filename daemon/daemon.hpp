@@ -82,9 +82,10 @@ class Daemon final : private device::Listener, private Station {
   void on_time(canopen::TimePoint now) noexcept override {
     device_.on_time(now);
     if (retention_.due() <= now) retain(Durability::InTheCache);
+    if (log_.due() <= now) log_.tell_left_out(now);
   }
   canopen::TimePoint next_deadline() const noexcept override {
-    return std::min(device_.next_deadline(), retention_.due());
+    return std::min({device_.next_deadline(), retention_.due(), log_.due()});
   }
   std::span<const canopen::Subscription> subscriptions() const noexcept override {
     return device_.subscriptions();

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <atomic>
+#include <mutex>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "bus/message_limit.hpp"
 
 namespace axisd {
 
@@ -10,10 +16,17 @@ namespace axisd {
 enum class LogLevel : int { Error = 3, Warning = 4, Notice = 5, Info = 6, Debug = 7 };
 
 /// Where log lines go: to the journal if standard error is connected to it, else to standard error.
+///
+/// Whoever sends frames can cause messages: of each kind, which is its format, bus::MessageLimit decides how many
+/// are written, and the number of the others is.
 class Log {
  public:
   /// Lines less severe than @p level are dropped.
   explicit Log(LogLevel level) noexcept;
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+  /// Tells what was left out last.
+  ~Log();
 
   template <class... Arguments>
   void error(fmt::format_string<Arguments...> text, Arguments&&... arguments) const {
@@ -32,11 +45,33 @@ class Log {
     write(LogLevel::Info, text, fmt::make_format_args(arguments...));
   }
 
+  /// Tells of messages that were left out until @p now, if it is time to; every message does, too.
+  void tell_left_out(canopen::TimePoint now) const;
+  /// When tell_left_out() is wanted, kNever if nothing was left out.
+  [[nodiscard]] canopen::TimePoint due() const noexcept {
+    return canopen::TimePoint{canopen::Duration{due_.load(std::memory_order_relaxed)}};
+  }
+
  private:
+  /// Messages of one format.
+  struct Kind {
+    std::string_view format;
+    bus::MessageLimit limit;
+    LogLevel level = LogLevel::Info;
+    std::string example;  ///< the last one that was written before others were left out
+  };
+
   void write(LogLevel level, fmt::string_view text, fmt::format_args arguments) const;
+  Kind& kind_of(std::string_view format, LogLevel level) const;
+  void tell_kinds(canopen::TimePoint now) const;
+  void set_due() const noexcept;
+  void put(LogLevel level, std::string_view line) const noexcept;
 
   LogLevel level_;
   bool to_journal_;
+  mutable std::mutex mutex_;
+  mutable std::vector<Kind> kinds_;
+  mutable std::atomic<canopen::Duration::rep> due_{canopen::kNever.time_since_epoch().count()};
 };
 
 }  // namespace axisd

@@ -40,18 +40,18 @@ Bridge::~Bridge() {
 
 void Bridge::on_readable(canopen::TimePoint now) noexcept {
   queue_.retry(now);
-  follow_link();
+  follow_link(now);
   read_frames(now);
 }
 
-void Bridge::follow_link() noexcept {
+void Bridge::follow_link(canopen::TimePoint now) noexcept {
   const auto state = connection_.link->read();
   if (!state) return;
-  tell(kLinkNames[static_cast<std::size_t>(*state)]);
+  tell(kLinkNames[static_cast<std::size_t>(*state)], now);
   if (*state != bus::LinkState::Up)
     queue_.discard();
   else if (!connection_.port->reopen())
-    tell("cannot be opened again");
+    tell("cannot be opened again", now);
 }
 
 void Bridge::read_frames(canopen::TimePoint now) noexcept {
@@ -63,7 +63,7 @@ void Bridge::read_frames(canopen::TimePoint now) noexcept {
         put_on_medium(frame, now);
         break;
       case bus::Received::Error:
-        tell(bus::name_of(received.state));
+        tell(bus::name_of(received.state), now);
         break;
       case bus::Received::Down:  // what follows from it is the link's to say
         queue_.discard();
@@ -88,7 +88,7 @@ void Bridge::put_on_medium(const canopen::Frame& frame, canopen::TimePoint now) 
 void Bridge::on_room() noexcept {
   if (!refused_ || !medium_.send(*refused_, medium_.now())) return;
   refused_.reset();
-  if (!ready_.add(connection_.port->descriptor(), EPOLLIN)) tell("cannot be watched any more");
+  if (!ready_.add(connection_.port->descriptor(), EPOLLIN)) tell("cannot be watched any more", medium_.now());
 }
 
 void Bridge::receive(const Passage& passage) noexcept {
@@ -107,9 +107,23 @@ bool Bridge::statistics(userbus::MemberStatistics& row) const noexcept {
   return true;
 }
 
-void Bridge::tell(std::string_view what) const noexcept {
+void Bridge::on_time(canopen::TimePoint now) noexcept {
+  queue_.retry(now);
   try {
-    notice_(name_ + ": " + std::string{what});
+    tell_left_out(now);
+  } catch (const std::exception&) {  // as below
+  }
+}
+
+void Bridge::tell_left_out(canopen::TimePoint now) {
+  if (const std::uint64_t count = notices_.take_left_out(now); count != 0)
+    notice_(name_ + ": ... " + std::to_string(count) + " more messages left out");
+}
+
+void Bridge::tell(std::string_view what, canopen::TimePoint now) noexcept {
+  try {
+    tell_left_out(now);
+    if (notices_.judge(now) != bus::MessageLimit::Verdict::LeaveOut) notice_(name_ + ": " + std::string{what});
   } catch (const std::exception&) {  // no memory for a line: the frames are more important
   }
 }

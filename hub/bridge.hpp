@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "bus/connection.hpp"
+#include "bus/message_limit.hpp"
 #include "bus/pollable.hpp"
 #include "bus/transmit_queue.hpp"
 #include "hub/medium.hpp"
@@ -18,6 +20,7 @@ namespace hub {
 class Bridge final : public Source, public Participant {
  public:
   /// Takes one line about the bridge: its link went down or up, the error state of its controller has changed.
+  /// bus::MessageLimit decides how many there are.
   using Notice = std::function<void(std::string_view line)>;
 
   /// Frames that wait here while the other bus has no room; more are lost and counted.
@@ -32,18 +35,21 @@ class Bridge final : public Source, public Participant {
 
   [[nodiscard]] int descriptor() const noexcept override { return ready_.descriptor(); }
   void on_readable(canopen::TimePoint now) noexcept override;
-  [[nodiscard]] canopen::TimePoint next_deadline() const noexcept override { return queue_.next_retry(); }
-  void on_time(canopen::TimePoint now) noexcept override { queue_.retry(now); }
+  [[nodiscard]] canopen::TimePoint next_deadline() const noexcept override {
+    return std::min(queue_.next_retry(), notices_.due());
+  }
+  void on_time(canopen::TimePoint now) noexcept override;
   [[nodiscard]] bool statistics(userbus::MemberStatistics& row) const noexcept override;
 
   void receive(const Passage& passage) noexcept override;
   void on_room() noexcept override;
 
  private:
-  void follow_link() noexcept;
+  void follow_link(canopen::TimePoint now) noexcept;
   void read_frames(canopen::TimePoint now) noexcept;
   void put_on_medium(const canopen::Frame& frame, canopen::TimePoint now) noexcept;
-  void tell(std::string_view what) const noexcept;
+  void tell(std::string_view what, canopen::TimePoint now) noexcept;
+  void tell_left_out(canopen::TimePoint now);
 
   Medium& medium_;
   bus::Connection connection_;
@@ -51,6 +57,7 @@ class Bridge final : public Source, public Participant {
   bus::TransmitQueue queue_;
   std::string name_;
   Notice notice_;
+  bus::MessageLimit notices_;
   std::optional<Passage> refused_;  ///< waits for room on the medium; meanwhile the port is not read
   std::uint64_t brought_ = 0;       ///< frames of the other bus
 };

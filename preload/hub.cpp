@@ -75,6 +75,7 @@ int errno_of(userbus::JoinError error) noexcept {
     case userbus::JoinError::None:
     case userbus::JoinError::InUse:
     case userbus::JoinError::NoHub:
+    case userbus::JoinError::BitRate:
     case userbus::JoinError::NotServed:
       return EAFNOSUPPORT;  // as on a kernel without CAN
   }

@@ -5,6 +5,8 @@
 #include <fcntl.h>
 #include <linux/can.h>
 #include <linux/can/bcm.h>
+#include <poll.h>
+#include <sys/time.h>
 
 #include "preload/address.hpp"
 #include "preload/hub.hpp"
@@ -39,6 +41,28 @@ int can_error(int error, int descriptor, bool waited) noexcept {
   return timed_out ? EAGAIN : ENOBUFS;
 }
 
+/// The limit of time for sending of @p descriptor as poll(2) takes it (ms); -1: none.
+int send_limit(int descriptor) noexcept {
+  constexpr long kMillisecondsInSecond = 1000;
+  constexpr long kMicrosecondsInMillisecond = 1000;
+  timeval limit{};
+  socklen_t size = sizeof limit;
+  if (next().getsockopt(descriptor, SOL_SOCKET, SO_SNDTIMEO, &limit, &size) != 0) return -1;
+  if (limit.tv_sec == 0 && limit.tv_usec == 0) return -1;
+  return static_cast<int>(limit.tv_sec * kMillisecondsInSecond + limit.tv_usec / kMicrosecondsInMillisecond);
+}
+
+/// A virtual CAN passes a frame while it is sent, so that its socket is writable again afterwards, and programs
+/// rely on that: they poll without waiting before each frame of a burst. The hub takes frames a little later. So a
+/// socket that may wait does it behind its frame, until the hub has made room for the next one.
+void wait_for_room(int descriptor) noexcept {
+  const int error = errno;
+  pollfd room{descriptor, POLLOUT, 0};
+  if (poll(&room, 1, 0) == 0 && (fcntl(descriptor, F_GETFL) & O_NONBLOCK) == 0)
+    poll(&room, 1, send_limit(descriptor));
+  errno = error;
+}
+
 /// Sends @p frame to interface @p index; 0: to that which the socket is bound to.
 ssize_t send_to_hub(int descriptor, can_frame& frame, int index, bool wait) noexcept {
   Trailer trailer{};
@@ -49,6 +73,7 @@ ssize_t send_to_hub(int descriptor, can_frame& frame, int index, bool wait) noex
   message.msg_iovlen = index == 0 ? 1 : 2;
   const ssize_t size = next().sendmsg(descriptor, &message, MSG_NOSIGNAL | (wait ? 0 : MSG_DONTWAIT));
   if (size < 0) return failed(can_error(errno, descriptor, wait));
+  if (wait) wait_for_room(descriptor);
   return sizeof frame;
 }
 

@@ -8,6 +8,7 @@
 #include <sys/random.h>
 #include <unistd.h>
 
+#include "userbus/bit_rate.hpp"
 #include "userbus/name.hpp"
 #include "userbus/request.hpp"
 #include "userbus/start_hub.hpp"
@@ -62,13 +63,30 @@ void shorten_queue(int descriptor) noexcept {
   setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &kHalf, sizeof kHalf);
 }
 
-/// $CAN_BITRATE (bit/s), 0 if there is none.
-uint32_t wanted_bit_rate() noexcept {
-  const char* const text = getenv("CAN_BITRATE");
-  return text == nullptr ? 0 : static_cast<uint32_t>(strtoul(text, nullptr, 10));
+/// Where frames take no time, a program that never waits shall have room for a burst of one frame a node (127). As
+/// far as net.core.wmem_max lets it.
+void lengthen_queue(int descriptor) noexcept {
+  constexpr int kRoom = 1 << 20;
+  if (setsockopt(descriptor, SOL_SOCKET, SO_SNDBUFFORCE, &kRoom, sizeof kRoom) != 0)
+    setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &kRoom, sizeof kRoom);
 }
 
-Attempt connect_to(int descriptor, const Path& path, JoinError& error) noexcept {
+/// The queue that frames of @p kind get on a bus of @p bit_rate. A program that knows the hub has one of its own.
+void set_queue(int descriptor, Kind kind, int bit_rate) noexcept {
+  if (bit_rate != 0)
+    shorten_queue(descriptor);
+  else if (kind == Kind::Raw)
+    lengthen_queue(descriptor);
+}
+
+/// $CAN_BITRATE, nullptr if there is none; false if it is no bit rate.
+bool wanted_bit_rate(const char*& text) noexcept {
+  text = getenv("CAN_BITRATE");
+  uint32_t rate = 0;
+  return text == nullptr || read_bit_rate(text, strlen(text), rate);
+}
+
+Attempt connect_to(int descriptor, const Path& path, Kind kind, JoinError& error) noexcept {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   memcpy(address.sun_path, path.text, strlen(path.text) + 1);
@@ -85,7 +103,7 @@ Attempt connect_to(int descriptor, const Path& path, JoinError& error) noexcept 
   }
   const Answer answer = ask(descriptor, Operation::Hello);
   if (answer.error == 0) {
-    if (answer.value != 0) shorten_queue(descriptor);
+    set_queue(descriptor, kind, answer.value);
     return Attempt::Member;
   }
   if (answer.error == ENETDOWN) return Attempt::Closing;
@@ -99,7 +117,12 @@ bool serve(const char* hub, const Path& path, JoinError& error) noexcept {
     error = JoinError::NotServed;
     return false;
   }
-  switch (start_hub(hub, path.text, wanted_bit_rate())) {
+  const char* bit_rate = nullptr;
+  if (!wanted_bit_rate(bit_rate)) {
+    error = JoinError::BitRate;
+    return false;
+  }
+  switch (start_hub(hub, path.text, bit_rate)) {
     case StartStatus::Served:
       return true;
     case StartStatus::InUse:
@@ -125,7 +148,7 @@ Joined join(const Path& path, const char* hub, Kind kind, int flags) noexcept {
     // connected before it becomes one that does not block, so that a full backlog is waited for
     const int descriptor = named_socket(kind, flags & SOCK_CLOEXEC);
     if (descriptor < 0) return {.descriptor = -1, .error = JoinError::System};
-    const Attempt outcome = connect_to(descriptor, path, error);
+    const Attempt outcome = connect_to(descriptor, path, kind, error);
     if (outcome == Attempt::Member) {
       if ((flags & SOCK_NONBLOCK) != 0) set_nonblocking(descriptor);
       return {.descriptor = descriptor, .error = JoinError::None};
@@ -151,6 +174,8 @@ const char* text_of(JoinError error) noexcept {
       return "is in use by something that is no CAN bus";
     case JoinError::NoHub:
       return "is not served, and the program canhub was not found";
+    case JoinError::BitRate:
+      return "is not served, and CAN_BITRATE is no bit rate: expected 0 or 1000 to 1000000 (bit/s)";
     case JoinError::NotServed:
       return "cannot be served by canhub (run canhub --path to see why)";
   }

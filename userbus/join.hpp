@@ -11,6 +11,7 @@ enum class JoinError : uint8_t {
   Denied,     ///< the path belongs to somebody else, or must not be opened
   InUse,      ///< something at the path is no bus
   NoHub,      ///< the program canhub was not found where it was looked for
+  BitRate,    ///< nobody serves the path, and $CAN_BITRATE is no bit rate
   NotServed,  ///< canhub could not serve the path
 };
 

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -111,11 +110,9 @@ StartStatus run(Start& start) noexcept {
 
 }  // namespace
 
-StartStatus start_hub(const char* hub, const char* path, uint32_t bit_rate) noexcept {
-  char rate[16];
-  snprintf(rate, sizeof rate, "%u", bit_rate);
-  const char* const words[] = {hub,  "--on-demand", "--path", path, bit_rate == 0 ? nullptr : "--bitrate",
-                               rate, nullptr};
+StartStatus start_hub(const char* hub, const char* path, const char* bit_rate) noexcept {
+  const char* const words[] = {
+      hub, "--on-demand", "--path", path, bit_rate == nullptr ? nullptr : "--bitrate", bit_rate, nullptr};
   auto* const start = static_cast<Start*>(malloc(sizeof(Start) + (count_environment() + 1) * sizeof(char*)));
   if (start == nullptr) return StartStatus::Failed;
   start->words = const_cast<char* const*>(words);

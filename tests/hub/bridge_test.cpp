@@ -167,6 +167,21 @@ TEST_F(Bridge, TellsTheErrorStateOfTheOtherController) {
   EXPECT_EQ(member.seen, Texts{});
 }
 
+TEST_F(Bridge, LimitsWhatTheOtherBusCanMakeItSay) {
+  constexpr std::size_t kMost = bus::MessageLimit::kMost;
+  for (std::size_t i = 0; i < 5 * kMost; ++i) {
+    link->news = i % 2 == 0 ? LinkState::Down : LinkState::Up;
+    bridge.on_readable(kStart);
+  }
+  EXPECT_EQ(notices.size(), kMost);
+  EXPECT_EQ(bridge.next_deadline(), kStart + bus::MessageLimit::kPeriod);
+
+  bridge.on_time(kStart + bus::MessageLimit::kPeriod);
+
+  ASSERT_EQ(notices.size(), kMost + 1);
+  EXPECT_EQ(notices.back(), "can7: ... 40 more messages left out");
+}
+
 TEST_F(Bridge, JoinsTheOtherBusAgainWhenItComesBack) {
   port->rule = [](std::size_t) { return SendStatus::Full; };
   medium.send(passage(member, "123#01"), kStart);

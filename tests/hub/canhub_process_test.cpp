@@ -113,7 +113,7 @@ TEST_F(CanhubProcess, LeavesAPathThatIsServed) {
   EXPECT_EQ(second.wait(), 1);
   EXPECT_EQ(second.output(), "canhub: " + bus_ + ": is served by another canhub\n");
   EXPECT_EQ(start_on_demand(), StartStatus::Served);
-  EXPECT_EQ(userbus::start_hub(CANHUB, bus_.c_str(), 125'000), StartStatus::Different);
+  EXPECT_EQ(userbus::start_hub(CANHUB, bus_.c_str(), "125000"), StartStatus::Different);
 }
 
 TEST_F(CanhubProcess, ServesOnceHoweverManyAreStartedAtOnce) {

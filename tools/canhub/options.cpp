@@ -1,18 +1,16 @@
 #include "tools/canhub/options.hpp"
 
-#include <charconv>
 #include <iostream>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "userbus/bit_rate.hpp"
+
 namespace canhub {
 
 namespace {
-
-constexpr std::uint32_t kHighestRate = 1'000'000;  // bit/s, ISO 11898-2 for classical frames
-constexpr std::uint32_t kLowestRate = 1000;
 
 constexpr const char* kDescription =
     "Serves a CAN bus in user space at a Unix socket, for programs that run under with-can and for axisd.";
@@ -22,12 +20,8 @@ constexpr const char* kFooter =
 
 std::uint32_t bit_rate_of(const std::string& text) {
   std::uint32_t rate = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, rate);
-  const bool is_rate = rate == 0 || (rate >= kLowestRate && rate <= kHighestRate);
-  if (error == std::errc{} && rest == end && is_rate) return rate;
-  throw UsageError{fmt::format("--bitrate: expected 0 or an integer {} to {} (bit/s), got \"{}\"", kLowestRate,
-                               kHighestRate, text)};
+  if (userbus::read_bit_rate(text.data(), text.size(), rate)) return rate;
+  throw UsageError{fmt::format("--bitrate: expected {}, got \"{}\"", userbus::kBitRateRule, text)};
 }
 
 std::string length_error(std::string_view what, std::size_t length) {

@@ -1,10 +1,12 @@
 #include "tools/with-can/command_line.hpp"
 
 #include <array>
-#include <charconv>
+#include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
+
+#include "userbus/bit_rate.hpp"
 
 namespace with_can {
 
@@ -15,8 +17,8 @@ uses SocketCAN and is linked with the C library dynamically; scripts are, as the
 
   --bus PATH    the bus is at PATH (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /tmp/can-bus-UID)
   --private     a new bus for COMMAND and whatever that starts, which find its path in $CAN_BUS
-  --bitrate N   frames take the time that they take at N bit/s, 10000 to 1000000 (default: as the bus is;
-                a new one takes no time)
+  --bitrate N   frames take the time that they take at N bit/s, 1000 to 1000000, or 0: no time (default: as the
+                bus is; on a new one they take no time)
   --help        this text
   --version     the version
 
@@ -35,11 +37,11 @@ std::optional<std::string> store_bus(CommandLine& line, std::string_view value) 
 }
 
 std::optional<std::string> store_bit_rate(CommandLine& line, std::string_view value) {
-  const char* const end = value.data() + value.size();
-  const auto [stop, error] = std::from_chars(value.data(), end, line.bit_rate);
-  if (error == std::errc{} && stop == end && line.bit_rate >= kLowestBitRate && line.bit_rate <= kHighestBitRate)
-    return std::nullopt;
-  return fmt::format("--bitrate: expected {} to {} bit/s, got \"{}\"", kLowestBitRate, kHighestBitRate, value);
+  std::uint32_t rate = 0;
+  if (!userbus::read_bit_rate(value.data(), value.size(), rate))
+    return fmt::format("--bitrate: expected {}, got \"{}\"", userbus::kBitRateRule, value);
+  line.bit_rate = value;
+  return std::nullopt;
 }
 
 /// An option that has a value; storing it may go wrong.

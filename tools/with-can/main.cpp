@@ -62,10 +62,10 @@ void preload(const std::string& library) {
 }
 
 /// Starts the bus at its bit rate, or finds it running at that. Returns an exit status.
-int start_bus(const std::string& bus, std::uint32_t bit_rate, const std::string& folder) {
+int start_bus(const std::string& bus, const std::string& bit_rate, const std::string& folder) {
   const char* const chosen = std::getenv("CAN_HUB");
   const std::string hub = chosen != nullptr && *chosen != '\0' ? chosen : folder + "/canhub";
-  switch (userbus::start_hub(hub.c_str(), bus.c_str(), bit_rate)) {
+  switch (userbus::start_hub(hub.c_str(), bus.c_str(), bit_rate.c_str())) {
     case userbus::StartStatus::Served:
       return 0;
     case userbus::StartStatus::Different:
@@ -93,8 +93,8 @@ int run(const CommandLine& line) {
   const std::string library = (folder / "../lib/axisd/libcan-preload.so").lexically_normal().string();
   if (const char* const trouble = trouble_with(library)) return fail(kFailure, library + ": " + trouble);
   ::setenv("CAN_BUS", bus.c_str(), 1);
-  if (line.bit_rate != 0) {
-    ::setenv("CAN_BITRATE", std::to_string(line.bit_rate).c_str(), 1);
+  if (!line.bit_rate.empty()) {
+    ::setenv("CAN_BITRATE", line.bit_rate.c_str(), 1);
     if (const int status = start_bus(bus, line.bit_rate, folder.string()); status != 0) return status;
   }
   preload(library);

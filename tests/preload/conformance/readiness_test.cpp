@@ -62,6 +62,15 @@ TEST(Readiness, IsToldByEpollOnceAnEdge) {
   close(watcher);
 }
 
+TEST(Readiness, StaysWhileABurstIsSent) {
+  const CanSocket sender, receiver;
+  for (canid_t i = 0; i < 1000; ++i) {
+    pollfd wanted{sender.fd(), POLLOUT, 0};
+    ASSERT_EQ(poll(&wanted, 1, 0), 1) << "frame " << i;
+    ASSERT_EQ(sender.send(frame(0x123)), 0) << "frame " << i;
+  }
+}
+
 TEST(Readiness, IsNotWaitedForWithoutBlocking) {
   const CanSocket sender, receiver;
   can_frame received{};

@@ -73,8 +73,8 @@ TEST_F(WithCan, SaysWhatIsWrongWithItsOptions) {
       {{"--bus", "/x", "--"}, "expected a command to run"},
       {{"--bus"}, "--bus: expected a value"},
       {{"--bus=", "env"}, "--bus: expected a path, got nothing"},
-      {{"--bitrate", "9999", "env"}, "--bitrate: expected 10000 to 1000000 bit/s, got \"9999\""},
-      {{"--bitrate", "125k", "env"}, "--bitrate: expected 10000 to 1000000 bit/s, got \"125k\""},
+      {{"--bitrate", "999", "env"}, "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"999\""},
+      {{"--bitrate", "125k", "env"}, "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"125k\""},
       {{"--fast", "env"}, "unknown option --fast"},
   };
   for (const auto& [words, message] : cases) {
@@ -99,6 +99,16 @@ TEST_F(WithCan, StartsABusWithABitRate) {
 
   EXPECT_EQ(other.status, 1);
   EXPECT_TRUE(is_one_line_with(other.errors, "runs at another bit rate than 250000 bit/s"));
+}
+
+TEST_F(WithCan, TakesTheBitRatesOfCanhub) {
+  EXPECT_EQ(run({"--bus", path("slow"), "--bitrate", "1000", "true"}).status, 0);
+  EXPECT_EQ(run({"--bus", path("instant"), "--bitrate", "0", "true"}).status, 0);
+
+  const fakes::Finished other = run({"--bus", path("slow"), "--bitrate", "0", "true"});
+
+  EXPECT_EQ(other.status, 1);
+  EXPECT_TRUE(is_one_line_with(other.errors, "runs at another bit rate than 0 bit/s"));
 }
 
 TEST_F(WithCan, SaysThatAPathIsInUse) {
