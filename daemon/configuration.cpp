@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <limits>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "daemon/json_reader.hpp"
 #include "daemon/load_reader.hpp"
 #include "daemon/motor_file.hpp"
+#include "daemon/parameter_reader.hpp"
 #include "daemon/plant_reader.hpp"
 #include "daemon/supply_reader.hpp"
 #include "drive/drive_unit.hpp"
@@ -29,78 +27,6 @@ struct AxisTypeRow {
 };
 constexpr std::array kAxisTypes{AxisTypeRow{"servo", drive::ObjectKind::Servo},
                                 AxisTypeRow{"vector", drive::ObjectKind::Vector}};
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-
-/// What should have been written instead of what @p error refused.
-std::string expectation(const drive::ParameterError& error) {
-  using drive::Refusal;
-  const drive::ParameterRow& row = *error.row;
-  const bool number = error.reason == Refusal::BelowMinimum || error.reason == Refusal::AboveMaximum ||
-                      error.reason == Refusal::WrongType;
-  if (!number) return fmt::format("no such value ({})", drive::message(error));
-  const drive::Range limits = drive::limits_of(row);
-  const std::string_view unit = drive::row_of(row.unit).text;
-  return fmt::format("{} {} to {}{}{}", row.type == drive::DataType::F32 ? "a number" : "an integer",
-                     limits.minimum, limits.maximum, unit.empty() ? "" : " ", unit);
-}
-
-/// The number in brackets behind a parameter such as p1070[1], 0 if there is none; @p text loses it.
-std::optional<std::uint8_t> take_index(std::string& text) {
-  const std::size_t bracket = text.find('[');
-  if (bracket == std::string::npos) return std::uint8_t{0};
-  std::uint8_t index = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data() + bracket + 1, end, index);
-  if (error != std::errc{} || std::string_view{rest, end} != "]") return std::nullopt;
-  text.resize(bracket);
-  return index;
-}
-
-/// A parameter of the drive objects of @p kind and its value; @p refused says why they would not take it.
-template <class Refused>
-ParameterValue read_parameter(const JsonReader& json, std::string text, drive::ObjectKind kind,
-                              const Refused& refused) {
-  const bool of_the_unit = kind == drive::ObjectKind::ControlUnit;
-  const auto index = take_index(text);
-  const drive::ParameterRow* const row = drive::find_parameter(kind, text);
-  if (!index || row == nullptr)
-    json.fail(of_the_unit ? "a parameter of the control unit such as p8848 as key"
-                          : "a parameter of the axis such as p1120 or p1070[1] as key");
-  if (*index >= row->count) json.fail(fmt::format("an index 0 to {} of {} as key", row->count - 1, text));
-  const ParameterValue value{row->number, json.number(-kUnlimited, kUnlimited), *index};
-  if (const std::optional<drive::ParameterError> error = refused(value)) json.fail(expectation(*error));
-  return value;
-}
-
-/// The values under the parameters that @p json has as keys.
-template <class Refused>
-std::vector<ParameterValue> read_parameters(const JsonReader& json, drive::ObjectKind kind,
-                                            const Refused& refused) {
-  if (!json.is_object()) json.fail("an object");
-  std::vector<ParameterValue> values;
-  for (const std::string& text : json.keys()) values.push_back(read_parameter(json.at(text), text, kind, refused));
-  return values;
-}
-
-/// What a new axis of @p configuration takes.
-std::vector<ParameterValue> read_axis_parameters(const JsonReader& json, const AxisConfiguration& configuration) {
-  return read_parameters(json, configuration.kind, [&](const ParameterValue& value) {
-    drive::Axis trial{{.machine = configuration.machine,
-                       .load = configuration.load,
-                       .kind = configuration.kind,
-                       .inverter = configuration.inverter}};
-    const auto written = trial.write(value.number, value.index, value.value);
-    return written ? std::nullopt : std::optional{written.error()};
-  });
-}
-
-/// What a new control unit takes: parameters that it saves.
-std::vector<ParameterValue> read_unit_parameters(const JsonReader& json) {
-  const drive::DriveUnit trial{{}};
-  return read_parameters(json, drive::ObjectKind::ControlUnit, [&](const ParameterValue& value) {
-    return trial.object(drive::kControlUnitNumber)->load_error(value.number, value.index, value.value);
-  });
-}
 
 drive::ObjectKind read_axis_type(const JsonReader& json) {
   const std::string name = json.text();
@@ -109,7 +35,7 @@ drive::ObjectKind read_axis_type(const JsonReader& json) {
   return row->kind;
 }
 
-/// What is said of @p axis, over its defaults.
+/// What is said of @p axis, over its defaults, except its parameters.
 AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   json.expect_object({"name", "type", "motor", "encoder", "load", "plant", "power_unit", "parameters"});
   if (json.has("name")) axis.name = json.at("name").text();
@@ -120,7 +46,6 @@ AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   if (json.has("plant")) axis.deviation = read_plant(json.at("plant"), axis.machine, axis.load);
   axis.inverter = motor::inverter_for(axis.machine.maximum_current);
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
-  if (json.has("parameters")) axis.parameters = read_axis_parameters(json.at("parameters"), axis);
   return axis;
 }
 
@@ -136,6 +61,9 @@ std::vector<AxisConfiguration> read_axes(const JsonReader& json) {
     }
     axes.push_back(std::move(axis));
   }
+  for (std::size_t i = 0; i < json.size(); ++i)
+    if (json.at(i).has("parameters"))
+      axes[i].parameters = read_axis_parameters(json.at(i).at("parameters"), axes, i);
   return axes;
 }
 
@@ -170,7 +98,11 @@ void override_with(Configuration& configuration, const Options& options) {
     throw ConfigurationError{fmt::format("--node-id: expected an integer {} to {}, got {}", kFirstNodeId,
                                          kLastNodeId, configuration.node_id)};
   }
-  if (options.axes) resize_axes(configuration.axes, *options.axes);
+  if (!options.axes) return;
+  resize_axes(configuration.axes, *options.axes);
+  if (const auto refused = refused_parameter(configuration))
+    throw ConfigurationError{
+        fmt::format("--axes: expected the axis that {} is connected to, got {}", *refused, *options.axes)};
 }
 
 }  // namespace
@@ -189,9 +121,10 @@ Configuration parse_configuration(std::string_view text, const std::string& file
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
-  if (json.has("parameters")) configuration.parameters = read_unit_parameters(json.at("parameters"));
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"));
+  if (json.has("parameters"))
+    configuration.parameters = read_unit_parameters(json.at("parameters"), configuration.axes);
   return configuration;
 }
 

@@ -110,12 +110,23 @@ tl::expected<double, std::string> number(const json& params, const char* key, do
                             found == params.end() ? "nothing" : found->dump()));
 }
 
+/// The type of load torque in @p params, constant if there is none.
+tl::expected<motor::LoadTorqueType, std::string> load_type(const json& params) {
+  const auto found = params.find("type");
+  if (found == params.end() || *found == "constant") return motor::LoadTorqueType::Constant;
+  if (*found == "friction") return motor::LoadTorqueType::Friction;
+  return refuse(fmt::format("type: expected constant or friction, got {}", found->dump()));
+}
+
 Outcome set_load(Daemon& daemon, const json& params) {
   const auto place = axis(daemon, params, kFirstAxis);
   if (!place) return refuse(place.error());
-  const auto torque = number(params, "torque_Nm", -kHighestTorque, kHighestTorque);
+  const auto type = load_type(params);
+  if (!type) return refuse(type.error());
+  const double lowest = *type == motor::LoadTorqueType::Friction ? 0.0 : -kHighestTorque;
+  const auto torque = number(params, "torque_Nm", lowest, kHighestTorque);
   if (!torque) return refuse(torque.error());
-  daemon.set_load_torque(*place, *torque);
+  daemon.set_load_torque(*place, *torque, *type);
   return json::object();
 }
 

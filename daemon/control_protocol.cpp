@@ -70,17 +70,18 @@ std::string default_socket_path(std::string_view label, int node) {
   return path;
 }
 
-bool is_socket_name(std::string_view file_name) noexcept {
-  if (!file_name.starts_with(kPrefix) || !file_name.ends_with(kSuffix)) return false;
-  if (file_name.size() <= kPrefix.size() + kSuffix.size()) return false;
+std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept {
+  if (!file_name.starts_with(kPrefix) || !file_name.ends_with(kSuffix)) return std::nullopt;
+  if (file_name.size() <= kPrefix.size() + kSuffix.size()) return std::nullopt;
   const std::string_view middle =
       file_name.substr(kPrefix.size(), file_name.size() - kPrefix.size() - kSuffix.size());
   const std::size_t dash = middle.rfind('-');
-  if (dash == std::string_view::npos || dash == 0) return false;
+  if (dash == std::string_view::npos || dash == 0) return std::nullopt;
   int node = 0;
   const char* const end = middle.data() + middle.size();
   const auto [rest, error] = std::from_chars(middle.data() + dash + 1, end, node);
-  return error == std::errc{} && rest == end && node >= 1 && node <= kHighestNode;
+  if (error != std::errc{} || rest != end || node < 1 || node > kHighestNode) return std::nullopt;
+  return SocketName{middle.substr(0, dash), node};
 }
 
 tl::expected<sockaddr_un, std::string> socket_address(std::string_view path) {

@@ -68,8 +68,13 @@ static_assert(std::is_sorted(kMethods.begin(), kMethods.end(),
 [[nodiscard]] std::string runtime_directory();
 /// Path of the control socket of the daemon with node-ID @p node on the bus whose bus::label() is @p label.
 [[nodiscard]] std::string default_socket_path(std::string_view label, int node);
-/// True if @p file_name (without folder) is one that default_socket_path() gives.
-[[nodiscard]] bool is_socket_name(std::string_view file_name) noexcept;
+/// What the name of a control socket says of its daemon.
+struct SocketName {
+  std::string_view label;  ///< bus::label() of its bus
+  int node = 0;            ///< its node-ID
+};
+/// What @p file_name (without folder) says, if it is one that default_socket_path() gives.
+[[nodiscard]] std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept;
 /// Socket address of @p path, or in one line why it cannot be one (empty, or longer than 107 bytes).
 [[nodiscard]] tl::expected<sockaddr_un, std::string> socket_address(std::string_view path);
 

@@ -50,12 +50,6 @@ constexpr device::BusState bus_state_of(bus::ErrorState state) noexcept {
   return kStates[static_cast<std::size_t>(state)];
 }
 
-std::vector<double> load_torques(const Configuration& configuration) {
-  std::vector<double> torques;
-  for (const AxisConfiguration& axis : configuration.axes) torques.push_back(axis.load.constant_torque);
-  return torques;
-}
-
 }  // namespace
 
 Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& state_root,
@@ -80,6 +74,13 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
   log_receive_buffer();
   if (!loop_.port().carries_remote_frames())
     log_.notice("{} carries no remote frames: no node guarding, no life guarding", bus_name());
+}
+
+std::vector<Daemon::LoadTorque> Daemon::load_torques(const Configuration& configuration) {
+  std::vector<LoadTorque> torques;
+  for (const AxisConfiguration& axis : configuration.axes)
+    torques.push_back({axis.load.constant_torque, axis.load.friction_torque});
+  return torques;
 }
 
 /// What cannot be used is not there: the unit starts as a new one.
@@ -132,6 +133,7 @@ void Daemon::look_around() noexcept {
   if (!ready_told_) tell_ready();
   if (!full_logged_ && loop_.queue().waiting() != 0) log_full_queue();
   if (device_.skipped_cycles() != skipped_seen_) log_skipped_cycles();
+  if (device_.held_back_axes() != held_back_seen_) log_held_back();
   const bool planned = retention_.due() != canopen::kNever;
   if (device_.message_changes() != messages_seen_ || (!planned && device_.is_moving())) plan_retention();
 }
@@ -169,6 +171,16 @@ void Daemon::log_skipped_cycles() noexcept {
                std::chrono::duration<double, std::milli>{device_.cycle()}.count());
   skipped_seen_ = device_.skipped_cycles();
   skipped_logged_ = now;
+}
+
+void Daemon::log_held_back() noexcept {
+  const std::uint32_t seen = std::exchange(held_back_seen_, device_.held_back_axes());
+  for (std::size_t axis = 1; axis <= configuration_.axes.size(); ++axis) {
+    const std::uint32_t bit = 1U << (axis - 1);
+    if ((held_back_seen_ & bit & ~seen) == 0) continue;
+    log_.warning("axis {}: its load drives the shaft to {:.0f} rpm, where the rotor would burst: held there", axis,
+                 motor::bursting_speed(configuration_.axes[axis - 1].machine) / motor::kRpm);
+  }
 }
 
 void Daemon::log_full_queue() noexcept {
@@ -258,9 +270,10 @@ bool Daemon::acknowledge(std::size_t axis) noexcept {
   return device_.acknowledge(axis, read_clock());
 }
 
-void Daemon::set_load_torque(std::size_t axis, double torque) noexcept {
-  load_torques_[axis - 1] = torque;
-  device_.set_load_torque(axis, torque, read_clock());
+void Daemon::set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type) noexcept {
+  const bool friction = type == motor::LoadTorqueType::Friction;
+  load_torques_[axis - 1] = {friction ? 0.0 : torque, friction ? torque : 0.0};
+  device_.set_load_torque(axis, torque, type, read_clock());
 }
 
 void Daemon::set_line_voltage(double voltage) noexcept {

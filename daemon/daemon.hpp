@@ -43,8 +43,8 @@ class Daemon final : private device::Listener, private Station {
                                               std::uint32_t value) noexcept;
   /// Acknowledges the faults of @p axis (0..axes); true if none is left.
   bool acknowledge(std::size_t axis) noexcept;
-  /// Sets the load torque of @p axis (1..axes; N·m).
-  void set_load_torque(std::size_t axis, double torque) noexcept;
+  /// Sets the load torque of @p axis (1..axes; N·m; friction not negative).
+  void set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type) noexcept;
   /// Sets the line voltage of the unit (V rms between lines, not negative).
   void set_line_voltage(double voltage) noexcept;
   /// The encoder of @p axis (1..axes) has @p defect from now on.
@@ -58,8 +58,13 @@ class Daemon final : private device::Listener, private Station {
   const bus::TransmitQueue& transmit_queue() const noexcept { return loop_.queue(); }
   bus::ErrorState bus_state() const noexcept { return loop_.port().error_state(); }
   bool link_is_up() const noexcept { return loop_.is_open(); }
-  /// Load torque of @p axis (1..axes) as last set (N·m).
-  double load_torque(std::size_t axis) const noexcept { return load_torques_[axis - 1]; }
+  /// What a load does whatever else hangs on the shaft (N·m).
+  struct LoadTorque {
+    double constant = 0.0;
+    double friction = 0.0;
+  };
+  /// Load torque of @p axis (1..axes) as last set.
+  const LoadTorque& load_torque(std::size_t axis) const noexcept { return load_torques_[axis - 1]; }
   /// Frames received, frames lost in the socket, and frames of others under this node's identifiers.
   std::uint64_t received() const noexcept { return loop_.received(); }
   std::uint64_t receive_overflows() const noexcept { return loop_.port().dropped(); }
@@ -95,12 +100,14 @@ class Daemon final : private device::Listener, private Station {
   void on_burst_end() noexcept override;
   void on_error_state(bus::ErrorState state) noexcept override;
 
+  static std::vector<LoadTorque> load_torques(const Configuration& configuration);
   void load_state();
   void retain(Durability durability) noexcept;
   void look_around() noexcept;
   void plan_retention() noexcept;
   void log_full_queue() noexcept;
   void log_skipped_cycles() noexcept;
+  void log_held_back() noexcept;
   void tell_ready() noexcept;
   void link_up() noexcept;
   void link_down() noexcept;
@@ -128,13 +135,14 @@ class Daemon final : private device::Listener, private Station {
   bool stopping_ = false;
   bool ready_told_ = false;
   bool full_logged_ = false;
-  std::vector<double> load_torques_;
+  std::vector<LoadTorque> load_torques_;
   std::uint64_t foreign_frames_ = 0;
   canopen::TimePoint foreign_logged_{};
   bool withheld_logged_ = false;
   std::uint64_t overflows_seen_ = 0;
   std::uint64_t skipped_seen_ = 0;
   canopen::TimePoint skipped_logged_{};
+  std::uint32_t held_back_seen_ = 0;  // axes, as Device::held_back_axes()
   std::uint64_t sent_before_boot_up_ = 0;
 };
 

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -30,6 +32,69 @@ std::string quote(const nlohmann::json& value) {
   return text;
 }
 
+/// @p key in a path: whatever it holds, the message is one line.
+std::string quoted_key(const std::string& key) {
+  const std::string quoted = quote(nlohmann::json(key));
+  return quoted.substr(1, quoted.size() - 2);
+}
+
+/// Notices keys that an object has twice while it is parsed.
+class KeyWatch {
+ public:
+  explicit KeyWatch(const std::string& file) : file_{file} {}
+
+  /// What the parser calls; throws ConfigurationError at a key that is there already.
+  bool operator()(nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+    using Event = nlohmann::json::parse_event_t;
+    switch (event) {
+      case Event::object_start:
+      case Event::array_start:
+        count();
+        levels_.push_back({.array = event == Event::array_start});
+        break;
+      case Event::object_end:
+      case Event::array_end:
+        levels_.pop_back();
+        break;
+      case Event::key:
+        see(parsed);
+        break;
+      case Event::value:
+        count();
+        break;
+    }
+    return true;
+  }
+
+ private:
+  /// An object or array that is not yet at its end.
+  struct Level {
+    bool array = false;
+    std::size_t values = 0;  // of an array
+    std::string key{};       // of an object, the last one
+    std::set<std::string> keys{};
+  };
+
+  void count() {
+    if (!levels_.empty() && levels_.back().array) ++levels_.back().values;
+  }
+  void see(const nlohmann::json& key) {
+    Level& level = levels_.back();
+    level.key = key.get<std::string>();
+    if (level.keys.insert(level.key).second) return;
+    throw ConfigurationError{fmt::format("{}: {}: expected once, is there twice", file_, path())};
+  }
+  std::string path() const {
+    std::string path;
+    for (const Level& level : levels_)
+      path += "/" + (level.array ? std::to_string(level.values - 1) : quoted_key(level.key));
+    return path;
+  }
+
+  const std::string& file_;
+  std::vector<Level> levels_;
+};
+
 }  // namespace
 
 std::string read_text_file(const std::string& file) {
@@ -44,7 +109,11 @@ std::string read_text_file(const std::string& file) {
 
 JsonReader JsonReader::parse(std::string_view text, const std::string& file) {
   try {
-    return JsonReader{nlohmann::json::parse(text), file, ""};
+    KeyWatch watch{file};
+    const auto on_event = [&watch](int, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+      return watch(event, parsed);
+    };
+    return JsonReader{nlohmann::json::parse(text, on_event), file, ""};
   } catch (const nlohmann::json::parse_error& error) {
     throw ConfigurationError{fmt::format("{}: {}: expected valid JSON", file, position_of(text, error.byte))};
   } catch (const nlohmann::json::out_of_range&) {
@@ -64,9 +133,8 @@ void JsonReader::expect_object(std::span<const std::string_view> keys) const {
   if (!value_.is_object()) fail("an object");
   for (const auto& item : value_.items()) {
     if (std::find(keys.begin(), keys.end(), item.key()) != keys.end()) continue;
-    const std::string key = quote(nlohmann::json(item.key()));  // whatever it holds, the message is one line
     throw ConfigurationError{fmt::format("{}/{}: unknown key, expected one of: {}", file_ + ": " + path_,
-                                         key.substr(1, key.size() - 2), fmt::join(keys, ", "))};
+                                         quoted_key(item.key()), fmt::join(keys, ", "))};
   }
 }
 

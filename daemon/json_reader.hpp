@@ -38,6 +38,7 @@ class JsonReader {
   std::filesystem::path folder() const { return std::filesystem::path{file_}.parent_path(); }
 
   bool is_string() const { return value_.is_string(); }
+  bool is_number() const { return value_.is_number(); }
   bool is_object() const { return value_.is_object(); }
   bool is_array() const { return value_.is_array(); }
   std::string text() const;

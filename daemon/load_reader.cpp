@@ -89,6 +89,11 @@ constexpr std::array kTorqueKinds{
         "constant",
         {"torque"},
         [](const JsonReader& json, Load& load) { load.constant_torque += torque_number(json.at("torque")); }},
+    TorqueKind{"friction",
+               {"torque"},
+               [](const JsonReader& json, Load& load) {
+                 load.friction_torque += json.at("torque").number(0, kHighestTorque);
+               }},
     TorqueKind{"hoist",
                {"mass", "radius"},
                [](const JsonReader& json, Load& load) { load.constant_torque += weight_torque(json); }},
@@ -122,7 +127,7 @@ void read_torque(const JsonReader& json, Load& load) {
       if (!json.has(std::string{key})) json.fail(fmt::format("the key {}", key));
     return kind.add(json, load);
   }
-  json.at("type").fail("constant, hoist, fan, pendulum or profile");
+  json.at("type").fail("constant, friction, hoist, fan, pendulum or profile");
 }
 
 /// Several torques add up.
@@ -145,7 +150,8 @@ void read_section(const JsonReader& json, const Section& section, Load& load) {
 /// Behind a gear with @p ratio revolutions of the motor for one of the load, at the motor shaft instead.
 void refer_to_shaft(double ratio, Load& load) {
   const double square = ratio * ratio;
-  for (double* const torque : {&load.coulomb_friction, &load.breakaway_torque, &load.constant_torque})
+  for (double* const torque :
+       {&load.coulomb_friction, &load.breakaway_torque, &load.constant_torque, &load.friction_torque})
     *torque /= ratio;
   for (motor::TorqueProfile::Point& point : load.profile.points) point.torque /= ratio;
   for (double* const per_speed : {&load.inertia, &load.viscous_friction, &load.coupling.stiffness,

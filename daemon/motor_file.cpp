@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "daemon/configuration.hpp"
+
 namespace axisd {
 namespace {
 
@@ -133,9 +135,18 @@ void complete(const JsonReader& json, MachineData& m) {
     m.stall_current = whole ? m.rated_current : std::max(m.stall_current, m.rated_current);
 }
 
-MachineData read_motor_file(const std::filesystem::path& path) {
+/// The content of motor file @p name, which the configuration names at @p place.
+std::string motor_text(const JsonReader& place, const std::string& name) {
+  try {
+    return read_text_file(name);
+  } catch (const ConfigurationError& error) {
+    place.fail(fmt::format("a motor file that can be read ({})", error.what()));
+  }
+}
+
+MachineData read_motor_file(const JsonReader& place, const std::filesystem::path& path) {
   const std::string name = path.string();
-  const JsonReader json = JsonReader::parse(read_text_file(name), name);
+  const JsonReader json = JsonReader::parse(motor_text(place, name), name);
   expect_known_keys(json);
   for (const std::string_view key : kTexts)
     if (json.has(std::string{key})) (void)json.at(std::string{key}).text();
@@ -200,8 +211,8 @@ std::span<const QuantityKey<MachineData>> motor_keys() {
 MachineData read_motor(const JsonReader& json) {
   const std::string name = json.text();
   if (name.find_first_of("./") != std::string::npos)
-    return read_motor_file(json.folder() / name);  // an absolute path stands for itself
-  return read_motor_file(find_preset(json, name));
+    return read_motor_file(json, json.folder() / name);  // an absolute path stands for itself
+  return read_motor_file(json, find_preset(json, name));
 }
 
 void read_encoder(const JsonReader& json, EncoderData& encoder) {

@@ -174,6 +174,13 @@ bool Device::is_moving() const noexcept {
   });
 }
 
+std::uint32_t Device::held_back_axes() const noexcept {
+  std::uint32_t axes = 0;
+  for (const drive::Axis& axis : unit_.axes())
+    if (axis.drive_train().is_held_back()) axes |= 1U << (axis.axis_number() - 1);
+  return axes;
+}
+
 canopen::TimePoint Device::next_deadline() const noexcept {
   return std::min({node_.next_deadline(), clock_.next(), rpdo_monitor_.deadline(), telegram_loss_.deadline(),
                    communication_.restart_at()});
@@ -265,9 +272,10 @@ void Device::fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen
   axes_[axis - 1].wake();
 }
 
-void Device::set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept {
+void Device::set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type,
+                             canopen::TimePoint now) noexcept {
   now_ = now;
-  unit_.axes()[axis - 1].set_load_torque(torque);
+  unit_.axes()[axis - 1].set_load_torque(torque, type);
   axes_[axis - 1].wake();
 }
 

@@ -86,8 +86,10 @@ class Device final : private canopen::Application,
   /// Acknowledges the faults of @p axis (0..axes) and takes back the alarms that raise() brought; true if no fault
   /// is left.
   bool acknowledge(std::size_t axis, canopen::TimePoint now) noexcept;
-  /// Sets the load torque of @p axis (1..axes; N·m, positive against positive rotation).
-  void set_load_torque(std::size_t axis, double torque, canopen::TimePoint now) noexcept;
+  /// Sets the load torque of @p axis (1..axes; N·m; a constant one positive against positive rotation, friction
+  /// not negative).
+  void set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type,
+                       canopen::TimePoint now) noexcept;
   /// The encoder of @p axis (1..axes) has @p defect from now on.
   void fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen::TimePoint now) noexcept;
   /// Sets the line voltage of the supply (V rms between lines, not negative; 0 = mains failure).
@@ -115,6 +117,8 @@ class Device final : private canopen::Application,
   std::uint32_t message_changes() const noexcept { return error_objects_.updates(); }
   /// Whether an axis turns or has its pulses enabled.
   bool is_moving() const noexcept;
+  /// The axes (bit 0 = axis 1) whose load drives the shaft at its bursting speed.
+  std::uint32_t held_back_axes() const noexcept;
   /// Frames of asynchronous RPDOs whose values were overwritten before a cycle has taken them.
   std::uint64_t lost_telegrams() const noexcept { return lost_telegrams_; }
   /// Cycles left out because the program was kept from running for too long.

@@ -91,8 +91,8 @@ void Axis::on_messages_changed() noexcept {
   settled_ = false;
 }
 
-void Axis::set_load_torque(double torque) noexcept {
-  train_.set_load_torque(torque);
+void Axis::set_load_torque(double torque, motor::LoadTorqueType type) noexcept {
+  train_.set_load_torque(torque, type);
   settled_ = false;
 }
 

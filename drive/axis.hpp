@@ -107,8 +107,9 @@ class Axis final : public DriveObject {
   /// Acknowledges what can be acknowledged now; true if no fault is left. During a fault reaction nothing can.
   bool acknowledge() noexcept override;
 
-  /// Replaces the constant load torque (N·m, positive against positive rotation).
-  void set_load_torque(double torque) noexcept;
+  /// Replaces constant torque and friction torque of the load by @p torque (N·m; a constant one positive against
+  /// positive rotation, friction not negative).
+  void set_load_torque(double torque, motor::LoadTorqueType type = motor::LoadTorqueType::Constant) noexcept;
 
   /// The motor encoder has @p defect from now on.
   void fail_encoder(motor::EncoderDefect defect) noexcept;

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "drive/explain_reasons.hpp"
-#include "drive/parameter/bico.hpp"
+#include "drive/parameter/bico_text.hpp"
 #include "drive/parameter/table.hpp"
 #include "drive/units.hpp"
 
@@ -27,10 +27,7 @@ bool is_own(const Axis& axis, const BicoSource& source) noexcept {
 
 std::string source_text(const Axis& axis, std::uint16_t input, const BicoSource& source) {
   const PlacedRow* const placed = find_parameter(axis.kind(), input);
-  const bool bit = placed != nullptr && placed->row->type == DataType::BinectorInput;
-  const std::string at = bit ? fmt::format("r{:04}.{}", source.number, source.position)
-                             : fmt::format("r{:04}[{}]", source.number, source.position);
-  return is_own(axis, source) ? at : fmt::format("{} of drive object {}", at, source.object);
+  return bico_text(source, placed != nullptr ? placed->row->type : DataType::ConnectorInput, axis.number());
 }
 
 }  // namespace

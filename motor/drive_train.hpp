@@ -52,8 +52,11 @@ class DriveTrain {
   /// Lets @p duration (s) pass with the pulses off and the shaft at rest: only temperatures change.
   void rest(double duration) noexcept;
 
-  /// Replaces the constant load torque (N·m, positive against positive rotation).
-  void set_load_torque(double torque) noexcept { plant_.set_load_torque(torque); }
+  /// Replaces constant torque and friction torque of the load by @p torque (N·m; a constant one positive against
+  /// positive rotation, friction not negative).
+  void set_load_torque(double torque, LoadTorqueType type = LoadTorqueType::Constant) noexcept {
+    plant_.set_load_torque(torque, type);
+  }
   /// Commands the holding brake; it acts after its opening or closing time.
   void set_brake(bool closed) noexcept { plant_.set_brake(closed); }
   /// From now on the encoder has @p defect instead of the one before.
@@ -68,6 +71,8 @@ class DriveTrain {
   Observation observation() const noexcept;
   const Encoder& encoder() const noexcept { return encoder_; }
   const PlantState& plant_state() const noexcept { return plant_.state(); }
+  /// Whether the shaft is at its bursting speed and would turn faster if it could.
+  bool is_held_back() const noexcept { return plant_.is_held_back(); }
   /// Where the energy of the last step went, behind the terminals (J).
   const PlantEnergies& energies() const noexcept { return plant_.energies(); }
   /// What the inverter has lost in the last step (J).

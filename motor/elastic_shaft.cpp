@@ -1,5 +1,6 @@
 #include "motor/elastic_shaft.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace motor {
@@ -12,6 +13,7 @@ ElasticShaft::ElasticShaft(const MachineData& machine, const Load& load) noexcep
       friction_{machine.coulomb_friction, 0.0, load.stribeck_speed},
       open_friction_{friction_.coulomb},
       load_friction_{load_friction(load)},
+      own_load_friction_{load_friction_.coulomb},
       hysteresis_{machine.hysteresis_torque},
       viscous_{machine.viscous_friction},
       eddy_current_drag_{machine.eddy_current_drag},
@@ -19,7 +21,9 @@ ElasticShaft::ElasticShaft(const MachineData& machine, const Load& load) noexcep
       load_viscous_{load.viscous_friction},
       coupling_{load.coupling},
       load_{load},
-      stops_{load.end_stops} {}
+      stops_{load.end_stops} {
+  load_friction_.coulomb += load.friction_torque;
+}
 
 void ElasticShaft::begin(const StepStart& start, double torque) noexcept {
   start_angle_ = start.angle - twist_;
@@ -52,6 +56,13 @@ Motion ElasticShaft::finish(const Rate& sum, double h, PlantEnergies& energies) 
   energies.iron = hysteresis_ * rotor.path + weight * eddy_current_drag_ * sum.square;
   energies.load = weight * sum.load;
   return rotor;
+}
+
+double ElasticShaft::slow_down(double limit) noexcept {
+  const double before = kinetic();
+  speed_ = std::clamp(speed_, -limit, limit);
+  load_speed_ = std::clamp(load_speed_, -limit, limit);
+  return before - kinetic();
 }
 
 double ElasticShaft::kinetic() const noexcept {

@@ -96,7 +96,13 @@ class ElasticShaft {
   double load_speed() const noexcept { return load_speed_; }
   double twist() const noexcept { return twist_; }
   void set_speed(double speed) noexcept { speed_ = load_speed_ = speed; }
-  void set_load_torque(double torque) noexcept { load_.set_constant(torque); }
+  /// Takes away what turns faster than @p limit (rad/s); the energy that goes with it (J).
+  double slow_down(double limit) noexcept;
+  /// Replaces constant load torque and friction torque (N·m).
+  void set_load(double constant, double friction) noexcept {
+    load_.set_constant(constant);
+    load_friction_.coulomb = own_load_friction_ + friction;
+  }
   /// Friction of the brake on the rotor (N·m), 0 = open.
   void set_brake(double torque) noexcept { friction_.coulomb = open_friction_ + torque; }
 
@@ -138,6 +144,7 @@ class ElasticShaft {
   DryFriction friction_;
   double open_friction_;  // of friction_.coulomb without the brake
   DryFriction load_friction_;
+  double own_load_friction_;  // of load_friction_.coulomb
   double hysteresis_;
   double viscous_;
   double eddy_current_drag_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace motor {
@@ -52,12 +53,19 @@ struct Load {
   double breakaway_torque = 0.0;  ///< static friction (N·m), counts above coulomb_friction (Stribeck)
   double stribeck_speed = 1.0;    ///< at which it has fallen to 1/e of its excess (rad/s), positive
   double constant_torque = 0.0;   ///< same sign whatever the speed: a weight, a tension, a second machine (N·m)
+  double friction_torque = 0.0;   ///< dry friction beside coulomb_friction: a brake, a tool that cuts (N·m)
   double fan_coefficient = 0.0;   ///< torque k·w·|w| against the motion (N·m·s²/rad²), not negative
   double pendulum_torque = 0.0;   ///< weight on an arm: torque·sin(angle of the load), 0 = hanging down (N·m)
   TorqueProfile profile{};        ///< added to the others
   Coupling coupling{};
   EndStops end_stops{};
   HoldingBrake brake{};
+};
+
+/// What a load torque that is set from outside does.
+enum class LoadTorqueType : std::uint8_t {
+  Constant,  ///< keeps its sign: drives a shaft that turns the other way, and one that stands
+  Friction,  ///< acts against the motion, and holds a shaft that stands
 };
 
 /// Whether rotor and load are two masses.

@@ -88,6 +88,13 @@ struct MachineData {
   EncoderData encoder{};
 };
 
+/// Speed at which the rotor of @p machine breaks (rad/s): 1.5 times the maximum speed. Rotors are tested at 1.2
+/// times (IEC 60034-1); the stress grows with the square.
+constexpr double bursting_speed(const MachineData& machine) noexcept {
+  constexpr double kMargin = 1.5;
+  return kMargin * machine.maximum_speed;
+}
+
 /// Encoder increments in one revolution: pulses times 2 to the fine resolution.
 constexpr double increments_per_revolution(const EncoderData& encoder) noexcept {
   return static_cast<double>(static_cast<std::uint64_t>(encoder.pulses) << encoder.fine_bits);

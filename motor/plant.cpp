@@ -1,5 +1,6 @@
 #include "motor/plant.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motor/control_period.hpp"
@@ -24,6 +25,7 @@ Plant::Plant(const MachineData& machine, const Load& load, int substeps) noexcep
       shaft_{made_shaft(machine, load)},
       substeps_{substeps > 0 ? substeps : needed_substeps(machine, load)},
       pole_pairs_{static_cast<double>(machine.pole_pairs)},
+      bursting_speed_{bursting_speed(machine)},
       whole_step_speed_{substeps_ == 1 ? followed_speed(1) : -1.0},
       brake_{load.brake} {
   apply_brake();
@@ -46,8 +48,9 @@ void Plant::set_temperatures(double winding, double rotor) noexcept {
   std::visit([&](auto& machine) { machine.set_temperatures(winding, rotor); }, machine_);
 }
 
-void Plant::set_load_torque(double torque) noexcept {
-  std::visit([&](auto& shaft) { shaft.set_load_torque(torque); }, shaft_);
+void Plant::set_load_torque(double torque, LoadTorqueType type) noexcept {
+  const bool friction = type == LoadTorqueType::Friction;
+  std::visit([&](auto& shaft) { shaft.set_load(friction ? 0.0 : torque, friction ? torque : 0.0); }, shaft_);
 }
 
 void Plant::set_brake(bool closed) noexcept {
@@ -64,7 +67,8 @@ void Plant::apply_brake() noexcept {
   std::visit([&](auto& shaft) { shaft.set_brake(torque); }, shaft_);
 }
 
-void Plant::set_speed(double speed) noexcept {
+void Plant::set_speed(double wanted) noexcept {
+  const double speed = std::clamp(wanted, -bursting_speed_, bursting_speed_);
   std::visit([&](auto& shaft) { shaft.set_speed(speed); }, shaft_);
   state_.speed = speed;
   state_.load_speed = speed;

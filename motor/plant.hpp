@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <variant>
 
@@ -36,17 +37,20 @@ class Plant {
   SpaceVector direction() const noexcept { return direction_; }
   /// Flux linkages of an induction machine in the stator frame (V·s); zero for a synchronous one.
   MachineFluxes fluxes() const noexcept;
+  /// Whether the shaft would turn faster if it could.
+  bool is_held_back() const noexcept { return std::abs(state_.speed) >= bursting_speed_; }
   /// How many Runge-Kutta steps make a control period, unless the shaft turns faster than the machine should.
   int substeps() const noexcept { return substeps_; }
 
   /// Winding and rotor (°C): for the resistances and the flux of the magnets.
   void set_temperatures(double winding, double rotor) noexcept;
-  /// Replaces the constant load torque (N·m, positive against positive rotation).
-  void set_load_torque(double torque) noexcept;
+  /// Replaces constant torque and friction torque of the load by @p torque (N·m; a constant one positive against
+  /// positive rotation, friction not negative).
+  void set_load_torque(double torque, LoadTorqueType type = LoadTorqueType::Constant) noexcept;
   /// Commands the holding brake; it acts after its closing or opening time.
   void set_brake(bool closed) noexcept;
-  /// Lets rotor and load turn at @p speed (rad/s), whatever they did before.
-  void set_speed(double speed) noexcept;
+  /// Lets rotor and load turn at @p wanted (rad/s, at most the bursting speed), whatever they did before.
+  void set_speed(double wanted) noexcept;
   /// Magnetises an induction machine at once, whatever it was before.
   void set_fluxes(const MachineFluxes& fluxes) noexcept;
   /// Whether no current flows, everything stands, and nothing will change while the pulses are inhibited.
@@ -86,7 +90,7 @@ class Plant {
   template <class M, class S>
   void finish(const Spent& spent, const M& machine, const S& shaft) noexcept;
   template <class S>
-  void hold_back(S& shaft) noexcept;
+  void hold_back(S& shaft, Spent& spent) noexcept;
   void start_period() noexcept;
   void stand() noexcept;
   void turn(const Motion& motion) noexcept;
@@ -100,6 +104,7 @@ class Plant {
   Shaft shaft_;
   int substeps_;
   double pole_pairs_;
+  double bursting_speed_;    // that nothing turns beyond (rad/s)
   double whole_step_speed_;  // up to which one step makes a control period (rad/s), negative = never
   HoldingBrake brake_;
   bool brake_closed_ = true;         // as commanded

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,8 +16,6 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kCoastingParts = 8;
 /// Control periods until the direction of the rotor is calculated from its angle again.
 constexpr std::int64_t kTurnsFromDirection = 16;
-/// Most steps in a control period.
-constexpr int kMostParts = 256;
 
 /// Rates of a step in which saturation counts.
 template <class S>
@@ -47,12 +46,11 @@ template <class S>
 
 }  // namespace
 
-/// As many parts as asked for, or more where the shaft turns faster than the machine was made for.
+/// As many parts as asked for, or more where the shaft turns faster than the machine was made for: the bursting
+/// speed bounds them.
 int Plant::needed(int parts) const noexcept {
   const double turning = std::abs(state_.speed) * pole_pairs_ * kControlPeriod;
-  if (turning <= kElectricalStep * parts) return parts;
-  return turning < kElectricalStep * kMostParts ? static_cast<int>(turning * (1.0 / kElectricalStep)) + 1
-                                                : kMostParts;
+  return turning <= kElectricalStep * parts ? parts : static_cast<int>(turning * (1.0 / kElectricalStep)) + 1;
 }
 
 /// Speed of the rotor that @p parts in a control period can follow (rad/s).
@@ -128,25 +126,25 @@ template <class M, class S>
   Spent spent;
   for (int part = 0; part < parts; ++part)
     spent += drive_part(machine, shaft, voltage, part, kControlPeriod / parts);
-  hold_back(shaft);
   return spent;
+}
+
+/// No shaft turns faster than its rotor holds: the energy of what goes beyond is lost as friction.
+template <class S>
+[[gnu::always_inline]] inline void Plant::hold_back(S& shaft, Spent& spent) noexcept {
+  if (std::max(std::abs(shaft.speed()), std::abs(shaft.load_speed())) <= bursting_speed_) [[likely]]
+    return;
+  spent.energies.friction += shaft.slow_down(bursting_speed_);
+  state_.speed = shaft.speed();
 }
 
 template <class M, class S>
 void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
   const bool whole = std::abs(state_.speed) <= whole_step_speed_;
-  const Spent spent = whole ? drive_part(machine, shaft, voltage, 0, kControlPeriod)
-                            : drive_parts(machine, shaft, voltage, needed(substeps_));
+  Spent spent = whole ? drive_part(machine, shaft, voltage, 0, kControlPeriod)
+                      : drive_parts(machine, shaft, voltage, needed(substeps_));
+  hold_back(shaft, spent);
   finish(spent, machine, shaft);
-}
-
-/// A shaft that would need more than kMostParts does not get any faster.
-template <class S>
-void Plant::hold_back(S& shaft) noexcept {
-  const double most = followed_speed(kMostParts);
-  if (std::abs(state_.speed) <= most) return;
-  shaft.set_speed(std::copysign(most, state_.speed));
-  state_.speed = shaft.speed();
 }
 
 template <class M, class S>
@@ -163,7 +161,7 @@ void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
     OpenTerminals<M> open{machine};
     spent += advance(blocks ? runge_kutta(open, shaft, h) : runge_kutta(diodes, shaft, h), machine, shaft, h);
   }
-  hold_back(shaft);
+  hold_back(shaft, spent);
   finish(spent, machine, shaft);
 }
 

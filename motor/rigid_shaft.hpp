@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "motor/friction.hpp"
 #include "motor/load.hpp"
 #include "motor/load_torque.hpp"
@@ -43,7 +45,8 @@ class RigidShaft {
       : inertia_{machine.inertia + load.inertia},
         inverse_inertia_{1.0 / inertia_},
         friction_{with_bearings(load_friction(load), machine)},
-        open_friction_{friction_.coulomb},
+        own_friction_{friction_.coulomb},
+        set_friction_{load.friction_torque},
         hysteresis_{machine.hysteresis_torque},
         viscous_{machine.viscous_friction + load.viscous_friction},
         eddy_current_drag_{machine.eddy_current_drag},
@@ -60,14 +63,22 @@ class RigidShaft {
   double load_speed() const noexcept { return speed_; }
   double twist() const noexcept { return 0.0; }
   void set_speed(double speed) noexcept { speed_ = speed; }
-  void set_load_torque(double torque) noexcept {
-    load_.set_constant(torque);
-    grip_ = {};
+  /// Takes away what turns faster than @p limit (rad/s); the energy that goes with it (J).
+  double slow_down(double limit) noexcept {
+    const double before = kinetic();
+    speed_ = std::clamp(speed_, -limit, limit);
+    return before - kinetic();
+  }
+  /// Replaces constant load torque and friction torque (N·m).
+  void set_load(double constant, double friction) noexcept {
+    load_.set_constant(constant);
+    set_friction_ = friction;
+    sum_friction();
   }
   /// Friction of the brake on the rotor (N·m), 0 = open.
   void set_brake(double torque) noexcept {
-    friction_.coulomb = open_friction_ + torque;
-    grip_ = {};
+    brake_ = torque;
+    sum_friction();
   }
 
   /// Decides for the coming step whether the mass holds fast against @p torque of the machine (N·m).
@@ -122,6 +133,11 @@ class RigidShaft {
   }
 
  private:
+  /// The friction has changed; whether the mass holds fast is to be decided anew.
+  void sum_friction() noexcept {
+    friction_.coulomb = own_friction_ + set_friction_ + brake_;
+    grip_ = {};
+  }
   /// Torques from outside (N·m, against positive rotation).
   struct Outside {
     double load = 0.0;
@@ -138,7 +154,9 @@ class RigidShaft {
   double inertia_;
   double inverse_inertia_;
   DryFriction friction_;
-  double open_friction_;  // of friction_.coulomb without the brake
+  double own_friction_;  // of friction_.coulomb: bearings and load
+  double set_friction_;
+  double brake_ = 0.0;
   double hysteresis_;
   double viscous_;
   double eddy_current_drag_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "motor/dc_link.hpp"
 #include "motor/validation_rule.hpp"
 
 namespace motor {
@@ -35,6 +36,7 @@ constexpr std::array kLoadRules{
     Rule<Load>{"breakaway_torque", kNotNegative<&Load::breakaway_torque>, kNotNegativeText},
     Rule<Load>{"stribeck_speed", kPositive<&Load::stribeck_speed>, kPositiveText},
     Rule<Load>{"constant_torque", kFinite<&Load::constant_torque>, kNumberText},
+    Rule<Load>{"friction_torque", kNotNegative<&Load::friction_torque>, kNotNegativeText},
     Rule<Load>{"fan_coefficient", kNotNegative<&Load::fan_coefficient>, kNotNegativeText},
     Rule<Load>{"pendulum_torque", kFinite<&Load::pendulum_torque>, kNumberText},
     Rule<Load>{"profile", [](const Load& l) noexcept { return l.profile.count <= TorqueProfile::kCapacity; },
@@ -91,7 +93,11 @@ constexpr std::array kInverterRules{
 
 using Supply = SupplyData;
 constexpr std::array kSupplyRules{
-    Rule<Supply>{"line_voltage", kNotNegative<&Supply::line_voltage>, kNotNegativeText},
+    Rule<Supply>{"line_voltage",
+                 [](const Supply& s) noexcept {
+                   return s.line_voltage <= 0.0 ? s.line_voltage >= 0.0 : within(s.line_voltage, 70.0, 1000.0);
+                 },
+                 "0 or a number 70 to 1000"},
     Rule<Supply>{"active_voltage", kPositive<&Supply::active_voltage>, kPositiveText},
     Rule<Supply>{"line_resistance", kPositive<&Supply::line_resistance>, kPositiveText},
     Rule<Supply>{"rated_power", kPositive<&Supply::rated_power>, kPositiveText},
@@ -110,6 +116,11 @@ constexpr std::array kSupplyRules{
                  },
                  "0 or a number 2.5e-6 to 1"},
     Rule<Supply>{"overvoltage", kPositive<&Supply::overvoltage>, kPositiveText},
+    Rule<Supply>{"line_voltage",
+                 [](const Supply& s) noexcept { return kRectifierRatio * s.line_voltage < s.overvoltage; },
+                 "a line whose rectified voltage, 1.35 times as high, is less than the overvoltage"},
+    Rule<Supply>{"active_voltage", [](const Supply& s) noexcept { return s.active_voltage < s.overvoltage; },
+                 "less than the overvoltage"},
     Rule<Supply>{"undervoltage", kNotNegative<&Supply::undervoltage>, kNotNegativeText},
     Rule<Supply>{"undervoltage", [](const Supply& s) noexcept { return s.undervoltage < s.overvoltage; },
                  "less than the overvoltage"},

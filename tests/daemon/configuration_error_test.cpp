@@ -1,3 +1,5 @@
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "tests/daemon/bad_file.hpp"
@@ -23,6 +25,18 @@ INSTANTIATE_TEST_SUITE_P(Syntax, BadFiles,
                                          BadFile{R"({"node_id": 1e999})",
                                                  "node.json: expected valid JSON, got a number that is too large"},
                                          BadFile{"[]", "node.json: /: expected an object, got []"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    KeysThatAreThereTwice, BadFiles,
+    testing::Values(
+        BadFile{R"({"node_id": 5, "node_id": 6})", "node.json: /node_id: expected once, is there twice"},
+        BadFile{R"({"axes": [{}, {"name": "X", "load": {"inertia": 1, "inertia": 1}}]})",
+                "node.json: /axes/1/load/inertia: expected once, is there twice"},
+        BadFile{R"({"axes": [{"load": {"torque": [1, {"type": "hoist"}, {"type": "fan", "type": "fan"}]}}]})",
+                "node.json: /axes/0/load/torque/2/type: expected once, is there twice"},
+        BadFile{R"({"axes": [{"parameters": {"p1120": 1}}], "axes": []})",
+                "node.json: /axes: expected once, is there twice"},
+        BadFile{R"({"a\nb": 5, "a\nb": 6})", "node.json: /a\\nb: expected once, is there twice"}));
 
 /// What the key "interface" and the option of that name take.
 const std::string kForms =
@@ -75,7 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /axes/0/motor: expected a motor preset (1fk7042, 1fk7063, 1ft7044, 1le1003-2k2, "
                 "1ph8131, im-2k2, ipmsm-2k2) or the path of a motor file, got \"1fk7\""},
         BadFile{R"({"axes": [{"motor": "/nowhere/motor.json"}]})",
-                "/nowhere/motor.json: cannot be read: No such file or directory"},
+                "node.json: /axes/0/motor: expected a motor file that can be read (/nowhere/motor.json: cannot be "
+                "read: No such file or directory), got \"/nowhere/motor.json\""},
         BadFile{R"({"axes": [{"plant": {"stator_resistance": 0}}]})",
                 "node.json: /axes/0/plant/stator_resistance: expected a number 0.1 to 10, got 0"},
         BadFile{R"({"axes": [{"plant": {"rotor_resistance": 1.2}}]})",
@@ -129,7 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [{"load": {"torque": {}}}]})",
                 "node.json: /axes/0/load/torque: expected a number (N·m) or an object with the key type, got {}"},
         BadFile{R"({"axes": [{"load": {"torque": {"type": "spring"}}}]})",
-                "node.json: /axes/0/load/torque/type: expected constant, hoist, fan, pendulum or profile, got "
+                "node.json: /axes/0/load/torque/type: expected constant, friction, hoist, fan, pendulum or "
+                "profile, got "
                 "\"spring\""},
         BadFile{R"({"axes": [{"load": {"torque": {"type": "hoist", "mass": 1}}}]})",
                 "node.json: /axes/0/load/torque: expected the key radius, got {\"mass\":1,\"type\":\"hoist\"}"},
@@ -182,6 +198,16 @@ INSTANTIATE_TEST_SUITE_P(
             R"({"supply": {"chopper_off_V": 780}})",
             "node.json: /supply/chopper_off_V: expected less than the voltage at which the chopper goes on, got "
             "780"},
+        BadFile{R"({"supply": {"line_voltage_V": 4000}})",
+                "node.json: /supply/line_voltage_V: expected 0 or a number 70 to 1000, got 4000"},
+        BadFile{R"({"supply": {"line_voltage_V": 24}})",
+                "node.json: /supply/line_voltage_V: expected 0 or a number 70 to 1000, got 24"},
+        BadFile{
+            R"({"supply": {"line_voltage_V": 690}})",
+            "node.json: /supply/line_voltage_V: expected a line whose rectified voltage, 1.35 times as high, is "
+            "less than the overvoltage, got 690"},
+        BadFile{R"({"supply": {"infeed": "active", "active_voltage_V": 6000}})",
+                "node.json: /supply/active_voltage_V: expected less than the overvoltage, got 6000"},
         BadFile{R"({"supply": {"capacity": 1}})",
                 "node.json: /supply/capacity: unknown key, expected one of: infeed, line_voltage_V, "
                 "active_voltage_V, line_resistance_ohm, rated_power_W, capacitance_F, chopper_ohm, chopper_on_V, "
@@ -195,6 +221,58 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /axes/0/encoder/pulses: expected an integer 1 to 16777215, got 0"},
         BadFile{R"({"axes": [{"encoder": {"type": "resolver"}}]})",
                 "node.json: /axes/0/encoder/type: expected none, incremental or absolute, got \"resolver\""}));
+
+const std::string kBinector = "a binector that exists, such as \"r8890.0\" or \"r0899.2 of axis 2\", or 0 or 1";
+const std::string kConnector =
+    "a connector that exists, such as \"r8860[1]\" or \"r0063[0] of axis 2\", or 0 or 1";
+
+/// p0840 of the first of two axes, which is given @p value.
+std::string with_on(const std::string& value) {
+  return R"({"axes": [{"parameters": {"p0840": )" + value + "}}, {}]}";
+}
+
+TEST(BicoSource, OfAnInputIsRefusedInOneLineUnlessItExists) {
+  for (const char* const value : {R"("r8890.16")",
+                                  R"("r8890[0]")",
+                                  R"("r9999.0")",
+                                  R"("r0063.0")",
+                                  R"("8890.0")",
+                                  R"("r8890.0 of axis 3")",
+                                  R"("r8890.0 of axis")",
+                                  R"("r8890.0 of axis 0")",
+                                  R"("r8890.0 of axis 9")",
+                                  R"("r8890.0 ")",
+                                  R"("ON")",
+                                  R"("")",
+                                  R"("2")",
+                                  "2",
+                                  "-1",
+                                  "0.5",
+                                  "4294967296",
+                                  "true",
+                                  "[]",
+                                  "null"}) {
+    EXPECT_EQ(message_of([&] { parse_configuration(with_on(value), "node.json"); }),
+              "node.json: /axes/0/parameters/p0840: expected " + kBinector + ", got " + value);
+  }
+  EXPECT_EQ(message_of([] {
+              parse_configuration(R"({"axes": [{"parameters": {"p1070[0]": "r8860.1"}}]})", "node.json");
+            }),
+            "node.json: /axes/0/parameters/p1070[0]: expected " + kConnector + ", got \"r8860.1\"");
+  EXPECT_EQ(message_of([] { parse_configuration(R"({"parameters": {"p2103": "on"}})", "node.json"); }),
+            "node.json: /parameters/p2103: expected " + kBinector + ", got \"on\"");
+}
+
+TEST(BicoSource, OnAnAxisThatTheCommandLineTakesAwayIsRefused) {
+  const fakes::TemporaryDirectory folder;
+  std::ofstream{folder.path("node.json")} << with_on(R"("r0899.2 of axis 2")");
+
+  EXPECT_EQ(configuration_of({"--config", folder.path("node.json")}).axes.size(), 2U);
+  EXPECT_EQ(message_of([&] {
+              configuration_of({"--config", folder.path("node.json"), "--axes", "1"});
+            }),
+            "--axes: expected the axis that p0840[0] of axis X is connected to, got 1");
+}
 
 TEST(ConfigurationFile, ThatDoesNotExistIsNamed) {
   EXPECT_EQ(message_of([] {

@@ -51,7 +51,7 @@ TEST_F(Control, ExplainsWhyTheAxisDoesNotTurnAndThatItDoes) {
   EXPECT_EQ(json::parse(all.output).at("axes").at(0).at("reasons").size(), 1U) << all.output;
   const fakes::Finished refused = daemon->axisctl({"explain", "2"});
   EXPECT_EQ(refused.status, 1);
-  EXPECT_NE(refused.errors.find("axis: expected 1, got 2"), std::string::npos) << refused.errors;
+  EXPECT_NE(refused.errors.find("AXIS: expected 1, got 2"), std::string::npos) << refused.errors;
 }
 
 TEST_F(Control, ALoadIsFeltByTheMotor) {

@@ -135,7 +135,9 @@ TEST(Plant, FollowsAProfileOverTimeAgainAndAgain) {
   load.profile.points = {{{0.0, 0.0}, {0.5, 4.0}, {1.0, 0.0}}};
   load.profile.count = 3;
   load.profile.repeats = true;
-  Plant plant = turning(frictionless(), load, 5000.0);
+  MachineData machine = frictionless();
+  machine.maximum_speed = 5000.0;
+  Plant plant = turning(machine, load, 5000.0);
 
   coast(plant, 0.5, 1e5);
   EXPECT_NEAR(plant.state().speed, 5000.0 - 1.0 / 0.002, 1e-6);

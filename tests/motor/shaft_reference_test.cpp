@@ -100,7 +100,7 @@ TEST(ShaftReference, TwoMassesUnderATorquePulseAndALoadStep) {
     ours.append(
         {time, shaft.speed(), shaft.load_speed(), shaft.twist(), coupling.at(shaft.twist(), change).total});
     torque.setpoint = step_value(stimulus.at("T_M"), time);
-    shaft.set_load_torque(step_value(stimulus.at("T_L"), time));
+    shaft.set_load(step_value(stimulus.at("T_L"), time), 0.0);
     step(torque, shaft, kControlPeriod);
   }
 
@@ -122,7 +122,7 @@ TEST(ShaftReference, TwoMassesUnderASampledSpeedController) {
     ours.append({time, shaft.speed(), shaft.load_speed(), shaft.twist(), torque.now.torque, torque.setpoint});
     const double setpoint = time >= file.number("/stimulus/t_ref") - 1e-9 ? file.number("/stimulus/w_ref") : 0.0;
     held = control.step(setpoint, shaft.speed());
-    shaft.set_load_torque(time >= file.number("/stimulus/t_load") - 1e-9 ? file.number("/stimulus/T_load") : 0.0);
+    shaft.set_load(time >= file.number("/stimulus/t_load") - 1e-9 ? file.number("/stimulus/T_load") : 0.0, 0.0);
     step(torque, shaft, kControlPeriod);
   }
 

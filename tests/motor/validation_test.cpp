@@ -125,7 +125,13 @@ TEST(Validation, NamesWhatNoPowerUnitOrSupplyCanBe) {
       {"no capacitors", [](SupplyData& s) { s.capacitance = 0.0; }, "capacitance: a number above 0"},
       {"chopper never off", [](SupplyData& s) { s.chopper_off = 780.0; },
        "chopper_off: less than the voltage at which the chopper goes on"},
-      {"negative line", [](SupplyData& s) { s.line_voltage = -400.0; }, "line_voltage: a number not below 0"},
+      {"negative line", [](SupplyData& s) { s.line_voltage = -400.0; }, "line_voltage: 0 or a number 70 to 1000"},
+      {"transmission line", [](SupplyData& s) { s.line_voltage = 4000.0; },
+       "line_voltage: 0 or a number 70 to 1000"},
+      {"line of another voltage class", [](SupplyData& s) { s.line_voltage = 690.0; },
+       "line_voltage: a line whose rectified voltage, 1.35 times as high, is less than the overvoltage"},
+      {"infeed that trips the unit", [](SupplyData& s) { s.active_voltage = 900.0; },
+       "active_voltage: less than the overvoltage"},
   };
   expect_all(units);
   expect_all(supplies);

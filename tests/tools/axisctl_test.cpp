@@ -29,6 +29,8 @@ TEST_F(Axisctl, SendsWhatEachCommandMeans) {
       {{"load", "1", "2.5"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", 2.5}}}}},
       {{"load", "1", "-0.75"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", -0.75}}}}},
       {{"load", "1", "+1e1"}, {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", 10.0}}}}},
+      {{"load", "1", "5", "friction"},
+       {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", 5.0}, {"type", "friction"}}}}},
       {{"supply", "0"}, {{"method", "supply.set"}, {"params", {{"line_voltage_V", 0.0}}}}},
       {{"encoder", "2", "loss"}, {{"method", "encoder.fail"}, {"params", {{"axis", 2}, {"defect", "loss"}}}}},
       {{"bus", "restart"}, {{"method", "bus.restart"}}},
@@ -85,6 +87,54 @@ TEST_F(Axisctl, ListsTheDaemonsIfThereAreSeveral) {
   EXPECT_EQ(run_.errors,
             "axisctl: several daemons run; choose one with --socket, or --interface and --node-id:\n  " +
                 folder.path("axisd-vcan0-2.sock") + "\n  " + folder.path("axisd-vcan0-3.sock") + "\n");
+}
+
+TEST_F(Axisctl, FindsTheOnlyDaemonThatFitsWhatIsSaid) {
+  for (const auto& [file, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"axisd-can7-5.sock", {"--node-id", "5", "quit"}},
+           {"axisd-my-can-5.sock", {"quit", "--node-id=5"}},
+           {"axisd-can7-99.sock", {"--interface", "can7", "quit"}},
+       }) {
+    ControlServer wanted{folder.path(file), kDone};
+    ControlServer another{folder.path("axisd-vcan0-2.sock"), kDone};
+
+    EXPECT_EQ(run(words).status, 0) << file;
+    EXPECT_NE(wanted.request(), "") << file;
+    EXPECT_EQ(another.request(), "") << file;
+    std::filesystem::remove(folder.path("axisd-vcan0-2.sock"));
+    std::filesystem::remove(folder.path(file));
+  }
+}
+
+TEST_F(Axisctl, ListsTheDaemonsOfANodeIdThatIsOnSeveralInterfaces) {
+  ControlServer first{folder.path("axisd-can0-5.sock"), kDone};
+  ControlServer second{folder.path("axisd-vcan0-5.sock"), kDone};
+  ControlServer another{folder.path("axisd-vcan0-6.sock"), kDone};
+
+  const Finished run_ = run({"--node-id", "5", "quit"});
+
+  EXPECT_EQ(run_.status, 2);
+  EXPECT_EQ(run_.errors,
+            "axisctl: several daemons run; choose one with --socket, or --interface and --node-id:\n  " +
+                folder.path("axisd-can0-5.sock") + "\n  " + folder.path("axisd-vcan0-5.sock") + "\n");
+}
+
+TEST_F(Axisctl, TakesNoSocketThatADeadDaemonHasLeftForAnother) {
+  { const ControlServer dead{folder.path("axisd-can0-5.sock"), kDone}; }
+  ControlServer wanted{folder.path("axisd-vcan1-5.sock"), kDone};
+
+  EXPECT_EQ(run({"--node-id", "5", "quit"}).status, 0);
+  EXPECT_NE(wanted.request(), "");
+}
+
+TEST_F(Axisctl, SaysThatNoDaemonFits) {
+  ControlServer another{socket(), kDone};
+
+  EXPECT_EQ(
+      run({"--node-id", "5", "quit"}).errors,
+      "axisctl: no daemon with node-ID 5 runs: it would have its control socket in " + folder.path("") + "\n");
+  EXPECT_EQ(run({"--interface", "can1", "quit"}).status, 1);
+  EXPECT_EQ(another.request(), "");
 }
 
 TEST_F(Axisctl, ChoosesByInterfaceAndNodeWithTheDefaultForTheOther) {
@@ -149,6 +199,23 @@ TEST_F(Axisctl, PassesTheMessageOfTheDaemonOn) {
   EXPECT_EQ(run_.errors, "axisctl: axis 9: the unit has 2\n");
 }
 
+TEST_F(Axisctl, ComplainsInTheWordsOfTheCommandLine) {
+  const auto complaint = [&](const std::string& message, const std::vector<std::string>& words) {
+    std::filesystem::remove(socket());
+    ControlServer server{socket(), json{{"id", 1}, {"error", {{"message", message}}}}.dump() + "\n"};
+    return run(words).errors;
+  };
+
+  EXPECT_EQ(complaint("torque_Nm: expected a number 0 to 1, got 5.0", {"load", "1", "5"}),
+            "axisctl: TORQUE: expected a number 0 to 1, got 5.0\n");
+  EXPECT_EQ(complaint("type: expected constant or friction, got \"x\"", {"load", "1", "5", "x"}),
+            "axisctl: TYPE: expected constant or friction, got \"x\"\n");
+  EXPECT_EQ(complaint("axis: expected 1, got 3", {"load", "3", "5"}), "axisctl: AXIS: expected 1, got 3\n");
+  EXPECT_EQ(complaint("line_voltage_V: expected less", {"supply", "5000"}), "axisctl: VOLTAGE: expected less\n");
+  EXPECT_EQ(complaint("defect: expected none", {"encoder", "1", "x"}), "axisctl: DEFECT: expected none\n");
+  EXPECT_EQ(complaint("number: 1 is no fault", {"fault", "inject", "1", "1"}), "axisctl: NUMBER: 1 is no fault\n");
+}
+
 struct BadAnswer {
   std::string answer;
   std::string complaint;
@@ -210,6 +277,9 @@ TEST_F(Axisctl, RefusesWrongUsage) {
       {"fault", "ack"},
       {"fault", "ack", "one"},
       {"load", "1"},
+      {"load", "1", "5", "friction", "now"},
+      {"help", "dance"},
+      {"help", "fault", "status"},
       {"load", "1", "much"},
       {"load", "1", "nan"},
       {"load", "1", "inf"},
@@ -237,6 +307,33 @@ TEST_F(Axisctl, NamesTheWordThatIsWrong) {
   EXPECT_EQ(run({"load", "1", "much"}).errors, "axisctl: TORQUE: expected a number of N·m, got \"much\"\n");
   EXPECT_EQ(run({"fault", "inject", "1", "X1"}).errors,
             "axisctl: NUMBER: expected a number such as 7860, F07860 or A07850, got \"X1\"\n");
+}
+
+TEST_F(Axisctl, SaysWhatAnUnknownSubcommandIsLikelyMeantToBe) {
+  EXPECT_EQ(run({"statsu"}).errors, "axisctl: unknown subcommand statsu, did you mean status?\n");
+  EXPECT_EQ(run({"--json", "stauts"}).errors, "axisctl: unknown subcommand stauts, did you mean status?\n");
+  EXPECT_EQ(run({"fault", "injct", "1", "7860"}).errors,
+            "axisctl: unknown subcommand injct, did you mean inject?\n");
+  EXPECT_EQ(
+      run({"dance"}).errors,
+      "axisctl: unknown subcommand dance, expected one of: status, explain, fault, load, supply, encoder, bus, "
+      "quit, help\n");
+  EXPECT_EQ(run({"bus", "start"}).errors.substr(0, 47), "axisctl: unknown subcommand start, did you mean");
+  EXPECT_EQ(run({"fault", "quit"}).errors, "axisctl: unknown subcommand quit, expected one of: inject, ack\n");
+  EXPECT_EQ(run({"fault"}).errors, "axisctl: expected a subcommand: inject, ack; see axisctl --help\n");
+  EXPECT_EQ(run({"help", "laod"}).errors, "axisctl: unknown subcommand laod, did you mean load?\n");
+}
+
+TEST_F(Axisctl, HelpsAsASubcommandToo) {
+  EXPECT_EQ(run({"help"}).output, run({"--help"}).output);
+  EXPECT_EQ(run({"help", "load"}).output, run({"load", "--help"}).output);
+  EXPECT_EQ(run({"help", "fault", "inject"}).output, run({"fault", "inject", "--help"}).output);
+  const Finished load = run({"help", "load"});
+  EXPECT_EQ(load.status, 0);
+  EXPECT_NE(load.output.find("Usage: axisctl load"), std::string::npos) << load.output;
+  EXPECT_NE(load.output.find("friction: against the motion"), std::string::npos) << load.output;
+  const std::string all = run({"help"}).output;
+  EXPECT_NE(all.find("Act on the CAN controller"), std::string::npos) << all;
 }
 
 TEST_F(Axisctl, ExplainsItself) {

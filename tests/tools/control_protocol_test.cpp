@@ -41,12 +41,18 @@ TEST_F(ControlSocketPath, LiesInRunOrTmpWithoutEnvironment) {
 }
 
 TEST(ControlSocketName, IsRecognised) {
-  EXPECT_TRUE(control::is_socket_name("axisd-vcan0-2.sock"));
-  EXPECT_TRUE(control::is_socket_name("axisd-my-can-127.sock"));
+  const auto name = control::parse_socket_name("axisd-vcan0-2.sock");
+  ASSERT_TRUE(name);
+  EXPECT_EQ(name->label, "vcan0");
+  EXPECT_EQ(name->node, 2);
+  const auto with_dash = control::parse_socket_name("axisd-my-can-127.sock");
+  ASSERT_TRUE(with_dash);
+  EXPECT_EQ(with_dash->label, "my-can");
+  EXPECT_EQ(with_dash->node, 127);
   for (const char* other :
        {"axisd-vcan0.sock", "axisd--2.sock", "axisd-vcan0-.sock", "axisd-vcan0-0.sock", "axisd-vcan0-128.sock",
         "axisd-vcan0-2x.sock", "axisd-vcan0-2.lock", "axisd.sock", "axisd-.sock", "xaxisd-vcan0-2.sock", ""})
-    EXPECT_FALSE(control::is_socket_name(other)) << other;
+    EXPECT_FALSE(control::parse_socket_name(other)) << other;
 }
 
 TEST(ControlSocketAddress, HoldsUpTo107Bytes) {

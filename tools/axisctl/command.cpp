@@ -11,17 +11,21 @@ namespace axisctl {
 
 namespace {
 
-constexpr Argument kPlace{"AXIS", "Axis of the unit, 1.., or 0 for the control unit"};
-constexpr std::array kInjectArguments{kPlace, Argument{"NUMBER", "Fault number: 7860, F7860 or F07860"},
-                                      Argument{"VALUE", "Fault value (r0949), 0 if not given", true}};
-constexpr std::array kExplainArguments{Argument{"AXIS", "Axis of the unit, 1.., all if not given", true}};
+constexpr Argument kPlace{"AXIS", "Axis of the unit, 1.., or 0 for the control unit", "axis"};
+constexpr Argument kAxis{"AXIS", "Axis of the unit, 1..", "axis"};
+constexpr std::array kInjectArguments{kPlace, Argument{"NUMBER", "Fault number: 7860, F7860 or F07860", "number"},
+                                      Argument{"VALUE", "Fault value (r0949), 0 if not given", "value", true}};
+constexpr std::array kExplainArguments{Argument{"AXIS", "Axis of the unit, 1.., all if not given", "axis", true}};
 constexpr std::array kAcknowledgeArguments{kPlace};
-constexpr std::array kLoadArguments{Argument{"AXIS", "Axis of the unit, 1.."},
-                                    Argument{"TORQUE", "Load torque at the motor shaft (N·m)"}};
+constexpr std::array kLoadArguments{
+    kAxis, Argument{"TORQUE", "Load torque at the motor shaft (N·m)", "torque_Nm"},
+    Argument{"TYPE",
+             "constant: drives the shaft as well as it brakes it, as a weight does (also if not given); friction: "
+             "against the motion",
+             "type", true}};
 constexpr std::array kSupplyArguments{
-    Argument{"VOLTAGE", "Line voltage (V rms between lines), 0 = mains failure"}};
-constexpr std::array kEncoderArguments{Argument{"AXIS", "Axis of the unit, 1.."},
-                                       Argument{"DEFECT", "none, loss, lost_pulses or reversed"}};
+    Argument{"VOLTAGE", "Line voltage (V rms between lines), 0 = mains failure", "line_voltage_V"}};
+constexpr std::array kEncoderArguments{kAxis, Argument{"DEFECT", "none, loss, lost_pulses or reversed", "defect"}};
 
 tl::expected<nlohmann::json, std::string> no_parameters(Words /*words*/) {
   return nlohmann::json::object();
@@ -68,6 +72,13 @@ constexpr std::array kCommands{
 
 std::span<const Command> commands() noexcept {
   return kCommands;
+}
+
+std::string in_words_of(const Command& command, const std::string& message) {
+  for (const Argument& argument : command.arguments)
+    if (message.starts_with(std::string{argument.key} + ": "))
+      return std::string{argument.name} + message.substr(argument.key.size());
+  return message;
 }
 
 tl::expected<int, std::string> parse_axis(const std::string& word, int first) {

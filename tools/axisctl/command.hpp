@@ -16,6 +16,7 @@ namespace axisctl {
 struct Argument {
   std::string_view name;     ///< as in the usage line
   std::string_view summary;  ///< one line
+  std::string_view key;      ///< of the parameter that it becomes, which the daemon's complaints begin with
   bool optional = false;     ///< only the last ones
 };
 
@@ -38,6 +39,9 @@ struct Command {
 /// Every command of the program, those of one group side by side.
 [[nodiscard]] std::span<const Command> commands() noexcept;
 
+/// @p message of the daemon with the name of the argument where it complains of the parameter.
+[[nodiscard]] std::string in_words_of(const Command& command, const std::string& message);
+
 /// Axis number that @p word means (@p first..), or in one line what is wrong with it.
 [[nodiscard]] tl::expected<int, std::string> parse_axis(const std::string& word, int first);
 /// For commands that the control unit knows too: it is axis 0.
@@ -51,7 +55,7 @@ void print_explanation(std::ostream& out, const nlohmann::json& result);
 tl::expected<nlohmann::json, std::string> fault_inject_parameters(Words words);
 /// Parameters of fault ack (AXIS).
 tl::expected<nlohmann::json, std::string> fault_ack_parameters(Words words);
-/// Parameters of load (AXIS TORQUE in N·m).
+/// Parameters of load (AXIS TORQUE in N·m [TYPE]); the daemon knows the types.
 tl::expected<nlohmann::json, std::string> load_parameters(Words words);
 /// Parameters of supply (VOLTAGE in V rms between lines).
 tl::expected<nlohmann::json, std::string> supply_parameters(Words words);

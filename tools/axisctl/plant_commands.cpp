@@ -29,7 +29,9 @@ tl::expected<nlohmann::json, std::string> load_parameters(Words words) {
   if (!axis) return tl::unexpected{axis.error()};
   const auto torque = parse_number("TORQUE", "N·m", words[1]);
   if (!torque) return tl::unexpected{torque.error()};
-  return nlohmann::json{{"axis", *axis}, {"torque_Nm", *torque}};
+  nlohmann::json parameters{{"axis", *axis}, {"torque_Nm", *torque}};
+  if (!words[2].empty()) parameters["type"] = words[2];
+  return parameters;
 }
 
 tl::expected<nlohmann::json, std::string> supply_parameters(Words words) {

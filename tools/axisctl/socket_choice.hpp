@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -15,7 +14,13 @@ struct Address {
   std::optional<int> node;            ///< its node-ID, 1..127
 };
 
-/// Path of the control socket that @p address means, or all that it could mean if there are several.
-[[nodiscard]] tl::expected<std::string, std::vector<std::string>> choose_socket(const Address& address);
+/// Why there is no socket to talk to.
+struct NoSocket {
+  std::string message;
+  bool several = false;  ///< the address says too little
+};
+
+/// Path of the control socket that @p address means: of the only daemon that fits what it says.
+[[nodiscard]] tl::expected<std::string, NoSocket> choose_socket(const Address& address);
 
 }  // namespace axisctl

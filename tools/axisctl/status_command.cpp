@@ -41,6 +41,7 @@ constexpr std::array kAxisLabels{
     Label{"speed_rpm", "speed", " rpm"},
     Label{"torque_Nm", "torque", " N·m"},
     Label{"load_torque_Nm", "load torque", " N·m"},
+    Label{"load_friction_Nm", "load friction", " N·m"},
     Label{"current_A", "current", " A"},
     Label{"motor_temperature_C", "motor", " °C"},
     Label{"position", "position", ""},
