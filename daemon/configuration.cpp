@@ -35,6 +35,8 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 std::string expectation(const drive::ParameterError& error) {
   using drive::Refusal;
   const drive::ParameterRow& row = *error.row;
+  if (error.reason == Refusal::NoParameter)
+    return fmt::format("no {}, which this axis is delivered without", drive::parameter_text(row));
   const bool number = error.reason == Refusal::BelowMinimum || error.reason == Refusal::AboveMaximum ||
                       error.reason == Refusal::WrongType;
   if (!number) return fmt::format("no such value ({})", drive::message(error));
@@ -88,7 +90,8 @@ std::vector<ParameterValue> read_axis_parameters(const JsonReader& json, const A
     drive::Axis trial{{.machine = configuration.machine,
                        .load = configuration.load,
                        .kind = configuration.kind,
-                       .inverter = configuration.inverter}};
+                       .inverter = configuration.inverter,
+                       .setpoint_channel = configuration.setpoint_channel}};
     const auto written = trial.write(value.number, value.index, value.value);
     return written ? std::nullopt : std::optional{written.error()};
   });
@@ -109,9 +112,17 @@ drive::ObjectKind read_axis_type(const JsonReader& json) {
   return row->kind;
 }
 
+/// Whether an axis of @p kind is delivered with its extended setpoint channel.
+bool read_setpoint_channel(const JsonReader& json, drive::ObjectKind kind) {
+  const bool active = json.boolean();
+  if (!active && kind == drive::ObjectKind::Vector) json.fail("true, which a vector axis always has");
+  return active;
+}
+
 /// What is said of @p axis, over its defaults.
 AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
-  json.expect_object({"name", "type", "motor", "encoder", "load", "plant", "power_unit", "parameters"});
+  json.expect_object(
+      {"name", "type", "motor", "encoder", "load", "plant", "power_unit", "setpoint_channel", "parameters"});
   if (json.has("name")) axis.name = json.at("name").text();
   if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"));
@@ -120,6 +131,8 @@ AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   if (json.has("plant")) axis.deviation = read_plant(json.at("plant"), axis.machine, axis.load);
   axis.inverter = motor::inverter_for(axis.machine.maximum_current);
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
+  if (json.has("setpoint_channel"))
+    axis.setpoint_channel = read_setpoint_channel(json.at("setpoint_channel"), axis.kind);
   if (json.has("parameters")) axis.parameters = read_axis_parameters(json.at("parameters"), axis);
   return axis;
 }
