@@ -35,9 +35,17 @@ drive::ObjectKind read_axis_type(const JsonReader& json) {
   return row->kind;
 }
 
+/// Whether an axis of @p kind is delivered with its extended setpoint channel.
+bool read_setpoint_channel(const JsonReader& json, drive::ObjectKind kind) {
+  const bool active = json.boolean();
+  if (!active && kind == drive::ObjectKind::Vector) json.fail("true, which a vector axis always has");
+  return active;
+}
+
 /// What is said of @p axis, over its defaults, except its parameters.
 AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
-  json.expect_object({"name", "type", "motor", "encoder", "load", "plant", "power_unit", "parameters"});
+  json.expect_object(
+      {"name", "type", "motor", "encoder", "load", "plant", "power_unit", "setpoint_channel", "parameters"});
   if (json.has("name")) axis.name = json.at("name").text();
   if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"));
@@ -46,6 +54,8 @@ AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   if (json.has("plant")) axis.deviation = read_plant(json.at("plant"), axis.machine, axis.load);
   axis.inverter = motor::inverter_for(axis.machine.maximum_current);
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
+  if (json.has("setpoint_channel"))
+    axis.setpoint_channel = read_setpoint_channel(json.at("setpoint_channel"), axis.kind);
   return axis;
 }
 

@@ -37,6 +37,7 @@ struct AxisConfiguration {
   motor::PlantDeviation deviation;                    ///< of what turns from it, key "plant"
   motor::Load load;
   motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.maximum_current);  ///< key "power_unit"
+  bool setpoint_channel = true;            ///< p0108.8 of a new unit, the extended setpoint channel
   std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis
 };
 

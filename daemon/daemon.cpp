@@ -27,7 +27,8 @@ device::AxisSetup setup_of(const AxisConfiguration& axis) {
                     .load = axis.load,
                     .kind = axis.kind,
                     .inverter = axis.inverter,
-                    .deviation = axis.deviation},
+                    .deviation = axis.deviation,
+                    .setpoint_channel = axis.setpoint_channel},
           .presets = presets_of(axis.parameters)};
 }
 

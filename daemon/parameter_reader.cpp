@@ -25,6 +25,8 @@ std::string source_expectation(drive::DataType type) {
 std::string expectation(const drive::ParameterError& error) {
   using drive::Refusal;
   const drive::ParameterRow& row = *error.row;
+  if (error.reason == Refusal::NoParameter)
+    return fmt::format("no {}, which this axis is delivered without", drive::parameter_text(row));
   const bool number = error.reason == Refusal::BelowMinimum || error.reason == Refusal::AboveMaximum ||
                       error.reason == Refusal::WrongType;
   if (drive::is_bico_input(row.type) && (number || error.reason == Refusal::IllegalSource))
@@ -83,7 +85,11 @@ std::vector<ParameterValue> read_parameters(const JsonReader& json, drive::Objec
 }
 
 drive::AxisConfiguration trial_of(const AxisConfiguration& axis) {
-  return {.machine = axis.machine, .load = axis.load, .kind = axis.kind, .inverter = axis.inverter};
+  return {.machine = axis.machine,
+          .load = axis.load,
+          .kind = axis.kind,
+          .inverter = axis.inverter,
+          .setpoint_channel = axis.setpoint_channel};
 }
 
 /// A new unit with @p axes, for trials.

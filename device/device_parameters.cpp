@@ -23,6 +23,7 @@ constexpr ObjectRange objects_of(ParameterGroup group) noexcept {
 /// The configuration lies over the parameters of @p group, whatever they were before; then objects show them.
 void Device::bring_out(ParameterGroup group) noexcept {
   presets_.apply(group);
+  if (group == ParameterGroup::All) unit_.follow_function_modules();
   const ObjectRange objects = objects_of(group);
   mirrored_parameters_.bring_out(objects.first, objects.last);
 }

@@ -15,10 +15,14 @@ enum class Form : std::uint8_t {
   Number,       ///< the nearest whole number
   Slope,        ///< a ramp time as the slope from p1082 (increments/s²)
   TorqueLimit,  ///< per mille of the rated torque, both ways; 0 for the limits of a new axis
-  ProfileType,  ///< p1115: 0 is a linear ramp (0), 1 one with rounding (3); CiA 402 has other types beside them
+  ProfileType,  ///< p1115: 0 is a linear ramp (0), 1 one of limited jerk (3); CiA 402 has other types beside them
 };
 constexpr std::int64_t kLinearRamp = 0;
 constexpr std::int64_t kRoundedRamp = 3;
+
+/// With a ramp of limited jerk its slope never jumps (p1134 = 0).
+constexpr std::uint16_t kRoundingType = 1134;
+constexpr double kContinuous = 0.0;
 
 constexpr std::uint16_t kUpperTorqueLimit = 1520;
 constexpr std::uint16_t kLowerTorqueLimit = 1521;
@@ -123,6 +127,8 @@ canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::
   const auto written =
       row.form == Form::TorqueLimit ? write_torque_limits(*wanted) : axis_.write(row.parameter, *wanted);
   if (!written) return canopen::refuse(abort_code(written.error().reason));
+  if (row.form == Form::ProfileType && *wanted > 0.0)
+    static_cast<void>(axis_.write(kRoundingType, kContinuous));  // which p1115 could be written with
   listener_.on_parameter_written(axis_);
   return {};
 }

@@ -18,7 +18,7 @@ class ParameterListener {
 
 /// The profile objects that are parameters of the axis under another number and in another unit:
 /// 6007h = p8641, 6046h = p1080 and p1082, 6048h = p1082 and p1120, 605Dh = p8791, 6072h = p1520 and p1521, 6083h
-/// = p1120, 6084h = p1121, 6085h = p1135, 6086h = p1115.
+/// = p1120, 6084h = p1121, 6085h = p1135, 6086h = p1115 and p1134.
 class ParameterObjects final : public canopen::EntryOwner {
  public:
   /// Owns the objects of @p axis in @p dictionary; all arguments must outlive this.

@@ -93,7 +93,7 @@ canopen::Result<void> ParameterWindow::write(std::uint8_t server, std::uint16_t 
   if (!wanted) return canopen::refuse(wanted.error());
   const drive::DriveObject& object = *unit_.object(wanted->object);
   const drive::PlacedRow* const placed = drive::find_parameter(object.kind(), wanted->number);
-  if (placed == nullptr) return canopen::refuse(AbortCode::NoObject);
+  if (placed == nullptr || !object.provides(*placed->row)) return canopen::refuse(AbortCode::NoObject);
   const drive::ParameterRow& row = *placed->row;
   const std::size_t size = drive::row_of(row.type).size;
   if (wanted->index >= row.count) return canopen::refuse(AbortCode::NoSubIndex);

@@ -18,8 +18,10 @@ void Presets::apply(ParameterGroup group) noexcept {
     for (const ParameterPreset& preset : configuration_.axes[i].presets) {
       if (!belongs_to(group, preset.number)) continue;
       const bool shown = MirroredParameters::contains(axis.kind(), preset.number);
-      [[maybe_unused]] const auto done = shown ? axis.load(preset.number, preset.index, preset.value)
-                                               : axis.write(preset.number, preset.index, preset.value);
+      const bool provided = axis.provides(*drive::find_parameter(axis.kind(), preset.number)->row);
+      [[maybe_unused]] const auto done = shown || !provided
+                                             ? axis.load(preset.number, preset.index, preset.value)
+                                             : axis.write(preset.number, preset.index, preset.value);
       assert(done);
     }
   }

@@ -16,8 +16,9 @@ struct Command {
 constexpr std::array kCommandInputs{Command{840, 0}, Command{844, 1}, Command{848, 2}, Command{852, 3},
                                     Command{2103, 7}};
 
-constexpr std::uint16_t kMainSetpoint = 1070;
-constexpr std::uint16_t kTorqueSetpoint = 1503;
+/// The inputs of setpoints, in the order of the sources behind those of the controlword.
+enum Setpoint : std::size_t { kMain, kBehindRamp, kTorque, kMessage };
+constexpr std::array<std::uint16_t, 4> kSetpointInputs{1070, 1155, 1503, 2151};
 constexpr std::uint16_t kSentWord = 8851;
 constexpr std::uint16_t kSentDoubleWord = 8861;
 
@@ -31,6 +32,10 @@ constexpr std::uint16_t kWrittenVelocity = 8796;
 constexpr std::uint16_t kWrittenTorque = 8797;
 constexpr std::uint16_t kConnectControlword = 8790;
 
+// What "target reached" compares with: in front of the ramp, and behind it where there is none.
+constexpr std::uint16_t kRampInput = 1119;
+constexpr std::uint16_t kSpeedSetpoint = 1438;
+
 constexpr std::uint32_t own(std::uint16_t number, std::size_t position) noexcept {
   return drive::pack({number, drive::kOwnObject, static_cast<std::uint16_t>(position)});
 }
@@ -43,9 +48,8 @@ struct Input {
 Input input_at(std::size_t position) noexcept {
   if (position < kCommandInputs.size()) return {kCommandInputs[position].input, 0};
   position -= kCommandInputs.size();
-  if (position == 0) return {kMainSetpoint, 0};
-  if (position == 1) return {kTorqueSetpoint, 0};
-  position -= 2;
+  if (position < kSetpointInputs.size()) return {kSetpointInputs[position], 0};
+  position -= kSetpointInputs.size();
   const bool is_word = position < ProcessDataLayout::kTransmitWords;
   return is_word ? Input{kSentWord, position}
                  : Input{kSentDoubleWord, position - ProcessDataLayout::kTransmitWords};
@@ -60,7 +64,7 @@ bool exists(const Input& input) noexcept {
 
 StandardWiring::StandardWiring(drive::Axis& axis, const ProcessDataBuffers& places) noexcept
     : axis_{axis}, places_{places} {
-  static_assert(kCommands == kCommandInputs.size());
+  static_assert(kCommands == kCommandInputs.size() && kSetpoints == kSetpointInputs.size());
   wired_ = factory();
 }
 
@@ -73,8 +77,8 @@ void StandardWiring::adopt() noexcept {
   wired_ = wanted();
   // The velocity mode itself is not saved, the input that it connected is.
   const std::uint32_t velocity_mode = source_of(object::kVlTargetVelocity, kWrittenVlVelocity);
-  const auto connected = static_cast<std::uint32_t>(axis_.read(kMainSetpoint).value_or(0.0));
-  if (connected == velocity_mode) wired_[kCommands] = velocity_mode;
+  const Setpoint speed = axis_.has_setpoint_channel() ? kMain : kBehindRamp;
+  if (connected(kSetpointInputs[speed], 0) == velocity_mode) wired_[kCommands + speed] = velocity_mode;
 }
 
 void StandardWiring::follow() noexcept {
@@ -82,8 +86,7 @@ void StandardWiring::follow() noexcept {
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Input input = input_at(i);
     if (now[i] == wired_[i] || !exists(input)) continue;
-    const double source = axis_.read(input.number, input.index).value_or(0.0);
-    if (static_cast<std::uint32_t>(source) == wired_[i]) connect(i, now[i]);
+    if (connected(input.number, input.index) == wired_[i]) connect(i, now[i]);
   }
   wired_ = now;
 }
@@ -96,6 +99,10 @@ void StandardWiring::connect_controlword() noexcept {
 void StandardWiring::connect(std::size_t input, std::uint32_t source) noexcept {
   const Input place = input_at(input);
   static_cast<void>(axis_.load(place.number, place.index, source));
+}
+
+std::uint32_t StandardWiring::connected(std::uint16_t input, std::size_t index) const noexcept {
+  return static_cast<std::uint32_t>(axis_.kept_value(input, index).value_or(0.0));
 }
 
 StandardWiring::Sources StandardWiring::wanted() const noexcept {
@@ -127,9 +134,13 @@ void StandardWiring::wire_commands(Sources& sources) const noexcept {
 }
 
 void StandardWiring::wire_setpoints(Sources& sources) const noexcept {
-  sources[kCommands] = axis_.velocity_mode() ? source_of(object::kVlTargetVelocity, kWrittenVlVelocity)
-                                             : source_of(object::kTargetVelocity, kWrittenVelocity);
-  sources[kCommands + 1] = source_of(object::kTargetTorque, kWrittenTorque);
+  const bool has_channel = axis_.has_setpoint_channel();
+  const std::uint32_t speed = axis_.velocity_mode() ? source_of(object::kVlTargetVelocity, kWrittenVlVelocity)
+                                                    : source_of(object::kTargetVelocity, kWrittenVelocity);
+  sources[kCommands + kMain] = has_channel ? speed : 0;
+  sources[kCommands + kBehindRamp] = has_channel ? 0 : speed;
+  sources[kCommands + kTorque] = source_of(object::kTargetTorque, kWrittenTorque);
+  sources[kCommands + kMessage] = own(has_channel ? kRampInput : kSpeedSetpoint, 0);
 }
 
 /// Where the received @p object comes from: its place in the words, or the parameter @p written without one.

@@ -30,9 +30,10 @@ bool UnitProcessData::follow_mappings() noexcept {
   const bool all = mapping_changed_;
   mapping_changed_ = false;
   for (std::size_t i = 0; i < wiring_.size(); ++i) {
-    const bool velocity_mode = unit_.axes()[i].velocity_mode();
-    if (!all && velocity_mode == velocity_mode_[i]) continue;
-    velocity_mode_[i] = velocity_mode;
+    const drive::Axis& axis = unit_.axes()[i];
+    const SetpointPath path{axis.velocity_mode(), axis.has_setpoint_channel()};
+    if (!all && path == paths_[i]) continue;
+    paths_[i] = path;
     wiring_[i].follow();
   }
   return all;

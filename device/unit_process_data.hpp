@@ -45,6 +45,14 @@ class UnitProcessData final : private MappingListener {
   void end_alarms() noexcept { rules_.end_alarms(); }
 
  private:
+  /// What the way of the speed setpoint of an axis depends on besides mappings.
+  struct SetpointPath {
+    bool velocity_mode = false;
+    bool setpoint_channel = true;
+
+    friend bool operator==(const SetpointPath&, const SetpointPath&) = default;
+  };
+
   void on_mapping_changed(std::size_t axis) noexcept override {
     buffers_[axis - 1].invalidate();
     mapping_changed_ = true;
@@ -57,7 +65,7 @@ class UnitProcessData final : private MappingListener {
   std::deque<FreeObjects> free_objects_;
   std::deque<StandardWiring> wiring_;
   ProcessDataParameters parameters_;
-  std::array<bool, drive::kMostAxes> velocity_mode_{};  ///< as the interconnections are
+  std::array<SetpointPath, drive::kMostAxes> paths_{};  ///< as the interconnections are
   bool mapping_changed_ = false;
 };
 

@@ -18,6 +18,7 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
                    .axis = configuration,
                    .supply = supply}},
       parameters_{commissioned_parameters(configuration)},
+      modules_{function_module::of_new(configuration)},
       train_{configuration.machine, motor::real_machine(configuration.machine, configuration.deviation),
              configuration.load, configuration.inverter},
       counts_to_speed_{2.0 * std::numbers::pi / motor::increments_per_revolution(configuration.machine)},
@@ -99,6 +100,16 @@ void Axis::set_load_torque(double torque, motor::LoadTorqueType type) noexcept {
 void Axis::fail_encoder(motor::EncoderDefect defect) noexcept {
   train_.inject(defect);
   settled_ = false;
+}
+
+void Axis::set_function_modules(function_module::Set wanted) noexcept {
+  modules_ = (wanted & function_module::possible(kind())) | function_module::always(kind());
+  apply_parameters();
+}
+
+bool Axis::provides(const ParameterRow& row) const noexcept {
+  const function_module::Set needed = function_module::needed_by(row.number);
+  return (modules_ & needed) == needed;
 }
 
 void Axis::inhibit(bool inhibited) noexcept {

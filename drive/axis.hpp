@@ -8,6 +8,7 @@
 #include "drive/axis_inputs.hpp"
 #include "drive/causes.hpp"
 #include "drive/drive_object.hpp"
+#include "drive/function_modules.hpp"
 #include "drive/identification.hpp"
 #include "drive/operating_mode.hpp"
 #include "drive/parameters.hpp"
@@ -146,6 +147,13 @@ class Axis final : public DriveObject {
   bool brake_is_open() const noexcept { return has_brake() && pulses_enabled_in(state_) && brake_opening_ <= 0.0; }
   /// What the active faults do to the motor, as p8641 and p2101 have it.
   Reactions active_reactions() const noexcept;
+  /// Function modules in force (r0108).
+  function_module::Set function_modules() const noexcept { return modules_; }
+  /// Asks for @p wanted (p0108); those that the axis always has stay.
+  void set_function_modules(function_module::Set wanted) noexcept;
+  /// Whether setpoints go through the extended setpoint channel; without it they begin at p1155 and p1160.
+  bool has_setpoint_channel() const noexcept { return (modules_ & function_module::kSetpointChannel) != 0; }
+  bool provides(const ParameterRow& row) const noexcept override;
   /// Whether the unit, by p0009, keeps the axis from being switched on.
   void inhibit(bool inhibited) noexcept;
 
@@ -215,6 +223,7 @@ class Axis final : public DriveObject {
   void assign_rounded(std::uint16_t number, double value) noexcept;
 
   AxisParameters parameters_;
+  function_module::Set modules_;
   motor::DriveTrain train_;
   // Follows from the parameters.
   SetpointChannel channel_;

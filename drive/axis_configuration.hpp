@@ -15,6 +15,8 @@ struct AxisConfiguration {
   ObjectKind kind = ObjectKind::Servo;  ///< Servo or Vector
   motor::InverterData inverter{};
   motor::PlantDeviation deviation{};  ///< of what turns from the data sheet
+  bool setpoint_channel =
+      true;  ///< p0108.8 of a new unit, the extended setpoint channel; a vector axis has it always
 };
 
 }  // namespace drive

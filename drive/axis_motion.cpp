@@ -57,7 +57,7 @@ motor::ControlSettings Axis::control_settings(const motor::MachineData& machine)
 
 void Axis::apply_parameters() noexcept {
   const AxisParameters& p = parameters_;
-  channel_.configure(p, fixed_setpoints());
+  channel_.configure(p, fixed_setpoints(), has_setpoint_channel());
   const std::uint16_t implausible = implausible_motor_parameter(p, context().axis.machine);
   implausible_parameter_ = p.commissioning == 0 ? implausible : 0;
   if (implausible == 0) {  // otherwise the last possible model stays
@@ -195,7 +195,7 @@ void Axis::monitor() noexcept {
 Observed Axis::observed() const noexcept {
   const AxisParameters& p = parameters_;
   const motor::Signals& seen = train_.signals();
-  const bool should_turn = pulses_enabled_in(state_) && std::abs(channel_.output()) > 0.0;
+  const bool should_turn = pulses_enabled_in(state_) && std::abs(channel_.total()) > 0.0;
   const bool stuck =
       should_turn && seen.torque_limit_reached && std::abs(actual_.speed) < p.blocked_speed_threshold;
   return {

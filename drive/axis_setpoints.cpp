@@ -20,6 +20,21 @@ constexpr std::uint16_t kReferenceRamp = 0x0040;
 /// The ramp of a halt by p8791; 0 takes the pulses off instead.
 constexpr std::array kHaltRamps{Ramp::Setpoint, Ramp::Off1, Ramp::Off3, Ramp::TorqueLimit};
 
+/// A servo without extended setpoint channel has none of its inputs, jog and ramp-function generator included.
+void leave_channel_out(AxisInputs& inputs) noexcept {
+  constexpr AxisInputs kUnwired{};
+  for (const auto bit :
+       {&AxisInputs::jog_1, &AxisInputs::jog_2, &AxisInputs::fixed_setpoint_bit_0,
+        &AxisInputs::fixed_setpoint_bit_1, &AxisInputs::fixed_setpoint_bit_2, &AxisInputs::fixed_setpoint_bit_3,
+        &AxisInputs::inhibit_negative, &AxisInputs::inhibit_positive, &AxisInputs::invert_setpoint,
+        &AxisInputs::enable_ramp, &AxisInputs::continue_ramp, &AxisInputs::enable_setpoint, &AxisInputs::set_ramp})
+    inputs.*bit = kUnwired.*bit;
+  for (const auto value :
+       {&AxisInputs::main_setpoint, &AxisInputs::supplementary_setpoint, &AxisInputs::ramp_setting})
+    inputs.*value = kUnwired.*value;
+  inputs.bypass_ramp = true;
+}
+
 }  // namespace
 
 void Axis::take_inputs(const AxisInputs& inputs) noexcept {
@@ -34,6 +49,7 @@ void Axis::take_inputs(const AxisInputs& inputs) noexcept {
     inputs_.continue_ramp &= (inputs.controlword & kUnlockRamp) != 0;
     inputs_.enable_setpoint &= (inputs.controlword & kReferenceRamp) != 0;
   }
+  if (!has_setpoint_channel()) leave_channel_out(inputs_);
 }
 
 void Axis::request_mode(std::int8_t code) noexcept {

@@ -52,8 +52,17 @@ tl::expected<const PlacedRow*, ParameterError> DriveObject::find(std::uint16_t n
   return tl::unexpected{ParameterError{row.count == 1 ? Refusal::NotIndexed : Refusal::NoIndex, number, &row}};
 }
 
+/// What a function module that is not active would have does not exist, though it is kept and saved.
+tl::expected<const PlacedRow*, ParameterError> DriveObject::find_provided(std::uint16_t number,
+                                                                          std::size_t index) const noexcept {
+  auto found = find(number, index);
+  if (found && !provides(*(*found)->row))
+    return tl::unexpected{ParameterError{Refusal::NoParameter, number, (*found)->row}};
+  return found;
+}
+
 tl::expected<double, ParameterError> DriveObject::read(std::uint16_t number, std::size_t index) const noexcept {
-  return find(number, index).map([&](const PlacedRow* placed) { return value(*placed, index); });
+  return find_provided(number, index).map([&](const PlacedRow* placed) { return value(*placed, index); });
 }
 
 tl::expected<double, ParameterError> DriveObject::kept_value(std::uint16_t number,
@@ -63,7 +72,7 @@ tl::expected<double, ParameterError> DriveObject::kept_value(std::uint16_t numbe
 
 tl::expected<void, ParameterError> DriveObject::write(std::uint16_t number, std::size_t index,
                                                       double value) noexcept {
-  const auto found = find(number, index);
+  const auto found = find_provided(number, index);
   if (!found) return tl::unexpected{found.error()};
   const ParameterRow& row = *(*found)->row;
   const auto refused = [&](Refusal reason) { return tl::unexpected{ParameterError{reason, number, &row}}; };

@@ -53,6 +53,8 @@ class DriveObject {
     memory_.number_by(surroundings.message_counter());
   }
 
+  /// Whether the function modules of the drive object have parameter @p row of its kind.
+  virtual bool provides(const ParameterRow&) const noexcept { return true; }
   /// Value of a parameter.
   [[nodiscard]] tl::expected<double, ParameterError> read(std::uint16_t number,
                                                           std::size_t index = 0) const noexcept;
@@ -123,6 +125,8 @@ class DriveObject {
   virtual void on_messages_changed() noexcept {}
 
   tl::expected<const PlacedRow*, ParameterError> find(std::uint16_t number, std::size_t index) const noexcept;
+  tl::expected<const PlacedRow*, ParameterError> find_provided(std::uint16_t number,
+                                                               std::size_t index) const noexcept;
   std::optional<Refusal> source_refusal(const ParameterRow& row, double value) const noexcept;
   std::optional<Refusal> value_refusal(const ParameterRow& row, std::size_t index, double value) const noexcept;
   double kept_value_of(const PlacedRow& placed, std::size_t index) const noexcept;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "drive/function_modules.hpp"
 #include "drive/wiring.hpp"
 
 namespace drive {
@@ -32,6 +33,7 @@ ObjectContext control_unit_context(const UnitConfiguration& configuration) noexc
   context.axis_count = static_cast<std::uint8_t>(configuration.axes.size());
   std::transform(configuration.axes.begin(), configuration.axes.end(), context.axes.begin(),
                  [](const AxisConfiguration& axis) { return axis.kind; });
+  std::ranges::transform(configuration.axes, context.modules.begin(), function_module::of_new);
   return context;
 }
 
@@ -260,6 +262,7 @@ void DriveUnit::leave_commissioning() noexcept {
   for (Axis& axis : axes_) axis.leave_commissioning();
   control_unit_.bring_in(kDeviceFilter, 0, 0.0);
   inhibit_axes(false);
+  follow_function_modules();
 }
 
 std::optional<ObjectKind> DriveUnit::kind_of(std::uint8_t number) const noexcept {
@@ -271,8 +274,11 @@ std::optional<Refusal> DriveUnit::agree(const DriveObject& object, const Paramet
                                         double value) noexcept {
   const std::optional<Refusal> refused =
       host_ != nullptr ? host_->on_parameter(object, row, index, value) : std::nullopt;
-  if (!refused && row.number == kDeviceFilter) inhibit_axes(value > 0.0);
-  return refused;
+  if (refused || row.number != kDeviceFilter) return refused;
+  const bool commissions = value > 0.0;
+  inhibit_axes(commissions);
+  if (!commissions) follow_function_modules();
+  return std::nullopt;
 }
 
 std::optional<double> DriveUnit::agreed_value(const DriveObject& object, const ParameterRow& row,

@@ -115,6 +115,9 @@ class DriveUnit final : private Surroundings {
   void restore_parameters(RowFilter which) noexcept;
   /// Ends commissioning everywhere (p0009 = 0, p0010 = 0).
   void leave_commissioning() noexcept;
+  /// The axes get the function modules that p0108 asks for, as they do when p0009 becomes 0; called when p0108 was
+  /// loaded.
+  void follow_function_modules() noexcept;
 
  private:
   std::uint32_t& message_counter() noexcept override { return message_counter_; }

@@ -41,24 +41,32 @@ std::string ramp_sentence(P p, const char* what, std::uint16_t input, unsigned b
 bool has_both_jogs(P p) noexcept {
   return p.axis.jogs() && p.seen.inputs.jog_1 && p.seen.inputs.jog_2;
 }
-bool has_setpoint(P p) noexcept {
-  return !is_zero(p.seen.setpoint_sum);
-}
-/// The setpoint after its inversion.
+/// The setpoint of the setpoint channel after its inversion.
 double directed(P p) noexcept {
   return p.seen.inputs.invert_setpoint ? -p.seen.setpoint_sum : p.seen.setpoint_sum;
 }
+double behind_the_ramp(P p) noexcept {
+  return p.seen.inputs.speed_setpoint_1 + p.seen.inputs.speed_setpoint_2;
+}
+bool has_setpoint(P p) noexcept {
+  return !is_zero(directed(p)) || !is_zero(behind_the_ramp(p));
+}
+/// Whether the setpoint is for positive speeds.
+bool is_forward(P p) noexcept {
+  return directed(p) + behind_the_ramp(p) > 0.0;
+}
 bool is_direction_inhibited(P p) noexcept {
-  return directed(p) > 0.0 ? p.seen.inputs.inhibit_positive : p.seen.inputs.inhibit_negative;
+  return !is_zero(directed(p)) &&
+         (directed(p) > 0.0 ? p.seen.inputs.inhibit_positive : p.seen.inputs.inhibit_negative);
 }
 double direction_limit(P p) noexcept {
   const AxisParameters& parameters = p.axis.parameters();
   const AxisInputs& inputs = p.seen.inputs;
-  return directed(p) > 0.0 ? std::min(parameters.speed_limit_positive, inputs.forward_limit)
-                           : std::max(parameters.speed_limit_negative, inputs.backward_limit);
+  return is_forward(p) ? std::min(parameters.speed_limit_positive, inputs.forward_limit)
+                       : std::max(parameters.speed_limit_negative, inputs.backward_limit);
 }
 double torque_limit(P p) noexcept {
-  const double wanted = torque_leads(p) ? p.seen.inputs.torque_setpoint : p.seen.ramp_output;
+  const double wanted = torque_leads(p) ? p.seen.inputs.torque_setpoint : p.axis.actual().speed_demand;
   return wanted >= 0.0 ? p.seen.torque_limits.upper : -p.seen.torque_limits.lower;
 }
 
@@ -92,9 +100,12 @@ constexpr std::array kReasons{
            [](P) -> std::string { return "The jog speed is 0: write p1058 and p1059."; }},
     Reason{kOperation, [](P p) { return ramp_leads(p) && !has_setpoint(p) && !p.axis.jogs(); },
            [](P p) {
+             const bool channel = p.axis.has_setpoint_channel();
+             const std::string wiring =
+                 (channel ? wiring_of(p.axis, 1070) + ", " : std::string{}) + wiring_of(p.axis, 1155);
              return fmt::format(
-                 "The speed setpoint is 0 ({}, {}): send a setpoint ({}), or connect p1070 to another source.",
-                 wiring_of(p.axis, 1070), wiring_of(p.axis, 1155), p.axis.velocity_mode() ? "6042h" : "60FFh");
+                 "The speed setpoint is 0 ({}): send a setpoint ({}), or connect {} to another source.", wiring,
+                 p.axis.velocity_mode() ? "6042h" : "60FFh", channel ? "p1070" : "p1155");
            }},
     Reason{kOperation, [](P p) { return ramp_leads(p) && is_zero(p.axis.parameters().maximum_speed); },
            [](P) -> std::string { return "The maximum speed is 0 (p1082): write p1082."; }},
@@ -108,7 +119,7 @@ constexpr std::array kReasons{
            }},
     Reason{kOperation, [](P p) { return ramp_leads(p) && has_setpoint(p) && is_zero(direction_limit(p)); },
            [](P p) {
-             const bool forward = directed(p) > 0.0;
+             const bool forward = is_forward(p);
              return fmt::format("The speed limit of the {} direction is 0: raise {} ({}).",
                                 forward ? "positive" : "negative", forward ? "p1083" : "p1086",
                                 wiring_of(p.axis, forward ? 1085 : 1088));

@@ -5,20 +5,20 @@
 
 namespace drive {
 
-void SetpointChannel::configure(const AxisParameters& p, const FixedSetpoints& fixed) noexcept {
+void SetpointChannel::configure(const AxisParameters& p, const FixedSetpoints& fixed, bool extended) noexcept {
   const double off1 = ramp_slope(p.maximum_speed, p.ramp_down_time);
   const double off3 = ramp_slope(p.maximum_speed, p.off3_ramp_down_time);
-  const bool extended = p.ramp_selection != 0;
+  const bool rounded = extended && p.ramp_selection != 0;
   const auto ramp = [&](double up, double down, double initial, double final_time) {
     const auto type = static_cast<RoundingType>(p.rounding_type);
-    return RampSlopes{up, down, extended ? initial : 0.0, extended ? final_time : 0.0, type};
+    return RampSlopes{up, down, rounded ? initial : 0.0, rounded ? final_time : 0.0, type};
   };
   slopes_ = {ramp(ramp_slope(p.maximum_speed, p.ramp_up_time), off1, p.initial_rounding, p.final_rounding),
              ramp(off1, off1, p.initial_rounding, p.final_rounding),
              ramp(off3, off3, p.off3_initial_rounding, p.off3_final_rounding), RampSlopes{}};
   fixed_ = fixed;
   maximum_ = std::min(p.maximum_speed, p.motor_maximum_speed);
-  minimum_ = p.minimum_speed;
+  minimum_ = extended ? p.minimum_speed : 0.0;
   positive_ = p.speed_limit_positive;
   negative_ = p.speed_limit_negative;
   jog_ = {p.jog_speed_1, p.jog_speed_2};
@@ -41,7 +41,7 @@ void SetpointChannel::start(double speed) noexcept {
 
 void SetpointChannel::brake(Ramp ramp, double speed) noexcept {
   moves_ = true;
-  if (ramp_ == ramp) return;
+  if (ramp_ == ramp && !(std::abs(behind_) > 0.0)) return;
   ramp_ = ramp;
   // A motor that has not yet reached its setpoint brakes from where it is instead of speeding up first.
   const double setpoint = total();

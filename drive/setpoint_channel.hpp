@@ -27,8 +27,9 @@ using FixedSetpoints = std::array<double, 16>;
 /// rad/s.
 class SetpointChannel {
  public:
-  /// Takes over ramps and limits.
-  void configure(const AxisParameters& parameters, const FixedSetpoints& fixed) noexcept;
+  /// Takes over ramps and limits. Not @p extended there is nothing in front of the setpoints behind the ramp but
+  /// the ramps of OFF1 and OFF3, without rounded ends.
+  void configure(const AxisParameters& parameters, const FixedSetpoints& fixed, bool extended = true) noexcept;
 
   /// The pulses come on: the ramp goes on from @p speed.
   void start(double speed) noexcept;
@@ -42,8 +43,8 @@ class SetpointChannel {
   void follow(const AxisInputs& inputs) noexcept;
   /// The torque leads: the ramp is where the motor is, at @p speed, so that speed control can take over.
   void track(double speed) noexcept { ramp_generator_.start(speed - behind_); }
-  /// The ramp waits at zero, for the holding brake.
-  void wait() noexcept { target_ = 0.0; }
+  /// The setpoint waits at zero, for the holding brake.
+  void wait() noexcept { target_ = behind_ = 0.0; }
   /// Limits of this cycle (before follow()).
   void limit(const AxisInputs& inputs) noexcept;
   /// Advances by @p dt (s) and returns total().

@@ -104,10 +104,8 @@ double pole_pairs(const Axis& axis, std::size_t) noexcept {
   const std::int32_t entered = axis.parameters().pole_pairs;
   return entered > 0 ? entered : axis.context().axis.machine.pole_pairs;
 }
-double function_modules(const Axis&, std::size_t) noexcept {
-  constexpr std::uint32_t kSetpointChannel = 1U << 8;
-  constexpr std::uint32_t kCan = 1U << 29;
-  return kSetpointChannel | kCan;
+double function_modules(const Axis& axis, std::size_t) noexcept {
+  return axis.function_modules();
 }
 double mode(const Axis& axis, std::size_t) noexcept {
   return axis.actual().mode;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "drive/axis.hpp"
+#include "drive/parameter/factory_values.hpp"
 
 namespace drive::check {
 namespace {
@@ -118,6 +119,18 @@ std::optional<Refusal> server_cob_id(const DriveObject&, std::size_t index, doub
   const auto cob_id = static_cast<std::uint32_t>(value);
   const bool valid = cob_id >= kFirst[index] && cob_id < kFirst[index] + kCount;
   return refuse_unless((cob_id & kInvalid) != 0 || valid, Refusal::IllegalValue);
+}
+
+std::optional<Refusal> function_modules(const DriveObject& object, std::size_t index, double value) noexcept {
+  const ObjectContext& context = object.context();
+  const bool of_axis = index > 0 && index <= context.axis_count;
+  const double factory = factory::object_modules(context, index);
+  if (!of_axis) return refuse_unless(!(value < factory || value > factory), Refusal::IllegalValue);
+  const ObjectKind kind = context.axes[index - 1];
+  const auto wanted = static_cast<function_module::Set>(value);
+  const function_module::Set possible = function_module::possible(kind);
+  const function_module::Set always = function_module::always(kind);
+  return refuse_unless((wanted & ~possible) == 0 && (wanted & always) == always, Refusal::IllegalValue);
 }
 
 std::optional<Refusal> object_window(const DriveObject&, std::size_t index, double value) noexcept {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "drive/function_modules.hpp"
 #include "drive/machine_model.hpp"
 #include "drive/magnetising_characteristic.hpp"
 #include "drive/parameter/rounding.hpp"
@@ -151,6 +152,28 @@ double vector_sampling_times(const ObjectContext&, std::size_t index) noexcept {
   return sampling_time(250.0, index);
 }
 
+namespace {
+
+bool has_setpoint_channel(const ObjectContext& context) noexcept {
+  return (function_module::of_new(context.axis) & function_module::kSetpointChannel) != 0;
+}
+
+/// 60FFh of the predefined connection set.
+constexpr double kTargetVelocity = own_source(8860, 1);
+
+}  // namespace
+
+double main_setpoint(const ObjectContext& context, std::size_t) noexcept {
+  return has_setpoint_channel(context) ? kTargetVelocity : 0.0;
+}
+double speed_setpoint(const ObjectContext& context, std::size_t) noexcept {
+  return has_setpoint_channel(context) ? 0.0 : kTargetVelocity;
+}
+double message_setpoint(const ObjectContext& context, std::size_t) noexcept {
+  constexpr std::uint16_t kInFrontOfTheRamp = 1119, kBehindIt = 1438;
+  return own_source(has_setpoint_channel(context) ? kInFrontOfTheRamp : kBehindIt, 0);
+}
+
 double object_number(const ObjectContext& context, std::size_t index) noexcept {
   return index <= context.axis_count ? static_cast<double>(index + kControlUnitNumber) : 0.0;
 }
@@ -160,10 +183,8 @@ double object_type(const ObjectContext& context, std::size_t index) noexcept {
   return index <= context.axis_count ? drive::object_type(context.axes[index - 1]) : 0.0;
 }
 double object_modules(const ObjectContext& context, std::size_t index) noexcept {
-  constexpr std::uint32_t kSetpointChannel = 1U << 8;
-  constexpr std::uint32_t kCan = 1U << 29;
   if (index > context.axis_count) return 0.0;
-  return index == 0 ? kCan : kCan | kSetpointChannel;
+  return index == 0 ? function_module::kCan : context.modules[index - 1];
 }
 
 }  // namespace drive::factory

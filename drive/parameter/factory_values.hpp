@@ -54,6 +54,12 @@ double lower_torque_limit(const ObjectContext& context, std::size_t index) noexc
 double sampling_times(const ObjectContext& context, std::size_t index) noexcept;
 double vector_sampling_times(const ObjectContext& context, std::size_t index) noexcept;
 
+// What the speed setpoint is wired to: in front of the extended setpoint channel, or behind it where there is
+// none.
+double main_setpoint(const ObjectContext& context, std::size_t index) noexcept;
+double speed_setpoint(const ObjectContext& context, std::size_t index) noexcept;
+double message_setpoint(const ObjectContext& context, std::size_t index) noexcept;
+
 // The drive objects of the unit.
 double object_number(const ObjectContext& context, std::size_t index) noexcept;
 double object_type(const ObjectContext& context, std::size_t index) noexcept;

@@ -122,6 +122,13 @@ TEST(Configuration, TakesFrictionThatALoadTorqueCanTakeThePlaceOf) {
   EXPECT_EQ(axis.load.constant_torque, 1.5);
 }
 
+TEST(Configuration, DeliversAServoWithoutSetpointChannel) {
+  EXPECT_TRUE(axis_of("{}").setpoint_channel);
+  const AxisConfiguration axis = axis_of(R"({"setpoint_channel": false, "parameters": {"p1121": 0.5}})");
+  EXPECT_FALSE(axis.setpoint_channel);
+  EXPECT_EQ(axis.parameters.size(), 1U);
+}
+
 TEST(Configuration, TakesAHoistAsALoad) {
   const AxisConfiguration axis = axis_of(R"({"load": {"torque": {"type": "hoist", "mass": 10, "radius": 0.05}}})");
 

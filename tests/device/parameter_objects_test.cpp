@@ -172,8 +172,21 @@ TEST(MotionProfileType, IsTheKindOfRamp) {
   EXPECT_EQ(unit.device.axis().read(1115).value(), 1.0);
   EXPECT_EQ(unit.upload(0x6086).number(), 3U);
   EXPECT_EQ(unit.download(0x6086, 0, 1, 2), 0x06090030U);
+  EXPECT_EQ(unit.download(0x6086, 0, 2, 2), 0x06090030U);
   EXPECT_EQ(unit.download(0x6086, 0, 0, 2), 0U);
   EXPECT_EQ(unit.device.axis().read(1115).value(), 0.0);
+}
+
+TEST(MotionProfileType, OfLimitedJerkRoundsWithoutJumpsOfTheSlope) {
+  TestUnit unit{unit_with({{1134, 1.0}})};
+  unit.start();
+
+  EXPECT_EQ(unit.download(0x6086, 0, 0, 2), 0U);
+  EXPECT_EQ(unit.device.axis().read(1134).value(), 1.0) << "a linear ramp has no rounding";
+  EXPECT_EQ(unit.download(0x6086, 0, 3, 2), 0U);
+  EXPECT_EQ(unit.device.axis().read(1115).value(), 1.0);
+  EXPECT_EQ(unit.device.axis().read(1134).value(), 0.0);
+  EXPECT_EQ(unit.upload(0x6086).number(), 3U);
 }
 
 }  // namespace

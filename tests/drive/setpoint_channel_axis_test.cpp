@@ -1,4 +1,5 @@
 // The setpoint channel in an axis: fixed setpoints, setpoints behind the ramp.
+#include "tests/drive/wired_axis.hpp"
 #include "tests/drive/wired_unit.hpp"
 
 namespace drive {
@@ -54,6 +55,49 @@ TEST(SetpointChannelOfAnAxis, BrakesWithASetpointBehindTheRampToStandstill) {
     EXPECT_NEAR(wired.rpm(kX), 0.0, 0.5);
     EXPECT_FALSE(wired.axis(kX).actual().pulses_enabled);
   }
+}
+
+TEST(SetpointBehindTheRamp, WaitsForTheHoldingBrake) {
+  WiredAxis test{[] {
+    AxisConfiguration configuration{};
+    configuration.load.brake = {.torque = 20.0, .opening_time = 0.2, .closing_time = 0.05};
+    return configuration;
+  }()};
+  test.inputs.speed_setpoint_1 = 300.0 * kRpm;
+  test.inputs.on = true;
+  test.run(0.15);
+  EXPECT_EQ(test.axis.actual().speed_demand, 0.0);
+  EXPECT_NEAR(test.axis.actual().torque_demand, 0.0, 0.5) << "not against the brake";
+  test.run(0.5);
+  EXPECT_NEAR(test.rpm(), 300.0, 1.0);
+}
+
+TEST(SetpointBehindTheRamp, EndsWithAHaltAtTheTorqueLimit) {
+  constexpr std::uint16_t kHalt = 0x0100;
+  WiredAxis test;
+  ASSERT_TRUE(test.axis.write(8791, 3.0));
+  test.inputs.bypass_ramp = true;
+  test.inputs.speed_setpoint_1 = 300.0 * kRpm;
+  test.inputs.on = true;
+  test.run(0.5);
+  ASSERT_NEAR(test.rpm(), 300.0, 1.0);
+  test.inputs.controlword = kHalt;
+  test.run(0.5);
+  EXPECT_NEAR(test.rpm(), 0.0, 0.5);
+  EXPECT_EQ(test.state(), State::OperationEnabled);
+  test.inputs.controlword = 0;
+  test.run(0.5);
+  EXPECT_NEAR(test.rpm(), 300.0, 1.0);
+}
+
+TEST(SetpointBehindTheRamp, IsWatchedForABlockedMotor) {
+  WiredAxis test;
+  ASSERT_TRUE(test.axis.write(1520, 0.0));
+  ASSERT_TRUE(test.axis.write(1521, 0.0));
+  test.inputs.speed_setpoint_1 = 300.0 * kRpm;
+  test.inputs.on = true;
+  test.run(3.0);
+  EXPECT_TRUE(test.has(7900));
 }
 
 }  // namespace

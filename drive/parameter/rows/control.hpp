@@ -11,7 +11,7 @@ namespace drive::rows {
 /// Closed-loop control, references.
 // clang-format off
 inline constexpr std::array kControlRows{
-    Row{1155, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CI: speed controller setpoint 1", "speed setpoint behind the ramp"},
+    Row{1155, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::speed_setpoint, When::Always, Slot{}, Output::No, "CI: speed controller setpoint 1", "speed setpoint behind the ramp; delivered on an axis without extended setpoint channel: 60FFh, in velocity mode 6042h"},
     Row{1160, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CI: speed controller setpoint 2", "speed setpoint behind the ramp"},
     Row{1170, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, axis(axis_value::speed_demand), Output::Connector, "Speed controller setpoint sum", "behind the ramp"},
     Row{1215, 1, kAxes, I16, Unit::None, {0.0, 3.0}, factory::brake_configuration, When::Ready, Member{&P::brake_configuration}, Output::No, "Motor holding brake configuration", "0 none, 1 and 3 by the sequence control, 2 always open"},

@@ -11,7 +11,7 @@ namespace drive::rows {
 /// Monitoring.
 // clang-format off
 inline constexpr std::array kMonitoringRows{
-    Row{2151, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(1119, 0), When::Always, Slot{}, Output::No, "CI: speed setpoint for messages", "setpoint of r2197.7"},
+    Row{2151, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::message_setpoint, When::Always, Slot{}, Output::No, "CI: speed setpoint for messages", "setpoint of r2197.7"},
     Row{2153, 1, kAxes, F32, Unit::Milliseconds, {0.0, 1000000.0}, 0.0, When::Always, Stored{}, Output::No, "Speed actual filter time for messages", ""},
     Row{2155, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 900.0, When::Always, Slot{}, Output::No, "Speed threshold 2", "bits 4 and 5 of r0053"},
     Row{2161, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 5.0, When::Always, Member{&P::zero_speed_threshold}, Output::No, "Speed threshold 3 (zero speed signal)", "statusword bit 12 below it"},

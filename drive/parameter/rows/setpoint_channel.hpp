@@ -48,7 +48,7 @@ inline constexpr std::array kSetpointChannelRows{
     Row{1056, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "BI: jog 2", "with ON = 0 switches on and leads p1059"},
     Row{1058, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 150.0, When::Always, Member{&P::jog_speed_1}, Output::Connector, "Jog 1 speed setpoint", "setpoint while p1055 jogs"},
     Row{1059, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, -150.0, When::Always, Member{&P::jog_speed_2}, Output::Connector, "Jog 2 speed setpoint", "setpoint while p1056 jogs"},
-    Row{1070, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(8860, 1), When::Always, Slot{}, Output::No, "CI: main setpoint", "speed setpoint in front of the ramp; delivered: 60FFh, in velocity mode 6042h"},
+    Row{1070, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::main_setpoint, When::Always, Slot{}, Output::No, "CI: main setpoint", "speed setpoint in front of the ramp; delivered: 60FFh, in velocity mode 6042h"},
     Row{1075, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, Slot{}, Output::No, "CI: supplementary setpoint", "added to p1070"},
     Row{1078, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, axis(axis_value::setpoint_sum), Output::Connector, "Total setpoint effective", ""},
     Row{1080, 1, kAxes, F32, Unit::Rpm, {0.0, 19500.0}, 0.0, When::Always, Member{&P::minimum_speed}, Output::No, "Minimum speed", "lowest speed setpoint besides no setpoint enable"},
