@@ -23,6 +23,9 @@ constexpr std::array kSupplyArguments{
 constexpr std::array kEncoderArguments{Argument{"AXIS", "Axis of the unit, 1.."},
                                        Argument{"DEFECT", "none, loss, lost_pulses or reversed"}};
 
+constexpr std::array kInputArguments{Argument{"INPUT", "Digital input of the control unit: 0 to 17, 20 or 21"},
+                                     Argument{"STATE", "on or off"}};
+
 tl::expected<nlohmann::json, std::string> no_parameters(Words /*words*/) {
   return nlohmann::json::object();
 }
@@ -54,6 +57,8 @@ constexpr std::array kCommands{
             supply_parameters, print_members},
     Command{"", "encoder", "Make the encoder of an axis fail", kEncoderArguments, control::Method::FailEncoder,
             encoder_parameters, print_members},
+    Command{"", "input", "Switch a digital input of the control unit", kInputArguments, control::Method::SetInput,
+            input_parameters, print_members},
     Command{"bus",
             "restart",
             "Restart the CAN controller from bus-off",
