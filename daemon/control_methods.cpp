@@ -159,6 +159,24 @@ Outcome fail_encoder(Daemon& daemon, const json& params) {
   return json::object();
 }
 
+/// A digital input of the control unit; not what p0728 has made an output.
+Outcome set_input(Daemon& daemon, const json& params) {
+  using drive::Terminals;
+  const auto input = integer(params, "input", 0, Terminals::kHighest);
+  if (!input) return refuse(input.error());
+  const auto terminal = static_cast<unsigned>(*input);
+  if (!Terminals::exists(terminal))
+    return refuse(fmt::format("input: expected 0 to 17, 20 or 21, got {}", terminal));
+  if (daemon.device().unit().control_unit().terminals().is_output(terminal))
+    return refuse(fmt::format("input: DI/DO {0} is an output (p0728.{0} = 1)", terminal));
+  const auto state = params.find("state");
+  if (state == params.end() || !state->is_boolean())
+    return refuse(
+        fmt::format("state: expected true or false, got {}", state == params.end() ? "nothing" : state->dump()));
+  daemon.set_input(terminal, state->get<bool>());
+  return json::object();
+}
+
 Outcome restart_bus(Daemon& daemon, const json&) {
   if (!daemon.restart_bus()) return refuse("the bus is not off");
   return json::object();
@@ -172,8 +190,8 @@ Outcome quit(Daemon& daemon, const json&) {
 /// What each method does, in the order of control::Method.
 using Function = Outcome (*)(Daemon&, const json& params);
 constexpr std::array<Function, control::kMethods.size()> kFunctions{
-    &status,       &explain,     &inject_fault, &acknowledge_fault, &set_load, &set_supply,
-    &fail_encoder, &restart_bus, &quit};
+    &status,     &explain,      &inject_fault, &acknowledge_fault, &set_load,
+    &set_supply, &fail_encoder, &set_input,    &restart_bus,       &quit};
 
 Outcome call(Daemon& daemon, const control::Request& request) {
   const auto method = control::method_named(request.method);

@@ -31,6 +31,7 @@ enum class Method : std::uint8_t {
   SetLoad,
   SetSupply,
   FailEncoder,
+  SetInput,
   RestartBus,
   Quit
 };
@@ -50,6 +51,7 @@ inline constexpr std::array kMethods{
     MethodName{Method::SetLoad, "load.set"},
     MethodName{Method::SetSupply, "supply.set"},
     MethodName{Method::FailEncoder, "encoder.fail"},
+    MethodName{Method::SetInput, "input.set"},
     MethodName{Method::RestartBus, "bus.restart"},
     MethodName{Method::Quit, "quit"},
 };

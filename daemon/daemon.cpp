@@ -285,6 +285,10 @@ void Daemon::fail_encoder(std::size_t axis, motor::EncoderDefect defect) noexcep
   device_.fail_encoder(axis, defect, read_clock());
 }
 
+void Daemon::set_input(unsigned number, bool high) noexcept {
+  device_.set_input(number, high, read_clock());
+}
+
 double Daemon::uptime_s() const noexcept {
   return std::chrono::duration<double>(read_clock() - started_).count();
 }

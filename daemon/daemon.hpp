@@ -50,6 +50,9 @@ class Daemon final : private device::Listener, private Station {
   /// The encoder of @p axis (1..axes) has @p defect from now on.
   void fail_encoder(std::size_t axis, motor::EncoderDefect defect) noexcept;
 
+  /// Puts terminal @p number of the control unit (drive::Terminals::exists) to 24 V or 0 V.
+  void set_input(unsigned number, bool high) noexcept;
+
   /// Restarts the controller from bus-off as p8608[0] does; false if the bus is not off.
   bool restart_bus() noexcept;
 

@@ -59,9 +59,20 @@ json axes_status(const Daemon& daemon) {
   return axes;
 }
 
+/// The numbers of the bits of @p word that are 1.
+json terminals(drive::Terminals::Word word) {
+  json list = json::array();
+  for (unsigned number = 0; number <= drive::Terminals::kHighest; ++number)
+    if ((word >> number & 1U) != 0) list.push_back(number);
+  return list;
+}
+
 json control_unit_status(const Daemon& daemon) {
-  const drive::FaultMemory& memory = daemon.device().unit().object(drive::kControlUnitNumber)->messages();
-  return {{"faults", messages(memory.faults())}, {"alarms", messages(memory.alarms())}};
+  const drive::ControlUnit& unit = daemon.device().unit().control_unit();
+  return {{"faults", messages(unit.messages().faults())},
+          {"alarms", messages(unit.messages().alarms())},
+          {"inputs", terminals(unit.terminals().status())},
+          {"outputs", terminals(unit.terminals().outputs() & unit.terminals().directions)}};
 }
 
 json leds_status(const device::IndicatorLeds& leds) {

@@ -266,6 +266,12 @@ void Device::set_line_voltage(double voltage, canopen::TimePoint now) noexcept {
   wake();
 }
 
+void Device::set_input(unsigned number, bool high, canopen::TimePoint now) noexcept {
+  tell_time(now);
+  unit_.control_unit().terminals().apply(number, high);
+  wake();
+}
+
 void Device::fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen::TimePoint now) noexcept {
   tell_time(now);
   unit_.axes()[axis - 1].fail_encoder(defect);

@@ -95,6 +95,10 @@ class Device final : private canopen::Application,
   /// Sets the line voltage of the supply (V rms between lines, not negative; 0 = mains failure).
   void set_line_voltage(double voltage, canopen::TimePoint now) noexcept;
 
+  /// Puts terminal @p number of the control unit (drive::Terminals::exists) to 24 V or 0 V; the cycle that @p now
+  /// lies in takes it.
+  void set_input(unsigned number, bool high, canopen::TimePoint now) noexcept;
+
   /// The CAN controller is in error state @p state now. While the bus is off the unit sends nothing and hears
   /// nothing but SDO requests, which it answers: p8608 ends that also where no controller does.
   void on_bus_state(BusState state, canopen::TimePoint now) noexcept;

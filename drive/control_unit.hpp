@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drive/drive_object.hpp"
+#include "drive/terminals.hpp"
 
 namespace drive {
 
@@ -14,10 +15,16 @@ class ControlUnit final : public DriveObject {
   bool is_in_commissioning() const noexcept;
   bool acknowledge() noexcept override;
 
+  /// Its digital inputs and outputs.
+  const Terminals& terminals() const noexcept { return terminals_; }
+  Terminals& terminals() noexcept { return terminals_; }
+
  private:
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;
+
+  Terminals terminals_{};
 };
 
 }  // namespace drive

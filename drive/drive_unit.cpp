@@ -74,6 +74,7 @@ void DriveUnit::exchange_process_data() noexcept {
   wiring_->connect();
   wiring_->convert_words();
   wiring_->convert_bits();
+  wiring_->lead_outputs();
   wiring_->send();
 }
 
@@ -144,6 +145,7 @@ void DriveUnit::run(std::span<const std::optional<AxisInputs>> inputs, double du
   for (Axis* const axis : moved) axis->measure();
   for (Axis* const axis : moved) axis->end_cycle(wiring_->feedback(axis->axis_number() - 1));
   wiring_->convert_bits();
+  wiring_->lead_outputs();
   wiring_->send();
 }
 

@@ -61,6 +61,8 @@ class DriveUnit final : private Surroundings {
     visit(static_cast<const DriveObject&>(control_unit_));
     for (const Axis& axis : axes_) visit(static_cast<const DriveObject&>(axis));
   }
+  const ControlUnit& control_unit() const noexcept { return control_unit_; }
+  ControlUnit& control_unit() noexcept { return control_unit_; }
   std::span<Axis> axes() noexcept { return axes_; }
   std::span<const Axis> axes() const noexcept { return axes_; }
 

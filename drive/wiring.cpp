@@ -73,6 +73,7 @@ constexpr std::array kConnectors{
     ConnectorRow{1523, &AxisInputs::lower_torque_limit, kReferenceTorque},
 };
 
+constexpr std::uint16_t kFirstOutput = 738;  // p0738 to p0745
 constexpr std::uint16_t kAcknowledgeAll = 2102;
 constexpr std::uint16_t kMessageSetpoint = 2151;
 constexpr std::uint16_t kSentWords = 8851;
@@ -117,7 +118,10 @@ void Wiring::connect() noexcept {
   if (valid_) return;
   valid_ = true;
   for (Object& entry : objects_) connect(entry);
-  acknowledge_all_ = source(*objects_.front().object, kAcknowledgeAll);
+  const DriveObject& control_unit = *objects_.front().object;
+  acknowledge_all_ = source(control_unit, kAcknowledgeAll);
+  for (std::size_t i = 0; i < outputs_.size(); ++i)
+    outputs_[i] = source(control_unit, static_cast<std::uint16_t>(kFirstOutput + i));
 }
 
 void Wiring::connect(Object& entry) noexcept {
@@ -234,6 +238,13 @@ void Wiring::convert_bits() noexcept {
           static_cast<std::uint16_t>(words[place.word] ^ (static_cast<unsigned>(place.source.bit()) << place.bit));
     entry.object->process_data().words_of_bits = words;
   }
+}
+
+void Wiring::lead_outputs() noexcept {
+  Terminals::Word word = 0;
+  for (std::size_t i = 0; i < outputs_.size(); ++i)
+    word |= static_cast<Terminals::Word>(outputs_[i].bit()) << (Terminals::kFirstOutput + i);
+  unit_.control_unit().terminals().sources = word;
 }
 
 void Wiring::send() noexcept {

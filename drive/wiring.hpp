@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,6 +38,9 @@ class Wiring {
   /// Step 4.
   void convert_bits() noexcept;
   void send() noexcept;
+
+  /// The digital outputs of the control unit (p0738 to p0745), in step 4 too.
+  void lead_outputs() noexcept;
 
   /// p2102, of the control unit: acknowledges all.
   bool acknowledge_all() const noexcept { return acknowledge_all_.bit(); }
@@ -83,6 +87,7 @@ class Wiring {
   DriveUnit& unit_;
   std::vector<Object> objects_;  // control unit, axes
   SignalSource acknowledge_all_;
+  std::array<SignalSource, Terminals::kOutputs> outputs_{};
   bool valid_ = false;
 };
 

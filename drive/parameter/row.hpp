@@ -161,8 +161,9 @@ constexpr Computed<Axis> axis(double (*get)(const Axis&, std::size_t) noexcept,
                               void (*set)(Axis&, std::size_t, double) noexcept = nullptr) noexcept {
   return {get, set};
 }
-constexpr Computed<ControlUnit> unit(double (*get)(const ControlUnit&, std::size_t) noexcept) noexcept {
-  return {get};
+constexpr Computed<ControlUnit> unit(double (*get)(const ControlUnit&, std::size_t) noexcept,
+                                     void (*set)(ControlUnit&, std::size_t, double) noexcept = nullptr) noexcept {
+  return {get, set};
 }
 constexpr Computed<DriveObject> object(double (*get)(const DriveObject&, std::size_t) noexcept,
                                        void (*set)(DriveObject&, std::size_t,

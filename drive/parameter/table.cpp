@@ -19,6 +19,7 @@
 #include "drive/parameter/rows/process_data.hpp"
 #include "drive/parameter/rows/setpoint_channel.hpp"
 #include "drive/parameter/rows/technology.hpp"
+#include "drive/parameter/rows/terminals.hpp"
 #include "drive/parameter/rows/unit.hpp"
 
 namespace drive {
@@ -39,10 +40,10 @@ constexpr auto joined(const Tables&... tables) {
 }
 
 constexpr auto kRows =
-    joined(rows::kUnitRows, rows::kCanRows, rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows,
-           rows::kDisplayRows, rows::kMotorRows, rows::kSetpointChannelRows, rows::kControlRows,
-           rows::kIdentificationRows, rows::kMonitoringRows, rows::kTechnologyRows, rows::kPositionRows,
-           rows::kPositionerRows);
+    joined(rows::kUnitRows, rows::kTerminalRows, rows::kCanRows, rows::kPdoRows, rows::kProcessDataRows,
+           rows::kMessagesRows, rows::kDisplayRows, rows::kMotorRows, rows::kSetpointChannelRows,
+           rows::kControlRows, rows::kIdentificationRows, rows::kMonitoringRows, rows::kTechnologyRows,
+           rows::kPositionRows, rows::kPositionerRows);
 
 constexpr bool has_slots(const ParameterRow& row) {
   return std::holds_alternative<Stored>(row.home) || std::holds_alternative<Slot>(row.home) ||

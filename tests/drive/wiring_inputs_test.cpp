@@ -71,9 +71,10 @@ const std::vector<ValueInput> kValueInputs{
     {1523, &AxisInputs::lower_torque_limit, 2003, 1.0},
 };
 
-/// Inputs that act elsewhere: messages of the statusword, acknowledgement of the unit, process data, converters.
-const std::set<std::uint16_t> kOtherInputs{2102, 2151, 8746, 8748, 8785, 8786, 8787, 8851,
-                                           8861, 8880, 8881, 8882, 8883, 8884, 8899};
+/// Inputs that act elsewhere: digital outputs, messages of the statusword, acknowledgement of the unit, process
+/// data, converters.
+const std::set<std::uint16_t> kOtherInputs{738,  739,  740,  741,  742,  743,  744,  745,  2102, 2151, 8746, 8748,
+                                           8785, 8786, 8787, 8851, 8861, 8880, 8881, 8882, 8883, 8884, 8899};
 /// Inputs of functions that the drive does not have yet.
 bool is_of_positioner(std::uint16_t number) {
   return number == 2200 || (number >= 2510 && number <= 2663);

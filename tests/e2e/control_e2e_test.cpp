@@ -111,6 +111,47 @@ TEST_F(Control, HangsUpOnAClientWithoutEnd) {
   EXPECT_EQ(daemon->axisctl({"status"}).status, 0);
 }
 
+TEST_F(Control, ADigitalInputAcknowledgesAFaultAndSwitchesTheMotorOn) {
+  const auto switches = [](const char* input, const char* state) {
+    const fakes::Finished finished = daemon->axisctl({"input", input, state});
+    EXPECT_EQ(finished.status, 0) << finished.errors;
+  };
+  const auto inputs = [] { return daemon->status().at("control_unit").at("inputs"); };
+  for (const auto& [request, answer] :
+       {std::pair{"605#2BB6410002000000", "585#60B6410000000000"},
+        std::pair{"605#233828000204D202", "585#6038280000000000"},     // p2104 = r0722.2
+        std::pair{"605#234823000104D202", "585#6048230000000000"}}) {  // p0840 = r0722.1
+    ASSERT_TRUE(can->ask(request, answer));
+  }
+  ASSERT_EQ(daemon->axisctl({"fault", "inject", "1", "F07860"}).status, 0);
+  ASSERT_TRUE(wait_for_state(*can, kFault));
+
+  switches("2", "on");
+  ASSERT_TRUE(wait_for_state(*can, kSwitchOnDisabled));
+  EXPECT_EQ(inputs(), json::array({2}));
+  can->send("205#0E00");
+  ASSERT_TRUE(wait_for_state(*can, kReadyToSwitchOn));
+  switches("1", "on");
+  ASSERT_TRUE(wait_for_state(*can, kOperationEnabled));
+  EXPECT_EQ(inputs(), json::array({1, 2}));
+  switches("1", "off");
+  ASSERT_TRUE(wait_for_state(*can, kReadyToSwitchOn));
+  switches("2", "off");
+  EXPECT_EQ(inputs(), json::array());
+}
+
+TEST_F(Control, RefusesAnInputThatIsNone) {
+  const auto refusal = [](const char* input) { return daemon->axisctl({"input", input, "on"}).errors; };
+  EXPECT_EQ(refusal("18"), "axisctl: input: expected 0 to 17, 20 or 21, got 18\n");
+  EXPECT_EQ(refusal("22"), "axisctl: input: expected an integer 0 to 21, got 22\n");
+  ASSERT_TRUE(can->ask("605#2BB6410001000000", "585#60B6410000000000"));
+  ASSERT_TRUE(can->ask("605#23D8220000010000", "585#60D8220000000000"));  // p0728.8 = 1
+  EXPECT_EQ(refusal("8"), "axisctl: input: DI/DO 8 is an output (p0728.8 = 1)\n");
+  ASSERT_TRUE(can->ask("605#23D8220000000000", "585#60D8220000000000"));
+  EXPECT_EQ(refusal("8"), "");
+  EXPECT_EQ(daemon->axisctl({"input", "8", "off"}).status, 0);
+}
+
 TEST_F(Control, RefusesAnUnknownFaultInOneLine) {
   const auto finished = daemon->axisctl({"fault", "inject", "1", "1"});
 

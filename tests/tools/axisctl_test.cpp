@@ -33,6 +33,8 @@ TEST_F(Axisctl, SendsWhatEachCommandMeans) {
        {{"method", "load.set"}, {"params", {{"axis", 1}, {"torque_Nm", 5.0}, {"type", "friction"}}}}},
       {{"supply", "0"}, {{"method", "supply.set"}, {"params", {{"line_voltage_V", 0.0}}}}},
       {{"encoder", "2", "loss"}, {{"method", "encoder.fail"}, {"params", {{"axis", 2}, {"defect", "loss"}}}}},
+      {{"input", "2", "on"}, {{"method", "input.set"}, {"params", {{"input", 2}, {"state", true}}}}},
+      {{"input", "21", "off"}, {{"method", "input.set"}, {"params", {{"input", 21}, {"state", false}}}}},
       {{"bus", "restart"}, {{"method", "bus.restart"}}},
       {{"quit"}, {{"method", "quit"}}},
   };
@@ -286,6 +288,9 @@ TEST_F(Axisctl, RefusesWrongUsage) {
       {"load", "1", "1e999"},
       {"load", "1", "5Nm"},
       {"load", "x", "5"},
+      {"input", "2"},
+      {"input", "two", "on"},
+      {"input", "2", "1"},
       {"--node-id", "0", "status"},
       {"--node-id", "128", "status"},
       {"--node-id", "two", "status"},
@@ -303,6 +308,7 @@ TEST_F(Axisctl, RefusesWrongUsage) {
 }
 
 TEST_F(Axisctl, NamesTheWordThatIsWrong) {
+  EXPECT_EQ(run({"input", "2", "high"}).errors, "axisctl: STATE: expected on or off, got \"high\"\n");
   EXPECT_EQ(run({"load", "X", "1"}).errors, "axisctl: AXIS: expected a number from 1, got \"X\"\n");
   EXPECT_EQ(run({"load", "1", "much"}).errors, "axisctl: TORQUE: expected a number of N·m, got \"much\"\n");
   EXPECT_EQ(run({"fault", "inject", "1", "X1"}).errors,

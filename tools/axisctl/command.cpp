@@ -27,6 +27,9 @@ constexpr std::array kSupplyArguments{
     Argument{"VOLTAGE", "Line voltage (V rms between lines), 0 = mains failure", "line_voltage_V"}};
 constexpr std::array kEncoderArguments{kAxis, Argument{"DEFECT", "none, loss, lost_pulses or reversed", "defect"}};
 
+constexpr std::array kInputArguments{Argument{"INPUT", "Digital input of the control unit: 0 to 17, 20 or 21"},
+                                     Argument{"STATE", "on or off"}};
+
 tl::expected<nlohmann::json, std::string> no_parameters(Words /*words*/) {
   return nlohmann::json::object();
 }
@@ -58,6 +61,8 @@ constexpr std::array kCommands{
             supply_parameters, print_members},
     Command{"", "encoder", "Make the encoder of an axis fail", kEncoderArguments, control::Method::FailEncoder,
             encoder_parameters, print_members},
+    Command{"", "input", "Switch a digital input of the control unit", kInputArguments, control::Method::SetInput,
+            input_parameters, print_members},
     Command{"bus",
             "restart",
             "Restart the CAN controller from bus-off",

@@ -61,6 +61,8 @@ tl::expected<nlohmann::json, std::string> load_parameters(Words words);
 tl::expected<nlohmann::json, std::string> supply_parameters(Words words);
 /// Parameters of encoder (AXIS DEFECT); the daemon knows the defects.
 tl::expected<nlohmann::json, std::string> encoder_parameters(Words words);
+/// Parameters of input (INPUT on|off); the daemon knows the inputs.
+tl::expected<nlohmann::json, std::string> input_parameters(Words words);
 /// Prints the result of status as aligned lines.
 void print_status(std::ostream& out, const nlohmann::json& result);
 

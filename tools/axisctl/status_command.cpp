@@ -32,7 +32,12 @@ constexpr std::array kUnitLabels{
     Label{"skipped_cycles", "skipped cycles", ""},
     Label{"version", "axisd version", ""},
 };
-constexpr std::array kControlUnitLabels{Label{"faults", "faults", ""}, Label{"alarms", "alarms", ""}};
+constexpr std::array kControlUnitLabels{
+    Label{"faults", "faults", ""},
+    Label{"alarms", "alarms", ""},
+    Label{"inputs", "inputs at 1", ""},
+    Label{"outputs", "outputs at 1", ""},
+};
 constexpr std::array kAxisLabels{
     Label{"state", "state", ""},
     Label{"controlword", "controlword", ""},
