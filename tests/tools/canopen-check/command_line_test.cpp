@@ -25,10 +25,17 @@ std::string rows_of(std::istream&& lines) {
 }
 
 TEST(CanopenCheck, ListsTheChecksThatTheDocumentationLists) {
-  const fakes::Finished list = run({"--list"});
+  const fakes::Finished list = run({"--list=markdown"});
   EXPECT_EQ(list.status, 0);
   EXPECT_EQ(rows_of(std::istringstream{list.output}),
             rows_of(std::ifstream{std::string{SOURCE_FOLDER} + "/docs/conformance-checks.md"}));
+}
+
+TEST(CanopenCheck, ListsTheChecksAsPlainText) {
+  const fakes::Finished list = run({"--list"});
+  EXPECT_EQ(list.status, 0);
+  EXPECT_NE(list.output.find("\nnmt.operational "), std::string::npos) << list.output;
+  EXPECT_EQ(list.output.find_first_of("|`"), std::string::npos);
 }
 
 struct Mistake {
@@ -56,6 +63,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoNode", {"--interface", "vcan0"}, "--node: needed, a node-ID 1 to 127"},
         Mistake{
             "NodeTooHigh", {"--interface", "vcan0", "--node", "128"}, "--node: Value 128 not in range 1 to 127"},
+        Mistake{"UnknownCheckToSkip",
+                {"--interface", "vcan0", "--node", "5", "--skip", "nmt.no-such"},
+                "--skip: expected a group (static, device, nmt, error-control, sdo, pdo, sync, emcy, storage, "
+                "lss, drive, "
+                "robustness) or the beginning of an id (see --list), got \"nmt.no-such\""},
+        Mistake{"ReportThatCannotBeWritten",
+                {"--interface", "unix:/nowhere/bus", "--node", "5", "--junit", "/nowhere/report.xml"},
+                "/nowhere/report.xml: cannot be written"},
         Mistake{"StaticWithoutEds", {"--static"}, "--static: needs --eds FILE"},
         Mistake{"NoSuchFile", {"--static", "--eds", "/nowhere/a.eds"}, "/nowhere/a.eds: cannot be read"},
         Mistake{"BadUrl",

@@ -62,4 +62,17 @@ bool of_heartbeat(const canopen::Frame& emergency) {
   return emergency.data[3] == 127;
 }
 
+Defect hangs_on(std::function<bool(const canopen::Frame&)> kills, bool comes_back) {
+  return {.incoming =
+              [kills, comes_back](Slave& slave, canopen::Frame& frame) {
+                std::int64_t& hangs = slave.memory["hangs"];
+                const bool reset = frame.id == 0 && (is_command(frame, canopen::NmtCommand::ResetNode) ||
+                                                     is_command(frame, canopen::NmtCommand::ResetCommunication));
+                if (hangs != 0 && comes_back && reset) hangs = 0;
+                if (hangs == 0 && kills(frame)) hangs = 1;
+                return hangs == 0;
+              },
+          .outgoing = [](Slave& slave, canopen::Frame&) { return slave.memory["hangs"] == 0; }};
+}
+
 }  // namespace conformance_test

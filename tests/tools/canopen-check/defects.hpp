@@ -23,6 +23,9 @@ void pretend(Slave& slave, const canopen::Frame& request);
 /// What the dictionary holds.
 [[nodiscard]] std::int64_t stored(Slave& slave, std::uint16_t index, std::uint8_t sub_index = 0);
 
+/// A slave that hangs from a frame that @p kills on, until a reset if @p comes_back, else for good.
+[[nodiscard]] Defect hangs_on(std::function<bool(const canopen::Frame&)> kills, bool comes_back = true);
+
 /// True for an emergency message with @p code.
 [[nodiscard]] bool is_emergency(const canopen::Frame& frame, std::uint16_t code);
 /// True if the tester plays node @p detail of an emergency message about a heartbeat.

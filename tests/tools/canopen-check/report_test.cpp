@@ -94,5 +94,25 @@ TEST(TextReport, HasALineForAGroupAndOneForAll) {
       << text;
 }
 
+TEST(TextReport, EndsWithTheFailures) {
+  const std::string text = summary_of(every_outcome());
+  EXPECT_NE(text.find("\nfailed    sdo.toggle-bit "), std::string::npos) << text;
+  EXPECT_NE(text.find("\nbroken    error-control.heartbeat                  interrupted\n"), std::string::npos)
+      << text;
+}
+
+TEST(JunitReport, TellsTheFirstFindingsInItsMessage) {
+  RunReport report;
+  report.results = {{.check = &kToggle,
+                     .outcome = Outcome::Failed,
+                     .findings = std::vector<Finding>(2000, Finding{.expected = "this", .found = "that"})}};
+  const std::string text = junit_of(report, kInfo);
+  EXPECT_NE(
+      text.find(
+          "message=\"expected this, found that; expected this, found that; expected this, found that; and 1997 "
+          "more\""),
+      std::string::npos);
+}
+
 }  // namespace
 }  // namespace conformance_test

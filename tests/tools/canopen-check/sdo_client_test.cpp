@@ -7,6 +7,7 @@
 namespace conformance_test {
 namespace {
 
+using canopen::Frame;
 using conformance::SdoAnswer;
 using Bytes = std::vector<std::uint8_t>;
 
@@ -68,6 +69,91 @@ TEST(SdoClient, EndsAnUploadThatNeverEnds) {
     return true;
   }}};
   EXPECT_FALSE(client.sdo.upload(kText, 0).done());
+}
+
+/// Answers every request for a segment by @p answer.
+Defect with_segments(std::function<void(Frame&)> answer) {
+  return {.incoming = [answer](Slave& slave, Frame& frame) {
+    if (frame.id != 0x605 || (frame.data[0] & 0xE0U) != 0x60) return true;
+    Frame segment{.id = 0x585, .length = 8, .data = {static_cast<std::uint8_t>(frame.data[0] & 0x10U)}};
+    answer(segment);
+    slave.say(segment);
+    return false;
+  }};
+}
+
+TEST(SdoClient, EndsAnUploadOfEmptySegments) {
+  Client client{with_segments([](Frame& segment) { segment.data[0] |= 7U << 1U; })};
+  const SdoAnswer answer = client.sdo.upload(kText, 0);
+  EXPECT_EQ(to_text(answer), "an upload does not end: 8 segments without data");
+  EXPECT_LT(client.wire.sent(), 20U);
+}
+
+TEST(SdoClient, EndsAnUploadThatGoesBeyondTheAnnouncedSize) {
+  Client client{with_segments([](Frame&) {})};
+  const SdoAnswer answer = client.sdo.upload(0x1008, 0);
+  EXPECT_EQ(to_text(answer), "an upload does not end after the 11 bytes that are announced");
+  EXPECT_LT(client.wire.sent(), 20U);
+}
+
+TEST(SdoClient, ReadsNoMoreThanItTakes) {
+  Client client{{.outgoing = [](Slave&, Frame& frame) {
+    if (frame.id == 0x585 && frame.data[0] == 0x41) frame.data[6] = 0x11;  // 1 MiB and more
+    return true;
+  }}};
+  EXPECT_EQ(client.sdo.upload(0x1008, 0).kind, SdoAnswer::Kind::Cut);
+  EXPECT_EQ(client.wire.sent(), 2U);  // the request, and the abort
+}
+
+TEST(SdoClient, EndsAnUploadOfTimeWithoutEnd) {
+  Defect endless = with_segments([](Frame&) {});
+  endless.outgoing = [](Slave&, Frame& frame) {
+    if (frame.id == 0x585 && frame.data[0] == 0x41) frame.data = {0x40, 0x08, 0x10};  // no size
+    return true;
+  };
+  Client client{endless};
+  const canopen::TimePoint begin = client.wire.now();
+  EXPECT_EQ(client.sdo.upload(0x1008, 0).kind, SdoAnswer::Kind::Cut);
+  EXPECT_LT(client.wire.now() - begin, conformance::kLongestTransferTime + std::chrono::seconds{2});
+}
+
+TEST(SdoClient, TakesTheAnswerThatFitsAndNoOther) {
+  // A late answer to another request, one of another entry, and an abort of none.
+  Client client{{.incoming = [](Slave& slave, Frame& frame) {
+    if (frame.id != 0x605 || frame.data[0] != 0x40) return true;
+    slave.say({.id = 0x585, .length = 8, .data = {0x60, 0x17, 0x10}});
+    slave.say({.id = 0x585, .length = 8, .data = {0x43, 0x01, 0x10, 0x00, 0xAA}});
+    slave.say({.id = 0x585, .length = 8, .data = {0x80, 0, 0, 0, 0, 0, 0, 8}});
+    return true;
+  }}};
+  const SdoAnswer answer = client.sdo.upload(0x1018, 1);
+  ASSERT_TRUE(answer.done()) << to_text(answer);
+  EXPECT_EQ(answer.number(), 0x2AU);
+  EXPECT_EQ(client.sdo.strays(), 1U);
+}
+
+TEST(SdoClient, TakesNoAbortOfAnotherEntryForAnAnswer) {
+  Client client{{.outgoing = [](Slave&, Frame& frame) {
+    if (frame.id == 0x585) frame.data = {0x80, 0, 0, 0, 0, 0, 0, 8};
+    return true;
+  }}};
+  EXPECT_EQ(to_text(client.sdo.upload(0x1018, 1)),
+            "no answer to it, only 585#8000000000000008, which names 0000h:00");
+}
+
+TEST(SdoClient, TakesEveryAbortOfAServerThatNeverNamesTheEntry) {
+  Client client{{.outgoing = [](Slave&, Frame& frame) {
+    if (frame.id == 0x585 && frame.data[0] == 0x80) frame.data[1] = frame.data[2] = frame.data[3] = 0;
+    return true;
+  }}};
+  client.sdo.learn_aborts();
+  EXPECT_EQ(to_text(client.sdo.upload(0x1000, 1)), "abort 06090011h (no such sub-index)");
+}
+
+TEST(Hexadecimal, OfMuchDataIsShort) {
+  EXPECT_EQ(conformance::hexadecimal(Bytes(3, 0xAB)), "ABABAB");
+  EXPECT_TRUE(conformance::hexadecimal(Bytes(1000, 0xAB)).ends_with("AB... (1000 bytes)"));
+  EXPECT_LT(conformance::hexadecimal(Bytes(1000, 0xAB)).size(), 100U);
 }
 
 }  // namespace

@@ -39,12 +39,8 @@ std::vector<WrongSlave> of_commands() {
                         return true;
                       }},
        .found_by = {"nmt.other-node-id"}},
-      {.name = "ObeysLongCommands",
-       .defect = {.incoming =
-                      [](Slave&, Frame& frame) {
-                        if (frame.id == 0 && frame.length > 2) frame.length = 2;
-                        return true;
-                      }},
+      {.name = "HangsOnLongCommands",
+       .defect = hangs_on([](const Frame& frame) { return frame.id == 0 && frame.length > 2; }),
        .found_by = {"nmt.wrong-length"}},
       {.name = "StopsOnUnknownCommands",
        .defect = {.policy =

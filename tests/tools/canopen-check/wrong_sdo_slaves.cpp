@@ -1,4 +1,5 @@
 #include "tests/tools/canopen-check/conformance_run.hpp"
+#include "tests/tools/canopen-check/defects.hpp"
 #include "tests/tools/canopen-check/sdo_defects.hpp"
 
 namespace conformance_test {
@@ -172,9 +173,10 @@ std::vector<WrongSlave> that_take_frames_wrongly() {
                         return true;
                       }},
        .found_by = {"sdo.silent-client"}},
-      {.name = "AnswersShortRequests",
-       .defect = answers_all([](const canopen::Frame& frame) {
-         return frame.id == kSdoRequest && !frame.remote && frame.length < 8;
+      {.name = "HangsOnShortRequests",
+       .defect = hangs_on([](const canopen::Frame& frame) {
+         return frame.id == kSdoRequest && !frame.remote && frame.length < 8 && frame.data[0] == 0x40 &&
+                frame.data[2] == 0x10 && frame.data[1] == 0;
        }),
        .found_by = {"sdo.short-request"}},
       {.name = "AnswersRemoteFrames",

@@ -149,8 +149,15 @@ SdoAnswer map_objects(Context& context, const Pdo& pdo, const std::vector<Mapped
 bool set_up(Context& context, const Pdo& pdo, const PdoSetup& setup) {
   const std::uint32_t identifier = identifier_of(context, pdo);
   if (!disable(context, pdo)) return false;
-  if (!setup.mapping.empty())
-    if (const SdoAnswer answer = map_objects(context, pdo, setup.mapping); !answer.done()) {
+  std::vector<MappedObject> mapping = setup.mapping;
+  if (mapping.empty() && mapping_of(context, pdo).empty()) {
+    // A PDO that maps nothing carries nothing, whatever else is set up.
+    mapping = pdo.direction == PdoDirection::Receive ? receivable(context) : transmittable(context);
+    if (mapping.empty()) return context.skip(pdo.name() + " maps nothing, and no object is known for it"), false;
+    mapping.resize(1);
+  }
+  if (!mapping.empty())
+    if (const SdoAnswer answer = map_objects(context, pdo, mapping); !answer.done()) {
       context.skip(fmt::format("{} cannot be mapped: {}", pdo.name(), to_text(answer)));
       return false;
     }

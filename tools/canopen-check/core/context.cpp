@@ -105,7 +105,9 @@ void Context::expect_abort(const SdoAnswer& answer, std::initializer_list<std::u
                            std::uint16_t index, std::uint8_t sub_index, const std::string& request) {
   constexpr std::uint32_t kGeneralError = 0x08000000;
   if (answer.aborted() && std::ranges::find(codes, answer.abort_code) != codes.end()) return;
-  if (answer.aborted() && is_fixed(index, sub_index)) return note(fixed_text({index, sub_index}));
+  const bool read_only = answer.abort_code == number_of(canopen::AbortCode::ReadOnly) ||
+                         answer.abort_code == number_of(canopen::AbortCode::UnsupportedAccess);
+  if (answer.aborted() && read_only && is_fixed(index, sub_index)) return note(fixed_text({index, sub_index}));
   if (answer.aborted() && answer.abort_code == kGeneralError)
     return note(
         fmt::format("{}: {} is refused with the general code", to_text(Subject{index, sub_index}), request));

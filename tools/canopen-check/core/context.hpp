@@ -81,7 +81,7 @@ class Context {
   /// not call writable nothing is expected: the check is skipped.
   bool set(std::uint16_t index, std::uint8_t sub_index, std::uint64_t value);
   /// A finding unless @p answer is an abort with one of @p codes. The general code 08000000h is accepted with a
-  /// note, and every code for an entry that is_fixed(). @p request tells what was asked: "writing 00 to it".
+  /// note, and so is one for what is read only if is_fixed(). @p request tells what was asked: "writing 00 to it".
   void expect_abort(const SdoAnswer& answer, std::initializer_list<std::uint32_t> codes, std::uint16_t index,
                     std::uint8_t sub_index, const std::string& request);
 

@@ -27,6 +27,7 @@ std::string pending_error(Context& context) {
 
 std::string refusal_of_operational(Context& context) {
   constexpr int kAttempts = 3;  // a heartbeat may have been under way before the command
+  context.manners().operational_asked = true;
   if (!context.observe_state()) return {};
   context.session().command(canopen::NmtCommand::Start);
   std::optional<canopen::NmtState> state;

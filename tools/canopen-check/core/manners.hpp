@@ -10,6 +10,7 @@ class Context;
 struct Manners {
   bool boots_without_message = false;  ///< it came back from a reset without a boot-up message
   bool sends_no_emergency = false;     ///< none for any error that the tester can bring about
+  bool operational_asked = false;      ///< it is known whether it enters Operational
   std::string refuses_operational{};   ///< why it cannot be tested in Operational; empty if it enters it
 };
 

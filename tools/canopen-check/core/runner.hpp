@@ -48,7 +48,8 @@ class Runner {
   CheckResult run_check(const Check& check);
   void perform(const Check& check, CheckResult& result);
   void restore(Context& context, CheckResult& result);
-  /// Runs a check that failed in Operational again if the node has come to refuse that state.
+  /// Runs a check that failed in Operational again if the node has come to refuse that state; the first one that
+  /// passed is looked at likewise.
   void judge_operational(const Check& check, CheckResult& result);
   /// Finds out why the node refuses Operational now, if it does.
   void ask_for_operational();

@@ -55,7 +55,9 @@ void Runner::ask_for_operational() {
 }
 
 void Runner::judge_operational(const Check& check, CheckResult& result) {
-  if (result.outcome != Outcome::Failed || !was_operational_ || session_.ended()) return;
+  const bool doubtful =
+      result.outcome == Outcome::Failed || (result.outcome == Outcome::Passed && !manners_.operational_asked);
+  if (!doubtful || !was_operational_ || session_.ended()) return;
   ask_for_operational();
   const std::string refusal = manners_.refuses_operational;
   if (refusal.empty()) return;

@@ -147,10 +147,14 @@ std::optional<canopen::Frame> SdoClient::confirmation() {
 void SdoClient::learn_aborts() {
   // Entries that no device has: 1004h is reserved, 1000h is a variable.
   constexpr std::array kAbsent{Multiplexor{0x1000, 1}, Multiplexor{0x1004, 0}};
-  const bool others = std::ranges::all_of(kAbsent, [&](const Multiplexor& entry) {
+  const auto names_another = [&](const Multiplexor& entry) {
     return !exchange(request(kUpload, entry.index, entry.sub_index)) && stray_ && is_abort(*stray_);
-  });
+  };
+  // Once may be the late abort of something else.
+  const bool others = std::ranges::any_of(
+      kAbsent, [&](const Multiplexor& entry) { return names_another(entry) && names_another(entry); });
   aborts_are_named_ = !others;
+  strays_ = 0;
   ask_again();
   unanswered_.reset();
 }
