@@ -20,6 +20,7 @@ expect() {
 }
 
 until grep -q ready "$work/axisd"; do sleep 0.05; done
+until cansend vcan0 7FF# && grep -q 7FF "$work/log"; do sleep 0.05; done # candump listens, too
 cansend vcan0 605#4000100000000000 # SDO: read 1000h
 expect 585#430010009201FFFF
 cansend vcan0 000#0105 # NMT: start node 5

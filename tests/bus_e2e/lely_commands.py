@@ -1,6 +1,7 @@
-"""A command file for lely's coctl (CiA 309-3) against axisd, without coctl: lely_commands.py BIN-FOLDER FILE
+"""Command files for lely's coctl (CiA 309-3) against axisd, without coctl: lely_commands.py BIN-FOLDER FILE...
 
-Sends the SDO requests of the file, and after each controlword waits for the state that it leads to.
+Sends the SDO requests of the files, and after each controlword waits for the state that it leads to. What is between two files
+is a pause for the ramp: the first one must have left a target that the axis reaches, and its speed is read in the next one.
 """
 
 import struct
@@ -28,6 +29,19 @@ def wait_for_state(master, state):
         assert time.monotonic() < deadline, f'statusword {seen:04X}h'
 
 
+def velocity(master, index):
+    return struct.unpack('<i', master.upload(index))[0]
+
+
+def wait_for_speed(master):
+    """Until the axis turns as fast as it is asked to, within a thousandth; fails where that is standstill."""
+    target = velocity(master, 0x60FF)
+    assert target != 0, 'no target velocity'
+    deadline = time.monotonic() + PATIENCE
+    while abs((seen := velocity(master, 0x606C)) - target) > abs(target) // 1000:
+        assert time.monotonic() < deadline, f'{seen} of {target} increments/s'
+
+
 def run(master, words):
     """One command; a line on what came of it."""
     if words[0] == 'set':
@@ -45,16 +59,24 @@ def run(master, words):
 
 
 def main():
-    bin_folder, path = sys.argv[1:]
+    bin_folder, *paths = sys.argv[1:]
+    speeds = []
     with programs.Folder(bin_folder) as folder, can.Bus('vcan0', interface='socketcan') as bus:
         unit = programs.start_unit(folder)
         master = Master(bus)
         master.send(0x000, f'01{NODE:02x}')
-        for words in commands(path):
-            try:
-                print(*words, '->', run(master, words))
-            except Abort as abort:
-                raise AssertionError(f'{" ".join(words)}: {abort.args[0]:08X}h') from abort
+        for path in paths:
+            if path != paths[0]:
+                wait_for_speed(master)
+            for words in commands(path):
+                try:
+                    answer = run(master, words)
+                except Abort as abort:
+                    raise AssertionError(f'{" ".join(words)}: {abort.args[0]:08X}h') from abort
+                print(*words, '->', answer)
+                if words[:2] == ['r', '0x606C']:
+                    speeds.append(int(answer))
+        assert speeds and all(abs(speed - 209715200) < 209716 for speed in speeds), f'{speeds} increments/s'
         assert unit.end() == 0
 
 
