@@ -274,7 +274,7 @@ bool Daemon::acknowledge(std::size_t axis) noexcept {
 void Daemon::set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type) noexcept {
   const bool friction = type == motor::LoadTorqueType::Friction;
   load_torques_[axis - 1] = {friction ? 0.0 : torque, friction ? torque : 0.0};
-  device_.set_load_torque(axis, torque, type, read_clock());
+  device_.set_load_torque(axis, torque, read_clock(), type);
 }
 
 void Daemon::set_line_voltage(double voltage) noexcept {

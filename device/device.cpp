@@ -278,8 +278,8 @@ void Device::fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen
   axes_[axis - 1].wake();
 }
 
-void Device::set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type,
-                             canopen::TimePoint now) noexcept {
+void Device::set_load_torque(std::size_t axis, double torque, canopen::TimePoint now,
+                             motor::LoadTorqueType type) noexcept {
   now_ = now;
   unit_.axes()[axis - 1].set_load_torque(torque, type);
   axes_[axis - 1].wake();

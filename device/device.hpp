@@ -88,8 +88,8 @@ class Device final : private canopen::Application,
   bool acknowledge(std::size_t axis, canopen::TimePoint now) noexcept;
   /// Sets the load torque of @p axis (1..axes; N·m; a constant one positive against positive rotation, friction
   /// not negative).
-  void set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type,
-                       canopen::TimePoint now) noexcept;
+  void set_load_torque(std::size_t axis, double torque, canopen::TimePoint now,
+                       motor::LoadTorqueType type = motor::LoadTorqueType::Constant) noexcept;
   /// The encoder of @p axis (1..axes) has @p defect from now on.
   void fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen::TimePoint now) noexcept;
   /// Sets the line voltage of the supply (V rms between lines, not negative; 0 = mains failure).

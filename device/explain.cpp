@@ -71,25 +71,29 @@ bool is_on_connected(P p) {
 bool is_operational(P p) noexcept {
   return p.device.node().state() == canopen::NmtState::Operational;
 }
+/// Whether the axis is commanded by controlwords that no RPDO can have brought.
+bool is_led_over_sdo(P p) {
+  return p.axis().inputs().controlword != 0 && !way_of_the_controlword(p).valid;
+}
 
 struct Reason {
   bool (*holds)(P);
   std::string (*text)(P);
 };
 constexpr std::array kReasons{
-    Reason{[](P p) { return !is_operational(p); },
+    Reason{[](P p) { return !is_operational(p) && !is_led_over_sdo(p); },
            [](P p) {
              return fmt::format("The node is {}, so that no PDO is received: send the NMT command start (01h).",
                                 canopen::name_of(p.device.node().state()));
            }},
-    Reason{[](P p) { return !way_of_the_controlword(p).mapped; },
+    Reason{[](P p) { return !way_of_the_controlword(p).mapped && !is_led_over_sdo(p); },
            [](P p) {
              return fmt::format("No RPDO maps the controlword {:04X}h: map it, or write it over SDO.",
                                 p.controlword_index());
            }},
     Reason{[](P p) {
              const Way way = way_of_the_controlword(p);
-             return way.mapped && !way.valid;
+             return way.mapped && !way.valid && !is_led_over_sdo(p);
            },
            [](P p) {
              return fmt::format(
@@ -111,12 +115,10 @@ constexpr std::array kReasons{
 
 std::vector<std::string> explain(const Device& device, std::size_t number) {
   const Picture picture{device, number};
-  std::vector<std::string> sentences;
-  if (!drive::turns(picture.axis()))
-    for (const Reason& reason : kReasons)
-      if (reason.holds(picture)) sentences.push_back(reason.text(picture));
-  for (std::string& sentence : drive::explain(picture.axis())) sentences.push_back(std::move(sentence));
-  return sentences;
+  std::vector<std::string> bus;
+  for (const Reason& reason : kReasons)
+    if (reason.holds(picture)) bus.push_back(reason.text(picture));
+  return drive::explain(picture.axis(), bus);
 }
 
 }  // namespace device

@@ -1,5 +1,7 @@
 #include "drive/explain.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -48,11 +50,44 @@ std::string order_for(const Axis& axis, std::uint16_t input, bool wanted) {
   return fmt::format("make {} {}", source_text(axis, input, source), wanted ? 1 : 0);
 }
 
+bool load_drives(const Picture& picture) noexcept {
+  return std::abs(picture.axis.actual().speed) > kSlowest && picture.axis.drive_train().energies().load < 0.0;
+}
+
 std::string plain(double number) {
   return fmt::format("{:g}", std::round(number * 1000.0) / 1000.0);
 }
 
 namespace {
+
+constexpr double kNoTorque = 1e-9;  // N·m
+
+/// That the torque limits alone block the motor, if they do.
+std::string torque_limit_hint(const Picture& picture) {
+  const motor::TorqueLimits& limits = picture.seen.torque_limits;
+  const bool forward = limits.upper > kNoTorque;
+  const bool backward = limits.lower < -kNoTorque;
+  if (forward && backward) return {};
+  return fmt::format(
+      " The torque limits leave no torque{} ({} to {} N·m; p1520 = {}, p1521 = {}): widen them first.",
+      forward    ? " in the negative direction"
+      : backward ? " in the positive direction"
+                 : "",
+      plain(limits.lower), plain(limits.upper), plain(picture.axis.read(1520).value_or(0.0)),
+      plain(picture.axis.read(1521).value_or(0.0)));
+}
+
+/// What else there is to say of a fault, which would come again.
+struct Hint {
+  std::uint16_t fault;
+  std::string (*text)(const Picture& picture);
+};
+constexpr std::array kHints{Hint{7900, torque_limit_hint}};
+
+std::string hint_of(const FaultEntry& fault, const Picture& picture) {
+  const auto* const row = std::ranges::find(kHints, fault.row->number, &Hint::fault);
+  return row != kHints.end() ? row->text(picture) : std::string{};
+}
 
 std::string fault_sentence(const FaultEntry& fault) {
   const std::string name = fmt::format("{} {} (value {})", fault_text(*fault.row), fault.row->name, fault.value);
@@ -70,7 +105,8 @@ std::string fault_sentence(const FaultEntry& fault) {
 void tell_faults(const Picture& picture, std::vector<std::string>& sentences) {
   constexpr States kStopped = in(State::Fault, State::FaultReactionActive, State::Stop2Active);
   if ((kStopped & in(picture.state())) == 0) return;
-  for (const FaultEntry& fault : picture.axis.messages().faults()) sentences.push_back(fault_sentence(fault));
+  for (const FaultEntry& fault : picture.axis.messages().faults())
+    sentences.push_back(fault_sentence(fault) + hint_of(fault, picture));
 }
 
 void tell(std::span<const Reason> reasons, const Picture& picture, std::vector<std::string>& sentences) {
@@ -84,7 +120,9 @@ std::string motion_sentence(const Picture& picture) {
   const std::string what = picture.seen.torque_control
                                ? fmt::format("torque {} N·m", plain(picture.axis.actual().torque))
                                : fmt::format("setpoint {} rpm", plain(picture.axis.actual().speed_demand / kRpm));
-  const std::string limit = picture.seen.torque_limit_reached ? "; it is at its torque limit" : "";
+  const std::string limit = !picture.seen.torque_limit_reached ? ""
+                            : load_drives(picture)             ? "; the load drives it against its torque limit"
+                                                               : "; it is at its torque limit";
   return fmt::format("It turns at {} rpm ({}{}).", plain(rpm), what, limit);
 }
 
@@ -101,17 +139,17 @@ std::string measurement_sentence(const Axis& axis) {
 }  // namespace explanation
 
 bool turns(const Axis& axis) noexcept {
-  constexpr double kSlowest = 0.5 * kRpm;
-  return axis.actual().state == State::OperationEnabled && std::abs(axis.actual().speed) > kSlowest;
+  return axis.actual().state == State::OperationEnabled && std::abs(axis.actual().speed) > explanation::kSlowest;
 }
 
-std::vector<std::string> explain(const Axis& axis) {
+std::vector<std::string> explain(const Axis& axis, const std::vector<std::string>& bus) {
   using namespace explanation;
   const Picture picture{axis};
   std::vector<std::string> sentences;
   if (axis.identification().leads()) return {measurement_sentence(axis)};
   if (turns(axis)) return {motion_sentence(picture)};
   tell_faults(picture, sentences);
+  sentences.insert(sentences.end(), bus.begin(), bus.end());
   tell(switching_reasons(), picture, sentences);
   tell(operation_reasons(), picture, sentences);
   if (sentences.empty())

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "drive/axis.hpp"
+#include "drive/units.hpp"
 
 /// What explain() is made of.
 namespace drive::explanation {
@@ -36,6 +37,11 @@ struct Reason {
 std::span<const Reason> switching_reasons() noexcept;
 /// What keeps it from turning in Operation enabled.
 std::span<const Reason> operation_reasons() noexcept;
+
+/// Above it a shaft is said to turn (rad/s).
+inline constexpr double kSlowest = 0.5 * kRpm;
+/// Whether what hangs on the shaft turns it: it gives work to the shaft.
+bool load_drives(const Picture& picture) noexcept;
 
 /// "p0844 = r8890.1": what the BICO input @p input is connected to.
 std::string wiring_of(const Axis& axis, std::uint16_t input);

@@ -35,7 +35,21 @@ bool has_dc_link(P p) noexcept {
 
 constexpr States kPulsesOff = in(SwitchOnDisabled, ReadyToSwitchOn, SwitchedOn, Fault);
 
+std::string driven_sentence(P p) {
+  return fmt::format("The load drives the shaft at {:.0f} rpm{}", p.axis.actual().speed / kRpm,
+                     p.axis.drive_train().is_held_back() ? ", the most that its rotor holds" : "");
+}
+
 constexpr std::array kReasons{
+    Reason{
+        kPulsesOff, load_drives,
+        [](P p) { return driven_sentence(p) + ", since the pulses are off: take the load away, or brake it."; }},
+    Reason{in(FaultReactionActive, Stop2Active, Off1Braking, QuickStopActive),
+           [](P p) { return load_drives(p) && p.seen.torque_limit_reached; },
+           [](P p) {
+             return driven_sentence(p) +
+                    " against the torque limit: take the load away, or raise p1520, p1521 and p0640.";
+           }},
     Reason{in(NotReadyToSwitchOn), always,
            [](P) -> std::string { return "The axis is in run-up (r0002 = 70): wait for its first cycle."; }},
     Reason{kPulsesOff, [](P p) { return p.axis.parameters().commissioning != 0; },

@@ -90,7 +90,7 @@ class Plant {
   template <class M, class S>
   void finish(const Spent& spent, const M& machine, const S& shaft) noexcept;
   template <class S>
-  void hold_back(S& shaft, Spent& spent) noexcept;
+  Motion held_back(S& shaft, const Motion& motion, double h, Spent& spent) const noexcept;
   void start_period() noexcept;
   void stand() noexcept;
   void turn(const Motion& motion) noexcept;

@@ -86,6 +86,14 @@ template <class S>
     direction_ = turned_a_little(direction_, pole_pairs_ * angle);
 }
 
+/// No shaft turns faster than its rotor holds: the energy of what goes beyond is lost as friction.
+template <class S>
+[[gnu::noinline]] Motion Plant::held_back(S& shaft, const Motion& motion, double h, Spent& spent) const noexcept {
+  const double most = bursting_speed_ * h;
+  spent.energies.friction += shaft.slow_down(bursting_speed_);
+  return {shaft.speed(), std::clamp(motion.angle, -most, most), motion.path};
+}
+
 template <class Rates, class M, class S>
 [[gnu::always_inline]] inline Plant::Spent Plant::advance(const Rates& sum, M& machine, S& shaft,
                                                           double h) noexcept {
@@ -95,7 +103,9 @@ template <class Rates, class M, class S>
   spent.energies.electrical = 1.5 * weight * motor::sum(sum.circuit.power);
   spent.energies.copper = machine.losses(sum.circuit, weight);
   spent.torque = weight * (1.0 / kControlPeriod) * sum.circuit.torque;
-  const Motion motion = shaft.finish(sum.shaft, h, spent.energies);
+  Motion motion = shaft.finish(sum.shaft, h, spent.energies);
+  if (std::max(std::abs(motion.speed), std::abs(shaft.load_speed())) > bursting_speed_) [[unlikely]]
+    motion = held_back(shaft, motion, h, spent);
   turn(motion);
   if constexpr (M::kTurnsWithRotor) turn_direction(motion.angle);
   return spent;
@@ -129,21 +139,11 @@ template <class M, class S>
   return spent;
 }
 
-/// No shaft turns faster than its rotor holds: the energy of what goes beyond is lost as friction.
-template <class S>
-[[gnu::always_inline]] inline void Plant::hold_back(S& shaft, Spent& spent) noexcept {
-  if (std::max(std::abs(shaft.speed()), std::abs(shaft.load_speed())) <= bursting_speed_) [[likely]]
-    return;
-  spent.energies.friction += shaft.slow_down(bursting_speed_);
-  state_.speed = shaft.speed();
-}
-
 template <class M, class S>
 void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
   const bool whole = std::abs(state_.speed) <= whole_step_speed_;
-  Spent spent = whole ? drive_part(machine, shaft, voltage, 0, kControlPeriod)
-                      : drive_parts(machine, shaft, voltage, needed(substeps_));
-  hold_back(shaft, spent);
+  const Spent spent = whole ? drive_part(machine, shaft, voltage, 0, kControlPeriod)
+                            : drive_parts(machine, shaft, voltage, needed(substeps_));
   finish(spent, machine, shaft);
 }
 
@@ -161,7 +161,6 @@ void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
     OpenTerminals<M> open{machine};
     spent += advance(blocks ? runge_kutta(open, shaft, h) : runge_kutta(diodes, shaft, h), machine, shaft, h);
   }
-  hold_back(shaft, spent);
   finish(spent, machine, shaft);
 }
 

@@ -77,6 +77,39 @@ TEST(ExplainUnit, MissesTheMappingOfTheControlword) {
   EXPECT_TRUE(tells(unit, "No RPDO maps the controlword 6040h: map it, or write it over SDO.\n")) << told(unit);
 }
 
+TEST(ExplainUnit, TellsAFaultBeforeAnRpdoThatIsNotValid) {
+  Configuration configuration = unit_with({});
+  configuration.axes.push_back({});
+  TestUnit unit{configuration};
+  unit.start_operational();
+  unit.passes(10ms);
+  ASSERT_TRUE(unit.device.raise(2, 7860, 0, unit.now));
+  unit.passes(10ms);
+
+  EXPECT_EQ(told(unit, 2).find("Fault F07860"), 0U) << told(unit, 2);
+  EXPECT_TRUE(tells(unit, "The RPDO of the controlword 6840h is not valid", 2)) << told(unit, 2);
+}
+
+TEST(ExplainUnit, DoesNotTellAnAxisOfRpdosThatIsCommandedOverSdo) {
+  Configuration configuration = unit_with({});
+  configuration.axes.push_back({});
+  TestUnit unit{configuration};
+  unit.start();
+  for (const std::uint32_t word : {0x0006U, 0x0007U}) {
+    unit.download(0x6840, 0, word, 2);
+    unit.passes(10ms);
+  }
+
+  EXPECT_FALSE(tells(unit, "RPDO", 2)) << told(unit, 2);
+  EXPECT_FALSE(tells(unit, "PDO", 2)) << told(unit, 2);
+  EXPECT_EQ(told(unit, 2).find("The operation enable is missing (p0852 = r8890.3)"), 0U) << told(unit, 2);
+
+  ASSERT_TRUE(unit.device.raise(2, 7860, 0, unit.now));
+  unit.passes(10ms);
+  EXPECT_EQ(told(unit, 2).find("Fault F07860"), 0U) << told(unit, 2);
+  EXPECT_FALSE(tells(unit, "RPDO", 2)) << told(unit, 2);
+}
+
 TEST(ExplainUnit, MissesTheConnectionOfOn) {
   TestUnit unit{unit_with({{.number = 840, .value = 0}})};
   unit.start_operational();

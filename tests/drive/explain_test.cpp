@@ -135,6 +135,68 @@ TEST(Explain, Faults) {
       "acknowledge.\n");
 }
 
+TEST(Explain, AMotorThatItsTorqueLimitsBlockByThemselves) {
+  Enabled drive{100.0, {.load = {.coulomb_friction = 5.0}}};
+  ASSERT_TRUE(drive.axis.write(1520, 0.0));
+  ASSERT_TRUE(drive.axis.write(1521, 0.0));
+  drive.run(2.0);
+  ASSERT_EQ(drive.state(), State::Fault);
+
+  EXPECT_EQ(
+      told(drive.axis),
+      "Fault F07900 Motor blocked (value 0): it can be acknowledged, by bit 7 of the controlword from 0 to 1; "
+      "then give ON anew (0006h, 000Fh). The torque limits leave no torque (0 to 0 N·m; p1520 = 0, p1521 = 0): "
+      "widen them first.\n");
+
+  ASSERT_TRUE(drive.axis.write(1521, -10.0));
+  drive.cycles(1);
+  EXPECT_NE(told(drive.axis).find("The torque limits leave no torque in the positive direction (-10 to 0 N·m;"),
+            std::string::npos)
+      << told(drive.axis);
+  ASSERT_TRUE(drive.axis.write(1520, 10.0));
+  drive.cycles(1);
+  EXPECT_EQ(told(drive.axis).find("torque limits"), std::string::npos) << told(drive.axis);
+}
+
+TEST(Explain, AShaftThatTheLoadDrives) {
+  WiredAxis drive{{.load = {.constant_torque = 50.0}}};
+  drive.run(0.01);
+  EXPECT_NE(told(drive.axis).find(" rpm, since the pulses are off: take the load away, or brake it.\n"),
+            std::string::npos)
+      << told(drive.axis);
+
+  drive.run(5.0);
+  EXPECT_NE(told(drive.axis)
+                .find("The load drives the shaft at -10800 rpm, the most that its rotor holds, since the "
+                      "pulses are off: take the load away, or brake it.\n"),
+            std::string::npos)
+      << told(drive.axis);
+
+  drive.axis.set_load_torque(0.0);
+  drive.run(0.01);
+  EXPECT_EQ(told(drive.axis).find("load drives"), std::string::npos) << "it coasts";
+}
+
+TEST(Explain, ALoadThatIsStrongerThanTheTorqueLimit) {
+  Enabled drive{100.0};
+  drive.run(1.0);
+  ASSERT_TRUE(drive.axis.write(1520, 1.0));
+  ASSERT_TRUE(drive.axis.write(1521, -1.0));
+  drive.axis.set_load_torque(2.0);
+  drive.run(0.3);
+
+  EXPECT_NE(told(drive.axis).find("; the load drives it against its torque limit)."), std::string::npos)
+      << told(drive.axis);
+
+  drive.inputs.on = false;
+  drive.run(0.1);
+  EXPECT_NE(told(drive.axis)
+                .find(" rpm against the torque limit: take the load away, or raise p1520, p1521 and "
+                      "p0640.\n"),
+            std::string::npos)
+      << told(drive.axis);
+}
+
 TEST(Explain, BrakingByOffAndByFault) {
   const auto braking = [](auto stop) {
     Enabled drive{1000.0};

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -65,6 +66,39 @@ TEST_F(Control, ALoadIsFeltByTheMotor) {
     return static_cast<std::int16_t>(frame.data[2] | frame.data[3] << 8) > 600;
   }));
   EXPECT_DOUBLE_EQ(daemon->status().at("axes").at(0).at("load_torque_Nm").get<double>(), 5.0);
+  EXPECT_EQ(daemon->axisctl({"load", "1", "0"}).status, 0);
+}
+
+/// Asks for the status until @p holds says of axis 1 that it is so.
+template <class Holds>
+bool eventually(const Holds& holds) {
+  constexpr std::chrono::seconds kLimit{60};
+  const auto end = std::chrono::steady_clock::now() + kLimit;
+  while (std::chrono::steady_clock::now() < end)
+    if (holds(RunningDaemon::daemon->status().at("axes").at(0))) return true;
+  return false;
+}
+
+TEST_F(Control, ALoadThatRunsAwayIsHeldAndFrictionStopsTheShaft) {
+  const auto speed = [](const json& axis) { return axis.at("speed_rpm").get<double>(); };
+  ASSERT_EQ(daemon->axisctl({"load", "1", "50"}).status, 0);
+  EXPECT_TRUE(eventually([&](const json& axis) { return speed(axis) < -10799.0; }));
+  EXPECT_GE(speed(daemon->status().at("axes").at(0)), -10801.0);
+  EXPECT_EQ(daemon->log_lines("axis 1: its load drives the shaft to 10800 rpm"), 1U);
+  EXPECT_NE(daemon->axisctl({"explain", "1"}).output.find("The load drives the shaft at -10800 rpm"),
+            std::string::npos);
+
+  ASSERT_EQ(daemon->axisctl({"load", "1", "5", "friction"}).status, 0);
+
+  const json axis = daemon->status().at("axes").at(0);
+  EXPECT_EQ(axis.at("load_torque_Nm"), 0.0);
+  EXPECT_EQ(axis.at("load_friction_Nm"), 5.0);
+  EXPECT_TRUE(eventually([&](const json& now) { return std::abs(speed(now)) <= 0.0; }));
+  const fakes::Finished refused = daemon->axisctl({"load", "1", "-5", "friction"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.errors, "axisctl: TORQUE: expected a number 0 to 1000000, got -5.0\n");
+  EXPECT_EQ(daemon->axisctl({"load", "1", "5", "spring"}).errors,
+            "axisctl: TYPE: expected constant or friction, got \"spring\"\n");
   EXPECT_EQ(daemon->axisctl({"load", "1", "0"}).status, 0);
 }
 
