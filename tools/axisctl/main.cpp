@@ -10,6 +10,7 @@
 #include "bus/address.hpp"
 #include "tools/axisctl/client.hpp"
 #include "tools/axisctl/command.hpp"
+#include "tools/axisctl/printable.hpp"
 #include "tools/axisctl/socket_choice.hpp"
 
 namespace {
@@ -94,13 +95,13 @@ int run(Invocation& invocation) {
   }
   const auto result = axisctl::ask(*path, {command.method, *parameters});
   if (!result) {
-    std::cerr << "axisctl: " << result.error() << '\n';
+    std::cerr << "axisctl: " << axisctl::printable(result.error()) << '\n';
     return kFailure;
   }
   if (invocation.json)
-    std::cout << *result << '\n';
+    std::cout << axisctl::printable(result->dump()) << '\n';
   else
-    command.print(std::cout, *result);
+    command.print(std::cout, axisctl::printable_values(*result));
   std::cout.flush();
   return std::cout ? kSuccess : kFailure;
 }
