@@ -76,7 +76,7 @@ class Slave final : private axisd::Station, private canopen::Application {
   void on_time(canopen::TimePoint now) noexcept override { node_.on_time(now); }
   canopen::TimePoint next_deadline() const noexcept override { return node_.next_deadline(); }
   std::span<const canopen::Subscription> subscriptions() const noexcept override { return node_.subscriptions(); }
-  void on_rare_event() noexcept override { stopped_ |= signals_.take(); }
+  bool on_rare_event() noexcept override { return stopped_ |= signals_.take(), false; }
   void on_link_lost() noexcept override { stopped_ = true; }
 
   void on_subscriptions_changed() noexcept override { loop_.follow_subscriptions(); }

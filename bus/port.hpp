@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -80,6 +81,11 @@ class Port {
   [[nodiscard]] virtual SendStatus send(const canopen::Frame& frame) noexcept = 0;
   /// Takes one frame into @p frame, which is touched only when the answer is Received::Frame.
   [[nodiscard]] virtual Received receive(canopen::Frame& frame) noexcept = 0;
+  /// When the frame that receive() has given last came from the bus (since the epoch of CLOCK_REALTIME), if the
+  /// port can tell; may be a system call.
+  [[nodiscard]] virtual std::optional<std::chrono::nanoseconds> frame_arrival() const noexcept {
+    return std::nullopt;
+  }
   /// Error state as last reported by the controller.
   [[nodiscard]] virtual ErrorState error_state() const noexcept = 0;
   /// Number of received frames that were lost because nobody read them in time.

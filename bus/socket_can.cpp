@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 #include <linux/can/raw.h>
+#include <linux/sockios.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 #include "bus/controller.hpp"
@@ -50,6 +52,7 @@ void SocketCan::configure() {
   const bool configured = set_option(socket_, SOL_CAN_RAW, CAN_RAW_LOOPBACK, int{1}) &&
                           set_option(socket_, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, int{0}) &&
                           set_option(socket_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, kErrorMask);
+  static_cast<void>(frame_arrival());  // the kernel stamps frames once it has been asked
   if (!configured)
     throw OpenError{fmt::format("{}: setsockopt: {}", interface_, std::generic_category().message(errno))};
   ask_for_receive_buffer(socket_, wanted_buffer_);
@@ -109,6 +112,12 @@ void SocketCan::apply_filters() noexcept {
   if (::setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(), size) == 0) return;
   // Too many frames are harmless, too few are not.
   set_option(socket_, SOL_CAN_RAW, CAN_RAW_FILTER, can_filter{0, 0});
+}
+
+std::optional<std::chrono::nanoseconds> SocketCan::frame_arrival() const noexcept {
+  timespec stamp{};
+  if (::ioctl(socket_.get(), SIOCGSTAMPNS, &stamp) != 0) return std::nullopt;
+  return std::chrono::seconds{stamp.tv_sec} + std::chrono::nanoseconds{stamp.tv_nsec};
 }
 
 SendStatus SocketCan::send(const canopen::Frame& frame) noexcept {

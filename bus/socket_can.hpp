@@ -24,6 +24,8 @@ class SocketCan final : public Port {
 
   [[nodiscard]] SendStatus send(const canopen::Frame& frame) noexcept override;
   [[nodiscard]] Received receive(canopen::Frame& frame) noexcept override;
+  /// A system call; a control message with every frame would cost each of them.
+  [[nodiscard]] std::optional<std::chrono::nanoseconds> frame_arrival() const noexcept override;
   [[nodiscard]] ErrorState error_state() const noexcept override { return error_state_; }
   /// A system call; the kernel counts up to 2^32.
   [[nodiscard]] std::uint64_t dropped() const noexcept override;

@@ -114,6 +114,7 @@ Received UserBus::receive(canopen::Frame& frame) noexcept {
     if (size < 0) break;
     if (size != sizeof message) continue;
     dropped_ = message.trailer.dropped;
+    arrival_ = std::chrono::nanoseconds{message.trailer.time_ns};
     if ((message.frame.can_id & CAN_ERR_FLAG) == 0) {
       frame = from_wire(message.frame);
       return {Received::Frame, error_state_};

@@ -32,6 +32,9 @@ class UserBus final : public Port {
     error_state_ = ErrorState::Active;  // there is no controller that would tell
     return Restart::Done;
   }
+  [[nodiscard]] std::optional<std::chrono::nanoseconds> frame_arrival() const noexcept override {
+    return arrival_;
+  }
   /// As the hub has told with the last frame that arrived.
   [[nodiscard]] std::uint64_t dropped() const noexcept override { return dropped_before_ + dropped_; }
   [[nodiscard]] int descriptor() const noexcept override { return pollable_.descriptor(); }
@@ -61,6 +64,7 @@ class UserBus final : public Port {
   ErrorState error_state_ = ErrorState::Active;
   std::uint64_t dropped_before_ = 0;  ///< by hubs that are gone
   std::uint32_t dropped_ = 0;
+  std::chrono::nanoseconds arrival_{};  ///< as the hub has told with the last frame
 };
 
 /// Up while the port is a member; after the hub has gone it makes the port try again until it is one.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <utility>
 
 #include <poll.h>
 #include <sys/epoll.h>
@@ -22,6 +24,8 @@ constexpr unsigned kBurstProbe = 64;
 constexpr canopen::Duration kLate = std::chrono::milliseconds{1};
 /// More frames than the receive buffer holds: a bus that never stops must not keep the timer from its turn.
 constexpr int kMostWaiting = 4096;
+/// Longest time that one turn takes over frames that wait, whatever each of them costs.
+constexpr canopen::Duration kLongestCatchUp = std::chrono::milliseconds{20};
 /// After so many turns in which the timer rang the rare descriptors are looked after in spite of it.
 constexpr unsigned kMostRings = 16;
 
@@ -71,29 +75,44 @@ void BusLoop::follow_subscriptions() noexcept {
 }
 
 void BusLoop::turn() noexcept {
-  const canopen::TimePoint deadline = station_.next_deadline();
-  timer_.wake_by(std::min(deadline, queue_.next_retry()), now_);
+  timer_.wake_by(std::min(station_.next_deadline(), queue_.next_retry()), now_);
   const bool listens = is_open_ && queue_.accepts_input();
   std::array<pollfd, 2> wait{pollfd{listens ? port_.descriptor() : -1, POLLIN, 0},
                              pollfd{others_.get(), POLLIN, 0}};
-  if (::ppoll(wait.data(), wait.size(), nullptr, nullptr) <= 0) return;
-  now_ = read_clock();
+  constexpr timespec kNoSleep{};
+  const int ready = ::ppoll(wait.data(), wait.size(), rare_waits_ ? &kNoSleep : nullptr, nullptr);
+  if (ready < 0 || (ready == 0 && !rare_waits_)) return;
+  before_ = std::exchange(now_, read_clock());
   queue_.retry(now_);
-  if (listens && now_ - deadline >= kLate) {
-    catch_up();
-  } else if (wait[0].revents != 0) {
-    receive();
-  }
-  if (station_.next_deadline() <= now_) station_.on_time(now_);
-  if (wait[1].revents != 0) look_after_others();
+  if (wait[0].revents != 0) receive();
+  tell_time(listens);
+  if (rare_waits_ || wait[1].revents != 0) look_after_others();
+}
+
+/// What waits is older than a deadline that has passed by so much, be it that a frame has shown it just now: the
+/// station was at rest when it came.
+void BusLoop::tell_time(bool listens) noexcept {
+  const canopen::TimePoint deadline = station_.next_deadline();
+  if (deadline > now_) return;
+  if (listens && now_ - deadline >= kLate) catch_up();
+  station_.on_time(now_);
+}
+
+canopen::TimePoint BusLoop::frame_arrival() const noexcept {
+  const canopen::Duration slept = now_ - before_;
+  if (slept < kLate) return now_;
+  const auto arrival = port_.frame_arrival();
+  if (!arrival) return now_;
+  const canopen::Duration waited = std::chrono::system_clock::now().time_since_epoch() - *arrival;
+  return now_ - std::clamp(waited, canopen::Duration{0}, slept);
 }
 
 /// Which of the others is readable would be one system call more. The clock tells it nearly always: a timer whose
 /// time has come is taken for the cause, and what is still readable once the timer is set anew is something rare.
 void BusLoop::look_after_others() noexcept {
-  if (timer_.has_rung(now_) && ++rings_in_a_row_ < kMostRings) return;
+  if (!rare_waits_ && timer_.has_rung(now_) && ++rings_in_a_row_ < kMostRings) return;
   rings_in_a_row_ = 0;
-  station_.on_rare_event();
+  rare_waits_ = station_.on_rare_event();
 }
 
 /// Requests come one by one, and one read a turn is the cheapest way to serve them; a burst is read in one go.
@@ -108,7 +127,10 @@ void BusLoop::receive() noexcept {
 
 void BusLoop::catch_up() noexcept {
   int frames = 0;
-  while (frames < kMostWaiting && queue_.accepts_input() && receive_frame()) ++frames;
+  while (frames < kMostWaiting && queue_.accepts_input() && receive_frame()) {
+    ++frames;
+    if (read_clock() - now_ >= kLongestCatchUp) break;
+  }
   end_burst(frames);
 }
 

@@ -16,7 +16,7 @@ namespace axisd {
 /// A turn is one poll over two descriptors: that of the port, and an epoll descriptor that stands for the timer
 /// and for everything rare. A request that comes alone costs poll, read and send; frames that come faster are read
 /// in bursts. A turn that comes late hands over all frames that wait before it tells the time: what they say is
-/// older than the deadlines that have passed.
+/// older than the deadlines that have passed. What is rare gets one event a turn.
 class BusLoop {
  public:
   /// Closed at first; @p port and @p station outlive it. Throws std::system_error.
@@ -40,10 +40,14 @@ class BusLoop {
   /// Where the station puts its frames.
   bus::TransmitQueue& queue() noexcept { return queue_; }
   const bus::TransmitQueue& queue() const noexcept { return queue_; }
+  /// When the frame being handed to the station has come from the bus: the time of this turn, or earlier if the
+  /// program was kept from running, as far as the port can tell. May be a system call.
+  canopen::TimePoint frame_arrival() const noexcept;
   /// Frames handed to the station so far.
   std::uint64_t received() const noexcept { return received_; }
 
  private:
+  void tell_time(bool listens) noexcept;
   void look_after_others() noexcept;
   void receive() noexcept;
   void catch_up() noexcept;
@@ -56,7 +60,9 @@ class BusLoop {
   Timer timer_;
   bus::Descriptor others_;  ///< epoll over the timer and what is watched
   std::vector<bus::Filter> filters_;
-  canopen::TimePoint now_{};  ///< of this turn
+  canopen::TimePoint now_{};     ///< of this turn
+  canopen::TimePoint before_{};  ///< of the one before
+  bool rare_waits_ = true;       ///< whatever the descriptors say; at first nobody has looked
   bool is_open_ = false;
   bool in_burst_ = false;
   bool flooded_ = false;  ///< the last burst was not the end of it

@@ -1,7 +1,9 @@
 #include "daemon/control_server.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -17,8 +19,9 @@ namespace axisd {
 namespace {
 
 constexpr std::size_t kMostClients = 64;
-constexpr std::size_t kMostUnreadOutput = std::size_t{1} << 20;
 constexpr int kBacklog = 16;
+/// From a connection that could not be accepted to the next try.
+constexpr std::chrono::seconds kPause{1};
 
 InstanceError failure(const std::string& path, std::string_view what) {
   return InstanceError{fmt::format("control socket {}: {}", path, what)};
@@ -52,11 +55,16 @@ bus::Descriptor listen_at(const std::string& path) {
   return descriptor;
 }
 
+bool has_line(std::string_view text) noexcept {
+  return text.find('\n') != std::string_view::npos;
+}
+
 }  // namespace
 
 ControlServer::ControlServer(ServiceEvents& events, std::string path, Answer answer)
     : events_{events}, path_{std::move(path)}, answer_{std::move(answer)}, listener_{listen_at(path_)} {
   source_ = events_.watch(listener_.get(), EPOLLIN, &ControlServer::on_connection, this);
+  pause_ = events_.timer(&ControlServer::on_pause_over, this);
 }
 
 ControlServer::~ControlServer() {
@@ -76,9 +84,32 @@ int ControlServer::on_client(sd_event_source*, int, std::uint32_t events, void* 
 
 void ControlServer::accept() {
   bus::Descriptor descriptor{accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK)};
-  if (!descriptor || clients_.size() >= kMostClients) return;
+  if (!descriptor) {
+    const bool is_out_of_means = errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM;
+    if (is_out_of_means) pause();
+    return;
+  }
+  if (clients_.size() >= kMostClients) make_room();
   Client& client = clients_.emplace_back(Client{this, std::move(descriptor), nullptr, {}, {}});
   client.source = events_.watch(client.descriptor.get(), EPOLLIN, &ControlServer::on_client, &client);
+}
+
+/// The connection stays in the queue of the listener and would wake the loop over and over.
+void ControlServer::pause() {
+  sd_event_source_set_enabled(source_.get(), SD_EVENT_OFF);
+  ServiceEvents::start(pause_, kPause);
+}
+
+int ControlServer::on_pause_over(sd_event_source*, std::uint64_t, void* self) noexcept {
+  sd_event_source_set_enabled(static_cast<ControlServer*>(self)->source_.get(), SD_EVENT_ON);
+  return 0;
+}
+
+void ControlServer::make_room() {
+  Client& client = clients_.front();
+  refuse(client, "the connection was idle, and others need its place");
+  static_cast<void>(flush(client));
+  close(client);
 }
 
 void ControlServer::close(const Client& client) {
@@ -87,8 +118,11 @@ void ControlServer::close(const Client& client) {
 
 /// False if the client is to be closed.
 bool ControlServer::serve(Client& client, std::uint32_t events) {
-  if ((events & EPOLLOUT) != 0) return flush(client);
-  return read(client);
+  if ((events & EPOLLIN) != 0 && !read(client)) return false;
+  if (client.output.empty()) answer_line(client);
+  const bool too_long = client.input.size() >= control::kMaximumLine && !has_line(client.input);
+  if (too_long) refuse(client, fmt::format("a request is longer than {} bytes", control::kMaximumLine));
+  return flush(client) && !too_long;
 }
 
 bool ControlServer::read(Client& client) {
@@ -96,25 +130,32 @@ bool ControlServer::read(Client& client) {
   const ssize_t got = recv(client.descriptor.get(), chunk.data(), chunk.size(), 0);
   if (got <= 0) return got < 0 && (errno == EAGAIN || errno == EINTR);
   client.input.append(chunk.data(), static_cast<std::size_t>(got));
-  for (std::size_t end = client.input.find('\n'); end != std::string::npos; end = client.input.find('\n')) {
-    client.output += answer_(std::string_view{client.input}.substr(0, end));
-    client.input.erase(0, end + 1);
-  }
-  const bool too_long = client.input.size() >= control::kMaximumLine;
-  if (too_long) {
-    client.output +=
-        control::error_line(nullptr, fmt::format("a request is longer than {} bytes", control::kMaximumLine));
-  }
-  return flush(client) && !too_long;
+  return true;
+}
+
+void ControlServer::answer_line(Client& client) {
+  const std::size_t end = client.input.find('\n');
+  if (end == std::string::npos) return;
+  client.output += answer_(std::string_view{client.input}.substr(0, end));
+  client.input.erase(0, end + 1);
+  const auto place = std::ranges::find(clients_, &client, [](const Client& known) { return &known; });
+  clients_.splice(clients_.end(), clients_, place);
+}
+
+void ControlServer::refuse(Client& client, std::string_view message) {
+  client.output += control::error_line(nullptr, message);
 }
 
 bool ControlServer::flush(Client& client) {
-  const ssize_t sent = send(client.descriptor.get(), client.output.data(), client.output.size(), MSG_NOSIGNAL);
+  const ssize_t sent = client.output.empty() ? 0
+                                             : send(client.descriptor.get(), client.output.data(),
+                                                    client.output.size(), MSG_NOSIGNAL);
   if (sent < 0 && errno != EAGAIN && errno != EINTR) return false;
   if (sent > 0) client.output.erase(0, static_cast<std::size_t>(sent));
-  if (client.output.size() > kMostUnreadOutput) return false;
-  // A client that does not read its answers is asked for no more requests until it does.
-  sd_event_source_set_io_events(client.source.get(), client.output.empty() ? EPOLLIN : EPOLLOUT);
+  // A client that does not read its answers is asked for no more requests until it does; one whose requests wait
+  // here is served again when it could take the answer.
+  const bool waits = !client.output.empty() || has_line(client.input);
+  sd_event_source_set_io_events(client.source.get(), waits ? EPOLLOUT : EPOLLIN);
   return true;
 }
 

@@ -10,7 +10,9 @@
 
 namespace axisd {
 
-/// Serves the control socket: one JSON request a line, one answer a line, for any number of clients.
+/// Serves the control socket: one JSON request a line, one answer a line. An event that is handled answers one
+/// request, however many wait; clients that ask take turns. Beyond the greatest number of clients the one that has
+/// asked nothing for the longest time makes room, with a word.
 class ControlServer {
  public:
   /// Turns the line of a request into the line of its answer.
@@ -36,9 +38,14 @@ class ControlServer {
 
   static int on_connection(sd_event_source* source, int descriptor, std::uint32_t events, void* self) noexcept;
   static int on_client(sd_event_source* source, int descriptor, std::uint32_t events, void* client) noexcept;
+  static int on_pause_over(sd_event_source* source, std::uint64_t now, void* self) noexcept;
   void accept();
+  void pause();
+  void make_room();
   bool serve(Client& client, std::uint32_t events);
   bool read(Client& client);
+  void answer_line(Client& client);
+  void refuse(Client& client, std::string_view message);
   static bool flush(Client& client);
   void close(const Client& client);
 
@@ -47,7 +54,8 @@ class ControlServer {
   Answer answer_;
   bus::Descriptor listener_;
   EventSource source_;
-  std::list<Client> clients_;
+  EventSource pause_;          ///< a timer
+  std::list<Client> clients_;  ///< the one that has asked last is the last
 };
 
 }  // namespace axisd

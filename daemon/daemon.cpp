@@ -59,14 +59,13 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
       log_{log},
       started_{read_clock()},
       lock_{state_root, configuration.address, configuration.node_id},
-      parameters_{lock_.directory(), "parameters.bin", log},
-      retained_{lock_.directory(), "retained.bin", log},
       bus_{bus::open(configuration.address)},
       loop_{*bus_.port, *this},
       device_{device_configuration(configuration, *bus_.port), loop_.queue(), *this},
       events_{[this] { stop(); }},
+      memory_{lock_.directory(), device_, events_, log},
       load_torques_{load_torques(configuration)} {
-  load_state();
+  memory_.load();
   loop_.watch(events_.descriptor());
   link_source_ = events_.watch(bus_.link->descriptor(), EPOLLIN, &Daemon::on_link, this);
   if (!control.empty()) {
@@ -82,23 +81,6 @@ std::vector<Daemon::LoadTorque> Daemon::load_torques(const Configuration& config
   for (const AxisConfiguration& axis : configuration.axes)
     torques.push_back({axis.load.constant_torque, axis.load.friction_torque});
   return torques;
-}
-
-/// What cannot be used is not there: the unit starts as a new one.
-void Daemon::load_state() {
-  using drive::image_format::text_of;
-  if (const auto image = parameters_.read()) {
-    if (const auto loaded = device_.load_parameters(*image); !loaded)
-      parameters_.set_aside(text_of(loaded.error()));
-  }
-  if (const auto image = retained_.read()) {
-    if (const auto loaded = device_.load_retained(*image); !loaded) retained_.set_aside(text_of(loaded.error()));
-  }
-}
-
-void Daemon::retain(Durability durability) noexcept {
-  const canopen::TimePoint now = read_clock();
-  retention_.on_write(retained_.write(device_.retained(now), durability), now);
 }
 
 void Daemon::log_receive_buffer() const {
@@ -119,13 +101,12 @@ void Daemon::run() {
     log_.notice("{} is down: waiting until it is up", bus_name());
     sd_notifyf(0, "STATUS=%s is down", bus_name().c_str());
   }
-  events_.dispatch();
   while (!stopping_) {
     loop_.turn();
     look_around();
   }
   sd_notify(0, "STOPPING=1\nSTATUS=");
-  retain(Durability::OnDisk);
+  memory_.power_off();
   log_.info("power-off");
 }
 
@@ -135,15 +116,7 @@ void Daemon::look_around() noexcept {
   if (!full_logged_ && loop_.queue().waiting() != 0) log_full_queue();
   if (device_.skipped_cycles() != skipped_seen_) log_skipped_cycles();
   if (device_.held_back_axes() != held_back_seen_) log_held_back();
-  const bool planned = retention_.due() != canopen::kNever;
-  if (device_.message_changes() != messages_seen_ || (!planned && device_.is_moving())) plan_retention();
-}
-
-void Daemon::plan_retention() noexcept {
-  const canopen::TimePoint now = read_clock();
-  if (device_.message_changes() != messages_seen_) retention_.on_faults(now);
-  if (device_.is_moving()) retention_.on_motion(now);
-  messages_seen_ = device_.message_changes();
+  memory_.look_at_unit();
 }
 
 void Daemon::tell_ready() noexcept {
@@ -197,6 +170,7 @@ void Daemon::link_up() noexcept {
   }
   sent_before_boot_up_ = loop_.queue().counters().sent;
   device_.start(read_clock());
+  memory_.raise_faults();
   if (ready_told_) {
     log_.notice("{} is up again", bus_name());
     sd_notifyf(0, "STATUS=node %d on %s", configuration_.node_id, bus_name().c_str());

@@ -13,10 +13,10 @@
 #include "daemon/control_server.hpp"
 #include "daemon/instance_lock.hpp"
 #include "daemon/log.hpp"
-#include "daemon/retention_schedule.hpp"
 #include "daemon/service_events.hpp"
-#include "daemon/state_files.hpp"
 #include "daemon/station.hpp"
+#include "daemon/unit_memory.hpp"
+#include "daemon/watchdog.hpp"
 #include "device/device.hpp"
 
 namespace axisd {
@@ -32,7 +32,7 @@ class Daemon final : private device::Listener, private Station {
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
 
-  /// Serves until stop(), SIGTERM or SIGINT.
+  /// Serves until stop(), SIGTERM, SIGINT or SIGHUP.
   void run();
   /// Ends run() after the event being handled: a power-off of the unit.
   void stop() noexcept { stopping_ = true; }
@@ -58,6 +58,7 @@ class Daemon final : private device::Listener, private Station {
 
   const Configuration& configuration() const noexcept { return configuration_; }
   const device::Device& device() const noexcept { return device_; }
+  const UnitMemory& memory() const noexcept { return memory_; }
   const bus::TransmitQueue& transmit_queue() const noexcept { return loop_.queue(); }
   bus::ErrorState bus_state() const noexcept { return loop_.port().error_state(); }
   bool link_is_up() const noexcept { return loop_.is_open(); }
@@ -80,34 +81,32 @@ class Daemon final : private device::Listener, private Station {
   void on_foreign_frame(std::uint32_t identifier) noexcept override;
   void on_life_guarding_withheld() noexcept override;
   bool on_bus_restart() noexcept override;
-  bool on_store(std::span<const std::byte> image) noexcept override {
-    return parameters_.write(image, Durability::OnDisk);
-  }
+  device::Keeping on_store(std::span<const std::byte> image) noexcept override { return memory_.store(image); }
+  void on_restore() noexcept override { memory_.on_restore(); }
+  canopen::TimePoint frame_arrival(canopen::TimePoint) noexcept override { return loop_.frame_arrival(); }
 
   void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override {
     device_.on_frame(frame, now);
   }
   void on_time(canopen::TimePoint now) noexcept override {
     device_.on_time(now);
-    if (retention_.due() <= now) retain(Durability::InTheCache);
+    memory_.on_time(now);
+    watchdog_.on_time(now);
     if (log_.due() <= now) log_.tell_left_out(now);
   }
   canopen::TimePoint next_deadline() const noexcept override {
-    return std::min({device_.next_deadline(), retention_.due(), log_.due()});
+    return std::min({device_.next_deadline(), memory_.due(), watchdog_.due(), log_.due()});
   }
   std::span<const canopen::Subscription> subscriptions() const noexcept override {
     return device_.subscriptions();
   }
-  void on_rare_event() noexcept override { events_.dispatch(); }
+  bool on_rare_event() noexcept override { return events_.dispatch(); }
   void on_link_lost() noexcept override;
   void on_burst_end() noexcept override;
   void on_error_state(bus::ErrorState state) noexcept override;
 
   static std::vector<LoadTorque> load_torques(const Configuration& configuration);
-  void load_state();
-  void retain(Durability durability) noexcept;
   void look_around() noexcept;
-  void plan_retention() noexcept;
   void log_full_queue() noexcept;
   void log_skipped_cycles() noexcept;
   void log_held_back() noexcept;
@@ -124,17 +123,15 @@ class Daemon final : private device::Listener, private Station {
   const Log& log_;
   canopen::TimePoint started_;
   InstanceLock lock_;
-  StateFile parameters_;
-  StateFile retained_;
   bus::Connection bus_;
   BusLoop loop_;
   device::Device device_;
   ServiceEvents events_;
+  UnitMemory memory_;
+  Watchdog watchdog_;
   EventSource link_source_;
   std::optional<ControlServer> control_;
 
-  RetentionSchedule retention_;
-  std::uint32_t messages_seen_ = 0;
   bool stopping_ = false;
   bool ready_told_ = false;
   bool full_logged_ = false;

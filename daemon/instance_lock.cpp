@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 
 namespace axisd {
@@ -21,6 +22,20 @@ std::string in_use(const bus::Address& address, int node_id) {
 /// Throws for the present errno, which is @p taken if another instance holds the lock on @p what.
 [[noreturn]] void fail_to_lock(const std::string& what, int taken, const std::string& busy) {
   throw InstanceError{errno == taken ? busy : fmt::format("{}: cannot be locked: {}", what, std::strerror(errno))};
+}
+
+/// Creates @p folder and what of its parents is missing, for this user alone whatever the umask is; 0 or the
+/// error.
+int create_folders(const std::filesystem::path& folder) {
+  std::filesystem::path part;
+  for (const std::filesystem::path& name : folder) {
+    part /= name;
+    if (mkdir(part.c_str(), S_IRWXU) == 0 || errno == EEXIST) continue;
+    const int error = errno;
+    std::error_code unknown;
+    if (!std::filesystem::exists(part, unknown)) return error;
+  }
+  return 0;
 }
 
 bus::Descriptor lock_folder(const std::filesystem::path& folder, const std::string& busy) {
@@ -62,9 +77,8 @@ std::filesystem::path state_root(const std::string& given) {
 
 InstanceLock::InstanceLock(const std::filesystem::path& root, const bus::Address& address, int node_id)
     : directory_{root / fmt::format("{}-{}", bus::label(address), node_id)} {
-  std::error_code error;
-  std::filesystem::create_directories(directory_, error);
-  if (error) throw InstanceError{fmt::format("{}: cannot be created: {}", directory_.string(), error.message())};
+  if (const int error = create_folders(directory_))
+    throw InstanceError{fmt::format("{}: cannot be created: {}", directory_.string(), std::strerror(error))};
   const std::string busy = in_use(address, node_id);
   folder_ = lock_folder(directory_, busy);
   name_ = lock_name(fmt::format("axisd/{}/{}", bus::label(address), node_id), busy);

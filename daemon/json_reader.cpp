@@ -1,17 +1,16 @@
 #include "daemon/json_reader.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "daemon/configuration.hpp"
+#include "daemon/json_depth.hpp"
+#include "daemon/regular_file.hpp"
 
 namespace axisd {
 namespace {
@@ -98,16 +97,15 @@ class KeyWatch {
 }  // namespace
 
 std::string read_text_file(const std::string& file) {
-  std::ifstream stream{file};
-  if (!stream) throw ConfigurationError{fmt::format("{}: cannot be read: {}", file, std::strerror(errno))};
-  try {
-    return std::string{std::istreambuf_iterator<char>{stream}, {}};
-  } catch (const std::ios_base::failure& error) {  // a folder opens, but cannot be read
-    throw ConfigurationError{fmt::format("{}: cannot be read: {}", file, error.code().message())};
-  }
+  auto content = read_regular_file(file);
+  if (!content) throw ConfigurationError{fmt::format("{}: cannot be read: {}", file, content.error().reason)};
+  return std::move(*content);
 }
 
 JsonReader JsonReader::parse(std::string_view text, const std::string& file) {
+  if (const auto at = find_too_deep(text, kDeepestFile))
+    throw ConfigurationError{fmt::format("{}: {}: expected at most {} levels of objects and arrays", file,
+                                         position_of(text, *at + 1), kDeepestFile)};
   try {
     KeyWatch watch{file};
     const auto on_event = [&watch](int, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {

@@ -1,6 +1,7 @@
 #include "daemon/state_files.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include <fcntl.h>
@@ -9,12 +10,16 @@
 #include <unistd.h>
 
 #include "bus/descriptor.hpp"
+#include "daemon/regular_file.hpp"
 
 namespace axisd {
 namespace {
 
-/// Longer than every file that this program writes.
-constexpr std::size_t kLongest = 16U << 20;
+using Outcome = tl::expected<void, WriteFailure>;
+
+tl::unexpected<WriteFailure> failed(const char* what, int error) noexcept {
+  return tl::unexpected{WriteFailure{what, error}};
+}
 
 /// 0 or the error.
 int write_all(int descriptor, std::span<const std::byte> content) noexcept {
@@ -27,33 +32,34 @@ int write_all(int descriptor, std::span<const std::byte> content) noexcept {
   return 0;
 }
 
+/// Creates @p path, which is nobody else's: what an interrupted writer has left there goes first.
 int write_file(const char* path, std::span<const std::byte> content, Durability durability) noexcept {
   constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
-  const bus::Descriptor file{::open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kOwnerOnly)};
+  if (::unlink(path) != 0 && errno != ENOENT) return errno;
+  const bus::Descriptor file{::open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kOwnerOnly)};
   if (!file) return errno;
   if (const int error = write_all(file.get(), content)) return error;
   return durability == Durability::OnDisk && ::fsync(file.get()) != 0 ? errno : 0;
 }
 
-/// The new name of a file in @p folder outlives a power cut.
-int flush_folder(const char* folder) noexcept {
-  const bus::Descriptor descriptor{::open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-  return !descriptor || ::fsync(descriptor.get()) != 0 ? errno : 0;
+/// How the new file has got its name.
+enum class Replaced : std::uint8_t {
+  Nothing,    ///< there was none before
+  Exchanged,  ///< the former one has the temporary name now
+  Over        ///< the former one is gone: the file system cannot exchange names
+};
+
+tl::expected<Replaced, int> give_name(const char* temporary, const char* path) noexcept {
+  if (::renameat2(AT_FDCWD, temporary, AT_FDCWD, path, RENAME_EXCHANGE) == 0) return Replaced::Exchanged;
+  const Replaced outcome = errno == ENOENT ? Replaced::Nothing : Replaced::Over;
+  if (::rename(temporary, path) != 0) return tl::unexpected{errno};
+  return outcome;
 }
 
-/// Reads to the end; the error in @p error, else 0.
-std::vector<std::byte> read_all(int descriptor, int& error) {
-  std::vector<std::byte> content;
-  while (true) {
-    constexpr std::size_t kBlock = 65536;
-    const std::size_t before = content.size();
-    content.resize(before + kBlock);
-    const ssize_t got = ::read(descriptor, &content[before], kBlock);
-    content.resize(before + static_cast<std::size_t>(got > 0 ? got : 0));
-    if (got < 0 && errno == EINTR) continue;
-    error = got < 0 ? errno : content.size() > kLongest ? EFBIG : 0;
-    if (got <= 0 || error != 0) return content;
-  }
+/// The former content has the name @p path again; false if that cannot be.
+bool take_back(Replaced replaced, const char* temporary, const char* path) noexcept {
+  if (replaced == Replaced::Nothing) return ::unlink(path) == 0;
+  return replaced == Replaced::Exchanged && ::rename(temporary, path) == 0;
 }
 
 }  // namespace
@@ -61,40 +67,51 @@ std::vector<std::byte> read_all(int descriptor, int& error) {
 StateFile::StateFile(const std::filesystem::path& folder, const std::string& name, const Log& log)
     : log_{log}, folder_{folder}, path_{folder / name}, temporary_{path_ + ".new"} {}
 
-std::optional<std::vector<std::byte>> StateFile::read() const {
-  const bus::Descriptor file{::open(path_.c_str(), O_RDONLY | O_CLOEXEC)};
-  if (!file && errno == ENOENT) return std::nullopt;
-  int error = file ? 0 : errno;
-  std::vector<std::byte> content = file ? read_all(file.get(), error) : std::vector<std::byte>{};
-  if (error == 0) return content;
-  set_aside(fmt::format("cannot be read: {}", std::strerror(error)));
-  return std::nullopt;
+tl::expected<std::optional<std::vector<std::byte>>, std::string> StateFile::read() const {
+  const auto content = read_regular_file(path_);
+  if (!content && content.error().is_missing) return std::nullopt;
+  if (!content) return tl::unexpected{content.error().reason};
+  const auto bytes = std::as_bytes(std::span{*content});
+  return std::vector<std::byte>{bytes.begin(), bytes.end()};
 }
 
-bool StateFile::write(std::span<const std::byte> content, Durability durability) const noexcept {
+Outcome StateFile::write(std::span<const std::byte> content, Durability durability) const noexcept {
+  Outcome outcome{};
   if (const int error = write_file(temporary_.c_str(), content, durability)) {
-    ::unlink(temporary_.c_str());
-    return fail("cannot be written", error);
+    outcome = failed("cannot be written", error);
+  } else if (durability == Durability::OnDisk) {
+    outcome = replace_on_disk();
+  } else if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    outcome = failed("cannot be replaced", errno);
   }
-  if (::rename(temporary_.c_str(), path_.c_str()) != 0) return fail("cannot be replaced", errno);
-  if (durability == Durability::InTheCache) return true;
-  const int error = flush_folder(folder_.c_str());
-  return error == 0 || fail("is written, but its folder cannot be flushed", error);
+  if (!outcome) ::unlink(temporary_.c_str());
+  return outcome;
 }
 
-bool StateFile::fail(const char* what, int error) const noexcept {
-  log_.error("{}: {}: {}", path_, what, std::strerror(error));
-  return false;
+/// The new name outlives a power cut too, or the former content has it: a folder that cannot be flushed may not
+/// leave behind what was called a failure.
+Outcome StateFile::replace_on_disk() const noexcept {
+  const bus::Descriptor folder{::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+  if (!folder) return failed("cannot be written: its folder cannot be opened", errno);
+  const auto replaced = give_name(temporary_.c_str(), path_.c_str());
+  if (!replaced) return failed("cannot be replaced", replaced.error());
+  const int error = ::fsync(folder.get()) == 0 ? 0 : errno;
+  if (error != 0 && take_back(*replaced, temporary_.c_str(), path_.c_str()))
+    return failed("cannot be written: its folder cannot be flushed", error);
+  if (*replaced == Replaced::Exchanged) ::unlink(temporary_.c_str());
+  return {};
 }
 
-void StateFile::set_aside(std::string_view reason) const {
-  std::string aside = path_ + ".bad";
+void StateFile::report(const WriteFailure& failure) const noexcept {
+  log_.error("{}: {}: {}", path_, failure.what, std::strerror(failure.error));
+}
+
+tl::expected<std::string, std::string> StateFile::set_aside(std::string_view suffix) const {
+  std::string aside = fmt::format("{}{}", path_, suffix);
   for (int number = 1; ::access(aside.c_str(), F_OK) == 0; ++number)
-    aside = fmt::format("{}.bad.{}", path_, number);
-  const bool moved = ::rename(path_.c_str(), aside.c_str()) == 0;
-  const std::string where =
-      moved ? "kept as " + aside : fmt::format("cannot be set aside: {}", std::strerror(errno));
-  log_.warning("{}: {}; {}, the unit starts without it", path_, reason, where);
+    aside = fmt::format("{}{}.{}", path_, suffix, number);
+  if (::rename(path_.c_str(), aside.c_str()) != 0) return tl::unexpected{std::string{std::strerror(errno)}};
+  return aside;
 }
 
 }  // namespace axisd

@@ -24,8 +24,10 @@ class Station {
   /// What must be received (see canopen::Node::subscriptions()).
   virtual std::span<const canopen::Subscription> subscriptions() const noexcept = 0;
 
-  /// A descriptor of BusLoop::watch() may be readable; also called now and then when none is.
-  virtual void on_rare_event() noexcept {}
+  /// A descriptor of BusLoop::watch() may be readable; also called now and then when none is. Handles one event at
+  /// most: a turn of the loop gives what is rare a share that is bounded. True if more wait, whatever the
+  /// descriptors say: the next turn does not sleep.
+  virtual bool on_rare_event() noexcept { return false; }
   /// The interface went down or is gone; the loop has closed itself.
   virtual void on_link_lost() noexcept {}
   /// Many frames have come at once, and all that waited were handed over: some may have been lost.

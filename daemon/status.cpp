@@ -108,6 +108,8 @@ json status_of(const Daemon& daemon) {
           {"dc_link_V", daemon.device().unit().dc_link().voltage()},
           {"cycle_ms", std::chrono::duration<double, std::milli>{daemon.device().cycle()}.count()},
           {"skipped_cycles", daemon.device().skipped_cycles()},
+          {"memory",
+           {{"parameters", daemon.memory().parameters_text()}, {"retained", daemon.memory().retained_text()}}},
           {"control_unit", control_unit_status(daemon)},
           {"axes", axes_status(daemon)}};
 }

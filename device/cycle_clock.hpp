@@ -46,11 +46,11 @@ class CycleClock {
   canopen::TimePoint next() const noexcept { return resting_ ? canopen::kNever : last_ + period_; }
   /// Nothing moves: no cycle is due until wake().
   void rest() noexcept { resting_ = true; }
-  /// The cycle that @p now lies in is to be run.
-  void wake(canopen::TimePoint now) noexcept {
+  /// The cycle that @p time lies in is to be run, the first one after the rest at the earliest.
+  void wake(canopen::TimePoint time) noexcept {
     if (!resting_) return;
     resting_ = false;
-    last_ = grid().begin_of(now);
+    last_ = grid().begin_of(std::max(time, last_));
   }
   /// The cycles that have ended by @p now; from then on it counts anew.
   Due take_due(canopen::TimePoint now) noexcept {
@@ -58,6 +58,14 @@ class CycleClock {
     const std::int64_t run = std::min(due, kMostAtOnce / period_);
     last_ += due * period_;
     return {run, due - run};
+  }
+  /// The first one of them that is to be run; it counts on from there.
+  Due take_first_due(canopen::TimePoint now) noexcept {
+    const std::int64_t due = resting_ ? 0 : (now - last_) / period_;
+    if (due <= 0) return {0, 0};
+    const std::int64_t skipped = std::max(std::int64_t{0}, due - std::max(kMostAtOnce / period_, std::int64_t{1}));
+    last_ += (skipped + 1) * period_;
+    return {1, skipped};
   }
 
  private:

@@ -107,6 +107,7 @@ void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noe
   parameter_written_ = true;
   const bool left_reset = number == kResetObject && unit_.object(object)->read(kFilter) == 0.0;
   if (left_reset) restored_object_ = object;
+  if (storage_.take_begun()) node_.defer_answer();
   if (object == drive::kControlUnitNumber) return wake();
   axes_[object - drive::kFirstAxisNumber].wake();
 }
@@ -230,10 +231,13 @@ void Device::on_awake() noexcept {
   clock_.wake(now_);
 }
 
-void Device::on_rpdo(std::uint16_t number) noexcept {
+void Device::before_rpdo(std::uint16_t number) noexcept {
   rpdo_monitor_.on_rpdo(now_);
-  // While the unit is late nobody knows which cycles the frames belong to.
-  if (telegram_loss_.on_rpdo(number) && now_ < clock_.next()) lose_telegram(number);
+  if (telegram_loss_.on_rpdo(number)) overwrite(number);
+}
+
+void Device::on_rpdo(std::uint16_t number) noexcept {
+  if (clock_.is_resting()) clock_.wake(std::min(now_, listener_.frame_arrival(now_)));
   axes_[number / pdo::kStride].on_rpdo();
 }
 

@@ -38,6 +38,9 @@ class Listener : public ParameterKeeper {
   virtual void on_foreign_frame(std::uint32_t identifier) noexcept = 0;
   /// Life guarding was asked for and stays off (see device::Configuration::remote_frames).
   virtual void on_life_guarding_withheld() noexcept {}
+  /// When the RPDO that wakes the resting unit at @p now has come from the bus: @p now, or earlier if the program
+  /// was kept from running.
+  virtual canopen::TimePoint frame_arrival(canopen::TimePoint now) noexcept { return now; }
   /// p8608 asks for the controller to be restarted from bus-off. True if the bus can be used now, false if it
   /// cannot yet: Device::on_bus_state() tells when.
   virtual bool on_bus_restart() noexcept { return true; }
@@ -66,6 +69,9 @@ class Device final : private canopen::Application,
       std::span<const std::byte> image) noexcept;
   [[nodiscard]] tl::expected<void, drive::image_format::Error> load_retained(
       std::span<const std::byte> image) noexcept;
+  /// What ParameterKeeper::on_store() has begun is over: whoever has asked for it gets the answer, by @p kept that
+  /// of success or HardwareError.
+  void on_stored(bool kept, canopen::TimePoint now) noexcept;
   /// What survives a power cut at @p now; valid until the next call.
   std::span<const std::byte> retained(canopen::TimePoint now) noexcept;
 
@@ -131,11 +137,12 @@ class Device final : private canopen::Application,
  private:
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   void on_reset(canopen::NmtCommand command) noexcept override;
+  void before_rpdo(std::uint16_t number) noexcept override;
   void on_rpdo(std::uint16_t number) noexcept override;
   void on_subscriptions_changed() noexcept override { listener_.on_subscriptions_changed(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
-  canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override { return storage_.store(sub_index); }
+  canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override;
   canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
     return storage_.restore(sub_index);
   }
@@ -149,6 +156,7 @@ class Device final : private canopen::Application,
     void send(const canopen::Frame&, canopen::Delivery) override {}
   };
   void on_parameter_access() noexcept override { tell_time(now_); }
+  bool is_locked() const noexcept override { return storage_.is_saving(); }
   void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
   void tell_time(canopen::TimePoint now) noexcept;
@@ -175,6 +183,8 @@ class Device final : private canopen::Application,
   // device_bus.cpp
   void serve_off_the_bus(const canopen::Frame& frame) noexcept;
   void restart_bus() noexcept;
+  void overwrite(std::uint16_t number) noexcept;
+  bool make_up_cycle() noexcept;
   void lose_telegram(std::uint16_t number) noexcept;
   void end_telegram_loss() noexcept;
 
@@ -201,11 +211,12 @@ class Device final : private canopen::Application,
   RpdoMonitor rpdo_monitor_;
   TelegramLoss telegram_loss_;
   CycleClock clock_;
-  std::optional<canopen::TimePoint> started_;  ///< when the unit was switched on
-  canopen::TimePoint now_{};                   ///< as last told
-  canopen::TimePoint rested_until_{};          ///< temperatures have been brought up to here while resting
-  std::uint8_t restored_object_ = 0;           ///< a drive object that was reset by p0970, 0 = none
-  bool alarm_changed_ = false;                 ///< within a call into the node: messages are shown after it
+  std::optional<canopen::TimePoint> started_;        ///< when the unit was switched on
+  canopen::TimePoint now_{};                         ///< as last told
+  canopen::TimePoint made_up_at_ = canopen::kNever;  ///< when a missed cycle has last been run for a frame
+  canopen::TimePoint rested_until_{};                ///< temperatures have been brought up to here while resting
+  std::uint8_t restored_object_ = 0;                 ///< a drive object that was reset by p0970, 0 = none
+  bool alarm_changed_ = false;                       ///< within a call into the node: messages are shown after it
   bool parameter_written_ = false;  ///< within a call into the node: what follows from it comes after it
   bool restarting_ = false;         ///< the unit itself leaves Operational
   std::uint64_t skipped_cycles_ = 0;

@@ -24,6 +24,7 @@ bool is_sdo_request(const canopen::Frame& frame) noexcept {
 }  // namespace
 
 void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
+  if (from == canopen::NmtState::Operational && telegram_loss_.is_waiting()) make_up_cycle();
   tell_time(now_);
   rpdo_monitor_.stop();
   const bool ends = to == canopen::NmtState::Initialising;
@@ -67,6 +68,29 @@ void Device::miss_rpdos() noexcept {
   tell_time(now_);
   communication_.on_rpdos_missing();
   show_messages();
+}
+
+/// RPDO @p number is about to be stored, and no cycle has taken the values before. If cycles were missed
+/// meanwhile, one of them takes those: frames that come while the unit is kept from running wait for it one behind
+/// the other.
+void Device::overwrite(std::uint16_t number) noexcept {
+  if (make_up_cycle()) {
+    static_cast<void>(telegram_loss_.on_rpdo(number));
+  } else if (now_ != made_up_at_) {  // more frames than missed cycles: nobody knows which of those they belong to
+    lose_telegram(number);
+  }
+}
+
+/// Runs the first of the cycles that were missed, if any was; what it leads to is shown after the last of them.
+bool Device::make_up_cycle() noexcept {
+  const CycleClock::Due due = clock_.take_first_due(now_);
+  if (due.run == 0) return false;
+  made_up_at_ = now_;
+  skipped_cycles_ += static_cast<std::uint64_t>(due.skipped);
+  tell_time(now_);
+  telegram_loss_.on_cycle();
+  run_cycle(false);
+  return true;
 }
 
 /// A frame of RPDO @p number has overwritten the one before in the same cycle. A08751 is for asynchronous ones

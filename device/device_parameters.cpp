@@ -38,6 +38,18 @@ tl::expected<void, drive::image_format::Error> Device::load_retained(std::span<c
   return drive::retained_image::load(unit_, image);
 }
 
+canopen::Result<void> Device::on_store(std::uint8_t sub_index) noexcept {
+  auto stored = storage_.store(sub_index);
+  if (storage_.take_begun()) node_.defer_answer();
+  return stored;
+}
+
+void Device::on_stored(bool kept, canopen::TimePoint now) noexcept {
+  now_ = now;
+  storage_.end_save(kept);
+  node_.answer_deferred(kept ? canopen::Result<void>{} : canopen::refuse(canopen::AbortCode::HardwareError), now);
+}
+
 std::span<const std::byte> Device::retained(canopen::TimePoint now) noexcept {
   tell_time(now);
   return drive::retained_image::save(unit_, retained_).value_or(std::span<const std::byte>{});
@@ -90,6 +102,7 @@ void Device::carry_out_task() noexcept {
 void Device::restore(ParameterGroup group) noexcept {
   tell_time(now_);
   storage_.reset(group);
+  if (group == ParameterGroup::All) listener_.on_restore();
   const ObjectRange objects = objects_of(group);
   dictionary_.restore(objects.first, objects.last);
   for (AxisObjects& axis : axes_) axis.forget_written();

@@ -106,12 +106,23 @@ tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<co
 }
 
 canopen::Result<void> ParameterStorage::save(const Selection& selection) noexcept {
+  if (is_saving()) return canopen::refuse(AbortCode::DeviceState);
   const auto written = drive::storage_image::update(unit_, image(), spare_, selection);
   assert(written);
-  if (!written || !keeper_.on_store(*written)) return canopen::refuse(AbortCode::HardwareError);
-  length_ = written->size();
+  if (!written) return canopen::refuse(AbortCode::HardwareError);
+  saving_ = written->size();
+  const Keeping keeping = keeper_.on_store(*written);
+  begun_ = keeping == Keeping::Begun;
+  if (!begun_) end_save(keeping == Keeping::Kept);
+  if (keeping == Keeping::Refused) return canopen::refuse(AbortCode::DeviceState);
+  return keeping == Keeping::Failed ? canopen::refuse(AbortCode::HardwareError) : canopen::Result<void>{};
+}
+
+void ParameterStorage::end_save(bool kept) noexcept {
+  const std::size_t length = std::exchange(saving_, 0U);
+  if (!kept) return;
+  length_ = length;
   std::swap(image_, spare_);
-  return {};
 }
 
 canopen::Result<void> ParameterStorage::store(std::uint8_t sub_index) noexcept {
@@ -127,7 +138,7 @@ canopen::Result<void> ParameterStorage::restore(std::uint8_t sub_index) noexcept
 }
 
 canopen::Result<void> ParameterStorage::ask_for(Task task) noexcept {
-  if (pulses_enabled()) return canopen::refuse(AbortCode::DeviceState);
+  if (pulses_enabled() || is_saving()) return canopen::refuse(AbortCode::DeviceState);
   task_ = task;
   return {};
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "device/unit_parameters.hpp"
@@ -13,15 +14,26 @@
 
 namespace device {
 
+/// What has become of the wish to keep parameters. The former ones are still kept unless they are Kept.
+enum class Keeping : std::uint8_t {
+  Kept,     ///< the next start has them
+  Begun,    ///< ParameterStorage::end_save() tells the outcome
+  Failed,   ///< they cannot be written
+  Refused,  ///< they must not take the place of those that are there
+};
+
 /// Who writes the saved parameters to where they last.
 class ParameterKeeper {
  public:
   virtual ~ParameterKeeper() = default;
-  /// Keeps @p image for the next start; false if it cannot, and the former one is still kept then.
-  virtual bool on_store(std::span<const std::byte> image) noexcept {
+  /// Keeps @p image, which is valid within the call only, for the next start. Not called again before what has
+  /// Begun has ended.
+  virtual Keeping on_store(std::span<const std::byte> image) noexcept {
     static_cast<void>(image);
-    return false;
+    return Keeping::Failed;
   }
+  /// All parameters are those of a new unit, as somebody has asked for.
+  virtual void on_restore() noexcept {}
 };
 
 /// The groups of 1010h and 1011h, by sub-index.
@@ -53,9 +65,9 @@ class ParameterStorage final : public ParameterOwner {
   [[nodiscard]] tl::expected<void, Error> adopt(std::span<const std::byte> image) noexcept;
 
   /// "save" in 1010h, @p sub_index. DeviceState for a part before all was saved once, HardwareError if the keeper
-  /// cannot.
+  /// cannot. DeviceState also while a save runs, and if the keeper must not.
   [[nodiscard]] canopen::Result<void> store(std::uint8_t sub_index) noexcept;
-  /// "load" in 1011h, @p sub_index, becomes a task. DeviceState while pulses are enabled.
+  /// "load" in 1011h, @p sub_index, becomes a task. DeviceState while pulses are enabled or a save runs.
   [[nodiscard]] canopen::Result<void> restore(std::uint8_t sub_index) noexcept;
   /// The commands read 0, p0972 as long as it waits what was written.
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
@@ -63,6 +75,13 @@ class ParameterStorage final : public ParameterOwner {
   canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
   /// The node has left Operational: p0972 = 3 waits for that.
   void on_operational_left() noexcept;
+
+  /// A save runs: parameters are locked until end_save().
+  bool is_saving() const noexcept { return saving_ != 0; }
+  /// Whether a save has begun since the last call: whoever asked for it waits for end_save().
+  bool take_begun() noexcept { return std::exchange(begun_, false); }
+  /// The save that runs is over; @p kept: with success.
+  void end_save(bool kept) noexcept;
 
   /// Whether there are saved parameters.
   bool has_saved() const noexcept { return length_ != 0; }
@@ -96,6 +115,8 @@ class ParameterStorage final : public ParameterOwner {
   std::vector<std::byte> image_;  ///< as last saved
   std::size_t length_ = 0;        ///< of it; 0 = nothing was saved yet
   std::vector<std::byte> spare_;  ///< for the next one
+  std::size_t saving_ = 0;        ///< length of what is being saved in it
+  bool begun_ = false;
   Task task_ = Task::None;
   int restart_ = 0;  ///< p0972
 };

@@ -99,6 +99,7 @@ canopen::Result<void> ParameterWindow::write(std::uint8_t server, std::uint16_t 
   if (wanted->index >= row.count) return canopen::refuse(AbortCode::NoSubIndex);
   if (!row.is_writable()) return canopen::refuse(AbortCode::ReadOnly);
   if (value.size() != size && (sized || value.size() < size)) return canopen::refuse(AbortCode::LengthMismatch);
+  if (listener_.is_locked()) return canopen::refuse(AbortCode::DeviceState);
   listener_.on_parameter_access();
   static_cast<void>(parameters_.take_refusal());
   const drive::ParameterValue number{row.type, number_in(value.first(size))};

@@ -14,6 +14,8 @@ namespace device {
 class WindowListener {
  public:
   virtual ~WindowListener() = default;
+  /// No parameter may be written: they are being saved.
+  virtual bool is_locked() const noexcept { return false; }
   /// A parameter is about to be read or written.
   virtual void on_parameter_access() noexcept = 0;
   /// Parameter @p number of drive object @p object has been written; what follows from it beyond the drive object

@@ -21,6 +21,8 @@ class TelegramLoss {
     const std::uint64_t bit = std::uint64_t{1} << (number / pdo::kStride * pdo::kOfAnAxis + number % pdo::kStride);
     return (std::exchange(waiting_, waiting_ | bit) & bit) != 0;
   }
+  /// Whether values wait for a cycle.
+  bool is_waiting() const noexcept { return waiting_ != 0; }
   /// A cycle has taken what was received.
   void on_cycle() noexcept { waiting_ = 0; }
 

@@ -20,6 +20,8 @@ class CANOPEN_EXPORT Application {
   /// values over them with Dictionary::set() before the services start. Dictionary::write() still meets the
   /// services as they were before the reset.
   virtual void on_reset(NmtCommand command) noexcept { (void)command; }
+  /// The values of RPDO @p number (0 for 1400h) are about to be stored in place of those before.
+  virtual void before_rpdo(std::uint16_t number) noexcept { (void)number; }
   /// The values of RPDO @p number (0 for 1400h) have just been stored.
   virtual void on_rpdo(std::uint16_t number) noexcept { (void)number; }
   /// The owner of @p entry, the application or a service, has refused @p value with @p code: an SDO client has
@@ -52,7 +54,7 @@ class CANOPEN_EXPORT Application {
   virtual void on_time_of_day(const TimeOfDay& time) noexcept { (void)time; }
 
   /// "save" was written to 1010h, @p sub_index: store the parameters of that group. The answer of the transfer is
-  /// the result; HardwareError if they cannot be stored (CiA 301, 7.5.2.13).
+  /// the result; HardwareError if they cannot be stored (CiA 301, 7.5.2.13). Node::defer_answer() puts it off.
   virtual Result<void> on_store(std::uint8_t sub_index) noexcept {
     (void)sub_index;
     return refuse(AbortCode::HardwareError);

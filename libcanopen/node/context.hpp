@@ -27,6 +27,7 @@ struct Context {
   TimePoint now{};          ///< the time that the owner told with the event being handled
   PdoCycle pdo_cycle{};     ///< what event-driven TPDOs are judged in
   NmtState state = NmtState::Initialising;
+  bool answer_deferred = false;  ///< by the owner of what is being written (Node::defer_answer())
 };
 
 }  // namespace canopen

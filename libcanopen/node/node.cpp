@@ -249,6 +249,11 @@ void Node::clear_error(std::uint16_t code, std::uint16_t detail) noexcept {
   if (errors_.clear(code, detail)) transmit_pdos_.on_values_changed();
 }
 
+void Node::answer_deferred(const Result<void>& result, TimePoint now) noexcept {
+  context_.now = now;
+  sdo_servers_.answer_deferred(result);
+}
+
 void Node::report(CommunicationError error, TimePoint now) noexcept {
   context_.now = now;
   on_error(error, 0);

@@ -87,6 +87,12 @@ class CANOPEN_EXPORT Node final : private IdentifierUse, private ErrorReports {
   /// that the next one sends no EMCY.
   void report(CommunicationError error, TimePoint now) noexcept;
   void report_recovery(CommunicationError error, TimePoint now) noexcept;
+  /// From within Application::on_store(), EntryOwner::write() or SdoView::write() that an SDO client has caused
+  /// and that succeeds: the client gets its answer from answer_deferred(), not before. The same request again gets
+  /// none meanwhile; any other of that client, an abort of it and a reset give the answer up. One at a time.
+  void defer_answer() noexcept { context_.answer_deferred = true; }
+  /// Gives the answer that was put off, if a client still waits for it: @p result of the write.
+  void answer_deferred(const Result<void>& result, TimePoint now) noexcept;
   /// Changes the NMT state as 1029h, sub-index @p error_class, says (CiA 301, 7.5.2.32).
   void apply_error_behaviour(std::uint8_t error_class) noexcept;
 

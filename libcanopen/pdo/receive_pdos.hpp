@@ -62,6 +62,7 @@ class CANOPEN_EXPORT ReceivePdos final : public PdoParameters::Listener {
   };
 
   void apply(const Incoming& pdo, std::uint64_t payload) noexcept {
+    context_.application.before_rpdo(pdo.number);
     pdo.plan.unpack(payload, image_);
     context_.application.on_rpdo(pdo.number);
   }

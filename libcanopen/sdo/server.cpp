@@ -52,7 +52,10 @@ bool SdoServer::connect(Identifier request, Identifier response) noexcept {
 
 void SdoServer::on_frame(const Frame& frame) noexcept {
   if (frame.length != 8) return;
-  if (phase_ == Phase::BlockDownload) return take_block_segment(frame);
+  if (phase_ >= Phase::BlockDownload) {
+    if (phase_ == Phase::BlockDownload) return take_block_segment(frame);
+    if (repeats(frame)) return;
+  }
   const Command command{frame.data[0]};
   switch (command.request()) {
     case Request::InitiateUpload:
@@ -110,11 +113,42 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
   Frame answer = answer_;  // the write may connect the server anew: the client still waits here
   const Address at = sdo::address_in(frame);
   const std::span bytes{&frame.data[4], size};
+  context_.answer_deferred = false;
   const auto written = write_expedited(entry, bytes);
   if (!written) sdo::tell_refusal(context_, entry, bytes, written.error());
-  store(answer.data.data(), written ? sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0)
-                                    : sdo::abort_bytes(at, written.error()));
+  answer_write(answer, at, sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0), written,
+               load<std::uint64_t>(frame.data.data()));
+}
+
+/// Sends @p bytes in @p answer if the write has succeeded, otherwise an abort; not yet if the owner has put that
+/// off.
+/// @p request is the frame that asked for it, 0 if it took several.
+void SdoServer::answer_write(Frame& answer, Address at, std::uint64_t bytes, const Result<void>& written,
+                             std::uint64_t request) noexcept {
+  if (written && context_.answer_deferred) {
+    phase_ = Phase::Deferred;
+    address_ = at;
+    deferred_request_ = request;
+    store(answer_.data.data(), bytes);
+    return;
+  }
+  store(answer.data.data(), written ? bytes : sdo::abort_bytes(at, written.error()));
   context_.sink->send(answer, Delivery::Ordered);
+}
+
+void SdoServer::answer_deferred(const Result<void>& result) noexcept {
+  if (phase_ != Phase::Deferred) return;
+  if (!result) return abort(result.error());
+  end();
+  context_.sink->send(answer_, Delivery::Ordered);
+}
+
+/// While an answer is put off: true if @p frame is the same request again, from a client that has lost its
+/// patience; any other gives the answer up.
+bool SdoServer::repeats(const Frame& frame) noexcept {
+  if (deferred_request_ != 0 && load<std::uint64_t>(frame.data.data()) == deferred_request_) return true;
+  end();
+  return false;
 }
 
 Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
@@ -168,10 +202,10 @@ void SdoServer::end() noexcept {
 void SdoServer::finish_download(std::uint64_t answer) noexcept {
   Frame frame = answer_;  // the write may connect the server anew: the client still waits here
   const Address at = address_;
+  context_.answer_deferred = false;
   const auto written = sink_.commit(context_);
   end();
-  store(frame.data.data(), written ? answer : sdo::abort_bytes(at, written.error()));
-  context_.sink->send(frame, Delivery::Ordered);
+  answer_write(frame, at, answer, written, 0);
 }
 
 /// When on_timer() acts if the client stays silent.

@@ -37,11 +37,13 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   /// that the policy allows; aborts the transfer with ProtocolTimedOut after all of it. Segments out of order are
   /// heard, but do not keep a block download alive.
   void on_timer() noexcept;
+  /// Answers a write whose answer was put off, if the client still waits for it.
+  void answer_deferred(const Result<void>& result) noexcept;
   /// Forgets a half-finished transfer without a word (NMT state change).
   void forget() noexcept { end(); }
 
  private:
-  /// What the server waits for.
+  /// What the server waits for; from BlockDownload on a frame is not taken for a request by its first byte alone.
   enum class Phase : std::uint8_t {
     Idle,                ///< the first request of a transfer
     Upload,              ///< a request for a segment
@@ -49,8 +51,9 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
     BlockUploadStart,    ///< the start of a block upload
     BlockUploadConfirm,  ///< the confirmation of the sub-block that was sent
     BlockUploadEnd,      ///< the confirmation of the end
-    BlockDownload,       ///< a segment of a sub-block: the first byte is a sequence number
     BlockDownloadEnd,    ///< the end of a block download
+    BlockDownload,       ///< a segment of a sub-block: the first byte is a sequence number
+    Deferred,            ///< nothing: the owner of what was written gives the answer (Node::answer_deferred())
   };
   // server.cpp: expedited transfer, beginning and end of the others
   void initiate_upload(const Frame& frame) noexcept;
@@ -69,6 +72,9 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   void begin(Phase phase, sdo::Address at) noexcept;
   void end() noexcept;
   void finish_download(std::uint64_t answer) noexcept;
+  void answer_write(Frame& answer, sdo::Address at, std::uint64_t bytes, const Result<void>& written,
+                    std::uint64_t request) noexcept;
+  bool repeats(const Frame& frame) noexcept;
   TimePoint due() const noexcept;
   bool may_confirm_early() const noexcept { return phase_ == Phase::BlockDownload && !confirmed_early_; }
   void abort(sdo::Address at, AbortCode code) noexcept;
@@ -141,6 +147,8 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   std::uint16_t crc_ = 0;             ///< block: of the bytes that count already
   std::array<std::uint8_t, 7>
       last_segment_{};  ///< block download: how many of its bytes count, only the end tells
+
+  std::uint64_t deferred_request_ = 0;  ///< whose answer was put off, 0 = of several frames
 
   std::vector<std::uint8_t> buffer_;  ///< the window of the two below
   sdo::UploadSource source_;

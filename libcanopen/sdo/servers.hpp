@@ -33,6 +33,10 @@ class CANOPEN_EXPORT SdoServers final : public EntryOwner {
   }
   /// Timer @p which of this service fired, counted from its first.
   void on_timer(std::size_t which) noexcept { servers_[which].on_timer(); }
+  /// Gives the answer that was put off (see Node::answer_deferred()).
+  void answer_deferred(const Result<void>& result) noexcept {
+    for (SdoServer& server : servers_) server.answer_deferred(result);
+  }
   /// In the order of their objects.
   std::span<const SdoServer> servers() const noexcept { return servers_; }
 

@@ -14,6 +14,7 @@ constexpr std::size_t kExpeditedBytes = 4;
 }
 
 void SdoServer::on_viewed_frame(const Frame& frame) noexcept {
+  if (phase_ == Phase::Deferred && frame.length == 8 && repeats(frame)) return;
   const bool listens = frame.length == 8 && phase_ != Phase::BlockDownload;
   if (!listens || !begins_transfer(Command{frame.data[0]})) return on_frame(frame);
   const Address at = sdo::address_in(frame);
@@ -74,11 +75,11 @@ void SdoServer::download_viewed(ViewedObject object, const Frame& frame) noexcep
   Frame answer = answer_;  // the write may connect the server anew: the client still waits here
   const Command command{frame.data[0]};
   const std::size_t size = command.has_size() ? command.expedited_size() : kExpeditedBytes;
+  context_.answer_deferred = false;
   const auto written = object.write(*context_.view, {&frame.data[4], size}, command.has_size());
-  store(answer.data.data(),
-        written ? sdo::response_bytes(sdo::command_byte(sdo::Response::InitiateDownload), object.address(), 0)
-                : sdo::abort_bytes(object.address(), written.error()));
-  context_.sink->send(answer, Delivery::Ordered);
+  answer_write(answer, object.address(),
+               sdo::response_bytes(sdo::command_byte(sdo::Response::InitiateDownload), object.address(), 0),
+               written, load<std::uint64_t>(frame.data.data()));
 }
 
 void SdoServer::gather_viewed(ViewedObject object, const Frame& frame) noexcept {

@@ -1,11 +1,15 @@
 #include "daemon/bus_loop.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/eventfd.h>
 
+#include "daemon/clock.hpp"
 #include "tests/fakes/fake_port.hpp"
 
 namespace axisd {
@@ -15,16 +19,29 @@ using Events = std::vector<std::string>;
 
 /// Notes what it is told, in order.
 struct RecordingStation final : Station {
-  void on_frame(const canopen::Frame&, canopen::TimePoint) noexcept override { events.emplace_back("frame"); }
+  void on_frame(const canopen::Frame&, canopen::TimePoint) noexcept override {
+    events.emplace_back("frame");
+    if (told_frame) told_frame();
+    deadline = std::min(deadline, deadline_of_a_frame);
+  }
   void on_time(canopen::TimePoint) noexcept override {
     events.emplace_back("time");
-    deadline = canopen::kNever;
+    deadline = next;
+  }
+  bool on_rare_event() noexcept override {
+    if (rare_events == 0) return false;
+    events.emplace_back("rare");
+    return --rare_events != 0;
   }
   canopen::TimePoint next_deadline() const noexcept override { return deadline; }
   std::span<const canopen::Subscription> subscriptions() const noexcept override { return {}; }
   void on_burst_end() noexcept override { events.emplace_back("end of a burst"); }
 
   canopen::TimePoint deadline = canopen::kNever;
+  canopen::TimePoint next = canopen::kNever;  ///< deadline after the one that has come
+  canopen::TimePoint deadline_of_a_frame = canopen::kNever;
+  int rare_events = 0;  ///< that wait
+  std::function<void()> told_frame;
   Events events;
 };
 
@@ -58,6 +75,52 @@ TEST_F(BusLoopTest, TellsTheTimeToAStationOnABusThatNeverStops) {
   loop.turn();
 
   EXPECT_EQ(station.events.back(), "time");
+}
+
+TEST_F(BusLoopTest, HandsOverWhatWaitsAlsoWhenAFrameShowsThatTheStationIsLate) {
+  arrive(3);
+  station.deadline_of_a_frame = canopen::TimePoint{};  // it was at rest before
+
+  loop.turn();
+
+  EXPECT_EQ(station.events, (Events{"frame", "frame", "frame", "time"}));
+}
+
+TEST_F(BusLoopTest, GivesWhatIsRareOneEventATurn) {
+  station.rare_events = 4;
+  station.next = station.deadline = canopen::TimePoint{};  // a cycle is due in every turn
+  arrive(4);
+
+  for (int i = 0; i < 4; ++i) loop.turn();
+
+  EXPECT_EQ(std::ranges::count(station.events, "frame"), 4);
+  EXPECT_EQ(std::ranges::count(station.events, "time"), 4);
+  const Events last{station.events.end() - 5, station.events.end()};
+  EXPECT_EQ(last, (Events{"rare", "time", "rare", "time", "rare"})) << "one after the other";
+}
+
+TEST_F(BusLoopTest, DoesNotSleepWhileRareEventsWait) {
+  port.polled = -1;
+  station.rare_events = 3;
+
+  for (int i = 0; i < 3; ++i) loop.turn();  // nothing else would wake it
+
+  EXPECT_EQ(station.events, (Events{"rare", "rare", "rare"}));
+}
+
+TEST_F(BusLoopTest, TellsWhenAFrameHasComeThatWaited) {
+  canopen::TimePoint arrival{};
+  const canopen::TimePoint before = read_clock();
+  loop.turn();
+  port.arrival = std::chrono::system_clock::now().time_since_epoch() - std::chrono::hours{1};
+  station.told_frame = [&] { arrival = loop.frame_arrival(); };
+  while (read_clock() - before < std::chrono::milliseconds{5}) continue;  // it is kept from running
+  arrive(1);
+
+  loop.turn();
+
+  EXPECT_GE(arrival, before) << "whatever waits has come since the last turn";
+  EXPECT_LE(arrival, read_clock() - std::chrono::milliseconds{1});
 }
 
 TEST_F(BusLoopTest, ReadsOneFrameATurnOtherwise) {

@@ -79,7 +79,7 @@ void ControlClient::finish_sending() {
 
 void settle(ServiceEvents& events) {
   pollfd end{events.descriptor(), POLLIN, 0};
-  while (::poll(&end, 1, 0) > 0) events.dispatch();
+  for (bool waits = false; waits || ::poll(&end, 1, 0) > 0;) waits = events.dispatch();
 }
 
 }  // namespace axisd

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tests/fakes/temporary_directory.hpp"
@@ -43,6 +44,18 @@ TEST(InstanceLock, CreatesTheFolderOfItsInstance) {
 
   EXPECT_EQ(lock.directory(), root.path("state") + "/" + interface() + "-5");
   EXPECT_TRUE(std::filesystem::is_directory(lock.directory()));
+}
+
+TEST(InstanceLock, CreatesFoldersForItsUserAlone) {
+  const fakes::TemporaryDirectory root;
+  const mode_t before = ::umask(0);
+
+  const InstanceLock lock{root.path("state/axisd"), address(), 5};
+
+  ::umask(before);
+  for (const std::filesystem::path& made : {std::filesystem::path{root.path("state")}, lock.directory()}) {
+    EXPECT_EQ(std::filesystem::status(made).permissions(), std::filesystem::perms::owner_all) << made;
+  }
 }
 
 TEST(InstanceLock, RefusesASecondInstance) {

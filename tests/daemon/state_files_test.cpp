@@ -1,10 +1,12 @@
 #include "daemon/state_files.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <random>
+#include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "tests/fakes/flush_hook.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 
 namespace axisd {
@@ -33,6 +36,17 @@ struct StateFileTest : testing::Test {
     return found;
   }
   void put(const std::string& name, const std::string& text) const { std::ofstream{folder.path(name)} << text; }
+  /// What read() gives, which must not fail.
+  std::optional<Bytes> content() const {
+    auto found = file.read();
+    EXPECT_TRUE(found) << found.error();
+    return found.value_or(std::nullopt);
+  }
+  /// Why it cannot be read.
+  std::string reason() const {
+    const auto found = file.read();
+    return found ? "" : found.error();
+  }
   /// What @p act writes to the log.
   template <class Act>
   std::string log_of(const Act& act) const {
@@ -48,7 +62,7 @@ struct StateFileTest : testing::Test {
 };
 
 TEST_F(StateFileTest, IsNotThereAtFirst) {
-  EXPECT_EQ(log_of([&] { EXPECT_EQ(file.read(), std::nullopt); }), "");
+  EXPECT_EQ(log_of([&] { EXPECT_EQ(content(), std::nullopt); }), "");
 }
 
 TEST_F(StateFileTest, GivesBackWhatWasWrittenLast) {
@@ -56,7 +70,7 @@ TEST_F(StateFileTest, GivesBackWhatWasWrittenLast) {
     ASSERT_TRUE(file.write(bytes(200000, 1), durability));
     ASSERT_TRUE(file.write(bytes(100, 2), durability));
 
-    EXPECT_EQ(file.read(), bytes(100, 2));
+    EXPECT_EQ(content(), bytes(100, 2));
   }
   EXPECT_EQ(names(), std::vector<std::string>{"state.bin"});
 }
@@ -73,10 +87,10 @@ TEST_F(StateFileTest, ReplacesWhatAnInterruptedWriteLeftBehind) {
   ASSERT_TRUE(file.write(bytes(10, 1), Durability::OnDisk));
   put("state.bin.new", "half of a longer content than the next one");
 
-  EXPECT_EQ(file.read(), bytes(10, 1));
+  EXPECT_EQ(content(), bytes(10, 1));
   ASSERT_TRUE(file.write(bytes(10, 2), Durability::OnDisk));
 
-  EXPECT_EQ(file.read(), bytes(10, 2));
+  EXPECT_EQ(content(), bytes(10, 2));
   EXPECT_EQ(names(), std::vector<std::string>{"state.bin"});
 }
 
@@ -88,41 +102,74 @@ TEST_F(StateFileTest, IsWholeForAReaderAtEveryMoment) {
   }};
 
   for (int i = 0; i < 200; ++i) {
-    const auto content = file.read();
-    ASSERT_TRUE(content);
-    ASSERT_EQ(content->size(), kSize);
-    EXPECT_EQ(content->front(), content->back());
+    const auto found = content();
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), kSize);
+    EXPECT_EQ(found->front(), found->back());
   }
 }
 
-TEST_F(StateFileTest, SetsAsideWhatCannotBeUsedAndLosesNothing) {
+TEST_F(StateFileTest, IsSetAsideWithoutLosingAnything) {
   for (const char* const text : {"one", "two", "three"}) {
     put("state.bin", text);
-    file.set_aside("a reason");
+    EXPECT_TRUE(file.set_aside(".bad"));
   }
 
-  EXPECT_EQ(file.read(), std::nullopt);
+  EXPECT_EQ(content(), std::nullopt);
   EXPECT_EQ(names(), (std::vector<std::string>{"state.bin.bad", "state.bin.bad.1", "state.bin.bad.2"}));
   put("state.bin", "four");
-  EXPECT_EQ(log_of([&] { file.set_aside("a reason"); }),
-            "axisd: " + path + ": a reason; kept as " + path + ".bad.3, the unit starts without it\n");
+  EXPECT_EQ(file.set_aside(".old"), path + ".old");
 }
 
-TEST_F(StateFileTest, SetsAsideWhatCannotBeRead) {
+TEST_F(StateFileTest, StaysWhereItIsIfItCannotBeRead) {
   std::filesystem::create_directory(path);
+  EXPECT_EQ(reason(), "Is a directory");
+  std::filesystem::remove(path);
+  std::filesystem::create_symlink("state.bin", path);
+  EXPECT_EQ(reason(), "Too many levels of symbolic links");
+  std::filesystem::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_EQ(reason(), "Not a regular file");
 
-  EXPECT_EQ(log_of([&] { EXPECT_EQ(file.read(), std::nullopt); }),
-            "axisd: " + path + ": cannot be read: Is a directory; kept as " + path +
-                ".bad, the unit starts without it\n");
+  EXPECT_EQ(names(), std::vector<std::string>{"state.bin"});
 }
 
-TEST_F(StateFileTest, SetsAsideWhatIsTooLongToBeOne) {
+TEST_F(StateFileTest, IsNotReadIfItIsTooLongToBeOne) {
   std::ofstream{path} << "x";
   std::filesystem::resize_file(path, 17U << 20);
 
-  EXPECT_EQ(log_of([&] { EXPECT_EQ(file.read(), std::nullopt); }),
-            "axisd: " + path + ": cannot be read: File too large; kept as " + path +
-                ".bad, the unit starts without it\n");
+  EXPECT_EQ(reason(), "File too large");
+}
+
+TEST_F(StateFileTest, WritesThroughNoLinkThatSomebodyHasLeftThere) {
+  put("precious", "precious");
+  std::filesystem::create_symlink("precious", folder.path("state.bin.new"));
+
+  ASSERT_TRUE(file.write(bytes(10, 1), Durability::OnDisk));
+
+  EXPECT_EQ(content(), bytes(10, 1));
+  EXPECT_EQ(std::filesystem::file_size(folder.path("precious")), 8U);
+  EXPECT_FALSE(std::filesystem::is_symlink(path));
+}
+
+TEST_F(StateFileTest, HasTheFormerContentAfterAFailureAtAnyFlush) {
+  for (const bool there_before : {true, false}) {
+    for (const int failing : {0, 1}) {  // the file, its folder
+      std::filesystem::remove(path);
+      if (there_before) {
+        ASSERT_TRUE(file.write(bytes(10, 1), Durability::OnDisk));
+      }
+      int flush = 0;
+      const fakes::FlushHook hook{[&](int) { return flush++ == failing ? EIO : 0; }};
+
+      const auto written = file.write(bytes(10, 2), Durability::OnDisk);
+
+      ASSERT_FALSE(written);
+      EXPECT_EQ(written.error().error, EIO);
+      EXPECT_EQ(content(), there_before ? std::optional{bytes(10, 1)} : std::nullopt);
+      EXPECT_EQ(names().size(), there_before ? 1U : 0U);
+    }
+  }
 }
 
 TEST_F(StateFileTest, StaysAsItWasWhereThereIsNoRoom) {
@@ -133,20 +180,22 @@ TEST_F(StateFileTest, StaysAsItWasWhereThereIsNoRoom) {
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);  // as the daemon does
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &little), 0);
 
-  bool written = true;
-  written = file.write(bytes(5000, 2), Durability::OnDisk);
+  const bool written = file.write(bytes(5000, 2), Durability::OnDisk).has_value();
 
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   EXPECT_FALSE(written);
-  EXPECT_EQ(file.read(), bytes(100, 1));
+  EXPECT_EQ(content(), bytes(100, 1));
   EXPECT_EQ(names(), std::vector<std::string>{"state.bin"});
 }
 
 TEST_F(StateFileTest, SaysInOneLineWhatItCouldNotWrite) {
   std::filesystem::create_directory(folder.path("state.bin.new"));
 
-  EXPECT_EQ(log_of([&] { EXPECT_FALSE(file.write(bytes(10, 1), Durability::OnDisk)); }),
+  const auto written = file.write(bytes(10, 1), Durability::OnDisk);
+
+  ASSERT_FALSE(written);
+  EXPECT_EQ(log_of([&] { file.report(written.error()); }),
             "axisd: " + path + ": cannot be written: Is a directory\n");
 }
 

@@ -20,6 +20,100 @@ TEST(Store, KeepsParametersThroughAPowerCut) {
   EXPECT_EQ(next.unit.upload(kAbortOption).number(), 1U);
 }
 
+/// A unit whose keeper takes its time.
+struct SlowStore : TestUnit {
+  SlowStore() {
+    start_operational();
+    listener.is_slow = true;
+  }
+  Lines ends(bool kept) {
+    device.on_stored(kept, now);
+    return passes(0ms);
+  }
+};
+constexpr const char* kSaveRequest = "605#2310100173617665";
+const Lines kSaved{"585#6010100100000000"};
+
+TEST(SlowStore, AnswersWhenTheParametersAreKeptAndRunsCyclesMeanwhile) {
+  SlowStore unit;
+  EXPECT_EQ(unit.says(kSaveRequest), Lines{});
+
+  for (const char* const controlword : {"205#0600", "205#0700", "205#0F00"}) unit.cycles_with(controlword);
+  EXPECT_EQ(unit.device.axis().actual().state, drive::State::OperationEnabled);
+
+  EXPECT_EQ(from("585#", unit.ends(true)), kSaved);
+  EXPECT_EQ(unit.ends(true), Lines{}) << "once";
+}
+
+TEST(SlowStore, AnswersWithTheFailureAndKeepsTheFormerSet) {
+  SlowStore unit;
+  unit.listener.is_slow = false;
+  ASSERT_EQ(unit.download(kStore, 1, kSave, 4), 0U);
+  unit.listener.is_slow = true;
+  ASSERT_EQ(unit.download(kHaltOption, 0, 2, 2), 0U);
+  EXPECT_EQ(unit.says(kSaveRequest), Lines{});
+
+  EXPECT_EQ(unit.ends(false), Lines{"585#8010100100000606"});
+
+  unit.says("000#8105");
+  EXPECT_EQ(unit.upload(kHaltOption).number(), 0xFFFFU);
+}
+
+TEST(SlowStore, AnswersTheClientOfAParameterToo) {
+  Window unit{1};
+  unit.listener.is_slow = true;
+
+  EXPECT_EQ(unit.says("605#2BD1230001000000"), Lines{}) << "p0977 = 1";
+  unit.device.on_stored(true, unit.now);
+  EXPECT_EQ(from("585#", unit.passes(0ms)), Lines{"585#60D1230000000000"});
+  EXPECT_EQ(unit.read(977), 0U);
+}
+
+TEST(SlowStore, LocksParametersMeanwhile) {
+  SlowStore unit;
+  ASSERT_EQ(unit.download(0x41B6, 0, 2, 2), 0U);
+  EXPECT_EQ(unit.says(kSaveRequest), Lines{});
+
+  EXPECT_EQ(unit.download(0x2000 + 1120, 0, 0x40000000, 4), kDeviceState) << "p1120";
+  EXPECT_EQ(unit.download(kStore, 1, kSave, 4), kDeviceState);
+  EXPECT_EQ(unit.download(kRestore, 1, kLoad, 4), kDeviceState);
+  EXPECT_EQ(unit.download(0x60FF, 0, 0, 4), 0U) << "no parameter";
+  EXPECT_EQ(unit.ends(true), Lines{}) << "its client has gone on";
+
+  EXPECT_EQ(unit.download(0x2000 + 1120, 0, 0x40000000, 4), 0U);
+  EXPECT_EQ(unit.listener.stores, 1);
+}
+
+TEST(SlowStore, TakesARepeatedRequestForTheSameOne) {
+  SlowStore unit;
+  for (int i = 0; i < 300; ++i) EXPECT_EQ(unit.says(kSaveRequest), Lines{});
+
+  EXPECT_EQ(unit.ends(true), kSaved);
+  EXPECT_EQ(unit.listener.stores, 1);
+}
+
+TEST(SlowStore, ForgetsItsClientWithAReset) {
+  SlowStore unit;
+  unit.says(kSaveRequest);
+  unit.says("000#8205");
+
+  EXPECT_EQ(from("585#", unit.ends(true)), Lines{});
+  unit.listener.is_slow = false;
+  EXPECT_EQ(unit.download(kStore, 1, kSave, 4), 0U);
+}
+
+TEST(Store, IsRefusedWhereTheFormerSetMustStay) {
+  TestUnit unit;
+  unit.start();
+  unit.listener.is_kept = true;
+
+  EXPECT_EQ(unit.download(kStore, 1, kSave, 4), kDeviceState);
+  EXPECT_EQ(unit.download(kRestore, 2, kLoad, 4), 0U);
+  EXPECT_EQ(unit.listener.restores, 0);
+  EXPECT_EQ(unit.download(kRestore, 1, kLoad, 4), 0U);
+  EXPECT_EQ(unit.listener.restores, 1);
+}
+
 TEST(Store, ReadsOneForEveryGroup) {
   TestUnit unit;
   unit.start();

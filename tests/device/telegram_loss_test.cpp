@@ -76,6 +76,66 @@ TEST(TelegramLoss, IsNoneOfFramesThatALateUnitReadsAtOnce) {
   EXPECT_EQ(from("085#", unit.passes(1s)), Lines{});
 }
 
+TEST(TelegramLoss, IsNoneOfFramesOfAnRpdoThatMissedCyclesTakeOneByOne) {
+  for (const canopen::Duration stall : {20ms, 50ms, 90ms, 300ms}) {
+    TestUnit unit;
+    unit.start_operational();
+    unit.passes(1s);
+    // At rest, so that nothing but the age of the first frame tells how long the program was kept from running.
+    unit.now += stall;
+    unit.listener.waited = stall;
+    for (const char* const controlword : {"205#0600", "205#0700", "205#0F00"})
+      unit.device.on_frame(fakes::frame_of(controlword), unit.now);
+    EXPECT_EQ(unit.passes(0ms), at_rest(0x1637)) << "what the last cycle has led to, once";
+
+    EXPECT_EQ(from("085#", unit.passes(1s)), Lines{});
+    EXPECT_EQ(unit.device.lost_telegrams(), 0U);
+    EXPECT_EQ(unit.device.skipped_cycles(), stall > 100ms ? 50U : 0U);
+  }
+}
+
+TEST(TelegramLoss, IsNoneWhileTheMotorTurnsEither) {
+  TestUnit unit;
+  unit.turn_at(300.0, 1s);
+  unit.passes(8ms);
+
+  unit.now += 50ms;
+  for (const char* const frame : {"205#0E00", "205#0700", "205#0F00"})  // OFF1, and on again
+    unit.device.on_frame(fakes::frame_of(frame), unit.now);
+  unit.device.on_time(unit.now);
+
+  EXPECT_EQ(from("085#", unit.passes(1s)), Lines{});
+  EXPECT_EQ(unit.device.lost_telegrams(), 0U);
+}
+
+TEST(TelegramLoss, LeavesTogetherWhatOneSyncHasBrought) {
+  TestUnit unit;
+  unit.start();
+  ASSERT_EQ(unit.download(0x1400, 2, 1, 1), 0U);
+  unit.start_operational();
+  unit.passes(1s);
+
+  unit.now += 50ms;
+  unit.listener.waited = 50ms;
+  for (const char* const frame : {"205#0600", "080#", "205#0700", "080#", "205#0F00", "080#"})
+    unit.device.on_frame(fakes::frame_of(frame), unit.now);
+  unit.device.on_time(unit.now);
+
+  EXPECT_EQ(unit.statusword() & 0x6F, 0x27);
+}
+
+TEST(TelegramLoss, GivesACycleWhatCameBeforeOperationalWasLeft) {
+  TestUnit unit;
+  unit.start_operational();
+  for (const char* const controlword : {"205#0600", "205#0700"}) unit.cycles_with(controlword);
+
+  unit.now += 50ms;
+  unit.listener.waited = 50ms;
+  for (const char* const frame : {"205#0F00", "000#8005"}) unit.device.on_frame(fakes::frame_of(frame), unit.now);
+
+  EXPECT_EQ(unit.device.axis().actual().state, drive::State::FaultReactionActive) << "it was enabled";
+}
+
 TEST(TelegramLoss, CanBeMuted) {
   ControlUnit unit;
   unit.open(1);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,6 +27,8 @@ class FakePort final : public bus::Port {
   int polled = -1;             ///< descriptor that tests make readable
   std::uint64_t reopened = 0;  ///< calls of reopen()
 
+  std::optional<std::chrono::nanoseconds> arrival{};  ///< of what receive() delivers
+
   bus::SendStatus send(const canopen::Frame& frame) noexcept override {
     const bus::SendStatus status = rule ? rule(calls) : bus::SendStatus::Sent;
     ++calls;
@@ -38,6 +42,7 @@ class FakePort final : public bus::Port {
     arrived.pop_front();
     return {bus::Received::Frame, state};
   }
+  std::optional<std::chrono::nanoseconds> frame_arrival() const noexcept override { return arrival; }
   bus::ErrorState error_state() const noexcept override { return state; }
   std::uint64_t dropped() const noexcept override { return 0; }
   int descriptor() const noexcept override { return polled; }

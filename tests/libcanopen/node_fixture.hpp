@@ -29,6 +29,7 @@ class RecordingApplication final : public canopen::Application {
   }
   canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override {
     tell(told, "store " + std::to_string(sub_index));
+    if (deferring != nullptr) deferring->defer_answer();
     return storage_answer;
   }
   canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
@@ -36,6 +37,7 @@ class RecordingApplication final : public canopen::Application {
     return storage_answer;
   }
   canopen::Result<void> storage_answer{};
+  canopen::Node* deferring = nullptr;  ///< whose answer to a store is put off
 
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override {
     tell(told, std::string{name_of(from)} + " -> " + std::string{name_of(to)});

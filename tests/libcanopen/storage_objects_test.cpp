@@ -79,6 +79,43 @@ TEST_F(StorageObjects, AnswerWithTheRefusalOfTheApplication) {
   EXPECT_EQ(value_of(0x1010, 1), 3);
 }
 
+TEST_F(StorageObjects, AnswerLaterIfTheApplicationWantsThat) {
+  start();
+  application.deferring = &*node;
+  expect_dialogue({{"605#2310100173617665", ""}, {"605#2310100173617665", ""}});
+  told();
+
+  node->answer_deferred({}, now);
+
+  EXPECT_EQ(sent(), Lines{"585#6010100100000000"});
+  EXPECT_EQ(told(), Lines{}) << "the same request again is no other one";
+  node->answer_deferred({}, now);
+  EXPECT_EQ(sent(), Lines{});
+}
+
+TEST_F(StorageObjects, AnswerLaterWithARefusal) {
+  start();
+  application.deferring = &*node;
+  expect_dialogue({{"605#2110100104000000", "585#6010100100000000"}, {"605#0773617665000000", ""}});
+
+  node->answer_deferred(canopen::refuse(AbortCode::HardwareError), now);
+
+  EXPECT_EQ(sent(), Lines{"585#8010100100000606"});
+}
+
+TEST_F(StorageObjects, GiveAnAnswerUpThatIsNotWaitedFor) {
+  for (const char* const other : {"605#4010100100000000", "605#8010100100000405", "000#8205"}) {
+    start();
+    application.deferring = &*node;
+    expect_dialogue({{"605#2310100173617665", ""}});
+    says(other);
+
+    node->answer_deferred({}, now);
+
+    EXPECT_EQ(sent(), Lines{}) << other;
+  }
+}
+
 TEST(StorageObjectsOfASimpleApplication, AnswerThatNothingCanBeStored) {
   fakes::VectorBus bus;
   canopen::Application application;

@@ -56,8 +56,9 @@ tl::expected<std::string, std::string> read_line(const bus::Descriptor& socket) 
     if (size < 0 && errno == EINTR) continue;
     if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
       return Failure{fmt::format("no answer within {} s", kPatience.tv_sec)};
+    if (size == 0 || (size < 0 && errno == ECONNRESET))
+      return Failure{"the daemon closed the connection without an answer"};
     if (size < 0) return Failure{reason()};
-    if (size == 0) return Failure{"the daemon closed the connection without an answer"};
     const std::string_view got{part.data(), static_cast<std::size_t>(size)};
     const std::size_t end = got.find('\n');
     line.append(got.substr(0, end));
@@ -71,7 +72,8 @@ tl::expected<std::string, std::string> read_line(const bus::Descriptor& socket) 
 tl::expected<nlohmann::json, std::string> ask(const std::string& path, const Call& call) {
   const auto socket = connect_to(path);
   if (!socket) return Failure{socket.error()};
-  if (!send_all(*socket, control::request_line(kRequestId, call.method, call.params)))
+  // A daemon that closes the connection before it has read the request may have said why.
+  if (!send_all(*socket, control::request_line(kRequestId, call.method, call.params)) && errno != EPIPE)
     return Failure{fmt::format("{}: {}", path, reason())};
   const auto line = read_line(*socket);
   if (!line) return Failure{fmt::format("{}: {}", path, line.error())};

@@ -5,6 +5,7 @@
 #include "bus/address.hpp"
 #include "tools/axisctl/client.hpp"
 #include "tools/axisctl/command_line.hpp"
+#include "tools/axisctl/printable.hpp"
 
 namespace {
 
@@ -33,12 +34,13 @@ int run(Invocation& invocation) {
   const auto path = axisctl::choose_socket(invocation.address);
   if (!path) return error(path.error().several ? kUsage : kFailure, path.error().message);
   const auto result = axisctl::ask(*path, {command.method, *parameters});
-  if (!result) return error(kFailure, axisctl::in_words_of(command, result.error()));
+  if (!result) return error(kFailure, axisctl::printable(axisctl::in_words_of(command, result.error())));
   if (invocation.json)
-    std::cout << *result << '\n';
+    std::cout << axisctl::printable(result->dump()) << '\n';
   else
-    command.print(std::cout, *result);
-  return kSuccess;
+    command.print(std::cout, axisctl::printable_values(*result));
+  std::cout.flush();
+  return std::cout ? kSuccess : kFailure;
 }
 
 }  // namespace

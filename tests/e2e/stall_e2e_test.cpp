@@ -1,0 +1,71 @@
+// A computer that keeps the daemon from running for a while: masters must not notice more than that it was late.
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "tests/e2e/bus_sdo_client.hpp"
+#include "tests/e2e/daemon_process.hpp"
+
+namespace e2e {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Milliseconds from the signal that stops the daemon to the one that lets it go on.
+struct Stall : testing::TestWithParam<std::chrono::milliseconds> {
+  static constexpr int kTries = 20;
+  static constexpr std::chrono::milliseconds kBetweenFrames{10};
+
+  void SetUp() override { ASSERT_TRUE(daemon.is_ready()); }
+  /// Stops the daemon and waits until it stands.
+  void stop() const {
+    daemon_signal(SIGSTOP);
+    const std::string path = "/proc/" + std::to_string(daemon.program().id()) + "/stat";
+    const auto stands = [&] {
+      std::string text;
+      std::getline(std::ifstream{path}, text);
+      return text.find(") T ") != std::string::npos;
+    };
+    while (!stands()) std::this_thread::yield();
+  }
+  void daemon_signal(int signal) const { daemon.program().signal(signal); }
+
+  CanClient can{kTestInterface};
+  mutable DaemonProcess daemon;
+};
+
+TEST_P(Stall, TakesNoControlwordOfAStartAway) {
+  can.send("000#0105");
+  ASSERT_TRUE(wait_for_state(can, kSwitchOnDisabled));
+  int enabled = 0;
+  for (int i = 0; i < kTries; ++i) {
+    // The drive rests by now, or it does not: both must be right.
+    if (i % 2 == 0) std::this_thread::sleep_for(5 * kBetweenFrames);
+    can.forget();
+
+    const auto begin = std::chrono::steady_clock::now();
+    stop();
+    auto next = begin;
+    for (const char* const controlword : {"205#0600", "205#0700", "205#0F00"}) {
+      std::this_thread::sleep_until(next);
+      can.send(controlword);
+      next += kBetweenFrames;
+    }
+    std::this_thread::sleep_until(begin + GetParam());
+    daemon_signal(SIGCONT);
+
+    ASSERT_TRUE(wait_for_state(can, kOperationEnabled)) << "try " << i;
+    ++enabled;
+    can.send("205#0000");
+    ASSERT_TRUE(wait_for_state(can, kSwitchOnDisabled));
+  }
+  EXPECT_EQ(enabled, kTries);
+  EXPECT_EQ(daemon.bus_counter("lost_telegrams"), 0U);
+}
+INSTANTIATE_TEST_SUITE_P(Ms, Stall, testing::Values(20ms, 50ms, 90ms),
+                         [](const auto& test) { return std::to_string(test.param.count()); });
+
+}  // namespace
+}  // namespace e2e
