@@ -80,7 +80,7 @@ bool is_socket_name(std::string_view file_name) noexcept {
   int node = 0;
   const char* const end = middle.data() + middle.size();
   const auto [rest, error] = std::from_chars(middle.data() + dash + 1, end, node);
-  return error == std::errc{} && rest == end && node >= 1 && node <= kHighestNode;
+  return error == std::errc{} && rest == end && node >= 0 && node <= kHighestNode;
 }
 
 tl::expected<sockaddr_un, std::string> socket_address(std::string_view path) {

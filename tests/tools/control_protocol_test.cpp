@@ -43,8 +43,9 @@ TEST_F(ControlSocketPath, LiesInRunOrTmpWithoutEnvironment) {
 TEST(ControlSocketName, IsRecognised) {
   EXPECT_TRUE(control::is_socket_name("axisd-vcan0-2.sock"));
   EXPECT_TRUE(control::is_socket_name("axisd-my-can-127.sock"));
+  EXPECT_TRUE(control::is_socket_name("axisd-vcan0-0.sock"));
   for (const char* other :
-       {"axisd-vcan0.sock", "axisd--2.sock", "axisd-vcan0-.sock", "axisd-vcan0-0.sock", "axisd-vcan0-128.sock",
+       {"axisd-vcan0.sock", "axisd--2.sock", "axisd-vcan0-.sock", "axisd-vcan0-x.sock", "axisd-vcan0-128.sock",
         "axisd-vcan0-2x.sock", "axisd-vcan0-2.lock", "axisd.sock", "axisd-.sock", "xaxisd-vcan0-2.sock", ""})
     EXPECT_FALSE(control::is_socket_name(other)) << other;
 }

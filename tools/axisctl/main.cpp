@@ -36,8 +36,9 @@ void add_options(CLI::App& app, Invocation& invocation) {
   app.add_option("--interface", invocation.interface,
                  "Interface of the daemon, a name or a URL as it was told (default vcan0)")
       ->type_name("IF");
-  app.add_option("--node-id", invocation.address.node, "Node-ID of the daemon (default 2)")
-      ->check(CLI::Range(1, kHighestNode))
+  app.add_option("--node-id", invocation.address.node,
+                 "Node-ID of the daemon as it was told, 0 where p8620 gives it (default 2)")
+      ->check(CLI::Range(0, kHighestNode))
       ->type_name("N");
   app.add_flag("--json", invocation.json, "Print the result as one line of JSON");
 }
