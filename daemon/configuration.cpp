@@ -16,7 +16,7 @@
 namespace axisd {
 namespace {
 
-constexpr int kFirstNodeId = 1;
+constexpr int kFirstNodeId = kAddressSwitchOff;
 constexpr int kLastNodeId = 127;
 constexpr std::array kAxisNames{"X", "Y", "Z", "A", "B", "C", "U", "V"};
 static_assert(kAxisNames.size() == drive::kMostAxes);

@@ -22,6 +22,9 @@ struct ConfigurationError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Position of the address switch in which p8620 is the node-ID.
+inline constexpr int kAddressSwitchOff = 0;
+
 /// A value for a parameter, in the parameter's own unit.
 struct ParameterValue {
   std::uint16_t number;
@@ -47,12 +50,12 @@ std::vector<AxisConfiguration> default_axes(std::size_t count);
 /// The whole unit: defaults, then the file, then the command line.
 struct Configuration {
   bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
-  int node_id = 2;
-  std::vector<AxisConfiguration> axes = default_axes(1);  ///< 1..drive::kMostAxes
-  std::vector<ParameterValue> parameters;                 ///< key "parameters", of the control unit
-  motor::SupplyData supply{};                             ///< key "supply"
-  bool sdo_block = false;                                 ///< key "sdo_block"
-  bool fault_on_leaving_operational = true;               ///< key "f08701"
+  int node_id = 2;                                               ///< the address switch, 0..127
+  std::vector<AxisConfiguration> axes = default_axes(1);         ///< 1..drive::kMostAxes
+  std::vector<ParameterValue> parameters;                        ///< key "parameters", of the control unit
+  motor::SupplyData supply{};                                    ///< key "supply"
+  bool sdo_block = false;                                        ///< key "sdo_block"
+  bool fault_on_leaving_operational = true;                      ///< key "f08701"
 };
 
 /// Reads @p text, the content of configuration file @p file; throws ConfigurationError.

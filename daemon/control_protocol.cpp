@@ -80,7 +80,7 @@ std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept
   int node = 0;
   const char* const end = middle.data() + middle.size();
   const auto [rest, error] = std::from_chars(middle.data() + dash + 1, end, node);
-  if (error != std::errc{} || rest != end || node < 1 || node > kHighestNode) return std::nullopt;
+  if (error != std::errc{} || rest != end || node < 0 || node > kHighestNode) return std::nullopt;
   return SocketName{middle.substr(0, dash), node};
 }
 

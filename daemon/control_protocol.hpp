@@ -68,7 +68,8 @@ static_assert(std::is_sorted(kMethods.begin(), kMethods.end(),
 
 /// Folder of the control sockets: the first of $RUNTIME_DIRECTORY, $XDG_RUNTIME_DIR, /run for root, /tmp.
 [[nodiscard]] std::string runtime_directory();
-/// Path of the control socket of the daemon with node-ID @p node on the bus whose bus::label() is @p label.
+/// Path of the control socket of the daemon with address switch @p node (0..127: its node-ID, or 0) on the bus
+/// whose bus::label() is @p label.
 [[nodiscard]] std::string default_socket_path(std::string_view label, int node);
 /// What the name of a control socket says of its daemon.
 struct SocketName {

@@ -32,8 +32,11 @@ device::AxisSetup setup_of(const AxisConfiguration& axis) {
           .presets = presets_of(axis.parameters)};
 }
 
-device::Configuration device_configuration(const Configuration& configuration, const bus::Port& port) {
+/// What is saved in @p folder is read where the address switch stands at 0.
+device::Configuration device_configuration(const Configuration& configuration, const bus::Port& port,
+                                           const std::filesystem::path& folder, const Log& log) {
   device::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
+                               .address_switch_off = configuration.node_id == kAddressSwitchOff,
                                .axes = {},
                                .presets = presets_of(configuration.parameters),
                                .supply = configuration.supply,
@@ -41,6 +44,8 @@ device::Configuration device_configuration(const Configuration& configuration, c
                                .fault_on_leaving_operational = configuration.fault_on_leaving_operational,
                                .remote_frames = port.carries_remote_frames()};
   for (const AxisConfiguration& axis : configuration.axes) result.axes.push_back(setup_of(axis));
+  if (result.address_switch_off)
+    result.node_id = device::address_without_switch(result, UnitMemory::saved_parameters(folder, log));
   return result;
 }
 
@@ -61,10 +66,11 @@ Daemon::Daemon(const Configuration& configuration, const std::filesystem::path& 
       lock_{state_root, configuration.address, configuration.node_id},
       bus_{bus::open(configuration.address)},
       loop_{*bus_.port, *this},
-      device_{device_configuration(configuration, *bus_.port), loop_.queue(), *this},
+      device_{device_configuration(configuration, *bus_.port, lock_.directory(), log), loop_.queue(), *this},
       events_{[this] { stop(); }},
       memory_{lock_.directory(), device_, events_, log},
       load_torques_{load_torques(configuration)} {
+  if (configuration.node_id == kAddressSwitchOff) lock_.serve(configuration.address, device_.node_id());
   memory_.load();
   loop_.watch(events_.descriptor());
   link_source_ = events_.watch(bus_.link->descriptor(), EPOLLIN, &Daemon::on_link, this);
@@ -124,8 +130,8 @@ void Daemon::tell_ready() noexcept {
   const bus::TransmitQueue& queue = loop_.queue();
   if (!loop_.is_open() || queue.waiting() != 0 || queue.counters().sent == sent_before_boot_up_) return;
   ready_told_ = true;
-  log_.info("ready: node {} on {}", configuration_.node_id, bus_name());
-  sd_notifyf(0, "READY=1\nSTATUS=node %d on %s", configuration_.node_id, bus_name().c_str());
+  log_.info("ready: node {} on {}", device_.node_id(), bus_name());
+  sd_notifyf(0, "READY=1\nSTATUS=node %d on %s", int{device_.node_id()}, bus_name().c_str());
 }
 
 int Daemon::on_link(sd_event_source*, int, std::uint32_t, void* self) noexcept {
@@ -173,7 +179,7 @@ void Daemon::link_up() noexcept {
   memory_.raise_faults();
   if (ready_told_) {
     log_.notice("{} is up again", bus_name());
-    sd_notifyf(0, "STATUS=node %d on %s", configuration_.node_id, bus_name().c_str());
+    sd_notifyf(0, "STATUS=node %d on %s", int{device_.node_id()}, bus_name().c_str());
   } else {
     tell_ready();
   }
@@ -226,7 +232,7 @@ void Daemon::on_foreign_frame(std::uint32_t identifier) noexcept {
   if (foreign_frames_ != 1 && now - foreign_logged_ < kRepeatedLogPeriod) return;
   foreign_logged_ = now;
   log_.warning("{}: identifier {:03X}h came from another station: duplicate node-ID {}?", bus_name(), identifier,
-               configuration_.node_id);
+               device_.node_id());
 }
 
 void Daemon::on_life_guarding_withheld() noexcept {

@@ -19,6 +19,10 @@ std::string in_use(const bus::Address& address, int node_id) {
   return fmt::format("{}: node {} is served by another axisd", address.text, node_id);
 }
 
+std::string lock_of(const bus::Address& address, int node_id) {
+  return fmt::format("axisd/{}/{}", bus::label(address), node_id);
+}
+
 /// Throws for the present errno, which is @p taken if another instance holds the lock on @p what.
 [[noreturn]] void fail_to_lock(const std::string& what, int taken, const std::string& busy) {
   throw InstanceError{errno == taken ? busy : fmt::format("{}: cannot be locked: {}", what, std::strerror(errno))};
@@ -81,7 +85,11 @@ InstanceLock::InstanceLock(const std::filesystem::path& root, const bus::Address
     throw InstanceError{fmt::format("{}: cannot be created: {}", directory_.string(), std::strerror(error))};
   const std::string busy = in_use(address, node_id);
   folder_ = lock_folder(directory_, busy);
-  name_ = lock_name(fmt::format("axisd/{}/{}", bus::label(address), node_id), busy);
+  name_ = lock_name(lock_of(address, node_id), busy);
+}
+
+void InstanceLock::serve(const bus::Address& address, int node_id) {
+  served_name_ = lock_name(lock_of(address, node_id), in_use(address, node_id));
 }
 
 }  // namespace axisd

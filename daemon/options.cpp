@@ -50,7 +50,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
                  "CAN interface, unix:PATH, udp-multicast://GROUP:PORT[?interface=NAME] or "
                  "socketcand://HOST:PORT/NAME (default: vcan0)")
       ->type_name("IF");
-  app.add_option("--node-id", node_id, "node-ID, 1 to 127 (default: 2)")->type_name("N");
+  app.add_option("--node-id", node_id, "node-ID, 1 to 127, or 0 for that of p8620 (default: 2)")->type_name("N");
   app.add_option("--axes", axes, "number of axes, 1 to 8 (default: those of the configuration file, else 1)")
       ->type_name("N");
   app.add_option("--state-directory", options.state_directory, "where the unit keeps its state")->type_name("DIR");
@@ -67,7 +67,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
     throw UsageError{std::string{error.what()} + " (see axisd --help)"};
   }
   options.log_level = level_named(level);
-  if (node_id) options.node_id = integer_of("--node-id", *node_id, "1 to 127");
+  if (node_id) options.node_id = integer_of("--node-id", *node_id, "0 to 127");
   if (axes) options.axes = integer_of("--axes", *axes, "1 to 8");
   return options;
 }

@@ -100,7 +100,7 @@ json bus_status(const Daemon& daemon) {
 json status_of(const Daemon& daemon) {
   return {{"version", kVersion},
           {"interface", daemon.configuration().address.text},
-          {"node_id", daemon.configuration().node_id},
+          {"node_id", daemon.device().node_id()},
           {"nmt_state", canopen::name_of(daemon.device().node().state())},
           {"uptime_s", daemon.uptime_s()},
           {"bus", bus_status(daemon)},

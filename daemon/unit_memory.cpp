@@ -16,6 +16,7 @@ namespace {
 constexpr std::uint16_t kMemoryFault = 1002;
 constexpr std::uint32_t kParametersValue = 100, kRetainedValue = 200;
 constexpr std::size_t kControlUnit = 0;
+constexpr const char* kParametersName = "parameters.bin";
 
 std::size_t longest_image(const drive::DriveUnit& unit) noexcept {
   return std::max(drive::storage_image::size(unit), drive::retained_image::size(unit));
@@ -27,10 +28,15 @@ UnitMemory::UnitMemory(const std::filesystem::path& folder, device::Device& devi
                        const Log& log)
     : log_{log},
       device_{device},
-      parameters_{.file = {folder, "parameters.bin", log}, .number = kParametersValue},
+      parameters_{.file = {folder, kParametersName, log}, .number = kParametersValue},
       retained_{.file = {folder, "retained.bin", log}, .number = kRetainedValue},
       writer_{longest_image(device.unit())},
       ended_{events.watch(writer_.descriptor(), EPOLLIN, &UnitMemory::on_ended, this)} {}
+
+std::vector<std::byte> UnitMemory::saved_parameters(const std::filesystem::path& folder, const Log& log) {
+  auto content = StateFile{folder, kParametersName, log}.read();
+  return content && *content ? *std::move(*content) : std::vector<std::byte>{};
+}
 
 void UnitMemory::load() {
   load(parameters_, [this](std::span<const std::byte> image) { return device_.load_parameters(image); });

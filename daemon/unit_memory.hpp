@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "daemon/retention_schedule.hpp"
 #include "daemon/service_events.hpp"
@@ -24,6 +25,8 @@ class UnitMemory {
   /// The files in @p folder, which exists; all arguments must outlive this. Throws std::system_error.
   UnitMemory(const std::filesystem::path& folder, device::Device& device, ServiceEvents& events, const Log& log);
 
+  /// The saved parameters in @p folder, as they are; empty if there are none that can be read.
+  static std::vector<std::byte> saved_parameters(const std::filesystem::path& folder, const Log& log);
   /// Hands what the files hold to the unit, which has not been started yet.
   void load();
   /// Once the unit is on the bus: F01002 of the control unit for each file that is not in use (fault value: see

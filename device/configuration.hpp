@@ -22,7 +22,8 @@ struct AxisSetup {
 
 /// What the unit is made of.
 struct Configuration {
-  std::uint8_t node_id = 2;                  ///< 1..127
+  std::uint8_t node_id = 2;                  ///< in force, 1..127
+  bool address_switch_off = false;           ///< the switch stands at 0: node_id is p8620 as it was at power-on
   std::vector<AxisSetup> axes{AxisSetup{}};  ///< 1..drive::kMostAxes
   std::vector<ParameterPreset> presets{};    ///< of the control unit: saved parameters within their limits
   motor::SupplyData supply{};                ///< of the DC link that feeds all axes
@@ -33,7 +34,10 @@ struct Configuration {
 
 /// What the drive unit behind it is made of.
 [[nodiscard]] inline drive::UnitConfiguration unit_configuration(const Configuration& configuration) {
-  drive::UnitConfiguration unit{.axes = {}, .node_id = configuration.node_id, .supply = configuration.supply};
+  drive::UnitConfiguration unit{.axes = {},
+                                .node_id = configuration.node_id,
+                                .address_switch_off = configuration.address_switch_off,
+                                .supply = configuration.supply};
   for (const AxisSetup& axis : configuration.axes) unit.axes.push_back(axis.drive);
   return unit;
 }

@@ -38,6 +38,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
     : configuration_{configuration},
       sink_{sink},
       listener_{listener},
+      address_{configuration, parameters_},
       unit_{unit_configuration(configuration), &parameters_},
       storage_{unit_, parameters_, listener},
       retained_(drive::retained_image::size(unit_)),

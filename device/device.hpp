@@ -13,6 +13,7 @@
 #include "device/error_objects.hpp"
 #include "device/indicator_leds.hpp"
 #include "device/mirrored_parameters.hpp"
+#include "device/node_address.hpp"
 #include "device/object_rows.hpp"
 #include "device/parameter_storage.hpp"
 #include "device/parameter_window.hpp"
@@ -113,6 +114,8 @@ class Device final : private canopen::Application,
   /// Frames that had arrived were lost before on_frame(): A08751.
   void on_frames_lost(canopen::TimePoint now) noexcept;
 
+  /// The address in force.
+  std::uint8_t node_id() const noexcept { return configuration_.node_id; }
   const canopen::Node& node() const noexcept { return node_; }
   const drive::DriveUnit& unit() const noexcept { return unit_; }
   /// Axis @p number (1..axes).
@@ -193,6 +196,7 @@ class Device final : private canopen::Application,
   Nowhere nowhere_;
   Listener& listener_;
   UnitParameters parameters_;
+  NodeAddress address_;
   drive::DriveUnit unit_;
   ParameterStorage storage_;
   std::vector<std::byte> retained_;

@@ -30,6 +30,7 @@ ObjectContext control_unit_context(const UnitConfiguration& configuration) noexc
   ObjectContext context{};
   context.kind = ObjectKind::ControlUnit;
   context.node_id = configuration.node_id;
+  context.address_switch_off = configuration.address_switch_off;
   context.axis_count = static_cast<std::uint8_t>(configuration.axes.size());
   std::transform(configuration.axes.begin(), configuration.axes.end(), context.axes.begin(),
                  [](const AxisConfiguration& axis) { return axis.kind; });

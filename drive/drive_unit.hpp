@@ -33,8 +33,9 @@ class Wiring;
 /// What the unit is made of.
 struct UnitConfiguration {
   std::vector<AxisConfiguration> axes{AxisConfiguration{}};  ///< 1..8
-  std::uint8_t node_id = 0;    ///< CANopen address by the address switch, 1..127; 0 = p8620 counts
-  motor::SupplyData supply{};  ///< of the DC link that feeds all axes
+  std::uint8_t node_id = 0;                                  ///< CANopen address in force, 1..127; 0 = not known
+  bool address_switch_off = false;  ///< p8620 can be written: the address switch stands at 0
+  motor::SupplyData supply{};       ///< of the DC link that feeds all axes
 };
 
 /// The drive unit: control unit and axes with their parameters and messages, reached by drive object number

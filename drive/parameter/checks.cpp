@@ -110,7 +110,8 @@ std::optional<Refusal> acknowledge_only(const DriveObject&, std::size_t index, d
 }
 
 std::optional<Refusal> address_switch_off(const DriveObject& object, std::size_t, double) noexcept {
-  return refuse_unless(object.context().node_id == 0, Refusal::Deactivated);
+  const ObjectContext& context = object.context();
+  return refuse_unless(context.node_id == 0 || context.address_switch_off, Refusal::Deactivated);
 }
 
 std::optional<Refusal> server_cob_id(const DriveObject&, std::size_t index, double value) noexcept {

@@ -30,7 +30,7 @@ std::optional<Refusal> heartbeat_off(const DriveObject& object, std::size_t inde
 std::optional<Refusal> guarding_off(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8611: only index 0 takes a value, and only 0.
 std::optional<Refusal> acknowledge_only(const DriveObject& object, std::size_t index, double value) noexcept;
-/// p8620: an address that the configuration gives cannot be written.
+/// p8620: an address that the address switch gives cannot be written.
 std::optional<Refusal> address_switch_off(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8612: 601h..67Fh and 581h..5FFh, or bit 31.
 std::optional<Refusal> server_cob_id(const DriveObject& object, std::size_t index, double value) noexcept;

@@ -69,7 +69,7 @@ double entry_of(const Mapping& mapping, const ObjectContext& context, std::size_
 
 double node_id(const ObjectContext& context, std::size_t) noexcept {
   constexpr double kUnset = 126.0;
-  return context.node_id != 0 ? context.node_id : kUnset;
+  return context.node_id != 0 && !context.address_switch_off ? context.node_id : kUnset;
 }
 double identity(const ObjectContext&, std::size_t index) noexcept {
   return kIdentity[index];

@@ -37,11 +37,12 @@ inline constexpr Range kWhole{-3.4e38, 3.4e38};
 /// What the factory values of a drive object depend on.
 struct ObjectContext {
   ObjectKind kind = ObjectKind::Servo;
-  std::uint8_t module = 0;                         ///< of an axis: 0..7 in the order of the configuration
-  std::uint8_t node_id = 0;                        ///< CANopen address, 1..127; 0 = not known
-  AxisConfiguration axis{};                        ///< of an axis
-  motor::SupplyData supply{};                      ///< of an axis: the DC link that it shares
-  std::array<ObjectKind, kMostAxes> axes{};        ///< of the control unit: the kinds of the unit's axes
+  std::uint8_t module = 0;                   ///< of an axis: 0..7 in the order of the configuration
+  std::uint8_t node_id = 0;                  ///< CANopen address, 1..127; 0 = not known
+  bool address_switch_off = false;           ///< of the control unit: p8620 is the address of the next power-on
+  AxisConfiguration axis{};                  ///< of an axis
+  motor::SupplyData supply{};                ///< of an axis: the DC link that it shares
+  std::array<ObjectKind, kMostAxes> axes{};  ///< of the control unit: the kinds of the unit's axes
   std::array<std::uint32_t, kMostAxes> modules{};  ///< and their function modules
   std::uint8_t axis_count = 0;                     ///< of the control unit
 };

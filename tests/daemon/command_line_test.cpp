@@ -47,7 +47,7 @@ TEST_F(Program, ListsEveryOptionInItsHelp) {
 TEST_F(Program, RefusesACommandLineItDoesNotUnderstand) {
   expect_refusal({"--bogus"}, 2, "The following argument was not expected: --bogus (see axisd --help)");
   expect_refusal({"vcan0"}, 2, "The following argument was not expected: vcan0 (see axisd --help)");
-  expect_refusal({"--node-id", "five"}, 2, "--node-id: expected an integer 1 to 127, got \"five\"");
+  expect_refusal({"--node-id", "five"}, 2, "--node-id: expected an integer 0 to 127, got \"five\"");
 }
 
 TEST_F(Program, RefusesAnUnknownLogLevelInOneLine) {
@@ -59,8 +59,8 @@ TEST_F(Program, RefusesAnUnknownLogLevelInOneLine) {
 }
 
 TEST_F(Program, RefusesValuesOutOfRange) {
-  expect_refusal({"--node-id", "0"}, 2, "--node-id: expected an integer 1 to 127, got 0");
-  expect_refusal({"--node-id", "128"}, 2, "--node-id: expected an integer 1 to 127, got 128");
+  expect_refusal({"--node-id", "-1"}, 2, "--node-id: expected an integer 0 to 127, got -1");
+  expect_refusal({"--node-id", "128"}, 2, "--node-id: expected an integer 0 to 127, got 128");
   expect_refusal({"--axes", "0"}, 2, "--axes: expected an integer 1 to 8, got 0");
   expect_refusal({"--axes", "9"}, 2, "--axes: expected an integer 1 to 8, got 9");
 }
@@ -79,8 +79,8 @@ TEST_F(Program, RefusesABadConfigurationInOneLine) {
   std::ofstream{file} << R"({"node_id": 200})";
 
   expect_refusal({"--check-config", "--config", file}, 2,
-                 file + ": /node_id: expected an integer 1 to 127, got 200");
-  expect_refusal({"--config", file}, 2, file + ": /node_id: expected an integer 1 to 127, got 200");
+                 file + ": /node_id: expected an integer 0 to 127, got 200");
+  expect_refusal({"--config", file}, 2, file + ": /node_id: expected an integer 0 to 127, got 200");
   expect_refusal({"--check-config", "--config", folder.path()}, 2,
                  folder.path() + ": cannot be read: Is a directory");
 }

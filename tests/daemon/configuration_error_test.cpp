@@ -94,12 +94,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"interface": "udp-multicast://10.0.0.1:43113"})",
                 "node.json: /interface: expected a multicast group, 224.0.0.0 to 239.255.255.255 or [ff00::] to "
                 "[ffff:...], got \"udp-multicast://10.0.0.1:43113\""},
-        BadFile{R"({"node_id": "5"})", "node.json: /node_id: expected an integer 1 to 127, got \"5\""},
-        BadFile{R"({"node_id": 5.5})", "node.json: /node_id: expected an integer 1 to 127, got 5.5"},
-        BadFile{R"({"node_id": 0})", "node.json: /node_id: expected an integer 1 to 127, got 0"},
-        BadFile{R"({"node_id": 128})", "node.json: /node_id: expected an integer 1 to 127, got 128"},
+        BadFile{R"({"node_id": "5"})", "node.json: /node_id: expected an integer 0 to 127, got \"5\""},
+        BadFile{R"({"node_id": 5.5})", "node.json: /node_id: expected an integer 0 to 127, got 5.5"},
+        BadFile{R"({"node_id": -1})", "node.json: /node_id: expected an integer 0 to 127, got -1"},
+        BadFile{R"({"node_id": 128})", "node.json: /node_id: expected an integer 0 to 127, got 128"},
         BadFile{R"({"node_id": 18446744073709551615})",
-                "node.json: /node_id: expected an integer 1 to 127, got 18446744073709551615"},
+                "node.json: /node_id: expected an integer 0 to 127, got 18446744073709551615"},
         BadFile{R"({"sdo_block": 1})", "node.json: /sdo_block: expected true or false, got 1"},
         BadFile{R"({"f08701": "no"})", "node.json: /f08701: expected true or false, got \"no\""},
         BadFile{R"({"axes": {}})", "node.json: /axes: expected an array of 1 to 8, got {}"},
@@ -118,8 +118,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /axes/0/setpoint_channel: expected true or false, got 0"},
         BadFile{R"({"axes": [{"type": "vector", "setpoint_channel": false}]})",
                 "node.json: /axes/0/setpoint_channel: expected true, which a vector axis always has, got false"},
-        BadFile{R"({"axes": [{"setpoint_channel": false, "parameters": {"p1120": 1}}]})",
-                "node.json: /axes/0/parameters/p1120: expected no p1120, which this axis is delivered without, got 1"},
+        BadFile{
+            R"({"axes": [{"setpoint_channel": false, "parameters": {"p1120": 1}}]})",
+            "node.json: /axes/0/parameters/p1120: expected no p1120, which this axis is delivered without, got 1"},
         BadFile{R"({"axes": [{"name": 1}]})", "node.json: /axes/0/name: expected a string, got 1"},
         BadFile{R"({"axes": [{"type": "infeed"}]})",
                 "node.json: /axes/0/type: expected servo or vector, got \"infeed\""},
@@ -335,13 +336,13 @@ TEST(ConfigurationFile, ThatIsAFolderIsNamed) {
 
 TEST(CommandLineValues, OutOfRangeAreRefused) {
   EXPECT_EQ(message_of([] {
-              configuration_of({"--node-id", "0"});
+              configuration_of({"--node-id", "-1"});
             }),
-            "--node-id: expected an integer 1 to 127, got 0");
+            "--node-id: expected an integer 0 to 127, got -1");
   EXPECT_EQ(message_of([] {
               configuration_of({"--node-id", "128"});
             }),
-            "--node-id: expected an integer 1 to 127, got 128");
+            "--node-id: expected an integer 0 to 127, got 128");
   EXPECT_EQ(message_of([] { configuration_of({"--axes", "9"}); }), "--axes: expected an integer 1 to 8, got 9");
   EXPECT_EQ(message_of([] {
               configuration_of({"--interface", "with space"});

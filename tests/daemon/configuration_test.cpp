@@ -307,5 +307,10 @@ TEST(Configuration, OfAFileIsOverriddenByTheCommandLine) {
   EXPECT_FALSE(overridden.fault_on_leaving_operational);
 }
 
+TEST(Configuration, TakesAnAddressSwitchAtZero) {
+  EXPECT_EQ(parse(R"({"node_id": 0})").node_id, kAddressSwitchOff);
+  EXPECT_EQ(configuration_of({"--node-id", "0"}).node_id, kAddressSwitchOff);
+}
+
 }  // namespace
 }  // namespace axisd

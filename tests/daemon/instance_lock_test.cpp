@@ -80,6 +80,19 @@ TEST(InstanceLock, LeavesOtherNodesAlone) {
   EXPECT_EQ(refusal(root.path(), 6), "granted");
 }
 
+TEST(InstanceLock, OfAnAddressSwitchAtZeroGuardsTheNodeThatIsServedToo) {
+  const fakes::TemporaryDirectory root;
+  InstanceLock lock{root.path(), address(), 0};
+  EXPECT_EQ(lock.directory(), root.path() + "/" + interface() + "-0");
+  lock.serve(address(), 7);
+
+  EXPECT_EQ(refusal(root.path(), 0), in_use(0));
+  EXPECT_EQ(refusal(root.path(), 7), in_use(7));
+  EXPECT_EQ(refusal(root.path(), 8), "granted");
+  const InstanceLock other{root.path(), address(), 9};
+  EXPECT_THROW(lock.serve(address(), 9), InstanceError);
+}
+
 TEST(InstanceLock, EndsWithTheInstance) {
   const fakes::TemporaryDirectory root;
   std::optional<InstanceLock> lock;

@@ -291,7 +291,7 @@ TEST_F(Axisctl, RefusesWrongUsage) {
       {"input", "2"},
       {"input", "two", "on"},
       {"input", "2", "1"},
-      {"--node-id", "0", "status"},
+      {"--node-id", "-1", "status"},
       {"--node-id", "128", "status"},
       {"--node-id", "two", "status"},
       {"--socket"},

@@ -49,8 +49,11 @@ TEST(ControlSocketName, IsRecognised) {
   ASSERT_TRUE(with_dash);
   EXPECT_EQ(with_dash->label, "my-can");
   EXPECT_EQ(with_dash->node, 127);
+  const auto switched_off = control::parse_socket_name("axisd-vcan0-0.sock");
+  ASSERT_TRUE(switched_off);
+  EXPECT_EQ(switched_off->node, 0);
   for (const char* other :
-       {"axisd-vcan0.sock", "axisd--2.sock", "axisd-vcan0-.sock", "axisd-vcan0-0.sock", "axisd-vcan0-128.sock",
+       {"axisd-vcan0.sock", "axisd--2.sock", "axisd-vcan0-.sock", "axisd-vcan0-x.sock", "axisd-vcan0-128.sock",
         "axisd-vcan0-2x.sock", "axisd-vcan0-2.lock", "axisd.sock", "axisd-.sock", "xaxisd-vcan0-2.sock", ""})
     EXPECT_FALSE(control::parse_socket_name(other)) << other;
 }

@@ -50,8 +50,9 @@ void CommandLine::add_options() {
   app_.add_option("--interface", invocation_.interface,
                   "Interface of the daemon, a name or a URL as it was told; may be left out if one daemon runs")
       ->type_name("IF");
-  app_.add_option("--node-id", invocation_.address.node, "Node-ID of the daemon; the same")
-      ->check(CLI::Range(1, kHighestNode))
+  app_.add_option("--node-id", invocation_.address.node,
+                  "Node-ID of the daemon as it was told, 0 where p8620 gives it; the same")
+      ->check(CLI::Range(0, kHighestNode))
       ->type_name("N");
   app_.add_flag("--json", invocation_.json, "Print the result as one line of JSON");
 }

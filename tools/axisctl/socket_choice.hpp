@@ -11,7 +11,7 @@ namespace axisctl {
 struct Address {
   std::optional<std::string> socket;  ///< path of the control socket; the rest is then of no account
   std::optional<std::string> label;   ///< bus::label() of the daemon's interface
-  std::optional<int> node;            ///< its node-ID, 1..127
+  std::optional<int> node;            ///< its address switch: the node-ID, 1..127, or 0
 };
 
 /// Why there is no socket to talk to.
