@@ -28,25 +28,27 @@ class Case:
 PYTHON = [
     Case(None, texts=['the EDS calls no transmission type writable', 'which maps nothing, cannot be enabled'],
          options=['--verbose']),
-    Case('late-abort', options=['--only', 'device,sdo', '--verbose'], texts=['answers no request']),
-    Case('empty-segments', ['sdo.test'], options=['--only', 'device,sdo']),
-    Case('oversize', ['sdo.test'], options=['--only', 'device,sdo']),
+    Case('late-abort', options=['--only', 'device', '--verbose'], texts=['answers no request']),
+    Case('empty-segments', ['device.readable'], options=['--only', 'device'],
+         texts=['2003h:00: expected a value, found an upload does not end: 8 segments without data']),
+    Case('oversize', ['device.readable'], options=['--only', 'device'],
+         texts=['2003h:00: expected a value, found an upload does not end after the 4 bytes that are announced']),
     Case('consumer-crash', ['device.write-back'], options=['--only', 'device.write-back,nmt,sdo'],
          texts=['1016h:01: expected the node behind the check', 'further checks: the node is gone since device.write-back']),
     Case('no-boot-up', ['nmt.boot-up-after-reset-node', 'nmt.boot-up-after-reset-communication'],
-         options=['--only', 'nmt,robustness.resets'], texts=['the node sends no boot-up message']),
+         options=['--only', 'nmt.boot-up,nmt.pre,nmt.reset'], texts=['the node sends no boot-up message']),
 ]
 NODE = [
     Case(None),
-    Case('long-commands', options=['--only', 'nmt', '--verbose'], texts=['note: a Stop of 8 bytes is obeyed']),
-    Case('short-requests', options=['--only', 'sdo', '--verbose'],
+    Case('long-commands', options=['--only', 'nmt.wrong-length,nmt.other,nmt.unknown', '--verbose'], texts=['note: a Stop of 8 bytes is obeyed']),
+    Case('short-requests', options=['--only', 'sdo.short-request,sdo.remote-request,sdo.other-nodes', '--verbose'],
          texts=['note: requests of 0, 1, 2, 3, 4, 5, 6, 7 bytes are answered']),
-    Case('pending-error', ['nmt.operational'], options=['--only', 'nmt,pdo,emcy'],
+    Case('pending-error', ['nmt.operational'], options=['--only', 'nmt.operational,nmt.transitions,nmt.no,pdo,emcy'],
          texts=['the slave refuses Operational: it is in Pre-operational, EMCY 5000h pending, 1001h = 01h']),
     Case('echoed-aborts', ['sdo.client-abort'], options=['--only', 'sdo,device']),
     Case('ends-on-reset', ['nmt.boot-up-after-reset-node'], options=['--only', 'nmt,sdo,pdo'],
          texts=['further checks: the node is gone since nmt.boot-up-after-reset-node'], without=['broken    ']),
-    Case('ends-on-reset', options=['--only', 'nmt,error-control', '--no-reset']),
+    Case('ends-on-reset', options=['--only', 'nmt.transitions,nmt.reset,error-control', '--no-reset']),
 ]
 TABLES = {'python': PYTHON, 'node': NODE}
 

@@ -27,8 +27,9 @@ constexpr std::array kSupplyArguments{
     Argument{"VOLTAGE", "Line voltage (V rms between lines), 0 = mains failure", "line_voltage_V"}};
 constexpr std::array kEncoderArguments{kAxis, Argument{"DEFECT", "none, loss, lost_pulses or reversed", "defect"}};
 
-constexpr std::array kInputArguments{Argument{"INPUT", "Digital input of the control unit: 0 to 17, 20 or 21"},
-                                     Argument{"STATE", "on or off"}};
+constexpr std::array kInputArguments{
+    Argument{"INPUT", "Digital input of the control unit: 0 to 17, 20 or 21", "input"},
+    Argument{"STATE", "on or off", "state"}};
 
 tl::expected<nlohmann::json, std::string> no_parameters(Words /*words*/) {
   return nlohmann::json::object();

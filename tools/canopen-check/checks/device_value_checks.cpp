@@ -42,8 +42,11 @@ void reads_every_object(Context& context) {
         // An entry without data, such as one of an empty error history.
         const bool empty = answer.aborted() && answer.abort_code == number_of(AbortCode::NoData);
         // What is no answer of the protocol is a matter of the SDO checks.
-        const bool none = answer.aborted() || answer.kind == SdoAnswer::Kind::Silent;
+        const bool none =
+            answer.aborted() || answer.kind == SdoAnswer::Kind::Silent || answer.kind == SdoAnswer::Kind::Endless;
         if (none && !empty) context.fail(entry.index, entry.sub_index, "a value", to_text(answer));
+        if (answer.kind == SdoAnswer::Kind::Cut)
+          context.note(fmt::format("{}: {}", to_text(Subject{entry.index, entry.sub_index}), to_text(answer)));
       });
 }
 

@@ -19,8 +19,6 @@ constexpr std::uint8_t kToggle = 0x10;
 constexpr std::size_t kExpedited = 4, kSegment = 7;
 /// Segments without data in a row that are none but the sign of a server that never ends.
 constexpr unsigned kMostEmpty = 8;
-/// Bytes of a value that texts show.
-constexpr std::size_t kMostShown = 32;
 
 SdoAnswer aborted(std::uint32_t code) {
   return {.kind = SdoAnswer::Kind::Aborted, .abort_code = code};
@@ -33,35 +31,10 @@ bool names(const canopen::Frame& answer, std::uint16_t index, std::uint8_t sub_i
 
 }  // namespace
 
-std::string to_text(const canopen::Frame& frame) {
-  return fmt::format("{:03X}#{}", frame.id,
-                     hexadecimal(std::span{frame.data}.first(std::min<std::size_t>(frame.length, 8))));
-}
-
 std::uint64_t SdoAnswer::number() const noexcept {
   std::uint64_t number = 0;
   for (std::size_t i = std::min<std::size_t>(data.size(), 8); i-- > 0;) number = number << 8U | data[i];
   return number;
-}
-
-std::string hexadecimal(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() <= kMostShown) return fmt::format("{:02X}", fmt::join(bytes, ""));
-  return fmt::format("{:02X}... ({} bytes)", fmt::join(bytes.first(kMostShown), ""), bytes.size());
-}
-
-std::string to_text(const SdoAnswer& answer) {
-  switch (answer.kind) {
-    case SdoAnswer::Kind::Done:
-      return answer.data.empty() ? "done" : hexadecimal(answer.data);
-    case SdoAnswer::Kind::Aborted:
-      return "abort " + abort_text(answer.abort_code);
-    case SdoAnswer::Kind::Silent:
-      return "no answer" + answer.problem;
-    case SdoAnswer::Kind::Malformed:
-    case SdoAnswer::Kind::Cut:
-      break;
-  }
-  return answer.problem;
 }
 
 std::optional<std::uint32_t> abort_code(const canopen::Frame& frame) noexcept {
@@ -104,7 +77,7 @@ std::optional<TimedFrame> SdoClient::await() {
 
 std::optional<canopen::Frame> SdoClient::exchange(const canopen::Frame& request) {
   stray_.reset();
-  if (silent_ >= kMostSilent) return std::nullopt;
+  if (silent_ >= kMostSilent && !is_present()) return std::nullopt;
   session_->drain();
   const canopen::TimePoint begin = session_->now();
   if (!session_->send(request)) return std::nullopt;
@@ -124,6 +97,19 @@ std::optional<canopen::Frame> SdoClient::exchange(const canopen::Frame& request)
   if (!stray_) times_.push_back(answer->time - begin);
   if (is_abort(answer->frame)) forget_transfer();
   return answer->frame;
+}
+
+bool SdoClient::is_present() {
+  if (absent_) return false;
+  const canopen::Frame question = request(kUpload, 0x1000);
+  const SdoMatch match{question, std::nullopt};
+  absent_ = !session_->send(question) || !session_->wait_for(
+                                             [&, is_response = under(response_)](const canopen::Frame& frame) {
+                                               return is_response(frame) && match.fits(frame);
+                                             },
+                                             patience_);
+  if (!absent_) ask_again();
+  return !absent_;
 }
 
 std::optional<canopen::Frame> SdoClient::exchange_any(const canopen::Frame& request) {
@@ -181,6 +167,11 @@ SdoAnswer SdoClient::malformed(std::uint16_t index, std::uint8_t sub_index, std:
   return {.kind = SdoAnswer::Kind::Malformed, .problem = std::move(problem)};
 }
 
+SdoAnswer SdoClient::endless(std::uint16_t index, std::uint8_t sub_index, std::string problem) {
+  abort(index, sub_index, number_of(canopen::AbortCode::OutOfMemory));
+  return {.kind = SdoAnswer::Kind::Endless, .problem = std::move(problem)};
+}
+
 SdoAnswer SdoClient::cut(std::uint16_t index, std::uint8_t sub_index, std::string problem) {
   abort(index, sub_index, number_of(canopen::AbortCode::OutOfMemory));
   return {.kind = SdoAnswer::Kind::Cut, .problem = std::move(problem)};
@@ -229,10 +220,10 @@ SdoAnswer SdoClient::upload_segments(std::uint16_t index, std::uint8_t sub_index
     last = (command & 1U) != 0;
     empty = size == 0 ? empty + 1 : 0;
     if (empty == kMostEmpty)
-      return malformed(index, sub_index, fmt::format("an upload does not end: {} segments without data", empty));
+      return endless(index, sub_index, fmt::format("an upload does not end: {} segments without data", empty));
     if (result.data.size() > most && announced)
-      return malformed(index, sub_index,
-                       fmt::format("an upload does not end after the {} bytes that are announced", *announced));
+      return endless(index, sub_index,
+                     fmt::format("an upload does not end after the {} bytes that are announced", *announced));
     if (!last && (result.data.size() > most || session_->now() > until))
       return cut(index, sub_index, fmt::format("more than the {} bytes that were read", result.data.size()));
   }

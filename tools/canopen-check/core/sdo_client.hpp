@@ -19,6 +19,7 @@ struct SdoAnswer {
     Aborted,    ///< by the server, with `abort_code`
     Silent,     ///< no answer in time
     Malformed,  ///< an answer that is none of the protocol: `problem`; the client has aborted the transfer
+    Endless,    ///< data beyond those announced, or segments without any: `problem`; the client has aborted it
     Cut,        ///< more than the tester takes: `problem`; the client has aborted the transfer
   };
   Kind kind = Kind::Silent;
@@ -80,7 +81,10 @@ class SdoClient {
   /// The confirmation of a sub-block that was sent.
   std::optional<canopen::Frame> confirmation();
   /// Asks again after a silence so long that requests were not sent any more: see kMostSilent.
-  void ask_again() noexcept { silent_ = 0; }
+  void ask_again() noexcept {
+    silent_ = 0;
+    absent_ = false;
+  }
   /// Ends a transfer from the client's side.
   void abort(std::uint16_t index, std::uint8_t sub_index, std::uint32_t code);
   /// Sends nothing and gives the next frame of the server within @p patience.
@@ -108,19 +112,22 @@ class SdoClient {
   [[nodiscard]] const std::vector<canopen::Duration>& response_times() const noexcept { return times_; }
 
  private:
-  /// After so many requests in a row without an answer the node has gone: further ones are not sent, so that a
-  /// check of thousands of entries ends.
+  /// After so many requests in a row without an answer the node is asked for 1000h:00; without an answer to that
+  /// it has gone, and further requests are not sent, so that a check of thousands of entries ends.
   static constexpr unsigned kMostSilent = 3;
 
+  bool is_present();
   std::optional<TimedFrame> await();
   SdoAnswer upload_segments(std::uint16_t index, std::uint8_t sub_index, std::optional<std::uint32_t> announced);
   SdoAnswer malformed(std::uint16_t index, std::uint8_t sub_index, std::string problem);
+  SdoAnswer endless(std::uint16_t index, std::uint8_t sub_index, std::string problem);
   SdoAnswer cut(std::uint16_t index, std::uint8_t sub_index, std::string problem);
 
   Session* session_;
   std::uint32_t request_, response_;
   canopen::Duration patience_;
   unsigned silent_ = 0;  ///< requests in a row without an answer
+  bool absent_ = false;  ///< it did not even answer an upload of 1000h:00
   bool late_ = false;    ///< an answer to a request that was given up may still come
   bool aborts_are_named_ = true;
   canopen::Frame last_{};                  ///< request
