@@ -148,6 +148,7 @@ class Device final : private canopen::Application,
   void run_cycles() noexcept;
   void run_cycle(bool all) noexcept;
   void show_values() noexcept;
+  void switch_off() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;
   void follow_parameters() noexcept;
@@ -167,6 +168,7 @@ class Device final : private canopen::Application,
   // device_bus.cpp
   void serve_off_the_bus(const canopen::Frame& frame) noexcept;
   void restart_bus() noexcept;
+  void lose_connection() noexcept;
   void lose_telegram(std::uint16_t number) noexcept;
   void end_telegram_loss() noexcept;
 
