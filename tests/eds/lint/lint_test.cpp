@@ -18,10 +18,12 @@ namespace fs = std::filesystem;
 
 const fs::path kCorpus = fs::path{SOURCE_FOLDER} / "tests/data/eds";
 
+/// The data sheets of @p folder, without what is known of them beside.
 std::vector<std::string> files_in(const fs::path& folder) {
+  const std::set<fs::path> beside{".txt", ".json"};
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator{folder})
-    if (entry.path().extension() != ".txt") files.push_back(entry.path().string());
+    if (!beside.contains(entry.path().extension())) files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;
 }
