@@ -81,10 +81,12 @@ bool Communication::on_bus_state(BusState state) noexcept {
   if (state == BusState::Active) unit_.withdraw(kOrigin, kErrorPassive);
   if (state == BusState::Passive) static_cast<void>(unit_.raise(kOrigin, kErrorPassive, 0, drive::Cause::Present));
   if (state == BusState::Off)
-    static_cast<void>(unit_.raise(kOrigin, kCommunicationError, kBusOff, drive::Cause::Present));
-  if (before != BusState::Off) return false;
+    static_cast<void>(unit_.raise(kOrigin, kCommunicationError, kBusOff, drive::Cause::Ending));
+  return before == BusState::Off;
+}
+
+void Communication::on_bus_back() noexcept {
   unit_.withdraw(kOrigin, kCommunicationError);
-  return true;
 }
 
 std::optional<double> Communication::value_of(const ParameterPlace& place) const noexcept {

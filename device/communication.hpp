@@ -37,6 +37,8 @@ class Communication final : public ParameterOwner {
   void on_telegram_loss_over() noexcept;
   /// The controller is in @p state now. Bus-off: F08700 with value 1. True if the bus is back from bus-off.
   bool on_bus_state(BusState state) noexcept;
+  /// The bus is back and has been told of F08700, which leaves if it was acknowledged meanwhile.
+  void on_bus_back() noexcept;
   /// The bus is off: what is sent gets lost.
   bool is_bus_off() const noexcept { return bus_ == BusState::Off; }
   /// The error state that was told last.

@@ -82,12 +82,14 @@ void Device::start(canopen::TimePoint now) noexcept {
     show_values();
   }
   tell_time(now);
-  communication_.on_bus_state(BusState::Active);
+  const bool is_back = communication_.on_bus_state(BusState::Active);
   error_objects_.set_bus_off(false);
   node_.send_to(sink_);
   take_over_parameters();
   node_.start(now);
   error_objects_.update(node_);
+  if (is_back) communication_.on_bus_back();
+  show_messages();
 }
 
 void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
@@ -151,15 +153,20 @@ bool Device::restart_is_due() const noexcept {
 void Device::restart() noexcept {
   tell_time(now_);
   restarting_ = true;
-  unit_.power_off();
-  for (AxisObjects& axis : axes_) axis.forget_written();
-  telegram_loss_.clear();
+  switch_off();
   rpdo_monitor_.stop();
   take_over_parameters();
   process_data_.take_over(UnitProcessData::WiredBy::Before);
   node_.start(now_);
   restarting_ = false;
   show_messages();
+}
+
+/// Power-off of the drives and of what they were sent.
+void Device::switch_off() noexcept {
+  unit_.power_off();
+  for (AxisObjects& axis : axes_) axis.forget_written();
+  telegram_loss_.clear();
 }
 
 /// p8848 comes into force.

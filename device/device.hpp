@@ -167,6 +167,7 @@ class Device final : private canopen::Application,
   void run_cycles() noexcept;
   void run_cycle(bool all) noexcept;
   void show_values() noexcept;
+  void switch_off() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;
   void follow_parameters() noexcept;
@@ -188,6 +189,7 @@ class Device final : private canopen::Application,
   void restart_bus() noexcept;
   void overwrite(std::uint16_t number) noexcept;
   bool make_up_cycle() noexcept;
+  void lose_connection() noexcept;
   void lose_telegram(std::uint16_t number) noexcept;
   void end_telegram_loss() noexcept;
 

@@ -27,18 +27,20 @@ void Device::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept
   if (from == canopen::NmtState::Operational && telegram_loss_.is_waiting()) make_up_cycle();
   tell_time(now_);
   rpdo_monitor_.stop();
-  const bool ends = to == canopen::NmtState::Initialising;
-  const bool left = from == canopen::NmtState::Operational && !ends && !restarting_;
-  if (ends) {
-    unit_.power_off();
-    for (AxisObjects& axis : axes_) axis.forget_written();
-    telegram_loss_.clear();
-  } else if (left && configuration_.fault_on_leaving_operational) {
+  const bool resets = to == canopen::NmtState::Initialising;
+  const bool left = from == canopen::NmtState::Operational && !resets && !restarting_;
+  if (left && configuration_.fault_on_leaving_operational)
     leave_operational(to == canopen::NmtState::Stopped ? kToStopped : kToPreOperational);
-  }
   if (left) storage_.on_operational_left();
   if (from != canopen::NmtState::Initialising) process_data_.end_alarms();
   show_messages();
+}
+
+/// A reset of the communication leaves the drives and their faults as they are, but for p8641.
+void Device::lose_connection() noexcept {
+  for (drive::Axis& axis : unit_.axes()) axis.lose_connection();
+  for (AxisObjects& axis : axes_) axis.forget_written();
+  error_objects_.show_again();
 }
 
 /// 1001h, 1003h and EMCY tell at once; what the axes make of it is for the cycle that follows.
@@ -128,6 +130,8 @@ void Device::on_bus_state(BusState state, canopen::TimePoint now) noexcept {
   node_.send_to(communication_.is_bus_off() ? static_cast<canopen::FrameSink&>(nowhere_) : sink_);
   show_messages();
   if (!is_back) return;
+  communication_.on_bus_back();
+  show_messages();
   node_.report(canopen::CommunicationError::BusOffRecovered, now);
   node_.report_recovery(canopen::CommunicationError::BusOffRecovered, now);
   // The master has seen nothing of what TPDOs said meanwhile.

@@ -90,7 +90,9 @@ canopen::Result<void> MirroredParameters::take(const ParameterPlace& place, doub
   if (entry == nullptr) return canopen::refuse(canopen::AbortCode::NoObject);
   const auto number = static_cast<std::int64_t>(value);
   if (number >> entry->bits != 0) return canopen::refuse(canopen::AbortCode::ValueTooHigh);
-  return dictionary_.write(*entry, number);
+  auto written = dictionary_.write(*entry, number);
+  if (written && is_mapping(entry->index)) write_count(*entry);
+  return written;
 }
 
 /// Calls @p visit with drive object, number, index and entry for every index of the mirrored parameters that
@@ -130,14 +132,27 @@ void MirroredParameters::bring_out(std::uint8_t object) noexcept {
   bring_out({.object = object});
 }
 
-/// Sets the count of the mapping that @p entry belongs to: no parameter holds it, it is that of the entries before
-/// the first empty one.
-void MirroredParameters::count_mapped(const canopen::Entry& entry) noexcept {
+/// The entries before the first empty one of the mapping that @p entry belongs to: no parameter holds their count.
+std::int64_t MirroredParameters::mapped(const canopen::Entry& entry) const noexcept {
   std::int64_t count = 0;
   while (count < kMostMapped &&
          dictionary_.stored(entry.index, static_cast<std::uint8_t>(count + 1)).value_or(0) != 0)
     ++count;
-  if (const canopen::Entry* const counter = dictionary_.lookup(entry.index, 0)) dictionary_.set(*counter, count);
+  return count;
+}
+
+void MirroredParameters::count_mapped(const canopen::Entry& entry) noexcept {
+  if (const canopen::Entry* const counter = dictionary_.lookup(entry.index, 0))
+    dictionary_.set(*counter, mapped(entry));
+}
+
+/// The count after a master has written @p entry as a parameter: also after 0 was written to it as an object. What
+/// does not fit yet is judged once more when the PDO becomes valid.
+void MirroredParameters::write_count(const canopen::Entry& entry) noexcept {
+  const canopen::Entry* const counter = dictionary_.lookup(entry.index, 0);
+  const std::int64_t count = mapped(entry);
+  if (counter != nullptr && dictionary_.stored(*counter) != count)
+    static_cast<void>(dictionary_.write(*counter, count));
 }
 
 }  // namespace device

@@ -40,7 +40,9 @@ class MirroredParameters final : public ParameterOwner {
   template <class Visit>
   void for_each_kept(const Selection& selection, const Visit& visit);
   void bring_out(const Selection& selection) noexcept;
+  std::int64_t mapped(const canopen::Entry& entry) const noexcept;
   void count_mapped(const canopen::Entry& entry) noexcept;
+  void write_count(const canopen::Entry& entry) noexcept;
 
   canopen::Dictionary& dictionary_;
   drive::DriveUnit& unit_;

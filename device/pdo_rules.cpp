@@ -10,6 +10,7 @@ namespace device {
 namespace {
 
 using canopen::AbortCode;
+using canopen::MappingCount;
 using canopen::Result;
 using pdo::Direction;
 using pdo::Part;
@@ -186,6 +187,8 @@ Result<void> PdoRules::write(const canopen::Entry& entry, std::int64_t value) {
     listeners_.mapping.on_mapping_changed(record.pdo.axis());
   } else if (entry.sub_index == canopen::pdo_sub::kCobId) {
     end_alarms();
+    if (mapping_count(record.pdo) == MappingCount::Awaited)
+      listeners_.mapping.on_mapping_changed(record.pdo.axis());
   }
   return judged;
 }
@@ -205,7 +208,9 @@ Result<void> PdoRules::judge_cob_id(Pdo pdo, std::uint32_t cob_id) const noexcep
   if (present != 0) return wanted == present ? Result<void>{} : canopen::refuse(AbortCode::DeviceState);
   if (node_.uses(wanted)) return canopen::refuse(AbortCode::ParameterIncompatible);
   if (remaining(pdo.direction) == 0) return canopen::refuse(AbortCode::InternalIncompatibility);
-  return judge_whole(pdo, pdo::mapping_of(dictionary_, pdo));
+  pdo::Mapping mapping = pdo::mapping_of(dictionary_, pdo);
+  if (mapping_count(pdo) == MappingCount::Awaited) mapping.count = leading_entries(mapping);
+  return judge_whole(pdo, mapping);
 }
 
 Result<void> PdoRules::judge_mapping(Pdo pdo, std::uint8_t sub_index, std::uint32_t value) const noexcept {
@@ -218,15 +223,15 @@ Result<void> PdoRules::judge_mapping(Pdo pdo, std::uint8_t sub_index, std::uint3
   }
   if (pdo::mapped_object(dictionary_, pdo, value) == nullptr) return canopen::refuse(AbortCode::NotMappable);
   mapping.entries[sub_index - 1U] = value;
-  if (counts_by_itself(pdo)) mapping.count = leading_entries(mapping);
+  if (mapping_count(pdo) == MappingCount::Follows) mapping.count = leading_entries(mapping);
   return judge_whole(pdo, mapping);
 }
 
-/// Whether sub-index 0 of the mapping follows its entries.
-bool PdoRules::counts_by_itself(Pdo pdo) const noexcept {
+/// What sub-index 0 of the mapping does with its entries.
+MappingCount PdoRules::mapping_count(Pdo pdo) const noexcept {
   const auto pdos = pdo.direction == Direction::Receive ? node_.receive_pdos() : node_.transmit_pdos();
   const auto found = std::ranges::find(pdos, pdo.number, &canopen::PdoSettings::number);
-  return found != pdos.end() && !found->zero_written;
+  return found != pdos.end() ? found->mapping_count : MappingCount::Zero;
 }
 
 Result<void> PdoRules::judge_whole(Pdo pdo, const pdo::Mapping& mapping) const noexcept {

@@ -70,7 +70,7 @@ class PdoRules final : public canopen::EntryOwner {
   void raise_for(canopen::AbortCode code, const pdo::Record& record) noexcept;
   void raise(std::uint16_t number, std::uint32_t value) noexcept;
   canopen::Identifier identifier_of(pdo::Pdo pdo) const noexcept;
-  bool counts_by_itself(pdo::Pdo pdo) const noexcept;
+  canopen::MappingCount mapping_count(pdo::Pdo pdo) const noexcept;
   bool is_operational() const noexcept { return node_.state() == canopen::NmtState::Operational; }
   double shortest_sampling_time() const noexcept;
   void end_alarm(std::uint16_t number) noexcept;

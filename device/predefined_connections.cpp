@@ -32,6 +32,7 @@ class Writer {
   }
   void map_initial(pdo::Pdo pdo) noexcept {
     for (std::uint8_t sub = 1; sub <= pdo::kMostEntries; ++sub) write_initial(pdo, Part::Mapping, sub);
+    write_initial(pdo, Part::Mapping, 0);
   }
   void write_initial(pdo::Pdo pdo, Part part, std::uint8_t sub) noexcept {
     write(pdo, part, sub, [&](const Entry& e) {

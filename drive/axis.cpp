@@ -83,6 +83,7 @@ void Axis::power_off() noexcept {
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
   wired_ = inputs_ = {};
+  on_withheld_ = false;
   refresh_status();
   settled_ = false;
 }

@@ -105,6 +105,10 @@ class Axis final : public DriveObject {
   /// Power-off of the sequence control: pulses off, Switch on disabled, no message left; the shaft coasts on.
   void power_off() noexcept override;
 
+  /// The master has given the connection up, which is no fault: the axis stops as p8641 says, and ON needs an
+  /// edge.
+  void lose_connection() noexcept;
+
   /// Acknowledges what can be acknowledged now; true if no fault is left. During a fault reaction nothing can.
   bool acknowledge() noexcept override;
 
@@ -170,6 +174,7 @@ class Axis final : public DriveObject {
   WriteState write_state() const noexcept override;
   void on_parameters_changed() noexcept override { apply_parameters(); }
   void react(const FaultRow& row) noexcept override;
+  void on_acknowledged_fault_left() noexcept override;
   void on_messages_changed() noexcept override;
 
   void apply_parameters() noexcept;
@@ -235,6 +240,7 @@ class Axis final : public DriveObject {
   AxisInputs inputs_{};  // the same with the ramp enables of velocity mode
   OperatingMode mode_;
   bool jogging_ = false;                 // switched on by p1055 or p1056
+  bool on_withheld_ = false;             // after OFF1 by lose_connection(), until ON goes
   unsigned input_messages_ = 0;          // that an input has brought, a bit each
   double power_missing_ = 0.0;           // s, since ON
   motor::TorqueLimits torque_limits_{};  // p1522, p1523

@@ -77,6 +77,7 @@ void Axis::cycle(const AxisInputs& inputs, double duration) noexcept {
 }
 
 void Axis::begin_cycle(const AxisInputs& inputs, double duration) noexcept {
+  before_ = actual_;
   sequence(inputs, duration);
   lead_setpoint();
   cycle_ = {.duration = duration,
@@ -168,7 +169,6 @@ void Axis::rest(double duration, double dc_voltage) noexcept {
 
 /// Means over the steps of the cycle.
 void Axis::measure() noexcept {
-  before_ = actual_;
   const double steps = std::max(1, cycle_.steps);
   const double time = steps * kControlPeriod;
   const std::int64_t counts = train_.signals().encoder_counts;
@@ -232,7 +232,7 @@ void Axis::follow(const Verdict& verdict) noexcept {
   is_blocked_ = verdict.message == kBlocked ? verdict.present : is_blocked_;
   if (!verdict.present && messages().faults().empty() && messages().alarms().empty()) return;
   const FaultRow* const row = find_fault(verdict.message);
-  if (!verdict.present) return memory().withdraw(*row);
+  if (!verdict.present) return static_cast<void>(memory().withdraw(*row));
   memory().enter(*row, verdict.value, Cause::Present);
   if (memory().settings.kind_of(*row) == Kind::Fault) react(*row);
 }

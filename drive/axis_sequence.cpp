@@ -1,6 +1,7 @@
 // The sequence control of an axis: what its inputs, its faults and the end of a braking make of its state.
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "drive/axis.hpp"
@@ -31,8 +32,21 @@ constexpr std::array kInputMessages{
     InputMessage{7862, &AxisInputs::no_external_fault_3, Pulses::Any},
 };
 
-/// p8641 by value: the reaction to F08700.
-constexpr std::array kAbortReactions{Reaction::None, Reaction::Off1, Reaction::Off2, Reaction::Off3};
+/// What p8641 makes of a lost connection, by its value.
+struct AbortRow {
+  Reaction reaction;             ///< to F08700
+  std::optional<Event> command;  ///< the same without a fault
+};
+constexpr std::array kAbortOptions{
+    AbortRow{Reaction::None, std::nullopt},
+    AbortRow{Reaction::Off1, Event::Shutdown},
+    AbortRow{Reaction::Off2, Event::DisableVoltage},
+    AbortRow{Reaction::Off3, Event::QuickStop},
+};
+
+const AbortRow& abort_row(const AxisParameters& parameters) noexcept {
+  return kAbortOptions[static_cast<std::size_t>(parameters.abort_connection_option)];
+}
 
 struct ReactionRow {
   Reaction reaction;
@@ -144,10 +158,19 @@ bool Axis::apply(Event event) noexcept {
   return true;
 }
 
+void Axis::lose_connection() noexcept {
+  const std::optional<Event> command = abort_row(parameters_).command;
+  if (!command || state_ == State::SwitchOnDisabled) return;  // nor does OFF1 lift the inhibit
+  on_withheld_ = wired_.on && *command == Event::Shutdown;  // the others inhibit it anyway
+  jogging_ = false;
+  apply(*command);
+  refresh_status();
+  settled_ = false;
+}
+
 Reaction Axis::reaction_to(const FaultRow& row) const noexcept {
   const bool abort = row.number == kConnectionAbort;
-  const Reaction standard =
-      abort ? kAbortReactions[static_cast<std::size_t>(parameters_.abort_connection_option)] : row.reaction;
+  const Reaction standard = abort ? abort_row(parameters_).reaction : row.reaction;
   return messages().settings.reaction_to(row).value_or(standard);
 }
 
@@ -168,6 +191,10 @@ Reactions Axis::active_reactions() const noexcept {
 bool Axis::stands() const noexcept {
   return std::abs(actual_.speed) < parameters_.standstill_threshold &&
          std::abs(channel_.output()) <= parameters_.standstill_threshold;
+}
+
+void Axis::on_acknowledged_fault_left() noexcept {
+  if (messages().faults().empty()) apply(Event::Acknowledged);
 }
 
 bool Axis::acknowledge() noexcept {

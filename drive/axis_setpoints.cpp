@@ -40,6 +40,8 @@ void leave_channel_out(AxisInputs& inputs) noexcept {
 void Axis::take_inputs(const AxisInputs& inputs) noexcept {
   wired_ = inputs;
   inputs_ = inputs;
+  on_withheld_ = on_withheld_ && inputs.on && !inputs.has_off2() && !inputs.has_off3();
+  inputs_.on &= !on_withheld_;
   const bool requested = mode_.on_process_data(inputs.requested_mode, parameters_.control_mode);
   const bool changed_over = mode_.on_changeover(inputs.torque_control, parameters_.control_mode);
   if (!(requested && changed_over) && pulses_enabled_in(state_))

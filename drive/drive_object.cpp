@@ -194,7 +194,7 @@ tl::expected<void, FaultError> DriveObject::raise(std::uint16_t number, std::uin
 void DriveObject::withdraw(std::uint16_t number) noexcept {
   const FaultRow* const row = find_fault(number);
   if (row == nullptr) return;
-  memory_.withdraw(*row);
+  if (memory_.withdraw(*row)) on_acknowledged_fault_left();
   on_messages_changed();
 }
 

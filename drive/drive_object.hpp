@@ -122,6 +122,7 @@ class DriveObject {
   virtual WriteState write_state() const noexcept = 0;
   virtual void on_parameters_changed() noexcept {}
   virtual void react(const FaultRow&) noexcept {}
+  virtual void on_acknowledged_fault_left() noexcept {}
   virtual void on_messages_changed() noexcept {}
 
   tl::expected<const PlacedRow*, ParameterError> find(std::uint16_t number, std::size_t index) const noexcept;

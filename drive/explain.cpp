@@ -93,7 +93,9 @@ std::string fault_sentence(const FaultEntry& fault) {
   const std::string name = fmt::format("{} {} (value {})", fault_text(*fault.row), fault.row->name, fault.value);
   if (fault.acknowledge() == Acknowledge::PowerOn)
     return fmt::format("Fault {}: it leaves only when the unit is switched off and on.", name);
-  if (fault.cause == Cause::Present)
+  if (fault.acknowledged)
+    return fmt::format("Fault {}: it is acknowledged and leaves with its cause ({}).", name, fault.row->cause);
+  if (fault.cause != Cause::Gone)
     return fmt::format("Fault {}: its cause is still there ({}); remove it, then acknowledge.", name,
                        fault.row->cause);
   return fmt::format(

@@ -80,6 +80,7 @@ void FaultMemory::enter(const FaultRow& row, std::uint32_t value, Cause cause) n
 
 void FaultMemory::update(FaultEntry& active, std::uint32_t value, Cause cause) noexcept {
   active.cause = cause;
+  active.acknowledged = false;
   if (active.value == value) return;
   active.value = value;
   ++change_count_;
@@ -97,15 +98,21 @@ void FaultMemory::note_entered(const FaultEntry& entry) noexcept {
   ++counters_.fault_changes;
 }
 
-void FaultMemory::withdraw(const FaultRow& row) noexcept {
+bool FaultMemory::withdraw(const FaultRow& row) noexcept {
   FaultEntry* const active = find(row);
-  if (active == nullptr) return;
+  if (active == nullptr) return false;
   active->cause = Cause::Gone;
-  if (active->kind != Kind::Alarm) return;
-  alarms_.remove_if([&](const FaultEntry& e) { return e.row->number == row.number; });
+  const auto is_it = [&](const FaultEntry& entry) { return entry.row->number == row.number; };
+  if (active->kind == Kind::Fault) {
+    const bool leaves = active->acknowledged;
+    if (leaves) remove_faults(is_it);
+    return leaves;
+  }
+  alarms_.remove_if(is_it);
   alarm_buffer_.leave(row.number, now_);
   ++counters_.alarm_changes;
   ++change_count_;
+  return false;
 }
 
 /// Removes the faults that @p leave accepts and keeps them as a case of the buffer; what stays is a new case.
@@ -124,11 +131,16 @@ void FaultMemory::remove_faults(Predicate leave) noexcept {
 }
 
 bool FaultMemory::acknowledge(bool pulses_enabled) noexcept {
-  remove_faults([&](const FaultEntry& entry) {
+  const auto may_leave = [=](const FaultEntry& entry) {
     const Acknowledge way = entry.acknowledge();
     if (entry.cause == Cause::Present || way == Acknowledge::PowerOn) return false;
     return way != Acknowledge::PulseInhibit || !pulses_enabled;
-  });
+  };
+  for (std::size_t i = 0; i < faults_.count; ++i) {
+    FaultEntry& entry = faults_.items[i];
+    entry.acknowledged = entry.cause == Cause::Ending && may_leave(entry);
+  }
+  remove_faults([&](const FaultEntry& entry) { return may_leave(entry) && !entry.acknowledged; });
   return faults_.count == 0;
 }
 

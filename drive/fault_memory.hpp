@@ -16,6 +16,7 @@ namespace drive {
 enum class Cause : std::uint8_t {
   Gone,
   Present,
+  Ending,   ///< present, but an acknowledgement meanwhile counts as soon as it is gone
   Latched,  ///< gone, but an alarm stays until it is withdrawn or p2111 = 0
 };
 
@@ -25,8 +26,9 @@ struct FaultEntry {
   std::uint32_t value = 0;     ///< fault value (r0949) or alarm value (r2124)
   std::uint32_t sequence = 0;  ///< ascending over all messages of the memory (see number_by()), from 1
   Cause cause = Cause::Gone;
-  Kind kind = Kind::Fault;  ///< what the row or p2119 makes of it
-  Uptime received = 0;      ///< since the unit was switched on
+  Kind kind = Kind::Fault;    ///< what the row or p2119 makes of it
+  Uptime received = 0;        ///< since the unit was switched on
+  bool acknowledged = false;  ///< a fault whose cause is Ending
 
   /// CANopen error code, 0 = no EMCY; F08700 has its own one only for life guarding (value 2).
   std::uint16_t emcy_code() const noexcept;
@@ -48,8 +50,9 @@ class FaultMemory {
   /// Enters a message as what the settings make of it, if anything. One that is active already only takes over
   /// @p value and @p cause.
   void enter(const FaultRow& row, std::uint32_t value, Cause cause) noexcept;
-  /// The cause of @p row is gone: an alarm leaves, a fault can be acknowledged from now on.
-  void withdraw(const FaultRow& row) noexcept;
+  /// The cause of @p row is gone: an alarm leaves, a fault can be acknowledged from now on. One that was
+  /// acknowledged while its cause was Ending leaves, too; true if one did.
+  bool withdraw(const FaultRow& row) noexcept;
   /// Removes every fault that may be acknowledged now; true if no fault is left.
   bool acknowledge(bool pulses_enabled) noexcept;
   /// Removes everything that is active, as power-off does; the buffers remain.

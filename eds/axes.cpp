@@ -95,4 +95,12 @@ std::vector<Object> parameter_objects(const Catalogue& catalogue, FileContent dr
   return objects;
 }
 
+bool lists_parameter(const Catalogue& catalogue, Scope scope, std::uint16_t index) {
+  return std::ranges::any_of(kListings, [&](const Listing& row) {
+    if (row.scope != scope) return false;
+    const std::vector<Object> listed = parameter_objects(catalogue, row.drive_object);
+    return std::ranges::find(listed, index, &Object::index) != listed.end();
+  });
+}
+
 }  // namespace eds

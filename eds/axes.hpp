@@ -23,4 +23,7 @@ inline constexpr std::uint16_t kModuleList = 0x1027;
 /// The parameter objects that a drive object lists, ascending by index; for the unit as a whole none.
 [[nodiscard]] std::vector<Object> parameter_objects(const Catalogue& catalogue, FileContent drive_object);
 
+/// Whether a drive object of @p scope lists the parameter object @p index.
+[[nodiscard]] bool lists_parameter(const Catalogue& catalogue, Scope scope, std::uint16_t index);
+
 }  // namespace eds

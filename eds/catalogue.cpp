@@ -4,9 +4,11 @@
 #include <array>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "eds/axes.hpp"
 #include "eds/catalogue_check.hpp"
 #include "eds/catalogue_header.hpp"
 #include "eds/catalogue_row.hpp"
@@ -95,6 +97,17 @@ Catalogue parse_catalogue(std::string_view json) {
                       .parameters = read_rows(root["parameters"], RowKind::Parameter)};
   check_objects(catalogue);
   return catalogue;
+}
+
+void add_parameters(Catalogue& catalogue, std::string_view json) {
+  const nlohmann::json rows = parse_json(json);
+  if (!rows.is_array()) throw CatalogueError{"expected a list of parameter rows"};
+  std::vector<Object> all = catalogue.parameters;
+  for (Object& object : read_rows(rows, RowKind::Parameter))
+    if (!lists_parameter(catalogue, object.scope, object.index)) all.push_back(std::move(object));
+  std::ranges::stable_sort(all, {}, &Object::index);
+  catalogue.parameters = std::move(all);
+  check_objects(catalogue);
 }
 
 const Entry* find_entry(std::span<const Object> objects, std::uint16_t index, std::uint8_t sub_index) noexcept {

@@ -91,6 +91,10 @@ struct CatalogueError : std::runtime_error {
 /// Reads and checks a catalogue (JSON); throws CatalogueError.
 [[nodiscard]] Catalogue parse_catalogue(std::string_view json);
 
+/// Adds the rows of @p json, a list of parameter rows each of one kind of drive object, as far as the catalogue
+/// does not list the parameter for it; throws CatalogueError.
+void add_parameters(Catalogue& catalogue, std::string_view json);
+
 /// The entry at @p index and @p sub_index, or null.
 [[nodiscard]] const Entry* find_entry(std::span<const Object> objects, std::uint16_t index,
                                       std::uint8_t sub_index) noexcept;

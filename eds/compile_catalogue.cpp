@@ -14,31 +14,42 @@
 namespace {
 
 constexpr const char* kUsage =
-    "usage: compile_catalogue CATALOGUE [--table FILE] [--objects FILE] [--eds FOLDER]\n";
+    "usage: compile_catalogue CATALOGUE [--table FILE] [--objects FILE] [--parameters ROWS] [--eds FOLDER]\n";
 
-void write_table(const eds::Catalogue& catalogue, const std::string& path) {
+void write_table(eds::Catalogue& catalogue, const std::string& path) {
   eds::write_file(path, eds::write_table(catalogue));
 }
 
-void write_reference(const eds::Catalogue& catalogue, const std::string& path) {
+void write_reference(eds::Catalogue& catalogue, const std::string& path) {
   eds::write_file(path, eds::write_reference(catalogue));
 }
 
-void write_eds_files(const eds::Catalogue& catalogue, const std::string& folder) {
+/// What follows knows the parameters at @p path too.
+void read_parameters(eds::Catalogue& catalogue, const std::string& path) {
+  const std::string rows = eds::read_file(path);
+  try {
+    eds::add_parameters(catalogue, rows);
+  } catch (const eds::CatalogueError& error) {
+    throw std::runtime_error{path + ": " + error.what()};
+  }
+}
+
+void write_eds_files(eds::Catalogue& catalogue, const std::string& folder) {
   for (const eds::EdsFile& file : catalogue.files)
     eds::write_file(folder + "/" + file.name, eds::write_eds(catalogue, file));
 }
 
-/// What an option asks for.
-struct Output {
+/// What an option asks for, in the order of the command line.
+struct Step {
   std::string_view option;
-  void (*write)(const eds::Catalogue&, const std::string& path);
+  void (*run)(eds::Catalogue&, const std::string& path);
 };
 
-constexpr std::array kOutputs{
-    Output{"--table", write_table},
-    Output{"--objects", write_reference},
-    Output{"--eds", write_eds_files},
+constexpr std::array kSteps{
+    Step{"--table", write_table},
+    Step{"--objects", write_reference},
+    Step{"--parameters", read_parameters},
+    Step{"--eds", write_eds_files},
 };
 
 eds::Catalogue read_catalogue(const std::string& path) {
@@ -54,16 +65,16 @@ eds::Catalogue read_catalogue(const std::string& path) {
 
 int main(int count, char** words) try {
   const auto known = [](std::string_view word) {
-    for (const Output& output : kOutputs)
-      if (output.option == word) return &output;
-    return static_cast<const Output*>(nullptr);
+    for (const Step& step : kSteps)
+      if (step.option == word) return &step;
+    return static_cast<const Step*>(nullptr);
   };
   bool usable = count >= 2 && count % 2 == 0;
   for (int n = 2; usable && n < count; n += 2) usable = known(words[n]) != nullptr;
   if (!usable) return std::fputs(kUsage, stderr), 2;
 
-  const eds::Catalogue catalogue = read_catalogue(words[1]);
-  for (int n = 2; n < count; n += 2) known(words[n])->write(catalogue, words[n + 1]);
+  eds::Catalogue catalogue = read_catalogue(words[1]);
+  for (int n = 2; n < count; n += 2) known(words[n])->run(catalogue, words[n + 1]);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

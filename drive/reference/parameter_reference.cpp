@@ -1,5 +1,6 @@
 #include "drive/reference/parameter_reference.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -108,6 +109,18 @@ void write_row(std::string& page, const ParameterRow& row) {
                  row_of(row.unit).text, range(row), factory(row), row_of(row.when).text, output(row), effect(row));
 }
 
+/// How many parameters there are, and that there are no others.
+void write_counts(std::string& page) {
+  std::uint16_t highest = 0;
+  for (const ParameterRow* row : parameter_rows()) highest = std::max(highest, row->number);
+  fmt::format_to(std::back_inserter(page),
+                 "The control unit has {} parameters, a servo axis {}, a vector axis {}. Every one that is not "
+                 "listed here does\n"
+                 "not exist (06020000h); the highest number is {}, so p8630[2] above 0 shows none.\n\n",
+                 parameters_of(ObjectKind::ControlUnit).size(), parameters_of(ObjectKind::Servo).size(),
+                 parameters_of(ObjectKind::Vector).size(), highest);
+}
+
 /// A line with the parameters that @p role_text begins the role of.
 void write_list(std::string& page, std::string_view title, std::string_view role_text) {
   std::vector<std::string> names;
@@ -133,6 +146,7 @@ void write_list(std::string& page, std::string_view title, std::string_view role
 
 std::string parameter_reference() {
   std::string page{kIntroduction};
+  write_counts(page);
   page +=
       "## All parameters\n\n"
       "| Number | Name | Drive objects | Indices | Type | Unit | Range | Factory | Change | Source | In the "

@@ -61,7 +61,8 @@ void PdoParameters::own(std::uint16_t index) {
 void PdoParameters::reload() noexcept {
   for (PdoSettings& pdo : pdos_) {
     pdo.identifier = 0;
-    pdo.zero_written = false;
+    const bool restored = count(pdo) != 0 || leading_entries(pdo) == 0;
+    if (restored || pdo.mapping_count == MappingCount::Zero) pdo.mapping_count = MappingCount::Follows;
     pdo.transmission_type = static_cast<std::uint8_t>(communication(pdo, pdo_sub::kTransmissionType));
   }
 }
@@ -151,18 +152,20 @@ Result<void> PdoParameters::write_cob_id(std::size_t position, std::uint32_t cob
   PdoSettings& pdo = pdos_[position];
   if ((cob_id & cob_id::kInvalid) != 0) {
     pdo.identifier = 0;
-    pdo.zero_written = false;
+    if (pdo.mapping_count == MappingCount::Zero) pdo.mapping_count = MappingCount::Follows;
     changed(position);
     return {};
   }
   if (!is_assignable(cob_id, context_.policy.extended_identifiers)) return refuse(AbortCode::InvalidValue);
   if (pdo.is_valid()) return write_remote_bit(pdo, cob_id);
   if (context_.identifiers.is_used(identifier_in(cob_id))) return refuse(AbortCode::ParameterIncompatible);
-  const auto compiled = compile_mapping(rules(), mapping_index(pdo), count(pdo), pdo.plan);
+  const std::uint8_t mapped = pdo.mapping_count == MappingCount::Awaited ? leading_entries(pdo) : count(pdo);
+  const auto compiled = compile_mapping(rules(), mapping_index(pdo), mapped, pdo.plan);
   if (!compiled) return compiled;
+  set_count(pdo, mapped);
   pdo.identifier = identifier_in(cob_id);
   pdo.remote_allowed = allows_remote(cob_id);
-  pdo.zero_written = false;
+  pdo.mapping_count = MappingCount::Follows;
   changed(position);
   return {};
 }
@@ -188,31 +191,45 @@ Result<void> PdoParameters::write_type(std::size_t position, std::uint8_t type) 
 Result<void> PdoParameters::write_count(PdoSettings& pdo, std::uint8_t count) {
   const auto compiled = compile_mapping(rules(), mapping_index(pdo), count, pdo.plan);
   if (!compiled) return compiled;
-  pdo.zero_written = count == 0;
+  pdo.mapping_count = count == 0 ? MappingCount::Zero : MappingCount::Follows;
   return {};
 }
 
 Result<void> PdoParameters::write_mapping(PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped) {
   if (auto fits = check_mapping_entry(rules(), mapped); !fits) return fits;
-  if (context_.policy.count_follows_entries) {
-    return pdo.zero_written ? Result<void>{} : follow_entries(pdo, sub_index, mapped);
-  }
-  return count(pdo) == 0 ? Result<void>{} : refuse(AbortCode::DeviceState);
+  if (!context_.policy.count_follows_entries)
+    return count(pdo) == 0 ? Result<void>{} : refuse(AbortCode::DeviceState);
+  if (pdo.mapping_count == MappingCount::Follows) return follow_entries(pdo, sub_index, mapped);
+  pdo.mapping_count = MappingCount::Awaited;
+  return {};
+}
+
+/// The entries before the first empty one.
+std::uint8_t PdoParameters::leading_entries(const PdoSettings& pdo) const noexcept {
+  std::uint8_t entries = 0;
+  while (entries < kMostMappedObjects &&
+         context_.dictionary.stored(mapping_index(pdo), static_cast<std::uint8_t>(entries + 1)).value_or(0) != 0)
+    ++entries;
+  return entries;
+}
+
+void PdoParameters::set_count(const PdoSettings& pdo, std::uint8_t count) noexcept {
+  if (const Entry* const entry = context_.dictionary.lookup(mapping_index(pdo), 0))
+    context_.dictionary.set(*entry, count);
 }
 
 /// Sets the count to the entries before the first empty one, with @p mapped already in its place.
 Result<void> PdoParameters::follow_entries(const PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped) {
-  Dictionary& dictionary = context_.dictionary;
-  std::int64_t count = 0;
+  std::uint8_t count = 0;
   unsigned bits = 0;
   for (std::uint8_t sub = 1; sub <= kMostMappedObjects; ++sub, ++count) {
-    const std::int64_t stored = dictionary.stored(mapping_index(pdo), sub).value_or(0);
+    const std::int64_t stored = context_.dictionary.stored(mapping_index(pdo), sub).value_or(0);
     const std::uint32_t word = sub == sub_index ? mapped : static_cast<std::uint32_t>(stored);
     if (word == 0) break;
     bits += word & 0xFF;
   }
   if (bits > 64) return refuse(AbortCode::PdoLengthExceeded);
-  if (const auto entry = dictionary.find(mapping_index(pdo), 0)) dictionary.set(**entry, count);
+  set_count(pdo, count);
   return {};
 }
 

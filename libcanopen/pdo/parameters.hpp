@@ -22,13 +22,20 @@ inline constexpr std::uint8_t kSyncStart = 6;
 /// Highest synchronous transmission type (CiA 301, tables "RPDO transmission types", "TPDO transmission types").
 inline constexpr std::uint8_t kLastSynchronousType = 0xF0;
 
+/// Whether sub-index 0 of a mapping counts the entries by itself (Policy::count_follows_entries).
+enum class MappingCount : std::uint8_t {
+  Follows,  ///< with every entry that is written
+  Zero,     ///< 0 was written to it: entries do not count before it is written again (CiA 301, 7.5.2.36)
+  Awaited,  ///< as Zero, but entries were written since: they count when the PDO becomes valid
+};
+
 /// What is in force of one PDO.
 struct PdoSettings {
   Identifier identifier = 0;  ///< 0 while the PDO is not valid
   std::uint16_t number = 0;   ///< 0 for 1400h or 1800h
   std::uint8_t transmission_type = 0;
   bool remote_allowed = false;  ///< TPDO: remote frames are answered
-  bool zero_written = false;  ///< sub-index 0 of the mapping was set to 0: the entries do not count by themselves
+  MappingCount mapping_count = MappingCount::Follows;
   MappingPlan plan{};
 
   bool is_valid() const noexcept { return identifier != 0; }
@@ -81,6 +88,8 @@ class CANOPEN_EXPORT PdoParameters final : public EntryOwner {
   Result<void> write_count(PdoSettings& pdo, std::uint8_t count);
   Result<void> write_mapping(PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped);
   Result<void> follow_entries(const PdoSettings& pdo, std::uint8_t sub_index, std::uint32_t mapped);
+  std::uint8_t leading_entries(const PdoSettings& pdo) const noexcept;
+  void set_count(const PdoSettings& pdo, std::uint8_t count) noexcept;
   void own(std::uint16_t index);
   void give_room();
   void changed(std::size_t position) noexcept;

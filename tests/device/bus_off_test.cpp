@@ -52,6 +52,66 @@ TEST(BusOff, IsEndedByP8608WrittenOverSdo) {
   EXPECT_EQ(unit.faults(2), Numbers{});
 }
 
+/// Ways to acknowledge the faults of the whole unit while the bus is off.
+struct AcknowledgedBusOff : testing::TestWithParam<std::vector<std::string_view>> {};
+
+// The order of the manual: acknowledge, then p8608[0] = 1.
+TEST_P(AcknowledgedBusOff, IsOverWithTheRestart) {
+  LostUnit unit;
+  unit.passes(100ms);
+  ASSERT_EQ(unit.statusword() & 0x4F, 0x08);
+
+  for (const std::string_view request : GetParam()) EXPECT_EQ(unit.says(request).size(), 1U);
+  EXPECT_EQ(unit.faults(2), Numbers{8700}) << "its cause is there";
+  EXPECT_EQ(unit.statusword() & 0x4F, 0x08);
+  unit.open(1);
+  const Lines lines = unit.says("605#2BA0410001000000");
+  EXPECT_EQ(lines.at(0), "585#60A0410000000000");
+  EXPECT_EQ(from("085#", lines), (Lines{"085#011011FC21010000", "085#011011FC21020000", "085#0000000000000000"}));
+
+  unit.passes(Device::kCycle);
+  EXPECT_EQ(unit.faults(1), Numbers{});
+  EXPECT_EQ(unit.faults(2), Numbers{});
+  EXPECT_EQ(unit.statusword() & 0x4F, 0x40);
+  EXPECT_EQ(unit.upload(0x1001).number(), 0U);
+  unit.open(2);
+  EXPECT_EQ(unit.upload(0x2000 + 945, 0).number(), 0U);
+  EXPECT_EQ(unit.upload(0x2000 + 945, 8).number(), 8700U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Ways, AcknowledgedBusOff,
+    testing::Values(std::vector<std::string_view>{"605#2F8D2F0001000000", "605#2BB6410002000000",
+                                                  "605#2F8D2F0001000000"},  // p3981 of both drive objects
+                    std::vector<std::string_view>{"605#2F03100000000000"}),
+    [](const auto& tried) { return tried.param.size() == 1 ? "Object1003" : "P3981"; });
+
+TEST(BusOff, ThatWasAcknowledgedLeavesAnotherFaultInForce) {
+  LostUnit unit;
+  unit.passes(100ms);
+  ASSERT_EQ(unit.download(0x1003, 0, 0, 1), 0U);
+  ASSERT_TRUE(unit.device.raise(1, 7901, 0, unit.now));
+
+  unit.says("605#2BA0410001000000");
+
+  EXPECT_EQ(unit.faults(2), Numbers{7901});
+  unit.passes(Device::kCycle);
+  EXPECT_EQ(unit.statusword() & 0x4F, 0x08);
+}
+
+TEST(BusOff, HasToBeAcknowledgedAnewWhenItComesAgain) {
+  LostUnit unit;
+  unit.passes(100ms);
+  ASSERT_EQ(unit.download(0x1003, 0, 0, 1), 0U);
+  unit.says("605#2BA0410001000000");
+  ASSERT_EQ(unit.faults(2), Numbers{});
+
+  unit.device.on_bus_state(BusState::Off, unit.now);
+  unit.says("605#2BA0410001000000");
+
+  EXPECT_EQ(unit.faults(2), Numbers{8700});
+}
+
 TEST(BusOff, IsEndedByP8608OnceTheControllerSaysSo) {
   LostUnit unit;
   unit.listener.bus_can_be_used = false;

@@ -1,7 +1,9 @@
 #include <array>
 #include <bit>
+#include <map>
 
 #include "tests/device/test_unit.hpp"
+#include "tests/eds/objects_csv.hpp"
 
 namespace device {
 namespace {
@@ -45,6 +47,33 @@ TEST(ParameterWindow, IsClosedFromTheFactory) {
     ASSERT_EQ(unit.upload(object).abort_code, kNoObject) << std::hex << index;
     ASSERT_EQ(unit.download(object, 0, 0, 4), kNoObject) << std::hex << index;
   }
+}
+
+/// The last sub-index of each object of @p scope as the EDS files of the real unit have it.
+std::map<std::uint16_t, unsigned> last_sub_indices(const std::string& scope) {
+  std::map<std::uint16_t, unsigned> last;
+  for (const eds_test::Fact& fact : eds_test::read_facts())
+    if (fact.at("scope") == scope && !eds_test::is_head(fact))
+      last[eds_test::index_of(fact)] = eds_test::sub_index_of(fact);
+  return last;
+}
+
+TEST(ParameterWindow, HasTheSubIndicesOfTheEdsAndNoOther) {
+  TestUnit unit{{.node_id = 5, .axes = {{}, {.drive = {.kind = drive::ObjectKind::Vector}}}}};
+  unit.start();
+  std::size_t objects = 0;
+  std::uint16_t drive_object = 0;
+  for (const char* const scope : {"cu-parameter", "servo-parameter", "vector-parameter"}) {
+    ASSERT_EQ(unit.download(kWindow, 0, ++drive_object, 2), 0U);
+    for (const auto& [index, last] : last_sub_indices(scope)) {
+      ++objects;
+      for (unsigned sub_index = 0; sub_index <= 0xFF; ++sub_index)
+        EXPECT_EQ(unit.upload(index, static_cast<std::uint8_t>(sub_index)).abort_code,
+                  sub_index <= last ? 0U : kNoSubIndex)
+            << scope << ' ' << std::hex << index << ':' << sub_index;
+    }
+  }
+  EXPECT_EQ(objects, 64U);
 }
 
 TEST(ParameterWindow, ShowsTheDriveObjectThatItIsOpenedFor) {

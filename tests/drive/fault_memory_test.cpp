@@ -78,6 +78,32 @@ TEST(FaultMemory, AcknowledgesEachClassOnItsOwnCondition) {
   EXPECT_TRUE(memory.acknowledge(false));
 }
 
+TEST(FaultMemory, RemembersAnAcknowledgementUntilACauseThatIsEndingIsGone) {
+  FaultMemory memory;
+  memory.enter(row(8700), 1, Cause::Ending);
+  memory.enter(row(7860), 0, Cause::Present);
+
+  EXPECT_FALSE(memory.acknowledge(false));
+  EXPECT_EQ(memory.faults().size(), 2u);
+
+  EXPECT_TRUE(memory.withdraw(row(8700)));
+  EXPECT_FALSE(memory.withdraw(row(7860)));
+  ASSERT_EQ(memory.faults().size(), 1u);
+  EXPECT_EQ(memory.faults()[0].row->number, 7860);
+  EXPECT_EQ(memory.fault(8).number, 8700) << "it has become a case of the buffer";
+}
+
+TEST(FaultMemory, ForgetsAnAcknowledgementWhenTheFaultComesAgain) {
+  FaultMemory memory;
+  memory.enter(row(8700), 1, Cause::Ending);
+  memory.acknowledge(false);
+
+  memory.enter(row(8700), 1, Cause::Ending);
+
+  EXPECT_FALSE(memory.withdraw(row(8700)));
+  EXPECT_TRUE(memory.acknowledge(false));
+}
+
 TEST(FaultMemory, AnAcknowledgementLeavesAlarmsAlone) {
   FaultMemory memory;
   memory.enter(row(8752), 0, Cause::Present);

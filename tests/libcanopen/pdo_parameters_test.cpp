@@ -1,34 +1,8 @@
-#include "tests/libcanopen/node_fixture.hpp"
+#include "tests/libcanopen/pdo_parameters_fixture.hpp"
 
 namespace {
 
 using canopen::Policy;
-
-constexpr std::uint32_t kUnmappable = 0x06040041;
-constexpr std::uint32_t kTooLong = 0x06040042;
-constexpr std::uint32_t kInUse = 0x06040043;
-constexpr std::uint32_t kInvalidValue = 0x06090030;
-constexpr std::uint32_t kDeviceState = 0x08000022;
-
-class PdoParameters : public NodeTest {
- protected:
-  using NodeTest::NodeTest;
-  void SetUp() override { start(); }
-
-  struct Write {
-    std::uint16_t index;
-    std::uint8_t sub_index;
-    unsigned size;
-    std::uint32_t value, abort;
-  };
-  void expect_writes(std::initializer_list<Write> rows) {
-    int number = 0;
-    for (const Write& row : rows) {
-      EXPECT_EQ(writes(row.index, row.sub_index, row.value, row.size), row.abort)
-          << "write " << ++number << ": " << std::hex << row.index << ':' << +row.sub_index << " := " << row.value;
-    }
-  }
-};
 
 TEST_F(PdoParameters, AreInvalidWithBit31WhateverElseIsSet) {
   for (const std::uint32_t cob_id :
@@ -235,61 +209,6 @@ TEST_F(PdoParametersLockedInOperational, AreRefusedThereAndTakenElsewhere) {
   });
   says("000#8005");
   expect_writes({{0x1400, 1, 4, 0x80000205, 0}});
-}
-
-class PdoParametersThatCount : public PdoParameters {
- protected:
-  PdoParametersThatCount() : PdoParameters{Policy{.count_follows_entries = true}} {}
-};
-
-TEST_F(PdoParametersThatCount, CountTheirEntriesUpToTheFirstEmptyOne) {
-  expect_writes({{0x1603, 1, 4, 0x60400010, 0}});
-  EXPECT_EQ(value_of(0x1603, 0), 1);
-  expect_writes({{0x1603, 3, 4, 0x60600008, 0}});
-  EXPECT_EQ(value_of(0x1603, 0), 1);
-  expect_writes({{0x1603, 2, 4, 0x60FF0020, 0}});
-  EXPECT_EQ(value_of(0x1603, 0), 3);
-  expect_writes({{0x1603, 2, 4, 0, 0}});
-  EXPECT_EQ(value_of(0x1603, 0), 1);
-  expect_writes({
-      {0x1603, 2, 4, 0x60FF0020, 0},
-      {0x1603, 4, 4, 0x20180020, kTooLong},  // an eleventh byte
-      {0x1403, 1, 4, 0x00000505, 0},
-  });
-  EXPECT_EQ(value_of(0x1603, 4), 0);
-
-  says("000#0105");
-  says("505#0F0078563412FD");
-
-  EXPECT_EQ(value_of(0x6040), 0x000F);
-  EXPECT_EQ(value_of(0x60FF), 0x12345678);
-  EXPECT_EQ(value_of(0x6060), -3);
-}
-
-TEST_F(PdoParametersThatCount, TakeTheProcedureOfCiA301AsWell) {
-  expect_writes({
-      {0x1400, 1, 4, 0x80000205, 0},
-      {0x1600, 0, 1, 0, 0},
-      {0x1600, 1, 4, 0x60600008, 0},
-      {0x1600, 2, 4, 0x60400010, 0},
-  });
-  EXPECT_EQ(value_of(0x1600, 0), 0) << "0 was written";
-  expect_writes({
-      {0x1600, 0, 1, 2, 0},
-      {0x1400, 1, 4, 0x00000205, 0},
-      {0x1600, 1, 4, 0x60600008, kDeviceState},
-  });
-  EXPECT_EQ(value_of(0x1600, 0), 2);
-}
-
-TEST_F(PdoParametersThatCount, ForgetAWrittenZeroWithTheNextInvalidCobId) {
-  expect_writes({
-      {0x1400, 1, 4, 0x80000205, 0},
-      {0x1600, 0, 1, 0, 0},
-      {0x1400, 1, 4, 0x80000205, 0},
-      {0x1600, 1, 4, 0x60600008, 0},
-  });
-  EXPECT_GE(value_of(0x1600, 0), 1) << "it follows the entries again";
 }
 
 }  // namespace

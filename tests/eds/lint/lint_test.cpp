@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kCorpus = fs::path{SOURCE_FOLDER} / "tests/data/eds";
 
+/// The data sheets of @p folder, without what is known of them beside.
 std::vector<std::string> files_in(const fs::path& folder) {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator{folder})
