@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "drive/axis_configuration.hpp"
 #include "drive/axis_inputs.hpp"
@@ -132,8 +133,8 @@ class Axis final : public DriveObject {
     energy_drawn_ = drawn;
     energy_fed_back_ = fed_back;
   }
-  /// Computes p0340's choice anew from the machine: 1 everything, 2 the circuit, 4 the controllers, 5 the
-  /// limits, 3 both.
+  /// Computes p0340's choice anew from the motor data: 1 everything, 2 the circuit, 4 the controllers, 5 the
+  /// limits, 3 both; circuit and inertia only of a motor that is not of the list.
   void compute_parameters(int choice) noexcept;
   /// Ends commissioning (p0010 = 0).
   void leave_commissioning() noexcept;
@@ -225,6 +226,10 @@ class Axis final : public DriveObject {
   void take_over(const motor::RotatingResult& found) noexcept;
   void take_over_saturation(const motor::RotatingResult& found) noexcept;
   void assign_rotor_circuit(const motor::MachineData& machine) noexcept;
+  void set_dynamics(double factor) noexcept;
+  void compute_as_new(std::span<const std::uint16_t> numbers, const ObjectContext& described) noexcept;
+  void compute_inertia() noexcept;
+  void compute_circuit() noexcept;
   void assign_rounded(std::uint16_t number, double value) noexcept;
 
   AxisParameters parameters_;

@@ -31,7 +31,8 @@ constexpr unsigned kSetsController = 1U << 3;
 constexpr unsigned kLocksForward = 1U << 14;
 constexpr unsigned kLocksBackward = 1U << 15;
 
-constexpr int kControllers = 4;  // p0340
+constexpr int kControllers = 4;        // p0340
+constexpr double kWholeInertia = 1.0;  // p1496
 
 unsigned configuration_of(const Axis& axis) noexcept {
   return static_cast<unsigned>(axis.read(kRotatingConfiguration).value_or(0.0));
@@ -46,7 +47,10 @@ double represented(const ParameterRow& row, double value) noexcept {
 }  // namespace
 
 void Axis::select_identification(std::int32_t value) noexcept {
-  identification_.select_both(value, is_field_oriented(parameters_.control_mode));
+  constexpr std::array kChoices{selection::kMeasure, selection::kMeasureBlind};
+  const auto* const rotating = std::ranges::find_if(
+      kChoices, [this](std::int32_t choice) { return can_rotate(choice, kind(), parameters_.control_mode); });
+  identification_.select_both(value, rotating != kChoices.end() ? *rotating : selection::kNone);
   show_selection();
 }
 
@@ -193,8 +197,8 @@ void Axis::take_over(const motor::StandstillResult& found) noexcept {
       motor::identified_machine(believed_machine(parameters_, context().axis.machine), found);
   assign_rounded(350, machine.stator_resistance);
   if (machine.type == motor::MachineType::Synchronous) {
-    assign_rounded(356, machine.synchronous.q_inductance);
-    assign_rounded(357, machine.synchronous.d_inductance);
+    assign_rounded(356, machine.synchronous.q_inductance - parameters_.series_inductance);
+    assign_rounded(357, machine.synchronous.d_inductance - parameters_.series_inductance);
   } else {
     assign_rotor_circuit(machine);
   }
@@ -211,11 +215,22 @@ void Axis::take_over(const motor::RotatingResult& found) noexcept {
   if (found.inertia > 0.0) {
     if (found.inertia < parameters_.motor_inertia) assign_rounded(341, found.inertia);
     assign_rounded(342, found.inertia / parameters_.motor_inertia);
+    assign_rounded(1496, kWholeInertia);
   }
-  if ((configuration_of(*this) & kSetsController) != 0)
+  if ((configuration_of(*this) & kSetsController) != 0) {
     compute_parameters(kControllers);
-  else
-    apply_parameters();
+    set_dynamics(parameters_.speed_dynamics);
+  }
+  apply_parameters();
+}
+
+/// Speed controllers that are @p factor times as fast as p0340 = 4 has made them.
+void Axis::set_dynamics(double factor) noexcept {
+  const AxisParameters p = parameters_;
+  assign_rounded(1460, p.speed_gain * factor);
+  assign_rounded(1462, p.speed_integral_time / factor);
+  assign_rounded(1470, p.encoderless_speed_gain * factor);
+  assign_rounded(1472, p.encoderless_speed_integral_time / factor);
 }
 
 /// The characteristic was measured in shares of the flux that was believed the rated one, and refers to the one
@@ -243,7 +258,7 @@ void Axis::take_over_saturation(const motor::RotatingResult& found) noexcept {
 
 void Axis::assign_rotor_circuit(const motor::MachineData& machine) noexcept {
   assign_rounded(354, machine.induction.rotor_resistance);
-  assign_rounded(356, machine.induction.stator_leakage);
+  assign_rounded(356, machine.induction.stator_leakage - parameters_.series_inductance);
   assign_rounded(358, machine.induction.rotor_leakage);
   assign_rounded(360, machine.induction.magnetising_inductance);
 }

@@ -101,7 +101,7 @@ void Axis::lead_brake() noexcept {
   if (!has_brake()) return train_.set_brake(false);
   const bool open = pulses_enabled_in(state_) && !(is_braking(state_) && stands());
   train_.set_brake(!open);
-  brake_opening_ = open ? std::max(0.0, brake_opening_ - cycle_.duration) : context().axis.load.brake.opening_time;
+  brake_opening_ = open ? std::max(0.0, brake_opening_ - cycle_.duration) : parameters_.brake_opening_time;
   if (brake_opening_ > 0.0) channel_.wait();  // the setpoint waits for the brake
 }
 

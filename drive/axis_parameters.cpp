@@ -11,7 +11,6 @@ namespace drive {
 namespace {
 
 constexpr std::uint16_t kControlMode = 1300;
-constexpr std::uint16_t kDirectInductance = 357;
 
 using Members = std::variant<double AxisParameters::*, std::int32_t AxisParameters::*>;
 
@@ -26,10 +25,12 @@ void set(AxisParameters& parameters, const Members& member, double si) noexcept 
     parameters.*(*code) = static_cast<std::int32_t>(si);
 }
 
-/// What p0340 computes for its values 4, 2 and 5.
+/// What p0340 computes for its values 4, 2 (by the kind of machine) and 5.
+constexpr std::uint16_t kInertia = 341;  // with 1 only
 constexpr std::array<std::uint16_t, 4> kControllers{1460, 1462, 1470, 1472};
-constexpr std::array<std::uint16_t, 14> kCircuit{320, 350, 354, 356, 358, 360, 362,
-                                                 363, 364, 365, 366, 367, 368, 369};
+constexpr std::array<std::uint16_t, 14> kInductionCircuit{320, 350, 354, 356, 358, 360, 362,
+                                                          363, 364, 365, 366, 367, 368, 369};
+constexpr std::array<std::uint16_t, 3> kSynchronousCircuit{350, 356, 357};
 constexpr std::array<std::uint16_t, 7> kLimits{640, 1082, 1520, 1521, 1530, 1531, 2162};
 
 }  // namespace
@@ -66,11 +67,12 @@ void Axis::set_own_value(const ParameterRow& row, std::size_t index, double valu
   }
 }
 
-/// Without closed loop nothing rotates.
+/// Without closed loop nothing rotates, and nothing with an encoder that the mode does not use.
 void Axis::follow_control_mode() noexcept {
   mode_.on_parameter(parameters_.control_mode);
-  const bool rotates = identification_.selection().rotating != selection::kNone;
-  if (rotates && !is_field_oriented(parameters_.control_mode)) select_rotating_measurement(selection::kNone);
+  const std::int32_t rotating = identification_.selection().rotating;
+  if (rotating != selection::kNone && !can_rotate(rotating, kind(), parameters_.control_mode))
+    select_rotating_measurement(selection::kNone);
 }
 
 WriteState Axis::write_state() const noexcept {
@@ -85,32 +87,50 @@ void Axis::compute_parameters(int choice) noexcept {
   constexpr int kControl = 3;
   constexpr int kControllersOnly = 4;
   constexpr int kLimitsOnly = 5;
-  // A new unit of the machine that the motor data describe would have the values.
+  const bool from_plate = !is_listed_motor(parameters_);
+  if (from_plate && choice == kEverything) compute_inertia();
+  if (from_plate && (choice == kEverything || choice == kCircuitOnly)) compute_circuit();
   ObjectContext described = context();
   described.axis.machine = believed_machine(parameters_, context().axis.machine);
   described.axis.load.inertia = parameters_.motor_inertia * (parameters_.inertia_ratio - 1.0);
-  const auto compute = [&](std::uint16_t number) {
-    const ParameterRow& row = *find_parameter(kind(), number)->row;
-    set_own_value(row, 0, factory_value(row, described));
-  };
-  // The plate of an induction motor gives its circuit, with a straight characteristic through the rating point;
-  // that of a synchronous one does not.
-  const bool has_circuit = described.axis.machine.type == motor::MachineType::Induction;
-  if (has_circuit && (choice == kEverything || choice == kCircuitOnly)) {
-    described.axis.machine = motor::circuit_from_plate(described.axis.machine);
-    described.axis.machine.induction.saturation_flux = 0.0;
-    std::for_each(kCircuit.begin(), kCircuit.end(), compute);
-  }
-  if (!has_circuit && choice == kEverything) {
-    motor::SynchronousData& magnetic = described.axis.machine.synchronous;
-    const motor::SynchronousData& data_sheet = context().axis.machine.synchronous;
-    magnetic.d_inductance = magnetic.q_inductance * data_sheet.d_inductance / data_sheet.q_inductance;
-    compute(kDirectInductance);
-  }
   const bool everything = choice == kEverything || choice == kControl;
-  if (everything || choice == kControllersOnly) std::ranges::for_each(kControllers, compute);
-  if (everything || choice == kLimitsOnly) std::ranges::for_each(kLimits, compute);
+  if (everything || choice == kControllersOnly) compute_as_new(kControllers, described);
+  if (everything || choice == kLimitsOnly) compute_as_new(kLimits, described);
   apply_parameters();
+}
+
+/// The parameters @p numbers become what they would be on a new unit of @p described.
+void Axis::compute_as_new(std::span<const std::uint16_t> numbers, const ObjectContext& described) noexcept {
+  for (const std::uint16_t number : numbers) {
+    const ParameterRow& row = *find_parameter(kind(), number)->row;
+    const Range limits = limits_of(row);
+    set_own_value(row, 0, std::clamp(factory_value(row, described), limits.minimum, limits.maximum));
+  }
+}
+
+void Axis::compute_inertia() noexcept {
+  ObjectContext described = context();
+  described.axis.machine.inertia =
+      motor::inertia_from_plate(believed_machine(parameters_, context().axis.machine));
+  compute_as_new(std::array{kInertia}, described);
+}
+
+/// The plate of an induction motor gives its circuit, with a straight characteristic through the rating point;
+/// that of a synchronous one what is usual, in the ratio of the axes that the data sheet has.
+void Axis::compute_circuit() noexcept {
+  const motor::MachineData& data_sheet = context().axis.machine;
+  ObjectContext described = context();
+  motor::MachineData& machine = described.axis.machine;
+  machine = believed_machine(parameters_, data_sheet);
+  if (machine.type == motor::MachineType::Induction) {
+    machine = motor::circuit_from_plate(machine);
+    machine.induction.saturation_flux = 0.0;
+    return compute_as_new(kInductionCircuit, described);
+  }
+  machine.synchronous.d_inductance = data_sheet.synchronous.d_inductance;
+  machine.synchronous.q_inductance = data_sheet.synchronous.q_inductance;
+  machine = motor::magnetic_data_from_plate(machine);
+  compute_as_new(kSynchronousCircuit, described);
 }
 
 void Axis::leave_commissioning() noexcept {

@@ -142,7 +142,7 @@ void Axis::wait_for_power(double duration) noexcept {
 }
 
 void Axis::check_standstill(double duration) noexcept {
-  const double closing_time = has_brake() ? context().axis.load.brake.closing_time : 0.0;
+  const double closing_time = has_brake() ? parameters_.brake_closing_time : 0.0;
   const StandstillMonitor::Limits limits{parameters_.standstill_threshold, parameters_.standstill_monitoring_time,
                                          parameters_.pulse_suppression_delay + closing_time};
   if (standstill_.update(duration, actual_.speed, channel_.output(), limits)) apply(Event::Standstill);

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "drive/operating_mode.hpp"
 #include "motor/induction_circuit.hpp"
 
 namespace drive {
@@ -19,11 +20,18 @@ void Identification::select_rotating(std::int32_t value) noexcept {
   settle();
 }
 
-void Identification::select_both(std::int32_t value, bool closed_loop) noexcept {
-  const bool rotates = value == selection::kBothMeasurements && closed_loop;
+bool can_rotate(std::int32_t value, ObjectKind kind, std::int32_t control_mode) noexcept {
+  if (!is_field_oriented(control_mode)) return false;
+  if (kind != ObjectKind::Vector || value < selection::kMeasure) return true;
+  const bool with_encoder = value % 2 != 0;
+  return with_encoder == is_with_encoder(control_mode);
+}
+
+void Identification::select_both(std::int32_t value, std::int32_t rotating) noexcept {
+  const bool rotates = value == selection::kBothMeasurements;
   selection_ = {.both = value,
                 .standstill = value != kNone ? selection::kMeasure : kNone,
-                .rotating = rotates ? selection::kMeasure : kNone};
+                .rotating = rotates ? rotating : kNone};
 }
 
 /// p1900 returns to 0 with the last of the other two.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "drive/object_kind.hpp"
 #include "motor/identification/rotating_measurement.hpp"
 #include "motor/identification/standstill_measurement.hpp"
 
@@ -22,9 +23,14 @@ inline constexpr std::int32_t kMeasureOnly = -1;  ///< the results stay in r19xx
 inline constexpr std::int32_t kNone = 0;
 inline constexpr std::int32_t kMeasure = 1;
 inline constexpr std::int32_t kMeasureOnlyVector = 2;  ///< of p1910, on a vector axis
+inline constexpr std::int32_t kMeasureBlind = 2;       ///< of p1960, on a vector axis without encoder
 inline constexpr std::int32_t kFirstWithLoad = 3;      ///< of p1960, on a vector axis
 inline constexpr std::int32_t kBothMeasurements = 1;   ///< of p1900
 }  // namespace selection
+
+/// Whether p1960 = @p value measures on an axis of @p kind with p1300 = @p control_mode: field-oriented, and on a
+/// vector axis 1 and 3 with the encoder, 2 and 4 without it.
+bool can_rotate(std::int32_t value, ObjectKind kind, std::int32_t control_mode) noexcept;
 
 /// One of the two measurements.
 enum class IdentificationPart : std::uint8_t { None, Standstill, Rotating };
@@ -44,8 +50,8 @@ class Identification {
   void select_standstill(std::int32_t value) noexcept;
   /// p1960 becomes @p value, one that measures or 0.
   void select_rotating(std::int32_t value) noexcept;
-  /// p1900 becomes @p value (0..2) and sets the other two; without @p closed_loop nothing rotates.
-  void select_both(std::int32_t value, bool closed_loop) noexcept;
+  /// p1900 becomes @p value (0..2) and sets p1910 and, if it is 1, p1960 = @p rotating (0: nothing rotates).
+  void select_both(std::int32_t value, std::int32_t rotating) noexcept;
   /// Takes every selection back.
   void deselect() noexcept { selection_ = {}; }
   /// The measurement that the next ON begins.

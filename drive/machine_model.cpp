@@ -52,6 +52,29 @@ constexpr std::array kPlausibility{
 };
 constexpr std::uint16_t kMotorType = 300;
 
+/// Values of p0300 from `first` to `last`.
+struct MotorTypeRow {
+  std::int32_t first;
+  std::int32_t last;
+  Of machine;
+  bool is_listed;  ///< a series of motors, not a kind
+};
+constexpr std::array kMotorTypes{
+    MotorTypeRow{1, 1, Of::Induction, false},
+    MotorTypeRow{2, 2, Of::Synchronous, false},
+    MotorTypeRow{10, 19, Of::Induction, true},
+    MotorTypeRow{90, 199, Of::Induction, true},
+    MotorTypeRow{200, 299, Of::Synchronous, true},
+    MotorTypeRow{10000, 10100, Of::Any, true},  // its own plate, read
+};
+
+/// The row of p0300, or nullptr if no motor has it.
+const MotorTypeRow* motor_type_row(std::int32_t number) noexcept {
+  const auto* const row = std::ranges::find_if(
+      kMotorTypes, [=](const MotorTypeRow& r) { return r.first <= number && number <= r.last; });
+  return row != kMotorTypes.end() ? row : nullptr;
+}
+
 MagnetisingCharacteristic characteristic_of(const AxisParameters& p) noexcept {
   return {{p.characteristic_flux_1, p.characteristic_flux_2, p.characteristic_flux_3, p.characteristic_flux_4},
           {p.characteristic_current_1, p.characteristic_current_2, p.characteristic_current_3,
@@ -76,10 +99,12 @@ motor::MachineData believed_machine(const AxisParameters& p, const motor::Machin
   data.maximum_current = p.motor_maximum_current;
   data.inertia = p.motor_inertia;
   data.stator_resistance = p.stator_resistance;
+  // What lies between power unit and motor is part of what the control sees of it.
+  const double series = p.series_inductance;
   if (p.pole_pairs > 0) data.pole_pairs = static_cast<std::uint8_t>(p.pole_pairs);
   if (machine.type == MachineType::Induction) {
     data.induction.rotor_resistance = p.rotor_resistance;
-    data.induction.stator_leakage = p.stator_leakage;
+    data.induction.stator_leakage = p.stator_leakage + series;
     data.induction.rotor_leakage = p.rotor_leakage;
     data.induction.magnetising_inductance = p.main_inductance;
     data.induction.magnetising_current = p.magnetising_current;
@@ -88,16 +113,22 @@ motor::MachineData believed_machine(const AxisParameters& p, const motor::Machin
   }
   // The data sheet's ratio of flux and torque constant is that of the machine.
   motor::SynchronousData& magnetic = data.synchronous;
-  magnetic.d_inductance = p.direct_inductance;
-  magnetic.q_inductance = p.stator_leakage;
+  magnetic.d_inductance = p.direct_inductance + series;
+  magnetic.q_inductance = p.stator_leakage + series;
   magnetic.magnet_flux *= p.torque_constant / machine.torque_constant;
   data.torque_constant = p.torque_constant;
   return data;
 }
 
+bool is_listed_motor(const AxisParameters& parameters) noexcept {
+  const MotorTypeRow* const type = motor_type_row(parameters.motor_type);
+  return (type != nullptr && type->is_listed) || parameters.motor_code != 0;
+}
+
 std::uint16_t implausible_motor_parameter(const AxisParameters& parameters,
                                           const motor::MachineData& machine) noexcept {
-  if (parameters.motor_type != motor_type_number(machine.type)) return kMotorType;
+  const MotorTypeRow* const type = motor_type_row(parameters.motor_type);
+  if (type == nullptr || !concerns(type->machine, machine.type)) return kMotorType;
   const auto* const broken = std::ranges::find_if(kPlausibility, [&](const PlausibilityRow& row) {
     return concerns(row.machine, machine.type) && !row.holds(parameters);
   });

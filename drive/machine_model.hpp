@@ -27,4 +27,8 @@ constexpr std::int32_t motor_type_number(motor::MachineType type) noexcept {
   return type == motor::MachineType::Induction ? 1 : 2;
 }
 
+/// Whether p0300 and p0301 of @p parameters are those of a motor of the list (a number of its series or a code),
+/// whose data the unit knows; otherwise only its rating plate is known.
+bool is_listed_motor(const AxisParameters& parameters) noexcept;
+
 }  // namespace drive

@@ -31,6 +31,10 @@ std::int8_t mode_of(std::int32_t control_mode) noexcept;
 constexpr bool is_field_oriented(std::int32_t control_mode) noexcept {
   return control_mode >= control_mode::kSpeedWithoutEncoder;
 }
+/// Whether @p control_mode is one of the two that need the encoder.
+constexpr bool is_with_encoder(std::int32_t control_mode) noexcept {
+  return control_mode == control_mode::kSpeed || control_mode == control_mode::kTorque;
+}
 /// Whether @p control_mode is one of the two with torque control.
 constexpr bool is_torque_control(std::int32_t control_mode) noexcept {
   return control_mode == control_mode::kTorqueWithoutEncoder || control_mode == control_mode::kTorque;

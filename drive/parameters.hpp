@@ -10,6 +10,7 @@ namespace drive {
 struct AxisParameters {
   // Motor data: what the control believes of the machine, which itself stays what it is.
   std::int32_t motor_type = 0;         ///< p0300: 1 induction, 2 synchronous
+  std::int32_t motor_code = 0;         ///< p0301, not 0 = a motor of the list
   double rated_voltage = 0.0;          ///< p0304 (V rms)
   double rated_current = 0.0;          ///< p0305 (A rms)
   double rated_power = 0.0;            ///< p0307 (W)
@@ -27,6 +28,7 @@ struct AxisParameters {
   double inertia_ratio = 1.0;          ///< p0342, of all that turns to the motor's
   double stator_resistance = 0.0;      ///< p0350 (Ω)
   double rotor_resistance = 0.0;       ///< p0354 (Ω)
+  double series_inductance = 0.0;      ///< p0353 (H), between power unit and motor
   double stator_leakage = 0.0;         ///< p0356 (H); of a synchronous machine the inductance across its magnets
   double direct_inductance = 0.0;      ///< p0357 (H), of a synchronous machine along its magnets
   double rotor_leakage = 0.0;          ///< p0358 (H)
@@ -63,6 +65,8 @@ struct AxisParameters {
   double off3_initial_rounding = 0.0;       ///< p1136
   double off3_final_rounding = 0.0;         ///< p1137
   std::int32_t brake_configuration = 0;     ///< p1215: 0 none, 1 and 3 by the sequence control, 2 always open
+  double brake_opening_time = 0.0;          ///< p1216, for which the setpoint waits
+  double brake_closing_time = 0.0;          ///< p1217, for which the motor still holds
   double standstill_threshold = 0.0;        ///< p1226
   double standstill_monitoring_time = 0.0;  ///< p1227
   double pulse_suppression_delay = 0.0;     ///< p1228
@@ -75,6 +79,7 @@ struct AxisParameters {
   double encoderless_speed_gain = 0.0;           ///< p1470 (N·m·s/rad)
   double encoderless_speed_integral_time = 0.0;  ///< p1472, 0 = no integral part
   double acceleration_precontrol = 0.0;          ///< p1496, 1 = the whole inertia
+  double speed_dynamics = 1.0;                   ///< p1967, of the speed controller that p1960 computes
   double upper_torque_limit = 0.0;               ///< p1520
   double lower_torque_limit = 0.0;               ///< p1521
   double motoring_power_limit = 0.0;             ///< p1530 (W)

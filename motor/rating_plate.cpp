@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kStatorShare = 0.37;    // of all losses at the rating point
 constexpr double kBreakdownRatio = 3.6;  // breakdown torque over rated torque
+// Of servo motors; between these numbers and the motors of motors/ lies less than a factor of 2.
+constexpr double kResistiveShare = 0.12;  // of the reactance that lets the maximum current through
+constexpr double kInertia = 1e-4;         // kg·m² at 1 N·m, growing with the torque to the power of 5/3
 
 /// What the plate says, per phase.
 struct Plate {
@@ -112,6 +115,24 @@ MachineData circuit_from_plate(const MachineData& machine) noexcept {
   result.induction.magnetising_current =
       plate.voltage / std::hypot(plate.stator_resistance, plate.frequency * (circuit.leakage + magnetising));
   return result;
+}
+
+MachineData magnetic_data_from_plate(const MachineData& machine) noexcept {
+  if (!(machine.rated_voltage > 0.0 && machine.rated_frequency > 0.0 && machine.maximum_current > 0.0))
+    return machine;
+  const double frequency = 2.0 * std::numbers::pi * machine.rated_frequency;
+  const double reactance = machine.rated_voltage / (std::numbers::sqrt3 * machine.maximum_current);
+  MachineData result = machine;
+  result.stator_resistance = kResistiveShare * reactance;
+  const double saliency = machine.synchronous.d_inductance / machine.synchronous.q_inductance;
+  result.synchronous.q_inductance = reactance / frequency;
+  result.synchronous.d_inductance = saliency * result.synchronous.q_inductance;
+  return result;
+}
+
+double inertia_from_plate(const MachineData& machine) noexcept {
+  if (!(machine.rated_power > 0.0 && machine.rated_speed > 0.0)) return machine.inertia;
+  return kInertia * std::pow(machine.rated_power / machine.rated_speed, 5.0 / 3.0);
 }
 
 }  // namespace motor

@@ -15,7 +15,7 @@ namespace drive::check {
 /// Counters that can only be cleared.
 std::optional<Refusal> zero_only(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p1910 and p1960: their values, of which some are for vector axes only; -3 needs something that was found, and
-/// p1960 a p1300 from 20 on.
+/// p1960 a p1300 from 20 on that uses the encoder or not as the value says.
 std::optional<Refusal> standstill_selection(const DriveObject& object, std::size_t index, double value) noexcept;
 std::optional<Refusal> rotating_selection(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8603: an EMCY identifier there has to be.

@@ -33,6 +33,24 @@ bool is_induction(const ObjectContext& context) noexcept {
   return machine(context).type == motor::MachineType::Induction;
 }
 
+/// @p time (s) of the holding brake in ms, that of a new unit where there is none.
+double brake_time(const ObjectContext& context, double time) noexcept {
+  constexpr double kWithoutBrake = 100.0;
+  return context.axis.load.brake.torque > 0.0 ? rounded(time / row_of(Unit::Milliseconds).si) : kWithoutBrake;
+}
+
+/// p0400 of an encoder of the list.
+struct EncoderTypeRow {
+  motor::EncoderType type;
+  std::uint32_t pulses;
+  std::uint32_t revolutions;  ///< 0 = any
+  double code;
+};
+constexpr std::array kEncoderTypes{
+    EncoderTypeRow{motor::EncoderType::Incremental, 2048, 0, 2002.0},  // 1 Vpp with zero mark
+    EncoderTypeRow{motor::EncoderType::Absolute, 2048, 4096, 2051.0},  // 1 Vpp, EnDat
+};
+
 /// What commissioning computes for the machine and all that turns with it.
 motor::ControlSettings settings(const ObjectContext& context) noexcept {
   return motor::computed_settings(machine(context), context.axis.inverter,
@@ -93,6 +111,16 @@ double encoder_pulses(const ObjectContext& context, std::size_t index) noexcept 
   constexpr double kOtherEncoders = 2048.0;
   return index == kMotorEncoder ? static_cast<double>(machine(context).encoder.pulses) : kOtherEncoders;
 }
+double encoder_type(const ObjectContext& context, std::size_t index) noexcept {
+  constexpr double kNone = 0.0, kOfTheUser = 9999.0;
+  const motor::EncoderData& encoder = machine(context).encoder;
+  if (index != kMotorEncoder || encoder.type == motor::EncoderType::None) return kNone;
+  const auto* const row = std::ranges::find_if(kEncoderTypes, [&](const EncoderTypeRow& r) {
+    return r.type == encoder.type && r.pulses == encoder.pulses &&
+           (r.revolutions == 0 || r.revolutions == encoder.revolutions);
+  });
+  return row != kEncoderTypes.end() ? row->code : kOfTheUser;
+}
 double encoder_fine_bits(const ObjectContext& context, std::size_t index) noexcept {
   constexpr double kOtherEncoders = 11.0;
   return index == kMotorEncoder ? static_cast<double>(machine(context).encoder.fine_bits) : kOtherEncoders;
@@ -116,6 +144,12 @@ double encoderless_speed_integral_time(const ObjectContext& context, std::size_t
 double brake_configuration(const ObjectContext& context, std::size_t) noexcept {
   constexpr double kBySequenceControl = 1.0;
   return context.axis.load.brake.torque > 0.0 ? kBySequenceControl : 0.0;
+}
+double brake_opening_time(const ObjectContext& context, std::size_t) noexcept {
+  return brake_time(context, context.axis.load.brake.opening_time);
+}
+double brake_closing_time(const ObjectContext& context, std::size_t) noexcept {
+  return brake_time(context, context.axis.load.brake.closing_time);
 }
 double current_limit(const ObjectContext& context, std::size_t) noexcept {
   return rounded(settings(context).current_limit);

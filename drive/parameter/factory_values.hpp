@@ -37,6 +37,7 @@ double rated_power(const ObjectContext& context, std::size_t index) noexcept;
 double motor_inertia(const ObjectContext& context, std::size_t index) noexcept;
 double inertia_ratio(const ObjectContext& context, std::size_t index) noexcept;
 double encoder_pulses(const ObjectContext& context, std::size_t index) noexcept;
+double encoder_type(const ObjectContext& context, std::size_t index) noexcept;
 double encoder_fine_bits(const ObjectContext& context, std::size_t index) noexcept;
 
 // What commissioning computes for it.
@@ -46,6 +47,8 @@ double speed_integral_time(const ObjectContext& context, std::size_t index) noex
 double encoderless_speed_gain(const ObjectContext& context, std::size_t index) noexcept;
 double encoderless_speed_integral_time(const ObjectContext& context, std::size_t index) noexcept;
 double brake_configuration(const ObjectContext& context, std::size_t index) noexcept;
+double brake_opening_time(const ObjectContext& context, std::size_t index) noexcept;
+double brake_closing_time(const ObjectContext& context, std::size_t index) noexcept;
 double current_limit(const ObjectContext& context, std::size_t index) noexcept;
 double motoring_power_limit(const ObjectContext& context, std::size_t index) noexcept;
 double regenerative_power_limit(const ObjectContext& context, std::size_t index) noexcept;

@@ -124,6 +124,21 @@ TEST(RotatingIdentification, FindsFluxInertiaAndControllersOfASynchronousMachine
   EXPECT_NEAR(drive.shown(316), 0.9 * data_sheet.torque_constant, 0.01 * data_sheet.torque_constant);
   EXPECT_NEAR(drive.shown(1937), drive.shown(316), 1e-5);
   EXPECT_NEAR(drive.shown(1460) / gain, inertia / data_sheet.inertia, 0.03 * inertia / data_sheet.inertia);
+  EXPECT_EQ(drive.shown(1496), 100.0) << "%, of the inertia that is known now";
+}
+
+TEST(RotatingIdentification, MakesTheSpeedControllerAsFastAsItIsToldTo) {
+  MeasuringAxis drive{real_axis("1fk7063")};
+  ASSERT_TRUE(drive.axis.write(1967, 200.0));
+  ASSERT_TRUE(drive.axis.write(kP1960, -1.0));
+  drive.on();
+  drive.wait();
+  EXPECT_EQ(drive.shown(1496), 0.0) << "for r19xx only";
+  ASSERT_TRUE(drive.axis.write(kP1960, -3.0));
+  const double gain = drive.shown(1460), time = drive.shown(1462);
+  ASSERT_TRUE(drive.axis.write(340, 4.0));
+  EXPECT_NEAR(gain, 2.0 * drive.shown(1460), 1e-3 * gain);
+  EXPECT_NEAR(time, 0.5 * drive.shown(1462), 1e-3 * time);
 }
 
 TEST(RotatingIdentification, FindsTheSaturationOfAnInductionMachine) {

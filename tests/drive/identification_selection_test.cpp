@@ -66,7 +66,8 @@ TEST(IdentificationSelection, RefusesValuesThatTheAxisDoesNotHave) {
                                                : of_a_servo ? Refusal::NoParameter
                                                             : Refusal::IllegalValue)
         << value;
-    EXPECT_EQ(vector.refusal_of(kP1960, value), value == -3                ? Refusal::NotNow
+    const bool blind = value == 2 || value == 4;
+    EXPECT_EQ(vector.refusal_of(kP1960, value), value == -3 || blind       ? Refusal::NotNow
                                                 : of_a_servo || value >= 1 ? Refusal::NoParameter
                                                                            : Refusal::IllegalValue)
         << value;
@@ -74,6 +75,23 @@ TEST(IdentificationSelection, RefusesValuesThatTheAxisDoesNotHave) {
   EXPECT_EQ(servo.refusal_of(kP1910, 29.0), Refusal::AboveMaximum);
   EXPECT_EQ(servo.refusal_of(kP1910, -4.0), Refusal::BelowMinimum);
   EXPECT_EQ(servo.refusal_of(kP1960, 5.0), Refusal::AboveMaximum);
+}
+
+TEST(IdentificationSelection, OfAVectorAxisNamesWhetherTheEncoderCounts) {
+  MeasuringAxis drive{real_axis("1le1003-2k2")};
+  for (const double mode : {21.0, 23.0}) {
+    ASSERT_TRUE(drive.axis.write(1300, mode));
+    for (const double value : {1.0, 3.0}) EXPECT_TRUE(drive.axis.write(kP1960, value)) << value;
+    for (const double value : {2.0, 4.0}) EXPECT_EQ(drive.refusal_of(kP1960, value), Refusal::NotNow) << value;
+  }
+  ASSERT_TRUE(drive.axis.write(1300, 20.0));
+  EXPECT_EQ(drive.shown(kP1960), 0.0) << "with the encoder, which does not count any more";
+  EXPECT_FALSE(drive.has(7980));
+  for (const double value : {1.0, 3.0}) EXPECT_EQ(drive.refusal_of(kP1960, value), Refusal::NotNow) << value;
+  for (const double value : {2.0, 4.0}) EXPECT_TRUE(drive.axis.write(kP1960, value)) << value;
+  ASSERT_TRUE(drive.axis.write(kP1960, 0.0));
+  ASSERT_TRUE(drive.axis.write(kP1900, 1.0));
+  EXPECT_EQ(drive.shown(kP1960), 2.0) << "of the kind that fits";
 }
 
 TEST(IdentificationSelection, LetsNothingRotateUnderVoltageFrequencyControl) {

@@ -30,8 +30,9 @@ struct PlateValue {
 };
 constexpr std::array kPlate{PlateValue{304, 330.0F},  PlateValue{305, 5.6F},    PlateValue{307, 2.293F},
                             PlateValue{310, 200.0F},  PlateValue{311, 3000.0F}, PlateValue{316, 1.37F},
-                            PlateValue{322, 7200.0F}, PlateValue{323, 28.0F},   PlateValue{341, 0.00151F},
-                            PlateValue{342, 1.0F}};
+                            PlateValue{322, 7200.0F}, PlateValue{323, 28.0F},   PlateValue{342, 1.0F}};
+/// Of the data sheet, behind what the plate alone would give.
+constexpr PlateValue kRotorInertia{341, 0.00151F};
 
 struct Step {
   const char* frame;
@@ -61,6 +62,10 @@ struct Commissioning : testing::Test {
   void write(std::uint16_t parameter, std::uint16_t value) {
     ASSERT_EQ(sdo.download(0x2000U + parameter, 0, value, 2), 0U) << 'p' << parameter;
   }
+  void write(const PlateValue& row) {
+    ASSERT_EQ(sdo.download(0x2000U + row.parameter, 0, std::bit_cast<std::uint32_t>(row.value), 4), 0U)
+        << 'p' << row.parameter;
+  }
   std::uint64_t number(std::uint16_t parameter, std::uint8_t index = 0) {
     return sdo.upload(0x2000U + parameter, index).number();
   }
@@ -75,11 +80,11 @@ struct Commissioning : testing::Test {
   }
   void put_in_rating_plate() {
     ASSERT_NO_FATAL_FAILURE(write(kFilter, 3));
-    for (const PlateValue& row : kPlate)
-      ASSERT_EQ(sdo.download(0x2000U + row.parameter, 0, std::bit_cast<std::uint32_t>(row.value), 4), 0U)
-          << 'p' << row.parameter;
+    for (const PlateValue& row : kPlate) ASSERT_NO_FATAL_FAILURE(write(row));
     ASSERT_NO_FATAL_FAILURE(write(kCalculation, 1));
     ASSERT_EQ(number(kCalculation), 0U) << "done";
+    ASSERT_NO_FATAL_FAILURE(write(kRotorInertia));
+    ASSERT_NO_FATAL_FAILURE(write(kCalculation, 3));
     ASSERT_NO_FATAL_FAILURE(write(kFilter, 0));
   }
   /// From Switch on disabled to Operation enabled.

@@ -5,7 +5,8 @@ const { DataType } = require('canopen');
 const { NODE, master, controlword, target, statusword, actual } = require('./unit');
 
 const AXIS = 2, RPM_1000 = 69905067;                      // drive object; increments/s
-const PLATE = { 304: 330, 305: 5.6, 307: 2.293, 310: 200, 311: 3000, 316: 1.37, 322: 7200, 323: 28, 341: 0.00151 };
+const PLATE = { 304: 330, 305: 5.6, 307: 2.293, 310: 200, 311: 3000, 316: 1.37, 322: 7200, 323: 28 };
+const ROTOR_INERTIA = 0.00151;                            // p0341, of the data sheet
 const FOUND = { 316: 'Nm/A, torque constant', 342: 'x the motor inertia turn', 350: 'Ohm, stator resistance',
   356: 'mH, inductance', 1460: 'Nms/rad, speed controller', 1462: 'ms, its integral time' };
 
@@ -39,6 +40,8 @@ async function measure(parameter) {
   await number(10, 3);                                    // p0010: commissioning of the motor
   for (const [parameter, value] of Object.entries(PLATE)) await write(0x2000 + +parameter, value, DataType.REAL32);
   await number(340, 1);                                   // calculates what follows from the plate
+  await write(0x2000 + 341, ROTOR_INERTIA, DataType.REAL32);
+  await number(340, 3);                                   // and the control with it
   await number(10, 0);
   master.nmt.startNode();
   master.nmt.startNode(NODE);
