@@ -69,6 +69,16 @@ struct ReceiveBuffer {
   friend constexpr bool operator==(const ReceiveBuffer&, const ReceiveBuffer&) = default;
 };
 
+/// Where a frame came up among hubs that are bridged to each other: which hub, and the number that it got there.
+struct Mark {
+  static constexpr std::uint32_t kLargestNumber = 0xFFFFF;  ///< after which numbers begin anew
+
+  std::uint32_t hub = 0;  ///< 0: unknown
+  std::uint32_t number = 0;
+
+  friend constexpr bool operator==(const Mark&, const Mark&) = default;
+};
+
 /// A connection to one CAN bus; nothing here blocks, and send() and receive() neither allocate nor throw.
 class Port {
  public:
@@ -86,6 +96,14 @@ class Port {
   [[nodiscard]] virtual std::optional<std::chrono::nanoseconds> frame_arrival() const noexcept {
     return std::nullopt;
   }
+  /// For bridges between hubs, on a bus that has hubs: from now on frames carry marks.
+  virtual void carry_marks() noexcept {}
+  /// As send(), with the mark of the frame.
+  [[nodiscard]] virtual SendStatus send_marked(const canopen::Frame& frame, const Mark&) noexcept {
+    return send(frame);
+  }
+  /// The mark of the frame that receive() gave last.
+  [[nodiscard]] virtual Mark mark() const noexcept { return {}; }
   /// Error state as last reported by the controller.
   [[nodiscard]] virtual ErrorState error_state() const noexcept = 0;
   /// Number of received frames that were lost because nobody read them in time.

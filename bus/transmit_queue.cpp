@@ -18,14 +18,18 @@ TransmitQueue::TransmitQueue(Port& port, std::size_t capacity, std::size_t margi
 }
 
 void TransmitQueue::send(const canopen::Frame& frame, canopen::Delivery delivery) noexcept {
-  if (count_ > 0 || !hand_over(frame)) keep(frame, delivery);
+  if (count_ > 0 || !settle(port_.send(frame))) keep({frame, delivery, {}});
+}
+
+void TransmitQueue::send_marked(const canopen::Frame& frame, const Mark& mark) noexcept {
+  if (count_ > 0 || !settle(port_.send_marked(frame, mark))) keep({frame, canopen::Delivery::Ordered, mark});
 }
 
 void TransmitQueue::retry(canopen::TimePoint now) noexcept {
   now_ = now;
   if (now < next_retry_) return;
   // A frame that finds the link down takes all the others with it: count_ is then 0.
-  while (count_ > 0 && hand_over(at(0).frame)) {
+  while (count_ > 0 && hand_over(at(0))) {
     if (count_ == 0) return;
     head_ = (head_ + 1) % ring_.size();
     --count_;
@@ -45,9 +49,14 @@ void TransmitQueue::discard() noexcept {
   count_ = 0;
 }
 
-/// True if @p frame needs no further attempt: it is out, or lost.
-bool TransmitQueue::hand_over(const canopen::Frame& frame) noexcept {
-  switch (port_.send(frame)) {
+bool TransmitQueue::hand_over(const Waiting& waiting) noexcept {
+  return settle(waiting.mark.hub == 0 ? port_.send(waiting.frame)
+                                      : port_.send_marked(waiting.frame, waiting.mark));
+}
+
+/// What became of an attempt to send; true if the frame needs no further one: it is out, or lost.
+bool TransmitQueue::settle(SendStatus status) noexcept {
+  switch (status) {
     case SendStatus::Sent:
       ++counters_.sent;
       return true;
@@ -66,11 +75,11 @@ bool TransmitQueue::hand_over(const canopen::Frame& frame) noexcept {
   return true;
 }
 
-void TransmitQueue::keep(const canopen::Frame& frame, canopen::Delivery delivery) noexcept {
-  if (delivery == canopen::Delivery::Replaceable) {
-    Waiting* const older = last_of_identifier(frame);
+void TransmitQueue::keep(const Waiting& waiting) noexcept {
+  if (waiting.delivery == canopen::Delivery::Replaceable) {
+    Waiting* const older = last_of_identifier(waiting.frame);
     if (older != nullptr && older->delivery == canopen::Delivery::Replaceable) {
-      older->frame = frame;
+      older->frame = waiting.frame;
       ++counters_.replaced;
       return;
     }
@@ -79,7 +88,7 @@ void TransmitQueue::keep(const canopen::Frame& frame, canopen::Delivery delivery
     ++counters_.dropped;
     return;
   }
-  at(count_) = {frame, delivery};
+  at(count_) = waiting;
   ++count_;
   ++counters_.queued;
 }

@@ -42,6 +42,8 @@ class TransmitQueue final : public canopen::FrameSink {
 
   /// Sends @p frame, or keeps it behind those that wait already.
   void send(const canopen::Frame& frame, canopen::Delivery delivery) noexcept override;
+  /// The same for a bridge: @p frame with its mark, in order.
+  void send_marked(const canopen::Frame& frame, const Mark& mark) noexcept;
   /// Tells the time, and sends what waits if its time has come; call it once every turn of the event loop.
   void retry(canopen::TimePoint now) noexcept;
   /// When retry() wants to be called, kNever while nothing waits.
@@ -59,10 +61,12 @@ class TransmitQueue final : public canopen::FrameSink {
   struct Waiting {
     canopen::Frame frame;
     canopen::Delivery delivery = canopen::Delivery::Ordered;
+    Mark mark;  ///< hub 0: sent without
   };
 
-  bool hand_over(const canopen::Frame& frame) noexcept;
-  void keep(const canopen::Frame& frame, canopen::Delivery delivery) noexcept;
+  bool hand_over(const Waiting& waiting) noexcept;
+  bool settle(SendStatus status) noexcept;
+  void keep(const Waiting& waiting) noexcept;
   Waiting* last_of_identifier(const canopen::Frame& frame) noexcept;
   bool make_room() noexcept;
   Waiting& at(std::size_t position) noexcept { return ring_[(head_ + position) % ring_.size()]; }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/epoll.h>
 #include <sys/socket.h>
 
@@ -18,6 +19,7 @@ namespace bus {
 
 namespace {
 
+using userbus::JoinError;
 using userbus::Operation;
 
 // Messages that change nothing are skipped; this many a call, so that a burst of them cannot hold the caller.
@@ -29,6 +31,12 @@ std::string hub_program() {
   return std::filesystem::read_symlink("/proc/self/exe", none).replace_filename("canhub");
 }
 
+userbus::Path path_of(const std::string& text) {
+  userbus::Path path{};
+  if (userbus::copy_path(text.c_str(), path)) return path;
+  throw OpenError{fmt::format("{}: expected a path of at most {} bytes", text, userbus::kLongestPath)};
+}
+
 /// A hub that closes leaves one of these errors in the sockets of its members.
 bool means_no_hub(int error) noexcept {
   return error == EPIPE || error == ECONNRESET || error == ENOTCONN || error == EBADF;
@@ -36,56 +44,63 @@ bool means_no_hub(int error) noexcept {
 
 }  // namespace
 
-UserBus::UserBus(const std::string& path) : hub_{hub_program()} {
-  if (!userbus::copy_path(path.c_str(), path_))
-    throw OpenError{fmt::format("{}: expected a path of at most {} bytes", path, userbus::kLongestPath)};
-  if (const userbus::JoinError error = join(); error != userbus::JoinError::None)
-    throw OpenError{fmt::format("unix:{}: {}", path, userbus::text_of(error))};
+UserBus::UserBus(const std::string& path) : entry_{path_of(path), hub_program()} {
+  using Progress = UserBusEntry::Progress;
+  Progress progress = entry_.begin(wishes());
+  while (progress == Progress::Waiting) {
+    pollfd wanted{entry_.descriptor(), POLLIN, 0};
+    ::poll(&wanted, 1, -1);  // its timer ends it
+    progress = entry_.advance(wishes());
+  }
+  const bool is_in = progress == Progress::Member && come_in();
+  const JoinError error = progress == Progress::Failed ? entry_.error() : JoinError::System;
+  if (!is_in) throw OpenError{fmt::format("unix:{}: {}", path, userbus::text_of(error))};
 }
 
-userbus::JoinError UserBus::join() noexcept {
-  const userbus::Joined joined =
-      userbus::join(path_, hub_.c_str(), userbus::Kind::Port, SOCK_NONBLOCK | SOCK_CLOEXEC);
-  if (joined.error != userbus::JoinError::None) return joined.error;
-  socket_ = Descriptor{joined.descriptor};
-  if (configure() && pollable_.add(socket_.get(), EPOLLIN)) return userbus::JoinError::None;
-  const int reason = errno;
-  socket_ = Descriptor{};
-  errno = reason;
-  return userbus::JoinError::System;
+UserBusEntry::Wishes UserBus::wishes() const noexcept {
+  return {.filters = filters_.get(), .is_bridge = is_bridge_};
 }
 
-/// Bound last, so that nothing arrives that is not wanted. False with errno set.
-bool UserBus::configure() noexcept {
-  const userbus::Option errors{userbus::OptionName::ErrorFilter, kErrorMask};
-  userbus::Answer answer =
-      userbus::ask(socket_.get(), Operation::SetOption, 0, &errors, sizeof errors, nullptr, 0);
-  if (answer.error == 0 && !apply_filters()) answer.error = errno;
-  if (answer.error == 0)
-    answer = userbus::ask(socket_.get(), Operation::InterfaceIndex, 0, kInterface.data(), kInterface.size(),
-                          nullptr, 0);
-  if (answer.error == 0) answer = userbus::ask(socket_.get(), Operation::Bind, answer.value);
-  errno = answer.error;
-  return answer.error == 0;
+/// The entry has led to a member. False, with errno, if that cannot be watched.
+bool UserBus::come_in() noexcept {
+  socket_ = entry_.take_member();
+  if (!pollable_.add(socket_.get(), EPOLLIN)) {
+    socket_ = Descriptor{};
+    return false;
+  }
+  if (is_unapplied_) apply();  // it may have changed behind the step that tells it
+  return true;
 }
 
-bool UserBus::apply_filters() noexcept {
+/// Tells the hub what has changed. If it has no room at present, the next frame tells it, before it goes.
+void UserBus::apply() noexcept {
   const auto filters = filters_.get();
-  const userbus::Answer answer =
-      userbus::ask(socket_.get(), Operation::SetFilters, 0, filters.data(), filters.size_bytes(), nullptr, 0);
-  errno = answer.error;
-  return answer.error == 0;
+  const Descriptor set{
+      userbus::post(socket_.get(), Operation::SetFilters, 0, filters.data(), filters.size_bytes())};
+  is_unapplied_ = !set;
+  if (!is_bridge_ || is_unapplied_) return;
+  const Descriptor hello{userbus::post(socket_.get(), Operation::Hello, 1, nullptr, 0)};
+  is_unapplied_ = !hello;
 }
 
 void UserBus::accept_only(std::span<const Filter> filters) noexcept {
   filters_.assign(filters);
-  if (is_member()) apply_filters();  // a hub that does not answer is gone: receive() will tell
+  is_unapplied_ = true;
+  if (is_member()) apply();
+}
+
+void UserBus::carry_marks() noexcept {
+  is_bridge_ = true;
+  is_unapplied_ = true;
+  if (is_member()) apply();
 }
 
 bool UserBus::try_again() noexcept {
-  if (!retry_.take() || is_member()) return false;
-  if (join() == userbus::JoinError::None) return true;
-  retry_.start_later();
+  if (is_member()) return false;
+  const UserBusEntry::Progress progress = entry_.advance(wishes());
+  if (progress == UserBusEntry::Progress::Waiting) return false;
+  if (progress == UserBusEntry::Progress::Member && come_in()) return true;
+  entry_.try_later(/*first=*/false);
   return false;
 }
 
@@ -100,13 +115,29 @@ bool UserBus::reopen() noexcept {
 
 SendStatus UserBus::send(const canopen::Frame& frame) noexcept {
   const can_frame wire = to_wire(frame);
-  if (::send(socket_.get(), &wire, sizeof wire, MSG_DONTWAIT | MSG_NOSIGNAL) == sizeof wire)
+  return send(&wire, sizeof wire);
+}
+
+SendStatus UserBus::send_marked(const canopen::Frame& frame, const Mark& mark) noexcept {
+  userbus::FrameMessage message{.frame = to_wire(frame), .trailer = {}};
+  message.trailer.flags = mark.number << userbus::kOriginShift;
+  message.trailer.origin = mark.hub;
+  return send(&message, sizeof message);
+}
+
+SendStatus UserBus::send(const void* message, std::size_t size) noexcept {
+  if (is_unapplied_ && is_member()) {
+    apply();
+    if (is_unapplied_) return SendStatus::Full;
+  }
+  if (::send(socket_.get(), message, size, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(size))
     return SendStatus::Sent;
   // The socket of a hub that is gone polls readable, and receive() tells it.
   return means_no_hub(errno) ? SendStatus::Down : to_send_status(errno);
 }
 
 Received UserBus::receive(canopen::Frame& frame) noexcept {
+  if (is_unapplied_ && is_member()) apply();
   for (int i = 0; i < kSkippedMessages; ++i) {
     userbus::FrameMessage message{};
     const ssize_t size = ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT);
@@ -115,6 +146,7 @@ Received UserBus::receive(canopen::Frame& frame) noexcept {
     if (size != sizeof message) continue;
     dropped_ = message.trailer.dropped;
     arrival_ = std::chrono::nanoseconds{message.trailer.time_ns};
+    mark_ = {.hub = message.trailer.origin, .number = message.trailer.flags >> userbus::kOriginShift};
     if ((message.frame.can_id & CAN_ERR_FLAG) == 0) {
       frame = from_wire(message.frame);
       return {Received::Frame, error_state_};
@@ -130,8 +162,9 @@ Received UserBus::hub_lost() noexcept {
   if (!is_member()) return {Received::Nothing, error_state_};  // told before
   pollable_.remove(socket_.get());
   socket_ = Descriptor{};
+  is_unapplied_ = false;  // the next one is told all
   dropped_before_ += std::exchange(dropped_, 0);
-  retry_.start();
+  entry_.try_later(/*first=*/true);
   return {Received::Down, error_state_};
 }
 

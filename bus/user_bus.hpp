@@ -7,16 +7,16 @@
 #include "bus/link.hpp"
 #include "bus/pollable.hpp"
 #include "bus/port.hpp"
-#include "bus/retry_timer.hpp"
-#include "userbus/join.hpp"
+#include "bus/user_bus_entry.hpp"
 
 namespace bus {
 
 /// A member of a bus in user space: its frames go through the hub that serves the path, which is started if there
 /// is none.
 ///
-/// Joining waits for the hub, some milliseconds if one has to be started, five seconds if it is silent. The
-/// program is $CAN_HUB, else `canhub` in the folder of this one.
+/// The constructor waits for the hub, some milliseconds if one has to be started, five seconds if it is silent;
+/// nothing afterwards does, also when the bus is joined again. The program is $CAN_HUB, else `canhub` in the
+/// folder of this one.
 class UserBus final : public Port {
  public:
   /// The interface of the hub that the port is bound to; every name stands for the same wire.
@@ -38,29 +38,34 @@ class UserBus final : public Port {
   /// As the hub has told with the last frame that arrived.
   [[nodiscard]] std::uint64_t dropped() const noexcept override { return dropped_before_ + dropped_; }
   [[nodiscard]] int descriptor() const noexcept override { return pollable_.descriptor(); }
-  /// Waits until the hub has applied them.
+  /// The hub applies them before it sees any frame that is sent afterwards.
   void accept_only(std::span<const Filter> filters) noexcept override;
   [[nodiscard]] bool reopen() noexcept override;
+  void carry_marks() noexcept override;
+  [[nodiscard]] SendStatus send_marked(const canopen::Frame& frame, const Mark& mark) noexcept override;
+  [[nodiscard]] Mark mark() const noexcept override { return mark_; }
 
   /// True until the hub is found to be gone.
   [[nodiscard]] bool is_member() const noexcept { return static_cast<bool>(socket_); }
   /// Polls readable when try_again() is due.
-  [[nodiscard]] int retry_descriptor() const noexcept { return retry_.descriptor(); }
-  /// Joins once more, with the same filters, if that is due. True if it has become a member again.
+  [[nodiscard]] int retry_descriptor() const noexcept { return entry_.descriptor(); }
+  /// Goes on with joining once more, with the same filters. True if it has become a member again.
   [[nodiscard]] bool try_again() noexcept;
 
  private:
-  userbus::JoinError join() noexcept;
-  bool configure() noexcept;
-  bool apply_filters() noexcept;
+  [[nodiscard]] UserBusEntry::Wishes wishes() const noexcept;
+  bool come_in() noexcept;
+  void apply() noexcept;
+  SendStatus send(const void* message, std::size_t size) noexcept;
   Received hub_lost() noexcept;
 
-  userbus::Path path_{};
-  std::string hub_;  ///< path of the program
+  UserBusEntry entry_;
   Descriptor socket_;
   Pollable pollable_;  ///< stands for the socket while there is one
-  RetryTimer retry_;
   FilterList filters_;
+  bool is_bridge_ = false;
+  bool is_unapplied_ = false;  ///< the hub has not been told the filters, or that this is a bridge
+  Mark mark_;
   ErrorState error_state_ = ErrorState::Active;
   std::uint64_t dropped_before_ = 0;  ///< by hubs that are gone
   std::uint32_t dropped_ = 0;

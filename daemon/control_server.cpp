@@ -38,9 +38,17 @@ bool is_socket(const std::string& path) {
   return lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode);
 }
 
+/// Everybody may take a name in /tmp, and what lies there is then neither asked nor removed.
+void expect_ours(const std::string& path) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 || status.st_uid == geteuid() || geteuid() == 0) return;
+  throw failure(path, fmt::format("the name is taken by user {}; --control names another one", status.st_uid));
+}
+
 bus::Descriptor listen_at(const std::string& path) {
   const auto address = control::socket_address(path);
   if (!address) throw failure(path, address.error());
+  expect_ours(path);
   if (is_socket(path)) {
     if (is_served(*address)) throw failure(path, "another axisd serves it");
     unlink(path.c_str());

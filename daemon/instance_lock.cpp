@@ -11,6 +11,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <unistd.h>
 
 namespace axisd {
 namespace {
@@ -50,15 +51,32 @@ bus::Descriptor lock_folder(const std::filesystem::path& folder, const std::stri
   return descriptor;
 }
 
+/// Whether the socket at @p address is one of this user's or of root's: anybody may take a name of the abstract
+/// name space, and shall not keep our unit from starting.
+bool is_trusted(const sockaddr_un& address, socklen_t length) noexcept {
+  const bus::Descriptor probe{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  return connect(probe.get(), reinterpret_cast<const sockaddr*>(&address), length) == 0 &&
+         getsockopt(probe.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 &&
+         (peer.uid == geteuid() || peer.uid == 0);
+}
+
+/// Nothing if somebody else has taken the name.
 bus::Descriptor lock_name(const std::string& name, const std::string& busy) {
-  bus::Descriptor descriptor{socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
+  bus::Descriptor descriptor{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   name.copy(&address.sun_path[1], sizeof address.sun_path - 1);  // a leading zero byte makes the name abstract
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   if (bind(descriptor.get(), reinterpret_cast<const sockaddr*>(&address), length) != 0) {
+    const int error = errno;
+    if (error == EADDRINUSE && !is_trusted(address, length)) return bus::Descriptor{};
+    errno = error;
     fail_to_lock(name, EADDRINUSE, busy);
   }
+  if (listen(descriptor.get(), SOMAXCONN) != 0)
+    fail_to_lock(name, EADDRINUSE, busy);  // so that others see whose it is
   return descriptor;
 }
 

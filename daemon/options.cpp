@@ -49,7 +49,8 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   app.add_option("--interface", options.interface,
                  "CAN interface, unix:PATH, udp-multicast://GROUP:PORT[?interface=NAME] or "
                  "socketcand://HOST:PORT/NAME (default: vcan0)")
-      ->type_name("IF");
+      ->type_name("IF")
+      ->take_last();
   app.add_option("--node-id", node_id, "node-ID, 1 to 127, or 0 for that of p8620 (default: 2)")->type_name("N");
   app.add_option("--axes", axes, "number of axes, 1 to 8 (default: those of the configuration file, else 1)")
       ->type_name("N");

@@ -31,6 +31,7 @@ Bridge::Bridge(Medium& medium, bus::Connection connection, std::string name, Not
       notice_{std::move(notice)} {
   if (!ready_.add(connection_.port->descriptor(), EPOLLIN) || !ready_.add(connection_.link->descriptor(), EPOLLIN))
     throw std::system_error{errno, std::generic_category(), name_ + ": cannot be watched"};
+  connection_.port->carry_marks();
   medium_.attach(*this);
 }
 
@@ -75,7 +76,13 @@ void Bridge::read_frames(canopen::TimePoint now) noexcept {
 }
 
 void Bridge::put_on_medium(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
+  const bus::Mark mark = connection_.port->mark();
+  if (!medium_.is_new(mark)) {
+    if (returned_++ == 0) tell("frames come back: bridges make a ring; each frame passes once", now);
+    return;
+  }
   Passage passage;
+  passage.mark = mark;
   passage.frame = bus::to_wire(frame);
   passage.sender = this;
   passage.local = false;
@@ -94,7 +101,7 @@ void Bridge::on_room() noexcept {
 void Bridge::receive(const Passage& passage) noexcept {
   if (passage.sender == this || (passage.frame.can_id & CAN_ERR_FLAG) != 0) return;
   queue_.retry(medium_.now());
-  queue_.send(bus::from_wire(passage.frame), canopen::Delivery::Ordered);
+  queue_.send_marked(bus::from_wire(passage.frame), passage.mark);
 }
 
 bool Bridge::statistics(userbus::MemberStatistics& row) const noexcept {
@@ -103,6 +110,7 @@ bool Bridge::statistics(userbus::MemberStatistics& row) const noexcept {
   const bus::TransmitQueue::Counters& counters = queue_.counters();
   row.sent = brought_;
   row.received = counters.sent;
+  row.refused = returned_;
   row.dropped = counters.dropped + connection_.port->dropped();
   return true;
 }

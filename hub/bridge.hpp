@@ -17,6 +17,7 @@ namespace hub {
 
 /// Joins another bus to the medium: what passes here goes there, and the other way round, but no frame goes back
 /// to where it came from. Error frames stay where they are. A bus that is lost and comes back is joined again.
+/// Between hubs frames carry marks, so that each passes once, whatever ring the bridges make.
 class Bridge final : public Source, public Participant {
  public:
   /// Takes one line about the bridge: its link went down or up, the error state of its controller has changed.
@@ -60,6 +61,7 @@ class Bridge final : public Source, public Participant {
   bus::MessageLimit notices_;
   std::optional<Passage> refused_;  ///< waits for room on the medium; meanwhile the port is not read
   std::uint64_t brought_ = 0;       ///< frames of the other bus
+  std::uint64_t returned_ = 0;      ///< those that had been here before
 };
 
 }  // namespace hub

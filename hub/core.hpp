@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hub/interfaces.hpp"
+#include "hub/loop/closer.hpp"
 #include "hub/loop/poll.hpp"
 #include "hub/medium.hpp"
 #include "hub/member/inbox.hpp"
@@ -25,6 +26,7 @@ struct Core {
   Medium medium;
   Interfaces interfaces;
   Inbox inbox;
+  Closer closer;
   std::vector<std::unique_ptr<Member>> members;
   bool anyone_departed = false;  ///< some member may be destroyed
   std::vector<Source*> sources;

@@ -51,6 +51,7 @@ bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
     return false;
   }
   station.push({passage, now_, handed_over_++, arbitration_field(passage.frame)});
+  if (passage.mark.hub == 0) station.last().passage.mark = origins_.make();
   ++waiting_;
   if (!advancing_) advance();
   return true;

@@ -7,6 +7,8 @@
 
 #include <linux/can.h>
 
+#include "bus/port.hpp"
+#include "hub/origins.hpp"
 #include "libcanopen/base/time.hpp"
 
 namespace hub {
@@ -22,6 +24,7 @@ struct Passage {
   bool loopback = true;           ///< false: for bridges only (CAN_RAW_LOOPBACK 0)
   bool local = true;              ///< false: it came over a bridge, from outside this machine's bus
   std::int64_t time_ns = 0;       ///< its end on the bus, CLOCK_REALTIME
+  bus::Mark mark{};               ///< where it came up; send() gives it to a frame that has none
 };
 
 /// Who sends and receives on a Medium: a member's socket, a timer of the broadcast manager, a bridge.
@@ -75,6 +78,9 @@ class Medium {
   /// Delivers the frames whose end has come, and starts the next one.
   void on_time(canopen::TimePoint now) noexcept;
 
+  /// True if a frame with @p mark has not been here yet: a bridge asks before it sends.
+  [[nodiscard]] bool is_new(const bus::Mark& mark) noexcept { return origins_.is_new(mark); }
+
   /// The latest time that was told.
   [[nodiscard]] canopen::TimePoint now() const noexcept { return now_; }
   [[nodiscard]] std::uint32_t bit_rate() const noexcept { return bit_rate_; }
@@ -98,6 +104,7 @@ class Medium {
   [[nodiscard]] canopen::TimePoint end_of_frame() const noexcept;
 
   std::uint32_t bit_rate_;
+  Origins origins_;
   std::uint64_t passed_ = 0;
   std::uint64_t handed_over_ = 0;
   std::vector<std::unique_ptr<Station>> stations_;

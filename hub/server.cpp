@@ -14,6 +14,7 @@
 #include "hub/loop/clock.hpp"
 #include "hub/member/broadcast_member.hpp"
 #include "hub/member/raw_member.hpp"
+#include "userbus/trust.hpp"
 
 namespace hub {
 
@@ -115,6 +116,7 @@ void Server::accept_members(TimePoint now) noexcept {
     if (!socket && errno != EAGAIN) pause_listening(now);
     if (!socket) return;
     userbus::Name name{};
+    if (!userbus::is_trusted_peer(socket.get())) continue;
     if (userbus::read_name(address, length, name)) admit(std::move(socket), name.kind);
   }
 }

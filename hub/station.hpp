@@ -24,6 +24,8 @@ class Station {
   [[nodiscard]] bool full() const noexcept { return count_ == ring_.size(); }
   /// The frame that is next; only if not empty().
   [[nodiscard]] const Waiting& first() const noexcept { return ring_[head_]; }
+  /// The frame that was kept last; only if not empty().
+  [[nodiscard]] Waiting& last() noexcept { return ring_[(head_ + count_ - 1) % ring_.size()]; }
   /// Keeps @p waiting behind the others; only if not full().
   void push(const Waiting& waiting) noexcept {
     ring_[(head_ + count_) % ring_.size()] = waiting;

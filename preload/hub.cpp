@@ -71,6 +71,7 @@ int errno_of(userbus::JoinError error) noexcept {
     case userbus::JoinError::System:
       return errno;
     case userbus::JoinError::Denied:
+    case userbus::JoinError::Folder:
       return EACCES;
     case userbus::JoinError::None:
     case userbus::JoinError::InUse:

@@ -12,17 +12,18 @@
 #include "userbus/name.hpp"
 #include "userbus/request.hpp"
 #include "userbus/start_hub.hpp"
+#include "userbus/trust.hpp"
 
 namespace userbus {
 
 namespace {
 
-/// A hub that closes is followed by one of our own; that it should happen more often than this in a row is no
-/// race.
-constexpr int kAttempts = 10;
-
-/// What one attempt to connect came to.
-enum class Attempt : uint8_t { Member, NotServed, Closing, Failed };
+/// Leaves errno as it is.
+void close_quietly(int descriptor) noexcept {
+  const int number = errno;
+  close(descriptor);
+  errno = number;
+}
 
 /// A socket with a name of its own, -1 with errno set.
 int named_socket(Kind kind, int flags) noexcept {
@@ -36,22 +37,12 @@ int named_socket(Kind kind, int flags) noexcept {
     if (bind(descriptor, reinterpret_cast<const sockaddr*>(&name), length) == 0) return descriptor;
     if (errno != EADDRINUSE) break;
   }
-  const int error = errno;
-  close(descriptor);
-  errno = error;
+  close_quietly(descriptor);
   return -1;
 }
 
 void set_nonblocking(int descriptor) noexcept {
   fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
-}
-
-/// Nobody but ourselves and root may read along: /tmp is open to all.
-bool is_trusted(int descriptor) noexcept {
-  ucred peer{};
-  socklen_t size = sizeof peer;
-  if (getsockopt(descriptor, SOL_SOCKET, SO_PEERCRED, &peer, &size) != 0) return false;
-  return peer.uid == geteuid() || peer.uid == 0 || geteuid() == 0;
 }
 
 /// On a bus with a bit rate frames wait for the bus, and a program shall learn soon that they do: the queue in the
@@ -71,22 +62,8 @@ void lengthen_queue(int descriptor) noexcept {
     setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &kRoom, sizeof kRoom);
 }
 
-/// The queue that frames of @p kind get on a bus of @p bit_rate. A program that knows the hub has one of its own.
-void set_queue(int descriptor, Kind kind, int bit_rate) noexcept {
-  if (bit_rate != 0)
-    shorten_queue(descriptor);
-  else if (kind == Kind::Raw)
-    lengthen_queue(descriptor);
-}
-
-/// $CAN_BITRATE, nullptr if there is none; false if it is no bit rate.
-bool wanted_bit_rate(const char*& text) noexcept {
-  text = getenv("CAN_BITRATE");
-  uint32_t rate = 0;
-  return text == nullptr || read_bit_rate(text, strlen(text), rate);
-}
-
-Attempt connect_to(int descriptor, const Path& path, Kind kind, JoinError& error) noexcept {
+/// Connects the named socket @p descriptor; the reason if that fails for good in @p error.
+Attempt connect_to(int descriptor, const Path& path, JoinError& error) noexcept {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   memcpy(address.sun_path, path.text, strlen(path.text) + 1);
@@ -97,14 +74,17 @@ Attempt connect_to(int descriptor, const Path& path, Kind kind, JoinError& error
     error = errno == EPROTOTYPE ? JoinError::InUse : errno == EACCES ? JoinError::Denied : JoinError::System;
     return Attempt::Failed;
   }
-  if (!is_trusted(descriptor)) {
-    error = JoinError::Denied;
-    return Attempt::Failed;
-  }
+  if (is_trusted_peer(descriptor)) return Attempt::Connected;
+  error = JoinError::Denied;
+  return Attempt::Failed;
+}
+
+/// Says hello over @p descriptor, which is connected.
+Attempt greet(int descriptor, Kind kind, JoinError& error) noexcept {
   const Answer answer = ask(descriptor, Operation::Hello);
   if (answer.error == 0) {
     set_queue(descriptor, kind, answer.value);
-    return Attempt::Member;
+    return Attempt::Connected;
   }
   if (answer.error == ENETDOWN) return Attempt::Closing;
   error = JoinError::NotServed;  // it is there and says nothing
@@ -122,44 +102,70 @@ bool serve(const char* hub, const Path& path, JoinError& error) noexcept {
     error = JoinError::BitRate;
     return false;
   }
-  switch (start_hub(hub, path.text, bit_rate)) {
-    case StartStatus::Served:
-      return true;
-    case StartStatus::InUse:
-      error = JoinError::InUse;
-      return false;
-    case StartStatus::Failed:
-      if (errno == EINTR) return true;  // ended while it started: the next attempt starts another one
-      [[fallthrough]];
-    case StartStatus::Usage:
-    case StartStatus::Different:
-      error = errno == ENOENT || errno == EACCES ? JoinError::NoHub : JoinError::NotServed;
-      return false;
-  }
-  error = JoinError::NotServed;
-  return false;
+  const StartStatus status = start_hub(hub, path.text, bit_rate);
+  if (status == StartStatus::Failed && errno == EINTR) return true;  // ended while it started: another one is next
+  error = error_of(status, status == StartStatus::Failed ? errno : 0);
+  return error == JoinError::None;
 }
 
 }  // namespace
 
+Connected connect_hub(const Path& path, Kind kind, int flags) noexcept {
+  JoinError error = JoinError::NotServed;
+  if (!own_folder(path)) return {.descriptor = -1, .outcome = Attempt::Failed, .error = JoinError::Folder};
+  const int descriptor = named_socket(kind, flags);
+  if (descriptor < 0) return {.descriptor = -1, .outcome = Attempt::Failed, .error = JoinError::System};
+  const Attempt outcome = connect_to(descriptor, path, error);
+  if (outcome == Attempt::Connected)
+    return {.descriptor = descriptor, .outcome = outcome, .error = JoinError::None};
+  close_quietly(descriptor);
+  return {.descriptor = -1, .outcome = outcome, .error = error};
+}
+
 Joined join(const Path& path, const char* hub, Kind kind, int flags) noexcept {
   JoinError error = JoinError::NotServed;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     // connected before it becomes one that does not block, so that a full backlog is waited for
-    const int descriptor = named_socket(kind, flags & SOCK_CLOEXEC);
-    if (descriptor < 0) return {.descriptor = -1, .error = JoinError::System};
-    const Attempt outcome = connect_to(descriptor, path, kind, error);
-    if (outcome == Attempt::Member) {
-      if ((flags & SOCK_NONBLOCK) != 0) set_nonblocking(descriptor);
-      return {.descriptor = descriptor, .error = JoinError::None};
+    const Connected connected = connect_hub(path, kind, flags & SOCK_CLOEXEC);
+    Attempt outcome = connected.outcome;
+    error = connected.error;
+    if (outcome == Attempt::Connected) outcome = greet(connected.descriptor, kind, error);
+    if (outcome == Attempt::Connected) {
+      if ((flags & SOCK_NONBLOCK) != 0) set_nonblocking(connected.descriptor);
+      return {.descriptor = connected.descriptor, .error = JoinError::None};
     }
-    const int number = errno;
-    close(descriptor);
-    errno = number;
+    if (connected.descriptor >= 0) close_quietly(connected.descriptor);
     if (outcome == Attempt::Failed) return {.descriptor = -1, .error = error};
     if (outcome == Attempt::NotServed && !serve(hub, path, error)) return {.descriptor = -1, .error = error};
   }
-  return {.descriptor = -1, .error = error};
+  return {.descriptor = -1, .error = JoinError::NotServed};
+}
+
+void set_queue(int descriptor, Kind kind, int bit_rate) noexcept {
+  if (bit_rate != 0)
+    shorten_queue(descriptor);
+  else if (kind == Kind::Raw)
+    lengthen_queue(descriptor);
+}
+
+bool wanted_bit_rate(const char*& text) noexcept {
+  text = getenv("CAN_BITRATE");
+  uint32_t rate = 0;
+  return text == nullptr || read_bit_rate(text, strlen(text), rate);
+}
+
+JoinError error_of(StartStatus status, int error) noexcept {
+  switch (status) {
+    case StartStatus::Served:
+      return JoinError::None;
+    case StartStatus::InUse:
+      return JoinError::InUse;
+    case StartStatus::Failed:
+    case StartStatus::Usage:
+    case StartStatus::Different:
+      break;
+  }
+  return error == ENOENT || error == EACCES ? JoinError::NoHub : JoinError::NotServed;
 }
 
 const char* text_of(JoinError error) noexcept {
@@ -169,7 +175,9 @@ const char* text_of(JoinError error) noexcept {
     case JoinError::System:
       return strerror(errno);
     case JoinError::Denied:
-      return "belongs to another user";
+      return "belongs to another user (CAN_BUS_USER=UID trusts one)";
+    case JoinError::Folder:
+      return "is not used: its folder in /tmp is not this user's alone (mode 0700); CAN_BUS names another place";
     case JoinError::InUse:
       return "is in use by something that is no CAN bus";
     case JoinError::NoHub:

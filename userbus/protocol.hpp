@@ -41,11 +41,14 @@ inline constexpr const char* kKindNames[] = {"raw", "bcm", "port", "down"};
 struct Trailer {
   int32_t
       interface_index;  ///< which interface the receiver sees it on; to the hub: where to send it, 0 = as bound
-  uint32_t flags;       ///< MSG_DONTROUTE: sent on this machine; MSG_CONFIRM: sent by this very socket
-  int64_t time_ns;      ///< end of the frame on the bus, CLOCK_REALTIME
-  uint32_t dropped;     ///< messages this member has lost so far because it did not read
-  uint32_t reserved;
+  uint32_t flags;    ///< MSG_DONTROUTE: sent on this machine; MSG_CONFIRM: sent by this very socket; for bridges
+                     ///< from kOriginShift on the number that the frame got from hub `origin`
+  int64_t time_ns;   ///< end of the frame on the bus, CLOCK_REALTIME
+  uint32_t dropped;  ///< messages this member has lost so far because it did not read
+  uint32_t origin;   ///< for bridges: the hub on which the frame came up, 0 = that of the receiver; else 0
 };
+/// First bit of the number of a frame in Trailer::flags.
+inline constexpr unsigned kOriginShift = 12;
 static_assert(sizeof(Trailer) == 24);
 
 /// A frame as the hub sends it.
@@ -62,11 +65,12 @@ inline constexpr size_t kLongestMessage = 8192;
 
 /// What a member asks of the hub. `value` and payload go in the Request, and come back in the Reply.
 enum class Operation : uint32_t {
-  Hello,           ///< the first request of a member; reply value: bit rate of the bus, 0 = none
-  Bind,            ///< value: interface index, 0 = all; ENODEV if there is none
-  ReadState,       ///< reply payload: MemberState
-  SetOption,       ///< payload: Option
-  SetFilters,      ///< payload: 0 to CAN_RAW_FILTER_MAX struct can_filter
+  Hello,       ///< the first request of a member; value 1: it is a bridge of another hub, whose frames carry where
+               ///< they came from in both directions; reply value: bit rate of the bus, 0 = none
+  Bind,        ///< value: interface index, 0 = all; ENODEV if there is none
+  ReadState,   ///< reply payload: MemberState
+  SetOption,   ///< payload: Option
+  SetFilters,  ///< payload: 0 to CAN_RAW_FILTER_MAX struct can_filter
   ReadFilters,     ///< reply payload: the filters
   InterfaceIndex,  ///< payload: name without final zero; reply value: its index; ENODEV if it is no name of a CAN
   InterfaceName,   ///< value: index; reply payload: the name without final zero; ENODEV

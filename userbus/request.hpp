@@ -20,6 +20,14 @@ struct Answer {
 Answer ask(int descriptor, Operation operation, int value, const void* payload, size_t size, void* reply,
            size_t room) noexcept;
 
+/// Sends a request of member @p descriptor and waits for nothing. A descriptor to which the reply comes, to be
+/// polled, given to take_reply() and closed, or closed at once by whom the reply is of no interest; -1 with errno:
+/// EAGAIN if the socket has no room, ENETDOWN if the hub has gone.
+int post(int descriptor, Operation operation, int value, const void* payload, size_t size) noexcept;
+
+/// Takes the reply that has come to @p descriptor, as ask() gives it; error EAGAIN: none has come yet.
+Answer take_reply(int descriptor, void* reply, size_t room) noexcept;
+
 /// The same without a payload in either direction.
 inline Answer ask(int descriptor, Operation operation, int value = 0) noexcept {
   return ask(descriptor, operation, value, nullptr, 0, nullptr, 0);

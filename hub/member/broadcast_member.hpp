@@ -15,7 +15,7 @@ class BroadcastMember final : public Member, private BroadcastSink {
   void on_time(canopen::TimePoint now) noexcept override { manager_.on_time(now); }
 
  private:
-  bool take_frame(const can_frame&, int, canopen::TimePoint) noexcept override { return false; }
+  bool take_frame(const Sent&, canopen::TimePoint) noexcept override { return false; }
   void deliver(std::span<const std::byte> message, int interface_index) noexcept override;
 
   BroadcastManager manager_;

@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 
 #include "bus/descriptor.hpp"
+#include "hub/loop/closer.hpp"
 #include "userbus/protocol.hpp"
 
 namespace hub {
@@ -17,11 +18,11 @@ class Inbox {
   /// Most messages of one receive().
   static constexpr std::size_t kBatch = 16;
 
-  /// A message, and the descriptor that came with it if there is one.
+  /// A message, and the socket for its reply that came with it if there is one.
   struct Message {
     std::span<const std::byte> bytes;
     bus::Descriptor descriptor;
-    bool complete = true;  ///< false: it was longer than any message may be, and its end is lost
+    bool complete = true;  ///< false: its end is lost, or something came with it that is no socket for a reply
   };
 
   Inbox() noexcept;
@@ -29,16 +30,21 @@ class Inbox {
   /// Takes up to @p most messages (1..kBatch) out of socket @p descriptor without waiting: their number, -1 with
   /// errno set if there is none. A socket whose far end is closed gives messages of no bytes.
   int receive(int descriptor, std::size_t most) noexcept;
-  /// Message @p number of the last receive(); each is to be taken, since it may hold a descriptor.
-  Message take(std::size_t number) noexcept;
+  /// Message @p number of the last receive(); each is to be taken, since it may hold descriptors. @p closer gets
+  /// those that are no sockets for replies.
+  Message take(std::size_t number, Closer& closer) noexcept;
 
  private:
   /// Behind each room, so that the beginnings of all fit into the processor's cache at the same time.
   static constexpr std::size_t kCacheLine = 64;
 
+  /// Descriptors that the kernel lets one message carry (SCM_MAX_FD): it would close itself, and wait, what has no
+  /// room.
+  static constexpr std::size_t kMostDescriptors = 253;
+
   struct Room {
     std::array<std::byte, userbus::kLongestMessage + kCacheLine> bytes;
-    alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(sizeof(int))> control;
+    alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(kMostDescriptors * sizeof(int))> control;
     iovec part;
   };
 

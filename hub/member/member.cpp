@@ -32,6 +32,13 @@ Member::Member(Core& core, bus::Descriptor socket, userbus::Kind kind)
 
 Member::~Member() {
   core_.poll.remove(socket_.get(), *this);
+  core_.interfaces.release(interface_index_);
+}
+
+void Member::bind(int interface_index) noexcept {
+  core_.interfaces.hold(interface_index);
+  core_.interfaces.release(interface_index_);
+  interface_index_ = interface_index;
 }
 
 bool Member::begin() noexcept {
@@ -56,7 +63,7 @@ void Member::read(std::size_t most, canopen::TimePoint now) noexcept {
   }
   bool last_is_empty = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    Inbox::Message message = core_.inbox.take(i);
+    Inbox::Message message = core_.inbox.take(i, core_.closer);
     last_is_empty = message.bytes.empty();
     if (!last_is_empty) take(std::move(message), now);
   }
@@ -76,7 +83,9 @@ bool Member::take_frame_message(std::span<const std::byte> bytes, canopen::TimeP
   const int named = message.trailer.interface_index;
   const int interface_index = named == 0 ? interface_index_ : named;
   if (message.frame.can_dlc > CAN_MAX_DLEN || core_.interfaces.name_of(interface_index).empty()) return false;
-  if (!take_frame(message.frame, interface_index, now)) return false;
+  bus::Mark mark;
+  if (is_bridge_) mark = {.hub = message.trailer.origin, .number = message.trailer.flags >> userbus::kOriginShift};
+  if (!take_frame({message.frame, interface_index, mark}, now)) return false;
   count_sent();
   return true;
 }

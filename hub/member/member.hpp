@@ -31,7 +31,11 @@ class Member : public Watch {
 
   /// Its own interface: 0 = all, -1 = not bound yet.
   [[nodiscard]] int interface_index() const noexcept { return interface_index_; }
-  void bind(int interface_index) noexcept { interface_index_ = interface_index; }
+  /// Binds it to @p interface_index, which exists or is 0.
+  void bind(int interface_index) noexcept;
+  /// Whether it is a bridge of another hub, whose frames carry marks.
+  [[nodiscard]] bool is_bridge() const noexcept { return is_bridge_; }
+  void set_bridge(bool is_bridge) noexcept { is_bridge_ = is_bridge; }
   [[nodiscard]] std::uint32_t option(userbus::OptionName name) const noexcept {
     return options_[static_cast<std::size_t>(name)];
   }
@@ -50,6 +54,13 @@ class Member : public Watch {
   virtual void on_time(canopen::TimePoint) noexcept {}
 
  protected:
+  /// A frame of the program: what it is, the interface that it was sent on, where it came up.
+  struct Sent {
+    can_frame frame;
+    int interface_index;
+    bus::Mark mark;
+  };
+
   [[nodiscard]] Core& core() const noexcept { return core_; }
   void count_sent() noexcept { ++sent_; }
   /// Sends @p message to the program.
@@ -63,8 +74,8 @@ class Member : public Watch {
   /// Reading; closed by the program, and not read to the end; read to the end; nothing of it left on the bus.
   enum class Phase : std::uint8_t { Open, Closed, ReadOut, Departed };
 
-  /// Puts @p frame on the bus as one sent on @p interface_index; false if it is refused for good.
-  virtual bool take_frame(const can_frame& frame, int interface_index, canopen::TimePoint now) noexcept = 0;
+  /// Puts @p sent on the bus; false if it is refused for good.
+  virtual bool take_frame(const Sent& sent, canopen::TimePoint now) noexcept = 0;
   virtual void option_changed(userbus::OptionName, std::uint32_t) noexcept {}
   /// Messages that take_frame() can be sure to find room for; 0: none is read at present.
   [[nodiscard]] virtual std::size_t may_read() const noexcept { return Inbox::kBatch; }
@@ -82,6 +93,7 @@ class Member : public Watch {
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;
   int interface_index_ = -1;
+  bool is_bridge_ = false;
   std::array<std::uint32_t, userbus::kOptionCount> options_{};
   std::uint32_t watched_ = 0;  // events; 0 = the socket is not watched
   pid_t process_ = 0;

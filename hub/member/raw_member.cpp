@@ -31,6 +31,10 @@ void RawMember::receive(const Passage& passage) noexcept {
   if (interface_index() == 0)
     message.trailer.interface_index =
         passage.interface_index != 0 ? passage.interface_index : core().interfaces.common_index();
+  if (is_bridge()) {
+    message.trailer.flags |= passage.mark.number << userbus::kOriginShift;
+    message.trailer.origin = passage.mark.hub;
+  }
   deliver(std::as_bytes(std::span{&message, 1}));
 }
 
@@ -40,12 +44,14 @@ bool RawMember::wants(const Passage& passage) const noexcept {
   return filters_.passes(passage.frame.can_id);
 }
 
-bool RawMember::take_frame(const can_frame& frame, int interface_index, canopen::TimePoint now) noexcept {
-  const Passage passage{.frame = frame,
+bool RawMember::take_frame(const Sent& sent, canopen::TimePoint now) noexcept {
+  if (!core().medium.is_new(sent.mark)) return false;
+  const Passage passage{.frame = sent.frame,
                         .sender = this,
-                        .interface_index = interface_index,
+                        .interface_index = sent.interface_index,
                         .loopback = option(OptionName::Loopback) != 0,
-                        .local = true};
+                        .local = true,
+                        .mark = sent.mark};
   if (waiting_ == 0 && core().medium.send(passage, now)) return true;
   kept_[(next_ + waiting_++) % kept_.size()] = passage;
   return true;

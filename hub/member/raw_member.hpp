@@ -23,7 +23,7 @@ class RawMember final : public Member, public Participant {
   [[nodiscard]] std::span<const can_filter> filters() const noexcept override { return filters_.filters(); }
 
  private:
-  bool take_frame(const can_frame& frame, int interface_index, canopen::TimePoint now) noexcept override;
+  bool take_frame(const Sent& sent, canopen::TimePoint now) noexcept override;
   void option_changed(userbus::OptionName name, std::uint32_t value) noexcept override;
   [[nodiscard]] std::size_t may_read() const noexcept override;
   [[nodiscard]] bool is_done() const noexcept override { return waiting_ == 0; }

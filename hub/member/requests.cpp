@@ -63,6 +63,8 @@ bool is_interface(const Call& call, int index) noexcept {
 }
 
 Result hello(const Call& call) noexcept {
+  constexpr int kBridge = 1;
+  call.asking.member.set_bridge(call.value == kBridge);
   return {.value = static_cast<int>(call.asking.core.medium.bit_rate())};
 }
 

@@ -110,6 +110,8 @@ tl::expected<bus::Descriptor, Refusal> listen_at(const userbus::Path& path, std:
 
 tl::expected<PathOwner, Refusal> PathOwner::take(const userbus::Path& path,
                                                  std::optional<std::uint32_t> bit_rate) {
+  if (!userbus::own_folder(path))
+    return tl::unexpected{failed(path.text, "its folder is not this user's alone (mode 0700)", errno)};
   const canopen::TimePoint end = monotonic_now() + kPatience;
   for (;;) {
     if (bus::Descriptor lock = try_lock(path.text)) return take_locked(path, bit_rate, std::move(lock));

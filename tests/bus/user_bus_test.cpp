@@ -1,88 +1,17 @@
-#include "bus/user_bus.hpp"
-
 #include <array>
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <linux/can/error.h>
-#include <poll.h>
 
-#include "bus/connection.hpp"
-#include "tests/bus/network.hpp"
-#include "tests/e2e/program.hpp"
-#include "tests/fakes/candump.hpp"
-#include "tests/fakes/temporary_directory.hpp"
+#include "tests/bus/user_bus_fixture.hpp"
 #include "tests/hub/bus_client.hpp"
 
 namespace bus {
 namespace {
-
-/// What @p port receives next, as candump prints it; "down" if the hub has gone, "" if nothing comes.
-std::string next(Port& port) {
-  canopen::Frame frame;
-  while (network::readable(port.descriptor())) {
-    const Received received = port.receive(frame);
-    if (received.kind == Received::Frame) return fakes::candump(frame);
-    if (received.kind == Received::Error) return std::string{name_of(received.state)};
-    if (received.kind == Received::Down) return "down";
-  }
-  return "";
-}
-
-bool is_quiet(const Port& port) {
-  pollfd wanted{port.descriptor(), POLLIN, 0};
-  return ::poll(&wanted, 1, 0) == 0;
-}
-
-void send(Port& port, const char* frame) {
-  ASSERT_EQ(port.send(fakes::frame_of(frame)), SendStatus::Sent) << frame;
-}
-
-/// The next state that @p link tells.
-std::optional<LinkState> next(Link& link) {
-  while (network::readable(link.descriptor()))
-    if (const auto state = link.read()) return state;
-  return std::nullopt;
-}
-
-/// A folder with a bus in it; a hub that is started on demand is the one of this tree.
-class UserBusTest : public testing::Test {
- protected:
-  void SetUp() override { ::setenv("CAN_HUB", CANHUB_PROGRAM, 1); }
-
-  [[nodiscard]] std::string path() const { return folder_.path("bus"); }
-  [[nodiscard]] Connection connect() const { return open(parse_address("unix:" + path()).value()); }
-
-  /// Starts a hub that the test may kill.
-  void start_hub(const std::vector<std::string>& options = {}) {
-    std::vector<std::string> words{CANHUB_PROGRAM, "--path", path()};
-    words.insert(words.end(), options.begin(), options.end());
-    hub_.emplace(words, std::vector<std::string>{});
-    ASSERT_TRUE(hub_->wait_for_output("ready")) << hub_->output();
-  }
-  void kill_hub() {
-    hub_->signal(SIGKILL);
-    hub_->wait();
-  }
-
-  /// The message of the OpenError that joining the bus at @p where throws.
-  static std::string reason_not_to_open(const std::string& where) {
-    try {
-      const UserBus port{where};
-      return "opened";
-    } catch (const OpenError& error) {
-      return error.what();
-    }
-  }
-
-  fakes::TemporaryDirectory folder_;
-  std::optional<e2e::Program> hub_;
-};
 
 TEST_F(UserBusTest, StartsTheHubAndCarriesEveryKindOfFrameInOrder) {
   UserBus master{path()};
@@ -117,68 +46,6 @@ TEST_F(UserBusTest, ForgetsWhatWasReceivedBeforeItIsOpenedAgain) {
 
   send(master, "002#");
   EXPECT_EQ(next(drive), "002#");
-}
-
-TEST_F(UserBusTest, TellsOnceThatTheHubHasGone) {
-  start_hub();
-  const Connection drive = connect();
-  EXPECT_EQ(drive.link->state(), LinkState::Up);
-
-  kill_hub();
-
-  EXPECT_EQ(drive.port->send(fakes::frame_of("705#05")), SendStatus::Down);
-  EXPECT_EQ(next(*drive.port), "down");
-  EXPECT_EQ(drive.link->state(), LinkState::Down);
-  EXPECT_TRUE(is_quiet(*drive.port));
-  canopen::Frame frame;
-  EXPECT_EQ(drive.port->receive(frame).kind, Received::Nothing);
-  EXPECT_EQ(drive.port->send(fakes::frame_of("705#05")), SendStatus::Down);
-}
-
-TEST_F(UserBusTest, DeliversWhatCameBeforeTheHubWent) {
-  start_hub();
-  UserBus master{path()};
-  UserBus drive{path()};
-  send(master, "001#");
-  ASSERT_TRUE(network::readable(drive.descriptor()));
-
-  kill_hub();
-
-  EXPECT_EQ(next(drive), "001#");
-  EXPECT_EQ(next(drive), "down");
-}
-
-TEST_F(UserBusTest, JoinsAgainAndStartsTheNextHubItself) {
-  start_hub();
-  const Connection drive = connect();
-  drive.port->accept_only(std::vector{Filter{.identifier = 0x605}});
-  kill_hub();
-  ASSERT_EQ(next(*drive.port), "down");
-
-  EXPECT_EQ(next(*drive.link), LinkState::Up);
-
-  ASSERT_TRUE(drive.port->reopen());
-  UserBus master{path()};
-  for (const char* const frame : {"604#00", "605#40"}) send(master, frame);
-  EXPECT_EQ(next(*drive.port), "605#40") << "and keeps its filters";
-  send(*drive.port, "585#60");
-  EXPECT_EQ(next(master), "585#60");
-}
-
-TEST_F(UserBusTest, TriesUntilAHubCanBeStarted) {
-  start_hub();
-  ::setenv("CAN_HUB", "/nonexistent/canhub", 1);
-  const Connection drive = connect();
-  kill_hub();
-  ASSERT_EQ(next(*drive.port), "down");
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    ASSERT_TRUE(network::readable(drive.link->descriptor()));
-    EXPECT_EQ(drive.link->read(), std::nullopt);
-  }
-
-  start_hub();
-
-  EXPECT_EQ(next(*drive.link), LinkState::Up);
 }
 
 TEST_F(UserBusTest, HasNoRoomWhileTheBusIsSlow) {

@@ -65,6 +65,15 @@ TEST_F(Program, RefusesValuesOutOfRange) {
   expect_refusal({"--axes", "9"}, 2, "--axes: expected an integer 1 to 8, got 9");
 }
 
+TEST_F(Program, TakesTheLastInterfaceThatIsNamed) {
+  EXPECT_EQ(run({"--check-config", "--interface", "two words", "--interface", "unix:/run/bus"}).status, 0);
+
+  const fakes::Finished finished = run({"--check-config", "--interface", "vcan0", "--interface", "two words"});
+
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_NE(finished.errors.find("two words"), std::string::npos) << finished.errors;
+}
+
 TEST_F(Program, AcceptsAGoodConfigurationWithoutAWord) {
   std::ofstream{folder.path("node.json")} << R"({"node_id": 5})";
 

@@ -1,6 +1,7 @@
 #include "daemon/instance_lock.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
@@ -8,8 +9,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "bus/descriptor.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 
 namespace axisd {
@@ -71,6 +76,40 @@ TEST(InstanceLock, RefusesASecondInstanceThatKeepsItsStateElsewhere) {
   const InstanceLock lock{root.path(), address(), 5};
 
   EXPECT_EQ(refusal(elsewhere.path(), 5), in_use(5));
+}
+
+/// Takes the abstract name of node 5 as @p user until its end.
+class Taken {
+ public:
+  explicit Taken(uid_t user) {
+    const std::string name = "axisd/" + interface() + "/5";
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    name.copy(&address.sun_path[1], sizeof address.sun_path - 1);
+    const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+    const pid_t child = ::fork();  // the kernel keeps who listened
+    if (child == 0) {
+      const bool taken = ::setuid(user) == 0 &&
+                         ::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), length) == 0 &&
+                         ::listen(socket_.get(), 1) == 0;
+      ::_exit(taken ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+
+ private:
+  bus::Descriptor socket_{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
+};
+
+TEST(InstanceLock, IsNotBlockedByAStrangerWhoTakesItsName) {
+  if (::geteuid() != 0) GTEST_SKIP() << "needs root, to be another user for a moment";
+  const fakes::TemporaryDirectory root;
+  constexpr uid_t kStranger = 1001;
+  const Taken taken{kStranger};
+
+  EXPECT_EQ(refusal(root.path(), 5), "granted");
 }
 
 TEST(InstanceLock, LeavesOtherNodesAlone) {

@@ -33,12 +33,57 @@ TEST(Interfaces, TakesOnlyNamesOfCanInterfaces) {
     EXPECT_EQ(interfaces.index_of(name), 0) << name;
 }
 
-TEST(Interfaces, TakesABoundedNumberOfNames) {
+/// As many names as there may be, each of them held.
+Interfaces full_of_members() {
   Interfaces interfaces;
-  for (std::size_t i = 0; i < Interfaces::kMost; ++i) ASSERT_NE(interfaces.index_of("can" + std::to_string(i)), 0);
+  for (std::size_t i = 0; i < Interfaces::kMost; ++i)
+    interfaces.hold(interfaces.index_of("can" + std::to_string(i)));
+  return interfaces;
+}
 
+TEST(Interfaces, TakesABoundedNumberOfNames) {
+  Interfaces interfaces = full_of_members();
+
+  EXPECT_EQ(interfaces.entries().size(), Interfaces::kMost);
   EXPECT_EQ(interfaces.index_of("vcan0"), 0);
   EXPECT_EQ(interfaces.index_of("can0"), 1001);
+}
+
+TEST(Interfaces, GivesThePlaceOfANameThatNobodyIsBoundToAnother) {
+  Interfaces interfaces = full_of_members();
+  interfaces.release(interfaces.index_of("can7"));
+
+  const int index = interfaces.index_of("vcan0");
+
+  EXPECT_EQ(interfaces.name_of(index), "vcan0");
+  EXPECT_EQ(interfaces.name_of(1008), "") << "its index is used no more";
+  EXPECT_EQ(interfaces.index_of("can7"), index + static_cast<int>(Interfaces::kMost))
+      << "nobody is bound to vcan0";
+  EXPECT_EQ(interfaces.entries().size(), Interfaces::kMost);
+}
+
+TEST(Interfaces, KeepsANameAsLongAsAnyoneIsBoundToIt) {
+  Interfaces interfaces = full_of_members();
+  interfaces.hold(1008);
+  interfaces.release(1008);
+
+  EXPECT_EQ(interfaces.index_of("vcan0"), 0);
+  interfaces.release(1008);
+  EXPECT_NE(interfaces.index_of("vcan0"), 0);
+}
+
+TEST(Interfaces, GivesUpTheNameThatWasNotMentionedLongest) {
+  Interfaces interfaces;
+  for (std::size_t i = 0; i < Interfaces::kMost; ++i) interfaces.index_of("can" + std::to_string(i));
+  interfaces.index_of("can0");
+
+  for (int i = 0; i < 1000; ++i) {
+    interfaces.index_of("can0");
+    ASSERT_NE(interfaces.index_of("vcan" + std::to_string(i)), 0) << i;
+  }
+
+  EXPECT_EQ(interfaces.index_of("can0"), 1001);
+  EXPECT_EQ(interfaces.name_of(1002), "");
 }
 
 TEST(Interfaces, HasANameForFramesThatComeWithoutOne) {

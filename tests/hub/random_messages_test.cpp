@@ -72,6 +72,10 @@ TEST(RandomMessages, HarmNobodyButTheirSender) {
   RunningHub hub;
   BusClient talker{hub.path()};
   BusClient listener{hub.path()};
+  constexpr std::array kStray{std::byte{1}};
+  send_with_descriptors(talker.descriptor(), kStray,
+                        1);  // the hub has a pipe from now on, to close them elsewhere
+  talker.settle();
   const std::ptrdiff_t before = open_descriptors();
 
   for (int round = 0; round < 50; ++round) {

@@ -10,6 +10,7 @@
 #include <sys/time.h>
 
 #include "bus/descriptor.hpp"
+#include "tools/axisctl/server_trust.hpp"
 
 namespace axisctl {
 
@@ -34,6 +35,7 @@ tl::expected<bus::Descriptor, std::string> connect_to(const std::string& path) {
   ::setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &kPatience, sizeof kPatience);
   if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0)
     return Failure{fmt::format("{}: no daemon answers here ({})", path, reason())};
+  if (const auto trusted = check_server(socket.get(), path); !trusted) return Failure{trusted.error()};
   return socket;
 }
 

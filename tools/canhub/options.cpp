@@ -60,8 +60,10 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   std::vector<std::string> bridges;
   app.footer(kFooter);
   app.set_version_flag("--version", "canhub " AXISD_VERSION);
-  app.add_option("--path", path,
-                 "socket of the bus (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /tmp/can-bus-UID)")
+  app.add_option(
+         "--path", path,
+         "socket of the bus (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /run/can-bus for root and "
+         "/tmp/can-bus-UID/can-bus for others)")
       ->type_name("PATH");
   app.add_option("--bitrate", bit_rate, "bit rate of the bus in bit/s (default: 0, frames take no time)")
       ->type_name("N");

@@ -15,7 +15,8 @@ const std::string_view kHelp = R"(usage: with-can [--bus PATH | --private] [--bi
 Runs COMMAND with CAN sockets on a bus in user space, where the kernel needs no CAN. COMMAND is any program that
 uses SocketCAN and is linked with the C library dynamically; scripts are, as their interpreters are.
 
-  --bus PATH    the bus is at PATH (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /tmp/can-bus-UID)
+  --bus PATH    the bus is at PATH (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /run/can-bus
+                for root and /tmp/can-bus-UID/can-bus for others)
   --private     a new bus for COMMAND and whatever that starts, which find its path in $CAN_BUS
   --bitrate N   frames take the time that they take at N bit/s, 1000 to 1000000, or 0: no time (default: as the
                 bus is; on a new one they take no time)

@@ -28,10 +28,10 @@ int fail(int status, std::string_view message) {
 
 /// A path that nobody uses; the hub removes it when its last member has left.
 std::string new_path() {
-  const char* const folder = std::getenv("XDG_RUNTIME_DIR");
+  userbus::Path folder{};
+  if (!userbus::default_folder(folder)) return std::string(userbus::kLongestPath + 1, '/');
   std::random_device random;
-  return fmt::format("{}/can-bus-{}-{:08x}", folder != nullptr && *folder != '\0' ? folder : "/tmp", ::getpid(),
-                     random());
+  return fmt::format("{}/can-bus-{}-{:08x}", folder.text, ::getpid(), random());
 }
 
 /// The path of the bus, from the root; longer than kLongestPath if that is what it is.
