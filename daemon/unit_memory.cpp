@@ -126,7 +126,7 @@ bool UnitMemory::may_write(Part& part) noexcept {
 }
 
 device::Keeping UnitMemory::store(std::span<const std::byte> image) noexcept {
-  if (!may_write(parameters_)) return device::Keeping::Refused;
+  if (!may_write(parameters_)) return parameters_.stays ? device::Keeping::Refused : device::Keeping::Failed;
   writer_.begin(StateWriter::Place::Parameters, parameters_.file, image, Durability::OnDisk);
   return device::Keeping::Begun;
 }

@@ -16,6 +16,7 @@ using Bytes = std::vector<std::byte>;
 using Place = StateWriter::Place;
 
 struct StateWriterTest : testing::Test {
+  StateWriterTest() { EXPECT_FALSE(writer.take_ended()); }
   /// Waits for the end of a write.
   StateWriter::Ended next() {
     constexpr int kPatience_ms = 20'000;

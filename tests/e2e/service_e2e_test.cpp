@@ -44,7 +44,7 @@ TEST_P(Ending, BySignalIsAnnouncedAndClean) {
   EXPECT_EQ(daemon.program().wait(), 0);
   EXPECT_FALSE(std::filesystem::exists(daemon.control_socket()));
 }
-INSTANTIATE_TEST_SUITE_P(TermAndInt, Ending, testing::Values(SIGTERM, SIGINT));
+INSTANTIATE_TEST_SUITE_P(TermIntAndHup, Ending, testing::Values(SIGTERM, SIGINT, SIGHUP));
 
 TEST_F(Service, EndsWhenAskedToQuit) {
   DaemonProcess daemon;

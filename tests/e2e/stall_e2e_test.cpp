@@ -67,5 +67,22 @@ TEST_P(Stall, TakesNoControlwordOfAStartAway) {
 INSTANTIATE_TEST_SUITE_P(Ms, Stall, testing::Values(20ms, 50ms, 90ms),
                          [](const auto& test) { return std::to_string(test.param.count()); });
 
+TEST(SlowDisk, IsWaitedForBesideTheCycles) {
+  const fakes::TemporaryDirectory folder;
+  const std::string gate = folder.path("gate");
+  CanClient can{kTestInterface};
+  CanClient answers{kTestInterface};
+  answers.listen_to({0x585});
+  DaemonProcess daemon{{.environment = {std::string{"LD_PRELOAD="} + SLOW_DISK, "SLOW_DISK_GATE=" + gate}}};
+  ASSERT_TRUE(daemon.is_ready());
+
+  can.send("605#2310100173617665");  // "save"
+  ASSERT_NO_FATAL_FAILURE(make_motor_turn(can));
+
+  EXPECT_FALSE(answers.next_waiting()) << "it is not on the disk";
+  std::ofstream{gate} << "open";
+  EXPECT_TRUE(answers.expect("585#6010100100000000"));
+}
+
 }  // namespace
 }  // namespace e2e

@@ -81,6 +81,13 @@ TEST_F(Storage, RestoresANewUnitThatTurnsUnderItsAddress) {
 }
 
 TEST_F(Storage, KeepsTheFaultBufferThroughAPowerCut) {
+  ASSERT_EQ(daemon.axisctl({"fault", "inject", "1", "7860", "41"}).status, 0);
+  start_again_after(SIGHUP);
+  show(2);
+  EXPECT_EQ(sdo.upload(kFaultValue, 8).number(), 41U);
+}
+
+TEST_F(Storage, KeepsSeveralFaultsThroughAPowerCut) {
   ASSERT_EQ(daemon.axisctl({"fault", "inject", "1", "7860", "42"}).status, 0);
   ASSERT_EQ(daemon.axisctl({"fault", "ack", "1"}).status, 0);
   ASSERT_EQ(daemon.axisctl({"fault", "inject", "1", "7901", "43"}).status, 0);

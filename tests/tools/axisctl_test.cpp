@@ -71,6 +71,30 @@ TEST_F(Axisctl, ShowsWhatAnAnswerHoldsBesides) {
   EXPECT_EQ(run({"fault", "ack", "1"}).output, "acknowledged: 2\nleft: F07860\n");
 }
 
+TEST_F(Axisctl, PrintsNoControlCharacters) {
+  const std::string wild =
+      "\x1B[2J\x7F\xC2\x9B"
+      "1m M\xC3\xBCller\n";
+  const std::string tame = R"(\u001b[2J\u007f\u009b1m M)"
+                           "\xC3\xBC"
+                           R"(ller\u000a)";
+  {
+    ControlServer server{socket(), answer({{wild, wild}})};
+    EXPECT_EQ(run({"fault", "ack", "1"}).output, tame + ": " + tame + "\n");
+  }
+  std::filesystem::remove(socket());
+  {
+    ControlServer server{socket(), R"({"id":1,"error":{"message":"\u001b[2J"}})"
+                                   "\n"};
+    EXPECT_EQ(run({"fault", "ack", "1"}).errors, R"(axisctl: \u001b[2J)"
+                                                 "\n");
+  }
+  std::filesystem::remove(socket());
+  ControlServer server{socket(), answer({{"name", "\x7F\xC2\x9B"}})};
+  EXPECT_EQ(run({"--json", "status"}).output, R"({"name":"\u007f\u009b"})"
+                                              "\n");
+}
+
 TEST_F(Axisctl, TakesTheOnlyDaemonThereIs) {
   ControlServer server{folder.path("axisd-can7-99.sock"), kDone};
 
