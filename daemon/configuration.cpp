@@ -82,13 +82,20 @@ std::vector<ParameterValue> read_parameters(const JsonReader& json, drive::Objec
   return values;
 }
 
-/// What a new axis of @p configuration takes.
-std::vector<ParameterValue> read_axis_parameters(const JsonReader& json, const AxisConfiguration& configuration) {
-  return read_parameters(json, configuration.kind, [&](const ParameterValue& value) {
-    drive::Axis trial{{.machine = configuration.machine,
-                       .load = configuration.load,
-                       .kind = configuration.kind,
-                       .inverter = configuration.inverter}};
+/// A new unit of @p axes, with an infeed as a drive object if @p has_infeed: what it takes can be configured.
+drive::UnitConfiguration trial_unit(const std::vector<AxisConfiguration>& axes, bool has_infeed) {
+  drive::UnitConfiguration unit{.axes = {}, .infeed = has_infeed};
+  for (const AxisConfiguration& axis : axes)
+    unit.axes.push_back(
+        {.machine = axis.machine, .load = axis.load, .kind = axis.kind, .inverter = axis.inverter});
+  return unit;
+}
+
+/// What @p object of a new unit takes, each value by itself.
+template <class Object>
+std::vector<ParameterValue> read_object_parameters(const JsonReader& json, const Object& object) {
+  return read_parameters(json, object.kind(), [&](const ParameterValue& value) {
+    Object trial = object;
     const auto written = trial.write(value.number, value.index, value.value);
     return written ? std::nullopt : std::optional{written.error()};
   });
@@ -120,8 +127,28 @@ AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   if (json.has("plant")) axis.deviation = read_plant(json.at("plant"), axis.machine, axis.load);
   axis.inverter = motor::inverter_for(axis.machine.maximum_current);
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
-  if (json.has("parameters")) axis.parameters = read_axis_parameters(json.at("parameters"), axis);
   return axis;
+}
+
+/// The parameters of all drive objects but the control unit, when it is known which ones there are: an input may
+/// be connected to any of them.
+void read_object_parameters(const JsonReader& json, Configuration& configuration) {
+  const drive::DriveUnit unit{trial_unit(configuration.axes, configuration.infeed.has_value())};
+  if (configuration.infeed && json.at("infeed").has("parameters"))
+    configuration.infeed->parameters = read_object_parameters(json.at("infeed").at("parameters"), *unit.infeed());
+  if (!json.has("axes")) return;
+  for (std::size_t i = 0; i < configuration.axes.size(); ++i)
+    if (const JsonReader axis = json.at("axes").at(i); axis.has("parameters"))
+      configuration.axes[i].parameters = read_object_parameters(axis.at("parameters"), unit.axes()[i]);
+}
+
+/// true, or what is said of it; false is none.
+std::optional<InfeedConfiguration> read_infeed(const JsonReader& json) {
+  if (!json.is_object()) return json.boolean() ? std::optional{InfeedConfiguration{}} : std::nullopt;
+  json.expect_object({"name", "parameters"});
+  InfeedConfiguration infeed;
+  if (json.has("name")) infeed.name = json.at("name").text();
+  return infeed;
 }
 
 std::vector<AxisConfiguration> read_axes(const JsonReader& json) {
@@ -183,7 +210,7 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 Configuration parse_configuration(std::string_view text, const std::string& file) {
   const JsonReader json = JsonReader::parse(text, file);
-  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "sdo_block", "f08701"});
+  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "infeed", "sdo_block", "f08701"});
   Configuration configuration;
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
@@ -191,7 +218,9 @@ Configuration parse_configuration(std::string_view text, const std::string& file
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
   if (json.has("parameters")) configuration.parameters = read_unit_parameters(json.at("parameters"));
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
+  if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"));
+  read_object_parameters(json, configuration);
   return configuration;
 }
 

@@ -115,6 +115,9 @@ std::vector<std::string> explain(const Device& device, std::size_t number) {
   if (!drive::turns(picture.axis()))
     for (const Reason& reason : kReasons)
       if (reason.holds(picture)) sentences.push_back(reason.text(picture));
+  if (const drive::Infeed* const infeed = device.unit().infeed();
+      infeed != nullptr && !drive::turns(picture.axis()))
+    for (std::string& sentence : drive::explain(*infeed)) sentences.push_back(std::move(sentence));
   for (std::string& sentence : drive::explain(picture.axis())) sentences.push_back(std::move(sentence));
   return sentences;
 }

@@ -38,9 +38,9 @@ std::span<const Reason> switching_reasons() noexcept;
 std::span<const Reason> operation_reasons() noexcept;
 
 /// "p0844 = r8890.1": what the BICO input @p input is connected to.
-std::string wiring_of(const Axis& axis, std::uint16_t input);
+std::string wiring_of(const DriveObject& object, std::uint16_t input);
 /// What makes the binector input @p input be @p wanted, as an order.
-std::string order_for(const Axis& axis, std::uint16_t input, bool wanted);
+std::string order_for(const DriveObject& object, std::uint16_t input, bool wanted);
 /// A number with at most three decimals and without superfluous zeros.
 std::string plain(double number);
 

@@ -27,7 +27,7 @@ inline constexpr std::array kUnitRows{
     Row{108, 1, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::function_modules), Output::No, "Drive object function modules", "setpoint channel, CAN"},
     Row{115, 12, kServo, F32, Unit::Microseconds, {0.0, 16000.0}, factory::sampling_times, When::Device, Stored{}, Output::No, "Sampling times of the control loops", ""},
     Row{115, 12, kVector, F32, Unit::Microseconds, {0.0, 16000.0}, factory::vector_sampling_times, When::Device, Stored{}, Output::No, "Sampling times of the control loops", ""},
-    Row{210, 1, kAxes, F32, Unit::VoltsRms, {70.0, 1000.0}, 400.0, When::Ready, Stored{}, Output::No, "Device supply voltage", ""},
+    Row{210, 1, kAxes | kInfeed, F32, Unit::VoltsRms, {70.0, 1000.0}, 400.0, When::Ready, Stored{}, Output::No, "Device supply voltage", ""},
     Row{752, 1, kControlUnit, F32, Unit::VoltsOrMilliamperes, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Connector, "CU analog input", ""},
     Row{774, 3, kControlUnit, F32, Unit::Volts, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Connector, "Test sockets output voltage T0..T2", ""},
     Row{918, 1, kControlUnit, U16, Unit::None, {1.0, 126.0}, 126.0, When::Ready, Stored{}, Output::No, "PROFIBUS address", ""},
