@@ -59,6 +59,15 @@ AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis) {
   return axis;
 }
 
+/// true, or what is said of it; false is none.
+std::optional<InfeedConfiguration> read_infeed(const JsonReader& json) {
+  if (!json.is_object()) return json.boolean() ? std::optional{InfeedConfiguration{}} : std::nullopt;
+  json.expect_object({"name", "parameters"});
+  InfeedConfiguration infeed;
+  if (json.has("name")) infeed.name = json.at("name").text();
+  return infeed;
+}
+
 std::vector<AxisConfiguration> read_axes(const JsonReader& json) {
   json.expect_array(1, drive::kMostAxes);
   std::vector<AxisConfiguration> axes;
@@ -71,9 +80,6 @@ std::vector<AxisConfiguration> read_axes(const JsonReader& json) {
     }
     axes.push_back(std::move(axis));
   }
-  for (std::size_t i = 0; i < json.size(); ++i)
-    if (json.at(i).has("parameters"))
-      axes[i].parameters = read_axis_parameters(json.at(i).at("parameters"), axes, i);
   return axes;
 }
 
@@ -125,16 +131,16 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 Configuration parse_configuration(std::string_view text, const std::string& file) {
   const JsonReader json = JsonReader::parse(text, file);
-  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "sdo_block", "f08701"});
+  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "infeed", "sdo_block", "f08701"});
   Configuration configuration;
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kFirstNodeId, kLastNodeId);
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
+  if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"));
-  if (json.has("parameters"))
-    configuration.parameters = read_unit_parameters(json.at("parameters"), configuration.axes);
+  read_parameters(json, configuration);
   return configuration;
 }
 

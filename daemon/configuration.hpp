@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -44,6 +45,12 @@ struct AxisConfiguration {
   std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis
 };
 
+/// The infeed as a drive object.
+struct InfeedConfiguration {
+  std::string name = "infeed";
+  std::vector<ParameterValue> parameters;  ///< laid over the state of a new one
+};
+
 /// The first @p count servo axes (1..drive::kMostAxes) of a unit of which nothing is said: X, Y, Z, A, B, C, U, V.
 std::vector<AxisConfiguration> default_axes(std::size_t count);
 
@@ -53,9 +60,10 @@ struct Configuration {
   int node_id = 2;                                               ///< the address switch, 0..127
   std::vector<AxisConfiguration> axes = default_axes(1);         ///< 1..drive::kMostAxes
   std::vector<ParameterValue> parameters;                        ///< key "parameters", of the control unit
-  motor::SupplyData supply{};                                    ///< key "supply"
-  bool sdo_block = false;                                        ///< key "sdo_block"
-  bool fault_on_leaving_operational = true;                      ///< key "f08701"
+  std::optional<InfeedConfiguration> infeed;  ///< key "infeed"; none: the axes begin at drive object 2
+  motor::SupplyData supply{};                 ///< key "supply"
+  bool sdo_block = false;                     ///< key "sdo_block"
+  bool fault_on_leaving_operational = true;   ///< key "f08701"
 };
 
 /// Reads @p text, the content of configuration file @p file; throws ConfigurationError.

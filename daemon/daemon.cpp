@@ -40,6 +40,10 @@ device::Configuration device_configuration(const Configuration& configuration, c
                                .axes = {},
                                .presets = presets_of(configuration.parameters),
                                .supply = configuration.supply,
+                               .infeed = configuration.infeed.has_value(),
+                               .infeed_presets = configuration.infeed
+                                                     ? presets_of(configuration.infeed->parameters)
+                                                     : std::vector<device::ParameterPreset>{},
                                .sdo_block = configuration.sdo_block,
                                .fault_on_leaving_operational = configuration.fault_on_leaving_operational,
                                .remote_frames = port.carries_remote_frames()};

@@ -1,8 +1,11 @@
 #include "daemon/parameter_reader.hpp"
 
+#include <array>
 #include <charconv>
 #include <limits>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +16,10 @@ namespace axisd {
 namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+/// A parameter of each drive::ObjectKind, for messages.
+constexpr std::array<std::string_view, drive::kObjectKindCount> kExamples{
+    "of the control unit such as p8848", "of the axis such as p1120 or p1070[1]",
+    "of the axis such as p1120 or p1070[1]", "of the infeed such as p0840"};
 
 /// What a BICO input of @p type can be connected to.
 std::string source_expectation(drive::DataType type) {
@@ -50,98 +57,98 @@ std::optional<std::uint8_t> take_index(std::string& text) {
   return index;
 }
 
-/// The value of parameter @p row: a number, or the text of a BICO source.
-double read_value(const JsonReader& json, const drive::ParameterRow& row) {
+/// The value of parameter @p row: a number, or the text of a BICO source. @p first_axis: a drive object number.
+double read_value(const JsonReader& json, const drive::ParameterRow& row, std::uint8_t first_axis) {
   if (!drive::is_bico_input(row.type) || json.is_number()) return json.number(-kUnlimited, kUnlimited);
-  const auto source = json.is_string() ? drive::parse_bico(json.text(), row.type) : std::nullopt;
+  const auto source = json.is_string() ? drive::parse_bico(json.text(), row.type, first_axis) : std::nullopt;
   if (!source) json.fail(source_expectation(row.type));
   return *source;
 }
 
-/// A parameter of the drive objects of @p kind and its value; @p refused says why they would not take it.
-template <class Refused>
-ParameterValue read_parameter(const JsonReader& json, std::string text, drive::ObjectKind kind,
-                              const Refused& refused) {
-  const bool of_the_unit = kind == drive::ObjectKind::ControlUnit;
-  const auto index = take_index(text);
-  const drive::ParameterRow* const row = drive::find_parameter(kind, text);
-  if (!index || row == nullptr)
-    json.fail(of_the_unit ? "a parameter of the control unit such as p8848 as key"
-                          : "a parameter of the axis such as p1120 or p1070[1] as key");
-  if (*index >= row->count) json.fail(fmt::format("an index 0 to {} of {} as key", row->count - 1, text));
-  const ParameterValue value{row->number, read_value(json, *row), *index};
-  if (const std::optional<drive::ParameterError> error = refused(value)) json.fail(expectation(*error));
-  return value;
-}
-
-/// The values under the parameters that @p json has as keys.
-template <class Refused>
-std::vector<ParameterValue> read_parameters(const JsonReader& json, drive::ObjectKind kind,
-                                            const Refused& refused) {
-  if (!json.is_object()) json.fail("an object");
-  std::vector<ParameterValue> values;
-  for (const std::string& text : json.keys()) values.push_back(read_parameter(json.at(text), text, kind, refused));
-  return values;
-}
-
-drive::AxisConfiguration trial_of(const AxisConfiguration& axis) {
-  return {.machine = axis.machine,
-          .load = axis.load,
-          .kind = axis.kind,
-          .inverter = axis.inverter,
-          .setpoint_channel = axis.setpoint_channel};
-}
-
-/// A new unit with @p axes, for trials.
-drive::UnitConfiguration trial_of(const std::vector<AxisConfiguration>& axes) {
-  drive::UnitConfiguration unit{.axes = {}};
-  for (const AxisConfiguration& axis : axes) unit.axes.push_back(trial_of(axis));
+/// A new unit of @p configuration, for trials.
+drive::UnitConfiguration trial_of(const Configuration& configuration) {
+  drive::UnitConfiguration unit{.axes = {}, .infeed = configuration.infeed.has_value()};
+  for (const AxisConfiguration& axis : configuration.axes)
+    unit.axes.push_back({.machine = axis.machine,
+                         .load = axis.load,
+                         .kind = axis.kind,
+                         .inverter = axis.inverter,
+                         .setpoint_channel = axis.setpoint_channel});
   return unit;
 }
 
-/// Why the new axis at @p place (from 0) of @p axes would refuse @p value, if it would. What is connected to
-/// another drive object needs the whole unit.
-std::optional<drive::ParameterError> axis_refusal(const std::vector<AxisConfiguration>& axes, std::size_t place,
-                                                  const ParameterValue& value) {
-  const auto error_of = [&](drive::DriveObject& object) {
-    const auto written = object.write(value.number, value.index, value.value);
-    return written ? std::nullopt : std::optional{written.error()};
-  };
-  const drive::PlacedRow* const placed = drive::find_parameter(axes[place].kind, value.number);
-  if (placed != nullptr && drive::is_bico_input(placed->row->type)) {
-    drive::DriveUnit trial{trial_of(axes)};
-    return error_of(trial.axes()[place]);
-  }
-  drive::Axis trial{trial_of(axes[place])};
-  return error_of(trial);
+/// Why the drive object @p number of a new unit would refuse @p value, if it would: @p unit is one, and takes it.
+/// Of the control unit only what it saves can be configured.
+std::optional<drive::ParameterError> refusal(drive::DriveUnit& unit, std::uint8_t number,
+                                             const ParameterValue& value) {
+  drive::DriveObject& object = *unit.object(number);
+  if (number == drive::kControlUnitNumber) return object.load_error(value.number, value.index, value.value);
+  const auto written = object.write(value.number, value.index, value.value);
+  return written ? std::nullopt : std::optional{written.error()};
 }
+
+/// Reads what drive objects of a new unit take.
+class ParameterReader {
+ public:
+  explicit ParameterReader(const Configuration& configuration) : trial_{trial_of(configuration)} {}
+
+  /// The values under the parameters that @p json has as keys, each as drive object @p number takes it by itself.
+  std::vector<ParameterValue> read(const JsonReader& json, std::uint8_t number) const {
+    if (!json.is_object()) json.fail("an object");
+    std::vector<ParameterValue> values;
+    for (const std::string& text : json.keys()) values.push_back(read_parameter(json.at(text), text, number));
+    return values;
+  }
+
+ private:
+  ParameterValue read_parameter(const JsonReader& json, std::string text, std::uint8_t number) const {
+    drive::DriveUnit unit{trial_};
+    const drive::ObjectKind kind = unit.object(number)->kind();
+    const auto index = take_index(text);
+    const drive::ParameterRow* const row = drive::find_parameter(kind, text);
+    if (!index || row == nullptr)
+      json.fail(fmt::format("a parameter {} as key", kExamples[static_cast<std::size_t>(kind)]));
+    if (*index >= row->count) json.fail(fmt::format("an index 0 to {} of {} as key", row->count - 1, text));
+    const ParameterValue value{row->number, read_value(json, *row, unit.first_axis()), *index};
+    if (const auto refused = refusal(unit, number, value)) json.fail(expectation(*refused));
+    return value;
+  }
+
+  drive::UnitConfiguration trial_;
+};
 
 }  // namespace
 
-std::vector<ParameterValue> read_axis_parameters(const JsonReader& json,
-                                                 const std::vector<AxisConfiguration>& axes, std::size_t place) {
-  return read_parameters(json, axes[place].kind,
-                         [&](const ParameterValue& value) { return axis_refusal(axes, place, value); });
-}
-
-std::vector<ParameterValue> read_unit_parameters(const JsonReader& json,
-                                                 const std::vector<AxisConfiguration>& axes) {
-  const drive::DriveUnit trial{trial_of(axes)};
-  return read_parameters(json, drive::ObjectKind::ControlUnit, [&](const ParameterValue& value) {
-    return trial.object(drive::kControlUnitNumber)->load_error(value.number, value.index, value.value);
-  });
+void read_parameters(const JsonReader& json, Configuration& configuration) {
+  const ParameterReader reader{configuration};
+  if (json.has("parameters"))
+    configuration.parameters = reader.read(json.at("parameters"), drive::kControlUnitNumber);
+  if (configuration.infeed && json.at("infeed").is_object() && json.at("infeed").has("parameters"))
+    configuration.infeed->parameters = reader.read(json.at("infeed").at("parameters"), drive::kInfeedNumber);
+  if (!json.has("axes")) return;
+  std::uint8_t number = drive::first_axis_number(configuration.infeed.has_value());
+  for (std::size_t i = 0; i < configuration.axes.size(); ++i, ++number)
+    if (const JsonReader axis = json.at("axes").at(i); axis.has("parameters"))
+      configuration.axes[i].parameters = reader.read(axis.at("parameters"), number);
 }
 
 std::optional<std::string> refused_parameter(const Configuration& configuration) {
-  const auto& axes = configuration.axes;
-  const drive::DriveUnit unit{trial_of(axes)};
-  for (const ParameterValue& value : configuration.parameters)
-    if (unit.object(drive::kControlUnitNumber)->load_error(value.number, value.index, value.value))
-      return fmt::format("p{:04}[{}] of the control unit", value.number, value.index);
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    for (const ParameterValue& value : axes[i].parameters)
-      if (axis_refusal(axes, i, value))
-        return fmt::format("p{:04}[{}] of axis {}", value.number, value.index, axes[i].name);
+  const auto first_of = [&configuration](const std::vector<ParameterValue>& values, std::uint8_t number,
+                                         const std::string& owner) -> std::optional<std::string> {
+    for (const ParameterValue& value : values) {
+      drive::DriveUnit unit{trial_of(configuration)};
+      if (refusal(unit, number, value)) return fmt::format("p{:04}[{}] of {}", value.number, value.index, owner);
+    }
+    return std::nullopt;
+  };
+  if (auto refused = first_of(configuration.parameters, drive::kControlUnitNumber, "the control unit"))
+    return refused;
+  if (configuration.infeed)
+    if (auto refused = first_of(configuration.infeed->parameters, drive::kInfeedNumber, "the infeed"))
+      return refused;
+  std::uint8_t number = drive::first_axis_number(configuration.infeed.has_value());
+  for (const AxisConfiguration& axis : configuration.axes)
+    if (auto refused = first_of(axis.parameters, number++, "axis " + axis.name)) return refused;
   return std::nullopt;
 }
 

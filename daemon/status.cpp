@@ -75,6 +75,15 @@ json control_unit_status(const Daemon& daemon) {
           {"outputs", terminals(unit.terminals().outputs() & unit.terminals().directions)}};
 }
 
+json infeed_status(const drive::Infeed& infeed, const std::string& name) {
+  return {{"drive_object", infeed.number()},
+          {"name", name},
+          {"state", kStateNames[static_cast<std::size_t>(infeed.state())]},
+          {"operates", infeed.operates()},
+          {"faults", messages(infeed.messages().faults())},
+          {"alarms", messages(infeed.messages().alarms())}};
+}
+
 json leds_status(const device::IndicatorLeds& leds) {
   return {{"run", name_of(leds.run)}, {"error", name_of(leds.error)}};
 }
@@ -98,20 +107,23 @@ json bus_status(const Daemon& daemon) {
 }  // namespace
 
 json status_of(const Daemon& daemon) {
-  return {{"version", kVersion},
-          {"interface", daemon.configuration().address.text},
-          {"node_id", daemon.device().node_id()},
-          {"nmt_state", canopen::name_of(daemon.device().node().state())},
-          {"uptime_s", daemon.uptime_s()},
-          {"bus", bus_status(daemon)},
-          {"leds", leds_status(daemon.device().leds())},
-          {"dc_link_V", daemon.device().unit().dc_link().voltage()},
-          {"cycle_ms", std::chrono::duration<double, std::milli>{daemon.device().cycle()}.count()},
-          {"skipped_cycles", daemon.device().skipped_cycles()},
-          {"memory",
-           {{"parameters", daemon.memory().parameters_text()}, {"retained", daemon.memory().retained_text()}}},
-          {"control_unit", control_unit_status(daemon)},
-          {"axes", axes_status(daemon)}};
+  json status{{"version", kVersion},
+              {"interface", daemon.configuration().address.text},
+              {"node_id", daemon.device().node_id()},
+              {"nmt_state", canopen::name_of(daemon.device().node().state())},
+              {"uptime_s", daemon.uptime_s()},
+              {"bus", bus_status(daemon)},
+              {"leds", leds_status(daemon.device().leds())},
+              {"dc_link_V", daemon.device().unit().dc_link().voltage()},
+              {"cycle_ms", std::chrono::duration<double, std::milli>{daemon.device().cycle()}.count()},
+              {"skipped_cycles", daemon.device().skipped_cycles()},
+              {"memory",
+               {{"parameters", daemon.memory().parameters_text()}, {"retained", daemon.memory().retained_text()}}},
+              {"control_unit", control_unit_status(daemon)},
+              {"axes", axes_status(daemon)}};
+  if (const drive::Infeed* const infeed = daemon.device().unit().infeed())
+    status["infeed"] = infeed_status(*infeed, daemon.configuration().infeed->name);
+  return status;
 }
 
 }  // namespace axisd

@@ -27,9 +27,11 @@ struct Configuration {
   std::vector<AxisSetup> axes{AxisSetup{}};  ///< 1..drive::kMostAxes
   std::vector<ParameterPreset> presets{};    ///< of the control unit: saved parameters within their limits
   motor::SupplyData supply{};                ///< of the DC link that feeds all axes
-  bool sdo_block = false;                    ///< SDO block transfer, which the real unit does not have
-  bool fault_on_leaving_operational = true;  ///< F08701 when a master takes the node out of Operational
-  bool remote_frames = true;                 ///< false: the bus carries none, so there is no life guarding
+  bool infeed = false;                       ///< the infeed is drive object 2, and the axes begin at 3
+  std::vector<ParameterPreset> infeed_presets{};  ///< of it: writable and within their limits
+  bool sdo_block = false;                         ///< SDO block transfer, which the real unit does not have
+  bool fault_on_leaving_operational = true;       ///< F08701 when a master takes the node out of Operational
+  bool remote_frames = true;                      ///< false: the bus carries none, so there is no life guarding
 };
 
 /// What the drive unit behind it is made of.
@@ -37,7 +39,8 @@ struct Configuration {
   drive::UnitConfiguration unit{.axes = {},
                                 .node_id = configuration.node_id,
                                 .address_switch_off = configuration.address_switch_off,
-                                .supply = configuration.supply};
+                                .supply = configuration.supply,
+                                .infeed = configuration.infeed};
   for (const AxisSetup& axis : configuration.axes) unit.axes.push_back(axis.drive);
   return unit;
 }

@@ -27,9 +27,9 @@ constexpr std::uint16_t kFilter = 10;
 constexpr std::uint16_t kCyclePeriod = 8848;
 constexpr std::uint16_t kDeviceFilter = 9;
 
-/// The drive object of @p axis, 0 being the control unit.
-constexpr std::uint8_t object_of(std::size_t axis) noexcept {
-  return static_cast<std::uint8_t>(axis + drive::kControlUnitNumber);
+/// The drive object of @p axis of @p unit, 0 being the control unit.
+std::uint8_t object_of(const drive::DriveUnit& unit, std::size_t axis) noexcept {
+  return axis == 0 ? drive::kControlUnitNumber : unit.axes()[axis - 1].number();
 }
 
 }  // namespace
@@ -111,8 +111,8 @@ void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noe
   const bool left_reset = number == kResetObject && unit_.object(object)->read(kFilter) == 0.0;
   if (left_reset) restored_object_ = object;
   if (storage_.take_begun()) node_.defer_answer();
-  if (object == drive::kControlUnitNumber) return wake();
-  axes_[object - drive::kFirstAxisNumber].wake();
+  if (object < unit_.first_axis()) return wake();
+  axes_[object - unit_.first_axis()].wake();
 }
 
 /// What the written parameters command besides their own effect, now that the answer is out.
@@ -215,7 +215,8 @@ void Device::run_cycles() noexcept {
   for (std::int64_t i = 0; i < due.run; ++i) run_cycle(false);
   for (AxisObjects& axis : axes_) axis.end_cycles();
   publish();
-  if (std::ranges::all_of(axes_, &AxisObjects::is_idle)) clock_.rest();
+  const bool infeed_rests = unit_.infeed() == nullptr || unit_.infeed()->is_quiescent();
+  if (infeed_rests && std::ranges::all_of(axes_, &AxisObjects::is_idle)) clock_.rest();
 }
 
 /// What a cycle has led to: values change on the bus here and nowhere else.
@@ -260,14 +261,14 @@ canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {
 tl::expected<void, drive::FaultError> Device::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,
                                                     canopen::TimePoint now) noexcept {
   tell_time(now);
-  auto raised = unit_.raise(object_of(axis), number, value);
+  auto raised = unit_.raise(object_of(unit_, axis), number, value);
   show_messages();
   return raised;
 }
 
 bool Device::acknowledge(std::size_t axis, canopen::TimePoint now) noexcept {
   tell_time(now);
-  const bool clear = unit_.acknowledge(object_of(axis));
+  const bool clear = unit_.acknowledge(object_of(unit_, axis));
   show_messages();
   return clear;
 }

@@ -50,8 +50,9 @@ void Device::show_messages() noexcept {
   wake();
 }
 
-/// F08701 on every axis; the control unit has no part in it.
+/// F08701 on every axis, and on the infeed, which it switches off; the control unit has no part in it.
 void Device::leave_operational(std::uint32_t value) noexcept {
+  if (drive::Infeed* const infeed = unit_.infeed()) static_cast<void>(infeed->raise(kLeftOperational, value));
   for (drive::Axis& axis : unit_.axes()) {
     [[maybe_unused]] const auto raised = axis.raise(kLeftOperational, value);
     assert(raised);

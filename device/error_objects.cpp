@@ -20,10 +20,16 @@ constexpr unsigned kManufacturerBit = 0x80;
 /// Sub-index of 1029h for such faults.
 constexpr std::uint8_t kDeviceErrorClass = canopen::kCommunicationErrorClass + 1;
 
-/// Sub-index of the count of messages of drive object @p object; the entries follow it.
-constexpr unsigned block_of(unsigned object) noexcept {
-  if (object == drive::kControlUnitNumber) return kControlUnit;
-  return kFirstModule + (1 + kEntriesEach) * (object - drive::kFirstAxisNumber);
+/// Sub-index of the count of messages of block @p block: 0 what is no logical module, then the modules. The
+/// entries follow it.
+constexpr unsigned begin_of(std::size_t block) noexcept {
+  if (block == 0) return kControlUnit;
+  return kFirstModule + (1 + kEntriesEach) * (static_cast<unsigned>(block) - 1);
+}
+
+/// The block that has the messages of drive object @p object of @p unit: an infeed is no logical module.
+std::size_t block_of(const drive::DriveUnit& unit, std::uint8_t object) noexcept {
+  return object < unit.first_axis() ? 0U : 1U + object - unit.first_axis();
 }
 
 /// An alarm of the communication comes from the unit as a whole and is reported once, for the control unit.
@@ -106,12 +112,13 @@ ErrorObjects::Messages ErrorObjects::messages() const noexcept {
 void ErrorObjects::fill(const Messages& messages) noexcept {
   std::array<unsigned, 1 + drive::kMostAxes> counts{};
   for (const auto& [entry, object] : messages.all()) {
-    unsigned& count = counts[object - drive::kControlUnitNumber];
-    if (count < kEntriesEach) set(block_of(object) + ++count, field(entry->emcy_code(), entry->row->number));
+    const std::size_t block = block_of(unit_, object);
+    unsigned& count = counts[block];
+    if (count < kEntriesEach) set(begin_of(block) + ++count, field(entry->emcy_code(), entry->row->number));
   }
   entries_ = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const unsigned block = block_of(static_cast<unsigned>(i) + drive::kControlUnitNumber);
+    const unsigned block = begin_of(i);
     set(block, counts[i]);
     for (unsigned unused = counts[i] + 1; unused <= kEntriesEach; ++unused) set(block + unused, 0);
     entries_ += counts[i];

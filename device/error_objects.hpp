@@ -38,7 +38,7 @@ class ErrorObjects final : public canopen::EntryOwner {
   };
   /// Messages in the order of their appearance.
   struct Messages {
-    std::array<Reported, (1 + drive::kMostAxes) * 2 * drive::FaultMemory::kCapacity> items{};
+    std::array<Reported, drive::kMostObjects * 2 * drive::FaultMemory::kCapacity> items{};
     std::size_t count = 0;
 
     std::span<const Reported> all() const noexcept { return {items.data(), count}; }

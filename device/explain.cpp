@@ -118,6 +118,8 @@ std::vector<std::string> explain(const Device& device, std::size_t number) {
   std::vector<std::string> bus;
   for (const Reason& reason : kReasons)
     if (reason.holds(picture)) bus.push_back(reason.text(picture));
+  if (const drive::Infeed* const infeed = device.unit().infeed())
+    for (std::string& sentence : drive::explain(*infeed)) bus.push_back(std::move(sentence));
   return drive::explain(picture.axis(), bus);
 }
 

@@ -11,12 +11,13 @@
 namespace drive {
 
 Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uint8_t node_id,
-           const motor::SupplyData& supply)
+           const motor::SupplyData& supply, bool has_infeed)
     : DriveObject{{.kind = configuration.kind,
                    .module = module,
                    .node_id = node_id,
                    .axis = configuration,
-                   .supply = supply}},
+                   .supply = supply,
+                   .has_infeed = has_infeed}},
       parameters_{commissioned_parameters(configuration)},
       modules_{function_module::of_new(configuration)},
       train_{configuration.machine, motor::real_machine(configuration.machine, configuration.deviation),

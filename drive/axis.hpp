@@ -62,9 +62,9 @@ struct AxisInsight {
 class Axis final : public DriveObject {
  public:
   /// An axis at place @p module (0..7) of a unit with CANopen address @p node_id (0 = not known) and DC link
-  /// @p supply.
+  /// @p supply, behind an infeed that is a drive object if @p has_infeed.
   explicit Axis(const AxisConfiguration& configuration, std::uint8_t module = 0, std::uint8_t node_id = 0,
-                const motor::SupplyData& supply = {});
+                const motor::SupplyData& supply = {}, bool has_infeed = false);
 
   /// Its place among the axes of the unit, 1..8.
   std::size_t axis_number() const noexcept { return context().module + 1U; }

@@ -1,5 +1,7 @@
 #include "drive/drive_object.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace drive {
@@ -25,6 +27,15 @@ bool concerns_wiring(const ParameterRow& row) noexcept {
   return is_bico_input(row.type) || is_reference || row.number == kInvertBits || row.number == kInvertWords;
 }
 
+/// What of the messages of an axis the infeed has too: it is not ready, the DC link is lost.
+constexpr std::array<std::uint16_t, 2> kAlsoOfTheInfeed{7802, 30003};
+
+bool can_appear(const FaultRow& row, ObjectKind kind) noexcept {
+  if (row.scope == Scope::Both) return true;
+  if (kind == ObjectKind::Infeed) return std::ranges::find(kAlsoOfTheInfeed, row.number) != kAlsoOfTheInfeed.end();
+  return row.scope == (kind == ObjectKind::ControlUnit ? Scope::ControlUnit : Scope::Axis);
+}
+
 bool is_agreed(const ParameterRow& row) noexcept {
   return std::holds_alternative<Agreed>(row.home) || std::holds_alternative<Command>(row.home);
 }
@@ -40,7 +51,8 @@ DriveObject::DriveObject(const ObjectContext& context) : context_{context}, slot
 
 std::uint8_t DriveObject::number() const noexcept {
   if (kind() == ObjectKind::ControlUnit) return kControlUnitNumber;
-  return static_cast<std::uint8_t>(kFirstAxisNumber + context_.module);
+  if (kind() == ObjectKind::Infeed) return kInfeedNumber;
+  return static_cast<std::uint8_t>(first_axis_number(context_.has_infeed) + context_.module);
 }
 
 tl::expected<const PlacedRow*, ParameterError> DriveObject::find(std::uint16_t number,
@@ -183,8 +195,7 @@ tl::expected<void, FaultError> DriveObject::raise(std::uint16_t number, std::uin
                                                   Cause cause) noexcept {
   const FaultRow* const row = find_fault(number);
   if (row == nullptr) return tl::unexpected{FaultError::Unknown};
-  const Scope elsewhere = kind() == ObjectKind::ControlUnit ? Scope::Axis : Scope::ControlUnit;
-  if (row->scope == elsewhere) return tl::unexpected{FaultError::NotOnThisAxis};
+  if (!can_appear(*row, kind())) return tl::unexpected{FaultError::NotOnThisAxis};
   memory_.enter(*row, value, cause);
   if (memory_.settings.kind_of(*row) == Kind::Fault) react(*row);
   on_messages_changed();

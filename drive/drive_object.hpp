@@ -44,7 +44,7 @@ class DriveObject {
   virtual ~DriveObject() = default;
 
   ObjectKind kind() const noexcept { return context_.kind; }
-  /// 1 = control unit, axes from 2.
+  /// 1 = control unit, then the infeed if the unit has one, then the axes.
   std::uint8_t number() const noexcept;
   const ObjectContext& context() const noexcept { return context_; }
   /// From now on @p surroundings, which outlive this, are asked; without them a drive object knows only itself.

@@ -14,24 +14,14 @@ namespace {
 constexpr std::uint16_t kDeviceFilter = 9;     // p0009
 constexpr std::uint16_t kAlarmCounter = 2111;  // p2111
 
-/// A message that lasts as long as an input of the control unit is 0.
-struct InputMessage {
-  std::uint16_t number;
-  bool AxisInputs::*signal;
-};
-constexpr std::array kUnitMessages{
-    InputMessage{7850, &AxisInputs::no_external_alarm_1},
-    InputMessage{7860, &AxisInputs::no_external_fault_1},
-    InputMessage{7861, &AxisInputs::no_external_fault_2},
-    InputMessage{7862, &AxisInputs::no_external_fault_3},
-};
-
 ObjectContext control_unit_context(const UnitConfiguration& configuration) noexcept {
   ObjectContext context{};
   context.kind = ObjectKind::ControlUnit;
   context.node_id = configuration.node_id;
   context.address_switch_off = configuration.address_switch_off;
   context.axis_count = static_cast<std::uint8_t>(configuration.axes.size());
+  context.supply = configuration.supply;
+  context.has_infeed = configuration.infeed;
   std::transform(configuration.axes.begin(), configuration.axes.end(), context.axes.begin(),
                  [](const AxisConfiguration& axis) { return axis.kind; });
   std::ranges::transform(configuration.axes, context.modules.begin(), function_module::of_new);
@@ -52,10 +42,19 @@ ParameterError no_object(std::uint16_t number) noexcept {
 }  // namespace
 
 DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host)
-    : host_{host}, dc_link_{configuration.supply}, control_unit_{control_unit_context(configuration)} {
+    : host_{host},
+      dc_link_{configuration.supply},
+      line_voltage_{configuration.supply.line_voltage},
+      control_unit_{control_unit_context(configuration)} {
+  if (configuration.infeed) {
+    infeed_.emplace(ObjectContext{.kind = ObjectKind::Infeed, .supply = configuration.supply, .has_infeed = true});
+    dc_link_.start(0.0);
+    connect_line();
+  }
   axes_.reserve(configuration.axes.size());
   for (const AxisConfiguration& axis : configuration.axes)
-    axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id, configuration.supply);
+    axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id, configuration.supply,
+                       configuration.infeed);
   wiring_ = std::make_unique<Wiring>(*this);
   for_each_object([this](DriveObject& object) { object.join(*this); });
 }
@@ -88,6 +87,7 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
     if (!awake[i] && has_nothing_to_do(i, *inputs[i])) inputs[i].reset();
   }
   follow_unit_inputs();
+  run_infeed(duration);
   run({inputs.data(), axes_.size()}, duration);
 }
 
@@ -103,25 +103,8 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
   std::array<std::optional<AxisInputs>, kMostAxes> inputs{};
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (setpoints[i]) inputs[i] = inputs_of(*setpoints[i]);
+  run_infeed(duration);
   run({inputs.data(), axes_.size()}, duration);
-}
-
-/// Of the control unit: p2102 acknowledges the faults of all drive objects, p2103 to p2105 its own, p2106 to p2108
-/// and p2112 bring messages.
-void DriveUnit::follow_unit_inputs() noexcept {
-  const bool all = wiring_->acknowledge_all();
-  if (all && !acknowledge_all_) acknowledge();
-  acknowledge_all_ = all;
-  const AxisInputs before = std::exchange(control_unit_inputs_, wiring_->inputs(0));
-  for (const InputMessage& message : kUnitMessages) {
-    const bool signal = control_unit_inputs_.*message.signal;
-    if (signal == before.*message.signal) continue;
-    if (signal)
-      control_unit_.withdraw(message.number);
-    else
-      static_cast<void>(control_unit_.raise(message.number, 0, Cause::Present));
-  }
-  if (has_acknowledgement(before, control_unit_inputs_)) control_unit_.acknowledge();
 }
 
 void DriveUnit::run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept {
@@ -155,20 +138,18 @@ void DriveUnit::rest(double duration) noexcept {
   for (Axis& axis : axes_) axis.rest(duration, dc_link_.voltage());
 }
 
-void DriveUnit::set_line_voltage(double voltage) noexcept {
-  dc_link_.set_line_voltage(voltage);
-}
-
 DriveObject* DriveUnit::object(std::uint8_t number) noexcept {
   if (number == kControlUnitNumber) return &control_unit_;
-  const bool exists = number >= kFirstAxisNumber && number < kFirstAxisNumber + axes_.size();
-  return exists ? &axes_[number - kFirstAxisNumber] : nullptr;
+  if (infeed_ && number == kInfeedNumber) return &*infeed_;
+  const bool exists = number >= first_axis() && number < first_axis() + axes_.size();
+  return exists ? &axes_[number - first_axis()] : nullptr;
 }
 
 const DriveObject* DriveUnit::object(std::uint8_t number) const noexcept {
   if (number == kControlUnitNumber) return &control_unit_;
-  const bool exists = number >= kFirstAxisNumber && number < kFirstAxisNumber + axes_.size();
-  return exists ? &axes_[number - kFirstAxisNumber] : nullptr;
+  if (infeed_ && number == kInfeedNumber) return &*infeed_;
+  const bool exists = number >= first_axis() && number < first_axis() + axes_.size();
+  return exists ? &axes_[number - first_axis()] : nullptr;
 }
 
 tl::expected<ParameterValue, ParameterError> DriveUnit::read(std::uint8_t object, std::uint16_t number,
@@ -290,6 +271,7 @@ std::optional<double> DriveUnit::agreed_value(const DriveObject& object, const P
 }
 
 void DriveUnit::inhibit_axes(bool inhibited) noexcept {
+  if (infeed_) infeed_->inhibit(inhibited);
   for (Axis& axis : axes_) axis.inhibit(inhibited);
 }
 

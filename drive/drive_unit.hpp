@@ -8,6 +8,7 @@
 
 #include "drive/axis.hpp"
 #include "drive/control_unit.hpp"
+#include "drive/infeed.hpp"
 #include "motor/dc_link.hpp"
 
 namespace drive {
@@ -36,10 +37,11 @@ struct UnitConfiguration {
   std::uint8_t node_id = 0;                                  ///< CANopen address in force, 1..127; 0 = not known
   bool address_switch_off = false;  ///< p8620 can be written: the address switch stands at 0
   motor::SupplyData supply{};       ///< of the DC link that feeds all axes
+  bool infeed = false;              ///< the infeed is a drive object, which switches the link to the line
 };
 
 /// The drive unit: control unit and axes with their parameters and messages, reached by drive object number
-/// (control unit 1, axes from 2). Nothing is allocated after construction.
+/// (control unit 1, infeed 2 if it is one, then the axes). Nothing is allocated after construction.
 class DriveUnit final : private Surroundings {
  public:
   /// @p host outlives the unit; without one every agreed value is taken.
@@ -55,15 +57,22 @@ class DriveUnit final : private Surroundings {
   template <class Visit>
   void for_each_object(const Visit& visit) {
     visit(static_cast<DriveObject&>(control_unit_));
+    if (infeed_) visit(static_cast<DriveObject&>(*infeed_));
     for (Axis& axis : axes_) visit(static_cast<DriveObject&>(axis));
   }
   template <class Visit>
   void for_each_object(const Visit& visit) const {
     visit(static_cast<const DriveObject&>(control_unit_));
+    if (infeed_) visit(static_cast<const DriveObject&>(*infeed_));
     for (const Axis& axis : axes_) visit(static_cast<const DriveObject&>(axis));
   }
   const ControlUnit& control_unit() const noexcept { return control_unit_; }
   ControlUnit& control_unit() noexcept { return control_unit_; }
+  /// The infeed, if it is a drive object.
+  const Infeed* infeed() const noexcept { return infeed_ ? &*infeed_ : nullptr; }
+  Infeed* infeed() noexcept { return infeed_ ? &*infeed_ : nullptr; }
+  /// The drive object number of the first axis.
+  std::uint8_t first_axis() const noexcept { return first_axis_number(infeed_.has_value()); }
   std::span<Axis> axes() noexcept { return axes_; }
   std::span<const Axis> axes() const noexcept { return axes_; }
 
@@ -132,6 +141,8 @@ class DriveUnit final : private Surroundings {
                                      std::size_t index) const noexcept override;
   void inhibit_axes(bool inhibited) noexcept;
   void follow_unit_inputs() noexcept;
+  void run_infeed(double duration) noexcept;
+  void connect_line() noexcept;
   bool has_nothing_to_do(std::size_t axis, const AxisInputs& inputs) const noexcept;
   void run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept;
 
@@ -140,7 +151,9 @@ class DriveUnit final : private Surroundings {
   Uptime former_runtime_ = 0;
   Uptime uptime_ = 0;
   motor::DcLink dc_link_;
+  double line_voltage_;  // V rms between lines
   ControlUnit control_unit_;
+  std::optional<Infeed> infeed_;
   std::vector<Axis> axes_;
   std::unique_ptr<Wiring> wiring_;
   AxisInputs control_unit_inputs_{};  ///< of the last cycle; only those for messages

@@ -18,36 +18,40 @@ namespace {
 /// r8890 to r8893 are the bits of the first four words that are received.
 constexpr std::uint16_t kFirstReceivedBits = 8890;
 constexpr std::uint16_t kLastReceivedBits = 8893;
+constexpr std::uint16_t kDigitalInputs = 722;
 
-std::uint32_t value_of(const Axis& axis, std::uint16_t input) {
-  return static_cast<std::uint32_t>(axis.read(input).value_or(0.0));
+std::uint32_t value_of(const DriveObject& object, std::uint16_t input) {
+  return static_cast<std::uint32_t>(object.read(input).value_or(0.0));
 }
 
-bool is_own(const Axis& axis, const BicoSource& source) noexcept {
-  return source.object == kOwnObject || source.object == axis.number();
+bool is_own(const DriveObject& object, const BicoSource& source) noexcept {
+  return source.object == kOwnObject || source.object == object.number();
 }
 
-std::string source_text(const Axis& axis, std::uint16_t input, const BicoSource& source) {
-  const PlacedRow* const placed = find_parameter(axis.kind(), input);
-  return bico_text(source, placed != nullptr ? placed->row->type : DataType::ConnectorInput, axis.number());
+std::string source_text(const DriveObject& object, std::uint16_t input, const BicoSource& source) {
+  const PlacedRow* const placed = find_parameter(object.kind(), input);
+  return bico_text(source, placed != nullptr ? placed->row->type : DataType::ConnectorInput, object.number());
 }
 
 }  // namespace
 
-std::string wiring_of(const Axis& axis, std::uint16_t input) {
-  const std::uint32_t packed = value_of(axis, input);
+std::string wiring_of(const DriveObject& object, std::uint16_t input) {
+  const std::uint32_t packed = value_of(object, input);
   if (packed <= kHighestConstant) return fmt::format("p{:04} = {}", input, packed);
-  return fmt::format("p{:04} = {}", input, source_text(axis, input, unpack(packed)));
+  return fmt::format("p{:04} = {}", input, source_text(object, input, unpack(packed)));
 }
 
-std::string order_for(const Axis& axis, std::uint16_t input, bool wanted) {
-  const std::uint32_t packed = value_of(axis, input);
+std::string order_for(const DriveObject& object, std::uint16_t input, bool wanted) {
+  const std::uint32_t packed = value_of(object, input);
   if (packed <= kHighestConstant) return fmt::format("write p{:04} = {} or connect it", input, wanted ? 1 : 0);
   const BicoSource source = unpack(packed);
   const bool received = source.number >= kFirstReceivedBits && source.number <= kLastReceivedBits;
-  if (received && is_own(axis, source))
-    return fmt::format("send a controlword with bit {} = {}", source.position, wanted ? 1 : 0);
-  return fmt::format("make {} {}", source_text(axis, input, source), wanted ? 1 : 0);
+  if (received)
+    return fmt::format("send a controlword with bit {} = {}{}", source.position, wanted ? 1 : 0,
+                       is_own(object, source) ? "" : fmt::format(" to drive object {}", source.object));
+  if (source.number == kDigitalInputs && source.object == kControlUnitNumber)
+    return fmt::format("switch digital input {} {}", source.position, wanted ? "on" : "off");
+  return fmt::format("make {} {}", source_text(object, input, source), wanted ? 1 : 0);
 }
 
 bool load_drives(const Picture& picture) noexcept {

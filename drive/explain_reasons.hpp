@@ -44,9 +44,9 @@ inline constexpr double kSlowest = 0.5 * kRpm;
 bool load_drives(const Picture& picture) noexcept;
 
 /// "p0844 = r8890.1": what the BICO input @p input is connected to.
-std::string wiring_of(const Axis& axis, std::uint16_t input);
+std::string wiring_of(const DriveObject& object, std::uint16_t input);
 /// What makes the binector input @p input be @p wanted, as an order.
-std::string order_for(const Axis& axis, std::uint16_t input, bool wanted);
+std::string order_for(const DriveObject& object, std::uint16_t input, bool wanted);
 /// A number with at most three decimals and without superfluous zeros.
 std::string plain(double number);
 

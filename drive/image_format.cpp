@@ -48,7 +48,7 @@ std::string_view text_of(Error error) noexcept {
 }
 
 std::uint16_t object_count(const DriveUnit& unit) noexcept {
-  return static_cast<std::uint16_t>(unit.axes().size() + 1);
+  return static_cast<std::uint16_t>(unit.axes().size() + unit.first_axis() - kControlUnitNumber);
 }
 
 void begin(Writer& writer, const Kind& kind, const DriveUnit& unit) noexcept {

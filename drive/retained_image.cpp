@@ -75,11 +75,11 @@ struct Place {
   Reader content;
 };
 
-std::optional<Error> section_error(Place place) noexcept {
+std::optional<Error> section_error(const DriveUnit& unit, Place place) noexcept {
   if (place.section == Section::Faults) {
     static_cast<void>(take_faults(place.content));
   } else if (place.section == Section::Energy) {
-    if (place.object == kControlUnitNumber) return Error::NoSuchParameter;
+    if (place.object < unit.first_axis()) return Error::NoSuchParameter;
     const Energy energy = take_energy(place.content);
     if (!is_amount(energy.drawn) || !is_amount(energy.fed_back)) return Error::NoSuchParameter;
   } else {
@@ -112,15 +112,15 @@ void load_section(DriveUnit& unit, Place place, Uptime runtime) noexcept {
     return unit.object(place.object)->bring_back(take_faults(place.content), runtime);
   if (place.section != Section::Energy) return;
   const Energy energy = take_energy(place.content);
-  unit.axes()[place.object - kFirstAxisNumber].continue_energy(energy.drawn, energy.fed_back);
+  unit.axes()[place.object - unit.first_axis()].continue_energy(energy.drawn, energy.fed_back);
 }
 
 }  // namespace
 
 std::size_t size(const DriveUnit& unit) noexcept {
   constexpr std::size_t kObjectSize = image_format::kObjectHeadSize + kSectionHeadSize + kFaultsSize;
-  const std::size_t axes = unit.axes().size();
-  return kFixedSize + kObjectSize + axes * (kObjectSize + kSectionHeadSize + kEnergySize);
+  return kFixedSize + image_format::object_count(unit) * kObjectSize +
+         unit.axes().size() * (kSectionHeadSize + kEnergySize);
 }
 
 tl::expected<std::span<const std::byte>, Error> save(const DriveUnit& unit, std::span<std::byte> buffer) noexcept {
@@ -129,9 +129,11 @@ tl::expected<std::span<const std::byte>, Error> save(const DriveUnit& unit, std:
   image_format::begin(writer, kKind, unit);
   writer.put(unit.runtime());
   writer.put(image_format::object_count(unit));
-  const DriveObject& control_unit = *unit.object(kControlUnitNumber);
-  image_format::put_object_head(writer, control_unit, 1);
-  put_faults(writer, control_unit.messages().kept());
+  for (std::uint8_t number = kControlUnitNumber; number < unit.first_axis(); ++number) {
+    const DriveObject& object = *unit.object(number);
+    image_format::put_object_head(writer, object, 1);
+    put_faults(writer, object.messages().kept());
+  }
   for (const Axis& axis : unit.axes()) {
     image_format::put_object_head(writer, axis, 2);
     put_faults(writer, axis.messages().kept());
@@ -144,7 +146,8 @@ tl::expected<void, Error> load(DriveUnit& unit, std::span<const std::byte> image
   auto content = image_format::open(image, kKind, unit);
   if (!content) return tl::unexpected{content.error()};
   const auto runtime = content->take<Uptime>();
-  if (const auto error = for_each_section(*content, unit, section_error)) return tl::unexpected{*error};
+  const auto judge = [&](const Place& place) { return section_error(unit, place); };
+  if (const auto error = for_each_section(*content, unit, judge)) return tl::unexpected{*error};
   unit.continue_after(runtime);
   for_each_section(*content, unit, [&](const Place& place) -> std::optional<Error> {
     load_section(unit, place, runtime);

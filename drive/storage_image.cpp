@@ -145,7 +145,7 @@ class Blocks {
   const Block& of(std::uint8_t number) const noexcept { return blocks_[number]; }
 
  private:
-  std::array<Block, 1 + kControlUnitNumber + kMostAxes> blocks_{};
+  std::array<Block, 1 + kMostObjects> blocks_{};
 };
 
 }  // namespace

@@ -100,7 +100,9 @@ double reference(const DriveObject& object, std::uint16_t number) noexcept {
 }  // namespace
 
 Wiring::Wiring(DriveUnit& unit) : unit_{unit} {
-  unit_.for_each_object([this](DriveObject& object) { objects_.push_back({.object = &object}); });
+  objects_.push_back({.object = &unit.control_unit()});
+  for (Axis& axis : unit.axes()) objects_.push_back({.object = &axis});
+  if (Infeed* const infeed = unit.infeed()) objects_.push_back({.object = infeed});
   for (Object& entry : objects_) reserve(entry);
 }
 

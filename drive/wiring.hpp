@@ -33,6 +33,8 @@ class Wiring {
   void convert_words() noexcept;
   /// Step 2: what the inputs of drive object @p object (0 = control unit, then the axes) bring.
   AxisInputs inputs(std::size_t object) const noexcept;
+  /// The same of the infeed, which the unit has as a drive object.
+  AxisInputs infeed_inputs() const noexcept { return inputs(objects_.size() - 1); }
   /// Step 3, of axis @p axis (from 0).
   AxisFeedback feedback(std::size_t axis) const noexcept;
   /// Step 4.
@@ -85,7 +87,7 @@ class Wiring {
   SignalSource source(const DriveObject& object, std::uint16_t number, std::size_t index = 0) const noexcept;
 
   DriveUnit& unit_;
-  std::vector<Object> objects_;  // control unit, axes
+  std::vector<Object> objects_;  // control unit, axes, infeed if it is a drive object
   SignalSource acknowledge_all_;
   std::array<SignalSource, Terminals::kOutputs> outputs_{};
   bool valid_ = false;

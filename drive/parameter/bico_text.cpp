@@ -1,6 +1,5 @@
 #include "drive/parameter/bico_text.hpp"
 
-#include <array>
 #include <charconv>
 
 #include <fmt/format.h>
@@ -36,22 +35,12 @@ std::optional<std::uint16_t> take_position(std::string_view& text, DataType inpu
   return position;
 }
 
-/// How a drive object is named, and how its number follows.
-struct OwnerWords {
-  std::string_view words;
-  std::uint16_t highest;
-  std::uint16_t before;  ///< drive objects in front of the first
-};
-constexpr std::array kOwners{OwnerWords{" of drive object ", kOwnObject - 1, 0}, OwnerWords{" of axis ", 8, 1}};
-
 /// The drive object behind a source, its own if none is named.
-std::optional<std::uint8_t> take_owner(std::string_view& text) noexcept {
-  for (const OwnerWords& row : kOwners) {
-    if (!take(text, row.words)) continue;
-    const auto number = take_number(text, 1, row.highest);
-    return number ? std::optional{static_cast<std::uint8_t>(*number + row.before)} : std::nullopt;
-  }
-  return kOwnObject;
+std::optional<std::uint8_t> take_owner(std::string_view& text, std::uint8_t first_axis) noexcept {
+  if (take(text, " of drive object ")) return take_number(text, kControlUnitNumber, kOwnObject - 1);
+  if (!take(text, " of axis ")) return kOwnObject;
+  const auto axis = take_number(text, 1, kMostAxes);
+  return axis ? std::optional{static_cast<std::uint8_t>(first_axis + *axis - 1)} : std::nullopt;
 }
 
 }  // namespace
@@ -64,7 +53,7 @@ std::string bico_text(const BicoSource& source, DataType input, std::uint8_t own
   return is_own ? at : fmt::format("{} of drive object {}", at, source.object);
 }
 
-std::optional<std::uint32_t> parse_bico(std::string_view text, DataType input) noexcept {
+std::optional<std::uint32_t> parse_bico(std::string_view text, DataType input, std::uint8_t first_axis) noexcept {
   if (text == "0") return 0;
   if (text == "1") return 1;
   if (!take(text, "r") && !take(text, "p")) return std::nullopt;
@@ -72,7 +61,7 @@ std::optional<std::uint32_t> parse_bico(std::string_view text, DataType input) n
   if (!number) return std::nullopt;
   const auto position = take_position(text, input);
   if (!position) return std::nullopt;
-  const auto owner = take_owner(text);
+  const auto owner = take_owner(text, first_axis);
   if (!owner || !text.empty()) return std::nullopt;
   return pack({*number, *owner, *position});
 }

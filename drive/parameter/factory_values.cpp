@@ -195,6 +195,17 @@ bool has_setpoint_channel(const ObjectContext& context) noexcept {
 /// 60FFh of the predefined connection set.
 constexpr double kTargetVelocity = own_source(8860, 1);
 
+/// Drive objects of the unit before its axes.
+std::size_t objects_before_axes(const ObjectContext& context) noexcept {
+  return first_axis_number(context.has_infeed) - std::size_t{kControlUnitNumber};
+}
+
+double infeed_type(motor::Infeed infeed) noexcept {
+  constexpr double kActive = 10.0, kSmart = 20.0, kBasic = 30.0;
+  if (infeed == motor::Infeed::Active) return kActive;
+  return infeed == motor::Infeed::Regenerative ? kSmart : kBasic;
+}
+
 }  // namespace
 
 double main_setpoint(const ObjectContext& context, std::size_t) noexcept {
@@ -209,16 +220,21 @@ double message_setpoint(const ObjectContext& context, std::size_t) noexcept {
 }
 
 double object_number(const ObjectContext& context, std::size_t index) noexcept {
-  return index <= context.axis_count ? static_cast<double>(index + kControlUnitNumber) : 0.0;
+  const bool exists = index < objects_before_axes(context) + context.axis_count;
+  return exists ? static_cast<double>(index + kControlUnitNumber) : 0.0;
 }
 double object_type(const ObjectContext& context, std::size_t index) noexcept {
   constexpr double kUnitType = 1.0;
+  const std::size_t first_axis = objects_before_axes(context);
   if (index == 0) return kUnitType;
-  return index <= context.axis_count ? drive::object_type(context.axes[index - 1]) : 0.0;
+  if (index < first_axis) return infeed_type(context.supply.infeed);
+  return index < first_axis + context.axis_count ? axis_type(context.axes[index - first_axis]) : 0.0;
 }
 double object_modules(const ObjectContext& context, std::size_t index) noexcept {
-  if (index > context.axis_count) return 0.0;
-  return index == 0 ? function_module::kCan : context.modules[index - 1];
+  const std::size_t first_axis = objects_before_axes(context);
+  if (index == 0) return function_module::kCan;
+  return index >= first_axis && index < first_axis + context.axis_count ? context.modules[index - first_axis]
+                                                                        : 0.0;
 }
 
 }  // namespace drive::factory

@@ -84,7 +84,7 @@ double bit_timing(const ObjectContext&, std::size_t index) noexcept {
   return kBitTimings[index];
 }
 double acknowledge_source(const ObjectContext& context, std::size_t) noexcept {
-  return context.kind == ObjectKind::ControlUnit ? 0.0 : own_source(8890, 7);
+  return contains(kAxes, context.kind) ? own_source(8890, 7) : 0.0;
 }
 double send_words(const ObjectContext& context, std::size_t index) noexcept {
   return source_at(kSendWords, context, index);

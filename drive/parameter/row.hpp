@@ -23,6 +23,7 @@ class Axis;
 class ControlUnit;
 class DriveObject;
 class FaultMemory;
+class Infeed;
 
 /// Limits of a parameter in its own unit, both allowed.
 struct Range {
@@ -41,7 +42,8 @@ struct ObjectContext {
   std::uint8_t node_id = 0;                  ///< CANopen address, 1..127; 0 = not known
   bool address_switch_off = false;           ///< of the control unit: p8620 is the address of the next power-on
   AxisConfiguration axis{};                  ///< of an axis
-  motor::SupplyData supply{};                ///< of an axis: the DC link that it shares
+  motor::SupplyData supply{};                ///< the DC link that the axes share
+  bool has_infeed = false;                   ///< the unit has an infeed as a drive object
   std::array<ObjectKind, kMostAxes> axes{};  ///< of the control unit: the kinds of the unit's axes
   std::array<std::uint32_t, kMostAxes> modules{};  ///< and their function modules
   std::uint8_t axis_count = 0;                     ///< of the control unit
@@ -79,7 +81,7 @@ struct Computed {
 
 /// Where the value of a parameter lives.
 using Home = std::variant<Stored, Slot, Agreed, Command, Fixed, Member, Computed<Axis>, Computed<ControlUnit>,
-                          Computed<DriveObject>, Computed<FaultMemory>>;
+                          Computed<Infeed>, Computed<DriveObject>, Computed<FaultMemory>>;
 
 /// What a BICO input can be connected to.
 enum class Output : std::uint8_t {
@@ -165,6 +167,9 @@ constexpr Computed<Axis> axis(double (*get)(const Axis&, std::size_t) noexcept,
 constexpr Computed<ControlUnit> unit(double (*get)(const ControlUnit&, std::size_t) noexcept,
                                      void (*set)(ControlUnit&, std::size_t, double) noexcept = nullptr) noexcept {
   return {get, set};
+}
+constexpr Computed<Infeed> infeed(double (*get)(const Infeed&, std::size_t) noexcept) noexcept {
+  return {get};
 }
 constexpr Computed<DriveObject> object(double (*get)(const DriveObject&, std::size_t) noexcept,
                                        void (*set)(DriveObject&, std::size_t,

@@ -10,6 +10,7 @@
 #include "drive/parameter/rows/control.hpp"
 #include "drive/parameter/rows/display.hpp"
 #include "drive/parameter/rows/identification.hpp"
+#include "drive/parameter/rows/infeed.hpp"
 #include "drive/parameter/rows/messages.hpp"
 #include "drive/parameter/rows/monitoring.hpp"
 #include "drive/parameter/rows/motor.hpp"
@@ -40,10 +41,10 @@ constexpr auto joined(const Tables&... tables) {
 }
 
 constexpr auto kRows =
-    joined(rows::kUnitRows, rows::kTerminalRows, rows::kCanRows, rows::kPdoRows, rows::kProcessDataRows,
-           rows::kMessagesRows, rows::kDisplayRows, rows::kMotorRows, rows::kSetpointChannelRows,
-           rows::kControlRows, rows::kIdentificationRows, rows::kMonitoringRows, rows::kTechnologyRows,
-           rows::kPositionRows, rows::kPositionerRows);
+    joined(rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows, rows::kPdoRows,
+           rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows, rows::kMotorRows,
+           rows::kSetpointChannelRows, rows::kControlRows, rows::kIdentificationRows, rows::kMonitoringRows,
+           rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
 
 constexpr bool has_slots(const ParameterRow& row) {
   return std::holds_alternative<Stored>(row.home) || std::holds_alternative<Slot>(row.home) ||
@@ -78,7 +79,7 @@ constexpr bool kNumbersAreUnique = [] {
   return true;
 }();
 static_assert(kNumbersAreUnique<ObjectKind::ControlUnit> && kNumbersAreUnique<ObjectKind::Servo> &&
-                  kNumbersAreUnique<ObjectKind::Vector>,
+                  kNumbersAreUnique<ObjectKind::Vector> && kNumbersAreUnique<ObjectKind::Infeed>,
               "lookup is a binary search, and no drive object has a parameter twice");
 
 constexpr bool consistent(const ParameterRow* row) {
@@ -96,14 +97,16 @@ static_assert(std::all_of(kRows.begin(), kRows.end(), consistent),
               "a factory value lies within the limits, a fixed value cannot be written, a member has one index");
 
 constexpr std::array<std::span<const PlacedRow>, kObjectKindCount> kTables{
-    kPlaced<ObjectKind::ControlUnit>, kPlaced<ObjectKind::Servo>, kPlaced<ObjectKind::Vector>};
+    kPlaced<ObjectKind::ControlUnit>, kPlaced<ObjectKind::Servo>, kPlaced<ObjectKind::Vector>,
+    kPlaced<ObjectKind::Infeed>};
 
 constexpr std::size_t slots(std::span<const PlacedRow> table) {
   std::size_t count = 0;
   for (const PlacedRow& placed : table) count += placed.slot != kNoSlot ? placed.row->count : 0U;
   return count;
 }
-constexpr std::array kSlotCounts{slots(kTables[0]), slots(kTables[1]), slots(kTables[2])};
+constexpr std::array kSlotCounts{slots(kTables[0]), slots(kTables[1]), slots(kTables[2]), slots(kTables[3])};
+static_assert(kSlotCounts.size() == kObjectKindCount);
 
 }  // namespace
 

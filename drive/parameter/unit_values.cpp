@@ -11,11 +11,13 @@ double operating_display(const ControlUnit& unit, std::size_t) noexcept {
 }
 
 double object_count(const ControlUnit& unit, std::size_t) noexcept {
-  return unit.context().axis_count + 1.0;
+  const ObjectContext& context = unit.context();
+  return context.axis_count + static_cast<double>(first_axis_number(context.has_infeed) - kControlUnitNumber);
 }
 
 double module_object(const ControlUnit& unit, std::size_t index) noexcept {
-  return index < unit.context().axis_count ? static_cast<double>(index + kFirstAxisNumber) : 0.0;
+  const ObjectContext& context = unit.context();
+  return index < context.axis_count ? static_cast<double>(index + first_axis_number(context.has_infeed)) : 0.0;
 }
 
 }  // namespace drive::unit_value

@@ -17,8 +17,8 @@ constexpr std::string_view kIntroduction = R"(# Parameters
 
 Generated from the tables in drive/parameter/rows/ by the target `update_parameter_reference`; a test compares it with them.
 
-The drive objects of the unit are the control unit (number 1) and the axes (from 2), each of them servo or vector. A
-parameter is read and written at an index, from 0. "Factory" is the value of a new unit, which is commissioned for the
+The drive objects of the unit are the control unit (number 1) and the axes (from 2), each of them servo or vector; where
+the configuration makes the infeed a drive object, it has the number 2 and the axes begin at 3. A parameter is read and written at an index, from 0. "Factory" is the value of a new unit, which is commissioned for the
 machine of its configuration and connected by the predefined connection set; *computed* depends on machine, address or
 drive object. "Change" says when it can be written: U while the motor runs, T with the pulses off, C(n) in
 commissioning with p0010 (axis) or p0009 (control unit) at n; nothing = read only. "Source" tells what it can be wired to:
@@ -41,8 +41,15 @@ std::string kinds(const ParameterRow& row) {
     ObjectKinds kinds;
     std::string_view text;
   };
-  constexpr std::array kNames{Name{kAll, "all"}, Name{kAxes, "axes"}, Name{kControlUnit, "control unit"},
-                              Name{kServo, "servo"}, Name{kVector, "vector"}};
+  constexpr std::array kNames{Name{kAll, "all"},
+                              Name{kWithProcessData, "control unit, axes"},
+                              Name{kAxes | kInfeed, "axes, infeed"},
+                              Name{kControlUnit | kInfeed, "control unit, infeed"},
+                              Name{kAxes, "axes"},
+                              Name{kControlUnit, "control unit"},
+                              Name{kServo, "servo"},
+                              Name{kVector, "vector"},
+                              Name{kInfeed, "infeed"}};
   for (const Name& name : kNames)
     if (name.kinds == row.kinds) return std::string{name.text};
   return {};

@@ -307,6 +307,20 @@ TEST(Configuration, OfAFileIsOverriddenByTheCommandLine) {
   EXPECT_FALSE(overridden.fault_on_leaving_operational);
 }
 
+TEST(Configuration, TakesAnInfeedAsADriveObject) {
+  EXPECT_FALSE(parse(R"({})").infeed);
+  EXPECT_FALSE(parse(R"({"infeed": false})").infeed);
+  EXPECT_EQ(parse(R"({"infeed": true})").infeed->name, "infeed");
+  // r8890.15 of drive object 3, r0863.0 of drive object 2
+  const Configuration configuration = parse(R"({"infeed": {"name": "ALM", "parameters": {"p0840": 582618127}},
+                                                "axes": [{"parameters": {"p0864": 56559616}}]})");
+  EXPECT_EQ(configuration.infeed->name, "ALM");
+  ASSERT_EQ(configuration.infeed->parameters.size(), 1U);
+  EXPECT_EQ(configuration.infeed->parameters[0].number, 840);
+  EXPECT_EQ(configuration.infeed->parameters[0].value, 582618127.0);
+  ASSERT_EQ(configuration.axes[0].parameters.size(), 1U);
+}
+
 TEST(Configuration, TakesAnAddressSwitchAtZero) {
   EXPECT_EQ(parse(R"({"node_id": 0})").node_id, kAddressSwitchOff);
   EXPECT_EQ(configuration_of({"--node-id", "0"}).node_id, kAddressSwitchOff);

@@ -91,7 +91,8 @@ TEST(WiringInputs, HasEveryInputOfTheParameterList) {
   for (const BitInput& row : kBitInputs) known.insert(row.number);
   for (const ValueInput& row : kValueInputs) known.insert(row.number);
 
-  for (const ObjectKind kind : {ObjectKind::Servo, ObjectKind::Vector, ObjectKind::ControlUnit})
+  for (const ObjectKind kind :
+       {ObjectKind::Servo, ObjectKind::Vector, ObjectKind::ControlUnit, ObjectKind::Infeed})
     for (const PlacedRow& placed : parameters_of(kind)) {
       if (!is_bico_input(placed.row->type) || is_of_positioner(placed.row->number)) continue;
       EXPECT_TRUE(known.contains(placed.row->number)) << parameter_text(*placed.row);

@@ -12,6 +12,7 @@ std::string configuration_of(const DaemonOptions& options, const std::string& pa
   if (options.axis.is_null()) return "";
   nlohmann::json configuration{{"axes", nlohmann::json::array({options.axis})}};
   if (!options.supply.is_null()) configuration["supply"] = options.supply;
+  if (!options.infeed.is_null()) configuration["infeed"] = options.infeed;
   std::ofstream{path} << configuration;
   return path;
 }

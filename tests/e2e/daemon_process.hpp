@@ -23,6 +23,7 @@ struct DaemonOptions {
   int node_id = 5;
   nlohmann::json axis{};    ///< the axis of the configuration file; null: none is written
   nlohmann::json supply{};  ///< of the configuration file, with an axis only; null: none
+  nlohmann::json infeed{};  ///< of the configuration file, with an axis only; null: none
   nlohmann::json motor{};   ///< what motor.json beside that file holds; null: no such file
   int axes = 1;             ///< how many, the first one as above
   std::vector<std::string> environment{};

@@ -67,6 +67,26 @@ axis 2 Y (servo)
   EXPECT_EQ(json::parse(server.request()), (json{{"id", 1}, {"method", "status"}}));
 }
 
+TEST_F(Axisctl, ShowsTheTerminalsAndTheInfeed) {
+  ControlServer server{socket(), answer(json::parse(R"({
+    "control_unit": {"faults": [], "alarms": [], "inputs": [1, 16], "outputs": []},
+    "infeed": {"drive_object": 2, "name": "ALM", "state": "Fault", "operates": false,
+               "faults": [{"number": 7802, "text": "Infeed or power unit not ready"}], "alarms": []}})"))};
+
+  EXPECT_EQ(run({"status"}).output, R"(control unit
+  faults          none
+  alarms          none
+  inputs at 1     1, 16
+  outputs at 1    none
+infeed ALM
+  drive object    2
+  state           Fault
+  operates        false
+  faults          F07802 Infeed or power unit not ready
+  alarms          none
+)");
+}
+
 TEST_F(Axisctl, PrintsTheResultAsOneLineOfJson) {
   ControlServer server{socket(), answer(kStatus)};
 

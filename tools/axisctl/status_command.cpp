@@ -38,6 +38,13 @@ constexpr std::array kControlUnitLabels{
     Label{"inputs", "inputs at 1", ""},
     Label{"outputs", "outputs at 1", ""},
 };
+constexpr std::array kInfeedLabels{
+    Label{"drive_object", "drive object", ""},
+    Label{"state", "state", ""},
+    Label{"operates", "operates", ""},
+    Label{"faults", "faults", ""},
+    Label{"alarms", "alarms", ""},
+};
 constexpr std::array kAxisLabels{
     Label{"state", "state", ""},
     Label{"controlword", "controlword", ""},
@@ -54,7 +61,7 @@ constexpr std::array kAxisLabels{
     Label{"alarms", "alarms", ""},
 };
 // Shown in the heading of an axis or below the unit.
-constexpr std::array<std::string_view, 5> kElsewhere{"axis", "name", "type", "axes", "control_unit"};
+constexpr std::array<std::string_view, 6> kElsewhere{"axis", "name", "type", "axes", "control_unit", "infeed"};
 constexpr int kIndent = 2;
 constexpr int kLabelWidth = 16;
 
@@ -127,6 +134,10 @@ void print_status(std::ostream& out, const json& result) {
   if (const auto unit = result.find("control_unit"); unit != result.end() && unit->is_object()) {
     out << "control unit\n";
     print_members(out, kIndent, kControlUnitLabels, *unit);
+  }
+  if (const auto infeed = result.find("infeed"); infeed != result.end() && infeed->is_object()) {
+    out << "infeed " << to_text("name", infeed->value("name", json{})) << '\n';
+    print_members(out, kIndent, kInfeedLabels, *infeed);
   }
   const auto axes = result.find("axes");
   if (axes == result.end() || !axes->is_array()) return;

@@ -25,7 +25,7 @@ inline constexpr std::array kCanRows{
     Row{8609, 2, kControlUnit, I16, Unit::None, {0.0, 2.0}, 1.0, When::Ready, Agreed{}, Output::No, "CAN error behaviour: [0] communication error, [1] device fault", "1029h"},
     Row{8610, 2, kControlUnit, U32, Unit::None, kWhole, factory::server_cob_id, When::ReadOnly, Agreed{}, Output::No, "CAN first (default) server SDO COB-IDs rx/tx", "1200h"},
     Row{8611, 83, kControlUnit, U32, Unit::None, {0.0, 4294905856.0}, 0.0, When::Always, Command{}, Output::No, "CAN pre-defined error field", "[0] = 0 acknowledges all drive objects", Keep::No, check::acknowledge_only},
-    Row{8612, 2, kAll, U32, Unit::None, kWhole, static_cast<double>(0x80000000), When::Always, Agreed{}, Output::No, "CAN drive-object server SDO COB-IDs: [0] client->server, [1] server->client", "1201h and up", Keep::Stored, check::server_cob_id},
+    Row{8612, 2, kWithProcessData, U32, Unit::None, kWhole, static_cast<double>(0x80000000), When::Always, Agreed{}, Output::No, "CAN drive-object server SDO COB-IDs: [0] client->server, [1] server->client", "1201h and up", Keep::Stored, check::server_cob_id},
     Row{8620, 1, kControlUnit, U8, Unit::None, {1.0, 127.0}, factory::node_id, When::Ready, Agreed{}, Output::No, "CAN node-ID", "the address switch of the configuration; with the switch at 0 the address from the next power-on", Keep::Always, check::address_switch_off},
     Row{8621, 1, kControlUnit, U8, Unit::None, kWhole, factory::node_id, When::ReadOnly, Agreed{}, Output::No, "CAN node-ID active", "the address in force"},
     Row{8622, 1, kControlUnit, I16, Unit::None, {0.0, 7.0}, 6.0, When::Ready, Agreed{}, Output::No, "CAN bit rate selection", "effective after the next start", Keep::Always},

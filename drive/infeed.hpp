@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "drive/axis_inputs.hpp"
+#include "drive/drive_object.hpp"
+#include "drive/state_machine.hpp"
+
+namespace drive {
+
+/// The infeed of a unit that has one as a drive object of its own (number 2, the axes behind it): a sequence
+/// control that puts the DC link on the line. It has no OFF3, and an OFF1 switches it off at once.
+class Infeed final : public DriveObject {
+ public:
+  /// @p context has the supply.
+  explicit Infeed(const ObjectContext& context);
+
+  /// One process-data cycle of @p duration (s) with what the interconnections bring and the DC link at
+  /// @p dc_voltage (V).
+  void cycle(const AxisInputs& inputs, double duration, double dc_voltage) noexcept;
+  /// What the interconnections brought in the last cycle.
+  const AxisInputs& inputs() const noexcept { return inputs_; }
+
+  /// Switch on disabled, Ready to switch on, Switched on while the DC link is charged, Operation enabled or Fault.
+  State state() const noexcept { return state_; }
+  /// r0863.1: the line contactor is closed.
+  bool is_connected() const noexcept { return state_ == State::SwitchedOn || operates(); }
+  /// r0863.0: it operates.
+  bool operates() const noexcept { return state_ == State::OperationEnabled; }
+  /// Whether the DC link has its voltage.
+  bool has_link() const noexcept { return dc_voltage_ >= context().supply.undervoltage; }
+  /// r0070 (V).
+  double dc_voltage() const noexcept { return dc_voltage_; }
+  /// Whether p0009 keeps it from being switched on.
+  bool is_inhibited() const noexcept { return inhibited_; }
+  void inhibit(bool inhibited) noexcept;
+  /// Whether further cycles with the inputs of the last one would change nothing.
+  bool is_quiescent() const noexcept { return settled_ && (state_ != State::SwitchedOn || has_link()); }
+
+  bool acknowledge() noexcept override;
+  void power_off() noexcept override;
+
+ private:
+  double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
+  void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
+  WriteState write_state() const noexcept override;
+  void react(const FaultRow& row) noexcept override;
+  void on_messages_changed() noexcept override { settled_ = false; }
+
+  void apply(Event event) noexcept;
+  void watch_link(double duration) noexcept;
+
+  State state_ = State::NotReadyToSwitchOn;
+  AxisInputs inputs_{};
+  double dc_voltage_ = 0.0;    // V
+  double link_missing_ = 0.0;  // s, since ON
+  bool inhibited_ = false;
+  bool settled_ = false;  // the last cycle changed nothing
+};
+
+}  // namespace drive
