@@ -124,10 +124,11 @@ std::optional<Refusal> server_cob_id(const DriveObject&, std::size_t index, doub
 
 std::optional<Refusal> function_modules(const DriveObject& object, std::size_t index, double value) noexcept {
   const ObjectContext& context = object.context();
-  const bool of_axis = index > 0 && index <= context.axis_count;
+  const std::size_t first_axis = first_axis_number(context.has_infeed) - std::size_t{kControlUnitNumber};
+  const bool of_axis = index >= first_axis && index < first_axis + context.axis_count;
   const double factory = factory::object_modules(context, index);
   if (!of_axis) return refuse_unless(!(value < factory || value > factory), Refusal::IllegalValue);
-  const ObjectKind kind = context.axes[index - 1];
+  const ObjectKind kind = context.axes[index - first_axis];
   const auto wanted = static_cast<function_module::Set>(value);
   const function_module::Set possible = function_module::possible(kind);
   const function_module::Set always = function_module::always(kind);
