@@ -40,7 +40,8 @@ PYTHON = [
 ]
 NODE = [
     Case(None),
-    Case('long-commands', options=['--only', 'nmt.wrong-length,nmt.other,nmt.unknown', '--verbose'], texts=['note: a Stop of 8 bytes is obeyed']),
+    Case('long-commands', options=['--only', 'nmt.wrong-length,nmt.other,nmt.unknown', '--verbose'],
+         texts=['note: a Stop of 8 bytes is obeyed']),
     Case('short-requests', options=['--only', 'sdo.short-request,sdo.remote-request,sdo.other-nodes', '--verbose'],
          texts=['note: requests of 0, 1, 2, 3, 4, 5, 6, 7 bytes are answered']),
     Case('pending-error', ['nmt.operational'], options=['--only', 'nmt.operational,nmt.transitions,nmt.no,pdo,emcy'],

@@ -150,6 +150,30 @@ TEST(SdoClient, TakesEveryAbortOfAServerThatNeverNamesTheEntry) {
   EXPECT_EQ(to_text(client.sdo.upload(0x1000, 1)), "abort 06090011h (no such sub-index)");
 }
 
+/// A bus on which there is always a frame of somebody else to take.
+class FloodedWire final : public conformance::Wire {
+ public:
+  bool send(const Frame&) override { return true; }
+  std::optional<conformance::TimedFrame> receive(canopen::TimePoint) override {
+    now_ += std::chrono::microseconds{50};
+    return conformance::TimedFrame{.time = now_, .frame = {.id = 0x1A0, .length = 8}};
+  }
+  canopen::TimePoint now() override { return now_; }
+  bool up() const override { return true; }
+
+ private:
+  canopen::TimePoint now_{std::chrono::hours{1}};
+};
+
+TEST(SdoClient, GivesUpOnABusThatNeverFallsSilent) {
+  FloodedWire wire;
+  conformance::Session session{wire, 5};
+  conformance::SdoClient sdo{session, 0x605, 0x585, std::chrono::seconds{1}};
+  const canopen::TimePoint begin = wire.now();
+  EXPECT_EQ(to_text(sdo.upload(0x1000, 0)), "no answer");
+  EXPECT_LT(wire.now() - begin, std::chrono::seconds{5});
+}
+
 TEST(Hexadecimal, OfMuchDataIsShort) {
   EXPECT_EQ(conformance::hexadecimal(Bytes(3, 0xAB)), "ABABAB");
   EXPECT_TRUE(conformance::hexadecimal(Bytes(1000, 0xAB)).ends_with("AB... (1000 bytes)"));

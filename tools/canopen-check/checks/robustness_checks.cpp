@@ -17,6 +17,8 @@ using canopen::NmtState;
 
 constexpr std::uint16_t kDeviceType = 0x1000;
 constexpr std::uint32_t kErrorControl = 0x700, kRequests = 0x600;
+constexpr std::uint16_t kCobIdEmcy = 0x1014;
+constexpr std::uint32_t kEmcy = 0x80;
 constexpr canopen::Duration kSettle = std::chrono::milliseconds{100};
 
 bool is_boot_up(const Session& session, const canopen::Frame& frame) {
@@ -129,8 +131,10 @@ void survives_all_identifiers(Context& context) {
   if (!alone(context, "frames under every identifier") || !context.observe_state()) return;
   const Health before = health(context);
   if (!before.device_type) return;
-  const std::optional<std::uint32_t> emcy = emcy_identifier(context);
   Session& session = context.session();
+  std::optional<std::uint32_t> emcy = emcy_identifier(context);
+  // Without 1014h nothing says that it may not send them.
+  if (!emcy && !context.eds().has(kCobIdEmcy)) emcy = session.identifier(kEmcy);
   context.step();
   for (const bool remote : {false, true}) {
     if (remote && !session.carries_remote_frames()) continue;
