@@ -1,5 +1,10 @@
 #include <array>
+#include <csignal>
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <list>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -7,7 +12,9 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
-#include "tests/hub/running_hub.hpp"
+#include "tests/e2e/program.hpp"
+#include "tests/fakes/temporary_directory.hpp"
+#include "tests/hub/bus_client.hpp"
 
 namespace hub_test {
 namespace {
@@ -16,6 +23,9 @@ namespace {
 /// room for.
 class Lingering {
  public:
+  Lingering(const Lingering&) = delete;
+  Lingering& operator=(const Lingering&) = delete;
+  ~Lingering() { end(); }
   Lingering() {
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -32,7 +42,8 @@ class Lingering {
     while (::send(sender_.get(), much.data(), much.size(), MSG_DONTWAIT) > 0) continue;
   }
 
-  /// Passes the one that lingers over @p socket, @p times, with @p bytes; nobody else has it then.
+  /// Passes the one that lingers over @p socket, @p times, with @p bytes; nobody else has it then, so who takes it
+  /// must not do so before this returns.
   void pass(int socket, std::span<const std::byte> bytes, std::size_t times = 1) {
     std::vector<std::byte> control(CMSG_SPACE(times * sizeof(int)));
     iovec part{const_cast<std::byte*>(bytes.data()), bytes.size()};
@@ -59,38 +70,63 @@ class Lingering {
   bus::Descriptor reader_;
 };
 
-/// While what was passed waits for its end, the others talk.
+/// What is passed while the hub stands waits for its end afterwards, and the others talk.
 class PassedDescriptor : public testing::Test {
  protected:
-  void expect_talk() {
-    talker_.send("123#01");
-    EXPECT_EQ(listener_.wait_frame(), "123#01");
+  void SetUp() override { ASSERT_TRUE(hub_.wait_for_output("ready")) << hub_.output(); }
+
+  /// Returns when the hub stands still.
+  void stop_hub() {
+    stranger();
+    hub_.signal(SIGSTOP);
+    char state = '?';
+    while (state != 'T') {
+      std::ifstream status{"/proc/" + std::to_string(hub_.id()) + "/stat"};
+      std::string skipped;
+      status >> skipped >> skipped >> state;
+    }
   }
+  void expect_talk() {
+    hub_.signal(SIGCONT);
+    talker().send("123#01");
+    EXPECT_EQ(listener().wait_frame(), "123#01");
+    lingering_.end();
+  }
+  BusClient& talker() { return member(0); }
+  BusClient& listener() { return member(1); }
+  BusClient& stranger() { return member(2); }
   static std::span<const std::byte> hello() {
     static const userbus::Request kHello{.operation = userbus::Operation::Hello, .value = 0, .size = 0};
     return std::as_bytes(std::span{&kHello, 1});
   }
 
-  RunningHub hub_;
-  BusClient talker_{hub_.path()};
-  BusClient listener_{hub_.path()};
-  BusClient stranger_{hub_.path()};
+  fakes::TemporaryDirectory folder_;
+  std::string bus_ = folder_.path("bus");
+  e2e::Program hub_{{CANHUB, "--path", bus_}, {}};
+  std::list<BusClient> members_;
   Lingering lingering_;
+
+ private:
+  BusClient& member(std::ptrdiff_t number) {
+    while (std::ssize(members_) <= number) members_.emplace_back(bus_);
+    return *std::next(members_.begin(), number);
+  }
 };
 
 TEST_F(PassedDescriptor, ThatLingersDoesNotHoldUpTheHub) {
-  lingering_.pass(stranger_.descriptor(), hello());
+  stop_hub();
+  lingering_.pass(stranger().descriptor(), hello());
   expect_talk();
-  lingering_.end();
 }
 
 TEST_F(PassedDescriptor, OfManyDoesNotHoldUpTheHubEither) {
-  lingering_.pass(stranger_.descriptor(), hello(), 200);
+  stop_hub();
+  lingering_.pass(stranger().descriptor(), hello(), 200);
   expect_talk();
-  lingering_.end();
 }
 
 TEST_F(PassedDescriptor, DoesNotHoldItUpInsideTheSocketForTheReply) {
+  stop_hub();
   std::array<int, 2> ends{};
   ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()), 0);
   const bus::Descriptor mine{ends[0]};
@@ -109,11 +145,10 @@ TEST_F(PassedDescriptor, DoesNotHoldItUpInsideTheSocketForTheReply) {
   header->cmsg_len = CMSG_LEN(sizeof(int));
   const int passed = its.get();
   std::memcpy(CMSG_DATA(header), &passed, sizeof passed);
-  ASSERT_GT(::sendmsg(stranger_.descriptor(), &message, MSG_NOSIGNAL), 0);
+  ASSERT_GT(::sendmsg(stranger().descriptor(), &message, MSG_NOSIGNAL), 0);
   its = bus::Descriptor{};
 
   expect_talk();
-  lingering_.end();
 }
 
 }  // namespace
