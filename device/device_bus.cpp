@@ -77,7 +77,7 @@ void Device::miss_rpdos() noexcept {
 /// meanwhile, one of them takes those: frames that come while the unit is kept from running wait for it one behind
 /// the other.
 void Device::overwrite(std::uint16_t number) noexcept {
-  if (make_up_cycle()) {
+  if (now_ >= clock_.next() && make_up_cycle()) {
     static_cast<void>(telegram_loss_.on_rpdo(number));
   } else if (now_ != made_up_at_) {  // more frames than missed cycles: nobody knows which of those they belong to
     lose_telegram(number);

@@ -52,10 +52,7 @@ bool SdoServer::connect(Identifier request, Identifier response) noexcept {
 
 void SdoServer::on_frame(const Frame& frame) noexcept {
   if (frame.length != 8) return;
-  if (phase_ >= Phase::BlockDownload) {
-    if (phase_ == Phase::BlockDownload) return take_block_segment(frame);
-    if (repeats(frame)) return;
-  }
+  if (phase_ >= Phase::BlockDownload) return on_awaited_frame(frame);
   const Command command{frame.data[0]};
   switch (command.request()) {
     case Request::InitiateUpload:
@@ -116,24 +113,18 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
   context_.answer_deferred = false;
   const auto written = write_expedited(entry, bytes);
   if (!written) sdo::tell_refusal(context_, entry, bytes, written.error());
-  answer_write(answer, at, sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0), written,
-               load<std::uint64_t>(frame.data.data()));
+  const std::uint64_t done = sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0);
+  if (written && context_.answer_deferred) return defer(at, done, load<std::uint64_t>(frame.data.data()));
+  store(answer.data.data(), written ? done : sdo::abort_bytes(at, written.error()));
+  context_.sink->send(answer, Delivery::Ordered);
 }
 
-/// Sends @p bytes in @p answer if the write has succeeded, otherwise an abort; not yet if the owner has put that
-/// off.
-/// @p request is the frame that asked for it, 0 if it took several.
-void SdoServer::answer_write(Frame& answer, Address at, std::uint64_t bytes, const Result<void>& written,
-                             std::uint64_t request) noexcept {
-  if (written && context_.answer_deferred) {
-    phase_ = Phase::Deferred;
-    address_ = at;
-    deferred_request_ = request;
-    store(answer_.data.data(), bytes);
-    return;
-  }
-  store(answer.data.data(), written ? bytes : sdo::abort_bytes(at, written.error()));
-  context_.sink->send(answer, Delivery::Ordered);
+/// The owner has put off the answer @p bytes to @p request, 0 if that took several frames.
+void SdoServer::defer(Address at, std::uint64_t bytes, std::uint64_t request) noexcept {
+  phase_ = Phase::Deferred;
+  address_ = at;
+  deferred_request_ = request;
+  store(answer_.data.data(), bytes);
 }
 
 void SdoServer::answer_deferred(const Result<void>& result) noexcept {
@@ -143,12 +134,13 @@ void SdoServer::answer_deferred(const Result<void>& result) noexcept {
   context_.sink->send(answer_, Delivery::Ordered);
 }
 
-/// While an answer is put off: true if @p frame is the same request again, from a client that has lost its
-/// patience; any other gives the answer up.
-bool SdoServer::repeats(const Frame& frame) noexcept {
-  if (deferred_request_ != 0 && load<std::uint64_t>(frame.data.data()) == deferred_request_) return true;
+/// A segment of a block; or a request while an answer is put off. That may be the same request again, from a
+/// client that has lost its patience; any other gives the answer up.
+void SdoServer::on_awaited_frame(const Frame& frame) noexcept {
+  if (phase_ == Phase::BlockDownload) return take_block_segment(frame);
+  if (deferred_request_ != 0 && load<std::uint64_t>(frame.data.data()) == deferred_request_) return;
   end();
-  return false;
+  return context_.view != nullptr ? on_viewed_frame(frame) : on_frame(frame);
 }
 
 Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
@@ -205,7 +197,9 @@ void SdoServer::finish_download(std::uint64_t answer) noexcept {
   context_.answer_deferred = false;
   const auto written = sink_.commit(context_);
   end();
-  answer_write(frame, at, answer, written, 0);
+  if (written && context_.answer_deferred) return defer(at, answer, 0);
+  store(frame.data.data(), written ? answer : sdo::abort_bytes(at, written.error()));
+  context_.sink->send(frame, Delivery::Ordered);
 }
 
 /// When on_timer() acts if the client stays silent.

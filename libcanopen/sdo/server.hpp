@@ -72,9 +72,8 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   void begin(Phase phase, sdo::Address at) noexcept;
   void end() noexcept;
   void finish_download(std::uint64_t answer) noexcept;
-  void answer_write(Frame& answer, sdo::Address at, std::uint64_t bytes, const Result<void>& written,
-                    std::uint64_t request) noexcept;
-  bool repeats(const Frame& frame) noexcept;
+  void defer(sdo::Address at, std::uint64_t bytes, std::uint64_t request) noexcept;
+  void on_awaited_frame(const Frame& frame) noexcept;
   TimePoint due() const noexcept;
   bool may_confirm_early() const noexcept { return phase_ == Phase::BlockDownload && !confirmed_early_; }
   void abort(sdo::Address at, AbortCode code) noexcept;

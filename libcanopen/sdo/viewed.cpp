@@ -14,8 +14,7 @@ constexpr std::size_t kExpeditedBytes = 4;
 }
 
 void SdoServer::on_viewed_frame(const Frame& frame) noexcept {
-  if (phase_ == Phase::Deferred && frame.length == 8 && repeats(frame)) return;
-  const bool listens = frame.length == 8 && phase_ != Phase::BlockDownload;
+  const bool listens = frame.length == 8 && phase_ < Phase::BlockDownload;
   if (!listens || !begins_transfer(Command{frame.data[0]})) return on_frame(frame);
   const Address at = sdo::address_in(frame);
   switch (context_.view->place_of(number_, at.index)) {
@@ -77,9 +76,12 @@ void SdoServer::download_viewed(ViewedObject object, const Frame& frame) noexcep
   const std::size_t size = command.has_size() ? command.expedited_size() : kExpeditedBytes;
   context_.answer_deferred = false;
   const auto written = object.write(*context_.view, {&frame.data[4], size}, command.has_size());
-  answer_write(answer, object.address(),
-               sdo::response_bytes(sdo::command_byte(sdo::Response::InitiateDownload), object.address(), 0),
-               written, load<std::uint64_t>(frame.data.data()));
+  const std::uint64_t done =
+      sdo::response_bytes(sdo::command_byte(sdo::Response::InitiateDownload), object.address(), 0);
+  if (written && context_.answer_deferred)
+    return defer(object.address(), done, load<std::uint64_t>(frame.data.data()));
+  store(answer.data.data(), written ? done : sdo::abort_bytes(object.address(), written.error()));
+  context_.sink->send(answer, Delivery::Ordered);
 }
 
 void SdoServer::gather_viewed(ViewedObject object, const Frame& frame) noexcept {

@@ -45,8 +45,8 @@ TEST_P(Stall, TakesNoControlwordOfAStartAway) {
     if (i % 2 == 0) std::this_thread::sleep_for(5 * kBetweenFrames);
     can.forget();
 
-    const auto begin = std::chrono::steady_clock::now();
     stop();
+    const auto begin = std::chrono::steady_clock::now();
     auto next = begin;
     for (const char* const controlword : {"205#0600", "205#0700", "205#0F00"}) {
       std::this_thread::sleep_until(next);
