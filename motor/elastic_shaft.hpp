@@ -96,6 +96,10 @@ class ElasticShaft {
   double load_speed() const noexcept { return load_speed_; }
   double twist() const noexcept { return twist_; }
   void set_speed(double speed) noexcept { speed_ = load_speed_ = speed; }
+  /// Whether anything turns faster than @p limit (rad/s) after a step in which the rotor made @p rotor.
+  bool is_beyond(const Motion& rotor, double limit) const noexcept {
+    return std::abs(rotor.speed) > limit || std::abs(load_speed_) > limit;
+  }
   /// Takes away what turns faster than @p limit (rad/s); the energy that goes with it (J).
   double slow_down(double limit) noexcept;
   /// Replaces constant load torque and friction torque (N·m).

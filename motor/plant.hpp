@@ -89,8 +89,6 @@ class Plant {
   void begin(S& shaft, int part, double h, double torque) noexcept;
   template <class M, class S>
   void finish(const Spent& spent, const M& machine, const S& shaft) noexcept;
-  template <class S>
-  Motion held_back(S& shaft, const Motion& motion, double h, Spent& spent) const noexcept;
   void start_period() noexcept;
   void stand() noexcept;
   void turn(const Motion& motion) noexcept;

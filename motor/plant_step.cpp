@@ -87,13 +87,6 @@ template <class S>
 }
 
 /// No shaft turns faster than its rotor holds: the energy of what goes beyond is lost as friction.
-template <class S>
-[[gnu::noinline]] Motion Plant::held_back(S& shaft, const Motion& motion, double h, Spent& spent) const noexcept {
-  const double most = bursting_speed_ * h;
-  spent.energies.friction += shaft.slow_down(bursting_speed_);
-  return {shaft.speed(), std::clamp(motion.angle, -most, most), motion.path};
-}
-
 template <class Rates, class M, class S>
 [[gnu::always_inline]] inline Plant::Spent Plant::advance(const Rates& sum, M& machine, S& shaft,
                                                           double h) noexcept {
@@ -104,8 +97,11 @@ template <class Rates, class M, class S>
   spent.energies.copper = machine.losses(sum.circuit, weight);
   spent.torque = weight * (1.0 / kControlPeriod) * sum.circuit.torque;
   Motion motion = shaft.finish(sum.shaft, h, spent.energies);
-  if (std::max(std::abs(motion.speed), std::abs(shaft.load_speed())) > bursting_speed_) [[unlikely]]
-    motion = held_back(shaft, motion, h, spent);
+  if (shaft.is_beyond(motion, bursting_speed_)) [[unlikely]] {
+    spent.energies.friction += shaft.slow_down(bursting_speed_);
+    motion.speed = shaft.speed();
+    motion.angle = std::clamp(motion.angle, -bursting_speed_ * h, bursting_speed_ * h);
+  }
   turn(motion);
   if constexpr (M::kTurnsWithRotor) turn_direction(motion.angle);
   return spent;

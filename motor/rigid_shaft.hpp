@@ -63,6 +63,8 @@ class RigidShaft {
   double load_speed() const noexcept { return speed_; }
   double twist() const noexcept { return 0.0; }
   void set_speed(double speed) noexcept { speed_ = speed; }
+  /// Whether anything turns faster than @p limit (rad/s) after a step in which the rotor made @p rotor.
+  bool is_beyond(const Motion& rotor, double limit) const noexcept { return std::abs(rotor.speed) > limit; }
   /// Takes away what turns faster than @p limit (rad/s); the energy that goes with it (J).
   double slow_down(double limit) noexcept {
     const double before = kinetic();

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/Core>
+
 #include "motor/machine_data.hpp"
 
 namespace motor {
@@ -44,22 +46,12 @@ class MotorThermal {
   double frame() const noexcept { return frame_; }
 
  private:
-  /// How deviations from the final temperatures go on over a step.
-  struct Transition {
-    double winding_winding;
-    double winding_frame;
-    double frame_winding;
-    double frame_frame;
-  };
-  Transition transition(double dt) const noexcept;
-
   ThermalData data_;
-  double fast_rate_;   // 1/s, negative
-  double slow_rate_;   // 1/s, negative
-  double step_ = 0.0;  // s, for which transition_ holds
-  Transition transition_{1.0, 0.0, 0.0, 1.0};
-  double winding_;  // °C
-  double frame_;    // °C
+  Eigen::Matrix2d rates_;                                     // of the deviations of winding and frame (1/s)
+  double step_ = 0.0;                                         // s, for which transition_ holds
+  Eigen::Matrix2d transition_ = Eigen::Matrix2d::Identity();  // of these deviations over a step
+  double winding_;                                            // °C
+  double frame_;                                              // °C
 };
 
 /// Settings of an overload model.

@@ -18,7 +18,7 @@ build_packages=(
   # to build
   g++ cmake ninja-build pkg-config git ca-certificates
   # libraries of the daemon and the tools
-  libsystemd-dev nlohmann-json3-dev libexpected-dev libcli11-dev libfmt-dev
+  libsystemd-dev nlohmann-json3-dev libexpected-dev libcli11-dev libfmt-dev libeigen3-dev
   # candump and cansend
   can-utils
 )

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
+
+#include <Eigen/QR>
 
 namespace motor {
 
@@ -19,97 +20,71 @@ class LeastSquares {
 
   /// Takes in that @p row gave @p y.
   void add(const Row& row, double y) noexcept {
-    const Extended values = extended(row, y);
-    for (std::size_t i = 0; i <= N; ++i) {
-      group_.sum[i] += values[i];
-      for (std::size_t j = 0; j <= N; ++j) group_.square[i][j] += values[i] * values[j];
-    }
+    Extended values;
+    values << Eigen::Map<const Coefficients>{row.data()}, y;
+    group_.sum += values;
+    group_.square.noalias() += values * values.transpose();
     ++group_.count;
   }
   /// What was added since the last call had an unknown constant of its own.
   void end_group() noexcept {
     if (group_.count > 0) {
-      const double share = 1.0 / group_.count;
-      for (std::size_t i = 0; i <= N; ++i)
-        for (std::size_t j = 0; j <= N; ++j)
-          square_[i][j] += group_.square[i][j] - share * group_.sum[i] * group_.sum[j];
+      square_ += group_.square;
+      square_.noalias() -= (1.0 / group_.count) * group_.sum * group_.sum.transpose();
       count_ += group_.count - 1;
     }
     group_ = {};
   }
   /// Observations that count.
   int count() const noexcept { return count_ + group_.count; }
-  /// The coefficients, unless what was observed does not tell them.
+  /// The coefficients, unless what was observed does not tell them: the normal equations, scaled to a diagonal of
+  /// 1, have to be of full rank.
   std::optional<Row> solve(const Wanted& wanted = all()) const noexcept {
-    Extended scale{};
-    Matrix equations{};
-    for (std::size_t i = 0; i < N; ++i) {
-      const double own = square_[i][i] + group_.square[i][i];
-      if (wanted[i] && !(own > 0.0)) return std::nullopt;
-      scale[i] = wanted[i] ? 1.0 / std::sqrt(own) : 0.0;
+    const Matrix sums = square_ + group_.square;
+    Coefficients scale = Coefficients::Zero();
+    for (Eigen::Index i = 0; i < kCount; ++i) {
+      if (!wanted[static_cast<std::size_t>(i)]) continue;
+      if (!(sums(i, i) > 0.0)) return std::nullopt;
+      scale[i] = 1.0 / std::sqrt(sums(i, i));
     }
-    scale[N] = 1.0;
-    for (std::size_t i = 0; i < N; ++i) {
-      for (std::size_t j = 0; j <= N; ++j)
-        equations[i][j] = scale[i] * scale[j] * (square_[i][j] + group_.square[i][j]);
-      if (!wanted[i]) equations[i][i] = 1.0;
-    }
-    if (!eliminate(equations)) return std::nullopt;
-    return back_substituted(equations, scale);
+    Equations equations = scale.asDiagonal() * sums.template topLeftCorner<kCount, kCount>() * scale.asDiagonal();
+    for (Eigen::Index i = 0; i < kCount; ++i)
+      if (!wanted[static_cast<std::size_t>(i)]) equations(i, i) = 1.0;
+    Eigen::ColPivHouseholderQR<Equations> decomposition;
+    decomposition.setThreshold(kSingular);
+    decomposition.compute(equations);
+    if (!decomposition.isInvertible()) return std::nullopt;
+    const Coefficients right = scale.cwiseProduct(sums.template topRightCorner<kCount, 1>());
+    const Coefficients found = scale.cwiseProduct(decomposition.solve(right));
+    Row result{};
+    std::copy(found.begin(), found.end(), result.begin());
+    return result;
   }
 
  private:
-  using Extended = std::array<double, N + 1>;  // y last
-  using Matrix = std::array<Extended, N + 1>;
+  static constexpr Eigen::Index kCount = N;
+  using Coefficients = Eigen::Matrix<double, kCount, 1>;
+  using Equations = Eigen::Matrix<double, kCount, kCount>;
+  using Extended = Eigen::Matrix<double, kCount + 1, 1>;  // y last
+  using Matrix = Eigen::Matrix<double, kCount + 1, kCount + 1>;
 
+  /// Observations with a constant in common.
   struct Group {
-    Extended sum{};
-    Matrix square{};
+    Extended sum = Extended::Zero();
+    Matrix square = Matrix::Zero();
     int count = 0;
   };
 
-  static constexpr double kSingular = 1e-10;  // pivot of equations whose diagonal was 1
+  static constexpr double kSingular = 1e-10;  // share of the largest pivot that counts as none
 
   static constexpr Wanted all() noexcept {
     Wanted wanted{};
     wanted.fill(true);
     return wanted;
   }
-  static Extended extended(const Row& row, double y) noexcept {
-    Extended values{};
-    std::copy(row.begin(), row.end(), values.begin());
-    values[N] = y;
-    return values;
-  }
-  /// To a triangle, by the largest pivots.
-  static bool eliminate(Matrix& equations) noexcept {
-    for (std::size_t i = 0; i < N; ++i) {
-      std::size_t best = i;
-      for (std::size_t k = i + 1; k < N; ++k)
-        if (std::abs(equations[k][i]) > std::abs(equations[best][i])) best = k;
-      std::swap(equations[i], equations[best]);
-      if (!(std::abs(equations[i][i]) > kSingular)) return false;
-      for (std::size_t k = i + 1; k < N; ++k) subtract(equations[k], equations[i], i);
-    }
-    return true;
-  }
-  static void subtract(Extended& from, const Extended& pivot, std::size_t column) noexcept {
-    const double factor = from[column] / pivot[column];
-    for (std::size_t j = column; j <= N; ++j) from[j] -= factor * pivot[j];
-  }
-  static Row back_substituted(const Matrix& equations, const Extended& scale) noexcept {
-    Row result{};
-    for (std::size_t i = N; i-- > 0;) {
-      double rest = equations[i][N];
-      for (std::size_t j = i + 1; j < N; ++j) rest -= equations[i][j] * result[j];
-      result[i] = rest / equations[i][i];
-    }
-    for (std::size_t i = 0; i < N; ++i) result[i] *= scale[i];
-    return result;
-  }
 
   Group group_{};
-  Matrix square_{};
+  Matrix square_ = Matrix::Zero();
   int count_ = 0;
 };
 

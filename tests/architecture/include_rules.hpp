@@ -22,7 +22,7 @@ inline constexpr std::string_view kSystem = "<*.h>";
 /// Who may include whom: a folder rests only on what its row names.
 inline constexpr std::array kLayers{
     Layer{"libcanopen", {}},
-    Layer{"motor", {}},
+    Layer{"motor", {"Eigen/", "unsupported/Eigen/"}},
     Layer{"drive", {"motor/", "fmt/"}},
     Layer{"device", {"libcanopen/", "drive/", "fmt/", "generated/object_table.hpp"}},
     Layer{"eds", {"libcanopen/od/", "nlohmann/", "fmt/"}},

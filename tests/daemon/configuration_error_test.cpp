@@ -266,58 +266,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [{"encoder": {"type": "resolver"}}]})",
                 "node.json: /axes/0/encoder/type: expected none, incremental or absolute, got \"resolver\""}));
 
-const std::string kBinector = "a binector that exists, such as \"r8890.0\" or \"r0899.2 of axis 2\", or 0 or 1";
-const std::string kConnector =
-    "a connector that exists, such as \"r8860[1]\" or \"r0063[0] of axis 2\", or 0 or 1";
-
-/// p0840 of the first of two axes, which is given @p value.
-std::string with_on(const std::string& value) {
-  return R"({"axes": [{"parameters": {"p0840": )" + value + "}}, {}]}";
-}
-
-TEST(BicoSource, OfAnInputIsRefusedInOneLineUnlessItExists) {
-  for (const char* const value : {R"("r8890.16")",
-                                  R"("r8890[0]")",
-                                  R"("r9999.0")",
-                                  R"("r0063.0")",
-                                  R"("8890.0")",
-                                  R"("r8890.0 of axis 3")",
-                                  R"("r8890.0 of axis")",
-                                  R"("r8890.0 of axis 0")",
-                                  R"("r8890.0 of axis 9")",
-                                  R"("r8890.0 ")",
-                                  R"("ON")",
-                                  R"("")",
-                                  R"("2")",
-                                  "2",
-                                  "-1",
-                                  "0.5",
-                                  "4294967296",
-                                  "true",
-                                  "[]",
-                                  "null"}) {
-    EXPECT_EQ(message_of([&] { parse_configuration(with_on(value), "node.json"); }),
-              "node.json: /axes/0/parameters/p0840: expected " + kBinector + ", got " + value);
-  }
-  EXPECT_EQ(message_of([] {
-              parse_configuration(R"({"axes": [{"parameters": {"p1070[0]": "r8860.1"}}]})", "node.json");
-            }),
-            "node.json: /axes/0/parameters/p1070[0]: expected " + kConnector + ", got \"r8860.1\"");
-  EXPECT_EQ(message_of([] { parse_configuration(R"({"parameters": {"p2103": "on"}})", "node.json"); }),
-            "node.json: /parameters/p2103: expected " + kBinector + ", got \"on\"");
-}
-
-TEST(BicoSource, OnAnAxisThatTheCommandLineTakesAwayIsRefused) {
-  const fakes::TemporaryDirectory folder;
-  std::ofstream{folder.path("node.json")} << with_on(R"("r0899.2 of axis 2")");
-
-  EXPECT_EQ(configuration_of({"--config", folder.path("node.json")}).axes.size(), 2U);
-  EXPECT_EQ(message_of([&] {
-              configuration_of({"--config", folder.path("node.json"), "--axes", "1"});
-            }),
-            "--axes: expected the axis that p0840[0] of axis X is connected to, got 1");
-}
-
 TEST(ConfigurationFile, ThatDoesNotExistIsNamed) {
   EXPECT_EQ(message_of([] {
               configuration_of({"--config", "/nowhere/node.json"});

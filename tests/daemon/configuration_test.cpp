@@ -90,30 +90,6 @@ TEST(Configuration, TakesEveryKeyOfAnAxis) {
   EXPECT_EQ(axis.parameters[1].value, 1.0);
 }
 
-TEST(Configuration, TakesBicoSourcesAsText) {
-  const Configuration configuration = parse(R"({
-    "parameters": {"p2103": "r0899.2 of axis 2"},
-    "axes": [{"parameters": {
-      "p0840": "r8890.0", "p0844": "1", "p0848": 0, "p0852": "r0899.2 of axis 2",
-      "p1055": "r0899.2 of drive object 3", "p1070": "r8860[1]", "p1155": "r8850", "p1085": "1"}}, {}]})");
-
-  const auto value_of = [&](std::uint16_t number) {
-    for (const ParameterValue& value : configuration.axes[0].parameters)
-      if (value.number == number) return static_cast<std::uint32_t>(value.value);
-    return ~0U;
-  };
-  EXPECT_EQ(value_of(840), 0x22BAFC00U);
-  EXPECT_EQ(value_of(844), 1U);
-  EXPECT_EQ(value_of(848), 0U);
-  EXPECT_EQ(value_of(852), 0x03830C02U);
-  EXPECT_EQ(value_of(1055), 0x03830C02U);
-  EXPECT_EQ(value_of(1070), 0x229CFC01U);
-  EXPECT_EQ(value_of(1155), 0x2292FC00U);
-  EXPECT_EQ(value_of(1085), 1U);
-  ASSERT_EQ(configuration.parameters.size(), 1U);
-  EXPECT_EQ(static_cast<std::uint32_t>(configuration.parameters[0].value), 0x03830C02U);
-}
-
 TEST(Configuration, TakesFrictionThatALoadTorqueCanTakeThePlaceOf) {
   const AxisConfiguration axis =
       axis_of(R"({"load": {"gear": 2, "torque": [{"type": "friction", "torque": 5}, 3]}})");

@@ -45,6 +45,21 @@ TEST(LeastSquares, LeavesOutWhatIsNotWanted) {
   EXPECT_NEAR((*found)[2], 1.0, 1e-10);
 }
 
+TEST(LeastSquares, KnowsThatACoefficientIsToldByTheOthersHoweverTheyAreScaled) {
+  for (const double scale : {1e-9, 1.0, 1e9}) {
+    LeastSquares<3> shaft;
+    for (int i = 0; i < 50; ++i) {
+      const double x = 0.1 * i;
+      shaft.add({x, scale * (2.0 * x - 1.0), 1.0}, 3.0 * x);
+    }
+
+    EXPECT_FALSE(shaft.solve()) << scale;
+    const auto found = shaft.solve({true, false, true});
+    ASSERT_TRUE(found);
+    EXPECT_NEAR((*found)[0], 3.0, 1e-9) << scale;
+  }
+}
+
 TEST(LeastSquares, KnowsNothingFromNothing) {
   LeastSquares<2> nothing;
   nothing.end_group();
