@@ -58,7 +58,11 @@ std::span<const std::byte> Device::retained(canopen::TimePoint now) noexcept {
 void Device::on_reset(canopen::NmtCommand command) noexcept {
   const bool all = command == canopen::NmtCommand::ResetNode;
   const ParameterGroup group = all ? ParameterGroup::All : ParameterGroup::Communication;
-  all ? switch_off() : lose_connection();
+  if (all) {
+    switch_off();
+  } else {
+    lose_connection();
+  }
   show_messages();
   storage_.reload(group);
   take_over(group, all ? wired_at_start() : UnitProcessData::WiredBy::Before);

@@ -160,8 +160,9 @@ bool Axis::apply(Event event) noexcept {
 
 void Axis::lose_connection() noexcept {
   const std::optional<Event> command = abort_row(parameters_).command;
-  if (!command || state_ == State::SwitchOnDisabled) return;  // nor does OFF1 lift the inhibit
-  on_withheld_ = wired_.on && *command == Event::Shutdown;  // the others inhibit it anyway
+  // Where nothing runs, OFF1 must not lift the inhibit; after OFF2 and OFF3 there is one, which ON alone does not.
+  if (!command || state_ == State::SwitchOnDisabled) return;
+  on_withheld_ = wired_.on && *command == Event::Shutdown;
   jogging_ = false;
   apply(*command);
   refresh_status();

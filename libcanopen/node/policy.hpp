@@ -50,8 +50,8 @@ struct Policy {
   bool pdo_changes_in_operational = true;  ///< false: PDO parameters are refused with DeviceState in Operational
   bool count_follows_entries = false;  ///< true: sub-index 0 of a mapping counts its entries; when 0 was written
                                        ///< to it and nothing since, it does so when the PDO becomes valid
-  bool tpdo_requests = true;        ///< false: no remote frame is answered by a TPDO, whatever its COB-ID says
-  std::uint8_t dummy_types = 0xFE;  ///< bit n: the dummy object 000nh (n 1..7) may be mapped into RPDOs
+  bool tpdo_requests = true;           ///< false: no remote frame is answered by a TPDO, whatever its COB-ID says
+  std::uint8_t dummy_types = 0xFE;     ///< bit n: the dummy object 000nh (n 1..7) may be mapped into RPDOs
   std::span<const TypeRange> rpdo_types = kRpdoTypes;  ///< others are refused with InvalidValue
   std::span<const TypeRange> tpdo_types = kTpdoTypes;  ///< likewise
 };

@@ -197,6 +197,21 @@ TEST(Explain, ALoadThatIsStrongerThanTheTorqueLimit) {
       << told(drive.axis);
 }
 
+TEST(Explain, AFaultThatWasAcknowledgedWhileItsCauseEnds) {
+  WiredAxis drive;
+  drive.cycles(2);
+  ASSERT_TRUE(drive.axis.raise(8700, 1, Cause::Ending));
+
+  ASSERT_NE(told(drive.axis).find("F08700 CAN communication error (value 1): its cause is still there"),
+            std::string::npos);
+  EXPECT_FALSE(drive.axis.acknowledge());
+  EXPECT_NE(told(drive.axis).find("F08700 CAN communication error (value 1): it is acknowledged and leaves"),
+            std::string::npos);
+
+  drive.axis.withdraw(8700);
+  EXPECT_EQ(told(drive.axis).find("F08700"), std::string::npos);
+}
+
 TEST(Explain, BrakingByOffAndByFault) {
   const auto braking = [](auto stop) {
     Enabled drive{1000.0};

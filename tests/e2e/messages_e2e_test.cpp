@@ -66,5 +66,25 @@ TEST_F(Messages, AreInjectedAndAcknowledgedOneByOne) {
   std::cout << messages << " messages\n";
 }
 
+struct ActiveMessages : RunningDaemon {
+  static void SetUpTestSuite() { start(); }
+};
+
+TEST_F(ActiveMessages, OutliveAResetOfTheCommunicationUntilTheyAreAcknowledged) {
+  can->listen_to({0x085, 0x585, 0x705});
+  ASSERT_EQ(daemon->axisctl({"fault", "inject", "1", "F07860"}).status, 0);
+  ASSERT_TRUE(can->expect("085#001081B41E020000"));
+
+  can->send("000#8205");
+  ASSERT_TRUE(can->expect("705#00"));
+
+  EXPECT_TRUE(can->ask("605#4001100000000000", "585#4F01100081000000"));
+  EXPECT_TRUE(can->ask("605#4003100300000000", "585#430310030010B41E"));
+  can->send("605#2F03100000000000");
+  EXPECT_TRUE(can->expect("085#0000000000000000"));
+  EXPECT_TRUE(can->expect("585#6003100000000000"));
+  EXPECT_TRUE(can->ask("605#4003100000000000", "585#4F03100000000000"));
+}
+
 }  // namespace
 }  // namespace e2e
