@@ -67,8 +67,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /axes/0/setpoint_channel: expected true or false, got 0"},
         BadFile{R"({"axes": [{"type": "vector", "setpoint_channel": false}]})",
                 "node.json: /axes/0/setpoint_channel: expected true, which a vector axis always has, got false"},
-        BadFile{R"({"axes": [{"setpoint_channel": false, "parameters": {"p1120": 1}}]})",
-                "node.json: /axes/0/parameters/p1120: expected no p1120, which this axis is delivered without, got 1"},
+        BadFile{
+            R"({"axes": [{"setpoint_channel": false, "parameters": {"p1120": 1}}]})",
+            "node.json: /axes/0/parameters/p1120: expected no p1120, which this axis is delivered without, got 1"},
         BadFile{R"({"axes": [{"name": 1}]})", "node.json: /axes/0/name: expected a string, got 1"},
         BadFile{R"({"axes": [{"type": "infeed"}]})",
                 "node.json: /axes/0/type: expected servo or vector, got \"infeed\""},
