@@ -224,7 +224,7 @@ class Axis final : public DriveObject {
   void take_over(IdentificationPart part) noexcept;
   void take_over(const motor::StandstillResult& found) noexcept;
   void take_over(const motor::RotatingResult& found) noexcept;
-  void take_over_saturation(const motor::RotatingResult& found) noexcept;
+  void take_over_saturation(const motor::SaturationCurve& found) noexcept;
   void assign_rotor_circuit(const motor::MachineData& machine) noexcept;
   void set_dynamics(double factor) noexcept;
   void compute_as_new(std::span<const std::uint16_t> numbers, const ObjectContext& described) noexcept;

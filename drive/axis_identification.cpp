@@ -111,7 +111,8 @@ motor::StandstillTask Axis::standstill_task(const motor::MachineData& machine) c
   return {.machine = machine,
           .settings = control_settings(machine),
           .winding_temperature = train_.observation().winding_temperature,
-          .largest_travel = kind() == ObjectKind::Vector ? kVectorTravel : kServoTravel};
+          .largest_travel = kind() == ObjectKind::Vector ? kVectorTravel : kServoTravel,
+          .finds_curve = identification_.selection().standstill == selection::kMeasureCurve};
 }
 
 motor::RotatingTask Axis::rotating_task(const motor::MachineData& machine) const noexcept {
@@ -192,7 +193,12 @@ void Axis::take_over(Part part) noexcept {
   if (part == Part::Rotating && found.rotating) take_over(*found.rotating);
 }
 
+/// A measurement of the characteristic is taken over as that alone.
 void Axis::take_over(const motor::StandstillResult& found) noexcept {
+  if (found.curve.is_known()) {
+    take_over_saturation(found.curve);
+    return apply_parameters();
+  }
   const motor::MachineData machine =
       motor::identified_machine(believed_machine(parameters_, context().axis.machine), found);
   assign_rounded(350, machine.stator_resistance);
@@ -235,9 +241,9 @@ void Axis::set_dynamics(double factor) noexcept {
 
 /// The characteristic was measured in shares of the flux that was believed the rated one, and refers to the one
 /// that was found from now on. What was found of leakage and rotor resistance at the terminals stays.
-void Axis::take_over_saturation(const motor::RotatingResult& found) noexcept {
+void Axis::take_over_saturation(const motor::SaturationCurve& found) noexcept {
   constexpr std::array<std::uint16_t, 4> kFlux{362, 363, 364, 365}, kCurrent{366, 367, 368, 369};
-  if (!(found.fitted_magnetising_inductance > 0.0)) return;
+  if (!found.is_known()) return;
   const motor::MachineData believed = believed_machine(parameters_, context().axis.machine);
   const motor::InductionCircuit circuit = motor::induction_circuit(believed);
   motor::InductionCircuit fitted = circuit;

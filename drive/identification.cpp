@@ -10,6 +10,16 @@ namespace drive {
 using Part = IdentificationPart;
 using selection::kNone;
 
+namespace {
+
+/// Of an induction machine, what shares of a characteristic refer to (V·s).
+double rated_flux_of(const motor::MachineData& machine) noexcept {
+  return motor::standing_flux(motor::induction_circuit(machine),
+                              std::numbers::sqrt2 * machine.induction.magnetising_current);
+}
+
+}  // namespace
+
 void Identification::select_standstill(std::int32_t value) noexcept {
   selection_.standstill = value;
   settle();
@@ -45,7 +55,8 @@ IdentificationPart Identification::due() const noexcept {
 }
 
 bool Identification::is_taken_over(Part part) const noexcept {
-  if (part == Part::Standstill) return selection_.standstill == selection::kMeasure;
+  const std::int32_t standstill = selection_.standstill;
+  if (part == Part::Standstill) return standstill == selection::kMeasure || standstill == selection::kMeasureCurve;
   return part == Part::Rotating && selection_.rotating > kNone;
 }
 
@@ -57,13 +68,13 @@ void Identification::prepare(bool from_standstill) noexcept {
 
 void Identification::start(const motor::StandstillTask& task) noexcept {
   standstill_.start(task);
+  rated_flux_ = rated_flux_of(task.machine);
   phase_ = Phase::Running;
 }
 
 void Identification::start(const motor::RotatingTask& task) noexcept {
   rotating_.start(task);
-  rated_flux_ = motor::standing_flux(motor::induction_circuit(task.machine),
-                                     std::numbers::sqrt2 * task.machine.induction.magnetising_current);
+  rated_flux_ = rated_flux_of(task.machine);
   phase_ = Phase::Running;
 }
 
@@ -92,6 +103,7 @@ void Identification::finish() noexcept {
   phase_ = Phase::Idle;
   if (due() == Part::Standstill) {
     results_.standstill = standstill_.result();
+    results_.rated_flux = rated_flux_;
     select_standstill(kNone);
   } else {
     results_.rotating = rotating_.result();

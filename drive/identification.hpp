@@ -23,9 +23,10 @@ inline constexpr std::int32_t kMeasureOnly = -1;  ///< the results stay in r19xx
 inline constexpr std::int32_t kNone = 0;
 inline constexpr std::int32_t kMeasure = 1;
 inline constexpr std::int32_t kMeasureOnlyVector = 2;  ///< of p1910, on a vector axis
-inline constexpr std::int32_t kMeasureBlind = 2;       ///< of p1960, on a vector axis without encoder
-inline constexpr std::int32_t kFirstWithLoad = 3;      ///< of p1960, on a vector axis
-inline constexpr std::int32_t kBothMeasurements = 1;   ///< of p1900
+inline constexpr std::int32_t kMeasureCurve = 3;   ///< of p1910, saturation characteristic of an induction machine
+inline constexpr std::int32_t kMeasureBlind = 2;   ///< of p1960, on a vector axis without encoder
+inline constexpr std::int32_t kFirstWithLoad = 3;  ///< of p1960, on a vector axis
+inline constexpr std::int32_t kBothMeasurements = 1;  ///< of p1900
 }  // namespace selection
 
 /// Whether p1960 = @p value measures on an axis of @p kind with p1300 = @p control_mode: field-oriented, and on a

@@ -59,8 +59,10 @@ std::optional<Refusal> zero_only(const DriveObject&, std::size_t, double value) 
 
 std::optional<Refusal> standstill_selection(const DriveObject& object, std::size_t, double value) noexcept {
   const bool vector = object.kind() == ObjectKind::Vector;
-  if (const auto reason = vector ? one_of(kVectorStandstill, value) : one_of(kServoMeasurements, value))
-    return reason;
+  const bool magnetises = object.context().axis.machine.type == motor::MachineType::Induction;
+  const bool of_the_curve = static_cast<int>(value) == selection::kMeasureCurve && magnetises;
+  const auto reason = vector ? one_of(kVectorStandstill, value) : one_of(kServoMeasurements, value);
+  if (reason && !of_the_curve) return reason;
   const auto* const axis = dynamic_cast<const Axis*>(&object);
   if (axis == nullptr) return Refusal::NotNow;
   return nothing_to_take(value, axis->identification().results().standstill.has_value());

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
-
 #include "motor/control_settings.hpp"
+#include "motor/identification/saturation_curve.hpp"
 #include "motor/machine_data.hpp"
 
 namespace motor {
@@ -21,7 +20,7 @@ struct RotatingTask {
 };
 
 /// What it finds; 0 where nothing was asked for.
-struct RotatingResult {
+struct RotatingResult : SaturationCurve {
   double inertia = 0.0;  ///< r1969, of all that turns (kg·m²)
   double coulomb_friction =
       0.0;  ///< with what the iron loses likewise (N·m); 0 with one direction, see load_torque
@@ -29,14 +28,7 @@ struct RotatingResult {
   /// Constant one, positive against positive rotation (N·m). Where one direction only is allowed, the dry friction
   /// cannot be told from it and is in it.
   double load_torque = 0.0;
-  double magnet_flux = 0.0;  ///< of a synchronous machine, as warm as it was (V·s)
-  /// Saturation characteristic of an induction machine, p0362 to p0369: flux and magnetising current, as shares of
-  /// the rated ones.
-  std::array<double, 4> flux{};
-  std::array<double, 4> magnetising_current{};
-  /// The same as InductionCircuit has it: L_M without saturation (H), and the flux that halves it (V·s; 0 = none).
-  double fitted_magnetising_inductance = 0.0;
-  double fitted_saturation_flux = 0.0;
+  double magnet_flux = 0.0;        ///< of a synchronous machine, as warm as it was (V·s)
   double threshold_voltage = 0.0;  ///< what each phase loses to dead time and valves, where a flux was found (V)
   double travel = 0.0;             ///< the furthest way from the start (rad)
 };

@@ -16,10 +16,9 @@ constexpr std::array kShares{0.6, 0.85, 1.15, 1.25, 1.0};
 /// The same without encoder: with little flux the speed is not estimated calmly.
 constexpr std::array kObservedShares{0.8, 0.9, 1.15, 1.25, 1.0};
 constexpr double kHighestShare = 1.25;
-constexpr double kSettling = 5.0;       // rotor time constants until the flux stands
-constexpr double kAveraging = 0.4;      // s
-constexpr double kPlausible = 2.0;      // of flux and what is believed, or its inverse
-constexpr double kFarSaturation = 3.0;  // of the rated flux: beyond, nothing of it was seen
+constexpr double kSettling = 5.0;   // rotor time constants until the flux stands
+constexpr double kAveraging = 0.4;  // s
+constexpr double kPlausible = 2.0;  // of flux and what is believed, or its inverse
 
 }  // namespace
 
@@ -64,7 +63,7 @@ bool SaturationTest::find_threshold(RotatingFindings& found) const noexcept {
   return true;
 }
 
-SaturationTest::Point SaturationTest::point_of(const Level& level, double threshold) const noexcept {
+FluxPoint SaturationTest::point_of(const Level& level, double threshold) const noexcept {
   const double share = 1.0 / level.blocks;
   const SpaceVector current = share * level.current;
   const SpaceVector induced = share * (level.voltage - threshold * level.threshold);
@@ -74,25 +73,9 @@ SaturationTest::Point SaturationTest::point_of(const Level& level, double thresh
   return {flux, flux > 0.0 ? dot(current, rotor) / flux : 0.0};
 }
 
-/// i/psi = (1 + (psi/psi_sat)^6)/L_M.
-bool SaturationTest::fit(const std::array<Point, kLevels>& points, RotatingResult& result) const noexcept {
-  LeastSquares<2> reluctance;
-  for (const Point& point : points) {
-    const double square = point.flux * point.flux;
-    reluctance.add({1.0, square * square * square}, point.current / point.flux);
-  }
-  const auto solution = reluctance.solve();
-  if (!solution || !((*solution)[0] > 0.0)) return false;
-  const auto [linear, bend] = *solution;
-  result.fitted_magnetising_inductance = 1.0 / linear;
-  const double saturation = bend > 0.0 ? std::pow(linear / bend, 1.0 / 6.0) : 0.0;
-  result.fitted_saturation_flux = saturation < kFarSaturation * rated_flux_ ? saturation : 0.0;
-  return true;
-}
-
 bool SaturationTest::finish(RotatingFindings& found) noexcept {
   if (!find_threshold(found)) return false;
-  std::array<Point, kLevels> points{};
+  std::array<FluxPoint, kLevels> points{};
   for (std::size_t i = 0; i < kLevels; ++i) {
     points[i] = point_of(levels_[i], found.result.threshold_voltage);
     const double ratio = points[i].flux / (shares_[i] * rated_flux_);
@@ -102,7 +85,7 @@ bool SaturationTest::finish(RotatingFindings& found) noexcept {
     found.result.flux[i] = points[i].flux / rated_flux_;
     found.result.magnetising_current[i] = points[i].current / rated_current_;
   }
-  return fit(points, found.result);
+  return fit_saturation(points, rated_flux_, found.result);
 }
 
 }  // namespace motor

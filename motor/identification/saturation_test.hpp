@@ -27,15 +27,8 @@ class SaturationTest final : public RotatingStep {
     double per_volt = 0.0;  // power that each volt of threshold voltage takes (W/V)
     int blocks = 0;
   };
-  /// A point of the characteristic.
-  struct Point {
-    double flux = 0.0;     // V·s
-    double current = 0.0;  // A
-  };
-
   bool find_threshold(RotatingFindings& found) const noexcept;
-  Point point_of(const Level& level, double threshold) const noexcept;
-  bool fit(const std::array<Point, kLevels>& points, RotatingResult& result) const noexcept;
+  FluxPoint point_of(const Level& level, double threshold) const noexcept;
 
   InductionCircuit circuit_{};
   double rated_flux_ = 1.0;               // V·s

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "motor/control_settings.hpp"
+#include "motor/identification/saturation_curve.hpp"
 #include "motor/machine_data.hpp"
 
 namespace motor {
@@ -29,6 +30,7 @@ struct StandstillTask {
   ControlSettings settings{};
   double winding_temperature = kDataTemperature;  ///< from its sensor (°C)
   double largest_travel = 1.5708;                 ///< of the shaft (rad)
+  bool finds_curve = false;  ///< of an induction machine: its saturation characteristic besides the rest
 };
 
 /// What it finds. Resistances are those at kDataTemperature.
@@ -42,6 +44,7 @@ struct StandstillResult {
   double leakage = 0.0;                 ///< r1914 (H)
   double magnetising_inductance = 0.0;  ///< r1936, without saturation (H)
   double travel = 0.0;                  ///< the furthest way that the shaft made (rad)
+  SaturationCurve curve{};              ///< where it was asked for
 };
 
 }  // namespace motor

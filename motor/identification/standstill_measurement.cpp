@@ -72,13 +72,18 @@ constexpr PlanRow kLeakage{measurement_step::kLeakage,
 constexpr PlanRow kRotor{measurement_step::kRotorTimeConstant,
                          [](Test& test, const MachineData&) noexcept { test.emplace<RotorTest>(); }};
 
+constexpr PlanRow kCurve{measurement_step::kSaturation,
+                         [](Test& test, const MachineData&) noexcept { test.emplace<CurveTest>(); }};
+
 constexpr std::array kSynchronousPlan{kRest, kPole, kStopping, kLowerLevel, kUpperLevel, kAlong, kAcross};
 constexpr std::array kBlindPlan{kRest, kAlignment, kLowerLevel, kUpperLevel, kAlong, kAcross};
-constexpr std::array kInductionPlan{kFading, kLowerLevel, kUpperLevel, kLeakage, kRotor};
+constexpr std::array kInductionPlan{kFading, kLowerLevel, kUpperLevel, kLeakage, kRotor, kCurve};
 
-std::span<const PlanRow> plan_for(const MachineData& machine) noexcept {
-  if (machine.type == MachineType::Induction) return kInductionPlan;
-  if (machine.encoder.type == EncoderType::None) return kBlindPlan;
+std::span<const PlanRow> plan_for(const StandstillTask& task) noexcept {
+  constexpr std::size_t kWithoutCurve = kInductionPlan.size() - 1;
+  if (task.machine.type == MachineType::Induction)
+    return std::span{kInductionPlan}.first(task.finds_curve ? kInductionPlan.size() : kWithoutCurve);
+  if (task.machine.encoder.type == EncoderType::None) return kBlindPlan;
   return kSynchronousPlan;
 }
 
@@ -100,13 +105,13 @@ void StandstillMeasurement::start(const StandstillTask& task) noexcept {
 }
 
 void StandstillMeasurement::begin_test() noexcept {
-  const PlanRow& row = plan_for(bench_.task.machine)[row_];
+  const PlanRow& row = plan_for(bench_.task)[row_];
   progress_ = row.progress;
   row.begin(test_, bench_.task.machine);
 }
 
 void StandstillMeasurement::end_test() noexcept {
-  const std::span<const PlanRow> plan = plan_for(bench_.task.machine);
+  const std::span<const PlanRow> plan = plan_for(bench_.task);
   const PlanRow& row = plan[row_];
   if (row.inductance != nullptr) bench_.result.*row.inductance = std::get<InductanceTest>(test_).inductance();
   bench_.fault = find_implausible(bench_.task.machine, bench_.result);

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "motor/excitation.hpp"
+#include "motor/identification/curve_test.hpp"
 #include "motor/identification/inductance_test.hpp"
 #include "motor/identification/measurement_state.hpp"
 #include "motor/identification/pole_test.hpp"
@@ -24,8 +25,8 @@ namespace motor {
 class StandstillMeasurement final : public Excitation {
  public:
   /// One of the tests, under way.
-  using Test =
-      std::variant<RestTest, PoleTest, Stopping, RotorAlignment, ResistanceTest, InductanceTest, RotorTest>;
+  using Test = std::variant<RestTest, PoleTest, Stopping, RotorAlignment, ResistanceTest, InductanceTest,
+                            RotorTest, CurveTest>;
 
   /// Begins with @p task at the next step().
   void start(const StandstillTask& task) noexcept;

@@ -141,6 +141,37 @@ TEST(RotatingIdentification, MakesTheSpeedControllerAsFastAsItIsToldTo) {
   EXPECT_NEAR(time, 0.5 * drive.shown(1462), 1e-3 * time);
 }
 
+TEST(StandstillIdentification, FindsTheSaturationOfAnInductionMachine) {
+  for (const char* const motor : {"1le1003-2k2", "1ph8131", "im-2k2"}) {
+    SCOPED_TRACE(motor);
+    const AxisConfiguration configuration = real_axis(motor, kOther);
+    MeasuringAxis drive{configuration};
+    const motor::InductionCircuit real =
+        motor::induction_circuit(motor::real_machine(configuration.machine, kOther));
+    const double rated = std::numbers::sqrt2 * configuration.machine.induction.magnetising_current;
+    drive.measure(kP1910);
+    const double resistance = drive.shown(350);
+
+    drive.measure(kP1910, 3.0);
+
+    ASSERT_EQ(drive.state(), State::SwitchOnDisabled);
+    EXPECT_TRUE(drive.axis.messages().faults().empty());
+    EXPECT_EQ(drive.shown(kP1910), 0.0);
+    EXPECT_EQ(drive.shown(350), resistance) << "the characteristic alone";
+    const motor::InductionCircuit believed =
+        motor::induction_circuit(believed_machine(drive.axis.parameters(), configuration.machine));
+    for (const double share : {0.3, 0.6, 1.0, 1.3}) {
+      const double flux = motor::standing_flux(real, share * rated);
+      EXPECT_NEAR(motor::standing_flux(believed, share * rated), flux, 0.05 * flux) << share;
+    }
+    for (std::uint16_t number = 362; number < 365; ++number) {
+      EXPECT_LT(drive.shown(number), drive.shown(static_cast<std::uint16_t>(number + 1)));
+      EXPECT_LT(drive.shown(static_cast<std::uint16_t>(number + 4)),
+                drive.shown(static_cast<std::uint16_t>(number + 5)));
+    }
+  }
+}
+
 TEST(RotatingIdentification, FindsTheSaturationOfAnInductionMachine) {
   const AxisConfiguration configuration = real_axis("1ph8131", kOther);
   MeasuringAxis drive{configuration};

@@ -55,9 +55,9 @@ TEST(IdentificationSelection, RefusesValuesThatTheAxisDoesNotHave) {
                                                : of_a_servo ? Refusal::NoParameter
                                                             : Refusal::IllegalValue)
         << value;
-    EXPECT_EQ(vector.refusal_of(kP1910, value), value == -3                ? Refusal::NotNow
-                                                : of_a_servo || value == 2 ? Refusal::NoParameter
-                                                                           : Refusal::IllegalValue)
+    EXPECT_EQ(vector.refusal_of(kP1910, value), value == -3                              ? Refusal::NotNow
+                                                : of_a_servo || value == 2 || value == 3 ? Refusal::NoParameter
+                                                                                         : Refusal::IllegalValue)
         << value;
   }
   for (int value = -3; value <= 4; ++value) {
