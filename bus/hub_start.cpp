@@ -1,9 +1,9 @@
 #include "bus/hub_start.hpp"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <exception>
+#include <string>
 #include <vector>
 
 #include <fcntl.h>
@@ -56,16 +56,23 @@ std::vector<char*> environment() {
   return copy;
 }
 
-/// 0 or the error; @p process is the child.
-int spawn(const char* const* words, pid_t& process) noexcept {
-  try {
-    const Conditions conditions;
-    std::vector<char*> variables = environment();
-    return posix_spawn(&process, words[0], &conditions.actions, &conditions.attributes,
-                       const_cast<char* const*>(words), variables.data());
-  } catch (const std::exception&) {
-    return ENOMEM;
-  }
+/// Starts the program that @p words begin with as the child @p process; 0 or the error.
+int spawn(std::vector<std::string> words, pid_t& process) {
+  const Conditions conditions;
+  std::vector<char*> variables = environment();
+  std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return posix_spawn(&process, arguments.front(), &conditions.actions, &conditions.attributes, arguments.data(),
+                     variables.data());
+}
+
+/// The command line of a hub that serves @p path.
+std::vector<std::string> words_of(const std::string& hub, const char* path, const char* bit_rate) {
+  std::vector<std::string> words{hub, "--on-demand", "--path", path};
+  if (bit_rate != nullptr) words.insert(words.end(), {"--bitrate", bit_rate});
+  return words;
 }
 
 }  // namespace
@@ -73,11 +80,14 @@ int spawn(const char* const* words, pid_t& process) noexcept {
 JoinError HubStart::begin(const std::string& hub, const userbus::Path& path) noexcept {
   const char* bit_rate = nullptr;
   if (!userbus::wanted_bit_rate(bit_rate)) return JoinError::BitRate;
-  const std::array<const char*, 7> words{
-      hub.c_str(), "--on-demand", "--path", path.text, bit_rate == nullptr ? nullptr : "--bitrate",
-      bit_rate,    nullptr};
   pid_t process = 0;
-  if (const int error = spawn(words.data(), process)) return userbus::error_of(StartStatus::Failed, error);
+  int error = 0;
+  try {
+    error = spawn(words_of(hub, path.text, bit_rate), process);
+  } catch (const std::exception&) {
+    error = ENOMEM;
+  }
+  if (error != 0) return userbus::error_of(StartStatus::Failed, error);
   process_ = Descriptor{static_cast<int>(syscall(SYS_pidfd_open, process, 0))};
   return process_ ? JoinError::None : JoinError::System;
 }

@@ -56,8 +56,8 @@ class Member : public Watch {
  protected:
   /// A frame of the program: what it is, the interface that it was sent on, where it came up.
   struct Sent {
-    can_frame frame;
-    int interface_index;
+    can_frame frame{};
+    int interface_index = 0;
     bus::Mark mark;
   };
 
