@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # check_unit.sh verify FOLDER UNIT            the unit has no error, and no warning either
 # check_unit.sh exposure FOLDER UNIT LIMIT    its exposure, times ten, is at most LIMIT; prints the exposure
+# check_unit.sh limits FOLDER UNIT            memory and tasks are bounded, and systemd understands the bounds
 # UNIT is a template; it is checked as the instance vcan0.
 set -euo pipefail
 
@@ -17,5 +18,10 @@ case $mode in
     if grep -F "${unit%.service}" <<<"$answer" >&2; then exit 1; fi ;;
   exposure)
     SYSTEMD_UNIT_PATH=$folder: systemd-analyze security --offline=true --threshold="$4" --no-pager "$folder/$unit" ;;
+  limits)
+    for limit in MemoryMax TasksMax; do
+      value=$(sed -n "s/^$limit=//p" "$folder/$unit")
+      [[ $value =~ ^[0-9]+M?$ ]] || { echo "$unit: expected $limit=NUMBER, got '$value'" >&2; exit 1; }
+    done ;;
   *) echo "unknown mode $mode" >&2; exit 2 ;;
 esac
