@@ -120,12 +120,15 @@ void DriveUnit::run(std::span<const std::optional<AxisInputs>> inputs, double du
   }
   const std::span<Axis* const> moved{running.data(), count};
   const auto steps = std::lround(duration / motor::kControlPeriod);
+  double lowest = dc_link_.voltage();
   for (long step = 0; step < steps; ++step) {
     const double voltage = dc_link_.voltage();
     double drawn = 0.0;
     for (Axis* const axis : moved) drawn += axis->step(voltage);
     dc_link_.step(motor::kControlPeriod, drawn);
+    lowest = std::min(lowest, voltage);
   }
+  lowest_dc_voltage_ = std::min(lowest, dc_link_.voltage());
   for (Axis* const axis : moved) axis->measure();
   for (Axis* const axis : moved) axis->end_cycle(wiring_->feedback(axis->axis_number() - 1));
   wiring_->convert_bits();

@@ -151,7 +151,8 @@ class DriveUnit final : private Surroundings {
   Uptime former_runtime_ = 0;
   Uptime uptime_ = 0;
   motor::DcLink dc_link_;
-  double line_voltage_;  // V rms between lines
+  double lowest_dc_voltage_ = 0.0;  // V, of the last cycle
+  double line_voltage_;             // V rms between lines
   ControlUnit control_unit_;
   std::optional<Infeed> infeed_;
   std::vector<Axis> axes_;

@@ -49,7 +49,7 @@ void DriveUnit::run_infeed(double duration) noexcept {
   if (!infeed_) return;
   const AxisInputs inputs = wiring_->infeed_inputs();
   follow_messages(*infeed_, infeed_->inputs(), inputs);
-  infeed_->cycle(inputs, duration, dc_link_.voltage());
+  infeed_->cycle(inputs, duration, {.voltage = dc_link_.voltage(), .lowest = lowest_dc_voltage_});
   connect_line();
 }
 

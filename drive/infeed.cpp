@@ -24,8 +24,8 @@ Infeed::Infeed(const ObjectContext& context) : DriveObject{context} {
   restore_parameters();
 }
 
-void Infeed::cycle(const AxisInputs& inputs, double duration, double dc_voltage) noexcept {
-  dc_voltage_ = dc_voltage;
+void Infeed::cycle(const AxisInputs& inputs, double duration, const Link& link) noexcept {
+  link_ = link;
   const State state_before = state_;
   const AxisInputs before = std::exchange(inputs_, inputs);
   settled_ = true;
@@ -33,21 +33,22 @@ void Infeed::cycle(const AxisInputs& inputs, double duration, double dc_voltage)
   apply(Event::Initialised);
   // What has just become Switch on disabled is seen so for a cycle, whatever else is given.
   if (state_ == state_before) {
-    const bool enable = inputs.enable_operation && has_link();
+    const bool enable = inputs.enable_operation && (has_link() || operates());
     apply(command_of(inhibited_ ? std::uint16_t{0} : command_word(inputs, enable)));
     apply(Event::Standstill);  // nothing turns: an OFF1 is over with its beginning
-    watch_link(duration);
+    await_link(duration);
+    const bool operated = state_before == State::OperationEnabled && operates();
+    if (operated && link_.lowest < context().supply.undervoltage) static_cast<void>(raise(kUndervoltage));
   }
   settled_ = settled_ && state_ == state_before && before == inputs;
 }
 
-/// F07802 once when the DC link has not come within p0857 after ON, F30003 when it is lost in operation.
-void Infeed::watch_link(double duration) noexcept {
+/// F07802, once, when the DC link has not come within p0857 after ON.
+void Infeed::await_link(double duration) noexcept {
   const bool waits = state_ == State::SwitchedOn && !has_link();
   const double before = std::exchange(link_missing_, waits ? link_missing_ + duration : 0.0);
   const double limit = read(kMonitoringTime).value_or(0.0) * row_of(Unit::Milliseconds).si;
   if (!elapsed(before, limit) && elapsed(link_missing_, limit)) static_cast<void>(raise(kNotReady));
-  if (operates() && !has_link()) static_cast<void>(raise(kUndervoltage));
 }
 
 void Infeed::apply(Event event) noexcept {

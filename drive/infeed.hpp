@@ -16,9 +16,13 @@ class Infeed final : public DriveObject {
   /// @p context has the supply.
   explicit Infeed(const ObjectContext& context);
 
-  /// One process-data cycle of @p duration (s) with what the interconnections bring and the DC link at
-  /// @p dc_voltage (V).
-  void cycle(const AxisInputs& inputs, double duration, double dc_voltage) noexcept;
+  /// Voltages of the DC link (V).
+  struct Link {
+    double voltage = 0.0;  ///< now
+    double lowest = 0.0;   ///< of the last cycle
+  };
+  /// One process-data cycle of @p duration (s) with what the interconnections bring and what @p link was.
+  void cycle(const AxisInputs& inputs, double duration, const Link& link) noexcept;
   /// What the interconnections brought in the last cycle.
   const AxisInputs& inputs() const noexcept { return inputs_; }
 
@@ -29,9 +33,9 @@ class Infeed final : public DriveObject {
   /// r0863.0: it operates.
   bool operates() const noexcept { return state_ == State::OperationEnabled; }
   /// Whether the DC link has its voltage.
-  bool has_link() const noexcept { return dc_voltage_ >= context().supply.undervoltage; }
+  bool has_link() const noexcept { return link_.voltage >= context().supply.undervoltage; }
   /// r0070 (V).
-  double dc_voltage() const noexcept { return dc_voltage_; }
+  double dc_voltage() const noexcept { return link_.voltage; }
   /// Whether p0009 keeps it from being switched on.
   bool is_inhibited() const noexcept { return inhibited_; }
   void inhibit(bool inhibited) noexcept;
@@ -49,11 +53,11 @@ class Infeed final : public DriveObject {
   void on_messages_changed() noexcept override { settled_ = false; }
 
   void apply(Event event) noexcept;
-  void watch_link(double duration) noexcept;
+  void await_link(double duration) noexcept;
 
   State state_ = State::NotReadyToSwitchOn;
   AxisInputs inputs_{};
-  double dc_voltage_ = 0.0;    // V
+  Link link_{};
   double link_missing_ = 0.0;  // s, since ON
   bool inhibited_ = false;
   bool settled_ = false;  // the last cycle changed nothing
