@@ -249,10 +249,10 @@ TEST_F(Axisctl, SaysWhatAnUnknownSubcommandIsLikelyMeantToBe) {
   EXPECT_EQ(run({"--json", "stauts"}).errors, "axisctl: unknown subcommand stauts, did you mean status?\n");
   EXPECT_EQ(run({"fault", "injct", "1", "7860"}).errors,
             "axisctl: unknown subcommand injct, did you mean inject?\n");
-  EXPECT_EQ(
-      run({"dance"}).errors,
-      "axisctl: unknown subcommand dance, expected one of: status, explain, fault, load, supply, encoder, bus, "
-      "quit, help\n");
+  EXPECT_EQ(run({"dance"}).errors,
+            "axisctl: unknown subcommand dance, expected one of: status, explain, fault, load, supply, encoder, "
+            "input, bus, "
+            "quit, help\n");
   EXPECT_EQ(run({"bus", "start"}).errors.substr(0, 47), "axisctl: unknown subcommand start, did you mean");
   EXPECT_EQ(run({"fault", "quit"}).errors, "axisctl: unknown subcommand quit, expected one of: inject, ack\n");
   EXPECT_EQ(run({"fault"}).errors, "axisctl: expected a subcommand: inject, ack; see axisctl --help\n");
