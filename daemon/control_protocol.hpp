@@ -74,7 +74,7 @@ static_assert(std::is_sorted(kMethods.begin(), kMethods.end(),
 /// What the name of a control socket says of its daemon.
 struct SocketName {
   std::string_view label;  ///< bus::label() of its bus
-  int node = 0;            ///< its node-ID
+  int node = 0;            ///< its address switch, as in default_socket_path()
 };
 /// What @p file_name (without folder) says, if it is one that default_socket_path() gives.
 [[nodiscard]] std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept;

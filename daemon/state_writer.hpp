@@ -38,8 +38,8 @@ class StateWriter {
   /// @p place, or its end has been taken.
   void begin(Place place, const StateFile& file, std::span<const std::byte> content,
              Durability durability) noexcept;
-  /// Readable when there is something to take, and once at the beginning: whoever waits for it can provide for that
-  /// then, and allocates nothing later.
+  /// Readable when there is something to take, and once at the beginning: whoever waits for it can provide for
+  /// that then, and allocates nothing later.
   int descriptor() const noexcept { return ended_.get(); }
   /// A write that has ended since the last call.
   std::optional<Ended> take_ended() noexcept;

@@ -30,6 +30,11 @@ json messages(std::span<const drive::FaultEntry> entries) {
   return list;
 }
 
+/// What the axis is asked to do (rad/s), wherever it is connected.
+double target_velocity(const drive::Axis& axis) noexcept {
+  return axis.has_setpoint_channel() ? axis.inputs().main_setpoint : axis.inputs().speed_setpoint_1;
+}
+
 json axis_status(const Daemon& daemon, std::size_t number) {
   const device::Device& device = daemon.device();
   const drive::Axis& axis = device.axis(number);
@@ -41,7 +46,7 @@ json axis_status(const Daemon& daemon, std::size_t number) {
           {"statusword", fmt::format("0x{:04X}", actual.statusword)},
           {"controlword", fmt::format("0x{:04X}", axis.process_data().whole_controlword)},
           {"speed_rpm", actual.speed / motor::kRpm},
-          {"setpoint_rpm", axis.inputs().main_setpoint / motor::kRpm},
+          {"setpoint_rpm", target_velocity(axis) / motor::kRpm},
           {"torque_Nm", actual.torque},
           {"load_torque_Nm", daemon.load_torque(number).constant},
           {"load_friction_Nm", daemon.load_torque(number).friction},

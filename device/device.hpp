@@ -79,7 +79,7 @@ class Device final : private canopen::Application,
   /// Power-on, or the bus is back: sends the boot-up message and starts the communication afresh. If the node was
   /// Operational, that is leaving Operational.
   void start(canopen::TimePoint now) noexcept;
-  /// A frame from the bus; SDO requests are answered within the call.
+  /// A frame from the bus; SDO requests are answered within the call, but saves: see on_stored().
   void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept;
   /// Handles what is due at @p now: timers of the node and process-data cycles.
   void on_time(canopen::TimePoint now) noexcept;

@@ -47,7 +47,9 @@ canopen::Result<void> Device::on_store(std::uint8_t sub_index) noexcept {
 void Device::on_stored(bool kept, canopen::TimePoint now) noexcept {
   now_ = now;
   storage_.end_save(kept);
+  node_.send_to(sink_);  // SDO requests are answered off the bus too
   node_.answer_deferred(kept ? canopen::Result<void>{} : canopen::refuse(canopen::AbortCode::HardwareError), now);
+  if (communication_.is_bus_off()) node_.send_to(nowhere_);
 }
 
 std::span<const std::byte> Device::retained(canopen::TimePoint now) noexcept {

@@ -119,6 +119,7 @@ canopen::Result<void> ParameterStorage::save(const Selection& selection) noexcep
 }
 
 void ParameterStorage::end_save(bool kept) noexcept {
+  begun_ = false;
   const std::size_t length = std::exchange(saving_, 0U);
   if (!kept) return;
   length_ = length;

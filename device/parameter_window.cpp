@@ -41,11 +41,17 @@ std::uint32_t number_in(std::span<const std::uint8_t> bytes) noexcept {
 
 }  // namespace
 
-/// The servers are numbered as the drive objects are: 1201h belongs to the control unit.
+/// 1201h belongs to the control unit, the others to the axes in their order: an infeed has none.
+std::uint8_t ParameterWindow::object_of(std::uint8_t server) const noexcept {
+  if (server <= drive::kControlUnitNumber) return server;
+  return static_cast<std::uint8_t>(server - drive::kFirstAxisNumber + unit_.first_axis());
+}
+
 ObjectPlace ParameterWindow::place_of(std::uint8_t server, std::uint16_t index) const noexcept {
   const bool is_default = server == kDefaultServer;
   if (is_parameter(index)) {
-    const bool shown = is_default ? index == kWindowObject || is_open() : unit_.object(server) != nullptr;
+    const bool shown =
+        is_default ? index == kWindowObject || is_open() : unit_.object(object_of(server)) != nullptr;
     return shown ? ObjectPlace::Application : ObjectPlace::Nowhere;
   }
   if (is_default) return ObjectPlace::Dictionary;
@@ -67,7 +73,7 @@ bool ParameterWindow::is_open() const noexcept {
 canopen::Result<ParameterWindow::Target> ParameterWindow::target(std::uint8_t server, std::uint16_t index,
                                                                  std::uint8_t sub_index) const noexcept {
   const auto number = static_cast<std::uint16_t>(index - kFirstObject);
-  if (server != kDefaultServer) return Target{server, number, sub_index};
+  if (server != kDefaultServer) return Target{object_of(server), number, sub_index};
   if (index == kWindowObject) return Target{drive::kControlUnitNumber, kWindow, sub_index};
   const unsigned far = number + kNumbersInWindow * window(kNumberRange);
   if (far > std::numeric_limits<std::uint16_t>::max()) return canopen::refuse(AbortCode::NoObject);

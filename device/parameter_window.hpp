@@ -49,6 +49,7 @@ class ParameterWindow final : public canopen::SdoView {
     std::size_t index;
   };
   canopen::Result<Target> target(std::uint8_t server, std::uint16_t index, std::uint8_t sub_index) const noexcept;
+  std::uint8_t object_of(std::uint8_t server) const noexcept;
   std::uint16_t window(std::size_t index) const noexcept;
   bool is_open() const noexcept;
 

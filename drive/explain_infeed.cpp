@@ -46,8 +46,7 @@ constexpr std::array kReasons{
            [](const Infeed& infeed) {
              return fmt::format(
                  "The infeed is on, but the DC link has {} V, less than {} V: switch the line on before p0857 "
-                 "ends in "
-                 "F07802.",
+                 "ends in F07802.",
                  plain(infeed.dc_voltage()), plain(infeed.context().supply.undervoltage));
            }},
     Reason{State::SwitchedOn, [](const Infeed& infeed) { return !infeed.inputs().enable_operation; },

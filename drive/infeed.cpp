@@ -67,6 +67,10 @@ bool Infeed::acknowledge() noexcept {
   return none_left;
 }
 
+void Infeed::on_acknowledged_fault_left() noexcept {
+  if (messages().faults().empty()) apply(Event::Acknowledged);
+}
+
 void Infeed::power_off() noexcept {
   DriveObject::power_off();
   state_ = State::SwitchOnDisabled;

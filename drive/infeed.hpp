@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "drive/axis_inputs.hpp"
 #include "drive/drive_object.hpp"
@@ -50,6 +49,7 @@ class Infeed final : public DriveObject {
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;
   void react(const FaultRow& row) noexcept override;
+  void on_acknowledged_fault_left() noexcept override;
   void on_messages_changed() noexcept override { settled_ = false; }
 
   void apply(Event event) noexcept;

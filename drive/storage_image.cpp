@@ -44,8 +44,10 @@ void put_value(Writer& writer, const SavedValue& saved) noexcept {
   writer.put(saved.value.bits);
 }
 
+/// What a function module has that is not in force is saved as it is kept.
 SavedValue present_value(const DriveObject& object, const ParameterRow& row, std::size_t index) noexcept {
-  const double value = object.read(row.number, index).value_or(0.0);
+  const auto read = object.read(row.number, index);
+  const double value = read ? *read : object.kept_value(row.number, index).value_or(0.0);
   return {row.number, static_cast<std::uint8_t>(index), encode(row.type, value)};
 }
 

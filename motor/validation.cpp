@@ -119,8 +119,10 @@ constexpr std::array kSupplyRules{
     Rule<Supply>{"line_voltage",
                  [](const Supply& s) noexcept { return kRectifierRatio * s.line_voltage < s.overvoltage; },
                  "a line whose rectified voltage, 1.35 times as high, is less than the overvoltage"},
-    Rule<Supply>{"active_voltage", [](const Supply& s) noexcept { return s.active_voltage < s.overvoltage; },
-                 "less than the overvoltage"},
+    Rule<Supply>{
+        "active_voltage",
+        [](const Supply& s) noexcept { return s.infeed != Infeed::Active || s.active_voltage < s.overvoltage; },
+        "less than the overvoltage"},
     Rule<Supply>{"undervoltage", kNotNegative<&Supply::undervoltage>, kNotNegativeText},
     Rule<Supply>{"undervoltage", [](const Supply& s) noexcept { return s.undervoltage < s.overvoltage; },
                  "less than the overvoltage"},

@@ -13,7 +13,7 @@
 namespace canopen {
 
 /// One SDO server (CiA 301, 7.2.4): expedited, segmented and block transfer, one transfer at a time. Every request
-/// gets its answer within the call; a refusal is an abort frame.
+/// gets its answer within the call, unless the owner of what is written puts it off; a refusal is an abort frame.
 class alignas(64) CANOPEN_EXPORT SdoServer {
  public:
   /// @p timer is the number of its timer in the context's queue, @p position its own one in @p locks, @p number

@@ -138,6 +138,14 @@ TEST(Infeed, HasNoProcessDataAndNoMotor) {
   EXPECT_FALSE(unit.device.unit().infeed() == nullptr);
 }
 
+TEST(Infeed, HasNoSdoServerOfItsOwn) {
+  SuppliedUnit unit{2};
+  // p8612 of the first axis is 1202h.
+  unit.expect_dialogue({{"605#2302120111060000", "585#6002120100000000"},
+                        {"605#2302120291050000", "585#6002120200000000"},
+                        {"611#4014250000000000", "591#4B14250015000000"}});  // p1300, which the infeed has not
+}
+
 TEST(Infeed, IsSwitchedOffByLeavingOperational) {
   Configuration configuration = with_infeed();
   configuration.fault_on_leaving_operational = true;

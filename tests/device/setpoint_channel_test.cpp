@@ -157,6 +157,20 @@ TEST(SetpointChannelOff, IsSavedAndGoesWithARestore) {
   EXPECT_EQ(next.unit.device.axis().read(1070).value(), own(8860, 1));
 }
 
+TEST(SetpointChannelOff, SavesTheValuesOfTheChannelForLater) {
+  constexpr std::uint32_t kFive = 0x40A00000;  // as F32
+  WiredDevice unit;
+  ASSERT_EQ(unit.write_parameter(2, 1120, kFive, 4), 0U);
+  ASSERT_EQ(ask_for(unit, kCan), 0U);
+  ASSERT_EQ(unit.download(kStore, 1, kSave, 4), 0U);
+
+  unit.says("000#8105");
+  unit.passes(100ms);
+  ASSERT_EQ(ask_for(unit, kWithChannel), 0U);
+  EXPECT_EQ(unit.read_parameter(2, 1120), kFive);
+  EXPECT_EQ(unit.read_parameter(2, 1142), 1U);
+}
+
 TEST(SetpointChannelOff, KeepsThePresetsOfTheChannelForLater) {
   Configuration configuration = unit_of(1);
   configuration.axes[0].presets = {{1120, 0.5}};

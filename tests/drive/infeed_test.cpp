@@ -40,6 +40,18 @@ struct FedUnit {
   }
 };
 
+TEST(Infeed, LeavesFaultWithACauseThatWasAcknowledgedBefore) {
+  FedUnit fed;
+  fed.cycles();
+  ASSERT_TRUE(fed.unit.infeed()->raise(8700, 1, Cause::Ending));
+  ASSERT_EQ(fed.unit.infeed()->state(), State::Fault);
+  EXPECT_FALSE(fed.unit.infeed()->acknowledge());
+  ASSERT_EQ(fed.unit.infeed()->state(), State::Fault);
+
+  fed.unit.infeed()->withdraw(8700);
+  EXPECT_NE(fed.unit.infeed()->state(), State::Fault);
+}
+
 TEST(Infeed, IsReadyWithAnEmptyDcLink) {
   FedUnit fed;
   EXPECT_EQ(fed.display(), 70.0);

@@ -60,8 +60,8 @@ TEST(CommandLine, RefusesAnInterfaceThatIsNoCan) {
   EXPECT_EQ(finished.errors, "axisd: lo: not a CAN interface\n");
 }
 
-TEST(CommandLine, RefusesNodeIdsOutsideOneTo127) {
-  for (const char* const node : {"0", "128"}) {
+TEST(CommandLine, RefusesNodeIdsOutsideZeroTo127) {
+  for (const char* const node : {"-1", "128"}) {
     const auto finished = run_axisd({"--node-id", node});
     EXPECT_EQ(finished.status, 2);
     EXPECT_EQ(line_count(finished.errors), 1) << finished.errors;

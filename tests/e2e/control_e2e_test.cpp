@@ -176,11 +176,11 @@ TEST_F(Control, ADigitalInputAcknowledgesAFaultAndSwitchesTheMotorOn) {
 
 TEST_F(Control, RefusesAnInputThatIsNone) {
   const auto refusal = [](const char* input) { return daemon->axisctl({"input", input, "on"}).errors; };
-  EXPECT_EQ(refusal("18"), "axisctl: input: expected 0 to 17, 20 or 21, got 18\n");
-  EXPECT_EQ(refusal("22"), "axisctl: input: expected an integer 0 to 21, got 22\n");
+  EXPECT_EQ(refusal("18"), "axisctl: INPUT: expected 0 to 17, 20 or 21, got 18\n");
+  EXPECT_EQ(refusal("22"), "axisctl: INPUT: expected an integer 0 to 21, got 22\n");
   ASSERT_TRUE(can->ask("605#2BB6410001000000", "585#60B6410000000000"));
   ASSERT_TRUE(can->ask("605#23D8220000010000", "585#60D8220000000000"));  // p0728.8 = 1
-  EXPECT_EQ(refusal("8"), "axisctl: input: DI/DO 8 is an output (p0728.8 = 1)\n");
+  EXPECT_EQ(refusal("8"), "axisctl: INPUT: DI/DO 8 is an output (p0728.8 = 1)\n");
   ASSERT_TRUE(can->ask("605#23D8220000000000", "585#60D8220000000000"));
   EXPECT_EQ(refusal("8"), "");
   EXPECT_EQ(daemon->axisctl({"input", "8", "off"}).status, 0);

@@ -17,13 +17,16 @@ constexpr unsigned kNumbersOfAnArea = 10000;
 constexpr unsigned kVectorHasTwo = 1801;  // r1801: one index on a servo
 constexpr std::uint8_t kUpload = 0x40;
 
-/// Motor identification, saturation characteristic, encoder fault reaction, fixed and jog setpoints, BICO inputs
-/// of the setpoint channel, the positioner, sequence control and messages.
+/// Commissioning and motor identification, saturation characteristic, encoder fault reaction, terminals, holding
+/// brake, fixed and jog setpoints, fixed values, BICO inputs of the setpoint channel, the positioner, sequence
+/// control and messages.
 const std::set<unsigned> kNamedElsewhere{
-    47,   108,  357,  362,  363,  364,  365,  366,  367,  368,  369,  491,  856,  1001, 1002, 1003, 1004, 1005,
-    1006, 1007, 1008, 1009, 1010, 1011, 1012, 1013, 1014, 1015, 1020, 1021, 1022, 1023, 1024, 1055, 1056, 1058,
-    1059, 1078, 1085, 1088, 1110, 1111, 1114, 1143, 1144, 1150, 1912, 1913, 1914, 1925, 1927, 1932, 1934, 1936,
-    1937, 1969, 1984, 2130, 2136, 2145, 2146, 2510, 2511, 2523, 2657, 2658, 2659, 2660, 2661, 2662, 2663};
+    47,   108,  205,  344,  353,  357,  362,  363,  364,  365,  366,  367,  368,  369,  491,  500,
+    723,  728,  738,  739,  740,  741,  742,  743,  744,  745,  748,  795,  796,  856,  1001, 1002,
+    1003, 1004, 1005, 1006, 1007, 1008, 1009, 1010, 1011, 1012, 1013, 1014, 1015, 1020, 1021, 1022,
+    1023, 1024, 1055, 1056, 1058, 1059, 1078, 1085, 1088, 1110, 1111, 1114, 1143, 1144, 1150, 1216,
+    1217, 1912, 1913, 1914, 1925, 1927, 1932, 1934, 1936, 1937, 1967, 1969, 1984, 2098, 2130, 2136,
+    2145, 2146, 2510, 2511, 2523, 2657, 2658, 2659, 2660, 2661, 2662, 2663, 2900, 2901, 2902};
 
 const std::map<std::string, unsigned> kSizes{{"I8", 1},  {"U8", 1},      {"I16", 2},    {"U16", 2},
                                              {"I32", 4}, {"U32", 4},     {"F32", 4},    {"CI", 4},

@@ -1,4 +1,5 @@
-/* Preloaded into a program, it makes a slow disk: fsync(2) returns when the file named by SLOW_DISK_GATE is there. */
+/* Preloaded into a program, it makes a slow disk: fsync(2) returns when the file named by SLOW_DISK_GATE is there.
+ */
 #include <stdlib.h>
 #include <sys/syscall.h>
 #include <time.h>
