@@ -236,17 +236,8 @@ void Device::wake() noexcept {
 }
 
 void Device::on_awake() noexcept {
+  if (clock_.is_resting()) tell_time(now_);
   clock_.wake(now_);
-}
-
-void Device::before_rpdo(std::uint16_t number) noexcept {
-  rpdo_monitor_.on_rpdo(now_);
-  if (telegram_loss_.on_rpdo(number)) overwrite(number);
-}
-
-void Device::on_rpdo(std::uint16_t number) noexcept {
-  if (clock_.is_resting()) clock_.wake(std::min(now_, listener_.frame_arrival(now_)));
-  axes_[number / pdo::kStride].on_rpdo();
 }
 
 canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {

@@ -1,6 +1,7 @@
 // What becomes of NMT, of errors of the bus and of process data that are lost or missing.
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "device/device.hpp"
 #include "libcanopen/base/cob_id.hpp"
@@ -71,6 +72,20 @@ void Device::miss_rpdos() noexcept {
   tell_time(now_);
   communication_.on_rpdos_missing();
   show_messages();
+}
+
+void Device::before_rpdo(std::uint16_t number) noexcept {
+  rpdo_monitor_.on_rpdo(now_);
+  if (telegram_loss_.on_rpdo(number)) overwrite(number);
+}
+
+void Device::on_rpdo(std::uint16_t number) noexcept {
+  if (clock_.is_resting()) {
+    const canopen::TimePoint now = now_;
+    tell_time(std::min(now, listener_.frame_arrival(now)));  // the rest ends when the frame came
+    clock_.wake(std::exchange(now_, now));
+  }
+  axes_[number / pdo::kStride].on_rpdo();
 }
 
 /// RPDO @p number is about to be stored, and no cycle has taken the values before. If cycles were missed

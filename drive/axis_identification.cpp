@@ -250,7 +250,7 @@ void Axis::take_over_saturation(const motor::SaturationCurve& found) noexcept {
   fitted.magnetising_inductance = found.fitted_magnetising_inductance;
   fitted.saturation_flux = found.fitted_saturation_flux;
   const double current = std::numbers::sqrt2 * parameters_.magnetising_current;
-  const double ratio = identification_.results().rated_flux / motor::standing_flux(fitted, current);
+  const double ratio = found.rated_flux / motor::standing_flux(fitted, current);
   for (std::size_t i = 0; i < kFlux.size(); ++i) {
     assign_rounded(kFlux[i], ratio * found.flux[i]);
     assign_rounded(kCurrent[i], found.magnetising_current[i]);

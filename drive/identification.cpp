@@ -103,11 +103,11 @@ void Identification::finish() noexcept {
   phase_ = Phase::Idle;
   if (due() == Part::Standstill) {
     results_.standstill = standstill_.result();
-    results_.rated_flux = rated_flux_;
+    results_.standstill->curve.rated_flux = rated_flux_;
     select_standstill(kNone);
   } else {
     results_.rotating = rotating_.result();
-    results_.rated_flux = rated_flux_;
+    results_.rotating->rated_flux = rated_flux_;
     select_rotating(kNone);
   }
 }

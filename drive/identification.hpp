@@ -43,7 +43,6 @@ class Identification {
   struct Results {
     std::optional<motor::StandstillResult> standstill{};
     std::optional<motor::RotatingResult> rotating{};
-    double rated_flux = 0.0;  ///< of an induction machine, what shares in rotating refer to (V·s)
   };
 
   const IdentificationSelection& selection() const noexcept { return selection_; }
@@ -104,7 +103,7 @@ class Identification {
   IdentificationSelection selection_{};
   Phase phase_ = Phase::Idle;
   bool from_standstill_ = false;
-  double rated_flux_ = 0.0;  // that the rotating measurement began with
+  double rated_flux_ = 0.0;  // of an induction machine, that the measurement began with
 };
 
 }  // namespace drive

@@ -19,6 +19,8 @@ struct SaturationCurve {
   /// The same as InductionCircuit has it: L_M without saturation (H), and the flux that halves it (V·s; 0 = none).
   double fitted_magnetising_inductance = 0.0;
   double fitted_saturation_flux = 0.0;
+  /// What the shares of flux refer to (V·s): the flux that was believed the rated one.
+  double rated_flux = 0.0;
 
   bool is_known() const noexcept { return fitted_magnetising_inductance > 0.0; }
 };

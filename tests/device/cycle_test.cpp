@@ -32,6 +32,29 @@ TEST(Cycle, WakesOnAnRpdoAndRestsAgain) {
   EXPECT_TRUE(rests(unit));
 }
 
+TEST(Cycle, KnowsHowLongTheRestWasThatAnRpdoEnds) {
+  constexpr std::uint16_t kWindingTemperature = 35;
+  TestUnit unit;
+  unit.start_operational();
+  for (const char* const controlword : {"205#0600", "205#0700", "205#0F00"}) {
+    unit.says(controlword);
+    unit.passes(20ms);
+  }
+  unit.device.set_load_torque(1, 8.0, unit.now);
+  unit.passes(400s);
+  const double hot = unit.device.axis().read(kWindingTemperature).value();
+  ASSERT_GT(hot, 30.0);
+  unit.device.set_load_torque(1, 0.0, unit.now);
+  unit.says("205#0000");
+  unit.passes(30s);
+  ASSERT_TRUE(rests(unit));
+
+  unit.passes(10h);
+  unit.says("205#0600");
+  unit.passes(20ms);
+  EXPECT_NEAR(unit.device.axis().read(kWindingTemperature).value(), 20.0, 1.0) << "it was " << hot;
+}
+
 TEST(Cycle, WakesOnAnSdoWriteOfTheControlword) {
   TestUnit unit;
   unit.start();

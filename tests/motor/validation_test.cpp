@@ -130,7 +130,11 @@ TEST(Validation, NamesWhatNoPowerUnitOrSupplyCanBe) {
        "line_voltage: 0 or a number 70 to 1000"},
       {"line of another voltage class", [](SupplyData& s) { s.line_voltage = 690.0; },
        "line_voltage: a line whose rectified voltage, 1.35 times as high, is less than the overvoltage"},
-      {"infeed that trips the unit", [](SupplyData& s) { s.active_voltage = 900.0; },
+      {"infeed that trips the unit",
+       [](SupplyData& s) {
+         s.infeed = Infeed::Active;
+         s.active_voltage = 900.0;
+       },
        "active_voltage: less than the overvoltage"},
   };
   expect_all(units);
