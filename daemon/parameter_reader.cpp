@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, drive::kObjectKindCount> kExamples{
 std::string source_expectation(drive::DataType type) {
   const bool bit = type == drive::DataType::BinectorInput;
   return fmt::format("a {} that exists, such as {}, or 0 or 1", bit ? "binector" : "connector",
-                     bit ? "\"r8890.0\" or \"r0899.2 of axis 2\"" : "\"r8860[1]\" or \"r0063[0] of axis 2\"");
+                     bit ? R"("r8890.0" or "r0899.2 of axis 2")" : R"("r8860[1]" or "r0063[0] of axis 2")");
 }
 
 /// What should have been written instead of what @p error refused.

@@ -125,6 +125,7 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   sdo::DomainLocks& locks_;
   std::size_t timer_;
   std::size_t position_;
+  std::uint64_t deferred_request_ = 0;  ///< whose answer was put off, 0 = of several frames
   Identifier request_identifier_ = 0;
   Frame answer_{};  ///< identifier and length stand, the data are those of the last answer
 
@@ -132,6 +133,7 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   Phase phase_ = Phase::Idle;
   std::uint8_t toggle_ = 0;    ///< expected in the next segment: 0 or 10h
   sdo::Address address_;       ///< of the transfer
+  std::uint16_t crc_ = 0;      ///< block: of the bytes that count already
   TimePoint last_request_{};   ///< or the server's early confirmation
   TimePoint last_progress_{};  ///< block download: the last segment in order
 
@@ -143,11 +145,8 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   std::uint8_t block_size_ = 0;       ///< block upload: most segments in the next sub-block
   std::uint8_t sequence_ = 0;         ///< block: last segment sent, or taken in order, in the sub-block
   std::uint8_t last_size_ = 0;        ///< block upload: bytes in the last segment
-  std::uint16_t crc_ = 0;             ///< block: of the bytes that count already
   std::array<std::uint8_t, 7>
       last_segment_{};  ///< block download: how many of its bytes count, only the end tells
-
-  std::uint64_t deferred_request_ = 0;  ///< whose answer was put off, 0 = of several frames
 
   std::vector<std::uint8_t> buffer_;  ///< the window of the two below
   sdo::UploadSource source_;
