@@ -43,9 +43,9 @@ class ControlServer {
   void pause();
   void make_room();
   bool serve(Client& client, std::uint32_t events);
-  bool read(Client& client);
+  static bool read(Client& client);
   void answer_line(Client& client);
-  void refuse(Client& client, std::string_view message);
+  static void refuse(Client& client, std::string_view message);
   static bool flush(Client& client);
   void close(const Client& client);
 

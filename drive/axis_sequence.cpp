@@ -34,7 +34,7 @@ constexpr std::array kInputMessages{
 
 /// What p8641 makes of a lost connection, by its value.
 struct AbortRow {
-  Reaction reaction;             ///< to F08700
+  Reaction reaction{};           ///< to F08700
   std::optional<Event> command;  ///< the same without a fault
 };
 constexpr std::array kAbortOptions{
