@@ -2,6 +2,7 @@
 
 #include "tests/bus/network.hpp"
 #include "tests/e2e/daemon_process.hpp"
+#include "tests/e2e/suspension.hpp"
 
 namespace e2e {
 namespace {
@@ -71,7 +72,7 @@ TEST_F(Link, TakesWithItWhatWaitedInTheSocket) {
   DaemonProcess daemon{options()};
   ASSERT_TRUE(daemon.is_ready());
 
-  daemon.program().signal(SIGSTOP);
+  suspend(daemon);
   CanClient before{kInterface};
   before.send("000#0105");
   before.send("605#2B17100064000000");

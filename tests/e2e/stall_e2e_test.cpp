@@ -7,6 +7,7 @@
 
 #include "tests/e2e/bus_sdo_client.hpp"
 #include "tests/e2e/daemon_process.hpp"
+#include "tests/e2e/suspension.hpp"
 
 namespace e2e {
 namespace {
@@ -20,16 +21,7 @@ struct Stall : testing::TestWithParam<std::chrono::milliseconds> {
 
   void SetUp() override { ASSERT_TRUE(daemon.is_ready()); }
   /// Stops the daemon and waits until it stands.
-  void stop() const {
-    daemon_signal(SIGSTOP);
-    const std::string path = "/proc/" + std::to_string(daemon.program().id()) + "/stat";
-    const auto stands = [&] {
-      std::string text;
-      std::getline(std::ifstream{path}, text);
-      return text.find(") T ") != std::string::npos;
-    };
-    while (!stands()) std::this_thread::yield();
-  }
+  void stop() const { suspend(daemon); }
   void daemon_signal(int signal) const { daemon.program().signal(signal); }
 
   CanClient can{kTestInterface};
