@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bench/number.hpp"
-#include "motor/dc_link.hpp"
 #include "motor/drive_train.hpp"
+#include "motor/plant/dc_link.hpp"
 
 namespace {
 

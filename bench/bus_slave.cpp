@@ -11,7 +11,7 @@
 
 #include "bench/library_node.hpp"
 #include "bench/number.hpp"
-#include "bus/socket_can.hpp"
+#include "can/port/socketcan/socket_can.hpp"
 #include "daemon/bus_loop.hpp"
 #include "daemon/clock.hpp"
 

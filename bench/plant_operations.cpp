@@ -2,8 +2,8 @@
 
 #include "bench/frames.hpp"
 #include "bench/operation.hpp"
-#include "motor/control_period.hpp"
-#include "motor/plant.hpp"
+#include "motor/data/control_period.hpp"
+#include "motor/plant/plant.hpp"
 
 namespace bench {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "bus/descriptor.hpp"
-#include "bus/port.hpp"
-#include "bus/transmit_queue.hpp"
+#include "can/connection/transmit_queue.hpp"
+#include "can/port/descriptor.hpp"
+#include "can/port/port.hpp"
 #include "daemon/station.hpp"
 #include "daemon/timer.hpp"
 

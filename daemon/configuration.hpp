@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
-#include "bus/address.hpp"
+#include "can/port/address.hpp"
 #include "daemon/options.hpp"
 #include "drive/object_kind.hpp"
-#include "motor/inverter_data.hpp"
-#include "motor/load.hpp"
-#include "motor/machine_data.hpp"
-#include "motor/plant_deviation.hpp"
-#include "motor/supply_data.hpp"
+#include "motor/data/inverter_data.hpp"
+#include "motor/data/load.hpp"
+#include "motor/data/machine_data.hpp"
+#include "motor/data/plant_deviation.hpp"
+#include "motor/data/supply_data.hpp"
 
 namespace axisd {
 

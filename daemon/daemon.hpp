@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "bus/connection.hpp"
+#include "can/connection/connection.hpp"
 #include "daemon/bus_loop.hpp"
 #include "daemon/configuration.hpp"
 #include "daemon/control_server.hpp"

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "bus/address.hpp"
-#include "bus/descriptor.hpp"
+#include "can/port/address.hpp"
+#include "can/port/descriptor.hpp"
 
 namespace axisd {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "daemon/json_reader.hpp"
-#include "motor/load.hpp"
-#include "motor/machine_data.hpp"
+#include "motor/data/load.hpp"
+#include "motor/data/machine_data.hpp"
 
 namespace axisd {
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "bus/message_limit.hpp"
+#include "can/connection/message_limit.hpp"
 
 namespace axisd {
 

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "bus/address.hpp"
+#include "can/port/address.hpp"
 #include "daemon/configuration.hpp"
 #include "daemon/control_protocol.hpp"
 #include "daemon/daemon.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "daemon/quantity_keys.hpp"
-#include "motor/machine_data.hpp"
+#include "motor/data/machine_data.hpp"
 
 namespace axisd {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "motor/validation.hpp"
+#include "motor/validation/validation.hpp"
 
 namespace axisd {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "daemon/json_reader.hpp"
-#include "motor/load.hpp"
-#include "motor/plant_deviation.hpp"
+#include "motor/data/load.hpp"
+#include "motor/data/plant_deviation.hpp"
 
 namespace axisd {
 

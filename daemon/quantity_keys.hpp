@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "daemon/json_reader.hpp"
-#include "motor/validation.hpp"
+#include "motor/validation/validation.hpp"
 
 namespace axisd {
 

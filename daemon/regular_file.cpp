@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 
 namespace axisd {
 namespace {

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 #include "daemon/regular_file.hpp"
 
 namespace axisd {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 #include "daemon/state_files.hpp"
 
 namespace axisd {

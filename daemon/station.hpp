@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "bus/port.hpp"
+#include "can/port/port.hpp"
 #include "libcanopen/base/frame.hpp"
 #include "libcanopen/base/time.hpp"
 #include "libcanopen/node/subscription.hpp"

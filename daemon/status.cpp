@@ -10,7 +10,7 @@
 
 #include "daemon/daemon.hpp"
 #include "daemon/version.hpp"
-#include "motor/machine_data.hpp"
+#include "motor/data/machine_data.hpp"
 
 namespace axisd {
 namespace {

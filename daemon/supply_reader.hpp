@@ -1,8 +1,8 @@
 #pragma once
 
 #include "daemon/json_reader.hpp"
-#include "motor/inverter_data.hpp"
-#include "motor/supply_data.hpp"
+#include "motor/data/inverter_data.hpp"
+#include "motor/data/supply_data.hpp"
 
 namespace axisd {
 

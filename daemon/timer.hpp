@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 #include "libcanopen/base/time.hpp"
 
 namespace axisd {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "drive/statusword.hpp"
-#include "motor/dc_link.hpp"
+#include "motor/plant/dc_link.hpp"
 
 namespace drive {
 

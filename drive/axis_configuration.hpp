@@ -1,10 +1,10 @@
 #pragma once
 
 #include "drive/object_kind.hpp"
-#include "motor/inverter_data.hpp"
-#include "motor/load.hpp"
-#include "motor/machine_data.hpp"
-#include "motor/plant_deviation.hpp"
+#include "motor/data/inverter_data.hpp"
+#include "motor/data/load.hpp"
+#include "motor/data/machine_data.hpp"
+#include "motor/data/plant_deviation.hpp"
 
 namespace drive {
 

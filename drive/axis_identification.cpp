@@ -6,7 +6,7 @@
 
 #include "drive/axis.hpp"
 #include "drive/machine_model.hpp"
-#include "motor/induction_circuit.hpp"
+#include "motor/control/field/induction_circuit.hpp"
 
 namespace drive {
 namespace {

@@ -5,7 +5,7 @@
 #include "drive/axis.hpp"
 #include "drive/machine_model.hpp"
 #include "drive/parameter/rounding.hpp"
-#include "motor/rating_plate.hpp"
+#include "motor/data/rating_plate.hpp"
 
 namespace drive {
 namespace {

@@ -9,7 +9,7 @@
 #include "drive/axis.hpp"
 #include "drive/control_unit.hpp"
 #include "drive/infeed.hpp"
-#include "motor/dc_link.hpp"
+#include "motor/plant/dc_link.hpp"
 
 namespace drive {
 

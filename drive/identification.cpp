@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "drive/operating_mode.hpp"
-#include "motor/induction_circuit.hpp"
+#include "motor/control/field/induction_circuit.hpp"
 
 namespace drive {
 

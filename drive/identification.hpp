@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "drive/object_kind.hpp"
-#include "motor/identification/rotating_measurement.hpp"
-#include "motor/identification/standstill_measurement.hpp"
+#include "motor/identification/rotating/rotating_measurement.hpp"
+#include "motor/identification/standstill/standstill_measurement.hpp"
 
 namespace drive {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "drive/parameters.hpp"
-#include "motor/machine_data.hpp"
+#include "motor/data/machine_data.hpp"
 
 namespace drive {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "motor/induction_circuit.hpp"
+#include "motor/control/field/induction_circuit.hpp"
 
 // With saturation the flux psi takes the current psi/L_M·(1 + (psi/psi_sat)^6). In shares f and c of the flux and
 // the current at the rating point that is c = f + b·(f^7 - f), where b = a/(1 + a) and a = (rated flux/psi_sat)^6.

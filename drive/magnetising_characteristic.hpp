@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "motor/machine_data.hpp"
+#include "motor/data/machine_data.hpp"
 
 namespace drive {
 

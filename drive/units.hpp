@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "motor/machine_data.hpp"
+#include "motor/data/machine_data.hpp"
 
 namespace drive {
 

@@ -2,21 +2,21 @@
 
 #include <cstdint>
 
-#include "motor/control_settings.hpp"
-#include "motor/current_sensor.hpp"
-#include "motor/encoder.hpp"
-#include "motor/excitation.hpp"
-#include "motor/field_control.hpp"
-#include "motor/inverter_data.hpp"
-#include "motor/load.hpp"
-#include "motor/machine_data.hpp"
-#include "motor/observation.hpp"
-#include "motor/plant.hpp"
-#include "motor/power_unit.hpp"
-#include "motor/signals.hpp"
-#include "motor/thermal.hpp"
-#include "motor/tuning.hpp"
-#include "motor/voltage_frequency.hpp"
+#include "motor/control/control_settings.hpp"
+#include "motor/control/excitation.hpp"
+#include "motor/control/field/field_control.hpp"
+#include "motor/control/field/tuning.hpp"
+#include "motor/control/field/voltage_frequency.hpp"
+#include "motor/control/observation.hpp"
+#include "motor/control/signals.hpp"
+#include "motor/data/inverter_data.hpp"
+#include "motor/data/load.hpp"
+#include "motor/data/machine_data.hpp"
+#include "motor/plant/current_sensor.hpp"
+#include "motor/plant/encoder.hpp"
+#include "motor/plant/machine/thermal.hpp"
+#include "motor/plant/plant.hpp"
+#include "motor/plant/power_unit.hpp"
 
 namespace motor {
 

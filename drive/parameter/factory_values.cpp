@@ -7,7 +7,7 @@
 #include "drive/machine_model.hpp"
 #include "drive/magnetising_characteristic.hpp"
 #include "drive/parameter/rounding.hpp"
-#include "motor/tuning.hpp"
+#include "motor/control/field/tuning.hpp"
 
 namespace drive::factory {
 namespace {

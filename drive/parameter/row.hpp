@@ -15,7 +15,7 @@
 #include "drive/parameter/write_condition.hpp"
 #include "drive/parameters.hpp"
 #include "drive/units.hpp"
-#include "motor/supply_data.hpp"
+#include "motor/data/supply_data.hpp"
 
 namespace drive {
 

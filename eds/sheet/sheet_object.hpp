@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "eds/document/value.hpp"
-#include "eds/names.hpp"
+#include "eds/sheet/names.hpp"
 #include "eds/sheet/stated.hpp"
 
 namespace eds {

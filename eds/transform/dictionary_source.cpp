@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "eds/names.hpp"
+#include "eds/sheet/names.hpp"
 #include "eds/sheet/object_lists.hpp"
 
 namespace eds {

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "motor/identification/standstill_measurement.hpp"
-#include "motor/induction_circuit.hpp"
+#include "motor/control/field/induction_circuit.hpp"
+#include "motor/identification/standstill/standstill_measurement.hpp"
 
 namespace motor {
 namespace {

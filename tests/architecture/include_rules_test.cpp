@@ -52,28 +52,28 @@ TEST_F(TemporaryTree, WithAForbiddenIncludeIsCaughtWithFileAndLine) {
 TEST_F(TemporaryTree, WithEveryKindOfForbiddenIncludeIsCaught) {
   write("libcanopen/a.hpp", "#include <fmt/format.h>\n");
   write("motor/a.hpp", "  #  include <time.h>\n");
-  write("bus/a.cpp", "#include \"libcanopen/od/data_type.hpp\"\n");
+  write("can/port/a.cpp", "#include \"libcanopen/od/data_type.hpp\"\n");
   write("device/a.cpp", "#include \"generated/other.hpp\"\n");
   write("tools/a.cpp", "#include \"daemon/config.hpp\"\n");
   write("tools/b.cpp", "#include <systemd/sd-bus.h>\n");
-  write("preload/a.c", "#include \"bus/port.hpp\"\n");
+  write("can/preload/a.c", "#include \"can/port/port.hpp\"\n");
   write("eds/a.cpp", "#include <libcanopen/sdo/server.hpp>\n");
 
   EXPECT_EQ(findings(), (Findings{"libcanopen/a.hpp:1: libcanopen may not include fmt/format.h",
                                   "motor/a.hpp:1: motor may not include time.h",
                                   "device/a.cpp:1: device may not include generated/other.hpp",
                                   "eds/a.cpp:1: eds may not include libcanopen/sdo/server.hpp",
-                                  "bus/a.cpp:1: bus may not include libcanopen/od/data_type.hpp",
+                                  "can/port/a.cpp:1: can/port may not include libcanopen/od/data_type.hpp",
                                   "tools/a.cpp:1: tools may not include daemon/config.hpp",
                                   "tools/b.cpp:1: tools may not include systemd/sd-bus.h",
-                                  "preload/a.c:1: preload may not include bus/port.hpp"}));
+                                  "can/preload/a.c:1: can/preload may not include can/port/port.hpp"}));
 }
 
 TEST_F(TemporaryTree, WithAllowedIncludesIsAccepted) {
   write("libcanopen/a.hpp", "#include <cstdint>\n#include <tl/expected.hpp>\n#include \"libcanopen/b.hpp\"\n");
   write("motor/a.hpp", "#include <array>\n#include \"motor/b.hpp\"\n");
   write("device/a.cpp", "#include \"generated/object_table.hpp\"\n#include \"drive/unit.hpp\"\n");
-  write("bus/a.cpp", "#include <linux/can.h>\n#include <unistd.h>\n#include \"libcanopen/base/frame.hpp\"\n");
+  write("can/port/a.cpp", "#include <linux/can.h>\n#include <unistd.h>\n#include \"libcanopen/base/frame.hpp\"\n");
   write("daemon/a.cpp", "#include <systemd/sd-event.h>\n#include <sys/timerfd.h>\n#include \"device/unit.hpp\"\n");
   write("tools/a.cpp", "#include \"daemon/control_protocol.hpp\"\n");
   write("drive/notes.md", "#include \"libcanopen/base/frame.hpp\"\n");

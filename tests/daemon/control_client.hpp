@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 #include "daemon/service_events.hpp"
 
 namespace axisd {

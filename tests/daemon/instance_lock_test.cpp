@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 
 namespace axisd {

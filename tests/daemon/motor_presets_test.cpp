@@ -9,7 +9,7 @@
 
 #include "daemon/configuration.hpp"
 #include "daemon/motor_file.hpp"
-#include "motor/validation.hpp"
+#include "motor/validation/validation.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 
 namespace axisd {

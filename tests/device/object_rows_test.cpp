@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/eds/eds_reader.hpp"
+#include "tests/eds/rules/eds_reader.hpp"
 
 /// The dictionary of one to eight axes against the EDS files of as many.
 namespace device {

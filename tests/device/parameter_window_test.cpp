@@ -3,7 +3,7 @@
 #include <map>
 
 #include "tests/device/test_unit.hpp"
-#include "tests/eds/objects_csv.hpp"
+#include "tests/eds/rules/objects_csv.hpp"
 
 namespace device {
 namespace {

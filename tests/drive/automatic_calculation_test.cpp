@@ -4,7 +4,7 @@
 #include <set>
 
 #include "drive/machine_model.hpp"
-#include "motor/induction_circuit.hpp"
+#include "motor/control/field/induction_circuit.hpp"
 #include "tests/drive/measuring_axis.hpp"
 
 namespace drive {

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "drive/machine_model.hpp"
-#include "motor/induction_circuit.hpp"
+#include "motor/control/field/induction_circuit.hpp"
 #include "tests/drive/measuring_axis.hpp"
 
 namespace drive {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/motor/reference_file.hpp"
+#include "tests/motor/reference/reference_file.hpp"
 
 namespace drive {
 namespace {

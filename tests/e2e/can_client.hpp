@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bus/socket_can.hpp"
+#include "can/port/socketcan/socket_can.hpp"
 #include "libcanopen/base/frame.hpp"
 #include "tests/e2e/test_bus.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 
 namespace e2e {
 

@@ -3,9 +3,9 @@
 #include <iostream>
 #include <set>
 
-#include "tests/bus/network.hpp"
 #include "tests/e2e/daemon_process.hpp"
 #include "tests/fakes/candump.hpp"
+#include "tests/support/network.hpp"
 
 namespace e2e {
 namespace {

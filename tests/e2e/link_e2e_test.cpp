@@ -1,8 +1,8 @@
 #include <csignal>
 
-#include "tests/bus/network.hpp"
 #include "tests/e2e/daemon_process.hpp"
 #include "tests/e2e/suspension.hpp"
+#include "tests/support/network.hpp"
 
 namespace e2e {
 namespace {

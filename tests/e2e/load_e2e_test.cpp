@@ -6,9 +6,9 @@
 
 #include <pthread.h>
 
-#include "tests/bus/network.hpp"
 #include "tests/e2e/daemon_process.hpp"
 #include "tests/fakes/candump.hpp"
+#include "tests/support/network.hpp"
 
 namespace e2e {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 
 namespace e2e {
 

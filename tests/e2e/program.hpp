@@ -8,7 +8,7 @@
 
 #include <sys/types.h>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 
 namespace e2e {
 

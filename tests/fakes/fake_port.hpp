@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bus/port.hpp"
+#include "can/port/port.hpp"
 
 namespace fakes {
 

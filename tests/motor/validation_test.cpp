@@ -1,4 +1,4 @@
-#include "motor/validation.hpp"
+#include "motor/validation/validation.hpp"
 
 #include <limits>
 #include <string>

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/eds/eds_reader.hpp"
-#include "tests/eds/objects_csv.hpp"
+#include "tests/eds/rules/eds_reader.hpp"
+#include "tests/eds/rules/objects_csv.hpp"
 
 namespace sdo_test {
 namespace {

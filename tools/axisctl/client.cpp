@@ -9,7 +9,7 @@
 #include <sys/socket.h>
 #include <sys/time.h>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 #include "tools/axisctl/server_trust.hpp"
 
 namespace axisctl {

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <string>
 
-#include "bus/address.hpp"
+#include "can/port/address.hpp"
 #include "tools/axisctl/client.hpp"
 #include "tools/axisctl/command_line.hpp"
 #include "tools/axisctl/printable.hpp"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 
-#include "bus/descriptor.hpp"
+#include "can/port/descriptor.hpp"
 #include "daemon/control_protocol.hpp"
 
 namespace axisctl {

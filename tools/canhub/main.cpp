@@ -9,8 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "hub/path/path_owner.hpp"
-#include "hub/server.hpp"
+#include "can/hub/path/path_owner.hpp"
+#include "can/hub/server.hpp"
 #include "tools/canhub/neighbours.hpp"
 #include "tools/canhub/options.hpp"
 #include "tools/canhub/signals.hpp"

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <utility>
 
-#include "bus/connection.hpp"
+#include "can/connection/connection.hpp"
 
 namespace canhub {
 

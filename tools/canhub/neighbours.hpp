@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "hub/bridge.hpp"
-#include "hub/server.hpp"
-#include "hub/socketcand_server.hpp"
+#include "can/hub/bridge.hpp"
+#include "can/hub/server.hpp"
+#include "can/hub/socketcand/socketcand_server.hpp"
 #include "tools/canhub/options.hpp"
 
 namespace canhub {

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "userbus/bit_rate.hpp"
+#include "can/userbus/bit_rate.hpp"
 
 namespace canhub {
 

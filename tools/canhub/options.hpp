@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bus/address.hpp"
-#include "userbus/path.hpp"
+#include "can/port/address.hpp"
+#include "can/userbus/path.hpp"
 
 namespace canhub {
 

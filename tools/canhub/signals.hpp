@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bus/descriptor.hpp"
-#include "hub/server.hpp"
+#include "can/hub/server.hpp"
+#include "can/port/descriptor.hpp"
 
 namespace canhub {
 

@@ -10,9 +10,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "bus/descriptor.hpp"
-#include "userbus/join.hpp"
-#include "userbus/request.hpp"
+#include "can/port/descriptor.hpp"
+#include "can/userbus/join.hpp"
+#include "can/userbus/request.hpp"
 
 namespace canhub {
 

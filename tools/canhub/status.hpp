@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "userbus/path.hpp"
+#include "can/userbus/path.hpp"
 
 namespace canhub {
 

@@ -10,8 +10,8 @@
 
 #include "eds/document/document.hpp"
 #include "eds/lint/lint.hpp"
-#include "tools/canopen-check/checks/check_table.hpp"
-#include "tools/canopen-check/checks/static_checks.hpp"
+#include "tools/canopen-check/checks/objects/static_checks.hpp"
+#include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/options.hpp"
 #include "tools/canopen-check/port_wire.hpp"
 #include "tools/canopen-check/report/report.hpp"

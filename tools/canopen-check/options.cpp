@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "tools/canopen-check/checks/check_table.hpp"
-#include "tools/canopen-check/checks/static_checks.hpp"
+#include "tools/canopen-check/checks/objects/static_checks.hpp"
+#include "tools/canopen-check/checks/shared/check_table.hpp"
 
 namespace conformance {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bus/address.hpp"
-#include "tools/canopen-check/core/context.hpp"
+#include "can/port/address.hpp"
+#include "tools/canopen-check/core/run/context.hpp"
 
 namespace conformance {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bus/connection.hpp"
+#include "can/connection/connection.hpp"
 #include "tools/canopen-check/core/wire.hpp"
 
 namespace conformance {

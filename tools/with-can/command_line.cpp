@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "userbus/bit_rate.hpp"
+#include "can/userbus/bit_rate.hpp"
 
 namespace with_can {
 

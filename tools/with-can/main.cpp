@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "can/userbus/path.hpp"
+#include "can/userbus/start_hub.hpp"
 #include "tools/with-can/command_line.hpp"
 #include "tools/with-can/program_file.hpp"
-#include "userbus/path.hpp"
-#include "userbus/start_hub.hpp"
 
 namespace {
 

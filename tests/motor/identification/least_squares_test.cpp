@@ -1,4 +1,4 @@
-#include "motor/identification/least_squares.hpp"
+#include "motor/identification/model/least_squares.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "motor/data/inverter_data.hpp"
+#include "motor/data/load.hpp"
+#include "motor/data/machine_data.hpp"
+#include "motor/data/plant_deviation.hpp"
 #include "motor/drive_train.hpp"
-#include "motor/inverter_data.hpp"
-#include "motor/load.hpp"
-#include "motor/machine_data.hpp"
-#include "motor/plant_deviation.hpp"
 
 namespace identification {
 

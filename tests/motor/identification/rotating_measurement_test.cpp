@@ -1,12 +1,12 @@
 // What a rotating measurement finds, held against what turns.
-#include "motor/identification/rotating_measurement.hpp"
+#include "motor/identification/rotating/rotating_measurement.hpp"
 
 #include <cmath>
 #include <cstdio>
 
 #include <gtest/gtest.h>
 
-#include "motor/identification/field_model.hpp"
+#include "motor/identification/model/field_model.hpp"
 #include "tests/motor/identification/random_plants.hpp"
 #include "tests/motor/identification/rotating_trial.hpp"
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "motor/drive_train.hpp"
-#include "motor/identification/rotating_measurement.hpp"
+#include "motor/identification/rotating/rotating_measurement.hpp"
 
 namespace identification {
 

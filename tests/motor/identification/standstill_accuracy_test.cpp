@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motor/induction_circuit.hpp"
+#include "motor/control/field/induction_circuit.hpp"
 #include "tests/motor/identification/standstill_trial.hpp"
 
 namespace motor {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motor/identification/field_model.hpp"
+#include "motor/identification/model/field_model.hpp"
 #include "tests/motor/identification/standstill_trial.hpp"
 
 namespace motor {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motor/identification/standstill_measurement.hpp"
+#include "motor/identification/standstill/standstill_measurement.hpp"
 #include "tests/motor/identification/standstill_trial.hpp"
 
 namespace motor {

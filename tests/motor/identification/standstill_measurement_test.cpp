@@ -1,4 +1,4 @@
-#include "motor/identification/standstill_measurement.hpp"
+#include "motor/identification/standstill/standstill_measurement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motor/induction_circuit.hpp"
-#include "motor/rating_plate.hpp"
+#include "motor/control/field/induction_circuit.hpp"
+#include "motor/data/rating_plate.hpp"
 #include "tests/fakes/allocation_counter.hpp"
 #include "tests/motor/identification/standstill_trial.hpp"
 

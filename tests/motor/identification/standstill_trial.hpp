@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "motor/control_period.hpp"
-#include "motor/identification/standstill_measurement.hpp"
+#include "motor/data/control_period.hpp"
+#include "motor/identification/standstill/standstill_measurement.hpp"
 #include "tests/motor/identification/random_plants.hpp"
 
 namespace identification {

@@ -5,7 +5,7 @@
 
 #include "tests/fakes/child_process.hpp"
 #include "tests/fakes/temporary_directory.hpp"
-#include "tests/tools/canopen-check/right_objects.hpp"
+#include "tests/tools/canopen-check/slave/right_objects.hpp"
 
 /// canopen-check as a user meets it, without a bus.
 namespace conformance_test {

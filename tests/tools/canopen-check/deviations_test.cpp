@@ -1,4 +1,4 @@
-#include "tools/canopen-check/core/deviations.hpp"
+#include "tools/canopen-check/core/run/deviations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/tools/canopen-check/conformance_run.hpp"
-#include "tests/tools/canopen-check/defects.hpp"
+#include "tests/tools/canopen-check/slave/conformance_run.hpp"
+#include "tests/tools/canopen-check/slave/defects.hpp"
 
 /// Slaves with manners that CiA 301 allows or is silent about, and what one thing that is wrong leaves untested.
 namespace conformance_test {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "eds/lint/lint.hpp"
-#include "tests/tools/canopen-check/conformance_run.hpp"
-#include "tools/canopen-check/checks/check_table.hpp"
+#include "tests/tools/canopen-check/slave/conformance_run.hpp"
+#include "tools/canopen-check/checks/shared/check_table.hpp"
 
 namespace conformance_test {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "eds/document/document.hpp"
-#include "tests/tools/canopen-check/conformance_run.hpp"
-#include "tools/canopen-check/checks/check_table.hpp"
+#include "tests/tools/canopen-check/slave/conformance_run.hpp"
+#include "tools/canopen-check/checks/shared/check_table.hpp"
 
 /// What a run leaves behind, however it ends.
 namespace conformance_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/tools/canopen-check/slave.hpp"
+#include "tests/tools/canopen-check/slave/slave.hpp"
 
 namespace conformance_test {
 namespace {

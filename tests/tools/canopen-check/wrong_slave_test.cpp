@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/tools/canopen-check/conformance_run.hpp"
+#include "tests/tools/canopen-check/slave/conformance_run.hpp"
 
 namespace conformance_test {
 

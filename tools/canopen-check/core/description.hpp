@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "eds/names.hpp"
 #include "eds/sheet/data_sheet.hpp"
+#include "eds/sheet/names.hpp"
 
 namespace conformance {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "tools/canopen-check/core/runner.hpp"
+#include "tools/canopen-check/core/run/runner.hpp"
 
 namespace conformance {
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <sys/epoll.h>
+
+#include "can/port/descriptor.hpp"
+#include "libcanopen/base/time.hpp"
+
+namespace hub {
+
+/// Somebody who is told what a descriptor polls.
+class Watch {
+ public:
+  Watch() = default;
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+  virtual ~Watch() = default;
+
+  /// @p events as epoll(7) has them; @p now is the time at which the wait ended.
+  virtual void on_events(std::uint32_t events, canopen::TimePoint now) noexcept = 0;
+};
+
+/// The descriptors of the hub, level-triggered.
+class Poll {
+ public:
+  /// std::system_error if the kernel has no descriptor left.
+  Poll();
+
+  /// Begins to watch @p descriptor for @p events; false if the kernel has no memory, or the descriptor cannot be
+  /// watched (errno).
+  [[nodiscard]] bool add(int descriptor, std::uint32_t events, Watch& watch) noexcept;
+  /// What is to be told of @p descriptor from now on; hang-up and error are always told.
+  void change(int descriptor, std::uint32_t events, Watch& watch) noexcept;
+  /// Nothing is told to @p watch any more, not even what this turn has found already.
+  void remove(int descriptor, const Watch& watch) noexcept;
+
+  /// Waits until something happens, tells it, and returns the time at which the wait ended.
+  canopen::TimePoint turn() noexcept;
+
+ private:
+  /// Of one turn; few, so that timers are looked at often when all members send at once.
+  static constexpr int kEvents = 16;
+
+  bus::Descriptor descriptor_;
+  std::array<epoll_event, kEvents> events_{};
+  int found_ = 0;
+};
+
+}  // namespace hub

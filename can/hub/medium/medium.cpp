@@ -1,0 +1,169 @@
+#include "can/hub/medium/medium.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "can/hub/medium/bit_time.hpp"
+#include "can/hub/medium/station.hpp"
+
+namespace hub {
+
+namespace {
+
+constexpr std::uint64_t kNanosecondsOfSecond = 1'000'000'000;
+
+std::int64_t real_time() noexcept {
+  return std::chrono::nanoseconds{std::chrono::system_clock::now().time_since_epoch()}.count();
+}
+
+/// What makes a time of CLOCK_MONOTONIC one of CLOCK_REALTIME (ns).
+std::int64_t real_minus_monotonic() noexcept {
+  return real_time() - std::chrono::nanoseconds{std::chrono::steady_clock::now().time_since_epoch()}.count();
+}
+
+}  // namespace
+
+Medium::Medium(std::uint32_t bit_rate) : bit_rate_{bit_rate} {}
+
+Medium::~Medium() = default;
+
+void Medium::attach(Participant& participant) {
+  stations_.push_back(std::make_unique<Station>(participant));
+  participant.station_ = stations_.back().get();
+}
+
+void Medium::detach(Participant& participant) noexcept {
+  Station* const station = std::exchange(participant.station_, nullptr);
+  if (station == nullptr) return;
+  station->participant = nullptr;
+  if (current_.sender == &participant) current_.sender = nullptr;
+  someone_left_ = true;
+  if (!advancing_) forget_those_who_left();
+}
+
+bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
+  tell(now);
+  if (!advancing_) advance();
+  Station& station = *passage.sender->station_;
+  if (station.full()) {
+    station.refused = true;
+    return false;
+  }
+  station.push({passage, now_, handed_over_++, arbitration_field(passage.frame)});
+  if (passage.mark.hub == 0) station.last().passage.mark = origins_.make();
+  ++waiting_;
+  if (!advancing_) advance();
+  return true;
+}
+
+canopen::TimePoint Medium::next_deadline() const noexcept {
+  if (on_wire_) return end_of_frame();
+  return waiting_ > 0 ? now_ : canopen::kNever;
+}
+
+void Medium::on_time(canopen::TimePoint now) noexcept {
+  tell(now);
+  if (!advancing_) advance();
+}
+
+void Medium::tell(canopen::TimePoint now) noexcept {
+  now_ = std::max(now_, now);
+}
+
+void Medium::advance() noexcept {
+  advancing_ = true;
+  if (bit_rate_ == 0)
+    advance_without_rate();
+  else
+    advance_with_rate();
+  advancing_ = false;
+  if (someone_left_) forget_those_who_left();
+}
+
+void Medium::advance_without_rate() noexcept {
+  for (unsigned frames = 0; waiting_ > 0 && frames < kFramesOfTurn; ++frames) {
+    take(*earliest());
+    deliver(real_time());
+  }
+}
+
+void Medium::advance_with_rate() noexcept {
+  for (;;) {
+    if (on_wire_) {
+      const canopen::TimePoint end = end_of_frame();
+      if (end > now_) return;
+      on_wire_ = false;
+      deliver(end.time_since_epoch().count() + to_real_time_);
+    }
+    if (waiting_ == 0) return;
+    begin(std::max(end_of_frame(), earliest()->first().arrival));
+  }
+}
+
+/// Who has the lowest arbitration field of those whose first frame was there at @p start; of equal ones that which
+/// was handed over first.
+Station* Medium::winner(canopen::TimePoint start) const noexcept {
+  Station* best = nullptr;
+  for (const auto& station : stations_) {
+    if (station->empty() || station->first().arrival > start) continue;
+    const Station::Waiting& candidate = station->first();
+    if (best == nullptr ||
+        std::pair{candidate.priority, candidate.number} < std::pair{best->first().priority, best->first().number})
+      best = station.get();
+  }
+  return best;
+}
+
+/// Whose first frame was handed over before those of the others; nullptr if none waits.
+Station* Medium::earliest() const noexcept {
+  Station* best = nullptr;
+  for (const auto& station : stations_)
+    if (!station->empty() && (best == nullptr || station->first().number < best->first().number))
+      best = station.get();
+  return best;
+}
+
+/// Makes the first frame of @p station the present one.
+void Medium::take(Station& station) noexcept {
+  current_ = station.first().passage;
+  current_.sender = station.participant;
+  station.pop();
+  --waiting_;
+  if (std::exchange(station.refused, false) && station.participant != nullptr) station.participant->on_room();
+}
+
+/// Puts the frame that wins the arbitration at @p start on the wire.
+void Medium::begin(canopen::TimePoint start) noexcept {
+  if (start > end_of_frame()) {
+    busy_since_ = start;
+    busy_bits_ = 0;
+    to_real_time_ = real_minus_monotonic();
+  }
+  on_wire_ = true;
+  take(*winner(start));
+  busy_bits_ += bits_on_wire(current_.frame);
+  for (; busy_bits_ >= bit_rate_; busy_bits_ -= bit_rate_) busy_since_ += std::chrono::seconds{1};
+}
+
+void Medium::deliver(std::int64_t time_ns) noexcept {
+  current_.time_ns = time_ns;
+  ++passed_;
+  const std::size_t present = stations_.size();  // who comes while it passes does not see it
+  for (std::size_t i = 0; i < present; ++i)
+    if (Participant* const participant = stations_[i]->participant; participant != nullptr)
+      participant->receive(current_);
+}
+
+void Medium::forget_those_who_left() noexcept {
+  std::erase_if(stations_,
+                [](const auto& station) { return station->participant == nullptr && station->empty(); });
+  someone_left_ = std::any_of(stations_.begin(), stations_.end(),
+                              [](const auto& station) { return station->participant == nullptr; });
+}
+
+canopen::TimePoint Medium::end_of_frame() const noexcept {
+  return busy_since_ + canopen::Duration{busy_bits_ * kNanosecondsOfSecond / bit_rate_};
+}
+
+}  // namespace hub

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <linux/can.h>
+
+#include "can/hub/medium/origins.hpp"
+#include "can/port/port.hpp"
+#include "libcanopen/base/time.hpp"
+
+namespace hub {
+
+class Participant;
+class Station;
+
+/// A frame that has passed over the medium, as every participant sees it.
+struct Passage {
+  can_frame frame{};
+  Participant* sender = nullptr;  ///< nullptr: it has left the bus since
+  int interface_index = 0;        ///< the sender's name for the bus, 0 = none (a bridge)
+  bool loopback = true;           ///< false: for bridges only (CAN_RAW_LOOPBACK 0)
+  bool local = true;              ///< false: it came over a bridge, from outside this machine's bus
+  std::int64_t time_ns = 0;       ///< its end on the bus, CLOCK_REALTIME
+  bus::Mark mark{};               ///< where it came up; send() gives it to a frame that has none
+};
+
+/// Who sends and receives on a Medium: a member's socket, a timer of the broadcast manager, a bridge.
+class Participant {
+ public:
+  Participant() = default;
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+  virtual ~Participant() = default;
+
+  /// A frame has passed, also one of this participant's own (passage.sender == this). Sending, attaching and
+  /// detaching from within are allowed.
+  virtual void receive(const Passage& passage) noexcept = 0;
+  /// There is room again after a send() that was refused.
+  virtual void on_room() noexcept {}
+
+ private:
+  friend class Medium;
+  Station* station_ = nullptr;
+};
+
+/// The one wire of a hub: every frame goes to all participants, in one order.
+///
+/// Without a bit rate a frame passes within send(). With one, frames take the time of their bits, stuffing
+/// included (ISO 11898-1, 10.5), and when the bus becomes idle the lowest identifier among the first frames of all
+/// participants wins. Then the medium has a time line of its own: a frame begins where the one before ended, or
+/// when it was handed over to an idle bus, however late on_time() is called.
+///
+/// A frame that is sent from within receive() passes when the present one has reached all. Nothing but attach()
+/// allocates.
+class Medium {
+ public:
+  /// Frames of one participant that may wait for the bus.
+  static constexpr std::size_t kQueue = 16;
+
+  /// @p bit_rate in bit/s; 0: frames take no time.
+  explicit Medium(std::uint32_t bit_rate = 0);
+  Medium(const Medium&) = delete;
+  Medium& operator=(const Medium&) = delete;
+  ~Medium();
+
+  void attach(Participant& participant);
+  /// Its frames that wait pass nevertheless, as those of a closed socket do, but without a sender.
+  void detach(Participant& participant) noexcept;
+
+  /// Sends @p passage (whose sender is attached) at @p now; false if the sender's queue is full: on_room() tells
+  /// when there is room.
+  bool send(const Passage& passage, canopen::TimePoint now) noexcept;
+  /// When on_time() is wanted; canopen::kNever if the bus is idle.
+  [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
+  /// Delivers the frames whose end has come, and starts the next one.
+  void on_time(canopen::TimePoint now) noexcept;
+
+  /// True if a frame with @p mark has not been here yet: a bridge asks before it sends.
+  [[nodiscard]] bool is_new(const bus::Mark& mark) noexcept { return origins_.is_new(mark); }
+
+  /// The latest time that was told.
+  [[nodiscard]] canopen::TimePoint now() const noexcept { return now_; }
+  [[nodiscard]] std::uint32_t bit_rate() const noexcept { return bit_rate_; }
+  /// Frames that have passed.
+  [[nodiscard]] std::uint64_t passed() const noexcept { return passed_; }
+
+ private:
+  /// Frames without bit time that pass in one call: participants that answer each other must not hold up the hub.
+  static constexpr unsigned kFramesOfTurn = 256;
+
+  void tell(canopen::TimePoint now) noexcept;
+  void advance() noexcept;
+  void advance_without_rate() noexcept;
+  void advance_with_rate() noexcept;
+  [[nodiscard]] Station* winner(canopen::TimePoint start) const noexcept;
+  [[nodiscard]] Station* earliest() const noexcept;
+  void take(Station& station) noexcept;
+  void begin(canopen::TimePoint start) noexcept;
+  void deliver(std::int64_t time_ns) noexcept;
+  void forget_those_who_left() noexcept;
+  [[nodiscard]] canopen::TimePoint end_of_frame() const noexcept;
+
+  std::uint32_t bit_rate_;
+  Origins origins_;
+  std::uint64_t passed_ = 0;
+  std::uint64_t handed_over_ = 0;
+  std::vector<std::unique_ptr<Station>> stations_;
+  std::size_t waiting_ = 0;  ///< frames of all stations
+  canopen::TimePoint now_{};
+  Passage current_;         ///< on the wire, or being delivered
+  bool on_wire_ = false;    ///< current_ has not reached its end
+  bool advancing_ = false;  ///< advance() is at work further up the stack
+  bool someone_left_ = false;
+
+  // The end of the frame on the wire, or of the last one, is busy_bits_ bit times after busy_since_.
+  canopen::TimePoint busy_since_ = canopen::TimePoint::min();
+  std::uint64_t busy_bits_ = 0;
+  std::int64_t to_real_time_ = 0;  ///< CLOCK_REALTIME minus the told time (ns)
+};
+
+}  // namespace hub

@@ -1,0 +1,11 @@
+#include "can/hub/member/core.hpp"
+
+#include "can/hub/member/member.hpp"
+
+namespace hub {
+
+Core::Core(std::uint32_t bit_rate) : medium{bit_rate} {}
+
+Core::~Core() = default;
+
+}  // namespace hub

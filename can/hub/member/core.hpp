@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "can/hub/loop/closer.hpp"
+#include "can/hub/loop/poll.hpp"
+#include "can/hub/medium/interfaces.hpp"
+#include "can/hub/medium/medium.hpp"
+#include "can/hub/medium/source.hpp"
+#include "can/hub/member/inbox.hpp"
+
+namespace hub {
+
+class Member;
+
+/// What all members of a hub have in common.
+struct Core {
+  /// @p bit_rate in bit/s, 0 = frames take no time; std::system_error if the kernel has no descriptor left.
+  explicit Core(std::uint32_t bit_rate);
+  Core(const Core&) = delete;
+  Core& operator=(const Core&) = delete;
+  ~Core();
+
+  Poll poll;
+  Medium medium;
+  Interfaces interfaces;
+  Inbox inbox;
+  Closer closer;
+  std::vector<std::unique_ptr<Member>> members;
+  bool anyone_departed = false;  ///< some member may be destroyed
+  std::vector<Source*> sources;
+};
+
+}  // namespace hub

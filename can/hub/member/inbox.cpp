@@ -1,0 +1,43 @@
+#include "can/hub/member/inbox.hpp"
+
+#include <cstring>
+
+namespace hub {
+
+Inbox::Inbox() noexcept {
+  for (std::size_t i = 0; i < kBatch; ++i) {
+    rooms_[i].part = {.iov_base = rooms_[i].bytes.data(), .iov_len = userbus::kLongestMessage};
+    headers_[i].msg_hdr.msg_iov = &rooms_[i].part;
+    headers_[i].msg_hdr.msg_iovlen = 1;
+    headers_[i].msg_hdr.msg_control = rooms_[i].control.data();
+  }
+}
+
+int Inbox::receive(int descriptor, std::size_t most) noexcept {
+  for (mmsghdr& header : headers_) header.msg_hdr.msg_controllen = sizeof(Room::control);
+  return recvmmsg(descriptor, headers_.data(), static_cast<unsigned>(most), MSG_DONTWAIT | MSG_CMSG_CLOEXEC,
+                  nullptr);
+}
+
+Inbox::Message Inbox::take(std::size_t number, Closer& closer) noexcept {
+  mmsghdr& header = headers_[number];
+  Message message;
+  message.bytes = std::span{rooms_[number].bytes}.first(header.msg_len);
+  message.complete = (header.msg_hdr.msg_flags & MSG_TRUNC) == 0;
+  const cmsghdr* const control = CMSG_FIRSTHDR(&header.msg_hdr);
+  if (control == nullptr || control->cmsg_level != SOL_SOCKET || control->cmsg_type != SCM_RIGHTS) return message;
+  const std::size_t count = (control->cmsg_len - CMSG_LEN(0)) / sizeof(int);
+  for (std::size_t i = 0; i < count; ++i) {
+    int descriptor = -1;
+    std::memcpy(&descriptor, CMSG_DATA(control) + i * sizeof descriptor, sizeof descriptor);
+    if (count == 1 && is_reply_socket(descriptor)) {
+      message.descriptor = bus::Descriptor{descriptor};
+    } else {
+      closer.close(descriptor);
+      message.complete = false;
+    }
+  }
+  return message;
+}
+
+}  // namespace hub

@@ -1,0 +1,159 @@
+#include "can/hub/member/member.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "can/hub/member/requests.hpp"
+
+namespace hub {
+
+namespace {
+
+constexpr std::size_t kAddressedFrame = sizeof(userbus::FrameMessage);
+
+pid_t process_of(int socket) noexcept {
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  return getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 ? peer.pid : 0;
+}
+
+}  // namespace
+
+Member::Member(Core& core, bus::Descriptor socket, userbus::Kind kind)
+    : core_{core},
+      socket_{std::move(socket)},
+      outbox_{socket_.get()},
+      kind_{kind},
+      process_{process_of(socket_.get())} {
+  options_[static_cast<std::size_t>(userbus::OptionName::Loopback)] = 1;
+}
+
+Member::~Member() {
+  core_.poll.remove(socket_.get(), *this);
+  core_.interfaces.release(interface_index_);
+}
+
+void Member::bind(int interface_index) noexcept {
+  core_.interfaces.hold(interface_index);
+  core_.interfaces.release(interface_index_);
+  interface_index_ = interface_index;
+}
+
+bool Member::begin() noexcept {
+  watched_ = EPOLLIN | EPOLLRDHUP;
+  return core_.poll.add(socket_.get(), watched_, *this);
+}
+
+void Member::on_events(std::uint32_t events, canopen::TimePoint now) noexcept {
+  if ((events & EPOLLOUT) != 0) outbox_.flush();
+  if (phase_ == Phase::Open && (events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0) phase_ = Phase::Closed;
+  if (const std::size_t most = may_read(); most > 0) read(most, now);
+  go_on();
+}
+
+void Member::read(std::size_t most, canopen::TimePoint now) noexcept {
+  const int count = core_.inbox.receive(socket_.get(), most);
+  if (count < 0) {
+    // a program that leaves messages unread resets the connection; what it had sent before is still there
+    const bool again = errno == EAGAIN || errno == EINTR || errno == ECONNRESET;
+    if (!again) phase_ = Phase::ReadOut;
+    return;
+  }
+  bool last_is_empty = false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    Inbox::Message message = core_.inbox.take(i, core_.closer);
+    last_is_empty = message.bytes.empty();
+    if (!last_is_empty) take(std::move(message), now);
+  }
+  if (phase_ == Phase::Closed && last_is_empty) phase_ = Phase::ReadOut;
+}
+
+void Member::take(Inbox::Message message, canopen::TimePoint now) noexcept {
+  const bool taken = message.descriptor ? answer_request({core_, *this, now}, message)
+                                        : message.complete && take_frame_message(message.bytes, now);
+  if (!taken) ++refused_;
+}
+
+bool Member::take_frame_message(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept {
+  userbus::FrameMessage message{};
+  if (bytes.size() != sizeof message.frame && bytes.size() != kAddressedFrame) return false;
+  std::memcpy(&message, bytes.data(), bytes.size());
+  const int named = message.trailer.interface_index;
+  const int interface_index = named == 0 ? interface_index_ : named;
+  if (message.frame.can_dlc > CAN_MAX_DLEN || core_.interfaces.name_of(interface_index).empty()) return false;
+  bus::Mark mark;
+  if (is_bridge_) mark = {.hub = message.trailer.origin, .number = message.trailer.flags >> userbus::kOriginShift};
+  if (!take_frame({message.frame, interface_index, mark}, now)) return false;
+  count_sent();
+  return true;
+}
+
+void Member::deliver(std::span<const std::byte> message) noexcept {
+  const bool was_empty = outbox_.empty();
+  outbox_.send(message);
+  if (was_empty && !outbox_.empty()) update_watch();
+}
+
+void Member::go_on() noexcept {
+  if (phase_ == Phase::ReadOut && is_done()) {
+    phase_ = Phase::Departed;
+    core_.anyone_departed = true;
+  }
+  update_watch();
+}
+
+void Member::update_watch() noexcept {
+  std::uint32_t wanted = 0;
+  if (phase_ == Phase::Open) wanted = outbox_.empty() ? EPOLLRDHUP : EPOLLRDHUP | EPOLLOUT;
+  if (phase_ <= Phase::Closed && may_read() > 0) wanted |= EPOLLIN;
+  if (wanted == watched_) return;
+  // a hang-up would be told for ever: who is not to be read any more is not watched
+  if (wanted == 0)
+    core_.poll.remove(socket_.get(), *this);
+  else if (watched_ != 0)
+    core_.poll.change(socket_.get(), wanted, *this);
+  else if (!core_.poll.add(socket_.get(), wanted, *this))
+    phase_ = Phase::ReadOut;
+  watched_ = wanted;
+}
+
+int Member::set_option(const userbus::Option& option) noexcept {
+  const auto number = static_cast<std::size_t>(option.name);
+  if (number >= options_.size()) return EINVAL;
+  options_[number] = option.value;
+  option_changed(option.name, option.value);
+  return 0;
+}
+
+int Member::set_filters(std::span<const can_filter>) noexcept {
+  return EOPNOTSUPP;
+}
+
+int Member::broadcast(std::span<const std::byte>, int, canopen::TimePoint) noexcept {
+  return EOPNOTSUPP;
+}
+
+userbus::MemberState Member::state() const noexcept {
+  userbus::MemberState state{.interface_index = interface_index_,
+                             .bit_rate = core_.medium.bit_rate(),
+                             .options = {},
+                             .dropped = outbox_.dropped()};
+  std::ranges::copy(options_, state.options);
+  return state;
+}
+
+userbus::MemberStatistics Member::statistics() const noexcept {
+  userbus::MemberStatistics row{.name = {},
+                                .process = process_,
+                                .interface_index = interface_index_,
+                                .sent = sent_,
+                                .received = outbox_.taken(),
+                                .dropped = outbox_.dropped(),
+                                .refused = refused_};
+  std::strncpy(row.name, userbus::kKindNames[static_cast<std::size_t>(kind_)], sizeof row.name - 1);
+  return row;
+}
+
+}  // namespace hub

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include <sys/types.h>
+
+#include "can/hub/member/core.hpp"
+#include "can/hub/member/outbox.hpp"
+#include "can/port/descriptor.hpp"
+#include "can/userbus/name.hpp"
+
+namespace hub {
+
+/// A program's socket on the bus: reads its messages, keeps its state, and leaves when the program closes it.
+/// What becomes of its frames is up to the kind of the member.
+class Member : public Watch {
+ public:
+  /// Takes over @p socket, which accept(2) gave.
+  Member(Core& core, bus::Descriptor socket, userbus::Kind kind);
+  Member(const Member&) = delete;
+  Member& operator=(const Member&) = delete;
+  ~Member() override;
+
+  /// Begins to read; false if the kernel has no memory for that.
+  [[nodiscard]] bool begin() noexcept;
+  void on_events(std::uint32_t events, canopen::TimePoint now) noexcept final;
+  /// True if it has closed its socket and everything that it had sent is on the bus: it may be destroyed.
+  [[nodiscard]] bool departed() const noexcept { return phase_ == Phase::Departed; }
+
+  /// Its own interface: 0 = all, -1 = not bound yet.
+  [[nodiscard]] int interface_index() const noexcept { return interface_index_; }
+  /// Binds it to @p interface_index, which exists or is 0.
+  void bind(int interface_index) noexcept;
+  /// Whether it is a bridge of another hub, whose frames carry marks.
+  [[nodiscard]] bool is_bridge() const noexcept { return is_bridge_; }
+  void set_bridge(bool is_bridge) noexcept { is_bridge_ = is_bridge; }
+  [[nodiscard]] std::uint32_t option(userbus::OptionName name) const noexcept {
+    return options_[static_cast<std::size_t>(name)];
+  }
+  /// Sets @p option, whose name must be one of OptionName; errno, 0 = done.
+  int set_option(const userbus::Option& option) noexcept;
+  [[nodiscard]] userbus::MemberState state() const noexcept;
+  [[nodiscard]] userbus::MemberStatistics statistics() const noexcept;
+
+  /// Filters of a raw socket; errno, 0 = done.
+  virtual int set_filters(std::span<const can_filter> filters) noexcept;
+  [[nodiscard]] virtual std::span<const can_filter> filters() const noexcept { return {}; }
+  /// A message for the broadcast manager, which names @p interface_index, 0 = none; errno, 0 = done.
+  virtual int broadcast(std::span<const std::byte> message, int interface_index, canopen::TimePoint now) noexcept;
+  /// When on_time() is wanted.
+  [[nodiscard]] virtual canopen::TimePoint next_deadline() const noexcept { return canopen::kNever; }
+  virtual void on_time(canopen::TimePoint) noexcept {}
+
+ protected:
+  /// A frame of the program: what it is, the interface that it was sent on, where it came up.
+  struct Sent {
+    can_frame frame{};
+    int interface_index = 0;
+    bus::Mark mark;
+  };
+
+  [[nodiscard]] Core& core() const noexcept { return core_; }
+  void count_sent() noexcept { ++sent_; }
+  /// Sends @p message to the program.
+  void deliver(std::span<const std::byte> message) noexcept;
+  /// Counter of what was lost because the program did not read.
+  [[nodiscard]] std::uint32_t dropped() const noexcept { return outbox_.dropped(); }
+  /// To be called when something that may_read() or is_done() depends on has changed outside of take_frame().
+  void go_on() noexcept;
+
+ private:
+  /// Reading; closed by the program, and not read to the end; read to the end; nothing of it left on the bus.
+  enum class Phase : std::uint8_t { Open, Closed, ReadOut, Departed };
+
+  /// Puts @p sent on the bus; false if it is refused for good.
+  virtual bool take_frame(const Sent& sent, canopen::TimePoint now) noexcept = 0;
+  virtual void option_changed(userbus::OptionName, std::uint32_t) noexcept {}
+  /// Messages that take_frame() can be sure to find room for; 0: none is read at present.
+  [[nodiscard]] virtual std::size_t may_read() const noexcept { return Inbox::kBatch; }
+  /// True if no frame of this member waits for the bus.
+  [[nodiscard]] virtual bool is_done() const noexcept { return true; }
+
+  void read(std::size_t most, canopen::TimePoint now) noexcept;
+  void take(Inbox::Message message, canopen::TimePoint now) noexcept;
+  [[nodiscard]] bool take_frame_message(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
+  void update_watch() noexcept;
+
+  Core& core_;
+  bus::Descriptor socket_;
+  Outbox outbox_;
+  userbus::Kind kind_;
+  Phase phase_ = Phase::Open;
+  int interface_index_ = -1;
+  bool is_bridge_ = false;
+  std::array<std::uint32_t, userbus::kOptionCount> options_{};
+  std::uint32_t watched_ = 0;  // events; 0 = the socket is not watched
+  pid_t process_ = 0;
+  std::uint64_t sent_ = 0;
+  std::uint64_t refused_ = 0;
+};
+
+}  // namespace hub

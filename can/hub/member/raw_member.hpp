@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+
+#include "can/hub/member/filter_set.hpp"
+#include "can/hub/member/member.hpp"
+
+namespace hub {
+
+/// A CAN_RAW socket: what it sends goes to the medium, and of what passes there it gets what the rules of such a
+/// socket let through (net/can/raw.c).
+class RawMember final : public Member, public Participant {
+ public:
+  RawMember(Core& core, bus::Descriptor socket, userbus::Kind kind);
+  RawMember(const RawMember&) = delete;
+  RawMember& operator=(const RawMember&) = delete;
+  ~RawMember() override;
+
+  void receive(const Passage& passage) noexcept override;
+  void on_room() noexcept override;
+
+  int set_filters(std::span<const can_filter> filters) noexcept override;
+  [[nodiscard]] std::span<const can_filter> filters() const noexcept override { return filters_.filters(); }
+
+ private:
+  bool take_frame(const Sent& sent, canopen::TimePoint now) noexcept override;
+  void option_changed(userbus::OptionName name, std::uint32_t value) noexcept override;
+  [[nodiscard]] std::size_t may_read() const noexcept override;
+  [[nodiscard]] bool is_done() const noexcept override { return waiting_ == 0; }
+  [[nodiscard]] bool wants(const Passage& passage) const noexcept;
+
+  FilterSet filters_;
+  std::array<Passage, Inbox::kBatch> kept_;  // the medium had no room for them; nothing is read until it has
+  std::size_t next_ = 0;                     // of kept_
+  std::size_t waiting_ = 0;
+};
+
+}  // namespace hub

@@ -1,0 +1,178 @@
+#include "can/hub/member/requests.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+
+#include <sys/socket.h>
+
+namespace hub {
+
+namespace {
+
+using userbus::Operation;
+
+/// The payload of a reply while it is written.
+class Payload {
+ public:
+  /// False if there is no room for it.
+  template <class T>
+  bool add(const T& value) noexcept {
+    static_assert(std::is_trivially_copyable_v<T>);
+    return append(std::as_bytes(std::span{&value, 1}));
+  }
+  bool append(std::span<const std::byte> bytes) noexcept {
+    if (bytes.size() > bytes_.size() - size_) return false;
+    if (!bytes.empty()) std::memcpy(&bytes_[size_], bytes.data(), bytes.size());
+    size_ += bytes.size();
+    return true;
+  }
+  [[nodiscard]] std::span<std::byte> bytes() noexcept { return std::span{bytes_}.first(size_); }
+
+ private:
+  std::array<std::byte, userbus::kLongestMessage - sizeof(userbus::Reply)> bytes_{};
+  std::size_t size_ = 0;
+};
+
+/// What came with the request, and where the answer's payload goes.
+struct Call {
+  const Asking& asking;
+  int value;
+  std::span<const std::byte> payload;
+  Payload& reply;
+};
+
+struct Result {
+  int error = 0;
+  int value = 0;
+};
+
+/// The payload as one @p T; false if it has another size.
+template <class T>
+bool read_as(std::span<const std::byte> payload, T& value) noexcept {
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (payload.size() != sizeof value) return false;
+  std::memcpy(&value, payload.data(), sizeof value);
+  return true;
+}
+
+bool is_interface(const Call& call, int index) noexcept {
+  return !call.asking.core.interfaces.name_of(index).empty();
+}
+
+Result hello(const Call& call) noexcept {
+  constexpr int kBridge = 1;
+  call.asking.member.set_bridge(call.value == kBridge);
+  return {.value = static_cast<int>(call.asking.core.medium.bit_rate())};
+}
+
+Result bind(const Call& call) noexcept {
+  if (call.value != 0 && !is_interface(call, call.value)) return {.error = ENODEV};
+  call.asking.member.bind(call.value);
+  return {};
+}
+
+Result read_state(const Call& call) noexcept {
+  call.reply.add(call.asking.member.state());
+  return {};
+}
+
+Result set_option(const Call& call) noexcept {
+  userbus::Option option{};
+  if (!read_as(call.payload, option)) return {.error = EINVAL};
+  return {.error = call.asking.member.set_option(option)};
+}
+
+Result set_filters(const Call& call) noexcept {
+  std::array<can_filter, CAN_RAW_FILTER_MAX> filters{};
+  const std::span<const std::byte> payload = call.payload;
+  if (payload.size() > sizeof filters || payload.size() % sizeof(can_filter) != 0) return {.error = EINVAL};
+  if (!payload.empty()) std::memcpy(filters.data(), payload.data(), payload.size());
+  return {.error = call.asking.member.set_filters(std::span{filters}.first(payload.size() / sizeof(can_filter)))};
+}
+
+Result read_filters(const Call& call) noexcept {
+  call.reply.append(std::as_bytes(call.asking.member.filters()));
+  return {};
+}
+
+Result interface_index(const Call& call) noexcept {
+  const std::string_view name{reinterpret_cast<const char*>(call.payload.data()), call.payload.size()};
+  const int index = call.asking.core.interfaces.index_of(name);
+  return index == 0 ? Result{.error = ENODEV} : Result{.value = index};
+}
+
+Result interface_name(const Call& call) noexcept {
+  const std::string_view name = call.asking.core.interfaces.name_of(call.value);
+  call.reply.append(std::as_bytes(std::span{name}));
+  return {.error = name.empty() ? ENODEV : 0};
+}
+
+Result interfaces(const Call& call) noexcept {
+  call.reply.append(std::as_bytes(call.asking.core.interfaces.entries()));
+  return {};
+}
+
+Result broadcast(const Call& call) noexcept {
+  if (call.value != 0 && !is_interface(call, call.value)) return {.error = ENODEV};
+  return {.error = call.asking.member.broadcast(call.payload, call.value, call.asking.now)};
+}
+
+Result statistics(const Call& call) noexcept {
+  const Core& core = call.asking.core;
+  std::uint32_t rows = 0;
+  userbus::BusStatistics bus{.frames = core.medium.passed(), .bit_rate = core.medium.bit_rate(), .members = 0};
+  call.reply.add(bus);
+  const auto add_row = [&](const userbus::MemberStatistics& row) {
+    if (static_cast<std::int64_t>(rows++) >= call.value) call.reply.add(row);
+  };
+  for (const auto& member : core.members) add_row(member->statistics());
+  userbus::MemberStatistics row{};
+  for (const Source* const source : core.sources)
+    if (source->statistics(row)) add_row(row);
+  bus.members = rows;
+  std::memcpy(call.reply.bytes().data(), &bus, sizeof bus);
+  return {};
+}
+
+using Handler = Result (*)(const Call&) noexcept;
+
+/// By Operation.
+constexpr std::array<Handler, 11> kHandlers{hello,       bind,         read_state,      set_option,
+                                            set_filters, read_filters, interface_index, interface_name,
+                                            interfaces,  broadcast,    statistics};
+static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Statistics) + 1);
+
+Result handle(Operation operation, const Call& call) noexcept {
+  const auto number = static_cast<std::size_t>(operation);
+  return number < kHandlers.size() ? kHandlers[number](call) : Result{.error = EINVAL};
+}
+
+void send_reply(int descriptor, const Result& result, std::span<std::byte> payload) noexcept {
+  userbus::Reply reply{
+      .error = result.error, .value = result.value, .size = static_cast<std::uint32_t>(payload.size())};
+  std::array parts{iovec{&reply, sizeof reply}, iovec{payload.data(), payload.size()}};
+  msghdr message{};
+  message.msg_iov = parts.data();
+  message.msg_iovlen = parts.size();
+  sendmsg(descriptor, &message, MSG_DONTWAIT | MSG_NOSIGNAL);
+}
+
+}  // namespace
+
+bool answer_request(const Asking& asking, const Inbox::Message& message) noexcept {
+  userbus::Request request{};
+  if (!message.complete || message.bytes.size() < sizeof request) return false;
+  std::memcpy(&request, message.bytes.data(), sizeof request);
+  const std::span payload = message.bytes.subspan(sizeof request);
+  Payload reply;
+  const bool fits = payload.size() == request.size;
+  const Result result =
+      fits ? handle(request.operation, {asking, request.value, payload, reply}) : Result{.error = EINVAL};
+  send_reply(message.descriptor.get(), result, reply.bytes());
+  return fits && static_cast<std::size_t>(request.operation) < kHandlers.size();
+}
+
+}  // namespace hub

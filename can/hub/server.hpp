@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "can/hub/loop/timer.hpp"
+#include "can/hub/medium/source.hpp"
+#include "can/hub/member/core.hpp"
+#include "can/port/descriptor.hpp"
+#include "can/userbus/name.hpp"
+
+namespace hub {
+
+/// The loop of a hub: its members, its timers, and the sources beside them. One thread; nobody is waited for.
+class Server final : public SourceList, private Watch {
+ public:
+  /// How a hub behaves.
+  struct Settings {
+    std::uint32_t bit_rate = 0;  ///< bit/s, 0 = frames take no time
+    bool on_demand = false;      ///< ends one second after its last member has left, or if none ever came
+  };
+
+  /// Serves @p listener, a listening AF_UNIX SOCK_SEQPACKET socket that does not block and outlives this;
+  /// std::system_error if the kernel has no descriptors or memory left.
+  Server(int listener, Settings settings);
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+  ~Server() override;
+
+  void add(Source& source) override;
+  void remove(Source& source) noexcept override;
+
+  /// The wire, for sources that take part.
+  Medium& medium() noexcept { return core_.medium; }
+  /// The names of the bus, likewise.
+  Interfaces& interfaces() noexcept { return core_.interfaces; }
+
+  /// Serves until stop(), or until the end that Settings::on_demand asks for.
+  void run() noexcept;
+  /// Ends run() after the present turn; to be called from within it, by a source.
+  void stop() noexcept { stopped_ = true; }
+
+ private:
+  class SourceWatch;
+
+  void on_events(std::uint32_t events, canopen::TimePoint now) noexcept override;
+  void accept_members(canopen::TimePoint now) noexcept;
+  void admit(bus::Descriptor socket, userbus::Kind kind) noexcept;
+  std::unique_ptr<Member> make_member(bus::Descriptor socket, userbus::Kind kind);
+  void pause_listening(canopen::TimePoint now) noexcept;
+  [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
+  void on_time(canopen::TimePoint now) noexcept;
+  void sweep(canopen::TimePoint now) noexcept;
+  void end_if_lonely(canopen::TimePoint now) noexcept;
+
+  Core core_;
+  Timer timer_;
+  int listener_;
+  Settings settings_;
+  std::size_t most_members_;
+  std::vector<std::unique_ptr<SourceWatch>> watches_;
+  std::vector<Member*> timed_;       // those that may have a deadline
+  canopen::TimePoint listen_again_;  // kNever: it listens
+  canopen::TimePoint end_;           // of a hub that nobody uses; kNever: it has members
+  bool stopped_ = false;
+};
+
+}  // namespace hub

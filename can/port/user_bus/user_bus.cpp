@@ -1,0 +1,175 @@
+#include "can/port/user_bus/user_bus.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/epoll.h>
+#include <sys/socket.h>
+
+#include "can/port/wire.hpp"
+#include "can/userbus/request.hpp"
+
+namespace bus {
+
+namespace {
+
+using userbus::JoinError;
+using userbus::Operation;
+
+// Messages that change nothing are skipped; this many a call, so that a burst of them cannot hold the caller.
+constexpr int kSkippedMessages = 16;
+
+std::string hub_program() {
+  if (const char* const named = std::getenv("CAN_HUB"); named != nullptr && *named != '\0') return named;
+  std::error_code none;
+  return std::filesystem::read_symlink("/proc/self/exe", none).replace_filename("canhub");
+}
+
+userbus::Path path_of(const std::string& text) {
+  userbus::Path path{};
+  if (userbus::copy_path(text.c_str(), path)) return path;
+  throw OpenError{fmt::format("{}: expected a path of at most {} bytes", text, userbus::kLongestPath)};
+}
+
+/// A hub that closes leaves one of these errors in the sockets of its members.
+bool means_no_hub(int error) noexcept {
+  return error == EPIPE || error == ECONNRESET || error == ENOTCONN || error == EBADF;
+}
+
+}  // namespace
+
+UserBus::UserBus(const std::string& path) : entry_{path_of(path), hub_program()} {
+  using Progress = UserBusEntry::Progress;
+  Progress progress = entry_.begin(wishes());
+  while (progress == Progress::Waiting) {
+    pollfd wanted{entry_.descriptor(), POLLIN, 0};
+    ::poll(&wanted, 1, -1);  // its timer ends it
+    progress = entry_.advance(wishes());
+  }
+  const bool is_in = progress == Progress::Member && come_in();
+  const JoinError error = progress == Progress::Failed ? entry_.error() : JoinError::System;
+  if (!is_in) throw OpenError{fmt::format("unix:{}: {}", path, userbus::text_of(error))};
+}
+
+UserBusEntry::Wishes UserBus::wishes() const noexcept {
+  return {.filters = filters_.get(), .is_bridge = is_bridge_};
+}
+
+/// The entry has led to a member. False, with errno, if that cannot be watched.
+bool UserBus::come_in() noexcept {
+  socket_ = entry_.take_member();
+  if (!pollable_.add(socket_.get(), EPOLLIN)) {
+    socket_ = Descriptor{};
+    return false;
+  }
+  if (is_unapplied_) apply();  // it may have changed behind the step that tells it
+  return true;
+}
+
+/// Tells the hub what has changed. If it has no room at present, the next frame tells it, before it goes.
+void UserBus::apply() noexcept {
+  const auto filters = filters_.get();
+  const Descriptor set{
+      userbus::post(socket_.get(), Operation::SetFilters, 0, filters.data(), filters.size_bytes())};
+  is_unapplied_ = !set;
+  if (!is_bridge_ || is_unapplied_) return;
+  const Descriptor hello{userbus::post(socket_.get(), Operation::Hello, 1, nullptr, 0)};
+  is_unapplied_ = !hello;
+}
+
+void UserBus::accept_only(std::span<const Filter> filters) noexcept {
+  filters_.assign(filters);
+  is_unapplied_ = true;
+  if (is_member()) apply();
+}
+
+void UserBus::carry_marks() noexcept {
+  is_bridge_ = true;
+  is_unapplied_ = true;
+  if (is_member()) apply();
+}
+
+bool UserBus::try_again() noexcept {
+  if (is_member()) return false;
+  const UserBusEntry::Progress progress = entry_.advance(wishes());
+  if (progress == UserBusEntry::Progress::Waiting) return false;
+  if (progress == UserBusEntry::Progress::Member && come_in()) return true;
+  entry_.try_later(/*first=*/false);
+  return false;
+}
+
+bool UserBus::reopen() noexcept {
+  constexpr int kMost = 1 << 20;  // a bus that never stops must not hold the caller
+  userbus::FrameMessage message{};
+  for (int i = 0; i<kMost&& ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT)> 0; ++i) {
+  }
+  error_state_ = ErrorState::Active;
+  return is_member();
+}
+
+SendStatus UserBus::send(const canopen::Frame& frame) noexcept {
+  const can_frame wire = to_wire(frame);
+  return send(&wire, sizeof wire);
+}
+
+SendStatus UserBus::send_marked(const canopen::Frame& frame, const Mark& mark) noexcept {
+  userbus::FrameMessage message{.frame = to_wire(frame), .trailer = {}};
+  message.trailer.flags = mark.number << userbus::kOriginShift;
+  message.trailer.origin = mark.hub;
+  return send(&message, sizeof message);
+}
+
+SendStatus UserBus::send(const void* message, std::size_t size) noexcept {
+  if (is_unapplied_ && is_member()) {
+    apply();
+    if (is_unapplied_) return SendStatus::Full;
+  }
+  if (::send(socket_.get(), message, size, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(size))
+    return SendStatus::Sent;
+  // The socket of a hub that is gone polls readable, and receive() tells it.
+  return means_no_hub(errno) ? SendStatus::Down : to_send_status(errno);
+}
+
+Received UserBus::receive(canopen::Frame& frame) noexcept {
+  if (is_unapplied_ && is_member()) apply();
+  for (int i = 0; i < kSkippedMessages; ++i) {
+    userbus::FrameMessage message{};
+    const ssize_t size = ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT);
+    if (size == 0 || (size < 0 && means_no_hub(errno))) return hub_lost();
+    if (size < 0) break;
+    if (size != sizeof message) continue;
+    dropped_ = message.trailer.dropped;
+    arrival_ = std::chrono::nanoseconds{message.trailer.time_ns};
+    mark_ = {.hub = message.trailer.origin, .number = message.trailer.flags >> userbus::kOriginShift};
+    if ((message.frame.can_id & CAN_ERR_FLAG) == 0) {
+      frame = from_wire(message.frame);
+      return {Received::Frame, error_state_};
+    }
+    const ErrorState before = std::exchange(error_state_, decode_error_state(message.frame, error_state_));
+    if (error_state_ != before) return {Received::Error, error_state_};
+  }
+  return {Received::Nothing, error_state_};
+}
+
+Received UserBus::hub_lost() noexcept {
+  error_state_ = ErrorState::Active;
+  if (!is_member()) return {Received::Nothing, error_state_};  // told before
+  pollable_.remove(socket_.get());
+  socket_ = Descriptor{};
+  is_unapplied_ = false;  // the next one is told all
+  dropped_before_ += std::exchange(dropped_, 0);
+  entry_.try_later(/*first=*/true);
+  return {Received::Down, error_state_};
+}
+
+std::optional<LinkState> UserBusLink::read() noexcept {
+  return port_.try_again() ? std::optional{LinkState::Up} : std::nullopt;
+}
+
+}  // namespace bus

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "can/userbus/join.hpp"
+#include "can/userbus/request.hpp"
+
+namespace preload {
+
+/// Becomes a member of the process's present bus (userbus::default_path); @p flags as for userbus::join. -1 with
+/// errno, and the first time a line on standard error, if that fails.
+int join_bus(userbus::Kind kind, int flags) noexcept;
+
+/// The same for a short question, quietly, and only if somebody serves the bus already.
+int join_served_bus() noexcept;
+
+// userbus::ask for the calls of a program, whose threads cannot be cancelled meanwhile.
+
+/// Tells the hub something that needs no answer but success. Returns 0, or -1 with errno.
+int tell(int descriptor, userbus::Operation operation, int value, const void* payload = nullptr,
+         size_t size = 0) noexcept;
+
+/// Asks by a value, for a value or for a payload, which is stored in @p room bytes at @p reply.
+userbus::Answer ask(int descriptor, userbus::Operation operation, int value = 0, void* reply = nullptr,
+                    size_t room = 0) noexcept;
+
+/// Asks by a text of @p size bytes, for a value.
+userbus::Answer ask_about(int descriptor, userbus::Operation operation, const char* text, size_t size) noexcept;
+
+}  // namespace preload

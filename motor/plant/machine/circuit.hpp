@@ -1,0 +1,129 @@
+#pragma once
+
+#include <algorithm>
+
+#include "motor/math/pair.hpp"
+#include "motor/math/rotation.hpp"
+#include "motor/math/space_vector.hpp"
+#include "motor/plant/machine/induction_machine.hpp"
+#include "motor/plant/machine/synchronous_machine.hpp"
+
+namespace motor {
+
+/// A machine under the voltage of an inverter, which is held in the stator frame. Not @p Saturated: the currents
+/// are known to be too small for saturation.
+template <class Machine, bool Saturated = true>
+class HeldVoltage;
+
+/// The stator frame turns back, seen from the rotor.
+template <bool Saturated>
+class HeldVoltage<SynchronousMachine, Saturated> {
+ public:
+  using State = SynchronousMachine::State;
+  using Rate = SynchronousMachine::Rate;
+
+  /// @p voltage of the stator frame (V), with the rotor in @p direction at the start of the step.
+  HeldVoltage(const SynchronousMachine& machine, SpaceVector voltage, SpaceVector direction) noexcept
+      : machine_{machine}, voltage_{turned_back(pair(voltage), direction.re, direction.im)} {}
+
+  const State& state() const noexcept { return machine_.state(); }
+  /// In stage @p Stage, with the rotor turned by @p angle (rad) since the start of the step.
+  template <int Stage>
+  Rate rate(const State& y, double angle, double speed) noexcept {
+    return machine_.rate<Saturated>(y, voltage<Stage>(machine_.pole_pairs() * angle), speed);
+  }
+
+ private:
+  /// One series a step: the stages differ from the first half step, or from twice it, by the acceleration only.
+  template <int Stage>
+  Pair voltage(double angle) noexcept {
+    if constexpr (Stage == 0) return voltage_;
+    if constexpr (Stage == 1) {
+      half_angle_ = angle;
+      half_turn_ = small_rotation(angle);
+      half_way_ = turned_back(voltage_, half_turn_[0], half_turn_[1]);
+      return half_way_;
+    }
+    if constexpr (Stage == 2) return turned_back_a_little(half_way_, angle - half_angle_);
+    return turned_back_a_little(turned_back(half_way_, half_turn_[0], half_turn_[1]), angle - 2.0 * half_angle_);
+  }
+
+  const SynchronousMachine& machine_;
+  Pair voltage_;
+  Pair half_turn_{};
+  Pair half_way_{};
+  double half_angle_ = 0.0;
+};
+
+/// Constant in the frame of the machine.
+template <bool Saturated>
+class HeldVoltage<InductionMachine, Saturated> {
+ public:
+  using State = InductionMachine::State;
+  using Rate = InductionMachine::Rate;
+
+  HeldVoltage(const InductionMachine& machine, SpaceVector voltage, SpaceVector) noexcept
+      : machine_{machine}, voltage_{pair(voltage)} {}
+
+  const State& state() const noexcept { return machine_.state(); }
+  template <int Stage>
+  Rate rate(const State& y, double, double speed) const noexcept {
+    return machine_.rate(y, voltage_, speed);
+  }
+
+ private:
+  const InductionMachine& machine_;
+  Pair voltage_;
+};
+
+/// A machine behind an inverter without pulses: the diodes hold the voltage against the current.
+template <class Machine>
+class DiodeVoltage {
+ public:
+  using State = typename Machine::State;
+  using Rate = typename Machine::Rate;
+
+  /// Against @p limit, what the DC link can hold of a phase (V, peak). Below least_current() the diodes are taken
+  /// for a resistance, the largest that a step of @p h (s) can follow.
+  DiodeVoltage(const Machine& machine, double limit, double h) noexcept
+      : machine_{machine}, limit_{limit}, least_current_{limit * h / (kFollowed * machine.least_inductance())} {}
+
+  const State& state() const noexcept { return machine_.state(); }
+  /// Current that a step cannot tell from none (A).
+  double least_current() const noexcept { return least_current_; }
+  template <int Stage>
+  Rate rate(const State& y, double, double speed) const noexcept {
+    const Pair i = machine_.current(y);
+    const double amplitude = std::max({length(vector(i)), least_current_, kTinyCurrent});
+    return machine_.rate(y, (-limit_ / amplitude) * i, speed);
+  }
+
+ private:
+  static constexpr double kFollowed = 1.5;      // step times rate
+  static constexpr double kTinyCurrent = 1e-9;  // A
+
+  const Machine& machine_;
+  double limit_;
+  double least_current_;
+};
+
+/// A machine whose terminals carry no current.
+template <class Machine>
+class OpenTerminals {
+ public:
+  using State = typename Machine::State;
+  using Rate = typename Machine::Rate;
+
+  explicit OpenTerminals(const Machine& machine) noexcept : machine_{machine} {}
+
+  const State& state() const noexcept { return machine_.state(); }
+  template <int Stage>
+  Rate rate(const State& y, double, double speed) const noexcept {
+    return machine_.blocked_rate(y, speed);
+  }
+
+ private:
+  const Machine& machine_;
+};
+
+}  // namespace motor

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <variant>
+
+#include "motor/data/load.hpp"
+#include "motor/data/machine_data.hpp"
+#include "motor/data/plant_data.hpp"
+#include "motor/math/space_vector.hpp"
+#include "motor/plant/machine/induction_machine.hpp"
+#include "motor/plant/machine/synchronous_machine.hpp"
+#include "motor/plant/shaft/elastic_shaft.hpp"
+#include "motor/plant/shaft/rigid_shaft.hpp"
+
+namespace motor {
+
+/// Machine, shaft and load as they really are: one Runge-Kutta step of all states a control period, without
+/// allocation. The brake is closed until it is told to open.
+class Plant {
+ public:
+  /// @p substeps in a control period; 0 = as many as the fastest time constants of the data need.
+  Plant(const MachineData& machine, const Load& load, int substeps = 0) noexcept;
+
+  /// Advances by kControlPeriod with @p voltage held in the stator frame (V, peak).
+  void step(SpaceVector voltage) noexcept;
+  /// Advances by kControlPeriod with the pulses inhibited: the currents flow through the diodes against
+  /// @p dc_voltage (V, not negative) until they are gone; more only flow where the machine induces more than that.
+  void coast(double dc_voltage) noexcept;
+
+  /// At the end of the last step.
+  const PlantState& state() const noexcept { return state_; }
+  /// Of the last step.
+  const PlantEnergies& energies() const noexcept { return energies_; }
+  StoredEnergy stored() const noexcept;
+  /// Cosine and sine of the electrical angle of the rotor at the end of the last step (synchronous machine).
+  SpaceVector direction() const noexcept { return direction_; }
+  /// Flux linkages of an induction machine in the stator frame (V·s); zero for a synchronous one.
+  MachineFluxes fluxes() const noexcept;
+  /// Whether the shaft would turn faster if it could.
+  bool is_held_back() const noexcept { return std::abs(state_.speed) >= bursting_speed_; }
+  /// How many Runge-Kutta steps make a control period, unless the shaft turns faster than the machine should.
+  int substeps() const noexcept { return substeps_; }
+
+  /// Winding and rotor (°C): for the resistances and the flux of the magnets.
+  void set_temperatures(double winding, double rotor) noexcept;
+  /// Replaces constant torque and friction torque of the load by @p torque (N·m; a constant one positive against
+  /// positive rotation, friction not negative).
+  void set_load_torque(double torque, LoadTorqueType type = LoadTorqueType::Constant) noexcept;
+  /// Commands the holding brake; it acts after its closing or opening time.
+  void set_brake(bool closed) noexcept;
+  /// Lets rotor and load turn at @p wanted (rad/s, at most the bursting speed), whatever they did before.
+  void set_speed(double wanted) noexcept;
+  /// Magnetises an induction machine at once, whatever it was before.
+  void set_fluxes(const MachineFluxes& fluxes) noexcept;
+  /// Whether no current flows, everything stands, and nothing will change while the pulses are inhibited.
+  bool rests() const noexcept;
+
+ private:
+  using Machine = std::variant<SynchronousMachine, InductionMachine>;
+  using Shaft = std::variant<RigidShaft<true>, RigidShaft<false>, ElasticShaft>;
+
+  static Machine made_machine(const MachineData& machine) noexcept;
+  static Shaft made_shaft(const MachineData& machine, const Load& load) noexcept;
+
+  /// Of one step: where the energy went, and its share of the mean torque of the period.
+  struct Spent {
+    PlantEnergies energies{};
+    double torque = 0.0;
+
+    Spent& operator+=(const Spent& more) noexcept {
+      energies += more.energies;
+      torque += more.torque;
+      return *this;
+    }
+  };
+
+  template <class M, class S>
+  void drive(M& machine, S& shaft, SpaceVector voltage) noexcept;
+  template <class M, class S>
+  Spent drive_part(M& machine, S& shaft, SpaceVector voltage, int part, double h) noexcept;
+  template <class M, class S>
+  Spent drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept;
+  template <class M, class S>
+  void coast_down(M& machine, S& shaft, double limit) noexcept;
+  template <class Rates, class M, class S>
+  Spent advance(const Rates& sum, M& machine, S& shaft, double h) noexcept;
+  template <class S>
+  void begin(S& shaft, int part, double h, double torque) noexcept;
+  template <class M, class S>
+  void finish(const Spent& spent, const M& machine, const S& shaft) noexcept;
+  void start_period() noexcept;
+  void stand() noexcept;
+  void turn(const Motion& motion) noexcept;
+  void turn_direction(double angle) noexcept;
+  void apply_brake() noexcept;
+  int needed(int parts) const noexcept;
+  double followed_speed(int parts) const noexcept;
+  double angle() const noexcept;
+
+  Machine machine_;
+  Shaft shaft_;
+  int substeps_;
+  double pole_pairs_;
+  double bursting_speed_;    // that nothing turns beyond (rad/s)
+  double whole_step_speed_;  // up to which one step makes a control period (rad/s), negative = never
+  HoldingBrake brake_;
+  bool brake_closed_ = true;         // as commanded
+  int brake_delay_ = 0;              // steps until the command acts
+  std::int64_t steps_ = 0;           // since power-on
+  SpaceVector direction_{1.0, 0.0};  // of the d axis
+  PlantState state_{};
+  PlantEnergies energies_{};
+};
+
+}  // namespace motor

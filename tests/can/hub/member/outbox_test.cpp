@@ -1,0 +1,107 @@
+#include "can/hub/member/outbox.hpp"
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+#include "can/port/descriptor.hpp"
+
+namespace hub {
+namespace {
+
+/// A message of @p size bytes that begins with @p number.
+std::vector<std::byte> message(std::uint32_t number, std::size_t size = sizeof(userbus::FrameMessage)) {
+  std::vector<std::byte> bytes(size);
+  std::memcpy(bytes.data(), &number, sizeof number);
+  return bytes;
+}
+
+class OutboxTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends.data()), 0);
+    hub_end_ = bus::Descriptor{ends[0]};
+    program_end_ = bus::Descriptor{ends[1]};
+  }
+
+  /// The numbers of the messages that have come.
+  std::vector<std::uint32_t> read_all() const {
+    std::vector<std::uint32_t> numbers;
+    std::vector<std::byte> room(userbus::kLongestMessage);
+    while (recv(program_end_.get(), room.data(), room.size(), 0) > 0) {
+      numbers.emplace_back();
+      std::memcpy(&numbers.back(), room.data(), sizeof numbers.back());
+    }
+    return numbers;
+  }
+
+  bus::Descriptor hub_end_;
+  bus::Descriptor program_end_;
+};
+
+TEST_F(OutboxTest, KeepsWhatTheSocketDoesNotTakeAndSendsItInOrder) {
+  Outbox outbox{hub_end_.get()};
+  std::uint32_t sent = 0;
+  while (outbox.empty()) outbox.send(message(sent++));
+  for (int i = 0; i < 100; ++i) outbox.send(message(sent++));
+
+  std::vector<std::uint32_t> numbers;
+  while (numbers.size() < sent) {
+    const auto more = read_all();
+    ASSERT_FALSE(more.empty());
+    numbers.insert(numbers.end(), more.begin(), more.end());
+    outbox.flush();
+  }
+
+  for (std::uint32_t i = 0; i < sent; ++i) ASSERT_EQ(numbers[i], i);
+  EXPECT_TRUE(outbox.empty());
+  EXPECT_EQ(outbox.dropped(), 0u);
+}
+
+TEST_F(OutboxTest, DropsAndCountsWhatFindsNoRoom) {
+  Outbox outbox{hub_end_.get()};
+  std::uint32_t sent = 0;
+  while (outbox.dropped() == 0) outbox.send(message(sent++));
+  for (int i = 0; i < 9; ++i) outbox.send(message(sent++));
+
+  EXPECT_EQ(outbox.dropped(), 10u);
+  EXPECT_EQ(outbox.taken(), sent - 10);
+  const std::size_t in_socket = read_all().size();
+  EXPECT_EQ(in_socket + Outbox::kMessages, sent - 10);
+}
+
+TEST_F(OutboxTest, WrapsMessagesOfAllSizes) {
+  Outbox outbox{hub_end_.get()};
+  std::uint32_t sent = 0;
+  std::vector<std::uint32_t> numbers;
+  for (int round = 0; round < 50; ++round) {
+    for (int i = 0; i < 40; ++i, ++sent) outbox.send(message(sent, 40 + sent * 997 % 4200));
+    while (!outbox.empty()) {
+      const auto more = read_all();
+      numbers.insert(numbers.end(), more.begin(), more.end());
+      outbox.flush();
+    }
+  }
+  const auto rest = read_all();
+  numbers.insert(numbers.end(), rest.begin(), rest.end());
+
+  ASSERT_EQ(numbers.size(), sent);
+  for (std::uint32_t i = 0; i < sent; ++i) ASSERT_EQ(numbers[i], i);
+}
+
+TEST_F(OutboxTest, LosesWhatIsForAProgramThatHasGone) {
+  Outbox outbox{hub_end_.get()};
+  program_end_ = bus::Descriptor{};
+
+  outbox.send(message(1));
+
+  EXPECT_EQ(outbox.dropped(), 1u);
+  EXPECT_TRUE(outbox.empty());
+}
+
+}  // namespace
+}  // namespace hub

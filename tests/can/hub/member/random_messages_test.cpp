@@ -1,0 +1,104 @@
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+#include "tests/can/hub/running_hub.hpp"
+#include "tests/can/hub/told.hpp"
+
+namespace hub_test {
+namespace {
+
+/// Sends @p bytes with @p count descriptors of the standard error with them.
+void send_with_descriptors(int socket, std::span<const std::byte> bytes, std::size_t count) {
+  alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(8 * sizeof(int))> control{};
+  std::vector<int> descriptors(count, STDERR_FILENO);
+  iovec part{const_cast<std::byte*>(bytes.data()), bytes.size()};
+  msghdr message{};
+  message.msg_iov = &part;
+  message.msg_iovlen = 1;
+  if (count > 0) {
+    message.msg_control = control.data();
+    message.msg_controllen = CMSG_SPACE(count * sizeof(int));
+    cmsghdr* const header = CMSG_FIRSTHDR(&message);
+    header->cmsg_level = SOL_SOCKET;
+    header->cmsg_type = SCM_RIGHTS;
+    header->cmsg_len = CMSG_LEN(count * sizeof(int));
+    std::memcpy(CMSG_DATA(header), descriptors.data(), count * sizeof(int));
+  }
+  sendmsg(socket, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
+/// Descriptors of this process, in which the hub is.
+std::ptrdiff_t open_descriptors() {
+  return std::distance(std::filesystem::directory_iterator{"/proc/self/fd"}, {});
+}
+
+/// True if no more than @p count descriptors remain; the hub closes that of a reply a little after its asker has
+/// got it.
+bool at_most_remain(std::ptrdiff_t count) {
+  constexpr int kTries = 100'000;
+  for (int i = 0; i < kTries; ++i) {
+    if (open_descriptors() <= count) return true;
+    std::this_thread::yield();
+  }
+  return false;
+}
+
+/// A message that has something of a right one, and something that is not right.
+std::vector<std::byte> broken_message(std::mt19937& random) {
+  constexpr std::array<std::size_t, 8> kSizes{0, 1, 12, 16, 20, 40, 41, 4000};
+  std::vector<std::byte> bytes(random() % 4 == 0 ? random() % 10'000 : kSizes[random() % kSizes.size()]);
+  for (std::byte& byte : bytes) byte = static_cast<std::byte>(random() % 3 == 0 ? random() : 0);
+  if (bytes.size() < sizeof(userbus::Request) || random() % 3 == 0) return bytes;
+  userbus::Request request{.operation = static_cast<userbus::Operation>(random() % 13),
+                           .value = random() % 2 == 0 ? static_cast<int>(random()) : 1001,
+                           .size = static_cast<std::uint32_t>(bytes.size() - sizeof request)};
+  std::memcpy(bytes.data(), &request, sizeof request);
+  return bytes;
+}
+
+TEST(RandomMessages, HarmNobodyButTheirSender) {
+  const unsigned seed = told::seed();
+  std::cout << "AXISD_TEST_SEED=" << seed << '\n';
+  std::mt19937 random{seed};
+  RunningHub hub;
+  BusClient talker{hub.path()};
+  BusClient listener{hub.path()};
+  constexpr std::array kStray{std::byte{1}};
+  send_with_descriptors(talker.descriptor(), kStray,
+                        1);  // the hub has a pipe from now on, to close them elsewhere
+  talker.settle();
+  const std::ptrdiff_t before = open_descriptors();
+
+  for (int round = 0; round < 50; ++round) {
+    BusClient stranger{hub.path(), random() % 2 == 0 ? "vcan0" : ""};
+    for (int i = 0; i < 100; ++i)
+      send_with_descriptors(stranger.descriptor(), broken_message(random), random() % 3 == 0 ? random() % 8 : 0);
+    if (random() % 2 == 0) continue;  // some close before they are read
+    stranger.settle();
+    stranger.take();
+  }
+  listener.set_filters(std::array{can_filter{0x123, CAN_EFF_FLAG | CAN_RTR_FLAG | CAN_SFF_MASK}});
+  listener.take();
+  talker.send("123#AA");
+  talker.settle();
+
+  EXPECT_EQ(listener.take_frames(), std::vector<std::string>{"123#AA"});
+  while (talker.ask(userbus::Operation::Statistics).error == 0) {
+    userbus::BusStatistics bus{};
+    std::memcpy(&bus, talker.reply().data(), sizeof bus);
+    if (bus.members == 2) break;
+  }
+  EXPECT_TRUE(at_most_remain(before)) << open_descriptors() << " instead of " << before;
+}
+
+}  // namespace
+}  // namespace hub_test

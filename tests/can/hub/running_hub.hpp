@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include "can/hub/path/path_owner.hpp"
+#include "can/hub/server.hpp"
+#include "tests/can/hub/bus_client.hpp"
+#include "tests/fakes/temporary_directory.hpp"
+
+namespace hub_test {
+
+/// A hub that serves a path of its own in a thread of the test.
+class RunningHub {
+ public:
+  explicit RunningHub(std::uint32_t bit_rate = 0)
+      : owner_{take(path())},
+        server_{owner_.listener(), {.bit_rate = bit_rate, .on_demand = false}},
+        end_{server_},
+        thread_{[this] { server_.run(); }} {}
+  RunningHub(const RunningHub&) = delete;
+  RunningHub& operator=(const RunningHub&) = delete;
+  ~RunningHub() {
+    end_.ask_for();
+    thread_.join();
+  }
+
+  [[nodiscard]] std::string path() const { return folder_.path("bus"); }
+
+ private:
+  /// Ends the loop from another thread.
+  class End final : public hub::Source {
+   public:
+    explicit End(hub::Server& server) : server_{server}, descriptor_{eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)} {
+      server_.add(*this);
+    }
+    ~End() override { server_.remove(*this); }
+    [[nodiscard]] int descriptor() const noexcept override { return descriptor_.get(); }
+    void on_readable(canopen::TimePoint) noexcept override { server_.stop(); }
+    void ask_for() const { eventfd_write(descriptor_.get(), 1); }
+
+   private:
+    hub::Server& server_;
+    bus::Descriptor descriptor_;
+  };
+
+  static hub::PathOwner take(const std::string& path) {
+    auto owner = hub::PathOwner::take(path_of(path), std::nullopt);
+    if (!owner) throw std::runtime_error{owner.error().text};
+    return std::move(*owner);
+  }
+
+  fakes::TemporaryDirectory folder_;
+  hub::PathOwner owner_;
+  hub::Server server_;
+  End end_;
+  std::thread thread_;
+};
+
+}  // namespace hub_test

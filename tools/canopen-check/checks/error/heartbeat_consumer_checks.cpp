@@ -1,0 +1,109 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/provocation.hpp"
+#include "tools/canopen-check/checks/shared/stations.hpp"
+
+namespace conformance {
+namespace {
+
+constexpr std::uint16_t kConsumers = 0x1016;
+constexpr std::uint32_t kParameterIncompatible = 0x06040043;
+
+/// A watched heartbeat, and where its loss would be told; else the check is skipped.
+struct Watched {
+  Provocation how;
+  std::uint32_t emcy;
+};
+std::optional<Watched> watch(Context& context) {
+  if (!context.need(kConsumers, 1)) return std::nullopt;
+  const std::optional<std::uint32_t> identifier = emcy_identifier(context);
+  const std::optional<Provocation> how = heartbeat_loss(context);
+  if (identifier && how) return Watched{*how, *identifier};
+  context.skip(identifier ? "1016h:01 takes no node-ID that is free" : "1014h is not there or invalid");
+  return std::nullopt;
+}
+
+void refuses_a_node_twice(Context& context) {
+  constexpr std::uint64_t kTime = 1000, kOtherTime = 500;  // ms
+  if (!context.need(kConsumers, 2)) return;
+  const std::optional<std::uint8_t> node = unused_node_id(context);
+  if (!node) return context.skip("every node-ID is taken by another station");
+  const std::uint64_t word = std::uint64_t{*node} << 16U;
+  if (!context.set(kConsumers, 1, word | kTime)) return;
+  context.step();
+  context.expect_abort(context.write_number(kConsumers, 2, word | kOtherTime), {kParameterIncompatible},
+                       kConsumers, 2, fmt::format("node {} a second time", *node));
+}
+
+void waits_for_the_first_heartbeat(Context& context) {
+  const std::optional<Watched> watched = watch(context);
+  if (!watched) return;
+  context.step();
+  const auto emergency = wait_for_emergency(context, watched->emcy, watched->how.delay + kEmergencyPatience);
+  if (emergency && emergency->code != 0)
+    context.fail(kConsumers, 1, "no loss before the first heartbeat", "emergency message " + to_text(*emergency));
+}
+
+void tells_the_loss(Context& context) {
+  const std::optional<Watched> watched = watch(context);
+  if (!watched) return;
+  const Provocation& how = watched->how;
+  context.step();
+  const canopen::TimePoint begin = context.session().now();
+  how.raise();
+  const auto emergency = wait_for_emergency(context, watched->emcy, how.delay + kEmergencyPatience);
+  if (!emergency)
+    return context.fail(kConsumers, 1, "an emergency message when " + how.name,
+                        "none within " + milliseconds(how.delay + kEmergencyPatience));
+  const canopen::Duration time = emergency->frame.time - begin;
+  context.note(fmt::format("{}: told after {}", how.name, milliseconds(time)));
+  if (time < how.delay && !context.about(time, how.delay))
+    context.fail(kConsumers, 1, "a loss not before " + milliseconds(how.delay), "after " + milliseconds(time));
+}
+
+void tells_the_return(Context& context) {
+  const std::optional<Watched> watched = watch(context);
+  if (!watched) return;
+  const Provocation& how = watched->how;
+  context.step();
+  how.raise();
+  if (!wait_for_emergency(context, watched->emcy, how.delay + kEmergencyPatience))
+    return context.skip("the loss of a heartbeat is not told");
+  how.end();
+  if (!wait_for_code(context, watched->emcy, 0, how.delay / 2))
+    context.fail(kConsumers, 1, "emergency message 0000h when the heartbeat is back", "none");
+}
+
+constexpr std::array kChecks{
+    Check{.id = "error-control.consumer-node-twice",
+          .name = "1016h refuses a node-ID that another entry watches",
+          .clause = "CiA 301 7.5.2.19",
+          .group = Group::ErrorControl,
+          .run = refuses_a_node_twice},
+    Check{.id = "error-control.consumer-begins",
+          .name = "A heartbeat is watched from its first frame on",
+          .clause = "CiA 301 7.2.8.3.2.2",
+          .group = Group::ErrorControl,
+          .run = waits_for_the_first_heartbeat},
+    Check{.id = "error-control.consumer-loss",
+          .name = "The loss of a watched heartbeat is told by an emergency message, and not too early",
+          .clause = "CiA 301 7.2.7.1",
+          .group = Group::ErrorControl,
+          .run = tells_the_loss},
+    Check{.id = "error-control.consumer-return",
+          .name = "The return of a watched heartbeat is told by emergency message 0000h",
+          .clause = "CiA 301 7.2.7.1",
+          .group = Group::ErrorControl,
+          .run = tells_the_return},
+};
+
+}  // namespace
+
+std::span<const Check> heartbeat_consumer_checks() noexcept {
+  return kChecks;
+}
+
+}  // namespace conformance

@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "tools/canopen-check/checks/pdo/pdo_tools.hpp"
+#include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/finding_limit.hpp"
+
+namespace conformance {
+namespace {
+
+constexpr canopen::Duration kPeriod = std::chrono::milliseconds{20}, kPatience = std::chrono::milliseconds{250};
+
+/// The TPDO of a check, with transmission type @p type.
+std::optional<Pdo> synchronous(Context& context, std::uint8_t type) {
+  const auto pdo = test_pdo(context, PdoDirection::Transmit);
+  if (!pdo || !set_up(context, *pdo, {.type = type, .inhibit_time = 0, .event_timer = 0})) return std::nullopt;
+  return pdo;
+}
+
+/// The same in Operational; a step begins.
+std::optional<Pdo> started(Context& context, std::uint8_t type) {
+  std::optional<Pdo> pdo = synchronous(context, type);
+  if (!pdo) return pdo;
+  context.enter(canopen::NmtState::Operational);
+  context.session().pass(kPeriod);
+  context.step();
+  return pdo;
+}
+
+void comes_with_every_sync(Context& context) {
+  constexpr int kSyncs = 10;
+  const auto pdo = started(context, 1);
+  if (!pdo) return;
+  const std::uint32_t identifier = identifier_of(context, *pdo);
+  SyncSource sync{context};
+  const std::vector<std::size_t> counts = sync.count_each(kSyncs, kPeriod, identifier, kPatience);
+  if (std::ranges::any_of(counts, [](std::size_t count) { return count != 1; }))
+    context.fail(pdo->parameters(), kTypeSub, fmt::format("a frame of {}, type 1, after each SYNC", pdo->name()),
+                 fmt::format("{} frames after {} SYNCs", fmt::join(counts, ", "), kSyncs));
+}
+
+void comes_with_every_nth_sync(Context& context) {
+  constexpr std::uint8_t kType = 3;
+  constexpr std::size_t kFrames = 4;
+  const auto pdo = started(context, kType);
+  if (!pdo) return;
+  const std::uint32_t identifier = identifier_of(context, *pdo);
+  SyncSource sync{context};
+  const std::vector<std::size_t> counts =
+      sync.count_each(kType * static_cast<int>(kFrames), 2 * kPeriod, identifier);
+  // Which SYNC of three is the first one is the node's affair.
+  bool right = true;
+  for (std::size_t i = 0; i + kType <= counts.size(); ++i)
+    right = right && std::accumulate(counts.begin() + static_cast<std::ptrdiff_t>(i),
+                                     counts.begin() + static_cast<std::ptrdiff_t>(i) + kType, std::size_t{0}) == 1;
+  if (!right)
+    context.fail(pdo->parameters(), kTypeSub,
+                 fmt::format("a frame of {}, type 3, with every third SYNC", pdo->name()),
+                 fmt::format("{} frames after {} SYNCs", fmt::join(counts, ", "), counts.size()));
+}
+
+void is_silent_without_sync(Context& context) {
+  const auto pdo = synchronous(context, 1);
+  if (!pdo) return;
+  const std::uint32_t identifier = identifier_of(context, *pdo);
+  context.step();
+  context.enter(canopen::NmtState::Operational);
+  const auto frames = context.session().collect(under(identifier), std::chrono::milliseconds{200});
+  if (!frames.empty())
+    context.fail(pdo->parameters(), kTypeSub, fmt::format("no frame of {}, type 1, without SYNC", pdo->name()),
+                 fmt::format("{} in 200 ms", frames.size()));
+}
+
+/// CiA's own test wants a frame with each SYNC here; CiA 301 wants an event between.
+void type_0_waits_for_an_event(Context& context) {
+  const auto object = changeable(context);
+  const auto pdo = object ? test_pdo(context, PdoDirection::Transmit) : std::nullopt;
+  if (!pdo || !set_up(context, *pdo, {.type = 0, .inhibit_time = 0, .event_timer = 0, .mapping = {*object}}))
+    return;
+  const std::uint32_t identifier = identifier_of(context, *pdo);
+  SyncSource sync{context};
+  context.enter(canopen::NmtState::Operational);
+  (void)sync.run(1, kPeriod, identifier);  // entering Operational may be an event
+  context.step();
+  const std::size_t before = sync.run(4, kPeriod, identifier).size();
+  const std::size_t mark = context.session().mark();
+  (void)change(context, *object);
+  const std::size_t early = frames_since(context, mark, identifier).size();
+  const std::vector<std::size_t> after = sync.count_each(3, kPeriod, identifier);
+  const auto fail = [&](std::string expected, std::string found) {
+    context.fail(pdo->parameters(), kTypeSub, std::move(expected), std::move(found));
+  };
+  if (before != 0) fail("no frame of type 0 without an event", fmt::format("{} with 4 SYNCs", before));
+  if (early != 0) fail("no frame of type 0 before the SYNC after an event", fmt::format("{}", early));
+  if (after == std::vector<std::size_t>{0, 0, 0})
+    context.note("a change of the mapped object is no event");
+  else if (before == 0 && after != std::vector<std::size_t>{1, 0, 0})
+    fail("one frame of type 0 with the SYNC after an event",
+         fmt::format("{} with three SYNCs", fmt::join(after, ", ")));
+}
+
+void begins_with_the_start_value(Context& context) {
+  constexpr std::uint16_t kOverflow = 0x1019;
+  constexpr std::uint8_t kStart = 3;
+  if (!context.need(kOverflow)) return;
+  const auto pdo = test_pdo(context, PdoDirection::Transmit);
+  if (!pdo) return;
+  if (!has_parameter(context, *pdo, kSyncStartSub))
+    return context.skip(fmt::format("object {} is not there", to_text(Subject{pdo->parameters(), kSyncStartSub})));
+  if (!set_up(context, *pdo, {.type = 1, .inhibit_time = 0, .event_timer = 0, .sync_start = kStart})) return;
+  if (const SdoAnswer answer = context.write_number(kOverflow, 0, 10); !answer.done())
+    return context.skip("1019h cannot be set: " + to_text(answer));
+  const std::uint32_t identifier = identifier_of(context, *pdo);
+  SyncSource sync{context};
+  context.enter(canopen::NmtState::Operational);
+  context.session().pass(kPeriod);
+  context.step();
+  const std::vector<std::size_t> counts = sync.count_each(5, kPeriod, identifier, kPatience);
+  if (counts != std::vector<std::size_t>{0, 0, 1, 1, 1})
+    context.fail(pdo->parameters(), kSyncStartSub, "the first frame with the SYNC of counter 3",
+                 fmt::format("{} frames with counters 1 to 5", fmt::join(counts, ", ")));
+}
+
+/// Every valid TPDO whose type can be 1, so set.
+std::vector<Pdo> all_with_type_1(Context& context) {
+  std::vector<Pdo> pdos;
+  for (const Pdo& pdo : all_pdos(context, PdoDirection::Transmit)) {
+    const SdoAnswer cob_id = context.read(pdo.parameters(), kCobIdSub);
+    if (!cob_id.done() || (cob_id.number() & kInvalid) != 0 || mapping_of(context, pdo).empty()) continue;
+    if (set_up(context, pdo, {.type = 1, .inhibit_time = 0, .event_timer = 0})) pdos.push_back(pdo);
+  }
+  if (!pdos.empty()) context.unskip();
+  return pdos;
+}
+
+void all_come_with_every_sync(Context& context) {
+  constexpr std::size_t kSyncs = 10;
+  const std::vector<Pdo> pdos = all_with_type_1(context);
+  if (pdos.empty()) {
+    if (!context.skipped()) context.skip("no TPDO is valid");
+    return;
+  }
+  std::vector<std::uint32_t> identifiers;
+  for (const Pdo& pdo : pdos) identifiers.push_back(identifier_of(context, pdo));
+  SyncSource sync{context};
+  context.enter(canopen::NmtState::Operational);
+  context.session().pass(kPeriod);
+  context.step();
+  const std::size_t mark = context.session().mark();
+  for (std::size_t i = 0; i < kSyncs; ++i) {
+    sync.send();
+    context.session().pass(2 * kPeriod);
+  }
+  FindingLimit findings{context};
+  for (std::size_t i = 0; i < pdos.size(); ++i)
+    if (const std::size_t count = frames_since(context, mark, identifiers[i]).size(); count != kSyncs)
+      findings.fail({pdos[i].parameters(), kTypeSub},
+                    fmt::format("{} frames of {} beside the {} others with {} SYNCs", kSyncs, pdos[i].name(),
+                                pdos.size() - 1, kSyncs),
+                    fmt::format("{}", count));
+}
+
+void misses_no_sync(Context& context) {
+  constexpr int kSyncs = 250;
+  constexpr canopen::Duration kFast = std::chrono::milliseconds{4};
+  const auto pdo = started(context, 1);
+  if (!pdo) return;
+  const std::uint32_t identifier = identifier_of(context, *pdo);
+  SyncSource sync{context};
+  std::size_t frames = sync.run(kSyncs, kFast, identifier).size();
+  frames += context.session().collect(under(identifier), kPatience).size();
+  if (frames != kSyncs)
+    context.fail(pdo->parameters(), kTypeSub,
+                 fmt::format("{} frames of {} with {} SYNCs 4 ms apart", kSyncs, pdo->name(), kSyncs),
+                 fmt::format("{}", frames));
+}
+
+constexpr std::array kChecks{
+    Check{.id = "pdo.every-sync",
+          .name = "A TPDO of type 1 is sent once with every SYNC",
+          .clause = "CiA 301 7.2.2.2",
+          .group = Group::Pdo,
+          .run = comes_with_every_sync},
+    Check{.id = "pdo.every-nth-sync",
+          .name = "A TPDO of type 3 is sent once with every third SYNC",
+          .clause = "CiA 301 7.2.2.2",
+          .group = Group::Pdo,
+          .run = comes_with_every_nth_sync},
+    Check{.id = "pdo.no-sync",
+          .name = "A TPDO of type 1 is not sent without SYNC",
+          .clause = "CiA 301 7.2.2.2",
+          .group = Group::Pdo,
+          .run = is_silent_without_sync},
+    Check{.id = "pdo.acyclic",
+          .name = "A TPDO of type 0 is sent with the SYNC after an event, and only then",
+          .clause = "CiA 301 7.2.2.2",
+          .group = Group::Pdo,
+          .run = type_0_waits_for_an_event},
+    Check{.id = "pdo.sync-start-value",
+          .name = "The SYNC whose counter is the start value is the first of a synchronous TPDO",
+          .clause = "CiA 301 7.5.2.37",
+          .group = Group::Pdo,
+          .run = begins_with_the_start_value},
+    Check{.id = "pdo.all-with-sync",
+          .name = "All synchronous TPDOs are sent with every SYNC",
+          .clause = "CiA 301 7.2.2.2",
+          .group = Group::Pdo,
+          .run = all_come_with_every_sync},
+    Check{.id = "pdo.sync-count",
+          .name = "Over 250 SYNCs no frame of a TPDO of type 1 is missing or double",
+          .clause = "CiA 301 7.2.2.2",
+          .group = Group::Pdo,
+          .run = misses_no_sync},
+};
+
+}  // namespace
+
+std::span<const Check> pdo_sync_checks() noexcept {
+  return kChecks;
+}
+
+}  // namespace conformance

@@ -1,0 +1,203 @@
+#include "tools/canopen-check/checks/shared/provocation.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/canopen-check/checks/shared/process_data.hpp"
+#include "tools/canopen-check/checks/shared/stations.hpp"
+
+namespace conformance {
+namespace {
+
+constexpr std::uint16_t kGuardTime = 0x100C, kLifeTimeFactor = 0x100D, kCobIdEmcy = 0x1014, kConsumers = 0x1016,
+                        kHeartbeatTime = 0x1017, kSyncOverflow = 0x1019;
+constexpr std::uint32_t kErrorControl = 0x700, kEmcy = 0x80, kStandardBits = 0x7FF;
+/// Time that a heartbeat or a guarding request may be missing, in ms.
+constexpr std::uint64_t kLife = 100;
+constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kLife};
+
+bool has(Context& context, std::uint16_t index, std::uint8_t sub_index = 0) {
+  return context.eds().empty() ? context.read(index, sub_index).done()
+                               : context.eds().find(index, sub_index) != nullptr;
+}
+
+bool answers_guarding(Context& context) {
+  Session& session = context.session();
+  if (!session.carries_remote_frames()) return false;
+  session.drain();
+  session.send({.id = session.identifier(kErrorControl), .length = 1, .remote = true});
+  return session.wait_for(under(session.identifier(kErrorControl)), kLifeTime).has_value();
+}
+
+std::uint16_t code_of(const canopen::Frame& frame) noexcept {
+  return static_cast<std::uint16_t>(frame.data[0] | frame.data[1] << 8U);
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> emcy_identifier(Context& context) {
+  const SdoAnswer cob_id = context.read(kCobIdEmcy);
+  // Who sends emergency messages has 1014h (CiA 301, 7.5.2.17).
+  const bool absent = cob_id.aborted() && cob_id.abort_code == number_of(canopen::AbortCode::NoObject);
+  if (absent && !context.eds().has(kCobIdEmcy)) return std::nullopt;
+  if (!cob_id.done()) return context.session().identifier(kEmcy);
+  const auto word = static_cast<std::uint32_t>(cob_id.number());
+  if ((word & kInvalid) != 0) return std::nullopt;
+  return word & kStandardBits;
+}
+
+std::optional<Emergency> wait_for_emergency(Context& context, std::uint32_t identifier,
+                                            canopen::Duration patience) {
+  const std::optional<TimedFrame> frame = context.session().wait_for(under(identifier), patience);
+  if (!frame) return std::nullopt;
+  return Emergency{.frame = *frame, .code = code_of(frame->frame), .error_register = frame->frame.data[2]};
+}
+
+std::optional<Emergency> wait_for_code(Context& context, std::uint32_t identifier, std::uint16_t code,
+                                       canopen::Duration patience) {
+  const auto frame = context.session().wait_for(
+      [is_emcy = under(identifier), code](const canopen::Frame& each) {
+        return is_emcy(each) && code_of(each) == code;
+      },
+      patience);
+  if (!frame) return std::nullopt;
+  return Emergency{.frame = *frame, .code = code, .error_register = frame->frame.data[2]};
+}
+
+std::string to_text(const Emergency& emergency) {
+  return fmt::format("{:04X}h, register {:02X}h", emergency.code, emergency.error_register);
+}
+
+std::optional<Provocation> heartbeat_loss(Context& context) {
+  if (!has(context, kConsumers, 1)) return std::nullopt;
+  const std::optional<std::uint8_t> node = unused_node_id(context);
+  if (!node || !context.write_number(kConsumers, 1, std::uint64_t{*node} << 16U | kLife).done())
+    return std::nullopt;
+  const auto beat = [session = &context.session(), id = kErrorControl + *node] {
+    session->send({.id = id, .length = 1, .data = {static_cast<std::uint8_t>(canopen::NmtState::Operational)}});
+  };
+  return Provocation{.name = fmt::format("the heartbeat of node {} is lost", *node),
+                     .code = 0x8130,
+                     .delay = kLifeTime,
+                     .raise = beat,
+                     .end = beat};
+}
+
+std::optional<Provocation> guarding_loss(Context& context) {
+  constexpr std::uint64_t kFactor = 2;
+  if (!has(context, kGuardTime) || !has(context, kLifeTimeFactor)) return std::nullopt;
+  if (has(context, kHeartbeatTime) && context.read(kHeartbeatTime).number() != 0 &&
+      !context.write_number(kHeartbeatTime, 0, 0).done())
+    return std::nullopt;
+  if (!answers_guarding(context) || !context.write_number(kGuardTime, 0, kLife).done() ||
+      !context.write_number(kLifeTimeFactor, 0, kFactor).done())
+    return std::nullopt;
+  const auto request = [session = &context.session()] {
+    session->send({.id = session->identifier(kErrorControl), .length = 1, .remote = true});
+  };
+  return Provocation{.name = "the guarding master is lost",
+                     .code = 0x8130,
+                     .delay = kLifeTime * kFactor,
+                     .raise = request,
+                     .end = request};
+}
+
+std::optional<Provocation> sync_length(Context& context) {
+  if (!has(context, kSyncOverflow)) return std::nullopt;
+  const std::uint32_t sync = sync_identifier(context);
+  const bool counted = context.read(kSyncOverflow).number() != 0;
+  const auto say = [session = &context.session(), sync](bool counter) {
+    session->send({.id = sync, .length = static_cast<std::uint8_t>(counter ? 1 : 0), .data = {1}});
+  };
+  return Provocation{.name = "a SYNC has an unexpected length",
+                     .code = 0x8240,
+                     .raise = [say, counted] { say(!counted); },
+                     .end = [say, counted] { say(counted); }};
+}
+
+std::optional<Provocation> short_rpdo(Context& context) {
+  if (!context.manners().refuses_operational.empty()) return std::nullopt;
+  const auto made_of = [&context](const canopen::Frame& good, bool ends) {
+    // Without data it has no values to process, whatever it is mapped to.
+    Provocation how{.name = fmt::format("RPDO {:03X}h has no data", good.id), .code = 0x8210};
+    how.raise = [&context, id = good.id] {
+      context.session().command(canopen::NmtCommand::Start);
+      context.session().send({.id = id});
+    };
+    if (ends) how.end = [&context, good] { context.session().send(good); };
+    return how;
+  };
+  for (const ValidPdo& rpdo : valid_pdos(context, kFirstRpdo)) {
+    if (const auto good = unchanged(context, rpdo)) return made_of(*good, true);
+    if (context.read(static_cast<std::uint16_t>(rpdo.parameters + 0x200)).number() != 0)
+      return made_of({.id = rpdo.identifier}, false);
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std::initializer_list<Way> ways) {
+  for (const Way way : ways) {
+    const std::optional<Provocation> how = way(context);
+    if (!how) continue;
+    Provoked provoked{way, *how, identifier, {}};
+    const std::optional<Emergency> emergency = again(context, provoked);
+    if (!emergency) continue;
+    provoked.emergency = *emergency;
+    return provoked;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Provoked> provoke(Context& context, Ending ending, std::initializer_list<Way> ways) {
+  const std::optional<std::uint32_t> identifier = emcy_identifier(context);
+  if (!identifier) {
+    context.skip("1014h is not there or invalid: the node sends no emergency messages");
+    return std::nullopt;
+  }
+  bool& sends_none = context.manners().sends_no_emergency;
+  std::optional<Provoked> provoked;
+  if (!sends_none) provoked = try_all(context, *identifier, ways);
+  const bool again = !provoked && !sends_none && context.settings().allow_reset;
+  if (again && !context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
+  if (again) {
+    context.enter(canopen::NmtState::PreOperational);
+    provoked = try_all(context, *identifier, ways);
+  }
+  sends_none = !provoked && !context.session().ended();
+  if (!provoked) context.skip("the node sends no emergency message for any error that the tester can bring about");
+  if (provoked && ending == Ending::Now && provoked->how.end) {
+    provoked->how.end();
+    (void)wait_for_code(context, *identifier, 0, kEmergencyPatience / 4);
+  }
+  return provoked;
+}
+
+bool prepare_again(Context& context, Provoked& provoked) {
+  if (!context.restart(canopen::NmtCommand::ResetNode)) return false;
+  context.enter(canopen::NmtState::PreOperational);
+  const std::optional<Provocation> how = provoked.way(context);
+  if (how) {
+    provoked.how = *how;
+  } else {
+    context.skip("the error cannot be brought about once more");
+  }
+  return how.has_value();
+}
+
+std::optional<Emergency> again(Context& context, const Provoked& provoked) {
+  Session& session = context.session();
+  session.drain();
+  context.step();
+  provoked.how.raise();
+  const auto frame =
+      session.wait_for([is_emcy = under(provoked.identifier)](
+                           const canopen::Frame& each) { return is_emcy(each) && code_of(each) != 0; },
+                       provoked.how.delay + kEmergencyPatience);
+  if (!frame) return std::nullopt;
+  return Emergency{.frame = *frame, .code = code_of(frame->frame), .error_register = frame->frame.data[2]};
+}
+
+}  // namespace conformance

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+#include "tools/canopen-check/core/run/context.hpp"
+
+namespace conformance {
+
+/// An emergency message.
+struct Emergency {
+  TimedFrame frame{};
+  std::uint16_t code = 0;
+  std::uint8_t error_register = 0;
+};
+
+/// The identifier of the node's emergency messages, as 1014h says; nothing while it is invalid, and
+/// without 1014h.
+[[nodiscard]] std::optional<std::uint32_t> emcy_identifier(Context& context);
+
+/// The next emergency message of the node under @p identifier, or nothing.
+[[nodiscard]] std::optional<Emergency> wait_for_emergency(Context& context, std::uint32_t identifier,
+                                                          canopen::Duration patience);
+/// The next one with @p code; others are passed over.
+[[nodiscard]] std::optional<Emergency> wait_for_code(Context& context, std::uint32_t identifier,
+                                                     std::uint16_t code, canopen::Duration patience);
+/// "8130h, register 11h".
+[[nodiscard]] std::string to_text(const Emergency& emergency);
+
+/// A communication error that the tester can bring about, and end. What it writes is restored behind the check.
+struct Provocation {
+  std::string name{};                ///< "heartbeat of node 127 lost"
+  std::uint16_t code = 0;            ///< that CiA 301 has for the error
+  canopen::Duration delay{};         ///< from raise() to the error
+  std::function<void()> raise = {};  ///< does what leads to the error
+  std::function<void()> end = {};    ///< ends its cause; empty if the tester cannot
+};
+
+/// Loss of the heartbeat of a node that the tester plays; nothing where 1016h does not take it.
+[[nodiscard]] std::optional<Provocation> heartbeat_loss(Context& context);
+/// Loss of the guarding master; nothing where the node answers no guarding or 100Ch, 100Dh do not take it.
+[[nodiscard]] std::optional<Provocation> guarding_loss(Context& context);
+/// A SYNC of unexpected length; nothing without 1019h.
+[[nodiscard]] std::optional<Provocation> sync_length(Context& context);
+/// An RPDO without data, in Operational; nothing without a valid RPDO. It can be ended if a good RPDO does no
+/// harm.
+[[nodiscard]] std::optional<Provocation> short_rpdo(Context& context);
+
+/// A way to provoke an error.
+using Way = std::optional<Provocation> (*)(Context&);
+
+/// Whether provoke() ends the cause of the error again, where that is possible.
+enum class Ending : std::uint8_t { Now, Later };
+
+/// What has been seen to make the node send an emergency message, and that message.
+struct Provoked {
+  Way way = nullptr;
+  Provocation how{};
+  std::uint32_t identifier = 0;  ///< of emergency messages
+  Emergency emergency{};
+};
+/// The first of @p ways for which the node sends an emergency message; the node is reset and they are tried once
+/// more if it sends none for any of them, since an error may last. Nothing, and the check is skipped, if that does
+/// not help.
+[[nodiscard]] std::optional<Provoked> provoke(Context& context, Ending ending = Ending::Now,
+                                              std::initializer_list<Way> ways = {heartbeat_loss, guarding_loss,
+                                                                                 sync_length, short_rpdo});
+/// Resets the node, which ends what lasts, and prepares the same error anew. False, and the check is skipped, if
+/// that is not possible.
+bool prepare_again(Context& context, Provoked& provoked);
+/// Does it once more: the emergency message, or nothing.
+[[nodiscard]] std::optional<Emergency> again(Context& context, const Provoked& provoked);
+
+/// How long an emergency message may take after the error.
+inline constexpr canopen::Duration kEmergencyPatience = std::chrono::milliseconds{200};
+
+}  // namespace conformance

@@ -1,0 +1,42 @@
+#include "tools/canopen-check/core/run/protected_entries.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace conformance {
+namespace {
+
+/// Objects of CiA 402 that make a drive move, for the first axis; the others are 800h apart.
+constexpr std::array<std::uint16_t, 10> kMotion{0x6040, 0x6042, 0x6060, 0x6071, 0x6074,
+                                                0x607A, 0x60B0, 0x60B1, 0x60B2, 0x60FF};
+constexpr std::uint16_t kFirstAxis = 0x6000, kAxisDistance = 0x800, kEndOfAxes = 0xA000;
+
+bool moves(std::uint16_t index) noexcept {
+  if (index < kFirstAxis || index >= kEndOfAxes) return false;
+  const auto of_first = static_cast<std::uint16_t>(kFirstAxis + (index - kFirstAxis) % kAxisDistance);
+  return std::ranges::find(kMotion, of_first) != kMotion.end();
+}
+
+/// Objects whose writing is an order, not a value.
+struct Order {
+  std::uint16_t first, last;
+  const char* refusal;
+};
+constexpr std::array kOrders{
+    Order{0x1003, 0x1003, "writing it deletes the error history"},
+    Order{0x1F50, 0x1F5F, "it belongs to the download of programs"},
+};
+
+}  // namespace
+
+const char* write_refusal(const EntryFacts& entry, const Settings& settings) noexcept {
+  constexpr std::uint16_t kStore = 0x1010, kRestore = 0x1011;
+  if (entry.no_write) return "ObjFlags asks not to write it";
+  if (!settings.allow_store && (entry.index == kStore || entry.index == kRestore)) return "it needs --allow-store";
+  if (!settings.allow_motion && moves(entry.index)) return "it needs --allow-motion";
+  const auto order = std::ranges::find_if(
+      kOrders, [&](const Order& row) { return entry.index >= row.first && entry.index <= row.last; });
+  return order == kOrders.end() ? nullptr : order->refusal;
+}
+
+}  // namespace conformance
