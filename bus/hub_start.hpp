@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "bus/descriptor.hpp"
+#include "os/descriptor.hpp"
 #include "userbus/join.hpp"
 
 namespace bus {
@@ -21,7 +21,7 @@ class HubStart {
   [[nodiscard]] std::optional<userbus::JoinError> finish() noexcept;
 
  private:
-  Descriptor process_;
+  os::Descriptor process_;
 };
 
 }  // namespace bus

@@ -5,10 +5,10 @@
 
 #include <linux/can.h>
 
-#include "bus/descriptor.hpp"
 #include "bus/filter_list.hpp"
 #include "bus/interface.hpp"
 #include "bus/port.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus {
 
@@ -51,7 +51,7 @@ class SocketCan final : public Port {
 
   std::string interface_;
   int wanted_buffer_;
-  Descriptor socket_;
+  os::Descriptor socket_;
   FilterList filters_;
   ErrorState error_state_ = ErrorState::Active;
   LinkFailure link_failure_ = LinkFailure::None;

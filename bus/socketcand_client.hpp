@@ -5,10 +5,10 @@
 #include <string_view>
 #include <variant>
 
-#include "bus/descriptor.hpp"
 #include "bus/port.hpp"
 #include "bus/socket_address.hpp"
 #include "bus/socketcand_text.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus::socketcand {
 
@@ -56,7 +56,7 @@ class Client {
   void say(const Message& message);
   void fail(std::string problem);
 
-  Descriptor socket_;
+  os::Descriptor socket_;
   Stage stage_ = Stage::Closed;
   std::string name_;
   std::string problem_;

@@ -5,9 +5,9 @@
 
 #include "bus/filter_list.hpp"
 #include "bus/link.hpp"
-#include "bus/pollable.hpp"
 #include "bus/port.hpp"
 #include "bus/user_bus_entry.hpp"
+#include "os/pollable.hpp"
 
 namespace bus {
 
@@ -60,8 +60,8 @@ class UserBus final : public Port {
   Received hub_lost() noexcept;
 
   UserBusEntry entry_;
-  Descriptor socket_;
-  Pollable pollable_;  ///< stands for the socket while there is one
+  os::Descriptor socket_;
+  os::Pollable pollable_;  ///< stands for the socket while there is one
   FilterList filters_;
   bool is_bridge_ = false;
   bool is_unapplied_ = false;  ///< the hub has not been told the filters, or that this is a bridge

@@ -8,10 +8,10 @@
 
 #include "bus/connection.hpp"
 #include "bus/message_limit.hpp"
-#include "bus/pollable.hpp"
 #include "bus/transmit_queue.hpp"
 #include "hub/medium.hpp"
 #include "hub/source.hpp"
+#include "os/pollable.hpp"
 
 namespace hub {
 
@@ -54,7 +54,7 @@ class Bridge final : public Source, public Participant {
 
   Medium& medium_;
   bus::Connection connection_;
-  bus::Pollable ready_;  ///< of port and link
+  os::Pollable ready_;  ///< of port and link
   bus::TransmitQueue queue_;
   std::string name_;
   Notice notice_;

@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "bus/descriptor.hpp"
 #include "hub/core.hpp"
 #include "hub/loop/timer.hpp"
 #include "hub/source.hpp"
+#include "os/descriptor.hpp"
 #include "userbus/name.hpp"
 
 namespace hub {
@@ -46,8 +46,8 @@ class Server final : public SourceList, private Watch {
 
   void on_events(std::uint32_t events, canopen::TimePoint now) noexcept override;
   void accept_members(canopen::TimePoint now) noexcept;
-  void admit(bus::Descriptor socket, userbus::Kind kind) noexcept;
-  std::unique_ptr<Member> make_member(bus::Descriptor socket, userbus::Kind kind);
+  void admit(os::Descriptor socket, userbus::Kind kind) noexcept;
+  std::unique_ptr<Member> make_member(os::Descriptor socket, userbus::Kind kind);
   void pause_listening(canopen::TimePoint now) noexcept;
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
   void on_time(canopen::TimePoint now) noexcept;

@@ -6,9 +6,9 @@
 
 #include <sys/types.h>
 
-#include "bus/descriptor.hpp"
 #include "hub/core.hpp"
 #include "hub/member/outbox.hpp"
+#include "os/descriptor.hpp"
 #include "userbus/name.hpp"
 
 namespace hub {
@@ -18,7 +18,7 @@ namespace hub {
 class Member : public Watch {
  public:
   /// Takes over @p socket, which accept(2) gave.
-  Member(Core& core, bus::Descriptor socket, userbus::Kind kind);
+  Member(Core& core, os::Descriptor socket, userbus::Kind kind);
   Member(const Member&) = delete;
   Member& operator=(const Member&) = delete;
   ~Member() override;
@@ -88,7 +88,7 @@ class Member : public Watch {
   void update_watch() noexcept;
 
   Core& core_;
-  bus::Descriptor socket_;
+  os::Descriptor socket_;
   Outbox outbox_;
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;

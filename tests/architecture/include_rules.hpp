@@ -21,6 +21,7 @@ inline constexpr std::string_view kSystem = "<*.h>";
 
 /// Who may include whom: a folder rests only on what its row names.
 inline constexpr std::array kLayers{
+    Layer{"os", {"fmt/", kSystem}},
     Layer{"libcanopen", {}},
     Layer{"motor", {"Eigen/", "unsupported/Eigen/"}},
     Layer{"drive", {"motor/", "fmt/"}},
@@ -28,14 +29,15 @@ inline constexpr std::array kLayers{
     Layer{"eds", {"libcanopen/od/", "nlohmann/", "fmt/"}},
     Layer{"userbus", {kSystem}},
     Layer{"bus",
-          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "userbus/", "nlohmann/", "fmt/", kSystem}},
-    Layer{"hub", {"libcanopen/base/", "userbus/", "bus/", "fmt/", kSystem}},
-    Layer{"daemon",
-          {"libcanopen/", "drive/", "motor/", "device/", "eds/", "bus/", "fmt/", "nlohmann/", "CLI/", "systemd/",
+          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "userbus/", "nlohmann/", "fmt/",
            kSystem}},
+    Layer{"hub", {"libcanopen/base/", "os/", "userbus/", "bus/", "fmt/", kSystem}},
+    Layer{"daemon",
+          {"libcanopen/", "drive/", "motor/", "device/", "eds/", "os/", "bus/", "fmt/", "nlohmann/", "CLI/",
+           "systemd/", kSystem}},
     Layer{"tools",
-          {"libcanopen/", "eds/", "userbus/", "bus/", "hub/", "daemon/control_protocol.hpp", "fmt/", "nlohmann/",
-           "CLI/", kSystem}},
+          {"libcanopen/", "eds/", "os/", "userbus/", "bus/", "hub/", "daemon/control_protocol.hpp", "fmt/",
+           "nlohmann/", "CLI/", kSystem}},
     Layer{"preload", {"userbus/", kSystem}},
 };
 

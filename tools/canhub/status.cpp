@@ -10,7 +10,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "bus/descriptor.hpp"
+#include "os/descriptor.hpp"
 #include "userbus/join.hpp"
 #include "userbus/request.hpp"
 
@@ -52,7 +52,7 @@ bool read_statistics(int member, userbus::BusStatistics& bus, std::vector<Member
 
 bool print_status(const userbus::Path& path, std::ostream& out, std::ostream& errors) {
   const userbus::Joined joined = userbus::join(path, nullptr, userbus::Kind::Port, SOCK_CLOEXEC);
-  const bus::Descriptor member{joined.descriptor};
+  const os::Descriptor member{joined.descriptor};
   userbus::BusStatistics bus{};
   std::vector<MemberStatistics> rows;
   if (!member || !read_statistics(member.get(), bus, rows)) {
