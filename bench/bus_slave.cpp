@@ -32,7 +32,7 @@ class Signals {
     sigemptyset(&set);
     for (const int signal : {SIGTERM, SIGINT}) sigaddset(&set, signal);
     sigprocmask(SIG_BLOCK, &set, nullptr);
-    descriptor_ = bus::Descriptor{::signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC)};
+    descriptor_ = os::Descriptor{::signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC)};
     if (!descriptor_) throw std::system_error{errno, std::generic_category(), "signalfd"};
   }
   int descriptor() const noexcept { return descriptor_.get(); }
@@ -43,7 +43,7 @@ class Signals {
   }
 
  private:
-  bus::Descriptor descriptor_;
+  os::Descriptor descriptor_;
 };
 
 /// A plain node of the library on the daemon's loop.

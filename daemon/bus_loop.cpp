@@ -29,25 +29,15 @@ constexpr canopen::Duration kLongestCatchUp = std::chrono::milliseconds{20};
 /// After so many turns in which the timer rang the rare descriptors are looked after in spite of it.
 constexpr unsigned kMostRings = 16;
 
-bus::Descriptor open_epoll() {
-  bus::Descriptor epoll{::epoll_create1(EPOLL_CLOEXEC)};
-  if (!epoll) throw std::system_error{errno, std::generic_category(), "epoll_create1"};
-  return epoll;
-}
-
 }  // namespace
 
-BusLoop::BusLoop(bus::Port& port, Station& station)
-    : station_{station}, port_{port}, queue_{port_}, others_{open_epoll()} {
+BusLoop::BusLoop(bus::Port& port, Station& station) : station_{station}, port_{port}, queue_{port_} {
   filters_.reserve(kMostSubscriptions);
   watch(timer_.descriptor());
 }
 
 void BusLoop::watch(int descriptor) {
-  epoll_event event{};
-  event.events = EPOLLIN;
-  if (::epoll_ctl(others_.get(), EPOLL_CTL_ADD, descriptor, &event) != 0)
-    throw std::system_error{errno, std::generic_category(), "epoll_ctl"};
+  if (!others_.add(descriptor, EPOLLIN)) throw std::system_error{errno, std::generic_category(), "epoll_ctl"};
 }
 
 bool BusLoop::open() noexcept {
@@ -75,10 +65,10 @@ void BusLoop::follow_subscriptions() noexcept {
 }
 
 void BusLoop::turn() noexcept {
-  timer_.wake_by(std::min(station_.next_deadline(), queue_.next_retry()), now_);
+  timer_.by(std::min(station_.next_deadline(), queue_.next_retry()), now_);
   const bool listens = is_open_ && queue_.accepts_input();
   std::array<pollfd, 2> wait{pollfd{listens ? port_.descriptor() : -1, POLLIN, 0},
-                             pollfd{others_.get(), POLLIN, 0}};
+                             pollfd{others_.descriptor(), POLLIN, 0}};
   constexpr timespec kNoSleep{};
   const int ready = ::ppoll(wait.data(), wait.size(), rare_waits_ ? &kNoSleep : nullptr, nullptr);
   if (ready < 0 || (ready == 0 && !rare_waits_)) return;

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "can/connection/transmit_queue.hpp"
-#include "can/port/descriptor.hpp"
 #include "can/port/port.hpp"
 #include "daemon/station.hpp"
-#include "daemon/timer.hpp"
+#include "daemon/wake_up.hpp"
+#include "os/pollable.hpp"
 
 namespace axisd {
 
@@ -57,8 +57,8 @@ class BusLoop {
   Station& station_;
   bus::Port& port_;
   bus::TransmitQueue queue_;
-  Timer timer_;
-  bus::Descriptor others_;  ///< epoll over the timer and what is watched
+  WakeUp timer_;
+  os::Pollable others_;  ///< over the timer and what is watched
   std::vector<bus::Filter> filters_;
   canopen::TimePoint now_{};     ///< of this turn
   canopen::TimePoint before_{};  ///< of the one before

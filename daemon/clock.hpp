@@ -1,16 +1,13 @@
 #pragma once
 
-#include <ctime>
-
 #include "libcanopen/base/time.hpp"
+#include "os/clock.hpp"
 
 namespace axisd {
 
-/// The present on the time line that everything below is told: CLOCK_MONOTONIC.
+/// The present on the time line that everything below is told.
 inline canopen::TimePoint read_clock() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return canopen::TimePoint{std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec}};
+  return canopen::TimePoint{os::monotonic_time()};
 }
 
 }  // namespace axisd

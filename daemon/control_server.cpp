@@ -29,7 +29,7 @@ InstanceError failure(const std::string& path, std::string_view what) {
 
 /// True if a server answers at @p address; a socket left behind by a killed one refuses.
 bool is_served(const sockaddr_un& address) {
-  const bus::Descriptor probe{socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  const os::Descriptor probe{socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
   return connect(probe.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
 }
 
@@ -45,7 +45,7 @@ void expect_ours(const std::string& path) {
   throw failure(path, fmt::format("the name is taken by user {}; --control names another one", status.st_uid));
 }
 
-bus::Descriptor listen_at(const std::string& path) {
+os::Descriptor listen_at(const std::string& path) {
   const auto address = control::socket_address(path);
   if (!address) throw failure(path, address.error());
   expect_ours(path);
@@ -53,7 +53,7 @@ bus::Descriptor listen_at(const std::string& path) {
     if (is_served(*address)) throw failure(path, "another axisd serves it");
     unlink(path.c_str());
   }
-  bus::Descriptor descriptor{socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  os::Descriptor descriptor{socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
   const mode_t previous = umask(0177);  // mode 0600 from the first moment
   const int bound = bind(descriptor.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address);
   const int reason = errno;
@@ -91,7 +91,7 @@ int ControlServer::on_client(sd_event_source*, int, std::uint32_t events, void* 
 }
 
 void ControlServer::accept() {
-  bus::Descriptor descriptor{accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK)};
+  os::Descriptor descriptor{accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK)};
   if (!descriptor) {
     const bool is_out_of_means = errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM;
     if (is_out_of_means) pause();

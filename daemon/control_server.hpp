@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "can/port/descriptor.hpp"
 #include "daemon/service_events.hpp"
+#include "os/descriptor.hpp"
 
 namespace axisd {
 
@@ -30,7 +30,7 @@ class ControlServer {
  private:
   struct Client {
     ControlServer* server;
-    bus::Descriptor descriptor;
+    os::Descriptor descriptor;
     EventSource source;
     std::string input;
     std::string output;
@@ -52,7 +52,7 @@ class ControlServer {
   ServiceEvents& events_;
   std::string path_;
   Answer answer_;
-  bus::Descriptor listener_;
+  os::Descriptor listener_;
   EventSource source_;
   EventSource pause_;          ///< a timer
   std::list<Client> clients_;  ///< the one that has asked last is the last

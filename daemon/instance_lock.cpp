@@ -43,8 +43,8 @@ int create_folders(const std::filesystem::path& folder) {
   return 0;
 }
 
-bus::Descriptor lock_folder(const std::filesystem::path& folder, const std::string& busy) {
-  bus::Descriptor descriptor{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+os::Descriptor lock_folder(const std::filesystem::path& folder, const std::string& busy) {
+  os::Descriptor descriptor{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
   if (!descriptor)
     throw InstanceError{fmt::format("{}: cannot be opened: {}", folder.string(), std::strerror(errno))};
   if (flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0) fail_to_lock(folder.string(), EWOULDBLOCK, busy);
@@ -54,7 +54,7 @@ bus::Descriptor lock_folder(const std::filesystem::path& folder, const std::stri
 /// Whether the socket at @p address is one of this user's or of root's: anybody may take a name of the abstract
 /// name space, and shall not keep our unit from starting.
 bool is_trusted(const sockaddr_un& address, socklen_t length) noexcept {
-  const bus::Descriptor probe{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  const os::Descriptor probe{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
   ucred peer{};
   socklen_t size = sizeof peer;
   return connect(probe.get(), reinterpret_cast<const sockaddr*>(&address), length) == 0 &&
@@ -63,15 +63,15 @@ bool is_trusted(const sockaddr_un& address, socklen_t length) noexcept {
 }
 
 /// Nothing if somebody else has taken the name.
-bus::Descriptor lock_name(const std::string& name, const std::string& busy) {
-  bus::Descriptor descriptor{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
+os::Descriptor lock_name(const std::string& name, const std::string& busy) {
+  os::Descriptor descriptor{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   name.copy(&address.sun_path[1], sizeof address.sun_path - 1);  // a leading zero byte makes the name abstract
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   if (bind(descriptor.get(), reinterpret_cast<const sockaddr*>(&address), length) != 0) {
     const int error = errno;
-    if (error == EADDRINUSE && !is_trusted(address, length)) return bus::Descriptor{};
+    if (error == EADDRINUSE && !is_trusted(address, length)) return os::Descriptor{};
     errno = error;
     fail_to_lock(name, EADDRINUSE, busy);
   }

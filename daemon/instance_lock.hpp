@@ -5,7 +5,7 @@
 #include <string>
 
 #include "can/port/address.hpp"
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace axisd {
 
@@ -38,9 +38,9 @@ class InstanceLock {
 
  private:
   std::filesystem::path directory_;
-  bus::Descriptor folder_;
-  bus::Descriptor name_;
-  bus::Descriptor served_name_;
+  os::Descriptor folder_;
+  os::Descriptor name_;
+  os::Descriptor served_name_;
 };
 
 }  // namespace axisd

@@ -10,12 +10,14 @@
 
 #include "daemon/configuration.hpp"
 #include "daemon/json_depth.hpp"
-#include "daemon/regular_file.hpp"
+#include "os/regular_file.hpp"
 
 namespace axisd {
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;
+/// Of a configuration or a motor (bytes).
+constexpr std::size_t kLongestFile = std::size_t{16} << 20;
 
 /// "line 3, column 7" of byte @p offset, which counts from 1.
 std::string position_of(std::string_view text, std::size_t offset) {
@@ -97,8 +99,8 @@ class KeyWatch {
 }  // namespace
 
 std::string read_text_file(const std::string& file) {
-  auto content = read_regular_file(file);
-  if (!content) throw ConfigurationError{fmt::format("{}: cannot be read: {}", file, content.error().reason)};
+  auto content = os::read_regular_file(file, kLongestFile);
+  if (!content) throw ConfigurationError{fmt::format("{}: cannot be read: {}", file, content.error().reason())};
   return std::move(*content);
 }
 

@@ -9,11 +9,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "can/port/descriptor.hpp"
-#include "daemon/regular_file.hpp"
+#include "os/descriptor.hpp"
+#include "os/regular_file.hpp"
 
 namespace axisd {
 namespace {
+
+/// Far above every image of a unit (bytes).
+constexpr std::size_t kLongestFile = std::size_t{16} << 20;
 
 using Outcome = tl::expected<void, WriteFailure>;
 
@@ -36,7 +39,7 @@ int write_all(int descriptor, std::span<const std::byte> content) noexcept {
 int write_file(const char* path, std::span<const std::byte> content, Durability durability) noexcept {
   constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
   if (::unlink(path) != 0 && errno != ENOENT) return errno;
-  const bus::Descriptor file{::open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kOwnerOnly)};
+  const os::Descriptor file{::open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kOwnerOnly)};
   if (!file) return errno;
   if (const int error = write_all(file.get(), content)) return error;
   return durability == Durability::OnDisk && ::fsync(file.get()) != 0 ? errno : 0;
@@ -68,9 +71,9 @@ StateFile::StateFile(const std::filesystem::path& folder, const std::string& nam
     : log_{log}, folder_{folder}, path_{folder / name}, temporary_{path_ + ".new"} {}
 
 tl::expected<std::optional<std::vector<std::byte>>, std::string> StateFile::read() const {
-  const auto content = read_regular_file(path_);
-  if (!content && content.error().is_missing) return std::nullopt;
-  if (!content) return tl::unexpected{content.error().reason};
+  const auto content = os::read_regular_file(path_, kLongestFile);
+  if (!content && content.error().is_missing()) return std::nullopt;
+  if (!content) return tl::unexpected{content.error().reason()};
   const auto bytes = std::as_bytes(std::span{*content});
   return std::vector<std::byte>{bytes.begin(), bytes.end()};
 }
@@ -91,7 +94,7 @@ Outcome StateFile::write(std::span<const std::byte> content, Durability durabili
 /// The new name outlives a power cut too, or the former content has it: a folder that cannot be flushed may not
 /// leave behind what was called a failure.
 Outcome StateFile::replace_on_disk() const noexcept {
-  const bus::Descriptor folder{::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+  const os::Descriptor folder{::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
   if (!folder) return failed("cannot be written: its folder cannot be opened", errno);
   const auto replaced = give_name(temporary_.c_str(), path_.c_str());
   if (!replaced) return failed("cannot be replaced", replaced.error());

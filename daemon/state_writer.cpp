@@ -12,8 +12,8 @@
 namespace axisd {
 namespace {
 
-bus::Descriptor open_eventfd() {
-  bus::Descriptor descriptor{::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK | EFD_SEMAPHORE)};
+os::Descriptor open_eventfd() {
+  os::Descriptor descriptor{::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK | EFD_SEMAPHORE)};
   if (!descriptor) throw std::system_error{errno, std::generic_category(), "eventfd"};
   return descriptor;
 }

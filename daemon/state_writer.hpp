@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "can/port/descriptor.hpp"
 #include "daemon/state_files.hpp"
+#include "os/descriptor.hpp"
 
 namespace axisd {
 
@@ -62,7 +62,7 @@ class StateWriter {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool stopping_ = false;
-  bus::Descriptor ended_;  ///< eventfd
+  os::Descriptor ended_;  ///< eventfd
   std::thread thread_;
 };
 

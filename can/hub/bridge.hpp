@@ -11,7 +11,7 @@
 #include "can/connection/transmit_queue.hpp"
 #include "can/hub/medium/medium.hpp"
 #include "can/hub/medium/source.hpp"
-#include "can/port/pollable.hpp"
+#include "os/pollable.hpp"
 
 namespace hub {
 
@@ -54,7 +54,7 @@ class Bridge final : public Source, public Participant {
 
   Medium& medium_;
   bus::Connection connection_;
-  bus::Pollable ready_;  ///< of port and link
+  os::Pollable ready_;  ///< of port and link
   bus::TransmitQueue queue_;
   std::string name_;
   Notice notice_;

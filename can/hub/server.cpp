@@ -110,7 +110,7 @@ void Server::accept_members(TimePoint now) noexcept {
     if (core_.members.size() >= most_members_) return pause_listening(now);
     sockaddr_un address{};
     socklen_t length = sizeof address;
-    bus::Descriptor socket{
+    os::Descriptor socket{
         accept4(listener_, reinterpret_cast<sockaddr*>(&address), &length, SOCK_NONBLOCK | SOCK_CLOEXEC)};
     if (!socket && (errno == ECONNABORTED || errno == EINTR)) continue;
     if (!socket && errno != EAGAIN) pause_listening(now);
@@ -121,7 +121,7 @@ void Server::accept_members(TimePoint now) noexcept {
   }
 }
 
-void Server::admit(bus::Descriptor socket, userbus::Kind kind) noexcept {
+void Server::admit(os::Descriptor socket, userbus::Kind kind) noexcept {
   try {
     timed_.reserve(timed_.size() + 1);
     core_.members.reserve(core_.members.size() + 1);
@@ -134,7 +134,7 @@ void Server::admit(bus::Descriptor socket, userbus::Kind kind) noexcept {
   }
 }
 
-std::unique_ptr<Member> Server::make_member(bus::Descriptor socket, userbus::Kind kind) {
+std::unique_ptr<Member> Server::make_member(os::Descriptor socket, userbus::Kind kind) {
   if (kind == userbus::Kind::Raw || kind == userbus::Kind::Port)
     return std::make_unique<RawMember>(core_, std::move(socket), kind);
   if (kind == userbus::Kind::BroadcastManager) return std::make_unique<BroadcastMember>(core_, std::move(socket));

@@ -7,8 +7,8 @@
 #include "can/hub/loop/timer.hpp"
 #include "can/hub/medium/source.hpp"
 #include "can/hub/member/core.hpp"
-#include "can/port/descriptor.hpp"
 #include "can/userbus/name.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub {
 
@@ -46,8 +46,8 @@ class Server final : public SourceList, private Watch {
 
   void on_events(std::uint32_t events, canopen::TimePoint now) noexcept override;
   void accept_members(canopen::TimePoint now) noexcept;
-  void admit(bus::Descriptor socket, userbus::Kind kind) noexcept;
-  std::unique_ptr<Member> make_member(bus::Descriptor socket, userbus::Kind kind);
+  void admit(os::Descriptor socket, userbus::Kind kind) noexcept;
+  std::unique_ptr<Member> make_member(os::Descriptor socket, userbus::Kind kind);
   void pause_listening(canopen::TimePoint now) noexcept;
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
   void on_time(canopen::TimePoint now) noexcept;

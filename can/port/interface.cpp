@@ -17,7 +17,7 @@ namespace bus {
 namespace {
 
 /// Asks @p socket @p what about interface @p name; false with errno set when it has no answer.
-bool ask(const std::string& name, const Descriptor& socket, unsigned long what, ifreq& answer) noexcept {
+bool ask(const std::string& name, const os::Descriptor& socket, unsigned long what, ifreq& answer) noexcept {
   if (name.empty() || name.size() >= IFNAMSIZ) {
     errno = ENODEV;
     return false;
@@ -28,9 +28,9 @@ bool ask(const std::string& name, const Descriptor& socket, unsigned long what, 
 }
 
 /// A socket to ask: of CAN, which may know interfaces that others do not know, if there is CAN.
-Descriptor any_socket() noexcept {
-  Descriptor socket{::socket(AF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW)};
-  return socket ? std::move(socket) : Descriptor{::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
+os::Descriptor any_socket() noexcept {
+  os::Descriptor socket{::socket(AF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW)};
+  return socket ? std::move(socket) : os::Descriptor{::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ LinkState query(const std::string& name) noexcept {
   return (answer.ifr_flags & IFF_UP) != 0 ? LinkState::Up : LinkState::Down;
 }
 
-tl::expected<int, OpenError> can_interface_index(const std::string& name, const Descriptor& socket) {
+tl::expected<int, OpenError> can_interface_index(const std::string& name, const os::Descriptor& socket) {
   ifreq answer{};
   if (!ask(name, socket, SIOCGIFHWADDR, answer)) {
     if (errno == ENODEV) return tl::unexpected{OpenError{fmt::format("{}: no such CAN interface", name)}};

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus {
 
@@ -22,6 +22,7 @@ enum class LinkState { Up, Down, Gone };
 
 /// Index (1..) of CAN interface @p name, or why it cannot be used. @p socket is asked, a raw CAN socket: it knows
 /// best which interfaces it can be bound to.
-[[nodiscard]] tl::expected<int, OpenError> can_interface_index(const std::string& name, const Descriptor& socket);
+[[nodiscard]] tl::expected<int, OpenError> can_interface_index(const std::string& name,
+                                                               const os::Descriptor& socket);
 
 }  // namespace bus

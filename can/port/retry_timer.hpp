@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "can/port/descriptor.hpp"
+#include "os/timer.hpp"
 
 namespace bus {
 
@@ -12,26 +12,21 @@ class RetryTimer {
   static constexpr std::chrono::milliseconds kFirst{100};
   static constexpr std::chrono::milliseconds kLongest{1000};
 
-  /// Throws std::system_error if the kernel gives no timer.
-  RetryTimer();
-
   /// Polls readable when it has rung.
-  [[nodiscard]] int descriptor() const noexcept { return timer_.get(); }
+  [[nodiscard]] int descriptor() const noexcept { return timer_.descriptor(); }
   /// Rings after the shortest time.
   void start() noexcept;
   /// Rings again, later than the last time.
   void start_later() noexcept;
   /// Rings after @p patience: the time that one attempt may take.
-  void limit(std::chrono::milliseconds patience) noexcept { set(patience); }
+  void limit(std::chrono::milliseconds patience) noexcept { timer_.ring_after(patience); }
   /// Does not ring.
-  void stop() noexcept { set(std::chrono::milliseconds{0}); }
+  void stop() noexcept { timer_.stop(); }
   /// True, once, if it has rung.
-  [[nodiscard]] bool take() noexcept;
+  [[nodiscard]] bool take() noexcept { return timer_.take(); }
 
  private:
-  void set(std::chrono::milliseconds wait) noexcept;
-
-  Descriptor timer_;
+  os::Timer timer_;
   std::chrono::milliseconds wait_ = kFirst;
 };
 

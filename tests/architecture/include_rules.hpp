@@ -21,6 +21,7 @@ inline constexpr std::string_view kSystem = "<*.h>";
 
 /// Who may include whom: a folder rests only on what its row names.
 inline constexpr std::array kLayers{
+    Layer{"os", {"fmt/", kSystem}},
     Layer{"libcanopen", {}},
     Layer{"motor", {"Eigen/", "unsupported/Eigen/"}},
     Layer{"motor/math", {}},
@@ -33,14 +34,16 @@ inline constexpr std::array kLayers{
     Layer{"eds", {"libcanopen/od/", "nlohmann/", "fmt/"}},
     Layer{"can/userbus", {kSystem}},
     Layer{"can/port",
-          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "can/userbus/", "nlohmann/", "fmt/", kSystem}},
-    Layer{"can/connection", {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "can/port/", "fmt/"}},
-    Layer{"can/hub", {"libcanopen/base/", "can/userbus/", "can/port/", "can/connection/", "fmt/", kSystem}},
+          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "can/userbus/", "nlohmann/", "fmt/",
+           kSystem}},
+    Layer{"can/connection",
+          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "can/port/", "fmt/"}},
+    Layer{"can/hub", {"libcanopen/base/", "os/", "can/userbus/", "can/port/", "can/connection/", "fmt/", kSystem}},
     Layer{"daemon",
-          {"libcanopen/", "drive/", "motor/", "device/", "eds/", "can/port/", "can/connection/", "fmt/",
+          {"libcanopen/", "drive/", "motor/", "device/", "eds/", "os/", "can/port/", "can/connection/", "fmt/",
            "nlohmann/", "CLI/", "systemd/", kSystem}},
     Layer{"tools",
-          {"libcanopen/", "eds/", "can/userbus/", "can/port/", "can/connection/", "can/hub/",
+          {"libcanopen/", "eds/", "os/", "can/userbus/", "can/port/", "can/connection/", "can/hub/",
            "daemon/control_protocol.hpp", "fmt/", "nlohmann/", "CLI/", kSystem}},
     Layer{"can/preload", {"can/userbus/", kSystem}},
 };

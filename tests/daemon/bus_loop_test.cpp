@@ -53,7 +53,7 @@ class BusLoopTest : public testing::Test {
   }
   void arrive(std::size_t frames) { port.arrived.resize(port.arrived.size() + frames); }
 
-  bus::Descriptor readable{::eventfd(1, EFD_CLOEXEC)};  ///< always
+  os::Descriptor readable{::eventfd(1, EFD_CLOEXEC)};  ///< always
   fakes::FakePort port;
   RecordingStation station;
   BusLoop loop{port, station};

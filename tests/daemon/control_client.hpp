@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "can/port/descriptor.hpp"
 #include "daemon/service_events.hpp"
+#include "os/descriptor.hpp"
 
 namespace axisd {
 
@@ -28,7 +28,7 @@ class ControlClient {
   void wait(short wanted);
 
   ServiceEvents& events_;
-  bus::Descriptor descriptor_;
+  os::Descriptor descriptor_;
   std::string input_;
 };
 

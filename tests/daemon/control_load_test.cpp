@@ -71,7 +71,7 @@ class NoMoreDescriptors {
  public:
   NoMoreDescriptors() {
     getrlimit(RLIMIT_NOFILE, &before_);
-    const bus::Descriptor next{::dup(STDERR_FILENO)};
+    const os::Descriptor next{::dup(STDERR_FILENO)};
     const rlimit none{static_cast<rlim_t>(next.get()), before_.rlim_max};
     setrlimit(RLIMIT_NOFILE, &none);
   }

@@ -40,7 +40,7 @@ TEST_F(ControlServerTest, RemovesItsSocketAtTheEnd) {
 TEST_F(ControlServerTest, ReplacesASocketThatNobodyServes) {
   const sockaddr_un address = control::socket_address(path).value();
   {
-    const bus::Descriptor killed{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+    const os::Descriptor killed{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
     ASSERT_EQ(::bind(killed.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
     ASSERT_EQ(::listen(killed.get(), 1), 0);
   }

@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 
 namespace axisd {
@@ -100,7 +100,7 @@ class Taken {
   }
 
  private:
-  bus::Descriptor socket_{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
+  os::Descriptor socket_{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
 };
 
 TEST(InstanceLock, IsNotBlockedByAStrangerWhoTakesItsName) {

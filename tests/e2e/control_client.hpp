@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace e2e {
 
@@ -23,7 +23,7 @@ class ControlClient {
   nlohmann::json ask(const nlohmann::json& request);
 
  private:
-  bus::Descriptor socket_;
+  os::Descriptor socket_;
   std::string rest_;
 };
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace e2e {
 
@@ -23,7 +23,7 @@ class NotifySocket {
 
  private:
   std::string path_;
-  bus::Descriptor socket_;
+  os::Descriptor socket_;
   std::vector<std::string> messages_;
 };
 

@@ -57,8 +57,8 @@ bool readable(int descriptor, milliseconds patience) {
 Program::Program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error{errno, std::generic_category(), "pipe2"};
-  pipe_ = bus::Descriptor{ends[0]};
-  const bus::Descriptor write_end{ends[1]};
+  pipe_ = os::Descriptor{ends[0]};
+  const os::Descriptor write_end{ends[1]};
   id_ = fork();
   if (id_ < 0) throw std::system_error{errno, std::generic_category(), "fork"};
   if (id_ == 0) become(arguments, environment, write_end.get());
@@ -75,7 +75,7 @@ void Program::signal(int signal) const noexcept {
 }
 
 int Program::wait() {
-  const bus::Descriptor process{static_cast<int>(syscall(SYS_pidfd_open, id_, 0))};
+  const os::Descriptor process{static_cast<int>(syscall(SYS_pidfd_open, id_, 0))};
   if (!readable(process.get(), kPatience)) throw std::runtime_error{"the program goes on; it wrote:\n" + output()};
   int status = 0;
   waitpid(id_, &status, 0);

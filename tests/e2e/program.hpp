@@ -8,7 +8,7 @@
 
 #include <sys/types.h>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace e2e {
 
@@ -46,7 +46,7 @@ class Program {
   bool read_some(std::chrono::milliseconds patience);
 
   pid_t id_ = -1;
-  bus::Descriptor pipe_;
+  os::Descriptor pipe_;
   std::string output_;
   bool ended_ = false;
 };

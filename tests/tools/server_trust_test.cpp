@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 
 namespace axisctl {
@@ -53,7 +53,7 @@ class ServedBy {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     path.copy(address.sun_path, sizeof address.sun_path - 1);
-    const bus::Descriptor listener{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+    const os::Descriptor listener{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
     const pid_t child = ::fork();
     if (child == 0) {  // the kernel keeps who listened
       const bool served =
@@ -70,7 +70,7 @@ class ServedBy {
   [[nodiscard]] int client() const noexcept { return client_.get(); }
 
  private:
-  bus::Descriptor client_{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  os::Descriptor client_{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
 };
 
 TEST(ServerTrust, IsAskedOfTheKernel) {

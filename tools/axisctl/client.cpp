@@ -9,7 +9,7 @@
 #include <sys/socket.h>
 #include <sys/time.h>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 #include "tools/axisctl/server_trust.hpp"
 
 namespace axisctl {
@@ -26,10 +26,10 @@ std::string reason() {
   return std::generic_category().message(errno);
 }
 
-tl::expected<bus::Descriptor, std::string> connect_to(const std::string& path) {
+tl::expected<os::Descriptor, std::string> connect_to(const std::string& path) {
   const auto address = control::socket_address(path);
   if (!address) return Failure{address.error()};
-  bus::Descriptor socket{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  os::Descriptor socket{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
   if (!socket) return Failure{"socket: " + reason()};
   ::setsockopt(socket.get(), SOL_SOCKET, SO_RCVTIMEO, &kPatience, sizeof kPatience);
   ::setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &kPatience, sizeof kPatience);
@@ -39,7 +39,7 @@ tl::expected<bus::Descriptor, std::string> connect_to(const std::string& path) {
   return socket;
 }
 
-bool send_all(const bus::Descriptor& socket, std::string_view rest) {
+bool send_all(const os::Descriptor& socket, std::string_view rest) {
   while (!rest.empty()) {
     const ssize_t sent = ::send(socket.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
@@ -50,7 +50,7 @@ bool send_all(const bus::Descriptor& socket, std::string_view rest) {
 }
 
 /// One line without its newline.
-tl::expected<std::string, std::string> read_line(const bus::Descriptor& socket) {
+tl::expected<std::string, std::string> read_line(const os::Descriptor& socket) {
   std::string line;
   std::array<char, 4096> part{};
   while (line.size() < control::kMaximumLine) {

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 
-#include "can/port/descriptor.hpp"
 #include "daemon/control_protocol.hpp"
+#include "os/descriptor.hpp"
 
 namespace axisctl {
 
@@ -39,7 +39,7 @@ std::vector<std::string> present_sockets(const Address& address) {
 /// Whether nobody listens at @p path any more. A socket of another type is refused before the daemon notices.
 bool is_left_behind(const std::string& path) {
   const auto address = control::socket_address(path);
-  const bus::Descriptor socket{::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
+  const os::Descriptor socket{::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
   if (!address || !socket) return false;
   return ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0 &&
          errno == ECONNREFUSED;

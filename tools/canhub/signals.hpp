@@ -1,7 +1,7 @@
 #pragma once
 
 #include "can/hub/server.hpp"
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace canhub {
 
@@ -19,7 +19,7 @@ class Signals final : public hub::Source {
 
  private:
   hub::Server& server_;
-  bus::Descriptor descriptor_;
+  os::Descriptor descriptor_;
 };
 
 }  // namespace canhub

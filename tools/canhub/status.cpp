@@ -10,9 +10,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "can/port/descriptor.hpp"
 #include "can/userbus/join.hpp"
 #include "can/userbus/request.hpp"
+#include "os/descriptor.hpp"
 
 namespace canhub {
 
@@ -52,7 +52,7 @@ bool read_statistics(int member, userbus::BusStatistics& bus, std::vector<Member
 
 bool print_status(const userbus::Path& path, std::ostream& out, std::ostream& errors) {
   const userbus::Joined joined = userbus::join(path, nullptr, userbus::Kind::Port, SOCK_CLOEXEC);
-  const bus::Descriptor member{joined.descriptor};
+  const os::Descriptor member{joined.descriptor};
   userbus::BusStatistics bus{};
   std::vector<MemberStatistics> rows;
   if (!member || !read_statistics(member.get(), bus, rows)) {

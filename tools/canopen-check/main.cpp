@@ -15,14 +15,14 @@
 #include "tools/canopen-check/options.hpp"
 #include "tools/canopen-check/port_wire.hpp"
 #include "tools/canopen-check/report/report.hpp"
-#include "tools/regular_file.hpp"
+#include "tools/sheet_file.hpp"
 
 namespace {
 
 using namespace conformance;
 
 std::string read_file(const std::string& path) {
-  auto text = tools::read_regular_file(path);
+  auto text = tools::read_sheet_file(path);
   if (!text) throw UsageError{text.error()};
   return *std::move(text);
 }

@@ -7,6 +7,8 @@
 
 #include <poll.h>
 
+#include "os/clock.hpp"
+
 namespace conformance {
 namespace {
 
@@ -39,9 +41,7 @@ PortWire::PortWire(const bus::Address& address) : connection_{bus::open(address)
 }
 
 canopen::TimePoint PortWire::now() {
-  timespec time{};
-  (void)::clock_gettime(CLOCK_MONOTONIC, &time);
-  return canopen::TimePoint{std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec}};
+  return canopen::TimePoint{os::monotonic_time()};
 }
 
 bool PortWire::interrupted() const {

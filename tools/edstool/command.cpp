@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "tools/regular_file.hpp"
+#include "tools/sheet_file.hpp"
 
 namespace edstool {
 namespace {
@@ -25,7 +25,7 @@ std::span<const AddCommand> commands() noexcept {
 }
 
 std::string read_file(const std::string& path) {
-  auto text = tools::read_regular_file(path);
+  auto text = tools::read_sheet_file(path);
   if (!text) throw UsageError{text.error()};
   return *std::move(text);
 }

@@ -1,17 +1,13 @@
 #pragma once
 
-#include <chrono>
-#include <ctime>
-
 #include "libcanopen/base/time.hpp"
+#include "os/clock.hpp"
 
 namespace hub {
 
-/// CLOCK_MONOTONIC: the time line of everything in the hub.
+/// The present on the time line of everything in the hub.
 inline canopen::TimePoint monotonic_now() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return canopen::TimePoint{std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec}};
+  return canopen::TimePoint{os::monotonic_time()};
 }
 
 }  // namespace hub

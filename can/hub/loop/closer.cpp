@@ -20,12 +20,12 @@ int option_of(int descriptor, int name) noexcept {
   return getsockopt(descriptor, SOL_SOCKET, name, &value, &size) == 0 ? value : -1;
 }
 
-void close_all(const bus::Descriptor& numbers) noexcept {
+void close_all(const os::Descriptor& numbers) noexcept {
   int descriptor = -1;
   while (read(numbers.get(), &descriptor, sizeof descriptor) == sizeof descriptor) ::close(descriptor);
 }
 
-bool begin_thread(bus::Descriptor numbers) noexcept {
+bool begin_thread(os::Descriptor numbers) noexcept {
   try {
     std::thread{[own = std::move(numbers)] { close_all(own); }}.detach();
     return true;
@@ -39,8 +39,8 @@ bool begin_thread(bus::Descriptor numbers) noexcept {
 bool Closer::start() noexcept {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return false;
-  bus::Descriptor from{ends[0]};
-  bus::Descriptor to{ends[1]};
+  os::Descriptor from{ends[0]};
+  os::Descriptor to{ends[1]};
   if (fcntl(to.get(), F_SETFL, O_NONBLOCK) != 0) return false;
   sigset_t all, before;
   sigfillset(&all);

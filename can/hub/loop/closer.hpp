@@ -1,6 +1,6 @@
 #pragma once
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub {
 
@@ -22,7 +22,7 @@ class Closer {
  private:
   [[nodiscard]] bool start() noexcept;
 
-  bus::Descriptor to_thread_;  // of a pipe of descriptor numbers
+  os::Descriptor to_thread_;  // of a pipe of descriptor numbers
 };
 
 /// Prepares the socket @p descriptor for one reply. False if it is none for replies, or one whose closing might

@@ -5,8 +5,8 @@
 
 #include <sys/epoll.h>
 
-#include "can/port/descriptor.hpp"
 #include "libcanopen/base/time.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub {
 
@@ -43,7 +43,7 @@ class Poll {
   /// Of one turn; few, so that timers are looked at often when all members send at once.
   static constexpr int kEvents = 16;
 
-  bus::Descriptor descriptor_;
+  os::Descriptor descriptor_;
   std::array<epoll_event, kEvents> events_{};
   int found_ = 0;
 };

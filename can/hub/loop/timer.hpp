@@ -1,8 +1,8 @@
 #pragma once
 
 #include "can/hub/loop/poll.hpp"
-#include "can/port/descriptor.hpp"
 #include "libcanopen/base/time.hpp"
+#include "os/timer.hpp"
 
 namespace hub {
 
@@ -18,7 +18,7 @@ class Timer final : public Watch {
   void on_events(std::uint32_t events, canopen::TimePoint now) noexcept override;
 
  private:
-  bus::Descriptor descriptor_;
+  os::Timer timer_;
   canopen::TimePoint armed_ = canopen::kNever;
 };
 

@@ -16,7 +16,7 @@ std::int64_t real_time() noexcept {
 
 }  // namespace
 
-BroadcastMember::BroadcastMember(Core& core, bus::Descriptor socket)
+BroadcastMember::BroadcastMember(Core& core, os::Descriptor socket)
     : Member{core, std::move(socket), userbus::Kind::BroadcastManager}, manager_{core.medium, *this} {}
 
 int BroadcastMember::broadcast(std::span<const std::byte> message, int interface_index,

@@ -8,7 +8,7 @@ namespace hub {
 /// A CAN_BCM socket: its messages are requests, and what its broadcast manager has to tell goes to the program.
 class BroadcastMember final : public Member, private BroadcastSink {
  public:
-  BroadcastMember(Core& core, bus::Descriptor socket);
+  BroadcastMember(Core& core, os::Descriptor socket);
 
   int broadcast(std::span<const std::byte> message, int interface_index, canopen::TimePoint now) noexcept override;
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept override { return manager_.next_deadline(); }

@@ -31,7 +31,7 @@ Inbox::Message Inbox::take(std::size_t number, Closer& closer) noexcept {
     int descriptor = -1;
     std::memcpy(&descriptor, CMSG_DATA(control) + i * sizeof descriptor, sizeof descriptor);
     if (count == 1 && is_reply_socket(descriptor)) {
-      message.descriptor = bus::Descriptor{descriptor};
+      message.descriptor = os::Descriptor{descriptor};
     } else {
       closer.close(descriptor);
       message.complete = false;

@@ -7,8 +7,8 @@
 #include <sys/socket.h>
 
 #include "can/hub/loop/closer.hpp"
-#include "can/port/descriptor.hpp"
 #include "can/userbus/protocol.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub {
 
@@ -21,7 +21,7 @@ class Inbox {
   /// A message, and the socket for its reply that came with it if there is one.
   struct Message {
     std::span<const std::byte> bytes;
-    bus::Descriptor descriptor;
+    os::Descriptor descriptor;
     bool complete = true;  ///< false: its end is lost, or something came with it that is no socket for a reply
   };
 

@@ -21,7 +21,7 @@ pid_t process_of(int socket) noexcept {
 
 }  // namespace
 
-Member::Member(Core& core, bus::Descriptor socket, userbus::Kind kind)
+Member::Member(Core& core, os::Descriptor socket, userbus::Kind kind)
     : core_{core},
       socket_{std::move(socket)},
       outbox_{socket_.get()},

@@ -8,8 +8,8 @@
 
 #include "can/hub/member/core.hpp"
 #include "can/hub/member/outbox.hpp"
-#include "can/port/descriptor.hpp"
 #include "can/userbus/name.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub {
 
@@ -18,7 +18,7 @@ namespace hub {
 class Member : public Watch {
  public:
   /// Takes over @p socket, which accept(2) gave.
-  Member(Core& core, bus::Descriptor socket, userbus::Kind kind);
+  Member(Core& core, os::Descriptor socket, userbus::Kind kind);
   Member(const Member&) = delete;
   Member& operator=(const Member&) = delete;
   ~Member() override;
@@ -88,7 +88,7 @@ class Member : public Watch {
   void update_watch() noexcept;
 
   Core& core_;
-  bus::Descriptor socket_;
+  os::Descriptor socket_;
   Outbox outbox_;
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;

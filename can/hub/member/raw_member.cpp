@@ -10,7 +10,7 @@ namespace hub {
 
 using userbus::OptionName;
 
-RawMember::RawMember(Core& core, bus::Descriptor socket, userbus::Kind kind)
+RawMember::RawMember(Core& core, os::Descriptor socket, userbus::Kind kind)
     : Member{core, std::move(socket), kind} {
   core.medium.attach(*this);
 }

@@ -11,7 +11,7 @@ namespace hub {
 /// socket let through (net/can/raw.c).
 class RawMember final : public Member, public Participant {
  public:
-  RawMember(Core& core, bus::Descriptor socket, userbus::Kind kind);
+  RawMember(Core& core, os::Descriptor socket, userbus::Kind kind);
   RawMember(const RawMember&) = delete;
   RawMember& operator=(const RawMember&) = delete;
   ~RawMember() override;

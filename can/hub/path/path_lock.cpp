@@ -27,17 +27,17 @@ std::string lock_path(const std::string& path) {
   return path + ".lock";
 }
 
-bus::Descriptor try_lock(const std::string& path) noexcept {
+os::Descriptor try_lock(const std::string& path) noexcept {
   const std::string name = lock_path(path);
   for (;;) {
-    bus::Descriptor lock{
+    os::Descriptor lock{
         open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY, kOwnerOnly)};
-    if (!lock || flock(lock.get(), LOCK_EX | LOCK_NB) != 0) return bus::Descriptor{};
+    if (!lock || flock(lock.get(), LOCK_EX | LOCK_NB) != 0) return os::Descriptor{};
     if (is_still_at(lock.get(), name)) return lock;
   }
 }
 
-void remove_lock(const std::string& path, const bus::Descriptor& lock) noexcept {
+void remove_lock(const std::string& path, const os::Descriptor& lock) noexcept {
   const std::string name = lock_path(path);
   if (is_still_at(lock.get(), name)) unlink(name.c_str());
 }

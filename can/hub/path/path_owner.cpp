@@ -51,7 +51,7 @@ Refusal already_served(const std::string& path, std::uint32_t running, std::opti
 /// Asks who serves @p path.
 std::optional<Refusal> find_server(const userbus::Path& path, std::optional<std::uint32_t> wanted) {
   const userbus::Joined joined = userbus::join(path, nullptr, userbus::Kind::Port, SOCK_CLOEXEC);
-  const bus::Descriptor member{joined.descriptor};
+  const os::Descriptor member{joined.descriptor};
   if (!member && joined.error == userbus::JoinError::NotServed) return std::nullopt;
   if (!member) return in_use(path.text, userbus::text_of(joined.error));
   const userbus::Answer hello = userbus::ask(member.get(), userbus::Operation::Hello);
@@ -67,7 +67,7 @@ ino_t inode_at(const std::string& path) noexcept {
 
 /// True if nobody answers at the socket @p path, whose hub must be dead.
 bool is_stale(const userbus::Path& path) noexcept {
-  const bus::Descriptor probe{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  const os::Descriptor probe{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::memcpy(address.sun_path, path.text, std::strlen(path.text) + 1);
@@ -90,9 +90,9 @@ std::optional<Refusal> clear(const userbus::Path& path, std::optional<std::uint3
   return in_use(path.text, "is the socket of a program that is no canhub");
 }
 
-tl::expected<bus::Descriptor, Refusal> listen_at(const userbus::Path& path, std::optional<std::uint32_t> wanted) {
+tl::expected<os::Descriptor, Refusal> listen_at(const userbus::Path& path, std::optional<std::uint32_t> wanted) {
   if (auto refusal = clear(path, wanted)) return tl::unexpected{std::move(*refusal)};
-  bus::Descriptor listener{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  os::Descriptor listener{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::memcpy(address.sun_path, path.text, std::strlen(path.text) + 1);
@@ -114,7 +114,7 @@ tl::expected<PathOwner, Refusal> PathOwner::take(const userbus::Path& path,
     return tl::unexpected{failed(path.text, "its folder is not this user's alone (mode 0700)", errno)};
   const canopen::TimePoint end = monotonic_now() + kPatience;
   for (;;) {
-    if (bus::Descriptor lock = try_lock(path.text)) return take_locked(path, bit_rate, std::move(lock));
+    if (os::Descriptor lock = try_lock(path.text)) return take_locked(path, bit_rate, std::move(lock));
     if (errno != EWOULDBLOCK) return tl::unexpected{failed(lock_path(path.text), "cannot be locked", errno)};
     if (auto server = find_server(path, bit_rate)) return tl::unexpected{std::move(*server)};
     if (monotonic_now() > end)
@@ -125,7 +125,7 @@ tl::expected<PathOwner, Refusal> PathOwner::take(const userbus::Path& path,
 
 tl::expected<PathOwner, Refusal> PathOwner::take_locked(const userbus::Path& path,
                                                         std::optional<std::uint32_t> bit_rate,
-                                                        bus::Descriptor lock) {
+                                                        os::Descriptor lock) {
   auto listener = listen_at(path, bit_rate);
   if (!listener) {
     remove_lock(path.text, lock);
@@ -135,7 +135,7 @@ tl::expected<PathOwner, Refusal> PathOwner::take_locked(const userbus::Path& pat
   return PathOwner{std::filesystem::absolute(path.text, ignored), std::move(lock), std::move(*listener)};
 }
 
-PathOwner::PathOwner(std::string path, bus::Descriptor lock, bus::Descriptor listener) noexcept
+PathOwner::PathOwner(std::string path, os::Descriptor lock, os::Descriptor listener) noexcept
     : path_{std::move(path)}, inode_{inode_at(path_)}, lock_{std::move(lock)}, listener_{std::move(listener)} {}
 
 PathOwner::PathOwner(PathOwner&& other) noexcept
@@ -157,9 +157,9 @@ void PathOwner::sign(pid_t process) const noexcept {
 void PathOwner::release() noexcept {
   if (path_.empty()) return;
   if (inode_at(path_) == inode_) unlink(path_.c_str());  // not that of another hub, if somebody removed ours
-  listener_ = bus::Descriptor{};
+  listener_ = os::Descriptor{};
   remove_lock(path_, lock_);
-  lock_ = bus::Descriptor{};
+  lock_ = os::Descriptor{};
   path_.clear();
 }
 

@@ -7,8 +7,8 @@
 #include <sys/types.h>
 #include <tl/expected.hpp>
 
-#include "can/port/descriptor.hpp"
 #include "can/userbus/path.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub {
 
@@ -43,13 +43,13 @@ class PathOwner {
 
  private:
   static tl::expected<PathOwner, Refusal> take_locked(const userbus::Path& path,
-                                                      std::optional<std::uint32_t> bit_rate, bus::Descriptor lock);
-  PathOwner(std::string path, bus::Descriptor lock, bus::Descriptor listener) noexcept;
+                                                      std::optional<std::uint32_t> bit_rate, os::Descriptor lock);
+  PathOwner(std::string path, os::Descriptor lock, os::Descriptor listener) noexcept;
 
   std::string path_;  // absolute: the hub may change its folder; empty = given up
   ino_t inode_;       // of the socket there
-  bus::Descriptor lock_;
-  bus::Descriptor listener_;
+  os::Descriptor lock_;
+  os::Descriptor listener_;
 };
 
 }  // namespace hub

@@ -79,7 +79,7 @@ struct Session::Handler {
   void refuse_answer() const noexcept { session.refuse("a client does not say that", text); }
 };
 
-Session::Session(Medium& medium, Interfaces& interfaces, bus::Descriptor socket, int poll)
+Session::Session(Medium& medium, Interfaces& interfaces, os::Descriptor socket, int poll)
     : medium_{medium}, interfaces_{interfaces}, socket_{std::move(socket)}, poll_{poll} {
   medium_.attach(*this);
   update_watch();

@@ -8,8 +8,8 @@
 #include "can/hub/medium/interfaces.hpp"
 #include "can/hub/medium/medium.hpp"
 #include "can/hub/socketcand/text_queue.hpp"
-#include "can/port/descriptor.hpp"
 #include "can/port/socketcand/socketcand_text.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub::socketcand {
 
@@ -32,7 +32,7 @@ class Session final : public Participant {
 
   /// Greets the client at @p socket, a TCP connection that does not block, and has the epoll @p poll watch it,
   /// with this session as data. What the client calls its bus becomes a name in @p interfaces.
-  Session(Medium& medium, Interfaces& interfaces, bus::Descriptor socket, int poll);
+  Session(Medium& medium, Interfaces& interfaces, os::Descriptor socket, int poll);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
   ~Session() override;
@@ -65,7 +65,7 @@ class Session final : public Participant {
 
   Medium& medium_;
   Interfaces& interfaces_;
-  bus::Descriptor socket_;
+  os::Descriptor socket_;
   int poll_;
   std::uint32_t watched_ = 0;  ///< events; 0 = the socket is not watched
   bus::socketcand::MessageReader reader_;

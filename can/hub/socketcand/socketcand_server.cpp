@@ -57,9 +57,9 @@ AddressList resolve(std::string_view address) {
   return {found, freeaddrinfo};
 }
 
-bus::Descriptor listen_at(std::string_view address) {
+os::Descriptor listen_at(std::string_view address) {
   const AddressList found = resolve(address);
-  bus::Descriptor socket{::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  os::Descriptor socket{::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
   ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &kOn, sizeof kOn);
   if (!socket || ::bind(socket.get(), found->ai_addr, found->ai_addrlen) != 0 ||
       ::listen(socket.get(), SOMAXCONN) != 0)
@@ -106,7 +106,7 @@ void SocketcandServer::on_readable(canopen::TimePoint now) noexcept {
 
 void SocketcandServer::accept_clients(canopen::TimePoint now) noexcept {
   for (int i = 0; i < kBatch; ++i) {
-    bus::Descriptor socket{::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
+    os::Descriptor socket{::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
     if (socket) {
       admit(std::move(socket));
       continue;
@@ -120,7 +120,7 @@ void SocketcandServer::accept_clients(canopen::TimePoint now) noexcept {
   }
 }
 
-void SocketcandServer::admit(bus::Descriptor socket) noexcept {
+void SocketcandServer::admit(os::Descriptor socket) noexcept {
   constexpr std::string_view kTooMany = "< error too many clients >";
   ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &kOn, sizeof kOn);
   ::setsockopt(socket.get(), SOL_SOCKET, SO_KEEPALIVE, &kOn, sizeof kOn);

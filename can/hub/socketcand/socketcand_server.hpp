@@ -11,7 +11,7 @@
 #include "can/hub/medium/medium.hpp"
 #include "can/hub/medium/source.hpp"
 #include "can/hub/socketcand/session.hpp"
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub {
 
@@ -47,15 +47,15 @@ class SocketcandServer final : public Source {
 
  private:
   void accept_clients(canopen::TimePoint now) noexcept;
-  void admit(bus::Descriptor socket) noexcept;
+  void admit(os::Descriptor socket) noexcept;
   void watch_listener(std::uint32_t events) noexcept;
   void let_go_of_those_who_left() noexcept;
 
   Medium& medium_;
   Interfaces& interfaces_;
   std::string name_;
-  bus::Descriptor listener_;
-  bus::Descriptor poll_;  ///< an epoll of the listener and all clients
+  os::Descriptor listener_;
+  os::Descriptor poll_;  ///< an epoll of the listener and all clients
   std::vector<std::unique_ptr<socketcand::Session>> clients_;
   canopen::TimePoint listen_again_ = canopen::kNever;
   socketcand::Counters of_those_who_left_;

@@ -37,16 +37,16 @@ bool same_host(const SocketAddress& a, const SocketAddress& b) noexcept {
   return std::memcmp(&left, &right, sizeof left) == 0;
 }
 
-Descriptor open_datagram_socket(int family) noexcept {
-  return Descriptor{::socket(family, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+os::Descriptor open_datagram_socket(int family) noexcept {
+  return os::Descriptor{::socket(family, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
 }
 
-bool connect_to(const Descriptor& socket, const SocketAddress& group, SocketAddress& source) noexcept {
+bool connect_to(const os::Descriptor& socket, const SocketAddress& group, SocketAddress& source) noexcept {
   return ::connect(socket.get(), group.get(), group.length) == 0 &&
          ::getsockname(socket.get(), source.get(), &source.length) == 0;
 }
 
-bool join(const Descriptor& socket, const SocketAddress& group, unsigned index) noexcept {
+bool join(const os::Descriptor& socket, const SocketAddress& group, unsigned index) noexcept {
   if (is_six(group)) {
     const ipv6_mreq request{as<sockaddr_in6>(group).sin6_addr, index};
     return set_option(socket, IPPROTO_IPV6, IPV6_ADD_MEMBERSHIP, request);
@@ -56,7 +56,7 @@ bool join(const Descriptor& socket, const SocketAddress& group, unsigned index) 
 }
 
 /// Also to the other programs of this machine, and not beyond the next router.
-bool prepare_to_send(const Descriptor& socket, const SocketAddress& group, unsigned index) noexcept {
+bool prepare_to_send(const os::Descriptor& socket, const SocketAddress& group, unsigned index) noexcept {
   if (is_six(group))
     return set_option(socket, IPPROTO_IPV6, IPV6_MULTICAST_HOPS, kOneHop) &&
            set_option(socket, IPPROTO_IPV6, IPV6_MULTICAST_LOOP, kOn) &&
@@ -68,7 +68,7 @@ bool prepare_to_send(const Descriptor& socket, const SocketAddress& group, unsig
 }
 
 /// Bound to the group, so that no other one of the same port is heard.
-bool prepare_to_receive(const Descriptor& socket, const SocketAddress& group, unsigned index) noexcept {
+bool prepare_to_receive(const os::Descriptor& socket, const SocketAddress& group, unsigned index) noexcept {
   const bool this_group_only = is_six(group) || set_option(socket, IPPROTO_IP, IP_MULTICAST_ALL, kOff);
   return this_group_only && set_option(socket, SOL_SOCKET, SO_REUSEADDR, kOn) &&
          ::bind(socket.get(), group.get(), group.length) == 0 && join(socket, group, index);

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "can/port/address.hpp"
-#include "can/port/descriptor.hpp"
 #include "can/port/socket_address.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus::multicast {
 
@@ -16,9 +16,9 @@ namespace bus::multicast {
 
 /// The two ends of a group on one interface.
 struct Sockets {
-  Descriptor receiver;   ///< a member of the group
-  Descriptor sender;     ///< with a port of its own, by which its datagrams are recognised
-  SocketAddress source;  ///< address and port of the sender
+  os::Descriptor receiver;  ///< a member of the group
+  os::Descriptor sender;    ///< with a port of its own, by which its datagrams are recognised
+  SocketAddress source;     ///< address and port of the sender
 };
 
 /// Opens both ends on the interface called @p interface; sends one hop far. On failure the receiver is none, and

@@ -13,7 +13,7 @@
 #include <net/if.h>
 #include <netinet/in.h>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus {
 
@@ -75,7 +75,7 @@ unsigned interface_in(std::span<const std::byte> answer) noexcept {
 }  // namespace
 
 std::string interface_towards(const SocketAddress& destination) {
-  const Descriptor socket{::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE)};
+  const os::Descriptor socket{::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE)};
   const Question question = ask_for(destination);
   const auto size = static_cast<ssize_t>(question.header.nlmsg_len);
   if (!socket || ::send(socket.get(), &question, question.header.nlmsg_len, 0) != size) return {};

@@ -6,8 +6,8 @@
 #include "can/port/address.hpp"
 #include "can/port/filter_list.hpp"
 #include "can/port/multicast/multicast_socket.hpp"
-#include "can/port/pollable.hpp"
 #include "can/port/port.hpp"
+#include "os/pollable.hpp"
 
 namespace bus {
 
@@ -41,7 +41,7 @@ class UdpMulticast final : public Port {
   MulticastGroup place_;
   std::string interface_;
   multicast::Sockets sockets_;
-  Pollable pollable_;  ///< stands for the receiving socket
+  os::Pollable pollable_;  ///< stands for the receiving socket
   FilterList filters_;
   ErrorState error_state_ = ErrorState::Active;
   std::uint64_t rejected_ = 0;

@@ -11,8 +11,8 @@
 #include <linux/rtnetlink.h>
 #include <sys/socket.h>
 
-#include "can/port/descriptor.hpp"
 #include "can/port/socketcan/netlink.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus {
 namespace {
@@ -45,7 +45,7 @@ struct Writer {
 };
 
 /// Sends @p request; 0 and the answer in @p answer, or the error.
-int ask(const Descriptor& socket, std::span<const std::byte> request, std::span<std::byte>& answer) noexcept {
+int ask(const os::Descriptor& socket, std::span<const std::byte> request, std::span<std::byte>& answer) noexcept {
   if (::send(socket.get(), request.data(), request.size(), 0) < 0) return errno;
   const ssize_t size = ::recv(socket.get(), answer.data(), answer.size(), MSG_DONTWAIT);  // it is there by now
   if (size < 0) return errno;
@@ -111,7 +111,7 @@ std::array<std::byte, 64> restart_request(int index) noexcept {
 }
 
 Restart restart_controller(int index) noexcept {
-  const Descriptor socket{::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE)};
+  const os::Descriptor socket{::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE)};
   if (!socket) return Restart::Refused;
   alignas(nlmsghdr) std::array<std::byte, kBufferSize> buffer{};
   std::span<std::byte> answer{buffer};

@@ -20,8 +20,8 @@ namespace {
 // Large enough for any link message: the kernel builds them in 8 KiB.
 constexpr std::size_t kBufferSize = 32768;
 
-Descriptor open_socket() {
-  Descriptor socket{::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_ROUTE)};
+os::Descriptor open_socket() {
+  os::Descriptor socket{::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_ROUTE)};
   sockaddr_nl address{};
   address.nl_family = AF_NETLINK;
   address.nl_groups = RTMGRP_LINK;

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "can/port/descriptor.hpp"
 #include "can/port/link.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus {
 
@@ -36,7 +36,7 @@ class LinkMonitor final : public Link {
   LinkState start_again() noexcept;
 
   std::string interface_;
-  Descriptor socket_;
+  os::Descriptor socket_;
   KnownLink link_;
 };
 

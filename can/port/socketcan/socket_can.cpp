@@ -21,8 +21,8 @@ namespace {
 // Error frames that change nothing are skipped; this many a call, so that a burst of them cannot hold the caller.
 constexpr int kSkippedFrames = 16;
 
-Descriptor open_socket() {
-  Descriptor socket{::socket(AF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW)};
+os::Descriptor open_socket() {
+  os::Descriptor socket{::socket(AF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW)};
   if (socket) return socket;
   const std::string reason = std::generic_category().message(errno);
   if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT)
@@ -31,7 +31,7 @@ Descriptor open_socket() {
 }
 
 /// Takes the error that a lost link leaves in its socket: the next frame sent would fail with it and be lost.
-void take_pending_error(const Descriptor& socket) noexcept {
+void take_pending_error(const os::Descriptor& socket) noexcept {
   int error = 0;
   socklen_t length = sizeof error;
   ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &length);

@@ -5,10 +5,10 @@
 
 #include <linux/can.h>
 
-#include "can/port/descriptor.hpp"
 #include "can/port/filter_list.hpp"
 #include "can/port/interface.hpp"
 #include "can/port/port.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus {
 
@@ -51,7 +51,7 @@ class SocketCan final : public Port {
 
   std::string interface_;
   int wanted_buffer_;
-  Descriptor socket_;
+  os::Descriptor socket_;
   FilterList filters_;
   ErrorState error_state_ = ErrorState::Active;
   LinkFailure link_failure_ = LinkFailure::None;

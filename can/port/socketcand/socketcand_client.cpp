@@ -27,12 +27,12 @@ std::string text_of(int error) {
   return std::generic_category().message(error);
 }
 
-bool is_writable(const Descriptor& socket) noexcept {
+bool is_writable(const os::Descriptor& socket) noexcept {
   pollfd wanted{socket.get(), POLLOUT, 0};
   return ::poll(&wanted, 1, 0) == 1;
 }
 
-int error_of(const Descriptor& socket) noexcept {
+int error_of(const os::Descriptor& socket) noexcept {
   int error = 0;
   socklen_t length = sizeof error;
   return ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &length) == 0 ? error : errno;
@@ -50,7 +50,7 @@ bool Client::begin(const SocketAddress& server, std::string name) {
   close();
   name_ = std::move(name);
   reader_ = {};
-  socket_ = Descriptor{::socket(server.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  socket_ = os::Descriptor{::socket(server.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
   if (socket_) {
     set_option(socket_, IPPROTO_TCP, TCP_NODELAY, kOn);
     set_option(socket_, SOL_SOCKET, SO_KEEPALIVE, kOn);
@@ -66,7 +66,7 @@ bool Client::begin(const SocketAddress& server, std::string name) {
 }
 
 void Client::close() noexcept {
-  socket_ = Descriptor{};
+  socket_ = os::Descriptor{};
   stage_ = Stage::Closed;
 }
 

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <variant>
 
-#include "can/port/descriptor.hpp"
 #include "can/port/port.hpp"
 #include "can/port/socket_address.hpp"
 #include "can/port/socketcand/socketcand_text.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus::socketcand {
 
@@ -56,7 +56,7 @@ class Client {
   void say(const Message& message);
   void fail(std::string problem);
 
-  Descriptor socket_;
+  os::Descriptor socket_;
   Stage stage_ = Stage::Closed;
   std::string name_;
   std::string problem_;

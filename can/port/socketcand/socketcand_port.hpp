@@ -7,10 +7,10 @@
 #include "can/port/address.hpp"
 #include "can/port/filter_list.hpp"
 #include "can/port/link.hpp"
-#include "can/port/pollable.hpp"
 #include "can/port/port.hpp"
 #include "can/port/retry_timer.hpp"
 #include "can/port/socketcand/socketcand_client.hpp"
+#include "os/pollable.hpp"
 
 namespace bus {
 
@@ -49,8 +49,8 @@ class SocketcandPort final : public Port {
   std::vector<SocketAddress> addresses_;  ///< of the host, tried in turn
   std::size_t attempts_ = 0;
   socketcand::Client client_;
-  Pollable pollable_;  ///< stands for the socket in raw mode
-  Pollable attempt_;   ///< stands for the timer, and for the socket until raw mode
+  os::Pollable pollable_;  ///< stands for the socket in raw mode
+  os::Pollable attempt_;   ///< stands for the timer, and for the socket until raw mode
   RetryTimer timer_;
   FilterList filters_;
   std::uint64_t rejected_ = 0;

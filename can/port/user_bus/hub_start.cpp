@@ -88,7 +88,7 @@ JoinError HubStart::begin(const std::string& hub, const userbus::Path& path) noe
     error = ENOMEM;
   }
   if (error != 0) return userbus::error_of(StartStatus::Failed, error);
-  process_ = Descriptor{static_cast<int>(syscall(SYS_pidfd_open, process, 0))};
+  process_ = os::Descriptor{static_cast<int>(syscall(SYS_pidfd_open, process, 0))};
   return process_ ? JoinError::None : JoinError::System;
 }
 
@@ -96,7 +96,7 @@ std::optional<JoinError> HubStart::finish() noexcept {
   siginfo_t end{};
   if (waitid(P_PIDFD, static_cast<id_t>(process_.get()), &end, WEXITED | WNOHANG) == 0 && end.si_pid == 0)
     return std::nullopt;
-  process_ = Descriptor{};
+  process_ = os::Descriptor{};
   // ended by somebody, or waited for by somebody else: whether the path is served is seen by joining
   if (end.si_code != CLD_EXITED) return JoinError::None;
   return userbus::error_of(static_cast<StartStatus>(end.si_status), 0);

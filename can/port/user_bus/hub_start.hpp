@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "can/port/descriptor.hpp"
 #include "can/userbus/join.hpp"
+#include "os/descriptor.hpp"
 
 namespace bus {
 
@@ -21,7 +21,7 @@ class HubStart {
   [[nodiscard]] std::optional<userbus::JoinError> finish() noexcept;
 
  private:
-  Descriptor process_;
+  os::Descriptor process_;
 };
 
 }  // namespace bus

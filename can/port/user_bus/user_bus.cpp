@@ -65,7 +65,7 @@ UserBusEntry::Wishes UserBus::wishes() const noexcept {
 bool UserBus::come_in() noexcept {
   socket_ = entry_.take_member();
   if (!pollable_.add(socket_.get(), EPOLLIN)) {
-    socket_ = Descriptor{};
+    socket_ = os::Descriptor{};
     return false;
   }
   if (is_unapplied_) apply();  // it may have changed behind the step that tells it
@@ -75,11 +75,11 @@ bool UserBus::come_in() noexcept {
 /// Tells the hub what has changed. If it has no room at present, the next frame tells it, before it goes.
 void UserBus::apply() noexcept {
   const auto filters = filters_.get();
-  const Descriptor set{
+  const os::Descriptor set{
       userbus::post(socket_.get(), Operation::SetFilters, 0, filters.data(), filters.size_bytes())};
   is_unapplied_ = !set;
   if (!is_bridge_ || is_unapplied_) return;
-  const Descriptor hello{userbus::post(socket_.get(), Operation::Hello, 1, nullptr, 0)};
+  const os::Descriptor hello{userbus::post(socket_.get(), Operation::Hello, 1, nullptr, 0)};
   is_unapplied_ = !hello;
 }
 
@@ -161,7 +161,7 @@ Received UserBus::hub_lost() noexcept {
   error_state_ = ErrorState::Active;
   if (!is_member()) return {Received::Nothing, error_state_};  // told before
   pollable_.remove(socket_.get());
-  socket_ = Descriptor{};
+  socket_ = os::Descriptor{};
   is_unapplied_ = false;  // the next one is told all
   dropped_before_ += std::exchange(dropped_, 0);
   entry_.try_later(/*first=*/true);

@@ -5,9 +5,9 @@
 
 #include "can/port/filter_list.hpp"
 #include "can/port/link.hpp"
-#include "can/port/pollable.hpp"
 #include "can/port/port.hpp"
 #include "can/port/user_bus/user_bus_entry.hpp"
+#include "os/pollable.hpp"
 
 namespace bus {
 
@@ -60,8 +60,8 @@ class UserBus final : public Port {
   Received hub_lost() noexcept;
 
   UserBusEntry entry_;
-  Descriptor socket_;
-  Pollable pollable_;  ///< stands for the socket while there is one
+  os::Descriptor socket_;
+  os::Pollable pollable_;  ///< stands for the socket while there is one
   FilterList filters_;
   bool is_bridge_ = false;
   bool is_unapplied_ = false;  ///< the hub has not been told the filters, or that this is a bridge

@@ -45,7 +45,7 @@ UserBusEntry::Progress UserBusEntry::connect(const Wishes& wishes) noexcept {
   if (attempts_++ == userbus::kMostAttempts) return fail(JoinError::NotServed);
   const userbus::Connected connected =
       userbus::connect_hub(path_, userbus::Kind::Port, SOCK_NONBLOCK | SOCK_CLOEXEC);
-  socket_ = Descriptor{connected.descriptor};
+  socket_ = os::Descriptor{connected.descriptor};
   switch (connected.outcome) {
     case Attempt::Connected:
       return ask(Step::Hello, wishes);
@@ -74,7 +74,7 @@ UserBusEntry::Progress UserBusEntry::on_started(const Wishes& wishes) noexcept {
 
 /// Bound last, so that nothing arrives that is not wanted.
 UserBusEntry::Progress UserBusEntry::ask(Step step, const Wishes& wishes) noexcept {
-  reply_ = Descriptor{post(step, wishes)};
+  reply_ = os::Descriptor{post(step, wishes)};
   if (!reply_) return errno == ENETDOWN ? connect(wishes) : fail(JoinError::System);
   step_ = step;
   return wait_for(reply_.get());
@@ -106,7 +106,7 @@ int UserBusEntry::post(Step step, const Wishes& wishes) const noexcept {
 UserBusEntry::Progress UserBusEntry::on_answer(const Wishes& wishes) noexcept {
   const userbus::Answer answer = userbus::take_reply(reply_.get(), nullptr, 0);
   if (answer.error == EAGAIN) return Progress::Waiting;
-  reply_ = Descriptor{};
+  reply_ = os::Descriptor{};
   if (answer.error == ENETDOWN) return connect(wishes);  // it closes: the next one is ours
   if (answer.error != 0) {
     errno = answer.error;
@@ -138,8 +138,8 @@ UserBusEntry::Progress UserBusEntry::fail(JoinError error) noexcept {
 void UserBusEntry::leave() noexcept {
   if (start_.is_running()) pollable_.remove(start_.descriptor());
   step_ = Step::Idle;
-  reply_ = Descriptor{};
-  socket_ = Descriptor{};
+  reply_ = os::Descriptor{};
+  socket_ = os::Descriptor{};
 }
 
 }  // namespace bus

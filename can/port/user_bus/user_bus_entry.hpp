@@ -7,12 +7,12 @@
 
 #include <linux/can.h>
 
-#include "can/port/descriptor.hpp"
-#include "can/port/pollable.hpp"
 #include "can/port/retry_timer.hpp"
 #include "can/port/user_bus/hub_start.hpp"
 #include "can/userbus/join.hpp"
 #include "can/userbus/request.hpp"
+#include "os/descriptor.hpp"
+#include "os/pollable.hpp"
 
 namespace bus {
 
@@ -45,7 +45,7 @@ class UserBusEntry {
   /// Does what can be done. Failed: error() says why, and try_later() what is next; told once.
   [[nodiscard]] Progress advance(const Wishes& wishes) noexcept;
   /// The member that has come in, to be taken once.
-  [[nodiscard]] Descriptor take_member() noexcept { return std::exchange(socket_, Descriptor{}); }
+  [[nodiscard]] os::Descriptor take_member() noexcept { return std::exchange(socket_, os::Descriptor{}); }
   [[nodiscard]] userbus::JoinError error() const noexcept { return error_; }
 
  private:
@@ -68,9 +68,9 @@ class UserBusEntry {
   int attempts_ = 0;  ///< to connect, since begin()
   int interface_index_ = 0;
   HubStart start_;
-  Descriptor socket_;
-  Descriptor reply_;
-  Pollable pollable_;  ///< stands for the timer and for what is waited for
+  os::Descriptor socket_;
+  os::Descriptor reply_;
+  os::Pollable pollable_;  ///< stands for the timer and for what is waited for
   RetryTimer timer_;
   userbus::JoinError error_ = userbus::JoinError::None;
 };

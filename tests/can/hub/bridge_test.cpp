@@ -56,8 +56,8 @@ class Bridge : public testing::Test {
     return statistics;
   }
 
-  bus::Descriptor readable{eventfd(1, EFD_CLOEXEC)};
-  bus::Descriptor quiet{eventfd(0, EFD_CLOEXEC)};
+  os::Descriptor readable{eventfd(1, EFD_CLOEXEC)};
+  os::Descriptor quiet{eventfd(0, EFD_CLOEXEC)};
   Medium medium;
   told::Listener member;
   Texts notices;
@@ -153,7 +153,7 @@ TEST_F(Bridge, TellsTheErrorStateOfTheOtherController) {
     bool reopen() noexcept override { return true; }
 
    private:
-    bus::Descriptor event{eventfd(1, EFD_CLOEXEC)};
+    os::Descriptor event{eventfd(1, EFD_CLOEXEC)};
   };
   auto other_link = std::make_unique<FakeLink>();
   other_link->polled = quiet.get();

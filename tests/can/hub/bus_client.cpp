@@ -39,7 +39,7 @@ userbus::Path path_of(const std::string& text) {
 BusClient::BusClient(const std::string& path, std::string_view interface, userbus::Kind kind) {
   const userbus::Joined joined = userbus::join(path_of(path), nullptr, kind, SOCK_CLOEXEC);
   if (joined.descriptor < 0) throw std::runtime_error{path + ' ' + userbus::text_of(joined.error)};
-  socket_ = bus::Descriptor{joined.descriptor};
+  socket_ = os::Descriptor{joined.descriptor};
   if (!interface.empty()) bind(interface);
 }
 

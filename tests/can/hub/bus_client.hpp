@@ -9,9 +9,9 @@
 
 #include <linux/can.h>
 
-#include "can/port/descriptor.hpp"
 #include "can/userbus/join.hpp"
 #include "can/userbus/request.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub_test {
 
@@ -47,7 +47,7 @@ class BusClient {
   /// True if the hub closes the connection; waits for it.
   [[nodiscard]] bool is_closed_by_hub() const;
   /// Ends the membership.
-  void leave() { socket_ = bus::Descriptor{}; }
+  void leave() { socket_ = os::Descriptor{}; }
 
   /// Asks; the errno is part of the answer.
   [[nodiscard]] userbus::Answer ask(userbus::Operation operation, int value = 0,
@@ -58,7 +58,7 @@ class BusClient {
  private:
   std::optional<userbus::FrameMessage> receive(bool wait) const;
 
-  bus::Descriptor socket_;
+  os::Descriptor socket_;
   mutable std::vector<std::byte> reply_;
 };
 

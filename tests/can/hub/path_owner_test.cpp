@@ -24,8 +24,8 @@ using hub::PathOwner;
 using userbus::StartStatus;
 
 /// A socket of @p type at @p path, with somebody behind it as long as the descriptor is open.
-bus::Descriptor socket_at(const std::string& path, int type) {
-  bus::Descriptor socket{::socket(AF_UNIX, type | SOCK_CLOEXEC, 0)};
+os::Descriptor socket_at(const std::string& path, int type) {
+  os::Descriptor socket{::socket(AF_UNIX, type | SOCK_CLOEXEC, 0)};
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::strcpy(address.sun_path, path.c_str());
@@ -100,7 +100,7 @@ TEST_F(PathOwnerTest, LeavesALinkAlone) {
 
 TEST_F(PathOwnerTest, LeavesSocketsOfOtherKindsAlone) {
   for (const int type : {SOCK_STREAM, SOCK_DGRAM}) {
-    const bus::Descriptor socket = socket_at(bus_, type);
+    const os::Descriptor socket = socket_at(bus_, type);
 
     EXPECT_EQ(refusal(StartStatus::InUse), bus_ + ": is in use by something that is no CAN bus");
     std::filesystem::remove(bus_);
@@ -139,7 +139,7 @@ TEST_F(PathOwnerTest, NeedsAFolder) {
 }
 
 TEST_F(PathOwnerTest, GivesUpWhenTheLockIsHeldByAStranger) {
-  const bus::Descriptor lock{open((bus_ + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)};
+  const os::Descriptor lock{open((bus_ + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)};
   ASSERT_EQ(flock(lock.get(), LOCK_EX), 0);
 
   const auto owner = take();

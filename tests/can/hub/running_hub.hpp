@@ -47,7 +47,7 @@ class RunningHub {
 
    private:
     hub::Server& server_;
-    bus::Descriptor descriptor_;
+    os::Descriptor descriptor_;
   };
 
   static hub::PathOwner take(const std::string& path) {

@@ -39,7 +39,7 @@ class NamedUser {
 
 userbus::JoinError error_of_joining(const std::string& path) {
   const userbus::Joined joined = userbus::join(path_of(path), nullptr, userbus::Kind::Port, SOCK_CLOEXEC);
-  const bus::Descriptor member{joined.descriptor};
+  const os::Descriptor member{joined.descriptor};
   return joined.error;
 }
 
@@ -68,7 +68,7 @@ TEST(Trust, IsNotGivenToTheHubOfAStrangerNotEvenByRoot) {
   const fakes::TemporaryDirectory folder;
   ASSERT_EQ(::chmod(folder.path().c_str(), 01777), 0);
   const std::string path = folder.path("bus");
-  const bus::Descriptor listener{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
+  const os::Descriptor listener{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   path.copy(address.sun_path, sizeof address.sun_path - 1);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
-#include "can/port/descriptor.hpp"
 #include "can/port/socketcan/socket_can.hpp"
+#include "os/descriptor.hpp"
 
 namespace {
 
@@ -19,13 +19,13 @@ std::string reason_not_to_open(const std::string& interface) {
 
 // The first obstacle counts: a kernel without CAN has no CAN interface either.
 std::string expected(const std::string& with_can) {
-  const bus::Descriptor probe{::socket(AF_CAN, SOCK_RAW, CAN_RAW)};
+  const os::Descriptor probe{::socket(AF_CAN, SOCK_RAW, CAN_RAW)};
   return probe ? with_can : "kernel has no CAN (socket(AF_CAN): Address family not supported by protocol)";
 }
 
 /// A socket of a kind that every kernel has.
-bus::Descriptor any_socket() {
-  return bus::Descriptor{::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
+os::Descriptor any_socket() {
+  return os::Descriptor{::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
 }
 
 TEST(CanInterface, ThatDoesNotExistIsNamed) {

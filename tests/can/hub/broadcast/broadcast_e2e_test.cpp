@@ -14,7 +14,7 @@
 #include <sys/socket.h>
 
 #include "can/hub/broadcast/broadcast_manager.hpp"
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 #include "tests/can/hub/told.hpp"
 
 /// The hub's broadcast manager does what the kernel's does: both get the same random requests and frames.
@@ -115,8 +115,8 @@ class Kernel {
   }
 
   int index_;
-  bus::Descriptor manager_{socket(PF_CAN, SOCK_DGRAM, CAN_BCM)};
-  bus::Descriptor program_{socket(PF_CAN, SOCK_RAW, CAN_RAW)};
+  os::Descriptor manager_{socket(PF_CAN, SOCK_DGRAM, CAN_BCM)};
+  os::Descriptor program_{socket(PF_CAN, SOCK_RAW, CAN_RAW)};
 };
 
 /// The hub's broadcast manager on a medium, and a program beside it.

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace hub {
 namespace {
@@ -24,8 +24,8 @@ class OutboxTest : public testing::Test {
   void SetUp() override {
     std::array<int, 2> ends{};
     ASSERT_EQ(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends.data()), 0);
-    hub_end_ = bus::Descriptor{ends[0]};
-    program_end_ = bus::Descriptor{ends[1]};
+    hub_end_ = os::Descriptor{ends[0]};
+    program_end_ = os::Descriptor{ends[1]};
   }
 
   /// The numbers of the messages that have come.
@@ -39,8 +39,8 @@ class OutboxTest : public testing::Test {
     return numbers;
   }
 
-  bus::Descriptor hub_end_;
-  bus::Descriptor program_end_;
+  os::Descriptor hub_end_;
+  os::Descriptor program_end_;
 };
 
 TEST_F(OutboxTest, KeepsWhatTheSocketDoesNotTakeAndSendsItInOrder) {
@@ -95,7 +95,7 @@ TEST_F(OutboxTest, WrapsMessagesOfAllSizes) {
 
 TEST_F(OutboxTest, LosesWhatIsForAProgramThatHasGone) {
   Outbox outbox{hub_end_.get()};
-  program_end_ = bus::Descriptor{};
+  program_end_ = os::Descriptor{};
 
   outbox.send(message(1));
 

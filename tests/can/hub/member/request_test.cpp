@@ -169,7 +169,7 @@ TEST_F(Request, OfTheBroadcastManagerIsNothingForARawSocket) {
 }
 
 TEST_F(Request, NeedsAName) {
-  const bus::Descriptor nameless{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
+  const os::Descriptor nameless{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::strcpy(address.sun_path, hub_.path().c_str());

@@ -45,12 +45,12 @@ class CanhubProcess : public testing::Test {
 
   StartStatus start_on_demand() const { return userbus::start_hub(CANHUB, bus_.c_str()); }
   /// As a program joins that has nothing but the path.
-  bus::Descriptor join() const {
-    return bus::Descriptor{userbus::join(path_of(bus_), CANHUB, userbus::Kind::Raw, SOCK_CLOEXEC).descriptor};
+  os::Descriptor join() const {
+    return os::Descriptor{userbus::join(path_of(bus_), CANHUB, userbus::Kind::Raw, SOCK_CLOEXEC).descriptor};
   }
   /// A connection of a member that says nothing.
-  bus::Descriptor connect_named() const {
-    bus::Descriptor socket{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
+  os::Descriptor connect_named() const {
+    os::Descriptor socket{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
     sockaddr_un address{};
     const socklen_t length = userbus::make_name(userbus::Kind::Raw, next_name_++, address);
     EXPECT_EQ(bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), length), 0);
@@ -80,7 +80,7 @@ class CanhubProcess : public testing::Test {
   }
   /// Waits until @p process has ended.
   static bool ends(pid_t process) {
-    const bus::Descriptor handle{static_cast<int>(syscall(SYS_pidfd_open, process, 0))};
+    const os::Descriptor handle{static_cast<int>(syscall(SYS_pidfd_open, process, 0))};
     pollfd wanted{handle.get(), POLLIN, 0};
     return !handle || poll(&wanted, 1, 20'000) == 1;
   }
@@ -177,13 +177,13 @@ TEST_F(CanhubProcess, IsFollowedByTheNextForMembersThatMeetItsEnd) {
 }
 
 TEST_F(CanhubProcess, EndsOnDemandAfterItsLastMember) {
-  bus::Descriptor one = join();
-  bus::Descriptor other = join();
+  os::Descriptor one = join();
+  os::Descriptor other = join();
   const pid_t process = hub();
   ASSERT_EQ(hubs(), std::set<pid_t>{process});
 
-  one = bus::Descriptor{};
-  other = bus::Descriptor{};
+  one = os::Descriptor{};
+  other = os::Descriptor{};
 
   EXPECT_TRUE(ends(process));
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
@@ -199,11 +199,11 @@ TEST_F(CanhubProcess, EndsOnDemandIfNobodyComes) {
 TEST_F(CanhubProcess, RemovesNothingOfAnotherHub) {
   ASSERT_EQ(start_on_demand(), StartStatus::Served);
   const pid_t first = hub();
-  const bus::Descriptor member_of_first = join();
+  const os::Descriptor member_of_first = join();
   std::filesystem::remove(bus_);
   std::filesystem::remove(bus_ + ".lock");
   ASSERT_EQ(start_on_demand(), StartStatus::Served);
-  const bus::Descriptor member_of_second = join();
+  const os::Descriptor member_of_second = join();
   ASSERT_NE(hub(), first);
 
   kill(first, SIGTERM);
@@ -258,7 +258,7 @@ TEST_F(CanhubProcess, ServesItsMembersWhenItHasNoDescriptorForMore) {
   ASSERT_TRUE(canhub.wait_for_output("ready"));
   BusClient one{bus_};
   BusClient other{bus_};
-  std::list<bus::Descriptor> crowd;
+  std::list<os::Descriptor> crowd;
   for (int i = 0; i < 30; ++i) crowd.push_back(connect_named());
 
   EXPECT_TRUE(canhub.wakes(3));  // it does sleep in between

@@ -35,7 +35,7 @@ class Lingering {
     EXPECT_EQ(::listen(listener_.get(), 1), 0);
     EXPECT_EQ(::getsockname(listener_.get(), reinterpret_cast<sockaddr*>(&address), &size), 0);
     EXPECT_EQ(::connect(sender_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-    reader_ = bus::Descriptor{::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC)};
+    reader_ = os::Descriptor{::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC)};
     const linger hours{.l_onoff = 1, .l_linger = 10'000};
     EXPECT_EQ(::setsockopt(sender_.get(), SOL_SOCKET, SO_LINGER, &hours, sizeof hours), 0);
     const std::vector<char> much(1 << 16);
@@ -59,15 +59,15 @@ class Lingering {
     const std::vector<int> descriptors(times, sender_.get());
     std::memcpy(CMSG_DATA(header), descriptors.data(), times * sizeof(int));
     EXPECT_GT(::sendmsg(socket, &message, MSG_NOSIGNAL), 0);
-    sender_ = bus::Descriptor{};
+    sender_ = os::Descriptor{};
   }
   /// The reader goes, and with it what the sender waits for.
-  void end() { reader_ = bus::Descriptor{}; }
+  void end() { reader_ = os::Descriptor{}; }
 
  private:
-  bus::Descriptor listener_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
-  bus::Descriptor sender_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
-  bus::Descriptor reader_;
+  os::Descriptor listener_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  os::Descriptor sender_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  os::Descriptor reader_;
 };
 
 /// What is passed while the hub stands waits for its end afterwards, and the others talk.
@@ -129,8 +129,8 @@ TEST_F(PassedDescriptor, DoesNotHoldItUpInsideTheSocketForTheReply) {
   stop_hub();
   std::array<int, 2> ends{};
   ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()), 0);
-  const bus::Descriptor mine{ends[0]};
-  bus::Descriptor its{ends[1]};
+  const os::Descriptor mine{ends[0]};
+  os::Descriptor its{ends[1]};
   lingering_.pass(mine.get(), hello());
   alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(sizeof(int))> control{};
   iovec part{const_cast<std::byte*>(hello().data()), hello().size()};
@@ -146,7 +146,7 @@ TEST_F(PassedDescriptor, DoesNotHoldItUpInsideTheSocketForTheReply) {
   const int passed = its.get();
   std::memcpy(CMSG_DATA(header), &passed, sizeof passed);
   ASSERT_GT(::sendmsg(stranger().descriptor(), &message, MSG_NOSIGNAL), 0);
-  its = bus::Descriptor{};
+  its = os::Descriptor{};
 
   expect_talk();
 }

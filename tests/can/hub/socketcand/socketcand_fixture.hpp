@@ -99,14 +99,14 @@ class Client {
     test_.pass(Session::kSilence);
   }
   void leave() {
-    socket_ = bus::Descriptor{};
+    socket_ = os::Descriptor{};
     test_.turn();
   }
   [[nodiscard]] int descriptor() const { return socket_.get(); }
 
  private:
   SocketcandServer& test_;
-  bus::Descriptor socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  os::Descriptor socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
 };
 
 /// @p text without its time: "\n< frame 123 TIME 01 >".

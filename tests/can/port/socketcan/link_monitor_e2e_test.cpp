@@ -23,7 +23,7 @@ std::optional<LinkState> next(LinkMonitor& monitor) {
 }
 
 void set_up(const std::string& name, bool up) {
-  const bus::Descriptor any_socket{::socket(AF_UNIX, SOCK_DGRAM, 0)};
+  const os::Descriptor any_socket{::socket(AF_UNIX, SOCK_DGRAM, 0)};
   ifreq request{};
   name.copy(request.ifr_name, IFNAMSIZ - 1);
   request.ifr_flags = up ? IFF_UP : 0;

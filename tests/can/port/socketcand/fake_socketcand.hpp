@@ -13,14 +13,14 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
 namespace fakes {
 
 /// The server's end of one connection. Nothing here waits longer than ten seconds; then it throws.
 class SocketcandPeer {
  public:
-  explicit SocketcandPeer(bus::Descriptor socket) : socket_{std::move(socket)} {}
+  explicit SocketcandPeer(os::Descriptor socket) : socket_{std::move(socket)} {}
 
   void say(std::string_view text) const {
     if (::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(text.size()))
@@ -52,13 +52,13 @@ class SocketcandPeer {
     return ::poll(&wanted, 1, kPatience) == 1;
   }
 
-  bus::Descriptor socket_;
+  os::Descriptor socket_;
 };
 
 /// A TCP socket that is bound to a free port of the loopback interface, which @p port becomes, and does not
 /// listen.
-inline bus::Descriptor bind_to_loopback(std::uint16_t& port) {
-  bus::Descriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+inline os::Descriptor bind_to_loopback(std::uint16_t& port) {
+  os::Descriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -91,15 +91,15 @@ class SocketcandServer {
   const std::string& problem() const { return problem_; }
 
  private:
-  bus::Descriptor listen() {
-    bus::Descriptor socket = bind_to_loopback(port_);
+  os::Descriptor listen() {
+    os::Descriptor socket = bind_to_loopback(port_);
     if (::listen(socket.get(), 1) != 0) throw std::runtime_error{"cannot listen"};
     return socket;
   }
   void serve(const std::vector<Script>& scripts) {
     try {
       for (const Script& script : scripts) {
-        SocketcandPeer peer{bus::Descriptor{::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC)}};
+        SocketcandPeer peer{os::Descriptor{::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC)}};
         script(peer);
       }
     } catch (const std::exception& error) {
@@ -108,7 +108,7 @@ class SocketcandServer {
   }
 
   std::uint16_t port_ = 0;
-  bus::Descriptor listener_;
+  os::Descriptor listener_;
   std::string problem_;
   std::thread thread_;
 };

@@ -202,7 +202,7 @@ TEST(SocketcandPort, NoticesAServerOfAnotherKind) {
 
 TEST(SocketcandPort, SaysThatNobodyListens) {
   std::uint16_t port = 0;
-  const Descriptor not_listening = fakes::bind_to_loopback(port);
+  const os::Descriptor not_listening = fakes::bind_to_loopback(port);
 
   EXPECT_EQ(reason_not_to_open({"127.0.0.1", port, "vcan0"}), "127.0.0.1:PORT: Connection refused");
 }

@@ -78,14 +78,14 @@ class MuteHub {
   ~MuteHub() { ::unlink(path_.c_str()); }
 
   /// Who waits for an answer here.
-  [[nodiscard]] Descriptor accept() const {
+  [[nodiscard]] os::Descriptor accept() const {
     EXPECT_TRUE(network::readable(listener_.get()));
-    return Descriptor{::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC)};
+    return os::Descriptor{::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC)};
   }
 
  private:
   std::string path_;
-  Descriptor listener_{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
+  os::Descriptor listener_{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
 };
 
 TEST_F(UserBusTest, DoesNotWaitForAHubThatSaysNothing) {
@@ -98,7 +98,7 @@ TEST_F(UserBusTest, DoesNotWaitForAHubThatSaysNothing) {
     ASSERT_TRUE(network::readable(drive.link->descriptor()));
     EXPECT_EQ(drive.link->read(), std::nullopt);
 
-    const Descriptor member = mute.accept();
+    const os::Descriptor member = mute.accept();
     pollfd connection{member.get(), POLLRDHUP, 0};
     EXPECT_EQ(::poll(&connection, 1, 0), 0) << "the caller has it back while the hub is still asked";
   }

@@ -1,4 +1,4 @@
-#include "daemon/regular_file.hpp"
+#include "os/regular_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -7,13 +7,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
-namespace axisd {
+namespace os {
 namespace {
 
+using Why = UnreadableFile::Why;
+
 tl::unexpected<UnreadableFile> failed(int error) {
-  return tl::unexpected{UnreadableFile{error == ENOENT, std::strerror(error)}};
+  return tl::unexpected{UnreadableFile{Why::System, error}};
 }
 
 /// Opens what is at @p path for reading, without waiting for a writer of a FIFO.
@@ -27,14 +29,22 @@ int open_to_read(const std::string& path) noexcept {
 
 }  // namespace
 
-tl::expected<std::string, UnreadableFile> read_regular_file(const std::string& path) {
-  const bus::Descriptor file{open_to_read(path)};
+bool UnreadableFile::is_missing() const noexcept {
+  return error == ENOENT;
+}
+
+std::string UnreadableFile::reason() const {
+  return why == Why::NotRegular ? "Not a regular file" : std::strerror(error);
+}
+
+tl::expected<std::string, UnreadableFile> read_regular_file(const std::string& path, std::size_t most) {
+  const Descriptor file{open_to_read(path)};
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0) return failed(errno);
   if (S_ISDIR(status.st_mode)) return failed(EISDIR);
-  if (!S_ISREG(status.st_mode)) return tl::unexpected{UnreadableFile{false, "Not a regular file"}};
+  if (!S_ISREG(status.st_mode)) return tl::unexpected{UnreadableFile{Why::NotRegular, 0}};
   std::string content;
-  while (true) {
+  while (true) {  // a file of /proc says that it is empty, another may grow
     constexpr std::size_t kBlock = 65536;
     const std::size_t before = content.size();
     content.resize(before + kBlock);
@@ -43,9 +53,9 @@ tl::expected<std::string, UnreadableFile> read_regular_file(const std::string& p
     content.resize(before + static_cast<std::size_t>(got > 0 ? got : 0));
     if (error == EINTR) continue;
     if (error != 0) return failed(error);
-    if (content.size() > kLongestFile) return failed(EFBIG);
+    if (content.size() > most) return tl::unexpected{UnreadableFile{Why::TooLong, EFBIG}};
     if (got == 0) return content;
   }
 }
 
-}  // namespace axisd
+}  // namespace os

@@ -1,11 +1,11 @@
-#include "can/port/pollable.hpp"
+#include "os/pollable.hpp"
 
 #include <cerrno>
 #include <system_error>
 
 #include <sys/epoll.h>
 
-namespace bus {
+namespace os {
 
 Pollable::Pollable() : epoll_{::epoll_create1(EPOLL_CLOEXEC)} {
   if (!epoll_) throw std::system_error{errno, std::generic_category(), "epoll_create1"};
@@ -21,4 +21,4 @@ void Pollable::remove(int descriptor) noexcept {
   ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, descriptor, nullptr);
 }
 
-}  // namespace bus
+}  // namespace os

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "can/port/descriptor.hpp"
+#include "os/descriptor.hpp"
 
-namespace bus {
+namespace os {
 
 /// One file descriptor that stands for another which comes and goes: whoever polls it, an epoll included, need not
 /// know of the change.
@@ -22,4 +22,4 @@ class Pollable {
   Descriptor epoll_;
 };
 
-}  // namespace bus
+}  // namespace os

@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-namespace bus {
+namespace os {
 
 /// Owner of one file descriptor.
 class Descriptor {
@@ -32,4 +32,4 @@ class Descriptor {
   int number_ = -1;
 };
 
-}  // namespace bus
+}  // namespace os

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+namespace os {
+
+/// The present on CLOCK_MONOTONIC, since its zero.
+inline std::chrono::nanoseconds monotonic_time() noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec};
+}
+
+}  // namespace os
