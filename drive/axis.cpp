@@ -77,13 +77,18 @@ bool Axis::is_quiescent() const noexcept {
   return settled_ && !pulses_enabled_in(state_) && train_.rests() && !causes_.any_present() && !waits_for_power();
 }
 
+bool Axis::has_new_command() const noexcept {
+  return wired_.controlword != process_data().whole_controlword ||
+         wired_.requested_mode != process_data().requested_mode;
+}
+
 void Axis::power_off() noexcept {
   DriveObject::power_off();
   if (identification_.leads()) stop_measurement();
   identification_.reset();
   state_ = State::SwitchOnDisabled;
   perform(Action::InhibitPulses);
-  wired_ = inputs_ = {};
+  wired_ = wired_before_ = inputs_ = {};
   on_withheld_ = false;
   refresh_status();
   settled_ = false;

@@ -76,20 +76,22 @@ class Axis final : public DriveObject {
   /// The same in parts, for axes that share a DC link: the sequence control at the beginning of a cycle of
   /// @p duration (s),
   void begin_cycle(const AxisInputs& inputs, double duration) noexcept;
+  /// or with what the interconnections have brought into the inputs and the bus into the process data,
+  void begin_cycle(double duration) noexcept;
   /// one step of motor::kControlPeriod with the link at @p dc_voltage (V), which returns the energy drawn from it
   /// (J, negative = fed back),
   double step(double dc_voltage) noexcept;
   /// when all axes have moved, the actual values,
   void measure() noexcept;
-  /// and monitoring, messages and statusword with @p feedback at the end.
-  void end_cycle(const AxisFeedback& feedback = {}) noexcept;
+  /// and monitoring, messages and statusword at the end.
+  void end_cycle() noexcept;
   /// Lets @p duration (s) pass in a quiescent axis with the DC link at @p dc_voltage (V): only temperatures
   /// change.
   void rest(double duration, double dc_voltage) noexcept;
   /// What the interconnections brought in the last cycle.
   const AxisInputs& inputs() const noexcept { return wired_; }
-  /// What acted on messages and statusword at the end of it.
-  const AxisFeedback& feedback() const noexcept { return feedback_; }
+  /// Whether the bus has brought something else than in the last cycle that goes through no input.
+  bool has_new_command() const noexcept;
   /// 6060h was written as a parameter: p1300 follows if the mode is possible and the pulses are off; otherwise the
   /// mode stays, and only requested_mode() changes.
   void request_mode(std::int8_t code) noexcept;
@@ -170,8 +172,12 @@ class Axis final : public DriveObject {
   void select_rotating_measurement(std::int32_t value) noexcept;
 
  private:
+  void* own_block(BlockId id) noexcept override;
+  const void* own_block(BlockId id) const noexcept override;
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
+  void before_setting(const ParameterRow& row) noexcept override;
+  void after_setting(const ParameterRow& row) noexcept override;
   WriteState write_state() const noexcept override;
   void on_parameters_changed() noexcept override { apply_parameters(); }
   void react(const FaultRow& row) noexcept override;
@@ -181,9 +187,9 @@ class Axis final : public DriveObject {
   void apply_parameters() noexcept;
   void follow_control_mode() noexcept;
   std::uint16_t command_word() const noexcept;
-  void sequence(const AxisInputs& inputs, double duration) noexcept;
+  void sequence(double duration) noexcept;
   void follow_inputs() noexcept;
-  void follow_jog(const AxisInputs& before) noexcept;
+  void follow_jog() noexcept;
   void wait_for_power(double duration) noexcept;
   void check_standstill(double duration) noexcept;
   bool stands() const noexcept;
@@ -191,7 +197,8 @@ class Axis final : public DriveObject {
   bool apply(Event event) noexcept;
   void perform(Action action) noexcept;
   void brake_on(Ramp ramp) noexcept;
-  void take_inputs(const AxisInputs& inputs) noexcept;
+  void begin(double duration) noexcept;
+  void take_inputs() noexcept;
   void lead_setpoint() noexcept;
   void lead_torque() noexcept;
   double halted_torque() noexcept;
@@ -241,8 +248,9 @@ class Axis final : public DriveObject {
   double counts_to_speed_;  // rad an increment
 
   State state_ = State::NotReadyToSwitchOn;
-  AxisInputs wired_{};   // of this cycle
-  AxisInputs inputs_{};  // the same with the ramp enables of velocity mode
+  AxisInputs wired_{};         // of this cycle
+  AxisInputs wired_before_{};  // of the last one
+  AxisInputs inputs_{};        // those of this cycle with the ramp enables of velocity mode
   OperatingMode mode_;
   bool jogging_ = false;                 // switched on by p1055 or p1056
   bool on_withheld_ = false;             // after OFF1 by lose_connection(), until ON goes
@@ -266,7 +274,7 @@ class Axis final : public DriveObject {
   bool settled_ = false;  // the last cycle changed nothing
   ActualValues actual_;
   ActualValues before_;    // those of the cycle before
-  AxisFeedback feedback_;  // of the last cycle
+  AxisFeedback feedback_;  // what acts on messages and statusword at the end of the cycle
 
   /// What the steps of a cycle leave behind.
   struct Cycle {

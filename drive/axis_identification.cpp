@@ -272,7 +272,7 @@ void Axis::assign_rotor_circuit(const motor::MachineData& machine) noexcept {
 /// Parameter @p number becomes @p value (SI units) as a master could have written it.
 void Axis::assign_rounded(std::uint16_t number, double value) noexcept {
   const ParameterRow& row = *find_parameter(kind(), number)->row;
-  set_own_value(row, 0, represented(row, value));
+  set_setting(row, 0, represented(row, value));
 }
 
 }  // namespace drive

@@ -109,12 +109,10 @@ constexpr bool has_acknowledgement(const AxisInputs& before, const AxisInputs& n
 
 /// What acts on the messages and the statusword of an axis when a cycle is over.
 struct AxisFeedback {
-  std::optional<double> message_setpoint{};  ///< p2151 (rad/s); nothing: r1119
-  bool status_bit_8 = false;                 ///< p8785
-  bool status_bit_14 = false;                ///< p8786
-  bool status_bit_15 = false;                ///< p8787
-
-  friend bool operator==(const AxisFeedback&, const AxisFeedback&) = default;
+  double message_setpoint = AxisInputs::kAsParameter;  ///< p2151 (rad/s), r1119 if it is infinite
+  bool status_bit_8 = false;                           ///< p8785
+  bool status_bit_14 = false;                          ///< p8786
+  bool status_bit_15 = false;                          ///< p8787
 };
 
 }  // namespace drive

@@ -77,8 +77,20 @@ void Axis::cycle(const AxisInputs& inputs, double duration) noexcept {
 }
 
 void Axis::begin_cycle(const AxisInputs& inputs, double duration) noexcept {
+  wired_ = inputs;
+  begin(duration);
+}
+
+void Axis::begin_cycle(double duration) noexcept {
+  wired_.controlword = process_data().whole_controlword;
+  wired_.requested_mode = process_data().requested_mode;
+  begin(duration);
+}
+
+void Axis::begin(double duration) noexcept {
   before_ = actual_;
-  sequence(inputs, duration);
+  sequence(duration);
+  wired_before_ = wired_;
   lead_setpoint();
   cycle_ = {.duration = duration,
             .command = {.pulses_enabled = pulses_enabled_in(state_), .limits = torque_limits_},
@@ -153,8 +165,7 @@ void Axis::watch(double dc_voltage) noexcept {
   if (overvoltage || overcurrent) cycle_.command.pulses_enabled = false;
 }
 
-void Axis::end_cycle(const AxisFeedback& feedback) noexcept {
-  feedback_ = feedback;
+void Axis::end_cycle() noexcept {
   if (cycle_.measured) channel_.track(cycle_.command.speed_setpoint);
   monitor();
   if (cycle_.measured) end_measurement();
@@ -184,8 +195,8 @@ void Axis::measure() noexcept {
 
 void Axis::monitor() noexcept {
   const AxisParameters& p = parameters_;
-  target_reached_ = target_monitor_.update(cycle_.duration,
-                                           feedback_.message_setpoint.value_or(channel_.input()) - actual_.speed,
+  const double setpoint = std::isinf(feedback_.message_setpoint) ? channel_.input() : feedback_.message_setpoint;
+  target_reached_ = target_monitor_.update(cycle_.duration, setpoint - actual_.speed,
                                            {p.target_window, p.target_hysteresis, p.target_off_delay});
   const Observed seen = observed();
   overspeed_ = seen.overspeed > p.overspeed_hysteresis;

@@ -4,26 +4,12 @@
 
 #include "drive/axis.hpp"
 #include "drive/machine_model.hpp"
-#include "drive/parameter/rounding.hpp"
 #include "motor/data/rating_plate.hpp"
 
 namespace drive {
 namespace {
 
 constexpr std::uint16_t kControlMode = 1300;
-
-using Members = std::variant<double AxisParameters::*, std::int32_t AxisParameters::*>;
-
-double get(const AxisParameters& parameters, const Members& member) noexcept {
-  return std::visit([&](auto pointer) { return static_cast<double>(parameters.*pointer); }, member);
-}
-
-/// @p si in SI units.
-void set(AxisParameters& parameters, const Members& member, double si) noexcept {
-  if (const auto* number = std::get_if<double AxisParameters::*>(&member)) parameters.*(*number) = si;
-  if (const auto* code = std::get_if<std::int32_t AxisParameters::*>(&member))
-    parameters.*(*code) = static_cast<std::int32_t>(si);
-}
 
 /// What p0340 computes for its values 4, 2 (by the kind of machine) and 5.
 constexpr std::uint16_t kInertia = 341;  // with 1 only
@@ -41,30 +27,40 @@ AxisParameters commissioned_parameters(const AxisConfiguration& configuration) n
   context.axis = configuration;
   AxisParameters parameters{};
   for (const PlacedRow& placed : parameters_of(configuration.kind)) {
-    const auto* const home = std::get_if<Member>(&placed.row->home);
-    if (home == nullptr) continue;
-    set(parameters, home->member, factory_value(*placed.row, context) * row_of(placed.row->unit).si);
+    const auto* const home = std::get_if<Setting>(&placed.row->home);
+    if (home == nullptr || home->block != kBlock<AxisParameters>) continue;
+    home->set(&parameters, 0, factory_value(*placed.row, context) * row_of(placed.row->unit).si);
   }
   parameters.encoder_pulses = static_cast<std::int32_t>(configuration.machine.encoder.pulses);
   parameters.encoder_fine_bits = configuration.machine.encoder.fine_bits;
   return parameters;
 }
 
+void* Axis::own_block(BlockId id) noexcept {
+  return find_block(id, parameters_, wired_, feedback_);
+}
+
+const void* Axis::own_block(BlockId id) const noexcept {
+  return find_block(id, parameters_, wired_, feedback_);
+}
+
 double Axis::own_value(const ParameterRow& row, std::size_t index) const noexcept {
-  if (const auto* const display = std::get_if<Computed<Axis>>(&row.home)) return display->get(*this, index);
-  const auto* const home = std::get_if<Member>(&row.home);
-  return home != nullptr ? rounded(get(parameters_, home->member) / row_of(row.unit).si) : 0.0;
+  const auto* const display = std::get_if<Computed<Axis>>(&row.home);
+  return display != nullptr ? display->get(*this, index) : 0.0;
 }
 
 void Axis::set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept {
-  if (const auto* const command = std::get_if<Computed<Axis>>(&row.home)) {
-    if (command->set != nullptr) command->set(*this, index, value);
-  } else if (const auto* const home = std::get_if<Member>(&row.home)) {
-    // Nothing but loading brings a motor or another mode while a measurement leads.
-    if (identification_.leads() && row.when != When::Always) cancel_identification();
-    set(parameters_, home->member, value * row_of(row.unit).si);
-    if (row.number == kControlMode) follow_control_mode();
-  }
+  const auto* const command = std::get_if<Computed<Axis>>(&row.home);
+  if (command != nullptr && command->set != nullptr) command->set(*this, index, value);
+}
+
+/// Nothing but loading brings a motor or another mode while a measurement leads.
+void Axis::before_setting(const ParameterRow& row) noexcept {
+  if (identification_.leads() && row.when != When::Always) cancel_identification();
+}
+
+void Axis::after_setting(const ParameterRow& row) noexcept {
+  if (row.number == kControlMode) follow_control_mode();
 }
 
 /// Without closed loop nothing rotates, and nothing with an encoder that the mode does not use.
@@ -104,7 +100,7 @@ void Axis::compute_as_new(std::span<const std::uint16_t> numbers, const ObjectCo
   for (const std::uint16_t number : numbers) {
     const ParameterRow& row = *find_parameter(kind(), number)->row;
     const Range limits = limits_of(row);
-    set_own_value(row, 0, std::clamp(factory_value(row, described), limits.minimum, limits.maximum));
+    set_setting(row, 0, std::clamp(factory_value(row, described), limits.minimum, limits.maximum));
   }
 }
 

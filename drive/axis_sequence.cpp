@@ -80,17 +80,16 @@ bool keeps_jogging(State state) noexcept {
 
 }  // namespace
 
-void Axis::sequence(const AxisInputs& inputs, double duration) noexcept {
-  const AxisInputs before = wired_;
-  take_inputs(inputs);
+void Axis::sequence(double duration) noexcept {
+  take_inputs();
   if (apply(Event::Initialised)) return;
   follow_inputs();
-  if (has_acknowledgement(before, inputs)) {
+  if (has_acknowledgement(wired_before_, wired_)) {
     const State unacknowledged = state_;
     acknowledge();
     if (state_ != unacknowledged) return;  // Switch on disabled is seen for a cycle, whatever else the word says
   }
-  follow_jog(before);
+  follow_jog();
   apply(command_of(command_word()));
   wait_for_power(duration);
   if (is_braking(state_)) check_standstill(duration);
@@ -109,8 +108,8 @@ void Axis::follow_inputs() noexcept {
 }
 
 /// With ON = 0, the rising edge of a jog bit is ON and its 0 is OFF1.
-void Axis::follow_jog(const AxisInputs& before) noexcept {
-  const bool starts = wants_jog(inputs_) && !wants_jog(before) &&
+void Axis::follow_jog() noexcept {
+  const bool starts = wants_jog(inputs_) && !wants_jog(wired_before_) &&
                       (state_ == State::ReadyToSwitchOn || state_ == State::Off1Braking);
   const bool goes_on = jogging_ && wants_jog(inputs_) && keeps_jogging(state_);
   jogging_ = !inputs_.on && (starts || goes_on);

@@ -37,19 +37,18 @@ void leave_channel_out(AxisInputs& inputs) noexcept {
 
 }  // namespace
 
-void Axis::take_inputs(const AxisInputs& inputs) noexcept {
-  wired_ = inputs;
-  inputs_ = inputs;
-  on_withheld_ = on_withheld_ && inputs.on && !inputs.has_off2() && !inputs.has_off3();
+void Axis::take_inputs() noexcept {
+  inputs_ = wired_;
+  on_withheld_ = on_withheld_ && wired_.on && !wired_.has_off2() && !wired_.has_off3();
   inputs_.on &= !on_withheld_;
-  const bool requested = mode_.on_process_data(inputs.requested_mode, parameters_.control_mode);
-  const bool changed_over = mode_.on_changeover(inputs.torque_control, parameters_.control_mode);
+  const bool requested = mode_.on_process_data(wired_.requested_mode, parameters_.control_mode);
+  const bool changed_over = mode_.on_changeover(wired_.torque_control, parameters_.control_mode);
   if (!(requested && changed_over) && pulses_enabled_in(state_))
     static_cast<void>(raise(kTorqueControlImpossible));
   if (mode_.velocity_mode(parameters_.control_mode)) {
-    inputs_.enable_ramp &= (inputs.controlword & kEnableRamp) != 0;
-    inputs_.continue_ramp &= (inputs.controlword & kUnlockRamp) != 0;
-    inputs_.enable_setpoint &= (inputs.controlword & kReferenceRamp) != 0;
+    inputs_.enable_ramp &= (wired_.controlword & kEnableRamp) != 0;
+    inputs_.continue_ramp &= (wired_.controlword & kUnlockRamp) != 0;
+    inputs_.enable_setpoint &= (wired_.controlword & kReferenceRamp) != 0;
   }
   if (!has_setpoint_channel()) leave_channel_out(inputs_);
 }

@@ -1,6 +1,5 @@
 // What the inputs of the control unit and of the infeed make of them in a cycle.
 #include <array>
-#include <utility>
 
 #include "drive/drive_unit.hpp"
 #include "drive/wiring.hpp"
@@ -37,19 +36,20 @@ void follow_messages(DriveObject& object, const AxisInputs& before, const AxisIn
 /// Of the control unit: p2102 acknowledges the faults of all drive objects, p2103 to p2105 its own, p2106 to p2108
 /// and p2112 bring messages.
 void DriveUnit::follow_unit_inputs() noexcept {
-  const bool all = wiring_->acknowledge_all();
-  if (all && !acknowledge_all_) acknowledge();
-  acknowledge_all_ = all;
-  const AxisInputs before = std::exchange(control_unit_inputs_, wiring_->inputs(0));
-  follow_messages(control_unit_, before, control_unit_inputs_);
-  if (has_acknowledgement(before, control_unit_inputs_)) control_unit_.acknowledge();
+  const bool acknowledged_all = control_unit_.unit_inputs().acknowledge_all;
+  wiring_->take(control_unit_, kBlock<UnitInputs>);
+  if (control_unit_.unit_inputs().acknowledge_all && !acknowledged_all) acknowledge();
+  const AxisInputs before = control_unit_.inputs();
+  wiring_->take(control_unit_, kBlock<AxisInputs>);
+  follow_messages(control_unit_, before, control_unit_.inputs());
+  if (has_acknowledgement(before, control_unit_.inputs())) control_unit_.acknowledge();
 }
 
 void DriveUnit::run_infeed(double duration) noexcept {
   if (!infeed_) return;
-  const AxisInputs inputs = wiring_->infeed_inputs();
-  follow_messages(*infeed_, infeed_->inputs(), inputs);
-  infeed_->cycle(inputs, duration, {.voltage = dc_link_.voltage(), .lowest = lowest_dc_voltage_});
+  wiring_->take(*infeed_, kBlock<AxisInputs>);
+  follow_messages(*infeed_, infeed_->inputs_before(), infeed_->inputs());
+  infeed_->cycle(duration, {.voltage = dc_link_.voltage(), .lowest = lowest_dc_voltage_});
   connect_line();
 }
 

@@ -24,23 +24,23 @@ Infeed::Infeed(const ObjectContext& context) : DriveObject{context} {
   restore_parameters();
 }
 
-void Infeed::cycle(const AxisInputs& inputs, double duration, const Link& link) noexcept {
+void Infeed::cycle(double duration, const Link& link) noexcept {
   link_ = link;
   const State state_before = state_;
-  const AxisInputs before = std::exchange(inputs_, inputs);
+  const AxisInputs before = std::exchange(inputs_before_, inputs_);
   settled_ = true;
-  if (has_acknowledgement(before, inputs)) acknowledge();
+  if (has_acknowledgement(before, inputs_)) acknowledge();
   apply(Event::Initialised);
   // What has just become Switch on disabled is seen so for a cycle, whatever else is given.
   if (state_ == state_before) {
-    const bool enable = inputs.enable_operation && (has_link() || operates());
-    apply(command_of(inhibited_ ? std::uint16_t{0} : command_word(inputs, enable)));
+    const bool enable = inputs_.enable_operation && (has_link() || operates());
+    apply(command_of(inhibited_ ? std::uint16_t{0} : command_word(inputs_, enable)));
     apply(Event::Standstill);  // nothing turns: an OFF1 is over with its beginning
     await_link(duration);
     const bool operated = state_before == State::OperationEnabled && operates();
     if (operated && link_.lowest < context().supply.undervoltage) static_cast<void>(raise(kUndervoltage));
   }
-  settled_ = settled_ && state_ == state_before && before == inputs;
+  settled_ = settled_ && state_ == state_before && before == inputs_;
 }
 
 /// F07802, once, when the DC link has not come within p0857 after ON.
@@ -74,13 +74,21 @@ void Infeed::on_acknowledged_fault_left() noexcept {
 void Infeed::power_off() noexcept {
   DriveObject::power_off();
   state_ = State::SwitchOnDisabled;
-  inputs_ = {};
+  inputs_ = inputs_before_ = {};
   settled_ = false;
 }
 
 void Infeed::inhibit(bool inhibited) noexcept {
   inhibited_ = inhibited;
   settled_ = false;
+}
+
+void* Infeed::own_block(BlockId id) noexcept {
+  return find_block(id, inputs_);
+}
+
+const void* Infeed::own_block(BlockId id) const noexcept {
+  return find_block(id, inputs_);
 }
 
 double Infeed::own_value(const ParameterRow& row, std::size_t index) const noexcept {

@@ -20,10 +20,11 @@ class Infeed final : public DriveObject {
     double voltage = 0.0;  ///< now
     double lowest = 0.0;   ///< of the last cycle
   };
-  /// One process-data cycle of @p duration (s) with what the interconnections bring and what @p link was.
-  void cycle(const AxisInputs& inputs, double duration, const Link& link) noexcept;
-  /// What the interconnections brought in the last cycle.
+  /// One process-data cycle of @p duration (s) with what the interconnections have brought and what @p link was.
+  void cycle(double duration, const Link& link) noexcept;
+  /// What the interconnections have brought, and in the cycle before.
   const AxisInputs& inputs() const noexcept { return inputs_; }
+  const AxisInputs& inputs_before() const noexcept { return inputs_before_; }
 
   /// Switch on disabled, Ready to switch on, Switched on while the DC link is charged, Operation enabled or Fault.
   State state() const noexcept { return state_; }
@@ -45,6 +46,8 @@ class Infeed final : public DriveObject {
   void power_off() noexcept override;
 
  private:
+  void* own_block(BlockId id) noexcept override;
+  const void* own_block(BlockId id) const noexcept override;
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;
@@ -57,6 +60,7 @@ class Infeed final : public DriveObject {
 
   State state_ = State::NotReadyToSwitchOn;
   AxisInputs inputs_{};
+  AxisInputs inputs_before_{};
   Link link_{};
   double link_missing_ = 0.0;  // s, since ON
   bool inhibited_ = false;

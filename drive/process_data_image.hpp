@@ -54,4 +54,10 @@ struct ProcessDataImage {
   }
 };
 
+/// What converters between words and bits invert.
+struct Converters {
+  std::array<std::uint16_t, 5> invert_words_of_bits{};  ///< p8888, of r8889
+  std::array<std::uint16_t, 2> invert_bits_of_words{};  ///< p8898, of r8894 and r8895
+};
+
 }  // namespace drive
