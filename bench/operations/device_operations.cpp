@@ -1,9 +1,9 @@
 #include <array>
 #include <vector>
 
-#include "bench/cycle_operations.hpp"
-#include "bench/device_unit.hpp"
-#include "bench/operation.hpp"
+#include "bench/operations/cycle_operations.hpp"
+#include "bench/operations/device_unit.hpp"
+#include "bench/operations/operation.hpp"
 #include "device/object_rows.hpp"
 
 namespace bench {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <thread>
 
+#include "bench/bus/slave_client.hpp"
 #include "bench/number.hpp"
-#include "bench/slave_client.hpp"
 
 namespace {
 

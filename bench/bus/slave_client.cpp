@@ -1,4 +1,4 @@
-#include "bench/slave_client.hpp"
+#include "bench/bus/slave_client.hpp"
 
 #include <array>
 #include <cstring>

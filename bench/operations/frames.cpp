@@ -1,4 +1,4 @@
-#include "bench/frames.hpp"
+#include "bench/operations/frames.hpp"
 
 #include <algorithm>
 #include <random>

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/frames.hpp"
-#include "bench/operation.hpp"
+#include "bench/operations/frames.hpp"
+#include "bench/operations/operation.hpp"
 #include "motor/drive_train.hpp"
 
 namespace bench {
@@ -35,7 +35,7 @@ class LoadedTrain {
   static constexpr int kRunUp = 8000;          // steps
 
   motor::DriveTrain train_;
-  motor::Command command_{.pulses_enabled = true};
+  motor::DriveCommand command_{.pulses_enabled = true};
   double target_;
   double drawn_ = 0.0;  // J
 };

@@ -1,7 +1,7 @@
 #include <array>
 
-#include "bench/library_node.hpp"
-#include "bench/operation.hpp"
+#include "bench/operations/library_node.hpp"
+#include "bench/operations/operation.hpp"
 
 namespace bench {
 namespace {

@@ -1,9 +1,9 @@
-#include "bench/cycle_operations.hpp"
+#include "bench/operations/cycle_operations.hpp"
 
 #include <array>
 #include <vector>
 
-#include "bench/device_unit.hpp"
+#include "bench/operations/device_unit.hpp"
 #include "device/pdo_objects.hpp"
 
 namespace bench {

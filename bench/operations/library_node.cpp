@@ -1,4 +1,4 @@
-#include "bench/library_node.hpp"
+#include "bench/operations/library_node.hpp"
 
 #include <algorithm>
 #include <array>

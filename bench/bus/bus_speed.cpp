@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "bench/bus/raw_socket.hpp"
 #include "bench/number.hpp"
-#include "bench/raw_socket.hpp"
 
 /// What a CAN bus of this machine carries, whatever it is made of: round trips between two sockets, and frames a
 /// second from one socket to all others.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bench/operation.hpp"
+#include "bench/operations/operation.hpp"
 
 namespace bench {
 

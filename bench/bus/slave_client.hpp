@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/raw_socket.hpp"
+#include "bench/bus/raw_socket.hpp"
 
 namespace bench {
 

@@ -1,4 +1,4 @@
-#include "bench/device_unit.hpp"
+#include "bench/operations/device_unit.hpp"
 
 #include <array>
 #include <bit>

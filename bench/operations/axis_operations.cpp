@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "bench/frames.hpp"
-#include "bench/operation.hpp"
+#include "bench/operations/frames.hpp"
+#include "bench/operations/operation.hpp"
 #include "drive/axis.hpp"
 
 namespace bench {

@@ -9,8 +9,8 @@
 
 #include <sys/signalfd.h>
 
-#include "bench/library_node.hpp"
 #include "bench/number.hpp"
+#include "bench/operations/library_node.hpp"
 #include "can/port/socketcan/socket_can.hpp"
 #include "daemon/bus_loop.hpp"
 #include "daemon/clock.hpp"

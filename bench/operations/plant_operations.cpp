@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "bench/frames.hpp"
-#include "bench/operation.hpp"
+#include "bench/operations/frames.hpp"
+#include "bench/operations/operation.hpp"
 #include "motor/data/control_period.hpp"
 #include "motor/plant/plant.hpp"
 

@@ -1,5 +1,5 @@
-#include "bench/library_node.hpp"
-#include "bench/operation.hpp"
+#include "bench/operations/library_node.hpp"
+#include "bench/operations/operation.hpp"
 
 namespace bench {
 namespace {

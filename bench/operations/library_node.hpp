@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/frames.hpp"
+#include "bench/operations/frames.hpp"
 #include "libcanopen/node/node.hpp"
 
 namespace bench {

@@ -6,8 +6,8 @@
 
 #include <poll.h>
 
+#include "bench/bus/raw_socket.hpp"
 #include "bench/number.hpp"
-#include "bench/raw_socket.hpp"
 
 namespace {
 

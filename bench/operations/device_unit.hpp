@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bench/frames.hpp"
+#include "bench/operations/frames.hpp"
 #include "device/device.hpp"
 
 namespace bench {

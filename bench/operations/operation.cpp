@@ -1,4 +1,4 @@
-#include "bench/operation.hpp"
+#include "bench/operations/operation.hpp"
 
 namespace bench {
 
