@@ -19,14 +19,14 @@ constexpr int kRunUp = 4000;  // periods
 struct Unit {
   explicit Unit(int axes) : link{motor::SupplyData{}} {
     for (int i = 0; i < axes; ++i) trains.emplace_back(motor::MachineData{}, motor::Load{.inertia = 0.0015});
-    motor::Command command{.pulses_enabled = true, .limits = {35.0, -35.0}};
+    motor::DriveCommand command{.pulses_enabled = true, .limits = {35.0, -35.0}};
     for (int i = 0; i < kRunUp; ++i) {
       command.speed_setpoint = std::min(200.0, 0.1 * i);
       step(command);
     }
     for (motor::DriveTrain& train : trains) train.set_load_torque(3.0);
   }
-  void step(const motor::Command& command) {
+  void step(const motor::DriveCommand& command) {
     double drawn = 0.0;
     const double voltage = link.voltage();
     for (motor::DriveTrain& train : trains) drawn += train.step(voltage, command);
@@ -39,7 +39,7 @@ struct Unit {
 
 /// Wall time of @p periods of @p unit (s).
 double time_of(Unit& unit, long periods) {
-  motor::Command command{.pulses_enabled = true, .speed_setpoint = 200.0, .limits = {35.0, -35.0}};
+  motor::DriveCommand command{.pulses_enabled = true, .speed_setpoint = 200.0, .limits = {35.0, -35.0}};
   const auto start = std::chrono::steady_clock::now();
   for (long i = 0; i < periods; ++i) {
     command.speed_setpoint = (i & 4096) != 0 ? 150.0 : 200.0;

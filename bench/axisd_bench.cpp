@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "bench/operation.hpp"
+#include "bench/operations/operation.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <exception>
 
-#include "bench/operation.hpp"
+#include "bench/operations/operation.hpp"
 
 namespace {
 

@@ -1,11 +1,12 @@
 #include "daemon/control_protocol.hpp"
 
-#include <charconv>
 #include <cstdlib>
 #include <utility>
 
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include "text/number.hpp"
 
 namespace control {
 
@@ -77,11 +78,9 @@ std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept
       file_name.substr(kPrefix.size(), file_name.size() - kPrefix.size() - kSuffix.size());
   const std::size_t dash = middle.rfind('-');
   if (dash == std::string_view::npos || dash == 0) return std::nullopt;
-  int node = 0;
-  const char* const end = middle.data() + middle.size();
-  const auto [rest, error] = std::from_chars(middle.data() + dash + 1, end, node);
-  if (error != std::errc{} || rest != end || node < 0 || node > kHighestNode) return std::nullopt;
-  return SocketName{middle.substr(0, dash), node};
+  const auto node = text::integer<int>(middle.substr(dash + 1));
+  if (!node || *node < 0 || *node > kHighestNode) return std::nullopt;
+  return SocketName{middle.substr(0, dash), *node};
 }
 
 tl::expected<sockaddr_un, std::string> socket_address(std::string_view path) {

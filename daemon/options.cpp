@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iostream>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 
 #include "daemon/version.hpp"
+#include "text/number.hpp"
 
 namespace axisd {
 namespace {
@@ -29,10 +29,7 @@ LogLevel level_named(const std::string& name) {
 
 /// The decimal number @p text; @p expected says which ones the option takes.
 int integer_of(const char* option, const std::string& text, const char* expected) {
-  int value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc{} && rest == end) return value;
+  if (const auto value = text::integer<int>(text)) return *value;
   throw UsageError{std::string{option} + ": expected an integer " + expected + ", got \"" + text + '"'};
 }
 

@@ -1,7 +1,6 @@
 #include "daemon/parameter_reader.hpp"
 
 #include <array>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -12,6 +11,7 @@
 
 #include "drive/drive_unit.hpp"
 #include "drive/parameter/bico_text.hpp"
+#include "text/number.hpp"
 
 namespace axisd {
 namespace {
@@ -50,10 +50,9 @@ std::string expectation(const drive::ParameterError& error) {
 std::optional<std::uint8_t> take_index(std::string& text) {
   const std::size_t bracket = text.find('[');
   if (bracket == std::string::npos) return std::uint8_t{0};
-  std::uint8_t index = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data() + bracket + 1, end, index);
-  if (error != std::errc{} || std::string_view{rest, end} != "]") return std::nullopt;
+  std::string_view rest = std::string_view{text}.substr(bracket + 1);
+  const auto index = text::take_integer<std::uint8_t>(rest);
+  if (!index || rest != "]") return std::nullopt;
   text.resize(bracket);
   return index;
 }

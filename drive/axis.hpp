@@ -281,7 +281,7 @@ class Axis final : public DriveObject {
     double duration = 0.0;  // s
     int steps = 0;
     bool measured = false;  // a measurement leads instead of the setpoint channel
-    motor::Command command{};
+    motor::DriveCommand command{};
     double torque_demand = 0.0;  // sums of the steps (N·m)
     double torque = 0.0;
     double speed = 0.0;         // rad/s

@@ -137,7 +137,7 @@ motor::RotatingTask Axis::rotating_task(const motor::MachineData& machine) const
 
 /// A control period that a measurement leads; when it ends, so do the pulses.
 void Axis::step_measurement() noexcept {
-  motor::Command& command = cycle_.command;
+  motor::DriveCommand& command = cycle_.command;
   if (!command.pulses_enabled) return;
   if (identification_.running() == Part::Rotating) {
     const motor::TorqueLimits limits = command.limits;

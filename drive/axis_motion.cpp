@@ -120,7 +120,7 @@ void Axis::lead_brake() noexcept {
 double Axis::step(double dc_voltage) noexcept {
   if (cycle_.measured) [[unlikely]]
     return measured_step(dc_voltage);
-  motor::Command& command = cycle_.command;
+  motor::DriveCommand& command = cycle_.command;
   if (command.pulses_enabled) {
     command.speed_setpoint = channel_.step(kControlPeriod);
     command.acceleration_setpoint = channel_.acceleration();

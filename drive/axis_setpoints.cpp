@@ -86,7 +86,7 @@ void Axis::lead_torque() noexcept {
   const auto limit = [](double wired, double parameter) { return std::isinf(wired) ? parameter : wired; };
   torque_limits_ = {limit(inputs_.upper_torque_limit, p.upper_torque_limit),
                     limit(inputs_.lower_torque_limit, p.lower_torque_limit)};
-  motor::Command& command = cycle_.command;
+  motor::DriveCommand& command = cycle_.command;
   command.limits = torque_limits_;
   const double additional = inputs_.supplementary_torque_1 + inputs_.supplementary_torque_2;
   command.additional_torque = inputs_.enable_speed_controller ? additional : 0.0;

@@ -75,7 +75,7 @@ class Identification {
   /// What leads the motor in a measurement at standstill.
   motor::Excitation& excitation() noexcept { return standstill_; }
   /// The next command of a rotating measurement.
-  motor::Command step(const motor::Observation& seen) noexcept { return rotating_.step(seen); }
+  motor::DriveCommand step(const motor::Observation& seen) noexcept { return rotating_.step(seen); }
   double flux_share() const noexcept { return rotating_.flux_share(); }
   /// Of the measurement that runs.
   motor::MeasurementState state() const noexcept;

@@ -118,7 +118,7 @@ SpaceVector DriveTrain::rotor_direction() const noexcept {
 }
 
 [[gnu::always_inline]] inline SpaceVector DriveTrain::control(const Measurement& measured,
-                                                              const Command& command) noexcept {
+                                                              const DriveCommand& command) noexcept {
   switch (lead_) {
     case Lead::Synchronous:
       return synchronous_.step(measured, command, signals_);
@@ -203,7 +203,7 @@ void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
   signals_.power = plant_.energies().electrical * (1.0 / kControlPeriod);
 }
 
-double DriveTrain::step(double dc_voltage, const Command& command) noexcept {
+double DriveTrain::step(double dc_voltage, const DriveCommand& command) noexcept {
   if (!command.pulses_enabled) {
     if (pulses_) stop();
     if (lead_ == Lead::Induction) induction_.coast(encoder_.speed());

@@ -48,7 +48,7 @@ class DriveTrain {
 
   /// Advances by kControlPeriod with @p command held and the DC link at @p dc_voltage (V, not negative). Returns
   /// the energy drawn from the link in the step, losses of the inverter included, negative when fed back (J).
-  double step(double dc_voltage, const Command& command) noexcept;
+  double step(double dc_voltage, const DriveCommand& command) noexcept;
   /// Lets @p duration (s) pass with the pulses off and the shaft at rest: only temperatures change.
   void rest(double duration) noexcept;
 
@@ -95,7 +95,7 @@ class DriveTrain {
   };
 
   void configure() noexcept;
-  SpaceVector control(const Measurement& measured, const Command& command) noexcept;
+  SpaceVector control(const Measurement& measured, const DriveCommand& command) noexcept;
   Measurement measure(double dc_voltage) noexcept;
   Measurement sense(double dc_voltage) noexcept;
   void follow_sensors() noexcept;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -12,6 +11,7 @@
 #include <net/if.h>
 
 #include "can/userbus/path.hpp"
+#include "text/number.hpp"
 
 namespace bus {
 
@@ -43,11 +43,8 @@ struct Endpoint {
 };
 
 std::optional<std::uint16_t> read_port(std::string_view text) noexcept {
-  std::uint16_t port = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, port);
-  if (error != std::errc{} || rest != end || port == 0) return std::nullopt;
-  return port;
+  const auto port = text::integer<std::uint16_t>(text);
+  return port != 0U ? port : std::nullopt;
 }
 
 tl::expected<Endpoint, std::string> read_endpoint(std::string_view text, std::string_view host_name) {

@@ -1,8 +1,8 @@
 #include "drive/parameter/bico_text.hpp"
 
-#include <charconv>
-
 #include <fmt/format.h>
+
+#include "text/number.hpp"
 
 namespace drive {
 namespace {
@@ -11,11 +11,10 @@ constexpr std::uint16_t kHighestPosition = 0x3FF;
 
 /// The number at the start of @p text, @p low to @p high; @p text loses it.
 std::optional<std::uint16_t> take_number(std::string_view& text, std::uint16_t low, std::uint16_t high) noexcept {
-  std::uint16_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || number < low || number > high) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+  std::string_view rest = text;
+  const auto number = text::take_integer<std::uint16_t>(rest);
+  if (!number || *number < low || *number > high) return std::nullopt;
+  text = rest;
   return number;
 }
 

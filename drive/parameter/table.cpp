@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include <fmt/format.h>
 
@@ -22,6 +21,7 @@
 #include "drive/parameter/rows/technology.hpp"
 #include "drive/parameter/rows/terminals.hpp"
 #include "drive/parameter/rows/unit.hpp"
+#include "text/number.hpp"
 
 namespace drive {
 namespace {
@@ -137,11 +137,9 @@ const PlacedRow* find_parameter(ObjectKind kind, std::uint16_t number) noexcept 
 
 const ParameterRow* find_parameter(ObjectKind kind, std::string_view text) noexcept {
   constexpr std::size_t kLength = 5;
-  std::uint16_t number = 0;
   if (text.size() != kLength) return nullptr;
-  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + kLength, number);
-  if (error != std::errc{} || end != text.data() + kLength) return nullptr;
-  const PlacedRow* const placed = find_parameter(kind, number);
+  const auto number = text::integer<std::uint16_t>(text.substr(1));
+  const PlacedRow* const placed = number ? find_parameter(kind, *number) : nullptr;
   if (placed == nullptr || text.front() != (placed->row->is_writable() ? 'p' : 'r')) return nullptr;
   return placed->row;
 }

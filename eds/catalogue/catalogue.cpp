@@ -20,12 +20,12 @@ namespace {
 constexpr std::array<std::string_view, 5> kTopKeys{"header", "files", "axis_offsets", "objects", "parameters"};
 
 /// True when @p row goes on with the object that was opened last. Drive objects of one index differ.
-bool continues(const std::vector<Object>& objects, const Row& row, RowKind kind) {
+bool continues(const std::vector<Object>& objects, const CatalogueRow& row, RowKind kind) {
   if (objects.empty() || objects.back().index != row.index) return false;
   return kind == RowKind::Object || objects.back().scope == row.scope;
 }
 
-void open_object(std::vector<Object>& objects, const Row& row) {
+void open_object(std::vector<Object>& objects, const CatalogueRow& row) {
   if (!objects.empty() && objects.back().index > row.index)
     throw CatalogueError{row.place + ": field \"index\": expected rows in ascending order"};
   objects.push_back({.index = row.index,
@@ -36,7 +36,7 @@ void open_object(std::vector<Object>& objects, const Row& row) {
                      .entries = {}});
 }
 
-void check_continuation(const Object& object, const Row& row) {
+void check_continuation(const Object& object, const CatalogueRow& row) {
   if (!row.entry)
     throw CatalogueError{row.place + ": field \"object\": expected the row before those of its sub-indices, once"};
   if (object.scope != row.scope)
@@ -45,7 +45,7 @@ void check_continuation(const Object& object, const Row& row) {
 }
 
 /// Adds the entries of @p row to the object it belongs to, or opens an object.
-void add_row(std::vector<Object>& objects, const Row& row, RowKind kind) {
+void add_row(std::vector<Object>& objects, const CatalogueRow& row, RowKind kind) {
   if (continues(objects, row, kind)) {
     check_continuation(objects.back(), row);
   } else {
@@ -61,7 +61,7 @@ void add_row(std::vector<Object>& objects, const Row& row, RowKind kind) {
 using Seen = std::set<std::tuple<unsigned, unsigned, Scope>>;
 
 /// Refuses an entry that stands in two rows of a list, wherever they are.
-void check_unique(Seen& seen, const Row& row, RowKind kind) {
+void check_unique(Seen& seen, const CatalogueRow& row, RowKind kind) {
   if (!row.entry) return;
   const Scope scope = kind == RowKind::Parameter ? row.scope : Scope::Unit;
   for (unsigned sub = row.entry->sub_index; sub <= row.last_sub; ++sub)
@@ -75,7 +75,7 @@ std::vector<Object> read_rows(const nlohmann::json& list, RowKind kind) {
   Seen seen;
   std::size_t number = 0;
   for (const nlohmann::json& item : list) {
-    const Row row = parse_row(item, ++number, kind);
+    const CatalogueRow row = parse_row(item, ++number, kind);
     check_unique(seen, row, kind);
     add_row(objects, row, kind);
   }

@@ -142,8 +142,8 @@ Scope read_scope(const JsonFields& fields, RowKind kind) {
 
 }  // namespace
 
-Row parse_row(const nlohmann::json& json, std::size_t number, RowKind kind) {
-  Row row;
+CatalogueRow parse_row(const nlohmann::json& json, std::size_t number, RowKind kind) {
+  CatalogueRow row;
   row.place = place_of(json, number, kind);
   row.code = JsonFields{json, row.place, kVariableKeys}.word("object", kObjectCodes);
   const bool variable = row.code == ObjectCode::Variable;

@@ -14,7 +14,7 @@ namespace eds {
 enum class RowKind : std::uint8_t { Object, Parameter };
 
 /// One row of the catalogue, checked by itself.
-struct Row {
+struct CatalogueRow {
   std::string place;  ///< "row 3 (6040:00)" or "parameter row 3 (2025:00)", for messages
   std::uint16_t index = 0;
   ObjectCode code = ObjectCode::Variable;
@@ -26,6 +26,6 @@ struct Row {
 };
 
 /// Reads row @p number (from 1) of the list @p kind; throws CatalogueError.
-[[nodiscard]] Row parse_row(const nlohmann::json& json, std::size_t number, RowKind kind);
+[[nodiscard]] CatalogueRow parse_row(const nlohmann::json& json, std::size_t number, RowKind kind);
 
 }  // namespace eds

@@ -1,10 +1,10 @@
 #include "eds/catalogue/number.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "eds/document/value.hpp"
+#include "text/number.hpp"
 
 namespace eds {
 namespace {
@@ -31,19 +31,13 @@ std::optional<Number> parse_number(std::string_view text) {
 }
 
 std::optional<Number> parse_real(std::string_view text) {
-  double real = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, real, std::chars_format::fixed);
-  if (error != std::errc{} || stop != end || !std::isfinite(real)) return std::nullopt;
-  return Number{.real = real, .text = std::string{text}};
+  const auto real = text::real(text, std::chars_format::fixed);
+  if (!real || !std::isfinite(*real)) return std::nullopt;
+  return Number{.real = *real, .text = std::string{text}};
 }
 
 std::optional<std::uint32_t> parse_hexadecimal(std::string_view text, std::size_t digits) {
-  std::uint32_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value, 16);
-  if (text.size() != digits || error != std::errc{} || stop != end) return std::nullopt;
-  return value;
+  return text.size() == digits ? text::integer<std::uint32_t>(text, 16) : std::nullopt;
 }
 
 std::optional<Range> range_of(canopen::DataType type) noexcept {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "eds/document/encoding.hpp"
+#include "text/number.hpp"
 
 namespace eds {
 namespace {
@@ -59,12 +60,9 @@ std::optional<IntegerText> parse_plain(std::string_view text) noexcept {
   if (negative || text.starts_with('+')) text.remove_prefix(1);
   number.hexadecimal = take_in_any_case(text, "0x");
   const bool octal = !number.hexadecimal && text.size() > 1 && text.starts_with('0');
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number.value.magnitude,
-                                             number.hexadecimal ? 16
-                                             : octal            ? 8
-                                                                : 10);
-  if (error != std::errc{} || stop != end) return std::nullopt;
+  const auto magnitude = text::integer<std::uint64_t>(text, number.hexadecimal ? 16 : octal ? 8 : 10);
+  if (!magnitude) return std::nullopt;
+  number.value.magnitude = *magnitude;
   number.value.negative = negative && number.value.magnitude != 0;
   return number;
 }

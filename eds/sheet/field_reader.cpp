@@ -1,10 +1,9 @@
 #include "eds/sheet/field_reader.hpp"
 
-#include <charconv>
-
 #include <fmt/format.h>
 
 #include "eds/document/encoding.hpp"
+#include "text/number.hpp"
 
 namespace eds {
 namespace {
@@ -93,11 +92,8 @@ Stated<Value> FieldReader::value(const Line& line, const DataTypeRow* type) cons
 }
 
 std::optional<std::uint64_t> entry_number(std::string_view key) noexcept {
-  std::uint64_t number = 0;
-  const char* const end = key.data() + key.size();
-  const auto [stop, error] = std::from_chars(key.data(), end, number);
-  if (error != std::errc{} || stop != end || number == 0) return std::nullopt;
-  return number;
+  const auto number = text::integer<std::uint64_t>(key);
+  return number != 0U ? number : std::nullopt;
 }
 
 }  // namespace eds

@@ -1,11 +1,11 @@
 #include "eds/sheet/info_reader.hpp"
 
-#include <charconv>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "eds/sheet/field_reader.hpp"
+#include "text/number.hpp"
 
 namespace eds {
 namespace {
@@ -89,11 +89,10 @@ void read_commissioning(Commissioning& commissioning, const FieldReader& fields)
 void read_dummies(DataSheet& sheet, const FieldReader& fields) {
   for (const Line& line : fields.section().lines()) {
     std::string_view rest = line.key();
-    std::uint16_t type = 0;
     if (!take_in_any_case(rest, "Dummy")) continue;
-    const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), type, 16);
-    if (error != std::errc{} || stop != rest.data() + rest.size()) continue;
-    sheet.dummies.try_emplace(type, fields.boolean(line.key()));
+    const auto type = text::integer<std::uint16_t>(rest, 16);
+    if (!type) continue;
+    sheet.dummies.try_emplace(*type, fields.boolean(line.key()));
   }
 }
 

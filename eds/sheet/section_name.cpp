@@ -1,12 +1,12 @@
 #include "eds/sheet/section_name.hpp"
 
 #include <array>
-#include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "eds/document/encoding.hpp"
+#include "text/number.hpp"
 
 namespace eds {
 namespace {
@@ -54,11 +54,11 @@ SectionKind known(const std::array<KnownName, N>& names, std::string_view name) 
 
 /// Takes a number of @p least to @p most digits off @p text.
 std::optional<std::uint16_t> take_digits(std::string_view& text, int base, std::size_t least, std::size_t most) {
-  std::uint16_t value = 0;
-  const char* const begin = text.data();
-  const auto [stop, error] = std::from_chars(begin, begin + std::min(text.size(), most), value, base);
-  const auto length = static_cast<std::size_t>(stop - begin);
-  if (error != std::errc{} || length < least) return std::nullopt;
+  std::string_view digits = text.substr(0, most);
+  const std::size_t offered = digits.size();
+  const auto value = text::take_integer<std::uint16_t>(digits, base);
+  const std::size_t length = offered - digits.size();
+  if (!value || length < least) return std::nullopt;
   text.remove_prefix(length);
   return value;
 }

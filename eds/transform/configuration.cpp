@@ -1,12 +1,12 @@
 #include "eds/transform/configuration.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
 #include "eds/sheet/data_sheet.hpp"
 #include "eds/sheet/field_reader.hpp"
+#include "text/number.hpp"
 
 namespace eds {
 namespace {
@@ -15,11 +15,10 @@ constexpr unsigned kLastNode = 127;
 
 /// Takes up to @p most hexadecimal digits off @p text.
 std::optional<unsigned> take_hexadecimal(std::string_view& text, std::size_t most) {
-  unsigned value = 0;
-  const char* const begin = text.data();
-  const auto [stop, error] = std::from_chars(begin, begin + std::min(text.size(), most), value, 16);
-  if (error != std::errc{}) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(stop - begin));
+  std::string_view digits = text.substr(0, most);
+  const std::size_t offered = digits.size();
+  const auto value = text::take_integer<unsigned>(digits, 16);
+  text.remove_prefix(offered - digits.size());
   return value;
 }
 

@@ -81,9 +81,9 @@ std::string bytes_of(std::string_view pairs) {
   return bytes;
 }
 
-class Row {
+class SourceLine {
  public:
-  Row(std::string& text, std::uint16_t index, const SheetEntry& entry) : text_{text}, entry_{entry} {
+  SourceLine(std::string& text, std::uint16_t index, const SheetEntry& entry) : text_{text}, entry_{entry} {
     fmt::format_to(out(), "      {{.index = 0x{:04X}", index);
     if (entry.sub_index != 0) add("sub_index", fmt::format("{}", entry.sub_index));
   }
@@ -129,7 +129,7 @@ class Row {
 };
 
 void write_row(std::string& text, std::uint16_t index, const SheetEntry& entry, const SourceOptions& options) {
-  Row row{text, index, entry};
+  SourceLine row{text, index, entry};
   row.add("type", name_of_type(entry)->enumerator);
   row.add("access", name_of(kAccesses, entry.access_or_default()).enumerator);
   if (entry.mappable.value_or(false)) row.add("pdo_mappable", "true");

@@ -14,7 +14,7 @@
 // which check meets which of them.
 namespace {
 
-using Row = std::vector<std::string>;
+using Cells = std::vector<std::string>;
 
 std::string_view trimmed(std::string_view cell) {
   while (cell.starts_with(' ')) cell.remove_prefix(1);
@@ -23,8 +23,8 @@ std::string_view trimmed(std::string_view cell) {
 }
 
 /// The cells of a line "| a | b |".
-Row cells_of(std::string_view line) {
-  Row cells;
+Cells cells_of(std::string_view line) {
+  Cells cells;
   line.remove_prefix(1);
   for (std::size_t bar = line.find('|'); bar != std::string_view::npos; bar = line.find('|')) {
     cells.emplace_back(trimmed(line.substr(0, bar)));
@@ -34,8 +34,8 @@ Row cells_of(std::string_view line) {
 }
 
 /// The rows of the table on @p page whose header begins with @p header; each has @p columns cells.
-std::vector<Row> table(std::string_view page, std::string_view header, std::size_t columns) {
-  std::vector<Row> rows;
+std::vector<Cells> table(std::string_view page, std::string_view header, std::size_t columns) {
+  std::vector<Cells> rows;
   std::size_t at = page.find(fmt::format("\n{}", header));
   if (at == std::string_view::npos) throw std::runtime_error{fmt::format("no table begins with \"{}\"", header)};
   for (++at; at < page.size() && page[at] == '|';) {
@@ -50,10 +50,10 @@ std::vector<Row> table(std::string_view page, std::string_view header, std::size
 }
 
 nlohmann::ordered_json list_of(const std::string& page) {
-  std::map<std::string, Row> deviations;
-  for (Row& row : table(page, "| id |", 6)) deviations.emplace(row[0], row);
+  std::map<std::string, Cells> deviations;
+  for (Cells& row : table(page, "| id |", 6)) deviations.emplace(row[0], row);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Row& row : table(page, "| check |", 3)) {
+  for (const Cells& row : table(page, "| check |", 3)) {
     const auto deviation = deviations.find(row[1]);
     if (deviation == deviations.end())
       throw std::runtime_error{fmt::format("{}: no such deviation as {}", row[0], row[1])};

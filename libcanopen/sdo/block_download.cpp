@@ -9,12 +9,12 @@
 namespace canopen {
 
 using sdo::Address;
-using sdo::Command;
 using sdo::command_byte;
+using sdo::CommandByte;
 using sdo::Response;
 
 void SdoServer::on_block_download(const Frame& frame) noexcept {
-  if (!Command{frame.data[0]}.is_block_end()) return initiate_block_download(frame);
+  if (!CommandByte{frame.data[0]}.is_block_end()) return initiate_block_download(frame);
   if (phase_ != Phase::BlockDownloadEnd) return refuse_command();
   end_block_download(frame);
 }
@@ -35,7 +35,7 @@ void SdoServer::initiate_block_download(const Frame& frame) noexcept {
 void SdoServer::begin_block_download(const Frame& frame) noexcept {
   const Address at = sdo::address_in(frame);
   begin(Phase::BlockDownload, at);
-  crc_wanted_ = Command{frame.data[0]}.has_crc();
+  crc_wanted_ = CommandByte{frame.data[0]}.has_crc();
   crc_ = 0;
   sequence_ = 0;
   must_restart_ = false;
@@ -93,7 +93,7 @@ void SdoServer::confirm_early() noexcept {
 }
 
 void SdoServer::end_block_download(const Frame& frame) noexcept {
-  const std::span bytes{last_segment_.data(), Command{frame.data[0]}.end_size()};
+  const std::span bytes{last_segment_.data(), CommandByte{frame.data[0]}.end_size()};
   if (crc_wanted_ && sdo::crc(bytes, crc_) != load<std::uint16_t>(&frame.data[1])) {
     return abort(AbortCode::CrcError);
   }

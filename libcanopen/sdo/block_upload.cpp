@@ -10,12 +10,12 @@ namespace canopen {
 
 using sdo::Address;
 using sdo::BlockUploadRequest;
-using sdo::Command;
 using sdo::command_byte;
+using sdo::CommandByte;
 using sdo::Response;
 
 void SdoServer::on_block_upload(const Frame& frame) noexcept {
-  switch (Command{frame.data[0]}.block_upload()) {
+  switch (CommandByte{frame.data[0]}.block_upload()) {
     case BlockUploadRequest::Initiate:
       return initiate_block_upload(frame);
     case BlockUploadRequest::Start:
@@ -59,7 +59,7 @@ void SdoServer::begin_block_upload(const Frame& frame) noexcept {
 
   begin(Phase::BlockUploadStart, at);
   block_size_ = frame.data[4];
-  crc_wanted_ = Command{frame.data[0]}.has_crc();
+  crc_wanted_ = CommandByte{frame.data[0]}.has_crc();
   crc_ = 0;
   send(sdo::response_bytes(command_byte(Response::BlockUpload, sdo::kBlockCrc | (size ? sdo::kBlockSize : 0)), at,
                            size.value_or(0)));

@@ -53,7 +53,7 @@ struct Address {
 };
 
 /// Command byte of a request, by its fields.
-struct Command {
+struct CommandByte {
   std::uint8_t byte;
 
   constexpr Request request() const noexcept { return static_cast<Request>(byte >> 5); }
@@ -81,11 +81,11 @@ inline Address address_in(const Frame& frame) noexcept {
 
 /// Bytes that the request of a segmented download says it will send.
 inline std::optional<std::uint32_t> size_in(const Frame& frame) noexcept {
-  return Command{frame.data[0]}.has_size() ? std::optional{load<std::uint32_t>(&frame.data[4])} : std::nullopt;
+  return CommandByte{frame.data[0]}.has_size() ? std::optional{load<std::uint32_t>(&frame.data[4])} : std::nullopt;
 }
 /// The same of a block download.
 inline std::optional<std::uint32_t> size_in_block(const Frame& frame) noexcept {
-  const bool said = Command{frame.data[0]}.has_block_size();
+  const bool said = CommandByte{frame.data[0]}.has_block_size();
   return said ? std::optional{load<std::uint32_t>(&frame.data[4])} : std::nullopt;
 }
 

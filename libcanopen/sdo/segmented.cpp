@@ -5,8 +5,8 @@
 namespace canopen {
 
 using sdo::Address;
-using sdo::Command;
 using sdo::command_byte;
+using sdo::CommandByte;
 using sdo::Response;
 
 void SdoServer::begin_segmented_upload(Address at) noexcept {
@@ -16,7 +16,7 @@ void SdoServer::begin_segmented_upload(Address at) noexcept {
                            size.value_or(0)));
 }
 
-void SdoServer::upload_segment(Command command) noexcept {
+void SdoServer::upload_segment(CommandByte command) noexcept {
   if (!continues(Phase::Upload, command)) return;
   if (auto ready = source_.want(sdo::kSegmentBytes + 1); !ready) return abort(ready.error());
   const std::size_t left = source_.available();
@@ -44,7 +44,7 @@ void SdoServer::begin_segmented_download(Address at) noexcept {
 }
 
 void SdoServer::download_segment(const Frame& frame) noexcept {
-  const Command command{frame.data[0]};
+  const CommandByte command{frame.data[0]};
   if (!continues(Phase::Download, command)) return;
   if (auto taken = sink_.append({&frame.data[1], command.segment_size()}); !taken) return abort(taken.error());
   const std::uint64_t answer = command_byte(Response::DownloadSegment, command.toggle());
@@ -53,7 +53,7 @@ void SdoServer::download_segment(const Frame& frame) noexcept {
 }
 
 /// True if @p command is the segment that the transfer waits for; otherwise the transfer is aborted.
-bool SdoServer::continues(Phase phase, Command command) noexcept {
+bool SdoServer::continues(Phase phase, CommandByte command) noexcept {
   if (phase_ != phase) {
     refuse_command();
     return false;

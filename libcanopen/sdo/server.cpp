@@ -6,8 +6,8 @@
 namespace canopen {
 
 using sdo::Address;
-using sdo::Command;
 using sdo::command_byte;
+using sdo::CommandByte;
 using sdo::Request;
 using sdo::Response;
 
@@ -53,7 +53,7 @@ bool SdoServer::connect(Identifier request, Identifier response) noexcept {
 void SdoServer::on_frame(const Frame& frame) noexcept {
   if (frame.length != 8) return;
   if (phase_ >= Phase::BlockDownload) return on_awaited_frame(frame);
-  const Command command{frame.data[0]};
+  const CommandByte command{frame.data[0]};
   switch (command.request()) {
     case Request::InitiateUpload:
       return initiate_upload(frame);
@@ -98,7 +98,7 @@ void SdoServer::initiate_download(const Frame& frame) noexcept {
   const Entry* const entry = find(at);
   if (entry == nullptr) return abort(at, context_.dictionary.absence(at.index));
   if (!entry->writable) return abort(at, AbortCode::ReadOnly);
-  const Command command{frame.data[0]};
+  const CommandByte command{frame.data[0]};
   if (!command.is_expedited()) return initiate_segmented_download(*entry, frame);
   const unsigned size = command.has_size() ? command.expedited_size() : expedited_size(*entry);
   if (!sdo::is_plain(*entry) || size != entry->size) return download_expedited(*entry, frame, size);

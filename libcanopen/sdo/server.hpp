@@ -84,9 +84,9 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   void begin_segmented_upload(sdo::Address at) noexcept;
   void initiate_segmented_download(const Entry& entry, const Frame& frame) noexcept;
   void begin_segmented_download(sdo::Address at) noexcept;
-  void upload_segment(sdo::Command command) noexcept;
+  void upload_segment(sdo::CommandByte command) noexcept;
   void download_segment(const Frame& frame) noexcept;
-  bool continues(Phase phase, sdo::Command command) noexcept;
+  bool continues(Phase phase, sdo::CommandByte command) noexcept;
 
   // block_upload.cpp
   void on_block_upload(const Frame& frame) noexcept;
@@ -107,7 +107,7 @@ class alignas(64) CANOPEN_EXPORT SdoServer {
   void end_block_download(const Frame& frame) noexcept;
 
   // viewed.cpp
-  bool begins_transfer(sdo::Command command) const noexcept;
+  bool begins_transfer(sdo::CommandByte command) const noexcept;
   void initiate_viewed(const Frame& frame) noexcept;
   void upload_viewed(sdo::ViewedObject object) noexcept;
   void send_viewed(sdo::Address at) noexcept;

@@ -5,7 +5,7 @@
 namespace canopen {
 
 using sdo::Address;
-using sdo::Command;
+using sdo::CommandByte;
 using sdo::Request;
 using sdo::ViewedObject;
 
@@ -15,7 +15,7 @@ constexpr std::size_t kExpeditedBytes = 4;
 
 void SdoServer::on_viewed_frame(const Frame& frame) noexcept {
   const bool listens = frame.length == 8 && phase_ < Phase::BlockDownload;
-  if (!listens || !begins_transfer(Command{frame.data[0]})) return on_frame(frame);
+  if (!listens || !begins_transfer(CommandByte{frame.data[0]})) return on_frame(frame);
   const Address at = sdo::address_in(frame);
   switch (context_.view->place_of(number_, at.index)) {
     case ObjectPlace::Dictionary:
@@ -28,7 +28,7 @@ void SdoServer::on_viewed_frame(const Frame& frame) noexcept {
 }
 
 /// True for a request that names an object, unless it is refused whatever it names.
-bool SdoServer::begins_transfer(Command command) const noexcept {
+bool SdoServer::begins_transfer(CommandByte command) const noexcept {
   switch (command.request()) {
     case Request::InitiateUpload:
     case Request::InitiateDownload:
@@ -47,7 +47,7 @@ bool SdoServer::begins_transfer(Command command) const noexcept {
 
 void SdoServer::initiate_viewed(const Frame& frame) noexcept {
   end();
-  const Command command{frame.data[0]};
+  const CommandByte command{frame.data[0]};
   const Request request = command.request();
   const Address at = sdo::address_in(frame);
   const ViewedObject object{at.index, at.sub_index, number_};
@@ -72,7 +72,7 @@ void SdoServer::send_viewed(Address at) noexcept {
 
 void SdoServer::download_viewed(ViewedObject object, const Frame& frame) noexcept {
   Frame answer = answer_;  // the write may connect the server anew: the client still waits here
-  const Command command{frame.data[0]};
+  const CommandByte command{frame.data[0]};
   const std::size_t size = command.has_size() ? command.expedited_size() : kExpeditedBytes;
   context_.answer_deferred = false;
   const auto written = object.write(*context_.view, {&frame.data[4], size}, command.has_size());

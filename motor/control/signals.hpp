@@ -8,7 +8,7 @@
 namespace motor {
 
 /// What a drive train is told for one step.
-struct Command {
+struct DriveCommand {
   bool pulses_enabled = false;         ///< off: no voltage, the controllers are emptied, the shaft coasts
   double speed_setpoint = 0.0;         ///< (rad/s)
   double acceleration_setpoint = 0.0;  ///< slope of the speed setpoint, for the precontrol (rad/s²)

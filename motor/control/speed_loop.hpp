@@ -26,8 +26,8 @@ class SpeedLoop {
   }
   /// Torque setpoint (N·m) for @p command at the measured @p speed (rad/s); @p reachable is what current and
   /// voltage allow (N·m). Fills limits and their status in @p signals.
-  [[gnu::always_inline]] double step(const Command& command, double speed, double reachable, double dc_voltage,
-                                     Signals& signals) noexcept {
+  [[gnu::always_inline]] double step(const DriveCommand& command, double speed, double reachable,
+                                     double dc_voltage, Signals& signals) noexcept {
     smoothed_ += smoothing_ * (speed - smoothed_);
     signals.torque_limits = limiter_.limits(command.limits, reachable, speed, dc_voltage);
     if (command.torque_control) return by_torque(command, signals);
@@ -40,7 +40,7 @@ class SpeedLoop {
   void follow() noexcept { limiter_.follow(smoothed_); }
 
  private:
-  double by_torque(const Command& command, Signals& signals) noexcept {
+  double by_torque(const DriveCommand& command, Signals& signals) noexcept {
     const double wanted = command.torque_setpoint + command.additional_torque;
     const double torque = signals.torque_limits.bound(wanted);
     signals.torque_setpoint = torque;

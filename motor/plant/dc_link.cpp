@@ -59,7 +59,6 @@ bool DcLink::settled() const noexcept {
 void DcLink::step(double dt, double energy_drawn) noexcept {
   const double axes_power = energy_drawn / dt;
   energies_.axes += energy_drawn;
-  chopper_time_ = 0.0;
   if (data_.chopper_sampling > 0.0)
     next_look_ = dt > kLongestSampledStep ? unlimited() : std::min(next_look_, data_.chopper_sampling);
   double left = dt;
@@ -111,7 +110,6 @@ double DcLink::advance(const Stretch& s, double axes_power, double time) noexcep
   const Course course =
       s.infeed_rate + chopper_rate > 0.0 ? decay(s, axes_power, time) : climb(s, axes_power, time);
   energies_.chopper += chopper_rate * (level_ - course.below_level) * course.time;
-  if (chopper_on_) chopper_time_ += course.time;
   const double infeed = s.infeed_power + s.infeed_rate * course.below_level;
   book_infeed(infeed * course.time, course.time, 0.5 * (before + energy_));
   return course.time;

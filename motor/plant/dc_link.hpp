@@ -42,8 +42,6 @@ class DcLink {
   bool chopper_on() const noexcept { return chopper_on_; }
   /// Power of the braking resistor now (W).
   double chopper_power() const noexcept { return chopper_on_ ? energy_ * chopper_rate_ : 0.0; }
-  /// How long it carried current in the last step (s).
-  double chopper_time() const noexcept { return chopper_time_; }
   /// In the capacitors (J).
   double stored() const noexcept { return energy_; }
   const SupplyEnergies& energies() const noexcept { return energies_; }
@@ -89,8 +87,7 @@ class DcLink {
   double energy_;         // J
   double next_look_;      // s, until the comparator of the chopper looks
   bool chopper_on_ = false;
-  double chopper_time_ = 0.0;  // s, in the last step
-  double exponent_ = 0.0;      // of the last exponential, and what it covered
+  double exponent_ = 0.0;  // of the last exponential, and what it covered
   double covered_ = 0.0;
   SupplyEnergies energies_;
 };

@@ -13,7 +13,7 @@ namespace architecture {
 /// An item that ends with a slash allows what lies below it; kSystem allows headers of Linux and of the C library.
 struct Layer {
   std::string_view folder;
-  std::array<std::string_view, 12> allowed;  ///< empty items allow nothing
+  std::array<std::string_view, 14> allowed;  ///< empty items allow nothing
 };
 
 /// Headers of Linux and of the C library: in angle brackets, ended by .h, of no library that is named in a layer.
@@ -23,27 +23,27 @@ inline constexpr std::string_view kSystem = "<*.h>";
 inline constexpr std::array kLayers{
     Layer{"os", {"fmt/", kSystem}},
     Layer{"libcanopen", {}},
+    Layer{"text", {}},
     Layer{"motor", {"Eigen/", "unsupported/Eigen/"}},
     Layer{"motor/math", {}},
     Layer{"motor/data", {"motor/math/"}},
     Layer{"motor/plant", {"Eigen/", "unsupported/Eigen/", "motor/math/", "motor/data/"}},
     Layer{"motor/control", {"motor/math/", "motor/data/", "motor/plant/"}},
     Layer{"motor/identification", {"Eigen/", "motor/math/", "motor/data/", "motor/plant/", "motor/control/"}},
-    Layer{"drive", {"motor/", "fmt/"}},
+    Layer{"drive", {"motor/", "text/", "fmt/"}},
     Layer{"device", {"libcanopen/", "drive/", "fmt/", "generated/object_table.hpp"}},
-    Layer{"eds", {"libcanopen/od/", "nlohmann/", "fmt/"}},
+    Layer{"eds", {"libcanopen/od/", "text/", "nlohmann/", "fmt/"}},
     Layer{"can/userbus", {kSystem}},
     Layer{"can/port",
-          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "can/userbus/", "nlohmann/", "fmt/",
-           kSystem}},
-    Layer{"can/connection",
-          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "can/port/", "fmt/"}},
+          {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "can/userbus/", "text/", "nlohmann/",
+           "fmt/", kSystem}},
+    Layer{"can/connection", {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "can/port/", "fmt/"}},
     Layer{"can/hub", {"libcanopen/base/", "os/", "can/userbus/", "can/port/", "can/connection/", "fmt/", kSystem}},
     Layer{"daemon",
-          {"libcanopen/", "drive/", "motor/", "device/", "eds/", "os/", "can/port/", "can/connection/", "fmt/",
-           "nlohmann/", "CLI/", "systemd/", kSystem}},
+          {"libcanopen/", "drive/", "motor/", "device/", "eds/", "os/", "can/port/", "can/connection/", "text/",
+           "fmt/", "nlohmann/", "CLI/", "systemd/", kSystem}},
     Layer{"tools",
-          {"libcanopen/", "eds/", "os/", "can/userbus/", "can/port/", "can/connection/", "can/hub/",
+          {"libcanopen/", "eds/", "os/", "can/userbus/", "can/port/", "can/connection/", "can/hub/", "text/",
            "daemon/control_protocol.hpp", "fmt/", "nlohmann/", "CLI/", kSystem}},
     Layer{"can/preload", {"can/userbus/", kSystem}},
 };

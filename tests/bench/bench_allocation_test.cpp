@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/operation.hpp"
+#include "bench/operations/operation.hpp"
 #include "tests/fakes/allocation_counter.hpp"
 
 namespace {

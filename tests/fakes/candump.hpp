@@ -1,13 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "libcanopen/base/frame.hpp"
+#include "text/number.hpp"
 
 namespace fakes {
 
@@ -27,12 +27,9 @@ inline std::string candump(const canopen::Frame& frame) {
 
 /// The number that the hexadecimal @p digits spell; throws std::invalid_argument if they are none.
 inline std::uint32_t hexadecimal(std::string_view digits) {
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  if (error != std::errc{} || end != digits.data() + digits.size()) {
-    throw std::invalid_argument{"not a hexadecimal number: " + std::string{digits}};
-  }
-  return value;
+  const auto value = text::integer<std::uint32_t>(digits, 16);
+  if (!value) throw std::invalid_argument{"not a hexadecimal number: " + std::string{digits}};
+  return *value;
 }
 
 /// The frame that @p text describes in the same notation, dots between the bytes allowed; throws

@@ -12,11 +12,11 @@ namespace {
 constexpr TorqueLimits kFullTorque{35.0, -35.0};
 constexpr double kDcVoltage = 540.0;
 
-Command at_speed(double rpm, TorqueLimits limits = kFullTorque) {
+DriveCommand at_speed(double rpm, TorqueLimits limits = kFullTorque) {
   return {.pulses_enabled = true, .speed_setpoint = rpm * kRpm, .limits = limits};
 }
 
-void run(DriveTrain& train, const Command& command, double seconds) {
+void run(DriveTrain& train, const DriveCommand& command, double seconds) {
   const int steps = static_cast<int>(std::lround(seconds / kControlPeriod));
   for (int i = 0; i < steps; ++i) train.step(kDcVoltage, command);
 }
@@ -171,7 +171,8 @@ TEST(DriveTrain, GivesWhatIsCalculatedInOnePeriodInTheNext) {
 
 TEST(DriveTrain, FollowsATorqueSetpointInTorqueControl) {
   DriveTrain train{MachineData{}, {.inertia = 0.05}};
-  Command command{.pulses_enabled = true, .torque_control = true, .torque_setpoint = 4.0, .limits = kFullTorque};
+  DriveCommand command{
+      .pulses_enabled = true, .torque_control = true, .torque_setpoint = 4.0, .limits = kFullTorque};
 
   run(train, command, 0.1);
 
@@ -187,7 +188,7 @@ TEST(DriveTrain, FollowsATorqueSetpointInTorqueControl) {
 TEST(DriveTrain, AddsAnAdditionalTorqueInSpeedControl) {
   DriveTrain plain{MachineData{}, {.constant_torque = 5.0}};
   DriveTrain helped{MachineData{}, {.constant_torque = 5.0}};
-  Command command = at_speed(0.0);
+  DriveCommand command = at_speed(0.0);
   command.additional_torque = 5.0;
 
   run(plain, at_speed(0.0), 2e-3);
@@ -218,7 +219,7 @@ TEST(DriveTrain, PrecontrolTakesTheFollowingErrorAway) {
     ControlSettings settings = train.settings();
     settings.acceleration_precontrol = share;
     train.tune(settings);
-    Command command = at_speed(0.0);
+    DriveCommand command = at_speed(0.0);
     command.acceleration_setpoint = 500.0;
     for (int i = 0; i < 1000; ++i) {
       command.speed_setpoint += command.acceleration_setpoint * kControlPeriod;

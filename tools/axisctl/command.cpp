@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <ostream>
 
 #include <fmt/format.h>
+
+#include "text/number.hpp"
 
 namespace axisctl {
 
@@ -88,10 +89,8 @@ std::string in_words_of(const Command& command, const std::string& message) {
 }
 
 tl::expected<int, std::string> parse_axis(const std::string& word, int first) {
-  int axis = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, axis);
-  if (error == std::errc{} && rest == end && axis >= first) return axis;
+  const auto axis = text::integer<int>(word);
+  if (axis >= first) return *axis;
   return tl::unexpected{fmt::format("AXIS: expected a number from {}, got \"{}\"", first, word)};
 }
 

@@ -1,9 +1,9 @@
-#include <charconv>
 #include <cstdint>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "text/number.hpp"
 #include "tools/axisctl/command.hpp"
 
 namespace axisctl {
@@ -16,18 +16,13 @@ constexpr std::string_view kClassLetters = "FfAa";  // fault, alarm
 tl::expected<std::uint16_t, std::string> parse_fault(const std::string& word) {
   std::string_view digits{word};
   if (!digits.empty() && kClassLetters.find(digits.front()) != std::string_view::npos) digits.remove_prefix(1);
-  std::uint16_t number = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [rest, error] = std::from_chars(digits.data(), end, number);
-  if (error == std::errc{} && rest == end && number > 0) return number;
+  const auto number = text::integer<std::uint16_t>(digits);
+  if (number > std::uint16_t{0}) return *number;
   return tl::unexpected{fmt::format("NUMBER: expected a number such as 7860, F07860 or A07850, got \"{}\"", word)};
 }
 
 tl::expected<std::uint32_t, std::string> parse_value(const std::string& word) {
-  std::uint32_t value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, value);
-  if (error == std::errc{} && rest == end) return value;
+  if (const auto value = text::integer<std::uint32_t>(word)) return *value;
   return tl::unexpected{fmt::format("VALUE: expected a number 0 to 4294967295, got \"{}\"", word)};
 }
 

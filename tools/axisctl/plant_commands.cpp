@@ -1,10 +1,10 @@
 // What surrounds the drive: load, line and encoder.
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "text/number.hpp"
 #include "tools/axisctl/command.hpp"
 
 namespace axisctl {
@@ -14,11 +14,8 @@ namespace {
 /// The number that @p word means, an argument called @p name of @p what.
 tl::expected<double, std::string> parse_number(std::string_view name, std::string_view what,
                                                const std::string& word) {
-  double number = 0.0;
-  const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(begin, end, number);
-  if (error == std::errc{} && rest == end && std::isfinite(number)) return number;
+  const auto number = text::real(std::string_view{word}.substr(word.starts_with('+') ? 1 : 0));
+  if (number && std::isfinite(*number)) return *number;
   return tl::unexpected{fmt::format("{}: expected a number of {}, got \"{}\"", name, what, word)};
 }
 

@@ -1,4 +1,3 @@
-#include <charconv>
 #include <filesystem>
 #include <memory>
 
@@ -7,6 +6,7 @@
 #include "eds/transform/configuration.hpp"
 #include "eds/transform/dictionary_source.hpp"
 #include "eds/transform/flatten.hpp"
+#include "text/number.hpp"
 #include "tools/edstool/command.hpp"
 
 namespace edstool {
@@ -38,15 +38,15 @@ struct FlattenOptions {
 /// "1,1,2" as numbers; UsageError.
 std::vector<unsigned> parse_modules(std::string_view text) {
   std::vector<unsigned> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
+  std::string_view rest = text;
   while (true) {
-    const auto [stop, error] = std::from_chars(at, end, numbers.emplace_back());
-    if (error == std::errc{} && stop == end) return numbers;
-    if (error != std::errc{} || *stop != ',')
+    const auto number = text::take_integer<unsigned>(rest);
+    if (number) numbers.push_back(*number);
+    if (number && rest.empty()) return numbers;
+    if (!number || rest.front() != ',')
       throw UsageError{"--modules: expected numbers separated by commas, as 1,1,2, got \"" + std::string{text} +
                        '"'};
-    at = stop + 1;
+    rest.remove_prefix(1);
   }
 }
 

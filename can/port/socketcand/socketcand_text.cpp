@@ -1,10 +1,11 @@
 #include "can/port/socketcand/socketcand_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "text/number.hpp"
 
 namespace bus::socketcand {
 
@@ -37,18 +38,8 @@ std::string_view take_word(std::string_view& text) noexcept {
   return word;
 }
 
-/// The number that all of @p digits spell; nothing if they spell none or it does not fit.
-template <class T>
-std::optional<T> number(std::string_view digits, int base) noexcept {
-  T value = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [stopped, error] = std::from_chars(digits.data(), end, value, base);
-  if (error != std::errc{} || stopped != end) return std::nullopt;
-  return value;
-}
-
 bool read_identifier(std::string_view word, canopen::Frame& frame) noexcept {
-  const auto id = number<std::uint32_t>(word, 16);
+  const auto id = text::integer<std::uint32_t>(word, 16);
   if (!id || *id > kLargestExtended || word.size() > kExtendedDigits) return false;
   frame.id = *id;
   frame.extended = word.size() == kExtendedDigits || *id > kLargestStandard;
@@ -59,13 +50,13 @@ bool read_identifier(std::string_view word, canopen::Frame& frame) noexcept {
 std::optional<std::int64_t> read_time(std::string_view word) noexcept {
   constexpr std::int64_t kMostSeconds = INT64_MAX / kMicroseconds - 1;
   const std::size_t point = std::min(word.find('.'), word.size());
-  const auto seconds = number<std::int64_t>(word.substr(0, point), 10);
+  const auto seconds = text::integer<std::int64_t>(word.substr(0, point), 10);
   if (!seconds || *seconds < 0 || *seconds > kMostSeconds) return std::nullopt;
   std::array<char, kMicrosecondDigits> digits{};
   digits.fill('0');
   const std::string_view fraction = word.substr(std::min(point + 1, word.size()));
   std::copy_n(fraction.begin(), std::min(fraction.size(), digits.size()), digits.begin());
-  const auto microseconds = number<std::uint32_t>({digits.data(), digits.size()}, 10);
+  const auto microseconds = text::integer<std::uint32_t>({digits.data(), digits.size()}, 10);
   if (!microseconds) return std::nullopt;
   return *seconds * kMicroseconds + *microseconds;
 }
@@ -73,7 +64,7 @@ std::optional<std::int64_t> read_time(std::string_view word) noexcept {
 /// Reads bytes of one or two digits each, with spaces between.
 bool read_spaced_bytes(std::string_view text, canopen::Frame& frame) noexcept {
   for (std::size_t i = 0; i < frame.length; ++i) {
-    const auto byte = number<std::uint8_t>(take_word(text), 16);
+    const auto byte = text::integer<std::uint8_t>(take_word(text), 16);
     if (!byte) return false;
     frame.data[i] = *byte;
   }
@@ -84,7 +75,7 @@ bool read_spaced_bytes(std::string_view text, canopen::Frame& frame) noexcept {
 bool read_bytes(std::string_view text, canopen::Frame& frame) noexcept {
   for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
     for (; !word.empty(); word.remove_prefix(2)) {
-      const auto byte = word.size() < 2 ? std::nullopt : number<std::uint8_t>(word.substr(0, 2), 16);
+      const auto byte = word.size() < 2 ? std::nullopt : text::integer<std::uint8_t>(word.substr(0, 2), 16);
       if (!byte || frame.length == frame.data.size()) return false;
       frame.data[frame.length++] = *byte;
     }
@@ -112,7 +103,7 @@ Parsed parse_send(std::string_view rest) noexcept {
   canopen::Frame frame;
   if (!read_identifier(take_word(rest), frame))
     return wrong("send expects a hexadecimal identifier up to 1FFFFFFF");
-  const auto length = number<std::uint8_t>(take_word(rest), 10);
+  const auto length = text::integer<std::uint8_t>(take_word(rest), 10);
   if (!length || *length > frame.data.size()) return wrong("send expects a length of 0 to 8");
   frame.length = *length;
   if (!read_spaced_bytes(rest, frame)) return wrong("send expects as many hexadecimal bytes as its length");
@@ -130,19 +121,19 @@ Parsed parse_frame(std::string_view rest) noexcept {
   return seen;
 }
 
-struct Command {
+struct MessageKind {
   std::string_view word;
   Parsed (*parse)(std::string_view rest) noexcept;
 };
-constexpr std::array kCommands{
-    Command{"send", parse_send},
-    Command{"frame", parse_frame},
-    Command{"error", parse_error},
-    Command{"hi", parse_plain<Hi>},
-    Command{"ok", parse_plain<Ok>},
-    Command{"open", parse_open},
-    Command{"rawmode", parse_plain<RawMode>},
-    Command{"echo", parse_plain<Echo>},
+constexpr std::array kMessageKinds{
+    MessageKind{"send", parse_send},
+    MessageKind{"frame", parse_frame},
+    MessageKind{"error", parse_error},
+    MessageKind{"hi", parse_plain<Hi>},
+    MessageKind{"ok", parse_plain<Ok>},
+    MessageKind{"open", parse_open},
+    MessageKind{"rawmode", parse_plain<RawMode>},
+    MessageKind{"echo", parse_plain<Echo>},
 };
 
 /// Prints a message of each kind to a room.
@@ -207,9 +198,9 @@ Parsed parse(std::string_view text) noexcept {
     return wrong("a message stands between < and >");
   std::string_view rest = trimmed(text.substr(1, text.size() - 2));
   const std::string_view word = take_word(rest);
-  const auto* found =
-      std::find_if(kCommands.begin(), kCommands.end(), [word](const Command& row) { return row.word == word; });
-  return found == kCommands.end() ? wrong("unknown command") : found->parse(trimmed(rest));
+  const auto* found = std::find_if(kMessageKinds.begin(), kMessageKinds.end(),
+                                   [word](const MessageKind& row) { return row.word == word; });
+  return found == kMessageKinds.end() ? wrong("unknown command") : found->parse(trimmed(rest));
 }
 
 std::string_view print(const Message& message, Room& room) noexcept {

@@ -66,7 +66,7 @@ int give_name(int descriptor, const userbus::Name& name, sockaddr* address, sock
     errno = EOPNOTSUPP;
     return -1;
   }
-  const State state = state_or_default(descriptor, name);
+  const SocketState state = state_or_default(descriptor, name);
   give_address(state.interface_index > 0 ? state.interface_index : 0, address, *length);
   return 0;
 }

@@ -85,7 +85,7 @@ int give_socket(int descriptor, const Name& name, int number, const Room& room) 
     case SocketOption::CountDropped:
       break;
   }
-  State state;
+  SocketState state;
   if (!state_of(descriptor, name, state)) return -1;
   if (option == SocketOption::CountDropped) return give(state.counts_dropped ? 1 : 0, room);
   if (option == SocketOption::Stamping) return give(state.stamps.flags(), room);

@@ -60,7 +60,7 @@ int set_raw(int descriptor, int number, const Value& value) noexcept {
 }
 
 int set_stamps(int descriptor, const Name& name, int number, int value) noexcept {
-  State state;
+  SocketState state;
   if (!state_of(descriptor, name, state)) return -1;
   if (socket_option(number) == SocketOption::SingleStamp)
     state.stamps.set_single(number, value != 0);

@@ -61,7 +61,7 @@ int bind_raw(int descriptor, const sockaddr* address, socklen_t length) noexcept
 int connect_broadcast_manager(int descriptor, const userbus::Name& name, const sockaddr* address,
                               socklen_t length) noexcept {
   if (length < kAddressSize) return failed(EINVAL);
-  State state;
+  SocketState state;
   if (!state_of(descriptor, name, state)) return -1;
   if (state.interface_index >= 0) return failed(EISCONN);
   return bind_to(descriptor, address);

@@ -98,7 +98,7 @@ ssize_t receive_message(int descriptor, const Name& name, msghdr& message, int f
   Received received{};
   const ssize_t size = receive(descriptor, name, {message.msg_iov, message.msg_iovlen}, flags, received);
   if (size < 0) return size;
-  const State state = state_or_default(descriptor, name);
+  const SocketState state = state_or_default(descriptor, name);
   if (message.msg_name != nullptr)
     give_address(received.trailer.interface_index, message.msg_name, message.msg_namelen);
   ControlData control{message};

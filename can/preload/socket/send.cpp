@@ -84,7 +84,7 @@ ssize_t send_frame(int descriptor, const Name& name, const Parts& parts, int fla
     if (!is_can_address(to.address, to.length)) return failed(EINVAL);
     index = interface_of(to.address);
   }
-  State state;
+  SocketState state;
   if (!state_of(descriptor, name, state)) return -1;
   if (to.address == nullptr ? state.interface_index <= 0 : !exists(index, descriptor)) return failed(ENXIO);
   can_frame frame{};
@@ -95,7 +95,7 @@ ssize_t send_frame(int descriptor, const Name& name, const Parts& parts, int fla
 }
 
 ssize_t send_broadcast(int descriptor, const Name& name, const Parts& parts, const Destination& to) noexcept {
-  State state;
+  SocketState state;
   if (!state_of(descriptor, name, state)) return -1;
   if (state.interface_index < 0) return failed(ENOTCONN);
   char message[userbus::kLongestMessage - sizeof(userbus::Request)];

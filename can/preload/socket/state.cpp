@@ -34,7 +34,7 @@ Memory* memory_of(int descriptor) noexcept {
 }
 
 /// False if @p memory is not of socket @p number, or is out of date.
-bool remember(const Memory& memory, uint64_t number, State& state) noexcept {
+bool remember(const Memory& memory, uint64_t number, SocketState& state) noexcept {
   if (memory.number != number || memory.change != changes) return false;
   state.interface_index = memory.interface_index;
   state.has_bit_rate = memory.has_bit_rate;
@@ -44,7 +44,7 @@ bool remember(const Memory& memory, uint64_t number, State& state) noexcept {
 }
 
 /// Writes what was true after @p change.
-void keep(Memory& memory, uint64_t number, const State& state, uint32_t change) noexcept {
+void keep(Memory& memory, uint64_t number, const SocketState& state, uint32_t change) noexcept {
   if (memory.busy.exchange(true)) return;
   memory.number = 0;
   memory.change = change;
@@ -60,7 +60,7 @@ uint32_t option(const userbus::MemberState& state, userbus::OptionName name) noe
   return state.options[static_cast<size_t>(name)];
 }
 
-bool ask_hub(int descriptor, State& state) noexcept {
+bool ask_hub(int descriptor, SocketState& state) noexcept {
   userbus::MemberState answer{};
   const userbus::Answer outcome = ask(descriptor, userbus::Operation::ReadState, 0, &answer, sizeof answer);
   if (outcome.error != 0 || outcome.size != sizeof answer) {
@@ -76,7 +76,7 @@ bool ask_hub(int descriptor, State& state) noexcept {
 
 }  // namespace
 
-bool state_of(int descriptor, const userbus::Name& name, State& state) noexcept {
+bool state_of(int descriptor, const userbus::Name& name, SocketState& state) noexcept {
   Memory* const memory = memory_of(descriptor);
   if (memory != nullptr && remember(*memory, name.number, state)) return true;
   if (name.kind == userbus::Kind::Down) {
@@ -89,10 +89,10 @@ bool state_of(int descriptor, const userbus::Name& name, State& state) noexcept 
   return true;
 }
 
-State state_or_default(int descriptor, const userbus::Name& name) noexcept {
+SocketState state_or_default(int descriptor, const userbus::Name& name) noexcept {
   const int error = errno;
-  State state;
-  if (!state_of(descriptor, name, state)) state = State{};
+  SocketState state;
+  if (!state_of(descriptor, name, state)) state = SocketState{};
   errno = error;
   return state;
 }

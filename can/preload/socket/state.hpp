@@ -6,7 +6,7 @@
 namespace preload {
 
 /// What calls on a CAN socket need to know of it.
-struct State {
+struct SocketState {
   int32_t interface_index = -1;  ///< that it is bound to; 0 = all, -1 = not bound
   bool has_bit_rate = false;     ///< frames take time on the bus, and its queue can be full
   bool counts_dropped = false;   ///< SO_RXQ_OVFL
@@ -14,10 +14,10 @@ struct State {
 };
 
 /// The state of CAN socket @p name at @p descriptor: as remembered, else as the hub tells. False with errno.
-bool state_of(int descriptor, const userbus::Name& name, State& state) noexcept;
+bool state_of(int descriptor, const userbus::Name& name, SocketState& state) noexcept;
 
 /// The same for who can go on without: a state as at first if the hub has gone.
-State state_or_default(int descriptor, const userbus::Name& name) noexcept;
+SocketState state_or_default(int descriptor, const userbus::Name& name) noexcept;
 
 /// To be called after the hub has changed the state of any CAN socket for this process: nothing that was
 /// remembered before is true any more.

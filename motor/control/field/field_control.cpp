@@ -42,7 +42,7 @@ void FieldControl<Field>::start(double speed) noexcept {
 }
 
 template <class Field>
-SpaceVector FieldControl<Field>::without_encoder(const Measurement& measured, const Command& command,
+SpaceVector FieldControl<Field>::without_encoder(const Measurement& measured, const DriveCommand& command,
                                                  Signals& signals) noexcept {
   const Frame seen = field_.observe(measured);
   if (feeding_) return feed(measured, seen, command, signals);
@@ -57,7 +57,7 @@ SpaceVector FieldControl<Field>::without_encoder(const Measurement& measured, co
 }
 
 template <class Field>
-SpaceVector FieldControl<Field>::feed(const Measurement& measured, const Frame& seen, const Command& command,
+SpaceVector FieldControl<Field>::feed(const Measurement& measured, const Frame& seen, const DriveCommand& command,
                                       Signals& signals) noexcept {
   const double wanted = command.torque_control ? std::copysign(2.0 * changeover_, command.torque_setpoint)
                                                : pole_pairs_ * command.speed_setpoint;

@@ -26,7 +26,7 @@ class FieldControl {
   /// One period with the pulses off at @p speed of the encoder (rad/s).
   void coast(double speed) noexcept { field_.coast(speed); }
   /// Voltage for the period after this one, stator frame (V); fills what the control knows into @p signals.
-  SpaceVector step(const Measurement& measured, const Command& command, Signals& signals) noexcept {
+  SpaceVector step(const Measurement& measured, const DriveCommand& command, Signals& signals) noexcept {
     if (++ticks_ == kSlowTicks) trim(measured.dc_voltage, signals);
     if (!with_encoder_) return without_encoder(measured, command, signals);
     const Frame frame = field_.frame(measured);
@@ -44,7 +44,7 @@ class FieldControl {
     SpaceVector current;  // in that frame
   };
 
-  SpaceVector lead(const Situation& now, double speed, const Command& command, Signals& signals) noexcept {
+  SpaceVector lead(const Situation& now, double speed, const DriveCommand& command, Signals& signals) noexcept {
     const double torque = torque_for(now, speed, command, signals);
     SpaceVector setpoint = field_.currents(torque, now.frame.frequency);
     setpoint.re += surplus_;
@@ -52,7 +52,7 @@ class FieldControl {
     signals.torque = effect.torque;
     return give(now, setpoint, effect.voltage, signals);
   }
-  double torque_for(const Situation& now, double speed, const Command& command, Signals& signals) noexcept {
+  double torque_for(const Situation& now, double speed, const DriveCommand& command, Signals& signals) noexcept {
     if (field_.magnetised()) [[likely]]
       return loop_.step(command, speed, field_.reachable(), now.measured.dc_voltage, signals);
     loop_.reset(speed);
@@ -84,8 +84,8 @@ class FieldControl {
     signals.flux = field_.flux();
   }
 
-  SpaceVector without_encoder(const Measurement& measured, const Command& command, Signals& signals) noexcept;
-  SpaceVector feed(const Measurement& measured, const Frame& seen, const Command& command,
+  SpaceVector without_encoder(const Measurement& measured, const DriveCommand& command, Signals& signals) noexcept;
+  SpaceVector feed(const Measurement& measured, const Frame& seen, const DriveCommand& command,
                    Signals& signals) noexcept;
   void begin_feeding(const Measurement& measured, const Frame& seen) noexcept;
   void end_feeding(const Measurement& measured, const Frame& seen) noexcept;

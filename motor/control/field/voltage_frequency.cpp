@@ -73,7 +73,7 @@ void VoltageFrequencyControl::watch(const Measurement& measured, SpaceVector cur
   reduction_ = std::clamp(reduction_, -rated_frequency_, rated_frequency_);
 }
 
-double VoltageFrequencyControl::frequency_for(const Command& command, double dc_voltage) const noexcept {
+double VoltageFrequencyControl::frequency_for(const DriveCommand& command, double dc_voltage) const noexcept {
   const double slip = settings_.slip_compensation * slip_rate_ * torque_;
   const double largest = kLargestSwing * rated_frequency_;
   const double damping = std::clamp(damping_gain_ * swing_, -largest, largest);
@@ -96,7 +96,7 @@ double VoltageFrequencyControl::amplitude_for(double frequency, double accelerat
   return std::max(0.0, kPhasePeak * line - kVirtualResistance * resistance_ * std::max(0.0, excess_));
 }
 
-SpaceVector VoltageFrequencyControl::step(const Measurement& measured, const Command& command,
+SpaceVector VoltageFrequencyControl::step(const Measurement& measured, const DriveCommand& command,
                                           Signals& signals) noexcept {
   const SpaceVector current = measured.current * conjugate(frame_.direction);
   watch(measured, current);

@@ -16,11 +16,11 @@ class VoltageFrequencyControl {
   /// Pulses come: from frequency 0.
   void start() noexcept;
   /// Voltage for the period after this one, stator frame (V); fills what the control knows into @p signals.
-  SpaceVector step(const Measurement& measured, const Command& command, Signals& signals) noexcept;
+  SpaceVector step(const Measurement& measured, const DriveCommand& command, Signals& signals) noexcept;
 
  private:
   void watch(const Measurement& measured, SpaceVector current) noexcept;
-  double frequency_for(const Command& command, double dc_voltage) const noexcept;
+  double frequency_for(const DriveCommand& command, double dc_voltage) const noexcept;
   double amplitude_for(double frequency, double acceleration) const noexcept;
   void report(SpaceVector current, Signals& signals) const noexcept;
 

@@ -14,16 +14,16 @@ namespace motor {
 template <std::size_t N>
 class LeastSquares {
  public:
-  using Row = std::array<double, N>;
+  using Values = std::array<double, N>;
   /// Which coefficients are looked for; the others are 0.
   using Wanted = std::array<bool, N>;
 
-  /// Takes in that @p row gave @p y.
-  void add(const Row& row, double y) noexcept {
-    Extended values;
-    values << Eigen::Map<const Coefficients>{row.data()}, y;
-    group_.sum += values;
-    group_.square.noalias() += values * values.transpose();
+  /// Takes in that @p x gave @p y.
+  void add(const Values& x, double y) noexcept {
+    Extended observation;
+    observation << Eigen::Map<const Coefficients>{x.data()}, y;
+    group_.sum += observation;
+    group_.square.noalias() += observation * observation.transpose();
     ++group_.count;
   }
   /// What was added since the last call had an unknown constant of its own.
@@ -39,7 +39,7 @@ class LeastSquares {
   int count() const noexcept { return count_ + group_.count; }
   /// The coefficients, unless what was observed does not tell them: the normal equations, scaled to a diagonal of
   /// 1, have to be of full rank.
-  std::optional<Row> solve(const Wanted& wanted = all()) const noexcept {
+  std::optional<Values> solve(const Wanted& wanted = all()) const noexcept {
     const Matrix sums = square_ + group_.square;
     Coefficients scale = Coefficients::Zero();
     for (Eigen::Index i = 0; i < kCount; ++i) {
@@ -56,7 +56,7 @@ class LeastSquares {
     if (!decomposition.isInvertible()) return std::nullopt;
     const Coefficients right = scale.cwiseProduct(sums.template topRightCorner<kCount, 1>());
     const Coefficients found = scale.cwiseProduct(decomposition.solve(right));
-    Row result{};
+    Values result{};
     std::copy(found.begin(), found.end(), result.begin());
     return result;
   }

@@ -22,7 +22,7 @@ bool is_possible(const RotatingTask& task) noexcept {
 
 }  // namespace
 
-const std::array<RotatingMeasurement::Row, 5> RotatingMeasurement::kSequence{{
+const std::array<RotatingMeasurement::PlannedStep, 5> RotatingMeasurement::kSequence{{
     {measurement_step::kEncoderTest, [](const RotatingTask&) { return true; },
      [](RotatingMeasurement& m) -> RotatingStep& { return m.encoder_test_; }},
     {measurement_step::kSaturation,
@@ -51,7 +51,7 @@ void RotatingMeasurement::start(const RotatingTask& task) noexcept {
   waiting_ = kFirstPeriods;
 }
 
-Command RotatingMeasurement::step(const Observation& seen) noexcept {
+DriveCommand RotatingMeasurement::step(const Observation& seen) noexcept {
   if (state_ != MeasurementState::Running) return command();
   if (waiting_ == 0)
     go_on(seen);
@@ -70,7 +70,7 @@ void RotatingMeasurement::begin(const Observation& seen) noexcept {
 void RotatingMeasurement::begin_step(std::size_t index) noexcept {
   row_ = index;
   while (!kSequence[row_].wanted(task_)) ++row_;
-  const Row& row = kSequence[row_];
+  const PlannedStep& row = kSequence[row_];
   progress_ = row.progress;
   const SpeedPlan plan = row.step(*this).start(task_, found_);
   if (plan.count == 0) return fail();
@@ -89,13 +89,13 @@ bool RotatingMeasurement::out_of_bounds(const Observation& seen) noexcept {
 
 void RotatingMeasurement::go_on(const Observation& seen) noexcept {
   if (out_of_bounds(seen)) return fail();
-  const SpeedWalk::State walked = walk_.step(seen, seen.magnetised);
+  const SpeedWalk::Progress walked = walk_.step(seen, seen.magnetised);
   flux_share_ = walk_.flux_share();
   RotatingStep& step = kSequence[row_].step(*this);
   if (const FieldBlock* const block = reader_.take(seen)) step.take(*block, walk_.place());
   found_.result.travel = std::max(found_.result.travel, std::abs(reader_.angle()));
-  if (walked == SpeedWalk::State::Running) return;
-  if (walked == SpeedWalk::State::Late || !step.finish(found_)) return fail();
+  if (walked == SpeedWalk::Progress::Running) return;
+  if (walked == SpeedWalk::Progress::Late || !step.finish(found_)) return fail();
   if (row_ + 1 == kSequence.size()) {
     state_ = MeasurementState::Done;
     return;
@@ -109,7 +109,7 @@ void RotatingMeasurement::fail() noexcept {
   flux_share_ = 1.0;
 }
 
-Command RotatingMeasurement::command() const noexcept {
+DriveCommand RotatingMeasurement::command() const noexcept {
   if (state_ != MeasurementState::Running && state_ != MeasurementState::Done) return {};
   return {.pulses_enabled = true,
           .speed_setpoint = walk_.setpoint(),

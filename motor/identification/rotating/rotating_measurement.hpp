@@ -36,7 +36,7 @@ class RotatingMeasurement {
   void start(const RotatingTask& task) noexcept;
   /// The command for the next control period, from what was seen after the last one. Once Done it keeps the shaft
   /// at rest, once Failed it takes the pulses off.
-  Command step(const Observation& seen) noexcept;
+  DriveCommand step(const Observation& seen) noexcept;
   /// The share of the rated flux that the control must keep from now on.
   double flux_share() const noexcept { return flux_share_; }
 
@@ -48,19 +48,19 @@ class RotatingMeasurement {
 
  private:
   /// A step, and the tasks that want it.
-  struct Row {
+  struct PlannedStep {
     std::uint16_t progress;
     bool (*wanted)(const RotatingTask& task);
     RotatingStep& (*step)(RotatingMeasurement& measurement);
   };
-  static const std::array<Row, 5> kSequence;
+  static const std::array<PlannedStep, 5> kSequence;
 
   void begin(const Observation& seen) noexcept;
   void go_on(const Observation& seen) noexcept;
   void begin_step(std::size_t index) noexcept;
   bool out_of_bounds(const Observation& seen) noexcept;
   void fail() noexcept;
-  Command command() const noexcept;
+  DriveCommand command() const noexcept;
 
   RotatingTask task_{};
   RotatingFindings found_{};

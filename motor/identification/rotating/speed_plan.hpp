@@ -33,7 +33,7 @@ struct SpeedPlace {
 /// Leads a drive along a plan by a speed setpoint that changes with a slope, and waits for nothing for ever.
 class SpeedWalk {
  public:
-  enum class State { Running, Done, Late };
+  enum class Progress { Running, Done, Late };
 
   /// Goes from the present setpoint on; @p slope (rad/s²) and @p tolerance of the speed (rad/s) are positive.
   void start(const SpeedPlan& plan, double slope, double tolerance) noexcept {
@@ -43,10 +43,10 @@ class SpeedWalk {
     head_for(0);
   }
   /// One period; @p ready is false as long as the machine gives no torque yet.
-  State step(const Observation& seen, bool ready) noexcept {
+  Progress step(const Observation& seen, bool ready) noexcept {
     const SpeedPlan::Stop& stop = plan_.stops[place_.stop];
     left_ -= kControlPeriod;
-    if (left_ < 0.0) return State::Late;
+    if (left_ < 0.0) return Progress::Late;
     // A setpoint that went on while the torque is limited would only be run after.
     const double way = ready && !seen.torque_limit_reached ? slope_ * kControlPeriod : 0.0;
     change_ = std::clamp(stop.speed - setpoint_, -way, way);
@@ -54,10 +54,10 @@ class SpeedWalk {
     if (place_.held < 0.0) return arrive(stop, seen.speed, ready);
     place_.held += kControlPeriod;
     place_.remaining -= kControlPeriod;
-    if (place_.remaining > 0.0) return State::Running;
-    if (place_.stop + 1 == plan_.count) return State::Done;
+    if (place_.remaining > 0.0) return Progress::Running;
+    if (place_.stop + 1 == plan_.count) return Progress::Done;
     head_for(place_.stop + 1);
-    return State::Running;
+    return Progress::Running;
   }
   const SpeedPlace& place() const noexcept { return place_; }
   /// The speed of the present stop (rad/s).
@@ -75,10 +75,10 @@ class SpeedWalk {
   static constexpr double kPatience = 4.0;   // times the duration of the ramp
   static constexpr double kLeastTime = 2.0;  // s, to magnetise and to settle
 
-  State arrive(const SpeedPlan::Stop& stop, double speed, bool ready) noexcept {
+  Progress arrive(const SpeedPlan::Stop& stop, double speed, bool ready) noexcept {
     const bool there = std::abs(stop.speed - setpoint_) <= 0.0 && std::abs(stop.speed - speed) < tolerance_;
     if (ready && there) place_.held = 0.0;
-    return State::Running;
+    return Progress::Running;
   }
   void head_for(std::size_t index) noexcept {
     const SpeedPlan::Stop& stop = plan_.stops[index];

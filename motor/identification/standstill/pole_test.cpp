@@ -91,11 +91,7 @@ void PoleTest::follow(const Measurement& measured, double angle) noexcept {
 }
 
 void PoleTest::look(double way) noexcept {
-  sums_.along_along += pull_.re * pull_.re;
-  sums_.along_across += pull_.re * pull_.im;
-  sums_.across_across += pull_.im * pull_.im;
-  sums_.along_way += pull_.re * way;
-  sums_.across_way += pull_.im * way;
+  way_by_.add({pull_.re, pull_.im}, way);
   furthest_ = std::max(furthest_, std::abs(way));
 }
 
@@ -110,7 +106,7 @@ void PoleTest::next_pattern(StandstillBench& bench) noexcept {
 void PoleTest::grow(StandstillBench& bench) noexcept {
   const double farthest = furthest_ >= kSeen ? kFarthest : kFarthestUnseen;
   pattern_ = 0;
-  sums_ = {};
+  way_by_ = {};
   furthest_ = 0.0;
   if (++length_ < kPulses.size() && expected_way(bench, kPulses[length_]) < farthest) return;
   length_ = 0;
@@ -120,11 +116,10 @@ void PoleTest::grow(StandstillBench& bench) noexcept {
 /// A current at the angle a past the true axis turns the shaft with sin(a): its way is a sum of what the currents
 /// across and along the axis of the encoder do, with the cosine and the negative sine of the deviation.
 void PoleTest::conclude(StandstillBench& bench) noexcept {
-  const double cosine = sums_.across_way * sums_.along_along - sums_.along_way * sums_.along_across;
-  const double sine = sums_.across_way * sums_.along_across - sums_.along_way * sums_.across_across;
-  bench.result.pole_position = std::atan2(sine, cosine);
-  if (std::abs(bench.result.pole_position) > kLargest) bench.fault = StandstillFault::PolePosition;
   done_ = true;
+  const auto found = way_by_.solve();
+  if (found) bench.result.pole_position = std::atan2(-(*found)[0], (*found)[1]);
+  if (!found || std::abs(bench.result.pole_position) > kLargest) bench.fault = StandstillFault::PolePosition;
 }
 
 }  // namespace motor

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "motor/identification/model/least_squares.hpp"
 #include "motor/identification/standstill/bench/standstill_bench.hpp"
 
 namespace motor {
@@ -25,16 +26,7 @@ class PoleTest {
   void grow(StandstillBench& bench) noexcept;
   void conclude(StandstillBench& bench) noexcept;
 
-  /// Sums of products of ways and what the currents along and across the axis would have made of them.
-  struct Sums {
-    double along_along = 0.0;
-    double along_across = 0.0;
-    double across_across = 0.0;
-    double along_way = 0.0;
-    double across_way = 0.0;
-  };
-
-  Sums sums_{};
+  LeastSquares<2> way_by_{};  // what the currents along and across the axis would have made of the shaft
   SpaceVector charge_{};      // integral of the current in the encoder's frame (A·s)
   SpaceVector pull_{};        // integral of that (A·s²)
   double furthest_ = 0.0;     // way (rad)

@@ -19,17 +19,17 @@ class HeldVoltage;
 template <bool Saturated>
 class HeldVoltage<SynchronousMachine, Saturated> {
  public:
-  using State = SynchronousMachine::State;
+  using CircuitState = SynchronousMachine::CircuitState;
   using Rate = SynchronousMachine::Rate;
 
   /// @p voltage of the stator frame (V), with the rotor in @p direction at the start of the step.
   HeldVoltage(const SynchronousMachine& machine, SpaceVector voltage, SpaceVector direction) noexcept
       : machine_{machine}, voltage_{turned_back(pair(voltage), direction.re, direction.im)} {}
 
-  const State& state() const noexcept { return machine_.state(); }
+  const CircuitState& state() const noexcept { return machine_.state(); }
   /// In stage @p Stage, with the rotor turned by @p angle (rad) since the start of the step.
   template <int Stage>
-  Rate rate(const State& y, double angle, double speed) noexcept {
+  Rate rate(const CircuitState& y, double angle, double speed) noexcept {
     return machine_.rate<Saturated>(y, voltage<Stage>(machine_.pole_pairs() * angle), speed);
   }
 
@@ -59,15 +59,15 @@ class HeldVoltage<SynchronousMachine, Saturated> {
 template <bool Saturated>
 class HeldVoltage<InductionMachine, Saturated> {
  public:
-  using State = InductionMachine::State;
+  using CircuitState = InductionMachine::CircuitState;
   using Rate = InductionMachine::Rate;
 
   HeldVoltage(const InductionMachine& machine, SpaceVector voltage, SpaceVector) noexcept
       : machine_{machine}, voltage_{pair(voltage)} {}
 
-  const State& state() const noexcept { return machine_.state(); }
+  const CircuitState& state() const noexcept { return machine_.state(); }
   template <int Stage>
-  Rate rate(const State& y, double, double speed) const noexcept {
+  Rate rate(const CircuitState& y, double, double speed) const noexcept {
     return machine_.rate(y, voltage_, speed);
   }
 
@@ -80,7 +80,7 @@ class HeldVoltage<InductionMachine, Saturated> {
 template <class Machine>
 class DiodeVoltage {
  public:
-  using State = typename Machine::State;
+  using CircuitState = typename Machine::CircuitState;
   using Rate = typename Machine::Rate;
 
   /// Against @p limit, what the DC link can hold of a phase (V, peak). Below least_current() the diodes are taken
@@ -88,11 +88,11 @@ class DiodeVoltage {
   DiodeVoltage(const Machine& machine, double limit, double h) noexcept
       : machine_{machine}, limit_{limit}, least_current_{limit * h / (kFollowed * machine.least_inductance())} {}
 
-  const State& state() const noexcept { return machine_.state(); }
+  const CircuitState& state() const noexcept { return machine_.state(); }
   /// Current that a step cannot tell from none (A).
   double least_current() const noexcept { return least_current_; }
   template <int Stage>
-  Rate rate(const State& y, double, double speed) const noexcept {
+  Rate rate(const CircuitState& y, double, double speed) const noexcept {
     const Pair i = machine_.current(y);
     const double amplitude = std::max({length(vector(i)), least_current_, kTinyCurrent});
     return machine_.rate(y, (-limit_ / amplitude) * i, speed);
@@ -111,14 +111,14 @@ class DiodeVoltage {
 template <class Machine>
 class OpenTerminals {
  public:
-  using State = typename Machine::State;
+  using CircuitState = typename Machine::CircuitState;
   using Rate = typename Machine::Rate;
 
   explicit OpenTerminals(const Machine& machine) noexcept : machine_{machine} {}
 
-  const State& state() const noexcept { return machine_.state(); }
+  const CircuitState& state() const noexcept { return machine_.state(); }
   template <int Stage>
-  Rate rate(const State& y, double, double speed) const noexcept {
+  Rate rate(const CircuitState& y, double, double speed) const noexcept {
     return machine_.blocked_rate(y, speed);
   }
 

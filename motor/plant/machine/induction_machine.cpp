@@ -48,7 +48,7 @@ double InductionMachine::stored() const noexcept {
   return 1.5 * 0.5 * (leakage + main);
 }
 
-InductionMachine::Rate InductionMachine::blocked_rate(const State& y, double w) const noexcept {
+InductionMachine::Rate InductionMachine::blocked_rate(const CircuitState& y, double w) const noexcept {
   const Pair slip = reluctance(dot(y.rotor, y.rotor)) * y.rotor;
   const Pair fading = turned(y.rotor, w) - rotor_resistance_ * slip;
   return {fading, fading, Pair{}, Pair{}, slip * slip, 0.0};

@@ -15,11 +15,11 @@ class InductionMachine {
  public:
   struct Rate;
   /// Flux linkages of the stator frame (V·s).
-  struct State {
+  struct CircuitState {
     Pair stator{};
     Pair rotor{};
 
-    State moved(const Rate& rate, double h) const noexcept {
+    CircuitState moved(const Rate& rate, double h) const noexcept {
       return {stator + h * rate.stator, rotor + h * rate.rotor};
     }
   };
@@ -47,8 +47,8 @@ class InductionMachine {
 
   explicit InductionMachine(const MachineData& machine) noexcept;
 
-  const State& state() const noexcept { return state_; }
-  void set_state(const State& state) noexcept { state_ = state; }
+  const CircuitState& state() const noexcept { return state_; }
+  void set_state(const CircuitState& state) noexcept { state_ = state; }
   /// Temperatures of winding and rotor (°C).
   void set_temperatures(double winding, double rotor) noexcept;
   double pole_pairs() const noexcept { return pole_pairs_; }
@@ -63,7 +63,7 @@ class InductionMachine {
   }
   /// Takes the stator current away; what its field gives back (J).
   double cut() noexcept;
-  Pair current(const State& y) const noexcept { return inverse_leakage_ * (y.stator - y.rotor); }
+  Pair current(const CircuitState& y) const noexcept { return inverse_leakage_ * (y.stator - y.rotor); }
   /// Torque in the air gap (N·m).
   double torque() const noexcept { return torque_factor_ * cross(state_.rotor, current(state_)); }
   /// Length of the rotor flux linkage (V·s).
@@ -71,7 +71,7 @@ class InductionMachine {
   /// Energy of the magnetic field (J).
   double stored() const noexcept;
   /// Rates under the voltage @p u of the stator frame (V) at the mechanical speed @p w (rad/s).
-  Rate rate(const State& y, Pair u, double w) const noexcept {
+  Rate rate(const CircuitState& y, Pair u, double w) const noexcept {
     const Pair i = current(y);
     const Pair slip = reluctance(dot(y.rotor, y.rotor)) * y.rotor - i;  // rotor current, reversed
     return {u - stator_resistance_ * i,
@@ -82,7 +82,7 @@ class InductionMachine {
             torque_factor_ * cross(y.rotor, i)};
   }
   /// Rates without stator current: the rotor flux turns on and fades.
-  Rate blocked_rate(const State& y, double w) const noexcept;
+  Rate blocked_rate(const CircuitState& y, double w) const noexcept;
 
  private:
   /// What the rotor flux changes by because the rotor turns.
@@ -92,7 +92,7 @@ class InductionMachine {
     return reluctance_ * (1.0 + saturation_ * square * square * square);
   }
 
-  State state_{};
+  CircuitState state_{};
   Pair signed_pole_pairs_;  // -p, p
   double pole_pairs_;
   double torque_factor_;

@@ -83,7 +83,8 @@ SynchronousMachine::Saturation SynchronousMachine::saturation(double i_q) const 
   return {gain * share, 2.0 * gain * slope * i_q, gain * (4.0 * curvature * square + 2.0 * slope)};
 }
 
-SynchronousMachine::Rate SynchronousMachine::saturated_rate(const State& y, Pair u, double w) const noexcept {
+SynchronousMachine::Rate SynchronousMachine::saturated_rate(const CircuitState& y, Pair u,
+                                                            double w) const noexcept {
   const Pair i = y.current;
   const Saturation s = saturation(i[1]);
   const Pair psi = inductance_ * i + magnets_ - Pair{s.loss, s.slope * i[0]};

@@ -15,10 +15,10 @@ class SynchronousMachine {
  public:
   struct Rate;
   /// Current of the rotor frame: d, q (A).
-  struct State {
+  struct CircuitState {
     Pair current{};
 
-    State moved(const Rate& rate, double h) const noexcept { return {current + h * rate.current}; }
+    CircuitState moved(const Rate& rate, double h) const noexcept { return {current + h * rate.current}; }
   };
   /// Change of the current (A/s), and what the energies and the torque are made of.
   struct Rate {
@@ -39,8 +39,8 @@ class SynchronousMachine {
 
   explicit SynchronousMachine(const MachineData& machine) noexcept;
 
-  const State& state() const noexcept { return state_; }
-  void set_state(const State& state) noexcept { state_ = state; }
+  const CircuitState& state() const noexcept { return state_; }
+  void set_state(const CircuitState& state) noexcept { state_ = state; }
 
   /// Temperatures of winding and magnets (°C).
   void set_temperatures(double winding, double rotor) noexcept;
@@ -60,10 +60,10 @@ class SynchronousMachine {
     return released;
   }
   /// Rates without current.
-  static Rate blocked_rate(const State&, double) noexcept { return {Pair{}, Pair{}, Pair{}, 0.0}; }
-  static Pair current(const State& y) noexcept { return y.current; }
+  static Rate blocked_rate(const CircuitState&, double) noexcept { return {Pair{}, Pair{}, Pair{}, 0.0}; }
+  static Pair current(const CircuitState& y) noexcept { return y.current; }
   /// Flux linkages of the rotor frame (V·s).
-  Pair flux(const State& y) const noexcept {
+  Pair flux(const CircuitState& y) const noexcept {
     const Pair linear = inductance_ * y.current + magnets_;
     if (!is_saturated(y)) return linear;
     const Saturation s = saturation(y.current[1]);
@@ -79,10 +79,12 @@ class SynchronousMachine {
     return 1.5 * (0.5 * sum(inductance_ * i * i) - saturation(i[1]).slope * i[0] * i[1]);
   }
   /// Whether saturation counts for the current @p y.
-  bool is_saturated(const State& y) const noexcept { return y.current[1] * y.current[1] > saturation_start_; }
+  bool is_saturated(const CircuitState& y) const noexcept {
+    return y.current[1] * y.current[1] > saturation_start_;
+  }
   /// Rates under the voltage @p u of the rotor frame (V) at the mechanical speed @p w (rad/s).
   template <bool Saturated = true>
-  Rate rate(const State& y, Pair u, double w) const noexcept {
+  Rate rate(const CircuitState& y, Pair u, double w) const noexcept {
     if constexpr (Saturated) return saturated_rate(y, u, w);
     // The voltage equation divided by the inductances: all that does not depend on the state is in the factors.
     const Pair i = y.current;
@@ -99,9 +101,9 @@ class SynchronousMachine {
   };
   Saturation saturation(double i_q) const noexcept;
   void set_factors() noexcept;
-  Rate saturated_rate(const State& y, Pair u, double w) const noexcept;
+  Rate saturated_rate(const CircuitState& y, Pair u, double w) const noexcept;
 
-  State state_{};
+  CircuitState state_{};
   Pair inductance_;          // d, q
   Pair inverse_inductance_;  // d, q
   Pair magnets_;             // flux linkage d, and none of q

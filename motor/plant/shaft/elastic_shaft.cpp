@@ -28,7 +28,7 @@ ElasticShaft::ElasticShaft(const MachineData& machine, const Load& load) noexcep
 void ElasticShaft::begin(const StepStart& start, double torque) noexcept {
   start_angle_ = start.angle - twist_;
   load_.begin(start.time, start_angle_);
-  const State z = state();
+  const ShaftState z = state();
   const double shaft = coupling_.at(twist_, speed_ - load_speed_).total;
   const double outside = load_.at(load_speed_, 0.0, 0.0) + stop_at(z).total;
   grip_ = Grip::decide(friction_, hysteresis_, speed_, torque - shaft);

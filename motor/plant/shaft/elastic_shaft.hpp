@@ -54,13 +54,13 @@ class ElasticShaft {
 
   struct Rate;
   /// Angles turned since the start of the step (rad), and speeds (rad/s).
-  struct State {
+  struct ShaftState {
     double angle = 0.0;
     double speed = 0.0;
     double load_angle = 0.0;
     double load_speed = 0.0;
 
-    State moved(const Rate& rate, double h) const noexcept {
+    ShaftState moved(const Rate& rate, double h) const noexcept {
       return {angle + h * rate.speed, speed + h * rate.acceleration, load_angle + h * rate.load_speed,
               load_speed + h * rate.load_acceleration};
     }
@@ -89,7 +89,7 @@ class ElasticShaft {
 
   ElasticShaft(const MachineData& machine, const Load& load) noexcept;
 
-  State state() const noexcept { return {0.0, speed_, 0.0, load_speed_}; }
+  ShaftState state() const noexcept { return {0.0, speed_, 0.0, load_speed_}; }
   double speed() const noexcept { return speed_; }
   /// Whether anything on it stands, so that the torque at the start of a step counts.
   bool stands() const noexcept { return speed_ == 0.0; }
@@ -112,7 +112,7 @@ class ElasticShaft {
 
   /// Decides for the coming step which masses hold fast against @p torque of the machine (N·m).
   void begin(const StepStart& start, double torque) noexcept;
-  Rate rate(const State& z, double torque, double time) const noexcept {
+  Rate rate(const ShaftState& z, double torque, double time) const noexcept {
     const double change = z.speed - z.load_speed;
     const CouplingTorque::Push shaft = coupling_.at(twist_ + z.angle - z.load_angle, change);
     const EndStopTorque::Push stop = stop_at(z);
@@ -137,7 +137,7 @@ class ElasticShaft {
   bool rests(double angle) const noexcept;
 
  private:
-  EndStopTorque::Push stop_at(const State& z) const noexcept {
+  EndStopTorque::Push stop_at(const ShaftState& z) const noexcept {
     return stops_.present() ? stops_.at(start_angle_ + z.load_angle, z.load_speed) : EndStopTorque::Push{};
   }
 

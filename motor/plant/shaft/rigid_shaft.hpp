@@ -20,11 +20,11 @@ class RigidShaft {
 
   struct Rate;
   /// Angle turned since the start of the step (rad), and speed (rad/s).
-  struct State {
+  struct ShaftState {
     double angle = 0.0;
     double speed = 0.0;
 
-    State moved(const Rate& rate, double h) const noexcept {
+    ShaftState moved(const Rate& rate, double h) const noexcept {
       return {angle + h * rate.speed, speed + h * rate.acceleration};
     }
   };
@@ -56,7 +56,7 @@ class RigidShaft {
 
   /// Whether nothing but a constant torque hangs on it.
   bool is_plain() const noexcept { return !load_.varies() && !stops_.present(); }
-  State state() const noexcept { return {0.0, speed_}; }
+  ShaftState state() const noexcept { return {0.0, speed_}; }
   double speed() const noexcept { return speed_; }
   /// Whether anything on it stands, so that the torque at the start of a step counts.
   bool stands() const noexcept { return speed_ == 0.0; }
@@ -96,7 +96,7 @@ class RigidShaft {
     active_inverse_ = grip_.stuck ? 0.0 : inverse_inertia_;
     resistance_ = Plain ? grip_.torque + load_.constant() : grip_.torque;
   }
-  Rate rate(const State& z, double torque, double time) const noexcept {
+  Rate rate(const ShaftState& z, double torque, double time) const noexcept {
     const double free = torque - (resistance_ + drag_ * z.speed);
     if constexpr (Plain) {
       return {z.speed, free * active_inverse_, 0.0, 0.0};
@@ -147,7 +147,7 @@ class RigidShaft {
 
     double total() const noexcept { return Plain ? load : load + stop.total; }
   };
-  Outside outside(const State& z, double time) const noexcept {
+  Outside outside(const ShaftState& z, double time) const noexcept {
     if constexpr (Plain) return {load_.constant()};
     return {load_.at(z.speed, z.angle, time),
             stops_.present() ? stops_.at(start_angle_ + z.angle, z.speed) : EndStopTorque::Push{}};

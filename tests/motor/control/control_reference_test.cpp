@@ -133,7 +133,7 @@ ControlSettings settings_of(const File& file, const MachineData& machine) {
 class SetpointFilter {
  public:
   explicit SetpointFilter(double bandwidth) : share_{-std::expm1(-bandwidth * kControlPeriod)} {}
-  void apply(double target, Command& command) {
+  void apply(double target, DriveCommand& command) {
     const double change = share_ * (target - command.speed_setpoint);
     command.speed_setpoint += change;
     command.acceleration_setpoint = change / kControlPeriod;
@@ -147,11 +147,11 @@ constexpr int kRowSteps = 4;
 
 /// Runs until the reference ends; @p lead sets the command and the load at a time.
 Table record(DriveTrain& train, const File& file, double dc_voltage,
-             const std::function<void(double, Command&)>& lead) {
+             const std::function<void(double, DriveCommand&)>& lead) {
   Table result{{"t_s", "w_M_rad_s", "T_e_Nm", "i_d_A", "i_q_A", "i_A"}};
   const double end = file.table.abscissa().back();
   const double torque = file.about["controller"].value("T_max", 1e3);
-  Command command{.pulses_enabled = true, .limits = {torque, -torque}};
+  DriveCommand command{.pulses_enabled = true, .limits = {torque, -torque}};
   const int steps = static_cast<int>(std::lround(end / kControlPeriod));
   for (int i = 0; i <= steps; ++i) {
     const Signals& now = train.signals();
@@ -171,7 +171,7 @@ TEST(ControlReference, SalientSynchronousMachineUnderSpeedControl) {
   train.tune(settings_of(file, machine));
   SetpointFilter filter{file.number("/controller/alpha_s")};
 
-  const Table ours = record(train, file, 540.0, [&](double time, Command& command) {
+  const Table ours = record(train, file, 540.0, [&](double time, DriveCommand& command) {
     filter.apply(time >= 0.1 - 1e-9 ? file.number("/stimulus/w_ref") : 0.0, command);
     train.set_load_torque(time >= 0.6 - 1e-9 ? file.number("/stimulus/T_load") : 0.0);
   });
@@ -201,7 +201,7 @@ TEST(ControlReference, InductionMachineUnderSpeedControl) {
   train.tune(settings_of(file, machine));
   SetpointFilter filter{file.number("/controller/alpha_s")};
 
-  const Table ours = record(train, file, 540.0, [&](double time, Command& command) {
+  const Table ours = record(train, file, 540.0, [&](double time, DriveCommand& command) {
     const double half = file.number("/stimulus/speed_ref_steps/0/1");
     filter.apply(time >= 1.0 - 1e-9 ? -half : time >= 0.2 - 1e-9 ? half : 0.0, command);
     train.set_load_torque(time >= 0.6 - 1e-9 ? file.number("/stimulus/load_steps/0/1") : 0.0);
@@ -238,7 +238,7 @@ TEST(ControlReference, InductionMachineUnderVoltageFrequencyControl) {
                                 .rated_frequency = 50.0};
   train.tune(settings);
 
-  const Table ours = record(train, file, 570.0, [&](double time, Command& command) {
+  const Table ours = record(train, file, 570.0, [&](double time, DriveCommand& command) {
     const double slope = file.number("/controller/slew_rad_s2");
     const double target = file.number("/stimulus/speed_ref_steps/0/1");
     command.speed_setpoint = std::clamp(slope * (time - 0.1), 0.0, target);

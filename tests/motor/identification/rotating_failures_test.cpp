@@ -144,7 +144,7 @@ class RotatingMeasurementOnTheWay : public testing::Test {
   MachineData machine_ = identification::preset("1fk7063");
   DriveTrain train_ = identification::real_train(machine_, {});
   RotatingMeasurement measurement_;
-  Command command_;
+  DriveCommand command_;
 };
 
 TEST_F(RotatingMeasurementOnTheWay, NoticesAShaftThatIsTornAway) {

@@ -83,7 +83,7 @@ RotatingOutcome measure(const RotatingTrial& trial) {
   const std::uint64_t before = fakes::allocations();
   measurement.start(task_of(trial, settings));
   while (measurement.state() == motor::MeasurementState::Running && outcome.seconds < kLongest) {
-    const motor::Command command = measurement.step(train.observation());
+    const motor::DriveCommand command = measurement.step(train.observation());
     train.set_flux_share(measurement.flux_share());
     train.step(trial.dc_voltage, command);
     outcome.seconds += motor::kControlPeriod;

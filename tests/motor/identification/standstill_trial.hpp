@@ -26,7 +26,7 @@ inline motor::StandstillTask task_for(const motor::MachineData& data_sheet) {
 }
 
 /// Lets @p seconds pass under @p command.
-inline void pass(motor::DriveTrain& train, const motor::Command& command, double seconds) {
+inline void pass(motor::DriveTrain& train, const motor::DriveCommand& command, double seconds) {
   const int steps = static_cast<int>(std::lround(seconds / motor::kControlPeriod));
   for (int i = 0; i < steps; ++i) train.step(kDcVoltage, command);
 }
@@ -35,7 +35,7 @@ inline void pass(motor::DriveTrain& train, const motor::Command& command, double
 inline motor::DriveTrain turned_train(const motor::MachineData& data_sheet, const motor::PlantDeviation& deviation,
                                       double angle) {
   motor::DriveTrain train = real_train(data_sheet, deviation);
-  motor::Command command{.pulses_enabled = true};
+  motor::DriveCommand command{.pulses_enabled = true};
   command.limits = {data_sheet.rated_torque, -data_sheet.rated_torque};
   pass(train, command, 1.0);
   command.speed_setpoint = angle;

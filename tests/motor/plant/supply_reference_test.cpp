@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motor/math/crossing.hpp"
 #include "motor/plant/dc_link.hpp"
 #include "motor/plant/encoder.hpp"
 #include "motor/plant/machine/temperature.hpp"
@@ -57,6 +58,15 @@ struct ChopperEvent {
   bool on;
 };
 
+/// When in a step of @p dt (s) in which the axes draw @p energy (J) the chopper of @p link switches (s).
+double switching_time(const DcLink& link, double dt, double energy) {
+  return crossing(0.0, dt, [&](double time) {
+    DcLink trial = link;
+    trial.step(time, energy * time / dt);
+    return trial.chopper_on() == link.chopper_on() ? -1.0 : 1.0;
+  });
+}
+
 /// Brakes the machine of a g file into its DC link in control periods; what the chopper does goes to @p events.
 Table brake_into(DcLink& link, const File& file, std::vector<ChopperEvent>& events) {
   constexpr double kPeriod = 125e-6;
@@ -71,10 +81,11 @@ Table brake_into(DcLink& link, const File& file, std::vector<ChopperEvent>& even
     const auto steps = static_cast<int>(std::lround((to - from) / kPeriod));
     for (int i = 0; i < steps; ++i) {
       const double t = from + i * kPeriod;
-      const bool before = link.chopper_on();
-      link.step(kPeriod, kinetic(t + kPeriod) - kinetic(t) + file.number("/plant/P_loss") * kPeriod);
-      if (link.chopper_on() == before) continue;
-      events.push_back({before ? t + link.chopper_time() : t + kPeriod - link.chopper_time(), !before});
+      const DcLink before = link;
+      const double energy = kinetic(t + kPeriod) - kinetic(t) + file.number("/plant/P_loss") * kPeriod;
+      link.step(kPeriod, energy);
+      if (link.chopper_on() == before.chopper_on()) continue;
+      events.push_back({t + switching_time(before, kPeriod, energy), link.chopper_on()});
     }
   };
   walk(file, step, [&](double t) { ours.append({t, link.voltage(), link.energies().chopper}); });

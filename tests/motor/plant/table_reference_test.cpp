@@ -27,23 +27,23 @@ class SteadyState {
         voltage_limit_{file.number("/limits/k_u") * file.number("/limits/u_dc") / std::numbers::sqrt3} {}
 
   /// Voltage at which the currents @p y stay at the mechanical speed @p w: what their change without any lacks.
-  double voltage(const SynchronousMachine::State& y, double w) const {
+  double voltage(const SynchronousMachine::CircuitState& y, double w) const {
     const auto rate = machine_.rate(y, Pair{}, w);
     return std::hypot(data_.synchronous.d_inductance * rate.current[0],
                       data_.synchronous.q_inductance * rate.current[1]);
   }
   /// The currents with the most motoring torque at @p w: of all i_d the one whose largest i_q gives most.
-  SynchronousMachine::State strongest(double w) const {
+  SynchronousMachine::CircuitState strongest(double w) const {
     constexpr int kGrid = 4000;
-    SynchronousMachine::State best{};
+    SynchronousMachine::CircuitState best{};
     for (int i = 0; i <= kGrid; ++i) {
       const double i_d = -current_limit_ * i / kGrid;
-      const SynchronousMachine::State y{Pair{i_d, largest_q_current(i_d, w)}};
+      const SynchronousMachine::CircuitState y{Pair{i_d, largest_q_current(i_d, w)}};
       if (y.current[1] >= 0.0 && torque(y) > torque(best)) best = y;
     }
     return best;
   }
-  double torque(const SynchronousMachine::State& y) const {
+  double torque(const SynchronousMachine::CircuitState& y) const {
     SynchronousMachine machine = machine_;
     machine.set_state(y);
     return machine.torque();

@@ -64,7 +64,7 @@ class Unit {
 
   DcLink link_;
   std::array<DriveTrain, 2> trains_;
-  Command command_{};
+  DriveCommand command_{};
   double spent_ = 0.0;
   double start_;
 };
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(EveryMachine, UnitEnergy, testing::ValuesIn(machines())
 
 TEST(InverterDrops, AreAskedForByTheControlAndLostInTheInverter) {
   constexpr double kVoltage = 540.0;
-  const Command command{.pulses_enabled = true, .speed_setpoint = 30.0 * kRpm, .limits = {20.0, -20.0}};
+  const DriveCommand command{.pulses_enabled = true, .speed_setpoint = 30.0 * kRpm, .limits = {20.0, -20.0}};
   const auto started = [&](const InverterData& inverter) {
     DriveTrain train{MachineData{}, {.constant_torque = 5.0}, inverter};
     for (int i = 0; i < 8000; ++i) static_cast<void>(train.step(kVoltage, command));

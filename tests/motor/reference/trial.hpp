@@ -44,7 +44,7 @@ class Trial {
   }
 
   DriveTrain train;
-  Command command;
+  DriveCommand command;
   double highest = 0.0;  // true speed (rad/s)
   double lowest = 0.0;   // true speed (rad/s)
   double current = 0.0;  // highest (A peak)

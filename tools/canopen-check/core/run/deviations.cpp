@@ -1,10 +1,11 @@
 #include "tools/canopen-check/core/run/deviations.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "text/number.hpp"
 
 namespace conformance {
 namespace {
@@ -12,10 +13,8 @@ namespace {
 constexpr std::uint16_t kFirstAxis = 0x6000, kSecondAxis = 0x6800, kEndOfAxes = 0xA000, kAxisDistance = 0x800;
 
 std::optional<unsigned> parse_hexadecimal(std::string_view text, unsigned most) {
-  unsigned value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  if (error != std::errc{} || end != text.data() + text.size() || value > most) return std::nullopt;
-  return value;
+  const auto value = text::integer<unsigned>(text, 16);
+  return value <= most ? value : std::nullopt;
 }
 
 struct Bounds {

@@ -1,0 +1,161 @@
+#include <array>
+#include <vector>
+
+#include "bench/operations/cycle_operations.hpp"
+#include "bench/operations/device_unit.hpp"
+#include "bench/operations/operation.hpp"
+#include "device/object_rows.hpp"
+
+namespace bench {
+namespace {
+
+using canopen::Frame;
+
+constexpr std::uint16_t kTpdos = 4;
+
+struct Upload {
+  Upload() {
+    step();
+    check(answers(bus.sink.last, request, 0xFFFF0192), "SDO upload of 1000h");
+  }
+  void step() { bus.unit.on_frame(request, bus.now); }
+
+  DeviceUnit bus;
+  Frame request = sdo_request(DeviceUnit::kNodeId, kUpload, {0x1000, 0});
+};
+
+struct RandomUpload {
+  RandomUpload() {
+    for (const Frame& request : requests) {
+      bus.unit.on_frame(request, bus.now);
+      check((bus.sink.last.data[0] & 0x43) == 0x43, "SDO upload of a random object");
+    }
+  }
+  void step() { bus.unit.on_frame(requests[next++ % requests.size()], bus.now); }
+
+  DeviceUnit bus;
+  std::vector<canopen::EntryDescription> rows = device::object_rows(std::array{drive::ObjectKind::Servo});
+  canopen::Dictionary same{rows, DeviceUnit::kNodeId};
+  std::vector<Frame> requests = random_uploads(same);
+  std::size_t next = 0;
+};
+
+struct SlopeUpload {
+  SlopeUpload() { check(bus.upload({0x6083, 0}) != 0, "SDO upload of 6083h"); }
+  void step() { bus.unit.on_frame(request, bus.now); }
+
+  DeviceUnit bus;
+  Frame request = sdo_request(DeviceUnit::kNodeId, kUpload, {0x6083, 0});
+};
+
+struct Download {
+  Download() {
+    bus.download({0x60FF, 0}, 0x12345678, 4);
+    check(bus.upload({0x60FF, 0}) == 0x12345678, "value after a download");
+  }
+  void step() {
+    canopen::store(&request.data[4], ++value);
+    bus.unit.on_frame(request, bus.now);
+  }
+
+  DeviceUnit bus;
+  Frame request = sdo_request(DeviceUnit::kNodeId, expedited_download(4), {0x60FF, 0});
+  std::uint32_t value = 0;
+};
+
+struct Rpdo {
+  Rpdo() {
+    bus.enter_operational();
+    step();
+    check(
+        bus.upload({0x6040, 0}) == 0x0006 && bus.upload({0x60FF, 0}) == 0x00020001 && bus.upload({0x6071, 0}) == 5,
+        "values of RPDO 4");
+  }
+  /// No cycle comes between, as in a unit that catches up.
+  void step() {
+    ++frame.data[2];
+    bus.unit.on_frame(frame, bus.now + kLate);
+  }
+  static constexpr canopen::Duration kLate = std::chrono::hours{1};
+
+  DeviceUnit bus;
+  Frame frame{.id = 0x502, .length = 8, .data = {0x06, 0x00, 0x00, 0x00, 0x02, 0x00, 0x05, 0x00}};
+};
+
+struct Sync {
+  Sync() {
+    for (std::uint16_t pdo = 0; pdo < kTpdos; ++pdo) {
+      bus.download({static_cast<std::uint16_t>(0x1800 + pdo), 2}, 1, 1);
+    }
+    bus.enter_operational();
+    const std::uint64_t before = bus.sink.count;
+    step();
+    check(bus.sink.count - before == kTpdos, "number of TPDOs after SYNC");
+    check(bus.sink.last.id == 0x482 && bus.sink.last.length == 6, "last TPDO after SYNC");
+  }
+  void step() { bus.unit.on_frame(frame, bus.now); }
+
+  DeviceUnit bus;
+  Frame frame{.id = 0x080};
+};
+
+/// A tick with the axis at speed. Every TPDO carries the position, so that each of them is sent.
+struct TurningTick {
+  TurningTick() {
+    for (std::uint16_t pdo = 0; pdo < kTpdos; ++pdo) map_position(pdo);
+    bus.enter_operational();
+    bus.turn_axes();
+    const std::uint64_t before = bus.sink.count;
+    step();
+    check(bus.sink.count - before == kTpdos, "number of TPDOs in a tick");
+  }
+  void step() {
+    bus.now += device::Device::kCycle;
+    bus.unit.on_time(bus.now);
+  }
+  void map_position(std::uint16_t pdo) {
+    const auto communication = static_cast<std::uint16_t>(0x1800 + pdo);
+    const auto mapping = static_cast<std::uint16_t>(0x1A00 + pdo);
+    const std::uint32_t cob_id = bus.upload({communication, 1});
+    bus.download({communication, 1}, cob_id | 0x80000000, 4);
+    bus.download({mapping, 2}, 0x60630020, 4);
+    bus.download({communication, 1}, cob_id, 4);
+  }
+
+  DeviceUnit bus;
+};
+
+struct RestingTick {
+  RestingTick() {
+    bus.enter_operational();
+    bus.pass(std::chrono::seconds{1});
+    check(bus.unit.next_deadline() == canopen::kNever, "a unit at rest");
+  }
+  void step() {
+    bus.unit.on_time(bus.now);
+    earliest = bus.unit.next_deadline();
+  }
+
+  DeviceUnit bus;
+  canopen::TimePoint earliest{};
+};
+
+}  // namespace
+
+std::vector<OperationRow> device_operations() {
+  std::vector<OperationRow> rows{
+      {"device/sdo_upload", "unit: SDO expedited upload, the same object", make<Upload>},
+      {"device/sdo_upload_random", "unit: SDO expedited upload, random object", make<RandomUpload>},
+      {"device/sdo_upload_slope", "unit: SDO expedited upload of 6083h, a parameter", make<SlopeUpload>},
+      {"device/sdo_download", "unit: SDO expedited download of 60FFh", make<Download>},
+      {"device/rpdo", "unit: RPDO with 3 objects applied", make<Rpdo>},
+      {"device/sync_4", "unit: SYNC to 4 TPDOs, 7 objects", make<Sync>},
+      {"device/tick_turning", "unit: 4 ms tick, axis at speed, 4 event-driven TPDOs sent", make<TurningTick>},
+      {"device/tick_resting", "unit: tick with nothing due", make<RestingTick>},
+  };
+  const auto cycles = cycle_operations();
+  rows.insert(rows.end(), cycles.begin(), cycles.end());
+  return rows;
+}
+
+}  // namespace bench
