@@ -10,10 +10,9 @@
 #include <sys/signalfd.h>
 
 #include "bench/number.hpp"
-#include "bench/operations/library_node.hpp"
 #include "can/port/socketcan/socket_can.hpp"
-#include "daemon/bus_loop.hpp"
-#include "daemon/clock.hpp"
+#include "daemon/base/clock.hpp"
+#include "daemon/program/event_loop.hpp"
 
 namespace {
 
@@ -47,26 +46,27 @@ class Signals {
 };
 
 /// A plain node of the library on the daemon's loop.
-class Slave final : private axisd::Station, private canopen::Application {
+class Slave final : private axisd::Station, private axisd::Service, private canopen::Application {
  public:
   explicit Slave(const Arguments& arguments)
       : table_{bench::library_table({.pdos = static_cast<std::uint16_t>(arguments.pdos)})},
         dictionary_{table_, static_cast<std::uint8_t>(arguments.node)},
         port_{arguments.interface},
-        loop_{port_, *this},
+        bus_{port_, *this},
         node_{dictionary_,
               {.start_state =
                    arguments.operational ? canopen::NmtState::Operational : canopen::NmtState::PreOperational},
-              loop_.queue(),
+              bus_.queue(),
               *this} {
+    loop_.add(bus_);
     loop_.watch(signals_.descriptor());
-    if (!loop_.open()) throw bus::OpenError{arguments.interface + " is down"};
+    if (!bus_.open()) throw bus::OpenError{arguments.interface + " is down"};
   }
   void serve() {
     node_.start(axisd::read_clock());
     std::fputs("ready\n", stderr);
     while (!stopped_) loop_.turn();
-    std::fprintf(stderr, "rpdos %lu\ndropped %lu\n", rpdos_, static_cast<unsigned long>(loop_.port().dropped()));
+    std::fprintf(stderr, "rpdos %lu\ndropped %lu\n", rpdos_, static_cast<unsigned long>(bus_.port().dropped()));
   }
 
  private:
@@ -79,15 +79,16 @@ class Slave final : private axisd::Station, private canopen::Application {
   bool on_rare_event() noexcept override { return stopped_ |= signals_.take(), false; }
   void on_link_lost() noexcept override { stopped_ = true; }
 
-  void on_subscriptions_changed() noexcept override { loop_.follow_subscriptions(); }
+  void on_subscriptions_changed() noexcept override { bus_.follow_subscriptions(); }
   void on_rpdo(std::uint16_t) noexcept override { ++rpdos_; }
 
   std::vector<canopen::EntryDescription> table_;
   canopen::Dictionary dictionary_;
   Signals signals_;
   bus::SocketCan port_;
-  axisd::BusLoop loop_;
+  axisd::BusTurn bus_;
   canopen::Node node_;
+  axisd::EventLoop loop_{*this};
   unsigned long rpdos_ = 0;
   bool stopped_ = false;
 };

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/architecture/source_files.hpp"
+
 namespace architecture {
 namespace {
 
@@ -43,6 +45,16 @@ TEST(Layers, AreFoldersOfTheProject) {
   ASSERT_TRUE(fs::is_directory(fs::path{SOURCE_FOLDER} / "daemon"));
 }
 
+TEST(Layers, ReadAConfigurationWithoutTheOperatingSystem) {
+  const std::vector<SourceFile> files = read_folder(SOURCE_FOLDER, "daemon/configuration");
+  ASSERT_FALSE(files.empty());
+  for (const SourceFile& file : files)
+    for (const std::string& line : file.lines)
+      for (const char* const header :
+           {"<filesystem>", "<fstream>", "<cstdlib>", "<cstdio>", "<iostream>", "<thread>"})
+        EXPECT_EQ(line.find(header), std::string::npos) << file.path << ": " << line;
+}
+
 TEST_F(TemporaryTree, WithAForbiddenIncludeIsCaughtWithFileAndLine) {
   write("drive/sub/axis.cpp", "#include <vector>\n\n#include \"libcanopen/base/frame.hpp\"\n");
 
@@ -58,15 +70,19 @@ TEST_F(TemporaryTree, WithEveryKindOfForbiddenIncludeIsCaught) {
   write("tools/b.cpp", "#include <systemd/sd-bus.h>\n");
   write("can/preload/a.c", "#include \"can/port/port.hpp\"\n");
   write("eds/a.cpp", "#include <libcanopen/sdo/server.hpp>\n");
+  write("daemon/instance/a.cpp", "#include <systemd/sd-daemon.h>\n#include \"daemon/program/program.hpp\"\n");
 
-  EXPECT_EQ(findings(), (Findings{"libcanopen/a.hpp:1: libcanopen may not include fmt/format.h",
-                                  "motor/a.hpp:1: motor may not include time.h",
-                                  "device/a.cpp:1: device may not include generated/other.hpp",
-                                  "eds/a.cpp:1: eds may not include libcanopen/sdo/server.hpp",
-                                  "can/port/a.cpp:1: can/port may not include libcanopen/od/data_type.hpp",
-                                  "tools/a.cpp:1: tools may not include daemon/config.hpp",
-                                  "tools/b.cpp:1: tools may not include systemd/sd-bus.h",
-                                  "can/preload/a.c:1: can/preload may not include can/port/port.hpp"}));
+  EXPECT_EQ(findings(),
+            (Findings{"libcanopen/a.hpp:1: libcanopen may not include fmt/format.h",
+                      "motor/a.hpp:1: motor may not include time.h",
+                      "device/a.cpp:1: device may not include generated/other.hpp",
+                      "eds/a.cpp:1: eds may not include libcanopen/sdo/server.hpp",
+                      "can/port/a.cpp:1: can/port may not include libcanopen/od/data_type.hpp",
+                      "daemon/instance/a.cpp:1: daemon/instance may not include systemd/sd-daemon.h",
+                      "daemon/instance/a.cpp:2: daemon/instance may not include daemon/program/program.hpp",
+                      "tools/a.cpp:1: tools may not include daemon/config.hpp",
+                      "tools/b.cpp:1: tools may not include systemd/sd-bus.h",
+                      "can/preload/a.c:1: can/preload may not include can/port/port.hpp"}));
 }
 
 TEST_F(TemporaryTree, WithAllowedIncludesIsAccepted) {
@@ -74,7 +90,8 @@ TEST_F(TemporaryTree, WithAllowedIncludesIsAccepted) {
   write("motor/a.hpp", "#include <array>\n#include \"motor/b.hpp\"\n");
   write("device/a.cpp", "#include \"generated/object_table.hpp\"\n#include \"drive/unit.hpp\"\n");
   write("can/port/a.cpp", "#include <linux/can.h>\n#include <unistd.h>\n#include \"libcanopen/base/frame.hpp\"\n");
-  write("daemon/a.cpp", "#include <systemd/sd-event.h>\n#include <sys/timerfd.h>\n#include \"device/unit.hpp\"\n");
+  write("daemon/program/a.cpp",
+        "#include <systemd/sd-event.h>\n#include <sys/timerfd.h>\n#include \"device/unit.hpp\"\n");
   write("tools/a.cpp", "#include \"daemon/control_protocol.hpp\"\n");
   write("drive/notes.md", "#include \"libcanopen/base/frame.hpp\"\n");
   write("drive/a.cpp", "// #include \"libcanopen/base/frame.hpp\"\n");

@@ -6,8 +6,9 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "daemon/json_reader.hpp"
-#include "daemon/motor_file.hpp"
+#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/motor_file.hpp"
+#include "daemon/program/motor_folders.hpp"
 
 namespace identification {
 namespace {
@@ -21,7 +22,8 @@ std::vector<Preset> read_presets() {
     const std::filesystem::path& file = entry.path();
     if (file.extension() != ".json" || !file.stem().extension().empty()) continue;
     const std::string name = "\"" + file.string() + "\"";
-    found.push_back({file.stem().string(), axisd::read_motor(axisd::JsonReader::parse(name, name))});
+    found.push_back(
+        {file.stem().string(), axisd::read_motor(axisd::JsonReader::parse(name, name), axisd::MotorFolders{})});
   }
   std::ranges::sort(found, {}, &Preset::name);
   return found;

@@ -1,0 +1,113 @@
+#include "daemon/configuration/configuration.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/load_reader.hpp"
+#include "daemon/configuration/motor_file.hpp"
+#include "daemon/configuration/parameter_reader.hpp"
+#include "daemon/configuration/plant_reader.hpp"
+#include "daemon/configuration/supply_reader.hpp"
+#include "drive/drive_unit.hpp"
+
+namespace axisd {
+namespace {
+
+constexpr std::array kAxisNames{"X", "Y", "Z", "A", "B", "C", "U", "V"};
+static_assert(kAxisNames.size() == drive::kMostAxes);
+
+struct AxisTypeRow {
+  std::string_view name;
+  drive::ObjectKind kind;
+};
+constexpr std::array kAxisTypes{AxisTypeRow{"servo", drive::ObjectKind::Servo},
+                                AxisTypeRow{"vector", drive::ObjectKind::Vector}};
+
+drive::ObjectKind read_axis_type(const JsonReader& json) {
+  const std::string name = json.text();
+  const auto* const row = std::ranges::find(kAxisTypes, name, &AxisTypeRow::name);
+  if (row == kAxisTypes.end()) json.fail("servo or vector");
+  return row->kind;
+}
+
+/// Whether an axis of @p kind is delivered with its extended setpoint channel.
+bool read_setpoint_channel(const JsonReader& json, drive::ObjectKind kind) {
+  const bool active = json.boolean();
+  if (!active && kind == drive::ObjectKind::Vector) json.fail("true, which a vector axis always has");
+  return active;
+}
+
+/// What is said of @p axis, over its defaults, except its parameters.
+AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis, const MotorSource& motors) {
+  json.expect_object(
+      {"name", "type", "motor", "encoder", "load", "plant", "power_unit", "setpoint_channel", "parameters"});
+  if (json.has("name")) axis.name = json.at("name").text();
+  if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
+  if (json.has("motor")) axis.machine = read_motor(json.at("motor"), motors);
+  if (json.has("encoder")) read_encoder(json.at("encoder"), axis.machine.encoder);
+  if (json.has("load")) axis.load = read_load(json.at("load"), axis.machine);
+  if (json.has("plant")) axis.deviation = read_plant(json.at("plant"), axis.machine, axis.load);
+  axis.inverter = motor::inverter_for(axis.machine.maximum_current);
+  if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
+  if (json.has("setpoint_channel"))
+    axis.setpoint_channel = read_setpoint_channel(json.at("setpoint_channel"), axis.kind);
+  return axis;
+}
+
+/// true, or what is said of it; false is none.
+std::optional<InfeedConfiguration> read_infeed(const JsonReader& json) {
+  if (!json.is_object()) return json.boolean() ? std::optional{InfeedConfiguration{}} : std::nullopt;
+  json.expect_object({"name", "parameters"});
+  InfeedConfiguration infeed;
+  if (json.has("name")) infeed.name = json.at("name").text();
+  return infeed;
+}
+
+std::vector<AxisConfiguration> read_axes(const JsonReader& json, const MotorSource& motors) {
+  json.expect_array(1, drive::kMostAxes);
+  std::vector<AxisConfiguration> axes;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    AxisConfiguration axis = read_axis(json.at(i), default_axes(i + 1).back(), motors);
+    const auto same = std::ranges::find(axes, axis.name, &AxisConfiguration::name);
+    if (same != axes.end()) {
+      const JsonReader& named = json.at(i).has("name") ? json.at(i).at("name") : json.at(i);
+      named.fail(fmt::format("a name that /axes/{} does not have", same - axes.begin()));
+    }
+    axes.push_back(std::move(axis));
+  }
+  return axes;
+}
+
+bus::Address read_address(const JsonReader& json) {
+  auto address = bus::parse_address(json.text());
+  if (!address) json.fail(address.error());
+  return *std::move(address);
+}
+
+}  // namespace
+
+std::vector<AxisConfiguration> default_axes(std::size_t count) {
+  std::vector<AxisConfiguration> axes(count);
+  for (std::size_t i = 0; i < count; ++i) axes[i].name = kAxisNames[i];
+  return axes;
+}
+
+Configuration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
+  const JsonReader json = JsonReader::parse(text, file);
+  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "infeed", "sdo_block", "f08701"});
+  Configuration configuration;
+  if (json.has("interface")) configuration.address = read_address(json.at("interface"));
+  if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kAddressSwitchOff, kHighestNodeId);
+  if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
+  if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
+  if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
+  if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
+  if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors);
+  read_parameters(json, configuration);
+  return configuration;
+}
+
+}  // namespace axisd

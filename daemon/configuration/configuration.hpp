@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "can/port/address.hpp"
+#include "daemon/configuration/motor_source.hpp"
+#include "drive/object_kind.hpp"
+#include "motor/data/inverter_data.hpp"
+#include "motor/data/load.hpp"
+#include "motor/data/machine_data.hpp"
+#include "motor/data/plant_deviation.hpp"
+#include "motor/data/supply_data.hpp"
+
+namespace axisd {
+
+/// The configuration cannot be used; the message names file, key path and what was expected, in one line.
+struct ConfigurationError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Position of the address switch in which p8620 is the node-ID.
+inline constexpr int kAddressSwitchOff = 0;
+/// The highest node-ID.
+inline constexpr int kHighestNodeId = 127;
+
+/// A value for a parameter, in the parameter's own unit.
+struct ParameterValue {
+  std::uint16_t number;
+  double value;
+  std::uint8_t index;
+};
+
+/// One axis of the unit.
+struct AxisConfiguration {
+  std::string name;                                   ///< unique in the unit
+  drive::ObjectKind kind = drive::ObjectKind::Servo;  ///< Servo or Vector
+  motor::MachineData machine;                         ///< by its data sheet
+  motor::PlantDeviation deviation;                    ///< of what turns from it, key "plant"
+  motor::Load load;
+  motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.maximum_current);  ///< key "power_unit"
+  bool setpoint_channel = true;            ///< p0108.8 of a new unit, the extended setpoint channel
+  std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis
+};
+
+/// The infeed as a drive object.
+struct InfeedConfiguration {
+  std::string name = "infeed";
+  std::vector<ParameterValue> parameters;  ///< laid over the state of a new one
+};
+
+/// The first @p count servo axes (1..drive::kMostAxes) of a unit of which nothing is said: X, Y, Z, A, B, C, U, V.
+std::vector<AxisConfiguration> default_axes(std::size_t count);
+
+/// The whole unit: defaults, then the file, then the command line.
+struct Configuration {
+  bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
+  int node_id = 2;                                               ///< the address switch, 0..127
+  std::vector<AxisConfiguration> axes = default_axes(1);         ///< 1..drive::kMostAxes
+  std::vector<ParameterValue> parameters;                        ///< key "parameters", of the control unit
+  std::optional<InfeedConfiguration> infeed;  ///< key "infeed"; none: the axes begin at drive object 2
+  motor::SupplyData supply{};                 ///< key "supply"
+  bool sdo_block = false;                     ///< key "sdo_block"
+  bool fault_on_leaving_operational = true;   ///< key "f08701"
+};
+
+/// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; throws
+/// ConfigurationError.
+Configuration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors);
+
+}  // namespace axisd

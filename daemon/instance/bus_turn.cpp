@@ -1,0 +1,127 @@
+#include "daemon/instance/bus_turn.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "daemon/base/clock.hpp"
+
+namespace axisd {
+namespace {
+
+constexpr std::size_t kMostSubscriptions = 2048;
+/// Frames taken in one turn while they come faster than turns, so that the timer still gets its turn.
+constexpr int kBurst = 32;
+/// Every so many single frames the socket is asked for a second one, which shows whether a burst is on.
+constexpr unsigned kBurstProbe = 64;
+/// A turn that is late by this much may have left frames unread that came before its deadline.
+constexpr canopen::Duration kLate = std::chrono::milliseconds{1};
+/// More frames than the receive buffer holds: a bus that never stops must not keep the timer from its turn.
+constexpr int kMostWaiting = 4096;
+/// Longest time that one turn takes over frames that wait, whatever each of them costs.
+constexpr canopen::Duration kLongestCatchUp = std::chrono::milliseconds{20};
+
+}  // namespace
+
+BusTurn::BusTurn(bus::Port& port, Station& station) : station_{station}, port_{port}, queue_{port_} {
+  filters_.reserve(kMostSubscriptions);
+}
+
+bool BusTurn::open() noexcept {
+  if (!port_.reopen()) return false;
+  is_open_ = true;
+  queue_.discard();
+  now_ = read_clock();
+  queue_.retry(now_);
+  return true;
+}
+
+void BusTurn::close() noexcept {
+  is_open_ = false;
+  queue_.discard();
+}
+
+void BusTurn::follow_subscriptions() noexcept {
+  filters_.clear();
+  for (const canopen::Subscription& wanted : station_.subscriptions()) {
+    filters_.push_back({.identifier = wanted.identifier & canopen::cob_id::kLong,
+                        .remote = wanted.remote,
+                        .extended = (wanted.identifier & canopen::cob_id::kExtended) != 0});
+  }
+  port_.accept_only(filters_);
+}
+
+void BusTurn::turn(canopen::TimePoint now, bool readable) noexcept {
+  const bool listened = listens();
+  before_ = std::exchange(now_, now);
+  queue_.retry(now_);
+  if (readable) receive();
+  tell_time(listened);
+}
+
+/// What waits is older than a deadline that has passed by so much, be it that a frame has shown it just now: the
+/// station was at rest when it came.
+void BusTurn::tell_time(bool listens) noexcept {
+  const canopen::TimePoint deadline = station_.next_deadline();
+  if (deadline > now_) return;
+  if (listens && now_ - deadline >= kLate) catch_up();
+  station_.on_time(now_);
+}
+
+canopen::TimePoint BusTurn::frame_arrival() const noexcept {
+  const canopen::Duration slept = now_ - before_;
+  if (slept < kLate) return now_;
+  const auto arrival = port_.frame_arrival();
+  if (!arrival) return now_;
+  const canopen::Duration waited = std::chrono::system_clock::now().time_since_epoch() - *arrival;
+  return now_ - std::clamp(waited, canopen::Duration{0}, slept);
+}
+
+/// Requests come one by one, and one read a turn is the cheapest way to serve them; a burst is read in one go.
+void BusTurn::receive() noexcept {
+  const bool probes = ++turns_with_frames_ % kBurstProbe == 0;
+  const int most = in_burst_ || probes ? kBurst : 1;
+  int frames = 0;
+  while (frames < most && queue_.accepts_input() && receive_frame()) ++frames;
+  in_burst_ = frames > 1;
+  end_burst(frames);
+}
+
+void BusTurn::catch_up() noexcept {
+  int frames = 0;
+  while (frames < kMostWaiting && queue_.accepts_input() && receive_frame()) {
+    ++frames;
+    if (read_clock() - now_ >= kLongestCatchUp) break;
+  }
+  end_burst(frames);
+}
+
+/// @p frames have been read at once; fewer than a burst are the last ones.
+void BusTurn::end_burst(int frames) noexcept {
+  const bool is_over = flooded_ && frames < kBurst;
+  flooded_ = frames >= kBurst;
+  if (is_over) station_.on_burst_end();
+}
+
+/// False if there was none.
+bool BusTurn::receive_frame() noexcept {
+  canopen::Frame frame;
+  switch (const bus::Received received = port_.receive(frame); received.kind) {
+    case bus::Received::Frame:
+      ++received_;
+      station_.on_frame(frame, now_);
+      return true;
+    case bus::Received::Error:
+      station_.on_error_state(received.state);
+      return true;
+    case bus::Received::Down:
+      close();
+      station_.on_link_lost();
+      return false;
+    case bus::Received::Nothing:
+      break;
+  }
+  return false;
+}
+
+}  // namespace axisd

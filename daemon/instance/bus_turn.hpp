@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "can/connection/transmit_queue.hpp"
+#include "can/port/port.hpp"
+#include "daemon/instance/station.hpp"
+
+namespace axisd {
+
+/// Carries frames and time between one CAN bus and a Station, a turn at a time; whoever owns the loop waits.
+///
+/// A request that comes alone costs one read and one send; frames that come faster are read in bursts. A turn that
+/// comes late hands over all frames that wait before it tells the time: what they say is older than the deadlines
+/// that have passed.
+class BusTurn {
+ public:
+  /// Closed at first; @p port and @p station outlive it.
+  BusTurn(bus::Port& port, Station& station);
+
+  /// The bus is there: begins to receive and to send. False: it cannot be used.
+  [[nodiscard]] bool open() noexcept;
+  /// The bus is gone: what waits is dropped, and nothing is received until open().
+  void close() noexcept;
+  bool is_open() const noexcept { return is_open_; }
+  /// Brings the bus back from bus-off (see bus::Port::restart()).
+  [[nodiscard]] bus::Restart restart_bus() noexcept { return port_.restart(); }
+  /// Receives from now on what Station::subscriptions() names.
+  void follow_subscriptions() noexcept;
+
+  /// What is to be polled for frames before the next turn; negative: nothing.
+  int descriptor() const noexcept { return listens() ? port_.descriptor() : -1; }
+  /// When the next turn is wanted, whether or not frames come.
+  canopen::TimePoint next_deadline() const noexcept {
+    return std::min(station_.next_deadline(), queue_.next_retry());
+  }
+  /// Handles all that is due at @p now and waits for nothing; @p readable: descriptor() was polled so. Also
+  /// without a link: time goes on.
+  void turn(canopen::TimePoint now, bool readable) noexcept;
+
+  const bus::Port& port() const noexcept { return port_; }
+  /// Where the station puts its frames.
+  bus::TransmitQueue& queue() noexcept { return queue_; }
+  const bus::TransmitQueue& queue() const noexcept { return queue_; }
+  /// When the frame being handed to the station has come from the bus: the time of this turn, or earlier if the
+  /// program was kept from running, as far as the port can tell. May be a system call.
+  canopen::TimePoint frame_arrival() const noexcept;
+  /// Frames handed to the station so far.
+  std::uint64_t received() const noexcept { return received_; }
+
+ private:
+  bool listens() const noexcept { return is_open_ && queue_.accepts_input(); }
+  void tell_time(bool listens) noexcept;
+  void receive() noexcept;
+  void catch_up() noexcept;
+  void end_burst(int frames) noexcept;
+  bool receive_frame() noexcept;
+
+  Station& station_;
+  bus::Port& port_;
+  bus::TransmitQueue queue_;
+  std::vector<bus::Filter> filters_;
+  canopen::TimePoint now_{};     ///< of this turn
+  canopen::TimePoint before_{};  ///< of the one before
+  bool is_open_ = false;
+  bool in_burst_ = false;
+  bool flooded_ = false;  ///< the last burst was not the end of it
+  unsigned turns_with_frames_ = 0;
+  std::uint64_t received_ = 0;
+};
+
+}  // namespace axisd

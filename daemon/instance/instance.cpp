@@ -1,0 +1,123 @@
+#include "daemon/instance/instance.hpp"
+
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include "daemon/base/clock.hpp"
+#include "daemon/instance/device_setup.hpp"
+
+namespace axisd {
+namespace {
+
+/// The unit does not tell the warning limit apart.
+constexpr device::BusState bus_state_of(bus::ErrorState state) noexcept {
+  constexpr std::array kStates{device::BusState::Active, device::BusState::Active, device::BusState::Passive,
+                               device::BusState::Off};
+  return kStates[static_cast<std::size_t>(state)];
+}
+
+std::vector<Instance::LoadTorque> load_torques(const Configuration& configuration) {
+  std::vector<Instance::LoadTorque> torques;
+  for (const AxisConfiguration& axis : configuration.axes)
+    torques.push_back({axis.load.constant_torque, axis.load.friction_torque});
+  return torques;
+}
+
+}  // namespace
+
+Instance::Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
+                   InstanceListener& listener)
+    : configuration_{configuration},
+      log_{log},
+      listener_{listener},
+      started_{read_clock()},
+      connection_{bus::open(configuration.address)},
+      bus_{*connection_.port, *this},
+      device_{device_configuration(configuration, *connection_.port, folder, log), bus_.queue(), *this},
+      memory_{folder, device_, log},
+      reports_{configuration, log},
+      load_torques_{load_torques(configuration)} {}
+
+void Instance::start() noexcept {
+  reports_.on_open(*connection_.port);
+  if (connection_.link->state() == bus::LinkState::Up) return link_up();
+  log_.notice("{} is down: waiting until it is up", bus_name());
+  listener_.on_condition(*this, Condition::Down);
+}
+
+void Instance::look_around() noexcept {
+  if (!ready_told_) tell_ready();
+  reports_.look_at(bus_, device_);
+  memory_.look_at_unit();
+}
+
+void Instance::tell_ready() noexcept {
+  // The boot-up frame has to be out.
+  const bus::TransmitQueue& queue = std::as_const(bus_).queue();
+  if (!bus_.is_open() || queue.waiting() != 0 || queue.counters().sent == sent_before_boot_up_) return;
+  ready_told_ = true;
+  log_.info("ready: node {} on {}", device_.node_id(), bus_name());
+  listener_.on_condition(*this, Condition::Ready);
+}
+
+void Instance::on_link() noexcept {
+  if (const auto state = connection_.link->read()) {
+    link_down();
+    if (*state == bus::LinkState::Up) link_up();
+  }
+}
+
+void Instance::link_up() noexcept {
+  if (!bus_.open()) {
+    log_.warning("{} is up but cannot be used", bus_name());
+    return;
+  }
+  sent_before_boot_up_ = bus_.queue().counters().sent;
+  device_.start(read_clock());
+  memory_.raise_faults();
+  if (!ready_told_) return tell_ready();
+  log_.notice("{} is up again", bus_name());
+  listener_.on_condition(*this, Condition::UpAgain);
+}
+
+void Instance::link_down() noexcept {
+  if (!bus_.is_open()) return;
+  bus_.close();
+  on_link_lost();
+}
+
+void Instance::on_link_lost() noexcept {
+  log_.warning("{} is down: waiting until it is up", bus_name());
+  listener_.on_condition(*this, Condition::Down);
+}
+
+void Instance::on_error_state(bus::ErrorState state) noexcept {
+  log_.warning("{}: {}", bus_name(), bus::name_of(state));
+  device_.on_bus_state(bus_state_of(state), read_clock());
+}
+
+bool Instance::on_bus_restart() noexcept {
+  const bus::Restart outcome = bus_.restart_bus();
+  reports_.on_restart(outcome);
+  return outcome == bus::Restart::Done;
+}
+
+void Instance::on_burst_end() noexcept {
+  const std::uint64_t lost = bus_.port().dropped();
+  if (lost == std::exchange(overflows_seen_, lost)) return;
+  device_.on_frames_lost(read_clock());
+}
+
+void Instance::set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type,
+                               canopen::TimePoint now) noexcept {
+  const bool friction = type == motor::LoadTorqueType::Friction;
+  load_torques_[axis - 1] = {friction ? 0.0 : torque, friction ? torque : 0.0};
+  device_.set_load_torque(axis, torque, now, type);
+}
+
+double Instance::uptime_s() const noexcept {
+  return std::chrono::duration<double>(read_clock() - started_).count();
+}
+
+}  // namespace axisd

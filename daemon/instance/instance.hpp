@@ -1,0 +1,145 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "can/connection/connection.hpp"
+#include "daemon/base/log.hpp"
+#include "daemon/configuration/configuration.hpp"
+#include "daemon/instance/bus_reports.hpp"
+#include "daemon/instance/bus_turn.hpp"
+#include "daemon/instance/station.hpp"
+#include "daemon/instance/unit_memory.hpp"
+#include "device/device.hpp"
+
+namespace axisd {
+
+class Instance;
+
+/// What an instance tells of itself.
+enum class Condition : std::uint8_t {
+  Ready,   ///< its boot-up frame is out, for the first time
+  Down,    ///< its bus cannot be used
+  UpAgain  ///< its bus can be used again
+};
+
+/// Who runs an instance.
+class InstanceListener {
+ public:
+  virtual ~InstanceListener() = default;
+  /// @p instance is in @p condition from now on.
+  virtual void on_condition(const Instance& instance, Condition condition) noexcept = 0;
+};
+
+/// One drive unit on one CAN bus: what it is made of, what it keeps and what is logged of it. Whoever runs it
+/// waits for its descriptors and deadlines; nothing here does.
+class Instance final : private device::Listener, private Station {
+ public:
+  /// A descriptor that is readable when something rare is to be handled, and what handles it: one event at most.
+  struct RareSource {
+    int descriptor;
+    Instance* instance;
+    void (Instance::*handle)() noexcept;
+  };
+
+  /// Opens the bus that @p configuration names, with the state in @p folder; all arguments must outlive this.
+  /// Throws bus::OpenError or std::system_error.
+  Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
+           InstanceListener& listener);
+  ~Instance() override = default;
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  /// Takes up what the unit kept through the last power-off.
+  void load() { memory_.load(); }
+  /// Power-on: onto the bus, if that is there.
+  void start() noexcept;
+  /// What a turn may have changed without telling.
+  void look_around() noexcept;
+  /// Power-off: the drives coast, and what survives is on the disk.
+  void power_off() noexcept { memory_.power_off(); }
+
+  /// What is rare here; the descriptors stay the same.
+  std::array<RareSource, 2> rare_sources() noexcept {
+    return {RareSource{memory_.descriptor(), this, &Instance::on_write_ended},
+            RareSource{connection_.link->descriptor(), this, &Instance::on_link}};
+  }
+  /// The part of the loop that is this instance's.
+  BusTurn& bus() noexcept { return bus_; }
+  const BusTurn& bus() const noexcept { return bus_; }
+  device::Device& device() noexcept { return device_; }
+  const device::Device& device() const noexcept { return device_; }
+  const Configuration& configuration() const noexcept { return configuration_; }
+  const UnitMemory& memory() const noexcept { return memory_; }
+  const BusReports& reports() const noexcept { return reports_; }
+  /// The bus as the user named it, for messages.
+  const std::string& bus_name() const noexcept { return configuration_.address.text; }
+  /// Seconds since the start.
+  double uptime_s() const noexcept;
+
+  /// What a load does whatever else hangs on the shaft (N·m).
+  struct LoadTorque {
+    double constant = 0.0;
+    double friction = 0.0;
+  };
+  /// Load torque of @p axis (1..axes) as last set.
+  const LoadTorque& load_torque(std::size_t axis) const noexcept { return load_torques_[axis - 1]; }
+  /// Sets the load torque of @p axis (1..axes; N·m; friction not negative).
+  void set_load_torque(std::size_t axis, double torque, motor::LoadTorqueType type,
+                       canopen::TimePoint now) noexcept;
+
+ private:
+  void on_subscriptions_changed() noexcept override { bus_.follow_subscriptions(); }
+  void on_foreign_frame(std::uint32_t identifier) noexcept override {
+    reports_.on_foreign_frame(identifier, device_.node_id());
+  }
+  void on_life_guarding_withheld() noexcept override { reports_.on_life_guarding_withheld(); }
+  bool on_bus_restart() noexcept override;
+  device::Keeping on_store(std::span<const std::byte> image) noexcept override { return memory_.store(image); }
+  void on_restore() noexcept override { memory_.on_restore(); }
+  canopen::TimePoint frame_arrival(canopen::TimePoint) noexcept override { return bus_.frame_arrival(); }
+
+  void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override {
+    device_.on_frame(frame, now);
+  }
+  void on_time(canopen::TimePoint now) noexcept override {
+    device_.on_time(now);
+    memory_.on_time(now);
+  }
+  canopen::TimePoint next_deadline() const noexcept override {
+    return std::min(device_.next_deadline(), memory_.due());
+  }
+  std::span<const canopen::Subscription> subscriptions() const noexcept override {
+    return device_.subscriptions();
+  }
+  void on_link_lost() noexcept override;
+  void on_burst_end() noexcept override;
+  void on_error_state(bus::ErrorState state) noexcept override;
+
+  void on_link() noexcept;
+  void on_write_ended() noexcept { memory_.take_ended(); }
+  void tell_ready() noexcept;
+  void link_up() noexcept;
+  void link_down() noexcept;
+
+  const Configuration& configuration_;
+  const Log& log_;
+  InstanceListener& listener_;
+  canopen::TimePoint started_;
+  bus::Connection connection_;
+  BusTurn bus_;
+  device::Device device_;
+  UnitMemory memory_;
+  BusReports reports_;
+  std::vector<LoadTorque> load_torques_;
+  bool ready_told_ = false;
+  std::uint64_t overflows_seen_ = 0;
+  std::uint64_t sent_before_boot_up_ = 0;
+};
+
+}  // namespace axisd

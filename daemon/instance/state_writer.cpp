@@ -1,0 +1,104 @@
+#include "daemon/instance/state_writer.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+namespace axisd {
+namespace {
+
+os::Descriptor open_eventfd() {
+  os::Descriptor descriptor{::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK | EFD_SEMAPHORE)};
+  if (!descriptor) throw std::system_error{errno, std::generic_category(), "eventfd"};
+  return descriptor;
+}
+
+/// Keeps all signals from a thread that is started meanwhile: they belong to the loop.
+class NoSignals {
+ public:
+  NoSignals() noexcept {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  NoSignals(const NoSignals&) = delete;
+  NoSignals& operator=(const NoSignals&) = delete;
+  ~NoSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace
+
+StateWriter::StateWriter(std::size_t longest) : ended_{open_eventfd()} {
+  for (Job& job : jobs_) job.content.reserve(longest);
+  const NoSignals none;
+  thread_ = std::thread{[this] { work(); }};
+}
+
+StateWriter::~StateWriter() {
+  {
+    const std::scoped_lock lock{mutex_};
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void StateWriter::begin(Place place, const StateFile& file, std::span<const std::byte> content,
+                        Durability durability) noexcept {
+  {
+    const std::scoped_lock lock{mutex_};
+    Job& job = jobs_[static_cast<std::size_t>(place)];
+    assert(job.state == State::Free && content.size() <= job.content.capacity());
+    job.file = &file;
+    job.content.assign(content.begin(), content.end());
+    job.durability = durability;
+    job.state = State::Waiting;
+  }
+  changed_.notify_all();
+}
+
+std::optional<StateWriter::Ended> StateWriter::take_ended() noexcept {
+  eventfd_t none = 0;
+  ::eventfd_read(ended_.get(), &none);
+  const std::scoped_lock lock{mutex_};
+  auto* const job = std::ranges::find(jobs_, State::Ended, &Job::state);
+  if (job == jobs_.end()) return std::nullopt;
+  job->state = State::Free;
+  return Ended{static_cast<Place>(job - jobs_.begin()), job->outcome};
+}
+
+void StateWriter::finish() noexcept {
+  std::unique_lock lock{mutex_};
+  changed_.wait(lock, [this] { return next_job() == nullptr; });
+}
+
+StateWriter::Job* StateWriter::next_job() noexcept {
+  auto* const job = std::ranges::find(jobs_, State::Waiting, &Job::state);
+  return job == jobs_.end() ? nullptr : job;
+}
+
+void StateWriter::work() noexcept {
+  std::unique_lock lock{mutex_};
+  while (true) {
+    changed_.wait(lock, [this] { return stopping_ || next_job() != nullptr; });
+    Job* const job = next_job();
+    if (job == nullptr) return;
+    lock.unlock();
+    const auto outcome = job->file->write(job->content, job->durability);
+    lock.lock();
+    job->outcome = outcome;
+    job->state = State::Ended;
+    changed_.notify_all();
+    ::eventfd_write(ended_.get(), 1);
+  }
+}
+
+}  // namespace axisd

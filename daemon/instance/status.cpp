@@ -1,0 +1,135 @@
+#include "daemon/instance/status.hpp"
+
+#include <array>
+#include <chrono>
+#include <numbers>
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "daemon/instance/instance.hpp"
+#include "daemon/version.hpp"
+#include "motor/data/machine_data.hpp"
+
+namespace axisd {
+namespace {
+
+using nlohmann::json;
+
+/// Names of drive::State, in its order, as CiA 402 prints them.
+constexpr std::array<std::string_view, drive::kStateCount> kStateNames{
+    "Not ready to switch on", "Switch on disabled", "Ready to switch on",    "Switched on", "Operation enabled",
+    "OFF1 braking",           "Quick stop active",  "Fault reaction active", "STOP2",       "Fault"};
+
+json messages(std::span<const drive::FaultEntry> entries) {
+  json list = json::array();
+  for (const drive::FaultEntry& entry : entries) {
+    list.push_back({{"number", entry.row->number}, {"text", entry.row->name}});
+  }
+  return list;
+}
+
+/// What the axis is asked to do (rad/s), wherever it is connected.
+double target_velocity(const drive::Axis& axis) noexcept {
+  return axis.has_setpoint_channel() ? axis.inputs().main_setpoint : axis.inputs().speed_setpoint_1;
+}
+
+json axis_status(const Instance& instance, std::size_t number) {
+  const device::Device& device = instance.device();
+  const drive::Axis& axis = device.axis(number);
+  const drive::ActualValues& actual = axis.actual();
+  return {{"axis", number},
+          {"name", instance.configuration().axes[number - 1].name},
+          {"type", axis.kind() == drive::ObjectKind::Vector ? "vector" : "servo"},
+          {"state", kStateNames[static_cast<std::size_t>(actual.state)]},
+          {"statusword", fmt::format("0x{:04X}", actual.statusword)},
+          {"controlword", fmt::format("0x{:04X}", axis.process_data().whole_controlword)},
+          {"speed_rpm", actual.speed / motor::kRpm},
+          {"setpoint_rpm", target_velocity(axis) / motor::kRpm},
+          {"torque_Nm", actual.torque},
+          {"load_torque_Nm", instance.load_torque(number).constant},
+          {"load_friction_Nm", instance.load_torque(number).friction},
+          {"current_A", axis.signals().current / std::numbers::sqrt2},
+          {"motor_temperature_C", axis.signals().winding_temperature},
+          {"position", actual.encoder_position},
+          {"faults", messages(axis.messages().faults())},
+          {"alarms", messages(axis.messages().alarms())}};
+}
+
+json axes_status(const Instance& instance) {
+  json axes = json::array();
+  for (std::size_t number = 1; number <= instance.configuration().axes.size(); ++number)
+    axes.push_back(axis_status(instance, number));
+  return axes;
+}
+
+/// The numbers of the bits of @p word that are 1.
+json terminals(drive::Terminals::Word word) {
+  json list = json::array();
+  for (unsigned number = 0; number <= drive::Terminals::kHighest; ++number)
+    if ((word >> number & 1U) != 0) list.push_back(number);
+  return list;
+}
+
+json control_unit_status(const Instance& instance) {
+  const drive::ControlUnit& unit = instance.device().unit().control_unit();
+  return {{"faults", messages(unit.messages().faults())},
+          {"alarms", messages(unit.messages().alarms())},
+          {"inputs", terminals(unit.terminals().status())},
+          {"outputs", terminals(unit.terminals().outputs() & unit.terminals().directions)}};
+}
+
+json infeed_status(const drive::Infeed& infeed, const std::string& name) {
+  return {{"drive_object", infeed.number()},
+          {"name", name},
+          {"state", kStateNames[static_cast<std::size_t>(infeed.state())]},
+          {"operates", infeed.operates()},
+          {"faults", messages(infeed.messages().faults())},
+          {"alarms", messages(infeed.messages().alarms())}};
+}
+
+json leds_status(const device::IndicatorLeds& leds) {
+  return {{"run", name_of(leds.run)}, {"error", name_of(leds.error)}};
+}
+
+json bus_status(const Instance& instance) {
+  const auto& sent = instance.bus().queue().counters();
+  return {{"state", bus::name_of(instance.bus().port().error_state())},
+          {"link", instance.bus().is_open() ? "up" : "down"},
+          {"received", instance.bus().received()},
+          {"sent", sent.sent},
+          {"dropped", instance.bus().port().dropped()},
+          {"queued", sent.queued},
+          {"refused", sent.refused},
+          {"replaced", sent.replaced},
+          {"send_dropped", sent.dropped},
+          {"foreign", instance.reports().foreign_frames()},
+          {"lost_telegrams", instance.device().lost_telegrams()},
+          {"short_rpdos", instance.device().node().short_rpdos()}};
+}
+
+}  // namespace
+
+json status_of(const Instance& instance) {
+  json status{
+      {"version", kVersion},
+      {"interface", instance.configuration().address.text},
+      {"node_id", instance.device().node_id()},
+      {"nmt_state", canopen::name_of(instance.device().node().state())},
+      {"uptime_s", instance.uptime_s()},
+      {"bus", bus_status(instance)},
+      {"leds", leds_status(instance.device().leds())},
+      {"dc_link_V", instance.device().unit().dc_link().voltage()},
+      {"cycle_ms", std::chrono::duration<double, std::milli>{instance.device().cycle()}.count()},
+      {"skipped_cycles", instance.device().skipped_cycles()},
+      {"memory",
+       {{"parameters", instance.memory().parameters_text()}, {"retained", instance.memory().retained_text()}}},
+      {"control_unit", control_unit_status(instance)},
+      {"axes", axes_status(instance)}};
+  if (const drive::Infeed* const infeed = instance.device().unit().infeed())
+    status["infeed"] = infeed_status(*infeed, instance.configuration().infeed->name);
+  return status;
+}
+
+}  // namespace axisd

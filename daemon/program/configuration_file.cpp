@@ -1,0 +1,69 @@
+#include "daemon/program/configuration_file.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "daemon/configuration/parameter_reader.hpp"
+#include "daemon/program/motor_folders.hpp"
+#include "drive/drive_unit.hpp"
+#include "os/regular_file.hpp"
+
+namespace axisd {
+namespace {
+
+/// Of a configuration or a motor (bytes).
+constexpr std::size_t kLongestFile = std::size_t{16} << 20;
+
+void override_address(Configuration& configuration, const std::string& text) {
+  auto address = bus::parse_address(text);
+  if (!address)
+    throw ConfigurationError{fmt::format("--interface: expected {}, got \"{}\"", address.error(), text)};
+  configuration.address = *std::move(address);
+}
+
+/// Takes the last axes away, or adds default ones whose names are free.
+void resize_axes(std::vector<AxisConfiguration>& axes, int count) {
+  if (count < 1 || static_cast<std::size_t>(count) > drive::kMostAxes)
+    throw ConfigurationError{fmt::format("--axes: expected an integer 1 to {}, got {}", drive::kMostAxes, count)};
+  for (AxisConfiguration& axis : default_axes(drive::kMostAxes)) {
+    const bool taken = std::ranges::find(axes, axis.name, &AxisConfiguration::name) != axes.end();
+    if (!taken && axes.size() < static_cast<std::size_t>(count)) axes.push_back(std::move(axis));
+  }
+  axes.resize(static_cast<std::size_t>(count));
+}
+
+void override_with(Configuration& configuration, const Options& options) {
+  if (options.interface) override_address(configuration, *options.interface);
+  if (options.node_id) configuration.node_id = *options.node_id;
+  if (configuration.node_id < kAddressSwitchOff || configuration.node_id > kHighestNodeId) {
+    throw ConfigurationError{fmt::format("--node-id: expected an integer {} to {}, got {}", kAddressSwitchOff,
+                                         kHighestNodeId, configuration.node_id)};
+  }
+  if (!options.axes) return;
+  resize_axes(configuration.axes, *options.axes);
+  if (const auto refused = refused_parameter(configuration))
+    throw ConfigurationError{
+        fmt::format("--axes: expected the axis that {} is connected to, got {}", *refused, *options.axes)};
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> read_text_file(const std::string& file) {
+  auto content = os::read_regular_file(file, kLongestFile);
+  if (content) return *std::move(content);
+  return tl::unexpected{fmt::format("{}: cannot be read: {}", file, content.error().reason())};
+}
+
+Configuration load_configuration(const Options& options) {
+  Configuration configuration;
+  if (!options.config_file.empty()) {
+    const auto text = read_text_file(options.config_file);
+    if (!text) throw ConfigurationError{text.error()};
+    configuration = parse_configuration(*text, options.config_file, MotorFolders{});
+  }
+  override_with(configuration, options);
+  return configuration;
+}
+
+}  // namespace axisd

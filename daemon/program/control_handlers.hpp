@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "daemon/instance/instance.hpp"
+
+namespace axisd {
+
+/// What a control method acts on.
+struct Call {
+  Instance& instance;
+  std::function<void()> power_off;  ///< of the whole program
+};
+
+/// Answers one request line of the control socket with one line (docs/control.md lists the methods).
+std::string answer_request(const Call& call, std::string_view line);
+
+}  // namespace axisd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "daemon/base/log.hpp"
+
+namespace axisd {
+
+/// The command line, as given; what is absent is decided by the configuration file or its defaults.
+struct Options {
+  std::string config_file;
+  std::optional<std::string> interface;
+  std::optional<int> node_id;
+  std::optional<int> axes;
+  std::string state_directory;
+  std::string control;  ///< path of the control socket; empty = default, "none" = off
+  bool check_config = false;
+  LogLevel log_level = LogLevel::Info;
+};
+
+/// The command line cannot be used; the message is one line.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Parses the command line. Gives nothing if the answer was printed already (--help, --version); throws
+/// UsageError.
+std::optional<Options> parse_command_line(int count, const char* const* words);
+
+}  // namespace axisd

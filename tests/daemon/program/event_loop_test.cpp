@@ -1,0 +1,182 @@
+#include "daemon/program/event_loop.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/eventfd.h>
+
+#include "daemon/base/clock.hpp"
+#include "tests/fakes/fake_port.hpp"
+
+namespace axisd {
+namespace {
+
+using Events = std::vector<std::string>;
+
+/// Notes what it is told, in order.
+struct RecordingStation final : Station, Service {
+  void on_frame(const canopen::Frame&, canopen::TimePoint) noexcept override {
+    events.emplace_back("frame");
+    if (told_frame) told_frame();
+    deadline = std::min(deadline, deadline_of_a_frame);
+  }
+  void on_time(canopen::TimePoint) noexcept override {
+    events.emplace_back("time");
+    deadline = next;
+  }
+  bool on_rare_event() noexcept override {
+    if (rare_events == 0) return false;
+    events.emplace_back("rare");
+    return --rare_events != 0;
+  }
+  canopen::TimePoint next_deadline() const noexcept override { return deadline; }
+  std::span<const canopen::Subscription> subscriptions() const noexcept override { return {}; }
+  void on_burst_end() noexcept override { events.emplace_back("end of a burst"); }
+
+  canopen::TimePoint deadline = canopen::kNever;
+  canopen::TimePoint next = canopen::kNever;  ///< deadline after the one that has come
+  canopen::TimePoint deadline_of_a_frame = canopen::kNever;
+  int rare_events = 0;  ///< that wait
+  std::function<void()> told_frame;
+  Events events;
+};
+
+class EventLoopTest : public testing::Test {
+ protected:
+  EventLoopTest() {
+    port.polled = readable.get();
+    loop.add(bus);
+    EXPECT_TRUE(bus.open());
+  }
+  void arrive(std::size_t frames) { port.arrived.resize(port.arrived.size() + frames); }
+
+  os::Descriptor readable{::eventfd(1, EFD_CLOEXEC)};  ///< always
+  fakes::FakePort port;
+  RecordingStation station;
+  BusTurn bus{port, station};
+  EventLoop loop{station};
+};
+
+TEST_F(EventLoopTest, HandsOverWhatWaitsBeforeItTellsATimeThatIsLate) {
+  arrive(5);
+  station.deadline = canopen::TimePoint{};  // the start of the machine
+
+  loop.turn();
+
+  EXPECT_EQ(station.events, (Events{"frame", "frame", "frame", "frame", "frame", "time"}));
+}
+
+TEST_F(EventLoopTest, TellsTheTimeToAStationOnABusThatNeverStops) {
+  arrive(10'000);
+  station.deadline = canopen::TimePoint{};
+
+  loop.turn();
+
+  EXPECT_EQ(station.events.back(), "time");
+}
+
+TEST_F(EventLoopTest, HandsOverWhatWaitsAlsoWhenAFrameShowsThatTheStationIsLate) {
+  arrive(3);
+  station.deadline_of_a_frame = canopen::TimePoint{};  // it was at rest before
+
+  loop.turn();
+
+  EXPECT_EQ(station.events, (Events{"frame", "frame", "frame", "time"}));
+}
+
+TEST_F(EventLoopTest, GivesWhatIsRareOneEventATurn) {
+  station.rare_events = 4;
+  station.next = station.deadline = canopen::TimePoint{};  // a cycle is due in every turn
+  arrive(4);
+
+  for (int i = 0; i < 4; ++i) loop.turn();
+
+  EXPECT_EQ(std::ranges::count(station.events, "frame"), 4);
+  EXPECT_EQ(std::ranges::count(station.events, "time"), 4);
+  const Events last{station.events.end() - 5, station.events.end()};
+  EXPECT_EQ(last, (Events{"rare", "time", "rare", "time", "rare"})) << "one after the other";
+}
+
+TEST_F(EventLoopTest, DoesNotSleepWhileRareEventsWait) {
+  port.polled = -1;
+  station.rare_events = 3;
+
+  for (int i = 0; i < 3; ++i) loop.turn();  // nothing else would wake it
+
+  EXPECT_EQ(station.events, (Events{"rare", "rare", "rare"}));
+}
+
+TEST_F(EventLoopTest, TellsWhenAFrameHasComeThatWaited) {
+  canopen::TimePoint arrival{};
+  const canopen::TimePoint before = read_clock();
+  loop.turn();
+  port.arrival = std::chrono::system_clock::now().time_since_epoch() - std::chrono::hours{1};
+  station.told_frame = [&] { arrival = bus.frame_arrival(); };
+  while (read_clock() - before < std::chrono::milliseconds{5}) continue;  // it is kept from running
+  arrive(1);
+
+  loop.turn();
+
+  EXPECT_GE(arrival, before) << "whatever waits has come since the last turn";
+  EXPECT_LE(arrival, read_clock() - std::chrono::milliseconds{1});
+}
+
+TEST_F(EventLoopTest, ReadsOneFrameATurnOtherwise) {
+  arrive(2);
+
+  loop.turn();
+  EXPECT_EQ(station.events, Events{"frame"});
+}
+
+TEST_F(EventLoopTest, TellsThatABurstIsOver) {
+  arrive(100);
+  station.deadline = canopen::TimePoint{};
+
+  loop.turn();  // late: all of them
+  EXPECT_EQ(station.events.size(), 101U);
+  arrive(1);
+  loop.turn();
+
+  EXPECT_EQ(station.events.back(), "end of a burst");
+}
+
+TEST_F(EventLoopTest, GivesEveryBusItsTurnAndWhatIsRareOneEventForAllOfThem) {
+  fakes::FakePort other_port;
+  other_port.polled = readable.get();
+  RecordingStation other;
+  BusTurn other_bus{other_port, other};
+  loop.add(other_bus);
+  ASSERT_TRUE(other_bus.open());
+  arrive(2);
+  other_port.arrived.resize(1);
+  other.deadline = other.next = canopen::TimePoint{};
+  station.rare_events = 2;
+
+  loop.turn();
+
+  EXPECT_EQ(station.events, (Events{"frame", "rare"}));
+  EXPECT_EQ(other.events, (Events{"frame", "time"}));
+}
+
+TEST_F(EventLoopTest, WakesForTheBusWhoseDeadlineIsNext) {
+  fakes::FakePort other_port;
+  RecordingStation other;
+  BusTurn other_bus{other_port, other};
+  loop.add(other_bus);
+  port.polled = -1;
+  loop.turn();  // nobody has looked after what is rare before
+  station.deadline = read_clock() + std::chrono::hours{1};
+  other.deadline = read_clock() + std::chrono::milliseconds{1};
+
+  while (other.events.empty()) loop.turn();
+
+  EXPECT_EQ(other.events, Events{"time"});
+  EXPECT_TRUE(station.events.empty());
+}
+
+}  // namespace
+}  // namespace axisd
