@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "motor/math/processor_variants.hpp"
+
 namespace motor {
 namespace {
 
@@ -203,7 +205,7 @@ void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
   signals_.power = plant_.energies().electrical * (1.0 / kControlPeriod);
 }
 
-double DriveTrain::step(double dc_voltage, const DriveCommand& command) noexcept {
+MOTOR_PROCESSOR_VARIANTS double DriveTrain::step(double dc_voltage, const DriveCommand& command) noexcept {
   if (!command.pulses_enabled) {
     if (pulses_) stop();
     if (lead_ == Lead::Induction) induction_.coast(encoder_.speed());

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "motor/data/control_period.hpp"
+#include "motor/math/processor_variants.hpp"
 #include "motor/math/runge_kutta.hpp"
 #include "motor/plant/machine/circuit.hpp"
 #include "motor/plant/plant.hpp"
@@ -136,7 +137,7 @@ template <class M, class S>
 }
 
 template <class M, class S>
-void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
+MOTOR_PROCESSOR_VARIANTS void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
   const bool whole = std::abs(state_.speed) <= whole_step_speed_;
   const Spent spent = whole ? drive_part(machine, shaft, voltage, 0, kControlPeriod)
                             : drive_parts(machine, shaft, voltage, needed(substeps_));
@@ -165,7 +166,7 @@ void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
     apply_brake();
 }
 
-void Plant::step(SpaceVector voltage) noexcept {
+MOTOR_PROCESSOR_VARIANTS void Plant::step(SpaceVector voltage) noexcept {
   start_period();
   // The usual one first, past the table that std::visit looks up.
   auto* const machine = std::get_if<SynchronousMachine>(&machine_);
