@@ -84,12 +84,13 @@ have_can() {
   "$root/scripts/vcan-setup.sh" vcan0 &>/dev/null && "$root/scripts/vcan-setup.sh" vcan1 &>/dev/null
 }
 
-# run_on_can COMMAND...: runs it from the top of the tree, here if there is CAN, else in the virtual machine.
+# run_on_can COMMAND...: runs it from the top of the tree, here if there is CAN, else in the virtual machine, which keeps what
+# is written below $VCAN_VM_OUT.
 run_on_can() (
   cd "$root" || exit 1
   if have_can; then
     exec "$@"
   fi
   say "this kernel has no virtual CAN: running in the virtual machine of scripts/vcan-vm"
-  exec scripts/vcan-vm --mem 2048 --timeout "${VCAN_VM_TIMEOUT:-1800}" -- "$@"
+  exec scripts/vcan-vm --mem 2048 --timeout "${VCAN_VM_TIMEOUT:-1800}" ${VCAN_VM_OUT:+--out "$VCAN_VM_OUT"} -- "$@"
 )

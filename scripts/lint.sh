@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# lint.sh [--format-only | --tidy-only | --tidy-changed]: checks the form of every source file (clang-format) and looks for
+# lint.sh [--format-only | --tidy-only | --tidy-changed [SECONDS]]: checks the form of every source file (clang-format) and looks for
 # faults in those of the product (clang-tidy, with the compile commands of build/release). Changes nothing; ends with 1 on a
 # finding.
 #
-# --tidy-changed: clang-tidy over the files that the last commit changed, or that were changed since. All of them take half an
+# --tidy-changed: clang-tidy over the files that the last commit changed, or that were changed since, those with the most
+# changes first. With SECONDS none is begun after that time, and how many were left out is said. All of the tree take half an
 # hour on two processors.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -31,15 +32,24 @@ check_format() {
   printf '%s\0' "${files[@]}" | xargs -0 -n 16 -P "$jobs" clang-format --dry-run -Werror
 }
 
-# changed: the sources that the last commit changed, and those that were changed since.
+# changed: the sources that the last commit changed, and those that were changed since; most changes first.
 changed() {
   git rev-parse --verify --quiet HEAD~1 >/dev/null || return 0
-  { git diff --name-only --diff-filter=d HEAD~1 -- '*.cpp'; git ls-files --others --exclude-standard -- '*.cpp'; } | sort -u
+  git ls-files --others --exclude-standard -- '*.cpp'
+  git diff --numstat --no-renames --diff-filter=d HEAD~1 -- '*.cpp' | sort -k 1,1nr | cut -f 3
 }
 
-# check_tidy COMMAND...: over the files that it prints.
+# tidy FILE: one of them, unless the time is over; then its name is added to $left_out.
+tidy() {
+  [[ -z $last_start || $EPOCHSECONDS -lt $last_start ]] || { echo "$1" >>"$left_out"; return 0; }
+  # g++ alone knows some of the warning options in the compile commands.
+  clang-tidy -p build/release --quiet --extra-arg=-Wno-unknown-warning-option "$1"
+}
+
+# check_tidy SECONDS COMMAND...: over the files that it prints; SECONDS may be empty.
 check_tidy() {
-  local files
+  local files status=0 last_start=${1:+$((EPOCHSECONDS + $1))} left_out
+  shift
   [[ -e build/release/compile_commands.json ]] || die "build/release is not configured: cmake --preset release"
   # Tests and benchmarks are left out: GoogleTest's macros would need more exceptions than checks remain. A source without
   # a compile command (another operating system's, or a program built elsewhere) cannot be checked.
@@ -48,15 +58,22 @@ check_tidy() {
   done)
   ((${#files[@]})) || return 0
   say "clang-tidy: ${#files[@]} files"
-  # g++ alone knows some of the warning options in the compile commands.
-  printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$jobs" \
-    clang-tidy -p build/release --quiet --extra-arg=-Wno-unknown-warning-option 2> >(grep -v 'warnings generated\|^Suppressed\|^Use -header-filter' >&2)
+  left_out=$(mktemp)
+  export -f tidy
+  export last_start left_out
+  printf '%s\0' "${files[@]}" | xargs -0 -I FILE -P "$jobs" bash -c 'tidy "$1"' tidy FILE \
+    2> >(grep -v 'warnings generated\|^Suppressed\|^Use -header-filter' >&2) || status=1
+  [[ ! -s $left_out ]] || say "clang-tidy: no time for $(wc -l <"$left_out") of these; ${0##*/} --tidy-only checks all of the tree"
+  rm -f "$left_out"
+  return $status
 }
 
 case ${1:-} in
   --format-only) check_format ;;
-  --tidy-only) check_tidy sources '*.cpp' ;;
-  --tidy-changed) check_tidy changed ;;
-  '') check_format && check_tidy sources '*.cpp' ;;
-  *) misuse "unknown option $1; usage: lint.sh [--format-only | --tidy-only | --tidy-changed]" ;;
+  --tidy-only) check_tidy '' sources '*.cpp' ;;
+  --tidy-changed)
+    [[ $# == 1 ]] || need_number "$1" "$2"
+    check_tidy "${2:-}" changed ;;
+  '') check_format && check_tidy '' sources '*.cpp' ;;
+  *) misuse "unknown option $1; usage: lint.sh [--format-only | --tidy-only | --tidy-changed [SECONDS]]" ;;
 esac

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # test.sh [--quick]: builds the project and runs every test, on a fresh Debian 12 machine too.
 #
-# In order: packages; form of the sources; the sanitizer build of what unit tests need, and these; the release build of
-# everything else, with the unit tests that cannot be in the former and those of the package; the end-to-end tests, for
-# which npm brings an independent master, on user-space buses and then on a CAN interface (where the kernel has none: in
-# one start of the virtual machine); clang-tidy over what the last commit changed. A failure does not keep the rest from
-# running. A test that was skipped
-# counts as failed, for it has shown nothing.
+# In order: packages; form of the sources; the release build of everything but the unit tests. Then side by side:
+# - the end-to-end tests, for which npm brings an independent master, on a CAN interface (where the kernel has none: in one
+#   start of the virtual machine), and those on user-space buses;
+# - the sanitizer build of what unit tests need, and these; the unit tests that cannot be in it and those of the package, in
+#   the release build; clang-tidy over what the last commit changed.
+# What runs beside the rest is shown when it has ended, each part by itself. A failure does not keep the rest from running. A
+# test that was skipped counts as failed, for it has shown nothing.
 #
 # --quick: the whole release build and its unit tests only.
 #
@@ -25,43 +26,71 @@ esac
 set +e  # from here on a failure is counted
 cd "$root" || exit 1
 
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-passed=0 failed=0 rows=()
-
-# record LEVEL PASSED FAILED SECONDS: one row of the closing table.
-record() {
-  rows+=("$(printf '%-16s %5d passed %5d failed %6d s' "$@")")
-  passed=$((passed + $2)) failed=$((failed + $3))
+# Of each part, by its number: its row of the closing table and, where it runs beside others, its output.
+parts=$(mktemp -d) part=100 beside=()
+# shellcheck disable=SC2317  # called by the trap
+clean_up() {
+  for group in "${beside[@]}"; do kill -- "-$group" 2>/dev/null; done
+  wait
+  rm -rf "$parts"
 }
+trap clean_up EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+
+# begin LEVEL: a new part; from here on its row is that of a failure, until it has ended.
+begin() {
+  ((++part))
+  from=$SECONDS
+  record "$1" 0 1
+}
+
+# record LEVEL PASSED FAILED: its row.
+record() { printf '%s\t%d\t%d\t%d\n' "$@" $((SECONDS - from)) >"$parts/$part.row"; }
 
 # check LEVEL COMMAND...: a step that counts as one test.
 check() {
-  local level=$1 from=$SECONDS
+  local level=$1
+  begin "$level"
   shift
-  if "$@"; then record "$level" 1 0 $((SECONDS - from)); else record "$level" 0 1 $((SECONDS - from)); return 1; fi
+  if "$@"; then record "$level" 1 0; else record "$level" 0 1; return 1; fi
 }
 
-# tests LEVEL COMMAND...: a run of ctest, counted test by test; so are those within a program whose output is shown.
+# tests LEVEL [--within PRESET] COMMAND...: a run of ctest, counted test by test; --within: and by the tests in each program
+# of the build that reports them.
 tests() {
-  local level=$1 from=$SECONDS status bad all skipped disabled good_within bad_within good_programs bad_programs
+  local level=$1 account status counts='' programs=() passed failed said
+  begin "$level"
   shift
+  if [[ $1 == --within ]]; then
+    counts=$root/build/$2/counts
+    rm -rf "$counts"
+    mapfile -t programs < <(ctest --test-dir "build/$2" -N -L '^unit$' -L '^googletest$' | sed -n 's/^ *Test *#[0-9]*: //p')
+    shift 2
+  fi
+  account=$parts/$part.account
   say "tests: $level"
-  "$@" 2>&1 | tee "$log"
-  status=${PIPESTATUS[0]}
-  read -r bad all < <(sed -n 's/^[0-9]*% tests passed, \([0-9]*\) tests failed out of \([0-9]*\).*/\1 \2/p' "$log")
-  skipped=$(grep -cF '***Skipped' "$log")
-  disabled=$(grep -cF '***Not Run (Disabled)' "$log")  # ctest leaves these out of its total
-  ((bad = ${bad:-0} + skipped, all = ${all:-0}))
-  # No test, or a failure that is none of a test (ctest's own, the virtual machine's), is one failure at least.
-  ((bad > 0 || (status == 0 && all > 0))) || ((bad = 1, all += 1))
-  # GoogleTest ends the output of a program with these lines; the tests in it stand for the program.
-  read -r good_within bad_within good_programs bad_programs < <(awk '
-    /\[  PASSED  \] [0-9]+ test/ {good += $(NF - 1); programs++}
-    /\[  FAILED  \] [0-9]+ tests?, listed below/ {sub(/, listed below.*/, ""); bad += $(NF - 1); bad_programs++}
-    END {print good + 0, bad + 0, programs - bad_programs, bad_programs + 0}' "$log")
-  record "$level" $((all - bad - good_programs + good_within)) $((bad - bad_programs + bad_within + disabled)) \
-    $((SECONDS - from))
+  mkdir -p "$account"
+  ACCOUNT=$account "$@" --output-junit "$account/junit.xml"
+  status=$?
+  said=$(scripts/count-tests "$account/junit.xml" ${counts:+"$counts" "${programs[@]}"})
+  read -r passed failed <<<"${said##*$'\n'}"
+  [[ $said != *$'\n'* ]] || printf '%s\n' "${said%$'\n'*}"
+  # A failure that is none of a test (ctest's own, the virtual machine's) is one at least.
+  ((status == 0 || ${failed:-0} > 0)) || failed=1
+  record "$level" "${passed:-0}" "${failed:-1}"
+}
+
+# on_can COMMAND...: run_on_can, with what ctest has to tell brought out of the virtual machine.
+on_can() { VCAN_VM_OUT=$ACCOUNT run_on_can "$@"; }
+
+# beside COMMAND...: a part that runs while the script goes on; its output comes at the end.
+beside() {
+  begin "$2"
+  set -m  # a process group of its own, which ends with the script
+  { ((--part)); "$@"; } >"$parts/$part.output" 2>&1 </dev/null &
+  beside+=($!)
+  set +m
 }
 
 # every_test_has_a_run: whether each test of the release build has a label that is run below. (A unit test that is not
@@ -72,11 +101,18 @@ every_test_has_a_run() {
   grep -q '^Total Tests: 0$' <<<"$others" || { echo "these tests are in no run of ${0##*/}:"; echo "$others"; return 1; }
 }
 
-# finish: the table, and the result as exit status.
+# finish: what ran beside, the table, and the result as exit status.
 finish() {
+  local output passed failed
+  wait
+  beside=()
+  for output in "$parts"/*.output; do
+    [[ ! -e $output ]] || cat "$output"
+  done
   echo
-  printf '%s\n' "${rows[@]}"
+  cat "$parts"/*.row | awk -F '\t' '{printf "%-16s %5d passed %5d failed %6d s\n", $1, $2, $3, $4}'
   printf 'in total %d s\n' $((SECONDS - started))
+  read -r passed failed < <(cat "$parts"/*.row | awk -F '\t' '{passed += $2; failed += $3} END {print passed + 0, failed + 0}')
   echo "$passed passed, $failed failed"
   exit $((failed > 0))
 }
@@ -87,18 +123,20 @@ if [[ $quick ]]; then
 fi
 
 check 'format' scripts/lint.sh --format-only
-if check 'build asan' build asan unit_tests; then
-  # By program, the output of each shown, for its tests are counted; it has the failures only.
-  tests 'unit asan' env GTEST_BRIEF=1 ctest --preset asan -L '^unit$' -j "$jobs" --verbose
-fi
 if check 'build release' build release end_to_end_tests; then
   check 'labels' every_test_has_a_run
-  tests 'unit release' ctest --preset release -L '^(optimised|package)$' -j "$jobs"
   check 'npm packages' need_master
-  # Each has a bus of its own.
-  tests 'user-space bus' ctest --test-dir build/release -L '^bus$' -j "$jobs" --output-on-failure --no-tests=error
-  # One after the other: they share the bus.
-  tests 'SocketCAN' run_on_can ctest --test-dir build/release -L '^e2e$' --output-on-failure --no-tests=error
-  check 'clang-tidy' scripts/lint.sh --tidy-changed
+  # As many side by side as there are processors: the machine of vcan-vm, if it is one, has as many as it may use.
+  beside tests 'SocketCAN' on_can ctest --test-dir build/release -L '^e2e$' -j "$jobs" --output-on-failure --no-tests=error
+  # Each has a bus of its own, and waits most of the time.
+  beside tests 'user-space bus' ctest --test-dir build/release -L '^bus$' -j $((2 * jobs)) --output-on-failure --no-tests=error
+  released=yes
+fi
+if check 'build asan' build asan unit_tests; then
+  tests 'unit asan' --within asan env GTEST_BRIEF=1 ctest --preset asan -L '^unit$' -j "$jobs"
+fi
+if [[ ${released:-} ]]; then
+  tests 'unit release' ctest --preset release -L '^(optimised|package)$' -j "$jobs"
+  check 'clang-tidy' scripts/lint.sh --tidy-changed 120
 fi
 finish
