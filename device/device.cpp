@@ -8,6 +8,7 @@
 
 #include "device/node_policy.hpp"
 #include "device/object_index.hpp"
+#include "device/unit_time.hpp"
 
 namespace device {
 namespace {
@@ -72,7 +73,7 @@ void Device::run_cycle(bool all) noexcept {
 
 void Device::start(canopen::TimePoint now) noexcept {
   if (node_.state() == canopen::NmtState::Initialising) {
-    clock_.begin(now);
+    clock_.begin(unit_time(now));
     started_ = now;
     // Run-up: the first statusword is that of a unit that is ready.
     rested_until_ = now;
@@ -136,7 +137,7 @@ void Device::on_time(canopen::TimePoint now) noexcept {
   if (rpdo_monitor_.deadline() <= now) miss_rpdos();
   if (telegram_loss_.deadline() <= now) end_telegram_loss();
   if (communication_.restart_at() <= now) restart_bus();
-  if (clock_.next() <= now) run_cycles();
+  if (clock_.next() <= unit_time(now)) run_cycles();
   node_.on_time(now);
   if (storage_.has_task()) carry_out_task();
 }
@@ -172,8 +173,9 @@ void Device::switch_off() noexcept {
 void Device::take_over_cycle() noexcept {
   const double period = unit_.object(drive::kControlUnitNumber)->read(kCyclePeriod).value_or(0.0);
   clock_.set_period(CycleClock::period_of(period));
-  node_.set_pdo_cycle(clock_.grid());
-  rpdo_monitor_.set_cycle(clock_.grid());
+  const canopen::PdoCycle grid{clock_.period(), node_time(clock_.last())};
+  node_.set_pdo_cycle(grid);
+  rpdo_monitor_.set_cycle(grid);
 }
 
 bool Device::is_moving() const noexcept {
@@ -190,8 +192,8 @@ std::uint32_t Device::held_back_axes() const noexcept {
 }
 
 canopen::TimePoint Device::next_deadline() const noexcept {
-  return std::min({node_.next_deadline(), clock_.next(), rpdo_monitor_.deadline(), telegram_loss_.deadline(),
-                   communication_.restart_at()});
+  return std::min({node_.next_deadline(), node_time(clock_.next()), rpdo_monitor_.deadline(),
+                   telegram_loss_.deadline(), communication_.restart_at()});
 }
 
 /// The time that faults and alarms are stamped with.
@@ -208,7 +210,7 @@ void Device::tell_time(canopen::TimePoint now) noexcept {
 
 void Device::run_cycles() noexcept {
   tell_time(now_);
-  const CycleClock::Due due = clock_.take_due(now_);
+  const CycleClock::Due due = clock_.take_due(unit_time(now_));
   skipped_cycles_ += static_cast<std::uint64_t>(due.skipped);
   telegram_loss_.on_cycle();
   for (std::int64_t i = 0; i < due.run; ++i) run_cycle(false);
@@ -237,7 +239,7 @@ void Device::wake() noexcept {
 
 void Device::on_awake() noexcept {
   if (clock_.is_resting()) tell_time(now_);
-  clock_.wake(now_);
+  clock_.wake(unit_time(now_));
 }
 
 canopen::Result<void> Device::write(const canopen::Entry&, std::int64_t value) {

@@ -8,7 +8,6 @@
 #include "device/axis_objects.hpp"
 #include "device/communication.hpp"
 #include "device/configuration.hpp"
-#include "device/cycle_clock.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
 #include "device/indicator_leds.hpp"
@@ -27,8 +26,11 @@
 #include "drive/retained_image.hpp"
 #include "libcanopen/node/node.hpp"
 #include "libcanopen/od/dictionary.hpp"
+#include "unit/cycle_clock.hpp"
 
 namespace device {
+
+using unit::CycleClock;
 
 /// What the unit tells the program around it. Called from within the functions of Device.
 class Listener : public ParameterKeeper {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "device/device.hpp"
+#include "device/unit_time.hpp"
 #include "libcanopen/base/cob_id.hpp"
 
 namespace device {
@@ -83,7 +84,7 @@ void Device::on_rpdo(std::uint16_t number) noexcept {
   if (clock_.is_resting()) {
     const canopen::TimePoint now = now_;
     tell_time(std::min(now, listener_.frame_arrival(now)));  // the rest ends when the frame came
-    clock_.wake(std::exchange(now_, now));
+    clock_.wake(unit_time(std::exchange(now_, now)));
   }
   axes_[number / pdo::kStride].on_rpdo();
 }
@@ -92,7 +93,7 @@ void Device::on_rpdo(std::uint16_t number) noexcept {
 /// meanwhile, one of them takes those: frames that come while the unit is kept from running wait for it one behind
 /// the other.
 void Device::overwrite(std::uint16_t number) noexcept {
-  if (now_ >= clock_.next() && make_up_cycle()) {
+  if (unit_time(now_) >= clock_.next() && make_up_cycle()) {
     static_cast<void>(telegram_loss_.on_rpdo(number));
   } else if (now_ != made_up_at_) {  // more frames than missed cycles: nobody knows which of those they belong to
     lose_telegram(number);
@@ -101,7 +102,7 @@ void Device::overwrite(std::uint16_t number) noexcept {
 
 /// Runs the first of the cycles that were missed, if any was; what it leads to is shown after the last of them.
 bool Device::make_up_cycle() noexcept {
-  const CycleClock::Due due = clock_.take_first_due(now_);
+  const CycleClock::Due due = clock_.take_first_due(unit_time(now_));
   if (due.run == 0) return false;
   made_up_at_ = now_;
   skipped_cycles_ += static_cast<std::uint64_t>(due.skipped);
