@@ -8,31 +8,46 @@ namespace {
 
 using canopen::AbortCode;
 using drive::Refusal;
+using drive::RefusalReason;
 
 struct Row {
-  Refusal reason;
+  RefusalReason reason;
   AbortCode code;
 };
 /// Of several reasons for a code the first one stands for it.
 constexpr std::array kRows{
-    Row{Refusal::NoParameter, AbortCode::NoObject},      Row{Refusal::NoDriveObject, AbortCode::NoObject},
-    Row{Refusal::ReadOnly, AbortCode::ReadOnly},         Row{Refusal::NoIndex, AbortCode::NoSubIndex},
-    Row{Refusal::NotIndexed, AbortCode::NoSubIndex},     Row{Refusal::WrongType, AbortCode::LengthMismatch},
-    Row{Refusal::IllegalValue, AbortCode::InvalidValue}, Row{Refusal::OutOfRange, AbortCode::InvalidValue},
-    Row{Refusal::OnlyZero, AbortCode::InvalidValue},     Row{Refusal::IllegalSource, AbortCode::InvalidValue},
-    Row{Refusal::BelowMinimum, AbortCode::ValueTooLow},  Row{Refusal::AboveMaximum, AbortCode::ValueTooHigh},
+    Row{RefusalReason::NoParameter, AbortCode::NoObject},
+    Row{RefusalReason::NoDriveObject, AbortCode::NoObject},
+    Row{RefusalReason::ReadOnly, AbortCode::ReadOnly},
+    Row{RefusalReason::NoIndex, AbortCode::NoSubIndex},
+    Row{RefusalReason::NotIndexed, AbortCode::NoSubIndex},
+    Row{RefusalReason::WrongType, AbortCode::LengthMismatch},
+    Row{RefusalReason::IllegalValue, AbortCode::InvalidValue},
+    Row{RefusalReason::OutOfRange, AbortCode::InvalidValue},
+    Row{RefusalReason::OnlyZero, AbortCode::InvalidValue},
+    Row{RefusalReason::IllegalSource, AbortCode::InvalidValue},
+    Row{RefusalReason::BelowMinimum, AbortCode::ValueTooLow},
+    Row{RefusalReason::AboveMaximum, AbortCode::ValueTooHigh},
+    Row{RefusalReason::Failed, AbortCode::HardwareError},
 };
 
 }  // namespace
 
-AbortCode abort_code(Refusal reason) noexcept {
-  const auto* const row = std::ranges::find(kRows, reason, &Row::reason);
+AbortCode abort_code(const Refusal& refusal) noexcept {
+  if (refusal.host_code != 0) return AbortCode{refusal.host_code};
+  const auto* const row = std::ranges::find(kRows, refusal.why, &Row::reason);
   return row != kRows.end() ? row->code : AbortCode::DeviceState;
 }
 
-Refusal refusal(AbortCode code) noexcept {
-  const auto* const row = std::ranges::find(kRows, code, &Row::code);
-  return row != kRows.end() ? row->reason : Refusal::NotNow;
+std::optional<Refusal> refusal(const canopen::Result<void>& result) noexcept {
+  if (result) return std::nullopt;
+  const auto* const row = std::ranges::find(kRows, result.error(), &Row::code);
+  const RefusalReason reason = row != kRows.end() ? row->reason : RefusalReason::NotNow;
+  return Refusal{reason, static_cast<std::uint32_t>(result.error())};
+}
+
+canopen::Result<void> result(const std::optional<Refusal>& refusal) noexcept {
+  return refusal ? canopen::refuse(abort_code(*refusal)) : canopen::Result<void>{};
 }
 
 }  // namespace device

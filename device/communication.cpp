@@ -37,8 +37,9 @@ constexpr std::array kCommands{
 
 }  // namespace
 
-Communication::Communication(drive::DriveUnit& unit, UnitParameters& parameters, canopen::Node& node)
-    : unit_{unit}, node_{node} {
+Communication::Communication(drive::DriveUnit& unit, UnitParameters& parameters, canopen::Node& node,
+                             FollowUps& follow_ups)
+    : unit_{unit}, node_{node}, follow_ups_{follow_ups} {
   for (const std::uint16_t number : {kClearBusOff, kState}) parameters.answer(number, *this);
 }
 
@@ -63,8 +64,7 @@ void Communication::on_telegram_loss_over() noexcept {
   unit_.withdraw(kOrigin, kTelegramLoss);
 }
 
-void Communication::plan_restart(canopen::TimePoint now) noexcept {
-  const bool asked = std::exchange(restart_asked_, false);
+void Communication::plan_restart(canopen::TimePoint now, bool asked) noexcept {
   const bool automatic = automatic_restart_ != 0.0;
   if (!is_bus_off() || !(asked || automatic)) {
     restart_at_ = canopen::kNever;
@@ -94,17 +94,17 @@ std::optional<double> Communication::value_of(const ParameterPlace& place) const
   return place.index == kAutomaticRestart ? automatic_restart_ : 0.0;
 }
 
-canopen::Result<void> Communication::take(const ParameterPlace& place, double value) noexcept {
+std::optional<drive::Refusal> Communication::take(const ParameterPlace& place, double value) noexcept {
   if (place.row.number == kState) {
     const auto* const row = std::ranges::find(kCommands, static_cast<int>(value), &CommandRow::value);
-    if (row == kCommands.end()) return canopen::refuse(canopen::AbortCode::InvalidValue);
-    command_ = row->command;
-  } else if (place.index == kAutomaticRestart) {
-    automatic_restart_ = value;
-  } else {
-    restart_asked_ = value != 0.0;
+    if (row == kCommands.end()) return drive::Refusal::IllegalValue;
+    follow_ups_.add(FollowUp::CommandNode, static_cast<std::uint8_t>(row->command));
+    return std::nullopt;
   }
-  return {};
+  const bool automatic = place.index == kAutomaticRestart;
+  if (automatic) automatic_restart_ = value;
+  follow_ups_.add(FollowUp::PlanBusRestart, !automatic && value != 0.0 ? 1 : 0);
+  return std::nullopt;
 }
 
 }  // namespace device

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
+#include "device/follow_ups.hpp"
 #include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/nmt/state.hpp"
@@ -19,14 +19,12 @@ enum class BusState : std::uint8_t { Active, Passive, Off };
 /// and F08702 and the alarms A08751 and A08752.
 class Communication final : public ParameterOwner {
  public:
-  /// Answers in @p parameters for p8608 and p8685; all arguments must outlive this.
-  Communication(drive::DriveUnit& unit, UnitParameters& parameters, canopen::Node& node);
+  /// Answers in @p parameters for p8608 and p8685; what they command is left to @p follow_ups. All arguments must
+  /// outlive this.
+  Communication(drive::DriveUnit& unit, UnitParameters& parameters, canopen::Node& node, FollowUps& follow_ups);
 
   /// p8684 holds for the next boot-up.
   void set_start_state() noexcept;
-  /// The NMT command that was written to p8685 since the last call, if any; it is to be carried out when the
-  /// answer to the write is out.
-  std::optional<canopen::NmtCommand> take_command() noexcept { return std::exchange(command_, std::nullopt); }
 
   /// The life time of node guarding is over: F08700 with value 2.
   void on_life_time_over() noexcept;
@@ -44,8 +42,9 @@ class Communication final : public ParameterOwner {
   /// The error state that was told last.
   BusState bus_state() const noexcept { return bus_; }
 
-  /// The bus has gone off, parameters have been written or a restart was of no use: sees when one is to be tried.
-  void plan_restart(canopen::TimePoint now) noexcept;
+  /// The bus has gone off, p8608 was written, a restart by p8608[0] being @p asked for, or one was of no use: sees
+  /// when the next is to be tried.
+  void plan_restart(canopen::TimePoint now, bool asked = false) noexcept;
   /// When the controller is to be restarted from bus-off: at once if p8608[0] was written, 2 s later with
   /// p8608[1]; kNever if nobody wants that.
   canopen::TimePoint restart_at() const noexcept { return restart_at_; }
@@ -53,14 +52,13 @@ class Communication final : public ParameterOwner {
   void on_restart() noexcept { restart_at_ = canopen::kNever; }
 
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
-  canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
+  std::optional<drive::Refusal> take(const ParameterPlace& place, double value) noexcept override;
 
  private:
   drive::DriveUnit& unit_;
   canopen::Node& node_;
-  std::optional<canopen::NmtCommand> command_{};
+  FollowUps& follow_ups_;
   double automatic_restart_ = 0.0;  ///< p8608[1]
-  bool restart_asked_ = false;      ///< by p8608[0]
   canopen::TimePoint restart_at_ = canopen::kNever;
   BusState bus_ = BusState::Active;
 };

@@ -40,7 +40,7 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       listener_{listener},
       address_{configuration, parameters_},
       unit_{unit_configuration(configuration), &parameters_},
-      storage_{unit_, parameters_, listener},
+      storage_{unit_, parameters_, listener, follow_ups_},
       retained_(drive::retained_image::size(unit_)),
       object_rows_{rows_of(configuration)},
       dictionary_{object_rows_, configuration.node_id},
@@ -50,9 +50,9 @@ Device::Device(const Configuration& configuration, canopen::FrameSink& sink, Lis
       error_control_{dictionary_},
       sdo_identifiers_{dictionary_},
       node_{dictionary_, node_policy(configuration), sink, *this},
-      process_data_{dictionary_, unit_, node_, parameters_, *this},
-      communication_{unit_, parameters_, node_},
-      window_{unit_, parameters_, *this},
+      process_data_{dictionary_, unit_, node_, parameters_, {*this, follow_ups_}},
+      communication_{unit_, parameters_, node_, follow_ups_},
+      window_{unit_, *this},
       rpdo_monitor_{parameters_} {
   node_.show(window_);
   bring_out(ParameterGroup::All);
@@ -100,29 +100,46 @@ void Device::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexc
 
 void Device::serve(const canopen::Frame& frame) noexcept {
   node_.on_frame(frame, now_);
-  if (process_data_.follow_changed_mappings()) wake();
-  if (parameter_written_) follow_parameters();
-  if (storage_.has_task()) carry_out_task();
-  if (alarm_changed_) show_messages();
+  follow_up();
 }
 
 void Device::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
-  parameter_written_ = true;
   const bool left_reset = number == kResetObject && unit_.object(object)->read(kFilter) == 0.0;
-  if (left_reset) restored_object_ = object;
-  if (storage_.take_begun()) node_.defer_answer();
+  if (left_reset) follow_ups_.add(FollowUp::RestoreObject, object);
+  if (number == kDeviceFilter) follow_ups_.add(FollowUp::RestartUnit);
+  follow_ups_.add(FollowUp::ShowMessages);
+  if (storage_.is_saving()) node_.defer_answer();
   if (object < unit_.first_axis()) return wake();
   axes_[object - unit_.first_axis()].wake();
 }
 
-/// What the written parameters command besides their own effect, now that the answer is out.
-void Device::follow_parameters() noexcept {
-  parameter_written_ = false;
-  if (restored_object_ != 0) restore_object(std::exchange(restored_object_, std::uint8_t{0}));
-  show_messages();
-  communication_.plan_restart(now_);
+/// What requests have led to, now that the answer is out.
+void Device::follow_up() noexcept {
+  using Work = void (Device::*)(std::uint8_t) noexcept;
+  static constexpr std::array<Work, static_cast<std::size_t>(FollowUp::Count)> kWork{
+      &Device::wire_mappings, &Device::restore_object, &Device::show_messages, &Device::plan_bus_restart,
+      &Device::restart_unit,  &Device::command_node,   &Device::restore,       &Device::reset_node,
+  };
+  while (!follow_ups_.is_empty()) {
+    const FollowUps::Item item = follow_ups_.take();
+    (this->*kWork[static_cast<std::size_t>(item.what)])(item.argument);
+  }
+}
+
+void Device::wire_mappings(std::uint8_t) noexcept {
+  if (process_data_.follow_changed_mappings()) wake();
+}
+
+void Device::restart_unit(std::uint8_t) noexcept {
   if (restart_is_due()) restart();
-  if (const auto command = communication_.take_command()) node_.command(*command, now_);
+}
+
+void Device::command_node(std::uint8_t command) noexcept {
+  node_.command(static_cast<canopen::NmtCommand>(command), now_);
+}
+
+void Device::reset_node(std::uint8_t) noexcept {
+  node_.command(canopen::NmtCommand::ResetNode, now_);
 }
 
 /// The objects of drive object @p object follow its parameters, which are those of a new one.
@@ -139,7 +156,7 @@ void Device::on_time(canopen::TimePoint now) noexcept {
   if (communication_.restart_at() <= now) restart_bus();
   if (clock_.next() <= unit_time(now)) run_cycles();
   node_.on_time(now);
-  if (storage_.has_task()) carry_out_task();
+  follow_up();
 }
 
 /// Whether p0009 has been left with another p8848 than is in force.
@@ -222,7 +239,7 @@ void Device::run_cycles() noexcept {
 
 /// What a cycle has led to: values change on the bus here and nowhere else.
 void Device::publish() noexcept {
-  alarm_changed_ = false;
+  follow_ups_.drop(FollowUp::ShowMessages);
   show_values();
   error_objects_.update(node_);
   node_.on_values_changed(now_);

@@ -10,6 +10,7 @@
 #include "device/configuration.hpp"
 #include "device/error_control.hpp"
 #include "device/error_objects.hpp"
+#include "device/follow_ups.hpp"
 #include "device/indicator_leds.hpp"
 #include "device/mirrored_parameters.hpp"
 #include "device/node_address.hpp"
@@ -148,13 +149,11 @@ class Device final : private canopen::Application,
   void on_foreign_frame(std::uint32_t identifier) noexcept override { listener_.on_foreign_frame(identifier); }
   void on_life_guarding_withheld() noexcept override { listener_.on_life_guarding_withheld(); }
   canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override;
-  canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override {
-    return storage_.restore(sub_index);
-  }
+  canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override;
   void on_communication_error(canopen::CommunicationError error, std::uint16_t detail) noexcept override;
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_awake() noexcept override;
-  void on_alarm() noexcept override { tell_time(now_), alarm_changed_ = true; }
+  void on_alarm() noexcept override { tell_time(now_), follow_ups_.add(FollowUp::ShowMessages); }
 
   /// Takes the frames of a node that is off the bus.
   struct Nowhere final : canopen::FrameSink {
@@ -172,16 +171,21 @@ class Device final : private canopen::Application,
   void switch_off() noexcept;
   void publish() noexcept;
   void show_messages() noexcept;
-  void follow_parameters() noexcept;
+  void follow_up() noexcept;
+  void wire_mappings(std::uint8_t) noexcept;
+  void restore_object(std::uint8_t object) noexcept;
+  void show_messages(std::uint8_t) noexcept { show_messages(); }
+  void plan_bus_restart(std::uint8_t asked) noexcept;
+  void restart_unit(std::uint8_t) noexcept;
+  void command_node(std::uint8_t command) noexcept;
+  void restore(std::uint8_t group) noexcept;
+  void reset_node(std::uint8_t) noexcept;
   void wake() noexcept;
   void leave_operational(std::uint32_t value) noexcept;
   void bring_out(ParameterGroup group) noexcept;
   UnitProcessData::WiredBy wired_at_start() const noexcept;
   void take_over(ParameterGroup group, UnitProcessData::WiredBy wired) noexcept;
-  void restore_object(std::uint8_t object) noexcept;
   void take_over_parameters() noexcept;
-  void carry_out_task() noexcept;
-  void restore(ParameterGroup group) noexcept;
   void miss_rpdos() noexcept;
   void take_over_cycle() noexcept;
   void restart() noexcept;
@@ -199,6 +203,7 @@ class Device final : private canopen::Application,
   canopen::FrameSink& sink_;
   Nowhere nowhere_;
   Listener& listener_;
+  FollowUps follow_ups_;
   UnitParameters parameters_;
   NodeAddress address_;
   drive::DriveUnit unit_;
@@ -223,10 +228,7 @@ class Device final : private canopen::Application,
   canopen::TimePoint now_{};                         ///< as last told
   canopen::TimePoint made_up_at_ = canopen::kNever;  ///< when a missed cycle has last been run for a frame
   canopen::TimePoint rested_until_{};                ///< temperatures have been brought up to here while resting
-  std::uint8_t restored_object_ = 0;                 ///< a drive object that was reset by p0970, 0 = none
-  bool alarm_changed_ = false;                       ///< within a call into the node: messages are shown after it
-  bool parameter_written_ = false;  ///< within a call into the node: what follows from it comes after it
-  bool restarting_ = false;         ///< the unit itself leaves Operational
+  bool restarting_ = false;                          ///< the unit itself leaves Operational
   std::uint64_t skipped_cycles_ = 0;
   std::uint64_t lost_telegrams_ = 0;
 };

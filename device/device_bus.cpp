@@ -47,7 +47,7 @@ void Device::lose_connection() noexcept {
 
 /// 1001h, 1003h and EMCY tell at once; what the axes make of it is for the cycle that follows.
 void Device::show_messages() noexcept {
-  alarm_changed_ = false;
+  follow_ups_.drop(FollowUp::ShowMessages);
   error_objects_.update(node_);
   wake();
 }
@@ -122,7 +122,7 @@ void Device::lose_telegram(std::uint16_t number) noexcept {
   if (!telegram_loss_.on_loss(now_)) return;
   tell_time(now_);
   communication_.on_telegram_loss();
-  alarm_changed_ = true;
+  follow_ups_.add(FollowUp::ShowMessages);
 }
 
 void Device::end_telegram_loss() noexcept {
@@ -160,6 +160,10 @@ void Device::serve_off_the_bus(const canopen::Frame& frame) noexcept {
   node_.send_to(sink_);
   serve(frame);
   if (communication_.is_bus_off()) node_.send_to(nowhere_);
+}
+
+void Device::plan_bus_restart(std::uint8_t asked) noexcept {
+  communication_.plan_restart(now_, asked != 0);
 }
 
 void Device::restart_bus() noexcept {

@@ -1,6 +1,7 @@
 // Whence the parameters of the unit come: presets of the configuration over saved values over those of a new unit.
 #include <array>
 
+#include "device/abort_codes.hpp"
 #include "device/device.hpp"
 
 namespace device {
@@ -39,9 +40,13 @@ tl::expected<void, drive::image_format::Error> Device::load_retained(std::span<c
 }
 
 canopen::Result<void> Device::on_store(std::uint8_t sub_index) noexcept {
-  auto stored = storage_.store(sub_index);
-  if (storage_.take_begun()) node_.defer_answer();
-  return stored;
+  const auto refused = storage_.store(sub_index);
+  if (storage_.is_saving()) node_.defer_answer();
+  return result(refused);
+}
+
+canopen::Result<void> Device::on_restore(std::uint8_t sub_index) noexcept {
+  return result(storage_.restore(sub_index));
 }
 
 void Device::on_stored(bool kept, canopen::TimePoint now) noexcept {
@@ -90,24 +95,9 @@ void Device::take_over_parameters() noexcept {
   rpdo_monitor_.set_time(unit_.object(drive::kControlUnitNumber)->read(RpdoMonitor::kParameter).value_or(0.0));
 }
 
-void Device::carry_out_task() noexcept {
-  using Task = ParameterStorage::Task;
-  switch (storage_.take_task()) {
-    case Task::None:
-      break;
-    case Task::RestoreAll:
-      return restore(ParameterGroup::All);
-    case Task::RestoreCommunication:
-      return restore(ParameterGroup::Communication);
-    case Task::RestoreApplication:
-      return restore(ParameterGroup::Application);
-    case Task::Restart:
-      return node_.command(canopen::NmtCommand::ResetNode, now_);
-  }
-}
-
 /// The state of a new unit, at once: the vendor's departure from CiA 301, which waits for the next reset.
-void Device::restore(ParameterGroup group) noexcept {
+void Device::restore(std::uint8_t which) noexcept {
+  const ParameterGroup group{which};
   tell_time(now_);
   storage_.reset(group);
   if (group == ParameterGroup::All) listener_.on_restore();

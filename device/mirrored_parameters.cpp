@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "device/abort_codes.hpp"
 #include "device/object_rows.hpp"
 
 namespace device {
@@ -85,14 +86,14 @@ std::optional<double> MirroredParameters::value_of(const ParameterPlace& place) 
   return value ? std::optional{static_cast<double>(*value)} : std::nullopt;
 }
 
-canopen::Result<void> MirroredParameters::take(const ParameterPlace& place, double value) noexcept {
+std::optional<drive::Refusal> MirroredParameters::take(const ParameterPlace& place, double value) noexcept {
   const canopen::Entry* const entry = entry_of(place);
-  if (entry == nullptr) return canopen::refuse(canopen::AbortCode::NoObject);
+  if (entry == nullptr) return drive::Refusal::NoParameter;
   const auto number = static_cast<std::int64_t>(value);
-  if (number >> entry->bits != 0) return canopen::refuse(canopen::AbortCode::ValueTooHigh);
-  auto written = dictionary_.write(*entry, number);
+  if (number >> entry->bits != 0) return drive::Refusal::AboveMaximum;
+  const auto written = dictionary_.write(*entry, number);
   if (written && is_mapping(entry->index)) write_count(*entry);
-  return written;
+  return refusal(written);
 }
 
 /// Calls @p visit with drive object, number, index and entry for every index of the mirrored parameters that

@@ -27,8 +27,8 @@ class MirroredParameters final : public ParameterOwner {
   void bring_out(std::uint8_t object) noexcept;
 
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
-  /// Writes the object; ValueTooHigh for what it cannot hold, and what the dictionary refuses.
-  canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
+  /// Writes the object; AboveMaximum for what it cannot hold, and what the dictionary refuses.
+  std::optional<drive::Refusal> take(const ParameterPlace& place, double value) noexcept override;
 
  private:
   /// Some of the parameters: those of a drive object, or of all if it is 0, which are objects from `first` to

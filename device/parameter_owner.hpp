@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "drive/drive_object.hpp"
-#include "libcanopen/od/abort_code.hpp"
 
 namespace device {
 
@@ -24,8 +23,8 @@ class ParameterOwner {
     (void)place;
     return std::nullopt;
   }
-  /// Takes @p value, which has passed type, limits and state, or carries the command out.
-  virtual canopen::Result<void> take(const ParameterPlace& place, double value) noexcept {
+  /// Takes @p value, which has passed type, limits and state, or carries the command out; the reason if it cannot.
+  virtual std::optional<drive::Refusal> take(const ParameterPlace& place, double value) noexcept {
     (void)place, (void)value;
     return {};
   }

@@ -8,7 +8,7 @@
 namespace device {
 namespace {
 
-using canopen::AbortCode;
+using drive::Refusal;
 using drive::storage_image::Selection;
 
 /// Parameters with consecutive numbers.
@@ -46,14 +46,11 @@ struct GroupRow {
   ParameterGroup group;
   drive::RowFilter saved;  ///< what of the saved parameters it has
   drive::RowFilter reset;  ///< what of them a reset changes
-  ParameterStorage::Task restore;
 };
 constexpr std::array kGroups{
-    GroupRow{ParameterGroup::All, drive::is_saved, drive::is_reset, ParameterStorage::Task::RestoreAll},
-    GroupRow{ParameterGroup::Communication, is_communication, is_communication,
-             ParameterStorage::Task::RestoreCommunication},
-    GroupRow{ParameterGroup::Application, is_application, is_application,
-             ParameterStorage::Task::RestoreApplication},
+    GroupRow{ParameterGroup::All, drive::is_saved, drive::is_reset},
+    GroupRow{ParameterGroup::Communication, is_communication, is_communication},
+    GroupRow{ParameterGroup::Application, is_application, is_application},
 };
 
 /// Only sub-indices of 1010h and 1011h come here.
@@ -84,8 +81,13 @@ constinit const std::array<ParameterStorage::Command, 4> ParameterStorage::kComm
     Command{977, &ParameterStorage::save_all},
 };
 
-ParameterStorage::ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper)
-    : unit_{unit}, keeper_{keeper}, image_(drive::storage_image::size(unit)), spare_(image_.size()) {
+ParameterStorage::ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper,
+                                   FollowUps& follow_ups)
+    : unit_{unit},
+      keeper_{keeper},
+      follow_ups_{follow_ups},
+      image_(drive::storage_image::size(unit)),
+      spare_(image_.size()) {
   for (const Command& command : kCommands) parameters.answer(command.number, *this);
 }
 
@@ -105,43 +107,40 @@ tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<co
   return {};
 }
 
-canopen::Result<void> ParameterStorage::save(const Selection& selection) noexcept {
-  if (is_saving()) return canopen::refuse(AbortCode::DeviceState);
+std::optional<Refusal> ParameterStorage::save(const Selection& selection) noexcept {
+  if (is_saving()) return Refusal::NotNow;
   const auto written = drive::storage_image::update(unit_, image(), spare_, selection);
   assert(written);
-  if (!written) return canopen::refuse(AbortCode::HardwareError);
+  if (!written) return Refusal::Failed;
   saving_ = written->size();
   const Keeping keeping = keeper_.on_store(*written);
-  begun_ = keeping == Keeping::Begun;
-  if (!begun_) end_save(keeping == Keeping::Kept);
-  if (keeping == Keeping::Refused) return canopen::refuse(AbortCode::DeviceState);
-  return keeping == Keeping::Failed ? canopen::refuse(AbortCode::HardwareError) : canopen::Result<void>{};
+  if (keeping != Keeping::Begun) end_save(keeping == Keeping::Kept);
+  if (keeping == Keeping::Refused) return Refusal::NotNow;
+  return keeping == Keeping::Failed ? std::optional<Refusal>{Refusal::Failed} : std::nullopt;
 }
 
 void ParameterStorage::end_save(bool kept) noexcept {
-  begun_ = false;
   const std::size_t length = std::exchange(saving_, 0U);
   if (!kept) return;
   length_ = length;
   std::swap(image_, spare_);
 }
 
-canopen::Result<void> ParameterStorage::store(std::uint8_t sub_index) noexcept {
+std::optional<Refusal> ParameterStorage::store(std::uint8_t sub_index) noexcept {
   const GroupRow& group = row_of(ParameterGroup{sub_index});
   const bool partial = group.group != ParameterGroup::All;
-  if (partial && !drive::storage_image::is_complete(unit_, image()))
-    return canopen::refuse(AbortCode::DeviceState);
+  if (partial && !drive::storage_image::is_complete(unit_, image())) return Refusal::NotNow;
   return save({.rows = group.saved});
 }
 
-canopen::Result<void> ParameterStorage::restore(std::uint8_t sub_index) noexcept {
-  return ask_for(row_of(ParameterGroup{sub_index}).restore);
+std::optional<Refusal> ParameterStorage::restore(std::uint8_t sub_index) noexcept {
+  return ask_for(FollowUp::Restore, sub_index);
 }
 
-canopen::Result<void> ParameterStorage::ask_for(Task task) noexcept {
-  if (pulses_enabled() || is_saving()) return canopen::refuse(AbortCode::DeviceState);
-  task_ = task;
-  return {};
+std::optional<Refusal> ParameterStorage::ask_for(FollowUp what, std::uint8_t argument) noexcept {
+  if (pulses_enabled() || is_saving()) return Refusal::NotNow;
+  follow_ups_.add(what, argument);
+  return std::nullopt;
 }
 
 bool ParameterStorage::pulses_enabled() const noexcept {
@@ -152,38 +151,35 @@ std::optional<double> ParameterStorage::value_of(const ParameterPlace& place) co
   return place.row.number == kRestart ? restart_ : 0;
 }
 
-canopen::Result<void> ParameterStorage::take(const ParameterPlace& place, double value) noexcept {
+std::optional<Refusal> ParameterStorage::take(const ParameterPlace& place, double value) noexcept {
   const auto* const command = std::ranges::find(kCommands, place.row.number, &Command::number);
   return (this->*command->carry_out)(place.object, static_cast<int>(value));
 }
 
-canopen::Result<void> ParameterStorage::save_object(const drive::DriveObject& object, int value) noexcept {
-  return value == 0 ? canopen::Result<void>{} : save({.object = object.number()});
+std::optional<Refusal> ParameterStorage::save_object(const drive::DriveObject& object, int value) noexcept {
+  return value == 0 ? std::nullopt : save({.object = object.number()});
 }
 
-canopen::Result<void> ParameterStorage::save_all(const drive::DriveObject&, int value) noexcept {
-  if (value > 1) return canopen::refuse(AbortCode::InvalidValue);
-  return value == 0 ? canopen::Result<void>{} : save({});
+std::optional<Refusal> ParameterStorage::save_all(const drive::DriveObject&, int value) noexcept {
+  if (value > 1) return Refusal::IllegalValue;
+  return value == 0 ? std::nullopt : save({});
 }
 
-canopen::Result<void> ParameterStorage::load_all(const drive::DriveObject&, int value) noexcept {
-  if (value > kSavedValues) return canopen::refuse(AbortCode::InvalidValue);
-  if (value == 0) return {};
-  return ask_for(value == kFactoryValues ? Task::RestoreAll : Task::Restart);
+std::optional<Refusal> ParameterStorage::load_all(const drive::DriveObject&, int value) noexcept {
+  if (value > kSavedValues) return Refusal::IllegalValue;
+  if (value == 0) return std::nullopt;
+  if (value != kFactoryValues) return ask_for(FollowUp::ResetNode);
+  return ask_for(FollowUp::Restore, static_cast<std::uint8_t>(ParameterGroup::All));
 }
 
-canopen::Result<void> ParameterStorage::restart(const drive::DriveObject&, int value) noexcept {
-  if (value == kRestartNow) task_ = Task::Restart;
+std::optional<Refusal> ParameterStorage::restart(const drive::DriveObject&, int value) noexcept {
+  if (value == kRestartNow) follow_ups_.add(FollowUp::ResetNode);
   restart_ = value == kRestartNow ? 0 : value;
-  return {};
+  return std::nullopt;
 }
 
 void ParameterStorage::on_operational_left() noexcept {
-  if (restart_ == kRestartAfterOperational) task_ = Task::Restart;
-}
-
-ParameterStorage::Task ParameterStorage::take_task() noexcept {
-  return std::exchange(task_, Task::None);
+  if (restart_ == kRestartAfterOperational) follow_ups_.add(FollowUp::ResetNode);
 }
 
 void ParameterStorage::reset(ParameterGroup group) noexcept {

@@ -5,12 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "device/follow_ups.hpp"
 #include "device/unit_parameters.hpp"
 #include "drive/storage_image.hpp"
-#include "libcanopen/od/abort_code.hpp"
 
 namespace device {
 
@@ -50,44 +49,37 @@ bool belongs_to(ParameterGroup group, std::uint16_t number) noexcept;
 /// construction.
 ///
 /// What changes many parameters at once is only noted by a request, to be done when it has been answered: see
-/// take_task().
+/// FollowUp.
 class ParameterStorage final : public ParameterOwner {
  public:
   using Error = drive::storage_image::Error;
 
-  /// What a request has asked for.
-  enum class Task : std::uint8_t { None, RestoreAll, RestoreCommunication, RestoreApplication, Restart };
-
   /// Answers in @p parameters for p0971, p0972, p0976 and p0977 of @p unit; all arguments must outlive this.
-  ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper);
+  ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper,
+                   FollowUps& follow_ups);
 
   /// The unit, which is new, takes over the saved parameters @p image; nothing changes if it does not fit.
   [[nodiscard]] tl::expected<void, Error> adopt(std::span<const std::byte> image) noexcept;
 
-  /// "save" in 1010h, @p sub_index. DeviceState for a part before all was saved once, HardwareError if the keeper
-  /// cannot. DeviceState also while a save runs, and if the keeper must not.
-  [[nodiscard]] canopen::Result<void> store(std::uint8_t sub_index) noexcept;
-  /// "load" in 1011h, @p sub_index, becomes a task. DeviceState while pulses are enabled or a save runs.
-  [[nodiscard]] canopen::Result<void> restore(std::uint8_t sub_index) noexcept;
+  /// "save" in 1010h, @p sub_index. NotNow for a part before all was saved once, Failed if the keeper cannot.
+  /// NotNow also while a save runs, and if the keeper must not.
+  [[nodiscard]] std::optional<drive::Refusal> store(std::uint8_t sub_index) noexcept;
+  /// "load" in 1011h, @p sub_index, follows the answer. NotNow while pulses are enabled or a save runs.
+  [[nodiscard]] std::optional<drive::Refusal> restore(std::uint8_t sub_index) noexcept;
   /// The commands read 0, p0972 as long as it waits what was written.
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
-  /// Carries a command out: InvalidValue, DeviceState while pulses are enabled, HardwareError as store().
-  canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
+  /// Carries a command out: IllegalValue, NotNow while pulses are enabled, Failed as store().
+  std::optional<drive::Refusal> take(const ParameterPlace& place, double value) noexcept override;
   /// The node has left Operational: p0972 = 3 waits for that.
   void on_operational_left() noexcept;
 
-  /// A save runs: parameters are locked until end_save().
+  /// A save runs: parameters are locked until end_save(), which whoever asked for it waits for.
   bool is_saving() const noexcept { return saving_ != 0; }
-  /// Whether a save has begun since the last call: whoever asked for it waits for end_save().
-  bool take_begun() noexcept { return std::exchange(begun_, false); }
   /// The save that runs is over; @p kept: with success.
   void end_save(bool kept) noexcept;
 
   /// Whether there are saved parameters.
   bool has_saved() const noexcept { return length_ != 0; }
-  bool has_task() const noexcept { return task_ != Task::None; }
-  /// What is to be done now; afterwards there is no task.
-  Task take_task() noexcept;
 
   /// The parameters of @p group are those of a new unit.
   void reset(ParameterGroup group) noexcept;
@@ -97,28 +89,28 @@ class ParameterStorage final : public ParameterOwner {
  private:
   struct Command {
     std::uint16_t number;
-    canopen::Result<void> (ParameterStorage::*carry_out)(const drive::DriveObject& object, int value) noexcept;
+    std::optional<drive::Refusal> (ParameterStorage::*carry_out)(const drive::DriveObject& object,
+                                                                 int value) noexcept;
   };
   static const std::array<Command, 4> kCommands;
 
   std::span<const std::byte> image() const noexcept { return std::span{image_}.first(length_); }
-  canopen::Result<void> save(const drive::storage_image::Selection& selection) noexcept;
-  canopen::Result<void> ask_for(Task task) noexcept;
+  std::optional<drive::Refusal> save(const drive::storage_image::Selection& selection) noexcept;
+  std::optional<drive::Refusal> ask_for(FollowUp what, std::uint8_t argument = 0) noexcept;
   bool pulses_enabled() const noexcept;
-  canopen::Result<void> save_object(const drive::DriveObject& object, int value) noexcept;
-  canopen::Result<void> save_all(const drive::DriveObject& object, int value) noexcept;
-  canopen::Result<void> load_all(const drive::DriveObject& object, int value) noexcept;
-  canopen::Result<void> restart(const drive::DriveObject& object, int value) noexcept;
+  std::optional<drive::Refusal> save_object(const drive::DriveObject& object, int value) noexcept;
+  std::optional<drive::Refusal> save_all(const drive::DriveObject& object, int value) noexcept;
+  std::optional<drive::Refusal> load_all(const drive::DriveObject& object, int value) noexcept;
+  std::optional<drive::Refusal> restart(const drive::DriveObject& object, int value) noexcept;
 
   drive::DriveUnit& unit_;
   ParameterKeeper& keeper_;
+  FollowUps& follow_ups_;
   std::vector<std::byte> image_;  ///< as last saved
   std::size_t length_ = 0;        ///< of it; 0 = nothing was saved yet
   std::vector<std::byte> spare_;  ///< for the next one
   std::size_t saving_ = 0;        ///< length of what is being saved in it
-  bool begun_ = false;
-  Task task_ = Task::None;
-  int restart_ = 0;  ///< p0972
+  int restart_ = 0;               ///< p0972
 };
 
 }  // namespace device

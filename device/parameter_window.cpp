@@ -107,10 +107,9 @@ canopen::Result<void> ParameterWindow::write(std::uint8_t server, std::uint16_t 
   if (value.size() != size && (sized || value.size() < size)) return canopen::refuse(AbortCode::LengthMismatch);
   if (listener_.is_locked()) return canopen::refuse(AbortCode::DeviceState);
   listener_.on_parameter_access();
-  static_cast<void>(parameters_.take_refusal());
   const drive::ParameterValue number{row.type, number_in(value.first(size))};
   const auto written = unit_.write(wanted->object, wanted->number, wanted->index, number);
-  if (!written) return canopen::refuse(parameters_.take_refusal().value_or(abort_code(written.error().reason)));
+  if (!written) return canopen::refuse(abort_code(written.error().reason));
   listener_.on_parameter_written(wanted->object, wanted->number);
   return {};
 }

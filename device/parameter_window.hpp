@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <span>
 
-#include "device/unit_parameters.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/sdo/sdo_view.hpp"
 
@@ -29,9 +28,8 @@ class WindowListener {
 /// drive object, 1201h the control unit, and of the other objects only 1000h, 1001h and 1018h.
 class ParameterWindow final : public canopen::SdoView {
  public:
-  /// All arguments must outlive this.
-  ParameterWindow(drive::DriveUnit& unit, UnitParameters& parameters, WindowListener& listener)
-      : unit_{unit}, parameters_{parameters}, listener_{listener} {}
+  /// Both arguments must outlive this.
+  ParameterWindow(drive::DriveUnit& unit, WindowListener& listener) : unit_{unit}, listener_{listener} {}
 
   canopen::ObjectPlace place_of(std::uint8_t server, std::uint16_t index) const noexcept override;
   canopen::Result<std::size_t> read(std::uint8_t server, std::uint16_t index, std::uint8_t sub_index,
@@ -54,7 +52,6 @@ class ParameterWindow final : public canopen::SdoView {
   bool is_open() const noexcept;
 
   drive::DriveUnit& unit_;
-  UnitParameters& parameters_;
   WindowListener& listener_;
 };
 

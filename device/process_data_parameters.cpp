@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "device/abort_codes.hpp"
 #include "device/object_index.hpp"
 
 namespace device {
@@ -40,19 +41,19 @@ std::optional<double> ProcessDataParameters::value_of(const ParameterPlace& plac
   return of_axis ? buffers_[module].value_of(place.row.number, place.index) : std::nullopt;
 }
 
-canopen::Result<void> ProcessDataParameters::take(const ParameterPlace& place, double value) noexcept {
+std::optional<drive::Refusal> ProcessDataParameters::take(const ParameterPlace& place, double value) noexcept {
   const std::size_t module = place.object.context().module;
   if (!(value > 0.0)) return {};
-  if (place.row.number == kTakeOver) return rules_.take_over(module + 1);
-  return place.row.number == kConnectControlword ? connect_controlword(module) : canopen::Result<void>{};
+  if (place.row.number == kTakeOver) return refusal(rules_.take_over(module + 1));
+  return place.row.number == kConnectControlword ? connect_controlword(module) : std::nullopt;
 }
 
-canopen::Result<void> ProcessDataParameters::connect_controlword(std::size_t module) noexcept {
+std::optional<drive::Refusal> ProcessDataParameters::connect_controlword(std::size_t module) noexcept {
   constexpr std::size_t kMostPlaces = 4;
   const ProcessDataLayout::Item* const place =
       buffers_[module].received().find(object::on_axis(object::kControlword, module + 1));
   const bool reachable = place != nullptr && place->first < kMostPlaces;
-  if (!reachable) return canopen::refuse(canopen::AbortCode::DeviceState);
+  if (!reachable) return drive::Refusal::NotNow;
   wiring_[module].connect_controlword();
   return {};
 }

@@ -20,12 +20,12 @@ class ProcessDataParameters final : public ParameterOwner {
                         PdoRules& rules, UnitParameters& parameters);
 
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
-  /// p8741 = 1 takes p8744 over, with what PdoRules::take_over() refuses. p8790 = 1: DeviceState unless 6040h is
-  /// mapped to one of the first four words.
-  canopen::Result<void> take(const ParameterPlace& place, double value) noexcept override;
+  /// p8741 = 1 takes p8744 over, with what PdoRules::take_over() refuses. p8790 = 1: NotNow unless 6040h is mapped
+  /// to one of the first four words.
+  std::optional<drive::Refusal> take(const ParameterPlace& place, double value) noexcept override;
 
  private:
-  canopen::Result<void> connect_controlword(std::size_t module) noexcept;
+  std::optional<drive::Refusal> connect_controlword(std::size_t module) noexcept;
 
   const std::deque<ProcessDataBuffers>& buffers_;
   std::deque<StandardWiring>& wiring_;

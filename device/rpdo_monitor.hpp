@@ -35,7 +35,7 @@ class RpdoMonitor final : public ParameterOwner {
   /// When the process data are missing; kNever while nothing is watched.
   canopen::TimePoint deadline() const noexcept { return deadline_; }
 
-  canopen::Result<void> take(const ParameterPlace&, double value) noexcept override {
+  std::optional<drive::Refusal> take(const ParameterPlace&, double value) noexcept override {
     set_time(value);
     return {};
   }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "device/abort_codes.hpp"
-
 namespace device {
 
 void UnitParameters::answer(std::uint16_t first, std::uint16_t last, ParameterOwner& owner) {
@@ -20,11 +18,7 @@ std::optional<drive::Refusal> UnitParameters::on_parameter(const drive::DriveObj
                                                            const drive::ParameterRow& row, std::size_t index,
                                                            double value) noexcept {
   ParameterOwner* const owner = owner_of(row.number);
-  if (owner == nullptr) return std::nullopt;
-  const auto taken = owner->take({object, row, index}, value);
-  if (taken) return std::nullopt;
-  refusal_ = taken.error();
-  return refusal(taken.error());
+  return owner != nullptr ? owner->take({object, row, index}, value) : std::nullopt;
 }
 
 std::optional<double> UnitParameters::value_of(const drive::DriveObject& object, const drive::ParameterRow& row,

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "device/parameter_owner.hpp"
@@ -24,9 +23,6 @@ class UnitParameters final : public drive::ParameterHost {
   std::optional<double> value_of(const drive::DriveObject& object, const drive::ParameterRow& row,
                                  std::size_t index) const noexcept override;
 
-  /// The abort code with which an owner has refused a value since the last call, if one did.
-  std::optional<canopen::AbortCode> take_refusal() noexcept { return std::exchange(refusal_, std::nullopt); }
-
  private:
   struct Range {
     std::uint16_t first, last;
@@ -35,7 +31,6 @@ class UnitParameters final : public drive::ParameterHost {
   ParameterOwner* owner_of(std::uint16_t number) const noexcept;
 
   std::vector<Range> ranges_;  ///< the latest first
-  std::optional<canopen::AbortCode> refusal_{};
 };
 
 }  // namespace device

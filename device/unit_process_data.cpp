@@ -3,10 +3,11 @@
 namespace device {
 
 UnitProcessData::UnitProcessData(canopen::Dictionary& dictionary, drive::DriveUnit& unit,
-                                 const canopen::Node& node, UnitParameters& parameters, AlarmListener& listener)
+                                 const canopen::Node& node, UnitParameters& parameters, const Listeners& listeners)
     : unit_{unit},
       node_{node},
-      rules_{dictionary, unit, node, {*this, listener}},
+      follow_ups_{listeners.follow_ups},
+      rules_{dictionary, unit, node, {*this, listeners.alarm}},
       parameters_{buffers_, wiring_, rules_, parameters} {
   for (drive::Axis& axis : unit.axes()) {
     buffers_.emplace_back(dictionary, unit, axis);

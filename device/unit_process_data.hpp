@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 
+#include "device/follow_ups.hpp"
 #include "device/free_objects.hpp"
 #include "device/pdo_rules.hpp"
 #include "device/process_data_buffers.hpp"
@@ -15,10 +16,15 @@ namespace device {
 /// The PDO configuration and the process data of all axes behind their objects and parameters.
 class UnitProcessData final : private MappingListener {
  public:
+  /// Who is told.
+  struct Listeners {
+    AlarmListener& alarm;
+    FollowUps& follow_ups;  ///< of a mapping that has changed
+  };
   /// Owns the PDO records and the free objects in @p dictionary and answers in @p parameters; all arguments must
   /// outlive this.
   UnitProcessData(canopen::Dictionary& dictionary, drive::DriveUnit& unit, const canopen::Node& node,
-                  UnitParameters& parameters, AlarmListener& listener);
+                  UnitParameters& parameters, const Listeners& listeners);
   ~UnitProcessData() override = default;
   UnitProcessData(const UnitProcessData&) = delete;
   UnitProcessData& operator=(const UnitProcessData&) = delete;
@@ -56,10 +62,12 @@ class UnitProcessData final : private MappingListener {
   void on_mapping_changed(std::size_t axis) noexcept override {
     buffers_[axis - 1].invalidate();
     mapping_changed_ = true;
+    follow_ups_.add(FollowUp::WireMappings);
   }
 
   drive::DriveUnit& unit_;
   const canopen::Node& node_;
+  FollowUps& follow_ups_;
   PdoRules rules_;
   std::deque<ProcessDataBuffers> buffers_;
   std::deque<FreeObjects> free_objects_;

@@ -35,7 +35,7 @@ bool is_transmission_type(std::uint32_t type) noexcept {
 template <std::size_t Count>
 std::optional<Refusal> one_of(const std::array<int, Count>& values, double value) noexcept {
   const bool listed = std::find(values.begin(), values.end(), static_cast<int>(value)) != values.end();
-  return refuse_unless(listed, Refusal::IllegalValue);
+  return refuse_unless(listed, RefusalReason::IllegalValue);
 }
 
 constexpr std::array kDriveFilters{0, 1, 2, 3, 4, 5, 15, 17, 25, 30, 95};

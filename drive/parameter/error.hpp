@@ -9,7 +9,7 @@ namespace drive {
 struct ParameterRow;
 
 /// Why a parameter was not read or written: the error values of DPV1, as PROFIdrive and SINAMICS number them.
-enum class Refusal : std::uint8_t {
+enum class RefusalReason : std::uint8_t {
   NoParameter = 0x00,
   ReadOnly = 0x01,
   OutOfRange = 0x02,
@@ -18,6 +18,7 @@ enum class Refusal : std::uint8_t {
   WrongType = 0x05,
   OnlyZero = 0x06,
   NotNow = 0x11,
+  Failed = 0x12,  ///< what was asked for has been tried
   IllegalValue = 0x14,
   NoDriveObject = 0x19,
   Deactivated = 0x65,
@@ -34,6 +35,23 @@ enum class Refusal : std::uint8_t {
   AboveMaximum = 0xC9,
 };
 
+/// A refusal on its way from whoever judges a value to whoever has asked.
+struct Refusal {
+  using enum RefusalReason;
+
+  RefusalReason why;
+  /// What the host that refused calls it, which nobody in between understands; 0 = it has no word of its own.
+  std::uint32_t host_code;
+
+  constexpr Refusal(RefusalReason reason, std::uint32_t code = 0) noexcept : why{reason}, host_code{code} {}
+
+  friend constexpr bool operator==(const Refusal&, const Refusal&) = default;
+  /// Whatever the host calls it.
+  friend constexpr bool operator==(const Refusal& refusal, RefusalReason reason) noexcept {
+    return refusal.why == reason;
+  }
+};
+
 /// A refused access to a parameter.
 struct ParameterError {
   Refusal reason;
@@ -42,7 +60,7 @@ struct ParameterError {
 };
 
 /// What @p reason says in plain text, without limits.
-std::string_view text_of(Refusal reason) noexcept;
+std::string_view text_of(RefusalReason reason) noexcept;
 
 /// One line of plain text for @p error, such as "p1120: above the maximum of 999999 s".
 std::string message(const ParameterError& error);

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "device/abort_codes.hpp"
 #include "tests/device/test_unit.hpp"
 
 namespace device {
 namespace {
 
 using canopen::AbortCode;
-using Task = ParameterStorage::Task;
 
 constexpr std::uint8_t kControlUnit = 1;
 constexpr std::uint8_t kX = 2;
@@ -23,10 +23,20 @@ struct Storage : testing::Test {
   /// Writes a command: 0 or the abort code.
   std::uint32_t command(std::uint8_t object, std::uint16_t number, double value) {
     const auto written = unit.object(object)->write(number, value);
-    const auto code = parameters.take_refusal();
-    EXPECT_EQ(written.has_value(), !code.has_value());
-    return code ? static_cast<std::uint32_t>(*code) : 0;
+    return written ? 0 : static_cast<std::uint32_t>(abort_code(written.error().reason));
   }
+  /// "save" and "load" in @p sub_index of 1010h and 1011h.
+  canopen::Result<void> store(std::uint8_t sub_index) { return result(storage.store(sub_index)); }
+  canopen::Result<void> restore(std::uint8_t sub_index) { return result(storage.restore(sub_index)); }
+  bool has_follow_up() const { return !follow_ups.is_empty(); }
+  /// What is to be done next after the answer, if anything is.
+  std::optional<FollowUps::Item> next() {
+    return has_follow_up() ? std::optional{follow_ups.take()} : std::nullopt;
+  }
+  static FollowUps::Item restore_of(ParameterGroup group) {
+    return {FollowUp::Restore, static_cast<std::uint8_t>(group)};
+  }
+  static constexpr FollowUps::Item kReset{FollowUp::ResetNode, 0};
   double value(std::uint8_t object, std::uint16_t number) const {
     return unit.object(object)->read(number).value();
   }
@@ -37,10 +47,11 @@ struct Storage : testing::Test {
     return next.object(object)->read(number).value();
   }
 
+  FollowUps follow_ups;
   UnitParameters parameters;
   drive::DriveUnit unit{two_axes(), &parameters};
   RecordingListener shelf;
-  ParameterStorage storage{unit, parameters, shelf};
+  ParameterStorage storage{unit, parameters, shelf, follow_ups};
 };
 
 TEST_F(Storage, SavesEveryDriveObjectOnP0977) {
@@ -71,13 +82,13 @@ TEST_F(Storage, SavesOneDriveObjectOnItsP0971) {
 TEST_F(Storage, SavesDriveObjectsOneByOneBeforeAllWereSaved) {
   ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
   ASSERT_EQ(command(kY, 971, 1), 0U);
-  EXPECT_EQ(storage.store(3).error(), AbortCode::DeviceState);
+  EXPECT_EQ(store(3).error(), AbortCode::DeviceState);
 
   ASSERT_EQ(command(kX, 971, 1), 0U);
   ASSERT_EQ(command(kControlUnit, 971, 1), 0U);
 
   EXPECT_EQ(saved_value(kY, 1120), 2.0);
-  EXPECT_TRUE(storage.store(3));
+  EXPECT_TRUE(store(3));
 }
 
 TEST_F(Storage, DoesNothingOnZero) {
@@ -86,7 +97,7 @@ TEST_F(Storage, DoesNothingOnZero) {
     EXPECT_EQ(command(kControlUnit, number, 0), 0U);
 
   EXPECT_EQ(shelf.stores, 0);
-  EXPECT_FALSE(storage.has_task());
+  EXPECT_FALSE(has_follow_up());
 }
 
 TEST_F(Storage, RefusesOtherValues) {
@@ -96,11 +107,11 @@ TEST_F(Storage, RefusesOtherValues) {
   EXPECT_EQ(command(kControlUnit, 976, 3), 0x06090030U);
 
   EXPECT_EQ(shelf.stores, 0);
-  EXPECT_FALSE(storage.has_task());
+  EXPECT_FALSE(has_follow_up());
 }
 
 TEST_F(Storage, SavesOneGroupOfEveryDriveObject) {
-  ASSERT_TRUE(storage.store(1));
+  ASSERT_TRUE(store(1));
   for (const std::uint8_t axis : {kX, kY}) {
     ASSERT_TRUE(unit.object(axis)->write(1120, 1.0));
     ASSERT_TRUE(unit.object(axis)->write(2161, 7.0));
@@ -108,24 +119,24 @@ TEST_F(Storage, SavesOneGroupOfEveryDriveObject) {
   }
   ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 250));
 
-  ASSERT_TRUE(storage.store(2));
+  ASSERT_TRUE(store(2));
   EXPECT_EQ(saved_value(kX, 8701), 0x345);
   EXPECT_EQ(saved_value(kControlUnit, 8606), 250.0);
   EXPECT_EQ(saved_value(kX, 1120), 10.0);
 
-  ASSERT_TRUE(storage.store(3));
+  ASSERT_TRUE(store(3));
   EXPECT_EQ(saved_value(kX, 1120), 1.0);
   EXPECT_EQ(saved_value(kY, 1120), 1.0);
   EXPECT_EQ(saved_value(kX, 2161), 5.0);
 }
 
 TEST_F(Storage, StaysAsItWasWhenNobodyKeepsTheImage) {
-  ASSERT_TRUE(storage.store(1));
+  ASSERT_TRUE(store(1));
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
   shelf.is_full = true;
 
-  EXPECT_EQ(storage.store(1).error(), AbortCode::HardwareError);
-  EXPECT_EQ(storage.store(3).error(), AbortCode::HardwareError);
+  EXPECT_EQ(store(1).error(), AbortCode::HardwareError);
+  EXPECT_EQ(store(3).error(), AbortCode::HardwareError);
   EXPECT_EQ(command(kControlUnit, 977, 1), 0x06060000U);
   EXPECT_EQ(command(kX, 971, 1), 0x06060000U);
   storage.reload(ParameterGroup::All);
@@ -136,7 +147,7 @@ TEST_F(Storage, StaysAsItWasWhenNobodyKeepsTheImage) {
 TEST_F(Storage, ReloadsWhatWasSavedAndForgetsTheRest) {
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
   ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 250));
-  ASSERT_TRUE(storage.store(1));
+  ASSERT_TRUE(store(1));
   ASSERT_TRUE(unit.object(kX)->write(1120, 2.0));
   ASSERT_TRUE(unit.object(kY)->write(1121, 2.0));
   ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 500));
@@ -172,15 +183,15 @@ TEST_F(Storage, KeepsTheBitRateThroughAReset) {
 
 TEST_F(Storage, AdoptsAnImageAndGoesOnFromIt) {
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
-  ASSERT_TRUE(storage.store(1));
+  ASSERT_TRUE(store(1));
   drive::DriveUnit next{two_axes()};
   UnitParameters none;
-  ParameterStorage adopted{next, none, shelf};
+  ParameterStorage adopted{next, none, shelf, follow_ups};
 
   ASSERT_TRUE(adopted.adopt(std::vector<std::byte>{shelf.image}));
   EXPECT_EQ(next.object(kX)->read(1120).value(), 1.0);
   ASSERT_TRUE(next.object(kY)->write(1135, 4.0));
-  ASSERT_TRUE(adopted.store(3));
+  ASSERT_FALSE(adopted.store(3));
 
   EXPECT_EQ(saved_value(kX, 1120), 1.0);
   EXPECT_EQ(saved_value(kY, 1135), 4.0);
@@ -191,39 +202,40 @@ TEST_F(Storage, AdoptsNothingOfAnImageThatDoesNotFit) {
 
   EXPECT_EQ(storage.adopt(garbage).error(), ParameterStorage::Error::NotAnImage);
 
-  EXPECT_EQ(storage.store(2).error(), AbortCode::DeviceState);
+  EXPECT_EQ(store(2).error(), AbortCode::DeviceState);
 }
 
 TEST_F(Storage, NotesWhatIsToBeDoneAfterTheAnswer) {
   ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
   EXPECT_EQ(command(kControlUnit, 976, 1), 0U);
-  EXPECT_EQ(storage.take_task(), Task::RestoreAll);
-  EXPECT_FALSE(storage.has_task());
+  EXPECT_EQ(next(), restore_of(ParameterGroup::All));
+  EXPECT_FALSE(has_follow_up());
   EXPECT_EQ(command(kControlUnit, 976, 2), 0U);
-  EXPECT_EQ(storage.take_task(), Task::Restart);
+  EXPECT_EQ(next(), kReset);
   EXPECT_EQ(command(kControlUnit, 972, 1), 0U);
-  EXPECT_EQ(storage.take_task(), Task::Restart);
+  EXPECT_EQ(next(), kReset);
   EXPECT_EQ(value(kControlUnit, 972), 0.0);
-  for (const auto& [sub_index, task] : {std::pair{1, Task::RestoreAll}, std::pair{2, Task::RestoreCommunication},
-                                        std::pair{3, Task::RestoreApplication}}) {
-    ASSERT_TRUE(storage.restore(static_cast<std::uint8_t>(sub_index)));
-    EXPECT_EQ(storage.take_task(), task);
+  for (const auto& [sub_index, group] :
+       {std::pair{1, ParameterGroup::All}, std::pair{2, ParameterGroup::Communication},
+        std::pair{3, ParameterGroup::Application}}) {
+    ASSERT_TRUE(restore(static_cast<std::uint8_t>(sub_index)));
+    EXPECT_EQ(next(), restore_of(group));
   }
 }
 
 TEST_F(Storage, RestartsWhenOperationalIsLeftIfP0972SaysSo) {
   storage.on_operational_left();
-  EXPECT_FALSE(storage.has_task());
+  EXPECT_FALSE(has_follow_up());
   ASSERT_EQ(command(kControlUnit, 972, 2), 0U);
   EXPECT_EQ(value(kControlUnit, 972), 2.0);
   storage.on_operational_left();
-  EXPECT_FALSE(storage.has_task());
+  EXPECT_FALSE(has_follow_up());
 
   ASSERT_EQ(command(kControlUnit, 972, 3), 0U);
   EXPECT_EQ(value(kControlUnit, 972), 3.0);
   storage.on_operational_left();
 
-  EXPECT_EQ(storage.take_task(), Task::Restart);
+  EXPECT_EQ(next(), kReset);
   storage.reload(ParameterGroup::All);
   EXPECT_EQ(value(kControlUnit, 972), 0.0);
 }
@@ -234,12 +246,12 @@ TEST_F(Storage, RefusesToRestoreWhilePulsesAreEnabled) {
   ASSERT_TRUE(unit.axes()[1].actual().pulses_enabled);
 
   for (std::uint8_t sub_index = 1; sub_index <= 3; ++sub_index)
-    EXPECT_EQ(storage.restore(sub_index).error(), AbortCode::DeviceState);
+    EXPECT_EQ(restore(sub_index).error(), AbortCode::DeviceState);
   ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
   EXPECT_EQ(command(kControlUnit, 976, 1), 0x08000022U);
 
-  EXPECT_FALSE(storage.has_task());
-  EXPECT_TRUE(storage.store(1));
+  EXPECT_FALSE(has_follow_up());
+  EXPECT_TRUE(store(1));
 }
 
 }  // namespace

@@ -62,13 +62,14 @@ class ProcessDataUnit : private AlarmListener, private canopen::Application {
   void command(canopen::NmtCommand wanted) { node.command(wanted, canopen::TimePoint{}); }
 
   UnitParameters parameters;
+  FollowUps follow_ups;
   std::vector<canopen::EntryDescription> rows;
   drive::DriveUnit unit;
   canopen::Dictionary dictionary{rows, 5};
   fakes::VectorBus bus;
   canopen::Policy policy{.pdo_changes_in_operational = false, .count_follows_entries = true};
   canopen::Node node{dictionary, policy, bus, *this};
-  UnitProcessData unit_process_data{dictionary, unit, node, parameters, *this};
+  UnitProcessData unit_process_data{dictionary, unit, node, parameters, {*this, follow_ups}};
   std::deque<ProcessData> process_data;
 
  private:
