@@ -18,10 +18,10 @@ constexpr std::int64_t kModesWithoutEncoder = 0x00000002;
 }  // namespace
 
 AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, const ProcessDataBuffers& places,
-                         AxisListener& listener)
+                         unit::Runner& runner)
     : axis_{axis},
       places_{places},
-      listener_{listener},
+      runner_{runner},
       process_data_{dictionary, axis, places},
       parameter_objects_{dictionary, axis, *this} {
   for (const std::uint16_t index : kInputs)
@@ -38,19 +38,8 @@ AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, con
   own_free(object::kReceiveDoubleWords, object::kFreeDoubleWords);
 }
 
-bool AxisObjects::receive() noexcept {
+void AxisObjects::receive() noexcept {
   process_data_.receive(written_controlwords_.take().value_or(process_data_.controlword()));
-  return !idle_;
-}
-
-void AxisObjects::end_cycles() noexcept {
-  idle_ = axis_.is_quiescent() && written_controlwords_.is_empty();
-}
-
-void AxisObjects::wake() noexcept {
-  if (!idle_) return;
-  idle_ = false;
-  listener_.on_awake();
 }
 
 void AxisObjects::on_rpdo() noexcept {

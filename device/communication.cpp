@@ -37,9 +37,9 @@ constexpr std::array kCommands{
 
 }  // namespace
 
-Communication::Communication(drive::DriveUnit& unit, UnitParameters& parameters, canopen::Node& node,
-                             FollowUps& follow_ups)
-    : unit_{unit}, node_{node}, follow_ups_{follow_ups} {
+Communication::Communication(drive::DriveUnit& unit, unit::UnitParameters& parameters, BusFollowUps& follow_ups,
+                             const Bus& bus)
+    : unit_{unit}, node_{bus.node}, outlet_{bus.node, bus.sink}, follow_ups_{follow_ups} {
   for (const std::uint16_t number : {kClearBusOff, kState}) parameters.answer(number, *this);
 }
 
@@ -89,21 +89,21 @@ void Communication::on_bus_back() noexcept {
   unit_.withdraw(kOrigin, kCommunicationError);
 }
 
-std::optional<double> Communication::value_of(const ParameterPlace& place) const noexcept {
+std::optional<double> Communication::value_of(const unit::ParameterPlace& place) const noexcept {
   if (place.row.number == kState) return static_cast<double>(node_.state());
   return place.index == kAutomaticRestart ? automatic_restart_ : 0.0;
 }
 
-std::optional<drive::Refusal> Communication::take(const ParameterPlace& place, double value) noexcept {
+std::optional<drive::Refusal> Communication::take(const unit::ParameterPlace& place, double value) noexcept {
   if (place.row.number == kState) {
     const auto* const row = std::ranges::find(kCommands, static_cast<int>(value), &CommandRow::value);
     if (row == kCommands.end()) return drive::Refusal::IllegalValue;
-    follow_ups_.add(FollowUp::CommandNode, static_cast<std::uint8_t>(row->command));
+    follow_ups_.add(BusFollowUp::CommandNode, static_cast<std::uint8_t>(row->command));
     return std::nullopt;
   }
   const bool automatic = place.index == kAutomaticRestart;
   if (automatic) automatic_restart_ = value;
-  follow_ups_.add(FollowUp::PlanBusRestart, !automatic && value != 0.0 ? 1 : 0);
+  follow_ups_.add(BusFollowUp::PlanBusRestart, !automatic && value != 0.0 ? 1 : 0);
   return std::nullopt;
 }
 

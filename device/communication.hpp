@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "device/follow_ups.hpp"
-#include "device/unit_parameters.hpp"
+#include "device/bus_follow_ups.hpp"
+#include "device/bus_outlet.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/nmt/state.hpp"
 #include "libcanopen/node/node.hpp"
+#include "unit/unit_parameters.hpp"
 
 namespace device {
 
@@ -17,11 +18,17 @@ enum class BusState : std::uint8_t { Active, Passive, Off };
 
 /// What the unit makes of NMT and of errors of the bus: the parameters p8608, p8684 and p8685, the faults F08700
 /// and F08702 and the alarms A08751 and A08752.
-class Communication final : public ParameterOwner {
+class Communication final : public unit::ParameterOwner {
  public:
-  /// Answers in @p parameters for p8608 and p8685; what they command is left to @p follow_ups. All arguments must
-  /// outlive this.
-  Communication(drive::DriveUnit& unit, UnitParameters& parameters, canopen::Node& node, FollowUps& follow_ups);
+  /// The node and where its frames go.
+  struct Bus {
+    canopen::Node& node;
+    canopen::FrameSink& sink;
+  };
+  /// Answers in @p parameters for p8608 and p8685; what they command is left to @p follow_ups. All that is named
+  /// must outlive this.
+  Communication(drive::DriveUnit& unit, unit::UnitParameters& parameters, BusFollowUps& follow_ups,
+                const Bus& bus);
 
   /// p8684 holds for the next boot-up.
   void set_start_state() noexcept;
@@ -39,6 +46,9 @@ class Communication final : public ParameterOwner {
   void on_bus_back() noexcept;
   /// The bus is off: what is sent gets lost.
   bool is_bus_off() const noexcept { return bus_ == BusState::Off; }
+  /// Frames go to the bus, or nowhere while that is off; answers go there in any case.
+  void lead_frames() noexcept { outlet_.lead(!is_bus_off()); }
+  void lead_answers() noexcept { outlet_.lead(true); }
   /// The error state that was told last.
   BusState bus_state() const noexcept { return bus_; }
 
@@ -51,13 +61,14 @@ class Communication final : public ParameterOwner {
   /// A restart is being tried.
   void on_restart() noexcept { restart_at_ = canopen::kNever; }
 
-  std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
-  std::optional<drive::Refusal> take(const ParameterPlace& place, double value) noexcept override;
+  std::optional<double> value_of(const unit::ParameterPlace& place) const noexcept override;
+  std::optional<drive::Refusal> take(const unit::ParameterPlace& place, double value) noexcept override;
 
  private:
   drive::DriveUnit& unit_;
   canopen::Node& node_;
-  FollowUps& follow_ups_;
+  BusOutlet outlet_;
+  BusFollowUps& follow_ups_;
   double automatic_restart_ = 0.0;  ///< p8608[1]
   canopen::TimePoint restart_at_ = canopen::kNever;
   BusState bus_ = BusState::Active;

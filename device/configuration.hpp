@@ -1,18 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "drive/drive_unit.hpp"
+#include "unit/configuration.hpp"
 
 namespace device {
 
-/// A value laid over a parameter of a new drive object, in the parameter's own unit.
-struct ParameterPreset {
-  std::uint16_t number;
-  double value;
-  std::uint8_t index = 0;
-};
+using unit::ParameterPreset;
 
 /// One axis of the unit.
 struct AxisSetup {
@@ -35,13 +32,21 @@ struct Configuration {
 };
 
 /// What the drive unit behind it is made of.
-[[nodiscard]] inline drive::UnitConfiguration unit_configuration(const Configuration& configuration) {
-  drive::UnitConfiguration unit{.axes = {},
-                                .node_id = configuration.node_id,
-                                .address_switch_off = configuration.address_switch_off,
-                                .supply = configuration.supply,
-                                .infeed = configuration.infeed};
-  for (const AxisSetup& axis : configuration.axes) unit.axes.push_back(axis.drive);
+[[nodiscard]] inline unit::Configuration unit_configuration(const Configuration& configuration) {
+  drive::UnitConfiguration drive{.axes = {},
+                                 .node_id = configuration.node_id,
+                                 .address_switch_off = configuration.address_switch_off,
+                                 .supply = configuration.supply,
+                                 .infeed = configuration.infeed};
+  unit::Configuration unit{.drive = std::move(drive),
+                           .presets = configuration.presets,
+                           .infeed_presets = configuration.infeed_presets,
+                           .axis_presets = {}};
+  unit.drive.axes.clear();
+  for (const AxisSetup& axis : configuration.axes) {
+    unit.drive.axes.push_back(axis.drive);
+    unit.axis_presets.push_back(axis.presets);
+  }
   return unit;
 }
 

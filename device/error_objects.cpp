@@ -54,11 +54,8 @@ canopen::Result<std::int64_t> ErrorObjects::read(const canopen::Entry&, std::int
   return entries_;
 }
 
-void ErrorObjects::update(canopen::Node& node) noexcept {
-  const std::uint32_t change = change_count();
-  if (change == seen_change_ && !stale_) return;
-  if (change != seen_change_) ++updates_;
-  seen_change_ = change;
+void ErrorObjects::update(canopen::Node& node, bool changed) noexcept {
+  if (!changed && !stale_) return;
   stale_ = false;
   error_register_.set(error_register());
   const Messages active = messages();
@@ -73,13 +70,6 @@ void ErrorObjects::update(canopen::Node& node) noexcept {
 void ErrorObjects::set_bus_off(bool off) noexcept {
   bus_off_ = off;
   stale_ = true;
-}
-
-/// Differs from before if a message of any drive object has entered, left or changed.
-std::uint32_t ErrorObjects::change_count() const noexcept {
-  std::uint32_t changes = 0;
-  unit_.for_each_object([&](const drive::DriveObject& object) { changes += object.messages().change_count(); });
-  return changes;
 }
 
 std::uint8_t ErrorObjects::error_register() const noexcept {

@@ -17,14 +17,12 @@ class ErrorObjects final : public canopen::EntryOwner {
   /// Owns the reading of 1003h:00 in @p dictionary; the arguments must outlive this.
   ErrorObjects(canopen::Dictionary& dictionary, const drive::DriveUnit& unit);
 
-  /// Brings the objects up to date and sends an emergency message for every message that entered since the last
-  /// call, and one with code 0000h when the last one has left. A fault outside the communication acts on the NMT
-  /// state as 1029h:02 says.
-  void update(canopen::Node& node) noexcept;
+  /// Brings the objects up to date if messages have @p changed and sends an emergency message for every message
+  /// that entered since the last call, and one with code 0000h when the last one has left. A fault outside the
+  /// communication acts on the NMT state as 1029h:02 says.
+  void update(canopen::Node& node, bool changed) noexcept;
   /// The dictionary has had its initial values: the next update() shows again what is active.
   void show_again() noexcept { stale_ = true; }
-  /// Counts the changes that update() has found.
-  std::uint32_t updates() const noexcept { return updates_; }
   /// While the bus is off nothing is sent; what has entered meanwhile is sent with the update() after it.
   void set_bus_off(bool off) noexcept;
 
@@ -45,7 +43,6 @@ class ErrorObjects final : public canopen::EntryOwner {
     void add(const drive::FaultEntry& entry, std::uint8_t object) noexcept;
   };
 
-  std::uint32_t change_count() const noexcept;
   std::uint8_t error_register() const noexcept;
   Messages messages() const noexcept;
   void fill(const Messages& messages) noexcept;
@@ -55,8 +52,6 @@ class ErrorObjects final : public canopen::EntryOwner {
   canopen::Dictionary& dictionary_;
   const drive::DriveUnit& unit_;
   canopen::Cell<std::uint8_t> error_register_;
-  std::uint32_t seen_change_ = 0;
-  std::uint32_t updates_ = 0;
   std::uint32_t seen_sequence_ = 0;
   std::uint32_t entries_ = 0;  ///< messages that 1003h shows now
   bool told_ = false;          ///< the bus knows of a message

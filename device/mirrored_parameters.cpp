@@ -58,7 +58,7 @@ constexpr bool is_mapping(std::uint16_t index) noexcept {
 }  // namespace
 
 MirroredParameters::MirroredParameters(canopen::Dictionary& dictionary, drive::DriveUnit& unit,
-                                       UnitParameters& parameters)
+                                       unit::UnitParameters& parameters)
     : dictionary_{dictionary}, unit_{unit} {
   for (const Mirror& mirror : kMirrors) parameters.answer(mirror.first, mirror.last, *this);
 }
@@ -67,7 +67,7 @@ bool MirroredParameters::contains(drive::ObjectKind kind, std::uint16_t number) 
   return mirror_of(kind, number) != nullptr;
 }
 
-const canopen::Entry* MirroredParameters::entry_of(const ParameterPlace& place) const noexcept {
+const canopen::Entry* MirroredParameters::entry_of(const unit::ParameterPlace& place) const noexcept {
   const Mirror* const mirror = mirror_of(place.object.kind(), place.row.number);
   if (mirror == nullptr) return nullptr;
   const auto of_object = mirror->indexed == Indexed::Object ? place.index : 0U;
@@ -79,14 +79,14 @@ const canopen::Entry* MirroredParameters::entry_of(const ParameterPlace& place) 
                             static_cast<std::uint8_t>(mirror->sub_index + of_sub_index));
 }
 
-std::optional<double> MirroredParameters::value_of(const ParameterPlace& place) const noexcept {
+std::optional<double> MirroredParameters::value_of(const unit::ParameterPlace& place) const noexcept {
   const canopen::Entry* const entry = entry_of(place);
   if (entry == nullptr) return std::nullopt;
   const auto value = dictionary_.read(*entry);
   return value ? std::optional{static_cast<double>(*value)} : std::nullopt;
 }
 
-std::optional<drive::Refusal> MirroredParameters::take(const ParameterPlace& place, double value) noexcept {
+std::optional<drive::Refusal> MirroredParameters::take(const unit::ParameterPlace& place, double value) noexcept {
   const canopen::Entry* const entry = entry_of(place);
   if (entry == nullptr) return drive::Refusal::NoParameter;
   const auto number = static_cast<std::int64_t>(value);

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "device/configuration.hpp"
-#include "device/unit_parameters.hpp"
+#include "unit/unit_parameters.hpp"
 
 namespace device {
 
@@ -16,15 +16,15 @@ namespace device {
 
 /// Answers for p8620 and r8621. An address switch above 0 shows in both, whatever was saved; at 0 p8620 is what
 /// was written, for the next power-on, and r8621 the address in force.
-class NodeAddress final : public ParameterOwner {
+class NodeAddress final : public unit::ParameterOwner {
  public:
   /// Answers in @p parameters, which this must outlive, for a unit with @p configuration.
-  NodeAddress(const Configuration& configuration, UnitParameters& parameters)
+  NodeAddress(const Configuration& configuration, unit::UnitParameters& parameters)
       : address_{configuration.node_id}, is_by_switch_{!configuration.address_switch_off} {
     parameters.answer(kStored, kActive, *this);
   }
 
-  std::optional<double> value_of(const ParameterPlace& place) const noexcept override {
+  std::optional<double> value_of(const unit::ParameterPlace& place) const noexcept override {
     const bool shown = is_by_switch_ || place.row.number == kActive;
     return shown ? std::optional<double>{address_} : std::nullopt;
   }

@@ -29,19 +29,20 @@ constexpr std::array kRemainingOf{pdo::Direction::Receive, pdo::Direction::Trans
 
 ProcessDataParameters::ProcessDataParameters(const std::deque<ProcessDataBuffers>& buffers,
                                              std::deque<StandardWiring>& wiring, PdoRules& rules,
-                                             UnitParameters& parameters)
+                                             unit::UnitParameters& parameters)
     : buffers_{buffers}, wiring_{wiring}, rules_{rules} {
   for (const Numbers& numbers : kAnswered) parameters.answer(numbers.first, numbers.last, *this);
 }
 
-std::optional<double> ProcessDataParameters::value_of(const ParameterPlace& place) const noexcept {
+std::optional<double> ProcessDataParameters::value_of(const unit::ParameterPlace& place) const noexcept {
   if (place.row.number == kRemaining) return static_cast<double>(rules_.remaining(kRemainingOf[place.index]));
   const std::size_t module = place.object.context().module;
   const bool of_axis = place.object.kind() != drive::ObjectKind::ControlUnit && module < buffers_.size();
   return of_axis ? buffers_[module].value_of(place.row.number, place.index) : std::nullopt;
 }
 
-std::optional<drive::Refusal> ProcessDataParameters::take(const ParameterPlace& place, double value) noexcept {
+std::optional<drive::Refusal> ProcessDataParameters::take(const unit::ParameterPlace& place,
+                                                          double value) noexcept {
   const std::size_t module = place.object.context().module;
   if (!(value > 0.0)) return {};
   if (place.row.number == kTakeOver) return refusal(rules_.take_over(module + 1));

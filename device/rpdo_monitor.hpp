@@ -2,21 +2,21 @@
 
 #include <chrono>
 
-#include "device/unit_parameters.hpp"
 #include "libcanopen/base/time.hpp"
 #include "libcanopen/pdo/pdo_cycle.hpp"
+#include "unit/unit_parameters.hpp"
 
 namespace device {
 
 /// Watches the process data (p8699): they are missing if no RPDO of the unit has come for that time. It begins
 /// with the first one that comes in Operational, and again with the first one after they were missing. The time is
 /// rounded up to whole process-data cycles and judged where one ends.
-class RpdoMonitor final : public ParameterOwner {
+class RpdoMonitor final : public unit::ParameterOwner {
  public:
   static constexpr std::uint16_t kParameter = 8699;
 
   /// Answers in @p parameters, which outlive this, for p8699.
-  explicit RpdoMonitor(UnitParameters& parameters) { parameters.answer(kParameter, *this); }
+  explicit RpdoMonitor(unit::UnitParameters& parameters) { parameters.answer(kParameter, *this); }
 
   /// p8699 is @p milliseconds from now on, 0 = off.
   void set_time(double milliseconds) noexcept {
@@ -35,7 +35,7 @@ class RpdoMonitor final : public ParameterOwner {
   /// When the process data are missing; kNever while nothing is watched.
   canopen::TimePoint deadline() const noexcept { return deadline_; }
 
-  std::optional<drive::Refusal> take(const ParameterPlace&, double value) noexcept override {
+  std::optional<drive::Refusal> take(const unit::ParameterPlace&, double value) noexcept override {
     set_time(value);
     return {};
   }

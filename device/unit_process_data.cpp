@@ -3,7 +3,8 @@
 namespace device {
 
 UnitProcessData::UnitProcessData(canopen::Dictionary& dictionary, drive::DriveUnit& unit,
-                                 const canopen::Node& node, UnitParameters& parameters, const Listeners& listeners)
+                                 const canopen::Node& node, unit::UnitParameters& parameters,
+                                 const Listeners& listeners)
     : unit_{unit},
       node_{node},
       follow_ups_{listeners.follow_ups},

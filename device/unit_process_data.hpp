@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <deque>
 
-#include "device/follow_ups.hpp"
+#include "device/bus_follow_ups.hpp"
 #include "device/free_objects.hpp"
 #include "device/pdo_rules.hpp"
 #include "device/process_data_buffers.hpp"
@@ -19,12 +19,12 @@ class UnitProcessData final : private MappingListener {
   /// Who is told.
   struct Listeners {
     AlarmListener& alarm;
-    FollowUps& follow_ups;  ///< of a mapping that has changed
+    BusFollowUps& follow_ups;  ///< of a mapping that has changed
   };
   /// Owns the PDO records and the free objects in @p dictionary and answers in @p parameters; all arguments must
   /// outlive this.
   UnitProcessData(canopen::Dictionary& dictionary, drive::DriveUnit& unit, const canopen::Node& node,
-                  UnitParameters& parameters, const Listeners& listeners);
+                  unit::UnitParameters& parameters, const Listeners& listeners);
   ~UnitProcessData() override = default;
   UnitProcessData(const UnitProcessData&) = delete;
   UnitProcessData& operator=(const UnitProcessData&) = delete;
@@ -62,12 +62,12 @@ class UnitProcessData final : private MappingListener {
   void on_mapping_changed(std::size_t axis) noexcept override {
     buffers_[axis - 1].invalidate();
     mapping_changed_ = true;
-    follow_ups_.add(FollowUp::WireMappings);
+    follow_ups_.add(BusFollowUp::WireMappings);
   }
 
   drive::DriveUnit& unit_;
   const canopen::Node& node_;
-  FollowUps& follow_ups_;
+  BusFollowUps& follow_ups_;
   PdoRules rules_;
   std::deque<ProcessDataBuffers> buffers_;
   std::deque<FreeObjects> free_objects_;

@@ -7,8 +7,6 @@ namespace {
 
 constexpr std::uint16_t kDeviceFilter = 0x2000 + 9, kPeriod = 0x2000 + 8848;
 
-static_assert(CycleClock::kMostAtOnce == 100ms);
-
 /// A unit whose p8848 a master sets.
 struct TimedUnit : TestUnit {
   explicit TimedUnit(const Configuration& configuration = unit_with({})) : TestUnit{configuration} {
@@ -23,14 +21,6 @@ struct TimedUnit : TestUnit {
     return says("605#2B09200000000000");
   }
 };
-
-TEST(CyclePeriod, IsRoundedToWholeControlPeriods) {
-  EXPECT_EQ(CycleClock::period_of(4.0), 4ms);
-  EXPECT_EQ(CycleClock::period_of(1.0), 1ms);
-  EXPECT_EQ(CycleClock::period_of(1.05), 1ms);
-  EXPECT_EQ(CycleClock::period_of(1.07), 1125us);
-  EXPECT_EQ(CycleClock::period_of(16.0), 16ms);
-}
 
 TEST(CyclePeriod, ComesIntoForceWithTheRestartWhenP0009IsLeft) {
   TimedUnit unit;

@@ -61,8 +61,8 @@ class ProcessDataUnit : private AlarmListener, private canopen::Application {
   void start() { node.start(canopen::TimePoint{}); }
   void command(canopen::NmtCommand wanted) { node.command(wanted, canopen::TimePoint{}); }
 
-  UnitParameters parameters;
-  FollowUps follow_ups;
+  ::unit::UnitParameters parameters;
+  BusFollowUps follow_ups;
   std::vector<canopen::EntryDescription> rows;
   drive::DriveUnit unit;
   canopen::Dictionary dictionary{rows, 5};

@@ -1,8 +1,8 @@
-#include "device/unit_parameters.hpp"
+#include "unit/unit_parameters.hpp"
 
 #include <algorithm>
 
-namespace device {
+namespace unit {
 
 void UnitParameters::answer(std::uint16_t first, std::uint16_t last, ParameterOwner& owner) {
   ranges_.insert(ranges_.begin(), Range{first, last, &owner});
@@ -21,10 +21,15 @@ std::optional<drive::Refusal> UnitParameters::on_parameter(const drive::DriveObj
   return owner != nullptr ? owner->take({object, row, index}, value) : std::nullopt;
 }
 
+bool UnitParameters::is_elsewhere(const ParameterPlace& place) const noexcept {
+  const ParameterOwner* const owner = owner_of(place.row.number);
+  return owner != nullptr && owner->is_home_of(place);
+}
+
 std::optional<double> UnitParameters::value_of(const drive::DriveObject& object, const drive::ParameterRow& row,
                                                std::size_t index) const noexcept {
   const ParameterOwner* const owner = owner_of(row.number);
   return owner != nullptr ? owner->value_of({object, row, index}) : std::nullopt;
 }
 
-}  // namespace device
+}  // namespace unit

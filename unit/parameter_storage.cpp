@@ -1,62 +1,15 @@
-#include "device/parameter_storage.hpp"
+#include "unit/parameter_storage.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <utility>
 
-namespace device {
+namespace unit {
 namespace {
 
 using drive::Refusal;
 using drive::storage_image::Selection;
-
-/// Parameters with consecutive numbers.
-struct Numbers {
-  std::uint16_t first;
-  std::uint16_t last;
-};
-
-// 1005h, 1014h, 100Ch and 100Dh, 1017h, 1029h, the SDO servers, and the PDOs with p8744, which says where they are
-// from.
-constexpr std::array kCommunication{
-    Numbers{8602, 8604}, Numbers{8606, 8606}, Numbers{8609, 8609}, Numbers{8612, 8612}, Numbers{8700, 8707},
-    Numbers{8710, 8717}, Numbers{8720, 8727}, Numbers{8730, 8737}, Numbers{8744, 8744},
-};
-// 6046h, 6048h, 6086h, 6083h to 6085h, 6060h, 6072h, 6007h, 605Dh, 6094h.
-constexpr std::array kApplication{
-    Numbers{1080, 1080}, Numbers{1082, 1082}, Numbers{1115, 1115}, Numbers{1120, 1121}, Numbers{1134, 1135},
-    Numbers{1300, 1300}, Numbers{1520, 1520}, Numbers{8641, 8641}, Numbers{8791, 8791}, Numbers{8798, 8798},
-};
-
-template <std::size_t Count>
-constexpr bool contains(const std::array<Numbers, Count>& all, std::uint16_t number) noexcept {
-  return std::any_of(all.begin(), all.end(),
-                     [=](const Numbers& n) { return n.first <= number && number <= n.last; });
-}
-
-bool is_communication(const drive::ParameterRow& row) noexcept {
-  return contains(kCommunication, row.number);
-}
-bool is_application(const drive::ParameterRow& row) noexcept {
-  return contains(kApplication, row.number);
-}
-
-struct GroupRow {
-  ParameterGroup group;
-  drive::RowFilter saved;  ///< what of the saved parameters it has
-  drive::RowFilter reset;  ///< what of them a reset changes
-};
-constexpr std::array kGroups{
-    GroupRow{ParameterGroup::All, drive::is_saved, drive::is_reset},
-    GroupRow{ParameterGroup::Communication, is_communication, is_communication},
-    GroupRow{ParameterGroup::Application, is_application, is_application},
-};
-
-/// Only sub-indices of 1010h and 1011h come here.
-const GroupRow& row_of(ParameterGroup group) noexcept {
-  return kGroups[static_cast<std::size_t>(group) - 1];
-}
 
 constexpr std::uint16_t kRestart = 972;
 
@@ -68,12 +21,6 @@ constexpr int kSavedValues = 2;
 
 }  // namespace
 
-bool belongs_to(ParameterGroup group, std::uint16_t number) noexcept {
-  if (group == ParameterGroup::All) return true;
-  return group == ParameterGroup::Communication ? contains(kCommunication, number)
-                                                : contains(kApplication, number);
-}
-
 constinit const std::array<ParameterStorage::Command, 4> ParameterStorage::kCommands{
     Command{971, &ParameterStorage::save_object},
     Command{kRestart, &ParameterStorage::restart},
@@ -82,7 +29,7 @@ constinit const std::array<ParameterStorage::Command, 4> ParameterStorage::kComm
 };
 
 ParameterStorage::ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper,
-                                   FollowUps& follow_ups)
+                                   FollowUps<FollowUp>& follow_ups)
     : unit_{unit},
       keeper_{keeper},
       follow_ups_{follow_ups},
@@ -126,15 +73,14 @@ void ParameterStorage::end_save(bool kept) noexcept {
   std::swap(image_, spare_);
 }
 
-std::optional<Refusal> ParameterStorage::store(std::uint8_t sub_index) noexcept {
-  const GroupRow& group = row_of(ParameterGroup{sub_index});
-  const bool partial = group.group != ParameterGroup::All;
+std::optional<Refusal> ParameterStorage::store(ParameterGroup group) noexcept {
+  const bool partial = group != ParameterGroup::All;
   if (partial && !drive::storage_image::is_complete(unit_, image())) return Refusal::NotNow;
-  return save({.rows = group.saved});
+  return save({.rows = row_of(group).saved});
 }
 
-std::optional<Refusal> ParameterStorage::restore(std::uint8_t sub_index) noexcept {
-  return ask_for(FollowUp::Restore, sub_index);
+std::optional<Refusal> ParameterStorage::restore(ParameterGroup group) noexcept {
+  return ask_for(FollowUp::Restore, static_cast<std::uint8_t>(group));
 }
 
 std::optional<Refusal> ParameterStorage::ask_for(FollowUp what, std::uint8_t argument) noexcept {
@@ -168,18 +114,18 @@ std::optional<Refusal> ParameterStorage::save_all(const drive::DriveObject&, int
 std::optional<Refusal> ParameterStorage::load_all(const drive::DriveObject&, int value) noexcept {
   if (value > kSavedValues) return Refusal::IllegalValue;
   if (value == 0) return std::nullopt;
-  if (value != kFactoryValues) return ask_for(FollowUp::ResetNode);
-  return ask_for(FollowUp::Restore, static_cast<std::uint8_t>(ParameterGroup::All));
+  if (value != kFactoryValues) return ask_for(FollowUp::Reset);
+  return restore(ParameterGroup::All);
 }
 
 std::optional<Refusal> ParameterStorage::restart(const drive::DriveObject&, int value) noexcept {
-  if (value == kRestartNow) follow_ups_.add(FollowUp::ResetNode);
+  if (value == kRestartNow) follow_ups_.add(FollowUp::Reset);
   restart_ = value == kRestartNow ? 0 : value;
   return std::nullopt;
 }
 
 void ParameterStorage::on_operational_left() noexcept {
-  if (restart_ == kRestartAfterOperational) follow_ups_.add(FollowUp::ResetNode);
+  if (restart_ == kRestartAfterOperational) follow_ups_.add(FollowUp::Reset);
 }
 
 void ParameterStorage::reset(ParameterGroup group) noexcept {
@@ -198,4 +144,4 @@ void ParameterStorage::reload(ParameterGroup group) noexcept {
   assert(loaded);
 }
 
-}  // namespace device
+}  // namespace unit

@@ -6,17 +6,16 @@
 #include <cstdint>
 
 #include "drive/axis.hpp"
-#include "libcanopen/base/time.hpp"
-#include "libcanopen/pdo/pdo_cycle.hpp"
+#include "unit/time.hpp"
 
-namespace device {
+namespace unit {
 
 /// When process-data cycles (p8848) are due: on a grid from power-on, also after a rest.
 class CycleClock {
  public:
-  static constexpr canopen::Duration kFactory = std::chrono::milliseconds{4};
+  static constexpr Duration kFactory = std::chrono::milliseconds{4};
   /// Time that missed cycles are made up for; what is beyond is skipped.
-  static constexpr canopen::Duration kMostAtOnce = std::chrono::milliseconds{100};
+  static constexpr Duration kMostAtOnce = std::chrono::milliseconds{100};
 
   /// Cycles that are due at once.
   struct Due {
@@ -25,42 +24,41 @@ class CycleClock {
   };
 
   /// p8848 as a time: whole control periods, at least one.
-  static canopen::Duration period_of(double milliseconds) noexcept {
-    constexpr auto kStep =
-        std::chrono::round<canopen::Duration>(std::chrono::duration<double>{motor::kControlPeriod});
+  static Duration period_of(double milliseconds) noexcept {
+    constexpr auto kStep = std::chrono::round<Duration>(std::chrono::duration<double>{motor::kControlPeriod});
     const double steps = milliseconds * 1e6 / static_cast<double>(kStep.count());
     return std::max(std::int64_t{1}, static_cast<std::int64_t>(std::llround(steps))) * kStep;
   }
 
   /// Power-on: the first cycle begins.
-  void begin(canopen::TimePoint now) noexcept { last_ = now; }
+  void begin(TimePoint now) noexcept { last_ = now; }
   /// The next cycle ends @p period after the last one.
-  void set_period(canopen::Duration period) noexcept { period_ = period; }
-  canopen::Duration period() const noexcept { return period_; }
+  void set_period(Duration period) noexcept { period_ = period; }
+  Duration period() const noexcept { return period_; }
   double seconds() const noexcept { return std::chrono::duration<double>{period_}.count(); }
-  /// The grid.
-  canopen::PdoCycle grid() const noexcept { return {period_, last_}; }
+  /// Where the grid has the end of the last cycle and the beginning of the next one.
+  TimePoint last() const noexcept { return last_; }
 
   bool is_resting() const noexcept { return resting_; }
   /// When the next cycle ends; kNever while resting.
-  canopen::TimePoint next() const noexcept { return resting_ ? canopen::kNever : last_ + period_; }
+  TimePoint next() const noexcept { return resting_ ? kNever : last_ + period_; }
   /// Nothing moves: no cycle is due until wake().
   void rest() noexcept { resting_ = true; }
   /// The cycle that @p time lies in is to be run, the first one after the rest at the earliest.
-  void wake(canopen::TimePoint time) noexcept {
+  void wake(TimePoint time) noexcept {
     if (!resting_) return;
     resting_ = false;
-    last_ = grid().begin_of(std::max(time, last_));
+    if (time > last_) last_ += (time - last_) / period_ * period_;
   }
   /// The cycles that have ended by @p now; from then on it counts anew.
-  Due take_due(canopen::TimePoint now) noexcept {
+  Due take_due(TimePoint now) noexcept {
     const std::int64_t due = (now - last_) / period_;
     const std::int64_t run = std::min(due, kMostAtOnce / period_);
     last_ += due * period_;
     return {run, due - run};
   }
   /// The first one of them that is to be run; it counts on from there.
-  Due take_first_due(canopen::TimePoint now) noexcept {
+  Due take_first_due(TimePoint now) noexcept {
     const std::int64_t due = resting_ ? 0 : (now - last_) / period_;
     if (due <= 0) return {0, 0};
     const std::int64_t skipped = std::max(std::int64_t{0}, due - std::max(kMostAtOnce / period_, std::int64_t{1}));
@@ -69,9 +67,9 @@ class CycleClock {
   }
 
  private:
-  canopen::Duration period_ = kFactory;
-  canopen::TimePoint last_{};  ///< end of the last cycle
+  Duration period_ = kFactory;
+  TimePoint last_{};  ///< end of the last cycle
   bool resting_ = true;
 };
 
-}  // namespace device
+}  // namespace unit

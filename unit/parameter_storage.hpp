@@ -7,11 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "device/follow_ups.hpp"
-#include "device/unit_parameters.hpp"
 #include "drive/storage_image.hpp"
+#include "unit/follow_ups.hpp"
+#include "unit/parameter_groups.hpp"
+#include "unit/unit_parameters.hpp"
 
-namespace device {
+namespace unit {
 
 /// What has become of the wish to keep parameters. The former ones are still kept unless they are Kept.
 enum class Keeping : std::uint8_t {
@@ -35,18 +36,8 @@ class ParameterKeeper {
   virtual void on_restore() noexcept {}
 };
 
-/// The groups of 1010h and 1011h, by sub-index.
-enum class ParameterGroup : std::uint8_t {
-  All = 1,
-  Communication = 2,  ///< what objects 1000h to 1FFFh show
-  Application = 3,    ///< what objects 6000h to 9FFFh show
-};
-
-/// Whether parameter @p number belongs to @p group.
-bool belongs_to(ParameterGroup group, std::uint16_t number) noexcept;
-
-/// The saved parameters of the unit: 1010h, 1011h, p0971, p0972, p0976 and p0977. Nothing is allocated after
-/// construction.
+/// The saved parameters of the unit, whole or by groups, and p0971, p0972, p0976 and p0977. Nothing is allocated
+/// after construction.
 ///
 /// What changes many parameters at once is only noted by a request, to be done when it has been answered: see
 /// FollowUp.
@@ -56,21 +47,21 @@ class ParameterStorage final : public ParameterOwner {
 
   /// Answers in @p parameters for p0971, p0972, p0976 and p0977 of @p unit; all arguments must outlive this.
   ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper,
-                   FollowUps& follow_ups);
+                   FollowUps<FollowUp>& follow_ups);
 
   /// The unit, which is new, takes over the saved parameters @p image; nothing changes if it does not fit.
   [[nodiscard]] tl::expected<void, Error> adopt(std::span<const std::byte> image) noexcept;
 
-  /// "save" in 1010h, @p sub_index. NotNow for a part before all was saved once, Failed if the keeper cannot.
-  /// NotNow also while a save runs, and if the keeper must not.
-  [[nodiscard]] std::optional<drive::Refusal> store(std::uint8_t sub_index) noexcept;
-  /// "load" in 1011h, @p sub_index, follows the answer. NotNow while pulses are enabled or a save runs.
-  [[nodiscard]] std::optional<drive::Refusal> restore(std::uint8_t sub_index) noexcept;
+  /// Saves @p group of all drive objects. NotNow for a part before all was saved once, Failed if the keeper
+  /// cannot. NotNow also while a save runs, and if the keeper must not.
+  [[nodiscard]] std::optional<drive::Refusal> store(ParameterGroup group) noexcept;
+  /// The values of a new unit for @p group follow the answer. NotNow while pulses are enabled or a save runs.
+  [[nodiscard]] std::optional<drive::Refusal> restore(ParameterGroup group) noexcept;
   /// The commands read 0, p0972 as long as it waits what was written.
   std::optional<double> value_of(const ParameterPlace& place) const noexcept override;
   /// Carries a command out: IllegalValue, NotNow while pulses are enabled, Failed as store().
   std::optional<drive::Refusal> take(const ParameterPlace& place, double value) noexcept override;
-  /// The node has left Operational: p0972 = 3 waits for that.
+  /// A master no longer leads the unit: p0972 = 3 waits for that.
   void on_operational_left() noexcept;
 
   /// A save runs: parameters are locked until end_save(), which whoever asked for it waits for.
@@ -105,7 +96,7 @@ class ParameterStorage final : public ParameterOwner {
 
   drive::DriveUnit& unit_;
   ParameterKeeper& keeper_;
-  FollowUps& follow_ups_;
+  FollowUps<FollowUp>& follow_ups_;
   std::vector<std::byte> image_;  ///< as last saved
   std::size_t length_ = 0;        ///< of it; 0 = nothing was saved yet
   std::vector<std::byte> spare_;  ///< for the next one
@@ -113,4 +104,4 @@ class ParameterStorage final : public ParameterOwner {
   int restart_ = 0;               ///< p0972
 };
 
-}  // namespace device
+}  // namespace unit

@@ -1,16 +1,15 @@
-#include "device/parameter_storage.hpp"
+#include "unit/parameter_storage.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "device/abort_codes.hpp"
-#include "tests/device/test_unit.hpp"
+#include "tests/unit/shelf.hpp"
 
-namespace device {
+namespace unit {
 namespace {
 
-using canopen::AbortCode;
+using drive::Refusal;
 
 constexpr std::uint8_t kControlUnit = 1;
 constexpr std::uint8_t kX = 2;
@@ -20,23 +19,20 @@ constexpr std::uint8_t kY = 3;
 struct Storage : testing::Test {
   static drive::UnitConfiguration two_axes() { return {.axes = {{}, {}}, .node_id = 5}; }
 
-  /// Writes a command: 0 or the abort code.
-  std::uint32_t command(std::uint8_t object, std::uint16_t number, double value) {
+  /// Writes a command: nothing, or the reason of its refusal.
+  std::optional<Refusal> command(std::uint8_t object, std::uint16_t number, double value) {
     const auto written = unit.object(object)->write(number, value);
-    return written ? 0 : static_cast<std::uint32_t>(abort_code(written.error().reason));
+    return written ? std::nullopt : std::optional{written.error().reason};
   }
-  /// "save" and "load" in @p sub_index of 1010h and 1011h.
-  canopen::Result<void> store(std::uint8_t sub_index) { return result(storage.store(sub_index)); }
-  canopen::Result<void> restore(std::uint8_t sub_index) { return result(storage.restore(sub_index)); }
   bool has_follow_up() const { return !follow_ups.is_empty(); }
   /// What is to be done next after the answer, if anything is.
-  std::optional<FollowUps::Item> next() {
+  std::optional<FollowUps<FollowUp>::Item> next() {
     return has_follow_up() ? std::optional{follow_ups.take()} : std::nullopt;
   }
-  static FollowUps::Item restore_of(ParameterGroup group) {
+  static FollowUps<FollowUp>::Item restore_of(ParameterGroup group) {
     return {FollowUp::Restore, static_cast<std::uint8_t>(group)};
   }
-  static constexpr FollowUps::Item kReset{FollowUp::ResetNode, 0};
+  static constexpr FollowUps<FollowUp>::Item kReset{FollowUp::Reset, 0};
   double value(std::uint8_t object, std::uint16_t number) const {
     return unit.object(object)->read(number).value();
   }
@@ -47,10 +43,10 @@ struct Storage : testing::Test {
     return next.object(object)->read(number).value();
   }
 
-  FollowUps follow_ups;
+  FollowUps<FollowUp> follow_ups;
   UnitParameters parameters;
   drive::DriveUnit unit{two_axes(), &parameters};
-  RecordingListener shelf;
+  Shelf shelf;
   ParameterStorage storage{unit, parameters, shelf, follow_ups};
 };
 
@@ -59,7 +55,7 @@ TEST_F(Storage, SavesEveryDriveObjectOnP0977) {
   ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
   ASSERT_TRUE(unit.object(kControlUnit)->write(8699, 3.0));
 
-  EXPECT_EQ(command(kControlUnit, 977, 1), 0U);
+  EXPECT_EQ(command(kControlUnit, 977, 1), std::nullopt);
 
   EXPECT_EQ(saved_value(kX, 1120), 1.0);
   EXPECT_EQ(saved_value(kY, 1120), 2.0);
@@ -68,11 +64,11 @@ TEST_F(Storage, SavesEveryDriveObjectOnP0977) {
 }
 
 TEST_F(Storage, SavesOneDriveObjectOnItsP0971) {
-  ASSERT_EQ(command(kControlUnit, 977, 1), 0U);
+  ASSERT_EQ(command(kControlUnit, 977, 1), std::nullopt);
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
   ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
 
-  EXPECT_EQ(command(kY, 971, 1), 0U);
+  EXPECT_EQ(command(kY, 971, 1), std::nullopt);
 
   EXPECT_EQ(saved_value(kX, 1120), 10.0);
   EXPECT_EQ(saved_value(kY, 1120), 2.0);
@@ -81,37 +77,37 @@ TEST_F(Storage, SavesOneDriveObjectOnItsP0971) {
 
 TEST_F(Storage, SavesDriveObjectsOneByOneBeforeAllWereSaved) {
   ASSERT_TRUE(unit.object(kY)->write(1120, 2.0));
-  ASSERT_EQ(command(kY, 971, 1), 0U);
-  EXPECT_EQ(store(3).error(), AbortCode::DeviceState);
+  ASSERT_EQ(command(kY, 971, 1), std::nullopt);
+  EXPECT_EQ(storage.store(ParameterGroup::Application), Refusal{Refusal::NotNow});
 
-  ASSERT_EQ(command(kX, 971, 1), 0U);
-  ASSERT_EQ(command(kControlUnit, 971, 1), 0U);
+  ASSERT_EQ(command(kX, 971, 1), std::nullopt);
+  ASSERT_EQ(command(kControlUnit, 971, 1), std::nullopt);
 
   EXPECT_EQ(saved_value(kY, 1120), 2.0);
-  EXPECT_TRUE(store(3));
+  EXPECT_EQ(storage.store(ParameterGroup::Application), std::nullopt);
 }
 
 TEST_F(Storage, DoesNothingOnZero) {
-  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
+  ASSERT_EQ(command(kControlUnit, 9, 30), std::nullopt);
   for (const std::uint16_t number : std::vector<std::uint16_t>{971, 972, 976, 977})
-    EXPECT_EQ(command(kControlUnit, number, 0), 0U);
+    EXPECT_EQ(command(kControlUnit, number, 0), std::nullopt);
 
   EXPECT_EQ(shelf.stores, 0);
   EXPECT_FALSE(has_follow_up());
 }
 
 TEST_F(Storage, RefusesOtherValues) {
-  EXPECT_EQ(command(kControlUnit, 977, 2), 0x06090030U);
-  EXPECT_EQ(command(kControlUnit, 977, 1013), 0x06090030U);
-  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
-  EXPECT_EQ(command(kControlUnit, 976, 3), 0x06090030U);
+  EXPECT_EQ(command(kControlUnit, 977, 2), Refusal{Refusal::IllegalValue});
+  EXPECT_EQ(command(kControlUnit, 977, 1013), Refusal{Refusal::IllegalValue});
+  ASSERT_EQ(command(kControlUnit, 9, 30), std::nullopt);
+  EXPECT_EQ(command(kControlUnit, 976, 3), Refusal{Refusal::IllegalValue});
 
   EXPECT_EQ(shelf.stores, 0);
   EXPECT_FALSE(has_follow_up());
 }
 
 TEST_F(Storage, SavesOneGroupOfEveryDriveObject) {
-  ASSERT_TRUE(store(1));
+  ASSERT_EQ(storage.store(ParameterGroup::All), std::nullopt);
   for (const std::uint8_t axis : {kX, kY}) {
     ASSERT_TRUE(unit.object(axis)->write(1120, 1.0));
     ASSERT_TRUE(unit.object(axis)->write(2161, 7.0));
@@ -119,26 +115,26 @@ TEST_F(Storage, SavesOneGroupOfEveryDriveObject) {
   }
   ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 250));
 
-  ASSERT_TRUE(store(2));
+  ASSERT_EQ(storage.store(ParameterGroup::Communication), std::nullopt);
   EXPECT_EQ(saved_value(kX, 8701), 0x345);
   EXPECT_EQ(saved_value(kControlUnit, 8606), 250.0);
   EXPECT_EQ(saved_value(kX, 1120), 10.0);
 
-  ASSERT_TRUE(store(3));
+  ASSERT_EQ(storage.store(ParameterGroup::Application), std::nullopt);
   EXPECT_EQ(saved_value(kX, 1120), 1.0);
   EXPECT_EQ(saved_value(kY, 1120), 1.0);
   EXPECT_EQ(saved_value(kX, 2161), 5.0);
 }
 
 TEST_F(Storage, StaysAsItWasWhenNobodyKeepsTheImage) {
-  ASSERT_TRUE(store(1));
+  ASSERT_EQ(storage.store(ParameterGroup::All), std::nullopt);
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
   shelf.is_full = true;
 
-  EXPECT_EQ(store(1).error(), AbortCode::HardwareError);
-  EXPECT_EQ(store(3).error(), AbortCode::HardwareError);
-  EXPECT_EQ(command(kControlUnit, 977, 1), 0x06060000U);
-  EXPECT_EQ(command(kX, 971, 1), 0x06060000U);
+  EXPECT_EQ(storage.store(ParameterGroup::All), Refusal{Refusal::Failed});
+  EXPECT_EQ(storage.store(ParameterGroup::Application), Refusal{Refusal::Failed});
+  EXPECT_EQ(command(kControlUnit, 977, 1), Refusal{Refusal::Failed});
+  EXPECT_EQ(command(kX, 971, 1), Refusal{Refusal::Failed});
   storage.reload(ParameterGroup::All);
 
   EXPECT_EQ(value(kX, 1120), 10.0);
@@ -147,7 +143,7 @@ TEST_F(Storage, StaysAsItWasWhenNobodyKeepsTheImage) {
 TEST_F(Storage, ReloadsWhatWasSavedAndForgetsTheRest) {
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
   ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 250));
-  ASSERT_TRUE(store(1));
+  ASSERT_EQ(storage.store(ParameterGroup::All), std::nullopt);
   ASSERT_TRUE(unit.object(kX)->write(1120, 2.0));
   ASSERT_TRUE(unit.object(kY)->write(1121, 2.0));
   ASSERT_TRUE(unit.object(kControlUnit)->write(8606, 500));
@@ -183,7 +179,7 @@ TEST_F(Storage, KeepsTheBitRateThroughAReset) {
 
 TEST_F(Storage, AdoptsAnImageAndGoesOnFromIt) {
   ASSERT_TRUE(unit.object(kX)->write(1120, 1.0));
-  ASSERT_TRUE(store(1));
+  ASSERT_EQ(storage.store(ParameterGroup::All), std::nullopt);
   drive::DriveUnit next{two_axes()};
   UnitParameters none;
   ParameterStorage adopted{next, none, shelf, follow_ups};
@@ -191,7 +187,7 @@ TEST_F(Storage, AdoptsAnImageAndGoesOnFromIt) {
   ASSERT_TRUE(adopted.adopt(std::vector<std::byte>{shelf.image}));
   EXPECT_EQ(next.object(kX)->read(1120).value(), 1.0);
   ASSERT_TRUE(next.object(kY)->write(1135, 4.0));
-  ASSERT_FALSE(adopted.store(3));
+  ASSERT_EQ(adopted.store(ParameterGroup::Application), std::nullopt);
 
   EXPECT_EQ(saved_value(kX, 1120), 1.0);
   EXPECT_EQ(saved_value(kY, 1135), 4.0);
@@ -202,23 +198,22 @@ TEST_F(Storage, AdoptsNothingOfAnImageThatDoesNotFit) {
 
   EXPECT_EQ(storage.adopt(garbage).error(), ParameterStorage::Error::NotAnImage);
 
-  EXPECT_EQ(store(2).error(), AbortCode::DeviceState);
+  EXPECT_EQ(storage.store(ParameterGroup::Communication), Refusal{Refusal::NotNow});
 }
 
 TEST_F(Storage, NotesWhatIsToBeDoneAfterTheAnswer) {
-  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
-  EXPECT_EQ(command(kControlUnit, 976, 1), 0U);
+  ASSERT_EQ(command(kControlUnit, 9, 30), std::nullopt);
+  EXPECT_EQ(command(kControlUnit, 976, 1), std::nullopt);
   EXPECT_EQ(next(), restore_of(ParameterGroup::All));
   EXPECT_FALSE(has_follow_up());
-  EXPECT_EQ(command(kControlUnit, 976, 2), 0U);
+  EXPECT_EQ(command(kControlUnit, 976, 2), std::nullopt);
   EXPECT_EQ(next(), kReset);
-  EXPECT_EQ(command(kControlUnit, 972, 1), 0U);
+  EXPECT_EQ(command(kControlUnit, 972, 1), std::nullopt);
   EXPECT_EQ(next(), kReset);
   EXPECT_EQ(value(kControlUnit, 972), 0.0);
-  for (const auto& [sub_index, group] :
-       {std::pair{1, ParameterGroup::All}, std::pair{2, ParameterGroup::Communication},
-        std::pair{3, ParameterGroup::Application}}) {
-    ASSERT_TRUE(restore(static_cast<std::uint8_t>(sub_index)));
+  for (const ParameterGroup group :
+       {ParameterGroup::All, ParameterGroup::Communication, ParameterGroup::Application}) {
+    ASSERT_EQ(storage.restore(group), std::nullopt);
     EXPECT_EQ(next(), restore_of(group));
   }
 }
@@ -226,12 +221,12 @@ TEST_F(Storage, NotesWhatIsToBeDoneAfterTheAnswer) {
 TEST_F(Storage, RestartsWhenOperationalIsLeftIfP0972SaysSo) {
   storage.on_operational_left();
   EXPECT_FALSE(has_follow_up());
-  ASSERT_EQ(command(kControlUnit, 972, 2), 0U);
+  ASSERT_EQ(command(kControlUnit, 972, 2), std::nullopt);
   EXPECT_EQ(value(kControlUnit, 972), 2.0);
   storage.on_operational_left();
   EXPECT_FALSE(has_follow_up());
 
-  ASSERT_EQ(command(kControlUnit, 972, 3), 0U);
+  ASSERT_EQ(command(kControlUnit, 972, 3), std::nullopt);
   EXPECT_EQ(value(kControlUnit, 972), 3.0);
   storage.on_operational_left();
 
@@ -245,14 +240,15 @@ TEST_F(Storage, RefusesToRestoreWhilePulsesAreEnabled) {
     for (int i = 0; i < 3; ++i) unit.axes()[1].cycle(drive::Setpoints{.controlword = controlword}, 0.004);
   ASSERT_TRUE(unit.axes()[1].actual().pulses_enabled);
 
-  for (std::uint8_t sub_index = 1; sub_index <= 3; ++sub_index)
-    EXPECT_EQ(restore(sub_index).error(), AbortCode::DeviceState);
-  ASSERT_EQ(command(kControlUnit, 9, 30), 0U);
-  EXPECT_EQ(command(kControlUnit, 976, 1), 0x08000022U);
+  for (const ParameterGroup group :
+       {ParameterGroup::All, ParameterGroup::Communication, ParameterGroup::Application})
+    EXPECT_EQ(storage.restore(group), Refusal{Refusal::NotNow});
+  ASSERT_EQ(command(kControlUnit, 9, 30), std::nullopt);
+  EXPECT_EQ(command(kControlUnit, 976, 1), Refusal{Refusal::NotNow});
 
   EXPECT_FALSE(has_follow_up());
-  EXPECT_TRUE(store(1));
+  EXPECT_EQ(storage.store(ParameterGroup::All), std::nullopt);
 }
 
 }  // namespace
-}  // namespace device
+}  // namespace unit

@@ -5,7 +5,7 @@
 
 #include "drive/drive_object.hpp"
 
-namespace device {
+namespace unit {
 
 /// One index of a parameter of a drive object.
 struct ParameterPlace {
@@ -14,7 +14,7 @@ struct ParameterPlace {
   std::size_t index;
 };
 
-/// Answers for parameters whose home is the bus, that is, agreed parameters and commands.
+/// Answers for parameters whose home is outside the drive unit, that is, agreed parameters and commands.
 class ParameterOwner {
  public:
   virtual ~ParameterOwner() = default;
@@ -23,6 +23,11 @@ class ParameterOwner {
     (void)place;
     return std::nullopt;
   }
+  /// Whether the value of @p place lives with the owner: what is loaded gets there with Face::adopt().
+  virtual bool is_home_of(const ParameterPlace& place) const noexcept {
+    (void)place;
+    return false;
+  }
   /// Takes @p value, which has passed type, limits and state, or carries the command out; the reason if it cannot.
   virtual std::optional<drive::Refusal> take(const ParameterPlace& place, double value) noexcept {
     (void)place, (void)value;
@@ -30,4 +35,4 @@ class ParameterOwner {
   }
 };
 
-}  // namespace device
+}  // namespace unit

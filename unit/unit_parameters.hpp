@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "device/parameter_owner.hpp"
 #include "drive/drive_unit.hpp"
+#include "unit/parameter_owner.hpp"
 
-namespace device {
+namespace unit {
 
 /// Leads the agreed parameters and the commands of the drive unit to those who answer for them; a parameter of
 /// nobody is a value that is kept.
@@ -23,6 +23,9 @@ class UnitParameters final : public drive::ParameterHost {
   std::optional<double> value_of(const drive::DriveObject& object, const drive::ParameterRow& row,
                                  std::size_t index) const noexcept override;
 
+  /// Whether the value of @p place lives with who answers for it.
+  bool is_elsewhere(const ParameterPlace& place) const noexcept;
+
  private:
   struct Range {
     std::uint16_t first, last;
@@ -33,4 +36,4 @@ class UnitParameters final : public drive::ParameterHost {
   std::vector<Range> ranges_;  ///< the latest first
 };
 
-}  // namespace device
+}  // namespace unit

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "libcanopen/node/node.hpp"
+
+namespace device {
+
+/// Where the frames of a node go: to the bus, or nowhere while that is off.
+class BusOutlet {
+ public:
+  /// Both arguments must outlive this.
+  BusOutlet(canopen::Node& node, canopen::FrameSink& sink) noexcept : node_{node}, sink_{sink} {}
+  /// Leads the frames of the node to the bus if @p is_on.
+  void lead(bool is_on) noexcept { node_.send_to(is_on ? sink_ : nowhere_); }
+
+ private:
+  struct Nowhere final : canopen::FrameSink {
+    void send(const canopen::Frame&, canopen::Delivery) override {}
+  };
+
+  canopen::Node& node_;
+  canopen::FrameSink& sink_;
+  Nowhere nowhere_{};
+};
+
+}  // namespace device

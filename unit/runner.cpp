@@ -1,0 +1,180 @@
+#include "unit/runner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace unit {
+
+Runner::Runner(const Configuration& configuration, ParameterKeeper& keeper)
+    : keeper_{keeper},
+      unit_{configuration.drive, &parameters_},
+      storage_{unit_, parameters_, keeper, follow_ups_},
+      presets_{configuration, unit_, parameters_},
+      retained_(drive::retained_image::size(unit_)),
+      idle_{(AxisMask{1} << unit_.axes().size()) - 1} {}
+
+void Runner::attach(Face& face) {
+  faces_.push_back(&face);
+  lay_presets(ParameterGroup::All);
+  face.adopt({.cause = Replacement::Cause::Loaded});
+}
+
+void Runner::start(TimePoint now) noexcept {
+  set_now(now);
+  clock_.begin(now);
+  started_ = now;
+  rested_until_ = now;
+  adopt({.cause = Replacement::Cause::PowerOn});
+  run_cycle(true);  // run-up: the first statusword is that of a unit that is ready
+  for (Face* const face : faces_) face->show();
+  tell_time(now);
+  take_over_period();
+}
+
+void Runner::tell_time(TimePoint now) noexcept {
+  now_ = now;
+  const Duration running = now - started_.value_or(now);
+  if (clock_.is_resting() && now > rested_until_) {
+    unit_.rest(std::chrono::duration<double>{now - rested_until_}.count());
+  }
+  rested_until_ = now;
+  const auto uptime = std::chrono::duration_cast<std::chrono::milliseconds>(running).count();
+  unit_.set_time(static_cast<drive::Uptime>(uptime));
+}
+
+/// One cycle of the axes with what has come; @p all of them, or those that something has come for.
+void Runner::run_cycle(bool all) noexcept {
+  for (Face* const face : faces_) face->bring();
+  std::array<bool, drive::kMostAxes> awake{};
+  const std::size_t axes = unit_.axes().size();
+  for (std::size_t i = 0; i < axes; ++i) awake[i] = all || (idle_ >> i & 1U) == 0;
+  unit_.cycle({awake.data(), axes}, clock_.seconds());
+}
+
+void Runner::run_cycles() noexcept {
+  tell_time(now_);
+  const CycleClock::Due due = clock_.take_due(now_);
+  skipped_cycles_ += static_cast<std::uint64_t>(due.skipped);
+  for (std::int64_t i = 0; i < due.run; ++i) run_cycle(false);
+  see_what_rests();
+  publish();
+  const bool infeed_rests = unit_.infeed() == nullptr || unit_.infeed()->is_quiescent();
+  if (infeed_rests && idle_ == (AxisMask{1} << unit_.axes().size()) - 1) clock_.rest();
+}
+
+/// An axis is idle when nothing moves there and nothing waits for it.
+void Runner::see_what_rests() noexcept {
+  AxisMask waiting = 0;
+  for (const Face* const face : faces_) waiting |= face->waiting();
+  idle_ = 0;
+  const std::span<const drive::Axis> axes = std::as_const(unit_).axes();
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (axes[i].is_quiescent()) idle_ |= AxisMask{1} << i;
+  idle_ &= ~waiting;
+}
+
+/// What a cycle has led to: values change at the faces here and nowhere else.
+void Runner::publish() noexcept {
+  for (Face* const face : faces_) face->show();
+  tell_of_messages();
+  for (Face* const face : faces_) face->on_cycles_over();
+}
+
+void Runner::tell_of_messages() noexcept {
+  follow_ups_.drop(FollowUp::ShowMessages);
+  const bool changed = messages_.look(unit_);
+  for (Face* const face : faces_) face->show_messages(changed);
+}
+
+void Runner::show_messages() noexcept {
+  tell_of_messages();
+  wake();
+}
+
+bool Runner::make_up_cycle() noexcept {
+  const CycleClock::Due due = clock_.take_first_due(now_);
+  if (due.run == 0) return false;
+  skipped_cycles_ += static_cast<std::uint64_t>(due.skipped);
+  tell_time(now_);
+  run_cycle(false);
+  return true;
+}
+
+void Runner::wake_clock() noexcept {
+  if (clock_.is_resting()) tell_time(now_);
+  clock_.wake(now_);
+}
+
+void Runner::end_rest(TimePoint arrival) noexcept {
+  if (!clock_.is_resting()) return;
+  const TimePoint now = now_;
+  tell_time(std::min(now, arrival));
+  clock_.wake(std::exchange(now_, now));
+}
+
+std::uint8_t Runner::object_of(std::size_t axis) const noexcept {
+  return axis == 0 ? drive::kControlUnitNumber : unit_.axes()[axis - 1].number();
+}
+
+tl::expected<void, drive::FaultError> Runner::raise(std::size_t axis, std::uint16_t number, std::uint32_t value,
+                                                    TimePoint now) noexcept {
+  tell_time(now);
+  auto raised = unit_.raise(object_of(axis), number, value);
+  show_messages();
+  return raised;
+}
+
+bool Runner::acknowledge(std::size_t axis, TimePoint now) noexcept {
+  tell_time(now);
+  const bool clear = unit_.acknowledge(object_of(axis));
+  show_messages();
+  return clear;
+}
+
+void Runner::acknowledge() noexcept {
+  tell_time(now_);
+  unit_.for_each_object([this](const drive::DriveObject& object) { unit_.acknowledge(object.number()); });
+  show_messages();
+}
+
+void Runner::set_line_voltage(double voltage, TimePoint now) noexcept {
+  tell_time(now);
+  unit_.set_line_voltage(voltage);
+  wake();
+}
+
+void Runner::set_input(unsigned number, bool high, TimePoint now) noexcept {
+  tell_time(now);
+  unit_.control_unit().terminals().apply(number, high);
+  wake();
+}
+
+void Runner::fail_encoder(std::size_t axis, motor::EncoderDefect defect, TimePoint now) noexcept {
+  tell_time(now);
+  unit_.axes()[axis - 1].fail_encoder(defect);
+  wake(axis);
+}
+
+void Runner::set_load_torque(std::size_t axis, double torque, TimePoint now, motor::LoadTorqueType type) noexcept {
+  set_now(now);
+  unit_.axes()[axis - 1].set_load_torque(torque, type);
+  wake(axis);
+}
+
+bool Runner::is_moving() const noexcept {
+  return !clock_.is_resting() && std::ranges::any_of(unit_.axes(), [](const drive::Axis& axis) {
+    return axis.actual().pulses_enabled || std::abs(axis.actual().speed) > 0.0;
+  });
+}
+
+AxisMask Runner::held_back_axes() const noexcept {
+  AxisMask axes = 0;
+  for (const drive::Axis& axis : unit_.axes())
+    if (axis.drive_train().is_held_back()) axes |= AxisMask{1} << (axis.axis_number() - 1);
+  return axes;
+}
+
+}  // namespace unit
