@@ -1,5 +1,7 @@
 #include "tests/libcanopen/node_fixture.hpp"
 
+#include "libcanopen/sdo/command.hpp"
+
 using canopen::Frame;
 using canopen::NmtState;
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "libcanopen/node/node.hpp"
+#include "libcanopen/pdo/settings.hpp"
 #include "tests/fakes/candump.hpp"
 #include "tests/fakes/vector_bus.hpp"
 #include "tests/libcanopen/test_table.hpp"
