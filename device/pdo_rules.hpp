@@ -6,6 +6,7 @@
 #include "device/process_data_layout.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
+#include "libcanopen/pdo/settings.hpp"
 
 namespace device {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "libcanopen/base/cob_id.hpp"
-#include "libcanopen/pdo/parameters.hpp"
+#include "libcanopen/pdo/settings.hpp"
 
 namespace device {
 namespace {

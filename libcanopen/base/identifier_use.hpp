@@ -11,6 +11,8 @@ class IdentifierUse {
   virtual ~IdentifierUse() = default;
   /// True if a service of the node already sends or receives @p identifier.
   virtual bool is_used(Identifier identifier) const noexcept = 0;
+  /// A service has taken @p identifier while identifiers are being claimed.
+  virtual void take(Identifier identifier) noexcept = 0;
   /// A service has taken, changed or given up an identifier.
   virtual void on_identifiers_changed() noexcept = 0;
 };

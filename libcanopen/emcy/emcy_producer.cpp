@@ -3,22 +3,32 @@
 #include <algorithm>
 
 #include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/node/identifier_list.hpp"
 
 namespace canopen {
 namespace {
 
 constexpr std::uint16_t kCobIdEmcy = 0x1014;
 constexpr std::uint16_t kInhibitTime = 0x1015;
+constexpr std::size_t kTimer = 0;
 
 }  // namespace
 
-EmcyProducer::EmcyProducer(Context& context, std::size_t timer) : context_{context}, timer_{timer} {
+EmcyProducer::EmcyProducer(Context& context)
+    : Service{context,
+              {.lives_in = kStatesOfObjects, .identifiers = 1, .timers = 1, .stage = ReloadStage::Senders}} {
   for (const std::uint16_t index : {kCobIdEmcy, kInhibitTime}) context_.dictionary.serve_writes(index, 0, *this);
 }
 
-void EmcyProducer::reload() noexcept {
-  sent_ = TimePoint::min();
-  forget();
+void EmcyProducer::list_identifiers(IdentifierList& list) const noexcept {
+  list.sends(identifier_);
+}
+
+void EmcyProducer::reload(Reload how) noexcept {
+  if (how == Reload::Afresh) {
+    sent_ = TimePoint::min();
+    forget();
+  }
   take_over();
 }
 
@@ -33,7 +43,7 @@ void EmcyProducer::take_over() noexcept {
 
 void EmcyProducer::forget() noexcept {
   count_ = 0;
-  context_.timers.cancel(timer_);
+  cancel(kTimer);
 }
 
 Result<void> EmcyProducer::write(const Entry& entry, std::int64_t value) {
@@ -51,19 +61,21 @@ Result<void> EmcyProducer::write_cob_id(std::uint32_t cob_id) noexcept {
     if (identifier != identifier_ && context_.identifiers.is_used(identifier))
       return refuse(AbortCode::ParameterIncompatible);
   }
+  if (identifier == identifier_) return {};
   identifier_ = identifier;
   if (identifier_ == 0) forget();
+  context_.identifiers.on_identifiers_changed();
   return {};
 }
 
 void EmcyProducer::set_inhibit_time(Duration inhibit) noexcept {
   inhibit_ = inhibit;
-  if (count_ != 0) context_.timers.arm(timer_, std::max(context_.now, next_moment()));
+  if (count_ != 0) arm(kTimer, std::max(context_.now, next_moment()));
 }
 
 void EmcyProducer::send(std::uint16_t code, std::uint8_t error_register,
                         const std::array<std::uint8_t, 5>& manufacturer) noexcept {
-  if (identifier_ == 0 || !services_in(context_.state).emcy) return;
+  if (identifier_ == 0 || !kStatesOfObjects.contains(context_.state)) return;
   Message message{};
   store(message.data(), code);
   message[2] = error_register;
@@ -82,7 +94,7 @@ void EmcyProducer::enqueue(const Message& message) noexcept {
   }
   waiting_[(first_ + count_) % waiting_.size()] = message;
   ++count_;
-  if (!context_.timers.is_armed(timer_)) context_.timers.arm(timer_, next_moment());
+  if (!is_armed(kTimer)) arm(kTimer, next_moment());
 }
 
 void EmcyProducer::transmit(const Message& message) noexcept {
@@ -92,13 +104,13 @@ void EmcyProducer::transmit(const Message& message) noexcept {
   context_.sink->send(frame, Delivery::Ordered);
 }
 
-void EmcyProducer::on_timer() noexcept {
+void EmcyProducer::on_timer(std::size_t) noexcept {
   while (count_ != 0 && next_moment() <= context_.now) {
     transmit(waiting_[first_]);
     first_ = (first_ + 1) % waiting_.size();
     --count_;
   }
-  if (count_ != 0) context_.timers.arm(timer_, next_moment());
+  if (count_ != 0) arm(kTimer, next_moment());
 }
 
 }  // namespace canopen

@@ -14,7 +14,9 @@ constexpr std::uint8_t kGenericError = 0x01;
 }  // namespace
 
 ErrorKeeper::ErrorKeeper(Context& context, EmcyProducer& producer)
-    : context_{context}, producer_{producer}, enabled_{context.policy.error_keeping == ErrorKeeping::Library} {
+    : Service{context, {.lives_in = kStatesOfObjects, .stage = ReloadStage::Senders}},
+      producer_{producer},
+      enabled_{context.policy.error_keeping == ErrorKeeping::Library} {
   if (!enabled_) return;
   Dictionary& dictionary = context_.dictionary;
   dictionary.serve_writes(kErrorField, 0, *this);
@@ -49,14 +51,10 @@ bool ErrorKeeper::clear(std::uint16_t code, std::uint16_t detail) noexcept {
   return true;
 }
 
-void ErrorKeeper::reload() noexcept {
+void ErrorKeeper::reload(Reload how) noexcept {
   if (!enabled_) return;
-  count_ = 0;
+  if (how == Reload::Afresh) count_ = 0;
   show_register(0);
-}
-
-void ErrorKeeper::take_over() noexcept {
-  if (enabled_) show_register(0);
 }
 
 /// Brings 1001h up to date. Returns it, with @p further_bits of an error that is not kept.

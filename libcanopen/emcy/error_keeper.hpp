@@ -2,14 +2,13 @@
 
 #include <array>
 
-#include "libcanopen/base/export.hpp"
 #include "libcanopen/emcy/emcy_producer.hpp"
 
 namespace canopen {
 
 /// Keeps the error register 1001h and the error history 1003h and sends EMCY when an error comes or goes
 /// (CiA 301, 7.2.7.1, 7.5.2.2, 7.5.2.4). Does nothing unless the policy says ErrorKeeping::Library.
-class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
+class ErrorKeeper final : public Service, public EntryOwner {
  public:
   /// Errors that are kept at the same time. Further ones are sent and enter the history, but their bits do not
   /// stay in the error register and clear() does not know them.
@@ -24,11 +23,9 @@ class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
   /// That error is gone: EMCY "error reset" with what is left of the error register. Nothing happens if it is not
   /// there. True if the dictionary has changed.
   bool clear(std::uint16_t code, std::uint16_t detail) noexcept;
-  /// The services start afresh: no error is present. The history is what the dictionary holds, so that a reset
-  /// empties it and the return of the bus does not.
-  void reload() noexcept;
-  /// The values of the dictionary are others: 1001h shows the errors that are present.
-  void take_over() noexcept;
+  /// Afresh: no error is present, and no EMCY tells of those that end. The history is what the dictionary holds,
+  /// so that a reset empties it and the return of the bus does not. Else 1001h shows the errors that are present.
+  void reload(Reload how) noexcept override;
 
   /// An entry of the history; NoData beyond their number.
   Result<std::int64_t> read(const Entry& entry, std::int64_t stored) override;
@@ -47,7 +44,6 @@ class CANOPEN_EXPORT ErrorKeeper final : public EntryOwner {
   void set_history(std::uint8_t sub_index, std::int64_t value) noexcept;
   std::int64_t history(std::uint8_t sub_index) const noexcept;
 
-  Context& context_;
   EmcyProducer& producer_;
   bool enabled_;
   std::uint8_t room_ = 0;  ///< entries of the history

@@ -2,17 +2,13 @@
 
 #include <cstdint>
 
-#include "libcanopen/base/export.hpp"
 #include "libcanopen/nmt/state.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace canopen {
 
-/// Sub-index of 1029h for errors of the communication; those of the device profile follow it.
-inline constexpr std::uint8_t kCommunicationErrorClass = 1;
-
 /// Knows which NMT state an error leads to (CiA 301, 7.5.2.32; object 1029h).
-class CANOPEN_EXPORT ErrorBehaviour final : public EntryOwner {
+class ErrorBehaviour final : public EntryOwner {
  public:
   /// Owns what can be written of 1029h in @p dictionary, which must outlive it. Works without the object.
   explicit ErrorBehaviour(Dictionary& dictionary);

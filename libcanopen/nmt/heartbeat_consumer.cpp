@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "libcanopen/node/identifier_list.hpp"
+
 namespace canopen {
 namespace {
 
@@ -28,11 +30,17 @@ constexpr Identifier watched_by(std::uint32_t word) noexcept {
 constexpr bool is_watch(const Entry& entry) noexcept {
   return entry.index == kConsumerHeartbeatTime && entry.sub_index != 0;
 }
+std::size_t watches_in(const Dictionary& dictionary) noexcept {
+  return static_cast<std::size_t>(std::ranges::count_if(dictionary.entries(), is_watch));
+}
 
 }  // namespace
 
-HeartbeatConsumer::HeartbeatConsumer(Context& context, std::size_t first_timer)
-    : context_{context}, first_timer_{first_timer} {
+HeartbeatConsumer::HeartbeatConsumer(Context& context)
+    : Service{context,
+              {.lives_in = kStatesOfNmt,
+               .identifiers = watches_in(context.dictionary),
+               .timers = watches_in(context.dictionary)}} {
   for (const Entry& entry : context_.dictionary.entries()) {
     if (!is_watch(entry)) continue;
     watches_.push_back({.entry = &entry});
@@ -41,16 +49,18 @@ HeartbeatConsumer::HeartbeatConsumer(Context& context, std::size_t first_timer)
   identifiers_.resize(watches_.size());
 }
 
-std::size_t HeartbeatConsumer::timers_for(const Dictionary& dictionary) noexcept {
-  return static_cast<std::size_t>(std::ranges::count_if(dictionary.entries(), is_watch));
+void HeartbeatConsumer::list_identifiers(IdentifierList& list) const noexcept {
+  for (std::size_t position = 0; position < identifiers_.size(); ++position)
+    list.hears(identifiers_[position], position);
 }
 
 std::uint8_t HeartbeatConsumer::node_id(std::size_t position) const noexcept {
   return static_cast<std::uint8_t>(identifiers_[position] - function_code::kErrorControl);
 }
 
-void HeartbeatConsumer::reload() noexcept {
-  for (std::size_t position = 0; position < watches_.size(); ++position) release(position);
+void HeartbeatConsumer::reload(Reload how) noexcept {
+  for (std::size_t position = 0; how == Reload::Afresh && position < watches_.size(); ++position)
+    release(position);
   take_over();
 }
 
@@ -115,11 +125,11 @@ void HeartbeatConsumer::stop_watching(std::size_t position) noexcept {
   const bool was_lost = watch.life == Life::Lost;
   watch.life = Life::Unknown;
   watch.state.reset();
-  context_.timers.cancel(first_timer_ + position);
+  cancel(position);
   if (was_lost) context_.errors.on_recovery(CommunicationError::Heartbeat, node_id(position));
 }
 
-void HeartbeatConsumer::on_frame(std::size_t position, const Frame& frame) noexcept {
+void HeartbeatConsumer::on_frame(const Frame& frame, std::size_t position) noexcept {
   if (frame.length != 1) return;
   const auto code = static_cast<std::uint8_t>(frame.data[0] & kStateBits);
   if (code == static_cast<std::uint8_t>(NmtState::Initialising)) {
@@ -145,23 +155,21 @@ void HeartbeatConsumer::on_heartbeat(std::size_t position, std::uint8_t code) no
   if (is_news) watch.state = state;
   watch.life = Life::Present;
   watch.deadline = context_.now + watch.time;
-  if (!context_.timers.is_armed(first_timer_ + position)) {
-    context_.timers.arm(first_timer_ + position, watch.deadline);
-  }
+  if (!is_armed(position)) arm(position, watch.deadline);
   if (was_lost) context_.errors.on_recovery(CommunicationError::Heartbeat, node);
   if (is_news) context_.application.on_heartbeat(node, state);
 }
 
-void HeartbeatConsumer::on_timer(std::size_t which) noexcept {
-  Watch& watch = watches_[which];
+void HeartbeatConsumer::on_timer(std::size_t position) noexcept {
+  Watch& watch = watches_[position];
   if (watch.life != Life::Present) return;  // a boot-up message came since it was armed
   if (context_.now < watch.deadline) {      // heartbeats have come since it was armed
-    context_.timers.arm(first_timer_ + which, watch.deadline);
+    arm(position, watch.deadline);
     return;
   }
   watch.life = Life::Lost;
   watch.state.reset();
-  context_.errors.on_error(CommunicationError::Heartbeat, node_id(which));
+  context_.errors.on_error(CommunicationError::Heartbeat, node_id(position));
 }
 
 }  // namespace canopen

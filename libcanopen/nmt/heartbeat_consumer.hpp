@@ -1,34 +1,26 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "libcanopen/base/export.hpp"
-#include "libcanopen/node/context.hpp"
+#include "libcanopen/node/service.hpp"
 
 namespace canopen {
 
 /// Watches the heartbeats of other nodes (CiA 301, 7.2.8.3.2.2; object 1016h, each entry node-ID << 16 | time in
 /// ms; time 0, or a node-ID that is not 1..127: not used). Watching begins with the first heartbeat of the node
 /// and begins anew after its boot-up message; a time-out is an error until the next heartbeat.
-class CANOPEN_EXPORT HeartbeatConsumer final : public EntryOwner {
+class HeartbeatConsumer final : public Service, public EntryOwner {
  public:
-  /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
-  HeartbeatConsumer(Context& context, std::size_t first_timer);
-  /// Timers that the entries of 1016h in @p dictionary need.
-  static std::size_t timers_for(const Dictionary& dictionary) noexcept;
+  explicit HeartbeatConsumer(Context& context);
 
-  /// Starts over with the values of 1016h; what could not be written is not used.
-  void reload() noexcept;
-  /// Goes on with the values of 1016h: entries that have not changed watch on.
-  void take_over() noexcept;
+  void list_identifiers(IdentifierList& list) const noexcept override;
+  /// What could not be written is not used. Entries that have not changed watch on unless @p how is Afresh.
+  void reload(Reload how) noexcept override;
   /// An error control frame of the node that entry @p position watches.
-  void on_frame(std::size_t position, const Frame& frame) noexcept;
-  /// Timer @p which of this service fired, counted from its first.
-  void on_timer(std::size_t which) noexcept;
-  /// The identifier that each entry listens to, 0 if it is not used.
-  std::span<const Identifier> identifiers() const noexcept { return identifiers_; }
+  void on_frame(const Frame& frame, std::size_t position) noexcept override;
+  /// The time of entry @p position may be over.
+  void on_timer(std::size_t position) noexcept override;
 
   /// InvalidValue for the node's own node-ID and for reserved bits; ParameterIncompatible for a node-ID that
   /// another entry watches, or whose error control identifier another service uses.
@@ -47,6 +39,7 @@ class CANOPEN_EXPORT HeartbeatConsumer final : public EntryOwner {
 
   Result<void> check(std::size_t position, std::uint32_t word) const noexcept;
   bool is_current(std::size_t position) const noexcept;
+  void take_over() noexcept;
   void release(std::size_t position) noexcept;
   void configure(std::size_t position, std::uint32_t word) noexcept;
   void on_boot_up(std::size_t position) noexcept;
@@ -54,10 +47,8 @@ class CANOPEN_EXPORT HeartbeatConsumer final : public EntryOwner {
   void stop_watching(std::size_t position) noexcept;
   std::uint8_t node_id(std::size_t position) const noexcept;
 
-  Context& context_;
-  std::size_t first_timer_;
   std::vector<Watch> watches_;
-  std::vector<Identifier> identifiers_;
+  std::vector<Identifier> identifiers_;  ///< that each entry listens to, 0 if it is not used
 };
 
 }  // namespace canopen

@@ -1,6 +1,6 @@
 #include "libcanopen/nmt/node_guarding.hpp"
 
-#include "libcanopen/base/cob_id.hpp"
+#include "libcanopen/node/identifier_list.hpp"
 
 namespace canopen {
 namespace {
@@ -9,6 +9,7 @@ constexpr std::uint16_t kGuardTime = 0x100C;
 constexpr std::uint16_t kLifeTimeFactor = 0x100D;
 constexpr std::uint16_t kProducerHeartbeatTime = 0x1017;
 constexpr std::uint8_t kToggleBit = 0x80;
+constexpr std::size_t kTimer = 0;
 
 constexpr Duration life_time(std::int64_t guard_time_ms, std::int64_t factor) noexcept {
   return std::chrono::milliseconds{guard_time_ms * factor};
@@ -16,9 +17,9 @@ constexpr Duration life_time(std::int64_t guard_time_ms, std::int64_t factor) no
 
 }  // namespace
 
-NodeGuarding::NodeGuarding(Context& context, std::size_t timer)
-    : context_{context},
-      timer_{timer},
+NodeGuarding::NodeGuarding(Context& context)
+    : Service{context,
+              {.lives_in = kStatesOfNmt, .identifiers = 1, .timers = 1, .stage = ReloadStage::AfterBootUp}},
       exists_{context.dictionary.contains(kGuardTime) && context.dictionary.contains(kLifeTimeFactor)} {
   if (!exists_) return;
   for (const std::uint16_t index : {kGuardTime, kLifeTimeFactor, kProducerHeartbeatTime})
@@ -29,7 +30,19 @@ std::int64_t NodeGuarding::stored(std::uint16_t index) const noexcept {
   return context_.dictionary.stored(index, 0).value_or(0);
 }
 
-void NodeGuarding::reload() noexcept {
+void NodeGuarding::list_identifiers(IdentifierList& list) const noexcept {
+  if (exists_) list.answers(function_code::kErrorControl + context_.dictionary.node_id());
+}
+
+void NodeGuarding::reload(Reload how) noexcept {
+  if (how == Reload::Afresh) {
+    begin_anew();
+  } else {
+    take_over();
+  }
+}
+
+void NodeGuarding::begin_anew() noexcept {
   stop_watching();
   heartbeat_ = stored(kProducerHeartbeatTime) != 0;
   life_time_ = stored_life_time();
@@ -50,7 +63,7 @@ Duration NodeGuarding::stored_life_time() const noexcept {
   return Duration{0};
 }
 
-void NodeGuarding::on_request() noexcept {
+void NodeGuarding::on_request(std::size_t) noexcept {
   if (heartbeat_) return;
   Frame answer = frame_under(function_code::kErrorControl + context_.dictionary.node_id(), 1);
   answer.data[0] =
@@ -64,20 +77,20 @@ void NodeGuarding::watch() noexcept {
   const bool was_lost = master_ == Life::Lost;
   master_ = Life::Present;
   deadline_ = context_.now + life_time_;
-  if (!context_.timers.is_armed(timer_)) context_.timers.arm(timer_, deadline_);
+  if (!is_armed(kTimer)) arm(kTimer, deadline_);
   if (was_lost) context_.errors.on_recovery(CommunicationError::LifeGuarding, 0);
 }
 
 void NodeGuarding::stop_watching() noexcept {
   const bool was_lost = master_ == Life::Lost;
   master_ = Life::Unwatched;
-  context_.timers.cancel(timer_);
+  cancel(kTimer);
   if (was_lost) context_.errors.on_recovery(CommunicationError::LifeGuarding, 0);
 }
 
-void NodeGuarding::on_timer() noexcept {
+void NodeGuarding::on_timer(std::size_t) noexcept {
   if (context_.now < deadline_) {  // requests have come since it was armed
-    context_.timers.arm(timer_, deadline_);
+    arm(kTimer, deadline_);
     return;
   }
   master_ = Life::Lost;
@@ -121,7 +134,7 @@ void NodeGuarding::set_life_time(Duration life_time) noexcept {
   if (life_time == Duration{0}) return stop_watching();
   if (master_ != Life::Present) return;
   deadline_ = context_.now + life_time;
-  context_.timers.arm(timer_, deadline_);
+  arm(kTimer, deadline_);
 }
 
 }  // namespace canopen

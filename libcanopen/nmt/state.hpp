@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string_view>
 
 namespace canopen {
@@ -37,21 +38,35 @@ constexpr std::string_view name_of(NmtState state) noexcept {
   return "";
 }
 
-/// Which services work in an NMT state (CiA 301, table "NMT states and communication objects").
-struct ServiceGate {
-  bool sdo = false, pdo = false, sync = false, time = false, emcy = false;
-};
-constexpr ServiceGate services_in(NmtState state) noexcept {
-  switch (state) {
-    case NmtState::Operational:
-      return {.sdo = true, .pdo = true, .sync = true, .time = true, .emcy = true};
-    case NmtState::PreOperational:
-      return {.sdo = true, .pdo = false, .sync = true, .time = true, .emcy = true};
-    case NmtState::Stopped:
-    case NmtState::Initialising:
-      break;
+/// A set of NMT states.
+class NmtStates {
+ public:
+  constexpr NmtStates(std::initializer_list<NmtState> states) noexcept {
+    for (const NmtState state : states) bits_ |= bit(state);
   }
-  return {};
-}
+  constexpr bool contains(NmtState state) const noexcept { return (bits_ & bit(state)) != 0; }
+
+ private:
+  static constexpr std::uint8_t bit(NmtState state) noexcept {
+    switch (state) {
+      case NmtState::Initialising:
+        break;
+      case NmtState::Stopped:
+        return 1;
+      case NmtState::PreOperational:
+        return 2;
+      case NmtState::Operational:
+        return 4;
+    }
+    return 0;  // Initialising is passed through: no service works in it
+  }
+
+  std::uint8_t bits_ = 0;
+};
+
+// In which states the services work (CiA 301, table "NMT states and communication objects").
+inline constexpr NmtStates kStatesOfNmt{NmtState::Stopped, NmtState::PreOperational, NmtState::Operational};
+inline constexpr NmtStates kStatesOfObjects{NmtState::PreOperational, NmtState::Operational};  ///< all but PDO
+inline constexpr NmtStates kStatesOfPdo{NmtState::Operational};
 
 }  // namespace canopen

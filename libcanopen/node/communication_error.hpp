@@ -20,6 +20,9 @@ enum class CommunicationError : std::uint8_t {
   RpdoTimeout,      ///< an RPDO missed its deadline; detail: number of the RPDO
 };
 
+/// Sub-index of 1029h for errors of the communication; those of the device profile follow it.
+inline constexpr std::uint8_t kCommunicationErrorClass = 1;
+
 /// What CiA 301 says of one CommunicationError.
 struct CommunicationErrorRow {
   CommunicationError error;

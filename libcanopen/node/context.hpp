@@ -4,7 +4,7 @@
 #include "libcanopen/base/identifier_use.hpp"
 #include "libcanopen/base/time.hpp"
 #include "libcanopen/base/timer_queue.hpp"
-#include "libcanopen/nmt/state.hpp"
+#include "libcanopen/nmt/control.hpp"
 #include "libcanopen/node/application.hpp"
 #include "libcanopen/node/communication_error.hpp"
 #include "libcanopen/node/policy.hpp"
@@ -14,6 +14,8 @@
 
 namespace canopen {
 
+class ServiceList;
+
 /// What every service of a node works with.
 struct Context {
   FrameSink* sink = nullptr;
@@ -21,8 +23,10 @@ struct Context {
   Application& application;
   const Policy& policy;
   TimerQueue& timers;
+  ServiceList& services;
   IdentifierUse& identifiers;
   ErrorReports& errors;
+  NmtControl& nmt;
   SdoView* view = nullptr;  ///< what the SDO servers show; nullptr: the dictionary
   TimePoint now{};          ///< the time that the owner told with the event being handled
   PdoCycle pdo_cycle{};     ///< what event-driven TPDOs are judged in

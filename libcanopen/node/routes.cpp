@@ -4,10 +4,12 @@
 
 namespace canopen {
 
-Routes::Routes(std::size_t most) {
-  extended_.reserve(most);
-  remote_.reserve(most);
-  subscriptions_.reserve(2 * most);
+void Routes::make_room(std::size_t count) {
+  room_ += count;
+  extended_.reserve(room_);
+  remote_.reserve(room_);
+  subscriptions_.reserve(2 * room_);
+  before_.reserve(2 * room_);
 }
 
 void Routes::clear() noexcept {
@@ -16,20 +18,24 @@ void Routes::clear() noexcept {
   remote_.clear();
 }
 
-void Routes::lead(Identifier identifier, Route route) noexcept {
-  if (identifier < base_.size()) {
-    base_[identifier] = route;
-  } else {
-    insert(extended_, identifier, route);
-  }
+void Routes::lead(Identifier identifier, std::uint8_t service, std::uint16_t slot) noexcept {
+  lead(place(identifier), service, slot);
 }
 
-void Routes::lead_remote(Identifier identifier, Route route) noexcept {
-  insert(remote_, identifier, route);
+void Routes::lead_remote(Identifier identifier, std::uint8_t service, std::uint16_t slot) noexcept {
+  lead(place(remote_, identifier), service, slot);
 }
 
-Route Routes::of(Identifier identifier) const noexcept {
-  return identifier < base_.size() ? base_[identifier] : find(extended_, identifier);
+void Routes::lead(Route& route, std::uint8_t service, std::uint16_t slot) noexcept {
+  if (route.service == 0) route = {service, true, slot};
+}
+
+void Routes::use(Identifier identifier) noexcept {
+  place(identifier).used = true;
+}
+
+bool Routes::is_used(Identifier identifier) const noexcept {
+  return (identifier < base_.size() ? base_[identifier] : find(extended_, identifier)).used;
 }
 
 Route Routes::find(const List& list, Identifier identifier) noexcept {
@@ -37,22 +43,26 @@ Route Routes::find(const List& list, Identifier identifier) noexcept {
   return at != list.end() && at->identifier == identifier ? at->route : Route{};
 }
 
-void Routes::insert(List& list, Identifier identifier, Route route) noexcept {
-  const auto at = std::ranges::lower_bound(list, identifier, {}, &Led::identifier);
-  if (at != list.end() && at->identifier == identifier) {
-    at->route = route;
-  } else {
-    list.insert(at, {identifier, route});  // within the capacity reserved by the constructor
-  }
+Route& Routes::place(Identifier identifier) noexcept {
+  return identifier < base_.size() ? base_[identifier] : place(extended_, identifier);
 }
 
-void Routes::list_subscriptions() noexcept {
+Route& Routes::place(List& list, Identifier identifier) noexcept {
+  const auto at = std::ranges::lower_bound(list, identifier, {}, &Led::identifier);
+  if (at != list.end() && at->identifier == identifier) return at->route;
+  return list.insert(at, {identifier, {}})->route;  // within the capacity reserved by make_room()
+}
+
+bool Routes::list_subscriptions() noexcept {
+  subscriptions_.swap(before_);
   subscriptions_.clear();
   for (Identifier identifier = 0; identifier < base_.size(); ++identifier) {
-    if (base_[identifier].service != Service::None) subscriptions_.push_back({identifier});
+    if (base_[identifier].service != 0) subscriptions_.push_back({identifier});
   }
-  for (const Led& led : extended_) subscriptions_.push_back({led.identifier});
+  for (const Led& led : extended_)
+    if (led.route.service != 0) subscriptions_.push_back({led.identifier});
   for (const Led& led : remote_) subscriptions_.push_back({led.identifier, true});
+  return subscriptions_ != before_;
 }
 
 }  // namespace canopen

@@ -4,56 +4,47 @@
 #include <span>
 #include <vector>
 
-#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/subscription.hpp"
 
 namespace canopen {
 
-/// The services that frames go to.
-enum class Service : std::uint8_t {
-  None,
-  Nmt,
-  Sync,
-  Sdo,
-  ViewedSdo,  ///< with an SdoView
-  Rpdo,
-  Heartbeat,
-  Time,
-  Own,          ///< data that only this node may send
-  Guarding,     ///< remote frames only
-  TpdoRequest,  ///< remote frames only
-};
-
 /// Which service takes the frames of an identifier, and which of its objects.
 struct Route {
-  Service service = Service::None;
-  std::uint16_t position = 0;
+  std::uint8_t service = 0;  ///< its place in the ServiceList, 0 = nobody
+  bool used = false;         ///< some service sends or receives the identifier
+  std::uint16_t slot = 0;    ///< as the service has named it
 };
 
 /// Where received frames go: a table over all 11-bit identifiers, and sorted lists for what is rare (29-bit
 /// identifiers, remote frames).
-class CANOPEN_EXPORT Routes {
+class Routes {
  public:
-  /// Room for @p most routes.
-  explicit Routes(std::size_t most);
+  /// Room for @p count identifiers more. To be called before the node starts.
+  void make_room(std::size_t count);
 
   /// Takes all routes out.
   void clear() noexcept;
-  /// Leads data frames of @p identifier to @p route; an earlier route of that identifier is lost.
-  void lead(Identifier identifier, Route route) noexcept;
-  /// Leads remote frames of @p identifier to @p route.
-  void lead_remote(Identifier identifier, Route route) noexcept;
-  /// Lists what the routes need; to be called after the last lead().
-  void list_subscriptions() noexcept;
+  /// Leads data frames of @p identifier to @p slot of @p service, unless they are led elsewhere already.
+  void lead(Identifier identifier, std::uint8_t service, std::uint16_t slot) noexcept;
+  /// The same for remote frames.
+  void lead_remote(Identifier identifier, std::uint8_t service, std::uint16_t slot) noexcept;
+  /// A service uses @p identifier, at least to send.
+  void use(Identifier identifier) noexcept;
+  /// Lists what the routes need; to be called after the last lead(). True if it is not what it was before.
+  bool list_subscriptions() noexcept;
 
-  /// The route of a data frame.
-  Route of(const Frame& frame) const noexcept {
-    return frame.id < base_.size() && !frame.extended ? base_[frame.id] : find(extended_, identifier_of(frame));
+  /// True for a data frame of an 11-bit identifier.
+  bool is_common(const Frame& frame) const noexcept {
+    return !frame.remote && !frame.extended && frame.id < base_.size();
   }
+  /// The route of such a frame.
+  Route of_common(const Frame& frame) const noexcept { return base_[frame.id]; }
+  /// The route of a data frame of a 29-bit identifier.
+  Route of_extended(const Frame& frame) const noexcept { return find(extended_, identifier_of(frame)); }
   /// The route of a remote frame.
   Route of_remote(const Frame& frame) const noexcept { return find(remote_, identifier_of(frame)); }
-  /// The route of data frames of @p identifier.
-  Route of(Identifier identifier) const noexcept;
+  /// Whether data frames of @p identifier are received or sent.
+  bool is_used(Identifier identifier) const noexcept;
   /// In ascending order of identifiers, data before remote.
   std::span<const Subscription> subscriptions() const noexcept { return subscriptions_; }
 
@@ -64,12 +55,16 @@ class CANOPEN_EXPORT Routes {
   };
   using List = std::vector<Led>;
   static Route find(const List& list, Identifier identifier) noexcept;
-  static void insert(List& list, Identifier identifier, Route route) noexcept;
+  static Route& place(List& list, Identifier identifier) noexcept;
+  static void lead(Route& route, std::uint8_t service, std::uint16_t slot) noexcept;
+  Route& place(Identifier identifier) noexcept;
 
   std::array<Route, 2048> base_{};
   List extended_;
   List remote_;
   std::vector<Subscription> subscriptions_;
+  std::vector<Subscription> before_;  ///< the list before it was made anew
+  std::size_t room_ = 0;
 };
 
 }  // namespace canopen

@@ -4,8 +4,13 @@ include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/libcanopen)
 
 install(TARGETS canopen canopen_shared EXPORT libcanopen-targets COMPONENT libcanopen)
-install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/libcanopen
-  COMPONENT libcanopen FILES_MATCHING PATTERN "*.hpp" PATTERN build* EXCLUDE PATTERN package EXCLUDE)
+# The headers for users and for those who write services; the others are the library's own.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS package/headers.txt)
+file(STRINGS package/headers.txt headers)
+foreach(header IN LISTS headers)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/libcanopen/${folder} COMPONENT libcanopen)
+endforeach()
 install(EXPORT libcanopen-targets NAMESPACE libcanopen:: DESTINATION ${config_dir} COMPONENT libcanopen)
 
 configure_package_config_file(package/libcanopen-config.cmake.in libcanopen-config.cmake

@@ -87,6 +87,7 @@ bool PdoParameters::claim(PdoSettings& pdo, std::uint32_t cob_id) noexcept {
   if (!usable) return false;
   pdo.identifier = identifier_in(cob_id);
   pdo.remote_allowed = allows_remote(cob_id);
+  context_.identifiers.take(pdo.identifier);
   return true;
 }
 

@@ -17,22 +17,31 @@ constexpr std::uint16_t detail_of(std::uint16_t number) noexcept {
 
 }  // namespace
 
-ReceivePdos::ReceivePdos(Context& context, std::size_t first_timer)
-    : context_{context},
+ReceivePdos::ReceivePdos(Context& context)
+    : Service{context,
+              {.lives_in = kStatesOfPdo,
+               .identifiers = PdoParameters::count_in(context.dictionary, Direction::Receive),
+               .timers = PdoParameters::count_in(context.dictionary, Direction::Receive)}},
       image_{context.dictionary.image()},
       parameters_{context, Direction::Receive},
-      first_timer_{first_timer},
       incoming_(parameters_.pdos().size()) {
   parameters_.listen(*this);
   waiting_.reserve(incoming_.size());
 }
 
-std::size_t ReceivePdos::timers_for(const Dictionary& dictionary) noexcept {
-  return PdoParameters::count_in(dictionary, Direction::Receive);
+void ReceivePdos::list_identifiers(IdentifierList& list) const noexcept {
+  for (std::size_t position = 0; position < pdos().size(); ++position)
+    list.hears(pdos()[position].identifier, position);
 }
 
-void ReceivePdos::reload() noexcept {
-  forget();
+void ReceivePdos::on_frame(const Frame& frame, std::size_t position) noexcept {
+  const Incoming& pdo = incoming_[position];
+  if (frame.length != pdo.plain_length) return on_special(position, frame);
+  apply(pdo, load<std::uint64_t>(frame.data.data()));
+}
+
+void ReceivePdos::reload(Reload) noexcept {
+  stop();
   parameters_.reload();
   for (Incoming& pdo : incoming_) {
     end_timeout(pdo);
@@ -63,11 +72,11 @@ void ReceivePdos::choose_path(Incoming& pdo) noexcept {
   pdo.plain_length = plain ? pdo.plan.length() : kNoPlainLength;
 }
 
-void ReceivePdos::forget() noexcept {
+void ReceivePdos::stop() noexcept {
   for (const std::uint16_t position : waiting_) incoming_[position].waits = false;
   waiting_.clear();
   window_end_ = kNever;
-  for (std::size_t i = 0; i < incoming_.size(); ++i) context_.timers.cancel(first_timer_ + i);
+  for (std::size_t i = 0; i < incoming_.size(); ++i) cancel(i);
 }
 
 void ReceivePdos::on_special(std::size_t position, const Frame& frame) noexcept {
@@ -113,8 +122,7 @@ void ReceivePdos::watch(std::size_t position) noexcept {
   Incoming& pdo = incoming_[position];
   if (pdo.period.count() == 0) return;
   pdo.deadline = context_.now + pdo.period;
-  const std::size_t timer = first_timer_ + position;
-  if (!context_.timers.is_armed(timer)) context_.timers.arm(timer, pdo.deadline);
+  if (!is_armed(position)) arm(position, pdo.deadline);
 }
 
 void ReceivePdos::end_timeout(Incoming& pdo) noexcept {
@@ -123,9 +131,9 @@ void ReceivePdos::end_timeout(Incoming& pdo) noexcept {
   context_.errors.on_recovery(CommunicationError::RpdoTimeout, detail_of(pdo.number));
 }
 
-void ReceivePdos::on_timer(std::size_t which) noexcept {
-  Incoming& pdo = incoming_[which];
-  if (context_.now < pdo.deadline) return context_.timers.arm(first_timer_ + which, pdo.deadline);
+void ReceivePdos::on_timer(std::size_t position) noexcept {
+  Incoming& pdo = incoming_[position];
+  if (context_.now < pdo.deadline) return arm(position, pdo.deadline);
   pdo.timed_out = true;
   context_.errors.on_error(CommunicationError::RpdoTimeout, detail_of(pdo.number));
 }
@@ -142,9 +150,14 @@ void ReceivePdos::latch(std::size_t position, std::uint64_t payload) noexcept {
   waiting_.push_back(static_cast<std::uint16_t>(position));  // within the capacity reserved by the constructor
 }
 
-void ReceivePdos::on_sync(Duration window) noexcept {
+void ReceivePdos::on_sync(std::uint8_t, Duration window) noexcept {
+  if (context_.state != NmtState::Operational) return;
   window_end_ = window.count() != 0 ? context_.now + window : kNever;
-  // What a value causes may leave Operational, and forget() empties the list meanwhile.
+  if (!waiting_.empty()) apply_waiting();
+}
+
+void ReceivePdos::apply_waiting() noexcept {
+  // What a value causes may leave Operational, and stop() empties the list meanwhile.
   for (std::size_t i = 0; i < waiting_.size(); ++i) {  // NOLINT(modernize-loop-convert)
     Incoming& pdo = incoming_[waiting_[i]];
     pdo.waits = false;
@@ -157,7 +170,7 @@ void ReceivePdos::on_pdo_changed(std::size_t position) noexcept {
   Incoming& pdo = incoming_[position];
   if (pdo.waits) std::erase(waiting_, position);
   pdo.waits = false;
-  context_.timers.cancel(first_timer_ + position);
+  cancel(position);
   end_timeout(pdo);
   report(pdo, Misfit::None);
   load_settings(position);
@@ -166,15 +179,14 @@ void ReceivePdos::on_pdo_changed(std::size_t position) noexcept {
 void ReceivePdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_index, std::int64_t value) noexcept {
   if (sub_index != pdo_sub::kEventTimer) return;
   Incoming& pdo = incoming_[position];
-  const std::size_t timer = first_timer_ + position;
   pdo.period = deadline_time(value);
   choose_path(pdo);
   if (value == 0) {
-    context_.timers.cancel(timer);
+    cancel(position);
     end_timeout(pdo);
-  } else if (context_.timers.is_armed(timer)) {
+  } else if (is_armed(position)) {
     pdo.deadline = context_.now + pdo.period;
-    context_.timers.arm(timer, pdo.deadline);
+    arm(position, pdo.deadline);
   }
 }
 

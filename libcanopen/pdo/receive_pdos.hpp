@@ -1,38 +1,33 @@
 #pragma once
 
-#include "libcanopen/base/export.hpp"
+#include "libcanopen/node/service.hpp"
 #include "libcanopen/pdo/parameters.hpp"
+#include "libcanopen/sync/sync_listener.hpp"
 
 namespace canopen {
 
 /// Takes received process data to the dictionary (CiA 301, 7.2.2): event-driven RPDOs at once, synchronous ones
 /// with the next SYNC. Reports frames of a wrong length and missed deadlines (sub-index 5, the event timer).
-class CANOPEN_EXPORT ReceivePdos final : public PdoParameters::Listener {
+class ReceivePdos final : public Service, public SyncListener, public PdoParameters::Listener {
  public:
-  /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
-  ReceivePdos(Context& context, std::size_t first_timer);
-  /// Timers that the RPDOs of @p dictionary need.
-  static std::size_t timers_for(const Dictionary& dictionary) noexcept;
+  explicit ReceivePdos(Context& context);
 
-  /// Starts over with the values in the dictionary; nothing is valid before claim_identifiers().
-  void reload() noexcept;
+  void list_identifiers(IdentifierList& list) const noexcept override;
+  /// Nothing is valid before claim_identifiers().
+  void reload(Reload how) noexcept override;
   /// As PdoParameters::claim_identifiers().
-  void claim_identifiers() noexcept;
-  /// Operational is left: forgets received values that wait for a SYNC, watches no deadline and no window.
-  void forget() noexcept;
+  void claim_identifiers() noexcept override;
+  /// Forgets received values that wait for a SYNC, watches no deadline and no window.
+  void stop() noexcept override;
 
   /// A data frame of the PDO at @p position. One that is shorter than the mapping is ignored and counted, of a
   /// longer one the first bytes count; either is reported once, until a frame has the right length.
-  void on_frame(std::size_t position, const Frame& frame) noexcept {
-    const Incoming& pdo = incoming_[position];
-    if (frame.length != pdo.plain_length) return on_special(position, frame);
-    apply(pdo, load<std::uint64_t>(frame.data.data()));
-  }
-  /// A SYNC: received values of synchronous RPDOs take effect. Those that come later than @p window after it, if
-  /// that is not 0, are dropped and counted until the next one (CiA 301, 7.5.2.7).
-  void on_sync(Duration window) noexcept;
-  /// Timer @p which of this service fired, counted from its first.
-  void on_timer(std::size_t which) noexcept;
+  void on_frame(const Frame& frame, std::size_t position) noexcept override;
+  /// In Operational received values of synchronous RPDOs take effect. Those that come later than @p window after
+  /// the SYNC, if that is not 0, are dropped and counted until the next one (CiA 301, 7.5.2.7).
+  void on_sync(std::uint8_t counter, Duration window) noexcept override;
+  /// The deadline of the PDO at @p position may be over.
+  void on_timer(std::size_t position) noexcept override;
 
   std::span<const PdoSettings> pdos() const noexcept { return parameters_.pdos(); }
   /// Frames that were too short for their mapping.
@@ -71,14 +66,13 @@ class CANOPEN_EXPORT ReceivePdos final : public PdoParameters::Listener {
   void report(Incoming& pdo, Misfit misfit) noexcept;
   void watch(std::size_t position) noexcept;
   void latch(std::size_t position, std::uint64_t payload) noexcept;
+  void apply_waiting() noexcept;
   void end_timeout(Incoming& pdo) noexcept;
   void load_settings(std::size_t position) noexcept;
   static void choose_path(Incoming& pdo) noexcept;
 
-  Context& context_;
   std::byte* image_;
   PdoParameters parameters_;
-  std::size_t first_timer_;
   std::vector<Incoming> incoming_;
   std::vector<std::uint16_t> waiting_;  ///< positions with a latched payload, in the order of their coming
   TimePoint window_end_ = kNever;

@@ -14,11 +14,14 @@ constexpr Duration event_time(std::int64_t value) noexcept {
 
 }  // namespace
 
-TransmitPdos::TransmitPdos(Context& context, std::size_t first_timer)
-    : context_{context},
+TransmitPdos::TransmitPdos(Context& context)
+    : Service{context,
+              {.lives_in = kStatesOfPdo,
+               .identifiers = PdoParameters::count_in(context.dictionary, Direction::Transmit),
+               .timers = PdoParameters::count_in(context.dictionary, Direction::Transmit) * kTimersEach,
+               .stage = ReloadStage::Senders}},
       image_{context.dictionary.image()},
       parameters_{context, Direction::Transmit},
-      first_timer_{first_timer},
       outgoing_(parameters_.pdos().size()),
       staged_(outgoing_.size()) {
   parameters_.listen(*this);
@@ -26,12 +29,12 @@ TransmitPdos::TransmitPdos(Context& context, std::size_t first_timer)
   event_driven_.reserve(outgoing_.size());
 }
 
-std::size_t TransmitPdos::timers_for(const Dictionary& dictionary) noexcept {
-  return PdoParameters::count_in(dictionary, Direction::Transmit) * kTimersEach;
-}
-
-std::size_t TransmitPdos::timer(std::size_t position, Timer which) const noexcept {
-  return first_timer_ + position * kTimersEach + static_cast<std::size_t>(which);
+void TransmitPdos::list_identifiers(IdentifierList& list) const noexcept {
+  for (std::size_t position = 0; position < pdos().size(); ++position) {
+    const PdoSettings& pdo = pdos()[position];
+    list.sends(pdo.identifier);
+    if (pdo.is_requestable()) list.answers(pdo.identifier, position);
+  }
 }
 
 TransmitPdos::Trigger TransmitPdos::trigger_of(const PdoSettings& pdo) noexcept {
@@ -77,15 +80,12 @@ void TransmitPdos::sort_out() noexcept {
   }
 }
 
-void TransmitPdos::reload() noexcept {
-  take_over();
-  for (Outgoing& pdo : outgoing_) pdo.sent = TimePoint::min();
-}
-
-void TransmitPdos::take_over() noexcept {
+void TransmitPdos::reload(Reload how) noexcept {
   stop();
   for (Outgoing& pdo : outgoing_) note_last_sync(pdo);
   parameters_.reload();
+  for (Outgoing& pdo : outgoing_)
+    if (how == Reload::Afresh) pdo.sent = TimePoint::min();
 }
 
 void TransmitPdos::claim_identifiers() noexcept {
@@ -102,7 +102,7 @@ void TransmitPdos::start() noexcept {
   for (const std::uint16_t position : event_driven_) {
     outgoing_[position].is_due = true;
     if (context_.pdo_cycle.is_on()) {
-      context_.timers.arm(timer(position, Timer::Event), context_.pdo_cycle.next_from(context_.now));
+      arm(timer(position, Timer::Event), context_.pdo_cycle.next_from(context_.now));
     } else {
       request(position, pack(outgoing_[position]));
     }
@@ -111,10 +111,11 @@ void TransmitPdos::start() noexcept {
 
 void TransmitPdos::stop() noexcept {
   running_ = false;
-  for (std::size_t i = 0; i < outgoing_.size() * kTimersEach; ++i) context_.timers.cancel(first_timer_ + i);
+  for (std::size_t i = 0; i < outgoing_.size() * kTimersEach; ++i) cancel(i);
 }
 
-void TransmitPdos::on_sync(std::uint8_t counter) noexcept {
+void TransmitPdos::on_sync(std::uint8_t counter, Duration) noexcept {
+  if (!running_) return;
   if (any_waits_) begin_cycles(counter);
   last_sync_ = context_.now;
   Outgoing* const all = outgoing_.data();
@@ -182,8 +183,8 @@ void TransmitPdos::request(std::size_t position, std::uint64_t payload) noexcept
   const TimePoint allowed = pdo.sent + pdo.inhibit;
   if (moment_ >= allowed) {
     transmit(position, payload);
-  } else if (!context_.timers.is_armed(timer(position, Timer::Inhibit))) {
-    context_.timers.arm(timer(position, Timer::Inhibit), context_.pdo_cycle.next_from(allowed));
+  } else if (!is_armed(timer(position, Timer::Inhibit))) {
+    arm(timer(position, Timer::Inhibit), context_.pdo_cycle.next_from(allowed));
   }
 }
 
@@ -193,11 +194,11 @@ void TransmitPdos::transmit(std::size_t position, std::uint64_t payload) noexcep
   pdo.set_payload(payload);
   context_.sink->send(pdo.frame, Delivery::Replaceable);
   pdo.sent = moment_;
-  if (pdo.inhibit.count() != 0) context_.timers.cancel(timer(position, Timer::Inhibit));
+  if (pdo.inhibit.count() != 0) cancel(timer(position, Timer::Inhibit));
   if (pdo.event_period.count() != 0) {
-    context_.timers.arm(timer(position, Timer::Event), pdo.sent + pdo.event_period);
+    arm(timer(position, Timer::Event), pdo.sent + pdo.event_period);
   } else if (pdo.is_due) {
-    context_.timers.cancel(timer(position, Timer::Event));  // the one that waits for the first cycle
+    cancel(timer(position, Timer::Event));  // the one that waits for the first cycle
   }
   pdo.is_due = false;
 }
@@ -217,13 +218,13 @@ void TransmitPdos::on_timer(std::size_t which) noexcept {
 
 void TransmitPdos::on_pdo_changed(std::size_t position) noexcept {
   Outgoing& pdo = outgoing_[position];
-  for (const Timer which : {Timer::Event, Timer::Inhibit}) context_.timers.cancel(timer(position, which));
+  for (const Timer which : {Timer::Event, Timer::Inhibit}) cancel(timer(position, which));
   note_last_sync(pdo);
   load_settings(position);
   sort_out();
   // As an event, so that the answer to the write comes first.
   if (running_ && pdo.trigger == Trigger::Event)
-    context_.timers.arm(timer(position, Timer::Event), context_.pdo_cycle.next_from(context_.now));
+    arm(timer(position, Timer::Event), context_.pdo_cycle.next_from(context_.now));
 }
 
 void TransmitPdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_index, std::int64_t value) noexcept {
@@ -234,9 +235,9 @@ void TransmitPdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_in
   pdo.event_period = cycle.whole(event_time(value));
   if (!running_ || pdo.trigger != Trigger::Event) return;
   if (value == 0) {
-    context_.timers.cancel(timer(position, Timer::Event));
+    cancel(timer(position, Timer::Event));
   } else {
-    context_.timers.arm(timer(position, Timer::Event), cycle.begin_of(context_.now) + pdo.event_period);
+    arm(timer(position, Timer::Event), cycle.begin_of(context_.now) + pdo.event_period);
   }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "libcanopen/base/export.hpp"
+#include "libcanopen/node/service.hpp"
 #include "libcanopen/pdo/parameters.hpp"
+#include "libcanopen/sync/sync_listener.hpp"
 
 namespace canopen {
 
@@ -9,34 +10,28 @@ namespace canopen {
 /// type 252 on request with the values of the last SYNC, type 253 on request, types 254 and 255 on a change, by
 /// the event timer and on request, never closer than the inhibit time. Types 0..240 answer a request as well. With
 /// a PdoCycle, changes, times and the first frame of types 254 and 255 are judged where a cycle begins.
-class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
+class TransmitPdos final : public Service, public SyncListener, public PdoParameters::Listener {
  public:
-  /// Uses the timers @p first_timer .. first_timer + timers_for(dictionary) - 1.
-  TransmitPdos(Context& context, std::size_t first_timer);
-  /// Timers that the TPDOs of @p dictionary need.
-  static std::size_t timers_for(const Dictionary& dictionary) noexcept;
+  explicit TransmitPdos(Context& context);
 
-  /// Starts over with the values in the dictionary; nothing is valid before claim_identifiers(), and nothing is
-  /// sent before start().
-  void reload() noexcept;
-  /// The same, but inhibit times that run go on.
-  void take_over() noexcept;
+  void list_identifiers(IdentifierList& list) const noexcept override;
+  /// Nothing is valid before claim_identifiers(), and nothing is sent before start(). Inhibit times that run go on
+  /// unless @p how is Afresh.
+  void reload(Reload how) noexcept override;
   /// As PdoParameters::claim_identifiers().
-  void claim_identifiers() noexcept;
-  /// NMT Operational is entered: the event-driven TPDOs send their first frame, at once (with a PdoCycle: where
+  void claim_identifiers() noexcept override;
+  /// The event-driven TPDOs send their first frame, at once (with a PdoCycle: where
   /// the next one begins) unless an inhibit time still runs, and all cycles of SYNCs begin anew.
-  void start() noexcept;
-  /// NMT Operational is left.
-  void stop() noexcept;
-  /// A SYNC with @p counter, 0 if it carries none: takes the values of all TPDOs concerned first, then sends them,
+  void start() noexcept override;
+  void stop() noexcept override;
+  /// Takes the values of all TPDOs concerned first, then sends them,
   /// so that they belong together.
-  void on_sync(std::uint8_t counter) noexcept;
+  void on_sync(std::uint8_t counter, Duration window) noexcept override;
   /// The owner has new values: event-driven TPDOs whose values differ from those last sent are due.
   void on_values_changed() noexcept;
   /// A remote frame asks for the PDO at @p position.
-  void on_request(std::size_t position) noexcept;
-  /// Timer @p which of this service fired, counted from its first.
-  void on_timer(std::size_t which) noexcept;
+  void on_request(std::size_t position) noexcept override;
+  void on_timer(std::size_t which) noexcept override;
 
   std::span<const PdoSettings> pdos() const noexcept { return parameters_.pdos(); }
 
@@ -93,12 +88,12 @@ class CANOPEN_EXPORT TransmitPdos final : public PdoParameters::Listener {
   void load_settings(std::size_t position) noexcept;
   void begin_moment() noexcept { moment_ = context_.pdo_cycle.begin_of(context_.now); }
   void sort_out() noexcept;
-  std::size_t timer(std::size_t position, Timer which) const noexcept;
+  static constexpr std::size_t timer(std::size_t position, Timer which) noexcept {
+    return position * kTimersEach + static_cast<std::size_t>(which);
+  }
 
-  Context& context_;
   const std::byte* image_;
   PdoParameters parameters_;
-  std::size_t first_timer_;
   std::vector<Outgoing> outgoing_;
   std::vector<std::uint16_t> synchronous_;   ///< positions that SYNC concerns
   std::vector<std::uint16_t> event_driven_;  ///< positions that changes concern

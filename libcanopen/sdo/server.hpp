@@ -3,7 +3,6 @@
 #include <array>
 #include <vector>
 
-#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 #include "libcanopen/sdo/command.hpp"
 #include "libcanopen/sdo/domain_locks.hpp"
@@ -14,7 +13,7 @@ namespace canopen {
 
 /// One SDO server (CiA 301, 7.2.4): expedited, segmented and block transfer, one transfer at a time. Every request
 /// gets its answer within the call, unless the owner of what is written puts it off; a refusal is an abort frame.
-class alignas(64) CANOPEN_EXPORT SdoServer {
+class alignas(64) SdoServer {
  public:
   /// @p timer is the number of its timer in the context's queue, @p position its own one in @p locks, @p number
   /// that of its object: 0 for 1200h.

@@ -1,6 +1,9 @@
 #include "libcanopen/sdo/servers.hpp"
 
 #include <algorithm>
+#include <span>
+
+#include "libcanopen/node/identifier_list.hpp"
 
 namespace canopen {
 namespace {
@@ -26,18 +29,30 @@ constexpr bool is_valid(std::uint32_t cob_id) noexcept {
   return (cob_id & cob_id::kInvalid) == 0;
 }
 
+std::size_t servers_in(const Dictionary& dictionary) noexcept {
+  std::size_t servers = 1;
+  for (std::uint16_t number = 1; number < kObjects; ++number) {
+    if (dictionary.contains(static_cast<std::uint16_t>(kFirstObject + number))) ++servers;
+  }
+  return servers;
+}
+
 }  // namespace
 
-SdoServers::SdoServers(Context& context, std::size_t first_timer)
-    : context_{context}, locks_{timers_for(context.dictionary)} {
-  servers_.reserve(timers_for(context.dictionary));
-  indices_.reserve(timers_for(context.dictionary));
+SdoServers::SdoServers(Context& context)
+    : Service{context,
+              {.lives_in = kStatesOfObjects,
+               .identifiers = 2 * servers_in(context.dictionary),
+               .timers = servers_in(context.dictionary)}},
+      locks_{servers_in(context.dictionary)} {
+  servers_.reserve(servers_in(context.dictionary));
+  indices_.reserve(servers_in(context.dictionary));
   for (std::uint16_t number = 0; number < kObjects; ++number) {
     const auto index = static_cast<std::uint16_t>(kFirstObject + number);
     if (number != 0 && !context_.dictionary.contains(index)) continue;
     const std::size_t position = servers_.size();
     position_[number] = static_cast<std::uint8_t>(position);
-    servers_.emplace_back(context_, first_timer + position, locks_, position, static_cast<std::uint8_t>(number));
+    servers_.emplace_back(context_, first_timer() + position, locks_, position, static_cast<std::uint8_t>(number));
     indices_.push_back(index);
     own(index);
   }
@@ -48,15 +63,21 @@ void SdoServers::own(std::uint16_t index) {
     context_.dictionary.serve_writes(index, sub_index, *this);
 }
 
-std::size_t SdoServers::timers_for(const Dictionary& dictionary) noexcept {
-  std::size_t servers = 1;
-  for (std::uint16_t number = 1; number < kObjects; ++number) {
-    if (dictionary.contains(static_cast<std::uint16_t>(kFirstObject + number))) ++servers;
+void SdoServers::list_identifiers(IdentifierList& list) const noexcept {
+  const std::size_t first_slot = context_.view != nullptr ? kViewed : 0;
+  for (std::size_t position = 0; position < servers_.size(); ++position) {
+    list.hears(servers_[position].request_identifier(), first_slot + position);
+    list.sends(servers_[position].response_identifier());
   }
-  return servers;
 }
 
-void SdoServers::reload() noexcept {
+void SdoServers::on_frame(const Frame& frame, std::size_t slot) noexcept {
+  if (slot >= kViewed) return servers_[slot - kViewed].on_viewed_frame(frame);
+  servers_[slot].on_frame(frame);
+}
+
+void SdoServers::reload(Reload how) noexcept {
+  if (how == Reload::Afresh) stop();
   for (std::size_t position = 0; position < servers_.size(); ++position) {
     const CobIds stored = cob_ids(position);
     if (is_possible(position, stored)) {
@@ -86,7 +107,7 @@ void SdoServers::mark_invalid(std::size_t position) noexcept {
   }
 }
 
-void SdoServers::forget() noexcept {
+void SdoServers::stop() noexcept {
   for (SdoServer& server : servers_) server.forget();
 }
 
@@ -117,7 +138,7 @@ bool SdoServers::is_possible(std::size_t position, CobIds wanted) const noexcept
   };
   return request != response && may_have(position, kRequest, wanted.request) &&
          may_have(position, kResponse, wanted.response) &&
-         std::ranges::none_of(servers().first(position), collides);
+         std::ranges::none_of(std::span{servers_}.first(position), collides);
 }
 
 /// True for what the pre-defined connection set gives to the first server: kept for it, and for nobody else.

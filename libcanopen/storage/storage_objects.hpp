@@ -1,13 +1,12 @@
 #pragma once
 
-#include "libcanopen/base/export.hpp"
 #include "libcanopen/node/context.hpp"
 
 namespace canopen {
 
 /// Checks the signatures "save" in 1010h and "load" in 1011h before the application stores or restores parameters
 /// (CiA 301, 7.5.2.13 and 7.5.2.14). Reads keep giving the capabilities that the dictionary holds.
-class CANOPEN_EXPORT StorageObjects final : public EntryOwner {
+class StorageObjects final : public EntryOwner {
  public:
   explicit StorageObjects(Context& context);
 

@@ -1,5 +1,7 @@
 #include "libcanopen/sync/sync_consumer.hpp"
 
+#include "libcanopen/node/identifier_list.hpp"
+
 namespace canopen {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr bool is_overflow(std::int64_t value) noexcept {
 
 }  // namespace
 
-SyncConsumer::SyncConsumer(Context& context) : context_{context} {
+SyncConsumer::SyncConsumer(Context& context) : Service{context, {.lives_in = kStatesOfObjects, .identifiers = 1}} {
   for (const std::uint16_t index : {kCobIdSync, kWindowLength, kCounterOverflow}) {
     context_.dictionary.serve_writes(index, 0, *this);
   }
@@ -30,7 +32,11 @@ std::optional<std::int64_t> SyncConsumer::stored(std::uint16_t index) const noex
   return context_.dictionary.stored(index, 0);
 }
 
-void SyncConsumer::reload() noexcept {
+void SyncConsumer::list_identifiers(IdentifierList& list) const noexcept {
+  list.hears(identifier_);
+}
+
+void SyncConsumer::reload(Reload) noexcept {
   identifier_ = identifier_in(static_cast<std::uint32_t>(stored(kCobIdSync).value_or(0)));
   window_ = window_time(stored(kWindowLength).value_or(0));
   if (wrong_length_) recover();
@@ -44,12 +50,18 @@ void SyncConsumer::set_overflow(std::int64_t value) noexcept {
   shortest_ = longest_ = value != 0 ? std::uint8_t{1} : std::uint8_t{0};
 }
 
-std::optional<std::uint8_t> SyncConsumer::on_wrong_length(std::uint8_t length) noexcept {
-  if (!wrong_length_) {
-    wrong_length_ = length;
-    context_.errors.on_error(CommunicationError::SyncLength, length);
-  }
-  return std::nullopt;
+void SyncConsumer::on_frame(const Frame& frame, std::size_t) noexcept {
+  if (frame.length < shortest_ || frame.length > longest_) return on_wrong_length(frame.length);
+  if (wrong_length_) recover();
+  const std::uint8_t counter = frame.length == 1 ? frame.data[0] : std::uint8_t{0};
+  for (SyncListener* const listener : listeners_) listener->on_sync(counter, window_);
+  context_.application.on_sync(counter);
+}
+
+void SyncConsumer::on_wrong_length(std::uint8_t length) noexcept {
+  if (wrong_length_) return;
+  wrong_length_ = length;
+  context_.errors.on_error(CommunicationError::SyncLength, length);
 }
 
 void SyncConsumer::recover() noexcept {

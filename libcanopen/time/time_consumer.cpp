@@ -1,6 +1,7 @@
 #include "libcanopen/time/time_consumer.hpp"
 
 #include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/node/identifier_list.hpp"
 
 namespace canopen {
 namespace {
@@ -15,16 +16,20 @@ constexpr Identifier consumed_identifier(std::uint32_t cob_id) noexcept {
 
 }  // namespace
 
-TimeConsumer::TimeConsumer(Context& context) : context_{context} {
+TimeConsumer::TimeConsumer(Context& context) : Service{context, {.lives_in = kStatesOfObjects, .identifiers = 1}} {
   context_.dictionary.serve_writes(kCobIdTime, 0, *this);
 }
 
-void TimeConsumer::reload() noexcept {
+void TimeConsumer::list_identifiers(IdentifierList& list) const noexcept {
+  list.hears(identifier_);
+}
+
+void TimeConsumer::reload(Reload) noexcept {
   const std::int64_t cob_id = context_.dictionary.stored(kCobIdTime, 0).value_or(0);
   identifier_ = consumed_identifier(static_cast<std::uint32_t>(cob_id));
 }
 
-void TimeConsumer::on_frame(const Frame& frame) noexcept {
+void TimeConsumer::on_frame(const Frame& frame, std::size_t) noexcept {
   if (frame.length != kTimeBytes) return;
   context_.application.on_time_of_day(
       {load<std::uint32_t>(frame.data.data()) & kMilliseconds, load<std::uint16_t>(&frame.data[4])});

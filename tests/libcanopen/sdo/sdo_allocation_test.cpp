@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "libcanopen/node/node.hpp"
+#include "libcanopen/sdo/sdo_view.hpp"
 #include "tests/fakes/allocation_counter.hpp"
 #include "tests/fakes/candump.hpp"
 #include "tests/libcanopen/fixture/sdo_table.hpp"

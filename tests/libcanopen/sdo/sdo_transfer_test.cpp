@@ -1,3 +1,4 @@
+#include "libcanopen/sdo/command.hpp"
 #include "tests/libcanopen/fixture/node_fixture.hpp"
 
 namespace {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "libcanopen/nmt/state.hpp"
+
+namespace canopen {
+
+/// The NMT state machine of a node, as its services move it. The node implements it.
+class NmtControl {
+ public:
+  virtual ~NmtControl() = default;
+  /// Enters @p state, none but Stopped, Pre-operational or Operational.
+  virtual void enter(NmtState state) noexcept = 0;
+  /// Carries out ResetNode or ResetCommunication.
+  virtual void reset(NmtCommand command) noexcept = 0;
+};
+
+}  // namespace canopen

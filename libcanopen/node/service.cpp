@@ -1,0 +1,10 @@
+#include "libcanopen/node/service.hpp"
+
+#include "libcanopen/node/service_list.hpp"
+
+namespace canopen {
+
+Service::Service(Context& context, const ServiceFacts& facts)
+    : context_{context}, first_timer_{context.services.add(*this, facts)} {}
+
+}  // namespace canopen
