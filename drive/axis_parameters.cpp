@@ -37,21 +37,11 @@ AxisParameters commissioned_parameters(const AxisConfiguration& configuration) n
 }
 
 void* Axis::own_block(BlockId id) noexcept {
-  return find_block(id, parameters_, wired_, feedback_);
+  return find_block(id, *this, parameters_, wired_, feedback_);
 }
 
 const void* Axis::own_block(BlockId id) const noexcept {
-  return find_block(id, parameters_, wired_, feedback_);
-}
-
-double Axis::own_value(const ParameterRow& row, std::size_t index) const noexcept {
-  const auto* const display = std::get_if<Computed<Axis>>(&row.home);
-  return display != nullptr ? display->get(*this, index) : 0.0;
-}
-
-void Axis::set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept {
-  const auto* const command = std::get_if<Computed<Axis>>(&row.home);
-  if (command != nullptr && command->set != nullptr) command->set(*this, index, value);
+  return find_block(id, *this, parameters_, wired_, feedback_);
 }
 
 /// Nothing but loading brings a motor or another mode while a measurement leads.
