@@ -115,7 +115,7 @@ class Device final : private canopen::Application,
   void on_frames_lost(canopen::TimePoint now) noexcept;
 
   /// The address in force.
-  std::uint8_t node_id() const noexcept { return configuration_.node_id; }
+  std::uint8_t node_id() const noexcept { return node_.node_id(); }
   const canopen::Node& node() const noexcept { return node_; }
   const drive::DriveUnit& unit() const noexcept { return unit_; }
   /// Axis @p number (1..axes).
