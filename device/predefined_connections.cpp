@@ -35,9 +35,7 @@ class Writer {
     write_initial(pdo, Part::Mapping, 0);
   }
   void write_initial(pdo::Pdo pdo, Part part, std::uint8_t sub) noexcept {
-    write(pdo, part, sub, [&](const Entry& e) {
-      return e.description->initial + (e.description->node_relative ? dictionary_.node_id() : 0);
-    });
+    write(pdo, part, sub, [&](const Entry& e) { return dictionary_.initial(e); });
   }
   template <class Action>
   void for_each(const Action& action) noexcept {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "device/unit_time.hpp"
+#include "libcanopen/pdo/settings.hpp"
 
 namespace device {
 

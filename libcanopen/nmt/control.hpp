@@ -10,7 +10,8 @@ class NmtControl {
   virtual ~NmtControl() = default;
   /// Enters @p state, none but Stopped, Pre-operational or Operational.
   virtual void enter(NmtState state) noexcept = 0;
-  /// Carries out ResetNode or ResetCommunication.
+  /// Carries out ResetNode or ResetCommunication: the pending node-ID is in force, the dictionary has initial
+  /// values, and the node boots, or waits in Unconfigured if it has no node-ID.
   virtual void reset(NmtCommand command) noexcept = 0;
 };
 

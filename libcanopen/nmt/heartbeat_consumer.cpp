@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "libcanopen/base/node_id.hpp"
 #include "libcanopen/node/identifier_list.hpp"
 
 namespace canopen {
 namespace {
 
 constexpr std::uint16_t kConsumerHeartbeatTime = 0x1016;
-constexpr std::uint8_t kHighestNodeId = 127;
 constexpr std::uint8_t kStateBits = 0x7F;  // bit 7 is the toggle bit of node guarding
 constexpr std::array kStates{NmtState::Stopped, NmtState::Operational, NmtState::PreOperational};
 
@@ -24,7 +24,7 @@ constexpr bool has_reserved_bits(std::uint32_t word) noexcept {
 }
 /// The identifier that an entry listens to, 0 if it is not used (CiA 301, 7.5.2.19).
 constexpr Identifier watched_by(std::uint32_t word) noexcept {
-  const bool used = time_in(word).count() != 0 && node_in(word) >= 1 && node_in(word) <= kHighestNodeId;
+  const bool used = time_in(word).count() != 0 && is_node_id(node_in(word));
   return used ? function_code::kErrorControl + node_in(word) : 0;
 }
 constexpr bool is_watch(const Entry& entry) noexcept {

@@ -36,6 +36,7 @@ void NmtSlave::on_frame(const Frame& frame, std::size_t) noexcept {
 void NmtSlave::command(NmtCommand command) noexcept {
   if (command == NmtCommand::ResetNode || command == NmtCommand::ResetCommunication)
     return context_.nmt.reset(command);
+  if (!kStatesOfNmt.contains(context_.state)) return;
   const auto row = std::find_if(kStateCommands.begin(), kStateCommands.end(),
                                 [=](const CommandRow& r) { return r.command == command; });
   if (row != kStateCommands.end()) {

@@ -12,7 +12,8 @@ class NmtSlave final : public Service {
   void list_identifiers(IdentifierList& list) const noexcept override;
   /// A command to this node or to all; a frame that is not two bytes long is ignored.
   void on_frame(const Frame& frame, std::size_t slot) noexcept override;
-  /// Does what @p command says; what CiA 301 does not define is left to the policy.
+  /// Does what @p command says, in Unconfigured only the resets; what CiA 301 does not define is left to the
+  /// policy.
   void command(NmtCommand command) noexcept;
 };
 

@@ -6,12 +6,14 @@
 
 namespace canopen {
 
-/// NMT states with the code that error control transmits (CiA 301, 7.2.8.3.2.1).
+/// NMT states with the code that error control transmits (CiA 301, 7.2.8.3.2.1). A node without a node-ID waits in
+/// what CiA 305 takes for a part of Initialising; it has a state of its own here.
 enum class NmtState : std::uint8_t {
   Initialising = 0,
   Stopped = 4,
   Operational = 5,
   PreOperational = 127,
+  Unconfigured = 255,  ///< no node-ID: silent, and never transmitted
 };
 
 /// NMT command specifiers (CiA 301, 7.2.8.3.1).
@@ -34,6 +36,8 @@ constexpr std::string_view name_of(NmtState state) noexcept {
       return "Operational";
     case NmtState::PreOperational:
       return "Pre-operational";
+    case NmtState::Unconfigured:
+      return "Unconfigured";
   }
   return "";
 }
@@ -57,6 +61,8 @@ class NmtStates {
         return 2;
       case NmtState::Operational:
         return 4;
+      case NmtState::Unconfigured:
+        return 8;
     }
     return 0;  // Initialising is passed through: no service works in it
   }

@@ -31,6 +31,7 @@ struct Context {
   TimePoint now{};          ///< the time that the owner told with the event being handled
   PdoCycle pdo_cycle{};     ///< what event-driven TPDOs are judged in
   NmtState state = NmtState::Initialising;
+  std::uint8_t pending_node_id = dictionary.node_id();  ///< from the next reset on (CiA 305), or kNoNodeId
   bool answer_deferred = false;  ///< by the owner of what is being written (Node::defer_answer())
 };
 

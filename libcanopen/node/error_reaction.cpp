@@ -23,7 +23,7 @@ void ErrorReaction::on_recovery(CommunicationError error, std::uint16_t detail) 
 }
 
 void ErrorReaction::apply_behaviour(std::uint8_t error_class) noexcept {
-  if (context_.state == NmtState::Initialising) return;
+  if (!kStatesOfNmt.contains(context_.state)) return;
   context_.nmt.enter(services_.error_behaviour.after(error_class, context_.state));
 }
 

@@ -69,6 +69,11 @@ void Node::set_start_state(NmtState state) noexcept {
   parts_->policy.start_state = state;
 }
 
+void Node::set_node_id(std::uint8_t node_id) noexcept {
+  assert(is_node_id(node_id) || node_id == kNoNodeId);
+  parts_->context.pending_node_id = node_id;
+}
+
 void Node::reload(TimePoint now) noexcept {
   *now_ = now;
   parts_->states.reload();

@@ -58,6 +58,11 @@ class CANOPEN_EXPORT Node final {
   /// Lets every boot-up from now on lead to @p state: Operational, PreOperational or Stopped. Until then it is
   /// Policy::start_state. May be called from within Application::on_reset().
   void set_start_state(NmtState state) noexcept;
+  /// The node has @p node_id, 1..127, from the next reset or start() on, or none (kNoNodeId): then it is
+  /// Unconfigured after that, silent until it has one and is reset. At first it is that of the dictionary. A
+  /// start() that brings another one into force is a reset communication. May be called from within
+  /// Application::on_nmt_state(), for the very reset that enters Initialising too.
+  void set_node_id(std::uint8_t node_id) noexcept;
   /// The application has put other values into the dictionary: all services go on with them, in the NMT state and
   /// with the errors that there are. What has not changed goes on undisturbed: transfers of SDO servers that keep
   /// their identifiers, heartbeat and guarding. In Operational all PDOs begin anew. What cannot be in force is
@@ -66,7 +71,7 @@ class CANOPEN_EXPORT Node final {
   /// A frame from the bus.
   void on_frame(const Frame& frame, TimePoint now) noexcept;
   /// Does what @p wanted says, as if the NMT master had sent it (CiA 301, 7.3.2.2: local NMT services). Nothing
-  /// happens before start().
+  /// happens before start(), and in Unconfigured nothing but a reset.
   void command(NmtCommand wanted, TimePoint now) noexcept;
   /// Handles what is due at @p now; belongs after every other call if next_deadline() has come.
   void on_time(TimePoint now) noexcept {
@@ -103,12 +108,14 @@ class CANOPEN_EXPORT Node final {
   void apply_error_behaviour(std::uint8_t error_class) noexcept;
 
   NmtState state() const noexcept;
+  /// The node-ID in force, kNoNodeId if there is none.
   std::uint8_t node_id() const noexcept;
   /// What the node must receive, in ascending order of identifiers, data frames before remote frames.
   std::span<const Subscription> subscriptions() const noexcept;
   /// Whether a service of the node sends or receives @p identifier.
   bool uses(Identifier identifier) const noexcept;
-  /// All PDOs of the dictionary with what is in force of them, in the order of their numbers.
+  /// All PDOs of the dictionary with what is in force of them, in the order of their numbers; while there is no
+  /// node-ID what was in force last.
   std::span<const PdoSettings> receive_pdos() const noexcept;
   std::span<const PdoSettings> transmit_pdos() const noexcept;
   /// How many PDOs of @p direction have a valid COB-ID.

@@ -57,7 +57,8 @@ void ServiceList::reload(Reload how) noexcept {
   reload(how, ReloadStage::Senders);
   reload(how, ReloadStage::Values);
   lay_routes();  // those that services which claim theirs must leave alone
-  for (const Registered& registered : services_) registered.service->claim_identifiers();
+  for (const Registered& registered : services_)
+    if (takes_part(registered)) registered.service->claim_identifiers();
   reloading_ = false;
   lay_routes();
   context_.application.on_subscriptions_changed();
@@ -65,7 +66,7 @@ void ServiceList::reload(Reload how) noexcept {
 
 void ServiceList::reload(Reload how, ReloadStage stage) noexcept {
   for (const Registered& registered : services_)
-    if (registered.facts.stage == stage) registered.service->reload(how);
+    if (registered.facts.stage == stage && takes_part(registered)) registered.service->reload(how);
 }
 
 void ServiceList::on_identifiers_changed() noexcept {
@@ -76,6 +77,7 @@ void ServiceList::on_identifiers_changed() noexcept {
 bool ServiceList::lay_routes() noexcept {
   routes_.clear();
   for (std::size_t i = 0; i < services_.size(); ++i) {
+    if (!takes_part(services_[i])) continue;
     IdentifierList list{routes_, static_cast<std::uint8_t>(i + 1)};
     services_[i].service->list_identifiers(list);
   }

@@ -70,6 +70,11 @@ class ServiceList final : public IdentifierUse {
   bool lives(const Registered& registered) const noexcept {
     return registered.facts.lives_in.contains(context_.state);
   }
+  /// A node without a node-ID has no services but those that live in Unconfigured.
+  bool takes_part(const Registered& registered) const noexcept {
+    return context_.dictionary.node_id() != kNoNodeId ||
+           registered.facts.lives_in.contains(NmtState::Unconfigured);
+  }
   void on_rare_frame(const Frame& frame) noexcept;
   void reload(Reload how, ReloadStage stage) noexcept;
   bool lay_routes() noexcept;

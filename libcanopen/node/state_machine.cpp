@@ -11,6 +11,7 @@ constexpr std::uint16_t kLastApplicationObject = 0x9FFF;
 }  // namespace
 
 void StateMachine::start() noexcept {
+  if (context_.pending_node_id != context_.dictionary.node_id()) return reset(NmtCommand::ResetCommunication);
   const bool runs_on = context_.state == NmtState::Operational && policy_.start_state == NmtState::Operational;
   if (runs_on) enter(NmtState::PreOperational);  // or nothing would begin anew
   boot();
@@ -25,6 +26,7 @@ void StateMachine::reload() noexcept {
 
 void StateMachine::reset(NmtCommand command) noexcept {
   enter(NmtState::Initialising);
+  context_.dictionary.set_node_id(context_.pending_node_id);
   context_.dictionary.restore(kFirstCommunicationObject, kLastCommunicationObject);
   if (command == NmtCommand::ResetNode) {
     context_.dictionary.restore(kFirstApplicationObject, kLastApplicationObject);
@@ -34,11 +36,13 @@ void StateMachine::reset(NmtCommand command) noexcept {
 }
 
 void StateMachine::boot() noexcept {
+  const std::uint8_t node_id = context_.dictionary.node_id();
+  const bool is_configured = node_id != kNoNodeId;
   services_.reload(Reload::Afresh);
-  const Identifier error_control = function_code::kErrorControl + context_.dictionary.node_id();
-  context_.sink->send(frame_under(error_control, 1), Delivery::Ordered);
+  if (is_configured)
+    context_.sink->send(frame_under(function_code::kErrorControl + node_id, 1), Delivery::Ordered);
   services_.reload_after_boot_up(Reload::Afresh);
-  enter(policy_.start_state);
+  enter(is_configured ? policy_.start_state : NmtState::Unconfigured);
 }
 
 void StateMachine::enter(NmtState state) noexcept {

@@ -194,11 +194,8 @@ void Dictionary::restore(std::uint16_t first, std::uint16_t last) noexcept {
 }
 
 void Dictionary::restore(const Entry& entry) noexcept {
+  if (entry.size != 0) return set(entry, initial(entry));
   const EntryDescription& row = *entry.description;
-  if (entry.size != 0) {
-    set(entry, row.initial + (row.node_relative ? node_id_ : 0));
-    return;
-  }
   std::byte* const at = image_.data() + entry.offset;
   store(at, static_cast<std::uint32_t>(row.text.size()));
   std::copy(row.text.begin(), row.text.end(), reinterpret_cast<char*>(at + sizeof(std::uint32_t)));

@@ -10,6 +10,7 @@
 
 #include "libcanopen/base/export.hpp"
 #include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/base/node_id.hpp"
 #include "libcanopen/od/domain_owner.hpp"
 #include "libcanopen/od/entry.hpp"
 
@@ -37,7 +38,8 @@ enum class OwnerRank : std::uint8_t { Application, Service };
 /// Lookup costs two loads; after construction nothing is allocated.
 class CANOPEN_EXPORT Dictionary {
  public:
-  /// Builds the dictionary of @p table, sorted by index and sub-index without duplicates, for @p node_id 1..127.
+  /// Builds the dictionary of @p table, sorted by index and sub-index without duplicates, for @p node_id 1..127
+  /// or kNoNodeId.
   /// @p table must outlive the dictionary. Throws std::invalid_argument if the table is not in order.
   Dictionary(std::span<const EntryDescription> table, std::uint8_t node_id);
   ~Dictionary() = default;
@@ -136,6 +138,14 @@ class CANOPEN_EXPORT Dictionary {
   /// Length of the longest value, in bytes.
   std::size_t longest_value() const noexcept { return longest_value_; }
   std::uint8_t node_id() const noexcept { return node_id_; }
+  /// Another node-ID, 1..127 or kNoNodeId. Values relative to it follow when they are restored.
+  void set_node_id(std::uint8_t node_id) noexcept { node_id_ = node_id; }
+  /// The initial value of a number: that of its description, plus the node-ID if it is relative to that and there
+  /// is one.
+  std::int64_t initial(const Entry& entry) const noexcept {
+    const bool relative = entry.description->node_relative && node_id_ != kNoNodeId;
+    return entry.description->initial + (relative ? node_id_ : 0);
+  }
 
  private:
   struct Slot {

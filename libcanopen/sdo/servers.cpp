@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "libcanopen/base/node_id.hpp"
 #include "libcanopen/node/identifier_list.hpp"
 
 namespace canopen {
@@ -15,14 +16,12 @@ constexpr std::uint16_t kObjects = 128;
 constexpr std::uint8_t kRequest = 1;   ///< COB-ID client to server
 constexpr std::uint8_t kResponse = 2;  ///< COB-ID server to client
 
-constexpr std::uint32_t kLastNodeId = 127;
-
 /// True for an identifier that the pre-defined connection set gives to the SDOs of a node, in the direction of
 /// @p sub_index.
 constexpr bool is_predefined(std::uint8_t sub_index, std::uint32_t cob_id) noexcept {
   const Identifier base = sub_index == kRequest ? function_code::kSdoRequest : function_code::kSdoResponse;
   const Identifier identifier = cob_id & (cob_id::kExtended | cob_id::kLong);
-  return identifier > base && identifier <= base + kLastNodeId;
+  return identifier > base && identifier <= base + kHighestNodeId;
 }
 
 constexpr bool is_valid(std::uint32_t cob_id) noexcept {

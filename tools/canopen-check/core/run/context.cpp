@@ -39,6 +39,7 @@ canopen::NmtCommand command_for(canopen::NmtState state) noexcept {
       return canopen::NmtCommand::Stop;
     case canopen::NmtState::Initialising:
     case canopen::NmtState::PreOperational:
+    case canopen::NmtState::Unconfigured:
       break;
   }
   return canopen::NmtCommand::EnterPreOperational;
