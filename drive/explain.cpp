@@ -68,7 +68,7 @@ constexpr double kNoTorque = 1e-9;  // N·m
 
 /// That the torque limits alone block the motor, if they do.
 std::string torque_limit_hint(const Picture& picture) {
-  const motor::TorqueLimits& limits = picture.seen.torque_limits;
+  const motor::TorqueLimits limits = picture.axis.effective_torque_limits();
   const bool forward = limits.upper > kNoTorque;
   const bool backward = limits.lower < -kNoTorque;
   if (forward && backward) return {};
@@ -123,10 +123,10 @@ void tell(std::span<const Reason> reasons, const Picture& picture, std::vector<s
 
 std::string motion_sentence(const Picture& picture) {
   const double rpm = picture.axis.actual().speed / kRpm;
-  const std::string what = picture.seen.torque_control
+  const std::string what = picture.control().torque_control()
                                ? fmt::format("torque {} N·m", plain(picture.axis.actual().torque))
                                : fmt::format("setpoint {} rpm", plain(picture.axis.actual().speed_demand / kRpm));
-  const std::string limit = !picture.seen.torque_limit_reached ? ""
+  const std::string limit = !picture.axis.is_at_torque_limit() ? ""
                             : load_drives(picture)             ? "; the load drives it against its torque limit"
                                                                : "; it is at its torque limit";
   return fmt::format("It turns at {} rpm ({}{}).", plain(rpm), what, limit);

@@ -13,10 +13,12 @@ namespace drive::explanation {
 /// An axis after a cycle.
 struct Picture {
   const Axis& axis;
-  AxisInsight seen;
 
-  explicit Picture(const Axis& of) : axis{of}, seen{of.insight()} {}
   State state() const noexcept { return axis.actual().state; }
+  const SequenceControl& sequence() const noexcept { return axis.block<SequenceControl>(); }
+  const SetpointChannel& channel() const noexcept { return axis.block<SetpointChannel>(); }
+  const SpeedControl& control() const noexcept { return axis.block<SpeedControl>(); }
+  const TorqueSetpoint& torque() const noexcept { return axis.block<TorqueSetpoint>(); }
 };
 
 /// A set of states, one bit each.

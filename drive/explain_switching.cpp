@@ -18,19 +18,19 @@ std::string off_sentence(P p, const char* name, const std::array<std::uint16_t, 
 }
 
 bool has_off2(P p) noexcept {
-  return p.seen.inputs.has_off2();
+  return p.sequence().inputs.has_off2();
 }
 bool has_off3(P p) noexcept {
-  return p.seen.inputs.has_off3();
+  return p.sequence().inputs.has_off3();
 }
 bool always(P) noexcept {
   return true;
 }
 bool is_halted_without_pulses(P p) noexcept {
-  return p.axis.halt_requested() && p.axis.parameters().halt_option == 0;
+  return p.sequence().halts() && p.sequence().settings.halt_option == 0;
 }
 bool has_dc_link(P p) noexcept {
-  return p.seen.dc_voltage >= p.axis.context().supply.undervoltage;
+  return p.axis.block<PowerUnit>().has_link();
 }
 
 constexpr States kPulsesOff = in(SwitchOnDisabled, ReadyToSwitchOn, SwitchedOn, Fault);
@@ -45,19 +45,19 @@ constexpr std::array kReasons{
         kPulsesOff, load_drives,
         [](P p) { return driven_sentence(p) + ", since the pulses are off: take the load away, or brake it."; }},
     Reason{in(FaultReactionActive, Stop2Active, Off1Braking, QuickStopActive),
-           [](P p) { return load_drives(p) && p.seen.torque_limit_reached; },
+           [](P p) { return load_drives(p) && p.axis.is_at_torque_limit(); },
            [](P p) {
              return driven_sentence(p) +
                     " against the torque limit: take the load away, or raise p1520, p1521 and p0640.";
            }},
     Reason{in(NotReadyToSwitchOn), always,
            [](P) -> std::string { return "The axis is in run-up (r0002 = 70): wait for its first cycle."; }},
-    Reason{kPulsesOff, [](P p) { return p.axis.parameters().commissioning != 0; },
+    Reason{kPulsesOff, [](P p) { return p.sequence().settings.commissioning != 0; },
            [](P p) {
              return fmt::format("Commissioning keeps the axis off (p0010 = {}): write p0010 = 0.",
-                                p.axis.parameters().commissioning);
+                                p.sequence().settings.commissioning);
            }},
-    Reason{kPulsesOff, [](P p) { return p.seen.switching_on_inhibited && p.axis.parameters().commissioning == 0; },
+    Reason{kPulsesOff, [](P p) { return p.sequence().is_inhibited() && p.sequence().settings.commissioning == 0; },
            [](P) -> std::string {
              return "Commissioning of the unit keeps the axis off: write p0009 = 0 on the control unit.";
            }},
@@ -80,23 +80,23 @@ constexpr std::array kReasons{
            }},
     Reason{in(SwitchOnDisabled), has_off2,
            [](P p) {
-             return off_sentence(p, "OFF2", {844, 845}, p.seen.inputs.no_off2);
+             return off_sentence(p, "OFF2", {844, 845}, p.sequence().inputs.no_off2);
            }},
     Reason{in(SwitchOnDisabled), has_off3,
            [](P p) {
-             return off_sentence(p, "OFF3", {848, 849}, p.seen.inputs.no_off3);
+             return off_sentence(p, "OFF3", {848, 849}, p.sequence().inputs.no_off3);
            }},
-    Reason{in(SwitchOnDisabled), [](P p) { return p.seen.inputs.on && !has_off2(p) && !has_off3(p); },
+    Reason{in(SwitchOnDisabled), [](P p) { return p.sequence().is_on() && !has_off2(p) && !has_off3(p); },
            [](P p) {
              return fmt::format("ON ({}) is still set and needs an edge: send 0006h first, then 000Fh.",
                                 wiring_of(p.axis, 840));
            }},
-    Reason{in(ReadyToSwitchOn), [](P p) { return !p.seen.inputs.on; },
+    Reason{in(ReadyToSwitchOn), [](P p) { return !p.sequence().is_on(); },
            [](P p) {
              return fmt::format("ON is missing ({}): {}, together with operation enable 000Fh.",
                                 wiring_of(p.axis, 840), order_for(p.axis, 840, true));
            }},
-    Reason{in(SwitchedOn), [](P p) { return !p.seen.inputs.enable_operation; },
+    Reason{in(SwitchedOn), [](P p) { return !p.sequence().inputs.enable_operation; },
            [](P p) {
              return fmt::format("The operation enable is missing ({}): {}.", wiring_of(p.axis, 852),
                                 order_for(p.axis, 852, true));
@@ -105,7 +105,7 @@ constexpr std::array kReasons{
            [](P) -> std::string {
              return "A halt keeps the pulses off (bit 8 of the controlword with p8791 = 0): clear bit 8.";
            }},
-    Reason{in(SwitchedOn), [](P p) { return !p.seen.inputs.infeed_operates; },
+    Reason{in(SwitchedOn), [](P p) { return !p.sequence().inputs.infeed_operates; },
            [](P p) {
              return fmt::format("The infeed does not operate ({}, r0002 = 23): {} before p0857 ends in F07840.",
                                 wiring_of(p.axis, 864), order_for(p.axis, 864, true));
@@ -114,19 +114,19 @@ constexpr std::array kReasons{
            [](P p) {
              return fmt::format(
                  "The DC link has {} V, less than {} V: switch the line on before p0857 ends in F07802.",
-                 plain(p.seen.dc_voltage), plain(p.axis.context().supply.undervoltage));
+                 plain(p.axis.block<PowerUnit>().dc_voltage()), plain(p.axis.context().supply.undervoltage));
            }},
     Reason{in(Off1Braking), always,
            [](P p) {
              return fmt::format(
                  "OFF1 brakes the axis (p1121 = {} s): wait for Ready to switch on, or give ON again (000Fh).",
-                 plain(p.axis.parameters().ramp_down_time));
+                 plain(p.channel().settings.ramp_down_time));
            }},
     Reason{in(QuickStopActive), always,
            [](P p) {
              return fmt::format(
                  "OFF3 brakes the axis (p1135 = {} s) and is not taken back: wait, then send 0006h and 000Fh.",
-                 plain(p.axis.parameters().off3_ramp_down_time));
+                 plain(p.channel().settings.off3_ramp_down_time));
            }},
 };
 

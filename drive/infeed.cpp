@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "drive/speed_monitors.hpp"
+#include "drive/elapsed.hpp"
 
 namespace drive {
 namespace {

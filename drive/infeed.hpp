@@ -4,7 +4,7 @@
 
 #include "drive/axis_inputs.hpp"
 #include "drive/drive_object.hpp"
-#include "drive/state_machine.hpp"
+#include "drive/sequence_control/state_machine.hpp"
 
 namespace drive {
 

@@ -45,9 +45,6 @@ struct AxisParameters {
   double temperature_alarm = 0.0;         ///< p0604 (°C)
   double temperature_fault = 0.0;         ///< p0605 (°C)
   double current_limit = 0.0;             ///< p0640 (A rms)
-  // Encoder of the machine; only read.
-  std::int32_t encoder_pulses = 0;     ///< p0408
-  std::int32_t encoder_fine_bits = 0;  ///< p0418
   // Setpoint channel and OFF functions.
   double jog_speed_1 = 0.0;                 ///< p1058
   double jog_speed_2 = 0.0;                 ///< p1059

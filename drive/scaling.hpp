@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 
-#include "drive/parameters.hpp"
 #include "drive/units.hpp"
 
 namespace drive {
@@ -20,6 +19,16 @@ Int saturated(double value) noexcept {
   return static_cast<Int>(std::clamp(std::round(value), kLow, kHigh));
 }
 
+/// What values on the bus are relative to, in SI units.
+struct References {
+  double speed = 0.0;                ///< p2000
+  double torque = 0.0;               ///< p2003
+  double rated_torque = 1.0;         ///< p0333
+  double maximum_speed = 0.0;        ///< p1082
+  std::uint32_t encoder_pulses = 0;  ///< of the motor encoder, a revolution
+  unsigned encoder_fine_bits = 0;
+};
+
 /// 6094h: speeds on the bus are multiplied by the numerator and divided by the denominator.
 struct SpeedFactor {
   double numerator = 1.0;    ///< p8798[0]
@@ -30,12 +39,12 @@ struct SpeedFactor {
 /// relative to the rated one.
 class BusScaling {
  public:
-  /// Rated torque and, with @p has_encoder, encoder from @p parameters.
-  explicit BusScaling(const AxisParameters& parameters, const SpeedFactor& factor = {},
+  /// Rated torque and, with @p has_encoder, encoder from @p references.
+  explicit BusScaling(const References& references, const SpeedFactor& factor = {},
                       bool has_encoder = true) noexcept
-      : per_radian_{(has_encoder ? increments_per_radian(parameters) : 1.0 / kRpm) * factor.denominator /
+      : per_radian_{(has_encoder ? increments_per_radian(references) : 1.0 / kRpm) * factor.denominator /
                     factor.numerator},
-        per_newton_metre_{1000.0 / parameters.rated_torque} {}
+        per_newton_metre_{1000.0 / references.rated_torque} {}
 
   /// What 60FFh has for one rad/s.
   double per_radian() const noexcept { return per_radian_; }
@@ -69,9 +78,9 @@ class BusScaling {
  private:
   static constexpr std::uint32_t kNoRamp = 0xFFFFFFFF;
 
-  static double increments_per_radian(const AxisParameters& parameters) noexcept {
-    return static_cast<double>(parameters.encoder_pulses) *
-           static_cast<double>(std::uint64_t{1} << parameters.encoder_fine_bits) / (2.0 * std::numbers::pi);
+  static double increments_per_radian(const References& references) noexcept {
+    return static_cast<double>(references.encoder_pulses) *
+           static_cast<double>(std::uint64_t{1} << references.encoder_fine_bits) / (2.0 * std::numbers::pi);
   }
 
   double per_radian_;        // bus increments a radian

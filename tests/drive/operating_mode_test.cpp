@@ -1,5 +1,5 @@
 // Modes of operation of an axis without a bus: codes, changeover in motion, torque control.
-#include "drive/operating_mode.hpp"
+#include "drive/speed_control/operating_mode.hpp"
 
 #include <cmath>
 

@@ -1,30 +1,43 @@
-#include "drive/operating_mode.hpp"
+#include "drive/speed_control/operating_mode.hpp"
+
+#include <algorithm>
 
 namespace drive {
 namespace {
 
-/// The modes that CiA 402 has a number for.
-struct Row {
-  std::int8_t code;
-  std::int32_t control_mode;
-};
-constexpr Row kRows[]{
-    {mode_code::kProfileVelocity, control_mode::kSpeed},
-    {mode_code::kProfileTorque, control_mode::kTorque},
-};
-
 constexpr std::int32_t kHighestControlMode = 23;
+
+const OperatingModeRow* find_mode(std::int8_t code) noexcept {
+  const auto* const row = std::ranges::find(kOperatingModes, code, &OperatingModeRow::code);
+  return row != kOperatingModes.end() ? row : nullptr;
+}
+
+/// The mode @p code if speed leads in it and it is not the one that its p1300 is by itself.
+const OperatingModeRow* find_choice(std::int8_t code) noexcept {
+  const OperatingModeRow* const row = find_mode(code);
+  return row != nullptr && row->lead == Lead::Speed && mode_of(row->control_mode) != code ? row : nullptr;
+}
+
+bool is_of(const OperatingModeRow& row, std::int32_t control_mode) noexcept {
+  return control_mode == row.control_mode || control_mode == row.without_encoder;
+}
+
+/// Whether the torque leads in the mode @p code.
+bool is_torque(std::int8_t code) noexcept {
+  const OperatingModeRow* const row = find_mode(code);
+  return row != nullptr ? row->lead == Lead::Torque : code == -control_mode::kTorqueWithoutEncoder;
+}
 
 }  // namespace
 
 std::int8_t mode_of(std::int32_t control_mode) noexcept {
-  for (const Row& row : kRows)
-    if (row.control_mode == control_mode) return row.code;
-  return static_cast<std::int8_t>(-control_mode);
+  const auto* const row = std::ranges::find(kOperatingModes, control_mode, &OperatingModeRow::control_mode);
+  return row != kOperatingModes.end() ? row->code : static_cast<std::int8_t>(-control_mode);
 }
 
 std::optional<std::int32_t> control_mode_of(std::int8_t code, bool has_encoder) noexcept {
-  if (code == mode_code::kVelocity) return has_encoder ? control_mode::kSpeed : control_mode::kSpeedWithoutEncoder;
+  if (const OperatingModeRow* const row = find_mode(code))
+    return has_encoder ? row->control_mode : row->without_encoder.value_or(row->control_mode);
   for (std::int32_t control_mode = 0; control_mode <= kHighestControlMode; ++control_mode)
     if (mode_of(control_mode) == code) return control_mode;
   return std::nullopt;
@@ -32,14 +45,14 @@ std::optional<std::int32_t> control_mode_of(std::int8_t code, bool has_encoder) 
 
 void OperatingMode::on_parameter(std::int32_t control_mode) noexcept {
   requested_ = mode_of(control_mode);
-  velocity_ = false;
+  chosen_ = nullptr;
   torque_by_process_data_ = false;
 }
 
 void OperatingMode::on_request(std::int8_t code, std::int32_t control_mode, bool possible) noexcept {
   if (possible) {
     on_parameter(control_mode);
-    velocity_ = code == mode_code::kVelocity;
+    chosen_ = find_choice(code);
   }
   requested_ = code;
 }
@@ -50,13 +63,15 @@ bool OperatingMode::on_process_data(std::optional<std::int8_t> code, std::int32_
   if (!code) torque_by_process_data_ = false;
   if (!code || !anew || *code == 0) return true;
   requested_ = *code;
-  const bool torque = *code == mode_code::kProfileTorque || *code == -control_mode::kTorqueWithoutEncoder;
   if (!is_speed_control(control_mode)) return true;
+  const bool torque = is_torque(*code);
   if (torque && control_mode == control_mode::kSpeedWithoutEncoder) return false;
-  const bool known = torque || *code == mode_code::kVelocity || *code == mode_of(control_mode);
+  const OperatingModeRow* const choice = find_choice(*code);
+  const bool known =
+      torque || (choice != nullptr && is_of(*choice, control_mode)) || *code == mode_of(control_mode);
   if (!known) return true;
   torque_by_process_data_ = torque;
-  velocity_ = *code == mode_code::kVelocity;
+  chosen_ = choice;
   return true;
 }
 
@@ -72,7 +87,7 @@ bool OperatingMode::torque_control(std::int32_t control_mode) const noexcept {
 }
 
 std::int8_t OperatingMode::display(std::int32_t control_mode) const noexcept {
-  if (velocity_mode(control_mode)) return mode_code::kVelocity;
+  if (const OperatingModeRow* const row = chosen(control_mode)) return row->code;
   return torque_control(control_mode) && control_mode == control_mode::kSpeed ? mode_code::kProfileTorque
                                                                               : mode_of(control_mode);
 }

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "drive/state_machine.hpp"
+#include "drive/sequence_control/state_machine.hpp"
 
 namespace drive {
 
@@ -18,6 +18,21 @@ struct StatusSignals {
   bool free_bit_8 = false;            ///< p8785
   bool free_bit_14 = false;           ///< p8786
   bool free_bit_15 = false;           ///< p8787
+};
+
+/// The bits of the statusword that are free for the user.
+struct FreeStatusBits {
+  struct Settings {};
+  struct Inputs {
+    bool bit_8 = false;   ///< p8785
+    bool bit_14 = false;  ///< p8786
+    bool bit_15 = false;  ///< p8787
+
+    friend bool operator==(const Inputs&, const Inputs&) = default;
+  };
+
+  Settings settings{};
+  Inputs inputs{};
 };
 
 /// The statusword 6041h (r8784) in @p state: bits 0, 1, 2, 3, 5 and 6 as CiA 402 masks them, bit 6 clear in Fault.

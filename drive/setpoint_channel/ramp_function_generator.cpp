@@ -1,4 +1,4 @@
-#include "drive/ramp_function_generator.hpp"
+#include "drive/setpoint_channel/ramp_function_generator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,8 @@ double jerk_of(double time) noexcept {
 
 }  // namespace
 
-double RampFunctionGenerator::step(double dt, double target, const RampSlopes& slopes) noexcept {
-  if (target < target_ || target > target_ || !(slopes == slopes_)) {
-    target_ = target;
-    slopes_ = slopes;
-    plan();
-  }
+void RampFunctionGenerator::go_on(double dt) noexcept {
   for (double left = dt; left > 0.0 && part_ < count_;) left -= advance(left);
-  return output_;
 }
 
 /// The slope that holds where the output is.

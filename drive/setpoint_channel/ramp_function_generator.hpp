@@ -39,8 +39,24 @@ class RampFunctionGenerator {
     output_ = target_ = speed;
     finish();
   }
+  /// From now on the output goes to @p target (rad/s) with @p slopes.
+  void lead(double target, const RampSlopes& slopes) noexcept {
+    if (target < target_ || target > target_ || !(slopes == slopes_)) {
+      target_ = target;
+      slopes_ = slopes;
+      plan();
+    }
+  }
+  /// Moves the output for @p dt (s).
+  [[gnu::always_inline]] void advance_by(double dt) noexcept {
+    if (part_ < count_) go_on(dt);
+  }
   /// Moves the output towards @p target (rad/s) for @p dt (s) and returns it.
-  double step(double dt, double target, const RampSlopes& slopes) noexcept;
+  double step(double dt, double target, const RampSlopes& slopes) noexcept {
+    lead(target, slopes);
+    advance_by(dt);
+    return output_;
+  }
   /// Setpoint behind the ramp, r1170 (rad/s).
   double output() const noexcept { return output_; }
   /// Slope of the setpoint now, for a precontrol (rad/s²); 0 where it jumps.
@@ -57,6 +73,7 @@ class RampFunctionGenerator {
   void plan_towards(double slope) noexcept;
   void add(const Part& part) noexcept;
   double slope_limit() const noexcept;
+  void go_on(double dt) noexcept;
   double advance(double time) noexcept;
   double time_to_zero() const noexcept;
   void finish() noexcept;

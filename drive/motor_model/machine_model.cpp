@@ -1,9 +1,9 @@
-#include "drive/machine_model.hpp"
+#include "drive/motor_model/machine_model.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "drive/magnetising_characteristic.hpp"
+#include "drive/motor_model/magnetising_characteristic.hpp"
 
 namespace drive {
 namespace {
@@ -17,20 +17,20 @@ enum class Of : std::uint8_t { Any, Synchronous, Induction };
 struct PlausibilityRow {
   std::uint16_t number;
   Of machine;
-  bool (*holds)(const AxisParameters& parameters) noexcept;
+  bool (*holds)(const MotorData& data) noexcept;
 };
 
-template <double AxisParameters::*Value>
-bool is_positive(const AxisParameters& parameters) noexcept {
-  return parameters.*Value > 0.0;
+template <double MotorData::*Value>
+bool is_positive(const MotorData& data) noexcept {
+  return data.*Value > 0.0;
 }
 
-template <double AxisParameters::*Lower, double AxisParameters::*Upper>
-bool are_in_order(const AxisParameters& parameters) noexcept {
-  return parameters.*Lower <= parameters.*Upper;
+template <double MotorData::*Lower, double MotorData::*Upper>
+bool are_in_order(const MotorData& data) noexcept {
+  return data.*Lower <= data.*Upper;
 }
 
-using P = AxisParameters;
+using P = MotorData;
 constexpr std::array kPlausibility{
     PlausibilityRow{304, Of::Any, is_positive<&P::rated_voltage>},
     PlausibilityRow{305, Of::Any, is_positive<&P::rated_current>},
@@ -75,7 +75,7 @@ const MotorTypeRow* motor_type_row(std::int32_t number) noexcept {
   return row != kMotorTypes.end() ? row : nullptr;
 }
 
-MagnetisingCharacteristic characteristic_of(const AxisParameters& p) noexcept {
+MagnetisingCharacteristic characteristic_of(const MotorData& p) noexcept {
   return {{p.characteristic_flux_1, p.characteristic_flux_2, p.characteristic_flux_3, p.characteristic_flux_4},
           {p.characteristic_current_1, p.characteristic_current_2, p.characteristic_current_3,
            p.characteristic_current_4}};
@@ -87,7 +87,7 @@ bool concerns(Of of, MachineType type) noexcept {
 
 }  // namespace
 
-motor::MachineData believed_machine(const AxisParameters& p, const motor::MachineData& machine) noexcept {
+motor::MachineData believed_machine(const MotorData& p, const motor::MachineData& machine) noexcept {
   motor::MachineData data = machine;
   data.rated_voltage = p.rated_voltage;
   data.rated_current = p.rated_current;
@@ -120,17 +120,16 @@ motor::MachineData believed_machine(const AxisParameters& p, const motor::Machin
   return data;
 }
 
-bool is_listed_motor(const AxisParameters& parameters) noexcept {
-  const MotorTypeRow* const type = motor_type_row(parameters.motor_type);
-  return (type != nullptr && type->is_listed) || parameters.motor_code != 0;
+bool is_listed_motor(const MotorData& data) noexcept {
+  const MotorTypeRow* const type = motor_type_row(data.motor_type);
+  return (type != nullptr && type->is_listed) || data.motor_code != 0;
 }
 
-std::uint16_t implausible_motor_parameter(const AxisParameters& parameters,
-                                          const motor::MachineData& machine) noexcept {
-  const MotorTypeRow* const type = motor_type_row(parameters.motor_type);
+std::uint16_t implausible_motor_parameter(const MotorData& data, const motor::MachineData& machine) noexcept {
+  const MotorTypeRow* const type = motor_type_row(data.motor_type);
   if (type == nullptr || !concerns(type->machine, machine.type)) return kMotorType;
   const auto* const broken = std::ranges::find_if(kPlausibility, [&](const PlausibilityRow& row) {
-    return concerns(row.machine, machine.type) && !row.holds(parameters);
+    return concerns(row.machine, machine.type) && !row.holds(data);
   });
   return broken != kPlausibility.end() ? broken->number : std::uint16_t{0};
 }

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "drive/axis.hpp"
-#include "drive/machine_model.hpp"
+#include "drive/motor_model/machine_model.hpp"
 #include "motor/induction_circuit.hpp"
 
 namespace drive {
@@ -50,25 +50,25 @@ void Axis::select_identification(std::int32_t value) noexcept {
   constexpr std::array kChoices{selection::kMeasure, selection::kMeasureBlind};
   const auto* const rotating = std::ranges::find_if(
       kChoices, [this](std::int32_t choice) { return can_rotate(choice, kind(), parameters_.control_mode); });
-  identification_.select_both(value, rotating != kChoices.end() ? *rotating : selection::kNone);
+  block<Identification>().select_both(value, rotating != kChoices.end() ? *rotating : selection::kNone);
   show_selection();
 }
 
 void Axis::select_standstill_measurement(std::int32_t value) noexcept {
   if (value == selection::kTakeOver) return take_over(Part::Standstill);
-  identification_.select_standstill(value);
+  block<Identification>().select_standstill(value);
   show_selection();
 }
 
 void Axis::select_rotating_measurement(std::int32_t value) noexcept {
   if (value == selection::kTakeOver) return take_over(Part::Rotating);
-  identification_.select_rotating(value);
+  block<Identification>().select_rotating(value);
   show_selection();
 }
 
 /// A07991 and A07980 are there as long as their measurement is selected.
 void Axis::show_selection() noexcept {
-  const IdentificationSelection& chosen = identification_.selection();
+  const IdentificationSelection& chosen = block<Identification>().selection();
   const auto show = [this](std::uint16_t number, bool selected) {
     if (!selected) return withdraw(number);
     static_cast<void>(raise(number, 0, Cause::Present));
@@ -78,32 +78,33 @@ void Axis::show_selection() noexcept {
 }
 
 bool Axis::can_begin_measurement() const noexcept {
-  const bool released = !has_brake() || brake_opening_ <= 0.0;
-  return released && inputs_.enable_speed_controller && (identification_.begins_turning() || stands());
+  const bool released = !has_brake() || !block<HoldingBrake>().is_opening();
+  return released && block<SpeedControl>().inputs.enable && (block<Identification>().begins_turning() || stands());
 }
 
 /// In a cycle with a measurement. Without the enable of the speed controller it is given up, and begins anew.
 void Axis::lead_measurement() noexcept {
-  cycle_.command.additional_torque = 0.0;
-  if (identification_.waits() && can_begin_measurement()) begin_measurement();
-  const Part running = identification_.running();
+  command_.additional_torque = 0.0;
+  if (block<Identification>().waits() && can_begin_measurement()) begin_measurement();
+  const Part running = block<Identification>().running();
   if (running == Part::None) return;
-  if (!inputs_.enable_speed_controller) {
+  if (!block<SpeedControl>().inputs.enable) {
     stop_measurement();
-    return identification_.prepare(true);
+    return block<Identification>().prepare(true);
   }
-  if (running == Part::Standstill) train_.lead_by(&identification_.excitation());  // which a copy has of its own
-  cycle_.measured = true;
+  if (running == Part::Standstill)
+    train_.lead_by(&block<Identification>().excitation());  // which a copy has of its own
+  measured_ = true;
 }
 
 void Axis::begin_measurement() noexcept {
-  const motor::MachineData machine = believed_machine(parameters_, context().axis.machine);
-  channel_.start(train_.signals().measured_speed);
+  const motor::MachineData machine = block<MotorModel>().believed();
+  block<SetpointChannel>().start(train_.signals().measured_speed);
   train_.use_sensors(true);
-  if (identification_.due() == Part::Standstill) {
-    identification_.start(standstill_task(machine));
+  if (block<Identification>().due() == Part::Standstill) {
+    block<Identification>().start(standstill_task(machine));
   } else {
-    identification_.start(rotating_task(machine));
+    block<Identification>().start(rotating_task(machine));
   }
 }
 
@@ -112,23 +113,25 @@ motor::StandstillTask Axis::standstill_task(const motor::MachineData& machine) c
           .settings = control_settings(machine),
           .winding_temperature = train_.observation().winding_temperature,
           .largest_travel = kind() == ObjectKind::Vector ? kVectorTravel : kServoTravel,
-          .finds_curve = identification_.selection().standstill == selection::kMeasureCurve};
+          .finds_curve = block<Identification>().selection().standstill == selection::kMeasureCurve};
 }
 
 motor::RotatingTask Axis::rotating_task(const motor::MachineData& machine) const noexcept {
   const unsigned configuration = configuration_of(*this);
-  const bool with_load = identification_.selection().rotating >= selection::kFirstWithLoad;
-  const double forwards = channel_.forward_limit();
-  const double backwards = -channel_.backward_limit();
-  const bool forward = (configuration & kLocksForward) == 0 && !inputs_.inhibit_positive && forwards > 0.0;
-  const bool backward = (configuration & kLocksBackward) == 0 && !inputs_.inhibit_negative && backwards > 0.0;
+  const bool with_load = block<Identification>().selection().rotating >= selection::kFirstWithLoad;
+  const double forwards = block<SetpointChannel>().forward_limit();
+  const double backwards = -block<SetpointChannel>().backward_limit();
+  const bool forward = (configuration & kLocksForward) == 0 &&
+                       !block<SetpointChannel>().effective().inhibit_positive && forwards > 0.0;
+  const bool backward = (configuration & kLocksBackward) == 0 &&
+                        !block<SetpointChannel>().effective().inhibit_negative && backwards > 0.0;
   return {.machine = machine,
           .settings = control_settings(machine),
           .maximum_speed = forward && backward ? std::min(forwards, backwards)
                            : forward           ? forwards
                                                : backwards,
           .ramp_time = read(kRotatingTime).value_or(-1.0),
-          .torque_limits = torque_limits_,
+          .torque_limits = block<TorqueSetpoint>().limits(),
           .forward = forward,
           .backward = backward,
           .finds_flux = !with_load && (configuration & kFindsFlux) != 0,
@@ -137,46 +140,46 @@ motor::RotatingTask Axis::rotating_task(const motor::MachineData& machine) const
 
 /// A control period that a measurement leads; when it ends, so do the pulses.
 void Axis::step_measurement() noexcept {
-  motor::Command& command = cycle_.command;
+  motor::Command& command = command_;
   if (!command.pulses_enabled) return;
-  if (identification_.running() == Part::Rotating) {
+  if (block<Identification>().running() == Part::Rotating) {
     const motor::TorqueLimits limits = command.limits;
-    command = identification_.step(train_.observation());
+    command = block<Identification>().step(train_.observation());
     command.limits = {std::min(limits.upper, command.limits.upper), std::max(limits.lower, command.limits.lower)};
-    train_.set_flux_share(identification_.flux_share());
+    train_.set_flux_share(block<Identification>().flux_share());
   }
-  command.pulses_enabled = identification_.state() == motor::MeasurementState::Running;
+  command.pulses_enabled = block<Identification>().state() == motor::MeasurementState::Running;
 }
 
 /// After a cycle with a measurement, which a fault may have ended already.
 void Axis::end_measurement() noexcept {
   using enum motor::MeasurementState;
-  const Part ended = identification_.running();
-  if (ended == Part::None || identification_.state() == Running) return;
-  if (identification_.state() == Done) {
-    const bool is_taken_over = identification_.is_taken_over(ended);
-    identification_.finish();
+  const Part ended = block<Identification>().running();
+  if (ended == Part::None || block<Identification>().state() == Running) return;
+  if (block<Identification>().state() == Done) {
+    const bool is_taken_over = block<Identification>().is_taken_over(ended);
+    block<Identification>().finish();
     give_back_control();
     if (is_taken_over) take_over(ended);
     apply(Event::MeasurementEnded);
     return show_selection();
   }
   const std::uint16_t fault = ended == Part::Standstill ? kStandstillFailed : kRotatingFailed;
-  static_cast<void>(raise(fault, identification_.fault_value()));
-  if (identification_.leads()) cancel_identification();  // the fault has no reaction
+  static_cast<void>(raise(fault, block<Identification>().fault_value()));
+  if (block<Identification>().leads()) cancel_identification();  // the fault has no reaction
 }
 
 /// The control goes on with what it has known before; the measurement stays selected.
 void Axis::stop_measurement() noexcept {
-  identification_.stop();
+  block<Identification>().stop();
   give_back_control();
 }
 
 /// Nothing is selected any more, and what led the motor leaves it without pulses.
 void Axis::cancel_identification() noexcept {
-  const bool led = identification_.leads();
+  const bool led = block<Identification>().leads();
   if (led) stop_measurement();
-  identification_.deselect();
+  block<Identification>().deselect();
   if (led) apply(Event::MeasurementEnded);
   show_selection();
 }
@@ -188,7 +191,7 @@ void Axis::give_back_control() noexcept {
 }
 
 void Axis::take_over(Part part) noexcept {
-  const Identification::Results& found = identification_.results();
+  const Identification::Results& found = block<Identification>().results();
   if (part == Part::Standstill && found.standstill) take_over(*found.standstill);
   if (part == Part::Rotating && found.rotating) take_over(*found.rotating);
 }
@@ -199,8 +202,7 @@ void Axis::take_over(const motor::StandstillResult& found) noexcept {
     take_over_saturation(found.curve);
     return apply_parameters();
   }
-  const motor::MachineData machine =
-      motor::identified_machine(believed_machine(parameters_, context().axis.machine), found);
+  const motor::MachineData machine = motor::identified_machine(block<MotorModel>().believed(), found);
   assign_rounded(350, machine.stator_resistance);
   if (machine.type == motor::MachineType::Synchronous) {
     assign_rounded(356, machine.synchronous.q_inductance - parameters_.series_inductance);
@@ -244,7 +246,7 @@ void Axis::set_dynamics(double factor) noexcept {
 void Axis::take_over_saturation(const motor::SaturationCurve& found) noexcept {
   constexpr std::array<std::uint16_t, 4> kFlux{362, 363, 364, 365}, kCurrent{366, 367, 368, 369};
   if (!found.is_known()) return;
-  const motor::MachineData believed = believed_machine(parameters_, context().axis.machine);
+  const motor::MachineData believed = block<MotorModel>().believed();
   const motor::InductionCircuit circuit = motor::induction_circuit(believed);
   motor::InductionCircuit fitted = circuit;
   fitted.magnetising_inductance = found.fitted_magnetising_inductance;

@@ -39,6 +39,10 @@ enum class IdentificationPart : std::uint8_t { None, Standstill, Rotating };
 /// The two measurements that find the data of a motor, what is selected of them, and what they have found last.
 class Identification {
  public:
+  struct Settings {
+    double speed_dynamics = 1.0;  ///< p1967, of the speed controller that p1960 computes
+  };
+
   /// What the measurements have found since the unit was switched on.
   struct Results {
     std::optional<motor::StandstillResult> standstill{};
@@ -90,7 +94,13 @@ class Identification {
 
   const Results& results() const noexcept { return results_; }
   /// What power-off does: nothing is selected, runs or is known.
-  void reset() noexcept { *this = {}; }
+  void reset() noexcept {
+    const Settings kept = settings;
+    *this = {};
+    settings = kept;
+  }
+
+  Settings settings{};
 
  private:
   enum class Phase : std::uint8_t { Idle, Waiting, Running };

@@ -2,12 +2,9 @@
 
 #include <cmath>
 
-namespace drive {
+#include "drive/elapsed.hpp"
 
-/// A time told in cycles: cycle times are sums of rounded fractions, so a limit is met within a nanosecond.
-constexpr bool elapsed(double time, double limit) noexcept {
-  return time >= limit - 1e-9;
-}
+namespace drive {
 
 /// Decides when a braking ramp has ended and the pulses may go off.
 class StandstillMonitor {
@@ -33,30 +30,6 @@ class StandstillMonitor {
  private:
   double setpoint_time_ = 0.0;  // s
   double delay_ = 0.0;          // s
-};
-
-/// r2197.7, speed setpoint and actual speed agree, with hysteresis and off-delay.
-class TargetMonitor {
- public:
-  /// Window p2163 (rad/s), hysteresis p2164 (rad/s), off-delay p2166 (s).
-  struct Limits {
-    double window;
-    double hysteresis;
-    double off_delay;
-  };
-
-  /// Tells the @p deviation of setpoint and actual speed (rad/s) @p duration (s) later; true = target reached.
-  bool update(double duration, double deviation, const Limits& limits) noexcept {
-    const bool outside = std::abs(deviation) > limits.window + limits.hysteresis;
-    outside_time_ = outside ? outside_time_ + duration : 0.0;
-    if (std::abs(deviation) <= limits.window) reached_ = true;
-    if (outside && elapsed(outside_time_, limits.off_delay)) reached_ = false;
-    return reached_;
-  }
-
- private:
-  bool reached_ = false;
-  double outside_time_ = 0.0;  // s
 };
 
 }  // namespace drive

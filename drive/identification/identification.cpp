@@ -1,8 +1,8 @@
-#include "drive/identification.hpp"
+#include "drive/identification/identification.hpp"
 
 #include <numbers>
 
-#include "drive/operating_mode.hpp"
+#include "drive/speed_control/operating_mode.hpp"
 #include "motor/induction_circuit.hpp"
 
 namespace drive {

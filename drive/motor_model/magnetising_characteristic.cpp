@@ -1,4 +1,4 @@
-#include "drive/magnetising_characteristic.hpp"
+#include "drive/motor_model/magnetising_characteristic.hpp"
 
 #include <algorithm>
 #include <cmath>
