@@ -86,7 +86,7 @@ std::optional<drive::ParameterError> refusal(drive::DriveUnit& unit, std::uint8_
   if (number == drive::kControlUnitNumber) return object.load_error(value.number, value.index, value.value);
   const drive::ParameterRow* const row = drive::find_parameter(object.kind(), value.number)->row;
   // A command is carried out once: it is no state that could be laid over that of a new unit.
-  if (std::holds_alternative<drive::Command>(row->home))
+  if (std::holds_alternative<drive::HostCommand>(row->home))
     return drive::ParameterError{drive::Refusal::ReadOnly, value.number, row};
   const auto written = object.write(value.number, value.index, value.value);
   return written ? std::nullopt : std::optional{written.error()};

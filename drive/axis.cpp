@@ -36,11 +36,11 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
                    .axis = configuration,
                    .supply = supply,
                    .has_infeed = has_infeed}},
-      parameters_{commissioned_parameters(configuration)},
       modules_{function_module::of_new(configuration)},
       blocks_{blocks_of(context(), static_cast<const AxisBlocks*>(nullptr))},
       train_{configuration.machine, motor::real_machine(configuration.machine, configuration.deviation),
              configuration.load, configuration.inverter} {
+  commission();
   restore_parameters();
 }
 

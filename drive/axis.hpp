@@ -8,12 +8,11 @@
 #include "drive/actual_values.hpp"
 #include "drive/axis_blocks.hpp"
 #include "drive/axis_configuration.hpp"
-#include "drive/axis_inputs.hpp"
 #include "drive/cause_monitor.hpp"
 #include "drive/drive_object.hpp"
 #include "drive/function_modules.hpp"
-#include "drive/parameters.hpp"
-#include "drive/scaling.hpp"
+#include "drive/references.hpp"
+#include "drive/setpoints.hpp"
 #include "motor/drive_train.hpp"
 
 namespace drive {
@@ -30,27 +29,33 @@ class Axis final : public DriveObject {
   /// Its place among the axes of the unit, 1..8.
   std::size_t axis_number() const noexcept { return context().module + 1U; }
 
-  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod, by itself on a DC link that
-  /// nothing moves.
-  void cycle(const AxisInputs& inputs, double duration) noexcept;
-  void cycle(const Setpoints& setpoints, double duration) noexcept { cycle(inputs_of(setpoints), duration); }
-  /// The same in parts, for axes that share a DC link: the sequence control at the beginning of a cycle of
+  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod, with the inputs of the blocks
+  /// as they are, by itself on a DC link that nothing moves.
+  void cycle(double duration) noexcept;
+  void cycle(const Setpoints& setpoints, double duration) noexcept {
+    command(setpoints);
+    cycle(duration);
+  }
+  /// The inputs of the blocks become what those of an axis that is wired as a new one bring of @p setpoints (p8790
+  /// = 1; p1070 and p1503 at 60FFh and 6071h).
+  void command(const Setpoints& setpoints) noexcept;
+  /// What is in the process data and no parameter leads: named bits of the controlword and 6060h.
+  void take_image() noexcept;
+  /// Whether that is something else than in the last cycle.
+  bool has_new_image() const noexcept;
+  /// A cycle in parts, for axes that share a DC link: the blocks that have their turn at the beginning of one of
   /// @p duration (s),
-  void begin_cycle(const AxisInputs& inputs, double duration) noexcept;
+  void begin_cycle(double duration) noexcept;
   /// one step of motor::kControlPeriod with the link at @p dc_voltage (V), which returns the energy drawn from it
   /// (J, negative = fed back),
   double step(double dc_voltage) noexcept;
   /// when all axes have moved, the actual values,
   void measure() noexcept;
-  /// and monitoring, messages and statusword with @p feedback at the end.
-  void end_cycle(const AxisFeedback& feedback = {}) noexcept;
+  /// and monitoring, messages and statusword at the end.
+  void end_cycle() noexcept;
   /// Lets @p duration (s) pass in a quiescent axis with the DC link at @p dc_voltage (V): only temperatures
   /// change.
   void rest(double duration, double dc_voltage) noexcept;
-  /// What the interconnections brought in the last cycle.
-  const AxisInputs& inputs() const noexcept { return wired_; }
-  /// What acted on messages and statusword at the end of it.
-  const AxisFeedback& feedback() const noexcept { return feedback_; }
   /// 6060h was written as a parameter: p1300 follows if the mode is possible and the pulses are off; otherwise the
   /// mode stays, and only requested_mode() changes.
   void request_mode(std::int8_t code) noexcept;
@@ -59,7 +64,7 @@ class Axis final : public DriveObject {
   /// Whether 6042h leads (mode 2).
   bool velocity_mode() const noexcept { return block<SpeedControl>().has_ramp_bits(); }
   /// r0054: the controlword as it came.
-  std::uint16_t controlword() const noexcept { return wired_.controlword; }
+  std::uint16_t controlword() const noexcept { return controlword_; }
   /// Whether an encoder is mounted.
   bool has_encoder() const noexcept { return context().axis.machine.encoder.type != motor::EncoderType::None; }
   /// The values after the last cycle; the statusword follows a fault at once.
@@ -85,6 +90,7 @@ class Axis final : public DriveObject {
 
   /// All function blocks.
   const AxisBlocks& blocks() const noexcept { return blocks_; }
+  using DriveObject::block;
   /// A function block of the axis.
   template <class Block>
   const Block& block() const noexcept {
@@ -151,8 +157,12 @@ class Axis final : public DriveObject {
   void select_rotating_measurement(std::int32_t value) noexcept;
 
  private:
+  void* own_block(BlockId id) noexcept override;
+  const void* own_block(BlockId id) const noexcept override;
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
+  void before_setting(const ParameterRow& row) noexcept override;
+  void after_setting(const ParameterRow& row) noexcept override;
   WriteState write_state() const noexcept override;
   void on_parameters_changed() noexcept override { apply_parameters(); }
   void react(const FaultRow& row) noexcept override;
@@ -160,12 +170,7 @@ class Axis final : public DriveObject {
   void on_messages_changed() noexcept override;
 
   void apply_parameters() noexcept;
-  void fill_settings() noexcept;
-  const MotorData& motor_data() noexcept {
-    fill_settings();
-    return block<MotorModel>().settings;
-  }
-  void fill_inputs(const AxisInputs& inputs) noexcept;
+  void commission() noexcept;
   void follow_control_mode() noexcept;
 
   // The schedule (axis_schedule.cpp).
@@ -211,7 +216,6 @@ class Axis final : public DriveObject {
   void compute_circuit() noexcept;
   void assign_rounded(std::uint16_t number, double value) noexcept;
 
-  AxisParameters parameters_;
   function_module::Set modules_;
   AxisBlocks blocks_;
   CauseMonitor<AxisBlocks> causes_;
@@ -222,11 +226,10 @@ class Axis final : public DriveObject {
   motor::DriveTrain train_;
   double duration_ = 0.0;  // s
 
-  AxisInputs wired_{};    // of the last cycle
-  bool settled_ = false;  // the last cycle changed nothing
+  std::uint16_t controlword_ = 0;  // of the last cycle
+  bool settled_ = false;           // the last cycle changed nothing
   ActualValues actual_;
-  ActualValues before_;    // those of the cycle before
-  AxisFeedback feedback_;  // of the last cycle
+  ActualValues before_;  // those of the cycle before
 };
 
 inline double Axis::step(double dc_voltage) noexcept {

@@ -9,6 +9,7 @@
 #include "drive/motor_model/motor_model.hpp"
 #include "drive/motor_monitoring/motor_monitoring.hpp"
 #include "drive/power_unit/power_unit.hpp"
+#include "drive/references.hpp"
 #include "drive/sequence_control/sequence_control.hpp"
 #include "drive/sequence_control/statusword.hpp"
 #include "drive/setpoint_channel/setpoint_channel.hpp"
@@ -32,6 +33,7 @@ using AxisBlocks = std::tuple<SequenceControl,   //
                               Measurement,       //
                               SpeedMessages,     //
                               MotorMonitoring,   //
-                              FreeStatusBits>;
+                              FreeStatusBits,    //
+                              ReferenceValues>;
 
 }  // namespace drive

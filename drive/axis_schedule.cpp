@@ -14,16 +14,15 @@ constexpr std::uint16_t kTorqueControlImpossible = 7430;
 
 }  // namespace
 
-void Axis::cycle(const AxisInputs& inputs, double duration) noexcept {
-  begin_cycle(inputs, duration);
+void Axis::cycle(double duration) noexcept {
+  begin_cycle(duration);
   const int steps = std::max(1, static_cast<int>(std::lround(duration / kControlPeriod)));
   for (int i = 0; i < steps; ++i) step(block<PowerUnit>().dc_voltage());
   measure();
   end_cycle();
 }
 
-void Axis::begin_cycle(const AxisInputs& inputs, double duration) noexcept {
-  fill_inputs(inputs);
+void Axis::begin_cycle(double duration) noexcept {
   before_ = actual_;
   duration_ = duration;
   control_sequence();
@@ -127,10 +126,7 @@ void Axis::measure() noexcept {
   block<SetpointChannel>().end_way(measurement.duration());
 }
 
-void Axis::end_cycle(const AxisFeedback& feedback) noexcept {
-  feedback_ = feedback;
-  block<SpeedMessages>().inputs.setpoint = feedback.message_setpoint.value_or(SpeedMessages::kAsRampInput);
-  block<FreeStatusBits>().inputs = {feedback.status_bit_8, feedback.status_bit_14, feedback.status_bit_15};
+void Axis::end_cycle() noexcept {
   if (measured_) block<SetpointChannel>().track(command_.speed_setpoint);
   monitor();
   if (measured_) end_measurement();

@@ -119,7 +119,7 @@ void Axis::power_off() noexcept {
   block<Identification>().reset();
   block<SequenceControl>().power_off();
   perform(Action::InhibitPulses);
-  wired_ = {};
+  controlword_ = 0;
   block<ExternalMessages>().power_off();
   block<SpeedControl>().power_off();
   block<SetpointChannel>().power_off();

@@ -20,6 +20,22 @@ bool ControlUnit::acknowledge() noexcept {
   return memory().acknowledge(kPulsesEnabled);
 }
 
+void ControlUnit::lead_outputs() noexcept {
+  static_assert(Terminals::kOutputs == std::tuple_size_v<decltype(TerminalInputs::outputs)>);
+  Terminals::Word word = 0;
+  for (std::size_t i = 0; i < terminal_inputs_.outputs.size(); ++i)
+    word |= static_cast<Terminals::Word>(terminal_inputs_.outputs[i]) << (Terminals::kFirstOutput + i);
+  terminals_.sources = word;
+}
+
+void* ControlUnit::own_block(BlockId id) noexcept {
+  return find_block(id, external_messages_, unit_inputs_, terminal_inputs_);
+}
+
+const void* ControlUnit::own_block(BlockId id) const noexcept {
+  return find_block(id, external_messages_, unit_inputs_, terminal_inputs_);
+}
+
 double ControlUnit::own_value(const ParameterRow& row, std::size_t index) const noexcept {
   const auto* const display = std::get_if<Computed<ControlUnit>>(&row.home);
   return display != nullptr ? display->get(*this, index) : 0.0;

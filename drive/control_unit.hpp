@@ -1,7 +1,9 @@
 #pragma once
 
 #include "drive/drive_object.hpp"
+#include "drive/external_messages/external_messages.hpp"
 #include "drive/terminals.hpp"
+#include "drive/unit_inputs.hpp"
 
 namespace drive {
 
@@ -14,17 +16,27 @@ class ControlUnit final : public DriveObject {
   /// Whether p0009 keeps the axes from being switched on.
   bool is_in_commissioning() const noexcept;
   bool acknowledge() noexcept override;
+  /// What the interconnections have brought for messages, and for the unit as a whole.
+  ExternalMessages& external_messages() noexcept { return external_messages_; }
+  const UnitInputs& unit_inputs() const noexcept { return unit_inputs_; }
 
   /// Its digital inputs and outputs.
   const Terminals& terminals() const noexcept { return terminals_; }
   Terminals& terminals() noexcept { return terminals_; }
+  /// The digital outputs follow what they are connected to.
+  void lead_outputs() noexcept;
 
  private:
+  void* own_block(BlockId id) noexcept override;
+  const void* own_block(BlockId id) const noexcept override;
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;
 
   Terminals terminals_{};
+  ExternalMessages external_messages_;
+  UnitInputs unit_inputs_{};
+  TerminalInputs terminal_inputs_{};
 };
 
 }  // namespace drive

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "drive/parameter/rounding.hpp"
+
 namespace drive {
 namespace {
 
@@ -20,11 +22,9 @@ std::optional<Refusal> limit_refusal(const ParameterRow& row, double value) noex
   return std::nullopt;
 }
 
-/// Inputs, the references that quantities are relative to, and what converters invert.
+/// Inputs, and the references that quantities are relative to.
 bool concerns_wiring(const ParameterRow& row) noexcept {
-  constexpr std::uint16_t kFirstReference = 2000, kLastReference = 2007, kInvertBits = 8888, kInvertWords = 8898;
-  const bool is_reference = row.number >= kFirstReference && row.number <= kLastReference;
-  return is_bico_input(row.type) || is_reference || row.number == kInvertBits || row.number == kInvertWords;
+  return is_bico_input(row.type) || is_reference(row.number);
 }
 
 /// What of the messages of an axis the infeed has too: it is not ready, the DC link is lost.
@@ -37,7 +37,7 @@ bool can_appear(const FaultRow& row, ObjectKind kind) noexcept {
 }
 
 bool is_agreed(const ParameterRow& row) noexcept {
-  return std::holds_alternative<Agreed>(row.home) || std::holds_alternative<Command>(row.home);
+  return std::holds_alternative<Agreed>(row.home) || std::holds_alternative<HostCommand>(row.home);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ tl::expected<void, ParameterError> DriveObject::write(std::uint16_t number, std:
   if (const auto reason = value_refusal(row, index, value)) return refused(*reason);
   if (is_agreed(row) && surroundings_ != nullptr)
     if (const auto reason = surroundings_->agree(*this, row, index, value)) return refused(*reason);
-  if (!std::holds_alternative<Command>(row.home)) assign(**found, index, value);
+  if (!std::holds_alternative<HostCommand>(row.home)) assign(**found, index, value);
   on_parameters_changed();
   return {};
 }
@@ -166,9 +166,30 @@ double DriveObject::kept_value_of(const PlacedRow& placed, std::size_t index) co
   const ParameterRow& row = *placed.row;
   if (placed.slot != kNoSlot) return decode({row.type, slots_[placed.slot + index]});
   if (const auto* const fixed = std::get_if<Fixed>(&row.home)) return fixed->value;
+  if (const auto* const home = std::get_if<Setting>(&row.home))
+    return rounded(home->get(block(home->block), index) / row_of(row.unit).si);
+  if (const auto* const shown = std::get_if<BlockOutput>(&row.home))
+    return shown->get(block(shown->block), index) / row_of(row.unit).si;
   if (const auto* const shown = std::get_if<Computed<DriveObject>>(&row.home)) return shown->get(*this, index);
   if (const auto* const shown = std::get_if<Computed<FaultMemory>>(&row.home)) return shown->get(memory_, index);
   return own_value(row, index);
+}
+
+void DriveObject::set_setting(const ParameterRow& row, std::size_t index, double value) noexcept {
+  const Setting& home = std::get<Setting>(row.home);
+  before_setting(row);
+  home.set(block(home.block), index, value * row_of(row.unit).si);
+  after_setting(row);
+}
+
+void* DriveObject::block(BlockId id) noexcept {
+  void* const found = find_block(id, converters_);
+  return found != nullptr ? found : own_block(id);
+}
+
+const void* DriveObject::block(BlockId id) const noexcept {
+  const void* const found = find_block(id, converters_);
+  return found != nullptr ? found : own_block(id);
 }
 
 void DriveObject::scale_process_data(const ProcessDataImage::Scales& scales) noexcept {
@@ -182,6 +203,8 @@ void DriveObject::assign(const PlacedRow& placed, std::size_t index, double valu
   if (surroundings_ != nullptr && concerns_wiring(row)) surroundings_->on_wiring_changed();
   if (placed.slot != kNoSlot) {
     slots_[placed.slot + index] = encode(row.type, value).bits;
+  } else if (std::holds_alternative<Setting>(row.home)) {
+    set_setting(row, index, value);
   } else if (const auto* const own = std::get_if<Computed<DriveObject>>(&row.home)) {
     if (own->set != nullptr) own->set(*this, index, value);
   } else if (const auto* const settings = std::get_if<Computed<FaultMemory>>(&row.home)) {

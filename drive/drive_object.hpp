@@ -81,9 +81,14 @@ class DriveObject {
   /// a factory reset.
   void restore_parameters(RowFilter which = is_reset) noexcept;
 
+  /// Where block @p id of this drive object lies; nullptr if it has none.
+  void* block(BlockId id) noexcept;
+  const void* block(BlockId id) const noexcept;
+
   /// What the bus has brought and what it fetches.
   const ProcessDataImage& process_data() const noexcept { return process_data_; }
   ProcessDataImage& process_data() noexcept { return process_data_; }
+  const Converters& converters() const noexcept { return converters_; }
   /// 60FFh and 6071h have other scales than before, if they have.
   void scale_process_data(const ProcessDataImage::Scales& scales) noexcept;
 
@@ -114,11 +119,20 @@ class DriveObject {
   DriveObject& operator=(DriveObject&&) = default;
 
   FaultMemory& memory() noexcept { return memory_; }
+  /// Sets @p row, whose home is a setting of a block, whatever the state and the limits; @p value in the unit of
+  /// the row.
+  void set_setting(const ParameterRow& row, std::size_t index, double value) noexcept;
 
  private:
+  /// The same of the blocks of the derived class.
+  virtual void* own_block(BlockId id) noexcept = 0;
+  virtual const void* own_block(BlockId id) const noexcept = 0;
   /// Value of a parameter whose home is the derived class.
   virtual double own_value(const ParameterRow& row, std::size_t index) const noexcept = 0;
   virtual void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept = 0;
+  /// A setting of @p row is about to change, or has changed.
+  virtual void before_setting(const ParameterRow&) noexcept {}
+  virtual void after_setting(const ParameterRow&) noexcept {}
   virtual WriteState write_state() const noexcept = 0;
   virtual void on_parameters_changed() noexcept {}
   virtual void react(const FaultRow&) noexcept {}
@@ -138,6 +152,7 @@ class DriveObject {
   std::vector<std::uint32_t> slots_;  // as ParameterValue has the bits
   FaultMemory memory_;
   ProcessDataImage process_data_{};
+  Converters converters_{};
 };
 
 }  // namespace drive

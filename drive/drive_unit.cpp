@@ -11,6 +11,11 @@
 namespace drive {
 namespace {
 
+/// The blocks of an axis whose inputs act when a cycle begins, and those whose inputs act when it is over.
+constexpr std::array kBlocksAtTheBeginning{kBlock<SequenceControl>, kBlock<ExternalMessages>, kBlock<SpeedControl>,
+                                           kBlock<SetpointChannel>, kBlock<TorqueSetpoint>};
+constexpr std::array kBlocksAtTheEnd{kBlock<SpeedMessages>, kBlock<FreeStatusBits>};
+
 constexpr std::uint16_t kDeviceFilter = 9;     // p0009
 constexpr std::uint16_t kAlarmCounter = 2111;  // p2111
 
@@ -73,52 +78,61 @@ void DriveUnit::send_process_data() noexcept {
 void DriveUnit::exchange_process_data() noexcept {
   wiring_->connect();
   wiring_->convert_words();
-  wiring_->convert_bits();
-  wiring_->lead_outputs();
-  wiring_->send();
+  send_converted();
 }
 
 void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   wiring_->connect();
   wiring_->convert_words();
-  std::array<std::optional<AxisInputs>, kMostAxes> inputs{};
+  std::array<bool, kMostAxes> runs{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    inputs[i] = wiring_->inputs(i + 1);
-    if (!awake[i] && has_nothing_to_do(i, *inputs[i])) inputs[i].reset();
+    runs[i] = awake[i] || !has_nothing_to_do(axes_[i]);
+    if (runs[i]) take_inputs(axes_[i]);
   }
   follow_unit_inputs();
   run_infeed(duration);
-  run({inputs.data(), axes_.size()}, duration);
+  std::array<Axis*, kMostAxes> running{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!runs[i]) {
+      axes_[i].rest(duration, dc_link_.voltage());
+      continue;
+    }
+    axes_[i].begin_cycle(duration);
+    running[count++] = &axes_[i];
+  }
+  run({running.data(), count}, duration);
 }
 
-/// Whether axis @p axis (from 0) is quiescent and @p inputs and what acts on its messages are those of its last
-/// cycle.
-bool DriveUnit::has_nothing_to_do(std::size_t axis, const AxisInputs& inputs) const noexcept {
-  const Axis& idle = axes_[axis];
-  return idle.is_quiescent() && inputs == idle.inputs() && wiring_->feedback(axis) == idle.feedback();
+void DriveUnit::take_inputs(Axis& axis) noexcept {
+  for (const BlockId block : kBlocksAtTheBeginning) wiring_->take(axis, block);
+  axis.take_image();
+}
+
+/// Whether @p axis is quiescent and all that acts on it is as in its last cycle.
+bool DriveUnit::has_nothing_to_do(const Axis& axis) const noexcept {
+  return axis.is_quiescent() && !axis.has_new_image() && !wiring_->changed(axis);
 }
 
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
   wiring_->connect();
-  std::array<std::optional<AxisInputs>, kMostAxes> inputs{};
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (setpoints[i]) inputs[i] = inputs_of(*setpoints[i]);
   run_infeed(duration);
-  run({inputs.data(), axes_.size()}, duration);
-}
-
-void DriveUnit::run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept {
   std::array<Axis*, kMostAxes> running{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!inputs[i]) {
+    if (!setpoints[i]) {
       axes_[i].rest(duration, dc_link_.voltage());
       continue;
     }
-    axes_[i].begin_cycle(*inputs[i], duration);
+    axes_[i].command(*setpoints[i]);
+    axes_[i].begin_cycle(duration);
     running[count++] = &axes_[i];
   }
-  const std::span<Axis* const> moved{running.data(), count};
+  run({running.data(), count}, duration);
+  wiring_->invalidate();  // the inputs do not hold what they are connected to
+}
+
+void DriveUnit::run(std::span<Axis* const> moved, double duration) noexcept {
   const auto steps = std::lround(duration / motor::kControlPeriod);
   double lowest = dc_link_.voltage();
   for (long step = 0; step < steps; ++step) {
@@ -129,10 +143,23 @@ void DriveUnit::run(std::span<const std::optional<AxisInputs>> inputs, double du
     lowest = std::min(lowest, voltage);
   }
   lowest_dc_voltage_ = std::min(lowest, dc_link_.voltage());
+  end_cycle(moved);
+}
+
+void DriveUnit::end_cycle(std::span<Axis* const> moved) noexcept {
   for (Axis* const axis : moved) axis->measure();
-  for (Axis* const axis : moved) axis->end_cycle(wiring_->feedback(axis->axis_number() - 1));
+  for (Axis* const axis : moved) {
+    for (const BlockId block : kBlocksAtTheEnd) wiring_->take(*axis, block);
+    axis->end_cycle();
+  }
+  send_converted();
+}
+
+/// What is made of bits, and what is put out.
+void DriveUnit::send_converted() noexcept {
   wiring_->convert_bits();
-  wiring_->lead_outputs();
+  wiring_->take(control_unit_, kBlock<TerminalInputs>);
+  control_unit_.lead_outputs();
   wiring_->send();
 }
 
@@ -233,6 +260,7 @@ bool DriveUnit::acknowledge(std::uint8_t object) noexcept {
 }
 
 void DriveUnit::power_off() noexcept {
+  wiring_->invalidate();
   for_each_object([](DriveObject& object) { object.power_off(); });
 }
 

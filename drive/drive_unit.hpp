@@ -143,8 +143,11 @@ class DriveUnit final : private Surroundings {
   void follow_unit_inputs() noexcept;
   void run_infeed(double duration) noexcept;
   void connect_line() noexcept;
-  bool has_nothing_to_do(std::size_t axis, const AxisInputs& inputs) const noexcept;
-  void run(std::span<const std::optional<AxisInputs>> inputs, double duration) noexcept;
+  void take_inputs(Axis& axis) noexcept;
+  bool has_nothing_to_do(const Axis& axis) const noexcept;
+  void run(std::span<Axis* const> moved, double duration) noexcept;
+  void end_cycle(std::span<Axis* const> moved) noexcept;
+  void send_converted() noexcept;
 
   ParameterHost* host_;
   std::uint32_t message_counter_ = 0;
@@ -157,8 +160,6 @@ class DriveUnit final : private Surroundings {
   std::optional<Infeed> infeed_;
   std::vector<Axis> axes_;
   std::unique_ptr<Wiring> wiring_;
-  AxisInputs control_unit_inputs_{};  ///< of the last cycle; only those for messages
-  bool acknowledge_all_ = false;      ///< p2102 in the last cycle
 };
 
 }  // namespace drive

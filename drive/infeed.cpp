@@ -12,7 +12,7 @@ constexpr std::uint16_t kNotReady = 7802;
 constexpr std::uint16_t kUndervoltage = 30003;
 
 /// Bits 0 to 3 of a controlword.
-std::uint16_t command_word(const AxisInputs& inputs, bool enable) noexcept {
+std::uint16_t command_word(const InfeedInputs& inputs, bool enable) noexcept {
   constexpr unsigned kOn = 0x1, kNoOff2 = 0x2, kNoOff3 = 0x4, kEnable = 0x8;
   return static_cast<std::uint16_t>((inputs.on ? kOn : 0U) | (inputs.has_off2() ? 0U : kNoOff2) | kNoOff3 |
                                     (enable ? kEnable : 0U));
@@ -24,23 +24,25 @@ Infeed::Infeed(const ObjectContext& context) : DriveObject{context} {
   restore_parameters();
 }
 
-void Infeed::cycle(const AxisInputs& inputs, double duration, const Link& link) noexcept {
+void Infeed::cycle(double duration, const Link& link) noexcept {
   link_ = link;
   const State state_before = state_;
-  const AxisInputs before = std::exchange(inputs_, inputs);
+  const bool same = inputs_before_ == inputs_ && external_before_ == external_messages_.inputs;
+  inputs_before_ = inputs_;
+  external_before_ = external_messages_.inputs;
   settled_ = true;
-  if (has_acknowledgement(before, inputs)) acknowledge();
+  if (external_messages_.acknowledges()) acknowledge();
   apply(Event::Initialised);
   // What has just become Switch on disabled is seen so for a cycle, whatever else is given.
   if (state_ == state_before) {
-    const bool enable = inputs.enable_operation && (has_link() || operates());
-    apply(command_of(inhibited_ ? std::uint16_t{0} : command_word(inputs, enable)));
+    const bool enable = inputs_.enable_operation && (has_link() || operates());
+    apply(command_of(inhibited_ ? std::uint16_t{0} : command_word(inputs_, enable)));
     apply(Event::Standstill);  // nothing turns: an OFF1 is over with its beginning
     await_link(duration);
     const bool operated = state_before == State::OperationEnabled && operates();
     if (operated && link_.lowest < context().supply.undervoltage) static_cast<void>(raise(kUndervoltage));
   }
-  settled_ = settled_ && state_ == state_before && before == inputs;
+  settled_ = settled_ && state_ == state_before && same;
 }
 
 /// F07802, once, when the DC link has not come within p0857 after ON.
@@ -74,13 +76,23 @@ void Infeed::on_acknowledged_fault_left() noexcept {
 void Infeed::power_off() noexcept {
   DriveObject::power_off();
   state_ = State::SwitchOnDisabled;
-  inputs_ = {};
+  inputs_ = inputs_before_ = {};
+  external_messages_.power_off();
+  external_before_ = {};
   settled_ = false;
 }
 
 void Infeed::inhibit(bool inhibited) noexcept {
   inhibited_ = inhibited;
   settled_ = false;
+}
+
+void* Infeed::own_block(BlockId id) noexcept {
+  return find_block(id, inputs_, external_messages_);
+}
+
+const void* Infeed::own_block(BlockId id) const noexcept {
+  return find_block(id, inputs_, external_messages_);
 }
 
 double Infeed::own_value(const ParameterRow& row, std::size_t index) const noexcept {

@@ -2,9 +2,10 @@
 
 #include <cstdint>
 
-#include "drive/axis_inputs.hpp"
 #include "drive/drive_object.hpp"
+#include "drive/external_messages/external_messages.hpp"
 #include "drive/sequence_control/state_machine.hpp"
+#include "drive/unit_inputs.hpp"
 
 namespace drive {
 
@@ -20,10 +21,12 @@ class Infeed final : public DriveObject {
     double voltage = 0.0;  ///< now
     double lowest = 0.0;   ///< of the last cycle
   };
-  /// One process-data cycle of @p duration (s) with what the interconnections bring and what @p link was.
-  void cycle(const AxisInputs& inputs, double duration, const Link& link) noexcept;
-  /// What the interconnections brought in the last cycle.
-  const AxisInputs& inputs() const noexcept { return inputs_; }
+  /// One process-data cycle of @p duration (s) with what the interconnections have brought and what @p link was.
+  void cycle(double duration, const Link& link) noexcept;
+  /// What the interconnections have brought,
+  const InfeedInputs& inputs() const noexcept { return inputs_; }
+  /// and that for messages.
+  ExternalMessages& external_messages() noexcept { return external_messages_; }
 
   /// Switch on disabled, Ready to switch on, Switched on while the DC link is charged, Operation enabled or Fault.
   State state() const noexcept { return state_; }
@@ -45,6 +48,8 @@ class Infeed final : public DriveObject {
   void power_off() noexcept override;
 
  private:
+  void* own_block(BlockId id) noexcept override;
+  const void* own_block(BlockId id) const noexcept override;
   double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
   void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;
@@ -56,7 +61,11 @@ class Infeed final : public DriveObject {
   void await_link(double duration) noexcept;
 
   State state_ = State::NotReadyToSwitchOn;
-  AxisInputs inputs_{};
+  InfeedInputs inputs_{};
+  ExternalMessages external_messages_;
+  // Those of the cycle before.
+  InfeedInputs inputs_before_{};
+  ExternalMessages::Inputs external_before_{};
   Link link_{};
   double link_missing_ = 0.0;  // s, since ON
   bool inhibited_ = false;

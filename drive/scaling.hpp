@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "drive/references.hpp"
 #include "drive/units.hpp"
 
 namespace drive {
@@ -18,16 +19,6 @@ Int saturated(double value) noexcept {
   constexpr auto kHigh = static_cast<double>(std::numeric_limits<Int>::max());
   return static_cast<Int>(std::clamp(std::round(value), kLow, kHigh));
 }
-
-/// What values on the bus are relative to, in SI units.
-struct References {
-  double speed = 0.0;                ///< p2000
-  double torque = 0.0;               ///< p2003
-  double rated_torque = 1.0;         ///< p0333
-  double maximum_speed = 0.0;        ///< p1082
-  std::uint32_t encoder_pulses = 0;  ///< of the motor encoder, a revolution
-  unsigned encoder_fine_bits = 0;
-};
 
 /// 6094h: speeds on the bus are multiplied by the numerator and divided by the denominator.
 struct SpeedFactor {

@@ -1,7 +1,5 @@
 #include "drive/signal_source.hpp"
 
-#include <algorithm>
-#include <array>
 #include <optional>
 
 #include "drive/scaling.hpp"
@@ -10,56 +8,43 @@
 namespace drive {
 namespace {
 
-/// The parameter that is 100 % of quantities with a unit.
-struct ReferenceRow {
-  Unit unit;
-  std::uint16_t parameter;
-};
-constexpr std::array kReferences{
-    ReferenceRow{Unit::Rpm, 2000},       ReferenceRow{Unit::VoltsRms, 2001},
-    ReferenceRow{Unit::Volts, 2001},     ReferenceRow{Unit::AmperesRms, 2002},
-    ReferenceRow{Unit::Amperes, 2002},   ReferenceRow{Unit::NewtonMetre, 2003},
-    ReferenceRow{Unit::Kilowatts, 2004}, ReferenceRow{Unit::Degrees, 2005},
-    ReferenceRow{Unit::Celsius, 2006},   ReferenceRow{Unit::RevolutionsPerSecondSquared, 2007},
-};
-
-/// Parameters and units whose 100 % is a number.
-struct FullScaleRow {
-  std::uint16_t parameter;
-  double full;
-};
 constexpr double kWord = 0x4000;
 constexpr double kDoubleWord = 0x40000000;
-constexpr std::array kProcessData{FullScaleRow{8745, kWord}, FullScaleRow{8747, kDoubleWord},
-                                  FullScaleRow{8850, kWord}, FullScaleRow{8860, kDoubleWord}};
-constexpr double kPercent = 100.0;
 constexpr double kPerMille = 1000.0;
-constexpr std::uint16_t kWrittenVelocity = 8796;
-constexpr std::uint16_t kWrittenTorque = 8797;
-constexpr std::uint16_t kReferenceSpeed = 2000;
-constexpr std::uint16_t kReferenceTorque = 2003;
 
-double parameter(const DriveObject& object, std::uint16_t number) noexcept {
-  return object.read(number).value_or(0.0);
-}
-
-/// What of the parameter @p row of @p object is 100 %, if it is a quantity.
-std::optional<double> full_scale(const DriveObject& object, const ParameterRow& row) noexcept {
-  const auto* const data = std::ranges::find(kProcessData, row.number, &FullScaleRow::parameter);
-  if (data != kProcessData.end()) return data->full;
-  if (row.number == kWrittenVelocity)
-    return parameter(object, kReferenceSpeed) * kRpm * object.process_data().scales.increments_per_radian;
-  if (row.number == kWrittenTorque)
-    return kPerMille * parameter(object, kReferenceTorque) / object.process_data().scales.rated_torque;
-  if (row.unit == Unit::Percent) return kPercent;
-  if (row.unit == Unit::PerMille) return kPerMille;
-  const auto* const reference = std::ranges::find(kReferences, row.unit, &ReferenceRow::unit);
-  if (reference == kReferences.end()) return std::nullopt;
-  const double value = parameter(object, reference->parameter);
+/// What of the quantity that @p row shows of @p object is 100 %, in the unit of the row, if anything is.
+std::optional<double> full_scale_of_unit(const DriveObject& object, const ParameterRow& row) noexcept {
+  const UnitRow& unit = row_of(row.unit);
+  if (unit.quantity == Quantity::Share) return 1.0 / unit.si;
+  const std::uint16_t number = reference_of(unit.quantity);
+  const double value = number != 0 ? object.read(number).value_or(0.0) : 0.0;
   return value > 0.0 ? std::optional{value} : std::nullopt;
 }
 
+/// The same of any row.
+std::optional<double> full_scale(const DriveObject& object, const ParameterRow& row) noexcept {
+  const ProcessDataImage::Scales& scales = object.process_data().scales;
+  switch (row.full_scale) {
+    case FullScale::Word:
+      return kWord;
+    case FullScale::DoubleWord:
+      return kDoubleWord;
+    case FullScale::TargetVelocity:
+      return reference(object, Quantity::Speed) * scales.increments_per_radian;
+    case FullScale::TargetTorque:
+      return kPerMille * reference(object, Quantity::Torque) / scales.rated_torque;
+    case FullScale::OfUnit:
+      break;
+  }
+  return full_scale_of_unit(object, row);
+}
+
 }  // namespace
+
+double reference(const DriveObject& object, Quantity quantity) noexcept {
+  const PlacedRow* const placed = find_parameter(object.kind(), reference_of(quantity));
+  return placed != nullptr ? object.value(*placed, 0) * row_of(placed->row->unit).si : 0.0;
+}
 
 const DriveObject* connected_object(const DriveUnit& unit, const DriveObject& own,
                                     const BicoSource& source) noexcept {

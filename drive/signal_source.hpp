@@ -38,6 +38,9 @@ class SignalSource {
   double scale_ = 0.0;  ///< 1 / what is 100 %; of a constant the share of 100 %
 };
 
+/// What is 100 % of @p quantity on @p object, in SI units; 0 if nothing is.
+double reference(const DriveObject& object, Quantity quantity) noexcept;
+
 /// The drive object that the connector or binector input of @p own with @p source is connected to, or nullptr.
 const DriveObject* connected_object(const DriveUnit& unit, const DriveObject& own,
                                     const BicoSource& source) noexcept;

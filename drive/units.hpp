@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "drive/quantity.hpp"
 #include "motor/machine_data.hpp"
 
 namespace drive {
@@ -50,46 +51,47 @@ enum class Unit : std::uint8_t {
   ThousandLengthUnitsPerSecondCubed,
 };
 
-/// A unit's text and its size in SI units; lengths are in LU, temperatures stay in °C.
+/// A unit's text, its size in SI units and what it measures; lengths are in LU, temperatures stay in °C.
 struct UnitRow {
   Unit unit;
   std::string_view text;
   double si;
+  Quantity quantity = Quantity::None;
 };
 
 /// One row a unit, in the order of the enumeration.
 inline constexpr std::array kUnits{
     UnitRow{Unit::None, "", 1.0},
-    UnitRow{Unit::Rpm, "rpm", motor::kRpm},
+    UnitRow{Unit::Rpm, "rpm", motor::kRpm, Quantity::Speed},
     UnitRow{Unit::Seconds, "s", 1.0},
     UnitRow{Unit::Milliseconds, "ms", 1e-3},
-    UnitRow{Unit::NewtonMetre, "Nm", 1.0},
+    UnitRow{Unit::NewtonMetre, "Nm", 1.0, Quantity::Torque},
     UnitRow{Unit::NewtonMetreSecondPerRadian, "Nms/rad", 1.0},
     UnitRow{Unit::KilogramSquareMetre, "kgm²", 1.0},
     UnitRow{Unit::Kilograms, "kg", 1.0},
     UnitRow{Unit::Bits, "bit", 1.0},
     UnitRow{Unit::Microseconds, "µs", 1e-6},
-    UnitRow{Unit::Percent, "%", 0.01},
-    UnitRow{Unit::PerMille, "‰", 1e-3},
+    UnitRow{Unit::Percent, "%", 0.01, Quantity::Share},
+    UnitRow{Unit::PerMille, "‰", 1e-3, Quantity::Share},
     UnitRow{Unit::Hertz, "Hz", 1.0},
     UnitRow{Unit::Kilohertz, "kHz", 1e3},
-    UnitRow{Unit::Volts, "V", 1.0},
-    UnitRow{Unit::VoltsRms, "Vrms", 1.0},
+    UnitRow{Unit::Volts, "V", 1.0, Quantity::Voltage},
+    UnitRow{Unit::VoltsRms, "Vrms", 1.0, Quantity::Voltage},
     UnitRow{Unit::VoltsOrMilliamperes, "V or mA", 1.0},
-    UnitRow{Unit::Amperes, "A", 1.0},
-    UnitRow{Unit::AmperesRms, "Arms", 1.0},
+    UnitRow{Unit::Amperes, "A", 1.0, Quantity::Current},
+    UnitRow{Unit::AmperesRms, "Arms", 1.0, Quantity::Current},
     UnitRow{Unit::NewtonMetrePerAmpere, "Nm/A", 1.0},
     UnitRow{Unit::Ohms, "Ω", 1.0},
     UnitRow{Unit::Millihenries, "mH", 1e-3},
-    UnitRow{Unit::Kilowatts, "kW", 1e3},
+    UnitRow{Unit::Kilowatts, "kW", 1e3, Quantity::Power},
     UnitRow{Unit::KilowattHours, "kWh", 3.6e6},
     UnitRow{Unit::WattHours, "Wh", 3600.0},
-    UnitRow{Unit::Celsius, "°C", 1.0},
-    UnitRow{Unit::Degrees, "°", std::numbers::pi / 180.0},
-    UnitRow{Unit::RevolutionsPerSecondSquared, "rev/s²", 2.0 * std::numbers::pi},
+    UnitRow{Unit::Celsius, "°C", 1.0, Quantity::Temperature},
+    UnitRow{Unit::Degrees, "°", std::numbers::pi / 180.0, Quantity::Angle},
+    UnitRow{Unit::RevolutionsPerSecondSquared, "rev/s²", 2.0 * std::numbers::pi, Quantity::Acceleration},
     UnitRow{Unit::ThousandPerMinute, "1000/min", 1000.0 / 60.0},
     UnitRow{Unit::Increments, "inc", 1.0},
-    UnitRow{Unit::LengthUnits, "LU", 1.0},
+    UnitRow{Unit::LengthUnits, "LU", 1.0, Quantity::Length},
     UnitRow{Unit::ThousandLengthUnitsPerMinute, "1000 LU/min", 1000.0 / 60.0},
     UnitRow{Unit::ThousandLengthUnitsPerSecondSquared, "1000 LU/s²", 1000.0},
     UnitRow{Unit::ThousandLengthUnitsPerSecondCubed, "1000 LU/s³", 1000.0},

@@ -1,252 +1,185 @@
 #include "drive/wiring.hpp"
 
 #include <algorithm>
-#include <array>
+#include <variant>
 
 namespace drive {
 namespace {
 
-template <class Owner>
-struct BinectorRow {
-  std::uint16_t number;
-  bool Owner::*member;
-};
-constexpr std::array kBinectors{
-    BinectorRow<AxisInputs>{840, &AxisInputs::on},
-    BinectorRow<AxisInputs>{844, &AxisInputs::no_off2},
-    BinectorRow<AxisInputs>{845, &AxisInputs::no_off2_second},
-    BinectorRow<AxisInputs>{848, &AxisInputs::no_off3},
-    BinectorRow<AxisInputs>{849, &AxisInputs::no_off3_second},
-    BinectorRow<AxisInputs>{852, &AxisInputs::enable_operation},
-    BinectorRow<AxisInputs>{854, &AxisInputs::control_by_plc},
-    BinectorRow<AxisInputs>{856, &AxisInputs::enable_speed_controller},
-    BinectorRow<AxisInputs>{864, &AxisInputs::infeed_operates},
-    BinectorRow<AxisInputs>{1020, &AxisInputs::fixed_setpoint_bit_0},
-    BinectorRow<AxisInputs>{1021, &AxisInputs::fixed_setpoint_bit_1},
-    BinectorRow<AxisInputs>{1022, &AxisInputs::fixed_setpoint_bit_2},
-    BinectorRow<AxisInputs>{1023, &AxisInputs::fixed_setpoint_bit_3},
-    BinectorRow<AxisInputs>{1055, &AxisInputs::jog_1},
-    BinectorRow<AxisInputs>{1056, &AxisInputs::jog_2},
-    BinectorRow<AxisInputs>{1110, &AxisInputs::inhibit_negative},
-    BinectorRow<AxisInputs>{1111, &AxisInputs::inhibit_positive},
-    BinectorRow<AxisInputs>{1113, &AxisInputs::invert_setpoint},
-    BinectorRow<AxisInputs>{1122, &AxisInputs::bypass_ramp},
-    BinectorRow<AxisInputs>{1140, &AxisInputs::enable_ramp},
-    BinectorRow<AxisInputs>{1141, &AxisInputs::continue_ramp},
-    BinectorRow<AxisInputs>{1142, &AxisInputs::enable_setpoint},
-    BinectorRow<AxisInputs>{1143, &AxisInputs::set_ramp},
-    BinectorRow<AxisInputs>{1501, &AxisInputs::torque_control},
-    BinectorRow<AxisInputs>{2103, &AxisInputs::acknowledge_1},
-    BinectorRow<AxisInputs>{2104, &AxisInputs::acknowledge_2},
-    BinectorRow<AxisInputs>{2105, &AxisInputs::acknowledge_3},
-    BinectorRow<AxisInputs>{2106, &AxisInputs::no_external_fault_1},
-    BinectorRow<AxisInputs>{2107, &AxisInputs::no_external_fault_2},
-    BinectorRow<AxisInputs>{2108, &AxisInputs::no_external_fault_3},
-    BinectorRow<AxisInputs>{2112, &AxisInputs::no_external_alarm_1},
-};
-constexpr std::array kStatusBits{
-    BinectorRow<AxisFeedback>{8785, &AxisFeedback::status_bit_8},
-    BinectorRow<AxisFeedback>{8786, &AxisFeedback::status_bit_14},
-    BinectorRow<AxisFeedback>{8787, &AxisFeedback::status_bit_15},
-};
-
-/// A connector input and the parameter that is 100 % of it.
-struct ConnectorRow {
-  std::uint16_t number;
-  double AxisInputs::*member;
-  std::uint16_t reference;
-};
-constexpr std::uint16_t kReferenceSpeed = 2000;
-constexpr std::uint16_t kReferenceTorque = 2003;
-constexpr std::array kConnectors{
-    ConnectorRow{1070, &AxisInputs::main_setpoint, kReferenceSpeed},
-    ConnectorRow{1075, &AxisInputs::supplementary_setpoint, kReferenceSpeed},
-    ConnectorRow{1085, &AxisInputs::forward_limit, kReferenceSpeed},
-    ConnectorRow{1088, &AxisInputs::backward_limit, kReferenceSpeed},
-    ConnectorRow{1144, &AxisInputs::ramp_setting, kReferenceSpeed},
-    ConnectorRow{1155, &AxisInputs::speed_setpoint_1, kReferenceSpeed},
-    ConnectorRow{1160, &AxisInputs::speed_setpoint_2, kReferenceSpeed},
-    ConnectorRow{1503, &AxisInputs::torque_setpoint, kReferenceTorque},
-    ConnectorRow{1511, &AxisInputs::supplementary_torque_1, kReferenceTorque},
-    ConnectorRow{1513, &AxisInputs::supplementary_torque_2, kReferenceTorque},
-    ConnectorRow{1522, &AxisInputs::upper_torque_limit, kReferenceTorque},
-    ConnectorRow{1523, &AxisInputs::lower_torque_limit, kReferenceTorque},
-};
-
-constexpr std::uint16_t kFirstOutput = 738;  // p0738 to p0745
-constexpr std::uint16_t kAcknowledgeAll = 2102;
-constexpr std::uint16_t kMessageSetpoint = 2151;
-constexpr std::uint16_t kSentWords = 8851;
-constexpr std::uint16_t kSentDoubleWords = 8861;
-constexpr std::uint16_t kBits = 8880;  // BI, a word each
-constexpr std::uint16_t kInvertBits = 8888;
-constexpr std::uint16_t kInvertWords = 8898;
-constexpr std::uint16_t kWords = 8899;
 constexpr std::size_t kBitsOfAWord = 16;
 
-double parameter(const DriveObject& object, std::uint16_t number, std::size_t index = 0) noexcept {
-  return object.read(number, index).value_or(0.0);
+/// Calls @p visit with every row of @p object that is an input, and with its home.
+template <class Visit>
+void for_each_input(const DriveObject& object, const Visit& visit) {
+  for (const PlacedRow& placed : parameters_of(object.kind())) {
+    const ParameterRow& row = *placed.row;
+    if (const auto* const bit = std::get_if<BitInput>(&row.home)) visit(row, *bit);
+    if (const auto* const value = std::get_if<ValueInput>(&row.home)) visit(row, *value);
+    if (const auto* const word = std::get_if<ImageInput>(&row.home)) visit(row, *word);
+  }
 }
 
-bool has(const DriveObject& object, std::uint16_t number) noexcept {
-  return find_parameter(object.kind(), number) != nullptr;
+template <class Links>
+void take_all(const Links& links) noexcept {
+  for (const auto& link : links) *link.input = link.value();
 }
 
-/// What is 100 % of a quantity with reference @p number, in SI units.
-double reference(const DriveObject& object, std::uint16_t number) noexcept {
-  return parameter(object, number) * (number == kReferenceSpeed ? kRpm : 1.0);
+template <class Links>
+bool any_changed(const Links& links) noexcept {
+  return std::ranges::any_of(links, [](const auto& link) { return link.value() != *link.input; });
 }
 
 }  // namespace
 
+template <>
+bool Wiring::Link<bool>::value() const noexcept {
+  return source.bit();
+}
+template <>
+double Wiring::Link<double>::value() const noexcept {
+  return source.value(full);
+}
+
 Wiring::Wiring(DriveUnit& unit) : unit_{unit} {
-  objects_.push_back({.object = &unit.control_unit()});
-  for (Axis& axis : unit.axes()) objects_.push_back({.object = &axis});
-  if (Infeed* const infeed = unit.infeed()) objects_.push_back({.object = infeed});
+  unit.for_each_object([this](DriveObject& object) { objects_.push_back({.object = &object}); });
   for (Object& entry : objects_) reserve(entry);
 }
 
+/// Makes room for all inputs, so that nothing is allocated later.
 void Wiring::reserve(Object& entry) {
-  entry.bits.reserve(kBinectors.size());
-  entry.values.reserve(kConnectors.size());
-  entry.status_bits.reserve(kStatusBits.size());
-  entry.words_of_bits.reserve(entry.constant_words_of_bits.size() * kBitsOfAWord);
-  entry.bits_of_words.reserve(entry.inverted_words.size());
+  std::size_t bits_of_words = 0;
+  for_each_input(*entry.object, [&](const ParameterRow& row, const auto& input) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(input)>, ImageInput>)
+      bits_of_words += input.sink == ImageSink::BitOfWord ? row.count : 0U;
+    else
+      inputs_of(entry, input.block).count += row.count;
+  });
+  for (Inputs& inputs : entry.blocks) {
+    for (auto* const bits : {&inputs.bits, &inputs.constant_bits}) bits->reserve(inputs.count);
+    for (auto* const values : {&inputs.values, &inputs.constant_values}) values->reserve(inputs.count);
+  }
+  entry.words_of_bits.reserve(bits_of_words);
+  entry.bits_of_words.reserve(std::tuple_size_v<decltype(ProcessDataImage::bits_of_words)>);
   entry.sent_words.reserve(ProcessDataImage::kSentWords);
   entry.sent_double_words.reserve(ProcessDataImage::kSentWords);
+}
+
+Wiring::Inputs& Wiring::inputs_of(Object& entry, BlockId block) {
+  const auto found = std::ranges::find(entry.blocks, block, &Inputs::block);
+  return found != entry.blocks.end() ? *found : entry.blocks.emplace_back(Inputs{.block = block});
 }
 
 void Wiring::connect() noexcept {
   if (valid_) return;
   valid_ = true;
   for (Object& entry : objects_) connect(entry);
-  const DriveObject& control_unit = *objects_.front().object;
-  acknowledge_all_ = source(control_unit, kAcknowledgeAll);
-  for (std::size_t i = 0; i < outputs_.size(); ++i)
-    outputs_[i] = source(control_unit, static_cast<std::uint16_t>(kFirstOutput + i));
 }
 
 void Wiring::connect(Object& entry) noexcept {
-  connect_inputs(entry);
-  connect_feedback(entry);
-  connect_converters(entry);
-  connect_sent(entry);
-}
-
-SignalSource Wiring::source(const DriveObject& object, std::uint16_t number, std::size_t index) const noexcept {
-  return {unit_, object, static_cast<std::uint32_t>(parameter(object, number, index))};
-}
-
-void Wiring::connect_inputs(Object& entry) noexcept {
-  const DriveObject& object = *entry.object;
-  entry.bits.clear();
-  entry.values.clear();
-  entry.constant_inputs = {};
-  for (const auto& row : kBinectors) {
-    if (!has(object, row.number)) continue;
-    const SignalSource from = source(object, row.number);
-    entry.constant_inputs.*row.member = from.bit();
-    if (!from.is_constant()) entry.bits.push_back({row.member, from, 0.0});
+  for (Inputs& inputs : entry.blocks) {
+    for (auto* const bits : {&inputs.bits, &inputs.constant_bits}) bits->clear();
+    for (auto* const values : {&inputs.values, &inputs.constant_values}) values->clear();
+    inputs.constants_taken = false;
   }
-  for (const ConnectorRow& row : kConnectors) {
-    if (!has(object, row.number)) continue;
-    const SignalSource from = source(object, row.number);
-    const double full = reference(object, row.reference);
-    entry.constant_inputs.*row.member = from.value(full);
-    if (!from.is_constant()) entry.values.push_back({row.member, from, full});
-  }
-}
-
-void Wiring::connect_feedback(Object& entry) noexcept {
-  const DriveObject& object = *entry.object;
-  entry.status_bits.clear();
-  entry.constant_feedback = {};
-  if (!has(object, kMessageSetpoint)) return;
-  entry.message_setpoint = source(object, kMessageSetpoint);
-  entry.reference_speed = reference(object, kReferenceSpeed);
-  for (const auto& row : kStatusBits) {
-    const SignalSource from = source(object, row.number);
-    entry.constant_feedback.*row.member = from.bit();
-    if (!from.is_constant()) entry.status_bits.push_back({row.member, from, 0.0});
-  }
-}
-
-void Wiring::connect_converters(Object& entry) noexcept {
-  const DriveObject& object = *entry.object;
-  entry.words_of_bits.clear();
-  entry.bits_of_words.clear();
-  for (std::size_t word = 0; word < entry.constant_words_of_bits.size(); ++word) {
-    auto constant = static_cast<unsigned>(parameter(object, kInvertBits, word));
-    for (std::size_t bit = 0; bit < kBitsOfAWord; ++bit) {
-      const SignalSource from = source(object, static_cast<std::uint16_t>(kBits + word), bit);
-      if (!from.is_constant())
-        entry.words_of_bits.push_back({word, bit, from});
-      else
-        constant ^= static_cast<unsigned>(from.bit()) << bit;
-    }
-    entry.constant_words_of_bits[word] = static_cast<std::uint16_t>(constant);
-  }
-  for (std::size_t word = 0; word < entry.inverted_words.size(); ++word) {
-    entry.inverted_words[word] = static_cast<std::uint16_t>(parameter(object, kInvertWords, word));
-    entry.bits_of_words.push_back({word, 0, source(object, kWords, word)});
-  }
-}
-
-void Wiring::connect_sent(Object& entry) noexcept {
-  const DriveObject& object = *entry.object;
-  entry.sent_words.clear();
-  entry.sent_double_words.clear();
+  for (auto* const places :
+       {&entry.words_of_bits, &entry.bits_of_words, &entry.sent_words, &entry.sent_double_words})
+    places->clear();
+  entry.constant_words_of_bits = {};
   entry.object->process_data().sent = {};
-  const auto add = [&](std::uint16_t number, std::size_t count, std::vector<Place>& places) {
-    for (std::size_t word = 0; word < count; ++word)
-      if (parameter(object, number, word) > 0.0) places.push_back({word, 0, source(object, number, word)});
-  };
-  add(kSentWords, ProcessDataImage::kSentWords, entry.sent_words);
-  add(kSentDoubleWords, ProcessDataImage::kSentWords - 1, entry.sent_double_words);
+  for_each_input(*entry.object, [&](const ParameterRow& row, const auto& input) { connect(entry, row, input); });
 }
 
-AxisInputs Wiring::inputs(std::size_t object) const noexcept {
-  const Object& entry = objects_[object];
-  AxisInputs inputs = entry.constant_inputs;
-  for (const auto& link : entry.bits) inputs.*link.member = link.source.bit();
-  for (const auto& link : entry.values) inputs.*link.member = link.source.value(link.full);
-  inputs.controlword = entry.object->process_data().whole_controlword;
-  inputs.requested_mode = entry.object->process_data().requested_mode;
-  return inputs;
+SignalSource Wiring::source(const DriveObject& object, const ParameterRow& row, std::size_t index) const noexcept {
+  return {unit_, object, static_cast<std::uint32_t>(object.read(row.number, index).value_or(0.0))};
 }
 
-AxisFeedback Wiring::feedback(std::size_t axis) const noexcept {
-  const Object& entry = objects_[axis + 1];
-  AxisFeedback feedback = entry.constant_feedback;
-  feedback.message_setpoint = entry.message_setpoint.value(entry.reference_speed);
-  for (const auto& link : entry.status_bits) feedback.*link.member = link.source.bit();
-  return feedback;
+void Wiring::connect(Object& entry, const ParameterRow& row, const BitInput& input) noexcept {
+  Inputs& inputs = inputs_of(entry, input.block);
+  void* const block = entry.object->block(input.block);
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const SignalSource from = source(*entry.object, row, i);
+    (from.is_constant() ? inputs.constant_bits : inputs.bits).push_back({&input.member(block, i), from});
+  }
+}
+
+void Wiring::connect(Object& entry, const ParameterRow& row, const ValueInput& input) noexcept {
+  Inputs& inputs = inputs_of(entry, input.block);
+  void* const block = entry.object->block(input.block);
+  const double full = reference(*entry.object, input.quantity);
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const SignalSource from = source(*entry.object, row, i);
+    (from.is_constant() ? inputs.constant_values : inputs.values).push_back({&input.member(block, i), from, full});
+  }
+}
+
+void Wiring::connect(Object& entry, const ParameterRow& row, const ImageInput& input) noexcept {
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const SignalSource from = source(*entry.object, row, i);
+    const bool is_wired = !from.is_constant() || from.bit();
+    switch (input.sink) {
+      case ImageSink::SentWord:
+        if (is_wired) entry.sent_words.push_back({i, 0, from});
+        break;
+      case ImageSink::SentDoubleWord:
+        if (is_wired) entry.sent_double_words.push_back({i, 0, from});
+        break;
+      case ImageSink::WordOfBits:
+        entry.bits_of_words.push_back({i, 0, from});
+        break;
+      case ImageSink::BitOfWord:
+        connect_bit(entry, {input.place, i, from});
+        break;
+    }
+  }
+}
+
+void Wiring::connect_bit(Object& entry, const Place& place) noexcept {
+  if (!place.source.is_constant()) return entry.words_of_bits.push_back(place);
+  std::uint16_t& word = entry.constant_words_of_bits[place.word];
+  word = static_cast<std::uint16_t>(word ^ static_cast<unsigned>(place.source.bit()) << place.bit);
+}
+
+void Wiring::take(const DriveObject& object, BlockId block) noexcept {
+  for (Inputs& inputs : objects_[object.number() - std::size_t{1}].blocks) {
+    if (inputs.block != block) continue;
+    if (!inputs.constants_taken) {
+      take_all(inputs.constant_bits);
+      take_all(inputs.constant_values);
+      inputs.constants_taken = true;
+    }
+    take_all(inputs.bits);
+    take_all(inputs.values);
+  }
+}
+
+bool Wiring::changed(const DriveObject& object) const noexcept {
+  return std::ranges::any_of(objects_[object.number() - std::size_t{1}].blocks, [](const Inputs& inputs) {
+    return any_changed(inputs.bits) || any_changed(inputs.values) ||
+           (!inputs.constants_taken && (any_changed(inputs.constant_bits) || any_changed(inputs.constant_values)));
+  });
 }
 
 void Wiring::convert_words() noexcept {
-  for (Object& entry : objects_)
+  for (Object& entry : objects_) {
+    const auto& inverted = entry.object->converters().invert_bits_of_words;
     for (const Place& place : entry.bits_of_words) {
       const auto word = static_cast<std::uint16_t>(place.source.process_data<std::int16_t>());
       entry.object->process_data().bits_of_words[place.word] =
-          static_cast<std::uint16_t>(word ^ entry.inverted_words[place.word]);
+          static_cast<std::uint16_t>(word ^ inverted[place.word]);
     }
+  }
 }
 
 void Wiring::convert_bits() noexcept {
   for (Object& entry : objects_) {
-    auto words = entry.constant_words_of_bits;
+    auto words = entry.object->converters().invert_words_of_bits;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      words[i] = static_cast<std::uint16_t>(words[i] ^ entry.constant_words_of_bits[i]);
     for (const Place& place : entry.words_of_bits)
       words[place.word] =
           static_cast<std::uint16_t>(words[place.word] ^ (static_cast<unsigned>(place.source.bit()) << place.bit));
     entry.object->process_data().words_of_bits = words;
   }
-}
-
-void Wiring::lead_outputs() noexcept {
-  Terminals::Word word = 0;
-  for (std::size_t i = 0; i < outputs_.size(); ++i)
-    word |= static_cast<Terminals::Word>(outputs_[i].bit()) << (Terminals::kFirstOutput + i);
-  unit_.control_unit().terminals().sources = word;
 }
 
 void Wiring::send() noexcept {

@@ -10,6 +10,8 @@ namespace drive {
 class HoldingBrake {
  public:
   struct Settings {
+    using Block = HoldingBrake;
+
     std::int32_t configuration = 0;  ///< p1215: 0 none, 1 and 3 by the sequence control, 2 always open
     double opening_time = 0.0;       ///< p1216 (s), for which the setpoint waits
     double closing_time = 0.0;       ///< p1217 (s), for which the motor still holds

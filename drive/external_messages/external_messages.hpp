@@ -43,6 +43,8 @@ class InputMessageMonitor {
 class ExternalMessages {
  public:
   struct Inputs {
+    using Block = ExternalMessages;
+
     bool acknowledge_1 = false;       ///< p2103, edge
     bool acknowledge_2 = false;       ///< p2104, edge
     bool acknowledge_3 = false;       ///< p2105, edge
@@ -79,6 +81,7 @@ class ExternalMessages {
   void power_off() noexcept {
     inputs = {};
     before_ = {};
+    monitor_.reset();
   }
 
   Inputs inputs{};

@@ -48,8 +48,9 @@ double represented(const ParameterRow& row, double value) noexcept {
 
 void Axis::select_identification(std::int32_t value) noexcept {
   constexpr std::array kChoices{selection::kMeasure, selection::kMeasureBlind};
-  const auto* const rotating = std::ranges::find_if(
-      kChoices, [this](std::int32_t choice) { return can_rotate(choice, kind(), parameters_.control_mode); });
+  const auto* const rotating = std::ranges::find_if(kChoices, [this](std::int32_t choice) {
+    return can_rotate(choice, kind(), block<SpeedControl>().settings.control_mode);
+  });
   block<Identification>().select_both(value, rotating != kChoices.end() ? *rotating : selection::kNone);
   show_selection();
 }
@@ -205,8 +206,8 @@ void Axis::take_over(const motor::StandstillResult& found) noexcept {
   const motor::MachineData machine = motor::identified_machine(block<MotorModel>().believed(), found);
   assign_rounded(350, machine.stator_resistance);
   if (machine.type == motor::MachineType::Synchronous) {
-    assign_rounded(356, machine.synchronous.q_inductance - parameters_.series_inductance);
-    assign_rounded(357, machine.synchronous.d_inductance - parameters_.series_inductance);
+    assign_rounded(356, machine.synchronous.q_inductance - block<MotorModel>().settings.series_inductance);
+    assign_rounded(357, machine.synchronous.d_inductance - block<MotorModel>().settings.series_inductance);
   } else {
     assign_rotor_circuit(machine);
   }
@@ -221,20 +222,20 @@ void Axis::take_over(const motor::RotatingResult& found) noexcept {
     assign_rounded(316, torque_constant(data_sheet, found.magnet_flux));
   }
   if (found.inertia > 0.0) {
-    if (found.inertia < parameters_.motor_inertia) assign_rounded(341, found.inertia);
-    assign_rounded(342, found.inertia / parameters_.motor_inertia);
+    if (found.inertia < block<MotorModel>().settings.motor_inertia) assign_rounded(341, found.inertia);
+    assign_rounded(342, found.inertia / block<MotorModel>().settings.motor_inertia);
     assign_rounded(1496, kWholeInertia);
   }
   if ((configuration_of(*this) & kSetsController) != 0) {
     compute_parameters(kControllers);
-    set_dynamics(parameters_.speed_dynamics);
+    set_dynamics(block<Identification>().settings.speed_dynamics);
   }
   apply_parameters();
 }
 
 /// Speed controllers that are @p factor times as fast as p0340 = 4 has made them.
 void Axis::set_dynamics(double factor) noexcept {
-  const AxisParameters p = parameters_;
+  const SpeedControl::Settings p = block<SpeedControl>().settings;
   assign_rounded(1460, p.speed_gain * factor);
   assign_rounded(1462, p.speed_integral_time / factor);
   assign_rounded(1470, p.encoderless_speed_gain * factor);
@@ -251,7 +252,7 @@ void Axis::take_over_saturation(const motor::SaturationCurve& found) noexcept {
   motor::InductionCircuit fitted = circuit;
   fitted.magnetising_inductance = found.fitted_magnetising_inductance;
   fitted.saturation_flux = found.fitted_saturation_flux;
-  const double current = std::numbers::sqrt2 * parameters_.magnetising_current;
+  const double current = std::numbers::sqrt2 * block<MotorModel>().settings.magnetising_current;
   const double ratio = found.rated_flux / motor::standing_flux(fitted, current);
   for (std::size_t i = 0; i < kFlux.size(); ++i) {
     assign_rounded(kFlux[i], ratio * found.flux[i]);
@@ -266,7 +267,7 @@ void Axis::take_over_saturation(const motor::SaturationCurve& found) noexcept {
 
 void Axis::assign_rotor_circuit(const motor::MachineData& machine) noexcept {
   assign_rounded(354, machine.induction.rotor_resistance);
-  assign_rounded(356, machine.induction.stator_leakage - parameters_.series_inductance);
+  assign_rounded(356, machine.induction.stator_leakage - block<MotorModel>().settings.series_inductance);
   assign_rounded(358, machine.induction.rotor_leakage);
   assign_rounded(360, machine.induction.magnetising_inductance);
 }
@@ -274,7 +275,7 @@ void Axis::assign_rotor_circuit(const motor::MachineData& machine) noexcept {
 /// Parameter @p number becomes @p value (SI units) as a master could have written it.
 void Axis::assign_rounded(std::uint16_t number, double value) noexcept {
   const ParameterRow& row = *find_parameter(kind(), number)->row;
-  set_own_value(row, 0, represented(row, value));
+  set_setting(row, 0, represented(row, value));
 }
 
 }  // namespace drive

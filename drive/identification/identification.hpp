@@ -40,6 +40,8 @@ enum class IdentificationPart : std::uint8_t { None, Standstill, Rotating };
 class Identification {
  public:
   struct Settings {
+    using Block = Identification;
+
     double speed_dynamics = 1.0;  ///< p1967, of the speed controller that p1960 computes
   };
 

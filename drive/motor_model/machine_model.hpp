@@ -6,8 +6,12 @@
 
 namespace drive {
 
+class MotorModel;
+
 /// What the control believes of the machine (p03xx), in SI units; the machine itself stays what it is.
 struct MotorData {
+  using Block = MotorModel;
+
   std::int32_t motor_type = 0;         ///< p0300: 1 induction, 2 synchronous
   std::int32_t motor_code = 0;         ///< p0301, not 0 = a motor of the list
   double rated_voltage = 0.0;          ///< p0304 (V rms)

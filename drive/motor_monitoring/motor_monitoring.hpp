@@ -11,6 +11,8 @@ namespace drive {
 class MotorMonitoring {
  public:
   struct Settings {
+    using Block = MotorMonitoring;
+
     double alarm_temperature = 0.0;  ///< p0604 (°C)
     double fault_temperature = 0.0;  ///< p0605 (°C)
   };

@@ -11,19 +11,13 @@
 #include "drive/axis_configuration.hpp"
 #include "drive/object_kind.hpp"
 #include "drive/parameter/bico.hpp"
+#include "drive/parameter/home.hpp"
 #include "drive/parameter/value.hpp"
 #include "drive/parameter/write_condition.hpp"
-#include "drive/parameters.hpp"
 #include "drive/units.hpp"
 #include "motor/supply_data.hpp"
 
 namespace drive {
-
-class Axis;
-class ControlUnit;
-class DriveObject;
-class FaultMemory;
-class Infeed;
 
 /// Limits of a parameter in its own unit, both allowed.
 struct Range {
@@ -53,41 +47,20 @@ struct ObjectContext {
 using FactoryFunction = double (*)(const ObjectContext& context, std::size_t index) noexcept;
 using Factory = std::variant<double, FactoryFunction>;
 
-/// The value lies in a slot of the drive object and nothing in the simulation acts on it.
-struct Stored {};
-/// The value lies in a slot of the drive object, and what the row's effect names is computed from it.
-struct Slot {};
-/// The value lies in a slot of the drive object; the layer that owns the bus acts on it, agrees to every change
-/// and brings in its own ones.
-struct Agreed {};
-/// A command to the layer that owns the bus; what it reads as is what that layer brings in, otherwise the factory
-/// value.
-struct Command {};
-/// The quantity is not in the model: it reads as @p value.
-struct Fixed {
-  double value;
-};
-/// The value is a member of AxisParameters, in SI units there.
-struct Member {
-  std::variant<double AxisParameters::*, std::int32_t AxisParameters::*> member;
-};
-/// The value is found and set by functions of the kind of object that it belongs to, in the parameter's own unit;
-/// a display has no function that sets it.
-template <class Owner>
-struct Computed {
-  double (*get)(const Owner& owner, std::size_t index) noexcept;
-  void (*set)(Owner& owner, std::size_t index, double value) noexcept = nullptr;
-};
-
-/// Where the value of a parameter lives.
-using Home = std::variant<Stored, Slot, Agreed, Command, Fixed, Member, Computed<Axis>, Computed<ControlUnit>,
-                          Computed<Infeed>, Computed<DriveObject>, Computed<FaultMemory>>;
-
 /// What a BICO input can be connected to.
 enum class Output : std::uint8_t {
   No,
   Connector,  ///< CO: a value for connector inputs
   Both,       ///< CO/BO: a word, whose bits are for binector inputs too
+};
+
+/// What of a connector is 100 %.
+enum class FullScale : std::uint8_t {
+  OfUnit,          ///< the reference of the quantity that its unit measures
+  Word,            ///< 4000h, of process data
+  DoubleWord,      ///< 40000000h
+  TargetVelocity,  ///< the reference speed in increments per second
+  TargetTorque,    ///< the reference torque in per mille of the rated torque
 };
 
 /// Whether a parameter is saved, and whether a factory reset changes it.
@@ -116,6 +89,7 @@ struct ParameterRow {
   std::string_view effect;  ///< what it does in the simulation, as far as its home does not say it
   Keep keep = Keep::Stored;
   Check check = nullptr;
+  FullScale full_scale = FullScale::OfUnit;
 
   constexpr bool is_writable() const noexcept { return when != When::ReadOnly; }
 };
@@ -157,7 +131,6 @@ namespace rows {
 
 using enum DataType;
 using Row = ParameterRow;
-using P = AxisParameters;
 
 // What a row gives as its home, where the name of the type would be long.
 constexpr Computed<Axis> axis(double (*get)(const Axis&, std::size_t) noexcept,

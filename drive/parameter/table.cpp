@@ -46,11 +46,6 @@ constexpr auto kRows =
            rows::kSetpointChannelRows, rows::kControlRows, rows::kIdentificationRows, rows::kMonitoringRows,
            rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
 
-constexpr bool has_slots(const ParameterRow& row) {
-  return std::holds_alternative<Stored>(row.home) || std::holds_alternative<Slot>(row.home) ||
-         std::holds_alternative<Agreed>(row.home) || std::holds_alternative<Command>(row.home);
-}
-
 /// The table of one kind; Count is the number of its rows.
 template <ObjectKind Kind, std::size_t Count>
 constexpr auto placed() {
@@ -59,8 +54,8 @@ constexpr auto placed() {
   std::uint16_t slot = 0;
   for (const ParameterRow* row : kRows) {
     if (!contains(row->kinds, Kind)) continue;
-    table[filled++] = {row, has_slots(*row) ? slot : kNoSlot};
-    if (has_slots(*row)) slot = static_cast<std::uint16_t>(slot + row->count);
+    table[filled++] = {row, is_in_a_slot(row->home) ? slot : kNoSlot};
+    if (is_in_a_slot(row->home)) slot = static_cast<std::uint16_t>(slot + row->count);
   }
   return table;
 }
@@ -82,19 +77,30 @@ static_assert(kNumbersAreUnique<ObjectKind::ControlUnit> && kNumbersAreUnique<Ob
                   kNumbersAreUnique<ObjectKind::Vector> && kNumbersAreUnique<ObjectKind::Infeed>,
               "lookup is a binary search, and no drive object has a parameter twice");
 
+/// An input has a source, and nothing else has one but what the layer that owns the bus or nobody follows.
+constexpr bool has_the_type_of_its_home(const ParameterRow& row) {
+  if (std::holds_alternative<BitInput>(row.home)) return row.type == DataType::BinectorInput;
+  if (std::holds_alternative<ValueInput>(row.home)) return row.type == DataType::ConnectorInput;
+  if (const auto* const input = std::get_if<ImageInput>(&row.home))
+    return row.type == (input->sink == ImageSink::BitOfWord ? DataType::BinectorInput : DataType::ConnectorInput);
+  return !(is_bico_input(row.type) && std::holds_alternative<Setting>(row.home));
+}
+
 constexpr bool consistent(const ParameterRow* row) {
   const Range limits = limits_of(*row);
   const bool number = std::holds_alternative<double>(row->factory);
   const bool within =
       !number || !row->is_writable() ||
       (limits.minimum <= std::get<double>(row->factory) && std::get<double>(row->factory) <= limits.maximum);
-  const bool member = std::holds_alternative<Member>(row->home);
+  const std::size_t elements = elements_of(row->home);
   const bool display = std::holds_alternative<Fixed>(row->home);
   return row->count > 0 && row->kinds != 0 && within && !(display && row->is_writable()) &&
-         !(member && row->count != 1);
+         (elements == 0 || row->count == elements) && has_the_type_of_its_home(*row);
 }
-static_assert(std::all_of(kRows.begin(), kRows.end(), consistent),
-              "a factory value lies within the limits, a fixed value cannot be written, a member has one index");
+static_assert(
+    std::all_of(kRows.begin(), kRows.end(), consistent),
+    "a factory value lies within the limits, a fixed value cannot be written, a setting has the indices of "
+    "its member and an input a source");
 
 constexpr std::array<std::span<const PlacedRow>, kObjectKindCount> kTables{
     kPlaced<ObjectKind::ControlUnit>, kPlaced<ObjectKind::Servo>, kPlaced<ObjectKind::Vector>,

@@ -92,15 +92,21 @@ std::string range(const ParameterRow& row) {
 std::string role(const ParameterRow& row) {
   if (std::holds_alternative<Stored>(row.home)) return is_bico_input(row.type) ? "wiring stored" : "stored only";
   if (std::holds_alternative<Agreed>(row.home)) return is_bico_input(row.type) ? "wiring stored" : "bus";
-  if (std::holds_alternative<Command>(row.home)) return "command";
+  if (std::holds_alternative<HostCommand>(row.home)) return "command";
   if (const auto* const fixed = std::get_if<Fixed>(&row.home))
     return fmt::format("fixed: {}", number(fixed->value));
   return row.is_writable() ? "" : "true value";
 }
 
+/// Whether the effect of @p row says what acts on what is written.
+bool acts(const ParameterRow& row) {
+  return std::holds_alternative<Slot>(row.home) || std::holds_alternative<BitInput>(row.home) ||
+         std::holds_alternative<ValueInput>(row.home) || std::holds_alternative<ImageInput>(row.home);
+}
+
 std::string effect(const ParameterRow& row) {
   const std::string means = role(row);
-  if (std::holds_alternative<Slot>(row.home)) return fmt::format("acts on {}", row.effect);
+  if (acts(row)) return fmt::format("acts on {}", row.effect);
   const std::string_view between = means.empty() || row.effect.empty() ? "" : "; ";
   return fmt::format("{}{}{}", means, between, row.effect);
 }

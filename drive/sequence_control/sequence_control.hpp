@@ -16,6 +16,8 @@ namespace drive {
 class SequenceControl {
  public:
   struct Settings {
+    using Block = SequenceControl;
+
     std::int32_t commissioning = 0;            ///< p0010, not 0 = switching on is inhibited
     double power_monitoring_time = 0.0;        ///< p0857 (s)
     double standstill_threshold = 0.0;         ///< p1226 (rad/s)
@@ -26,6 +28,8 @@ class SequenceControl {
     std::int32_t halt_option = 0;
   };
   struct Inputs {
+    using Block = SequenceControl;
+
     bool on = false;               ///< p0840, 0 = OFF1
     bool no_off2 = true;           ///< p0844 and
     bool no_off2_second = true;    ///< p0845, 0 = OFF2

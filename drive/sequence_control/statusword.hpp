@@ -24,6 +24,8 @@ struct StatusSignals {
 struct FreeStatusBits {
   struct Settings {};
   struct Inputs {
+    using Block = FreeStatusBits;
+
     bool bit_8 = false;   ///< p8785
     bool bit_14 = false;  ///< p8786
     bool bit_15 = false;  ///< p8787

@@ -29,6 +29,8 @@ class SetpointChannel {
   static constexpr double kAsParameter = std::numeric_limits<double>::infinity();
 
   struct Settings {
+    using Block = SetpointChannel;
+
     FixedSetpoints fixed{};              ///< p1001 to p1015
     double jog_speed_1 = 0.0;            ///< p1058
     double jog_speed_2 = 0.0;            ///< p1059
@@ -47,6 +49,8 @@ class SetpointChannel {
     double off3_final_rounding = 0.0;    ///< p1137 (s)
   };
   struct Inputs {
+    using Block = SetpointChannel;
+
     bool jog_1 = false;                    ///< p1055
     bool jog_2 = false;                    ///< p1056
     bool fixed_setpoint_bit_0 = false;     ///< p1020
@@ -61,9 +65,9 @@ class SetpointChannel {
     bool continue_ramp = true;             ///< p1141
     bool enable_setpoint = true;           ///< p1142
     bool set_ramp = false;                 ///< p1143
-    bool vl_enable_ramp = true;            ///< bit 4 of the controlword, in velocity mode an enable like p1140
-    bool vl_unlock_ramp = true;            ///< bit 5, like p1141
-    bool vl_reference_ramp = true;         ///< bit 6, like p1142
+    bool vl_enable_ramp = false;           ///< bit 4 of the controlword, in velocity mode an enable like p1140
+    bool vl_unlock_ramp = false;           ///< bit 5, like p1141
+    bool vl_reference_ramp = false;        ///< bit 6, like p1142
     double main_setpoint = 0.0;            ///< p1070
     double supplementary_setpoint = 0.0;   ///< p1075
     double forward_limit = kAsParameter;   ///< p1085, p1083 if it is infinite

@@ -14,6 +14,8 @@ namespace drive {
 class SpeedControl {
  public:
   struct Settings {
+    using Block = SpeedControl;
+
     double current_limit = 0.0;                    ///< p0640 (A rms)
     std::int32_t control_mode = 0;                 ///< p1300: 0..19 V/f, 20 and 22 without encoder, 21 and 23 with
     double speed_smoothing = 0.0;                  ///< p1441 (s)
@@ -26,6 +28,8 @@ class SpeedControl {
     double regenerative_power_limit = 0.0;         ///< p1531 (W), negative
   };
   struct Inputs {
+    using Block = SpeedControl;
+
     bool enable = true;                           ///< p0856
     bool torque_control = false;                  ///< p1501
     std::optional<std::int8_t> requested_mode{};  ///< 6060h while it is process data

@@ -16,6 +16,8 @@ class SpeedMessages {
   static constexpr double kAsRampInput = std::numeric_limits<double>::infinity();
 
   struct Settings {
+    using Block = SpeedMessages;
+
     double zero_speed_threshold = 0.0;     ///< p2161, statusword bit 12
     double overspeed_hysteresis = 0.0;     ///< p2162, F07901
     double target_window = 0.0;            ///< p2163, statusword bit 10
@@ -25,6 +27,8 @@ class SpeedMessages {
     double blocked_delay = 0.0;            ///< p2177 (s), F07900
   };
   struct Inputs {
+    using Block = SpeedMessages;
+
     double setpoint = kAsRampInput;  ///< p2151, r1119 if it is infinite
 
     friend bool operator==(const Inputs&, const Inputs&) = default;

@@ -14,10 +14,14 @@ class TorqueSetpoint {
   static constexpr double kAsParameter = std::numeric_limits<double>::infinity();
 
   struct Settings {
+    using Block = TorqueSetpoint;
+
     double upper_limit = 0.0;  ///< p1520
     double lower_limit = 0.0;  ///< p1521
   };
   struct Inputs {
+    using Block = TorqueSetpoint;
+
     double setpoint = 0.0;              ///< p1503
     double supplementary_1 = 0.0;       ///< p1511
     double supplementary_2 = 0.0;       ///< p1513

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "drive/identification/identification.hpp"
 #include "drive/parameter/checks.hpp"
 #include "drive/parameter/identification_values.hpp"
 #include "drive/parameter/row.hpp"
@@ -26,7 +27,7 @@ inline constexpr std::array kIdentificationRows{
     Row{1958, 5, kAxes, F32, Unit::Seconds, {-1.0, 999999.0}, -1.0, When::Ready, Slot{}, Output::No, "Rotating measurement ramp/time", "p1960: [0] ramp from 0 to p1082, -1 = as fast as the torque gives well; others on nothing"},
     Row{1959, 1, kAxes, U16, Unit::None, kWhole, 15.0, When::Ready, Slot{}, Output::No, "Rotating measurement configuration", "p1960: bits 1 flux of the magnets or saturation characteristic, 2 moment of inertia, 3 p0340 = 4 with what was found and p1967, 14 and 15 lock the positive and the negative direction; 0 the encoder test, which is made anyway"},
     Row{1960, 1, kAxes, I16, Unit::None, {-3.0, 4.0}, 0.0, When::Ready, axis(identification_value::rotating, identification_value::select_rotating), Output::No, "Rotating measurement selection", "at the next ON, with p1300 from 20 on: 1 without load, on a vector axis with encoder, 2 without load and encoder, 3 and 4 the same with load, which leaves the flux out; a servo has 1 for both; -1 measures for r19xx only; -3 takes over what r19xx has; other values are refused; reads 0 when done", Keep::No, check::rotating_selection},
-    Row{1967, 1, kAxes, F32, Unit::Percent, {1.0, 400.0}, 100.0, When::Ready, Member{&P::speed_dynamics}, Output::No, "Rotating measurement speed controller dynamic factor", "p1960: gains of the speed controller that it computes go with it, integral times against it"},
+    Row{1967, 1, kAxes, F32, Unit::Percent, {1.0, 400.0}, 100.0, When::Ready, setting<&Identification::Settings::speed_dynamics>, Output::No, "Rotating measurement speed controller dynamic factor", "p1960: gains of the speed controller that it computes go with it, integral times against it"},
     Row{1969, 1, kAxes, F32, Unit::KilogramSquareMetre, kWhole, 0.0, When::ReadOnly, axis(identification_value::inertia), Output::No, "Moment of inertia identified", "of all that turns"},
     Row{1984, 1, kAxes, F32, Unit::Degrees, kWhole, 0.0, When::ReadOnly, axis(identification_value::pole_position), Output::No, "Pole position identification angular difference", "electrical, of a synchronous machine past where the encoder has it"},
 };

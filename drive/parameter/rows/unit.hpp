@@ -7,6 +7,7 @@
 #include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/row.hpp"
 #include "drive/parameter/unit_values.hpp"
+#include "drive/sequence_control/sequence_control.hpp"
 
 namespace drive::rows {
 
@@ -14,7 +15,7 @@ namespace drive::rows {
 // clang-format off
 inline constexpr std::array kUnitRows{
     Row{9, 1, kControlUnit, I16, Unit::None, {0.0, 10100.0}, 0.0, When::Ready, Agreed{}, Output::No, "Device commissioning parameter filter", "not 0: switching on is inhibited on every axis; leaving 3 restarts the unit", Keep::No, check::device_filter},
-    Row{10, 1, kAxes, I16, Unit::None, {0.0, 95.0}, 0.0, When::Ready, Member{&P::commissioning}, Output::No, "Drive commissioning parameter filter", "not 0: switching on is inhibited (r0002 = 46); C(n) parameters can be written", Keep::No, check::drive_filter},
+    Row{10, 1, kAxes, I16, Unit::None, {0.0, 95.0}, 0.0, When::Ready, setting<&SequenceControl::Settings::commissioning>, Output::No, "Drive commissioning parameter filter", "not 0: switching on is inhibited (r0002 = 46); C(n) parameters can be written", Keep::No, check::drive_filter},
     Row{18, 1, kControlUnit, U32, Unit::None, kWhole, 4806500.0, When::ReadOnly, Agreed{}, Output::No, "CU firmware version", "100Ah"},
     Row{50, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Both, "Command data set effective", ""},
     Row{51, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Both, "Drive data set effective", ""},
@@ -34,12 +35,12 @@ inline constexpr std::array kUnitRows{
     Row{752, 1, kControlUnit, F32, Unit::VoltsOrMilliamperes, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Connector, "CU analog input", ""},
     Row{774, 3, kControlUnit, F32, Unit::Volts, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Connector, "Test sockets output voltage T0..T2", ""},
     Row{918, 1, kControlUnit, U16, Unit::None, {1.0, 126.0}, 126.0, When::Ready, Stored{}, Output::No, "PROFIBUS address", ""},
-    Row{969, 1, kControlUnit, U32, Unit::Milliseconds, {0.0, 4294967295.0}, 0.0, When::Always, Command{}, Output::No, "System runtime relative", "", Keep::No},
+    Row{969, 1, kControlUnit, U32, Unit::Milliseconds, {0.0, 4294967295.0}, 0.0, When::Always, HostCommand{}, Output::No, "System runtime relative", "", Keep::No},
     Row{970, 1, kAxes, U16, Unit::None, {0.0, 100.0}, 0.0, When::Reset, axis(axis_value::no_value, axis_value::reset_parameters), Output::No, "Reset drive object parameters", "1 resets this drive object and p0010; reads 0", Keep::No},
-    Row{971, 1, kAll, U16, Unit::None, {0.0, 1.0}, 0.0, When::Always, Command{}, Output::No, "Save drive object parameters", "1 saves this drive object; reads 0", Keep::No},
-    Row{972, 1, kControlUnit, U16, Unit::None, {0.0, 3.0}, 0.0, When::Always, Command{}, Output::No, "Drive unit reset", "1 restarts the unit, 2 is only shown, 3 restarts it when the node leaves Operational", Keep::No},
-    Row{976, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::DeviceReset, Command{}, Output::No, "Reset and load all parameters", "1 state of a new unit, 2 restart with the saved values; reads 0", Keep::No},
-    Row{977, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::Always, Command{}, Output::No, "Save all parameters", "1 saves all drive objects; reads 0", Keep::No},
+    Row{971, 1, kAll, U16, Unit::None, {0.0, 1.0}, 0.0, When::Always, HostCommand{}, Output::No, "Save drive object parameters", "1 saves this drive object; reads 0", Keep::No},
+    Row{972, 1, kControlUnit, U16, Unit::None, {0.0, 3.0}, 0.0, When::Always, HostCommand{}, Output::No, "Drive unit reset", "1 restarts the unit, 2 is only shown, 3 restarts it when the node leaves Operational", Keep::No},
+    Row{976, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::DeviceReset, HostCommand{}, Output::No, "Reset and load all parameters", "1 state of a new unit, 2 restart with the saved values; reads 0", Keep::No},
+    Row{977, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::Always, HostCommand{}, Output::No, "Save all parameters", "1 saves all drive objects; reads 0", Keep::No},
     Row{3100, 1, kControlUnit, U16, Unit::None, {0.0, 1.0}, 0.0, When::Ready, Stored{}, Output::No, "RTC time stamp mode", ""},
 };
 // clang-format on

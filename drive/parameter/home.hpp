@@ -1,0 +1,137 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+
+#include "drive/parameter/block.hpp"
+#include "drive/quantity.hpp"
+
+namespace drive {
+
+class Axis;
+class ControlUnit;
+class DriveObject;
+class FaultMemory;
+class Infeed;
+
+/// The value lies in a slot of the drive object and nothing in the simulation acts on it.
+struct Stored {};
+/// The value lies in a slot of the drive object, and what the row's effect names is computed from it.
+struct Slot {};
+/// The value lies in a slot of the drive object; the layer that owns the bus acts on it, agrees to every change
+/// and brings in its own ones.
+struct Agreed {};
+/// A command to the layer that owns the bus; what it reads as is what that layer brings in, otherwise the factory
+/// value.
+struct HostCommand {};
+/// The quantity is not in the model: it reads as @p value.
+struct Fixed {
+  double value;
+};
+
+/// A setting of a block, in SI units there; an index of the parameter is an element of it.
+struct Setting {
+  BlockId block;
+  std::size_t count;
+  double (*get)(const void* block, std::size_t index) noexcept;
+  void (*set)(void* block, std::size_t index, double si) noexcept;
+};
+template <auto Member>
+inline constexpr Setting setting{.block = kBlock<typename block_access::Of<Member>::Block>,
+                                 .count = block_access::Of<Member>::kCount,
+                                 .get =
+                                     [](const void* block, std::size_t index) noexcept {
+                                       return static_cast<double>(block_access::Of<Member>::at(block, index));
+                                     },
+                                 .set =
+                                     [](void* block, std::size_t index, double si) noexcept {
+                                       using Element = typename block_access::Of<Member>::Element;
+                                       block_access::Of<Member>::at(block, index) = static_cast<Element>(si);
+                                     }};
+
+/// A binector input: its source lies in a slot, the bit that the source brings in a member of the block.
+struct BitInput {
+  BlockId block;
+  std::size_t count;
+  bool& (*member)(void* block, std::size_t index) noexcept;
+};
+template <auto Member>
+inline constexpr BitInput bit_input{
+    kBlock<typename block_access::Of<Member>::Block>, block_access::Of<Member>::kCount,
+    [](void* block, std::size_t index) noexcept -> bool& { return block_access::Of<Member>::at(block, index); }};
+/// The same of element @p Place of an array.
+template <auto Member, std::size_t Place>
+inline constexpr BitInput bit_input_at{
+    kBlock<typename block_access::Of<Member>::Block>, 1,
+    [](void* block, std::size_t) noexcept -> bool& { return block_access::Of<Member>::at(block, Place); }};
+
+/// A connector input: its source lies in a slot, the value that the source brings (SI units) in a member of the
+/// block. 100 % of it is the reference of @p quantity.
+struct ValueInput {
+  BlockId block;
+  std::size_t count;
+  double& (*member)(void* block, std::size_t index) noexcept;
+  Quantity quantity;
+};
+template <auto Member>
+constexpr ValueInput value_input(Quantity quantity) noexcept {
+  return {kBlock<typename block_access::Of<Member>::Block>, block_access::Of<Member>::kCount,
+          [](void* block, std::size_t index) noexcept -> double& {
+            return block_access::Of<Member>::at(block, index);
+          },
+          quantity};
+}
+
+/// What an input of the process data of a drive object fills.
+enum class ImageSink : std::uint8_t {
+  SentWord,        ///< the word that is sent at the index
+  SentDoubleWord,  ///< the double word that begins there
+  BitOfWord,       ///< bit by bit a word that is made of bits
+  WordOfBits,      ///< a word that is shown as bits
+};
+/// A connector or binector input of the process data: its source lies in a slot, what it brings in the image.
+struct ImageInput {
+  ImageSink sink;
+  std::uint8_t place = 0;  ///< the word, of BitOfWord
+};
+
+/// An output of a block, in SI units there.
+struct BlockOutput {
+  BlockId block;
+  double (*get)(const void* block, std::size_t index) noexcept;
+};
+template <auto Getter>
+inline constexpr BlockOutput output{kBlock<typename block_access::Of<Getter>::Block>,
+                                    block_access::Of<Getter>::get};
+
+/// The value is found and set by functions of the kind of object that it belongs to, in the parameter's own unit;
+/// a display has no function that sets it.
+template <class Owner>
+struct Computed {
+  double (*get)(const Owner& owner, std::size_t index) noexcept;
+  void (*set)(Owner& owner, std::size_t index, double value) noexcept = nullptr;
+};
+
+/// Where the value of a parameter lives.
+using Home = std::variant<Stored, Slot, Agreed, HostCommand, Fixed, Setting, BitInput, ValueInput, ImageInput,
+                          BlockOutput, Computed<Axis>, Computed<ControlUnit>, Computed<Infeed>,
+                          Computed<DriveObject>, Computed<FaultMemory>>;
+
+/// Whether the value lies in a slot of the drive object; that of an input is its source.
+constexpr bool is_in_a_slot(const Home& home) noexcept {
+  return std::holds_alternative<Stored>(home) || std::holds_alternative<Slot>(home) ||
+         std::holds_alternative<Agreed>(home) || std::holds_alternative<HostCommand>(home) ||
+         std::holds_alternative<BitInput>(home) || std::holds_alternative<ValueInput>(home) ||
+         std::holds_alternative<ImageInput>(home);
+}
+
+/// The number of indices that @p home has room for; 0 if it does not matter.
+constexpr std::size_t elements_of(const Home& home) noexcept {
+  if (const auto* const value = std::get_if<Setting>(&home)) return value->count;
+  if (const auto* const input = std::get_if<BitInput>(&home)) return input->count;
+  if (const auto* const input = std::get_if<ValueInput>(&home)) return input->count;
+  return 0;
+}
+
+}  // namespace drive
