@@ -159,8 +159,6 @@ class Axis final : public DriveObject {
  private:
   void* own_block(BlockId id) noexcept override;
   const void* own_block(BlockId id) const noexcept override;
-  double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
-  void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   void before_setting(const ParameterRow& row) noexcept override;
   void after_setting(const ParameterRow& row) noexcept override;
   WriteState write_state() const noexcept override;

@@ -32,21 +32,11 @@ void Axis::commission() noexcept {
 }
 
 void* Axis::own_block(BlockId id) noexcept {
-  return std::apply([id](auto&... blocks) { return find_block(id, blocks...); }, blocks_);
+  return std::apply([this, id](auto&... blocks) { return find_block(id, *this, blocks...); }, blocks_);
 }
 
 const void* Axis::own_block(BlockId id) const noexcept {
-  return std::apply([id](const auto&... blocks) { return find_block(id, blocks...); }, blocks_);
-}
-
-double Axis::own_value(const ParameterRow& row, std::size_t index) const noexcept {
-  const auto* const display = std::get_if<Computed<Axis>>(&row.home);
-  return display != nullptr ? display->get(*this, index) : 0.0;
-}
-
-void Axis::set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept {
-  const auto* const command = std::get_if<Computed<Axis>>(&row.home);
-  if (command != nullptr && command->set != nullptr) command->set(*this, index, value);
+  return std::apply([this, id](const auto&... blocks) { return find_block(id, *this, blocks...); }, blocks_);
 }
 
 /// Nothing but loading brings a motor or another mode while a measurement leads.

@@ -29,21 +29,11 @@ void ControlUnit::lead_outputs() noexcept {
 }
 
 void* ControlUnit::own_block(BlockId id) noexcept {
-  return find_block(id, external_messages_, unit_inputs_, terminal_inputs_);
+  return find_block(id, *this, external_messages_, unit_inputs_, terminal_inputs_);
 }
 
 const void* ControlUnit::own_block(BlockId id) const noexcept {
-  return find_block(id, external_messages_, unit_inputs_, terminal_inputs_);
-}
-
-double ControlUnit::own_value(const ParameterRow& row, std::size_t index) const noexcept {
-  const auto* const display = std::get_if<Computed<ControlUnit>>(&row.home);
-  return display != nullptr ? display->get(*this, index) : 0.0;
-}
-
-void ControlUnit::set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept {
-  const auto* const computed = std::get_if<Computed<ControlUnit>>(&row.home);
-  if (computed != nullptr && computed->set != nullptr) computed->set(*this, index, value);
+  return find_block(id, *this, external_messages_, unit_inputs_, terminal_inputs_);
 }
 
 WriteState ControlUnit::write_state() const noexcept {

@@ -29,8 +29,6 @@ class ControlUnit final : public DriveObject {
  private:
   void* own_block(BlockId id) noexcept override;
   const void* own_block(BlockId id) const noexcept override;
-  double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
-  void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;
 
   Terminals terminals_{};

@@ -170,9 +170,8 @@ double DriveObject::kept_value_of(const PlacedRow& placed, std::size_t index) co
     return rounded(home->get(block(home->block), index) / row_of(row.unit).si);
   if (const auto* const shown = std::get_if<BlockOutput>(&row.home))
     return shown->get(block(shown->block), index) / row_of(row.unit).si;
-  if (const auto* const shown = std::get_if<Computed<DriveObject>>(&row.home)) return shown->get(*this, index);
-  if (const auto* const shown = std::get_if<Computed<FaultMemory>>(&row.home)) return shown->get(memory_, index);
-  return own_value(row, index);
+  if (const auto* const shown = std::get_if<Computed>(&row.home)) return shown->get(block(shown->block), index);
+  return 0.0;
 }
 
 void DriveObject::set_setting(const ParameterRow& row, std::size_t index, double value) noexcept {
@@ -183,12 +182,12 @@ void DriveObject::set_setting(const ParameterRow& row, std::size_t index, double
 }
 
 void* DriveObject::block(BlockId id) noexcept {
-  void* const found = find_block(id, converters_);
+  void* const found = find_block(id, *this, memory_, process_data_, converters_);
   return found != nullptr ? found : own_block(id);
 }
 
 const void* DriveObject::block(BlockId id) const noexcept {
-  const void* const found = find_block(id, converters_);
+  const void* const found = find_block(id, *this, memory_, process_data_, converters_);
   return found != nullptr ? found : own_block(id);
 }
 
@@ -205,12 +204,8 @@ void DriveObject::assign(const PlacedRow& placed, std::size_t index, double valu
     slots_[placed.slot + index] = encode(row.type, value).bits;
   } else if (std::holds_alternative<Setting>(row.home)) {
     set_setting(row, index, value);
-  } else if (const auto* const own = std::get_if<Computed<DriveObject>>(&row.home)) {
-    if (own->set != nullptr) own->set(*this, index, value);
-  } else if (const auto* const settings = std::get_if<Computed<FaultMemory>>(&row.home)) {
-    if (settings->set != nullptr) settings->set(memory_, index, value);
-  } else {
-    set_own_value(row, index, value);
+  } else if (const auto* const computed = std::get_if<Computed>(&row.home)) {
+    computed->set(block(computed->block), index, value);
   }
 }
 

@@ -127,9 +127,6 @@ class DriveObject {
   /// The same of the blocks of the derived class.
   virtual void* own_block(BlockId id) noexcept = 0;
   virtual const void* own_block(BlockId id) const noexcept = 0;
-  /// Value of a parameter whose home is the derived class.
-  virtual double own_value(const ParameterRow& row, std::size_t index) const noexcept = 0;
-  virtual void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept = 0;
   /// A setting of @p row is about to change, or has changed.
   virtual void before_setting(const ParameterRow&) noexcept {}
   virtual void after_setting(const ParameterRow&) noexcept {}

@@ -88,21 +88,11 @@ void Infeed::inhibit(bool inhibited) noexcept {
 }
 
 void* Infeed::own_block(BlockId id) noexcept {
-  return find_block(id, inputs_, external_messages_);
+  return find_block(id, *this, inputs_, external_messages_);
 }
 
 const void* Infeed::own_block(BlockId id) const noexcept {
-  return find_block(id, inputs_, external_messages_);
-}
-
-double Infeed::own_value(const ParameterRow& row, std::size_t index) const noexcept {
-  const auto* const display = std::get_if<Computed<Infeed>>(&row.home);
-  return display != nullptr ? display->get(*this, index) : 0.0;
-}
-
-void Infeed::set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept {
-  const auto* const computed = std::get_if<Computed<Infeed>>(&row.home);
-  if (computed != nullptr && computed->set != nullptr) computed->set(*this, index, value);
+  return find_block(id, *this, inputs_, external_messages_);
 }
 
 WriteState Infeed::write_state() const noexcept {

@@ -50,8 +50,6 @@ class Infeed final : public DriveObject {
  private:
   void* own_block(BlockId id) noexcept override;
   const void* own_block(BlockId id) const noexcept override;
-  double own_value(const ParameterRow& row, std::size_t index) const noexcept override;
-  void set_own_value(const ParameterRow& row, std::size_t index, double value) noexcept override;
   WriteState write_state() const noexcept override;
   void react(const FaultRow& row) noexcept override;
   void on_acknowledged_fault_left() noexcept override;

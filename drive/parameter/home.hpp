@@ -9,12 +9,6 @@
 
 namespace drive {
 
-class Axis;
-class ControlUnit;
-class DriveObject;
-class FaultMemory;
-class Infeed;
-
 /// The value lies in a slot of the drive object and nothing in the simulation acts on it.
 struct Stored {};
 /// The value lies in a slot of the drive object, and what the row's effect names is computed from it.
@@ -105,18 +99,37 @@ template <auto Getter>
 inline constexpr BlockOutput output{kBlock<typename block_access::Of<Getter>::Block>,
                                     block_access::Of<Getter>::get};
 
-/// The value is found and set by functions of the kind of object that it belongs to, in the parameter's own unit;
-/// a display has no function that sets it.
-template <class Owner>
+/// A value that functions of a block, which may be the drive object itself, find and set in the parameter's own
+/// unit; nothing sets a display.
 struct Computed {
-  double (*get)(const Owner& owner, std::size_t index) noexcept;
-  void (*set)(Owner& owner, std::size_t index, double value) noexcept = nullptr;
+  BlockId block;
+  double (*get)(const void* block, std::size_t index) noexcept;
+  void (*set)(void* block, std::size_t index, double value) noexcept;
 };
+namespace block_access {
+
+template <auto Get>
+struct Shown;
+template <class Block, double (*Get)(const Block&, std::size_t) noexcept>
+struct Shown<Get> {
+  using Owner = Block;
+  static double get(const void* block, std::size_t index) noexcept {
+    return Get(*static_cast<const Block*>(block), index);
+  }
+};
+template <auto Set, class Block>
+void set(void* block, std::size_t index, double value) noexcept {
+  if constexpr (Set != nullptr) Set(*static_cast<Block*>(block), index, value);
+}
+
+}  // namespace block_access
+template <auto Get, auto Set = nullptr>
+inline constexpr Computed shown{kBlock<typename block_access::Shown<Get>::Owner>, block_access::Shown<Get>::get,
+                                block_access::set<Set, typename block_access::Shown<Get>::Owner>};
 
 /// Where the value of a parameter lives.
 using Home = std::variant<Stored, Slot, Agreed, HostCommand, Fixed, Setting, BitInput, ValueInput, ImageInput,
-                          BlockOutput, Computed<Axis>, Computed<ControlUnit>, Computed<Infeed>,
-                          Computed<DriveObject>, Computed<FaultMemory>>;
+                          BlockOutput, Computed>;
 
 /// Whether the value lies in a slot of the drive object; that of an input is its source.
 constexpr bool is_in_a_slot(const Home& home) noexcept {

@@ -19,6 +19,8 @@
 
 namespace drive {
 
+class DriveObject;
+
 /// Limits of a parameter in its own unit, both allowed.
 struct Range {
   double minimum;
@@ -131,29 +133,6 @@ namespace rows {
 
 using enum DataType;
 using Row = ParameterRow;
-
-// What a row gives as its home, where the name of the type would be long.
-constexpr Computed<Axis> axis(double (*get)(const Axis&, std::size_t) noexcept,
-                              void (*set)(Axis&, std::size_t, double) noexcept = nullptr) noexcept {
-  return {get, set};
-}
-constexpr Computed<ControlUnit> unit(double (*get)(const ControlUnit&, std::size_t) noexcept,
-                                     void (*set)(ControlUnit&, std::size_t, double) noexcept = nullptr) noexcept {
-  return {get, set};
-}
-constexpr Computed<Infeed> infeed(double (*get)(const Infeed&, std::size_t) noexcept) noexcept {
-  return {get};
-}
-constexpr Computed<DriveObject> object(double (*get)(const DriveObject&, std::size_t) noexcept,
-                                       void (*set)(DriveObject&, std::size_t,
-                                                   double) noexcept = nullptr) noexcept {
-  return {get, set};
-}
-constexpr Computed<FaultMemory> messages(double (*get)(const FaultMemory&, std::size_t) noexcept,
-                                         void (*set)(FaultMemory&, std::size_t,
-                                                     double) noexcept = nullptr) noexcept {
-  return {get, set};
-}
 
 }  // namespace rows
 }  // namespace drive

@@ -23,9 +23,9 @@ inline constexpr std::array kMonitoringRows{
     Row{2167, 1, kAxes, F32, Unit::Milliseconds, {0.0, 10000.0}, 200.0, When::Always, Stored{}, Output::No, "On delay n_act=n_set", ""},
     Row{2175, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 120.0, When::Always, setting<&SpeedMessages::Settings::blocked_speed_threshold>, Output::No, "Motor blocked speed threshold", "F07900 below it at the torque limit"},
     Row{2177, 1, kAxes, F32, Unit::Seconds, {0.0, 65.0}, 1.0, When::Always, setting<&SpeedMessages::Settings::blocked_delay>, Output::No, "Motor blocked delay time", "F07900 after it"},
-    Row{2197, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::monitoring_1), Output::Both, "Status word monitoring 1", "bits 5, 6 and 7"},
-    Row{2198, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::monitoring_2), Output::Both, "Status word monitoring 2", "bit 6"},
-    Row{2199, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::monitoring_3), Output::Both, "Status word monitoring 3", "bit 0"},
+    Row{2197, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::monitoring_1>, Output::Both, "Status word monitoring 1", "bits 5, 6 and 7"},
+    Row{2198, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::monitoring_2>, Output::Both, "Status word monitoring 2", "bit 6"},
+    Row{2199, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::monitoring_3>, Output::Both, "Status word monitoring 3", "bit 0"},
 };
 // clang-format on
 
