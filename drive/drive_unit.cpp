@@ -11,11 +11,6 @@
 namespace drive {
 namespace {
 
-/// The blocks of an axis whose inputs act when a cycle begins, and those whose inputs act when it is over.
-constexpr std::array kBlocksAtTheBeginning{kBlock<SequenceControl>, kBlock<ExternalMessages>, kBlock<SpeedControl>,
-                                           kBlock<SetpointChannel>, kBlock<TorqueSetpoint>};
-constexpr std::array kBlocksAtTheEnd{kBlock<SpeedMessages>, kBlock<FreeStatusBits>};
-
 constexpr std::uint16_t kDeviceFilter = 9;     // p0009
 constexpr std::uint16_t kAlarmCounter = 2111;  // p2111
 
@@ -105,7 +100,7 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
 }
 
 void DriveUnit::take_inputs(Axis& axis) noexcept {
-  for (const BlockId block : kBlocksAtTheBeginning) wiring_->take(axis, block);
+  for (const BlockId block : kInputsAtTheBeginning) wiring_->take(axis, block);
   axis.take_image();
 }
 
@@ -149,7 +144,7 @@ void DriveUnit::run(std::span<Axis* const> moved, double duration) noexcept {
 void DriveUnit::end_cycle(std::span<Axis* const> moved) noexcept {
   for (Axis* const axis : moved) axis->measure();
   for (Axis* const axis : moved) {
-    for (const BlockId block : kBlocksAtTheEnd) wiring_->take(*axis, block);
+    for (const BlockId block : kInputsAtTheEnd) wiring_->take(*axis, block);
     axis->end_cycle();
   }
   send_converted();

@@ -115,10 +115,23 @@ void tell_faults(const Picture& picture, std::vector<std::string>& sentences) {
     sentences.push_back(fault_sentence(fault) + hint_of(fault, picture));
 }
 
-void tell(std::span<const Reason> reasons, const Picture& picture, std::vector<std::string>& sentences) {
-  for (const Reason& reason : reasons)
-    if ((reason.states & in(picture.state())) != 0 && reason.holds(picture))
-      sentences.push_back(reason.text(picture));
+/// What the blocks of the axis have to say, the most important first.
+template <class... Block>
+std::vector<const Reason*> all_reasons(const std::tuple<Block...>*) {
+  std::vector<const Reason*> all;
+  const auto append = [&]<class Owner>(const Owner*) {
+    if constexpr (requires { Owner::reasons(); })
+      for (const Reason& reason : Owner::reasons()) all.push_back(&reason);
+  };
+  (append(static_cast<const Block*>(nullptr)), ...);
+  std::ranges::sort(all, {}, &Reason::rank);
+  return all;
+}
+
+void tell_reasons(const Picture& picture, std::vector<std::string>& sentences) {
+  for (const Reason* const reason : all_reasons(static_cast<const AxisBlocks*>(nullptr)))
+    if ((reason->states & in(picture.state())) != 0 && reason->holds(picture))
+      sentences.push_back(reason->text(picture));
 }
 
 std::string motion_sentence(const Picture& picture) {
@@ -156,8 +169,7 @@ std::vector<std::string> explain(const Axis& axis, const std::vector<std::string
   if (turns(axis)) return {motion_sentence(picture)};
   tell_faults(picture, sentences);
   sentences.insert(sentences.end(), bus.begin(), bus.end());
-  tell(switching_reasons(), picture, sentences);
-  tell(operation_reasons(), picture, sentences);
+  tell_reasons(picture, sentences);
   if (sentences.empty())
     sentences.push_back(
         fmt::format("Nothing is missing (r0002 = {:.0f}, r0046 = {:08X}h); wait a cycle and ask again.",

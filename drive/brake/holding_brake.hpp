@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace drive {
+namespace explanation {
+struct Reason;
+}
 
 /// The motor holding brake as the sequence control leads it: open with the pulses, closed at the end of a braking
 /// while the motor still holds.
@@ -29,6 +33,9 @@ class HoldingBrake {
   /// Time until it is open (s).
   double opening() const noexcept { return opening_; }
   bool is_opening() const noexcept { return opening_ > 0.0; }
+
+  /// Its reasons that an axis does not turn.
+  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
 

@@ -2,12 +2,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "drive/object_kind.hpp"
 #include "motor/identification/rotating_measurement.hpp"
 #include "motor/identification/standstill_measurement.hpp"
 
 namespace drive {
+namespace explanation {
+struct Reason;
+}
 
 /// p1900, p1910 and p1960 as they read.
 struct IdentificationSelection {
@@ -101,6 +105,9 @@ class Identification {
     *this = {};
     settings = kept;
   }
+
+  /// Its reasons that an axis does not turn.
+  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
 

@@ -4,11 +4,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "drive/cause.hpp"
 #include "motor/drive_train.hpp"
 
 namespace drive {
+namespace explanation {
+struct Reason;
+}
 
 /// Speed and torques of the motor as means over a process-data cycle, and what the motor encoder has to say.
 class Measurement {
@@ -52,6 +56,9 @@ class Measurement {
   /// Of the last distance of zero marks (increments, absolute).
   double zero_mark_deviation() const noexcept { return zero_mark_deviation_; }
   double signal_lost() const noexcept { return signal_lost_; }  ///< 1 = no signals
+
+  /// Its reasons that an axis does not turn.
+  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
 

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "drive/cause.hpp"
 #include "motor/drive_train.hpp"
 #include "motor/supply_data.hpp"
 
 namespace drive {
+namespace explanation {
+struct Reason;
+}
 
 /// The power unit on its DC link: peaks of a cycle, what it switches the pulses off for by itself, temperatures
 /// and energies.
@@ -74,6 +78,9 @@ class PowerUnit {
   double trip_current() const noexcept { return trip_current_; }              ///< (A peak)
   double overvoltage() const noexcept { return overvoltage_; }                ///< trip voltage (V)
   double undervoltage() const noexcept { return undervoltage_; }              ///< trip voltage (V)
+
+  /// Its reasons that an axis does not turn.
+  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "drive/external_messages/external_messages.hpp"
 #include "drive/fault_table.hpp"
@@ -10,6 +11,9 @@
 #include "drive/sequence_control/state_machine.hpp"
 
 namespace drive {
+namespace explanation {
+struct Reason;
+}
 
 /// From the enables and the faults of an axis to its state: OFF functions, jog, waiting for power, end of a
 /// braking. It says which transition happens; what has to be done on it is done by who leads the blocks.
@@ -102,6 +106,9 @@ class SequenceControl {
   bool is_inhibited() const noexcept { return inhibited_ || settings.commissioning != 0; }
   /// Whether @p speed and @p setpoint (rad/s) are below p1226.
   bool is_standstill(double speed, double setpoint) const noexcept;
+
+  /// Its reasons that an axis does not turn.
+  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
   Inputs inputs{};

@@ -22,6 +22,8 @@ struct StatusSignals {
 
 /// The bits of the statusword that are free for the user.
 struct FreeStatusBits {
+  static constexpr bool kInputsAtTheEnd = true;
+
   struct Settings {};
   struct Inputs {
     using Block = FreeStatusBits;

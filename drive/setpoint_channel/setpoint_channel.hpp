@@ -4,10 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "drive/setpoint_channel/ramp_function_generator.hpp"
 
 namespace drive {
+namespace explanation {
+struct Reason;
+}
 
 /// The ramps that the setpoint can follow.
 enum class Ramp : std::uint8_t {
@@ -149,6 +153,9 @@ class SetpointChannel {
   double acceleration() const noexcept { return moves_ ? ramp_generator_.acceleration() : 0.0; }
   double forward_limit() const noexcept { return forward_; }
   double backward_limit() const noexcept { return backward_; }  ///< not positive
+
+  /// Its reasons that an axis does not turn.
+  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
   Inputs inputs{};

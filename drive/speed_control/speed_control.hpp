@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "drive/motor_model/motor_model.hpp"
 #include "drive/speed_control/operating_mode.hpp"
@@ -9,6 +10,9 @@
 #include "motor/inverter_data.hpp"
 
 namespace drive {
+namespace explanation {
+struct Reason;
+}
 
 /// Closed-loop control: which mode of operation is in force, and how the controllers are set.
 class SpeedControl {
@@ -65,6 +69,9 @@ class SpeedControl {
   motor::ControlSettings control_settings(const motor::MachineData& machine, const MotorModel& model,
                                           const motor::InverterData& inverter,
                                           std::optional<double> highest_dc_voltage) const noexcept;
+
+  /// Its reasons that an axis does not turn.
+  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
   Inputs inputs{};

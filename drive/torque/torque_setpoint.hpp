@@ -2,11 +2,15 @@
 
 #include <array>
 #include <limits>
+#include <span>
 
 #include "drive/cause.hpp"
 #include "motor/signals.hpp"
 
 namespace drive {
+namespace explanation {
+struct Reason;
+}
 
 /// Torque limits, supplementary torques, and in torque control the setpoint. All torques in N·m.
 class TorqueSetpoint {
@@ -49,6 +53,9 @@ class TorqueSetpoint {
   bool led() const noexcept { return led_; }
   /// Lower limit above the upper one.
   double crossed_limits() const noexcept { return limits_.lower - limits_.upper; }
+
+  /// Its reasons that an axis does not turn.
+  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
   Inputs inputs{};

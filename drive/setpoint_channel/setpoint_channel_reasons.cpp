@@ -1,109 +1,90 @@
-// Why an axis does not turn although it is in Operation enabled.
+// Why an axis does not turn, as far as SetpointChannel knows.
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "drive/explain_reasons.hpp"
 #include "drive/units.hpp"
 
-namespace drive::explanation {
+namespace drive {
 namespace {
 
+using namespace explanation;
+using enum State;
 using P = const Picture&;
 
-constexpr double kNothing = 1e-9;
+constexpr States kOperation = in(State::OperationEnabled);
 
-bool is_zero(double value) noexcept {
-  return std::abs(value) < kNothing;
-}
-
-bool torque_leads(P p) noexcept {
-  return p.control().torque_control();
-}
-bool halts(P p) noexcept {
-  return p.sequence().halts() && p.sequence().settings.halt_option > 0;
-}
 /// The ramp follows the setpoint channel.
 bool ramp_leads(P p) noexcept {
   return !torque_leads(p) && !halts(p) && !p.axis.brake_opens();
 }
+
 /// In velocity mode, bits 4 to 6 of the controlword are enables too.
 std::string ramp_sentence(P p, const char* what, std::uint16_t input, unsigned bit, bool is_set) {
   if (p.control().has_ramp_bits() && !is_set)
     return fmt::format("{} (bit {} of the controlword in velocity mode): send 007Fh.", what, bit);
   return fmt::format("{} ({}): {}.", what, wiring_of(p.axis, input), order_for(p.axis, input, true));
 }
+
 bool has_both_jogs(P p) noexcept {
   return p.axis.jogs() && p.channel().effective().jog_1 && p.channel().effective().jog_2;
 }
+
 /// The setpoint of the setpoint channel after its inversion.
 double directed(P p) noexcept {
   return p.channel().effective().invert_setpoint ? -p.channel().sum() : p.channel().sum();
 }
+
 double behind_the_ramp(P p) noexcept {
   return p.channel().effective().speed_setpoint_1 + p.channel().effective().speed_setpoint_2;
 }
+
 bool has_setpoint(P p) noexcept {
   return !is_zero(directed(p)) || !is_zero(behind_the_ramp(p));
 }
+
 /// Whether the setpoint is for positive speeds.
 bool is_forward(P p) noexcept {
   return directed(p) + behind_the_ramp(p) > 0.0;
 }
+
 bool is_direction_inhibited(P p) noexcept {
   return !is_zero(directed(p)) &&
          (directed(p) > 0.0 ? p.channel().effective().inhibit_positive : p.channel().effective().inhibit_negative);
 }
+
 double direction_limit(P p) noexcept {
   const SetpointChannel::Settings& settings = p.channel().settings;
   const SetpointChannel::Inputs& inputs = p.channel().effective();
   return is_forward(p) ? std::min(settings.speed_limit_positive, inputs.forward_limit)
                        : std::max(settings.speed_limit_negative, inputs.backward_limit);
 }
-double torque_limit(P p) noexcept {
-  const double wanted = torque_leads(p) ? p.torque().inputs.setpoint : p.axis.actual().speed_demand;
-  return wanted >= 0.0 ? p.axis.effective_torque_limits().upper : -p.axis.effective_torque_limits().lower;
-}
-
-constexpr States kOperation = in(State::OperationEnabled);
 
 constexpr std::array kReasons{
-    Reason{kOperation, [](P p) { return p.axis.brake_opens(); },
-           [](P) -> std::string { return "The holding brake opens (r0002 = 15): wait for its opening time."; }},
-    Reason{kOperation, [](P p) { return !p.control().inputs.enable; },
-           [](P p) {
-             return fmt::format("The speed controller is inhibited and gives no torque ({}): {}.",
-                                wiring_of(p.axis, 856), order_for(p.axis, 856, true));
-           }},
-    Reason{kOperation, halts,
-           [](P p) {
-             return fmt::format(
-                 "A halt keeps the axis at zero (bit 8 of the controlword with p8791 = {}): clear bit 8.",
-                 p.sequence().settings.halt_option);
-           }},
-    Reason{kOperation, [](P p) { return ramp_leads(p) && !p.channel().effective().enable_ramp; },
+    Reason{530, kOperation, [](P p) { return ramp_leads(p) && !p.channel().effective().enable_ramp; },
            [](P p) {
              return ramp_sentence(p, "The ramp-function generator is held at zero", 1140, 4,
                                   p.channel().inputs.vl_enable_ramp);
            }},
-    Reason{kOperation, [](P p) { return ramp_leads(p) && !p.channel().effective().continue_ramp; },
+    Reason{540, kOperation, [](P p) { return ramp_leads(p) && !p.channel().effective().continue_ramp; },
            [](P p) {
              return ramp_sentence(p, "The ramp-function generator is frozen", 1141, 5,
                                   p.channel().inputs.vl_unlock_ramp);
            }},
-    Reason{kOperation, [](P p) { return ramp_leads(p) && !p.channel().effective().enable_setpoint; },
+    Reason{550, kOperation, [](P p) { return ramp_leads(p) && !p.channel().effective().enable_setpoint; },
            [](P p) {
              return ramp_sentence(p, "The setpoint is not enabled", 1142, 6, p.channel().inputs.vl_reference_ramp);
            }},
-    Reason{kOperation, has_both_jogs,
+    Reason{560, kOperation, has_both_jogs,
            [](P) -> std::string {
              return "Both jog bits are set, which is setpoint 0: take one of p1055 and p1056 away.";
            }},
-    Reason{kOperation, [](P p) { return ramp_leads(p) && !has_both_jogs(p) && !has_setpoint(p) && p.axis.jogs(); },
+    Reason{570, kOperation,
+           [](P p) { return ramp_leads(p) && !has_both_jogs(p) && !has_setpoint(p) && p.axis.jogs(); },
            [](P) -> std::string { return "The jog speed is 0: write p1058 and p1059."; }},
-    Reason{kOperation, [](P p) { return ramp_leads(p) && !has_setpoint(p) && !p.axis.jogs(); },
+    Reason{580, kOperation, [](P p) { return ramp_leads(p) && !has_setpoint(p) && !p.axis.jogs(); },
            [](P p) {
              const bool channel = p.axis.has_setpoint_channel();
              const std::string wiring =
@@ -112,9 +93,9 @@ constexpr std::array kReasons{
                  "The speed setpoint is 0 ({}): send a setpoint ({}), or connect {} to another source.", wiring,
                  p.axis.velocity_mode() ? "6042h" : "60FFh", channel ? "p1070" : "p1155");
            }},
-    Reason{kOperation, [](P p) { return ramp_leads(p) && is_zero(p.channel().settings.maximum_speed); },
+    Reason{590, kOperation, [](P p) { return ramp_leads(p) && is_zero(p.channel().settings.maximum_speed); },
            [](P) -> std::string { return "The maximum speed is 0 (p1082): write p1082."; }},
-    Reason{kOperation, [](P p) { return ramp_leads(p) && has_setpoint(p) && is_direction_inhibited(p); },
+    Reason{600, kOperation, [](P p) { return ramp_leads(p) && has_setpoint(p) && is_direction_inhibited(p); },
            [](P p) {
              const bool forward = directed(p) > 0.0;
              const std::uint16_t input = forward ? 1111 : 1110;
@@ -122,53 +103,25 @@ constexpr std::array kReasons{
                                 forward ? "positive" : "negative", wiring_of(p.axis, input),
                                 order_for(p.axis, input, false));
            }},
-    Reason{kOperation, [](P p) { return ramp_leads(p) && has_setpoint(p) && is_zero(direction_limit(p)); },
+    Reason{610, kOperation, [](P p) { return ramp_leads(p) && has_setpoint(p) && is_zero(direction_limit(p)); },
            [](P p) {
              const bool forward = is_forward(p);
              return fmt::format("The speed limit of the {} direction is 0: raise {} ({}).",
                                 forward ? "positive" : "negative", forward ? "p1083" : "p1086",
                                 wiring_of(p.axis, forward ? 1085 : 1088));
            }},
-    Reason{kOperation, [](P p) { return torque_leads(p) && !halts(p) && is_zero(p.torque().inputs.setpoint); },
-           [](P p) {
-             return fmt::format(
-                 "Torque control is active and its setpoint is 0 ({}): send 6071h, or choose speed control "
-                 "(6060h = 3).",
-                 wiring_of(p.axis, 1503));
-           }},
-    Reason{kOperation, [](P p) { return torque_limit(p) < kNothing; },
-           [](P p) {
-             return fmt::format(
-                 "The torque limits leave no torque in this direction ({} to {} N·m): widen p1520 and p1521.",
-                 plain(p.axis.effective_torque_limits().lower), plain(p.axis.effective_torque_limits().upper));
-           }},
-    Reason{kOperation, [](P p) { return p.axis.is_at_torque_limit() && torque_limit(p) >= kNothing; },
-           [](P p) {
-             return fmt::format(
-                 "The motor is at its torque limit ({} N·m) and does not turn: take the load or the brake away, "
-                 "or raise p1520, p1521 and p0640.",
-                 plain(torque_limit(p)));
-           }},
-    Reason{kOperation,
+    Reason{650, kOperation,
            [](P p) { return ramp_leads(p) && !is_zero(p.channel().input()) && !p.axis.is_at_torque_limit(); },
            [](P p) {
              return fmt::format("The ramp begins (p1120 = {} s, to {} rpm): wait, or shorten it.",
                                 plain(p.channel().settings.ramp_up_time), plain(p.channel().input() / kRpm));
            }},
-    Reason{kOperation,
-           [](P p) {
-             return torque_leads(p) && !is_zero(p.torque().inputs.setpoint) && !p.axis.is_at_torque_limit();
-           },
-           [](P p) {
-             return fmt::format("The torque setpoint of {} N·m does not move the load: raise it.",
-                                plain(p.torque().inputs.setpoint));
-           }},
 };
 
 }  // namespace
 
-std::span<const Reason> operation_reasons() noexcept {
+std::span<const Reason> SetpointChannel::reasons() noexcept {
   return kReasons;
 }
 
-}  // namespace drive::explanation
+}  // namespace drive

@@ -3,17 +3,15 @@
 #include <array>
 
 #include "drive/motor_model/motor_model.hpp"
-#include "drive/motor_monitoring/motor_monitoring.hpp"
 #include "drive/parameter/axis_values.hpp"
 #include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/row.hpp"
-#include "drive/speed_control/speed_control.hpp"
 
 namespace drive::rows {
 
-/// Motor, encoder, power unit.
 // clang-format off
-inline constexpr std::array kMotorRows{
+template <>
+inline constexpr auto rows_of<MotorModel> = std::array{
     Row{300, 1, kAxes, I16, Unit::None, {0.0, 10100.0}, factory::motor_type, When::QuickOrMotor, setting<&MotorData::motor_type>, Output::No, "Motor type", "1 induction, 2 synchronous; of the list 10 to 19 and 90 to 199 induction, 200 to 299 synchronous, from 10000 as its own plate says; another one than the machine is raises F07950"},
     Row{301, 1, kAxes, U16, Unit::None, {0.0, 65535.0}, 0.0, When::QuickOrMotor, setting<&MotorData::motor_code>, Output::No, "Motor code number", "not 0: a motor of the list, whose data p0340 leaves"},
     Row{304, 1, kAxes, F32, Unit::VoltsRms, {0.0, 20000.0}, factory::machine_value<&motor::MachineData::rated_voltage, Unit::VoltsRms>, When::QuickOrMotor, setting<&MotorData::rated_voltage>, Output::No, "Rated motor voltage", "V/f characteristic and p0340"},
@@ -52,18 +50,6 @@ inline constexpr std::array kMotorRows{
     Row{367, 1, kAxes, F32, Unit::Percent, {5.0, 800.0}, factory::characteristic_current<1>, When::MotorAlways, setting<&MotorData::characteristic_current_2>, Output::No, "Magnetising characteristic current 2", "the current that it takes, of p0320"},
     Row{368, 1, kAxes, F32, Unit::Percent, {5.0, 800.0}, factory::characteristic_current<2>, When::MotorAlways, setting<&MotorData::characteristic_current_3>, Output::No, "Magnetising characteristic current 3", "the current that it takes, of p0320"},
     Row{369, 1, kAxes, F32, Unit::Percent, {5.0, 800.0}, factory::characteristic_current<3>, When::MotorAlways, setting<&MotorData::characteristic_current_4>, Output::No, "Magnetising characteristic current 4", "the current that it takes, of p0320"},
-    Row{400, 3, kAxes, I16, Unit::None, {0.0, 10100.0}, factory::encoder_type, When::Encoder, Stored{}, Output::No, "Encoder type", "delivered: 0 none, 2002 incremental and 2051 absolute sin/cos encoder with 2048 pulses, 9999 another one"},
-    Row{404, 3, kAxes, U32, Unit::None, kWhole, 0.0, When::Encoder, Stored{}, Output::No, "Encoder configuration", ""},
-    Row{408, 3, kAxes, U32, Unit::None, {1.0, 16777215.0}, factory::encoder_pulses, When::Encoder, Stored{}, Output::No, "Rotary encoder pulse number", ""},
-    Row{418, 3, kAxes, U8, Unit::Bits, {2.0, 18.0}, factory::encoder_fine_bits, When::Encoder, Stored{}, Output::No, "Fine resolution Gx_XIST1", ""},
-    Row{419, 3, kAxes, U8, Unit::Bits, {2.0, 18.0}, 9.0, When::Encoder, Stored{}, Output::No, "Fine resolution Gx_XIST2", ""},
-    Row{421, 3, kAxes, U32, Unit::None, {0.0, 65535.0}, 4096.0, When::Encoder, Stored{}, Output::No, "Absolute encoder multiturn resolution", ""},
-    Row{482, 3, kAxes, U32, Unit::Increments, kWhole, 0.0, When::ReadOnly, shown<axis_value::encoder_position>, Output::Connector, "Encoder position actual value Gn_XIST1", "[0] of the motor encoder; other encoders 0"},
-    Row{483, 3, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::absolute_position>, Output::Connector, "Encoder position actual value Gn_XIST2", "[0] of an absolute motor encoder; other encoders 0"},
-    Row{491, 1, kAxes, I16, Unit::None, {0.0, 6.0}, 0.0, When::Always, Stored{}, Output::No, "Motor encoder fault response ENCODER", ""},
-    Row{604, 1, kAxes, F32, Unit::Celsius, {0.0, 200.0}, 120.0, When::Always, setting<&MotorMonitoring::Settings::alarm_temperature>, Output::No, "Motor temperature alarm threshold", "A07910; F07011 if it stays so long"},
-    Row{605, 1, kAxes, F32, Unit::Celsius, {0.0, 200.0}, 145.0, When::Always, setting<&MotorMonitoring::Settings::fault_temperature>, Output::No, "Motor temperature fault threshold", "F07011"},
-    Row{640, 1, kAxes, F32, Unit::AmperesRms, {0.0, 10000.0}, factory::current_limit, When::QuickOrMotorAlways, setting<&SpeedControl::Settings::current_limit>, Output::No, "Current limit", "limits the current"},
 };
 // clang-format on
 

@@ -9,9 +9,10 @@
 
 namespace drive::rows {
 
-/// Monitoring.
 // clang-format off
-inline constexpr std::array kMonitoringRows{
+template <>
+inline constexpr auto rows_of<SpeedMessages> = std::array{
+    Row{53, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::speed_status>, Output::Both, "Status word 2 (VECTOR)", "bits 1, 4, 5 and 6"},
     Row{2151, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::message_setpoint, When::Always, value_input<&SpeedMessages::Inputs::setpoint>(Quantity::Speed), Output::No, "CI: speed setpoint for messages", "setpoint of r2197.7"},
     Row{2153, 1, kAxes, F32, Unit::Milliseconds, {0.0, 1000000.0}, 0.0, When::Always, Stored{}, Output::No, "Speed actual filter time for messages", ""},
     Row{2155, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 900.0, When::Always, Slot{}, Output::No, "Speed threshold 2", "bits 4 and 5 of r0053"},

@@ -9,9 +9,9 @@
 
 namespace drive::rows {
 
-/// Motor identification: what is selected, and what was found since the unit was switched on.
 // clang-format off
-inline constexpr std::array kIdentificationRows{
+template <>
+inline constexpr auto rows_of<Identification> = std::array{
     Row{47, 1, kAxes, I16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<identification_value::progress>, Output::Connector, "Identification status", "0 none; selected: 300 p1910, 200 p1960; what runs: 270 stator resistance, 290 dead time, 250 both axes, 220 leakage, 230 rotor time constant, 260 circuit; 190 pole position, encoder test, 170 flux or saturation, 150 inertia, 140 speed controller"},
     Row{1900, 1, kAxes, I16, Unit::None, {0.0, 2.0}, 0.0, When::QuickReady, shown<identification_value::both, identification_value::select_both>, Output::No, "MotID and rotating measurement", "1 sets p1910 = 1 and, with p1300 from 20 on, p1960 = 1; 2 p1910 = 1 only; 0 takes them back; 0 when all is done", Keep::No},
     Row{1910, 1, kAxes, I16, Unit::None, {-3.0, 28.0}, 0.0, When::Ready, shown<identification_value::standstill, identification_value::select_standstill>, Output::No, "Motor data identification at standstill", "at the next ON: 1 measures and takes over, -1 (vector also 2) measures for r19xx only; 3 the saturation characteristic of an induction machine, p0362 to p0369 with p0360; -3 takes over what was found last; other values are refused; reads 0 when done", Keep::No, check::standstill_selection},

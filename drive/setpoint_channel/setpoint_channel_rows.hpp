@@ -5,27 +5,13 @@
 #include "drive/parameter/axis_values.hpp"
 #include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/row.hpp"
-#include "drive/sequence_control/sequence_control.hpp"
 #include "drive/setpoint_channel/setpoint_channel.hpp"
-#include "drive/speed_control/speed_control.hpp"
 
 namespace drive::rows {
 
-/// Sequence control and setpoint channel.
 // clang-format off
-inline constexpr std::array kSetpointChannelRows{
-    Row{840, 1, kAxes, BinectorInput, Unit::None, kWhole, own_source(8890, 0), When::Always, bit_input<&SequenceControl::Inputs::on>, Output::No, "BI: ON/OFF1", "ON command, 0 = OFF1"},
-    Row{844, 1, kAxes, BinectorInput, Unit::None, kWhole, own_source(8890, 1), When::Always, bit_input<&SequenceControl::Inputs::no_off2>, Output::No, "BI: OFF2 source 1", "0 = OFF2"},
-    Row{845, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&SequenceControl::Inputs::no_off2_second>, Output::No, "BI: OFF2 source 2", "0 = OFF2"},
-    Row{848, 1, kAxes, BinectorInput, Unit::None, kWhole, own_source(8890, 2), When::Always, bit_input<&SequenceControl::Inputs::no_off3>, Output::No, "BI: OFF3 source 1", "0 = OFF3"},
-    Row{849, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&SequenceControl::Inputs::no_off3_second>, Output::No, "BI: OFF3 source 2", "0 = OFF3"},
-    Row{852, 1, kAxes, BinectorInput, Unit::None, kWhole, own_source(8890, 3), When::Always, bit_input<&SequenceControl::Inputs::enable_operation>, Output::No, "BI: enable operation", "0 takes the pulses off"},
-    Row{854, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&SequenceControl::Inputs::control_by_plc>, Output::No, "BI: control by PLC", "0 in operation raises F07220"},
-    Row{856, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&SpeedControl::Inputs::enable>, Output::No, "BI: enable speed controller", "0 leaves no torque"},
-    Row{857, 1, kAxes, F32, Unit::Milliseconds, {100.0, 60000.0}, 6000.0, When::Always, setting<&SequenceControl::Settings::power_monitoring_time>, Output::No, "Power unit monitoring time", "F07840 or F07802 when infeed or DC link do not come within it after ON"},
-    Row{864, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&SequenceControl::Inputs::infeed_operates>, Output::No, "BI: infeed operation", "0 keeps the pulses off"},
-    Row{898, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::sequence_control>, Output::Both, "Control word sequence control", ""},
-    Row{899, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::sequence_status>, Output::Both, "Status word sequence control (ZSW1 source)", ""},
+template <>
+inline constexpr auto rows_of<SetpointChannel> = std::array{
     Row{1000, 1, kAxes, U32, Unit::None, {0.0, 999999.0}, 0.0, When::Always, Stored{}, Output::No, "Macro connector inputs speed setpoint", ""},
     Row{1001, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed speed setpoint 1", "r1024 when p1020 to p1023 select it"},
     Row{1002, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed speed setpoint 2", "r1024 when p1020 to p1023 select it"},
@@ -84,6 +70,9 @@ inline constexpr std::array kSetpointChannelRows{
     Row{1144, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, value_input<&SetpointChannel::Inputs::ramp_setting>(Quantity::Speed), Output::No, "CI: RFG setting value", "output of the ramp while p1143 = 1"},
     Row{1149, 1, kAxes, F32, Unit::RevolutionsPerSecondSquared, kWhole, 0.0, When::ReadOnly, shown<axis_value::ramp_acceleration>, Output::Connector, "RFG acceleration", ""},
     Row{1150, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, shown<axis_value::ramp_output>, Output::Connector, "RFG setpoint at the output", ""},
+    Row{1155, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::speed_setpoint, When::Always, value_input<&SetpointChannel::Inputs::speed_setpoint_1>(Quantity::Speed), Output::No, "CI: speed controller setpoint 1", "speed setpoint behind the ramp; delivered on an axis without extended setpoint channel: 60FFh, in velocity mode 6042h"},
+    Row{1160, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, value_input<&SetpointChannel::Inputs::speed_setpoint_2>(Quantity::Speed), Output::No, "CI: speed controller setpoint 2", "speed setpoint behind the ramp"},
+    Row{1170, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, shown<axis_value::speed_demand>, Output::Connector, "Speed controller setpoint sum", "behind the ramp"},
 };
 // clang-format on
 
