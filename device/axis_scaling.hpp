@@ -21,7 +21,7 @@ class AxisScaling {
   drive::BusScaling get() const noexcept {
     const drive::SpeedFactor factor{static_cast<double>(numerator_.get()),
                                     static_cast<double>(denominator_.get())};
-    return drive::BusScaling{axis_.parameters(), factor, axis_.has_encoder()};
+    return drive::BusScaling{axis_.references(), factor, axis_.has_encoder()};
   }
 
  private:

@@ -91,10 +91,10 @@ canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry
   if (!value) return canopen::refuse(abort_code(value.error().reason));
   switch (row.form) {
     case Form::Slope:
-      return scaling_.get().slope_to_bus(axis_.parameters().maximum_speed, *value);
+      return scaling_.get().slope_to_bus(axis_.references().maximum_speed, *value);
     case Form::TorqueLimit:
       if (is_nearly(*value, new_torque_limit(axis_, kUpperTorqueLimit))) return 0;
-      return whole(*value / axis_.parameters().rated_torque * kPerMille, entry);
+      return whole(*value / axis_.references().rated_torque * kPerMille, entry);
     case Form::ProfileType:
       return *value > 0.0 ? kRoundedRamp : kLinearRamp;
     case Form::Number:
@@ -108,14 +108,14 @@ canopen::Result<double> ParameterObjects::parameter_value(const canopen::Entry& 
   const Row& row = row_of(entry);
   if (row.form == Form::Number) return static_cast<double>(value);
   if (row.form == Form::TorqueLimit)
-    return static_cast<double>(value) / kPerMille * axis_.parameters().rated_torque;
+    return static_cast<double>(value) / kPerMille * axis_.references().rated_torque;
   if (row.form == Form::ProfileType) {
     if (value != kLinearRamp && value != kRoundedRamp) return canopen::refuse(canopen::AbortCode::InvalidValue);
     return value == kRoundedRamp ? 1.0 : 0.0;
   }
   const double longest = drive::find_parameter(axis_.kind(), row.parameter)->row->range.maximum;
   const auto time = scaling_.get().ramp_time_from_bus(static_cast<std::uint32_t>(value),
-                                                      axis_.parameters().maximum_speed, longest);
+                                                      axis_.references().maximum_speed, longest);
   if (!time) return canopen::refuse(canopen::AbortCode::ValueTooLow);
   return *time;
 }

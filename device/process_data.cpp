@@ -34,7 +34,7 @@ const canopen::Entry& ProcessData::entry(std::uint16_t index) const {
 }
 
 WordScaling ProcessData::scaling() const noexcept {
-  return {scaling_.get(), axis_.parameters()};
+  return {scaling_.get(), axis_.references()};
 }
 
 void ProcessData::plan() noexcept {
@@ -78,7 +78,7 @@ void ProcessData::receive(std::uint16_t controlword) noexcept {
   image.whole_controlword = controlword;
   image.requested_mode.reset();
   if (mode_ != nullptr) image.requested_mode = static_cast<std::int8_t>(dictionary_.stored(*mode_));
-  axis_.scale_process_data({scaling_.get().per_radian(), axis_.parameters().rated_torque});
+  axis_.scale_process_data({scaling_.get().per_radian(), axis_.references().rated_torque});
   image.controlword = controlword_placed_ ? std::uint16_t{0} : controlword;
   for (const Written& item : written_) {
     const std::int64_t bus = dictionary_.stored(*item.entry);

@@ -64,8 +64,8 @@ inline constexpr std::array kSentObjects{
 /// The relations of WordForm for one axis, as its parameters are now.
 class WordScaling {
  public:
-  WordScaling(const drive::BusScaling& bus, const drive::AxisParameters& parameters) noexcept
-      : bus_{bus}, speed_{parameters.reference_speed}, torque_{parameters.reference_torque} {}
+  WordScaling(const drive::BusScaling& bus, const drive::References& references) noexcept
+      : bus_{bus}, speed_{references.speed}, torque_{references.torque} {}
 
   /// The words of an object that has the value @p bus; a single one is the lower half.
   std::uint32_t words(WordForm form, std::int64_t bus) const noexcept;

@@ -5,60 +5,20 @@
 #include <cstdint>
 #include <span>
 
+#include "drive/actual_values.hpp"
+#include "drive/axis_blocks.hpp"
 #include "drive/axis_configuration.hpp"
-#include "drive/axis_inputs.hpp"
-#include "drive/causes.hpp"
+#include "drive/cause_monitor.hpp"
 #include "drive/drive_object.hpp"
 #include "drive/function_modules.hpp"
-#include "drive/identification.hpp"
-#include "drive/operating_mode.hpp"
-#include "drive/parameters.hpp"
-#include "drive/setpoint_channel.hpp"
-#include "drive/speed_monitors.hpp"
-#include "drive/state_machine.hpp"
+#include "drive/references.hpp"
+#include "drive/setpoints.hpp"
 #include "motor/drive_train.hpp"
 
 namespace drive {
 
-/// What the master sees of the axis after a cycle; measured speed and torques are means over the cycle.
-struct ActualValues {
-  std::uint16_t statusword = 0;
-  double speed = 0.0;                 ///< r0063, from the encoder (rad/s)
-  double speed_demand = 0.0;          ///< r1170, behind the ramp (rad/s)
-  double torque_demand = 0.0;         ///< r0079 (N·m)
-  double torque = 0.0;                ///< r0080 (N·m)
-  std::int64_t encoder_counts = 0;    ///< increments since power-on
-  std::int32_t encoder_position = 0;  ///< r0482, wraps at 32 bits
-  State state = State::NotReadyToSwitchOn;
-  std::int8_t mode = mode_code::kProfileVelocity;  ///< r8762, 6061h
-  bool pulses_enabled = false;
-
-  friend bool operator==(const ActualValues&, const ActualValues&) = default;
-};
-
-/// What parameters show of an axis beyond its actual values.
-struct AxisInsight {
-  AxisInputs inputs{};                  ///< of the last cycle, ramp enables as velocity mode has them
-  bool switching_on_inhibited = false;  ///< by p0010 or p0009
-  bool torque_control = false;          ///< r1407.2
-  double fixed_setpoint = 0.0;          ///< r1024 (rad/s)
-  double setpoint_sum = 0.0;            ///< r1078 (rad/s)
-  double directed_setpoint = 0.0;       ///< r1114 (rad/s)
-  double ramp_input = 0.0;              ///< r1119 (rad/s)
-  double ramp_output = 0.0;             ///< r1150 (rad/s)
-  double ramp_acceleration = 0.0;       ///< r1149, mean of the last cycle (rad/s²)
-  motor::TorqueLimits torque_limits{};  ///< effective, r1538 and r1539 (N·m)
-  double dc_voltage = 0.0;              ///< r0070, at the end of the last step (V)
-  bool torque_limit_reached = false;    ///< with the pulses on
-  bool target_reached = false;
-  bool overspeed = false;
-  bool blocked = false;
-  double energy_drawn = 0.0;     ///< at the motor terminals (J)
-  double energy_fed_back = 0.0;  ///< the same, not negative (J)
-};
-
-/// One axis: sequence control, setpoint channel and motor behind the parameters, faults and alarms of a drive
-/// object. It is told the time that passes and allocates nothing.
+/// One axis: function blocks and a motor behind the parameters, faults and alarms of a drive object. It runs its
+/// blocks in their order, is told the time that passes and allocates nothing.
 class Axis final : public DriveObject {
  public:
   /// An axis at place @p module (0..7) of a unit with CANopen address @p node_id (0 = not known) and DC link
@@ -69,14 +29,22 @@ class Axis final : public DriveObject {
   /// Its place among the axes of the unit, 1..8.
   std::size_t axis_number() const noexcept { return context().module + 1U; }
 
-  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod, by itself on a DC link that
-  /// nothing moves.
-  void cycle(const AxisInputs& inputs, double duration) noexcept;
-  void cycle(const Setpoints& setpoints, double duration) noexcept { cycle(inputs_of(setpoints), duration); }
-  /// The same in parts, for axes that share a DC link: the sequence control at the beginning of a cycle of
+  /// One process-data cycle of @p duration (s), a multiple of motor::kControlPeriod, with the inputs of the blocks
+  /// as they are, by itself on a DC link that nothing moves.
+  void cycle(double duration) noexcept;
+  void cycle(const Setpoints& setpoints, double duration) noexcept {
+    command(setpoints);
+    cycle(duration);
+  }
+  /// The inputs of the blocks become what those of an axis that is wired as a new one bring of @p setpoints (p8790
+  /// = 1; p1070 and p1503 at 60FFh and 6071h).
+  void command(const Setpoints& setpoints) noexcept;
+  /// What is in the process data and no parameter leads: named bits of the controlword and 6060h.
+  void take_image() noexcept;
+  /// Whether that is something else than in the last cycle.
+  bool has_new_image() const noexcept;
+  /// A cycle in parts, for axes that share a DC link: the blocks that have their turn at the beginning of one of
   /// @p duration (s),
-  void begin_cycle(const AxisInputs& inputs, double duration) noexcept;
-  /// or with what the interconnections have brought into the inputs and the bus into the process data,
   void begin_cycle(double duration) noexcept;
   /// one step of motor::kControlPeriod with the link at @p dc_voltage (V), which returns the energy drawn from it
   /// (J, negative = fed back),
@@ -88,17 +56,15 @@ class Axis final : public DriveObject {
   /// Lets @p duration (s) pass in a quiescent axis with the DC link at @p dc_voltage (V): only temperatures
   /// change.
   void rest(double duration, double dc_voltage) noexcept;
-  /// What the interconnections brought in the last cycle.
-  const AxisInputs& inputs() const noexcept { return wired_; }
-  /// Whether the bus has brought something else than in the last cycle that goes through no input.
-  bool has_new_command() const noexcept;
   /// 6060h was written as a parameter: p1300 follows if the mode is possible and the pulses are off; otherwise the
   /// mode stays, and only requested_mode() changes.
   void request_mode(std::int8_t code) noexcept;
   /// 6060h: the mode that was last asked for.
-  std::int8_t requested_mode() const noexcept { return mode_.requested(); }
+  std::int8_t requested_mode() const noexcept { return block<SpeedControl>().requested_mode(); }
   /// Whether 6042h leads (mode 2).
-  bool velocity_mode() const noexcept { return mode_.velocity_mode(parameters_.control_mode); }
+  bool velocity_mode() const noexcept { return block<SpeedControl>().has_ramp_bits(); }
+  /// r0054: the controlword as it came.
+  std::uint16_t controlword() const noexcept { return controlword_; }
   /// Whether an encoder is mounted.
   bool has_encoder() const noexcept { return context().axis.machine.encoder.type != motor::EncoderType::None; }
   /// The values after the last cycle; the statusword follows a fault at once.
@@ -122,18 +88,35 @@ class Axis final : public DriveObject {
   /// The motor encoder has @p defect from now on.
   void fail_encoder(motor::EncoderDefect defect) noexcept;
 
-  /// All parameters in SI units.
-  const AxisParameters& parameters() const noexcept { return parameters_; }
-  /// What parameters show that is no actual value.
-  AxisInsight insight() const noexcept;
+  /// All function blocks.
+  const AxisBlocks& blocks() const noexcept { return blocks_; }
+  using DriveObject::block;
+  /// A function block of the axis.
+  template <class Block>
+  const Block& block() const noexcept {
+    return std::get<Block>(blocks_);
+  }
+  template <class Block>
+  Block& block() noexcept {
+    return std::get<Block>(blocks_);
+  }
+  /// What values on the bus are relative to.
+  References references() const noexcept;
+  /// r1538 and r1539: with the pulses off, what parameters and motor allow (N·m).
+  motor::TorqueLimits effective_torque_limits() const noexcept;
+  /// r1407.7, with the pulses on.
+  bool is_at_torque_limit() const noexcept {
+    return block<SequenceControl>().pulses_enabled() && train_.signals().torque_limit_reached;
+  }
+  /// Whether a cause of @p message held at the end of the last cycle.
+  bool has_cause(std::uint16_t message) const noexcept { return causes_.holds(message); }
   /// Machine, power unit and control after the last step.
   const motor::Signals& signals() const noexcept { return train_.signals(); }
   /// What machine, power unit and load have done, for balances.
   const motor::DriveTrain& drive_train() const noexcept { return train_; }
   /// Counts the energies on from @p drawn and @p fed_back (J, not negative), those of a former life.
   void continue_energy(double drawn, double fed_back) noexcept {
-    energy_drawn_ = drawn;
-    energy_fed_back_ = fed_back;
+    block<PowerUnit>().continue_energy(drawn, fed_back);
   }
   /// Computes p0340's choice anew from the motor data: 1 everything, 2 the circuit, 4 the controllers, 5 the
   /// limits, 3 both; circuit and inertia only of a motor that is not of the list.
@@ -141,17 +124,19 @@ class Axis final : public DriveObject {
   /// Ends commissioning (p0010 = 0).
   void leave_commissioning() noexcept;
   /// Whether the axis was switched on by jog (p1055, p1056) and is still so.
-  bool jogs() const noexcept { return jogging_; }
+  bool jogs() const noexcept { return block<SequenceControl>().jogs(); }
   /// Whether it is switched on and waits for the infeed or the DC link.
-  bool waits_for_power() const noexcept { return state_ == State::SwitchedOn && !has_power(); }
-  /// Whether the infeed operates (p0864) and the DC link has its voltage.
-  bool has_power() const noexcept;
-  /// Whether bit 8 of the controlword asks for a halt that p8791 provides.
-  bool halt_requested() const noexcept;
+  bool waits_for_power() const noexcept {
+    return block<SequenceControl>().waits_for_power(block<PowerUnit>().has_link());
+  }
   /// Whether the setpoint waits until the holding brake is open.
-  bool brake_opens() const noexcept { return pulses_enabled_in(state_) && brake_opening_ > 0.0; }
+  bool brake_opens() const noexcept {
+    return block<SequenceControl>().pulses_enabled() && block<HoldingBrake>().is_opening();
+  }
   /// Whether the sequence control has a holding brake to lead, and it is open.
-  bool brake_is_open() const noexcept { return has_brake() && pulses_enabled_in(state_) && brake_opening_ <= 0.0; }
+  bool brake_is_open() const noexcept {
+    return has_brake() && block<SequenceControl>().pulses_enabled() && !block<HoldingBrake>().is_opening();
+  }
   /// What the active faults do to the motor, as p8641 and p2101 have it.
   Reactions active_reactions() const noexcept;
   /// Function modules in force (r0108).
@@ -165,7 +150,7 @@ class Axis final : public DriveObject {
   void inhibit(bool inhibited) noexcept;
 
   /// What is selected, runs and was found of the motor identification.
-  const Identification& identification() const noexcept { return identification_; }
+  const Identification& identification() const noexcept { return block<Identification>(); }
   /// p1900, p1910 and p1960 are written with one of their values.
   void select_identification(std::int32_t value) noexcept;
   void select_standstill_measurement(std::int32_t value) noexcept;
@@ -183,36 +168,28 @@ class Axis final : public DriveObject {
   void on_messages_changed() noexcept override;
 
   void apply_parameters() noexcept;
+  void commission() noexcept;
   void follow_control_mode() noexcept;
-  std::uint16_t command_word() const noexcept;
-  void sequence(double duration) noexcept;
-  void follow_inputs() noexcept;
-  void follow_jog() noexcept;
-  void wait_for_power(double duration) noexcept;
-  void check_standstill(double duration) noexcept;
-  bool stands() const noexcept;
-  Reaction reaction_to(const FaultRow& row) const noexcept;
+
+  // The schedule (axis_schedule.cpp).
+  void control_sequence() noexcept;
+  void lead_setpoint() noexcept;
+  void lead_torque() noexcept;
+  void lead_brake() noexcept;
+  double measured_step(double dc_voltage) noexcept;
+  double move(double dc_voltage) noexcept;
+  void monitor() noexcept;
+  void refresh_status() noexcept;
+
+  // What the sequence control brings about (axis_sequence.cpp).
   bool apply(Event event) noexcept;
   void perform(Action action) noexcept;
   void brake_on(Ramp ramp) noexcept;
-  void begin(double duration) noexcept;
-  void take_inputs() noexcept;
-  void lead_setpoint() noexcept;
-  void lead_torque() noexcept;
-  double halted_torque() noexcept;
-  FixedSetpoints fixed_setpoints() const noexcept;
-  motor::ControlSettings control_settings(const motor::MachineData& machine) const noexcept;
-  motor::TorqueLimits effective_torque_limits() const noexcept;
-  bool has_brake() const noexcept;
-  void lead_brake() noexcept;
-  double move(double dc_voltage) noexcept;
-  double measured_step(double dc_voltage) noexcept;
-  void watch(double dc_voltage) noexcept;
-  void monitor() noexcept;
-  Observed observed() const noexcept;
-  CauseLimits cause_limits() const noexcept;
   void follow(const Verdict& verdict) noexcept;
-  void refresh_status() noexcept;
+  Reaction reaction_to(const FaultRow& row) const noexcept;
+  bool stands() const noexcept;
+  bool has_brake() const noexcept;
+  motor::ControlSettings control_settings(const motor::MachineData& machine) const noexcept;
 
   // Motor identification (axis_identification.cpp).
   void lead_measurement() noexcept;
@@ -237,60 +214,40 @@ class Axis final : public DriveObject {
   void compute_circuit() noexcept;
   void assign_rounded(std::uint16_t number, double value) noexcept;
 
-  AxisParameters parameters_;
   function_module::Set modules_;
+  AxisBlocks blocks_;
+  CauseMonitor<AxisBlocks> causes_;
+
+  // Of the cycle that runs.
+  motor::DriveCommand command_{};
+  bool measured_ = false;  // a measurement leads instead of the setpoint channel
   motor::DriveTrain train_;
-  // Follows from the parameters.
-  SetpointChannel channel_;
-  std::uint16_t implausible_parameter_ = 0;
-  double counts_to_speed_;  // rad an increment
+  double duration_ = 0.0;  // s
 
-  State state_ = State::NotReadyToSwitchOn;
-  AxisInputs wired_{};         // of this cycle
-  AxisInputs wired_before_{};  // of the last one
-  AxisInputs inputs_{};        // those of this cycle with the ramp enables of velocity mode
-  OperatingMode mode_;
-  bool jogging_ = false;                 // switched on by p1055 or p1056
-  bool on_withheld_ = false;             // after OFF1 by lose_connection(), until ON goes
-  unsigned input_messages_ = 0;          // that an input has brought, a bit each
-  double power_missing_ = 0.0;           // s, since ON
-  motor::TorqueLimits torque_limits_{};  // p1522, p1523
-  double torque_setpoint_ = 0.0;         // of torque control, N·m
-  bool torque_led_ = false;              // in the last cycle
-  StandstillMonitor standstill_;
-  TargetMonitor target_monitor_;
-  CauseMonitor causes_;
-  bool inhibited_ = false;  // by the unit
-  bool target_reached_ = false;
-  bool is_blocked_ = false;
-  bool overspeed_ = false;
-  double ramp_acceleration_ = 0.0;  // rad/s²
-  double energy_drawn_ = 0.0;       // J
-  double energy_fed_back_ = 0.0;    // J
-  double brake_opening_ = 0.0;      // s, until the holding brake is open
-  Identification identification_;
-  bool settled_ = false;  // the last cycle changed nothing
+  std::uint16_t controlword_ = 0;  // of the last cycle
+  bool settled_ = false;           // the last cycle changed nothing
   ActualValues actual_;
-  ActualValues before_;    // those of the cycle before
-  AxisFeedback feedback_;  // what acts on messages and statusword at the end of the cycle
-
-  /// What the steps of a cycle leave behind.
-  struct Cycle {
-    double duration = 0.0;  // s
-    int steps = 0;
-    bool measured = false;  // a measurement leads instead of the setpoint channel
-    motor::DriveCommand command{};
-    double torque_demand = 0.0;  // sums of the steps (N·m)
-    double torque = 0.0;
-    double speed = 0.0;         // rad/s
-    double ramp_before = 0.0;   // rad/s
-    double peak_current = 0.0;  // A
-    unsigned tripped_phases = 0;
-    double highest_dc_voltage = 0.0;  // V
-    double lowest_dc_voltage = 0.0;   // V
-  };
-  Cycle cycle_;
-  double dc_voltage_ = 0.0;  // V
+  ActualValues before_;  // those of the cycle before
 };
+
+inline double Axis::step(double dc_voltage) noexcept {
+  if (measured_) [[unlikely]]
+    return measured_step(dc_voltage);
+  if (command_.pulses_enabled) {
+    SetpointChannel& channel = block<SetpointChannel>();
+    command_.speed_setpoint = channel.step(motor::kControlPeriod);
+    command_.acceleration_setpoint = channel.acceleration();
+  }
+  return move(dc_voltage);
+}
+
+[[gnu::always_inline]] inline double Axis::move(double dc_voltage) noexcept {
+  const double drawn = train_.step(dc_voltage, command_);
+  const motor::Signals& seen = train_.signals();
+  block<Measurement>().add(seen);
+  if (!block<PowerUnit>().watch(dc_voltage, seen, train_.plant_state().current)) [[unlikely]]
+    command_.pulses_enabled = false;
+  return drawn;
+}
 
 }  // namespace drive

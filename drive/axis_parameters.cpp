@@ -3,13 +3,14 @@
 #include <array>
 
 #include "drive/axis.hpp"
-#include "drive/machine_model.hpp"
+#include "drive/motor_model/machine_model.hpp"
 #include "motor/data/rating_plate.hpp"
 
 namespace drive {
 namespace {
 
 constexpr std::uint16_t kControlMode = 1300;
+constexpr std::uint16_t kFirstFixedSetpoint = 1001;
 
 /// What p0340 computes for its values 4, 2 (by the kind of machine) and 5.
 constexpr std::uint16_t kInertia = 341;  // with 1 only
@@ -21,32 +22,26 @@ constexpr std::array<std::uint16_t, 7> kLimits{640, 1082, 1520, 1521, 1530, 1531
 
 }  // namespace
 
-AxisParameters commissioned_parameters(const AxisConfiguration& configuration) noexcept {
-  ObjectContext context{};
-  context.kind = configuration.kind;
-  context.axis = configuration;
-  AxisParameters parameters{};
-  for (const PlacedRow& placed : parameters_of(configuration.kind)) {
-    const auto* const home = std::get_if<Setting>(&placed.row->home);
-    if (home == nullptr || home->block != kBlock<AxisParameters>) continue;
-    home->set(&parameters, 0, factory_value(*placed.row, context) * row_of(placed.row->unit).si);
+/// Everything that is no command is as in a new unit, what a factory reset leaves as it is included.
+void Axis::commission() noexcept {
+  for (const PlacedRow& placed : parameters_of(kind())) {
+    const ParameterRow& row = *placed.row;
+    if (!std::holds_alternative<Setting>(row.home)) continue;
+    for (std::size_t i = 0; i < row.count; ++i) set_setting(row, i, factory_value(row, context(), i));
   }
-  parameters.encoder_pulses = static_cast<std::int32_t>(configuration.machine.encoder.pulses);
-  parameters.encoder_fine_bits = configuration.machine.encoder.fine_bits;
-  return parameters;
 }
 
 void* Axis::own_block(BlockId id) noexcept {
-  return find_block(id, *this, parameters_, wired_, feedback_);
+  return std::apply([this, id](auto&... blocks) { return find_block(id, *this, blocks...); }, blocks_);
 }
 
 const void* Axis::own_block(BlockId id) const noexcept {
-  return find_block(id, *this, parameters_, wired_, feedback_);
+  return std::apply([this, id](const auto&... blocks) { return find_block(id, *this, blocks...); }, blocks_);
 }
 
 /// Nothing but loading brings a motor or another mode while a measurement leads.
 void Axis::before_setting(const ParameterRow& row) noexcept {
-  if (identification_.leads() && row.when != When::Always) cancel_identification();
+  if (block<Identification>().leads() && row.when != When::Always) cancel_identification();
 }
 
 void Axis::after_setting(const ParameterRow& row) noexcept {
@@ -55,16 +50,17 @@ void Axis::after_setting(const ParameterRow& row) noexcept {
 
 /// Without closed loop nothing rotates, and nothing with an encoder that the mode does not use.
 void Axis::follow_control_mode() noexcept {
-  mode_.on_parameter(parameters_.control_mode);
-  const std::int32_t rotating = identification_.selection().rotating;
-  if (rotating != selection::kNone && !can_rotate(rotating, kind(), parameters_.control_mode))
+  SpeedControl& control = block<SpeedControl>();
+  control.on_control_mode();
+  const std::int32_t rotating = block<Identification>().selection().rotating;
+  if (rotating != selection::kNone && !can_rotate(rotating, kind(), control.settings.control_mode))
     select_rotating_measurement(selection::kNone);
 }
 
 WriteState Axis::write_state() const noexcept {
-  return {.pulses_enabled = pulses_enabled_in(state_),
-          .measures = identification_.leads(),
-          .filter = parameters_.commissioning};
+  return {.pulses_enabled = block<SequenceControl>().pulses_enabled(),
+          .measures = block<Identification>().leads(),
+          .filter = block<SequenceControl>().settings.commissioning};
 }
 
 void Axis::compute_parameters(int choice) noexcept {
@@ -73,12 +69,13 @@ void Axis::compute_parameters(int choice) noexcept {
   constexpr int kControl = 3;
   constexpr int kControllersOnly = 4;
   constexpr int kLimitsOnly = 5;
-  const bool from_plate = !is_listed_motor(parameters_);
+  const bool from_plate = !is_listed_motor(block<MotorModel>().settings);
   if (from_plate && choice == kEverything) compute_inertia();
   if (from_plate && (choice == kEverything || choice == kCircuitOnly)) compute_circuit();
+  const MotorData& motor = block<MotorModel>().settings;
   ObjectContext described = context();
-  described.axis.machine = believed_machine(parameters_, context().axis.machine);
-  described.axis.load.inertia = parameters_.motor_inertia * (parameters_.inertia_ratio - 1.0);
+  described.axis.machine = block<MotorModel>().believed();
+  described.axis.load.inertia = motor.motor_inertia * (motor.inertia_ratio - 1.0);
   const bool everything = choice == kEverything || choice == kControl;
   if (everything || choice == kControllersOnly) compute_as_new(kControllers, described);
   if (everything || choice == kLimitsOnly) compute_as_new(kLimits, described);
@@ -96,8 +93,7 @@ void Axis::compute_as_new(std::span<const std::uint16_t> numbers, const ObjectCo
 
 void Axis::compute_inertia() noexcept {
   ObjectContext described = context();
-  described.axis.machine.inertia =
-      motor::inertia_from_plate(believed_machine(parameters_, context().axis.machine));
+  described.axis.machine.inertia = motor::inertia_from_plate(block<MotorModel>().believed());
   compute_as_new(std::array{kInertia}, described);
 }
 
@@ -107,7 +103,7 @@ void Axis::compute_circuit() noexcept {
   const motor::MachineData& data_sheet = context().axis.machine;
   ObjectContext described = context();
   motor::MachineData& machine = described.axis.machine;
-  machine = believed_machine(parameters_, data_sheet);
+  machine = block<MotorModel>().believed();
   if (machine.type == motor::MachineType::Induction) {
     machine = motor::circuit_from_plate(machine);
     machine.induction.saturation_flux = 0.0;
@@ -121,35 +117,57 @@ void Axis::compute_circuit() noexcept {
 
 void Axis::leave_commissioning() noexcept {
   cancel_identification();
-  parameters_.commissioning = 0;
+  block<SequenceControl>().settings.commissioning = 0;
   settled_ = false;
 }
 
-/// With the pulses off, what the parameters and the motor allow.
 motor::TorqueLimits Axis::effective_torque_limits() const noexcept {
-  if (pulses_enabled_in(state_)) return train_.signals().torque_limits;
+  if (block<SequenceControl>().pulses_enabled()) return train_.signals().torque_limits;
+  const motor::TorqueLimits& limits = block<TorqueSetpoint>().limits();
   const double highest = context().axis.machine.maximum_torque;
-  return {std::min(torque_limits_.upper, highest), std::max(torque_limits_.lower, -highest)};
+  return {std::min(limits.upper, highest), std::max(limits.lower, -highest)};
 }
 
-AxisInsight Axis::insight() const noexcept {
-  return {.inputs = inputs_,
-          .switching_on_inhibited = inhibited_ || parameters_.commissioning != 0,
-          .torque_control = mode_.torque_control(parameters_.control_mode),
-          .fixed_setpoint = channel_.fixed_setpoint(),
-          .setpoint_sum = channel_.sum(),
-          .directed_setpoint = channel_.directed(),
-          .ramp_input = channel_.input(),
-          .ramp_output = channel_.output(),
-          .ramp_acceleration = ramp_acceleration_,
-          .torque_limits = effective_torque_limits(),
-          .dc_voltage = dc_voltage_,
-          .torque_limit_reached = pulses_enabled_in(state_) && train_.signals().torque_limit_reached,
-          .target_reached = target_reached_,
-          .overspeed = overspeed_,
-          .blocked = is_blocked_,
-          .energy_drawn = energy_drawn_,
-          .energy_fed_back = energy_fed_back_};
+References Axis::references() const noexcept {
+  const motor::EncoderData& encoder = context().axis.machine.encoder;
+  return {.speed = block<ReferenceValues>().speed,
+          .torque = block<ReferenceValues>().torque,
+          .rated_torque = block<MotorModel>().settings.rated_torque,
+          .maximum_speed = block<SetpointChannel>().settings.maximum_speed,
+          .encoder_pulses = encoder.pulses,
+          .encoder_fine_bits = encoder.fine_bits};
+}
+
+/// For @p machine as the control knows it. p1240 of a new unit: a vector axis keeps the voltage of a link without
+/// chopper down, a servo does not.
+motor::ControlSettings Axis::control_settings(const motor::MachineData& machine) const noexcept {
+  constexpr double kVdcMargin = 50.0;  // V, of r1242 below the trip (p1254 = 1)
+  const bool keeps_down = kind() == ObjectKind::Vector && !(context().supply.chopper_resistance > 0.0);
+  const auto highest = keeps_down ? std::optional{context().supply.overvoltage - kVdcMargin} : std::nullopt;
+  return block<SpeedControl>().control_settings(machine, block<MotorModel>(), context().axis.inverter, highest);
+}
+
+void Axis::apply_parameters() noexcept {
+  FixedSetpoints& fixed = block<SetpointChannel>().settings.fixed;
+  for (std::size_t i = 1; i < fixed.size(); ++i)
+    fixed[i] = read(static_cast<std::uint16_t>(kFirstFixedSetpoint + i - 1)).value_or(0.0) * kRpm;
+  MotorModel& model = block<MotorModel>();
+  block<SetpointChannel>().configure(model.settings.motor_maximum_speed, has_setpoint_channel());
+  model.configure(block<SequenceControl>().settings.commissioning != 0);
+  if (model.is_plausible()) {  // otherwise the last possible model stays
+    const motor::MachineData machine = model.believed();
+    train_.set_machine(machine);
+    train_.tune(control_settings(machine));
+  }
+  settled_ = false;
+}
+
+void Axis::request_mode(std::int8_t code) noexcept {
+  const auto wanted = control_mode_of(code, has_encoder());
+  const bool possible = wanted && write(kControlMode, *wanted).has_value();
+  block<SpeedControl>().request_mode(code, possible);
+  refresh_status();
+  settled_ = false;
 }
 
 }  // namespace drive

@@ -29,11 +29,11 @@ void ControlUnit::lead_outputs() noexcept {
 }
 
 void* ControlUnit::own_block(BlockId id) noexcept {
-  return find_block(id, *this, inputs_, unit_inputs_, terminal_inputs_);
+  return find_block(id, *this, external_messages_, unit_inputs_, terminal_inputs_);
 }
 
 const void* ControlUnit::own_block(BlockId id) const noexcept {
-  return find_block(id, *this, inputs_, unit_inputs_, terminal_inputs_);
+  return find_block(id, *this, external_messages_, unit_inputs_, terminal_inputs_);
 }
 
 WriteState ControlUnit::write_state() const noexcept {

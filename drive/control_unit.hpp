@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drive/axis_inputs.hpp"
 #include "drive/drive_object.hpp"
+#include "drive/external_messages/external_messages.hpp"
 #include "drive/terminals.hpp"
 #include "drive/unit_inputs.hpp"
 
@@ -17,7 +17,7 @@ class ControlUnit final : public DriveObject {
   bool is_in_commissioning() const noexcept;
   bool acknowledge() noexcept override;
   /// What the interconnections have brought for messages, and for the unit as a whole.
-  const AxisInputs& inputs() const noexcept { return inputs_; }
+  ExternalMessages& external_messages() noexcept { return external_messages_; }
   const UnitInputs& unit_inputs() const noexcept { return unit_inputs_; }
 
   /// Its digital inputs and outputs.
@@ -32,7 +32,7 @@ class ControlUnit final : public DriveObject {
   WriteState write_state() const noexcept override;
 
   Terminals terminals_{};
-  AxisInputs inputs_{};
+  ExternalMessages external_messages_;
   UnitInputs unit_inputs_{};
   TerminalInputs terminal_inputs_{};
 };

@@ -82,7 +82,7 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   std::array<bool, kMostAxes> runs{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     runs[i] = awake[i] || !has_nothing_to_do(axes_[i]);
-    if (runs[i]) wiring_->take(axes_[i], kBlock<AxisInputs>);
+    if (runs[i]) take_inputs(axes_[i]);
   }
   follow_unit_inputs();
   run_infeed(duration);
@@ -99,9 +99,14 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   run({running.data(), count}, duration);
 }
 
+void DriveUnit::take_inputs(Axis& axis) noexcept {
+  for (const BlockId block : kInputsAtTheBeginning) wiring_->take(axis, block);
+  axis.take_image();
+}
+
 /// Whether @p axis is quiescent and all that acts on it is as in its last cycle.
 bool DriveUnit::has_nothing_to_do(const Axis& axis) const noexcept {
-  return axis.is_quiescent() && !axis.has_new_command() && !wiring_->changed(axis);
+  return axis.is_quiescent() && !axis.has_new_image() && !wiring_->changed(axis);
 }
 
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
@@ -114,7 +119,8 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
       axes_[i].rest(duration, dc_link_.voltage());
       continue;
     }
-    axes_[i].begin_cycle(inputs_of(*setpoints[i]), duration);
+    axes_[i].command(*setpoints[i]);
+    axes_[i].begin_cycle(duration);
     running[count++] = &axes_[i];
   }
   run({running.data(), count}, duration);
@@ -138,7 +144,7 @@ void DriveUnit::run(std::span<Axis* const> moved, double duration) noexcept {
 void DriveUnit::end_cycle(std::span<Axis* const> moved) noexcept {
   for (Axis* const axis : moved) axis->measure();
   for (Axis* const axis : moved) {
-    wiring_->take(*axis, kBlock<AxisFeedback>);
+    for (const BlockId block : kInputsAtTheEnd) wiring_->take(*axis, block);
     axis->end_cycle();
   }
   send_converted();

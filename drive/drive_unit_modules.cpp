@@ -13,6 +13,7 @@ void DriveUnit::follow_function_modules() noexcept {
     const double wanted = control_unit_.read(kModules, axis.number() - kControlUnitNumber).value_or(0.0);
     axis.set_function_modules(static_cast<function_module::Set>(wanted));
   }
+  on_wiring_changed();  // inputs come and go with their module
 }
 
 }  // namespace drive

@@ -68,7 +68,7 @@ constexpr double kNoTorque = 1e-9;  // N·m
 
 /// That the torque limits alone block the motor, if they do.
 std::string torque_limit_hint(const Picture& picture) {
-  const motor::TorqueLimits& limits = picture.seen.torque_limits;
+  const motor::TorqueLimits limits = picture.axis.effective_torque_limits();
   const bool forward = limits.upper > kNoTorque;
   const bool backward = limits.lower < -kNoTorque;
   if (forward && backward) return {};
@@ -115,18 +115,31 @@ void tell_faults(const Picture& picture, std::vector<std::string>& sentences) {
     sentences.push_back(fault_sentence(fault) + hint_of(fault, picture));
 }
 
-void tell(std::span<const Reason> reasons, const Picture& picture, std::vector<std::string>& sentences) {
-  for (const Reason& reason : reasons)
-    if ((reason.states & in(picture.state())) != 0 && reason.holds(picture))
-      sentences.push_back(reason.text(picture));
+/// What the blocks of the axis have to say, the most important first.
+template <class... Block>
+std::vector<const Reason*> all_reasons(const std::tuple<Block...>*) {
+  std::vector<const Reason*> all;
+  const auto append = [&]<class Owner>(const Owner*) {
+    if constexpr (requires { Owner::reasons(); })
+      for (const Reason& reason : Owner::reasons()) all.push_back(&reason);
+  };
+  (append(static_cast<const Block*>(nullptr)), ...);
+  std::ranges::sort(all, {}, &Reason::rank);
+  return all;
+}
+
+void tell_reasons(const Picture& picture, std::vector<std::string>& sentences) {
+  for (const Reason* const reason : all_reasons(static_cast<const AxisBlocks*>(nullptr)))
+    if ((reason->states & in(picture.state())) != 0 && reason->holds(picture))
+      sentences.push_back(reason->text(picture));
 }
 
 std::string motion_sentence(const Picture& picture) {
   const double rpm = picture.axis.actual().speed / kRpm;
-  const std::string what = picture.seen.torque_control
+  const std::string what = picture.control().torque_control()
                                ? fmt::format("torque {} N·m", plain(picture.axis.actual().torque))
                                : fmt::format("setpoint {} rpm", plain(picture.axis.actual().speed_demand / kRpm));
-  const std::string limit = !picture.seen.torque_limit_reached ? ""
+  const std::string limit = !picture.axis.is_at_torque_limit() ? ""
                             : load_drives(picture)             ? "; the load drives it against its torque limit"
                                                                : "; it is at its torque limit";
   return fmt::format("It turns at {} rpm ({}{}).", plain(rpm), what, limit);
@@ -156,8 +169,7 @@ std::vector<std::string> explain(const Axis& axis, const std::vector<std::string
   if (turns(axis)) return {motion_sentence(picture)};
   tell_faults(picture, sentences);
   sentences.insert(sentences.end(), bus.begin(), bus.end());
-  tell(switching_reasons(), picture, sentences);
-  tell(operation_reasons(), picture, sentences);
+  tell_reasons(picture, sentences);
   if (sentences.empty())
     sentences.push_back(
         fmt::format("Nothing is missing (r0002 = {:.0f}, r0046 = {:08X}h); wait a cycle and ask again.",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -13,10 +14,12 @@ namespace drive::explanation {
 /// An axis after a cycle.
 struct Picture {
   const Axis& axis;
-  AxisInsight seen;
 
-  explicit Picture(const Axis& of) : axis{of}, seen{of.insight()} {}
   State state() const noexcept { return axis.actual().state; }
+  const SequenceControl& sequence() const noexcept { return axis.block<SequenceControl>(); }
+  const SetpointChannel& channel() const noexcept { return axis.block<SetpointChannel>(); }
+  const SpeedControl& control() const noexcept { return axis.block<SpeedControl>(); }
+  const TorqueSetpoint& torque() const noexcept { return axis.block<TorqueSetpoint>(); }
 };
 
 /// A set of states, one bit each.
@@ -26,17 +29,26 @@ constexpr States in(State... states) noexcept {
   return ((1U << static_cast<unsigned>(states)) | ...);
 }
 
-/// A reason that an axis does not turn in one of @p states while it holds.
+/// A reason that an axis does not turn in one of @p states while it holds; the lowest rank is told first.
 struct Reason {
+  int rank;
   States states;
   bool (*holds)(const Picture&);
   std::string (*text)(const Picture&);
 };
 
-/// What keeps an axis from Operation enabled.
-std::span<const Reason> switching_reasons() noexcept;
-/// What keeps it from turning in Operation enabled.
-std::span<const Reason> operation_reasons() noexcept;
+inline constexpr double kNothing = 1e-9;
+inline bool is_zero(double value) noexcept {
+  return std::abs(value) < kNothing;
+}
+/// Whether the torque setpoint leads.
+inline bool torque_leads(const Picture& picture) noexcept {
+  return picture.control().torque_control();
+}
+/// Whether a halt takes the setpoint to zero.
+inline bool halts(const Picture& picture) noexcept {
+  return picture.sequence().halts() && picture.sequence().settings.halt_option > 0;
+}
 
 /// Above it a shaft is said to turn (rad/s).
 inline constexpr double kSlowest = 0.5 * kRpm;

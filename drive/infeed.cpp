@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "drive/speed_monitors.hpp"
+#include "drive/elapsed.hpp"
 
 namespace drive {
 namespace {
@@ -12,7 +12,7 @@ constexpr std::uint16_t kNotReady = 7802;
 constexpr std::uint16_t kUndervoltage = 30003;
 
 /// Bits 0 to 3 of a controlword.
-std::uint16_t command_word(const AxisInputs& inputs, bool enable) noexcept {
+std::uint16_t command_word(const InfeedInputs& inputs, bool enable) noexcept {
   constexpr unsigned kOn = 0x1, kNoOff2 = 0x2, kNoOff3 = 0x4, kEnable = 0x8;
   return static_cast<std::uint16_t>((inputs.on ? kOn : 0U) | (inputs.has_off2() ? 0U : kNoOff2) | kNoOff3 |
                                     (enable ? kEnable : 0U));
@@ -27,9 +27,11 @@ Infeed::Infeed(const ObjectContext& context) : DriveObject{context} {
 void Infeed::cycle(double duration, const Link& link) noexcept {
   link_ = link;
   const State state_before = state_;
-  const AxisInputs before = std::exchange(inputs_before_, inputs_);
+  const bool same = inputs_before_ == inputs_ && external_before_ == external_messages_.inputs;
+  inputs_before_ = inputs_;
+  external_before_ = external_messages_.inputs;
   settled_ = true;
-  if (has_acknowledgement(before, inputs_)) acknowledge();
+  if (external_messages_.acknowledges()) acknowledge();
   apply(Event::Initialised);
   // What has just become Switch on disabled is seen so for a cycle, whatever else is given.
   if (state_ == state_before) {
@@ -40,7 +42,7 @@ void Infeed::cycle(double duration, const Link& link) noexcept {
     const bool operated = state_before == State::OperationEnabled && operates();
     if (operated && link_.lowest < context().supply.undervoltage) static_cast<void>(raise(kUndervoltage));
   }
-  settled_ = settled_ && state_ == state_before && before == inputs_;
+  settled_ = settled_ && state_ == state_before && same;
 }
 
 /// F07802, once, when the DC link has not come within p0857 after ON.
@@ -75,6 +77,8 @@ void Infeed::power_off() noexcept {
   DriveObject::power_off();
   state_ = State::SwitchOnDisabled;
   inputs_ = inputs_before_ = {};
+  external_messages_.power_off();
+  external_before_ = {};
   settled_ = false;
 }
 
@@ -84,11 +88,11 @@ void Infeed::inhibit(bool inhibited) noexcept {
 }
 
 void* Infeed::own_block(BlockId id) noexcept {
-  return find_block(id, *this, inputs_);
+  return find_block(id, *this, inputs_, external_messages_);
 }
 
 const void* Infeed::own_block(BlockId id) const noexcept {
-  return find_block(id, *this, inputs_);
+  return find_block(id, *this, inputs_, external_messages_);
 }
 
 WriteState Infeed::write_state() const noexcept {

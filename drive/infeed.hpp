@@ -2,9 +2,10 @@
 
 #include <cstdint>
 
-#include "drive/axis_inputs.hpp"
 #include "drive/drive_object.hpp"
-#include "drive/state_machine.hpp"
+#include "drive/external_messages/external_messages.hpp"
+#include "drive/sequence_control/state_machine.hpp"
+#include "drive/unit_inputs.hpp"
 
 namespace drive {
 
@@ -22,9 +23,10 @@ class Infeed final : public DriveObject {
   };
   /// One process-data cycle of @p duration (s) with what the interconnections have brought and what @p link was.
   void cycle(double duration, const Link& link) noexcept;
-  /// What the interconnections have brought, and in the cycle before.
-  const AxisInputs& inputs() const noexcept { return inputs_; }
-  const AxisInputs& inputs_before() const noexcept { return inputs_before_; }
+  /// What the interconnections have brought,
+  const InfeedInputs& inputs() const noexcept { return inputs_; }
+  /// and that for messages.
+  ExternalMessages& external_messages() noexcept { return external_messages_; }
 
   /// Switch on disabled, Ready to switch on, Switched on while the DC link is charged, Operation enabled or Fault.
   State state() const noexcept { return state_; }
@@ -57,8 +59,11 @@ class Infeed final : public DriveObject {
   void await_link(double duration) noexcept;
 
   State state_ = State::NotReadyToSwitchOn;
-  AxisInputs inputs_{};
-  AxisInputs inputs_before_{};
+  InfeedInputs inputs_{};
+  ExternalMessages external_messages_;
+  // Those of the cycle before.
+  InfeedInputs inputs_before_{};
+  ExternalMessages::Inputs external_before_{};
   Link link_{};
   double link_missing_ = 0.0;  // s, since ON
   bool inhibited_ = false;

@@ -7,6 +7,14 @@
 
 namespace drive {
 
+/// Bits of the controlword that no binector input takes, by their numbers in CiA 402.
+enum class ControlwordBit : unsigned {
+  EnableRamp = 4,     ///< in velocity mode
+  UnlockRamp = 5,     ///< in velocity mode
+  ReferenceRamp = 6,  ///< in velocity mode
+  Halt = 8,
+};
+
 /// The process data (PZD) of a drive object, in words of 16 bits: what the bus has brought and what it fetches,
 /// and the words that converters make of bits. A double word is two words, the upper one first.
 struct ProcessDataImage {
@@ -30,6 +38,9 @@ struct ProcessDataImage {
 
   /// 6040h wherever it comes from: its bits that no binector input takes.
   std::uint16_t whole_controlword = 0;
+  bool bit(ControlwordBit name) const noexcept {
+    return (whole_controlword >> static_cast<unsigned>(name) & 1U) != 0;
+  }
   /// 6060h while it is mapped in an RPDO.
   std::optional<std::int8_t> requested_mode{};
   /// What r8796 and r8797 are relative to; changed by DriveObject::scale_process_data().

@@ -35,10 +35,10 @@ void put_faults(Writer& writer, const FaultMemory::Kept& kept) noexcept {
   }
 }
 
-void put_energy(Writer& writer, const AxisInsight& insight) noexcept {
+void put_energy(Writer& writer, const PowerUnit& power_unit) noexcept {
   put_section(writer, Section::Energy, kEnergySize);
-  writer.put(insight.energy_drawn);
-  writer.put(insight.energy_fed_back);
+  writer.put(power_unit.energy_drawn());
+  writer.put(power_unit.energy_fed_back());
 }
 
 FaultMemory::Kept take_faults(Reader& reader) noexcept {
@@ -137,7 +137,7 @@ tl::expected<std::span<const std::byte>, Error> save(const DriveUnit& unit, std:
   for (const Axis& axis : unit.axes()) {
     image_format::put_object_head(writer, axis, 2);
     put_faults(writer, axis.messages().kept());
-    put_energy(writer, axis.insight());
+    put_energy(writer, axis.block<PowerUnit>());
   }
   return image_format::seal(writer);
 }

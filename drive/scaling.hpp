@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "drive/parameters.hpp"
+#include "drive/references.hpp"
 #include "drive/units.hpp"
 
 namespace drive {
@@ -30,12 +30,12 @@ struct SpeedFactor {
 /// relative to the rated one.
 class BusScaling {
  public:
-  /// Rated torque and, with @p has_encoder, encoder from @p parameters.
-  explicit BusScaling(const AxisParameters& parameters, const SpeedFactor& factor = {},
+  /// Rated torque and, with @p has_encoder, encoder from @p references.
+  explicit BusScaling(const References& references, const SpeedFactor& factor = {},
                       bool has_encoder = true) noexcept
-      : per_radian_{(has_encoder ? increments_per_radian(parameters) : 1.0 / kRpm) * factor.denominator /
+      : per_radian_{(has_encoder ? increments_per_radian(references) : 1.0 / kRpm) * factor.denominator /
                     factor.numerator},
-        per_newton_metre_{1000.0 / parameters.rated_torque} {}
+        per_newton_metre_{1000.0 / references.rated_torque} {}
 
   /// What 60FFh has for one rad/s.
   double per_radian() const noexcept { return per_radian_; }
@@ -69,9 +69,9 @@ class BusScaling {
  private:
   static constexpr std::uint32_t kNoRamp = 0xFFFFFFFF;
 
-  static double increments_per_radian(const AxisParameters& parameters) noexcept {
-    return static_cast<double>(parameters.encoder_pulses) *
-           static_cast<double>(std::uint64_t{1} << parameters.encoder_fine_bits) / (2.0 * std::numbers::pi);
+  static double increments_per_radian(const References& references) noexcept {
+    return static_cast<double>(references.encoder_pulses) *
+           static_cast<double>(std::uint64_t{1} << references.encoder_fine_bits) / (2.0 * std::numbers::pi);
   }
 
   double per_radian_;        // bus increments a radian

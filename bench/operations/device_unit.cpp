@@ -50,7 +50,7 @@ void DeviceUnit::turn_axes() {
     return canopen::sdo::Address{static_cast<std::uint16_t>(index + kStride * axis), 0};
   };
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-    const drive::BusScaling scaling{axes[axis].parameters()};
+    const drive::BusScaling scaling{axes[axis].references()};
     download(of_axis(0x60FF, axis), static_cast<std::uint32_t>(scaling.speed_to_bus(kSpeed)), 4);
   }
   for (const std::uint16_t word : kControlwords) {

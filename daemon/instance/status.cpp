@@ -32,7 +32,7 @@ json messages(std::span<const drive::FaultEntry> entries) {
 
 /// What the axis is asked to do (rad/s), wherever it is connected.
 double target_velocity(const drive::Axis& axis) noexcept {
-  return axis.has_setpoint_channel() ? axis.inputs().main_setpoint : axis.inputs().speed_setpoint_1;
+  return axis.block<drive::SetpointChannel>().incoming();
 }
 
 json axis_status(const Instance& instance, std::size_t number) {

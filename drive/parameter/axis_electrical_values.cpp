@@ -30,13 +30,13 @@ double output_voltage(const Axis& axis, std::size_t) noexcept {
   return between_lines(axis.signals().voltage);
 }
 double dc_voltage(const Axis& axis, std::size_t) noexcept {
-  return axis.insight().dc_voltage;
+  return axis.block<PowerUnit>().dc_voltage();
 }
 double current(const Axis& axis, std::size_t) noexcept {
   return axis.signals().current / sqrt2;
 }
 double modulation_depth(const Axis& axis, std::size_t) noexcept {
-  const double highest = axis.insight().dc_voltage / sqrt3;
+  const double highest = axis.block<PowerUnit>().dc_voltage() / sqrt3;
   return highest > 0.0 ? axis.signals().voltage / highest / kPercent : 0.0;
 }
 double field_current(const Axis& axis, std::size_t) noexcept {
@@ -62,7 +62,7 @@ double maximum_current(const Axis& axis, std::size_t index) noexcept {
                                   : std::min(axis.drive_train().settings().current_limit, of_the_unit);
 }
 double magnetising_current(const Axis& axis, std::size_t) noexcept {
-  return axis.parameters().magnetising_current;
+  return axis.block<MotorModel>().settings.magnetising_current;
 }
 double motor_utilisation(const Axis& axis, std::size_t) noexcept {
   return axis.signals().motor_utilisation / kPercent;

@@ -11,6 +11,8 @@
 namespace drive::axis_value {
 namespace {
 
+constexpr std::uint16_t kBlocked = 7900;
+
 struct Bit {
   unsigned number;
   bool on;
@@ -26,42 +28,47 @@ bool is(const Axis& axis, State state) noexcept {
   return axis.actual().state == state;
 }
 
+const SequenceControl& sequence_of(const Axis& axis) noexcept {
+  return axis.block<SequenceControl>();
+}
+const SetpointChannel::Inputs& channel_inputs_of(const Axis& axis) noexcept {
+  return axis.block<SetpointChannel>().effective();
+}
+bool enables_speed_controller(const Axis& axis) noexcept {
+  return axis.block<SpeedControl>().inputs.enable;
+}
+
 /// What r0002 shows in a state while something holds.
 struct Display {
   State state;
-  bool (*holds)(const Axis& axis, const AxisInsight& seen);
+  bool (*holds)(const Axis& axis);
   double code;
 };
-bool always(const Axis&, const AxisInsight&) noexcept {
+bool always(const Axis&) noexcept {
   return true;
 }
 constexpr std::array kDisplays{
     Display{State::OperationEnabled, always, 0.0},
-    Display{State::OperationEnabled, [](const Axis&, const AxisInsight& s) { return !s.inputs.enable_setpoint; },
+    Display{State::OperationEnabled, [](const Axis& axis) { return !channel_inputs_of(axis).enable_setpoint; },
             10.0},
-    Display{State::OperationEnabled,
-            [](const Axis&, const AxisInsight& s) { return !s.inputs.enable_speed_controller; }, 11.0},
-    Display{State::OperationEnabled, [](const Axis&, const AxisInsight& s) { return !s.inputs.continue_ramp; },
+    Display{State::OperationEnabled, [](const Axis& axis) { return !enables_speed_controller(axis); }, 11.0},
+    Display{State::OperationEnabled, [](const Axis& axis) { return !channel_inputs_of(axis).continue_ramp; },
             12.0},
-    Display{State::OperationEnabled, [](const Axis&, const AxisInsight& s) { return !s.inputs.enable_ramp; },
-            13.0},
-    Display{State::OperationEnabled,
-            [](const Axis& axis, const AxisInsight&) { return axis.identification().leads(); }, 14.0},
-    Display{State::OperationEnabled, [](const Axis& axis, const AxisInsight&) { return axis.brake_opens(); },
-            15.0},
+    Display{State::OperationEnabled, [](const Axis& axis) { return !channel_inputs_of(axis).enable_ramp; }, 13.0},
+    Display{State::OperationEnabled, [](const Axis& axis) { return axis.block<Identification>().leads(); }, 14.0},
+    Display{State::OperationEnabled, [](const Axis& axis) { return axis.brake_opens(); }, 15.0},
     Display{State::Off1Braking, always, 16.0},
     Display{State::QuickStopActive, always, 17.0},
     Display{State::FaultReactionActive, always, 18.0},
     Display{State::Stop2Active, always, 18.0},
     Display{State::SwitchedOn, always, 21.0},
-    Display{State::SwitchedOn, [](const Axis& axis, const AxisInsight&) { return axis.waits_for_power(); }, 23.0},
+    Display{State::SwitchedOn, [](const Axis& axis) { return axis.waits_for_power(); }, 23.0},
     Display{State::ReadyToSwitchOn, always, 31.0},
     Display{State::SwitchOnDisabled, always, 41.0},  // ON is still set
-    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return s.inputs.has_off2(); }, 42.0},
-    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return s.inputs.has_off3(); }, 43.0},
+    Display{State::SwitchOnDisabled, [](const Axis& axis) { return sequence_of(axis).inputs.has_off2(); }, 42.0},
+    Display{State::SwitchOnDisabled, [](const Axis& axis) { return sequence_of(axis).inputs.has_off3(); }, 43.0},
     Display{State::Fault, always, 45.0},
-    Display{State::SwitchOnDisabled, [](const Axis&, const AxisInsight& s) { return s.switching_on_inhibited; },
-            46.0},
+    Display{State::SwitchOnDisabled, [](const Axis& axis) { return sequence_of(axis).is_inhibited(); }, 46.0},
     Display{State::NotReadyToSwitchOn, always, 70.0},
 };
 static_assert(std::ranges::is_sorted(kDisplays, {}, &Display::code), "of several causes the highest is shown");
@@ -72,22 +79,21 @@ bool stopped_by(const Axis& axis, Reactions reactions) noexcept {
 }
 
 /// OFF2 from within: commissioning, or a fault that is no OFF1 and no OFF3.
-bool has_internal_off2(const Axis& axis, const AxisInsight& seen) noexcept {
+bool has_internal_off2(const Axis& axis) noexcept {
   constexpr auto kOthers =
       static_cast<Reactions>(bit_of(Reaction::Off1) | bit_of(Reaction::Off3) | bit_of(Reaction::Stop2));
   constexpr auto kCoasting =
       static_cast<Reactions>(bit_of(Reaction::Off2) | bit_of(Reaction::Encoder) | bit_of(Reaction::ShortCircuit));
   const bool not_listed = is(axis, State::Fault) && !stopped_by(axis, kOthers);
-  return seen.switching_on_inhibited || stopped_by(axis, kCoasting) || not_listed;
+  return sequence_of(axis).is_inhibited() || stopped_by(axis, kCoasting) || not_listed;
 }
 
 }  // namespace
 
 double operating_display(const Axis& axis, std::size_t) noexcept {
-  const AxisInsight seen = axis.insight();
   double code = 0.0;
   for (const Display& row : kDisplays)
-    if (is(axis, row.state) && row.holds(axis, seen)) code = row.code;
+    if (is(axis, row.state) && row.holds(axis)) code = row.code;
   return code;
 }
 
@@ -96,21 +102,22 @@ double statusword(const Axis& axis, std::size_t) noexcept {
 }
 
 double controlword(const Axis& axis, std::size_t) noexcept {
-  return axis.insight().inputs.controlword;
+  return axis.controlword();
 }
 
 double missing_enables(const Axis& axis, std::size_t) noexcept {
-  const AxisInsight seen = axis.insight();
-  const AxisInputs& inputs = seen.inputs;
+  const SequenceControl& sequence = sequence_of(axis);
+  const SequenceControl::Inputs& inputs = sequence.inputs;
+  const SetpointChannel::Inputs& channel = channel_inputs_of(axis);
   const bool pulses = axis.actual().pulses_enabled;
   const auto off3 = static_cast<Reactions>(bit_of(Reaction::Off3) | bit_of(Reaction::Stop2));
-  return word(std::array{Bit{0, !inputs.on && !axis.jogs()}, Bit{1, inputs.has_off2()}, Bit{2, inputs.has_off3()},
-                         Bit{3, !inputs.enable_operation}, Bit{9, !inputs.infeed_operates},
-                         Bit{10, !inputs.enable_ramp}, Bit{11, !inputs.continue_ramp},
-                         Bit{12, !inputs.enable_setpoint}, Bit{16, stopped_by(axis, bit_of(Reaction::Off1))},
-                         Bit{17, has_internal_off2(axis, seen)}, Bit{18, stopped_by(axis, off3)}, Bit{19, !pulses},
-                         Bit{21, seen.dc_voltage < axis.context().supply.undervoltage},
-                         Bit{30, !pulses || !inputs.enable_speed_controller}, Bit{31, axis.jogs()}});
+  return word(
+      std::array{Bit{0, !sequence.is_on() && !axis.jogs()}, Bit{1, inputs.has_off2()}, Bit{2, inputs.has_off3()},
+                 Bit{3, !inputs.enable_operation}, Bit{9, !inputs.infeed_operates}, Bit{10, !channel.enable_ramp},
+                 Bit{11, !channel.continue_ramp}, Bit{12, !channel.enable_setpoint},
+                 Bit{16, stopped_by(axis, bit_of(Reaction::Off1))}, Bit{17, has_internal_off2(axis)},
+                 Bit{18, stopped_by(axis, off3)}, Bit{19, !pulses}, Bit{21, !axis.block<PowerUnit>().has_link()},
+                 Bit{30, !pulses || !enables_speed_controller(axis)}, Bit{31, axis.jogs()}});
 }
 
 double control_status(const Axis& axis, std::size_t) noexcept {
@@ -118,43 +125,43 @@ double control_status(const Axis& axis, std::size_t) noexcept {
 }
 
 double sequence_control(const Axis& axis, std::size_t) noexcept {
-  const AxisInputs inputs = axis.insight().inputs;
-  return word(std::array{Bit{0, inputs.on}, Bit{1, !inputs.has_off2()}, Bit{2, !inputs.has_off3()},
-                         Bit{3, inputs.enable_operation}, Bit{4, inputs.enable_ramp}, Bit{5, inputs.continue_ramp},
-                         Bit{6, inputs.enable_setpoint}, Bit{8, inputs.jog_1}, Bit{9, inputs.jog_2},
-                         Bit{10, inputs.control_by_plc}});
+  const SequenceControl::Inputs& inputs = sequence_of(axis).inputs;
+  const SetpointChannel::Inputs& channel = channel_inputs_of(axis);
+  return word(std::array{Bit{0, sequence_of(axis).is_on()}, Bit{1, !inputs.has_off2()}, Bit{2, !inputs.has_off3()},
+                         Bit{3, inputs.enable_operation}, Bit{4, channel.enable_ramp},
+                         Bit{5, channel.continue_ramp}, Bit{6, channel.enable_setpoint}, Bit{8, channel.jog_1},
+                         Bit{9, channel.jog_2}, Bit{10, inputs.control_by_plc}});
 }
 
 double sequence_status(const Axis& axis, std::size_t) noexcept {
   constexpr unsigned kOfTheStatusword = 0x0277;  // bits 0..2, 4..6 and 9 are the same
   const bool inhibited = is(axis, State::Fault);
   const bool pulses = axis.actual().pulses_enabled;
-  const auto own =
-      static_cast<std::uint32_t>(word(std::array{Bit{3, axis.jogs()}, Bit{6, inhibited}, Bit{7, !inhibited},
-                                                 Bit{8, pulses && axis.insight().inputs.enable_speed_controller},
-                                                 Bit{11, pulses}, Bit{12, axis.brake_is_open()}}));
+  const auto own = static_cast<std::uint32_t>(word(std::array{
+      Bit{3, axis.jogs()}, Bit{6, inhibited}, Bit{7, !inhibited}, Bit{8, pulses && enables_speed_controller(axis)},
+      Bit{11, pulses}, Bit{12, axis.brake_is_open()}}));
   return (axis.actual().statusword & kOfTheStatusword) | own;
 }
 
 double speed_controller_control(const Axis& axis, std::size_t) noexcept {
-  return word(std::array{Bit{12, axis.insight().inputs.torque_control}});
+  return word(std::array{Bit{12, axis.block<SpeedControl>().inputs.torque_control}});
 }
 
 double speed_controller_status(const Axis& axis, std::size_t) noexcept {
   constexpr std::int32_t kFirstVectorMode = 20;
   constexpr std::int32_t kSpeedWithoutEncoder = 20;
   constexpr std::int32_t kTorqueWithoutEncoder = 22;
-  const std::int32_t mode = axis.parameters().control_mode;
+  const SpeedControl& control = axis.block<SpeedControl>();
+  const std::int32_t mode = control.settings.control_mode;
   const bool pulses = axis.actual().pulses_enabled;
-  const AxisInsight seen = axis.insight();
   return word(std::array{Bit{0, pulses && mode < kFirstVectorMode},
                          Bit{1, pulses && (mode == kSpeedWithoutEncoder || mode == kTorqueWithoutEncoder)},
-                         Bit{2, pulses && seen.torque_control}, Bit{3, pulses && !seen.torque_control},
-                         Bit{7, seen.torque_limit_reached}});
+                         Bit{2, pulses && control.torque_control()}, Bit{3, pulses && !control.torque_control()},
+                         Bit{7, axis.is_at_torque_limit()}});
 }
 
 double message_control(const Axis& axis, std::size_t) noexcept {
-  const AxisInputs inputs = axis.insight().inputs;
+  const ExternalMessages::Inputs& inputs = axis.block<ExternalMessages>().inputs;
   return word(std::array{Bit{7, inputs.acknowledge_1 || inputs.acknowledge_2 || inputs.acknowledge_3},
                          Bit{10, inputs.no_external_alarm_1}, Bit{13, inputs.no_external_fault_1},
                          Bit{14, inputs.no_external_fault_2}, Bit{15, inputs.no_external_fault_3}});
@@ -163,22 +170,23 @@ double message_control(const Axis& axis, std::size_t) noexcept {
 double speed_status(const Axis& axis, std::size_t) noexcept {
   const double speed = std::abs(axis.actual().speed);
   const double threshold = axis.read(2155).value_or(0.0) * kRpm;
-  return word(std::array{Bit{1, speed > axis.parameters().standstill_threshold}, Bit{4, speed > threshold},
-                         Bit{5, speed <= threshold}, Bit{6, speed >= std::abs(axis.insight().ramp_input)}});
+  return word(std::array{Bit{1, speed > sequence_of(axis).settings.standstill_threshold},
+                         Bit{4, speed > threshold}, Bit{5, speed <= threshold},
+                         Bit{6, speed >= std::abs(axis.block<SetpointChannel>().input())}});
 }
 
 double monitoring_1(const Axis& axis, std::size_t) noexcept {
-  const AxisInsight seen = axis.insight();
-  const bool standstill = std::abs(axis.actual().speed) < axis.parameters().standstill_threshold;
-  return word(std::array{Bit{5, standstill}, Bit{6, seen.overspeed}, Bit{7, seen.target_reached}});
+  const SpeedMessages& speed = axis.block<SpeedMessages>();
+  const bool standstill = std::abs(axis.actual().speed) < sequence_of(axis).settings.standstill_threshold;
+  return word(std::array{Bit{5, standstill}, Bit{6, speed.has_overspeed()}, Bit{7, speed.target_reached()}});
 }
 
 double monitoring_2(const Axis& axis, std::size_t) noexcept {
-  return word(std::array{Bit{6, axis.insight().blocked}});
+  return word(std::array{Bit{6, axis.has_cause(kBlocked)}});
 }
 
 double monitoring_3(const Axis& axis, std::size_t) noexcept {
-  return word(std::array{Bit{0, std::abs(axis.actual().speed) < axis.parameters().zero_speed_threshold}});
+  return word(std::array{Bit{0, axis.block<SpeedMessages>().is_zero(axis.actual().speed)}});
 }
 
 }  // namespace drive::axis_value

@@ -25,8 +25,10 @@ double parameter(const Axis& axis, std::uint16_t number) noexcept {
 
 /// [0] balance, [1] drawn, [2] fed back, in units of @p unit (J).
 double energy_in(double unit, const Axis& axis, std::size_t index) noexcept {
-  const AxisInsight seen = axis.insight();
-  const std::array values{seen.energy_drawn - seen.energy_fed_back, seen.energy_drawn, seen.energy_fed_back};
+  const PowerUnit& power_unit = axis.block<PowerUnit>();
+  const double drawn = power_unit.energy_drawn();
+  const double fed_back = power_unit.energy_fed_back();
+  const std::array values{drawn - fed_back, drawn, fed_back};
   return values[index] / unit;
 }
 
@@ -54,16 +56,16 @@ double torque_demand(const Axis& axis, std::size_t) noexcept {
   return axis.actual().torque_demand;
 }
 double torque_utilisation(const Axis& axis, std::size_t) noexcept {
-  const motor::TorqueLimits limits = axis.insight().torque_limits;
+  const motor::TorqueLimits limits = axis.effective_torque_limits();
   const double torque = axis.actual().torque;
   const double limit = std::abs(torque < 0.0 ? limits.lower : limits.upper);
   return limit > 0.0 ? std::abs(torque) / limit / row_of(Unit::Percent).si : 0.0;
 }
 double upper_torque_limit(const Axis& axis, std::size_t) noexcept {
-  return axis.insight().torque_limits.upper;
+  return axis.effective_torque_limits().upper;
 }
 double lower_torque_limit(const Axis& axis, std::size_t) noexcept {
-  return axis.insight().torque_limits.lower;
+  return axis.effective_torque_limits().lower;
 }
 double active_power(const Axis& axis, std::size_t) noexcept {
   return axis.signals().power / kKilowatt;
@@ -75,34 +77,32 @@ double process_energy(const Axis& axis, std::size_t index) noexcept {
   return energy_in(kWattHour, axis, index);
 }
 double ramp_input(const Axis& axis, std::size_t) noexcept {
-  return rpm(axis.insight().ramp_input);
+  return rpm(axis.block<SetpointChannel>().input());
 }
 double ramp_output(const Axis& axis, std::size_t) noexcept {
-  return rpm(axis.insight().ramp_output);
+  return rpm(axis.block<SetpointChannel>().output());
 }
 double fixed_setpoint(const Axis& axis, std::size_t) noexcept {
-  return rpm(axis.insight().fixed_setpoint);
+  return rpm(axis.block<SetpointChannel>().fixed_setpoint());
 }
 double setpoint_sum(const Axis& axis, std::size_t) noexcept {
-  return rpm(axis.insight().setpoint_sum);
+  return rpm(axis.block<SetpointChannel>().sum());
 }
 double directed_setpoint(const Axis& axis, std::size_t) noexcept {
-  return rpm(axis.insight().directed_setpoint);
+  return rpm(axis.block<SetpointChannel>().directed());
 }
 double ramp_acceleration(const Axis& axis, std::size_t) noexcept {
-  return axis.insight().ramp_acceleration / kRevolution;
+  return axis.block<SetpointChannel>().mean_acceleration() / kRevolution;
 }
 double reference_power(const Axis& axis, std::size_t) noexcept {
-  return axis.parameters().reference_speed * axis.parameters().reference_torque / kKilowatt;
+  return axis.references().speed * axis.references().torque / kKilowatt;
 }
 double starting_time(const Axis& axis, std::size_t) noexcept {
-  const AxisParameters& p = axis.parameters();
-  const double torque = axis.insight().torque_limits.upper;
-  return torque > 0.0 ? p.motor_inertia * p.inertia_ratio * p.maximum_speed / torque : 0.0;
+  const double torque = axis.effective_torque_limits().upper;
+  return torque > 0.0 ? axis.block<MotorModel>().total_inertia() * axis.references().maximum_speed / torque : 0.0;
 }
 double pole_pairs(const Axis& axis, std::size_t) noexcept {
-  const std::int32_t entered = axis.parameters().pole_pairs;
-  return entered > 0 ? entered : axis.context().axis.machine.pole_pairs;
+  return axis.block<MotorModel>().pole_pairs();
 }
 double function_modules(const Axis& axis, std::size_t) noexcept {
   return axis.function_modules();

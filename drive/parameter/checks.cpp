@@ -76,7 +76,8 @@ std::optional<Refusal> rotating_selection(const DriveObject& object, std::size_t
   if (axis == nullptr) return Refusal::NotNow;
   const int choice = static_cast<int>(value);
   const bool measures = choice != selection::kNone && choice != selection::kTakeOver;
-  if (measures && !can_rotate(choice, object.kind(), axis->parameters().control_mode)) return Refusal::NotNow;
+  if (measures && !can_rotate(choice, object.kind(), axis->block<SpeedControl>().settings.control_mode))
+    return Refusal::NotNow;
   return nothing_to_take(value, axis->identification().results().rotating.has_value());
 }
 

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "drive/function_modules.hpp"
-#include "drive/machine_model.hpp"
-#include "drive/magnetising_characteristic.hpp"
+#include "drive/motor_model/machine_model.hpp"
+#include "drive/motor_model/magnetising_characteristic.hpp"
 #include "drive/parameter/rounding.hpp"
 #include "motor/control/field/tuning.hpp"
 

@@ -1,7 +1,7 @@
 #include "drive/parameter/identification_values.hpp"
 
 #include "drive/axis.hpp"
-#include "drive/machine_model.hpp"
+#include "drive/motor_model/machine_model.hpp"
 
 namespace drive::identification_value {
 namespace {

@@ -59,7 +59,7 @@ double coupling(const Infeed& infeed, std::size_t) noexcept {
 }
 
 double sequence_control(const Infeed& infeed, std::size_t) noexcept {
-  const AxisInputs& inputs = infeed.inputs();
+  const InfeedInputs& inputs = infeed.inputs();
   return word(std::array{Bit{0, inputs.on}, Bit{1, !inputs.has_off2()}, Bit{3, inputs.enable_operation}});
 }
 

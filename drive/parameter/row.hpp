@@ -9,15 +9,11 @@
 #include <variant>
 
 #include "drive/axis_configuration.hpp"
-#include "drive/axis_inputs.hpp"
 #include "drive/object_kind.hpp"
 #include "drive/parameter/bico.hpp"
 #include "drive/parameter/home.hpp"
 #include "drive/parameter/value.hpp"
 #include "drive/parameter/write_condition.hpp"
-#include "drive/parameters.hpp"
-#include "drive/process_data_image.hpp"
-#include "drive/unit_inputs.hpp"
 #include "drive/units.hpp"
 #include "motor/data/supply_data.hpp"
 
@@ -137,8 +133,11 @@ namespace rows {
 
 using enum DataType;
 using Row = ParameterRow;
-using P = AxisParameters;
-using I = AxisInputs;
+
+/// The parameters of a block of an axis, an array of rows; a block that has some specialises it behind its class or in a
+/// header beside it that table.cpp includes.
+template <class Block>
+inline constexpr std::array<Row, 0> rows_of{};
 
 }  // namespace rows
 }  // namespace drive

@@ -5,22 +5,32 @@
 
 #include <fmt/format.h>
 
+#include "drive/axis_blocks.hpp"
+#include "drive/brake/holding_brake_rows.hpp"
+#include "drive/external_messages/external_messages_rows.hpp"
+#include "drive/identification/identification_rows.hpp"
+#include "drive/measurement/measurement_rows.hpp"
+#include "drive/motor_model/motor_model_rows.hpp"
+#include "drive/motor_monitoring/motor_monitoring_rows.hpp"
 #include "drive/parameter/rows/can.hpp"
 #include "drive/parameter/rows/control.hpp"
 #include "drive/parameter/rows/display.hpp"
-#include "drive/parameter/rows/identification.hpp"
 #include "drive/parameter/rows/infeed.hpp"
 #include "drive/parameter/rows/messages.hpp"
-#include "drive/parameter/rows/monitoring.hpp"
-#include "drive/parameter/rows/motor.hpp"
 #include "drive/parameter/rows/pdo.hpp"
 #include "drive/parameter/rows/position.hpp"
 #include "drive/parameter/rows/positioner.hpp"
 #include "drive/parameter/rows/process_data.hpp"
-#include "drive/parameter/rows/setpoint_channel.hpp"
 #include "drive/parameter/rows/technology.hpp"
 #include "drive/parameter/rows/terminals.hpp"
 #include "drive/parameter/rows/unit.hpp"
+#include "drive/power_unit/power_unit_rows.hpp"
+#include "drive/sequence_control/sequence_control_rows.hpp"
+#include "drive/sequence_control/statusword_rows.hpp"
+#include "drive/setpoint_channel/setpoint_channel_rows.hpp"
+#include "drive/speed_control/speed_control_rows.hpp"
+#include "drive/speed_messages/speed_messages_rows.hpp"
+#include "drive/torque/torque_setpoint_rows.hpp"
 #include "text/number.hpp"
 
 namespace drive {
@@ -40,11 +50,14 @@ constexpr auto joined(const Tables&... tables) {
   return all;
 }
 
-constexpr auto kRows =
-    joined(rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows, rows::kPdoRows,
-           rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows, rows::kMotorRows,
-           rows::kSetpointChannelRows, rows::kControlRows, rows::kIdentificationRows, rows::kMonitoringRows,
-           rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
+/// The rows of all blocks of an axis, and those that belong to none.
+template <class... Block>
+constexpr auto joined_with(const std::tuple<Block...>*) {
+  return joined(rows::rows_of<Block>..., rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows,
+                rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows, rows::kControlRows,
+                rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
+}
+constexpr auto kRows = joined_with(static_cast<const AxisBlocks*>(nullptr));
 
 /// The table of one kind; Count is the number of its rows.
 template <ObjectKind Kind, std::size_t Count>

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <set>
 
-#include "drive/machine_model.hpp"
+#include "drive/motor_model/machine_model.hpp"
 #include "motor/control/field/induction_circuit.hpp"
 #include "tests/drive/measuring_axis.hpp"
 
@@ -155,9 +155,9 @@ TEST(SeriesInductance, IsPartOfWhatTheControlSeesAndNotOfWhatP1910Finds) {
   for (const char* const motor : {"1fk7063", "1le1003-2k2"}) {
     const motor::MachineData& data_sheet = identification::preset(motor);
     MeasuringAxis drive{real_axis(motor)};
-    const motor::MachineData before = believed_machine(drive.axis.parameters(), data_sheet);
+    const motor::MachineData before = believed_machine(drive.axis.block<MotorModel>().settings, data_sheet);
     ASSERT_TRUE(drive.axis.write(353, kSeries));
-    const motor::MachineData after = believed_machine(drive.axis.parameters(), data_sheet);
+    const motor::MachineData after = believed_machine(drive.axis.block<MotorModel>().settings, data_sheet);
     if (before.type == motor::MachineType::Synchronous) {
       EXPECT_NEAR(after.synchronous.q_inductance - before.synchronous.q_inductance, 1e-3 * kSeries, 1e-9);
       EXPECT_NEAR(after.synchronous.d_inductance - before.synchronous.d_inductance, 1e-3 * kSeries, 1e-9);
@@ -194,7 +194,7 @@ TEST(MagnetisingCharacteristic, GivesTheControlTheSaturationOfTheDataSheet) {
   for (const char* const motor : {"1le1003-2k2", "1ph8131", "im-2k2"}) {
     const MeasuringAxis drive{real_axis(motor)};
     const motor::MachineData& data_sheet = identification::preset(motor);
-    const motor::MachineData believed = believed_machine(drive.axis.parameters(), data_sheet);
+    const motor::MachineData believed = believed_machine(drive.axis.block<MotorModel>().settings, data_sheet);
     EXPECT_NEAR(believed.induction.saturation_flux, data_sheet.induction.saturation_flux, 1e-6) << motor;
     EXPECT_EQ(drive.shown(362), 60.0);
     EXPECT_EQ(drive.shown(365), 125.0);
@@ -206,8 +206,9 @@ TEST(MagnetisingCharacteristic, IsWhatTheControlFollowsWithoutPassingThroughEver
   MeasuringAxis drive{real_axis("1ph8131")};
   const double current = std::numbers::sqrt2 * data_sheet.induction.magnetising_current;
   const auto flux = [&](double share) {
-    return motor::standing_flux(motor::induction_circuit(believed_machine(drive.axis.parameters(), data_sheet)),
-                                share * current);
+    return motor::standing_flux(
+        motor::induction_circuit(believed_machine(drive.axis.block<MotorModel>().settings, data_sheet)),
+        share * current);
   };
   const double unsaturated = flux(0.2) / 0.2;
 

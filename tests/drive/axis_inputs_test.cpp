@@ -1,4 +1,6 @@
 // The inputs of the sequence control beyond the controlword: jog, control by PLC, infeed, external messages.
+#include "tests/drive/axis_inputs.hpp"
+
 #include <gtest/gtest.h>
 
 #include "tests/drive/wired_axis.hpp"
@@ -174,15 +176,15 @@ TEST(Infeed, WithoutADcLinkThePowerUnitIsNotReady) {
   const motor::SupplyData dead{.line_voltage = 0.0};
   Axis axis{AxisConfiguration{}, 0, 0, dead};
   AxisInputs inputs{};
-  axis.cycle(inputs, 0.004);
-  axis.cycle(inputs, 0.004);
+  cycle(axis, inputs, 0.004);
+  cycle(axis, inputs, 0.004);
   inputs.on = true;
 
-  for (int i = 0; i < 1499; ++i) axis.cycle(inputs, 0.004);
+  for (int i = 0; i < 1499; ++i) cycle(axis, inputs, 0.004);
   EXPECT_EQ(axis.actual().state, State::SwitchedOn);
   EXPECT_EQ(axis.read(2).value(), 23.0);
   EXPECT_NE(static_cast<unsigned>(axis.read(46).value()) & 1U << 21, 0U);
-  for (int i = 0; i < 3; ++i) axis.cycle(inputs, 0.004);
+  for (int i = 0; i < 3; ++i) cycle(axis, inputs, 0.004);
 
   ASSERT_FALSE(axis.messages().faults().empty());
   EXPECT_EQ(axis.messages().faults().back().row->number, 7802);

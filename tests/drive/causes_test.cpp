@@ -1,10 +1,10 @@
 /// The causes of faults and alarms: thresholds, delays, hystereses and what they report.
-#include "drive/causes.hpp"
-
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "drive/axis.hpp"
+#include "drive/cause_monitor.hpp"
 #include "drive/fault_table.hpp"
 
 namespace drive {
@@ -12,24 +12,48 @@ namespace {
 
 constexpr double kCycle = 0.004;  // s
 
+/// What the causes are judged by.
+struct Observed {
+  bool pulses_enabled = false;
+  double dc_voltage = 540.0;         // highest of the cycle (V)
+  double lowest_dc_voltage = 540.0;  // (V)
+  double overload = 0.0;
+  double motor_temperature = 0.0;  // (°C)
+  double stuck = 0.0;
+};
+
 class Causes : public testing::Test {
  protected:
-  Observed seen_{.dc_voltage = 540.0, .lowest_dc_voltage = 540.0};
-  CauseLimits limits_{.trip_current = 75.0,
-                      .overvoltage = 820.0,
-                      .undervoltage = 360.0,
-                      .temperature_alarm = 120.0,
-                      .temperature_fault = 145.0,
-                      .overspeed_hysteresis = 10.0,
-                      .blocked_delay = 1.0};
-  CauseMonitor monitor_;
+  Observed seen_;
+  AxisBlocks blocks_ = Axis{AxisConfiguration{}}.blocks();
+  CauseMonitor<AxisBlocks> monitor_;
 
-  Causes() { seen_.overspeed = -100.0; }
+  Causes() {
+    std::get<MotorMonitoring>(blocks_).settings = {.alarm_temperature = 120.0, .fault_temperature = 145.0};
+    SpeedMessages& messages = std::get<SpeedMessages>(blocks_);
+    messages.settings.overspeed_hysteresis = 10.0;
+    messages.settings.blocked_delay = 1.0;
+    messages.settings.blocked_speed_threshold = 1.0;
+  }
 
   /// What one cycle of @p duration reports.
   std::vector<Verdict> cycle(double duration = kCycle) {
+    motor::Signals signals{};
+    signals.overload = seen_.overload;
+    signals.winding_temperature = seen_.motor_temperature;
+    PowerUnit& power_unit = std::get<PowerUnit>(blocks_);
+    power_unit.rest(seen_.lowest_dc_voltage);
+    power_unit.begin_cycle();
+    power_unit.watch(seen_.dc_voltage, signals, {});
+    power_unit.observe(signals);
+    std::get<MotorMonitoring>(blocks_).observe(signals);
+    std::get<SpeedMessages>(blocks_).run({.duration = duration,
+                                          .forward_limit = 100.0,
+                                          .backward_limit = -100.0,
+                                          .at_torque_limit = seen_.stuck > 0.0});
     std::vector<Verdict> told;
-    monitor_.update(duration, seen_, limits_, [&](const Verdict& verdict) { told.push_back(verdict); });
+    monitor_.update(duration, blocks_, seen_.pulses_enabled,
+                    [&](const Verdict& verdict) { told.push_back(verdict); });
     return told;
   }
   /// The messages that have a cause now.
@@ -44,7 +68,10 @@ class Causes : public testing::Test {
 using Messages = std::vector<std::uint16_t>;
 
 TEST_F(Causes, NameMessagesThatExist) {
-  for (const CauseRow& row : cause_rows()) EXPECT_NE(find_fault(row.message), nullptr) << row.message;
+  for (std::size_t i = 0; i < CauseMonitor<AxisBlocks>::kCount; ++i) {
+    const std::uint16_t message = CauseMonitor<AxisBlocks>::message(i);
+    EXPECT_NE(find_fault(message), nullptr) << message;
+  }
 }
 
 TEST_F(Causes, AreNoneInAHealthyAxis) {

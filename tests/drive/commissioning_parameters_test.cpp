@@ -1,4 +1,5 @@
 // Parameters that commissioning notes name beside those of motor and control.
+#include "tests/drive/axis_inputs.hpp"
 #include "tests/drive/wired_axis.hpp"
 #include "tests/drive/wired_unit.hpp"
 
@@ -99,12 +100,12 @@ TEST(FixedValues, AreSourcesInPercent) {
   wired.wire(kX, 1513, {2902, kOwnObject, 9});
   wired.cycles(2);
   const double speed = wired.read(kX, 2000) * kRpm;
-  EXPECT_NEAR(wired.axis(kX).inputs().main_setpoint, 0.5 * speed, 1e-6 * speed);
-  EXPECT_NEAR(wired.axis(kX).inputs().speed_setpoint_1, -0.25 * speed, 1e-6 * speed);
-  EXPECT_NEAR(wired.axis(kX).inputs().supplementary_torque_2, -0.1 * wired.read(kX, 2003), 1e-6);
+  EXPECT_NEAR(inputs_of(wired.axis(kX)).main_setpoint, 0.5 * speed, 1e-6 * speed);
+  EXPECT_NEAR(inputs_of(wired.axis(kX)).speed_setpoint_1, -0.25 * speed, 1e-6 * speed);
+  EXPECT_NEAR(inputs_of(wired.axis(kX)).supplementary_torque_2, -0.1 * wired.read(kX, 2003), 1e-6);
   ASSERT_EQ(wired.write(kX, 2900, 200.0), std::nullopt);
   wired.cycles(2);
-  EXPECT_NEAR(wired.axis(kX).inputs().main_setpoint, 2.0 * speed, 1e-6 * speed);
+  EXPECT_NEAR(inputs_of(wired.axis(kX)).main_setpoint, 2.0 * speed, 1e-6 * speed);
   EXPECT_EQ(wired.read(kX, 2902, 14), -200.0);
 }
 

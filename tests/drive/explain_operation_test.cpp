@@ -1,6 +1,7 @@
 // Every reason why an axis in Operation enabled does not turn, by an axis that is brought into it.
 #include <gtest/gtest.h>
 
+#include "tests/drive/axis_inputs.hpp"
 #include "tests/drive/explained_axis.hpp"
 
 namespace drive {
@@ -12,10 +13,10 @@ TEST(Explain, HoldingBrakeThatOpens) {
   Axis axis{configuration};
   ASSERT_TRUE(axis.write(1215, 1));
   AxisInputs inputs{};
-  axis.cycle(inputs, 0.004);
-  axis.cycle(inputs, 0.004);
+  cycle(axis, inputs, 0.004);
+  cycle(axis, inputs, 0.004);
   inputs.on = true;
-  for (int i = 0; i < 4; ++i) axis.cycle(inputs, 0.004);
+  for (int i = 0; i < 4; ++i) cycle(axis, inputs, 0.004);
 
   EXPECT_EQ(axis.read(2).value(), 15.0);
   EXPECT_EQ(explain(axis).front(), "The holding brake opens (r0002 = 15): wait for its opening time.");

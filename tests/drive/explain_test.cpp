@@ -1,5 +1,6 @@
 // Every reason why an axis is not in Operation enabled, by an axis that is brought into it.
 #include "drive/parameter/bico.hpp"
+#include "tests/drive/axis_inputs.hpp"
 #include "tests/drive/explained_axis.hpp"
 
 namespace drive {
@@ -109,10 +110,10 @@ TEST(Explain, InfeedAndDcLink) {
 
   Axis dead{AxisConfiguration{}, 0, 0, {.line_voltage = 0.0}};
   AxisInputs inputs{};
-  dead.cycle(inputs, 0.004);
-  dead.cycle(inputs, 0.004);
+  cycle(dead, inputs, 0.004);
+  cycle(dead, inputs, 0.004);
   inputs.on = true;
-  dead.cycle(inputs, 0.004);
+  cycle(dead, inputs, 0.004);
   EXPECT_NE(told(dead).find("V, less than 360 V: switch the line on before p0857 ends in F07802."),
             std::string::npos)
       << told(dead);

@@ -143,7 +143,8 @@ TEST_P(IdentificationAbort, EndsWithAnEncoderThatIsLostOrCountsBackwards) {
 
 TEST_P(IdentificationAbort, EndsWithTheDcLink) {
   at_many_instants([&](MeasuringAxis& drive) {
-    drive.axis.begin_cycle(inputs_of(drive.setpoints), MeasuringAxis::kCycle);
+    drive.axis.command(drive.setpoints);
+    drive.axis.begin_cycle(MeasuringAxis::kCycle);
     for (int i = 0; i < 32; ++i) drive.axis.step(200.0);
     drive.axis.measure();
     drive.axis.end_cycle();

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "drive/machine_model.hpp"
+#include "drive/motor_model/machine_model.hpp"
 #include "motor/control/field/induction_circuit.hpp"
 #include "tests/drive/measuring_axis.hpp"
 
@@ -141,7 +141,8 @@ TEST(IdentificationAccuracy, HoldsForRandomMachinesOfEveryPreset) {
       drive.measure(kP1910);
       drive.measure(kP1960);
       ASSERT_TRUE(drive.axis.messages().faults().empty()) << preset.name << ", plant " << plant;
-      const motor::MachineData believed = believed_machine(drive.axis.parameters(), preset.machine);
+      const motor::MachineData believed =
+          believed_machine(drive.axis.block<MotorModel>().settings, preset.machine);
       const auto note = [&](std::size_t quantity, double found, double truth) {
         worst[quantity] = std::max(worst[quantity], std::abs(found / truth - 1.0));
       };

@@ -1,7 +1,7 @@
 /// What the motor identification of an axis finds, against the machine that turns.
 #include <numbers>
 
-#include "drive/machine_model.hpp"
+#include "drive/motor_model/machine_model.hpp"
 #include "motor/control/field/induction_circuit.hpp"
 #include "tests/drive/measuring_axis.hpp"
 
@@ -43,10 +43,11 @@ TEST(StandstillIdentification, FindsTheDataOfASynchronousMachine) {
   EXPECT_NEAR(drive.shown(1932), drive.shown(357), 1e-6);
   EXPECT_NEAR(drive.shown(1934), drive.shown(356), 1e-6);
   EXPECT_GT(drive.shown(1925), 1.0);
-  EXPECT_EQ(drive.axis.drive_train().settings().current.q_proportional,
-            motor::computed_settings(believed_machine(drive.axis.parameters(), configuration.machine),
-                                     configuration.inverter, 1.0)
-                .current.q_proportional)
+  EXPECT_EQ(
+      drive.axis.drive_train().settings().current.q_proportional,
+      motor::computed_settings(believed_machine(drive.axis.block<MotorModel>().settings, configuration.machine),
+                               configuration.inverter, 1.0)
+          .current.q_proportional)
       << "the current controllers know it";
 
   drive.turn_at(1000.0);
@@ -68,7 +69,7 @@ TEST(StandstillIdentification, FindsTheDataOfAnInductionMachineInEveryMode) {
 
     EXPECT_EQ(drive.state(), State::SwitchOnDisabled);
     const motor::InductionCircuit believed =
-        motor::induction_circuit(believed_machine(drive.axis.parameters(), configuration.machine));
+        motor::induction_circuit(believed_machine(drive.axis.block<MotorModel>().settings, configuration.machine));
     EXPECT_NEAR(believed.stator_resistance, circuit.stator_resistance, 0.02 * circuit.stator_resistance);
     EXPECT_NEAR(believed.rotor_resistance, circuit.rotor_resistance, 0.05 * circuit.rotor_resistance);
     EXPECT_NEAR(believed.leakage, circuit.leakage, 0.03 * circuit.leakage);
@@ -159,7 +160,7 @@ TEST(StandstillIdentification, FindsTheSaturationOfAnInductionMachine) {
     EXPECT_EQ(drive.shown(kP1910), 0.0);
     EXPECT_EQ(drive.shown(350), resistance) << "the characteristic alone";
     const motor::InductionCircuit believed =
-        motor::induction_circuit(believed_machine(drive.axis.parameters(), configuration.machine));
+        motor::induction_circuit(believed_machine(drive.axis.block<MotorModel>().settings, configuration.machine));
     for (const double share : {0.3, 0.6, 1.0, 1.3}) {
       const double flux = motor::standing_flux(real, share * rated);
       EXPECT_NEAR(motor::standing_flux(believed, share * rated), flux, 0.05 * flux) << share;
@@ -185,7 +186,8 @@ TEST(RotatingIdentification, FindsTheSaturationOfAnInductionMachine) {
     return motor::standing_flux(motor::induction_circuit(machine),
                                 share * std::numbers::sqrt2 * real.induction.magnetising_current);
   };
-  const motor::MachineData believed = believed_machine(drive.axis.parameters(), configuration.machine);
+  const motor::MachineData believed =
+      believed_machine(drive.axis.block<MotorModel>().settings, configuration.machine);
   for (const double share : {0.5, 1.0, 1.3})
     EXPECT_NEAR(flux(believed, share), flux(real, share), 0.02 * flux(real, share)) << share;
   for (std::uint16_t i = 0; i < 4; ++i) {

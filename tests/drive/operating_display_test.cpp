@@ -1,6 +1,7 @@
 // r0002, r0046 and the control words beside r0898: another view of the sequence control.
 #include <gtest/gtest.h>
 
+#include "tests/drive/axis_inputs.hpp"
 #include "tests/drive/wired_axis.hpp"
 
 namespace drive {

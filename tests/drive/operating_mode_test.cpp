@@ -1,5 +1,5 @@
 // Modes of operation of an axis without a bus: codes, changeover in motion, torque control.
-#include "drive/operating_mode.hpp"
+#include "drive/speed_control/operating_mode.hpp"
 
 #include <cmath>
 
@@ -38,7 +38,7 @@ TEST(OperatingMode, KeepsWhatWasAskedForAndShowsWhatIsActive) {
   mode.on_request(2, 21, true);
   EXPECT_EQ(mode.display(21), 2);
   EXPECT_EQ(mode.display(20), 2) << "without encoder too";
-  EXPECT_TRUE(mode.velocity_mode(21));
+  EXPECT_TRUE(mode.has_ramp_bits(21));
   mode.on_request(1, 21, false);
   EXPECT_EQ(mode.display(21), 2) << "what is not possible changes nothing";
   mode.on_parameter(23);

@@ -54,9 +54,9 @@ TEST(AxisParameterAccess, KeepsEveryValueInSiUnits) {
   ASSERT_TRUE(axis.write(1462, 20.0));
   ASSERT_TRUE(axis.write(2166, 100.0));
 
-  EXPECT_NEAR(axis.parameters().maximum_speed, 314.159265, 1e-6);
-  EXPECT_NEAR(axis.parameters().speed_integral_time, 0.020, 1e-12);
-  EXPECT_NEAR(axis.parameters().target_off_delay, 0.1, 1e-12);
+  EXPECT_NEAR(axis.block<SetpointChannel>().settings.maximum_speed, 314.159265, 1e-6);
+  EXPECT_NEAR(axis.block<SpeedControl>().settings.speed_integral_time, 0.020, 1e-12);
+  EXPECT_NEAR(axis.block<SpeedMessages>().settings.target_off_delay, 0.1, 1e-12);
 }
 
 TEST(AxisParameterAccess, RefusesWhatIsNoNumber) {

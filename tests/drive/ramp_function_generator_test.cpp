@@ -1,4 +1,4 @@
-#include "drive/ramp_function_generator.hpp"
+#include "drive/setpoint_channel/ramp_function_generator.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drive/state_machine.hpp"
+#include "drive/sequence_control/state_machine.hpp"
 
 namespace drive {
 

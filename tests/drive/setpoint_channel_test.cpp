@@ -1,11 +1,10 @@
 // The setpoint channel by itself: which setpoint, within which limits, in front of and behind the ramp.
-#include "drive/setpoint_channel.hpp"
+#include "drive/setpoint_channel/setpoint_channel.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "drive/axis.hpp"
 #include "drive/units.hpp"
 
 namespace drive {
@@ -15,31 +14,35 @@ constexpr double kStep = 0.004;
 
 /// A channel without ramps, with limits of 3000 rpm and fixed setpoints of ten times their number (rad/s).
 struct Channel {
-  AxisParameters parameters = commissioned_parameters({});
-  AxisInputs inputs{};
   SetpointChannel channel;
+  SetpointChannel::Settings& parameters = channel.settings;
+  SetpointChannel::Inputs& inputs = channel.inputs;
+  double motor_maximum_speed = 500.0;
   bool jogs = false;
 
   Channel() {
     parameters.maximum_speed = 300.0;
-    parameters.motor_maximum_speed = 500.0;
     parameters.speed_limit_positive = 1000.0;
     parameters.speed_limit_negative = -1000.0;
     parameters.ramp_up_time = parameters.ramp_down_time = 0.0;
     parameters.jog_speed_1 = 15.0;
     parameters.jog_speed_2 = -16.0;
+    FixedSetpoints& fixed = parameters.fixed;
+    for (std::size_t i = 1; i < fixed.size(); ++i) fixed[i] = 10.0 * static_cast<double>(i);
     configure();
   }
-  void configure() {
-    FixedSetpoints fixed{};
-    for (std::size_t i = 1; i < fixed.size(); ++i) fixed[i] = 10.0 * static_cast<double>(i);
-    channel.configure(parameters, fixed);
-  }
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+  void configure() { channel.configure(motor_maximum_speed); }
   /// A cycle; the setpoint behind the channel.
   double cycle() {
-    channel.limit(inputs);
-    channel.choose(inputs, jogs);
-    channel.follow(inputs);
+    channel.begin_cycle();
+    channel.choose(jogs);
+    channel.follow();
+    return step();
+  }
+  double step() {
+    channel.plan();
     return channel.step(kStep);
   }
   double cycles(int count) {
@@ -111,7 +114,7 @@ TEST(SetpointChannel, LimitsByTheSmallestOfItsLimitsInEachDirection) {
     double maximum, motor, positive, negative, wired_forward, wired_backward;
     double forward, backward;
   };
-  constexpr double kFree = AxisInputs::kAsParameter;
+  constexpr double kFree = SetpointChannel::kAsParameter;
   for (const Case& row :
        {Case{300, 500, 1000, -1000, kFree, kFree, 300, -300}, Case{300, 250, 1000, -1000, kFree, kFree, 250, -250},
         Case{300, 500, 200, -100, kFree, kFree, 200, -100}, Case{300, 500, 200, -100, 150, -50, 150, -50},
@@ -119,7 +122,7 @@ TEST(SetpointChannel, LimitsByTheSmallestOfItsLimitsInEachDirection) {
         Case{300, 500, 0, 0, kFree, kFree, 0, 0}, Case{300, 500, 200, -100, -20, 20, 0, 0}}) {
     Channel c;
     c.parameters.maximum_speed = row.maximum;
-    c.parameters.motor_maximum_speed = row.motor;
+    c.motor_maximum_speed = row.motor;
     c.parameters.speed_limit_positive = row.positive;
     c.parameters.speed_limit_negative = row.negative;
     c.configure();
@@ -244,8 +247,8 @@ TEST(SetpointChannel, BrakesWithoutTheSetpointsBehindTheRampAndWithoutAJump) {
     const double slope = ramp == Ramp::Off1 ? 100.0 : 200.0;
     c.channel.brake(ramp, before);
     c.channel.follow_zero();
-    EXPECT_NEAR(c.channel.step(kStep), before - slope * kStep, 1e-9);
-    for (int i = 0; i < 200; ++i) c.channel.step(kStep);
+    EXPECT_NEAR(c.step(), before - slope * kStep, 1e-9);
+    for (int i = 0; i < 200; ++i) c.step();
     EXPECT_EQ(c.channel.total(), 0.0);
   }
 }

@@ -1,6 +1,7 @@
-#include "drive/speed_monitors.hpp"
-
 #include <gtest/gtest.h>
+
+#include "drive/sequence_control/standstill_monitor.hpp"
+#include "drive/speed_messages/target_monitor.hpp"
 
 namespace drive {
 namespace {

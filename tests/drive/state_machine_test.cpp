@@ -1,4 +1,4 @@
-#include "drive/state_machine.hpp"
+#include "drive/sequence_control/state_machine.hpp"
 
 #include <algorithm>
 #include <array>

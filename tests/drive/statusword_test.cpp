@@ -1,4 +1,4 @@
-#include "drive/statusword.hpp"
+#include "drive/sequence_control/statusword.hpp"
 
 #include <array>
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/drive/axis_inputs.hpp"
 #include "tests/drive/messages.hpp"
 #include "tests/drive/test_axis.hpp"
 
@@ -22,7 +23,7 @@ struct WiredAxis {
     EXPECT_EQ(state(), State::ReadyToSwitchOn);
   }
   void cycles(int count) {
-    for (int i = 0; i < count; ++i) axis.cycle(inputs, kCycle);
+    for (int i = 0; i < count; ++i) cycle(axis, inputs, kCycle);
   }
   void run(double seconds) { cycles(static_cast<int>(std::lround(seconds / kCycle))); }
   void turn_at(double rpm) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drive/wiring.hpp"
+#include "tests/drive/axis_inputs.hpp"
 #include "tests/drive/wired_unit.hpp"
 
 namespace drive {
@@ -110,7 +111,7 @@ TEST(WiringInputs, BringsEveryBitInTheNextCycleFromItsOwnAxisAnotherOneAndTheCon
           wired.receives(real(object), static_cast<std::size_t>(word),
                          static_cast<std::uint16_t>(on ? 1U << bit : 0U));
           wired.cycles();
-          EXPECT_EQ(wired.axis(kX).inputs().*row.input, on) << "p" << row.number << " on object " << int{object};
+          EXPECT_EQ(inputs_of(wired.axis(kX)).*row.input, on) << "p" << row.number << " on object " << int{object};
         }
       }
 }
@@ -121,7 +122,7 @@ TEST(WiringInputs, BringsEveryConstantBit) {
       WiredUnit wired;
       wired.set(kX, row.number, one);
       wired.cycles();
-      EXPECT_EQ(wired.axis(kX).inputs().*row.input, one) << "p" << row.number;
+      EXPECT_EQ(inputs_of(wired.axis(kX)).*row.input, one) << "p" << row.number;
     }
 }
 
@@ -135,15 +136,15 @@ TEST(WiringInputs, BringsEveryValueInTheNextCycleFromItsOwnAxisAnotherOneAndTheC
       wired.wire(kX, row.number, {8850, object, 5});
       wired.receives(real(object), 5, 0x2000);
       wired.cycles();
-      EXPECT_NEAR(wired.axis(kX).inputs().*row.input, full / 2, tolerance) << "p" << row.number;
+      EXPECT_NEAR(inputs_of(wired.axis(kX)).*row.input, full / 2, tolerance) << "p" << row.number;
       wired.receives(real(object), 5, 0x8000);
       wired.cycles();
-      EXPECT_NEAR(wired.axis(kX).inputs().*row.input, -2 * full, tolerance) << "p" << row.number;
+      EXPECT_NEAR(inputs_of(wired.axis(kX)).*row.input, -2 * full, tolerance) << "p" << row.number;
 
       wired.wire(kX, row.number, {8860, object, 7});
       wired.receives_double_word(real(object), 7, 0xE0000000);
       wired.cycles();
-      EXPECT_NEAR(wired.axis(kX).inputs().*row.input, -full / 2, tolerance) << "p" << row.number;
+      EXPECT_NEAR(inputs_of(wired.axis(kX)).*row.input, -full / 2, tolerance) << "p" << row.number;
     }
 }
 
@@ -152,10 +153,10 @@ TEST(WiringInputs, BringsAHundredPercentOfTheConstantOne) {
     WiredUnit wired;
     wired.set(kX, row.number, true);
     wired.cycles();
-    EXPECT_NEAR(wired.axis(kX).inputs().*row.input, wired.read(kX, row.reference) * row.si, 1e-3) << row.number;
+    EXPECT_NEAR(inputs_of(wired.axis(kX)).*row.input, wired.read(kX, row.reference) * row.si, 1e-3) << row.number;
     wired.set(kX, row.number, false);
     wired.cycles();
-    EXPECT_EQ(wired.axis(kX).inputs().*row.input, 0.0) << row.number;
+    EXPECT_EQ(inputs_of(wired.axis(kX)).*row.input, 0.0) << row.number;
   }
 }
 
@@ -166,15 +167,16 @@ TEST(WiringInputs, TakesTheShareOfTheSourcesReferenceForTheOwnOne) {
   ASSERT_EQ(wired.write(kY, 1001, 100.0), std::nullopt);
   wired.wire(kX, 1070, {1001, kY, 0});
   wired.cycles();
-  EXPECT_NEAR(wired.axis(kX).inputs().main_setpoint, 600.0 * kRpm, 1e-3) << "20 % of 500 rpm is 20 % of 3000 rpm";
+  EXPECT_NEAR(inputs_of(wired.axis(kX)).main_setpoint, 600.0 * kRpm, 1e-3)
+      << "20 % of 500 rpm is 20 % of 3000 rpm";
 
   ASSERT_EQ(wired.write(kY, 2000, 1000.0), std::nullopt);
   wired.cycles();
-  EXPECT_NEAR(wired.axis(kX).inputs().main_setpoint, 300.0 * kRpm, 1e-3)
+  EXPECT_NEAR(inputs_of(wired.axis(kX)).main_setpoint, 300.0 * kRpm, 1e-3)
       << "a new reference acts in the next cycle";
   ASSERT_EQ(wired.write(kX, 2000, 1500.0), std::nullopt);
   wired.cycles();
-  EXPECT_NEAR(wired.axis(kX).inputs().main_setpoint, 150.0 * kRpm, 1e-3);
+  EXPECT_NEAR(inputs_of(wired.axis(kX)).main_setpoint, 150.0 * kRpm, 1e-3);
 }
 
 TEST(WiringInputs, LetsEveryConnectorBeSentAsAWordOfItsReference) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "tests/drive/axis_inputs.hpp"
 #include "tests/drive/wired_unit.hpp"
 
 namespace drive {
@@ -16,8 +17,8 @@ TEST(Wiring, TakesTheStateOfTheInterfaceBitByBit) {
   wired.wire(kX, 1021, {8843, kOwnObject, 2});
   wired.unit.object(kX)->process_data().interface_state = {false, false, true};
   wired.cycles();
-  EXPECT_FALSE(wired.axis(kX).inputs().fixed_setpoint_bit_0);
-  EXPECT_TRUE(wired.axis(kX).inputs().fixed_setpoint_bit_1);
+  EXPECT_FALSE(inputs_of(wired.axis(kX)).fixed_setpoint_bit_0);
+  EXPECT_TRUE(inputs_of(wired.axis(kX)).fixed_setpoint_bit_1);
   EXPECT_EQ(wired.write(kX, 1022, pack({8843, kOwnObject, 3})), Refusal::IllegalSource);
 }
 
@@ -71,7 +72,7 @@ TEST(Wiring, ChangesInOperation) {
   wired.receives_double_word(kY, 3, 0x08000000);
   wired.wire(kX, 1070, {8860, kY, 3});
   wired.cycles();
-  EXPECT_NEAR(wired.axis(kX).inputs().main_setpoint, 0.125 * wired.read(kX, 2000) * kRpm, 1e-3);
+  EXPECT_NEAR(inputs_of(wired.axis(kX)).main_setpoint, 0.125 * wired.read(kX, 2000) * kRpm, 1e-3);
   ASSERT_EQ(wired.write(kX, 1121, 0.0), std::nullopt);
   wired.cycles(250);
   EXPECT_NEAR(wired.rpm(kX), 0.125 * wired.read(kX, 2000), 1.0);
@@ -111,9 +112,9 @@ TEST(Wiring, HasWhatLiesOnAnAxisOfTheLastCycleAndWhatTheBusBroughtOfThisOne) {
   wired.receives(kX, 1, 1);
   wired.cycles();
   EXPECT_NEAR(wired.read(kX, 1024), 100.0, 1e-3) << "chosen in the cycle, in whatever state";
-  EXPECT_EQ(wired.axis(kY).inputs().main_setpoint, 0.0);
+  EXPECT_EQ(inputs_of(wired.axis(kY)).main_setpoint, 0.0);
   wired.cycles();
-  EXPECT_NEAR(wired.axis(kY).inputs().main_setpoint, share, 1e-3);
+  EXPECT_NEAR(inputs_of(wired.axis(kY)).main_setpoint, share, 1e-3);
 }
 
 TEST(Wiring, ConvertsWordsToBitsBeforeTheInputsOfTheSameCycle) {
@@ -128,13 +129,13 @@ TEST(Wiring, ConvertsWordsToBitsBeforeTheInputsOfTheSameCycle) {
   wired.cycles();
   EXPECT_EQ(wired.read(kX, 8894), 0x0008);
   EXPECT_EQ(wired.read(kX, 8895), 0x0001);
-  EXPECT_TRUE(wired.axis(kX).inputs().on);
-  EXPECT_TRUE(wired.axis(kY).inputs().invert_setpoint) << "inverted";
+  EXPECT_TRUE(inputs_of(wired.axis(kX)).on);
+  EXPECT_TRUE(inputs_of(wired.axis(kY)).invert_setpoint) << "inverted";
   wired.receives(kUnit, 0, 0x0001);
   wired.receives(kX, 7, 0xFFF7);
   wired.cycles();
-  EXPECT_FALSE(wired.axis(kX).inputs().on);
-  EXPECT_FALSE(wired.axis(kY).inputs().invert_setpoint);
+  EXPECT_FALSE(inputs_of(wired.axis(kX)).on);
+  EXPECT_FALSE(inputs_of(wired.axis(kY)).invert_setpoint);
 }
 
 TEST(Wiring, SendsInTheSameCycleTheWordsThatAreMadeOfBits) {

@@ -8,6 +8,8 @@
 #include "drive/parameter/process_data_values.hpp"
 #include "drive/parameter/row.hpp"
 #include "drive/parameter/unit_values.hpp"
+#include "drive/sequence_control/sequence_control.hpp"
+#include "drive/sequence_control/statusword.hpp"
 
 namespace drive::rows {
 
@@ -31,7 +33,6 @@ inline constexpr std::array kCanRows{
     Row{8622, 1, kControlUnit, I16, Unit::None, {0.0, 7.0}, 6.0, When::Ready, Agreed{}, Output::No, "CAN bit rate selection", "effective after the next start", Keep::Always},
     Row{8623, 8, kControlUnit, U32, Unit::None, {0.0, 1015807.0}, factory::bit_timing, When::Ready, Agreed{}, Output::No, "CAN bit timing per bit rate", "no bit timing is modelled", Keep::Always},
     Row{8630, 3, kControlUnit, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, Agreed{}, Output::No, "CAN virtual objects: [0] DO number, [1] sub-index range, [2] parameter range", "window for objects 2000h to 470Fh", Keep::Stored, check::object_window},
-    Row{8641, 1, kAxes, I16, Unit::None, {0.0, 3.0}, 3.0, When::Ready, setting<&P::abort_connection_option>, Output::No, "CAN abort connection option code", "reaction to F08700: 0 none, 1 OFF1, 2 OFF2, 3 OFF3"},
     Row{8680, 37, kControlUnit, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "CAN controller register diagnostics", ""},
     Row{8684, 1, kControlUnit, I16, Unit::None, {4.0, 127.0}, 127.0, When::Ready, Agreed{}, Output::No, "CAN NMT state after booting", "after power-on and reset", Keep::Stored, check::start_state},
     Row{8685, 1, kControlUnit, I16, Unit::None, {0.0, 129.0}, 127.0, When::Always, HostCommand{}, Output::No, "CAN NMT state", "commands an NMT state", Keep::No, check::state_command},
@@ -49,13 +50,7 @@ inline constexpr std::array kCanRows{
     Row{8751, 16, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "CAN mapped 16-bit transmit objects", "index of the object at PZD index + 1"},
     Row{8760, 15, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "CAN mapped 32-bit receive objects", "index of the object that begins at PZD index + 1"},
     Row{8761, 15, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Agreed{}, Output::No, "CAN mapped 32-bit transmit objects", "index of the object that begins at PZD index + 1"},
-    Row{8762, 1, kAxes, I16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::mode>, Output::Connector, "CAN operating mode display (CO)", ""},
-    Row{8784, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::statusword>, Output::Both, "CAN status word (CO)", ""},
-    Row{8785, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, bit_input<&AxisFeedback::status_bit_8>, Output::No, "CAN status word bit 8 source (BI)", "bit 8 of 6041h"},
-    Row{8786, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, bit_input<&AxisFeedback::status_bit_14>, Output::No, "CAN status word bit 14 source (BI)", "bit 14 of 6041h"},
-    Row{8787, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, bit_input<&AxisFeedback::status_bit_15>, Output::No, "CAN status word bit 15 source (BI)", "bit 15 of 6041h"},
     Row{8790, 1, kAxes, I16, Unit::None, {0.0, 1.0}, 1.0, When::MotorReady, Agreed{}, Output::No, "CAN control word automatic interconnection", "wires the controlword; 1 needs 6040h in PZD1 to PZD4"},
-    Row{8791, 1, kAxes, I16, Unit::None, {-1.0, 3.0}, -1.0, When::Always, setting<&P::halt_option>, Output::No, "CAN stop (halt) option code", "controlword bit 8: -1 no function, 0 pulses off, 1 stop on p1121, 2 on p1135, 3 at the torque limit"},
     Row{8792, 1, kAxes, I16, Unit::Rpm, kWhole, 0.0, When::ReadOnly, shown<process_value::vl_velocity>, Output::Connector, "CAN velocity mode I16 setpoint (CO) [0]=vl target velocity", "6042h"},
     Row{8795, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<process_value::controlword>, Output::Both, "CAN control word (CO/BO)", "the one in force"},
     Row{8796, 1, kAxes, I32, Unit::None, kWhole, 0.0, When::ReadOnly, shown<process_value::velocity>, Output::Connector, "CAN profile velocity mode I32 setpoint (CO) [0]=target velocity", "60FFh", Keep::Stored, nullptr, FullScale::TargetVelocity},

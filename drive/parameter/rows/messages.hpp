@@ -2,12 +2,14 @@
 
 #include <array>
 
+#include "drive/external_messages/external_messages.hpp"
 #include "drive/parameter/axis_values.hpp"
 #include "drive/parameter/checks.hpp"
 #include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/message_values.hpp"
 #include "drive/parameter/object_values.hpp"
 #include "drive/parameter/row.hpp"
+#include "drive/unit_inputs.hpp"
 
 namespace drive::rows {
 
@@ -23,16 +25,9 @@ inline constexpr std::array kMessagesRows{
     Row{2100, 20, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, shown<message_value::reaction_number, message_value::set_reaction_number>, Output::No, "Fault number for reaction change", "p2101 of the same index is the reaction of this fault"},
     Row{2101, 20, kAll, I16, Unit::None, {0.0, 6.0}, 0.0, When::Always, shown<message_value::reaction, message_value::set_reaction>, Output::No, "Fault reaction", "without effect if the fault does not offer it; IASC/DCBRK acts as OFF2", Keep::Stored, check::reaction},
     Row{2102, 1, kControlUnit, BinectorInput, Unit::None, kWhole, 0.0, When::Always, bit_input<&UnitInputs::acknowledge_all>, Output::No, "BI: acknowledge all faults of the unit", "a rising edge acknowledges the faults of all drive objects"},
-    Row{2103, 1, kAll, BinectorInput, Unit::None, kWhole, factory::acknowledge_source, When::Always, bit_input<&I::acknowledge_1>, Output::No, "BI: 1st acknowledge faults", "a rising edge acknowledges the faults"},
-    Row{2104, 1, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, bit_input<&I::acknowledge_2>, Output::No, "BI: 2nd acknowledge faults", "a rising edge acknowledges the faults"},
-    Row{2105, 1, kAll, BinectorInput, Unit::None, kWhole, 0.0, When::Always, bit_input<&I::acknowledge_3>, Output::No, "BI: 3rd acknowledge faults", "a rising edge acknowledges the faults"},
-    Row{2106, 1, kAll, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&I::no_external_fault_1>, Output::No, "BI: external fault 1 (0 signal triggers)", "0 raises F07860"},
-    Row{2107, 1, kAll, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&I::no_external_fault_2>, Output::No, "BI: external fault 2", "0 raises F07861"},
-    Row{2108, 1, kAll, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&I::no_external_fault_3>, Output::No, "BI: external fault 3", "0 raises F07862"},
     Row{2109, 64, kAll, U32, Unit::Milliseconds, kWhole, 0.0, When::ReadOnly, shown<message_value::fault_removed>, Output::No, "Fault time removed", "of the day of r2136"},
     Row{2110, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::alarm_code>, Output::No, "Alarm number (same as r2122)", "as r2122"},
     Row{2111, 1, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, shown<message_value::alarm_count, message_value::clear_alarms>, Output::No, "Alarm counter", "alarms since the last 0; 0 clears all but active alarms", Keep::No, check::zero_only},
-    Row{2112, 1, kAll, BinectorInput, Unit::None, kWhole, 1.0, When::Always, bit_input<&I::no_external_alarm_1>, Output::No, "BI: external alarm 1", "0 raises A07850"},
     Row{2118, 20, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, shown<message_value::type_number, message_value::set_type_number>, Output::No, "Message number for message type change", "p2119 of the same index is the type of this message"},
     Row{2119, 20, kAll, I16, Unit::None, {1.0, 3.0}, 1.0, When::Always, shown<message_value::type, message_value::set_type>, Output::No, "Message type", "1 fault, 2 alarm, 3 no message"},
     Row{2121, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::alarm_changes>, Output::Connector, "Alarm buffer change counter", ""},

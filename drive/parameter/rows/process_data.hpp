@@ -6,6 +6,7 @@
 #include "drive/parameter/object_values.hpp"
 #include "drive/parameter/process_data_values.hpp"
 #include "drive/parameter/row.hpp"
+#include "drive/process_data_image.hpp"
 
 namespace drive::rows {
 

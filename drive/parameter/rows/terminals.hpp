@@ -4,6 +4,7 @@
 
 #include "drive/parameter/row.hpp"
 #include "drive/parameter/terminal_values.hpp"
+#include "drive/unit_inputs.hpp"
 
 namespace drive::rows {
 

@@ -7,6 +7,7 @@
 #include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/row.hpp"
 #include "drive/parameter/unit_values.hpp"
+#include "drive/sequence_control/sequence_control.hpp"
 
 namespace drive::rows {
 
@@ -14,7 +15,6 @@ namespace drive::rows {
 // clang-format off
 inline constexpr std::array kUnitRows{
     Row{9, 1, kControlUnit, I16, Unit::None, {0.0, 10100.0}, 0.0, When::Ready, Agreed{}, Output::No, "Device commissioning parameter filter", "not 0: switching on is inhibited on every axis; leaving 3 restarts the unit", Keep::No, check::device_filter},
-    Row{10, 1, kAxes, I16, Unit::None, {0.0, 95.0}, 0.0, When::Ready, setting<&P::commissioning>, Output::No, "Drive commissioning parameter filter", "not 0: switching on is inhibited (r0002 = 46); C(n) parameters can be written", Keep::No, check::drive_filter},
     Row{18, 1, kControlUnit, U32, Unit::None, kWhole, 4806500.0, When::ReadOnly, Agreed{}, Output::No, "CU firmware version", "100Ah"},
     Row{50, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Both, "Command data set effective", ""},
     Row{51, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Both, "Drive data set effective", ""},

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+
+#include "drive/parameter/axis_values.hpp"
+#include "drive/parameter/factory_values.hpp"
+#include "drive/parameter/row.hpp"
+#include "drive/torque/torque_setpoint.hpp"
+
+namespace drive::rows {
+
+// clang-format off
+template <>
+inline constexpr auto rows_of<TorqueSetpoint> = std::array{
+    Row{1503, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(8850, 3), When::Always, value_input<&TorqueSetpoint::Inputs::setpoint>(Quantity::Torque), Output::No, "CI: torque setpoint (torque control)", "torque setpoint of torque control; delivered: 6071h"},
+    Row{1508, 1, kAxes, F32, Unit::NewtonMetre, kWhole, 0.0, When::ReadOnly, shown<axis_value::torque_demand>, Output::Connector, "Torque setpoint before supplementary torque", ""},
+    Row{1511, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, value_input<&TorqueSetpoint::Inputs::supplementary_1>(Quantity::Torque), Output::No, "CI: supplementary torque 1", "added to the torque setpoint"},
+    Row{1513, 1, kAxes, ConnectorInput, Unit::None, kWhole, 0.0, When::Always, value_input<&TorqueSetpoint::Inputs::supplementary_2>(Quantity::Torque), Output::No, "CI: supplementary torque 2", "added to the torque setpoint"},
+    Row{1520, 1, kAxes, F32, Unit::NewtonMetre, {-1000000.0, 20000000.0}, factory::upper_torque_limit, When::Always, setting<&TorqueSetpoint::Settings::upper_limit>, Output::Connector, "Torque limit upper/motoring", "not above what the motor can"},
+    Row{1521, 1, kAxes, F32, Unit::NewtonMetre, {-20000000.0, 1000000.0}, factory::lower_torque_limit, When::Always, setting<&TorqueSetpoint::Settings::lower_limit>, Output::Connector, "Torque limit lower/regenerative", "not below what the motor can"},
+    Row{1522, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(1520, 0), When::Always, value_input<&TorqueSetpoint::Inputs::upper_limit>(Quantity::Torque), Output::No, "CI: torque limit upper", "upper torque limit"},
+    Row{1523, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(1521, 0), When::Always, value_input<&TorqueSetpoint::Inputs::lower_limit>(Quantity::Torque), Output::No, "CI: torque limit lower", "lower torque limit"},
+    Row{1538, 1, kAxes, F32, Unit::NewtonMetre, kWhole, 0.0, When::ReadOnly, shown<axis_value::upper_torque_limit>, Output::Connector, "Upper effective torque limit", ""},
+    Row{1539, 1, kAxes, F32, Unit::NewtonMetre, kWhole, 0.0, When::ReadOnly, shown<axis_value::lower_torque_limit>, Output::Connector, "Lower effective torque limit", ""},
+};
+// clang-format on
+
+}  // namespace drive::rows
