@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <variant>
 
 #include "drive/parameter/block.hpp"
@@ -10,7 +11,9 @@
 namespace drive {
 
 /// The value lies in a slot of the drive object and nothing in the simulation acts on it.
-struct Stored {};
+struct Stored {
+  std::string_view until = {};  ///< what would act on it; empty if a function module that is missing says so
+};
 /// The value lies in a slot of the drive object, and what the row's effect names is computed from it.
 struct Slot {};
 /// The value lies in a slot of the drive object; the layer that owns the bus acts on it, agrees to every change
@@ -22,6 +25,7 @@ struct HostCommand {};
 /// The quantity is not in the model: it reads as @p value.
 struct Fixed {
   double value;
+  std::string_view until = {};  ///< what would change it; empty if a function module that is missing says so
 };
 
 /// A setting of a block, in SI units there; an index of the parameter is an element of it.

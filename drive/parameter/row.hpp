@@ -134,8 +134,17 @@ namespace rows {
 using enum DataType;
 using Row = ParameterRow;
 
-/// The parameters of a block of an axis, an array of rows; a block that has some specialises it behind its class or in a
-/// header beside it that table.cpp includes.
+/// What several rows wait for.
+namespace until {
+inline constexpr std::string_view kDriveObjects =
+    "drive objects that are chosen over the bus; the configuration names them";
+inline constexpr std::string_view kEncoder =
+    "encoders that are chosen over the bus; the configuration gives the encoder";
+inline constexpr std::string_view kPulses = "an inverter with pulses; it acts as their mean";
+}  // namespace until
+
+/// The parameters of a block of an axis, an array of rows; a block that has some specialises it behind its class
+/// or in a header beside it that table.cpp includes.
 template <class Block>
 inline constexpr std::array<Row, 0> rows_of{};
 

@@ -8,6 +8,7 @@
 #include "drive/axis_blocks.hpp"
 #include "drive/brake/holding_brake_rows.hpp"
 #include "drive/external_messages/external_messages_rows.hpp"
+#include "drive/function_modules.hpp"
 #include "drive/identification/identification_rows.hpp"
 #include "drive/measurement/measurement_rows.hpp"
 #include "drive/motor_model/motor_model_rows.hpp"
@@ -54,8 +55,8 @@ constexpr auto joined(const Tables&... tables) {
 template <class... Block>
 constexpr auto joined_with(const std::tuple<Block...>*) {
   return joined(rows::rows_of<Block>..., rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows,
-                rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows, rows::kControlRows,
-                rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
+                rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
+                rows::kControlRows, rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
 }
 constexpr auto kRows = joined_with(static_cast<const AxisBlocks*>(nullptr));
 
@@ -110,6 +111,17 @@ constexpr bool consistent(const ParameterRow* row) {
   return row->count > 0 && row->kinds != 0 && within && !(display && row->is_writable()) &&
          (elements == 0 || row->count == elements) && has_the_type_of_its_home(*row);
 }
+/// What does nothing yet says what would make it act: itself, or by the module that it belongs to.
+constexpr bool says_until_when(const ParameterRow* row) {
+  const auto* const stored = std::get_if<Stored>(&row->home);
+  const auto* const fixed = std::get_if<Fixed>(&row->home);
+  if (stored == nullptr && fixed == nullptr) return true;
+  const bool itself = !(stored != nullptr ? stored->until : fixed->until).empty();
+  return itself != (function_module::missing_of(row->number) != nullptr);
+}
+static_assert(std::all_of(kRows.begin(), kRows.end(), says_until_when),
+              "a parameter that is stored only or fixed says what would make it act");
+
 static_assert(
     std::all_of(kRows.begin(), kRows.end(), consistent),
     "a factory value lies within the limits, a fixed value cannot be written, a setting has the indices of "

@@ -12,7 +12,7 @@ namespace drive::rows {
 // clang-format off
 template <>
 inline constexpr auto rows_of<SetpointChannel> = std::array{
-    Row{1000, 1, kAxes, U32, Unit::None, {0.0, 999999.0}, 0.0, When::Always, Stored{}, Output::No, "Macro connector inputs speed setpoint", ""},
+    Row{1000, 1, kAxes, U32, Unit::None, {0.0, 999999.0}, 0.0, When::Always, Stored{"macros of connector inputs"}, Output::No, "Macro connector inputs speed setpoint", ""},
     Row{1001, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed speed setpoint 1", "r1024 when p1020 to p1023 select it"},
     Row{1002, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed speed setpoint 2", "r1024 when p1020 to p1023 select it"},
     Row{1003, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed speed setpoint 3", "r1024 when p1020 to p1023 select it"},

@@ -32,7 +32,9 @@ inline constexpr std::array kLayers{
     Layer{"motor/identification", {"Eigen/", "motor/math/", "motor/data/", "motor/plant/", "motor/control/"}},
     Layer{"drive", {"motor/", "text/", "fmt/"}},
     Layer{"unit", {"drive/"}},
-    Layer{"device", {"libcanopen/", "drive/", "unit/", "fmt/", "generated/object_table.hpp"}},
+    Layer{"device",
+          {"libcanopen/", "drive/", "unit/", "fmt/", "generated/object_table.hpp", "generated/axis_offsets.hpp",
+           "eds/catalogue/axis_rule.hpp"}},
     Layer{"eds", {"libcanopen/od/", "text/", "nlohmann/", "fmt/"}},
     Layer{"can/userbus", {kSystem}},
     Layer{"can/port",
@@ -55,8 +57,15 @@ inline constexpr std::array kLayers{
     Layer{"can/preload", {"can/userbus/", kSystem}},
 };
 
+/// Folders that may include everything.
+inline constexpr std::array<std::string_view, 3> kOutside{"bench", "examples", "tests"};
+
 /// Checks every source file of the folders of @p layers below @p root; a message for every include that breaks a
 /// rule: "drive/axis.cpp:3: drive may not include libcanopen/base/frame.hpp".
 std::vector<std::string> find_forbidden_includes(const std::filesystem::path& root, std::span<const Layer> layers);
+
+/// Where @p layers and the source files below @p root do not fit together: a message for every file that no layer
+/// has a rule for, but those of kOutside, and for every layer without a file.
+std::vector<std::string> find_lawless(const std::filesystem::path& root, std::span<const Layer> layers);
 
 }  // namespace architecture
