@@ -22,6 +22,7 @@ inline constexpr std::string_view kSystem = "<*.h>";
 /// Who may include whom: a folder rests only on what its row names.
 inline constexpr std::array kLayers{
     Layer{"os", {"fmt/", kSystem}},
+    Layer{"control", {"fmt/", "nlohmann/", kSystem}},
     Layer{"libcanopen", {}},
     Layer{"motor", {"Eigen/", "unsupported/Eigen/"}},
     Layer{"drive", {"motor/", "fmt/"}},
@@ -39,11 +40,11 @@ inline constexpr std::array kLayers{
           {"daemon/base/", "daemon/configuration/", "daemon/version.hpp", "libcanopen/", "drive/", "motor/",
            "device/", "os/", "bus/", "fmt/", "nlohmann/", kSystem}},
     Layer{"daemon/program",
-          {"daemon/", "libcanopen/", "drive/", "motor/", "device/", "os/", "bus/", "fmt/", "CLI/", "systemd/",
-           "nlohmann/", kSystem}},
+          {"daemon/", "control/", "libcanopen/", "drive/", "motor/", "device/", "os/", "bus/", "fmt/", "CLI/",
+           "systemd/", "nlohmann/", kSystem}},
     Layer{"tools",
-          {"libcanopen/", "eds/", "os/", "userbus/", "bus/", "hub/", "daemon/control_protocol.hpp", "fmt/",
-           "nlohmann/", "CLI/", kSystem}},
+          {"libcanopen/", "eds/", "os/", "userbus/", "bus/", "hub/", "control/", "fmt/", "nlohmann/", "CLI/",
+           kSystem}},
     Layer{"preload", {"userbus/", kSystem}},
 };
 
