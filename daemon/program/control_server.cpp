@@ -12,7 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "daemon/control_protocol.hpp"
+#include "control/protocol.hpp"
+#include "control/socket_name.hpp"
 #include "daemon/program/instance_lock.hpp"
 
 namespace axisd {

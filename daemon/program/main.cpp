@@ -4,8 +4,8 @@
 #include <span>
 
 #include "can/port/address.hpp"
+#include "control/socket_name.hpp"
 #include "daemon/base/log.hpp"
-#include "daemon/control_protocol.hpp"
 #include "daemon/program/configuration_file.hpp"
 #include "daemon/program/options.hpp"
 #include "daemon/program/program.hpp"

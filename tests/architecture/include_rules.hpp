@@ -22,6 +22,7 @@ inline constexpr std::string_view kSystem = "<*.h>";
 /// Who may include whom: a folder rests only on what its row names.
 inline constexpr std::array kLayers{
     Layer{"os", {"fmt/", kSystem}},
+    Layer{"control", {"fmt/", "nlohmann/", kSystem}},
     Layer{"libcanopen", {}},
     Layer{"text", {}},
     Layer{"motor", {"Eigen/", "unsupported/Eigen/"}},
@@ -49,11 +50,11 @@ inline constexpr std::array kLayers{
           {"daemon/base/", "daemon/configuration/", "daemon/version.hpp", "libcanopen/", "drive/", "motor/",
            "unit/", "device/", "os/", "can/port/", "can/connection/", "text/", "fmt/", "nlohmann/", kSystem}},
     Layer{"daemon/program",
-          {"daemon/", "libcanopen/", "drive/", "motor/", "unit/", "device/", "os/", "can/port/", "can/connection/",
-           "text/", "fmt/", "CLI/", "systemd/", "nlohmann/", kSystem}},
+          {"daemon/", "control/", "libcanopen/", "drive/", "motor/", "unit/", "device/", "os/", "can/port/",
+           "can/connection/", "text/", "fmt/", "CLI/", "systemd/", "nlohmann/", kSystem}},
     Layer{"tools",
           {"libcanopen/", "eds/", "os/", "can/userbus/", "can/port/", "can/connection/", "can/hub/", "text/",
-           "daemon/control_protocol.hpp", "fmt/", "nlohmann/", "CLI/", kSystem}},
+           "control/", "fmt/", "nlohmann/", "CLI/", kSystem}},
     Layer{"can/preload", {"can/userbus/", kSystem}},
 };
 

@@ -113,7 +113,7 @@ TEST_F(TemporaryTree, WithAllowedIncludesIsAccepted) {
   write("can/port/a.cpp", "#include <linux/can.h>\n#include <unistd.h>\n#include \"libcanopen/base/frame.hpp\"\n");
   write("daemon/program/a.cpp",
         "#include <systemd/sd-event.h>\n#include <sys/timerfd.h>\n#include \"device/unit.hpp\"\n");
-  write("tools/a.cpp", "#include \"daemon/control_protocol.hpp\"\n");
+  write("tools/a.cpp", "#include \"control/protocol.hpp\"\n");
   write("drive/notes.md", "#include \"libcanopen/base/frame.hpp\"\n");
   write("drive/a.cpp", "// #include \"libcanopen/base/frame.hpp\"\n");
 

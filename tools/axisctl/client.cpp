@@ -9,6 +9,8 @@
 #include <sys/socket.h>
 #include <sys/time.h>
 
+#include "control/protocol.hpp"
+#include "control/socket_name.hpp"
 #include "os/descriptor.hpp"
 #include "tools/axisctl/server_trust.hpp"
 

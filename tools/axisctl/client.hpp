@@ -1,17 +1,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
-
-#include "daemon/control_protocol.hpp"
 
 namespace axisctl {
 
 /// What is asked of a daemon.
 struct Call {
-  control::Method method = control::Method::Status;
+  std::string_view method;
   nlohmann::json params = nlohmann::json::object();
 };
 

@@ -1,25 +1,17 @@
 #include "tools/axisctl/command_line.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 
 #include <fmt/format.h>
 
+#include "control/methods.hpp"
 #include "tools/axisctl/suggestion.hpp"
 
 namespace axisctl {
 namespace {
 
 constexpr int kHighestNode = 127;
-
-/// What the commands of a group have in common.
-struct Group {
-  std::string_view name;
-  std::string_view summary;
-};
-constexpr std::array kGroups{Group{"fault", "Inject or acknowledge faults"},
-                             Group{"bus", "Act on the CAN controller of the unit"}};
 
 std::vector<std::string> names_below(const CLI::App& app) {
   std::vector<std::string> names;
@@ -57,9 +49,9 @@ void CommandLine::add_options() {
   app_.add_flag("--json", invocation_.json, "Print the result as one line of JSON");
 }
 
-CLI::App& CommandLine::group_of(const Command& command) {
-  const auto* const row = std::ranges::find(kGroups, command.group, &Group::name);
-  if (row == kGroups.end()) return app_;
+CLI::App& CommandLine::group_of(const control::Method& method) {
+  const auto* const row = std::ranges::find(control::kGroups, method.group, &control::Group::name);
+  if (row == control::kGroups.end()) return app_;
   const std::string name{row->name};
   const auto present = app_.get_subcommands([&name](const CLI::App* sub) { return sub->get_name() == name; });
   if (!present.empty()) return *present.front();
@@ -70,17 +62,17 @@ CLI::App& CommandLine::group_of(const Command& command) {
 }
 
 void CommandLine::add_commands() {
-  for (const Command& command : commands()) {
+  for (const control::Method& method : control::kMethods) {
     CLI::App* const sub =
-        group_of(command).add_subcommand(std::string{command.name}, std::string{command.summary});
+        group_of(method).add_subcommand(std::string{method.command}, std::string{method.summary});
     sub->fallthrough();
-    std::vector<std::string>& own = words_.emplace_back(command.arguments.size());
+    std::vector<std::string>& own = words_.emplace_back(method.parameters.size());
     for (std::size_t i = 0; i < own.size(); ++i)
-      sub->add_option(std::string{command.arguments[i].name}, own[i], std::string{command.arguments[i].summary})
-          ->required(!command.arguments[i].optional)
+      sub->add_option(std::string{method.parameters[i].argument}, own[i], std::string{method.parameters[i].help})
+          ->required(method.parameters[i].absent.empty())
           ->type_name("");
-    sub->callback([this, &command, &own] {
-      invocation_.command = &command;
+    sub->callback([this, &method, &own] {
+      invocation_.method = &method;
       invocation_.words = own;
     });
   }

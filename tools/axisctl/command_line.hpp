@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tools/axisctl/command.hpp"
+#include "control/method.hpp"
 #include "tools/axisctl/socket_choice.hpp"
 
 namespace axisctl {
@@ -17,11 +17,11 @@ struct Invocation {
   Address address;
   std::optional<std::string> interface;
   bool json = false;
-  const Command* command = nullptr;  ///< none: help alone was asked for
+  const control::Method* method = nullptr;  ///< none: help alone was asked for
   std::vector<std::string> words;
 };
 
-/// The command line of the program: its options, a subcommand for each row of commands(), and help.
+/// The command line of the program: its options, a subcommand for each row of control::kMethods, and help.
 class CommandLine {
  public:
   CommandLine();
@@ -37,7 +37,7 @@ class CommandLine {
 
  private:
   void add_options();
-  CLI::App& group_of(const Command& command);
+  CLI::App& group_of(const control::Method& method);
   void add_commands();
   void add_help();
   void print_help() const;

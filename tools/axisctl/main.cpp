@@ -3,13 +3,14 @@
 #include <string>
 
 #include "can/port/address.hpp"
+#include "control/words.hpp"
 #include "tools/axisctl/client.hpp"
 #include "tools/axisctl/command_line.hpp"
 #include "tools/axisctl/printable.hpp"
+#include "tools/axisctl/printer.hpp"
 
 namespace {
 
-using axisctl::Command;
 using axisctl::Invocation;
 
 constexpr int kSuccess = 0;
@@ -22,8 +23,8 @@ int error(int status, const std::string& message) {
 }
 
 int run(Invocation& invocation) {
-  const Command& command = *invocation.command;
-  const auto parameters = command.parameters(invocation.words);
+  const control::Method& method = *invocation.method;
+  const auto parameters = control::parse_words(method, invocation.words);
   if (!parameters) return error(kUsage, parameters.error());
   if (invocation.interface) {
     const auto address = bus::parse_address(*invocation.interface);
@@ -33,12 +34,12 @@ int run(Invocation& invocation) {
   }
   const auto path = axisctl::choose_socket(invocation.address);
   if (!path) return error(path.error().several ? kUsage : kFailure, path.error().message);
-  const auto result = axisctl::ask(*path, {command.method, *parameters});
-  if (!result) return error(kFailure, axisctl::printable(axisctl::in_words_of(command, result.error())));
+  const auto result = axisctl::ask(*path, {method.name, *parameters});
+  if (!result) return error(kFailure, axisctl::printable(control::in_words_of(method, result.error())));
   if (invocation.json)
     std::cout << axisctl::printable(result->dump()) << '\n';
   else
-    command.print(std::cout, axisctl::printable_values(*result));
+    axisctl::print_result(std::cout, method.name, axisctl::printable_values(*result));
   std::cout.flush();
   return std::cout ? kSuccess : kFailure;
 }
@@ -49,7 +50,7 @@ int main(int argc, char** argv) {
   axisctl::CommandLine line;
   try {
     line.parse(argc, argv);
-    const int status = line.invocation().command != nullptr ? run(line.invocation()) : kSuccess;
+    const int status = line.invocation().method != nullptr ? run(line.invocation()) : kSuccess;
     std::cout.flush();
     return std::cout ? status : kFailure;
   } catch (const CLI::ParseError& thrown) {

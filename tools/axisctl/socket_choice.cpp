@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 
-#include "daemon/control_protocol.hpp"
+#include "control/socket_name.hpp"
 #include "os/descriptor.hpp"
 
 namespace axisctl {

@@ -6,7 +6,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include "daemon/control_protocol.hpp"
+#include "control/socket_name.hpp"
 
 namespace axisd {
 namespace {

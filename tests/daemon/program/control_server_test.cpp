@@ -8,7 +8,8 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 
-#include "daemon/control_protocol.hpp"
+#include "control/protocol.hpp"
+#include "control/socket_name.hpp"
 #include "tests/daemon/program/control_server_fixture.hpp"
 
 namespace axisd {

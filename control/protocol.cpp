@@ -1,12 +1,7 @@
-#include "daemon/control_protocol.hpp"
+#include "control/protocol.hpp"
 
-#include <cstdlib>
+#include <algorithm>
 #include <utility>
-
-#include <sys/socket.h>
-#include <unistd.h>
-
-#include "text/number.hpp"
 
 namespace control {
 
@@ -15,15 +10,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kDeepest = 8;  // levels of objects and arrays
-constexpr std::string_view kPrefix = "axisd-";
-constexpr std::string_view kSuffix = ".sock";
-constexpr int kHighestNode = 127;
 constexpr std::size_t kQuotedText = 60;
-
-std::string_view environment(const char* name) noexcept {
-  const char* value = std::getenv(name);
-  return value == nullptr ? std::string_view{} : std::string_view{value};
-}
 
 std::string to_line(const json& object) {
   // A text that is not UTF-8 (a name from a file, say) must not end the conversation.
@@ -51,49 +38,6 @@ std::string quoted(std::string_view line) {
 
 }  // namespace
 
-std::optional<Method> method_named(std::string_view name) noexcept {
-  const auto* found =
-      std::find_if(kMethods.begin(), kMethods.end(), [name](const MethodName& row) { return row.name == name; });
-  return found == kMethods.end() ? std::nullopt : std::optional{found->method};
-}
-
-std::string runtime_directory() {
-  // systemd.exec(5): several folders are separated by colons.
-  const std::string_view own = environment("RUNTIME_DIRECTORY");
-  if (const std::string_view first = own.substr(0, own.find(':')); !first.empty()) return std::string{first};
-  if (const std::string_view user = environment("XDG_RUNTIME_DIR"); !user.empty()) return std::string{user};
-  return ::geteuid() == 0 ? "/run" : "/tmp";
-}
-
-std::string default_socket_path(std::string_view label, int node) {
-  std::string path = runtime_directory();
-  path.append("/").append(kPrefix).append(label).append("-").append(std::to_string(node)).append(kSuffix);
-  return path;
-}
-
-std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept {
-  if (!file_name.starts_with(kPrefix) || !file_name.ends_with(kSuffix)) return std::nullopt;
-  if (file_name.size() <= kPrefix.size() + kSuffix.size()) return std::nullopt;
-  const std::string_view middle =
-      file_name.substr(kPrefix.size(), file_name.size() - kPrefix.size() - kSuffix.size());
-  const std::size_t dash = middle.rfind('-');
-  if (dash == std::string_view::npos || dash == 0) return std::nullopt;
-  const auto node = text::integer<int>(middle.substr(dash + 1));
-  if (!node || *node < 0 || *node > kHighestNode) return std::nullopt;
-  return SocketName{middle.substr(0, dash), *node};
-}
-
-tl::expected<sockaddr_un, std::string> socket_address(std::string_view path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.empty()) return tl::unexpected{std::string{"the path of a control socket is empty"}};
-  if (path.size() >= sizeof address.sun_path)
-    return tl::unexpected{std::string{path} + ": too long for a socket: " + std::to_string(path.size()) +
-                          " bytes, at most " + std::to_string(sizeof address.sun_path - 1)};
-  std::copy(path.begin(), path.end(), address.sun_path);
-  return address;
-}
-
 tl::expected<Request, RequestError> parse_request(std::string_view line) {
   json object = parse(line);
   const auto refuse = [&](std::string message) { return tl::unexpected{RequestError{{}, std::move(message)}}; };
@@ -112,8 +56,8 @@ tl::expected<Request, RequestError> parse_request(std::string_view line) {
   return request;
 }
 
-std::string request_line(int id, Method method, const json& params) {
-  json object{{"id", id}, {"method", name_of(method)}};
+std::string request_line(int id, std::string_view method, const json& params) {
+  json object{{"id", id}, {"method", method}};
   if (!params.empty()) object["params"] = params;
   return to_line(object);
 }

@@ -4,8 +4,9 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "tools/axisctl/command.hpp"
+#include "tools/axisctl/printer.hpp"
 
 namespace axisctl {
 

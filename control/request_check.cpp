@@ -1,0 +1,96 @@
+#include "control/request_check.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "control/bounds.hpp"
+
+namespace control {
+namespace {
+
+using nlohmann::json;
+using Outcome = tl::expected<void, std::string>;
+
+/// A request under examination.
+struct Examined {
+  const Method& method;
+  const json& params;
+  std::size_t axes;
+};
+
+Outcome refuse(const Parameter& parameter, std::string_view expected, const json* got) {
+  return tl::unexpected{
+      fmt::format("{}: expected {}, got {}", parameter.key, expected, got == nullptr ? "nothing" : got->dump())};
+}
+
+Outcome check_integer(const Parameter& parameter, const Range& range, const json* value) {
+  const auto low = static_cast<std::int64_t>(range.low);
+  const auto high = static_cast<std::int64_t>(range.high);
+  if (value != nullptr && value->is_number_integer() && *value >= low && *value <= high) return {};
+  return refuse(parameter, low == high ? whole(range.low) : fmt::format("an integer {} to {}", low, high), value);
+}
+
+Outcome check_terminal(const Parameter& parameter, const json* value) {
+  if (auto outcome = check_integer(parameter, parameter.range, value); !outcome) return outcome;
+  const auto number = value->get<double>();
+  const bool exists = std::ranges::any_of(
+      parameter.terminals, [number](const Range& range) { return range.low <= number && number <= range.high; });
+  return exists ? Outcome{} : refuse(parameter, alternatives_of(parameter), value);
+}
+
+Outcome check_number(const Parameter& parameter, const Range& range, const json* value) {
+  if (value != nullptr && value->is_number() && *value >= range.low && *value <= range.high) return {};
+  return refuse(parameter, fmt::format("a number {} to {}", range.low, range.high), value);
+}
+
+Outcome check_choice(const Parameter& parameter, const json* value) {
+  const bool fits = value != nullptr && std::ranges::any_of(parameter.choices, [value](std::string_view choice) {
+                      return *value == choice;
+                    });
+  return fits ? Outcome{} : refuse(parameter, alternatives_of(parameter), value);
+}
+
+const json* value_of(const json& params, std::string_view key) {
+  const auto found = params.find(key);
+  return found == params.end() ? nullptr : &*found;
+}
+
+/// With what decides on its range first.
+Outcome check_parameter(const Examined& request, const Parameter& parameter) {
+  const json* const value = value_of(request.params, parameter.key);
+  if (value == nullptr && !parameter.absent.empty()) return {};
+  switch (parameter.form) {
+    case Form::Axis:
+      return check_integer(parameter, {parameter.range.low, static_cast<double>(request.axes)}, value);
+    case Form::Integer:
+    case Form::Fault:
+      return check_integer(parameter, parameter.range, value);
+    case Form::Terminal:
+      return check_terminal(parameter, value);
+    case Form::Number:
+      break;
+    case Form::Choice:
+      return check_choice(parameter, value);
+    case Form::Switch:
+      return value != nullptr && value->is_boolean() ? Outcome{} : refuse(parameter, "true or false", value);
+  }
+  const Exception& exception = parameter.exception;
+  if (exception.key.empty()) return check_number(parameter, parameter.range, value);
+  const auto decides = std::ranges::find(request.method.parameters, exception.key, &Parameter::key);
+  if (auto outcome = check_parameter(request, *decides); !outcome) return outcome;
+  const json* const choice = value_of(request.params, exception.key);
+  const bool is_exception = choice != nullptr && *choice == exception.choice;
+  return check_number(parameter, is_exception ? exception.range : parameter.range, value);
+}
+
+}  // namespace
+
+Outcome check(const Method& method, const json& params, std::size_t axes) {
+  for (const Parameter& parameter : method.parameters)
+    if (auto outcome = check_parameter({method, params, axes}, parameter); !outcome) return outcome;
+  return {};
+}
+
+}  // namespace control

@@ -1,0 +1,64 @@
+#include "control/socket_name.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace control {
+
+namespace {
+
+constexpr std::string_view kPrefix = "axisd-";
+constexpr std::string_view kSuffix = ".sock";
+constexpr int kHighestNode = 127;
+
+std::string_view environment(const char* name) noexcept {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string_view{} : std::string_view{value};
+}
+
+}  // namespace
+
+std::string runtime_directory() {
+  // systemd.exec(5): several folders are separated by colons.
+  const std::string_view own = environment("RUNTIME_DIRECTORY");
+  if (const std::string_view first = own.substr(0, own.find(':')); !first.empty()) return std::string{first};
+  if (const std::string_view user = environment("XDG_RUNTIME_DIR"); !user.empty()) return std::string{user};
+  return ::geteuid() == 0 ? "/run" : "/tmp";
+}
+
+std::string default_socket_path(std::string_view label, int node) {
+  std::string path = runtime_directory();
+  path.append("/").append(kPrefix).append(label).append("-").append(std::to_string(node)).append(kSuffix);
+  return path;
+}
+
+std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept {
+  if (!file_name.starts_with(kPrefix) || !file_name.ends_with(kSuffix)) return std::nullopt;
+  if (file_name.size() <= kPrefix.size() + kSuffix.size()) return std::nullopt;
+  const std::string_view middle =
+      file_name.substr(kPrefix.size(), file_name.size() - kPrefix.size() - kSuffix.size());
+  const std::size_t dash = middle.rfind('-');
+  if (dash == std::string_view::npos || dash == 0) return std::nullopt;
+  int node = 0;
+  const char* const end = middle.data() + middle.size();
+  const auto [rest, error] = std::from_chars(middle.data() + dash + 1, end, node);
+  if (error != std::errc{} || rest != end || node < 0 || node > kHighestNode) return std::nullopt;
+  return SocketName{middle.substr(0, dash), node};
+}
+
+tl::expected<sockaddr_un, std::string> socket_address(std::string_view path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.empty()) return tl::unexpected{std::string{"the path of a control socket is empty"}};
+  if (path.size() >= sizeof address.sun_path)
+    return tl::unexpected{std::string{path} + ": too long for a socket: " + std::to_string(path.size()) +
+                          " bytes, at most " + std::to_string(sizeof address.sun_path - 1)};
+  std::copy(path.begin(), path.end(), address.sun_path);
+  return address;
+}
+
+}  // namespace control

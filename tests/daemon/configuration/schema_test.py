@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""Holds daemon/axisd.schema.json against the reader of configurations.
+
+usage: schema_test.py CHECK_LINES SOURCE_FOLDER
+
+Everything that the schema says of is asked of the reader: the keys of each object, and of each value what it may be.
+Needs python3-jsonschema.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+import jsonschema
+
+CHECK_LINES, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SCHEMA = json.loads((SOURCE / "daemon/axisd.schema.json").read_text())
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+
+INDUCTION_MOTOR = "1le1003-2k2"
+
+# What is tried of every value: something of each kind.
+KINDS = [True, False, None, "text", "", [], [1], [[0, 1]], {}, {"no_such_key": 1}]
+NUMBERS = [-1e300, -1, -0.5, 0, 1e-9, 0.5, 1, 1.5, 2, 7, 100, 1e300]
+STEP = 1e-3
+
+def resolved(node):
+    """Without references: keys beside a reference count too."""
+    if "$ref" not in node:
+        return node
+    target = SCHEMA
+    for part in node["$ref"].lstrip("#/").split("/"):
+        target = target[part]
+    return {**resolved(target), **{key: value for key, value in node.items() if key != "$ref"}}
+
+
+def alternatives(node):
+    """A node, and those of which its value may be one."""
+    node = resolved(node)
+    yield node
+    for key in ("oneOf", "anyOf"):
+        for other in node.get(key, []):
+            yield from alternatives(other)
+
+
+def sample(node):
+    """A value that the schema allows."""
+    for other in alternatives(node):
+        if "const" in other:
+            return other["const"]
+        if other.get("type") in ("number", "integer"):
+            return max(1, other.get("minimum", 1))
+        if other.get("type") == "array":
+            if "prefixItems" in other:
+                return [sample(item) for item in other["prefixItems"]]
+            item = sample(other["items"])
+            return [[0] * len(item), item] if isinstance(item, list) else [item]
+    raise ValueError(f"no sample of {node}")
+
+
+def objects(node, build, path=""):
+    """Every object with keys: its path, node, how it is put into a configuration, and what it must have."""
+    for other in alternatives(node):
+        if "properties" in other:
+            needed = {key: sample(other["properties"][key]) for key in other.get("required", [])}
+            yield path or "/", other, build, needed
+            for key, value in other["properties"].items():
+                inner = lambda x, key=key, build=build, needed=needed: build({**needed, key: x})
+                yield from objects(value, inner, f"{path}/{key}")
+        if other.get("type") == "array" and "items" in other:
+            yield from objects(other["items"], lambda x, build=build: build([x]), f"{path}/0")
+
+
+OBJECTS = list(objects(SCHEMA, lambda x: x))
+# (path, node, configuration with a value there)
+VALUES = [
+    (f"{path.rstrip('/')}/{key}", value, lambda x, key=key, build=build, needed=needed: build({**needed, key: x}))
+    for path, node, build, needed in OBJECTS
+    for key, value in node["properties"].items()
+]
+
+
+def answers(configurations):
+    """What the reader says of each."""
+    lines = "".join(json.dumps(c) + "\n" for c in configurations)
+    said = subprocess.run([CHECK_LINES], input=lines, capture_output=True, text=True, check=True).stdout.splitlines()
+    assert len(said) == len(configurations)
+    return said
+
+
+def with_induction_motor(configuration):
+    """The same with the other type of motor, which has a plant of its own."""
+    axes = configuration.get("axes") if isinstance(configuration, dict) else None
+    axis = axes[0] if isinstance(axes, list) and axes else None
+    if not isinstance(axis, dict) or "plant" not in axis:
+        return configuration
+    return {**configuration, "axes": [{**axis, "motor": INDUCTION_MOTOR}, *axes[1:]]}
+
+
+def verdicts(configurations):
+    """What the reader says of each: "accepted" if it is with one type of motor."""
+    both = zip(answers(configurations), answers([with_induction_motor(c) for c in configurations]))
+    return [second if "unknown key" in first or second == "accepted" else first for first, second in both]
+
+
+def candidates(node):
+    """Values around what @p node allows, right and wrong ones."""
+    found = [*KINDS, *NUMBERS]
+    for other in alternatives(node):
+        found += other.get("enum", []) + other.get("examples", [])
+        found += [other[key] for key in ("const", "default") if key in other]
+        for key in ("minimum", "maximum", "exclusiveMinimum"):
+            if key in other:
+                found += [other[key], other[key] - 1, other[key] - STEP, other[key] + STEP, other[key] + 1]
+    return found
+
+
+def configurations_in(text):
+    """Every JSON object in a source or page."""
+    decoder = json.JSONDecoder()
+    for match in re.finditer(r"(?:R\"\(|^ {4}|^)(\{)", text, re.MULTILINE):
+        try:
+            yield decoder.raw_decode(text, match.start(1))[0]
+        except json.JSONDecodeError:
+            continue
+
+
+class Schema(unittest.TestCase):
+    def test_is_a_schema(self):
+        jsonschema.Draft202012Validator.check_schema(SCHEMA)
+
+    def test_has_the_keys_of_the_reader(self):
+        self.assertGreater(len(OBJECTS), 15)
+        asked = [build({**needed, "no_such_key": 1}) for _, _, build, needed in OBJECTS]
+        said = zip(answers(asked), answers([with_induction_motor(c) for c in asked]))
+        for (path, node, _, _), messages in zip(OBJECTS, said):
+            keys = set()
+            for message in messages:
+                match = re.search(r"/no_such_key: unknown key, expected one of: (.*)$", message)
+                self.assertIsNotNone(match, f"{path}: the reader knows no object here: {message}")
+                keys.update(match[1].split(", "))
+            self.assertEqual(set(node["properties"]), keys, path)
+            self.assertIs(node.get("additionalProperties"), False, path)
+
+    def test_has_the_objects_of_the_reader(self):
+        for (path, node, _), said in zip(VALUES, verdicts([build({"no_such_key": 1}) for _, node, build in VALUES])):
+            is_object = any("properties" in other for other in alternatives(node))
+            self.assertEqual("/no_such_key: unknown key" in said or "key type" in said, is_object, f"{path}: {said}")
+
+    def test_has_the_choices_of_the_reader(self):
+        choices = {}  # of a path: all of them, and a configuration with another one
+        for path, node, build in VALUES:
+            node = resolved(node)
+            if "enum" in node or "const" in node:
+                known, _ = choices.get(path, (set(), None))
+                choices[path] = known | set(node.get("enum", [node.get("const")])), build
+        self.assertGreater(len(choices), 3)
+        said = verdicts([build("no such choice") for _, build in choices.values()])
+        for (path, (known, _)), message in zip(choices.items(), said):
+            named = re.search(r": expected (.*), got \"no such choice\"$", message)
+            self.assertIsNotNone(named, f"{path}: {message}")
+            self.assertEqual(known, set(re.split(r", | or ", named[1])), path)
+
+    def test_refuses_nothing_that_the_reader_accepts(self):
+        tried = [(path, build(value)) for path, node, build in VALUES for value in candidates(node)]
+        self.assertGreater(len(tried), 1000)
+        for (path, configuration), said in zip(tried, verdicts([c for _, c in tried])):
+            if said == "accepted":
+                self.assertTrue(VALIDATOR.is_valid(configuration), f"{path}: {configuration}")
+
+    def test_accepts_nothing_of_another_kind_than_the_reader(self):
+        for path, node, build in VALUES:
+            for value, said in zip(KINDS, verdicts([build(value) for value in KINDS])):
+                if said != "accepted" and VALIDATOR.is_valid(build(value)):
+                    self.assertIsInstance(value, str, f"{path}: {value}: {said}")
+
+    def test_has_defaults_that_the_reader_accepts(self):
+        defaults = [(path, build(resolved(node)["default"])) for path, node, build in VALUES
+                    if "default" in resolved(node)]
+        self.assertGreater(len(defaults), 30)
+        for (path, configuration), said in zip(defaults, verdicts([c for _, c in defaults])):
+            self.assertEqual(said, "accepted", path)
+            self.assertTrue(VALIDATOR.is_valid(configuration), path)
+
+    def test_has_limits_that_are_those_of_the_reader(self):
+        """A limit itself is accepted, and what is just beyond is refused."""
+        tried = []
+        for path, node, build in VALUES:
+            limits = resolved(node)
+            for key, outside in (("minimum", -1), ("maximum", 1)):
+                if key in limits:
+                    tried.append((path, limits[key], build(limits[key]), True))
+                    tried.append((path, limits[key], build(limits[key] + outside), False))
+        self.assertGreater(len(tried), 60)
+        for (path, limit, configuration, right), said in zip(tried, verdicts([c for _, _, c, _ in tried])):
+            self.assertEqual(said == "accepted", right, f"{path}: {'' if right else 'beyond '}{limit}: {said}")
+
+    def test_allows_the_configurations_of_pages_examples_and_tests(self):
+        files = [*SOURCE.glob("*.md"), *SOURCE.glob("docs/**/*.md"), *SOURCE.glob("examples/**/*.md"),
+                 *SOURCE.glob("tests/daemon/configuration/*.cpp"), *SOURCE.glob("tests/e2e/*.cpp")]
+        found = [(file, configuration) for file in files for configuration in configurations_in(file.read_text())]
+        accepted = 0
+        for (file, configuration), said in zip(found, verdicts([c for _, c in found])):
+            if said == "accepted":
+                accepted += 1
+                self.assertTrue(VALIDATOR.is_valid(configuration), f"{file}: {configuration}")
+        self.assertGreater(accepted, 10)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
