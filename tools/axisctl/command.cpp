@@ -90,7 +90,7 @@ std::string in_words_of(const Command& command, const std::string& message) {
 
 tl::expected<int, std::string> parse_axis(const std::string& word, int first) {
   const auto axis = text::integer<int>(word);
-  if (axis >= first) return *axis;
+  if (axis && *axis >= first) return *axis;
   return tl::unexpected{fmt::format("AXIS: expected a number from {}, got \"{}\"", first, word)};
 }
 

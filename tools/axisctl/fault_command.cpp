@@ -17,7 +17,7 @@ tl::expected<std::uint16_t, std::string> parse_fault(const std::string& word) {
   std::string_view digits{word};
   if (!digits.empty() && kClassLetters.find(digits.front()) != std::string_view::npos) digits.remove_prefix(1);
   const auto number = text::integer<std::uint16_t>(digits);
-  if (number > std::uint16_t{0}) return *number;
+  if (number && *number > 0) return *number;
   return tl::unexpected{fmt::format("NUMBER: expected a number such as 7860, F07860 or A07850, got \"{}\"", word)};
 }
 
