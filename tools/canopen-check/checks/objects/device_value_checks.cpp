@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "eds/sheet/object_lists.hpp"
-#include "tools/canopen-check/checks/sdo/sdo_targets.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 #include "tools/canopen-check/core/run/protected_entries.hpp"
 
 namespace conformance {

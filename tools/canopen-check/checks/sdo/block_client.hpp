@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/canopen-check/checks/sdo/sdo_targets.hpp"
+#include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 
 namespace conformance {
 

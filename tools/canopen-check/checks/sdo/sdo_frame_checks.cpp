@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/canopen-check/checks/sdo/sdo_targets.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 
 namespace conformance {
 namespace {

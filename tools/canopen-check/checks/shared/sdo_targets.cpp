@@ -1,4 +1,4 @@
-#include "tools/canopen-check/checks/sdo/sdo_targets.hpp"
+#include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 
 #include <algorithm>
 
