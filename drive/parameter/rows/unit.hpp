@@ -28,7 +28,7 @@ inline constexpr std::array kUnitRows{
     Row{115, 12, kServo, F32, Unit::Microseconds, {0.0, 16000.0}, factory::sampling_times, When::Device, Slot{}, Output::No, "Sampling times of the control loops", "the number of PDOs that may be valid (r8742); the control loops run every 125 µs"},
     Row{115, 12, kVector, F32, Unit::Microseconds, {0.0, 16000.0}, factory::vector_sampling_times, When::Device, Slot{}, Output::No, "Sampling times of the control loops", "the number of PDOs that may be valid (r8742); the control loops run every 125 µs"},
     Row{205, 1, kAxes, I16, Unit::None, {0.0, 7.0}, 0.0, When::Quick, Stored{"power units with several load duty cycles"}, Output::No, "Power unit application", ""},
-    Row{210, 1, kAxes | kInfeed, F32, Unit::VoltsRms, {70.0, 1000.0}, 400.0, When::Ready, Stored{}, Output::No, "Device supply voltage", ""},
+    Row{210, 1, kAxes | kInfeed, F32, Unit::VoltsRms, {70.0, 1000.0}, 400.0, When::Ready, Stored{"a supply that follows it; the configuration gives the line voltage"}, Output::No, "Device supply voltage", ""},
     Row{500, 1, kServo, I16, Unit::None, {100.0, 102.0}, 100.0, When::QuickReady, Stored{"presets of a technology application"}, Output::No, "Technology application", ""},
     Row{500, 1, kVector, I16, Unit::None, {0.0, 6.0}, 0.0, When::QuickReady, Stored{"presets of a technology application"}, Output::No, "Technology application", ""},
     Row{752, 1, kControlUnit, F32, Unit::VoltsOrMilliamperes, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "analog inputs of the control unit"}, Output::Connector, "CU analog input", ""},
