@@ -23,8 +23,8 @@ build_packages=(
   can-utils
 )
 test_packages=(
-  # tests and benchmarks
-  libgtest-dev libgmock-dev libbenchmark-dev
+  # tests and benchmarks, and what links them faster
+  libgtest-dev libgmock-dev libbenchmark-dev lld
   # ip, modprobe for the module vcan, and unshare for networks of their own
   iproute2 kmod util-linux
   # masters of the tests

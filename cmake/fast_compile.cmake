@@ -1,0 +1,75 @@
+# Most of the time to compile a small source goes into the headers that it includes. Where nothing is to be installed
+# (AXISD_FAST_COMPILE, which the sanitizer build has), sources of tests are therefore compiled several at a time, and the
+# headers of the largest folders once. That hides an include that a source lacks: every other build shows it.
+option(AXISD_FAST_COMPILE "Precompile headers of the product, and compile sources of tests several at a time" OFF)
+
+# lld links in a third of the time.
+find_program(AXISD_LLD ld.lld)
+if(AXISD_FAST_COMPILE AND AXISD_LLD)
+  add_link_options(-fuse-ld=lld)
+endif()
+
+# axisd_precompile(TARGET HEADER): HEADER, named relative to the top of the tree, is one that most sources of TARGET include.
+function(axisd_precompile target header)
+  if(AXISD_FAST_COMPILE)
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/${header})
+  endif()
+endfunction()
+
+set(AXISD_UNITED 12)  # how many at most: with more of them the last file of a program has the compiler for itself
+
+# axisd_write_united(FILE SOURCE...): writes the sources, named relative to the top of the tree, one after the other into FILE.
+#
+# All that a source of tests has is in unnamed namespaces. Each of these gets a namespace of its source around it, so that
+# names of one source are unknown in the next. Lines keep their numbers, and the compiler names the source, not FILE.
+function(axisd_write_united file)
+  set(text "")
+  foreach(source IN LISTS ARGN)
+    file(READ ${PROJECT_SOURCE_DIR}/${source} lines)
+    cmake_path(GET source STEM stem)
+    string(MAKE_C_IDENTIFIER "within_${stem}" own)
+    string(REPLACE "\nnamespace {\n" "\nnamespace ${own} { namespace {\n" lines "\n${lines}")
+    string(REPLACE "\n}  // namespace\n" "\n}}  // namespace\n" lines "${lines}")
+    string(APPEND text "#line 1 \"${source}\"${lines}")
+  endforeach()
+  set(former "")
+  if(EXISTS ${file})
+    file(READ ${file} former)
+  endif()
+  if(NOT text STREQUAL former)  # a file that is written anew is compiled anew
+    file(WRITE ${file} "${text}")
+  endif()
+endfunction()
+
+# axisd_unite(TARGET RESULT SOURCE...): what TARGET is to be made of instead of SOURCE...: files that hold several *_test.cpp
+# each, and the others as they are. Without AXISD_FAST_COMPILE all as they are.
+function(axisd_unite target result)
+  set(tests ${ARGN})
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(LENGTH tests count)
+  if(NOT AXISD_FAST_COMPILE OR count LESS 2)
+    set(${result} ${ARGN} PARENT_SCOPE)
+    return()
+  endif()
+  set(united ${ARGN})
+  list(FILTER united EXCLUDE REGEX "_test\\.cpp$")
+  # Equal shares: 13 are 7 and 6, not 12 and 1.
+  math(EXPR files "(${count} + ${AXISD_UNITED} - 1) / ${AXISD_UNITED}")
+  math(EXPR share "(${count} + ${files} - 1) / ${files}")
+  set(begin 0)
+  while(begin LESS count)
+    list(SUBLIST tests ${begin} ${share} some)
+    set(sources)
+    foreach(source IN LISTS some)
+      cmake_path(ABSOLUTE_PATH source NORMALIZE)
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+      cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+      list(APPEND sources ${source})
+    endforeach()
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/united/${target}_${begin}.cpp)
+    axisd_write_united(${file} ${sources})
+    list(APPEND united ${file})
+    math(EXPR begin "${begin} + ${share}")
+  endwhile()
+  set(${result} ${united} PARENT_SCOPE)
+endfunction()
