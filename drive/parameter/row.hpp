@@ -134,8 +134,8 @@ namespace rows {
 using enum DataType;
 using Row = ParameterRow;
 
-/// The parameters of a block of an axis, an array of rows; a block that has some specialises it behind its class or in a
-/// header beside it that table.cpp includes.
+/// The parameters of a block of an axis, an array of rows; a block that has some specialises it behind its class
+/// or in a header beside it that table.cpp includes.
 template <class Block>
 inline constexpr std::array<Row, 0> rows_of{};
 

@@ -54,8 +54,8 @@ constexpr auto joined(const Tables&... tables) {
 template <class... Block>
 constexpr auto joined_with(const std::tuple<Block...>*) {
   return joined(rows::rows_of<Block>..., rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows,
-                rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows, rows::kControlRows,
-                rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
+                rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
+                rows::kControlRows, rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
 }
 constexpr auto kRows = joined_with(static_cast<const AxisBlocks*>(nullptr));
 
