@@ -11,10 +11,6 @@ namespace {
 constexpr std::array kInputs{object::kControlword, object::kTargetVelocity, object::kTargetTorque,
                              object::kVlTargetVelocity, object::kModesOfOperation};
 
-// 6502h by CiA 402: bit 1 velocity, 2 profile velocity, 3 profile torque.
-constexpr std::int64_t kModesWithEncoder = 0x0000000E;
-constexpr std::int64_t kModesWithoutEncoder = 0x00000002;
-
 }  // namespace
 
 AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, const ProcessDataBuffers& places,
@@ -66,7 +62,7 @@ canopen::Result<void> AxisObjects::write(const canopen::Entry& entry, std::int64
 
 canopen::Result<std::int64_t> AxisObjects::read(const canopen::Entry& entry, std::int64_t stored) {
   if (object::on_first_axis(entry.index) == object::kSupportedModes)
-    return axis_.has_encoder() ? kModesWithEncoder : kModesWithoutEncoder;
+    return drive::supported_modes(axis_.has_encoder());
   return is_placed(entry) ? stored : axis_.requested_mode();
 }
 

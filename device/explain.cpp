@@ -73,7 +73,7 @@ bool is_operational(P p) noexcept {
 }
 /// Whether the axis is commanded by controlwords that no RPDO can have brought.
 bool is_led_over_sdo(P p) {
-  return p.axis().inputs().controlword != 0 && !way_of_the_controlword(p).valid;
+  return p.axis().controlword() != 0 && !way_of_the_controlword(p).valid;
 }
 
 struct Reason {
@@ -105,7 +105,7 @@ constexpr std::array kReasons{
              return "ON (p0840) is not connected to bit 0 of the controlword: write p8790 = 1, or command its "
                     "source.";
            }},
-    Reason{[](P p) { return is_operational(p) && p.axis().inputs().controlword == 0; },
+    Reason{[](P p) { return is_operational(p) && p.axis().controlword() == 0; },
            [](P) -> std::string {
              return "The controlword is 0000h, as if none had been received yet: send 0006h, then 000Fh.";
            }},

@@ -26,9 +26,7 @@ constexpr std::uint16_t kReceivedWord = 8850;
 constexpr std::uint16_t kReceivedDoubleWord = 8860;
 constexpr std::uint16_t kFirstReceivedBits = 8890;
 constexpr std::size_t kWordsWithBits = 4;
-constexpr std::uint16_t kWrittenVlVelocity = 8792;
 constexpr std::uint16_t kWrittenControlword = 8795;
-constexpr std::uint16_t kWrittenVelocity = 8796;
 constexpr std::uint16_t kWrittenTorque = 8797;
 constexpr std::uint16_t kConnectControlword = 8790;
 
@@ -75,10 +73,13 @@ void StandardWiring::follow_from_factory() noexcept {
 
 void StandardWiring::adopt() noexcept {
   wired_ = wanted();
-  // The velocity mode itself is not saved, the input that it connected is.
-  const std::uint32_t velocity_mode = source_of(object::kVlTargetVelocity, kWrittenVlVelocity);
+  // A mode that was asked for is not saved, the input that it connected is.
   const Setpoint speed = axis_.has_setpoint_channel() ? kMain : kBehindRamp;
-  if (connected(kSetpointInputs[speed], 0) == velocity_mode) wired_[kCommands + speed] = velocity_mode;
+  for (const drive::OperatingModeRow& mode : drive::kOperatingModes) {
+    const std::uint32_t source = source_of(mode.setpoint, mode.written);
+    const bool is_asked_for = mode.lead == drive::Lead::Speed && drive::mode_of(mode.control_mode) != mode.code;
+    if (is_asked_for && connected(kSetpointInputs[speed], 0) == source) wired_[kCommands + speed] = source;
+  }
 }
 
 void StandardWiring::follow() noexcept {
@@ -135,8 +136,7 @@ void StandardWiring::wire_commands(Sources& sources) const noexcept {
 
 void StandardWiring::wire_setpoints(Sources& sources) const noexcept {
   const bool has_channel = axis_.has_setpoint_channel();
-  const std::uint32_t speed = axis_.velocity_mode() ? source_of(object::kVlTargetVelocity, kWrittenVlVelocity)
-                                                    : source_of(object::kTargetVelocity, kWrittenVelocity);
+  const std::uint32_t speed = source_of(axis_.speed_setpoint().setpoint, axis_.speed_setpoint().written);
   sources[kCommands + kMain] = has_channel ? speed : 0;
   sources[kCommands + kBehindRamp] = has_channel ? 0 : speed;
   sources[kCommands + kTorque] = source_of(object::kTargetTorque, kWrittenTorque);

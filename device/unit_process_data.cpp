@@ -33,7 +33,7 @@ bool UnitProcessData::follow_mappings() noexcept {
   mapping_changed_ = false;
   for (std::size_t i = 0; i < wiring_.size(); ++i) {
     const drive::Axis& axis = unit_.axes()[i];
-    const SetpointPath path{axis.velocity_mode(), axis.has_setpoint_channel()};
+    const SetpointPath path{axis.speed_setpoint().setpoint, axis.has_setpoint_channel()};
     if (!all && path == paths_[i]) continue;
     paths_[i] = path;
     wiring_[i].follow();

@@ -53,7 +53,7 @@ class UnitProcessData final : private MappingListener {
  private:
   /// What the way of the speed setpoint of an axis depends on besides mappings.
   struct SetpointPath {
-    bool velocity_mode = false;
+    std::uint16_t speed_object = 0;
     bool setpoint_channel = true;
 
     friend bool operator==(const SetpointPath&, const SetpointPath&) = default;

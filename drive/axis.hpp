@@ -61,8 +61,8 @@ class Axis final : public DriveObject {
   void request_mode(std::int8_t code) noexcept;
   /// 6060h: the mode that was last asked for.
   std::int8_t requested_mode() const noexcept { return block<SpeedControl>().requested_mode(); }
-  /// Whether 6042h leads (mode 2).
-  bool velocity_mode() const noexcept { return block<SpeedControl>().has_ramp_bits(); }
+  /// The mode of operation whose setpoint leads while the speed does.
+  const OperatingModeRow& speed_setpoint() const noexcept { return block<SpeedControl>().speed_setpoint(); }
   /// r0054: the controlword as it came.
   std::uint16_t controlword() const noexcept { return controlword_; }
   /// Whether an encoder is mounted.

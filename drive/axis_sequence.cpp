@@ -60,8 +60,7 @@ void Axis::follow(const Verdict& verdict) noexcept {
   if (!verdict.present && messages().faults().empty() && messages().alarms().empty()) return;
   const FaultRow* const row = find_fault(verdict.message);
   if (!verdict.present) return static_cast<void>(memory().withdraw(*row));
-  memory().enter(*row, verdict.value, Cause::Present);
-  if (memory().settings.kind_of(*row) == Kind::Fault) react(*row);
+  enter(*row, verdict.value, Cause::Present);
 }
 
 void Axis::lose_connection() noexcept {

@@ -214,10 +214,14 @@ tl::expected<void, FaultError> DriveObject::raise(std::uint16_t number, std::uin
   const FaultRow* const row = find_fault(number);
   if (row == nullptr) return tl::unexpected{FaultError::Unknown};
   if (!can_appear(*row, kind())) return tl::unexpected{FaultError::NotOnThisAxis};
-  memory_.enter(*row, value, cause);
-  if (memory_.settings.kind_of(*row) == Kind::Fault) react(*row);
+  enter(*row, value, cause);
   on_messages_changed();
   return {};
+}
+
+void DriveObject::enter(const FaultRow& row, std::uint32_t value, Cause cause) noexcept {
+  memory_.enter(row, value, cause);
+  if (memory_.settings.kind_of(row) == Kind::Fault) react(row);
 }
 
 void DriveObject::withdraw(std::uint16_t number) noexcept {

@@ -119,6 +119,9 @@ class DriveObject {
   DriveObject& operator=(DriveObject&&) = default;
 
   FaultMemory& memory() noexcept { return memory_; }
+  /// Every message comes this way: @p row is entered as what the settings make of it, and a fault has its
+  /// reaction.
+  void enter(const FaultRow& row, std::uint32_t value, Cause cause) noexcept;
   /// Sets @p row, whose home is a setting of a block, whatever the state and the limits; @p value in the unit of
   /// the row.
   void set_setting(const ParameterRow& row, std::size_t index, double value) noexcept;

@@ -99,16 +99,6 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   run({running.data(), count}, duration);
 }
 
-void DriveUnit::take_inputs(Axis& axis) noexcept {
-  for (const BlockId block : kInputsAtTheBeginning) wiring_->take(axis, block);
-  axis.take_image();
-}
-
-/// Whether @p axis is quiescent and all that acts on it is as in its last cycle.
-bool DriveUnit::has_nothing_to_do(const Axis& axis) const noexcept {
-  return axis.is_quiescent() && !axis.has_new_image() && !wiring_->changed(axis);
-}
-
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
   wiring_->connect();
   run_infeed(duration);

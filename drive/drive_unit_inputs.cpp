@@ -1,4 +1,4 @@
-// What the inputs of the control unit and of the infeed make of them in a cycle.
+// What the inputs of the drive objects make of them in a cycle.
 #include "drive/drive_unit.hpp"
 #include "drive/wiring.hpp"
 
@@ -17,6 +17,16 @@ void follow_messages(DriveObject& object, ExternalMessages& external) noexcept {
 }
 
 }  // namespace
+
+void DriveUnit::take_inputs(Axis& axis) noexcept {
+  for (const BlockId block : kInputsAtTheBeginning) wiring_->take(axis, block);
+  axis.take_image();
+}
+
+/// Whether @p axis is quiescent and all that acts on it is as in its last cycle.
+bool DriveUnit::has_nothing_to_do(const Axis& axis) const noexcept {
+  return axis.is_quiescent() && !axis.has_new_image() && !wiring_->changed(axis);
+}
 
 /// Of the control unit: p2102 acknowledges the faults of all drive objects, p2103 to p2105 its own, p2106 to p2108
 /// and p2112 bring messages.

@@ -7,12 +7,12 @@ namespace drive {
 namespace {
 
 /// Bits that a state sets or clears whatever the signals say.
-struct Row {
+struct StateBits {
   State state;
   std::uint16_t set;
   std::uint16_t clear;
 };
-constexpr std::array<Row, kStateCount> kRows{{
+constexpr std::array<StateBits, kStateCount> kRows{{
     {State::NotReadyToSwitchOn, 0x0000, 0xFFFF},
     {State::SwitchOnDisabled, 0x0040, 0x0000},
     {State::ReadyToSwitchOn, 0x0021, 0x0000},
@@ -48,7 +48,7 @@ std::uint16_t statusword(State state, const StatusSignals& signals) noexcept {
   };
   unsigned word = 0;
   for (const Bit& bit : bits) word |= static_cast<unsigned>(bit.on) << bit.number;
-  const Row& row = kRows[static_cast<std::size_t>(state)];
+  const StateBits& row = kRows[static_cast<std::size_t>(state)];
   return static_cast<std::uint16_t>((word & ~static_cast<unsigned>(row.clear)) | row.set);
 }
 

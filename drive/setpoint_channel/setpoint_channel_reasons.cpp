@@ -90,8 +90,8 @@ constexpr std::array kReasons{
              const std::string wiring =
                  (channel ? wiring_of(p.axis, 1070) + ", " : std::string{}) + wiring_of(p.axis, 1155);
              return fmt::format(
-                 "The speed setpoint is 0 ({}): send a setpoint ({}), or connect {} to another source.", wiring,
-                 p.axis.velocity_mode() ? "6042h" : "60FFh", channel ? "p1070" : "p1155");
+                 "The speed setpoint is 0 ({}): send a setpoint ({:04X}h), or connect {} to another source.",
+                 wiring, p.axis.speed_setpoint().setpoint, channel ? "p1070" : "p1155");
            }},
     Reason{590, kOperation, [](P p) { return ramp_leads(p) && is_zero(p.channel().settings.maximum_speed); },
            [](P) -> std::string { return "The maximum speed is 0 (p1082): write p1082."; }},

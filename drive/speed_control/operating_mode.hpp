@@ -32,15 +32,26 @@ struct OperatingModeRow {
   Lead lead;
   bool has_ramp_bits;      ///< bits 4 to 6 of the controlword are enables of the ramp
   std::uint16_t setpoint;  ///< object of the setpoint
+  std::uint16_t written;   ///< parameter that shows what was written to that
 };
 
 /// The first row with a p1300 is the mode that p1300 is by itself; the others have to be asked for by 6060h.
 inline constexpr std::array kOperatingModes{
-    OperatingModeRow{mode_code::kProfileVelocity, control_mode::kSpeed, {}, Lead::Speed, false, 0x60FF},
-    OperatingModeRow{mode_code::kProfileTorque, control_mode::kTorque, {}, Lead::Torque, false, 0x6071},
+    OperatingModeRow{mode_code::kProfileVelocity, control_mode::kSpeed, {}, Lead::Speed, false, 0x60FF, 8796},
+    OperatingModeRow{mode_code::kProfileTorque, control_mode::kTorque, {}, Lead::Torque, false, 0x6071, 8797},
     OperatingModeRow{mode_code::kVelocity, control_mode::kSpeed, control_mode::kSpeedWithoutEncoder, Lead::Speed,
-                     true, 0x6042},
+                     true, 0x6042, 8792},
 };
+
+static_assert(kOperatingModes.front().lead == Lead::Speed, "what leads where no other mode is asked for");
+
+/// 6502h: a bit for each mode that an axis with or without encoder can have, that of mode 1 the lowest.
+constexpr std::uint32_t supported_modes(bool has_encoder) noexcept {
+  std::uint32_t modes = 0;
+  for (const OperatingModeRow& row : kOperatingModes)
+    if (has_encoder || row.without_encoder) modes |= std::uint32_t{1} << (row.code - 1);
+  return modes;
+}
 
 /// p1300 for the mode @p code, with or without encoder. Nothing if no p1300 has it.
 std::optional<std::int32_t> control_mode_of(std::int8_t code, bool has_encoder) noexcept;
@@ -86,6 +97,11 @@ class OperatingMode {
   const OperatingModeRow* chosen(std::int32_t control_mode) const noexcept {
     const bool speed_leads = is_speed_control(control_mode) && !torque_control(control_mode);
     return speed_leads ? chosen_ : nullptr;
+  }
+  /// The row whose setpoint leads while the speed does.
+  const OperatingModeRow& speed_setpoint(std::int32_t control_mode) const noexcept {
+    const OperatingModeRow* const row = chosen(control_mode);
+    return row != nullptr ? *row : kOperatingModes.front();
   }
   /// Whether bits 4 to 6 of the controlword act.
   bool has_ramp_bits(std::int32_t control_mode) const noexcept {

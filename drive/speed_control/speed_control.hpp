@@ -60,6 +60,8 @@ class SpeedControl {
   bool torque_control() const noexcept { return mode_.torque_control(settings.control_mode); }
   /// Whether bits 4 to 6 of the controlword are enables of the ramp.
   bool has_ramp_bits() const noexcept { return mode_.has_ramp_bits(settings.control_mode); }
+  /// The mode whose setpoint leads while the speed does.
+  const OperatingModeRow& speed_setpoint() const noexcept { return mode_.speed_setpoint(settings.control_mode); }
   /// 6061h, r8762.
   std::int8_t mode() const noexcept { return mode_.display(settings.control_mode); }
   /// 6060h: the mode that was last asked for.
