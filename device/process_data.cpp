@@ -75,11 +75,11 @@ void ProcessData::receive(std::uint16_t controlword) noexcept {
     else
       drive::ProcessDataImage::set_double_word(image.received, item.first, words);
   }
-  image.whole_controlword = controlword;
+  image.controlword = controlword;
   image.requested_mode.reset();
   if (mode_ != nullptr) image.requested_mode = static_cast<std::int8_t>(dictionary_.stored(*mode_));
   axis_.scale_process_data({scaling_.get().per_radian(), axis_.parameters().rated_torque});
-  image.controlword = controlword_placed_ ? std::uint16_t{0} : controlword;
+  image.unplaced.controlword = controlword_placed_ ? std::uint16_t{0} : controlword;
   for (const Written& item : written_) {
     const std::int64_t bus = dictionary_.stored(*item.entry);
     std::visit([&](auto* target) { *target = static_cast<std::remove_pointer_t<decltype(target)>>(bus); },
@@ -90,21 +90,21 @@ void ProcessData::receive(std::uint16_t controlword) noexcept {
 /// Objects without a place lead to the parameters that stand for them; the parameter of one that has a place is 0.
 void ProcessData::plan_written() noexcept {
   written_.clear();
-  drive::ProcessDataImage& image = axis_.process_data();
+  drive::ProcessDataImage::Unplaced& unplaced = axis_.process_data().unplaced;
   const std::size_t axis = axis_.axis_number();
   const auto add = [&](std::uint16_t index, auto& target) {
     target = 0;
     const canopen::Entry* const entry = dictionary_.lookup(index, 0);
     if (entry != nullptr && places_.received().find(index) == nullptr) written_.push_back({entry, &target});
   };
-  add(object::on_axis(object::kVlTargetVelocity, axis), image.vl_velocity);
-  add(object::on_axis(object::kTargetVelocity, axis), image.velocity);
-  add(object::on_axis(object::kTargetTorque, axis), image.torque);
+  add(object::on_axis(object::kVlTargetVelocity, axis), unplaced.speed_rpm);
+  add(object::on_axis(object::kTargetVelocity, axis), unplaced.speed_increments);
+  add(object::on_axis(object::kTargetTorque, axis), unplaced.torque);
   for (std::uint16_t i = 0; i < object::kFreeWords; ++i)
-    add(static_cast<std::uint16_t>(object::free_on_axis(object::kReceiveWords, axis) + i), image.free_words[i]);
+    add(static_cast<std::uint16_t>(object::free_on_axis(object::kReceiveWords, axis) + i), unplaced.words[i]);
   for (std::uint16_t i = 0; i < object::kFreeDoubleWords; ++i)
     add(static_cast<std::uint16_t>(object::free_on_axis(object::kReceiveDoubleWords, axis) + i),
-        image.free_double_words[i]);
+        unplaced.double_words[i]);
 }
 
 void ProcessData::publish() noexcept {

@@ -210,7 +210,7 @@ AxisInputs Wiring::inputs(std::size_t object) const noexcept {
   AxisInputs inputs = entry.constant_inputs;
   for (const auto& link : entry.bits) inputs.*link.member = link.source.bit();
   for (const auto& link : entry.values) inputs.*link.member = link.source.value(link.full);
-  inputs.controlword = entry.object->process_data().whole_controlword;
+  inputs.controlword = entry.object->process_data().controlword;
   inputs.requested_mode = entry.object->process_data().requested_mode;
   return inputs;
 }
