@@ -22,6 +22,7 @@ AxisObjects::AxisObjects(canopen::Dictionary& dictionary, drive::Axis& axis, con
     : axis_{axis},
       places_{places},
       runner_{runner},
+      mask_{unit::mask_of(axis.axis_number())},
       process_data_{dictionary, axis, places},
       parameter_objects_{dictionary, axis, *this} {
   for (const std::uint16_t index : kInputs)

@@ -38,13 +38,14 @@ class AxisObjects final : private canopen::EntryOwner, private ParameterListener
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   canopen::Result<std::int64_t> read(const canopen::Entry& entry, std::int64_t stored) override;
   /// Something has come: the next cycle has to run.
-  void wake() noexcept { runner_.wake(axis_.axis_number()); }
+  void wake() noexcept { runner_.wake(mask_); }
   bool is_placed(const canopen::Entry& entry) const noexcept;
   void on_parameter_written(const drive::Axis&) noexcept override { wake(); }
 
   drive::Axis& axis_;
   const ProcessDataBuffers& places_;
   unit::Runner& runner_;
+  unit::AxisMask mask_;  ///< of the axis
   ProcessData process_data_;
   ParameterObjects parameter_objects_;
   WrittenControlwords written_controlwords_;

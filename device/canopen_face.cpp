@@ -5,7 +5,6 @@
 
 #include "device/node_policy.hpp"
 #include "device/object_index.hpp"
-#include "device/unit_time.hpp"
 
 namespace device {
 
@@ -27,10 +26,6 @@ CanopenFace::CanopenFace(const Configuration& configuration, unit::Runner& runne
   for (drive::Axis& axis : runner.unit().axes())
     axes_.emplace_back(objects_.dictionary, axis, process_data_.places(axis.axis_number()), runner);
   objects_.dictionary.own_write(object::kErrorField, 0, *this);
-}
-
-canopen::TimePoint CanopenFace::now() const noexcept {
-  return node_time(runner_.now());
 }
 
 void CanopenFace::bring() noexcept {

@@ -16,6 +16,7 @@
 #include "device/reception.hpp"
 #include "device/unit_objects.hpp"
 #include "device/unit_process_data.hpp"
+#include "device/unit_time.hpp"
 #include "libcanopen/node/node.hpp"
 #include "unit/face.hpp"
 #include "unit/runner.hpp"
@@ -119,7 +120,7 @@ class CanopenFace final : public unit::Face,
   void on_parameter_access() noexcept override { runner_.tell_time(); }
   void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
-  canopen::TimePoint now() const noexcept;
+  canopen::TimePoint now() const noexcept { return node_time(runner_.now()); }
   void serve(const canopen::Frame& frame) noexcept {
     node_.on_frame(frame, now());
     follow_up_all();

@@ -3,7 +3,6 @@
 
 #include "device/abort_codes.hpp"
 #include "device/canopen_face.hpp"
-#include "device/unit_time.hpp"
 
 namespace device {
 namespace {

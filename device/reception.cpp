@@ -2,23 +2,12 @@
 
 #include <algorithm>
 
-#include "device/unit_time.hpp"
-
 namespace device {
-
-canopen::TimePoint Reception::now() const noexcept {
-  return node_time(runner_.now());
-}
 
 void Reception::take_over(const canopen::PdoCycle& grid) noexcept {
   const drive::DriveObject& control_unit = *runner_.unit().object(drive::kControlUnitNumber);
   monitor_.set_cycle(grid);
   monitor_.set_time(control_unit.read(RpdoMonitor::kParameter).value_or(0.0));
-}
-
-void Reception::before_rpdo(std::uint16_t number) noexcept {
-  monitor_.on_rpdo(now());
-  if (loss_.on_rpdo(number)) overwrite(number);
 }
 
 /// RPDO @p number is about to be stored, and no cycle has taken the values before. If cycles were missed

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "device/communication.hpp"
 #include "device/rpdo_monitor.hpp"
 #include "device/telegram_loss.hpp"
+#include "device/unit_time.hpp"
 #include "unit/runner.hpp"
 
 namespace device {
@@ -23,7 +25,10 @@ class Reception {
   /// What the parameters say of the monitoring, which is judged in cycles of @p grid, is in force.
   void take_over(const canopen::PdoCycle& grid) noexcept;
   /// RPDO @p number (0 for 1400h) is about to be stored.
-  void before_rpdo(std::uint16_t number) noexcept;
+  void before_rpdo(std::uint16_t number) noexcept {
+    monitor_.on_rpdo(now());
+    if (loss_.on_rpdo(number)) overwrite(number);
+  }
   /// A cycle takes what was received.
   void on_cycle() noexcept { loss_.on_cycle(); }
   /// Operational is left: what waits is taken by a cycle that was missed, if one was.
@@ -47,7 +52,7 @@ class Reception {
   std::uint64_t lost_telegrams() const noexcept { return lost_telegrams_; }
 
  private:
-  canopen::TimePoint now() const noexcept;
+  canopen::TimePoint now() const noexcept { return node_time(runner_.now()); }
   bool make_up_cycle() noexcept;
   void overwrite(std::uint16_t number) noexcept;
   void lose(std::uint16_t number) noexcept;
