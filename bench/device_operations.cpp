@@ -4,7 +4,7 @@
 #include "bench/cycle_operations.hpp"
 #include "bench/device_unit.hpp"
 #include "bench/operation.hpp"
-#include "device/object_rows.hpp"
+#include "device/objects/object_rows.hpp"
 
 namespace bench {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "device/node_policy.hpp"
-#include "device/object_index.hpp"
+#include "device/bus/node_policy.hpp"
+#include "device/objects/object_index.hpp"
 
 namespace device {
 

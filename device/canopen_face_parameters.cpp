@@ -1,8 +1,8 @@
 // What becomes of parameters that are replaced or saved: the objects that show them, and the services of the node.
 #include <array>
 
-#include "device/abort_codes.hpp"
 #include "device/canopen_face.hpp"
+#include "device/parameters/abort_codes.hpp"
 
 namespace device {
 namespace {
