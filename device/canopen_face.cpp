@@ -23,6 +23,7 @@ CanopenFace::CanopenFace(const Configuration& configuration, unit::Runner& runne
       window_{runner.unit(), *this},
       reception_{runner, node_, communication_} {
   node_.show(window_);
+  name_groups();
   for (drive::Axis& axis : runner.unit().axes())
     axes_.emplace_back(objects_.dictionary, axis, process_data_.places(axis.axis_number()), runner);
   objects_.dictionary.own_write(object::kErrorField, 0, *this);

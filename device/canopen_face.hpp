@@ -139,6 +139,7 @@ class CanopenFace final : public unit::Face,
   // canopen_face_parameters.cpp
   void take_over_parameters() noexcept;
   void forget_written() noexcept;
+  void name_groups() noexcept;
   UnitProcessData::WiredBy wired_by(const unit::Replacement& replacement) const noexcept;
 
   unit::Runner& runner_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "drive/axis_configuration.hpp"
 
@@ -11,7 +12,10 @@ namespace drive::function_module {
 
 /// A set of modules, a bit of p0108 each.
 using Set = std::uint32_t;
+inline constexpr Set kPositionControl = Set{1} << 3;
+inline constexpr Set kBasicPositioner = Set{1} << 4;
 inline constexpr Set kSetpointChannel = Set{1} << 8;  ///< extended setpoint channel
+inline constexpr Set kTechnologyController = Set{1} << 16;
 inline constexpr Set kCan = Set{1} << 29;
 
 /// The modules that an axis of @p kind has whatever p0108 says.
@@ -47,6 +51,26 @@ constexpr Set needed_by(std::uint16_t number) noexcept {
   const auto* const row = std::ranges::find_if(
       kParameters, [=](const Parameters& range) { return range.first <= number && number <= range.last; });
   return row != kParameters.end() ? row->module : Set{0};
+}
+
+/// A module that the simulation does not have yet, and its parameters, which exist all the same.
+struct Missing {
+  std::uint16_t first;
+  std::uint16_t last;
+  Set module;
+  std::string_view name;
+};
+inline constexpr std::array kMissing{
+    Missing{2200, 2294, kTechnologyController, "technology controller"},
+    Missing{2502, 2567, kPositionControl, "position control"},
+    Missing{2568, 2693, kBasicPositioner, "basic positioner"},
+};
+
+/// The missing module that parameter @p number of an axis belongs to, or nullptr.
+constexpr const Missing* missing_of(std::uint16_t number) noexcept {
+  const auto* const row = std::ranges::find_if(
+      kMissing, [=](const Missing& range) { return range.first <= number && number <= range.last; });
+  return row != kMissing.end() ? row : nullptr;
 }
 
 }  // namespace drive::function_module

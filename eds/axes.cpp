@@ -30,21 +30,6 @@ bool lists(FileContent drive_object, Scope scope) {
       kListings, [=](const Listing& row) { return row.scope == scope && row.drive_object == drive_object; });
 }
 
-/// How much higher axis @p axis has the object @p index of axis 1.
-std::uint16_t shift(const Catalogue& catalogue, std::uint16_t index, unsigned axis) {
-  const auto row = std::ranges::find_if(catalogue.axis_offsets, [=](const AxisOffset& offset) {
-    return index >= offset.first && index <= offset.last;
-  });
-  return static_cast<std::uint16_t>(row == catalogue.axis_offsets.end() ? 0 : row->offset * (axis - 1));
-}
-
-/// The mapping entry @p mapped of axis 1 as axis @p axis has it.
-Number mapped_on(const Catalogue& catalogue, const Number& mapped, unsigned axis) {
-  const auto index = static_cast<std::uint16_t>(mapped.value >> 16);
-  const std::int64_t value = mapped.value + (std::int64_t{shift(catalogue, index, axis)} << 16);
-  return {.value = value, .text = fmt::format("0x{:08X}", value)};
-}
-
 void fit(Entry& entry, unsigned axis, DriveType type) {
   if (axis > 1 && entry.other_axes) entry.initial = *entry.other_axes;
   if (type == DriveType::Vector && entry.vector) entry.initial = *entry.vector;
@@ -58,11 +43,13 @@ std::vector<Object> axis_objects(const Catalogue& catalogue, unsigned axis, Driv
                        [](const Object& object) { return object.scope == Scope::Axis; });
   for (Object& object : objects) {
     for (Entry& entry : object.entries) {
-      const bool maps = is_mapping_parameter(object.index) && entry.sub_index != 0 && entry.initial.value != 0;
-      if (maps && axis > 1) entry.initial = mapped_on(catalogue, entry.initial, axis);
+      const std::int64_t value =
+          initial_on_axis(catalogue.axis_offsets, object.index, entry.sub_index, entry.initial.value, axis);
+      if (value != entry.initial.value) entry.initial = {.value = value, .text = fmt::format("0x{:08X}", value)};
       fit(entry, axis, type);
     }
-    object.index = static_cast<std::uint16_t>(object.index + shift(catalogue, object.index, axis));
+    object.index =
+        static_cast<std::uint16_t>(object.index + axis_offset(catalogue.axis_offsets, object.index, axis));
   }
   return objects;
 }

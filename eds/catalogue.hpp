@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "eds/axis_rule.hpp"
 #include "eds/names.hpp"
 #include "eds/number.hpp"
 #include "eds/sheet/object_lists.hpp"
@@ -36,13 +37,6 @@ struct EdsFile {
   FileContent content = FileContent::Axes;
   unsigned axes = 0;  ///< 1..kMostAxes where the content is Axes, else 0
   std::string description;
-};
-
-/// Objects of axis 1 and how far apart those of neighbouring axes are.
-struct AxisOffset {
-  std::uint16_t first = 0;
-  std::uint16_t last = 0;
-  std::uint16_t offset = 0;  ///< axis n has them (n - 1) times this higher
 };
 
 /// One entry of an object: what an index and a sub-index address.

@@ -14,10 +14,15 @@
 namespace {
 
 constexpr const char* kUsage =
-    "usage: compile_catalogue CATALOGUE [--table FILE] [--objects FILE] [--parameters ROWS] [--eds FOLDER]\n";
+    "usage: compile_catalogue CATALOGUE [--table FILE] [--offsets FILE] [--objects FILE] [--parameters ROWS] "
+    "[--eds FOLDER]\n";
 
 void write_table(eds::Catalogue& catalogue, const std::string& path) {
   eds::write_file(path, eds::write_table(catalogue));
+}
+
+void write_offsets(eds::Catalogue& catalogue, const std::string& path) {
+  eds::write_file(path, eds::write_offsets(catalogue));
 }
 
 void write_reference(eds::Catalogue& catalogue, const std::string& path) {
@@ -46,10 +51,8 @@ struct Step {
 };
 
 constexpr std::array kSteps{
-    Step{"--table", write_table},
-    Step{"--objects", write_reference},
-    Step{"--parameters", read_parameters},
-    Step{"--eds", write_eds_files},
+    Step{"--table", write_table},          Step{"--offsets", write_offsets}, Step{"--objects", write_reference},
+    Step{"--parameters", read_parameters}, Step{"--eds", write_eds_files},
 };
 
 eds::Catalogue read_catalogue(const std::string& path) {

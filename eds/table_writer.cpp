@@ -24,17 +24,23 @@ using canopen::Access;
 using canopen::DataType;
 using canopen::LimitCheck;
 
-/// Objects of axis 1 from `first` to `last`; axis n has them (n - 1) times `offset` higher.
-struct AxisOffset {
-  std::uint16_t first, last, offset;
-};
-
 /// Another initial value than that of the row.
 struct OtherInitial {
   std::uint16_t index;
   std::uint8_t sub_index;
   std::int64_t initial;
 };
+
+)";
+
+constexpr std::string_view kOffsetsHead = R"(// Generated from the object catalogue, do not edit.
+#pragma once
+
+#include <array>
+
+#include "eds/axis_rule.hpp"
+
+namespace device::generated {
 
 )";
 
@@ -138,14 +144,19 @@ std::string write_table(const Catalogue& catalogue) {
                   entry_rows(catalogue, Scope::Unit)) +
          array_of("The entries of axis 1 as a servo axis, ascending likewise.", kEntry, "kAxisTable",
                   entry_rows(catalogue, Scope::Axis)) +
-         array_of("Where the other axes have their objects.", "AxisOffset", "kAxisOffsets",
-                  offset_rows(catalogue)) +
          array_of("Initial values of axes 2 to 8 that are not those of axis 1, under its indices.", "OtherInitial",
                   "kOtherAxesInitials", other_rows(catalogue, &Entry::other_axes)) +
          array_of("Initial values of vector axes that are not those of servo axes, under the indices of axis 1.",
                   "OtherInitial", "kVectorInitials", other_rows(catalogue, &Entry::vector)) +
-         fmt::format("/// Axes that a unit has at most.\ninline constexpr unsigned kMostAxes = {};\n", kMostAxes) +
          std::string{kTail};
+}
+
+std::string write_offsets(const Catalogue& catalogue) {
+  return std::string{kOffsetsHead} +
+         array_of("Where the other axes have their objects.", "eds::AxisOffset", "kAxisOffsets",
+                  offset_rows(catalogue)) +
+         fmt::format("/// Axes that a unit has at most.\ninline constexpr unsigned kMostAxes = {};\n", kMostAxes) +
+         "\n}  // namespace device::generated\n";
 }
 
 }  // namespace eds

@@ -12,7 +12,7 @@ Runner::Runner(const Configuration& configuration, ParameterKeeper& keeper)
     : keeper_{keeper},
       unit_{configuration.drive, &parameters_},
       storage_{unit_, parameters_, keeper, follow_ups_},
-      presets_{configuration, unit_, parameters_},
+      presets_{configuration, unit_, {parameters_, storage_.groups()}},
       retained_(drive::retained_image::size(unit_)),
       idle_{(AxisMask{1} << unit_.axes().size()) - 1} {}
 

@@ -84,6 +84,8 @@ class Runner final {
   /// The answer to a request is out: carries out what it has led to, here and at the faces.
   void follow_up() noexcept;
 
+  /// Before the face is attached: what belongs to the groups of parameters that it knows.
+  ParameterGroups& groups() noexcept { return storage_.groups(); }
   /// Saves @p group, or has it restored when the answer is out: see ParameterStorage.
   [[nodiscard]] std::optional<drive::Refusal> store(ParameterGroup group) noexcept {
     return storage_.store(group);

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "generated/axis_offsets.hpp"
+
 namespace device::object {
 
 // Communication objects of the unit that carry more than the protocol itself.
@@ -15,7 +17,7 @@ inline constexpr std::uint16_t kHeartbeatTime = 0x1017;
 inline constexpr std::uint16_t kIdentity = 0x1018;
 inline constexpr std::uint16_t kModuleList = 0x1027;
 
-// Profile objects of the first axis (CiA 402); axis n has them 800h·(n-1) higher.
+// Profile objects of the first axis (CiA 402); axis n has them kProfileStride·(n-1) higher.
 inline constexpr std::uint16_t kAbortConnectionOption = 0x6007;
 inline constexpr std::uint16_t kControlword = 0x6040;
 inline constexpr std::uint16_t kStatusword = 0x6041;
@@ -45,9 +47,9 @@ inline constexpr std::uint16_t kTargetVelocity = 0x60FF;
 inline constexpr std::uint16_t kSupportedModes = 0x6502;
 
 inline constexpr std::uint16_t kFirstProfileObject = 0x6000;
-inline constexpr std::uint16_t kProfileStride = 0x800;
+inline constexpr std::uint16_t kProfileStride = eds::stride_of(generated::kAxisOffsets, kFirstProfileObject);
 
-// Free objects of the first axis: 16 words and 8 double words each way; axis n has them 80h·(n-1) higher.
+// Free objects of the first axis: 16 words and 8 double words each way; axis n has them kFreeStride·(n-1) higher.
 inline constexpr std::uint16_t kReceiveWords = 0x5800;
 inline constexpr std::uint16_t kTransmitWords = 0x5810;
 inline constexpr std::uint16_t kReceiveDoubleWords = 0x5820;
@@ -56,7 +58,7 @@ inline constexpr std::uint16_t kFreeWords = 16;
 inline constexpr std::uint16_t kFreeDoubleWords = 8;
 
 inline constexpr std::uint16_t kFirstFreeObject = kReceiveWords;
-inline constexpr std::uint16_t kFreeStride = 0x80;
+inline constexpr std::uint16_t kFreeStride = eds::stride_of(generated::kAxisOffsets, kFirstFreeObject);
 
 /// The free object @p index of the first axis, on axis @p axis (1..8).
 constexpr std::uint16_t free_on_axis(std::uint16_t index, std::size_t axis) noexcept {

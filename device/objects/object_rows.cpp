@@ -10,15 +10,9 @@ namespace device {
 namespace {
 
 using canopen::EntryDescription;
-using generated::AxisOffset;
 using generated::OtherInitial;
 
 static_assert(drive::kMostAxes == generated::kMostAxes);
-
-constexpr bool maps(const EntryDescription& row) noexcept {
-  const bool mapping = (row.index >= 0x1600 && row.index < 0x1800) || (row.index >= 0x1A00 && row.index < 0x1C00);
-  return mapping && row.sub_index != 0 && row.initial != 0;
-}
 
 /// Gives @p row, still under its index on axis 1, the initial value that @p others has for it.
 void take_initial(EntryDescription& row, std::span<const OtherInitial> others) noexcept {
@@ -30,8 +24,7 @@ void take_initial(EntryDescription& row, std::span<const OtherInitial> others) n
 }
 
 EntryDescription on_axis(EntryDescription row, std::size_t axis, drive::ObjectKind kind) noexcept {
-  if (maps(row))
-    row.initial += std::int64_t{axis_offset(static_cast<std::uint16_t>(row.initial >> 16), axis)} << 16;
+  row.initial = eds::initial_on_axis(generated::kAxisOffsets, row.index, row.sub_index, row.initial, axis);
   if (axis > 1) take_initial(row, generated::kOtherAxesInitials);
   if (kind == drive::ObjectKind::Vector) take_initial(row, generated::kVectorInitials);
   row.index = static_cast<std::uint16_t>(row.index + axis_offset(row.index, axis));
@@ -53,9 +46,7 @@ void add_module(std::vector<EntryDescription>& rows, EntryDescription row,
 }  // namespace
 
 std::uint16_t axis_offset(std::uint16_t index, std::size_t axis) noexcept {
-  const auto row = std::ranges::find_if(generated::kAxisOffsets,
-                                        [=](const AxisOffset& r) { return index >= r.first && index <= r.last; });
-  return static_cast<std::uint16_t>(row == generated::kAxisOffsets.end() ? 0 : row->offset * (axis - 1));
+  return eds::axis_offset(generated::kAxisOffsets, index, axis);
 }
 
 std::vector<EntryDescription> object_rows(std::span<const drive::ObjectKind> axes) {

@@ -9,8 +9,8 @@
 
 namespace device {
 
-/// How much higher axis @p axis (1..drive::kMostAxes) has the object @p index of axis 1: PDO objects 40h an axis,
-/// free process data 80h, profile objects 800h; objects of the unit are where they are.
+/// How much higher axis @p axis (1..drive::kMostAxes) has the object @p index of axis 1, as the catalogue
+/// says; objects of the unit are where they are.
 [[nodiscard]] std::uint16_t axis_offset(std::uint16_t index, std::size_t axis) noexcept;
 
 /// The entries of a unit with axes of the kinds @p axes, servo or vector, ascending by index and sub-index: those

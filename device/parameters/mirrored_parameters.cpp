@@ -1,45 +1,13 @@
 #include "device/parameters/mirrored_parameters.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "device/objects/object_rows.hpp"
 #include "device/parameters/abort_codes.hpp"
+#include "device/parameters/object_parameters.hpp"
 
 namespace device {
 namespace {
-
-/// What the index of a parameter selects.
-enum class Indexed : std::uint8_t { SubIndex, Object };
-
-/// The parameters `first` to `last` of the drive objects `kinds`, and the entry that index 0 of the first one is;
-/// of an axis: of axis 1, the others by the offset rule.
-struct Mirror {
-  std::uint16_t first = 0, last = 0;
-  drive::ObjectKinds kinds = drive::kAxes;
-  std::uint16_t index = 0;
-  std::uint8_t sub_index = 0;
-  Indexed indexed = Indexed::SubIndex;
-};
-constexpr std::array kMirrors{
-    Mirror{8600, 8600, drive::kControlUnit, 0x1000, 0},
-    Mirror{8601, 8601, drive::kControlUnit, 0x1001, 0},
-    Mirror{8602, 8602, drive::kControlUnit, 0x1005, 0},
-    Mirror{8603, 8603, drive::kControlUnit, 0x1014, 0},
-    Mirror{8604, 8604, drive::kControlUnit, 0x100C, 0, Indexed::Object},
-    Mirror{8606, 8606, drive::kControlUnit, 0x1017, 0},
-    Mirror{8607, 8607, drive::kControlUnit, 0x1018, 1},
-    Mirror{8609, 8609, drive::kControlUnit, 0x1029, 1},
-    Mirror{8610, 8610, drive::kControlUnit, 0x1200, 1},
-    Mirror{8611, 8611, drive::kControlUnit, 0x1003, 0},
-    Mirror{8612, 8612, drive::kControlUnit, 0x1201, 1},
-    Mirror{8612, 8612, drive::kAxes, 0x1202, 1},
-    Mirror{8700, 8707, drive::kAxes, 0x1400, 1},
-    Mirror{8710, 8717, drive::kAxes, 0x1600, 1},
-    Mirror{8720, 8727, drive::kAxes, 0x1800, 1},
-    Mirror{8730, 8737, drive::kAxes, 0x1A00, 1},
-    Mirror{8798, 8798, drive::kAxes, 0x6094, 1},
-};
 
 constexpr std::uint8_t kMostMapped = 4;
 

@@ -4,19 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "device/objects/object_index.hpp"
 #include "device/parameters/abort_codes.hpp"
+#include "device/parameters/object_parameters.hpp"
 
 namespace device {
 namespace {
 
-/// How an object shows its parameter.
-enum class Form : std::uint8_t {
-  Number,       ///< the nearest whole number
-  Slope,        ///< a ramp time as the slope from p1082 (increments/s²)
-  TorqueLimit,  ///< per mille of the rated torque, both ways; 0 for the limits of a new axis
-  ProfileType,  ///< p1115: 0 is a linear ramp (0), 1 one of limited jerk (3); CiA 402 has other types beside them
-};
 constexpr std::int64_t kLinearRamp = 0;
 constexpr std::int64_t kRoundedRamp = 3;
 
@@ -28,31 +21,12 @@ constexpr std::uint16_t kUpperTorqueLimit = 1520;
 constexpr std::uint16_t kLowerTorqueLimit = 1521;
 constexpr double kPerMille = 1000.0;
 
-struct Row {
-  std::uint16_t index;
-  std::uint8_t sub_index;
-  std::uint16_t parameter;
-  Form form;
-};
-constexpr std::array kRows{
-    Row{object::kAbortConnectionOption, 0, 8641, Form::Number},
-    Row{object::kVelocityLimits, 1, 1080, Form::Number},
-    Row{object::kVelocityLimits, 2, 1082, Form::Number},
-    Row{object::kVelocityAcceleration, 1, 1082, Form::Number},
-    Row{object::kVelocityAcceleration, 2, 1120, Form::Number},
-    Row{object::kHaltOption, 0, 8791, Form::Number},
-    Row{object::kMaxTorque, 0, kUpperTorqueLimit, Form::TorqueLimit},
-    Row{object::kProfileAcceleration, 0, 1120, Form::Slope},
-    Row{object::kProfileDeceleration, 0, 1121, Form::Slope},
-    Row{object::kQuickStopDeceleration, 0, 1135, Form::Slope},
-    Row{object::kMotionProfileType, 0, 1115, Form::ProfileType},
-};
-
 /// Only objects of the table come here.
-const Row& row_of(const canopen::Entry& entry) noexcept {
+const ObjectParameter& row_of(const canopen::Entry& entry) noexcept {
   const std::uint16_t first = object::on_first_axis(entry.index);
-  return *std::find_if(kRows.begin(), kRows.end(),
-                       [&](const Row& row) { return row.index == first && row.sub_index == entry.sub_index; });
+  return *std::find_if(kObjectParameters.begin(), kObjectParameters.end(), [&](const ObjectParameter& row) {
+    return row.index == first && row.sub_index == entry.sub_index;
+  });
 }
 
 /// What parameter @p number is on a new axis.
@@ -78,7 +52,7 @@ std::int64_t whole(double value, const canopen::Entry& entry) noexcept {
 
 ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis& axis, ParameterListener& listener)
     : axis_{axis}, listener_{listener}, scaling_{dictionary, axis} {
-  for (const Row& row : kRows) {
+  for (const ObjectParameter& row : kObjectParameters) {
     const std::uint16_t index = object::on_axis(row.index, axis.axis_number());
     dictionary.own_read(index, row.sub_index, *this);
     dictionary.own_write(index, row.sub_index, *this);
@@ -86,7 +60,7 @@ ParameterObjects::ParameterObjects(canopen::Dictionary& dictionary, drive::Axis&
 }
 
 canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry, std::int64_t) {
-  const Row& row = row_of(entry);
+  const ObjectParameter& row = row_of(entry);
   const auto value = axis_.read(row.parameter);
   if (!value) return canopen::refuse(abort_code(value.error().reason));
   switch (row.form) {
@@ -105,7 +79,7 @@ canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry
 
 /// What the parameter of @p entry becomes with @p value: InvalidValue or ValueTooLow if there is nothing.
 canopen::Result<double> ParameterObjects::parameter_value(const canopen::Entry& entry, std::int64_t value) const {
-  const Row& row = row_of(entry);
+  const ObjectParameter& row = row_of(entry);
   if (row.form == Form::Number) return static_cast<double>(value);
   if (row.form == Form::TorqueLimit)
     return static_cast<double>(value) / kPerMille * axis_.parameters().rated_torque;
@@ -123,7 +97,7 @@ canopen::Result<double> ParameterObjects::parameter_value(const canopen::Entry& 
 canopen::Result<void> ParameterObjects::write(const canopen::Entry& entry, std::int64_t value) {
   const auto wanted = parameter_value(entry, value);
   if (!wanted) return canopen::refuse(wanted.error());
-  const Row& row = row_of(entry);
+  const ObjectParameter& row = row_of(entry);
   const auto written =
       row.form == Form::TorqueLimit ? write_torque_limits(*wanted) : axis_.write(row.parameter, *wanted);
   if (!written) return canopen::refuse(abort_code(written.error().reason));

@@ -16,9 +16,8 @@ class ParameterListener {
   virtual void on_parameter_written(const drive::Axis& axis) noexcept = 0;
 };
 
-/// The profile objects that are parameters of the axis under another number and in another unit:
-/// 6007h = p8641, 6046h = p1080 and p1082, 6048h = p1082 and p1120, 605Dh = p8791, 6072h = p1520 and p1521, 6083h
-/// = p1120, 6084h = p1121, 6085h = p1135, 6086h = p1115 and p1134.
+/// The profile objects that are parameters of the axis under another number and in another unit
+/// (kObjectParameters). 6072h is p1521 too, and 6086h sets p1134 with p1115.
 class ParameterObjects final : public canopen::EntryOwner {
  public:
   /// Owns the objects of @p axis in @p dictionary; all arguments must outlive this.

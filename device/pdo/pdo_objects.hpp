@@ -5,17 +5,29 @@
 #include <cstdint>
 #include <optional>
 
+#include "generated/axis_offsets.hpp"
 #include "libcanopen/od/dictionary.hpp"
 #include "libcanopen/pdo/mapping.hpp"
 
-/// PDO records of the unit: every axis has eight of each kind, those of the next axis 40h higher.
+/// PDO records of the unit: every axis has eight of each kind.
 namespace device::pdo {
 
 using canopen::Direction;
 
 inline constexpr std::uint16_t kOfAnAxis = 8;    ///< of each direction
-inline constexpr std::uint16_t kStride = 0x40;   ///< from axis to axis
 inline constexpr std::uint8_t kMostEntries = 4;  ///< of a mapping
+
+inline constexpr std::uint16_t kFirstRecord = 0x1400;
+inline constexpr std::uint16_t kPartStride = 0x200;       ///< from a communication record to its mapping
+inline constexpr std::uint16_t kDirectionStride = 0x400;  ///< from an RPDO to the TPDO of the same number
+/// From axis to axis.
+inline constexpr std::uint16_t kStride = eds::stride_of(generated::kAxisOffsets, kFirstRecord);
+static_assert(kStride == eds::stride_of(generated::kAxisOffsets, kFirstRecord + kPartStride) &&
+                  kStride == eds::stride_of(generated::kAxisOffsets, kFirstRecord + kDirectionStride) &&
+                  kStride ==
+                      eds::stride_of(generated::kAxisOffsets, kFirstRecord + kDirectionStride + kPartStride) &&
+                  kOfAnAxis <= kStride,
+              "a PDO has its records in the same place of each range");
 
 /// What a record says of its PDO.
 enum class Part : std::uint8_t { Communication, Mapping };
@@ -35,10 +47,6 @@ struct Pdo {
 constexpr Pdo of_axis(Direction direction, std::size_t axis, std::uint16_t place) noexcept {
   return {direction, static_cast<std::uint16_t>(kStride * (axis - 1) + place)};
 }
-
-inline constexpr std::uint16_t kFirstRecord = 0x1400;
-inline constexpr std::uint16_t kPartStride = 0x200;       ///< from a communication record to its mapping
-inline constexpr std::uint16_t kDirectionStride = 0x400;  ///< from an RPDO to the TPDO of the same number
 
 /// The index of a record of @p pdo.
 constexpr std::uint16_t index_of(Pdo pdo, Part part) noexcept {

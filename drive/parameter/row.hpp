@@ -54,7 +54,9 @@ using FactoryFunction = double (*)(const ObjectContext& context, std::size_t ind
 using Factory = std::variant<double, FactoryFunction>;
 
 /// The value lies in a slot of the drive object and nothing in the simulation acts on it.
-struct Stored {};
+struct Stored {
+  std::string_view until = {};  ///< what would act on it; empty if a function module that is missing says so
+};
 /// The value lies in a slot of the drive object, and what the row's effect names is computed from it.
 struct Slot {};
 /// The value lies in a slot of the drive object; the layer that owns the bus acts on it, agrees to every change
@@ -63,9 +65,10 @@ struct Agreed {};
 /// A command to the layer that owns the bus; what it reads as is what that layer brings in, otherwise the factory
 /// value.
 struct Command {};
-/// The quantity is not in the model: it reads as @p value.
+/// The quantity is not in the model: it reads as `value`.
 struct Fixed {
   double value;
+  std::string_view until = {};  ///< what would change it; empty if a function module that is missing says so
 };
 /// The value is a member of AxisParameters, in SI units there.
 struct Member {
@@ -158,6 +161,15 @@ namespace rows {
 using enum DataType;
 using Row = ParameterRow;
 using P = AxisParameters;
+
+/// What several rows wait for.
+namespace until {
+inline constexpr std::string_view kDriveObjects =
+    "drive objects that are chosen over the bus; the configuration names them";
+inline constexpr std::string_view kEncoder =
+    "encoders that are chosen over the bus; the configuration gives the encoder";
+inline constexpr std::string_view kPulses = "an inverter with pulses; it acts as their mean";
+}  // namespace until
 
 // What a row gives as its home, where the name of the type would be long.
 constexpr Computed<Axis> axis(double (*get)(const Axis&, std::size_t) noexcept,

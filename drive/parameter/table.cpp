@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "drive/function_modules.hpp"
 #include "drive/parameter/rows/can.hpp"
 #include "drive/parameter/rows/control.hpp"
 #include "drive/parameter/rows/display.hpp"
@@ -93,6 +94,17 @@ constexpr bool consistent(const ParameterRow* row) {
   return row->count > 0 && row->kinds != 0 && within && !(display && row->is_writable()) &&
          !(member && row->count != 1);
 }
+/// What does nothing yet says what would make it act: itself, or by the module that it belongs to.
+constexpr bool says_until_when(const ParameterRow* row) {
+  const auto* const stored = std::get_if<Stored>(&row->home);
+  const auto* const fixed = std::get_if<Fixed>(&row->home);
+  if (stored == nullptr && fixed == nullptr) return true;
+  const bool itself = !(stored != nullptr ? stored->until : fixed->until).empty();
+  return itself != (function_module::missing_of(row->number) != nullptr);
+}
+static_assert(std::all_of(kRows.begin(), kRows.end(), says_until_when),
+              "a parameter that is stored only or fixed says what would make it act");
+
 static_assert(std::all_of(kRows.begin(), kRows.end(), consistent),
               "a factory value lies within the limits, a fixed value cannot be written, a member has one index");
 

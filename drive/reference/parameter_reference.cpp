@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "drive/function_modules.hpp"
 #include "drive/parameter/table.hpp"
 
 namespace drive {
@@ -25,8 +27,8 @@ commissioning with p0010 (axis) or p0009 (control unit) at n; nothing = read onl
 CO connector inputs, CO/BO also, bit by bit, binector inputs. The last column is what the parameter does in the simulation:
 
 - *true value*: it shows what the simulated axis does;
-- *stored only*: it can be written, read and saved, and nothing acts on it;
-- *wiring stored*: a BICO input, whose source is checked and kept but not followed: the axis acts as in the factory wiring;
+- *stored only*: it can be written, read and saved, and nothing acts on it yet; what would make it act stands behind it;
+- *wiring stored*: a BICO input, whose source is checked and kept but not followed yet;
 - *fixed*: the quantity is not in the model yet, the parameter shows this value;
 - *bus*: it is kept here and belongs to the layer that owns the bus: that agrees to a change, acts on it and brings in its own values;
 - *command*: carried out by the layer that owns bus and files, not kept.
@@ -88,13 +90,23 @@ std::string range(const ParameterRow& row) {
   return fmt::format("{} … {}", number(limits.minimum), number(limits.maximum));
 }
 
+/// What would make a parameter act that does nothing yet.
+std::string until(const ParameterRow& row, std::string_view itself) {
+  const function_module::Missing* const missing = function_module::missing_of(row.number);
+  if (missing == nullptr) return std::string{itself};
+  return fmt::format("the function module {} (p0108.{}), which is not simulated yet", missing->name,
+                     std::countr_zero(missing->module));
+}
+
 /// What the home of a parameter means, for the last column.
 std::string role(const ParameterRow& row) {
-  if (std::holds_alternative<Stored>(row.home)) return is_bico_input(row.type) ? "wiring stored" : "stored only";
+  if (const auto* const stored = std::get_if<Stored>(&row.home))
+    return fmt::format("{}; would act with {}", is_bico_input(row.type) ? "wiring stored" : "stored only",
+                       until(row, stored->until));
   if (std::holds_alternative<Agreed>(row.home)) return is_bico_input(row.type) ? "wiring stored" : "bus";
   if (std::holds_alternative<Command>(row.home)) return "command";
   if (const auto* const fixed = std::get_if<Fixed>(&row.home))
-    return fmt::format("fixed: {}", number(fixed->value));
+    return fmt::format("fixed: {}; would change with {}", number(fixed->value), until(row, fixed->until));
   return row.is_writable() ? "" : "true value";
 }
 

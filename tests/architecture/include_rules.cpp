@@ -45,7 +45,25 @@ bool may_include(const Layer& layer, const Include& include, std::span<const Lay
   return system && std::ranges::count(layer.allowed, kSystem) == 1;
 }
 
+bool is_below(std::string_view path, std::string_view folder) {
+  return path.starts_with(std::string{folder} + "/");
+}
+
 }  // namespace
+
+std::vector<std::string> find_lawless(const std::filesystem::path& root, std::span<const Layer> layers) {
+  std::vector<std::string> findings;
+  for (const Layer& layer : layers)
+    if (read_folder(root, layer.folder).empty())
+      findings.push_back(std::string{layer.folder} + ": a layer without a source file");
+  for (const std::string& folder : source_folders(root)) {
+    if (std::ranges::count(kOutside, folder) == 1) continue;
+    for (const SourceFile& file : read_folder(root, folder))
+      if (std::ranges::none_of(layers, [&](const Layer& layer) { return is_below(file.path, layer.folder); }))
+        findings.push_back(file.path + ": no layer says what it may include");
+  }
+  return findings;
+}
 
 std::vector<std::string> find_forbidden_includes(const std::filesystem::path& root,
                                                  std::span<const Layer> layers) {

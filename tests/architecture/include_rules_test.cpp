@@ -25,6 +25,7 @@ class TemporaryTree : public testing::Test {
     fs::create_directories((root_ / path).parent_path());
     std::ofstream{root_ / path} << text;
   }
+  [[nodiscard]] const fs::path& root() const { return root_; }
   [[nodiscard]] Findings findings() const { return find_forbidden_includes(root_, kLayers); }
 
  private:
@@ -38,9 +39,8 @@ TEST(Layers, IncludeOnlyWhatTheyRestOn) {
   EXPECT_EQ(report, "");
 }
 
-TEST(Layers, AreFoldersOfTheProject) {
-  ASSERT_TRUE(fs::is_directory(fs::path{SOURCE_FOLDER} / "libcanopen"));
-  ASSERT_TRUE(fs::is_directory(fs::path{SOURCE_FOLDER} / "daemon"));
+TEST(Layers, AreTheFoldersOfTheProject) {
+  EXPECT_EQ(find_lawless(SOURCE_FOLDER, kLayers), Findings{});
 }
 
 TEST_F(TemporaryTree, WithAForbiddenIncludeIsCaughtWithFileAndLine) {
@@ -67,6 +67,27 @@ TEST_F(TemporaryTree, WithEveryKindOfForbiddenIncludeIsCaught) {
                                   "tools/a.cpp:1: tools may not include daemon/config.hpp",
                                   "tools/b.cpp:1: tools may not include systemd/sd-bus.h",
                                   "preload/a.c:1: preload may not include bus/port.hpp"}));
+}
+
+TEST_F(TemporaryTree, WithAFolderThatNoLayerNamesIsCaught) {
+  constexpr std::array kTwo{Layer{"motor", {}}, Layer{"drive/blocks", {}}};
+  for (const char* folder : {"motor", "drive", "tests"}) write(folder + std::string{"/CMakeLists.txt"}, "");
+  write("motor/plant/a.cpp", "");
+  write("drive/blocks/a.cpp", "");
+  write("drive/a.cpp", "");
+  write("tests/a.cpp", "");
+  write("not-built/a.cpp", "");
+
+  EXPECT_EQ(find_lawless(root(), kTwo), Findings{"drive/a.cpp: no layer says what it may include"});
+}
+
+TEST_F(TemporaryTree, WithoutAFileOfALayerIsCaught) {
+  constexpr std::array kTwo{Layer{"motor", {}}, Layer{"drive", {}}};
+  write("motor/CMakeLists.txt", "");
+  write("motor/a.cpp", "");
+  write("drive/CMakeLists.txt", "");
+
+  EXPECT_EQ(find_lawless(root(), kTwo), Findings{"drive: a layer without a source file"});
 }
 
 TEST_F(TemporaryTree, WithAllowedIncludesIsAccepted) {

@@ -30,4 +30,15 @@ std::vector<SourceFile> read_folder(const std::filesystem::path& root, std::stri
   return files;
 }
 
+std::vector<std::string> source_folders(const std::filesystem::path& root) {
+  std::vector<std::string> folders;
+  for (const auto& entry : std::filesystem::directory_iterator{root}) {
+    const std::string name = entry.path().filename().string();
+    if (std::filesystem::exists(entry.path() / "CMakeLists.txt") && !read_folder(root, name).empty())
+      folders.push_back(name);
+  }
+  std::ranges::sort(folders);
+  return folders;
+}
+
 }  // namespace architecture

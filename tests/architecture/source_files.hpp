@@ -16,4 +16,7 @@ struct SourceFile {
 /// Every .cpp, .hpp, .c and .h file below @p root / @p folder, in order of path; none where the folder is missing.
 std::vector<SourceFile> read_folder(const std::filesystem::path& root, std::string_view folder);
 
+/// The folders that the build takes part of @p root from: those with a CMakeLists.txt and a source file.
+std::vector<std::string> source_folders(const std::filesystem::path& root);
+
 }  // namespace architecture

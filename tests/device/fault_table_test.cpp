@@ -36,6 +36,12 @@ std::vector<Injection> injections() {
   return all;
 }
 
+std::vector<Injection> injections_of(drive::Kind kind) {
+  std::vector<Injection> all = injections();
+  std::erase_if(all, [=](const Injection& injection) { return injection.row.kind != kind; });
+  return all;
+}
+
 class Messages : public testing::TestWithParam<Injection> {
  protected:
   Messages() {
@@ -99,6 +105,9 @@ class Messages : public testing::TestWithParam<Injection> {
       EXPECT_EQ(parameter(owner, 2124), is_alarm() ? kValue : 0);
     }
   }
+  bool has_alarms(std::size_t owner) const {
+    return !unit.device.unit().object(static_cast<std::uint8_t>(owner + 1))->messages().alarms().empty();
+  }
   std::uint16_t status(std::size_t axis) {
     return static_cast<std::uint16_t>(
         unit.upload(static_cast<std::uint16_t>(0x6041 + 0x800 * (axis - 1))).number());
@@ -123,12 +132,35 @@ class Messages : public testing::TestWithParam<Injection> {
                 has ? std::uint64_t{row.number} << 16 | code() : 0U);
     }
   }
+  /// Bit 7 of the controlword of every axis that has the message; what the unit has sent last.
+  Lines acknowledge_with_controlwords() {
+    for (const std::size_t owner : owners()) {
+      if (owner == 0) continue;
+      const auto index = static_cast<std::uint16_t>(0x6040 + 0x800 * (owner - 1));
+      for (const std::uint32_t word : {0x00U, 0x80U}) EXPECT_EQ(unit.download(index, 0, word, 2), 0U);
+    }
+    return unit.passes(20ms);
+  }
+  /// p3981 of every drive object that has the message; what the unit has sent last.
+  Lines acknowledge_with_parameters() {
+    constexpr std::uint16_t kWindow = 0x2000 + 8630, kAcknowledge = 0x2000 + 3981;
+    Lines sent;
+    for (const std::size_t owner : owners()) {
+      EXPECT_EQ(unit.download(kWindow, 0, static_cast<std::uint32_t>(owner + 1), 2), 0U);
+      EXPECT_EQ(unit.upload(kAcknowledge).number(), 0U);
+      sent = unit.says("605#2F8D2F0001000000");
+    }
+    return sent;
+  }
   /// The message has left every drive object, or stays on all of them until the power is switched off.
   void expect_acknowledged(const Lines& sent) {
     const bool stays = row.acknowledge == drive::Acknowledge::PowerOn;
     const Lines gone{"085#0000000000000000"};
     EXPECT_EQ(from("085#", sent), stays || code() == 0 ? Lines{} : gone);
-    for (const std::size_t owner : owners()) EXPECT_EQ(parameter(owner, 945), stays ? row.number : 0);
+    for (const std::size_t owner : owners()) {
+      EXPECT_EQ(parameter(owner, 945), stays ? row.number : 0);
+      EXPECT_FALSE(has_alarms(owner));
+    }
     EXPECT_EQ(unit.upload(0x1003, 0).number(), stays ? reported().size() : 0U);
   }
 
@@ -136,6 +168,8 @@ class Messages : public testing::TestWithParam<Injection> {
   const std::size_t place = GetParam().place;
   TestUnit unit{servo_and_vector()};
 };
+class Faults : public Messages {};
+class Alarms : public Messages {};
 
 TEST_P(Messages, AreShownOnTheBusAndInTheParameters) {
   inject();
@@ -146,22 +180,15 @@ TEST_P(Messages, AreShownOnTheBusAndInTheParameters) {
 }
 
 TEST_P(Messages, LeaveWithZeroInTheErrorField) {
-  if (is_alarm()) return;
   inject();
 
   expect_acknowledged(unit.says("605#2F03100000000000"));
 }
 
-TEST_P(Messages, LeaveAxesWithTheEdgeOfTheControlword) {
-  if (is_alarm()) return;
+TEST_P(Faults, LeaveAxesWithTheEdgeOfTheControlword) {
   inject();
   const auto places = owners();
-  for (const std::size_t owner : places) {
-    if (owner == 0) continue;
-    const auto index = static_cast<std::uint16_t>(0x6040 + 0x800 * (owner - 1));
-    for (const std::uint32_t word : {0x00U, 0x80U}) EXPECT_EQ(unit.download(index, 0, word, 2), 0U);
-  }
-  const Lines sent = unit.passes(20ms);
+  const Lines sent = acknowledge_with_controlwords();
 
   const bool stays = row.acknowledge == drive::Acknowledge::PowerOn;
   for (const std::size_t owner : places) EXPECT_EQ(parameter(owner, 945), owner == 0 || stays ? row.number : 0);
@@ -169,22 +196,29 @@ TEST_P(Messages, LeaveAxesWithTheEdgeOfTheControlword) {
   EXPECT_EQ(from("085#", sent).size(), all_gone ? 1U : 0U);
 }
 
-TEST_P(Messages, LeaveOneDriveObjectAfterTheOtherByItsParameter) {
-  if (is_alarm()) return;
+TEST_P(Faults, LeaveOneDriveObjectAfterTheOtherByItsParameter) {
   inject();
-  constexpr std::uint16_t kWindow = 0x2000 + 8630, kAcknowledge = 0x2000 + 3981;
-  Lines sent;
-  for (const std::size_t owner : owners()) {
-    EXPECT_EQ(unit.download(kWindow, 0, static_cast<std::uint32_t>(owner + 1), 2), 0U);
-    EXPECT_EQ(unit.upload(kAcknowledge).number(), 0U);
-    sent = unit.says("605#2F8D2F0001000000");
-  }
 
-  expect_acknowledged(sent);
+  expect_acknowledged(acknowledge_with_parameters());
+}
+
+TEST_P(Alarms, StayWithTheEdgeOfTheControlword) {
+  inject();
+
+  EXPECT_EQ(from("085#", acknowledge_with_controlwords()), Lines{});
+  expect_parameters();
+  expect_error_field();
+}
+
+TEST_P(Alarms, StayWithTheParameterThatAcknowledges) {
+  inject();
+
+  EXPECT_EQ(from("085#", acknowledge_with_parameters()), Lines{});
+  expect_parameters();
+  expect_error_field();
 }
 
 TEST_P(Messages, LeaveOneDriveObjectAfterTheOtherFromOutside) {
-  if (is_alarm()) return;
   inject();
   const bool stays = row.acknowledge == drive::Acknowledge::PowerOn;
 
@@ -200,7 +234,7 @@ TEST_P(Messages, LeaveWithAResetOfTheNode) {
 
   for (const std::size_t owner : owners()) {
     EXPECT_EQ(parameter(owner, 945), 0.0);
-    EXPECT_TRUE(unit.device.unit().object(static_cast<std::uint8_t>(owner + 1))->messages().alarms().empty());
+    EXPECT_FALSE(has_alarms(owner));
   }
   EXPECT_EQ(unit.upload(0x1001).number(), 0U);
   EXPECT_EQ(unit.upload(0x1003, 0).number(), 0U);
@@ -212,6 +246,8 @@ std::string name_of(const testing::TestParamInfo<Injection>& injection) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Unit, Messages, testing::ValuesIn(injections()), name_of);
+INSTANTIATE_TEST_SUITE_P(Unit, Faults, testing::ValuesIn(injections_of(drive::Kind::Fault)), name_of);
+INSTANTIATE_TEST_SUITE_P(Unit, Alarms, testing::ValuesIn(injections_of(drive::Kind::Alarm)), name_of);
 
 TEST(UnknownMessages, AreRefused) {
   TestUnit unit;

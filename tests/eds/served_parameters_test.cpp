@@ -87,9 +87,7 @@ TEST_P(ServedParameters, AreMoreThanTheVendorLists) {
     if (fact.at("scope") == GetParam().scope) vendors.insert(index_of(fact));
   const std::string page = read_file(std::string{SOURCE_FOLDER} + "/docs/deviations.md");
 
-  EXPECT_NE(page.find("`" + std::string{GetParam().name} + "` lists every parameter served, the vendor's " +
-                      std::to_string(vendors.size())),
-            std::string::npos);
+  EXPECT_NE(page.find(" " + std::to_string(vendors.size()) + " in `" + GetParam().name + "`"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Eds, ServedParameters,

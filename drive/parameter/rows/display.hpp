@@ -28,7 +28,7 @@ inline constexpr std::array kDisplayRows{
     Row{34, 1, kAxes, F32, Unit::Percent, kWhole, 0.0, When::ReadOnly, axis(axis_value::motor_utilisation), Output::Connector, "Motor thermal utilisation", "of the I2t model"},
     Row{35, 1, kAxes, F32, Unit::Celsius, kWhole, 20.0, When::ReadOnly, axis(axis_value::motor_temperature), Output::Connector, "Motor temperature", "winding"},
     Row{36, 1, kAxes, F32, Unit::Percent, kWhole, 0.0, When::ReadOnly, axis(axis_value::overload), Output::Connector, "Power unit overload I2t", ""},
-    Row{37, 2, kControlUnit, F32, Unit::Celsius, kWhole, 40.0, When::ReadOnly, Fixed{40.0}, Output::Connector, "CU temperature [0] actual [1] max", ""},
+    Row{37, 2, kControlUnit, F32, Unit::Celsius, kWhole, 40.0, When::ReadOnly, Fixed{40.0, "a thermal model of the control unit"}, Output::Connector, "CU temperature [0] actual [1] max", ""},
     Row{37, 20, kAxes, F32, Unit::Celsius, kWhole, 30.0, When::ReadOnly, axis(axis_value::power_unit_temperature), Output::Connector, "Power unit temperatures", "[0] heat sink, [1] chip; others the air"},
     Row{39, 3, kAxes, F32, Unit::KilowattHours, kWhole, 0.0, When::ReadOnly, axis(axis_value::energy), Output::Connector, "Energy display: balance, drawn, fed back", "[0] balance, [1] drawn, [2] fed back at the motor terminals; a power cut keeps them"},
     Row{42, 3, kAxes, I32, Unit::WattHours, kWhole, 0.0, When::ReadOnly, axis(axis_value::process_energy), Output::Connector, "Process energy display", "as r0039"},

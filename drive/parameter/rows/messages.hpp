@@ -44,7 +44,7 @@ inline constexpr std::array kMessagesRows{
     Row{2131, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::newest_fault), Output::Connector, "Current fault code", ""},
     Row{2132, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::newest_alarm), Output::Connector, "Current alarm code", ""},
     Row{2136, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::fault_removed_days), Output::No, "Fault time removed in days", ""},
-    Row{2138, 1, kControlUnit | kInfeed, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0}, Output::Both, "Control word faults/alarms", ""},
+    Row{2138, 1, kControlUnit | kInfeed, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "inputs of this drive object for messages; only an axis has them"}, Output::Both, "Control word faults/alarms", ""},
     Row{2138, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::message_control), Output::Both, "Control word faults/alarms", "bits 7 acknowledgement, 10 p2112, 13 to 15 p2106 to p2108"},
     Row{2139, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::message_status), Output::Both, "Status word faults/alarms 1", "bits 3 and 7"},
     Row{2145, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, messages(message_value::alarm_days), Output::No, "Alarm time received in days", ""},

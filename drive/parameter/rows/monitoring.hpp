@@ -12,14 +12,14 @@ namespace drive::rows {
 // clang-format off
 inline constexpr std::array kMonitoringRows{
     Row{2151, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::message_setpoint, When::Always, Slot{}, Output::No, "CI: speed setpoint for messages", "setpoint of r2197.7"},
-    Row{2153, 1, kAxes, F32, Unit::Milliseconds, {0.0, 1000000.0}, 0.0, When::Always, Stored{}, Output::No, "Speed actual filter time for messages", ""},
+    Row{2153, 1, kAxes, F32, Unit::Milliseconds, {0.0, 1000000.0}, 0.0, When::Always, Stored{"speed messages that are filtered"}, Output::No, "Speed actual filter time for messages", ""},
     Row{2155, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 900.0, When::Always, Slot{}, Output::No, "Speed threshold 2", "bits 4 and 5 of r0053"},
     Row{2161, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 5.0, When::Always, Member{&P::zero_speed_threshold}, Output::No, "Speed threshold 3 (zero speed signal)", "statusword bit 12 below it"},
     Row{2162, 1, kAxes, F32, Unit::Rpm, {0.0, 60000.0}, factory::overspeed_hysteresis, When::Always, Member{&P::overspeed_hysteresis}, Output::No, "Overspeed hysteresis", "F07901 so far above the speed limit"},
     Row{2163, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 90.0, When::Always, Member{&P::target_window}, Output::No, "Speed threshold 4 (target reached window)", "statusword bit 10 within it"},
     Row{2164, 1, kAxes, F32, Unit::Rpm, {0.0, 200.0}, 2.0, When::Always, Member{&P::target_hysteresis}, Output::No, "Hysteresis 4", "added to p2163 on leaving"},
     Row{2166, 1, kAxes, F32, Unit::Milliseconds, {0.0, 10000.0}, 200.0, When::Always, Member{&P::target_off_delay}, Output::No, "Off delay n_act=n_set", "so long outside until bit 10 falls"},
-    Row{2167, 1, kAxes, F32, Unit::Milliseconds, {0.0, 10000.0}, 200.0, When::Always, Stored{}, Output::No, "On delay n_act=n_set", ""},
+    Row{2167, 1, kAxes, F32, Unit::Milliseconds, {0.0, 10000.0}, 200.0, When::Always, Stored{"a message n_act = n_set that comes with a delay"}, Output::No, "On delay n_act=n_set", ""},
     Row{2175, 1, kAxes, F32, Unit::Rpm, {0.0, 210000.0}, 120.0, When::Always, Member{&P::blocked_speed_threshold}, Output::No, "Motor blocked speed threshold", "F07900 below it at the torque limit"},
     Row{2177, 1, kAxes, F32, Unit::Seconds, {0.0, 65.0}, 1.0, When::Always, Member{&P::blocked_delay}, Output::No, "Motor blocked delay time", "F07900 after it"},
     Row{2197, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::monitoring_1), Output::Both, "Status word monitoring 1", "bits 5, 6 and 7"},

@@ -118,7 +118,7 @@ inline constexpr std::array kPositionerRows{
     Row{2691, 1, kAxes, U32, Unit::ThousandLengthUnitsPerMinute, {1.0, 40000000.0}, 600.0, When::Always, Stored{}, Output::Connector, "MDI velocity fixed value", ""},
     Row{2692, 1, kAxes, F32, Unit::Percent, {0.1, 100.0}, 100.0, When::Always, Stored{}, Output::Connector, "MDI acceleration override fixed value", ""},
     Row{2693, 1, kAxes, F32, Unit::Percent, {0.1, 100.0}, 100.0, When::Always, Stored{}, Output::Connector, "MDI deceleration override fixed value", ""},
-    Row{2720, 1, kAxes, U32, Unit::None, {0.0, 7.0}, 0.0, When::Ready, Stored{}, Output::No, "Load gear configuration", ""},
+    Row{2720, 1, kAxes, U32, Unit::None, {0.0, 7.0}, 0.0, When::Ready, Stored{"position tracking of a load gear"}, Output::No, "Load gear configuration", ""},
 };
 // clang-format on
 

@@ -12,13 +12,13 @@ namespace drive::rows {
 /// The PZD interface that CAN uses (IF2), and constants for inputs.
 // clang-format off
 inline constexpr std::array kProcessDataRows{
-    Row{2098, 2, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, Stored{}, Output::No, "IF1 invert connector-binector converter", "p8898 inverts those of IF2"},
+    Row{2098, 2, kAll, U16, Unit::None, {0.0, 65535.0}, 0.0, When::Always, Stored{"PROFIdrive, which IF1 is for"}, Output::No, "IF1 invert connector-binector converter", "p8898 inverts those of IF2"},
     Row{2900, 1, kAll, F32, Unit::Percent, {-10000.0, 10000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed value 1 (CO)", "inputs that are connected to it"},
     Row{2901, 1, kAll, F32, Unit::Percent, {-10000.0, 10000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed value 2 (CO)", "inputs that are connected to it"},
     Row{2902, 15, kAll, F32, Unit::Percent, kWhole, 0.0, When::ReadOnly, object(object_value::fixed_value), Output::Connector, "Fixed values (CO)", "0, 5, 10, 20, 50, 100, 150, 200 and -5 to -200"},
-    Row{8805, 2, kControlUnit, I16, Unit::None, kWhole, 0.0, When::Ready, Stored{}, Output::No, "I&M 4 configuration", ""},
-    Row{8815, 2, kControlUnit, I16, Unit::None, {1.0, 2.0}, 1.0, When::Ready, Stored{}, Output::No, "IF1/IF2 PZD functionality: [0] isochronous, [1] PROFIsafe", ""},
-    Row{8839, 2, kControlUnit, I16, Unit::None, {0.0, 99.0}, 99.0, When::Ready, Stored{}, Output::No, "PZD interface hardware assignment [0]=IF1 [1]=IF2", ""},
+    Row{8805, 2, kControlUnit, I16, Unit::None, kWhole, 0.0, When::Ready, Stored{"I&M data of PROFIdrive"}, Output::No, "I&M 4 configuration", ""},
+    Row{8815, 2, kControlUnit, I16, Unit::None, {1.0, 2.0}, 1.0, When::Ready, Stored{"isochronous PROFIdrive and PROFIsafe"}, Output::No, "IF1/IF2 PZD functionality: [0] isochronous, [1] PROFIsafe", ""},
+    Row{8839, 2, kControlUnit, I16, Unit::None, {0.0, 99.0}, 99.0, When::Ready, Stored{"PROFIdrive on a second interface"}, Output::No, "PZD interface hardware assignment [0]=IF1 [1]=IF2", ""},
     Row{8843, 3, kWithProcessData, U8, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::interface_state), Output::Both, "IF2 PZD state bits", "[0] no setpoints come, [2] the bus is Operational"},
     Row{8848, 1, kControlUnit, F32, Unit::Milliseconds, {1.0, 16.0}, 4.0, When::DeviceConfiguration, Agreed{}, Output::No, "IF2 PZD sampling time (CAN cycle)", "receive and transmit cycle"},
     Row{8850, 20, kWithProcessData, I16, Unit::None, kWhole, 0.0, When::ReadOnly, object(process_value::received_word), Output::Connector, "IF2 PZD receive word (CO)", "speeds and torques relative to p2000 and p2003"},

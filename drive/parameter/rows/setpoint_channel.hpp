@@ -23,7 +23,7 @@ inline constexpr std::array kSetpointChannelRows{
     Row{864, 1, kAxes, BinectorInput, Unit::None, kWhole, 1.0, When::Always, Slot{}, Output::No, "BI: infeed operation", "0 keeps the pulses off"},
     Row{898, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::sequence_control), Output::Both, "Control word sequence control", ""},
     Row{899, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, axis(axis_value::sequence_status), Output::Both, "Status word sequence control (ZSW1 source)", ""},
-    Row{1000, 1, kAxes, U32, Unit::None, {0.0, 999999.0}, 0.0, When::Always, Stored{}, Output::No, "Macro connector inputs speed setpoint", ""},
+    Row{1000, 1, kAxes, U32, Unit::None, {0.0, 999999.0}, 0.0, When::Always, Stored{"macros of connector inputs"}, Output::No, "Macro connector inputs speed setpoint", ""},
     Row{1001, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed speed setpoint 1", "r1024 when p1020 to p1023 select it"},
     Row{1002, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed speed setpoint 2", "r1024 when p1020 to p1023 select it"},
     Row{1003, 1, kAxes, F32, Unit::Rpm, {-210000.0, 210000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed speed setpoint 3", "r1024 when p1020 to p1023 select it"},
