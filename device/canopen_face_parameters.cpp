@@ -2,7 +2,7 @@
 #include <array>
 
 #include "device/canopen_face.hpp"
-#include "device/parameters/abort_codes.hpp"
+#include "device/objects/abort_codes.hpp"
 #include "device/parameters/object_parameters.hpp"
 
 namespace device {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "device/bus/unit_time.hpp"
 #include "device/canopen_face.hpp"
-#include "device/configuration.hpp"
-#include "device/unit_time.hpp"
+#include "device/objects/configuration.hpp"
 #include "unit/runner.hpp"
 
 namespace device {

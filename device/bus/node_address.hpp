@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "device/configuration.hpp"
+#include "device/objects/configuration.hpp"
 #include "unit/unit_parameters.hpp"
 
 namespace device {

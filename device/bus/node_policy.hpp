@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "device/configuration.hpp"
+#include "device/objects/configuration.hpp"
 #include "libcanopen/node/policy.hpp"
 
 namespace device {

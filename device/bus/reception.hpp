@@ -6,7 +6,7 @@
 #include "device/bus/communication.hpp"
 #include "device/bus/rpdo_monitor.hpp"
 #include "device/bus/telegram_loss.hpp"
-#include "device/unit_time.hpp"
+#include "device/bus/unit_time.hpp"
 #include "unit/runner.hpp"
 
 namespace device {

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "device/bus/error_control.hpp"
-#include "device/bus/sdo_identifiers.hpp"
-#include "device/configuration.hpp"
+#include "device/objects/configuration.hpp"
+#include "device/objects/error_control.hpp"
 #include "device/objects/object_rows.hpp"
+#include "device/objects/sdo_identifiers.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {

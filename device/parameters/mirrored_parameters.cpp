@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "device/objects/abort_codes.hpp"
 #include "device/objects/object_rows.hpp"
-#include "device/parameters/abort_codes.hpp"
 #include "device/parameters/object_parameters.hpp"
 
 namespace device {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "device/parameters/abort_codes.hpp"
+#include "device/objects/abort_codes.hpp"
 #include "device/parameters/object_parameters.hpp"
 
 namespace device {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "device/process_data/axis_scaling.hpp"
+#include "device/objects/axis_scaling.hpp"
 #include "drive/axis.hpp"
 #include "libcanopen/od/dictionary.hpp"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "device/objects/abort_codes.hpp"
 #include "device/objects/object_index.hpp"
-#include "device/parameters/abort_codes.hpp"
 
 namespace device {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "device/pdo/pdo_objects.hpp"
-#include "device/process_data/process_data_layout.hpp"
+#include "device/pdo/process_data_layout.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/node/node.hpp"
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "device/process_data/axis_scaling.hpp"
+#include "device/objects/axis_scaling.hpp"
 #include "device/process_data/process_data_buffers.hpp"
 #include "device/process_data/process_objects.hpp"
 #include "drive/axis.hpp"

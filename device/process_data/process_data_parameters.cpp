@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "device/objects/abort_codes.hpp"
 #include "device/objects/object_index.hpp"
-#include "device/parameters/abort_codes.hpp"
 
 namespace device {
 namespace {

@@ -1,4 +1,4 @@
-#include "device/objects/axis_objects.hpp"
+#include "device/process_data/axis_objects.hpp"
 
 #include <array>
 

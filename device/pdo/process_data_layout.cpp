@@ -1,4 +1,4 @@
-#include "device/process_data/process_data_layout.hpp"
+#include "device/pdo/process_data_layout.hpp"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "device/objects/written_controlwords.hpp"
 #include "device/parameters/parameter_objects.hpp"
 #include "device/process_data/process_data.hpp"
+#include "device/process_data/written_controlwords.hpp"
 #include "drive/axis.hpp"
 #include "libcanopen/od/dictionary.hpp"
 #include "unit/runner.hpp"

@@ -1,4 +1,4 @@
-#include "device/parameters/abort_codes.hpp"
+#include "device/objects/abort_codes.hpp"
 
 #include <algorithm>
 #include <array>
