@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "device/node_policy.hpp"
-#include "device/object_index.hpp"
-#include "device/unit_time.hpp"
+#include "device/bus/node_policy.hpp"
+#include "device/objects/object_index.hpp"
 
 namespace device {
 
@@ -24,13 +23,10 @@ CanopenFace::CanopenFace(const Configuration& configuration, unit::Runner& runne
       window_{runner.unit(), *this},
       reception_{runner, node_, communication_} {
   node_.show(window_);
+  name_groups();
   for (drive::Axis& axis : runner.unit().axes())
     axes_.emplace_back(objects_.dictionary, axis, process_data_.places(axis.axis_number()), runner);
   objects_.dictionary.own_write(object::kErrorField, 0, *this);
-}
-
-canopen::TimePoint CanopenFace::now() const noexcept {
-  return node_time(runner_.now());
 }
 
 void CanopenFace::bring() noexcept {

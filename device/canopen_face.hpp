@@ -4,18 +4,19 @@
 #include <deque>
 #include <span>
 
-#include "device/axis_objects.hpp"
-#include "device/bus_follow_ups.hpp"
-#include "device/communication.hpp"
-#include "device/configuration.hpp"
-#include "device/error_objects.hpp"
-#include "device/indicator_leds.hpp"
-#include "device/mirrored_parameters.hpp"
-#include "device/node_address.hpp"
-#include "device/parameter_window.hpp"
-#include "device/reception.hpp"
-#include "device/unit_objects.hpp"
-#include "device/unit_process_data.hpp"
+#include "device/bus/bus_follow_ups.hpp"
+#include "device/bus/communication.hpp"
+#include "device/bus/indicator_leds.hpp"
+#include "device/bus/node_address.hpp"
+#include "device/bus/reception.hpp"
+#include "device/bus/unit_time.hpp"
+#include "device/objects/configuration.hpp"
+#include "device/objects/error_objects.hpp"
+#include "device/objects/unit_objects.hpp"
+#include "device/parameters/mirrored_parameters.hpp"
+#include "device/parameters/parameter_window.hpp"
+#include "device/process_data/axis_objects.hpp"
+#include "device/process_data/unit_process_data.hpp"
 #include "libcanopen/node/node.hpp"
 #include "unit/face.hpp"
 #include "unit/runner.hpp"
@@ -119,7 +120,7 @@ class CanopenFace final : public unit::Face,
   void on_parameter_access() noexcept override { runner_.tell_time(); }
   void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
-  canopen::TimePoint now() const noexcept;
+  canopen::TimePoint now() const noexcept { return node_time(runner_.now()); }
   void serve(const canopen::Frame& frame) noexcept {
     node_.on_frame(frame, now());
     follow_up_all();
@@ -138,6 +139,7 @@ class CanopenFace final : public unit::Face,
   // canopen_face_parameters.cpp
   void take_over_parameters() noexcept;
   void forget_written() noexcept;
+  void name_groups() noexcept;
   UnitProcessData::WiredBy wired_by(const unit::Replacement& replacement) const noexcept;
 
   unit::Runner& runner_;

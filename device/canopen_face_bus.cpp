@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "device/canopen_face.hpp"
-#include "device/unit_time.hpp"
 
 namespace device {
 namespace {

@@ -1,9 +1,9 @@
 // What becomes of parameters that are replaced or saved: the objects that show them, and the services of the node.
 #include <array>
 
-#include "device/abort_codes.hpp"
 #include "device/canopen_face.hpp"
-#include "device/unit_time.hpp"
+#include "device/objects/abort_codes.hpp"
+#include "device/parameters/object_parameters.hpp"
 
 namespace device {
 namespace {
@@ -24,7 +24,19 @@ constexpr ObjectRange objects_of(ParameterGroup group) noexcept {
   return kRanges[static_cast<std::size_t>(group) - 1];
 }
 
+template <ParameterGroup Group>
+bool is_shown(const drive::ParameterRow& row) noexcept {
+  constexpr ObjectRange kObjects = objects_of(Group);
+  return is_of_objects(row.number, kObjects.first, kObjects.last);
+}
+
 }  // namespace
+
+/// 1010h and 1011h have groups of the parameters that objects show.
+void CanopenFace::name_groups() noexcept {
+  runner_.groups().define(ParameterGroup::Communication, is_shown<ParameterGroup::Communication>);
+  runner_.groups().define(ParameterGroup::Application, is_shown<ParameterGroup::Application>);
+}
 
 /// What the interconnections of the standard objects are after @p replacement.
 WiredBy CanopenFace::wired_by(const unit::Replacement& replacement) const noexcept {

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "device/bus/unit_time.hpp"
 #include "device/canopen_face.hpp"
-#include "device/configuration.hpp"
-#include "device/unit_time.hpp"
+#include "device/objects/configuration.hpp"
 #include "unit/runner.hpp"
 
 namespace device {
@@ -31,8 +34,11 @@ class Device final {
     runner_.attach(face_);
   }
 
-  /// Before the first start(): @p face, which outlives this, is connected to the unit besides the bus.
-  void attach(::unit::Face& face) { runner_.attach(face); }
+  /// Before the first start(): @p face is connected to the unit besides the bus.
+  void attach(std::unique_ptr<::unit::Face> face) {
+    runner_.attach(*face);
+    further_faces_.push_back(std::move(face));
+  }
   /// What a further face works with.
   ::unit::Runner& runner() noexcept { return runner_; }
 
@@ -150,6 +156,7 @@ class Device final {
  private:
   ::unit::Runner runner_;
   CanopenFace face_;
+  std::vector<std::unique_ptr<::unit::Face>> further_faces_;
 };
 
 }  // namespace device

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "device/object_index.hpp"
-#include "device/pdo_objects.hpp"
+#include "device/objects/object_index.hpp"
+#include "device/pdo/pdo_objects.hpp"
 #include "drive/explain.hpp"
 #include "drive/parameter/bico.hpp"
 #include "libcanopen/base/cob_id.hpp"

@@ -24,14 +24,14 @@ constexpr std::array kFixedInterconnections{
 void Axis::take_image() noexcept {
   const ProcessDataImage& image = process_data();
   block<SpeedControl>().inputs.requested_mode = image.requested_mode;
-  if (controlword_ == image.whole_controlword) return;
-  controlword_ = image.whole_controlword;
+  if (controlword_ == image.controlword) return;
+  controlword_ = image.controlword;
   for (const FixedInterconnection& row : kFixedInterconnections)
     row.input.member(block(row.input.block), 0) = image.bit(row.bit);
 }
 
 bool Axis::has_new_image() const noexcept {
-  return controlword_ != process_data().whole_controlword ||
+  return controlword_ != process_data().controlword ||
          block<SpeedControl>().inputs.requested_mode != process_data().requested_mode;
 }
 

@@ -15,8 +15,10 @@ enum class ControlwordBit : unsigned {
   Halt = 8,
 };
 
-/// The process data (PZD) of a drive object, in words of 16 bits: what the bus has brought and what it fetches,
-/// and the words that converters make of bits. A double word is two words, the upper one first.
+/// The process data (PZD) of a drive object, in words of 16 bits: what its faces bring and what they fetch, and
+/// the words that converters make of bits. A double word is two words, the upper one first. A face, that of a
+/// field bus or another, fills it before a cycle and shows it after that; the drive object sees it through its
+/// interconnections only.
 struct ProcessDataImage {
   static constexpr std::size_t kReceivedWords = 20;
   static constexpr std::size_t kSentWords = 25;
@@ -24,29 +26,31 @@ struct ProcessDataImage {
   std::array<std::uint16_t, kReceivedWords> received{};  ///< r8850, r8860, r8890 to r8893
   std::array<std::uint16_t, kSentWords> sent{};          ///< r8853, r8863
 
-  // What was written to objects that have no place in the words; 0 for one that has.
-  std::uint16_t controlword = 0;                    ///< r8795, 6040h
-  std::int16_t vl_velocity = 0;                     ///< r8792, 6042h (rpm)
-  std::int32_t velocity = 0;                        ///< r8796, 60FFh
-  std::int16_t torque = 0;                          ///< r8797, 6071h (per mille)
-  std::array<std::int16_t, 16> free_words{};        ///< r8745
-  std::array<std::int32_t, 8> free_double_words{};  ///< r8747
+  /// What a face brings that has no place in the words; 0 for what has one.
+  struct Unplaced {
+    std::uint16_t controlword = 0;               ///< r8795
+    std::int16_t speed_rpm = 0;                  ///< r8792 (rpm)
+    std::int32_t speed_increments = 0;           ///< r8796 (scales.increments_per_radian a rad/s)
+    std::int16_t torque = 0;                     ///< r8797 (per mille of scales.rated_torque)
+    std::array<std::int16_t, 16> words{};        ///< r8745
+    std::array<std::int32_t, 8> double_words{};  ///< r8747
+  };
+  Unplaced unplaced{};
 
   std::array<std::uint16_t, 5> words_of_bits{};  ///< r8889
   std::array<std::uint16_t, 2> bits_of_words{};  ///< r8894, r8895
   std::array<bool, 3> interface_state{};         ///< r8843
 
-  /// 6040h wherever it comes from: its bits that no binector input takes.
-  std::uint16_t whole_controlword = 0;
-  bool bit(ControlwordBit name) const noexcept {
-    return (whole_controlword >> static_cast<unsigned>(name) & 1U) != 0;
-  }
-  /// 6060h while it is mapped in an RPDO.
+  /// The controlword, whether it has a place or not: for its bits that no binector input takes, halt (8) and in
+  /// velocity mode those of the ramp (4 to 6).
+  std::uint16_t controlword = 0;
+  bool bit(ControlwordBit name) const noexcept { return (controlword >> static_cast<unsigned>(name) & 1U) != 0; }
+  /// The mode of operation that a face asks for with every cycle; nothing: p1300 says it.
   std::optional<std::int8_t> requested_mode{};
   /// What r8796 and r8797 are relative to; changed by DriveObject::scale_process_data().
   struct Scales {
-    double increments_per_radian = 1.0;  ///< what 60FFh has for one rad/s
-    double rated_torque = 1.0;           ///< 1000 per mille of 6071h (N·m)
+    double increments_per_radian = 1.0;  ///< increments/s for one rad/s
+    double rated_torque = 1.0;           ///< 1000 per mille (N·m)
 
     friend bool operator==(const Scales&, const Scales&) = default;
   };

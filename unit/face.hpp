@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "unit/parameter_groups.hpp"
@@ -8,6 +9,11 @@ namespace unit {
 
 /// Axes of a unit: bit 0 is the first one.
 using AxisMask = std::uint32_t;
+inline constexpr AxisMask kAllAxes = ~AxisMask{0};
+/// The mask of @p axis (from 1) alone.
+constexpr AxisMask mask_of(std::size_t axis) noexcept {
+  return AxisMask{1} << (axis - 1);
+}
 
 /// How parameters have become others without anybody writing them one by one.
 struct Replacement {

@@ -76,7 +76,7 @@ void ParameterStorage::end_save(bool kept) noexcept {
 std::optional<Refusal> ParameterStorage::store(ParameterGroup group) noexcept {
   const bool partial = group != ParameterGroup::All;
   if (partial && !drive::storage_image::is_complete(unit_, image())) return Refusal::NotNow;
-  return save({.rows = row_of(group).saved});
+  return save({.rows = groups_.saved(group)});
 }
 
 std::optional<Refusal> ParameterStorage::restore(ParameterGroup group) noexcept {
@@ -129,18 +129,18 @@ void ParameterStorage::on_operational_left() noexcept {
 }
 
 void ParameterStorage::reset(ParameterGroup group) noexcept {
-  unit_.restore_parameters(row_of(group).reset);
+  unit_.restore_parameters(groups_.reset(group));
   if (group == ParameterGroup::All) unit_.leave_commissioning();
 }
 
 void ParameterStorage::reload(ParameterGroup group) noexcept {
-  unit_.restore_parameters(row_of(group).saved);
+  unit_.restore_parameters(groups_.saved(group));
   if (group == ParameterGroup::All) {
     unit_.leave_commissioning();
     restart_ = 0;
   }
   if (length_ == 0) return;
-  [[maybe_unused]] const auto loaded = drive::storage_image::load(unit_, image(), {.rows = row_of(group).saved});
+  [[maybe_unused]] const auto loaded = drive::storage_image::load(unit_, image(), {.rows = groups_.saved(group)});
   assert(loaded);
 }
 

@@ -52,6 +52,8 @@ class ParameterStorage final : public ParameterOwner {
   /// The unit, which is new, takes over the saved parameters @p image; nothing changes if it does not fit.
   [[nodiscard]] tl::expected<void, Error> adopt(std::span<const std::byte> image) noexcept;
 
+  /// What belongs to the groups.
+  ParameterGroups& groups() noexcept { return groups_; }
   /// Saves @p group of all drive objects. NotNow for a part before all was saved once, Failed if the keeper
   /// cannot. NotNow also while a save runs, and if the keeper must not.
   [[nodiscard]] std::optional<drive::Refusal> store(ParameterGroup group) noexcept;
@@ -97,6 +99,7 @@ class ParameterStorage final : public ParameterOwner {
   drive::DriveUnit& unit_;
   ParameterKeeper& keeper_;
   FollowUps<FollowUp>& follow_ups_;
+  ParameterGroups groups_;
   std::vector<std::byte> image_;  ///< as last saved
   std::size_t length_ = 0;        ///< of it; 0 = nothing was saved yet
   std::vector<std::byte> spare_;  ///< for the next one

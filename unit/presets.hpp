@@ -10,20 +10,26 @@ namespace unit {
 /// The values that a configuration lays over the parameters of its drive objects.
 class Presets {
  public:
-  /// @p unit and @p parameters, which knows where values live, must outlive this.
-  Presets(const Configuration& configuration, drive::DriveUnit& unit, const UnitParameters& parameters)
-      : configuration_{configuration}, unit_{unit}, parameters_{parameters} {}
+  /// What is known of parameters besides their rows: where their values live and what groups they belong to.
+  struct Knowledge {
+    const UnitParameters& homes;
+    const ParameterGroups& groups;
+  };
+  /// @p unit and what @p known refers to must outlive this.
+  Presets(const Configuration& configuration, drive::DriveUnit& unit, const Knowledge& known)
+      : configuration_{configuration}, unit_{unit}, known_{known} {}
 
   /// Sets those of @p group. Those that live elsewhere have to be brought there yet, where nobody judges them
   /// before they come into force.
   void apply(ParameterGroup group) noexcept;
 
  private:
+  bool belongs(ParameterGroup group, drive::ObjectKind kind, const ParameterPreset& preset) const noexcept;
   void apply(drive::Axis& axis, const ParameterPreset& preset) noexcept;
 
   Configuration configuration_;
   drive::DriveUnit& unit_;
-  const UnitParameters& parameters_;
+  Knowledge known_;
 };
 
 }  // namespace unit

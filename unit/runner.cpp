@@ -12,7 +12,7 @@ Runner::Runner(const Configuration& configuration, ParameterKeeper& keeper)
     : keeper_{keeper},
       unit_{configuration.drive, &parameters_},
       storage_{unit_, parameters_, keeper, follow_ups_},
-      presets_{configuration, unit_, parameters_},
+      presets_{configuration, unit_, {parameters_, storage_.groups()}},
       retained_(drive::retained_image::size(unit_)),
       idle_{(AxisMask{1} << unit_.axes().size()) - 1} {}
 
@@ -155,13 +155,13 @@ void Runner::set_input(unsigned number, bool high, TimePoint now) noexcept {
 void Runner::fail_encoder(std::size_t axis, motor::EncoderDefect defect, TimePoint now) noexcept {
   tell_time(now);
   unit_.axes()[axis - 1].fail_encoder(defect);
-  wake(axis);
+  wake(mask_of(axis));
 }
 
 void Runner::set_load_torque(std::size_t axis, double torque, TimePoint now, motor::LoadTorqueType type) noexcept {
   set_now(now);
   unit_.axes()[axis - 1].set_load_torque(torque, type);
-  wake(axis);
+  wake(mask_of(axis));
 }
 
 bool Runner::is_moving() const noexcept {
@@ -173,7 +173,7 @@ bool Runner::is_moving() const noexcept {
 AxisMask Runner::held_back_axes() const noexcept {
   AxisMask axes = 0;
   for (const drive::Axis& axis : unit_.axes())
-    if (axis.drive_train().is_held_back()) axes |= AxisMask{1} << (axis.axis_number() - 1);
+    if (axis.drive_train().is_held_back()) axes |= mask_of(axis.axis_number());
   return axes;
 }
 

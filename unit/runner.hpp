@@ -66,16 +66,10 @@ class Runner final {
   bool is_resting() const noexcept { return clock_.is_resting(); }
   /// The rest, if there is one, ends with what came at @p arrival, now() at the latest.
   void end_rest(TimePoint arrival) noexcept;
-  /// Something has come for @p axis (from 1), or for all: the next cycle has to run it.
-  void wake(std::size_t axis) noexcept {
-    const AxisMask bit = AxisMask{1} << (axis - 1);
-    if ((idle_ & bit) == 0) return;
-    idle_ &= ~bit;
-    wake_clock();
-  }
-  void wake() noexcept {
-    if (idle_ == 0) return;
-    idle_ = 0;
+  /// Something has come for @p axes: the next cycle has to run them.
+  void wake(AxisMask axes = kAllAxes) noexcept {
+    if ((idle_ & axes) == 0) return;
+    idle_ &= ~axes;
     wake_clock();
   }
 
@@ -90,6 +84,8 @@ class Runner final {
   /// The answer to a request is out: carries out what it has led to, here and at the faces.
   void follow_up() noexcept;
 
+  /// Before the face is attached: what belongs to the groups of parameters that it knows.
+  ParameterGroups& groups() noexcept { return storage_.groups(); }
   /// Saves @p group, or has it restored when the answer is out: see ParameterStorage.
   [[nodiscard]] std::optional<drive::Refusal> store(ParameterGroup group) noexcept {
     return storage_.store(group);

@@ -83,7 +83,7 @@ void Runner::on_parameter_written(std::uint8_t object, std::uint16_t number) noe
   if (number == kDeviceFilter) follow_ups_.add(FollowUp::RestartUnit);
   show_messages_later();
   if (object < unit_.first_axis()) return wake();
-  wake(object - unit_.first_axis() + std::size_t{1});
+  wake(mask_of(object - unit_.first_axis() + std::size_t{1}));
 }
 
 void Runner::follow_up() noexcept {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/operations/device_unit.hpp"
-#include "device/pdo_objects.hpp"
+#include "device/pdo/pdo_objects.hpp"
 
 namespace bench {
 namespace {

@@ -4,7 +4,7 @@
 #include "bench/operations/cycle_operations.hpp"
 #include "bench/operations/device_unit.hpp"
 #include "bench/operations/operation.hpp"
-#include "device/object_rows.hpp"
+#include "device/objects/object_rows.hpp"
 
 namespace bench {
 namespace {

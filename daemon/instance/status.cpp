@@ -44,7 +44,7 @@ json axis_status(const Instance& instance, std::size_t number) {
           {"type", axis.kind() == drive::ObjectKind::Vector ? "vector" : "servo"},
           {"state", kStateNames[static_cast<std::size_t>(actual.state)]},
           {"statusword", fmt::format("0x{:04X}", actual.statusword)},
-          {"controlword", fmt::format("0x{:04X}", axis.process_data().whole_controlword)},
+          {"controlword", fmt::format("0x{:04X}", axis.process_data().controlword)},
           {"speed_rpm", actual.speed / motor::kRpm},
           {"setpoint_rpm", target_velocity(axis) / motor::kRpm},
           {"torque_Nm", actual.torque},

@@ -5,22 +5,22 @@
 namespace drive::process_value {
 
 double controlword(const DriveObject& object, std::size_t) noexcept {
-  return object.process_data().controlword;
+  return object.process_data().unplaced.controlword;
 }
 double vl_velocity(const DriveObject& object, std::size_t) noexcept {
-  return object.process_data().vl_velocity;
+  return object.process_data().unplaced.speed_rpm;
 }
 double velocity(const DriveObject& object, std::size_t) noexcept {
-  return object.process_data().velocity;
+  return object.process_data().unplaced.speed_increments;
 }
 double torque(const DriveObject& object, std::size_t) noexcept {
-  return object.process_data().torque;
+  return object.process_data().unplaced.torque;
 }
 double free_word(const DriveObject& object, std::size_t index) noexcept {
-  return object.process_data().free_words[index];
+  return object.process_data().unplaced.words[index];
 }
 double free_double_word(const DriveObject& object, std::size_t index) noexcept {
-  return object.process_data().free_double_words[index];
+  return object.process_data().unplaced.double_words[index];
 }
 double interface_state(const DriveObject& object, std::size_t index) noexcept {
   return object.process_data().interface_state[index] ? 1.0 : 0.0;

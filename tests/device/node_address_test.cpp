@@ -1,5 +1,5 @@
 // p8620 and r8621: the node-ID by the address switch, and with the switch at 0 by parameter.
-#include "device/node_address.hpp"
+#include "device/bus/node_address.hpp"
 
 #include "tests/device/storage_fixture.hpp"
 

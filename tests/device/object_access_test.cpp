@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "device/object_rows.hpp"
+#include "device/objects/object_rows.hpp"
 #include "tests/device/test_unit.hpp"
 
 namespace device {

@@ -1,4 +1,4 @@
-#include "device/object_parameters.hpp"
+#include "device/parameters/object_parameters.hpp"
 
 #include <fstream>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "device/object_rows.hpp"
+#include "device/objects/object_rows.hpp"
 
 #include <algorithm>
 #include <array>

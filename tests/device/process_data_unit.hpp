@@ -3,9 +3,9 @@
 #include <deque>
 #include <vector>
 
-#include "device/object_rows.hpp"
-#include "device/process_data.hpp"
-#include "device/unit_process_data.hpp"
+#include "device/objects/object_rows.hpp"
+#include "device/process_data/process_data.hpp"
+#include "device/process_data/unit_process_data.hpp"
 #include "libcanopen/node/application.hpp"
 #include "tests/fakes/vector_bus.hpp"
 

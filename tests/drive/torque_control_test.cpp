@@ -145,14 +145,14 @@ TEST(TorqueControl, HaltsWithoutTorque) {
     wired.receives(kX, 3, 0x2000);
     wired.cycles(10);
     ASSERT_NEAR(wired.axis(kX).actual().torque, 0.5 * rated, 0.02 * rated);
-    wired.axis(kX).process_data().whole_controlword = 0x010F;
+    wired.axis(kX).process_data().controlword = 0x010F;
     wired.cycles(25);  // 0.1 s: a quarter or half of the rated torque
     const double left = option == 1 ? 0.25 : 0.0;
     EXPECT_NEAR(wired.axis(kX).actual().torque, left * rated, 0.03 * rated) << "p8791 = " << option;
     wired.cycles(50);
     EXPECT_NEAR(wired.axis(kX).actual().torque, 0.0, 0.02 * rated);
     EXPECT_EQ(wired.state(kX), State::OperationEnabled);
-    wired.axis(kX).process_data().whole_controlword = 0x000F;
+    wired.axis(kX).process_data().controlword = 0x000F;
     wired.cycles(5);
     EXPECT_NEAR(wired.axis(kX).actual().torque, 0.5 * rated, 0.02 * rated) << "and goes on";
   }

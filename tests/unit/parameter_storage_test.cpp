@@ -43,6 +43,16 @@ struct Storage : testing::Test {
     return next.object(object)->read(number).value();
   }
 
+  Storage() { name_groups(storage); }
+  static void name_groups(ParameterStorage& of) {
+    of.groups().define(ParameterGroup::Communication, [](const drive::ParameterRow& row) noexcept {
+      return row.number == 8606 || row.number == 8701;
+    });
+    of.groups().define(ParameterGroup::Application, [](const drive::ParameterRow& row) noexcept {
+      return row.number == 1120 || row.number == 1135;
+    });
+  }
+
   FollowUps<FollowUp> follow_ups;
   UnitParameters parameters;
   drive::DriveUnit unit{two_axes(), &parameters};
@@ -183,6 +193,7 @@ TEST_F(Storage, AdoptsAnImageAndGoesOnFromIt) {
   drive::DriveUnit next{two_axes()};
   UnitParameters none;
   ParameterStorage adopted{next, none, shelf, follow_ups};
+  name_groups(adopted);
 
   ASSERT_TRUE(adopted.adopt(std::vector<std::byte>{shelf.image}));
   EXPECT_EQ(next.object(kX)->read(1120).value(), 1.0);

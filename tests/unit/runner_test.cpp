@@ -64,7 +64,7 @@ TEST_F(RunningUnit, RestsWhileNothingComes) {
 }
 
 TEST_F(RunningUnit, RunsACycleForEveryFaceWhenSomethingHasCome) {
-  runner.wake(1);
+  runner.wake(mask_of(1));
   EXPECT_EQ(runner.next_deadline(), runner.now() + CycleClock::kFactory);
 
   passes(4ms);
@@ -148,7 +148,7 @@ TEST_F(RunningUnit, IsLedByWhatAFaceWritesIntoTheProcessData) {
 
   for (const std::uint16_t word : {0x0, 0x6, 0x7, 0xF}) {
     controlword = word;
-    runner.wake(1);
+    runner.wake(mask_of(1));
     passes(4ms);
   }
   passes(1s);
