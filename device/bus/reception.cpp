@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "device/unit_time.hpp"
+#include "device/bus/unit_time.hpp"
 #include "libcanopen/pdo/settings.hpp"
 
 namespace device {
