@@ -148,11 +148,11 @@ TEST(VelocityScaling, IsWholeIncrementsWithoutPlace) {
   unit.map_rpdo(1, {kControlword});
   ASSERT_EQ(unit.download(0x60FF, 0, 0x0C800000, 4), 0U);
   unit.cycle();
-  EXPECT_NEAR(unit.drive::inputs_of(device.axis()).main_setpoint / drive::kRpm, 3000.0, 1e-5)
+  EXPECT_NEAR(drive::inputs_of(unit.device.axis()).main_setpoint / drive::kRpm, 3000.0, 1e-5)
       << "r8796 does not saturate at p2000";
   ASSERT_EQ(unit.download(0x60FF, 0, 0x80000000, 4), 0U);
   unit.cycle();
-  EXPECT_NEAR(unit.drive::inputs_of(device.axis()).main_setpoint / drive::kRpm, -30720.0, 1e-3);
+  EXPECT_NEAR(drive::inputs_of(unit.device.axis()).main_setpoint / drive::kRpm, -30720.0, 1e-3);
 }
 
 TEST(TorqueScaling, OfReceivedPerMille) {
@@ -184,7 +184,7 @@ TEST(TorqueScaling, IsPerMilleWithoutPlace) {
   unit.map_rpdo(1, {kControlword});
   ASSERT_EQ(unit.download(0x6071, 0, 1500, 2), 0U);
   unit.cycle();
-  EXPECT_NEAR(unit.drive::inputs_of(device.axis()).torque_setpoint / unit.parameter(333), 1.5, 1e-5);
+  EXPECT_NEAR(drive::inputs_of(unit.device.axis()).torque_setpoint / unit.parameter(333), 1.5, 1e-5);
 }
 
 TEST(VlVelocityScaling, IsRpmAndSaturatesAtTwiceP2000) {
@@ -195,7 +195,7 @@ TEST(VlVelocityScaling, IsRpmAndSaturatesAtTwiceP2000) {
     ASSERT_EQ(unit.download(0x6042, 0, static_cast<std::uint16_t>(bus), 2), 0U);
     unit.cycle();
     EXPECT_EQ(unit.read_parameter(2, 8850, 4) & 0xFFFFU, word) << bus;
-    EXPECT_NEAR(unit.drive::inputs_of(device.axis()).main_setpoint / drive::kRpm, rpm, 0.2) << bus;
+    EXPECT_NEAR(drive::inputs_of(unit.device.axis()).main_setpoint / drive::kRpm, rpm, 0.2) << bus;
   }
 }
 

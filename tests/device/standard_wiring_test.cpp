@@ -106,11 +106,11 @@ TEST(StandardWiring, FollowsTheTorqueSetpoint) {
   ASSERT_EQ(unit.download(0x6071, 0, 250, 2), 0U);
   unit.cycle();
   EXPECT_EQ(unit.read_parameter(2, 8797), 250U);
-  EXPECT_NEAR(unit.drive::inputs_of(device.axis()).torque_setpoint, 0.25 * unit.parameter(333), 1e-3);
+  EXPECT_NEAR(drive::inputs_of(unit.device.axis()).torque_setpoint, 0.25 * unit.parameter(333), 1e-3);
   unit.map_rpdo(1, {kVelocity, kTorque});
   EXPECT_EQ(unit.parameter(1503), own(8850, 2));
   unit.cycle();
-  EXPECT_NEAR(unit.drive::inputs_of(device.axis()).torque_setpoint, 0.25 * unit.parameter(333), 1e-3);
+  EXPECT_NEAR(drive::inputs_of(unit.device.axis()).torque_setpoint, 0.25 * unit.parameter(333), 1e-3);
 }
 
 TEST(StandardWiring, TakesTheRpmOfVelocityModeInItsPlace) {
@@ -122,12 +122,12 @@ TEST(StandardWiring, TakesTheRpmOfVelocityModeInItsPlace) {
   ASSERT_EQ(unit.download(0x6042, 0, 300, 2), 0U);
   unit.cycle();
   EXPECT_EQ(unit.read_parameter(2, 8792), 300U);
-  EXPECT_NEAR(unit.drive::inputs_of(device.axis()).main_setpoint, 300 * drive::kRpm, 1e-6);
+  EXPECT_NEAR(drive::inputs_of(unit.device.axis()).main_setpoint, 300 * drive::kRpm, 1e-6);
 
   unit.map_rpdo(1, {kControlword, kVlVelocity});
   EXPECT_EQ(unit.parameter(1070), own(8850, 1));
   unit.cycle();
-  EXPECT_NEAR(unit.drive::inputs_of(device.axis()).main_setpoint, 300 * drive::kRpm, 0.1 * drive::kRpm);
+  EXPECT_NEAR(drive::inputs_of(unit.device.axis()).main_setpoint, 300 * drive::kRpm, 0.1 * drive::kRpm);
   ASSERT_EQ(unit.download(0x6060, 0, 3, 1), 0U);
   unit.cycle();
   EXPECT_EQ(unit.parameter(1070), own(8796));
