@@ -10,6 +10,7 @@
 #include <sys/signalfd.h>
 
 #include "bench/number.hpp"
+#include "bench/operations/library_node.hpp"
 #include "can/port/socketcan/socket_can.hpp"
 #include "daemon/base/clock.hpp"
 #include "daemon/program/event_loop.hpp"

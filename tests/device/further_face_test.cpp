@@ -53,9 +53,7 @@ TEST(FurtherFace, LeadsTheAxisWhileTheBusShowsIt) {
   PanelUnit unit;
   unit.passes(100ms);
 
-  for (const std::uint16_t controlword :
-       {std::uint16_t{0x0}, std::uint16_t{0x6}, std::uint16_t{0x7}, std::uint16_t{0xF}})
-    unit.brings(controlword);
+  for (const int controlword : {0x0, 0x6, 0x7, 0xF}) unit.brings(static_cast<std::uint16_t>(controlword));
   unit.passes(100ms);
 
   EXPECT_EQ(unit.statusword() & 0x006F, 0x0027) << "Operation enabled";

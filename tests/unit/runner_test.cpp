@@ -146,8 +146,8 @@ TEST_F(RunningUnit, IsLedByWhatAFaceWritesIntoTheProcessData) {
   std::uint16_t controlword = 0;
   face.before_cycle = [&] { axis.process_data().received[0] = controlword; };
 
-  for (const std::uint16_t word : {0x0, 0x6, 0x7, 0xF}) {
-    controlword = word;
+  for (const int word : {0x0, 0x6, 0x7, 0xF}) {
+    controlword = static_cast<std::uint16_t>(word);
     runner.wake(mask_of(1));
     passes(4ms);
   }
