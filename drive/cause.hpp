@@ -19,21 +19,37 @@ struct CauseLimit {
   using Setting = double Block::Settings::*;
 
   // NOLINTBEGIN(google-explicit-constructor): a table of causes reads as one
-  constexpr CauseLimit(double value) noexcept : number{value} {}
-  constexpr CauseLimit(Getter value) noexcept : getter{value} {}
-  constexpr CauseLimit(Setting value) noexcept : setting{value} {}
+  constexpr CauseLimit(double value) noexcept : kind{Kind::Number}, number{value} {}
+  constexpr CauseLimit(Getter value) noexcept : kind{Kind::Getter}, getter{value} {}
+  constexpr CauseLimit(Setting value) noexcept : kind{Kind::Setting}, setting{value} {}
   // NOLINTEND(google-explicit-constructor)
 
   constexpr double of(const Block& block) const noexcept {
-    if (getter != nullptr) return (block.*getter)();
-    return setting != nullptr ? block.settings.*setting : number;
+    if (kind == Kind::Getter) return (block.*getter)();
+    return kind == Kind::Setting ? block.settings.*setting : number;
   }
   /// Whether it is the number 0.
-  constexpr bool is_zero() const noexcept { return getter == nullptr && setting == nullptr && !(number > 0.0); }
+  constexpr bool is_zero() const noexcept { return kind == Kind::Number && !(number > 0.0); }
 
+  enum class Kind : std::uint8_t { Number, Getter, Setting };
+  Kind kind;
   double number = 0.0;
   Getter getter = nullptr;
   Setting setting = nullptr;
+};
+
+/// What a message value shows: a quantity of @p Block, or nothing (0).
+template <class Block>
+struct CauseValue {
+  using Getter = double (Block::*)() const noexcept;
+
+  // NOLINTBEGIN(google-explicit-constructor): as above
+  constexpr CauseValue(std::nullptr_t) noexcept {}
+  constexpr CauseValue(Getter value) noexcept : getter{value}, is_shown{true} {}
+  // NOLINTEND(google-explicit-constructor)
+
+  Getter getter = nullptr;
+  bool is_shown = false;
 };
 
 /// One cause of a fault or an alarm in a quantity of @p Block. Rows of the same message belong to one block.
@@ -48,7 +64,7 @@ struct CauseRow {
   double hysteresis;        ///< what the quantity has to go back by before the cause is gone
   CauseLimit<Block> delay;  ///< so long it has to hold (s)
   Pulses pulses;
-  Quantity value;  ///< what the message value shows, nullptr = 0
+  CauseValue<Block> value;  ///< what the message value shows
   double value_scale;
   std::string_view source;
 };

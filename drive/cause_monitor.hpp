@@ -129,10 +129,10 @@ class CauseMonitor<std::tuple<Block...>> {
   static std::uint32_t value_of(const Blocks& blocks) noexcept {
     constexpr const auto& kRow = row<Index>();
     constexpr double kHighest = 4294967295.0;
-    if constexpr (kRow.value == nullptr)
+    if constexpr (!kRow.value.is_shown)
       return 0;
     else {
-      const double value = (std::get<BlockOf<Index>>(blocks).*kRow.value)();
+      const double value = (std::get<BlockOf<Index>>(blocks).*kRow.value.getter)();
       return static_cast<std::uint32_t>(std::clamp(std::round(value * kRow.value_scale), 0.0, kHighest));
     }
   }

@@ -22,7 +22,7 @@ bool is_of_the_communication(const FaultRow& row) noexcept {
   return row.number >= 8700 && row.number < 8800;
 }
 
-BufferEntry shown(const FaultEntry& entry, Uptime removed) noexcept {
+BufferEntry displayed(const FaultEntry& entry, Uptime removed) noexcept {
   return {entry.row->number, entry.value, entry.received, removed};
 }
 
@@ -121,7 +121,7 @@ void FaultMemory::remove_faults(Predicate leave) noexcept {
   std::array<BufferEntry, kCapacity> gone{};
   std::size_t count = 0;
   for (const FaultEntry& entry : faults())
-    if (leave(entry)) gone[count++] = shown(entry, now_);
+    if (leave(entry)) gone[count++] = displayed(entry, now_);
   if (count == 0) return;
   faults_.remove_if(leave);
   history_.push({gone.data(), count});
@@ -169,7 +169,7 @@ std::uint8_t FaultMemory::error_register() const noexcept {
 
 BufferEntry FaultMemory::fault(std::size_t index) const noexcept {
   if (index >= kCapacity) return history_.at(index - kCapacity);
-  return index < faults_.count ? shown(faults_.items[index], 0) : BufferEntry{};
+  return index < faults_.count ? displayed(faults_.items[index], 0) : BufferEntry{};
 }
 
 void FaultMemory::clear_fault_buffer() noexcept {

@@ -72,5 +72,9 @@ constexpr const Missing* missing_of(std::uint16_t number) noexcept {
       kMissing, [=](const Missing& range) { return range.first <= number && number <= range.last; });
   return row != kMissing.end() ? row : nullptr;
 }
+constexpr bool belongs_to_missing(std::uint16_t number) noexcept {
+  return std::ranges::any_of(kMissing,
+                             [=](const Missing& range) { return range.first <= number && number <= range.last; });
+}
 
 }  // namespace drive::function_module

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "drive/parameter/block.hpp"
@@ -123,7 +124,7 @@ struct Shown<Get> {
 };
 template <auto Set, class Block>
 void set(void* block, std::size_t index, double value) noexcept {
-  if constexpr (Set != nullptr) Set(*static_cast<Block*>(block), index, value);
+  if constexpr (!std::is_null_pointer_v<decltype(Set)>) Set(*static_cast<Block*>(block), index, value);
 }
 
 }  // namespace block_access
@@ -145,9 +146,9 @@ constexpr bool is_in_a_slot(const Home& home) noexcept {
 
 /// The number of indices that @p home has room for; 0 if it does not matter.
 constexpr std::size_t elements_of(const Home& home) noexcept {
-  if (const auto* const value = std::get_if<Setting>(&home)) return value->count;
-  if (const auto* const input = std::get_if<BitInput>(&home)) return input->count;
-  if (const auto* const input = std::get_if<ValueInput>(&home)) return input->count;
+  if (std::holds_alternative<Setting>(home)) return std::get<Setting>(home).count;
+  if (std::holds_alternative<BitInput>(home)) return std::get<BitInput>(home).count;
+  if (std::holds_alternative<ValueInput>(home)) return std::get<ValueInput>(home).count;
   return 0;
 }
 

@@ -95,8 +95,10 @@ static_assert(kNumbersAreUnique<ObjectKind::ControlUnit> && kNumbersAreUnique<Ob
 constexpr bool has_the_type_of_its_home(const ParameterRow& row) {
   if (std::holds_alternative<BitInput>(row.home)) return row.type == DataType::BinectorInput;
   if (std::holds_alternative<ValueInput>(row.home)) return row.type == DataType::ConnectorInput;
-  if (const auto* const input = std::get_if<ImageInput>(&row.home))
-    return row.type == (input->sink == ImageSink::BitOfWord ? DataType::BinectorInput : DataType::ConnectorInput);
+  if (std::holds_alternative<ImageInput>(row.home)) {
+    const bool is_bit = std::get<ImageInput>(row.home).sink == ImageSink::BitOfWord;
+    return row.type == (is_bit ? DataType::BinectorInput : DataType::ConnectorInput);
+  }
   return !(is_bico_input(row.type) && std::holds_alternative<Setting>(row.home));
 }
 
@@ -113,11 +115,10 @@ constexpr bool consistent(const ParameterRow* row) {
 }
 /// What does nothing yet says what would make it act: itself, or by the module that it belongs to.
 constexpr bool says_until_when(const ParameterRow* row) {
-  const auto* const stored = std::get_if<Stored>(&row->home);
-  const auto* const fixed = std::get_if<Fixed>(&row->home);
-  if (stored == nullptr && fixed == nullptr) return true;
-  const bool itself = !(stored != nullptr ? stored->until : fixed->until).empty();
-  return itself != (function_module::missing_of(row->number) != nullptr);
+  const bool stored = std::holds_alternative<Stored>(row->home);
+  if (!stored && !std::holds_alternative<Fixed>(row->home)) return true;
+  const bool itself = !(stored ? std::get<Stored>(row->home).until : std::get<Fixed>(row->home).until).empty();
+  return itself != function_module::belongs_to_missing(row->number);
 }
 static_assert(std::all_of(kRows.begin(), kRows.end(), says_until_when),
               "a parameter that is stored only or fixed says what would make it act");
