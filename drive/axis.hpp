@@ -177,7 +177,8 @@ class Axis final : public DriveObject {
   void before_setting(const ParameterRow& row) noexcept override;
   void after_setting(const ParameterRow& row) noexcept override;
   WriteState write_state() const noexcept override;
-  void on_parameters_changed() noexcept override { apply_parameters(); }
+  void on_settings_changed(BlockId block) noexcept override;
+  void on_parameter_written() noexcept override { settled_ = false; }
   void react(const FaultRow& row) noexcept override;
   void on_acknowledged_fault_left() noexcept override;
   void on_messages_changed() noexcept override;
@@ -200,6 +201,8 @@ class Axis final : public DriveObject {
   void lead_setpoint() noexcept;
   void lead_torque() noexcept;
   double halted_torque() noexcept;
+  void configure_channel() noexcept;
+  void configure_control() noexcept;
   FixedSetpoints fixed_setpoints() const noexcept;
   motor::ControlSettings control_settings(const motor::MachineData& machine) const noexcept;
   motor::TorqueLimits effective_torque_limits() const noexcept;
@@ -242,6 +245,7 @@ class Axis final : public DriveObject {
   motor::DriveTrain train_;
   // Follows from the parameters.
   SetpointChannel channel_;
+  FixedSetpoints fixed_setpoints_{};
   std::uint16_t implausible_parameter_ = 0;
   double counts_to_speed_;  // rad an increment
 

@@ -56,8 +56,25 @@ motor::ControlSettings Axis::control_settings(const motor::MachineData& machine)
 }
 
 void Axis::apply_parameters() noexcept {
+  fixed_setpoints_ = fixed_setpoints();
+  configure_channel();
+  configure_control();
+  settled_ = false;
+}
+
+void Axis::on_settings_changed(BlockId block) noexcept {
+  if (block == nullptr) return apply_parameters();
+  if (block == kBlock<SetpointChannel>) fixed_setpoints_ = fixed_setpoints();
+  if (block == kBlock<SetpointChannel> || block == kBlock<AxisParameters>) configure_channel();
+  if (block == kBlock<AxisParameters>) configure_control();
+}
+
+void Axis::configure_channel() noexcept {
+  channel_.configure(parameters_, fixed_setpoints_, has_setpoint_channel());
+}
+
+void Axis::configure_control() noexcept {
   const AxisParameters& p = parameters_;
-  channel_.configure(p, fixed_setpoints(), has_setpoint_channel());
   const std::uint16_t implausible = implausible_motor_parameter(p, context().axis.machine);
   implausible_parameter_ = p.commissioning == 0 ? implausible : 0;
   if (implausible == 0) {  // otherwise the last possible model stays
@@ -65,7 +82,6 @@ void Axis::apply_parameters() noexcept {
     train_.set_machine(machine);
     train_.tune(control_settings(machine));
   }
-  settled_ = false;
 }
 
 void Axis::cycle(const AxisInputs& inputs, double duration) noexcept {

@@ -12,48 +12,37 @@ struct BlockMark {};
 template <class Block>
 inline constexpr BlockMark kBlockMark{};
 
-/// Identifies a kind of block.
+/// Identifies a kind of block, or its settings or inputs where they are structs of their own.
 using BlockId = const BlockMark*;
 template <class Block>
 inline constexpr BlockId kBlock = &kBlockMark<Block>;
 
-/// The one of @p blocks that has identity @p id, nullptr if none has.
+namespace block_access {
+
+/// @p block, or the part of it that has identity @p id: its member `settings` or `inputs`.
+template <class Block>
+constexpr auto* find_in(BlockId id, Block& block) noexcept {
+  using Void = std::conditional_t<std::is_const_v<Block>, const void, void>;
+  if (id == kBlock<std::remove_const_t<Block>>) return static_cast<Void*>(&block);
+  if constexpr (requires { block.settings; })
+    if (id == kBlock<std::remove_cvref_t<decltype(block.settings)>>) return static_cast<Void*>(&block.settings);
+  if constexpr (requires { block.inputs; })
+    if (id == kBlock<std::remove_cvref_t<decltype(block.inputs)>>) return static_cast<Void*>(&block.inputs);
+  return static_cast<Void*>(nullptr);
+}
+
+}  // namespace block_access
+
+/// The one of @p blocks, or of their settings and inputs, that has identity @p id; nullptr if none has.
 template <class... Blocks>
 constexpr auto* find_block(BlockId id, Blocks&... blocks) noexcept {
   using Void = std::conditional_t<(std::is_const_v<Blocks> || ...), const void, void>;
   Void* found = nullptr;
-  static_cast<void>(((id == kBlock<std::remove_const_t<Blocks>> && (found = &blocks) != nullptr) || ...));
+  static_cast<void>(((found = block_access::find_in(id, blocks)) || ...));
   return found;
 }
 
 namespace block_access {
-
-/// The block that @p Part belongs to: what it names as its Block, whose `settings` or `inputs` it is; otherwise it
-/// is one itself.
-template <class Part>
-struct Owner {
-  using Type = Part;
-};
-template <class Part>
-requires requires {
-  typename Part::Block;
-}
-struct Owner<Part> {
-  using Type = typename Part::Block;
-};
-
-template <class Part, class Block>
-constexpr auto& part_of(Block& block) noexcept {
-  if constexpr (std::is_same_v<std::remove_const_t<Block>, Part>) {
-    return block;
-  } else if constexpr (requires {
-                         requires std::is_same_v<std::remove_cvref_t<decltype(block.settings)>, Part>;
-                       }) {
-    return block.settings;
-  } else {
-    return block.inputs;
-  }
-}
 
 /// What lies at an index of a member: an array has several elements.
 template <class Member>
@@ -71,18 +60,18 @@ struct Elements<std::array<Element, Count>> {
 
 template <auto Member>
 struct Of;
-/// A data member of a block or of a part of it.
+/// A data member of a block, or of its settings or inputs.
 template <class Part, class Value, Value Part::*Member>
 struct Of<Member> {
-  using Block = typename Owner<Part>::Type;
+  using Block = Part;
   using Element = typename Elements<Value>::Type;
   static constexpr std::size_t kCount = Elements<Value>::kCount;
 
   static Element& at(void* block, std::size_t index) noexcept {
-    return Elements<Value>::at(part_of<Part>(*static_cast<Block*>(block)).*Member, index);
+    return Elements<Value>::at(static_cast<Part*>(block)->*Member, index);
   }
   static const Element& at(const void* block, std::size_t index) noexcept {
-    return Elements<Value>::at(part_of<Part>(*static_cast<const Block*>(block)).*Member, index);
+    return Elements<Value>::at(static_cast<const Part*>(block)->*Member, index);
   }
 };
 /// A getter of a block; with an index where there are several values.

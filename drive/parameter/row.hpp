@@ -10,6 +10,7 @@
 
 #include "drive/axis_configuration.hpp"
 #include "drive/axis_inputs.hpp"
+#include "drive/function_modules.hpp"
 #include "drive/object_kind.hpp"
 #include "drive/parameter/bico.hpp"
 #include "drive/parameter/home.hpp"
@@ -58,6 +59,7 @@ enum class Output : std::uint8_t {
   No,
   Connector,  ///< CO: a value for connector inputs
   Both,       ///< CO/BO: a word, whose bits are for binector inputs too
+  Bits,       ///< CO/BO: a bit at each index, which is its number for binector inputs
 };
 
 /// What of a connector is 100 %.
@@ -96,6 +98,7 @@ struct ParameterRow {
   Keep keep = Keep::Stored;
   Check check = nullptr;
   FullScale full_scale = FullScale::OfUnit;
+  function_module::Set modules = 0;  ///< it exists with all of these only
 
   constexpr bool is_writable() const noexcept { return when != When::ReadOnly; }
 };
@@ -111,10 +114,9 @@ constexpr bool is_reset(const ParameterRow& row) noexcept {
 /// Chooses among the saved parameters.
 using RowFilter = bool (*)(const ParameterRow& row) noexcept;
 
-/// Whether the bits that @p row has for binector inputs are its indices (r8843).
-constexpr bool has_a_bit_per_index(const ParameterRow& row) noexcept {
-  constexpr std::uint16_t kInterfaceState = 8843;
-  return row.number == kInterfaceState;
+/// Whether @p row is a source of binector inputs.
+constexpr bool has_bits(const ParameterRow& row) noexcept {
+  return row.output == Output::Both || row.output == Output::Bits;
 }
 
 /// Factory value of @p row at @p index on a drive object of @p context, in the parameter's own unit.
@@ -139,6 +141,13 @@ using enum DataType;
 using Row = ParameterRow;
 using P = AxisParameters;
 using I = AxisInputs;
+
+/// @p table, of parameters that exist with function module @p module only.
+template <std::size_t Count>
+constexpr std::array<Row, Count> with_module(function_module::Set module, std::array<Row, Count> table) noexcept {
+  for (Row& row : table) row.modules |= module;
+  return table;
+}
 
 }  // namespace rows
 }  // namespace drive

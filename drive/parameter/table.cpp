@@ -43,8 +43,8 @@ constexpr auto joined(const Tables&... tables) {
 constexpr auto kRows =
     joined(rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows, rows::kPdoRows,
            rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows, rows::kMotorRows,
-           rows::kSetpointChannelRows, rows::kControlRows, rows::kIdentificationRows, rows::kMonitoringRows,
-           rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
+           rows::kSequenceControlRows, rows::kSetpointChannelRows, rows::kControlRows, rows::kIdentificationRows,
+           rows::kMonitoringRows, rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
 
 /// The table of one kind; Count is the number of its rows.
 template <ObjectKind Kind, std::size_t Count>
