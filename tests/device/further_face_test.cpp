@@ -1,4 +1,6 @@
 /// A face besides the bus: what it writes leads the unit, and what either of them does the other one sees.
+#include <array>
+
 #include "tests/device/storage_fixture.hpp"
 
 namespace device {
@@ -53,7 +55,8 @@ TEST(FurtherFace, LeadsTheAxisWhileTheBusShowsIt) {
   PanelUnit unit;
   unit.passes(100ms);
 
-  for (const std::uint16_t controlword : {0x0, 0x6, 0x7, 0xF}) unit.brings(controlword);
+  for (const std::uint16_t controlword : std::to_array<std::uint16_t>({0x0, 0x6, 0x7, 0xF}))
+    unit.brings(controlword);
   unit.passes(100ms);
 
   EXPECT_EQ(unit.statusword() & 0x006F, 0x0027) << "Operation enabled";
