@@ -65,8 +65,7 @@ void Axis::set_function_modules(function_module::Set wanted) noexcept {
 }
 
 bool Axis::provides(const ParameterRow& row) const noexcept {
-  const function_module::Set needed = function_module::needed_by(row.number);
-  return (modules_ & needed) == needed;
+  return (modules_ & row.modules) == row.modules;
 }
 
 void Axis::inhibit(bool inhibited) noexcept {

@@ -162,7 +162,8 @@ class Axis final : public DriveObject {
   void before_setting(const ParameterRow& row) noexcept override;
   void after_setting(const ParameterRow& row) noexcept override;
   WriteState write_state() const noexcept override;
-  void on_parameters_changed() noexcept override { apply_parameters(); }
+  void on_settings_changed(BlockId) noexcept override { apply_parameters(); }
+  void on_parameter_written() noexcept override { settled_ = false; }
   void react(const FaultRow& row) noexcept override;
   void on_acknowledged_fault_left() noexcept override;
   void on_messages_changed() noexcept override;

@@ -22,6 +22,11 @@ std::optional<Refusal> limit_refusal(const ParameterRow& row, double value) noex
   return std::nullopt;
 }
 
+/// Why @p value cannot be taken over as a saved one of @p row.
+std::optional<Refusal> load_refusal(const ParameterRow& row, double value) noexcept {
+  return is_saved(row) ? limit_refusal(row, value) : std::optional{Refusal::ReadOnly};
+}
+
 /// Inputs, and the references that quantities are relative to.
 bool concerns_wiring(const ParameterRow& row) noexcept {
   return is_bico_input(row.type) || is_reference(row.number);
@@ -64,9 +69,8 @@ tl::expected<const PlacedRow*, ParameterError> DriveObject::find(std::uint16_t n
   return tl::unexpected{ParameterError{row.count == 1 ? Refusal::NotIndexed : Refusal::NoIndex, number, &row}};
 }
 
-/// What a function module that is not active would have does not exist, though it is kept and saved.
-tl::expected<const PlacedRow*, ParameterError> DriveObject::find_provided(std::uint16_t number,
-                                                                          std::size_t index) const noexcept {
+tl::expected<const PlacedRow*, ParameterError> DriveObject::parameter(std::uint16_t number,
+                                                                      std::size_t index) const noexcept {
   auto found = find(number, index);
   if (found && !provides(*(*found)->row))
     return tl::unexpected{ParameterError{Refusal::NoParameter, number, (*found)->row}};
@@ -74,7 +78,7 @@ tl::expected<const PlacedRow*, ParameterError> DriveObject::find_provided(std::u
 }
 
 tl::expected<double, ParameterError> DriveObject::read(std::uint16_t number, std::size_t index) const noexcept {
-  return find_provided(number, index).map([&](const PlacedRow* placed) { return value(*placed, index); });
+  return parameter(number, index).map([&](const PlacedRow* placed) { return value(*placed, index); });
 }
 
 tl::expected<double, ParameterError> DriveObject::kept_value(std::uint16_t number,
@@ -84,35 +88,45 @@ tl::expected<double, ParameterError> DriveObject::kept_value(std::uint16_t numbe
 
 tl::expected<void, ParameterError> DriveObject::write(std::uint16_t number, std::size_t index,
                                                       double value) noexcept {
-  const auto found = find_provided(number, index);
-  if (!found) return tl::unexpected{found.error()};
-  const ParameterRow& row = *(*found)->row;
-  const auto refused = [&](Refusal reason) { return tl::unexpected{ParameterError{reason, number, &row}}; };
+  return parameter(number, index).and_then([&](const PlacedRow* placed) { return write(*placed, index, value); });
+}
+
+tl::expected<void, ParameterError> DriveObject::write(const PlacedRow& placed, std::size_t index,
+                                                      double value) noexcept {
+  const ParameterRow& row = *placed.row;
+  const auto refused = [&](Refusal reason) { return tl::unexpected{ParameterError{reason, row.number, &row}}; };
   const WriteState state = write_state();
   if (!allows(row.when, state)) return refused(refusal(row.when, state));
   if (const auto reason = value_refusal(row, index, value)) return refused(*reason);
   if (is_agreed(row) && surroundings_ != nullptr)
     if (const auto reason = surroundings_->agree(*this, row, index, value)) return refused(*reason);
-  if (!std::holds_alternative<HostCommand>(row.home)) assign(**found, index, value);
-  on_parameters_changed();
+  if (!std::holds_alternative<HostCommand>(row.home)) assign(placed, index, value);
+  tell(row);
   return {};
+}
+
+/// Only what @p row concerns is to be computed anew.
+void DriveObject::tell(const ParameterRow& row) noexcept {
+  if (const BlockId block = concerned(row.home)) on_settings_changed(block);
+  on_parameter_written();
 }
 
 std::optional<ParameterError> DriveObject::load_error(std::uint16_t number, std::size_t index,
                                                       double value) const noexcept {
   const auto found = find(number, index);
   if (!found) return found.error();
-  const ParameterRow& row = *(*found)->row;
-  if (!is_saved(row)) return ParameterError{Refusal::ReadOnly, number, &row};
-  const auto reason = limit_refusal(row, value);
-  return reason ? std::optional{ParameterError{*reason, number, &row}} : std::nullopt;
+  const auto reason = load_refusal(*(*found)->row, value);
+  return reason ? std::optional{ParameterError{*reason, number, (*found)->row}} : std::nullopt;
 }
 
 tl::expected<void, ParameterError> DriveObject::load(std::uint16_t number, std::size_t index,
                                                      double value) noexcept {
-  if (const auto error = load_error(number, index, value)) return tl::unexpected{*error};
-  assign(*find_parameter(kind(), number), index, value);
-  on_parameters_changed();
+  const auto found = find(number, index);
+  if (!found) return tl::unexpected{found.error()};
+  const ParameterRow& row = *(*found)->row;
+  if (const auto reason = load_refusal(row, value)) return tl::unexpected{ParameterError{*reason, number, &row}};
+  assign(**found, index, value);
+  tell(row);
   return {};
 }
 
@@ -127,7 +141,8 @@ void DriveObject::restore_parameters(RowFilter which) noexcept {
     if (!is_saved(row) || !which(row)) continue;
     for (std::size_t i = 0; i < row.count; ++i) assign(placed, i, factory_value(row, context_, i));
   }
-  on_parameters_changed();
+  on_settings_changed(nullptr);
+  on_parameter_written();
 }
 
 /// BICO: what the input is connected to has to exist and to be something that it can take.
@@ -142,8 +157,8 @@ std::optional<Refusal> DriveObject::source_refusal(const ParameterRow& row, doub
   const PlacedRow* const placed = owner ? find_parameter(*owner, source.number) : nullptr;
   if (placed == nullptr || placed->row->output == Output::No) return Refusal::IllegalSource;
   const bool bit = row.type == DataType::BinectorInput;
-  if (bit && placed->row->output != Output::Both) return Refusal::IllegalSource;
-  const bool bits_of_word = bit && !has_a_bit_per_index(*placed->row);
+  if (bit && !has_bits(*placed->row)) return Refusal::IllegalSource;
+  const bool bits_of_word = bit && placed->row->output != Output::Bits;
   const std::size_t positions = bits_of_word ? 8U * row_of(placed->row->type).size : placed->row->count;
   return source.position < positions ? std::nullopt : std::optional{Refusal::IllegalSource};
 }

@@ -55,6 +55,10 @@ class DriveObject {
 
   /// Whether the function modules of the drive object have parameter @p row of its kind.
   virtual bool provides(const ParameterRow&) const noexcept { return true; }
+  /// Parameter @p number, which has index @p index; what a function module that is not active would have does not
+  /// exist, though it is kept and saved.
+  [[nodiscard]] tl::expected<const PlacedRow*, ParameterError> parameter(std::uint16_t number,
+                                                                         std::size_t index = 0) const noexcept;
   /// Value of a parameter.
   [[nodiscard]] tl::expected<double, ParameterError> read(std::uint16_t number,
                                                           std::size_t index = 0) const noexcept;
@@ -66,6 +70,9 @@ class DriveObject {
   [[nodiscard]] tl::expected<void, ParameterError> write(std::uint16_t number, double value) noexcept {
     return write(number, 0, value);
   }
+  /// The same of @p placed, found by parameter() with @p index.
+  [[nodiscard]] tl::expected<void, ParameterError> write(const PlacedRow& placed, std::size_t index,
+                                                         double value) noexcept;
   /// Takes over a saved value whatever the state; refused if it is outside the limits or not a saved parameter.
   [[nodiscard]] tl::expected<void, ParameterError> load(std::uint16_t number, std::size_t index,
                                                         double value) noexcept;
@@ -134,17 +141,19 @@ class DriveObject {
   virtual void before_setting(const ParameterRow&) noexcept {}
   virtual void after_setting(const ParameterRow&) noexcept {}
   virtual WriteState write_state() const noexcept = 0;
-  virtual void on_parameters_changed() noexcept {}
+  /// Settings of @p block have changed; nullptr: those of any block may have.
+  virtual void on_settings_changed(BlockId) noexcept {}
+  /// A parameter was written or loaded, whatever it is.
+  virtual void on_parameter_written() noexcept {}
   virtual void react(const FaultRow&) noexcept {}
   virtual void on_acknowledged_fault_left() noexcept {}
   virtual void on_messages_changed() noexcept {}
 
   tl::expected<const PlacedRow*, ParameterError> find(std::uint16_t number, std::size_t index) const noexcept;
-  tl::expected<const PlacedRow*, ParameterError> find_provided(std::uint16_t number,
-                                                               std::size_t index) const noexcept;
   std::optional<Refusal> source_refusal(const ParameterRow& row, double value) const noexcept;
   std::optional<Refusal> value_refusal(const ParameterRow& row, std::size_t index, double value) const noexcept;
   double kept_value_of(const PlacedRow& placed, std::size_t index) const noexcept;
+  void tell(const ParameterRow& row) noexcept;
   void assign(const PlacedRow& placed, std::size_t index, double value) noexcept;
 
   ObjectContext context_;

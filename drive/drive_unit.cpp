@@ -11,8 +11,7 @@
 namespace drive {
 namespace {
 
-constexpr std::uint16_t kDeviceFilter = 9;     // p0009
-constexpr std::uint16_t kAlarmCounter = 2111;  // p2111
+constexpr std::uint16_t kDeviceFilter = 9;  // p0009
 
 ObjectContext control_unit_context(const UnitConfiguration& configuration) noexcept {
   ObjectContext context{};
@@ -26,17 +25,6 @@ ObjectContext control_unit_context(const UnitConfiguration& configuration) noexc
                  [](const AxisConfiguration& axis) { return axis.kind; });
   std::ranges::transform(configuration.axes, context.modules.begin(), function_module::of_new);
   return context;
-}
-
-/// @p number as @p type holds it: rounded to an integer, at the ends of the type saturated.
-ParameterValue transferred(DataType type, double number) noexcept {
-  const DataTypeRow& row = row_of(type);
-  const double bounded = std::clamp(number, row.lowest, row.highest);
-  return encode(type, type == DataType::F32 ? bounded : std::round(bounded));
-}
-
-ParameterError no_object(std::uint16_t number) noexcept {
-  return {Refusal::NoDriveObject, number, nullptr};
 }
 
 }  // namespace
@@ -165,38 +153,6 @@ const DriveObject* DriveUnit::object(std::uint8_t number) const noexcept {
   if (infeed_ && number == kInfeedNumber) return &*infeed_;
   const bool exists = number >= first_axis() && number < first_axis() + axes_.size();
   return exists ? &axes_[number - first_axis()] : nullptr;
-}
-
-tl::expected<ParameterValue, ParameterError> DriveUnit::read(std::uint8_t object, std::uint16_t number,
-                                                             std::size_t index) const noexcept {
-  const DriveObject* const owner = this->object(object);
-  if (owner == nullptr) return tl::unexpected{no_object(number)};
-  return owner->read(number, index).map([&](double value) {
-    return transferred(find_parameter(owner->kind(), number)->row->type, value);
-  });
-}
-
-tl::expected<void, ParameterError> DriveUnit::write(std::uint8_t object, std::uint16_t number, std::size_t index,
-                                                    const ParameterValue& value) noexcept {
-  DriveObject* const owner = this->object(object);
-  if (owner == nullptr) return tl::unexpected{no_object(number)};
-  const PlacedRow* const placed = find_parameter(owner->kind(), number);
-  if (placed != nullptr && placed->row->type != value.type)
-    return tl::unexpected{ParameterError{Refusal::WrongType, number, placed->row}};
-  if (number == kAlarmCounter) return clear_alarms(*owner, decode(value));
-  return owner->write(number, index, decode(value));
-}
-
-/// p2111 = 0 ends latched alarms where they came from and where they spread to.
-tl::expected<void, ParameterError> DriveUnit::clear_alarms(DriveObject& object, double count) noexcept {
-  std::array<std::uint16_t, FaultMemory::kCapacity> latched{};
-  std::size_t number = 0;
-  for (const FaultEntry& alarm : object.messages().alarms())
-    if (alarm.cause == Cause::Latched) latched[number++] = alarm.row->number;
-  auto written = object.write(kAlarmCounter, count);
-  if (!written) return written;
-  for (std::size_t i = 0; i < number; ++i) withdraw(object.number(), latched[i]);
-  return written;
 }
 
 void DriveUnit::set_time(Uptime now) noexcept {

@@ -102,6 +102,9 @@ class DriveUnit final : private Surroundings {
   /// Writes a parameter; the type of @p value has to be that of the parameter.
   [[nodiscard]] tl::expected<void, ParameterError> write(std::uint8_t object, std::uint16_t number,
                                                          std::size_t index, const ParameterValue& value) noexcept;
+  /// The same of @p placed of @p object, found by DriveObject::parameter() with @p index.
+  [[nodiscard]] tl::expected<void, ParameterError> write(DriveObject& object, const PlacedRow& placed,
+                                                         std::size_t index, double value) noexcept;
 
   /// Tells every drive object the time since the unit was switched on (ms).
   void set_time(Uptime now) noexcept;
@@ -136,7 +139,8 @@ class DriveUnit final : private Surroundings {
   std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept override;
   std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
                                double value) noexcept override;
-  tl::expected<void, ParameterError> clear_alarms(DriveObject& object, double count) noexcept;
+  tl::expected<void, ParameterError> clear_alarms(DriveObject& object, const PlacedRow& counter,
+                                                  double count) noexcept;
   std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
                                      std::size_t index) const noexcept override;
   void inhibit_axes(bool inhibited) noexcept;

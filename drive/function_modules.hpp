@@ -33,26 +33,6 @@ constexpr Set possible(ObjectKind kind) noexcept {
   return always(kind) | kSetpointChannel;
 }
 
-/// Parameters with consecutive numbers that exist with a module only.
-struct Parameters {
-  std::uint16_t first;
-  std::uint16_t last;
-  Set module;
-};
-inline constexpr std::array kParameters{
-    Parameters{1000, 1080, kSetpointChannel},
-    Parameters{1110, 1120, kSetpointChannel},
-    Parameters{1122, 1134, kSetpointChannel},
-    Parameters{1140, 1150, kSetpointChannel},
-};
-
-/// The module that parameter @p number of an axis needs, 0 if none.
-constexpr Set needed_by(std::uint16_t number) noexcept {
-  const auto* const row = std::ranges::find_if(
-      kParameters, [=](const Parameters& range) { return range.first <= number && number <= range.last; });
-  return row != kParameters.end() ? row->module : Set{0};
-}
-
 /// A module that the simulation does not have yet, and its parameters, which exist all the same.
 struct Missing {
   std::uint16_t first;

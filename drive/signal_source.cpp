@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "drive/parameter/rounding.hpp"
 #include "drive/scaling.hpp"
 #include "drive/units.hpp"
 
@@ -61,22 +62,39 @@ SignalSource::SignalSource(const DriveUnit& unit, const DriveObject& own, std::u
   placed_ = object != nullptr ? find_parameter(object->kind(), source.number) : nullptr;
   if (placed_ == nullptr) return;
   object_ = object;
-  position_ = source.position;
+  index_ = source.position;
+  (placed_->row->output == Output::Bits ? word_index_ : bit_) = source.position;
   const auto full = full_scale(*object, *placed_->row);
   is_quantity_ = full.has_value();
   scale_ = 1.0 / full.value_or(1.0);
+  look_into(placed_->row->home);
 }
 
-bool SignalSource::bit() const noexcept {
-  if (is_constant()) return scale_ > 0.0;
-  if (has_a_bit_per_index(*placed_->row)) return object_->value(*placed_, position_) > 0.0;
-  const auto word = static_cast<std::int64_t>(object_->value(*placed_, 0));
-  return (word >> position_ & 1) != 0;
+/// A value that lies in a block is taken from there.
+void SignalSource::look_into(const Home& home) noexcept {
+  if (const auto* const setting = std::get_if<Setting>(&home)) {
+    place_ = object_->block(setting->block);
+    get_ = setting->get;
+    conversion_ = Conversion::RoundedUnit;
+  } else if (const auto* const output = std::get_if<BlockOutput>(&home)) {
+    place_ = object_->block(output->block);
+    get_ = output->get;
+    conversion_ = Conversion::Unit;
+  } else if (const auto* const computed = std::get_if<Computed>(&home)) {
+    place_ = object_->block(computed->block);
+    get_ = computed->get;
+  }
 }
 
-double SignalSource::value(double full) const noexcept {
+double SignalSource::parameter(double number) const noexcept {
+  if (conversion_ == Conversion::None) return number;
+  const double in_unit = number / row_of(placed_->row->unit).si;
+  return conversion_ == Conversion::RoundedUnit ? rounded(in_unit) : in_unit;
+}
+
+double SignalSource::value(double number, double full) const noexcept {
   if (is_constant()) return scale_ * full;
-  const double value = object_->value(*placed_, position_);
+  const double value = parameter(number);
   return is_quantity_ ? value * scale_ * full : value;
 }
 
@@ -84,7 +102,7 @@ template <class Int>
 Int SignalSource::process_data() const noexcept {
   constexpr double kFull = sizeof(Int) == 2 ? kWord : kDoubleWord;
   if (is_quantity_) return saturated<Int>(value(kFull));
-  return static_cast<Int>(static_cast<std::int64_t>(object_->value(*placed_, position_)));
+  return static_cast<Int>(static_cast<std::int64_t>(parameter(number())));
 }
 template std::int16_t SignalSource::process_data() const noexcept;
 template std::int32_t SignalSource::process_data() const noexcept;

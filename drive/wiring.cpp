@@ -1,6 +1,7 @@
 #include "drive/wiring.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <variant>
 
 namespace drive {
@@ -19,26 +20,16 @@ void for_each_input(const DriveObject& object, const Visit& visit) {
   }
 }
 
-template <class Links>
-void take_all(const Links& links) noexcept {
-  for (const auto& link : links) *link.input = link.value();
+std::uint16_t word_of(const SignalSource& source) noexcept {
+  return static_cast<std::uint16_t>(source.process_data<std::int16_t>());
 }
 
-template <class Links>
-bool any_changed(const Links& links) noexcept {
-  return std::ranges::any_of(links, [](const auto& link) { return link.value() != *link.input; });
+/// Whether two numbers are the same to the last bit.
+bool same(double a, double b) noexcept {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 }  // namespace
-
-template <>
-bool Wiring::Link<bool>::value() const noexcept {
-  return source.bit();
-}
-template <>
-double Wiring::Link<double>::value() const noexcept {
-  return source.value(full);
-}
 
 Wiring::Wiring(DriveUnit& unit) : unit_{unit} {
   unit.for_each_object([this](DriveObject& object) { objects_.push_back({.object = &object}); });
@@ -57,9 +48,9 @@ void Wiring::reserve(Object& entry) {
   for (Inputs& inputs : entry.blocks) {
     for (auto* const bits : {&inputs.bits, &inputs.constant_bits}) bits->reserve(inputs.count);
     for (auto* const values : {&inputs.values, &inputs.constant_values}) values->reserve(inputs.count);
+    inputs.words.reserve(inputs.count);
   }
   entry.words_of_bits.reserve(bits_of_words);
-  entry.bits_of_words.reserve(std::tuple_size_v<decltype(ProcessDataImage::bits_of_words)>);
   entry.sent_words.reserve(ProcessDataImage::kSentWords);
   entry.sent_double_words.reserve(ProcessDataImage::kSentWords);
 }
@@ -79,14 +70,15 @@ void Wiring::connect(Object& entry) noexcept {
   for (Inputs& inputs : entry.blocks) {
     for (auto* const bits : {&inputs.bits, &inputs.constant_bits}) bits->clear();
     for (auto* const values : {&inputs.values, &inputs.constant_values}) values->clear();
-    inputs.constants_taken = false;
+    inputs.is_taken = false;
   }
-  for (auto* const places :
-       {&entry.words_of_bits, &entry.bits_of_words, &entry.sent_words, &entry.sent_double_words})
-    places->clear();
+  for (auto* const places : {&entry.words_of_bits, &entry.sent_words, &entry.sent_double_words}) places->clear();
+  entry.bits_of_words = {};
   entry.constant_words_of_bits = {};
+  entry.constant_bits_of_words = {};
   entry.object->process_data().sent = {};
   for_each_input(*entry.object, [&](const ParameterRow& row, const auto& input) { connect(entry, row, input); });
+  for (Inputs& inputs : entry.blocks) group(inputs);
 }
 
 SignalSource Wiring::source(const DriveObject& object, const ParameterRow& row, std::size_t index) const noexcept {
@@ -97,8 +89,24 @@ void Wiring::connect(Object& entry, const ParameterRow& row, const BitInput& inp
   Inputs& inputs = inputs_of(entry, input.block);
   void* const block = entry.object->block(input.block);
   for (std::size_t i = 0; i < row.count; ++i) {
-    const SignalSource from = source(*entry.object, row, i);
-    (from.is_constant() ? inputs.constant_bits : inputs.bits).push_back({&input.member(block, i), from});
+    add(inputs, {&input.member(block, i), source(*entry.object, row, i)});
+  }
+}
+
+/// Binectors of the same word stand side by side.
+void Wiring::add(Inputs& inputs, const BitLink& link) noexcept {
+  if (link.source.is_constant()) return inputs.constant_bits.push_back(link);
+  const auto last = std::find_if(inputs.bits.rbegin(), inputs.bits.rend(),
+                                 [&](const BitLink& other) { return other.source.shares_word(link.source); });
+  inputs.bits.insert(last != inputs.bits.rend() ? last.base() : inputs.bits.end(), link);
+}
+
+void Wiring::group(Inputs& inputs) noexcept {
+  inputs.words.clear();
+  for (std::size_t i = 0; i < inputs.bits.size(); ++i) {
+    const SignalSource& source = inputs.bits[i].source;
+    if (i == 0 || !source.shares_word(inputs.bits[i - 1].source)) inputs.words.push_back({source, i});
+    ++inputs.words.back().count;
   }
 }
 
@@ -124,7 +132,8 @@ void Wiring::connect(Object& entry, const ParameterRow& row, const ImageInput& i
         if (is_wired) entry.sent_double_words.push_back({i, 0, from});
         break;
       case ImageSink::WordOfBits:
-        entry.bits_of_words.push_back({i, 0, from});
+        entry.bits_of_words[i] = from;
+        entry.constant_bits_of_words[i] = word_of(from);
         break;
       case ImageSink::BitOfWord:
         connect_bit(entry, {input.place, i, from});
@@ -139,33 +148,82 @@ void Wiring::connect_bit(Object& entry, const Place& place) noexcept {
   word = static_cast<std::uint16_t>(word ^ static_cast<unsigned>(place.source.bit()) << place.bit);
 }
 
+std::span<const Wiring::BitLink> Wiring::bits_of(const Inputs& inputs, const Word& word) noexcept {
+  return std::span{inputs.bits}.subspan(word.first, word.count);
+}
+
 void Wiring::take(const DriveObject& object, BlockId block) noexcept {
-  for (Inputs& inputs : objects_[object.number() - std::size_t{1}].blocks) {
-    if (inputs.block != block) continue;
-    if (!inputs.constants_taken) {
-      take_all(inputs.constant_bits);
-      take_all(inputs.constant_values);
-      inputs.constants_taken = true;
-    }
-    take_all(inputs.bits);
-    take_all(inputs.values);
+  for (Inputs& inputs : objects_[object.number() - std::size_t{1}].blocks)
+    if (inputs.block == block) return inputs.is_taken ? take_new(inputs) : take_all(inputs);
+}
+
+void Wiring::take_all(Inputs& inputs) noexcept {
+  inputs.is_taken = true;
+  for (const BitLink& link : inputs.constant_bits) *link.input = link.source.bit();
+  for (const ValueLink& link : inputs.constant_values) *link.input = link.source.value(link.full);
+  for (Word& word : inputs.words) {
+    word.taken = word.source.word();
+    for (const BitLink& link : bits_of(inputs, word)) *link.input = link.source.bit(word.taken);
+  }
+  for (ValueLink& link : inputs.values) {
+    link.taken = link.source.number();
+    *link.input = link.source.value(link.taken, link.full);
+  }
+}
+
+/// What a source brings changes with its number alone.
+void Wiring::take_new(Inputs& inputs) noexcept {
+  for (Word& word : inputs.words) {
+    const double now = word.source.word();
+    if (same(now, word.taken)) continue;
+    word.taken = now;
+    for (const BitLink& link : bits_of(inputs, word)) *link.input = link.source.bit(now);
+  }
+  for (ValueLink& link : inputs.values) {
+    const double now = link.source.number();
+    if (same(now, link.taken)) continue;
+    link.taken = now;
+    *link.input = link.source.value(now, link.full);
   }
 }
 
 bool Wiring::changed(const DriveObject& object) const noexcept {
   return std::ranges::any_of(objects_[object.number() - std::size_t{1}].blocks, [](const Inputs& inputs) {
-    return any_changed(inputs.bits) || any_changed(inputs.values) ||
-           (!inputs.constants_taken && (any_changed(inputs.constant_bits) || any_changed(inputs.constant_values)));
+    return inputs.is_taken ? has_new(inputs) : is_other(inputs);
   });
+}
+
+/// Whether an input has another value than what it is connected to.
+bool Wiring::is_other(const Inputs& inputs) noexcept {
+  const auto bit = [](const BitLink& link) { return link.source.bit() != *link.input; };
+  const auto value = [](const ValueLink& link) { return link.source.value(link.full) != *link.input; };
+  return std::ranges::any_of(inputs.constant_bits, bit) || std::ranges::any_of(inputs.bits, bit) ||
+         std::ranges::any_of(inputs.constant_values, value) || std::ranges::any_of(inputs.values, value);
+}
+
+/// The same of inputs that hold what was last taken.
+bool Wiring::has_new(const Inputs& inputs) noexcept {
+  const auto word = [&](const Word& from) {
+    const double now = from.source.word();
+    return !same(now, from.taken) && std::ranges::any_of(bits_of(inputs, from), [=](const BitLink& link) {
+      return link.source.bit(now) != *link.input;
+    });
+  };
+  const auto value = [](const ValueLink& link) {
+    const double now = link.source.number();
+    return !same(now, link.taken) && link.source.value(now, link.full) != *link.input;
+  };
+  return std::ranges::any_of(inputs.words, word) || std::ranges::any_of(inputs.values, value);
 }
 
 void Wiring::convert_words() noexcept {
   for (Object& entry : objects_) {
+    auto& words = entry.object->process_data().bits_of_words;
     const auto& inverted = entry.object->converters().invert_bits_of_words;
-    for (const Place& place : entry.bits_of_words) {
-      const auto word = static_cast<std::uint16_t>(place.source.process_data<std::int16_t>());
-      entry.object->process_data().bits_of_words[place.word] =
-          static_cast<std::uint16_t>(word ^ inverted[place.word]);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const SignalSource& from = entry.bits_of_words[i];
+      const std::uint16_t word = from.is_constant() ? entry.constant_bits_of_words[i] : word_of(from);
+      words[i] = static_cast<std::uint16_t>(word ^ inverted[i]);
     }
   }
 }
@@ -185,8 +243,7 @@ void Wiring::convert_bits() noexcept {
 void Wiring::send() noexcept {
   for (Object& entry : objects_) {
     auto& sent = entry.object->process_data().sent;
-    for (const Place& place : entry.sent_words)
-      sent[place.word] = static_cast<std::uint16_t>(place.source.process_data<std::int16_t>());
+    for (const Place& place : entry.sent_words) sent[place.word] = word_of(place.source);
     for (const Place& place : entry.sent_double_words)
       ProcessDataImage::set_double_word(sent, place.word,
                                         static_cast<std::uint32_t>(place.source.process_data<std::int32_t>()));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "drive/signal_source.hpp"
@@ -36,25 +38,35 @@ class Wiring {
   void send() noexcept;
 
  private:
-  /// An input that is a member of a block.
-  template <class Value>
-  struct Link {
-    Value* input;
+  /// A binector input.
+  struct BitLink {
+    bool* input;
     SignalSource source;
-    double full = 1.0;  ///< what is 100 % of the input, in SI units
-
-    Value value() const noexcept;
   };
-  /// The inputs of one block.
+  /// A word that brings the bits of some binector inputs, which stand side by side.
+  struct Word {
+    SignalSource source;
+    std::size_t first = 0;
+    std::size_t count = 0;
+    double taken = 0.0;  ///< what it was when it was last taken
+  };
+  /// A connector input.
+  struct ValueLink {
+    double* input;
+    SignalSource source;
+    double full = 1.0;   ///< what is 100 % of the input, in SI units
+    double taken = 0.0;  ///< the number that was last taken
+  };
+  /// The inputs of one block. A constant is taken once.
   struct Inputs {
     BlockId block;
     std::size_t count = 0;
-    std::vector<Link<bool>> bits{};
-    std::vector<Link<double>> values{};
-    // The same that are connected to a constant.
-    std::vector<Link<bool>> constant_bits{};
-    std::vector<Link<double>> constant_values{};
-    bool constants_taken = false;
+    std::vector<BitLink> bits{};
+    std::vector<Word> words{};
+    std::vector<ValueLink> values{};
+    std::vector<BitLink> constant_bits{};
+    std::vector<ValueLink> constant_values{};
+    bool is_taken = false;  ///< since the sources were found
   };
   /// A bit or a word of process data.
   struct Place {
@@ -68,7 +80,8 @@ class Wiring {
     std::vector<Inputs> blocks{};
     std::vector<Place> words_of_bits{};
     decltype(ProcessDataImage::words_of_bits) constant_words_of_bits{};
-    std::vector<Place> bits_of_words{};
+    std::array<SignalSource, 2> bits_of_words{};
+    decltype(ProcessDataImage::bits_of_words) constant_bits_of_words{};
     std::vector<Place> sent_words{};
     std::vector<Place> sent_double_words{};
   };
@@ -80,6 +93,13 @@ class Wiring {
   void connect(Object& entry, const ParameterRow& row, const ValueInput& input) noexcept;
   void connect(Object& entry, const ParameterRow& row, const ImageInput& input) noexcept;
   static void connect_bit(Object& entry, const Place& place) noexcept;
+  static void add(Inputs& inputs, const BitLink& link) noexcept;
+  static void group(Inputs& inputs) noexcept;
+  static std::span<const BitLink> bits_of(const Inputs& inputs, const Word& word) noexcept;
+  static void take_all(Inputs& inputs) noexcept;
+  static void take_new(Inputs& inputs) noexcept;
+  static bool is_other(const Inputs& inputs) noexcept;
+  static bool has_new(const Inputs& inputs) noexcept;
   SignalSource source(const DriveObject& object, const ParameterRow& row, std::size_t index) const noexcept;
 
   DriveUnit& unit_;

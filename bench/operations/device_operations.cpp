@@ -1,4 +1,5 @@
 #include <array>
+#include <bit>
 #include <vector>
 
 #include "bench/operations/cycle_operations.hpp"
@@ -61,6 +62,24 @@ struct Download {
   DeviceUnit bus;
   Frame request = sdo_request(DeviceUnit::kNodeId, expedited_download(4), {0x60FF, 0});
   std::uint32_t value = 0;
+};
+
+/// A parameter that the setpoint channel follows, through the window of its drive object.
+struct ParameterDownload {
+  ParameterDownload() {
+    bus.download({0x2000 + 8630, 0}, 2, 2);
+    step();
+    check(bus.sink.last.data[0] == 0x60, "SDO download of p1120");
+  }
+  void step() {
+    canopen::store(&request.data[4], times[next++ % times.size()]);
+    bus.unit.on_frame(request, bus.now);
+  }
+
+  DeviceUnit bus;
+  std::array<std::uint32_t, 2> times{std::bit_cast<std::uint32_t>(5.0F), std::bit_cast<std::uint32_t>(6.0F)};
+  Frame request = sdo_request(DeviceUnit::kNodeId, expedited_download(4), {0x2000 + 1120, 0});
+  std::size_t next = 0;
 };
 
 struct Rpdo {
@@ -148,6 +167,7 @@ std::vector<OperationRow> device_operations() {
       {"device/sdo_upload_random", "unit: SDO expedited upload, random object", make<RandomUpload>},
       {"device/sdo_upload_slope", "unit: SDO expedited upload of 6083h, a parameter", make<SlopeUpload>},
       {"device/sdo_download", "unit: SDO expedited download of 60FFh", make<Download>},
+      {"device/sdo_download_ramp", "unit: SDO expedited download of p1120", make<ParameterDownload>},
       {"device/rpdo", "unit: RPDO with 3 objects applied", make<Rpdo>},
       {"device/sync_4", "unit: SYNC to 4 TPDOs, 7 objects", make<Sync>},
       {"device/tick_turning", "unit: 4 ms tick, axis at speed, 4 event-driven TPDOs sent", make<TurningTick>},

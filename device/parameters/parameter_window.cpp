@@ -39,6 +39,13 @@ std::uint32_t number_in(std::span<const std::uint8_t> bytes) noexcept {
   return number;
 }
 
+/// Why a parameter that @p object refuses with @p error cannot be written: a parameter of a function module that
+/// is not active has no index.
+AbortCode write_refusal(const drive::DriveObject& object, const drive::ParameterError& error) noexcept {
+  const bool exists = error.row != nullptr && object.provides(*error.row);
+  return exists ? abort_code(error.reason) : AbortCode::NoObject;
+}
+
 }  // namespace
 
 /// 1201h belongs to the control unit, the others to the axes in their order: an infeed has none.
@@ -97,18 +104,17 @@ canopen::Result<void> ParameterWindow::write(std::uint8_t server, std::uint16_t 
                                              std::span<const std::uint8_t> value, bool sized) noexcept {
   const auto wanted = target(server, index, sub_index);
   if (!wanted) return canopen::refuse(wanted.error());
-  const drive::DriveObject& object = *unit_.object(wanted->object);
-  const drive::PlacedRow* const placed = drive::find_parameter(object.kind(), wanted->number);
-  if (placed == nullptr || !object.provides(*placed->row)) return canopen::refuse(AbortCode::NoObject);
-  const drive::ParameterRow& row = *placed->row;
+  drive::DriveObject& object = *unit_.object(wanted->object);
+  const auto found = object.parameter(wanted->number, wanted->index);
+  if (!found) return canopen::refuse(write_refusal(object, found.error()));
+  const drive::ParameterRow& row = *(*found)->row;
   const std::size_t size = drive::row_of(row.type).size;
-  if (wanted->index >= row.count) return canopen::refuse(AbortCode::NoSubIndex);
   if (!row.is_writable()) return canopen::refuse(AbortCode::ReadOnly);
   if (value.size() != size && (sized || value.size() < size)) return canopen::refuse(AbortCode::LengthMismatch);
   if (listener_.is_locked()) return canopen::refuse(AbortCode::DeviceState);
   listener_.on_parameter_access();
   const drive::ParameterValue number{row.type, number_in(value.first(size))};
-  const auto written = unit_.write(wanted->object, wanted->number, wanted->index, number);
+  const auto written = unit_.write(object, **found, wanted->index, decode(number));
   if (!written) return canopen::refuse(abort_code(written.error().reason));
   listener_.on_parameter_written(wanted->object, wanted->number);
   return {};

@@ -16,7 +16,9 @@ struct Stored {
   std::string_view until = {};  ///< what would act on it; empty if a function module that is missing says so
 };
 /// The value lies in a slot of the drive object, and what the row's effect names is computed from it.
-struct Slot {};
+struct Slot {
+  BlockId reader = nullptr;  ///< the block that is told of a change, if it does not look itself
+};
 /// The value lies in a slot of the drive object; the layer that owns the bus acts on it, agrees to every change
 /// and brings in its own ones.
 struct Agreed {};
@@ -142,6 +144,13 @@ constexpr bool is_in_a_slot(const Home& home) noexcept {
          std::holds_alternative<Agreed>(home) || std::holds_alternative<HostCommand>(home) ||
          std::holds_alternative<BitInput>(home) || std::holds_alternative<ValueInput>(home) ||
          std::holds_alternative<ImageInput>(home);
+}
+
+/// The block that a change of what lies in @p home concerns, nullptr if none is to be told.
+constexpr BlockId concerned(const Home& home) noexcept {
+  if (const auto* const setting = std::get_if<Setting>(&home)) return setting->block;
+  const auto* const slot = std::get_if<Slot>(&home);
+  return slot != nullptr ? slot->reader : nullptr;
 }
 
 /// The number of indices that @p home has room for; 0 if it does not matter.

@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "drive/axis_configuration.hpp"
+#include "drive/function_modules.hpp"
 #include "drive/object_kind.hpp"
 #include "drive/parameter/bico.hpp"
 #include "drive/parameter/home.hpp"
@@ -54,6 +56,7 @@ enum class Output : std::uint8_t {
   No,
   Connector,  ///< CO: a value for connector inputs
   Both,       ///< CO/BO: a word, whose bits are for binector inputs too
+  Bits,       ///< CO/BO: a bit at each index, which is its number for binector inputs
 };
 
 /// What of a connector is 100 %.
@@ -92,6 +95,7 @@ struct ParameterRow {
   Keep keep = Keep::Stored;
   Check check = nullptr;
   FullScale full_scale = FullScale::OfUnit;
+  function_module::Set modules = 0;  ///< it exists with all of these only
 
   constexpr bool is_writable() const noexcept { return when != When::ReadOnly; }
 };
@@ -107,10 +111,9 @@ constexpr bool is_reset(const ParameterRow& row) noexcept {
 /// Chooses among the saved parameters.
 using RowFilter = bool (*)(const ParameterRow& row) noexcept;
 
-/// Whether the bits that @p row has for binector inputs are its indices (r8843).
-constexpr bool has_a_bit_per_index(const ParameterRow& row) noexcept {
-  constexpr std::uint16_t kInterfaceState = 8843;
-  return row.number == kInterfaceState;
+/// Whether @p row is a source of binector inputs.
+constexpr bool has_bits(const ParameterRow& row) noexcept {
+  return row.output == Output::Both || row.output == Output::Bits;
 }
 
 /// Factory value of @p row at @p index on a drive object of @p context, in the parameter's own unit.
@@ -147,6 +150,23 @@ inline constexpr std::string_view kPulses = "an inverter with pulses; it acts as
 /// or in a header beside it that table.cpp includes.
 template <class Block>
 inline constexpr std::array<Row, 0> rows_of{};
+
+/// @p table, of parameters that exist with function module @p module only.
+template <std::size_t Count>
+constexpr std::array<Row, Count> with_module(function_module::Set module, std::array<Row, Count> table) noexcept {
+  for (Row& row : table) row.modules |= module;
+  return table;
+}
+
+/// The rows of two tables in one.
+template <std::size_t First, std::size_t Second>
+constexpr std::array<Row, First + Second> joined(const std::array<Row, First>& first,
+                                                 const std::array<Row, Second>& second) noexcept {
+  return [&]<std::size_t... I, std::size_t... J>(std::index_sequence<I...>, std::index_sequence<J...>) {
+    return std::array<Row, First + Second>{first[I]..., second[J]...};
+  }
+  (std::make_index_sequence<First>{}, std::make_index_sequence<Second>{});
+}
 
 }  // namespace rows
 }  // namespace drive

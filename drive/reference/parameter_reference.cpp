@@ -124,7 +124,7 @@ std::string effect(const ParameterRow& row) {
 }
 
 std::string_view output(const ParameterRow& row) {
-  constexpr std::array<std::string_view, 3> kTexts{"", "CO", "CO/BO"};
+  constexpr std::array<std::string_view, 4> kTexts{"", "CO", "CO/BO", "CO/BO"};
   return kTexts[static_cast<std::size_t>(row.output)];
 }
 

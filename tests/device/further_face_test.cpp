@@ -1,4 +1,6 @@
 /// A face besides the bus: what it writes leads the unit, and what either of them does the other one sees.
+#include <array>
+
 #include "tests/device/storage_fixture.hpp"
 
 namespace device {

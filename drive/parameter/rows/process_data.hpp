@@ -20,7 +20,7 @@ inline constexpr std::array kProcessDataRows{
     Row{8805, 2, kControlUnit, I16, Unit::None, kWhole, 0.0, When::Ready, Stored{"I&M data of PROFIdrive"}, Output::No, "I&M 4 configuration", ""},
     Row{8815, 2, kControlUnit, I16, Unit::None, {1.0, 2.0}, 1.0, When::Ready, Stored{"isochronous PROFIdrive and PROFIsafe"}, Output::No, "IF1/IF2 PZD functionality: [0] isochronous, [1] PROFIsafe", ""},
     Row{8839, 2, kControlUnit, I16, Unit::None, {0.0, 99.0}, 99.0, When::Ready, Stored{"PROFIdrive on a second interface"}, Output::No, "PZD interface hardware assignment [0]=IF1 [1]=IF2", ""},
-    Row{8843, 3, kWithProcessData, U8, Unit::None, kWhole, 0.0, When::ReadOnly, shown<process_value::interface_state>, Output::Both, "IF2 PZD state bits", "[0] no setpoints come, [2] the bus is Operational"},
+    Row{8843, 3, kWithProcessData, U8, Unit::None, kWhole, 0.0, When::ReadOnly, shown<process_value::interface_state>, Output::Bits, "IF2 PZD state bits", "[0] no setpoints come, [2] the bus is Operational"},
     Row{8848, 1, kControlUnit, F32, Unit::Milliseconds, {1.0, 16.0}, 4.0, When::DeviceConfiguration, Agreed{}, Output::No, "IF2 PZD sampling time (CAN cycle)", "receive and transmit cycle"},
     Row{8850, 20, kWithProcessData, I16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<process_value::received_word>, Output::Connector, "IF2 PZD receive word (CO)", "speeds and torques relative to p2000 and p2003", Keep::Stored, nullptr, FullScale::Word},
     Row{8851, 25, kWithProcessData, ConnectorInput, Unit::None, kWhole, factory::send_words, When::Always, ImageInput{ImageSink::SentWord}, Output::No, "IF2 PZD send word (CI)", "the free object of 16 bits that is mapped there"},

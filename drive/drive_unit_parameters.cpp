@@ -1,0 +1,66 @@
+// Parameters of the unit as they are transferred.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "drive/drive_unit.hpp"
+
+namespace drive {
+namespace {
+
+constexpr std::uint16_t kAlarmCounter = 2111;  // p2111
+
+/// @p number as @p type holds it: rounded to an integer, at the ends of the type saturated.
+ParameterValue transferred(DataType type, double number) noexcept {
+  const DataTypeRow& row = row_of(type);
+  const double bounded = std::clamp(number, row.lowest, row.highest);
+  return encode(type, type == DataType::F32 ? bounded : std::round(bounded));
+}
+
+ParameterError no_object(std::uint16_t number) noexcept {
+  return {Refusal::NoDriveObject, number, nullptr};
+}
+
+}  // namespace
+
+tl::expected<ParameterValue, ParameterError> DriveUnit::read(std::uint8_t object, std::uint16_t number,
+                                                             std::size_t index) const noexcept {
+  const DriveObject* const owner = this->object(object);
+  if (owner == nullptr) return tl::unexpected{no_object(number)};
+  return owner->parameter(number, index).map([&](const PlacedRow* placed) {
+    return transferred(placed->row->type, owner->value(*placed, index));
+  });
+}
+
+tl::expected<void, ParameterError> DriveUnit::write(std::uint8_t object, std::uint16_t number, std::size_t index,
+                                                    const ParameterValue& value) noexcept {
+  DriveObject* const owner = this->object(object);
+  if (owner == nullptr) return tl::unexpected{no_object(number)};
+  const auto found = owner->parameter(number, index);
+  const ParameterRow* const row = found ? (*found)->row : found.error().row;
+  if (row != nullptr && row->type != value.type)
+    return tl::unexpected{ParameterError{Refusal::WrongType, number, row}};
+  if (!found) return tl::unexpected{found.error()};
+  return write(*owner, **found, index, decode(value));
+}
+
+tl::expected<void, ParameterError> DriveUnit::write(DriveObject& object, const PlacedRow& placed,
+                                                    std::size_t index, double value) noexcept {
+  return placed.row->number == kAlarmCounter ? clear_alarms(object, placed, value)
+                                             : object.write(placed, index, value);
+}
+
+/// p2111 = 0 ends latched alarms where they came from and where they spread to.
+tl::expected<void, ParameterError> DriveUnit::clear_alarms(DriveObject& object, const PlacedRow& counter,
+                                                           double count) noexcept {
+  std::array<std::uint16_t, FaultMemory::kCapacity> latched{};
+  std::size_t number = 0;
+  for (const FaultEntry& alarm : object.messages().alarms())
+    if (alarm.cause == Cause::Latched) latched[number++] = alarm.row->number;
+  auto written = object.write(counter, 0, count);
+  if (!written) return written;
+  for (std::size_t i = 0; i < number; ++i) withdraw(object.number(), latched[i]);
+  return written;
+}
+
+}  // namespace drive
