@@ -235,7 +235,7 @@ inline double Axis::step(double dc_voltage) noexcept {
   if (measured_) [[unlikely]]
     return measured_step(dc_voltage);
   if (command_.pulses_enabled) {
-    SetpointChannel& channel = block<SetpointChannel>();
+    auto& channel = block<SetpointChannel>();
     command_.speed_setpoint = channel.step(motor::kControlPeriod);
     command_.acceleration_setpoint = channel.acceleration();
   }

@@ -57,15 +57,15 @@ template <class Block>
 struct CauseRow {
   using Quantity = double (Block::*)() const noexcept;
 
-  std::uint16_t message;
-  Quantity quantity;
-  Side side;
-  CauseLimit<Block> threshold;
-  double hysteresis;        ///< what the quantity has to go back by before the cause is gone
-  CauseLimit<Block> delay;  ///< so long it has to hold (s)
-  Pulses pulses;
-  CauseValue<Block> value;  ///< what the message value shows
-  double value_scale;
+  std::uint16_t message = 0;
+  Quantity quantity = nullptr;
+  Side side = Side::Above;
+  CauseLimit<Block> threshold = 0.0;
+  double hysteresis = 0.0;        ///< what the quantity has to go back by before the cause is gone
+  CauseLimit<Block> delay = 0.0;  ///< so long it has to hold (s)
+  Pulses pulses = Pulses::Any;
+  CauseValue<Block> value = nullptr;  ///< what the message value shows
+  double value_scale = 0.0;
   std::string_view source;
 };
 

@@ -95,16 +95,16 @@ class CauseMonitor<std::tuple<Block...>> {
 
   template <std::size_t Index>
   [[gnu::always_inline]] bool judge(double duration, const BlockOf<Index>& block, bool pulses) noexcept {
-    constexpr const auto& kRow = row<Index>();
-    if constexpr (kRow.pulses != Pulses::Any)
-      if (pulses != (kRow.pulses == Pulses::On)) return forget<Index>();
-    const double beyond = (block.*kRow.quantity)() - kRow.threshold.of(block);
-    const double distance = kRow.side == Side::Above ? beyond : -beyond;
+    constexpr const auto& cause = row<Index>();
+    if constexpr (cause.pulses != Pulses::Any)
+      if (pulses != (cause.pulses == Pulses::On)) return forget<Index>();
+    const double beyond = (block.*cause.quantity)() - cause.threshold.of(block);
+    const double distance = cause.side == Side::Above ? beyond : -beyond;
     const bool was = (present_ >> Index & 1U) != 0;
-    if (!(distance > (was ? -kRow.hysteresis : 0.0))) return forget<Index>();
-    if constexpr (kRow.delay.is_zero()) return true;
+    if (!(distance > (was ? -cause.hysteresis : 0.0))) return forget<Index>();
+    if constexpr (cause.delay.is_zero()) return true;
     times_[Index] += duration;
-    return was || elapsed(times_[Index], kRow.delay.of(block));
+    return was || elapsed(times_[Index], cause.delay.of(block));
   }
   template <std::size_t Index>
   bool forget() noexcept {
@@ -127,13 +127,13 @@ class CauseMonitor<std::tuple<Block...>> {
 
   template <std::size_t Index>
   static std::uint32_t value_of(const Blocks& blocks) noexcept {
-    constexpr const auto& kRow = row<Index>();
+    constexpr const auto& cause = row<Index>();
     constexpr double kHighest = 4294967295.0;
-    if constexpr (!kRow.value.is_shown)
+    if constexpr (!cause.value.is_shown)
       return 0;
     else {
-      const double value = (std::get<BlockOf<Index>>(blocks).*kRow.value.getter)();
-      return static_cast<std::uint32_t>(std::clamp(std::round(value * kRow.value_scale), 0.0, kHighest));
+      const double value = (std::get<BlockOf<Index>>(blocks).*cause.value.getter)();
+      return static_cast<std::uint32_t>(std::clamp(std::round(value * cause.value_scale), 0.0, kHighest));
     }
   }
   template <std::size_t... Index>

@@ -190,7 +190,7 @@ double DriveObject::kept_value_of(const PlacedRow& placed, std::size_t index) co
 }
 
 void DriveObject::set_setting(const ParameterRow& row, std::size_t index, double value) noexcept {
-  const Setting& home = std::get<Setting>(row.home);
+  const auto& home = std::get<Setting>(row.home);
   before_setting(row);
   home.set(block(home.block), index, value * row_of(row.unit).si);
   after_setting(row);

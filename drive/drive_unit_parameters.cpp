@@ -37,10 +37,15 @@ tl::expected<void, ParameterError> DriveUnit::write(std::uint8_t object, std::ui
   DriveObject* const owner = this->object(object);
   if (owner == nullptr) return tl::unexpected{no_object(number)};
   const auto found = owner->parameter(number, index);
-  const ParameterRow* const row = found ? (*found)->row : found.error().row;
-  if (row != nullptr && row->type != value.type)
-    return tl::unexpected{ParameterError{Refusal::WrongType, number, row}};
-  if (!found) return tl::unexpected{found.error()};
+  const auto wrong_type = [&](const ParameterRow& row) {
+    return tl::unexpected{ParameterError{Refusal::WrongType, number, &row}};
+  };
+  if (!found) {
+    const ParameterRow* const row = found.error().row;
+    if (row != nullptr && row->type != value.type) return wrong_type(*row);
+    return tl::unexpected{found.error()};
+  }
+  if ((*found)->row->type != value.type) return wrong_type(*(*found)->row);
   return write(*owner, **found, index, decode(value));
 }
 

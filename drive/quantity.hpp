@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -54,9 +55,8 @@ constexpr std::uint16_t reference_of(Quantity quantity) noexcept {
 
 /// Whether parameter @p number is 100 % of a quantity.
 constexpr bool is_reference(std::uint16_t number) noexcept {
-  for (const QuantityRow& row : kQuantities)
-    if (number != 0 && row.reference == number) return true;
-  return false;
+  return number != 0 &&
+         std::ranges::any_of(kQuantities, [=](const QuantityRow& row) { return row.reference == number; });
 }
 
 }  // namespace drive

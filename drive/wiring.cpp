@@ -66,6 +66,8 @@ void Wiring::connect() noexcept {
   for (Object& entry : objects_) connect(entry);
 }
 
+// The generic lambda calls members.
+// NOLINTNEXTLINE(readability-convert-member-functions-to-static)
 void Wiring::connect(Object& entry) noexcept {
   for (Inputs& inputs : entry.blocks) {
     for (auto* const bits : {&inputs.bits, &inputs.constant_bits}) bits->clear();

@@ -40,7 +40,7 @@ class Wiring {
  private:
   /// A binector input.
   struct BitLink {
-    bool* input;
+    bool* input = nullptr;
     SignalSource source;
   };
   /// A word that brings the bits of some binector inputs, which stand side by side.
@@ -52,7 +52,7 @@ class Wiring {
   };
   /// A connector input.
   struct ValueLink {
-    double* input;
+    double* input = nullptr;
     SignalSource source;
     double full = 1.0;   ///< what is 100 % of the input, in SI units
     double taken = 0.0;  ///< the number that was last taken

@@ -26,13 +26,13 @@ enum class Lead : std::uint8_t { Speed, Torque };
 
 /// A mode that CiA 402 has a number for.
 struct OperatingModeRow {
-  std::int8_t code;                             ///< 6060h, 6061h
-  std::int32_t control_mode;                    ///< p1300
+  std::int8_t code = 0;                         ///< 6060h, 6061h
+  std::int32_t control_mode = 0;                ///< p1300
   std::optional<std::int32_t> without_encoder;  ///< p1300 in its place on an axis without encoder
-  Lead lead;
-  bool has_ramp_bits;      ///< bits 4 to 6 of the controlword are enables of the ramp
-  std::uint16_t setpoint;  ///< object of the setpoint
-  std::uint16_t written;   ///< parameter that shows what was written to that
+  Lead lead = Lead::Speed;
+  bool has_ramp_bits = false;  ///< bits 4 to 6 of the controlword are enables of the ramp
+  std::uint16_t setpoint = 0;  ///< object of the setpoint
+  std::uint16_t written = 0;   ///< parameter that shows what was written to that
 };
 
 /// The first row with a p1300 is the mode that p1300 is by itself; the others have to be asked for by 6060h.
