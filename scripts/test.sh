@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # test.sh [--quick]: builds the project and runs every test, on a fresh Debian 12 machine too.
 #
-# In order: packages; form of the sources; the release build of everything but the unit tests. Then side by side:
-# - the end-to-end tests, for which npm brings an independent master, on a CAN interface (where the kernel has none: in one
-#   start of the virtual machine), and those on user-space buses;
+# In order: packages; form of the sources; the release build of everything but the unit tests; the end-to-end tests, for which
+# npm brings an independent master, on user-space buses. Then side by side:
+# - the end-to-end tests on a CAN interface (where the kernel has none: in one start of the virtual machine);
 # - the sanitizer build of what unit tests need, and these; the unit tests that cannot be in it and those of the package, in
 #   the release build; clang-tidy over what the last commit changed.
 # What runs beside the rest is shown when it has ended, each part by itself. A failure does not keep the rest from running. A
@@ -126,12 +126,12 @@ check 'format' scripts/lint.sh --format-only
 if check 'build release' build release end_to_end_tests; then
   check 'labels' every_test_has_a_run
   check 'npm packages' need_master
+  # Each has a bus of its own, and waits most of the time; slaves in other languages have to answer in time.
+  tests 'user-space bus' ctest --test-dir build/release -L '^bus$' -j $((2 * jobs)) --output-on-failure --no-tests=error
   # As many side by side as there are processors: the machine of vcan-vm, if it is one, has as many as it may use.
   beside tests 'SocketCAN' on_can ctest --test-dir build/release -L '^e2e$' -j "$jobs" --output-on-failure --no-tests=error
-  # Each has a bus of its own, and waits most of the time.
-  beside tests 'user-space bus' ctest --test-dir build/release -L '^bus$' -j $((2 * jobs)) --output-on-failure --no-tests=error
   released=yes
-  # They have a processor when they want one: their tests are against time, what follows is not.
+  # It has a processor when it wants one: its tests are against time, what follows is not.
   renice -n 19 -p $$ >/dev/null
 fi
 if check 'build asan' build asan unit_tests; then
