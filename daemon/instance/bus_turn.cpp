@@ -82,14 +82,14 @@ void BusTurn::receive() noexcept {
   const bool probes = ++turns_with_frames_ % kBurstProbe == 0;
   const int most = in_burst_ || probes ? kBurst : 1;
   int frames = 0;
-  while (frames < most && queue_.accepts_input() && receive_frame()) ++frames;
+  while (frames < most && listens() && receive_frame()) ++frames;
   in_burst_ = frames > 1;
   end_burst(frames);
 }
 
 void BusTurn::catch_up() noexcept {
   int frames = 0;
-  while (frames < kMostWaiting && queue_.accepts_input() && receive_frame()) {
+  while (frames < kMostWaiting && listens() && receive_frame()) {
     ++frames;
     if (read_clock() - now_ >= kLongestCatchUp) break;
   }

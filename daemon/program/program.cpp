@@ -27,6 +27,7 @@ Program::Program(std::span<const Assignment> assignments, const std::filesystem:
     if (!assignment.control.empty()) open_control(unit->instance, assignment.control);
     ++unit;
   }
+  events_.dispatch();  // makes room for as many as are watched now, which it would do with the first of them
 }
 
 /// Before the signals are caught: whoever waits for a bus can be ended.

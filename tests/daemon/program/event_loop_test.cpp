@@ -35,6 +35,7 @@ struct RecordingStation final : Station, Service {
   }
   canopen::TimePoint next_deadline() const noexcept override { return deadline; }
   std::span<const canopen::Subscription> subscriptions() const noexcept override { return {}; }
+  void on_link_lost() noexcept override { events.emplace_back("link lost"); }
   void on_burst_end() noexcept override { events.emplace_back("end of a burst"); }
 
   canopen::TimePoint deadline = canopen::kNever;
@@ -86,6 +87,16 @@ TEST_F(EventLoopTest, HandsOverWhatWaitsAlsoWhenAFrameShowsThatTheStationIsLate)
   loop.turn();
 
   EXPECT_EQ(station.events, (Events{"frame", "frame", "frame", "time"}));
+}
+
+TEST_F(EventLoopTest, HandsOverNothingThatWaitedWhenTheBusWent) {
+  port.down = true;
+  arrive(3);
+  station.deadline = canopen::TimePoint{};  // it is late, too
+
+  loop.turn();
+
+  EXPECT_EQ(station.events, (Events{"link lost", "time"}));
 }
 
 TEST_F(EventLoopTest, GivesWhatIsRareOneEventATurn) {
