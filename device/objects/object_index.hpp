@@ -4,18 +4,19 @@
 #include <cstdint>
 
 #include "generated/axis_offsets.hpp"
+#include "libcanopen/base/object_index.hpp"
 
 namespace device::object {
 
 // Communication objects of the unit that carry more than the protocol itself.
-inline constexpr std::uint16_t kDeviceType = 0x1000;
-inline constexpr std::uint16_t kErrorRegister = 0x1001;
-inline constexpr std::uint16_t kErrorField = 0x1003;
-inline constexpr std::uint16_t kGuardTime = 0x100C;
-inline constexpr std::uint16_t kLifeTimeFactor = 0x100D;
-inline constexpr std::uint16_t kHeartbeatTime = 0x1017;
-inline constexpr std::uint16_t kIdentity = 0x1018;
-inline constexpr std::uint16_t kModuleList = 0x1027;
+using canopen::object::kDeviceType;
+using canopen::object::kErrorField;
+using canopen::object::kErrorRegister;
+using canopen::object::kGuardTime;
+using canopen::object::kHeartbeatTime;
+using canopen::object::kIdentity;
+using canopen::object::kLifeTimeFactor;
+using canopen::object::kModuleList;
 
 // Profile objects of the first axis (CiA 402); axis n has them kProfileStride·(n-1) higher.
 inline constexpr std::uint16_t kAbortConnectionOption = 0x6007;

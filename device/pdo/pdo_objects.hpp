@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "generated/axis_offsets.hpp"
+#include "libcanopen/base/object_index.hpp"
 #include "libcanopen/od/dictionary.hpp"
 #include "libcanopen/pdo/mapping.hpp"
 
@@ -17,9 +18,11 @@ using canopen::Direction;
 inline constexpr std::uint16_t kOfAnAxis = 8;    ///< of each direction
 inline constexpr std::uint8_t kMostEntries = 4;  ///< of a mapping
 
-inline constexpr std::uint16_t kFirstRecord = 0x1400;
-inline constexpr std::uint16_t kPartStride = 0x200;       ///< from a communication record to its mapping
-inline constexpr std::uint16_t kDirectionStride = 0x400;  ///< from an RPDO to the TPDO of the same number
+inline constexpr std::uint16_t kFirstRecord = canopen::object::kRpdoParameter;
+inline constexpr std::uint16_t kPartStride =
+    canopen::object::kRpdoMapping - kFirstRecord;  ///< from a communication record to its mapping
+inline constexpr std::uint16_t kDirectionStride =
+    canopen::object::kTpdoParameter - kFirstRecord;  ///< from an RPDO to the TPDO of the same number
 /// From axis to axis.
 inline constexpr std::uint16_t kStride = eds::stride_of(generated::kAxisOffsets, kFirstRecord);
 static_assert(kStride == eds::stride_of(generated::kAxisOffsets, kFirstRecord + kPartStride) &&

@@ -5,6 +5,7 @@
 #include <linux/can/raw.h>
 
 #include "can/preload/calls/exported.hpp"
+#include "can/preload/calls/failed.hpp"
 #include "can/preload/descriptor.hpp"
 #include "can/preload/hub.hpp"
 #include "can/preload/next.hpp"
@@ -23,11 +24,6 @@ struct Room {
   void* data;
   socklen_t* size;  ///< in: of the room; out: of the value
 };
-
-int failed(int error) noexcept {
-  errno = error;
-  return -1;
-}
 
 /// Gives as much of @p value as there is room for, as the kernel does.
 int give(uint32_t value, const Room& room) noexcept {

@@ -11,6 +11,7 @@
 #include <sys/ioctl.h>
 
 #include "can/preload/calls/exported.hpp"
+#include "can/preload/calls/failed.hpp"
 #include "can/preload/descriptor.hpp"
 #include "can/preload/interface.hpp"
 #include "can/preload/next.hpp"
@@ -24,11 +25,6 @@ using userbus::Name;
 
 constexpr int64_t kNanosecondsInSecond = 1'000'000'000;
 constexpr int64_t kNanosecondsInMicrosecond = 1000;
-
-int failed(int error) noexcept {
-  errno = error;
-  return -1;
-}
 
 // Each fills in what one request asks of the interface that has `index`.
 

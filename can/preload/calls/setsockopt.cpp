@@ -5,6 +5,7 @@
 #include <linux/can/raw.h>
 
 #include "can/preload/calls/exported.hpp"
+#include "can/preload/calls/failed.hpp"
 #include "can/preload/descriptor.hpp"
 #include "can/preload/hub.hpp"
 #include "can/preload/next.hpp"
@@ -30,11 +31,6 @@ struct Value {
     return value;
   }
 };
-
-int failed(int error) noexcept {
-  errno = error;
-  return -1;
-}
 
 int set_in_hub(int descriptor, OptionName name, uint32_t value) noexcept {
   const userbus::Option option{.name = name, .value = value};

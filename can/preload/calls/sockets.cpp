@@ -5,6 +5,7 @@
 #include <linux/can.h>
 
 #include "can/preload/calls/exported.hpp"
+#include "can/preload/calls/failed.hpp"
 #include "can/preload/descriptor.hpp"
 #include "can/preload/hub.hpp"
 #include "can/preload/next.hpp"
@@ -28,11 +29,6 @@ constexpr Protocol kProtocols[] = {
     {CAN_RAW, SOCK_RAW, userbus::Kind::Raw},
     {CAN_BCM, SOCK_DGRAM, userbus::Kind::BroadcastManager},
 };
-
-int failed(int error) noexcept {
-  errno = error;
-  return -1;
-}
 
 int open_socket(int type, int number) noexcept {
   if (number < 0 || number >= CAN_NPROTO) return failed(EINVAL);

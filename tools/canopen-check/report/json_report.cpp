@@ -7,10 +7,6 @@ namespace {
 
 using nlohmann::json;
 
-double seconds(canopen::Duration time) {
-  return std::chrono::duration<double>{time}.count();
-}
-
 json json_of(const Finding& finding, const RunInfo& info) {
   json frames = json::array();
   for (const TimedFrame& frame : finding.frames)

@@ -36,10 +36,6 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-double seconds(canopen::Duration time) {
-  return std::chrono::duration<double>{time}.count();
-}
-
 struct Counts {
   std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
   double time = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,6 +26,11 @@ struct RunInfo {
 /// 605#4000100000000000".
 [[nodiscard]] std::string frame_text(const TimedFrame& frame, canopen::TimePoint begin,
                                      const std::string& interface);
+
+/// @p time in seconds, as reports give it.
+[[nodiscard]] inline double seconds(canopen::Duration time) noexcept {
+  return std::chrono::duration<double>{time}.count();
+}
 
 /// One line that says what became of a check, without line end.
 [[nodiscard]] std::string line_of(const CheckResult& result);

@@ -44,13 +44,13 @@ std::string_view word_of(Mode mode) noexcept {
 }
 
 std::string frame_text(const TimedFrame& frame, canopen::TimePoint begin, const std::string& interface) {
-  const double seconds = std::chrono::duration<double>{frame.time - begin}.count();
+  const double at = seconds(frame.time - begin);
   const std::size_t length = std::min<std::size_t>(frame.frame.length, frame.frame.data.size());
   const std::string data =
       frame.frame.remote ? fmt::format("R{}", length) : hexadecimal(std::span{frame.frame.data}.first(length));
   const std::string id =
       frame.frame.extended ? fmt::format("{:08X}", frame.frame.id) : fmt::format("{:03X}", frame.frame.id);
-  return fmt::format("({:013.6f}) {} {}#{}", seconds, interface, id, data);
+  return fmt::format("({:013.6f}) {} {}#{}", at, interface, id, data);
 }
 
 std::string line_of(const CheckResult& result) {
@@ -88,7 +88,7 @@ std::string summary_of(const RunReport& report) {
   text += failures_of(report);
   for (const std::string& note : report.notes) text += note + "\n";
   for (const std::string& line : report.not_restored) text += "not restored: " + line + "\n";
-  text += fmt::format("{:.1f} s\n", std::chrono::duration<double>{report.time}.count());
+  text += fmt::format("{:.1f} s\n", seconds(report.time));
   return text;
 }
 

@@ -5,70 +5,70 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kErrorRegister = 0x1001, kCobIdEmcy = 0x1014, kInhibitTime = 0x1015;
 constexpr std::uint32_t kInvalidValue = 0x06090030, kDeviceState = 0x08000022;
 constexpr std::uint32_t kFree = 0x6C3;  // an identifier that CiA 301 leaves free
 constexpr std::uint8_t kGenericError = 0x01, kCommunicationError = 0x10;
 
 void emcy_has_default(Context& context) {
   constexpr std::uint32_t kEmcy = 0x80;
-  if (!context.need(kCobIdEmcy)) return;
+  if (!context.need(object::kCobIdEmcy)) return;
   const std::uint32_t expected = context.session().identifier(kEmcy);
-  const EntryFacts* const facts = context.eds().find(kCobIdEmcy);
+  const EntryFacts* const facts = context.eds().find(object::kCobIdEmcy);
   if (facts == nullptr || !facts->initial) return context.skip("the EDS states no default of 1014h");
   const std::optional<eds::Integer> value = facts->initial->at(context.eds().node_id());
   if (value && (value->magnitude & kIdentifierBits) != expected)
-    context.fail(kCobIdEmcy, 0, fmt::format("default {:X}h, 80h + node-ID", expected),
+    context.fail(object::kCobIdEmcy, 0, fmt::format("default {:X}h, 80h + node-ID", expected),
                  fmt::format("{:X}h", value->magnitude));
 }
 
 void cob_id_is_locked(Context& context) {
-  if (!context.need(kCobIdEmcy)) return;
+  if (!context.need(object::kCobIdEmcy)) return;
   if (!emcy_identifier(context)) return context.skip("1014h is invalid");
   context.step();
-  context.expect_abort(context.write_number(kCobIdEmcy, 0, kFree), {kDeviceState, kInvalidValue}, kCobIdEmcy, 0,
-                       fmt::format("identifier {:X}h while EMCY is valid", kFree));
+  context.expect_abort(context.write_number(object::kCobIdEmcy, 0, kFree), {kDeviceState, kInvalidValue},
+                       object::kCobIdEmcy, 0, fmt::format("identifier {:X}h while EMCY is valid", kFree));
 }
 
 /// Writes 1014h, by way of invalid.
 bool move_to(Context& context, const Provoked& provoked, std::uint32_t cob_id) {
-  const SdoAnswer off = context.write_number(kCobIdEmcy, 0, kInvalid | provoked.identifier);
-  const SdoAnswer on = off.done() && cob_id != 0 ? context.write_number(kCobIdEmcy, 0, cob_id) : off;
+  const SdoAnswer off = context.write_number(object::kCobIdEmcy, 0, kInvalid | provoked.identifier);
+  const SdoAnswer on = off.done() && cob_id != 0 ? context.write_number(object::kCobIdEmcy, 0, cob_id) : off;
   if (!on.done()) context.skip("1014h cannot be changed: " + to_text(on));
   return on.done();
 }
 
 void follows_its_cob_id(Context& context) {
-  if (!context.need(kCobIdEmcy)) return;
+  if (!context.need(object::kCobIdEmcy)) return;
   std::optional<Provoked> provoked = provoke(context);
   if (!provoked || !prepare_again(context, *provoked) || !move_to(context, *provoked, kFree)) return;
   const std::uint32_t before = provoked->identifier;
   provoked->identifier = kFree;
   if (!again(context, *provoked))
-    context.fail(kCobIdEmcy, 0, fmt::format("an emergency message under {:X}h, which was written", kFree),
+    context.fail(object::kCobIdEmcy, 0, fmt::format("an emergency message under {:X}h, which was written", kFree),
                  fmt::format("none when {}; it came under {:X}h before", provoked->how.name, before));
 }
 
 void is_silenced(Context& context) {
-  if (!context.need(kCobIdEmcy)) return;
+  if (!context.need(object::kCobIdEmcy)) return;
   std::optional<Provoked> provoked = provoke(context);
   if (!provoked || !prepare_again(context, *provoked) || !move_to(context, *provoked, 0)) return;
   if (const auto emergency = again(context, *provoked))
-    context.fail(kCobIdEmcy, 0, "no emergency message while bit 31 is set", to_text(*emergency));
+    context.fail(object::kCobIdEmcy, 0, "no emergency message while bit 31 is set", to_text(*emergency));
 }
 
 void keeps_inhibit_time(Context& context) {
   constexpr std::uint64_t kInhibit = 500;  // 100 us
   constexpr canopen::Duration kTime = std::chrono::milliseconds{50};
-  if (!context.need(kInhibitTime)) return;
+  if (!context.need(object::kInhibitTimeEmcy)) return;
   std::optional<Provoked> provoked = provoke(context);
   if (!provoked) return;
   if (!provoked->how.end) return context.skip("no error can be ended, which would be told at once");
-  if (!prepare_again(context, *provoked) || !context.set(kInhibitTime, 0, kInhibit)) return;
+  if (!prepare_again(context, *provoked) || !context.set(object::kInhibitTimeEmcy, 0, kInhibit)) return;
   context.session().pass(kTime);
   const std::optional<Emergency> first = again(context, *provoked);
   if (!first) return context.skip("the error is not told once more");
@@ -78,7 +78,7 @@ void keeps_inhibit_time(Context& context) {
   const canopen::Duration apart = second->frame.time - first->frame.time;
   context.note(fmt::format("inhibit time {}: messages {} apart", milliseconds(kTime), milliseconds(apart)));
   if (apart < kTime && !context.about(apart, kTime))
-    context.fail(kInhibitTime, 0, "emergency messages at least " + milliseconds(kTime) + " apart",
+    context.fail(object::kInhibitTimeEmcy, 0, "emergency messages at least " + milliseconds(kTime) + " apart",
                  milliseconds(apart));
 }
 
@@ -100,9 +100,9 @@ void shows_the_register(Context& context) {
   const std::optional<Provoked> provoked = provoke(context, Ending::Later);
   if (!provoked) return;
   const std::uint8_t told = provoked->emergency.error_register;
-  const std::optional<std::uint64_t> now = context.number(kErrorRegister);
+  const std::optional<std::uint64_t> now = context.number(object::kErrorRegister);
   if (now && *now != told)
-    context.fail(kErrorRegister, 0, fmt::format("{:02X}h, as the emergency message says", told),
+    context.fail(object::kErrorRegister, 0, fmt::format("{:02X}h, as the emergency message says", told),
                  fmt::format("{:02X}h", *now));
 }
 
@@ -110,7 +110,8 @@ void has_the_bit(Context& context) {
   constexpr std::uint8_t kExpected = kGenericError | kCommunicationError;
   const std::optional<Provoked> provoked = provoke(context);
   if (provoked && (provoked->emergency.error_register & kExpected) != kExpected)
-    context.fail(kErrorRegister, 0, "bits 0 and 4, generic and communication error, when " + provoked->how.name,
+    context.fail(object::kErrorRegister, 0,
+                 "bits 0 and 4, generic and communication error, when " + provoked->how.name,
                  fmt::format("register {:02X}h", provoked->emergency.error_register));
 }
 

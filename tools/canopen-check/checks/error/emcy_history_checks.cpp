@@ -4,48 +4,48 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kErrorRegister = 0x1001, kHistory = 0x1003;
 constexpr std::uint32_t kNoData = 0x08000024, kInvalidValue = 0x06090030, kTooHigh = 0x06090031;
 constexpr std::uint64_t kCodeBits = 0xFFFF;
 
 void logs_the_newest_first(Context& context) {
-  if (!context.need(kHistory) || !context.need(kHistory, 1)) return;
+  if (!context.need(object::kErrorField) || !context.need(object::kErrorField, 1)) return;
   const std::optional<Provoked> provoked = provoke(context, Ending::Later);
   if (!provoked) return;
   const std::uint16_t code = provoked->emergency.code;
-  const std::optional<std::uint64_t> newest = context.number(kHistory, 1);
+  const std::optional<std::uint64_t> newest = context.number(object::kErrorField, 1);
   if (newest && (*newest & kCodeBits) != code)
-    context.fail(kHistory, 1, fmt::format("error code {:04X}h, the newest, in the low word", code),
+    context.fail(object::kErrorField, 1, fmt::format("error code {:04X}h, the newest, in the low word", code),
                  fmt::format("{:08X}h", *newest));
 }
 
 void counts_its_entries(Context& context) {
   constexpr std::size_t kMostFindings = 20;
-  if (!context.need(kHistory)) return;
+  if (!context.need(object::kErrorField)) return;
   if (!provoke(context, Ending::Later)) return;
-  const std::optional<std::uint64_t> count = context.number(kHistory);
+  const std::optional<std::uint64_t> count = context.number(object::kErrorField);
   if (!count) return;
-  if (*count == 0) return context.fail(kHistory, 0, "1 or more after an error", "0");
+  if (*count == 0) return context.fail(object::kErrorField, 0, "1 or more after an error", "0");
   for (std::uint64_t sub = 1; sub <= *count && context.findings().size() < kMostFindings; ++sub)
-    (void)context.number(kHistory, static_cast<std::uint8_t>(sub));
+    (void)context.number(object::kErrorField, static_cast<std::uint8_t>(sub));
 }
 
 void refuses_empty_entries(Context& context) {
   constexpr int kMostTried = 20;
-  if (!context.need(kHistory)) return;
-  const std::optional<std::uint64_t> count = context.number(kHistory);
+  if (!context.need(object::kErrorField)) return;
+  const std::optional<std::uint64_t> count = context.number(object::kErrorField);
   if (!count) return;
   int tried = 0;
-  for (const EntryFacts& entry : context.eds().entries_of(kHistory)) {
+  for (const EntryFacts& entry : context.eds().entries_of(object::kErrorField)) {
     if (entry.sub_index <= *count) continue;
     if (++tried > kMostTried) break;
     context.step();
-    context.expect_abort(context.read(kHistory, entry.sub_index), {kNoData}, kHistory, entry.sub_index,
-                         "reading it while it is empty");
+    context.expect_abort(context.read(object::kErrorField, entry.sub_index), {kNoData}, object::kErrorField,
+                         entry.sub_index, "reading it while it is empty");
   }
   if (tried == 0) context.skip("1003h has no empty entry");
 }
@@ -53,37 +53,40 @@ void refuses_empty_entries(Context& context) {
 /// The value is not put back: writing it is the order to delete the history.
 SdoAnswer order(Context& context, std::uint8_t value) {
   context.step();
-  return context.sdo().download(kHistory, 0, std::array{value});
+  return context.sdo().download(object::kErrorField, 0, std::array{value});
 }
 
 void is_deleted_by_0(Context& context) {
-  if (!context.need(kHistory)) return;
+  if (!context.need(object::kErrorField)) return;
   const std::optional<Provoked> provoked = provoke(context);
   if (!provoked) return;
   const SdoAnswer answer = order(context, 0);
-  if (!answer.done()) return context.fail(kHistory, 0, "0 can be written", to_text(answer));
-  const std::optional<std::uint64_t> count = context.number(kHistory);
+  if (!answer.done()) return context.fail(object::kErrorField, 0, "0 can be written", to_text(answer));
+  const std::optional<std::uint64_t> count = context.number(object::kErrorField);
   if (count && *count != 0)
-    context.fail(kHistory, 0, "0 after 0 was written, which deletes the history", fmt::format("{}", *count));
+    context.fail(object::kErrorField, 0, "0 after 0 was written, which deletes the history",
+                 fmt::format("{}", *count));
 }
 
 void refuses_other_values(Context& context) {
   constexpr std::uint8_t kOther = 1;
-  if (!context.need(kHistory)) return;
-  context.expect_abort(order(context, kOther), {kInvalidValue, kTooHigh}, kHistory, 0, "writing 1 to it");
+  if (!context.need(object::kErrorField)) return;
+  context.expect_abort(order(context, kOther), {kInvalidValue, kTooHigh}, object::kErrorField, 0,
+                       "writing 1 to it");
 }
 
 void register_agrees(Context& context) {
   constexpr std::uint64_t kGenericError = 1;
-  const std::optional<std::uint64_t> now = context.number(kErrorRegister);
+  const std::optional<std::uint64_t> now = context.number(object::kErrorRegister);
   if (!now) return;
   if (*now != 0 && (*now & kGenericError) == 0)
-    return context.fail(kErrorRegister, 0, "bit 0, generic error, while any other bit is set",
+    return context.fail(object::kErrorRegister, 0, "bit 0, generic error, while any other bit is set",
                         fmt::format("{:02X}h", *now));
-  const bool has_history = context.eds().empty() || context.eds().has(kHistory);
-  const SdoAnswer count = has_history ? context.read(kHistory) : SdoAnswer{};
+  const bool has_history = context.eds().empty() || context.eds().has(object::kErrorField);
+  const SdoAnswer count = has_history ? context.read(object::kErrorField) : SdoAnswer{};
   if (count.done() && count.number() == 0 && *now != 0)
-    context.fail(kErrorRegister, 0, "00h while 1003h says that there was no error", fmt::format("{:02X}h", *now));
+    context.fail(object::kErrorRegister, 0, "00h while 1003h says that there was no error",
+                 fmt::format("{:02X}h", *now));
 }
 
 constexpr std::array kStateChecks{

@@ -4,13 +4,13 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 using canopen::NmtState;
 
-constexpr std::uint16_t kErrorBehaviour = 0x1029;
 constexpr std::uint64_t kToPreOperational = 0, kNoChange = 1, kToStopped = 2;
 
 /// What a communication error leads to.
@@ -32,7 +32,7 @@ void leads_to(Context& context, const Provocation& how, const Case& row) {
   context.enter(NmtState::PreOperational);
   // What ends the former event also begins the next.
   how.raise();
-  if (!context.set(kErrorBehaviour, 1, row.behaviour)) return;
+  if (!context.set(object::kErrorBehaviour, 1, row.behaviour)) return;
   context.enter(row.from);
   context.step();
   how.raise();
@@ -40,24 +40,24 @@ void leads_to(Context& context, const Provocation& how, const Case& row) {
   const std::optional<NmtState> now = context.state();
   if (now == row.to) return;
   context.fail(
-      kErrorBehaviour, 1,
+      object::kErrorBehaviour, 1,
       fmt::format("{} with value {} in {}: {}", how.name, row.behaviour, name_of(row.from), name_of(row.to)),
       now ? std::string{name_of(*now)} : "no answer");
 }
 
 void follows_error_behaviour(Context& context) {
-  if (!context.need(kErrorBehaviour, 1) || !context.observe_state()) return;
+  if (!context.need(object::kErrorBehaviour, 1) || !context.observe_state()) return;
   const std::optional<Provoked> provoked = provoke(context, Ending::Later, {heartbeat_loss, guarding_loss});
   if (!provoked) return;
   for (const Case& row : kCases) leads_to(context, provoked->how, row);
 }
 
 void has_default_0(Context& context) {
-  const EntryFacts* const facts = context.eds().find(kErrorBehaviour, 1);
+  const EntryFacts* const facts = context.eds().find(object::kErrorBehaviour, 1);
   if (facts == nullptr || !facts->initial) return context.skip("the EDS states no default of 1029h:01");
   const std::optional<eds::Integer> value = facts->initial->at(context.eds().node_id());
   if (value && value->magnitude != kToPreOperational)
-    context.fail(kErrorBehaviour, 1, "default 0: an error of the communication leads to Pre-operational",
+    context.fail(object::kErrorBehaviour, 1, "default 0: an error of the communication leads to Pre-operational",
                  fmt::format("default {}", value->magnitude));
 }
 

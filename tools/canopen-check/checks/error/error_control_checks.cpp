@@ -5,36 +5,35 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/core/run/context.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 using canopen::NmtState;
 
-constexpr std::uint16_t kHeartbeatTime = 0x1017;
-constexpr std::uint32_t kErrorControl = 0x700;
 constexpr std::uint64_t kPeriod = 100, kLongPeriod = 200;  // ms
 constexpr canopen::Duration kPeriodTime = std::chrono::milliseconds{kPeriod};
 
 Condition heartbeats(const Session& session) {
-  return under(session.identifier(kErrorControl));
+  return under(session.identifier(function_code::kErrorControl));
 }
 
 /// Switches the heartbeat off, so that a new one begins with its write.
 bool silence(Context& context) {
-  const SdoAnswer now = context.read(kHeartbeatTime);
+  const SdoAnswer now = context.read(object::kHeartbeatTime);
   if (now.done() && now.number() == 0) return true;
-  return context.set(kHeartbeatTime, 0, 0);
+  return context.set(object::kHeartbeatTime, 0, 0);
 }
 
 void heartbeat_keeps_its_period(Context& context) {
   constexpr int kPeriods = 10;
-  if (!context.need(kHeartbeatTime) || !context.set(kHeartbeatTime, 0, kPeriod)) return;
+  if (!context.need(object::kHeartbeatTime) || !context.set(object::kHeartbeatTime, 0, kPeriod)) return;
   Session& session = context.session();
   const std::vector<TimedFrame> beats =
       session.collect(heartbeats(session), kPeriodTime * kPeriods + kPeriodTime / 2);
   if (beats.size() < 2)
-    return context.fail(kHeartbeatTime, 0, fmt::format("a heartbeat every {} ms", kPeriod),
+    return context.fail(object::kHeartbeatTime, 0, fmt::format("a heartbeat every {} ms", kPeriod),
                         fmt::format("{} in {} periods", beats.size(), kPeriods));
   const canopen::Duration mean =
       (beats.back().time - beats.front().time) / static_cast<canopen::Duration::rep>(beats.size() - 1);
@@ -42,16 +41,16 @@ void heartbeat_keeps_its_period(Context& context) {
   for (std::size_t i = 1; i < beats.size(); ++i) longest = std::max(longest, beats[i].time - beats[i - 1].time);
   context.note(fmt::format("{} ms: mean {}, longest {}", kPeriod, milliseconds(mean), milliseconds(longest)));
   if (!context.about(mean, kPeriodTime))
-    context.fail(kHeartbeatTime, 0, fmt::format("a heartbeat every {} ms", kPeriod),
+    context.fail(object::kHeartbeatTime, 0, fmt::format("a heartbeat every {} ms", kPeriod),
                  fmt::format("one every {}", milliseconds(mean)));
 }
 
 void heartbeat_begins(Context& context) {
-  if (!context.need(kHeartbeatTime) || !silence(context)) return;
+  if (!context.need(object::kHeartbeatTime) || !silence(context)) return;
   constexpr canopen::Duration kLimit = std::chrono::milliseconds{kLongPeriod};
   Session& session = context.session();
   session.drain();
-  if (!context.set(kHeartbeatTime, 0, kLongPeriod)) return;
+  if (!context.set(object::kHeartbeatTime, 0, kLongPeriod)) return;
   const canopen::TimePoint written = session.now();
   const auto first = session.wait_for(heartbeats(session), 3 * kLimit);
   // None at all is a matter of the period; one that came before the answer to the write has been passed over.
@@ -59,24 +58,25 @@ void heartbeat_begins(Context& context) {
   const canopen::Duration time = first->time - written;
   context.note(fmt::format("the first heartbeat came {} after the write", milliseconds(time)));
   if (time > kLimit && !context.about(time, kLimit))
-    context.fail(kHeartbeatTime, 0, fmt::format("the first heartbeat within {} ms", kLongPeriod),
+    context.fail(object::kHeartbeatTime, 0, fmt::format("the first heartbeat within {} ms", kLongPeriod),
                  fmt::format("after {}", milliseconds(time)));
 }
 
 void heartbeat_ends(Context& context) {
-  if (!context.need(kHeartbeatTime) || !context.set(kHeartbeatTime, 0, kPeriod)) return;
+  if (!context.need(object::kHeartbeatTime) || !context.set(object::kHeartbeatTime, 0, kPeriod)) return;
   Session& session = context.session();
   if (!session.wait_for(heartbeats(session), 3 * kPeriodTime))
     return context.skip("there is no heartbeat to be ended");
-  if (!context.set(kHeartbeatTime, 0, 0)) return;
+  if (!context.set(object::kHeartbeatTime, 0, 0)) return;
   session.drain();
   const std::size_t beats = session.collect(heartbeats(session), 3 * kPeriodTime).size();
   if (beats != 0)
-    context.fail(kHeartbeatTime, 0, "no heartbeat after 0 is written", fmt::format("{} heartbeats", beats));
+    context.fail(object::kHeartbeatTime, 0, "no heartbeat after 0 is written",
+                 fmt::format("{} heartbeats", beats));
 }
 
 void heartbeat_tells_the_state(Context& context) {
-  if (!context.need(kHeartbeatTime) || !context.set(kHeartbeatTime, 0, kPeriod)) return;
+  if (!context.need(object::kHeartbeatTime) || !context.set(object::kHeartbeatTime, 0, kPeriod)) return;
   Session& session = context.session();
   for (const NmtState state : {NmtState::Operational, NmtState::Stopped, NmtState::PreOperational}) {
     context.step();

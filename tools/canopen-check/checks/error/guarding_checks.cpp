@@ -5,12 +5,11 @@
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
 #include "tools/canopen-check/checks/shared/stations.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kGuardTime = 0x100C, kLifeTimeFactor = 0x100D, kHeartbeatTime = 0x1017;
-constexpr std::uint32_t kErrorControl = 0x700;
 constexpr std::uint8_t kToggle = 0x80, kStateBits = 0x7F;
 constexpr std::uint64_t kLife = 100, kFactor = 2;  // ms
 constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kLife * kFactor};
@@ -18,20 +17,20 @@ constexpr canopen::Duration kAnswer = std::chrono::milliseconds{100};
 
 /// True if guarding can be asked for; the heartbeat, which would win, is off then.
 bool can_guard(Context& context) {
-  if (!context.need(kGuardTime) || !context.need(kLifeTimeFactor)) return false;
+  if (!context.need(object::kGuardTime) || !context.need(object::kLifeTimeFactor)) return false;
   if (!context.session().carries_remote_frames()) {
     context.skip("the bus carries no remote frames");
     return false;
   }
-  const SdoAnswer heartbeat = context.read(kHeartbeatTime);
-  return !heartbeat.done() || heartbeat.number() == 0 || context.set(kHeartbeatTime, 0, 0);
+  const SdoAnswer heartbeat = context.read(object::kHeartbeatTime);
+  return !heartbeat.done() || heartbeat.number() == 0 || context.set(object::kHeartbeatTime, 0, 0);
 }
 
 std::optional<canopen::Frame> guard(Context& context, std::uint8_t node_id) {
   Session& session = context.session();
   session.drain();
-  session.send({.id = kErrorControl + node_id, .length = 1, .remote = true});
-  const auto answer = session.wait_for(under(kErrorControl + node_id), kAnswer);
+  session.send({.id = function_code::kErrorControl + node_id, .length = 1, .remote = true});
+  const auto answer = session.wait_for(under(function_code::kErrorControl + node_id), kAnswer);
   if (!answer) return std::nullopt;
   return answer->frame;
 }
@@ -70,14 +69,14 @@ void leaves_others_alone(Context& context) {
   if (!other) return context.skip("every node-ID is taken by another station");
   context.step();
   session.drain();
-  session.send({.id = kErrorControl + *other, .length = 1, .remote = true});
-  const auto own = session.wait_for(under(session.identifier(kErrorControl)), kAnswer);
+  session.send({.id = function_code::kErrorControl + *other, .length = 1, .remote = true});
+  const auto own = session.wait_for(under(session.identifier(function_code::kErrorControl)), kAnswer);
   if (own) context.fail(fmt::format("no answer to a guarding request to node {}", *other), "an answer");
 }
 
 /// Sets the life time without a request.
 bool set_life_time(Context& context) {
-  return context.set(kGuardTime, 0, kLife) && context.set(kLifeTimeFactor, 0, kFactor);
+  return context.set(object::kGuardTime, 0, kLife) && context.set(object::kLifeTimeFactor, 0, kFactor);
 }
 
 void life_guarding_waits(Context& context) {
@@ -139,12 +138,12 @@ bool takes_both(Context& context) {
   constexpr std::uint64_t kPeriod = 100;  // ms
   const std::size_t before = context.findings().size();
   if (!set_life_time(context)) return false;
-  if (context.set(kHeartbeatTime, 0, kPeriod)) return true;
-  if (!context.set(kGuardTime, 0, 0) || !context.set(kLifeTimeFactor, 0, 0) ||
-      !context.set(kHeartbeatTime, 0, kPeriod))
+  if (context.set(object::kHeartbeatTime, 0, kPeriod)) return true;
+  if (!context.set(object::kGuardTime, 0, 0) || !context.set(object::kLifeTimeFactor, 0, 0) ||
+      !context.set(object::kHeartbeatTime, 0, kPeriod))
     return false;
-  (void)context.set(kGuardTime, 0, kLife);
-  (void)context.set(kLifeTimeFactor, 0, kFactor);
+  (void)context.set(object::kGuardTime, 0, kLife);
+  (void)context.set(object::kLifeTimeFactor, 0, kFactor);
   return context.findings().size() == before;
 }
 
@@ -152,7 +151,7 @@ void heartbeat_wins(Context& context) {
   constexpr int kRequests = 10;
   constexpr std::size_t kMostBeats = 7;
   constexpr canopen::Duration kPause = std::chrono::milliseconds{50};
-  if (!context.need(kHeartbeatTime) || !can_guard(context)) return;
+  if (!context.need(object::kHeartbeatTime) || !can_guard(context)) return;
   Session& session = context.session();
   if (!guard(context, session.node_id())) return context.skip("the node answers no guarding request");
   if (!takes_both(context)) return;
@@ -161,8 +160,9 @@ void heartbeat_wins(Context& context) {
   std::size_t frames = 0;
   bool toggled = false;
   for (int i = 0; i < kRequests; ++i) {
-    session.send({.id = session.identifier(kErrorControl), .length = 1, .remote = true});
-    for (const TimedFrame& each : session.collect(under(session.identifier(kErrorControl)), kPause)) {
+    session.send({.id = session.identifier(function_code::kErrorControl), .length = 1, .remote = true});
+    for (const TimedFrame& each :
+         session.collect(under(session.identifier(function_code::kErrorControl)), kPause)) {
       ++frames;
       toggled = toggled || (each.frame.data[0] & kToggle) != 0;
     }

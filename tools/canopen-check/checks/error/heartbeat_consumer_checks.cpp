@@ -5,11 +5,11 @@
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
 #include "tools/canopen-check/checks/shared/stations.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kConsumers = 0x1016;
 constexpr std::uint32_t kParameterIncompatible = 0x06040043;
 
 /// A watched heartbeat, and where its loss would be told; else the check is skipped.
@@ -18,7 +18,7 @@ struct Watched {
   std::uint32_t emcy;
 };
 std::optional<Watched> watch(Context& context) {
-  if (!context.need(kConsumers, 1)) return std::nullopt;
+  if (!context.need(object::kConsumerHeartbeatTime, 1)) return std::nullopt;
   const std::optional<std::uint32_t> identifier = emcy_identifier(context);
   const std::optional<Provocation> how = heartbeat_loss(context);
   if (identifier && how) return Watched{*how, *identifier};
@@ -28,14 +28,15 @@ std::optional<Watched> watch(Context& context) {
 
 void refuses_a_node_twice(Context& context) {
   constexpr std::uint64_t kTime = 1000, kOtherTime = 500;  // ms
-  if (!context.need(kConsumers, 2)) return;
+  if (!context.need(object::kConsumerHeartbeatTime, 2)) return;
   const std::optional<std::uint8_t> node = unused_node_id(context);
   if (!node) return context.skip("every node-ID is taken by another station");
   const std::uint64_t word = std::uint64_t{*node} << 16U;
-  if (!context.set(kConsumers, 1, word | kTime)) return;
+  if (!context.set(object::kConsumerHeartbeatTime, 1, word | kTime)) return;
   context.step();
-  context.expect_abort(context.write_number(kConsumers, 2, word | kOtherTime), {kParameterIncompatible},
-                       kConsumers, 2, fmt::format("node {} a second time", *node));
+  context.expect_abort(context.write_number(object::kConsumerHeartbeatTime, 2, word | kOtherTime),
+                       {kParameterIncompatible}, object::kConsumerHeartbeatTime, 2,
+                       fmt::format("node {} a second time", *node));
 }
 
 void waits_for_the_first_heartbeat(Context& context) {
@@ -44,7 +45,8 @@ void waits_for_the_first_heartbeat(Context& context) {
   context.step();
   const auto emergency = wait_for_emergency(context, watched->emcy, watched->how.delay + kEmergencyPatience);
   if (emergency && emergency->code != 0)
-    context.fail(kConsumers, 1, "no loss before the first heartbeat", "emergency message " + to_text(*emergency));
+    context.fail(object::kConsumerHeartbeatTime, 1, "no loss before the first heartbeat",
+                 "emergency message " + to_text(*emergency));
 }
 
 void tells_the_loss(Context& context) {
@@ -56,12 +58,13 @@ void tells_the_loss(Context& context) {
   how.raise();
   const auto emergency = wait_for_emergency(context, watched->emcy, how.delay + kEmergencyPatience);
   if (!emergency)
-    return context.fail(kConsumers, 1, "an emergency message when " + how.name,
+    return context.fail(object::kConsumerHeartbeatTime, 1, "an emergency message when " + how.name,
                         "none within " + milliseconds(how.delay + kEmergencyPatience));
   const canopen::Duration time = emergency->frame.time - begin;
   context.note(fmt::format("{}: told after {}", how.name, milliseconds(time)));
   if (time < how.delay && !context.about(time, how.delay))
-    context.fail(kConsumers, 1, "a loss not before " + milliseconds(how.delay), "after " + milliseconds(time));
+    context.fail(object::kConsumerHeartbeatTime, 1, "a loss not before " + milliseconds(how.delay),
+                 "after " + milliseconds(time));
 }
 
 void tells_the_return(Context& context) {
@@ -74,7 +77,7 @@ void tells_the_return(Context& context) {
     return context.skip("the loss of a heartbeat is not told");
   how.end();
   if (!wait_for_code(context, watched->emcy, 0, how.delay / 2))
-    context.fail(kConsumers, 1, "emergency message 0000h when the heartbeat is back", "none");
+    context.fail(object::kConsumerHeartbeatTime, 1, "emergency message 0000h when the heartbeat is back", "none");
 }
 
 constexpr std::array kChecks{

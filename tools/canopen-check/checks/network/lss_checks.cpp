@@ -5,6 +5,7 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/stations.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
@@ -14,7 +15,6 @@ constexpr std::uint32_t kMaster = 0x7E5, kSlave = 0x7E4;
 constexpr std::uint8_t kSwitchGlobal = 0x04, kSwitchSelective = 0x40, kSwitched = 0x44, kConfigureNodeId = 0x11,
                        kInquireIdentity = 0x5A, kInquireNodeId = 0x5E;
 constexpr std::uint8_t kWaiting = 0, kConfiguration = 1;
-constexpr std::uint16_t kIdentity = 0x1018;
 constexpr std::size_t kNumbers = 4;
 constexpr canopen::Duration kPatience = std::chrono::milliseconds{200};
 
@@ -54,8 +54,8 @@ std::optional<Identity> identity(Context& context) {
   }
   Identity found{};
   for (std::uint8_t sub = 1; sub <= kNumbers; ++sub) {
-    if (!context.need(kIdentity, sub)) return std::nullopt;
-    const std::optional<std::uint64_t> number = context.number(kIdentity, sub);
+    if (!context.need(object::kIdentity, sub)) return std::nullopt;
+    const std::optional<std::uint64_t> number = context.number(object::kIdentity, sub);
     if (!number) return std::nullopt;
     found[sub - 1U] = static_cast<std::uint32_t>(*number);
   }
@@ -104,8 +104,8 @@ void is_not_selected(Context& context) {
     Identity other = *numbers;
     other[i] ^= 1U;
     if (const auto answer = select(context, other))
-      context.fail(kIdentity, static_cast<std::uint8_t>(i + 1), "no answer when another number is selected",
-                   hexadecimal(answer->data));
+      context.fail(object::kIdentity, static_cast<std::uint8_t>(i + 1),
+                   "no answer when another number is selected", hexadecimal(answer->data));
   }
   switch_to_waiting(context);
 }
@@ -118,7 +118,8 @@ void tells_its_identity(Context& context) {
     const auto command = static_cast<std::uint8_t>(kInquireIdentity + i);
     const auto answer = ask(context, request(command));
     if (!answer || answer->data[0] != command || value_of(*answer) != (*numbers)[i])
-      context.fail(kIdentity, static_cast<std::uint8_t>(i + 1), fmt::format("{:08X}h over LSS", (*numbers)[i]),
+      context.fail(object::kIdentity, static_cast<std::uint8_t>(i + 1),
+                   fmt::format("{:08X}h over LSS", (*numbers)[i]),
                    answer ? hexadecimal(answer->data) : "no answer");
   }
   switch_to_waiting(context);

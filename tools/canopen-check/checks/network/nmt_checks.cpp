@@ -4,6 +4,7 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/stations.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 using canopen::NmtCommand;
 using canopen::NmtState;
 
-constexpr std::uint32_t kErrorControl = 0x700;
 constexpr canopen::Duration kQuiet = std::chrono::milliseconds{200};
 
 void boots_after(Context& context, NmtCommand command) {
@@ -33,13 +33,14 @@ void boots_once(Context& context) {
   context.step();
   session.drain();
   session.command(NmtCommand::ResetNode);
-  const auto first = session.wait_for(under(session.identifier(kErrorControl)), context.settings().boot_up_limit);
+  const auto first =
+      session.wait_for(under(session.identifier(function_code::kErrorControl)), context.settings().boot_up_limit);
   if (!first) return context.skip("the node sends no boot-up message");
   if (first->frame.length != 1 || first->frame.data[0] != 0)
     context.fail("a boot-up message of one byte, 00h",
                  fmt::format("{} bytes, the first {:02X}h", first->frame.length, first->frame.data[0]));
   const auto others = session.collect(
-      [id = session.identifier(kErrorControl)](const canopen::Frame& frame) {
+      [id = session.identifier(function_code::kErrorControl)](const canopen::Frame& frame) {
         return frame.id == id && !frame.remote && frame.length >= 1 && frame.data[0] == 0;
       },
       kQuiet);
@@ -48,10 +49,9 @@ void boots_once(Context& context) {
 
 /// True if 1F80h lets the node enter Operational by itself (CiA 302-2).
 bool starts_by_itself(Context& context) {
-  constexpr std::uint16_t kNmtStartup = 0x1F80;
   constexpr std::uint64_t kWaits = 1U << 2U;
-  if (!context.eds().empty() && !context.eds().has(kNmtStartup)) return false;
-  const SdoAnswer startup = context.read(kNmtStartup);
+  if (!context.eds().empty() && !context.eds().has(object::kNmtStartup)) return false;
+  const SdoAnswer startup = context.read(object::kNmtStartup);
   return startup.done() && (startup.number() & kWaits) == 0;
 }
 

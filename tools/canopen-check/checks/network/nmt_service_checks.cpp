@@ -6,6 +6,7 @@
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/process_data.hpp"
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 using canopen::NmtCommand;
 using canopen::NmtState;
 
-constexpr std::uint16_t kDeviceType = 0x1000, kHeartbeatTime = 0x1017;
 constexpr std::uint32_t kSegmentWithoutTransfer = 0x05040001;
 /// How long something must not come.
 constexpr canopen::Duration kQuiet = std::chrono::milliseconds{100};
@@ -21,7 +21,7 @@ constexpr canopen::Duration kQuiet = std::chrono::milliseconds{100};
 /// Findings for TPDOs that come in @p state, with SYNC and on request.
 void no_tpdo_in(Context& context, NmtState state) {
   constexpr int kSyncs = 3;
-  const std::vector<ValidPdo> tpdos = valid_pdos(context, kFirstTpdo);
+  const std::vector<ValidPdo> tpdos = valid_pdos(context, object::kTpdoParameter);
   if (tpdos.empty()) return context.skip("no TPDO is valid");
   const std::uint32_t sync = sync_identifier(context);
   Session& session = context.session();
@@ -77,7 +77,7 @@ void sdo_in_operational(Context& context) {
   if (!context.observe_state()) return;
   context.enter(NmtState::Operational);
   if (context.state() != NmtState::Operational) return context.skip("the node does not enter Operational");
-  (void)context.number(kDeviceType);
+  (void)context.number(object::kDeviceType);
 }
 
 void no_sdo_in_stopped(Context& context) {
@@ -87,7 +87,7 @@ void no_sdo_in_stopped(Context& context) {
   if (context.state() != NmtState::Stopped) return context.skip("the node does not enter Stopped");
   context.step();
   session.drain();
-  session.send(context.sdo().request(0x40, kDeviceType));
+  session.send(context.sdo().request(0x40, object::kDeviceType));
   if (const auto answer = context.sdo().listen(std::min(context.settings().patience, 2 * kQuiet)))
     context.fail("no answer to an upload of 1000h in Stopped",
                  "the answer " + hexadecimal(std::span{answer->data}.first(answer->length)));
@@ -101,7 +101,8 @@ bool begin_transfer(Context& context) {
     const auto answer = context.sdo().exchange(context.sdo().request(kUpload, index));
     if (answer && !abort_code(*answer) && (answer->data[0] & kExpedited) == 0) return true;
   }
-  const auto answer = context.sdo().exchange(context.sdo().request(kDownloadAnnounced, kHeartbeatTime, 0, 2));
+  const auto answer =
+      context.sdo().exchange(context.sdo().request(kDownloadAnnounced, object::kHeartbeatTime, 0, 2));
   return answer && !abort_code(*answer);
 }
 
@@ -115,22 +116,23 @@ void reset_ends_transfers(Context& context) {
   if (answer && !abort_code(*answer))
     context.fail("abort " + abort_text(kSegmentWithoutTransfer) + " for a segment after the reset",
                  "the transfer goes on: " + hexadecimal(std::span{answer->data}.first(answer->length)));
-  (void)context.number(kDeviceType);
+  (void)context.number(object::kDeviceType);
 }
 
 void reset_communication_restores(Context& context) {
   constexpr std::uint64_t kOne = 250, kOther = 300;  // ms
-  if (!context.need(kHeartbeatTime) || !context.restart(NmtCommand::ResetNode)) return;
+  if (!context.need(object::kHeartbeatTime) || !context.restart(NmtCommand::ResetNode)) return;
   context.enter(NmtState::PreOperational);
-  const std::optional<std::uint64_t> before = context.number(kHeartbeatTime);
+  const std::optional<std::uint64_t> before = context.number(object::kHeartbeatTime);
   if (!before) return;
   const std::uint64_t other = *before == kOne ? kOther : kOne;
-  if (!context.write_number(kHeartbeatTime, 0, other).done()) return context.skip("1017h cannot be changed");
+  if (!context.write_number(object::kHeartbeatTime, 0, other).done())
+    return context.skip("1017h cannot be changed");
   if (!context.restart(NmtCommand::ResetCommunication)) return;
   context.enter(NmtState::PreOperational);
-  const std::optional<std::uint64_t> now = context.number(kHeartbeatTime);
+  const std::optional<std::uint64_t> now = context.number(object::kHeartbeatTime);
   if (now && *now != *before)
-    context.fail(kHeartbeatTime, 0, fmt::format("{} again after a reset of the communication", *before),
+    context.fail(object::kHeartbeatTime, 0, fmt::format("{} again after a reset of the communication", *before),
                  fmt::format("{}", *now));
 }
 

@@ -8,6 +8,7 @@
 #include "tools/canopen-check/checks/shared/process_data.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
 #include "tools/canopen-check/checks/shared/stations.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
@@ -15,14 +16,11 @@ namespace {
 using canopen::NmtCommand;
 using canopen::NmtState;
 
-constexpr std::uint16_t kDeviceType = 0x1000;
-constexpr std::uint32_t kErrorControl = 0x700, kRequests = 0x600;
-constexpr std::uint16_t kCobIdEmcy = 0x1014;
 constexpr std::uint32_t kEmcy = 0x80;
 constexpr canopen::Duration kSettle = std::chrono::milliseconds{100};
 
 bool is_boot_up(const Session& session, const canopen::Frame& frame) {
-  return under(session.identifier(kErrorControl))(frame) && frame.length == 1 && frame.data[0] == 0;
+  return under(session.identifier(function_code::kErrorControl))(frame) && frame.length == 1 && frame.data[0] == 0;
 }
 
 /// What the node says of itself before and after.
@@ -32,7 +30,7 @@ struct Health {
 };
 
 Health health(Context& context) {
-  return {.device_type = context.number(kDeviceType), .mark = context.session().mark()};
+  return {.device_type = context.number(object::kDeviceType), .mark = context.session().mark()};
 }
 
 /// Findings if the node is not what it was: reset, in another state, or with another device type.
@@ -46,9 +44,9 @@ void expect_health(Context& context, const Health& before, const char* after) {
   if (!context.expect_state(NmtState::PreOperational, after)) return;
   context.sdo().abort(0, 0, 0x08000000);
   session.drain();
-  const std::optional<std::uint64_t> now = context.number(kDeviceType);
+  const std::optional<std::uint64_t> now = context.number(object::kDeviceType);
   if (now && now != before.device_type)
-    context.fail(kDeviceType, 0, fmt::format("{:X}h still after {}", *before.device_type, after),
+    context.fail(object::kDeviceType, 0, fmt::format("{:X}h still after {}", *before.device_type, after),
                  fmt::format("{:X}h", *now));
 }
 
@@ -57,8 +55,8 @@ class RandomFrames {
  public:
   RandomFrames(Context& context, const std::vector<ValidPdo>& rpdos)
       : random_{context.settings().seed},
-        request_{context.session().identifier(kRequests)},
-        error_control_{context.session().identifier(kErrorControl)},
+        request_{context.session().identifier(function_code::kSdoRequest)},
+        error_control_{context.session().identifier(function_code::kErrorControl)},
         sync_{sync_identifier(context)} {
     for (const ValidPdo& rpdo : rpdos) rpdos_.push_back(rpdo.identifier);
   }
@@ -101,7 +99,7 @@ class RandomFrames {
 void survives_random_frames(Context& context) {
   constexpr int kFrames = 10'000, kAtOnce = 8;
   if (!context.observe_state()) return;
-  RandomFrames frames{context, valid_pdos(context, kFirstRpdo)};
+  RandomFrames frames{context, valid_pdos(context, object::kRpdoParameter)};
   const Health before = health(context);
   if (!before.device_type) return;
   Session& session = context.session();
@@ -119,11 +117,11 @@ void survives_random_frames(Context& context) {
 /// True under the identifiers that the node may send under meanwhile.
 bool may_answer(const Context& context, const Session& session, std::optional<std::uint32_t> emcy,
                 std::uint32_t identifier) {
-  constexpr std::uint32_t kResponses = 0x580, kFunctionBits = 0x780;
-  if (identifier == session.identifier(kErrorControl) || identifier == emcy) return true;
+  constexpr std::uint32_t kFunctionBits = 0x780;
+  if (identifier == session.identifier(function_code::kErrorControl) || identifier == emcy) return true;
   // The first server answers under that of the node; further ones have identifiers of their own.
-  return identifier == session.identifier(kResponses) ||
-         (context.eds().has(0x1201) && (identifier & kFunctionBits) == kResponses);
+  return identifier == session.identifier(function_code::kSdoResponse) ||
+         (context.eds().has(0x1201) && (identifier & kFunctionBits) == function_code::kSdoResponse);
 }
 
 void survives_all_identifiers(Context& context) {
@@ -134,13 +132,13 @@ void survives_all_identifiers(Context& context) {
   Session& session = context.session();
   std::optional<std::uint32_t> emcy = emcy_identifier(context);
   // Without 1014h nothing says that it may not send them.
-  if (!emcy && !context.eds().has(kCobIdEmcy)) emcy = session.identifier(kEmcy);
+  if (!emcy && !context.eds().has(object::kCobIdEmcy)) emcy = session.identifier(kEmcy);
   context.step();
   for (const bool remote : {false, true}) {
     if (remote && !session.carries_remote_frames()) continue;
     for (std::uint32_t id = 1; id < kIdentifiers; ++id) {  // 0 is NMT
       // Without data where an RPDO may be: it has no values then.
-      const std::uint32_t length = id < kRequests ? 0 : (id + session.node_id()) % kLengths;
+      const std::uint32_t length = id < function_code::kSdoRequest ? 0 : (id + session.node_id()) % kLengths;
       session.send({.id = id, .length = static_cast<std::uint8_t>(length), .remote = remote});
       if (id % kAtOnce == 0) session.drain();
     }
@@ -170,8 +168,8 @@ void answers_in_time(Context& context, const char* when, const std::function<voi
   for (int i = 0; i < kRequestsSent; ++i) {
     meanwhile();
     context.step();
-    if (context.read(kDeviceType).kind != SdoAnswer::Kind::Silent) continue;
-    context.fail(kDeviceType, 0,
+    if (context.read(object::kDeviceType).kind != SdoAnswer::Kind::Silent) continue;
+    context.fail(object::kDeviceType, 0,
                  fmt::format("an answer within {} {}", milliseconds(context.settings().patience), when), "none");
     break;
   }

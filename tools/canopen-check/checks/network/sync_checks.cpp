@@ -5,11 +5,11 @@
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/process_data.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kCobIdSync = 0x1005, kCyclePeriod = 0x1006, kCobIdTime = 0x1012, kOverflow = 0x1019;
 constexpr std::uint32_t kInvalidValue = 0x06090030, kTooHigh = 0x06090031, kTooLow = 0x06090032,
                         kDeviceState = 0x08000022;
 constexpr std::uint32_t kStandardBits = 0x7FF;
@@ -18,20 +18,20 @@ constexpr std::uint32_t kFree = 0x6C1, kOtherFree = 0x6C2;
 
 void sync_has_default_80(Context& context) {
   constexpr std::uint64_t kDefault = 0x80;
-  if (!context.need(kCobIdSync)) return;
-  const EntryFacts* const facts = context.eds().find(kCobIdSync);
+  if (!context.need(object::kCobIdSync)) return;
+  const EntryFacts* const facts = context.eds().find(object::kCobIdSync);
   if (facts == nullptr || !facts->initial) return context.skip("the EDS states no default of 1005h");
   const std::optional<eds::Integer> value = facts->initial->at(context.eds().node_id());
   if (value && (value->magnitude & kIdentifierBits) != kDefault)
-    context.fail(kCobIdSync, 0, "default identifier 80h", fmt::format("{:X}h", value->magnitude));
+    context.fail(object::kCobIdSync, 0, "default identifier 80h", fmt::format("{:X}h", value->magnitude));
 }
 
 void sync_follows_its_cob_id(Context& context) {
-  if (!context.need(kCobIdSync)) return;
+  if (!context.need(object::kCobIdSync)) return;
   const std::optional<ValidPdo> tpdo = synchronous_tpdo(context);
   if (!tpdo) return;
   const std::uint32_t before = sync_identifier(context);
-  const SdoAnswer written = context.write_number(kCobIdSync, 0, kFree);
+  const SdoAnswer written = context.write_number(object::kCobIdSync, 0, kFree);
   if (!written.done())
     return context.skip(fmt::format("1005h does not take identifier {:X}h: {}", kFree, to_text(written)));
   context.step();
@@ -39,39 +39,42 @@ void sync_follows_its_cob_id(Context& context) {
   context.session().pass(kEmergencyPatience / 10);
   const bool follows = follows_sync(context, *tpdo, kFree), still = follows_sync(context, *tpdo, before);
   if (!follows)
-    context.fail(kCobIdSync, 0, fmt::format("SYNC under {:X}h, which was written", kFree), "it has no effect");
+    context.fail(object::kCobIdSync, 0, fmt::format("SYNC under {:X}h, which was written", kFree),
+                 "it has no effect");
   if (still)
-    context.fail(kCobIdSync, 0, fmt::format("no SYNC under {:X}h any more", before), "it still has effect");
+    context.fail(object::kCobIdSync, 0, fmt::format("no SYNC under {:X}h any more", before),
+                 "it still has effect");
 }
 
 /// Findings for values that 1019h must not take.
 void counter_refuses(Context& context) {
   constexpr std::array kWrong{1, 241, 255};
-  if (!context.need(kOverflow)) return;
+  if (!context.need(object::kSyncOverflow)) return;
   for (const int value : kWrong) {
     context.step();
-    context.expect_abort(context.write_number(kOverflow, 0, static_cast<std::uint64_t>(value)),
-                         {kInvalidValue, kTooHigh, kTooLow}, kOverflow, 0, fmt::format("writing {}", value));
+    context.expect_abort(context.write_number(object::kSyncOverflow, 0, static_cast<std::uint64_t>(value)),
+                         {kInvalidValue, kTooHigh, kTooLow}, object::kSyncOverflow, 0,
+                         fmt::format("writing {}", value));
   }
 }
 
 void counter_takes(Context& context) {
-  if (!context.need(kOverflow)) return;
+  if (!context.need(object::kSyncOverflow)) return;
   for (const std::uint64_t value : std::array<std::uint64_t, 3>{2, 240, 0})
-    if (!context.set(kOverflow, 0, value)) return;
+    if (!context.set(object::kSyncOverflow, 0, value)) return;
 }
 
 void counter_is_locked(Context& context) {
   constexpr std::uint64_t kPeriod = 100'000, kCounter = 10;  // us
-  if (!context.need(kOverflow) || !context.need(kCyclePeriod)) return;
-  if (!context.set(kCyclePeriod, 0, kPeriod)) return;
+  if (!context.need(object::kSyncOverflow) || !context.need(object::kCyclePeriod)) return;
+  if (!context.set(object::kCyclePeriod, 0, kPeriod)) return;
   context.step();
-  context.expect_abort(context.write_number(kOverflow, 0, kCounter), {kDeviceState}, kOverflow, 0,
-                       "writing it while 1006h is not 0");
+  context.expect_abort(context.write_number(object::kSyncOverflow, 0, kCounter), {kDeviceState},
+                       object::kSyncOverflow, 0, "writing it while 1006h is not 0");
 }
 
 void tells_unexpected_length(Context& context) {
-  if (!context.need(kOverflow)) return;
+  if (!context.need(object::kSyncOverflow)) return;
   const std::optional<std::uint32_t> emcy = emcy_identifier(context);
   const std::optional<Provocation> how = sync_length(context);
   if (!emcy || !how) return context.skip("1014h is invalid");
@@ -79,17 +82,17 @@ void tells_unexpected_length(Context& context) {
   context.session().drain();
   how->raise();
   if (!wait_for_emergency(context, *emcy, kEmergencyPatience))
-    context.fail(kOverflow, 0, "an emergency message for a SYNC of unexpected length", "none");
+    context.fail(object::kSyncOverflow, 0, "an emergency message for a SYNC of unexpected length", "none");
   how->end();
 }
 
 /// Sets bit 31 of 1012h: the node consumes TIME. Nothing, and the check is skipped, where it does not.
 std::optional<std::uint32_t> consume_time(Context& context) {
-  if (!context.need(kCobIdTime)) return std::nullopt;
-  const std::optional<std::uint64_t> now = context.number(kCobIdTime);
+  if (!context.need(object::kCobIdTime)) return std::nullopt;
+  const std::optional<std::uint64_t> now = context.number(object::kCobIdTime);
   if (!now) return std::nullopt;
   const std::uint32_t consuming = static_cast<std::uint32_t>(*now) | kInvalid;
-  const SdoAnswer answer = context.write_number(kCobIdTime, 0, consuming);
+  const SdoAnswer answer = context.write_number(object::kCobIdTime, 0, consuming);
   if (answer.done()) return consuming;
   context.skip("the node does not consume TIME: 1012h with bit 31 is answered with " + to_text(answer));
   return std::nullopt;
@@ -99,8 +102,9 @@ void time_cob_id_is_locked(Context& context) {
   const std::optional<std::uint32_t> cob_id = consume_time(context);
   if (!cob_id) return;
   context.step();
-  context.expect_abort(context.write_number(kCobIdTime, 0, kInvalid | kOtherFree), {kDeviceState, kInvalidValue},
-                       kCobIdTime, 0, fmt::format("identifier {:X}h while it consumes TIME", kOtherFree));
+  context.expect_abort(context.write_number(object::kCobIdTime, 0, kInvalid | kOtherFree),
+                       {kDeviceState, kInvalidValue}, object::kCobIdTime, 0,
+                       fmt::format("identifier {:X}h while it consumes TIME", kOtherFree));
 }
 
 void time_does_no_harm(Context& context) {
@@ -112,7 +116,7 @@ void time_does_no_harm(Context& context) {
   for (std::uint8_t length = 0; length <= kLongest; ++length)
     session.send({.id = *cob_id & kStandardBits, .length = length, .data = {0x00, 0x5C, 0x26, 0x05, 0xC9, 0x3A}});
   if (!context.expect_state(canopen::NmtState::PreOperational, "time stamps of 0 to 8 bytes")) return;
-  (void)context.number(kCobIdTime);
+  (void)context.number(object::kCobIdTime);
 }
 
 constexpr std::array kChecks{

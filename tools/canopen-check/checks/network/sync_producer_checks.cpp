@@ -5,11 +5,11 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/process_data.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kCobIdSync = 0x1005, kCyclePeriod = 0x1006, kOverflow = 0x1019;
 constexpr std::uint32_t kInvalidValue = 0x06090030, kDeviceState = 0x08000022;
 constexpr std::uint64_t kPeriod = 20'000;  // us
 constexpr canopen::Duration kPeriodTime = std::chrono::microseconds{kPeriod};
@@ -18,17 +18,17 @@ constexpr int kPeriods = 10;
 /// Lets the node produce SYNC with @p counter as overflow value of its counter, where it has one: the identifier.
 /// Nothing, and the check is skipped, where it does not.
 std::optional<std::uint32_t> produce(Context& context, std::uint64_t counter = 0) {
-  if (!context.need(kCobIdSync) || !context.need(kCyclePeriod)) return std::nullopt;
-  if (counter != 0 && !context.need(kOverflow)) return std::nullopt;
+  if (!context.need(object::kCobIdSync) || !context.need(object::kCyclePeriod)) return std::nullopt;
+  if (counter != 0 && !context.need(object::kSyncOverflow)) return std::nullopt;
   const std::uint32_t identifier = sync_identifier(context);
-  if (!context.set(kCyclePeriod, 0, 0)) return std::nullopt;
-  const SdoAnswer answer = context.write_number(kCobIdSync, 0, kBit30 | identifier);
+  if (!context.set(object::kCyclePeriod, 0, 0)) return std::nullopt;
+  const SdoAnswer answer = context.write_number(object::kCobIdSync, 0, kBit30 | identifier);
   if (!answer.done()) {
     context.skip("the node produces no SYNC: 1005h with bit 30 is answered with " + to_text(answer));
     return std::nullopt;
   }
-  if (counter != 0 && !context.set(kOverflow, 0, counter)) return std::nullopt;
-  if (!context.set(kCyclePeriod, 0, kPeriod)) return std::nullopt;
+  if (counter != 0 && !context.set(object::kSyncOverflow, 0, counter)) return std::nullopt;
+  if (!context.set(object::kCyclePeriod, 0, kPeriod)) return std::nullopt;
   context.session().drain();
   return identifier;
 }
@@ -44,23 +44,24 @@ void keeps_its_period(Context& context) {
   const std::vector<TimedFrame> frames = syncs(context, *identifier);
   const std::string expected = "a SYNC every " + milliseconds(kPeriodTime);
   if (frames.size() < 2)
-    return context.fail(kCyclePeriod, 0, expected, fmt::format("{} in {} periods", frames.size(), kPeriods));
+    return context.fail(object::kCyclePeriod, 0, expected,
+                        fmt::format("{} in {} periods", frames.size(), kPeriods));
   const canopen::Duration mean =
       (frames.back().time - frames.front().time) / static_cast<canopen::Duration::rep>(frames.size() - 1);
   context.note("SYNC: mean period " + milliseconds(mean));
   if (!context.about(mean, kPeriodTime))
-    context.fail(kCyclePeriod, 0, expected, "one every " + milliseconds(mean));
+    context.fail(object::kCyclePeriod, 0, expected, "one every " + milliseconds(mean));
 }
 
 void ends(Context& context) {
   const std::optional<std::uint32_t> identifier = produce(context);
   if (!identifier) return;
   if (syncs(context, *identifier).empty()) return context.skip("there is no SYNC to be ended");
-  if (!context.set(kCyclePeriod, 0, 0)) return;
+  if (!context.set(object::kCyclePeriod, 0, 0)) return;
   context.session().drain();
   const std::size_t found = syncs(context, *identifier).size();
   if (found != 0)
-    context.fail(kCyclePeriod, 0, "no SYNC after 0 is written to 1006h", fmt::format("{} SYNCs", found));
+    context.fail(object::kCyclePeriod, 0, "no SYNC after 0 is written to 1006h", fmt::format("{} SYNCs", found));
 }
 
 void is_silent_in_stopped(Context& context) {
@@ -71,7 +72,7 @@ void is_silent_in_stopped(Context& context) {
   context.session().pass(kPeriodTime);
   context.step();
   const std::size_t found = syncs(context, *identifier).size();
-  if (found != 0) context.fail(kCobIdSync, 0, "no SYNC in Stopped", fmt::format("{} SYNCs", found));
+  if (found != 0) context.fail(object::kCobIdSync, 0, "no SYNC in Stopped", fmt::format("{} SYNCs", found));
 }
 
 void counts(Context& context) {
@@ -85,21 +86,21 @@ void counts(Context& context) {
   for (const TimedFrame& each : frames) {
     const bool right = each.frame.length == 1 && each.frame.data[0] == expected && expected >= 1;
     if (!right)
-      return context.fail(kOverflow, 0, fmt::format("a SYNC with counter {}", expected),
+      return context.fail(object::kSyncOverflow, 0, fmt::format("a SYNC with counter {}", expected),
                           fmt::format("{} bytes, counter {}", each.frame.length, each.frame.data[0]));
     expected = expected == kCounter ? std::uint8_t{1} : static_cast<std::uint8_t>(expected + 1);
   }
 }
 
 void has_no_counter(Context& context) {
-  if (context.eds().has(kOverflow) && !context.set(kOverflow, 0, 0)) return;
+  if (context.eds().has(object::kSyncOverflow) && !context.set(object::kSyncOverflow, 0, 0)) return;
   const std::optional<std::uint32_t> identifier = produce(context);
   if (!identifier) return;
   context.step();
   const std::vector<TimedFrame> frames = syncs(context, *identifier);
   const auto wrong = std::ranges::find_if(frames, [](const TimedFrame& each) { return each.frame.length != 0; });
   if (wrong != frames.end())
-    context.fail(kOverflow, 0, "a SYNC without data while 1019h is 0",
+    context.fail(object::kSyncOverflow, 0, "a SYNC without data while 1019h is 0",
                  fmt::format("{} bytes", wrong->frame.length));
 }
 
@@ -108,8 +109,8 @@ void is_locked(Context& context) {
   const std::optional<std::uint32_t> identifier = produce(context);
   if (!identifier) return;
   context.step();
-  context.expect_abort(context.write_number(kCobIdSync, 0, kBit30 | kFree), {kDeviceState, kInvalidValue},
-                       kCobIdSync, 0, "another identifier while SYNC is produced");
+  context.expect_abort(context.write_number(object::kCobIdSync, 0, kBit30 | kFree), {kDeviceState, kInvalidValue},
+                       object::kCobIdSync, 0, "another identifier while SYNC is produced");
 }
 
 constexpr std::array kChecks{

@@ -5,11 +5,11 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kDeviceType = 0x1000, kIdentity = 0x1018;
 constexpr std::uint8_t kStructure = 0xFF;  // sub-index
 /// Uploads without an answer in a row, after which the rest of the objects is left.
 constexpr int kMostSilent = 3;
@@ -25,14 +25,15 @@ std::vector<std::uint16_t> all_objects(const Context& context) {
 
 /// Answers to one upload of 1000h:00; those that come late to others are none of them.
 std::size_t answers_to_one_request(Context& context) {
-  const auto belongs = [match = SdoMatch{context.sdo().request(kInitiateUpload, kDeviceType), std::nullopt},
+  const auto belongs = [match =
+                            SdoMatch{context.sdo().request(kInitiateUpload, object::kDeviceType), std::nullopt},
                         is_response = under(context.sdo().response_identifier())](const canopen::Frame& frame) {
     return is_response(frame) && match.fits(frame);
   };
   Session& session = context.session();
   session.drain();
   context.step();
-  session.send(context.sdo().request(kInitiateUpload, kDeviceType));
+  session.send(context.sdo().request(kInitiateUpload, object::kDeviceType));
   if (!session.wait_for(belongs, context.sdo().patience())) return 0;
   return 1 + session.collect(belongs, kQuiet).size();
 }
@@ -57,10 +58,11 @@ void has_the_identity_of_the_eds(Context& context) {
   };
   for (const Part& part : {Part{1, "VendorNumber", facts.vendor}, Part{2, "ProductNumber", facts.product},
                            Part{3, "RevisionNumber", facts.revision}}) {
-    if (!part.stated || context.eds().find(kIdentity, part.sub_index) == nullptr) continue;
-    const std::optional<std::uint64_t> value = context.number(kIdentity, part.sub_index);
+    if (!part.stated || context.eds().find(object::kIdentity, part.sub_index) == nullptr) continue;
+    const std::optional<std::uint64_t> value = context.number(object::kIdentity, part.sub_index);
     if (value && *value != *part.stated)
-      context.fail(kIdentity, part.sub_index, fmt::format("{:08X}h, {} of the EDS", *part.stated, part.name),
+      context.fail(object::kIdentity, part.sub_index,
+                   fmt::format("{:08X}h, {} of the EDS", *part.stated, part.name),
                    fmt::format("{:08X}h: the EDS may be of another device", *value));
   }
 }

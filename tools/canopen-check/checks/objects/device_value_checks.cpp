@@ -6,13 +6,13 @@
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 using canopen::AbortCode;
 
-constexpr std::uint16_t kStore = 0x1010, kRestore = 0x1011;
 constexpr int kMostSilent = 3;
 
 /// Uploads every entry that the EDS calls readable and @p concerns, and hands entry and answer to @p judge. Stops
@@ -112,16 +112,17 @@ void keeps_its_constants(Context& context) {
 
 void has_the_defaults_of_the_eds(Context& context) {
   constexpr std::uint64_t kLoad = 0x64616F6C;  // "load"
-  if (!context.need(kRestore, 1)) return;
+  if (!context.need(object::kRestoreParameters, 1)) return;
   context.step();
-  const SdoAnswer loaded = context.sdo().download(kRestore, 1, little_endian(kLoad, 4));
-  if (!loaded.done()) return context.fail(kRestore, 1, "\"load\" is taken", to_text(loaded));
+  const SdoAnswer loaded = context.sdo().download(object::kRestoreParameters, 1, little_endian(kLoad, 4));
+  if (!loaded.done()) return context.fail(object::kRestoreParameters, 1, "\"load\" is taken", to_text(loaded));
   if (!context.restart(canopen::NmtCommand::ResetNode)) return;
   // Entries that are read only change by themselves: inputs, states.
   for_each_value(
       context,
       [](const EntryFacts& entry) {
-        return has_initial(entry) && entry.writable() && entry.index != kStore && entry.index != kRestore;
+        return has_initial(entry) && entry.writable() && entry.index != object::kStoreParameters &&
+               entry.index != object::kRestoreParameters;
       },
       [&](const EntryFacts& entry, const SdoAnswer& answer) { expect_initial(context, entry, answer); });
   context.note("values that the node had stored are replaced by the defaults; save the ones wanted again");
@@ -129,7 +130,8 @@ void has_the_defaults_of_the_eds(Context& context) {
 
 /// Objects that are written in an order of their own, or by a word.
 bool written_by_procedure(std::uint16_t index) {
-  return index == kStore || index == kRestore || eds::is_mapping_parameter(index);
+  return index == object::kStoreParameters || index == object::kRestoreParameters ||
+         eds::is_mapping_parameter(index);
 }
 
 void takes_its_own_values(Context& context) {

@@ -6,11 +6,12 @@
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/stored_values.hpp"
 #include "tools/canopen-check/core/run/context.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kAxisDistance = 0x800, kAxes = 8;
+constexpr std::uint16_t kAxes = 8;
 constexpr std::uint16_t kControlword = 0x6040, kStatusword = 0x6041, kMode = 0x6060, kModeDisplay = 0x6061,
                         kSupportedModes = 0x6502;
 

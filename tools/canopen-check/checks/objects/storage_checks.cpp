@@ -26,7 +26,7 @@ std::vector<std::uint8_t> groups_of(Context& context, std::uint16_t index) {
 }
 
 void tells_its_capabilities(Context& context) {
-  if (!context.need(kStore, kAll)) return;
+  if (!context.need(object::kStoreParameters, kAll)) return;
   const auto judge = [&](std::uint16_t index, std::uint64_t allowed, const char* bits) {
     for (const std::uint8_t group : groups_of(context, index)) {
       context.step();
@@ -36,13 +36,14 @@ void tells_its_capabilities(Context& context) {
                      fmt::format("{:08X}h", answer.number()));
     }
   };
-  judge(kStore, 3, "0 and 1");
-  if (context.eds().empty() || context.eds().has(kRestore)) judge(kRestore, 1, "0");
+  judge(object::kStoreParameters, 3, "0 and 1");
+  if (context.eds().empty() || context.eds().has(object::kRestoreParameters))
+    judge(object::kRestoreParameters, 1, "0");
 }
 
 void refuses_other_signatures(Context& context) {
-  if (!context.need(kStore, kAll)) return;
-  for (const std::uint16_t index : {kStore, kRestore}) {
+  if (!context.need(object::kStoreParameters, kAll)) return;
+  for (const std::uint16_t index : {object::kStoreParameters, object::kRestoreParameters}) {
     if (!context.eds().empty() && !context.eds().has(index)) continue;
     context.step();
     context.expect_abort(
@@ -53,12 +54,12 @@ void refuses_other_signatures(Context& context) {
 }
 
 void saves_each_group(Context& context) {
-  if (!context.need(kStore, kCommunication)) return;
-  for (const std::uint8_t group : groups_of(context, kStore)) {
-    if (group == kAll || (context.read(kStore, group).number() & 1U) == 0) continue;
+  if (!context.need(object::kStoreParameters, kCommunication)) return;
+  for (const std::uint8_t group : groups_of(context, object::kStoreParameters)) {
+    if (group == kAll || (context.read(object::kStoreParameters, group).number() & 1U) == 0) continue;
     context.step();
-    if (const SdoAnswer answer = order(context, kStore, group, kSave); !answer.done())
-      context.fail(kStore, group, "the group can be saved", to_text(answer));
+    if (const SdoAnswer answer = order(context, object::kStoreParameters, group, kSave); !answer.done())
+      context.fail(object::kStoreParameters, group, "the group can be saved", to_text(answer));
   }
 }
 
@@ -68,27 +69,27 @@ void expect_value(Context& context, const StoredValue& value, const SdoAnswer& w
   context.step();
   const SdoAnswer now = context.read(value.index, value.sub_index);
   if (now.data != wanted.data)
-    context.fail(kStore, group,
+    context.fail(object::kStoreParameters, group,
                  fmt::format("{} is {} {}", to_text(Subject{value.index, value.sub_index}),
                              hexadecimal(wanted.data), after),
                  now.done() ? hexadecimal(now.data) : to_text(now));
 }
 
 void saves_what_it_works_with(Context& context) {
-  if (!context.need(kStore, kAll)) return;
+  if (!context.need(object::kStoreParameters, kAll)) return;
   const auto value = communication_value(context);
   if (!value) return context.skip("no communication parameter is known that can be changed for the test");
   const StorageGuard guard{context, {*value}};
   const SdoAnswer wanted = alter(context, *value);
   context.step();
-  if (const SdoAnswer answer = order(context, kStore, kAll, kSave); !answer.done())
-    return context.fail(kStore, kAll, "everything can be saved", to_text(answer));
+  if (const SdoAnswer answer = order(context, object::kStoreParameters, kAll, kSave); !answer.done())
+    return context.fail(object::kStoreParameters, kAll, "everything can be saved", to_text(answer));
   if (!restart(context)) return;
   expect_value(context, *value, wanted, kAll, "after save and reset");
 }
 
 void saves_groups_by_themselves(Context& context) {
-  if (!context.need(kStore, kApplication)) return;
+  if (!context.need(object::kStoreParameters, kApplication)) return;
   const auto communication = communication_value(context), application = application_value(context);
   if (!communication || !application)
     return context.skip("no parameters are known that can be changed for the test");
@@ -96,14 +97,14 @@ void saves_groups_by_themselves(Context& context) {
   const SdoAnswer old = context.read(application->index, application->sub_index);
   const SdoAnswer first = alter(context, *communication);
   (void)alter(context, *application);
-  if (const SdoAnswer answer = order(context, kStore, kCommunication, kSave); !answer.done())
+  if (const SdoAnswer answer = order(context, object::kStoreParameters, kCommunication, kSave); !answer.done())
     return context.skip("1010h:02 is refused: " + to_text(answer));
   if (!restart(context)) return;
   expect_value(context, *communication, first, kCommunication, "after 1010h:02 and reset");
   expect_value(context, *application, old, kCommunication, "after 1010h:02 and reset, as before");
   const SdoAnswer second = alter(context, *application);
   (void)alter(context, *communication);
-  if (const SdoAnswer answer = order(context, kStore, kApplication, kSave); !answer.done())
+  if (const SdoAnswer answer = order(context, object::kStoreParameters, kApplication, kSave); !answer.done())
     return context.skip("1010h:03 is refused: " + to_text(answer));
   if (!restart(context)) return;
   expect_value(context, *application, second, kApplication, "after 1010h:03 and reset");
@@ -111,25 +112,27 @@ void saves_groups_by_themselves(Context& context) {
 }
 
 void loads_with_the_next_reset(Context& context) {
-  if (!context.need(kRestore, kAll)) return;
+  if (!context.need(object::kRestoreParameters, kAll)) return;
   const auto value = communication_value(context);
   if (!value) return context.skip("no communication parameter is known that can be changed for the test");
   const StorageGuard guard{context, {*value}};
   const SdoAnswer changed = alter(context, *value);
-  if (const SdoAnswer answer = order(context, kStore, kAll, kSave); !answer.done())
+  if (const SdoAnswer answer = order(context, object::kStoreParameters, kAll, kSave); !answer.done())
     return context.skip("1010h:01 is refused: " + to_text(answer));
   context.step();
-  if (const SdoAnswer answer = order(context, kRestore, kAll, kLoad); !answer.done())
-    return context.fail(kRestore, kAll, "factory settings can be loaded", to_text(answer));
+  if (const SdoAnswer answer = order(context, object::kRestoreParameters, kAll, kLoad); !answer.done())
+    return context.fail(object::kRestoreParameters, kAll, "factory settings can be loaded", to_text(answer));
   const std::string name = to_text(Subject{value->index, value->sub_index});
   const SdoAnswer before = context.read(value->index, value->sub_index);
   if (before.data != changed.data)
-    context.fail(kRestore, kAll, fmt::format("{} is {} until the reset", name, hexadecimal(changed.data)),
+    context.fail(object::kRestoreParameters, kAll,
+                 fmt::format("{} is {} until the reset", name, hexadecimal(changed.data)),
                  hexadecimal(before.data));
   if (!restart(context)) return;
   const SdoAnswer after = context.read(value->index, value->sub_index);
   if (after.data == changed.data)
-    context.fail(kRestore, kAll, fmt::format("{} has its factory value after load and reset", name),
+    context.fail(object::kRestoreParameters, kAll,
+                 fmt::format("{} has its factory value after load and reset", name),
                  fmt::format("{}, which was saved before", hexadecimal(after.data)));
 }
 

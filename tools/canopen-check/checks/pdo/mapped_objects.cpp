@@ -4,6 +4,7 @@
 
 #include "tools/canopen-check/checks/pdo/pdo_tools.hpp"
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
@@ -121,13 +122,12 @@ std::vector<TimedFrame> frames_since(Context& context, std::size_t mark, std::ui
 }
 
 SyncSource::SyncSource(Context& context) : session_{&context.session()} {
-  constexpr std::uint16_t kSync = 0x1005, kOverflow = 0x1019;
   const auto has = [&](std::uint16_t index) { return context.eds().empty() || context.eds().has(index); };
-  if (has(kSync))
-    if (const SdoAnswer cob_id = context.read(kSync); cob_id.done())
+  if (has(object::kCobIdSync))
+    if (const SdoAnswer cob_id = context.read(object::kCobIdSync); cob_id.done())
       identifier_ = static_cast<std::uint32_t>(cob_id.number()) & 0x7FFU;
-  if (has(kOverflow))
-    if (const SdoAnswer overflow = context.read(kOverflow); overflow.done())
+  if (has(object::kSyncOverflow))
+    if (const SdoAnswer overflow = context.read(object::kSyncOverflow); overflow.done())
       overflow_ = static_cast<std::uint8_t>(overflow.number());
 }
 

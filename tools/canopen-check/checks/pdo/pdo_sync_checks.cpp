@@ -8,6 +8,7 @@
 #include "tools/canopen-check/checks/pdo/pdo_tools.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/finding_limit.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
@@ -104,15 +105,14 @@ void type_0_waits_for_an_event(Context& context) {
 }
 
 void begins_with_the_start_value(Context& context) {
-  constexpr std::uint16_t kOverflow = 0x1019;
   constexpr std::uint8_t kStart = 3;
-  if (!context.need(kOverflow)) return;
+  if (!context.need(object::kSyncOverflow)) return;
   const auto pdo = test_pdo(context, PdoDirection::Transmit);
   if (!pdo) return;
   if (!has_parameter(context, *pdo, kSyncStartSub))
     return context.skip(fmt::format("object {} is not there", to_text(Subject{pdo->parameters(), kSyncStartSub})));
   if (!set_up(context, *pdo, {.type = 1, .inhibit_time = 0, .event_timer = 0, .sync_start = kStart})) return;
-  if (const SdoAnswer answer = context.write_number(kOverflow, 0, 10); !answer.done())
+  if (const SdoAnswer answer = context.write_number(object::kSyncOverflow, 0, 10); !answer.done())
     return context.skip("1019h cannot be set: " + to_text(answer));
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};

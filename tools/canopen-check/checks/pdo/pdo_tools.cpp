@@ -5,15 +5,16 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kPdoNumbers = 512, kReceive = 0x1400, kTransmit = 0x1800;
+constexpr std::uint16_t kPdoNumbers = 512;
 constexpr std::uint16_t kPredefined = 4;
 
 std::uint16_t first_index(PdoDirection direction) noexcept {
-  return direction == PdoDirection::Receive ? kReceive : kTransmit;
+  return direction == PdoDirection::Receive ? object::kRpdoParameter : object::kTpdoParameter;
 }
 
 /// Writes a parameter of @p pdo; the check is skipped where it is refused.

@@ -4,28 +4,28 @@
 
 #include "tools/canopen-check/checks/sdo/block_client.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 using canopen::AbortCode;
 
-constexpr std::uint16_t kDeviceType = 0x1000;
 constexpr std::uint8_t kRequest = 0xA0;
 
 /// False, and the check is skipped, where the server has no block transfer.
 bool has_block_transfer(Context& context) {
-  const SdoAnswer answer = ask(context, context.sdo().request(kRequest, kDeviceType, 0, 1));
+  const SdoAnswer answer = ask(context, context.sdo().request(kRequest, object::kDeviceType, 0, 1));
   if (answer.aborted() && answer.abort_code == number_of(AbortCode::CommandSpecifierInvalid)) {
     context.skip("block transfer is refused with 05040001h");
     return false;
   }
-  context.sdo().abort(kDeviceType, 0, number_of(AbortCode::GeneralError));
+  context.sdo().abort(object::kDeviceType, 0, number_of(AbortCode::GeneralError));
   return true;
 }
 
 Target device_type(Context& context) {
-  return {kDeviceType, 0, context.read(kDeviceType).data};
+  return {object::kDeviceType, 0, context.read(object::kDeviceType).data};
 }
 
 /// A finding unless a block upload of @p target gives its value.
@@ -66,11 +66,11 @@ void refuses_block_sizes(Context& context) {
   for (const int size : {0, 128}) {
     context.step();
     const SdoAnswer answer =
-        ask(context, context.sdo().request(kRequest, kDeviceType, 0, static_cast<std::uint32_t>(size)));
+        ask(context, context.sdo().request(kRequest, object::kDeviceType, 0, static_cast<std::uint32_t>(size)));
     context.expect_abort(answer,
                          {number_of(AbortCode::InvalidBlockSize), number_of(AbortCode::CommandSpecifierInvalid)},
-                         kDeviceType, 0, fmt::format("a block upload in sub-blocks of {}", size));
-    if (!answer.aborted()) context.sdo().abort(kDeviceType, 0, number_of(AbortCode::InvalidBlockSize));
+                         object::kDeviceType, 0, fmt::format("a block upload in sub-blocks of {}", size));
+    if (!answer.aborted()) context.sdo().abort(object::kDeviceType, 0, number_of(AbortCode::InvalidBlockSize));
   }
 }
 
@@ -80,7 +80,7 @@ void refuses_confirmations(Context& context) {
   const SdoAnswer answer = block_upload(context, device_type(context), {.confirmed_as = kTooMany});
   context.expect_abort(
       answer, {number_of(AbortCode::InvalidSequenceNumber), number_of(AbortCode::CommandSpecifierInvalid)},
-      kDeviceType, 0, "a confirmation of segment 128");
+      object::kDeviceType, 0, "a confirmation of segment 128");
 }
 
 void repeats_lost_segments(Context& context) {
@@ -101,11 +101,11 @@ void switches_protocols(Context& context) {
 void survives_aborts(Context& context) {
   if (!has_block_transfer(context)) return;
   context.step();
-  (void)ask(context, context.sdo().request(kRequest, kDeviceType, 0, 1));
-  context.sdo().abort(kDeviceType, 0, number_of(AbortCode::GeneralError));
+  (void)ask(context, context.sdo().request(kRequest, object::kDeviceType, 0, 1));
+  context.sdo().abort(object::kDeviceType, 0, number_of(AbortCode::GeneralError));
   const auto frames = context.session().collect(under(context.sdo().response_identifier()), kQuiet);
   if (!frames.empty())
-    context.fail(kDeviceType, 0, "no answer to an abort of the client in a block upload",
+    context.fail(object::kDeviceType, 0, "no answer to an abort of the client in a block upload",
                  to_text(answer_of(frames.front().frame)));
   expect_service(context, "a block upload that the client aborted");
 }

@@ -7,14 +7,13 @@
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 using canopen::AbortCode;
 
-constexpr std::uint16_t kDeviceType = 0x1000, kReserved = 0x1004, kServer = 0x1200;
-constexpr std::uint16_t kPdosBegin = 0x1400, kPdosEnd = 0x1C00;
 constexpr int kMostSilent = 3;
 
 /// Calls @p judge for every entry of the EDS that @p concerns, until the session has ended or @p judge says that
@@ -64,21 +63,22 @@ void refuses_to_read_write_only(Context& context) {
 }
 
 void refuses_absent_sub_indices(Context& context) {
-  context.expect_abort(context.read(kDeviceType, 1), {number_of(AbortCode::NoSubIndex)}, kDeviceType, 1,
-                       "reading it");
+  context.expect_abort(context.read(object::kDeviceType, 1), {number_of(AbortCode::NoSubIndex)},
+                       object::kDeviceType, 1, "reading it");
 }
 
 void refuses_absent_objects(Context& context) {
   // CiA 301 reserves 1004h.
-  context.expect_abort(context.read(kReserved), {number_of(AbortCode::NoObject)}, kReserved, 0, "reading it");
+  context.expect_abort(context.read(object::kReserved), {number_of(AbortCode::NoObject)}, object::kReserved, 0,
+                       "reading it");
 }
 
 void refuses_unknown_commands(Context& context) {
   constexpr std::array<std::uint8_t, 3> kUnknown{0xE0, 0xE3, 0xFF};  // client command specifier 7 is not assigned
   for (const std::uint8_t command : kUnknown) {
     context.step();
-    context.expect_abort(ask(context, context.sdo().request(command, kDeviceType)),
-                         {number_of(AbortCode::CommandSpecifierInvalid)}, kDeviceType, 0,
+    context.expect_abort(ask(context, context.sdo().request(command, object::kDeviceType)),
+                         {number_of(AbortCode::CommandSpecifierInvalid)}, object::kDeviceType, 0,
                          fmt::format("a request that begins with {:02X}h", command));
   }
 }
@@ -137,7 +137,7 @@ void expect_limit_abort(Context& context, bool above) {
       [&](const EntryFacts& entry) {
         return entry.writable() && entry.numeric() && limit(entry) && beyond(*limit(entry), entry, above) &&
                eds::find_cob_id(entry.index, entry.sub_index) == nullptr &&
-               (entry.index < kPdosBegin || entry.index >= kPdosEnd) &&
+               (entry.index < object::kRpdoParameter || entry.index >= object::kPdosEnd) &&
                write_refusal(entry, context.settings()) == nullptr;
       },
       [&](const EntryFacts& entry) {
@@ -160,15 +160,16 @@ void refuses_below_low_limits(Context& context) {
 }
 
 void has_its_own_identifiers(Context& context) {
-  if (!context.need(kServer, 1)) return;
+  if (!context.need(object::kSdoServer, 1)) return;
   const std::array wanted{context.sdo().request_identifier(), context.sdo().response_identifier()};
   for (std::uint8_t sub = 1; sub <= 2; ++sub) {
-    const std::optional<std::uint64_t> value = context.number(kServer, sub);
+    const std::optional<std::uint64_t> value = context.number(object::kSdoServer, sub);
     if (value && *value != wanted[sub - 1U])
-      context.fail(kServer, sub, fmt::format("{:08X}h", wanted[sub - 1U]), fmt::format("{:08X}h", *value));
-    const EntryFacts* const facts = context.eds().find(kServer, sub);
+      context.fail(object::kSdoServer, sub, fmt::format("{:08X}h", wanted[sub - 1U]),
+                   fmt::format("{:08X}h", *value));
+    const EntryFacts* const facts = context.eds().find(object::kSdoServer, sub);
     if (facts != nullptr && facts->writable())
-      context.fail(kServer, sub, "an EDS that calls it ro or const", "one that calls it writable");
+      context.fail(object::kSdoServer, sub, "an EDS that calls it ro or const", "one that calls it writable");
   }
 }
 

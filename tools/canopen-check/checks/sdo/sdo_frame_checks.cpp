@@ -4,13 +4,12 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 using canopen::AbortCode;
-
-constexpr std::uint16_t kDeviceType = 0x1000, kReserved = 0x1004;
 
 /// A finding for every frame of the server that comes within kQuiet; @p request tells what went before.
 void expect_quiet(Context& context, const std::string& request) {
@@ -21,7 +20,7 @@ void expect_quiet(Context& context, const std::string& request) {
 void refuses_segments_of_no_transfer(Context& context) {
   for (const std::uint8_t command : {kUploadSegment, kDownloadSegment}) {
     context.step();
-    context.sdo().abort(kDeviceType, 0, number_of(AbortCode::GeneralError));
+    context.sdo().abort(object::kDeviceType, 0, number_of(AbortCode::GeneralError));
     context.session().pass(kQuiet);  // that an abort is answered is a matter of sdo.client-abort
     const SdoAnswer answer = ask(context, context.sdo().request(command));
     const bool refused = answer.aborted() && answer.abort_code == number_of(AbortCode::CommandSpecifierInvalid);
@@ -47,13 +46,14 @@ bool begin(Context& context, Target& target) {
 void begins_anew(Context& context) {
   Target target;
   if (!begin(context, target)) return;
-  const SdoAnswer answer = context.read(kDeviceType);
-  if (!answer.done()) context.fail(kDeviceType, 0, "a new transfer in the middle of another one", to_text(answer));
+  const SdoAnswer answer = context.read(object::kDeviceType);
+  if (!answer.done())
+    context.fail(object::kDeviceType, 0, "a new transfer in the middle of another one", to_text(answer));
 }
 
 void is_silent_to_aborts(Context& context) {
   context.step();
-  context.sdo().abort(kDeviceType, 0, number_of(AbortCode::GeneralError));
+  context.sdo().abort(object::kDeviceType, 0, number_of(AbortCode::GeneralError));
   expect_quiet(context, "an abort of the client");
   Target target;
   if (!begin(context, target)) return;
@@ -76,11 +76,11 @@ void expect_named(Context& context, const std::optional<canopen::Frame>& frame, 
 
 void names_the_entry_in_aborts(Context& context) {
   context.step();
-  expect_named(context, context.sdo().exchange_any(context.sdo().request(kInitiateUpload, kDeviceType, 1)),
-               kDeviceType, 1);
+  expect_named(context, context.sdo().exchange_any(context.sdo().request(kInitiateUpload, object::kDeviceType, 1)),
+               object::kDeviceType, 1);
   context.step();
-  expect_named(context, context.sdo().exchange_any(context.sdo().request(kInitiateUpload, kReserved)), kReserved,
-               0);
+  expect_named(context, context.sdo().exchange_any(context.sdo().request(kInitiateUpload, object::kReserved)),
+               object::kReserved, 0);
   Target target;
   if (!begin(context, target)) return;
   expect_named(context, context.sdo().exchange_any(context.sdo().request(kUploadSegment | kToggleBit)),
@@ -93,8 +93,8 @@ void aborts_once(Context& context) {
     const char* text;
   };
   for (const Error& error :
-       {Error{context.sdo().request(kInitiateUpload, kReserved), "a request for 1004h"},
-        Error{context.sdo().request(kInitiateUpload, kDeviceType, 1), "a request for 1000h:01"}}) {
+       {Error{context.sdo().request(kInitiateUpload, object::kReserved), "a request for 1004h"},
+        Error{context.sdo().request(kInitiateUpload, object::kDeviceType, 1), "a request for 1000h:01"}}) {
     context.step();
     (void)context.sdo().exchange(error.request);
     expect_quiet(context, fmt::format("{} beyond the first one", error.text));
@@ -119,7 +119,7 @@ void bears_short_requests(Context& context) {
   std::string answered;
   for (std::uint8_t length = 0; length < 8; ++length) {
     context.step();
-    canopen::Frame frame = context.sdo().request(kInitiateUpload, kDeviceType);
+    canopen::Frame frame = context.sdo().request(kInitiateUpload, object::kDeviceType);
     frame.length = length;
     context.session().send(frame);
     if (!context.session().collect(under(context.sdo().response_identifier()), kQuiet).empty())
@@ -139,13 +139,12 @@ void ignores_remote_frames(Context& context) {
 }
 
 void ignores_requests_to_others(Context& context) {
-  constexpr std::uint32_t kRequests = 0x600;
   constexpr std::uint8_t kHighestNode = 127;
   context.step();
-  canopen::Frame frame = context.sdo().request(kInitiateUpload, kDeviceType);
+  canopen::Frame frame = context.sdo().request(kInitiateUpload, object::kDeviceType);
   for (std::uint8_t node = 1; node <= kHighestNode; ++node) {
     if (node == context.session().node_id()) continue;
-    frame.id = kRequests + node;
+    frame.id = function_code::kSdoRequest + node;
     context.session().send(frame);
   }
   expect_quiet(context, "requests to all other nodes");
@@ -154,12 +153,13 @@ void ignores_requests_to_others(Context& context) {
 void bears_two_requests_at_once(Context& context) {
   context.session().drain();
   context.step();
-  const canopen::Frame request = context.sdo().request(kInitiateUpload, kDeviceType);
+  const canopen::Frame request = context.sdo().request(kInitiateUpload, object::kDeviceType);
   context.session().send(request);
   context.session().send(request);
   int answers = 0;
   while (answers < 2 && context.sdo().listen(answers == 0 ? context.sdo().patience() : kQuiet)) ++answers;
-  if (answers == 0) context.fail(kDeviceType, 0, "an answer to the first or the second of two requests", "none");
+  if (answers == 0)
+    context.fail(object::kDeviceType, 0, "an answer to the first or the second of two requests", "none");
   context.note(fmt::format("{} of two requests at once are answered", answers));
   expect_service(context, "two requests at once");
 }

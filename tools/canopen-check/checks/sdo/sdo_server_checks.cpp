@@ -4,16 +4,16 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 using canopen::AbortCode;
 
-constexpr std::uint16_t kDeviceType = 0x1000, kFirst = 0x1201, kLast = 0x127F;
+constexpr std::uint16_t kFirst = 0x1201, kLast = 0x127F;
 // 680h to 6DFh belong to no service of the predefined connection set and are not restricted.
 constexpr std::uint32_t kFreeRequest = 0x6A0, kFreeResponse = 0x6A1;
-constexpr std::uint32_t kRequests = 0x600, kResponses = 0x580;
 
 /// The first further server of the EDS whose COB-IDs can be written; 0, and the check is skipped, without one.
 std::uint16_t further_server(Context& context) {
@@ -66,7 +66,8 @@ bool takes(Context& context, std::uint16_t server, const Channel& channel) {
 Channel enable(Context& context, std::uint16_t server) {
   if (!disable(context, server)) return {};
   const std::uint32_t other = context.session().node_id() == 127 ? 126 : context.session().node_id() + 1U;
-  const Channel free{kFreeRequest, kFreeResponse}, of_other{kRequests + other, kResponses + other};
+  const Channel free{kFreeRequest, kFreeResponse},
+      of_other{function_code::kSdoRequest + other, function_code::kSdoResponse + other};
   for (const Channel& channel : {free, of_other})
     if (takes(context, server, channel)) return channel;
   context.skip("the server takes no identifiers");  // sdo.server-identifiers
@@ -91,7 +92,7 @@ void serves_a_second_channel(Context& context) {
   if (channel.request == 0) return;
   SdoClient second = client_of(context, channel);
   context.step();
-  const SdoAnswer expected = context.read(kDeviceType), found = second.upload(kDeviceType, 0);
+  const SdoAnswer expected = context.read(object::kDeviceType), found = second.upload(object::kDeviceType, 0);
   if (!found.done() || found.data != expected.data)
     context.fail(server, 1, fmt::format("{} from 1000h under {:03X}h", to_text(expected), channel.response),
                  to_text(found));
@@ -105,11 +106,11 @@ void keeps_channels_apart(Context& context) {
   const Channel channel = enable(context, server);
   if (channel.request == 0) return;
   SdoClient second = client_of(context, channel);
-  const SdoAnswer expected = context.read(kDeviceType);
+  const SdoAnswer expected = context.read(object::kDeviceType);
   context.step();
   const SdoAnswer begun = ask(context, context.sdo().request(kInitiateUpload, target->index, target->sub_index));
   // 1000h, since a further server may show other objects than the first one.
-  const SdoAnswer between = second.upload(kDeviceType, 0);
+  const SdoAnswer between = second.upload(object::kDeviceType, 0);
   const SdoAnswer next = ask(context, context.sdo().request(kUploadSegment));
   context.sdo().abort(target->index, target->sub_index, number_of(AbortCode::GeneralError));
   if (between.kind == SdoAnswer::Kind::Silent) return;  // sdo.second-server
@@ -126,7 +127,7 @@ void falls_silent(Context& context) {
   const Channel channel = enable(context, server);
   if (channel.request == 0 || !context.set(server, 1, channel.request | kInvalid)) return;
   context.step();
-  context.session().send(client_of(context, channel).request(kInitiateUpload, kDeviceType));
+  context.session().send(client_of(context, channel).request(kInitiateUpload, object::kDeviceType));
   const auto frames = context.session().collect(under(channel.response), kQuiet);
   if (!frames.empty())
     context.fail(server, 1, "no answer of a server that bit 31 switches off",

@@ -5,13 +5,13 @@
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 using canopen::AbortCode;
 
-constexpr std::uint16_t kDeviceType = 0x1000;
 constexpr std::size_t kExpedited = 4, kSegment = 7;
 constexpr const char* kNoLongEntry = "no entry that can be read has more than four bytes";
 
@@ -26,7 +26,7 @@ void for_each_expedited(Context& context, Judge judge) {
     return answer.kind != SdoAnswer::Kind::Silent;
   };
   if (context.eds().empty()) {
-    (void)ask_for(kDeviceType, 0, kExpedited);
+    (void)ask_for(object::kDeviceType, 0, kExpedited);
     return;
   }
   for (const EntryFacts& entry : context.eds().entries()) {
@@ -85,8 +85,7 @@ std::optional<Target> begin_any_upload(Context& context) {
     const SdoAnswer answer = ask(context, context.sdo().request(kInitiateUpload, index, sub_index));
     return begins_with(answer, 0x40) || begins_with(answer, 0x41);
   };
-  constexpr std::uint16_t kFirstName = 0x1008, kLastName = 0x100A;
-  for (std::uint16_t index = kFirstName; index <= kLastName; ++index)
+  for (std::uint16_t index = object::kDeviceName; index <= object::kSoftwareVersion; ++index)
     if (begun(index, 0)) return Target{index, 0};
   for (const EntryFacts& entry : context.eds().entries()) {
     const bool text = entry.type != nullptr && !entry.numeric() && entry.readable() && !entry.no_read;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
@@ -114,7 +115,7 @@ bool harmless(Context& context, const ValidPdo& rpdo) {
 }
 
 std::optional<HarmlessRpdo> working_rpdo(Context& context) {
-  for (const ValidPdo& rpdo : valid_pdos(context, kFirstRpdo)) {
+  for (const ValidPdo& rpdo : valid_pdos(context, object::kRpdoParameter)) {
     if (!harmless(context, rpdo)) continue;
     const std::optional<HarmlessRpdo> made = frame_for(context, rpdo, 1);
     if (made && works(context, *made)) return made;
@@ -140,7 +141,7 @@ bool follows_sync(Context& context, const ValidPdo& tpdo, std::uint32_t identifi
 std::optional<ValidPdo> synchronous_tpdo(Context& context) {
   constexpr std::uint8_t kTransmissionType = 2;
   constexpr std::size_t kMostTried = 4;
-  std::vector<ValidPdo> tpdos = valid_pdos(context, kFirstTpdo);
+  std::vector<ValidPdo> tpdos = valid_pdos(context, object::kTpdoParameter);
   if (tpdos.size() > kMostTried) tpdos.resize(kMostTried);
   const std::uint32_t sync = sync_identifier(context);
   for (const ValidPdo& tpdo : tpdos) {
@@ -156,9 +157,8 @@ std::optional<ValidPdo> synchronous_tpdo(Context& context) {
 }
 
 std::uint32_t sync_identifier(Context& context) {
-  constexpr std::uint16_t kCobIdSync = 0x1005;
   constexpr std::uint32_t kDefault = 0x80;
-  const SdoAnswer cob_id = context.read(kCobIdSync);
+  const SdoAnswer cob_id = context.read(object::kCobIdSync);
   return cob_id.done() ? static_cast<std::uint32_t>(cob_id.number()) & kStandardBits : kDefault;
 }
 

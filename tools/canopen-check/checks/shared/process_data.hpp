@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/canopen-check/core/run/context.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 
@@ -14,10 +15,8 @@ struct ValidPdo {
   std::uint32_t identifier = 0;
 };
 
-inline constexpr std::uint16_t kFirstRpdo = 0x1400, kFirstTpdo = 0x1800;
-
-/// The valid PDOs of 11-bit identifiers whose parameters begin at @p first, kFirstRpdo or kFirstTpdo. Without an
-/// EDS the first four are looked at.
+/// The valid PDOs of 11-bit identifiers whose parameters begin at @p first, object::kRpdoParameter or
+/// object::kTpdoParameter. Without an EDS the first four are looked at.
 [[nodiscard]] std::vector<ValidPdo> valid_pdos(Context& context, std::uint16_t first);
 
 /// The PDO among @p pdos that @p frame carries, or null.

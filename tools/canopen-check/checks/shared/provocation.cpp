@@ -4,13 +4,12 @@
 
 #include "tools/canopen-check/checks/shared/process_data.hpp"
 #include "tools/canopen-check/checks/shared/stations.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kGuardTime = 0x100C, kLifeTimeFactor = 0x100D, kCobIdEmcy = 0x1014, kConsumers = 0x1016,
-                        kHeartbeatTime = 0x1017, kSyncOverflow = 0x1019;
-constexpr std::uint32_t kErrorControl = 0x700, kEmcy = 0x80, kStandardBits = 0x7FF;
+constexpr std::uint32_t kEmcy = 0x80, kStandardBits = 0x7FF;
 /// Time that a heartbeat or a guarding request may be missing, in ms.
 constexpr std::uint64_t kLife = 100;
 constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kLife};
@@ -24,8 +23,8 @@ bool answers_guarding(Context& context) {
   Session& session = context.session();
   if (!session.carries_remote_frames()) return false;
   session.drain();
-  session.send({.id = session.identifier(kErrorControl), .length = 1, .remote = true});
-  return session.wait_for(under(session.identifier(kErrorControl)), kLifeTime).has_value();
+  session.send({.id = session.identifier(function_code::kErrorControl), .length = 1, .remote = true});
+  return session.wait_for(under(session.identifier(function_code::kErrorControl)), kLifeTime).has_value();
 }
 
 std::uint16_t code_of(const canopen::Frame& frame) noexcept {
@@ -35,10 +34,10 @@ std::uint16_t code_of(const canopen::Frame& frame) noexcept {
 }  // namespace
 
 std::optional<std::uint32_t> emcy_identifier(Context& context) {
-  const SdoAnswer cob_id = context.read(kCobIdEmcy);
+  const SdoAnswer cob_id = context.read(object::kCobIdEmcy);
   // Who sends emergency messages has 1014h (CiA 301, 7.5.2.17).
   const bool absent = cob_id.aborted() && cob_id.abort_code == number_of(canopen::AbortCode::NoObject);
-  if (absent && !context.eds().has(kCobIdEmcy)) return std::nullopt;
+  if (absent && !context.eds().has(object::kCobIdEmcy)) return std::nullopt;
   if (!cob_id.done()) return context.session().identifier(kEmcy);
   const auto word = static_cast<std::uint32_t>(cob_id.number());
   if ((word & kInvalid) != 0) return std::nullopt;
@@ -68,11 +67,12 @@ std::string to_text(const Emergency& emergency) {
 }
 
 std::optional<Provocation> heartbeat_loss(Context& context) {
-  if (!has(context, kConsumers, 1)) return std::nullopt;
+  if (!has(context, object::kConsumerHeartbeatTime, 1)) return std::nullopt;
   const std::optional<std::uint8_t> node = unused_node_id(context);
-  if (!node || !context.write_number(kConsumers, 1, std::uint64_t{*node} << 16U | kLife).done())
+  if (!node ||
+      !context.write_number(object::kConsumerHeartbeatTime, 1, std::uint64_t{*node} << 16U | kLife).done())
     return std::nullopt;
-  const auto beat = [session = &context.session(), id = kErrorControl + *node] {
+  const auto beat = [session = &context.session(), id = function_code::kErrorControl + *node] {
     session->send({.id = id, .length = 1, .data = {static_cast<std::uint8_t>(canopen::NmtState::Operational)}});
   };
   return Provocation{.name = fmt::format("the heartbeat of node {} is lost", *node),
@@ -84,15 +84,15 @@ std::optional<Provocation> heartbeat_loss(Context& context) {
 
 std::optional<Provocation> guarding_loss(Context& context) {
   constexpr std::uint64_t kFactor = 2;
-  if (!has(context, kGuardTime) || !has(context, kLifeTimeFactor)) return std::nullopt;
-  if (has(context, kHeartbeatTime) && context.read(kHeartbeatTime).number() != 0 &&
-      !context.write_number(kHeartbeatTime, 0, 0).done())
+  if (!has(context, object::kGuardTime) || !has(context, object::kLifeTimeFactor)) return std::nullopt;
+  if (has(context, object::kHeartbeatTime) && context.read(object::kHeartbeatTime).number() != 0 &&
+      !context.write_number(object::kHeartbeatTime, 0, 0).done())
     return std::nullopt;
-  if (!answers_guarding(context) || !context.write_number(kGuardTime, 0, kLife).done() ||
-      !context.write_number(kLifeTimeFactor, 0, kFactor).done())
+  if (!answers_guarding(context) || !context.write_number(object::kGuardTime, 0, kLife).done() ||
+      !context.write_number(object::kLifeTimeFactor, 0, kFactor).done())
     return std::nullopt;
   const auto request = [session = &context.session()] {
-    session->send({.id = session->identifier(kErrorControl), .length = 1, .remote = true});
+    session->send({.id = session->identifier(function_code::kErrorControl), .length = 1, .remote = true});
   };
   return Provocation{.name = "the guarding master is lost",
                      .code = 0x8130,
@@ -102,9 +102,9 @@ std::optional<Provocation> guarding_loss(Context& context) {
 }
 
 std::optional<Provocation> sync_length(Context& context) {
-  if (!has(context, kSyncOverflow)) return std::nullopt;
+  if (!has(context, object::kSyncOverflow)) return std::nullopt;
   const std::uint32_t sync = sync_identifier(context);
-  const bool counted = context.read(kSyncOverflow).number() != 0;
+  const bool counted = context.read(object::kSyncOverflow).number() != 0;
   const auto say = [session = &context.session(), sync](bool counter) {
     session->send({.id = sync, .length = static_cast<std::uint8_t>(counter ? 1 : 0), .data = {1}});
   };
@@ -126,7 +126,7 @@ std::optional<Provocation> short_rpdo(Context& context) {
     if (ends) how.end = [&context, good] { context.session().send(good); };
     return how;
   };
-  for (const ValidPdo& rpdo : valid_pdos(context, kFirstRpdo)) {
+  for (const ValidPdo& rpdo : valid_pdos(context, object::kRpdoParameter)) {
     if (const auto good = unchanged(context, rpdo)) return made_of(*good, true);
     if (context.read(static_cast<std::uint16_t>(rpdo.parameters + 0x200)).number() != 0)
       return made_of({.id = rpdo.identifier}, false);

@@ -4,15 +4,13 @@
 
 #include "eds/sheet/object_lists.hpp"
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 /// Entries that are asked until one fits; a device may refuse some of them.
 constexpr int kMostAsked = 30;
-
-constexpr std::uint16_t kDeviceType = 0x1000, kHeartbeatTime = 0x1017;
-constexpr std::uint16_t kPdosBegin = 0x1400, kPdosEnd = 0x1C00;
 
 /// The first entry of the EDS that @p fits, and whose value @p takes.
 template <class Fits, class Takes>
@@ -33,7 +31,7 @@ std::optional<Target> first_entry(Context& context, Fits fits, Takes takes) {
 bool harmless(const EntryFacts& entry, const Settings& settings) noexcept {
   Settings calm = settings;
   calm.allow_motion = calm.allow_store = false;
-  const bool pdo = entry.index >= kPdosBegin && entry.index < kPdosEnd;
+  const bool pdo = entry.index >= object::kRpdoParameter && entry.index < object::kPdosEnd;
   return entry.writable() && !pdo && eds::find_cob_id(entry.index, entry.sub_index) == nullptr &&
          write_refusal(entry, calm) == nullptr;
 }
@@ -42,8 +40,8 @@ std::optional<Target> writable_number(Context& context, std::size_t bytes) {
   constexpr std::size_t kHeartbeatBytes = 2;
   const auto takes = [bytes](const std::vector<std::uint8_t>& value) { return value.size() == bytes; };
   if (context.eds().empty() && bytes == kHeartbeatBytes) {
-    SdoAnswer answer = context.read(kHeartbeatTime);
-    if (answer.done() && takes(answer.data)) return Target{kHeartbeatTime, 0, std::move(answer.data)};
+    SdoAnswer answer = context.read(object::kHeartbeatTime);
+    if (answer.done() && takes(answer.data)) return Target{object::kHeartbeatTime, 0, std::move(answer.data)};
   }
   return first_entry(
       context,
@@ -66,9 +64,8 @@ std::optional<Target> writable_text(Context& context, bool domain) {
 }
 
 std::optional<Target> long_entry(Context& context, std::size_t bytes) {
-  constexpr std::uint16_t kFirstName = 0x1008, kLastName = 0x100A;
   if (context.eds().empty()) {
-    for (std::uint16_t index = kFirstName; index <= kLastName; ++index)
+    for (std::uint16_t index = object::kDeviceName; index <= object::kSoftwareVersion; ++index)
       if (SdoAnswer answer = context.read(index); answer.done() && answer.data.size() > bytes)
         return Target{index, 0, std::move(answer.data)};
     return std::nullopt;
@@ -101,7 +98,7 @@ canopen::Frame segment(Context& context, std::uint8_t command, std::span<const s
 }
 
 void expect_service(Context& context, const std::string& after) {
-  const SdoAnswer answer = context.read(kDeviceType);
+  const SdoAnswer answer = context.read(object::kDeviceType);
   if (!answer.done()) context.fail("an answer to an upload of 1000h:00 after " + after, to_text(answer));
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
@@ -92,7 +93,7 @@ StorageGuard::~StorageGuard() {
   context_->session().clean_up(true);
   for (const Before& before : before_)
     (void)context_->sdo().download(before.value.index, before.value.sub_index, before.bytes);
-  (void)order(*context_, kStore, 1, kSave);
+  (void)order(*context_, object::kStoreParameters, 1, kSave);
   context_->session().clean_up(false);
 }
 

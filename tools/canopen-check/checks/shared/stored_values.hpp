@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "tools/canopen-check/core/run/context.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 
-inline constexpr std::uint16_t kStore = 0x1010, kRestore = 0x1011;
 /// "save" and "load".
 inline constexpr std::uint32_t kSave = 0x65766173, kLoad = 0x64616F6C;
 

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "tools/canopen-check/core/standard_numbers.hpp"
+
 namespace conformance {
 namespace {
 
-constexpr std::uint32_t kErrorControl = 0x700;
-constexpr std::uint16_t kDeviceType = 0x1000, kHeartbeatTime = 0x1017;
 constexpr std::uint64_t kObservedHeartbeat = 100;  // ms: the shortest that every device is able to
 constexpr canopen::Duration kGuardPatience = std::chrono::milliseconds{100};
 constexpr std::uint8_t kStateBits = 0x7F;
@@ -119,7 +119,7 @@ void Context::expect_abort(const SdoAnswer& answer, std::initializer_list<std::u
 
 std::optional<TimedFrame> Context::boot_up(canopen::Duration patience) {
   return session_->wait_for(
-      [id = session_->identifier(kErrorControl)](const canopen::Frame& frame) {
+      [id = session_->identifier(function_code::kErrorControl)](const canopen::Frame& frame) {
         return frame.id == id && !frame.remote && frame.length == 1 && frame.data[0] == 0;
       },
       patience);
@@ -141,7 +141,7 @@ std::optional<canopen::Duration> Context::reset(canopen::NmtCommand command) {
   const canopen::TimePoint begin = session_->now();
   session_->command(command);
   if (const auto first = boot_up(limit)) return first->time - begin;
-  const bool answers = read(kDeviceType).done();
+  const bool answers = read(object::kDeviceType).done();
   manners_->boots_without_message = manners_->boots_without_message || answers;
   fail(fmt::format("a boot-up message within {}", milliseconds(limit)),
        answers ? "none, but answers to SDO requests" : "none, and no answer to SDO requests");
@@ -161,7 +161,7 @@ bool Context::restart(canopen::NmtCommand command) {
   session_->command(command);
   do {
     sdo_->ask_again();
-    if (boot_up(patience) || read(kDeviceType).done()) return true;
+    if (boot_up(patience) || read(object::kDeviceType).done()) return true;
   } while (session_->now() < until && !session_->ended());
   skip("the node does not come back after a reset");
   return false;
@@ -173,7 +173,7 @@ void Context::enter(canopen::NmtState state) {
 }
 
 std::optional<canopen::NmtState> Context::guard() {
-  const std::uint32_t identifier = session_->identifier(kErrorControl);
+  const std::uint32_t identifier = session_->identifier(function_code::kErrorControl);
   session_->drain();
   if (!session_->carries_remote_frames() || !session_->send({.id = identifier, .length = 1, .remote = true}))
     return std::nullopt;
@@ -185,7 +185,7 @@ std::optional<canopen::NmtState> Context::guard() {
 bool Context::observe_state() {
   by_guarding_ = guard().has_value();
   if (by_guarding_) return true;
-  if (write_number(kHeartbeatTime, 0, kObservedHeartbeat).done() && state()) return true;
+  if (write_number(object::kHeartbeatTime, 0, kObservedHeartbeat).done() && state()) return true;
   skip("the node tells its state neither by guarding nor by heartbeat");
   return false;
 }
@@ -193,7 +193,7 @@ bool Context::observe_state() {
 std::optional<canopen::NmtState> Context::state() {
   if (by_guarding_) return guard();
   session_->drain();
-  const auto beat = session_->wait_for(under(session_->identifier(kErrorControl)),
+  const auto beat = session_->wait_for(under(session_->identifier(function_code::kErrorControl)),
                                        5 * std::chrono::milliseconds{kObservedHeartbeat});
   if (!beat || beat->frame.length != 1) return std::nullopt;
   return static_cast<canopen::NmtState>(beat->frame.data[0] & kStateBits);

@@ -6,11 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "text/number.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
-
-constexpr std::uint16_t kFirstAxis = 0x6000, kSecondAxis = 0x6800, kEndOfAxes = 0xA000, kAxisDistance = 0x800;
 
 std::optional<unsigned> parse_hexadecimal(std::string_view text, unsigned most) {
   const auto value = text::integer<unsigned>(text, 16);
@@ -87,7 +86,8 @@ tl::expected<Deviation, std::string> parse_deviation(const nlohmann::json& item,
 bool ObjectRange::contains(const Subject& subject) const noexcept {
   if (!subject.index) return false;
   std::uint16_t index = *subject.index;
-  if (first >= kFirstAxis && first < kSecondAxis && index >= kSecondAxis && index < kEndOfAxes)
+  if (first >= kFirstAxis && first < kFirstAxis + kAxisDistance && index >= kFirstAxis + kAxisDistance &&
+      index < kEndOfAxes)
     index = static_cast<std::uint16_t>(kFirstAxis + (index - kFirstAxis) % kAxisDistance);
   if (index < first || index > last) return false;
   return !subject.sub_index || (*subject.sub_index >= first_sub && *subject.sub_index <= last_sub);

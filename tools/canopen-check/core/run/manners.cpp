@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/core/run/context.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
-
-constexpr std::uint16_t kErrorRegister = 0x1001, kErrorHistory = 0x1003;
 
 /// What the node says of an error that it has: ", EMCY 5000h pending, 1001h = 01h".
 std::string pending_error(Context& context) {
@@ -16,9 +15,9 @@ std::string pending_error(Context& context) {
     const unsigned code = frame->data[0] | unsigned{frame->data[1]} << 8U;
     if (code != 0) text += fmt::format(", EMCY {:04X}h pending", code);
   }
-  const SdoAnswer errors = context.read(kErrorRegister);
+  const SdoAnswer errors = context.read(object::kErrorRegister);
   if (errors.done() && errors.number() != 0) text += fmt::format(", 1001h = {:02X}h", errors.number());
-  const SdoAnswer newest = context.read(kErrorHistory, 1);
+  const SdoAnswer newest = context.read(object::kErrorField, 1);
   if (newest.done() && newest.number() != 0) text += fmt::format(", 1003h:01 = {:08X}h", newest.number());
   return text;
 }

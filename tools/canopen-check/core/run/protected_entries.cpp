@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "tools/canopen-check/core/standard_numbers.hpp"
+
 namespace conformance {
 namespace {
 
 /// Objects of CiA 402 that make a drive move, for the first axis; the others are 800h apart.
 constexpr std::array<std::uint16_t, 10> kMotion{0x6040, 0x6042, 0x6060, 0x6071, 0x6074,
                                                 0x607A, 0x60B0, 0x60B1, 0x60B2, 0x60FF};
-constexpr std::uint16_t kFirstAxis = 0x6000, kAxisDistance = 0x800, kEndOfAxes = 0xA000;
 
 bool moves(std::uint16_t index) noexcept {
   if (index < kFirstAxis || index >= kEndOfAxes) return false;
@@ -30,9 +31,10 @@ constexpr std::array kOrders{
 }  // namespace
 
 const char* write_refusal(const EntryFacts& entry, const Settings& settings) noexcept {
-  constexpr std::uint16_t kStore = 0x1010, kRestore = 0x1011;
   if (entry.no_write) return "ObjFlags asks not to write it";
-  if (!settings.allow_store && (entry.index == kStore || entry.index == kRestore)) return "it needs --allow-store";
+  if (!settings.allow_store &&
+      (entry.index == object::kStoreParameters || entry.index == object::kRestoreParameters))
+    return "it needs --allow-store";
   if (!settings.allow_motion && moves(entry.index)) return "it needs --allow-motion";
   const auto order = std::ranges::find_if(
       kOrders, [&](const Order& row) { return entry.index >= row.first && entry.index <= row.last; });

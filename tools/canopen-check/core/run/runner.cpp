@@ -6,12 +6,11 @@
 #include <fmt/format.h>
 
 #include "libcanopen/od/abort_code.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
-constexpr std::uint32_t kRequests = 0x600, kResponses = 0x580;
-constexpr std::uint16_t kDeviceType = 0x1000;
 /// Requests for 1000h:00 until a node counts as absent.
 constexpr int kAttempts = 3;
 
@@ -23,7 +22,8 @@ std::size_t RunReport::count(Outcome outcome) const noexcept {
 
 Runner::Runner(Wire& wire, const Description& eds, const Settings& settings, Deviations& deviations)
     : session_{wire, settings.node_id},
-      sdo_{session_, session_.identifier(kRequests), session_.identifier(kResponses), settings.patience},
+      sdo_{session_, session_.identifier(function_code::kSdoRequest),
+           session_.identifier(function_code::kSdoResponse), settings.patience},
       eds_{&eds},
       settings_{&settings},
       deviations_{&deviations} {}
@@ -52,13 +52,12 @@ bool Runner::reach(RunReport& report) {
 }
 
 std::string Runner::foreign_device() {
-  constexpr std::uint16_t kIdentity = 0x1018;
   const DeviceFacts& device = eds_->device();
   std::uint8_t sub = 0;
   for (const std::optional<std::uint64_t>& stated : {device.vendor, device.product}) {
     ++sub;
     if (stated.value_or(0) == 0) continue;
-    const SdoAnswer answer = sdo_.upload(kIdentity, sub);
+    const SdoAnswer answer = sdo_.upload(object::kIdentity, sub);
     if (answer.done() && answer.number() != *stated)
       return fmt::format(
           "the EDS is of another device: 1018h:{:02X} is {:08X}h, the EDS says {:08X}h; nothing is written", sub,
@@ -136,13 +135,12 @@ void Runner::finish(RunReport& report, Snapshot& snapshot) {
 }
 
 void Runner::store_again(RunReport& report) {
-  constexpr std::uint16_t kStore = 0x1010;
   constexpr std::array<std::uint8_t, 4> kSave{'s', 'a', 'v', 'e'};
   const bool stored = std::ranges::any_of(report.results, [](const CheckResult& result) {
     return result.check->stores && result.outcome != Outcome::Skipped;
   });
   if (!stored) return;
-  const SdoAnswer answer = sdo_.download(kStore, 1, kSave);
+  const SdoAnswer answer = sdo_.download(object::kStoreParameters, 1, kSave);
   report.notes.push_back(answer.done() ? "what the node works with was stored by 1010h:01"
                                        : "what the node works with could not be stored: " + to_text(answer));
 }

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/core/run/runner.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 // What a check may leave behind: a node that has gone, or that refuses Operational from then on.
 namespace conformance {
 namespace {
 
-constexpr std::uint16_t kDeviceType = 0x1000;
 /// Requests for 1000h:00 until a node counts as absent behind a check.
 constexpr int kAttempts = 2;
 /// Frames that a finding about its absence keeps.
@@ -28,7 +28,7 @@ std::string what_is_asked(const canopen::Frame& request) {
 bool Runner::answers(int attempts) {
   for (int attempt = 0; attempt < attempts && !session_.ended(); ++attempt) {
     sdo_.ask_again();
-    const SdoAnswer answer = sdo_.upload(kDeviceType, 0);
+    const SdoAnswer answer = sdo_.upload(object::kDeviceType, 0);
     if (answer.done() || answer.aborted()) return true;
   }
   return false;

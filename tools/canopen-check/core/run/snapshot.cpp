@@ -6,15 +6,16 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/core/run/protected_entries.hpp"
+#include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
 namespace {
 
 constexpr std::uint16_t kPdoMask = 0xFC00;
-constexpr std::uint16_t kPdosBegin = 0x1400, kPdosEnd = 0x1C00, kMappingOffset = 0x200;
+constexpr std::uint16_t kMappingOffset = 0x200;
 
 bool belongs_to_pdo(std::uint16_t index) noexcept {
-  return index >= kPdosBegin && index < kPdosEnd;
+  return index >= object::kRpdoParameter && index < object::kPdosEnd;
 }
 
 /// Communication parameters that @p index, these or a mapping, belongs to.
