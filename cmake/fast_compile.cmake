@@ -73,3 +73,46 @@ function(axisd_unite target result)
   endwhile()
   set(${result} ${united} PARENT_SCOPE)
 endfunction()
+
+# Sources with names in their unnamed namespaces that others of their folder have, too.
+set(AXISD_ALONE
+  socket_can.cpp link_monitor.cpp predefined_connections.cpp standard_wiring.cpp provocation.cpp many_messages.cpp start_hub.cpp motor_file.cpp parameter_reader.cpp fault_table.cpp standard_rules.cpp
+  module_rules.cpp object_reader.cpp table_writer.cpp node_guarding.cpp voltage_frequency.cpp magnet_flux_test.cpp
+  saturation_test.cpp inertia_test.cpp rotor_test.cpp standstill_measurement.cpp stopping.cpp plant_step.cpp
+  runner_aftercare.cpp sdo_match.cpp lint_command.cpp make_commands.cpp "[a-z_]*_checks.cpp")
+list(JOIN AXISD_ALONE "|" AXISD_ALONE)
+
+# axisd_unite_folders(TARGET...): the sources that a target has in one folder are compiled as one, with AXISD_FAST_COMPILE.
+function(axisd_unite_folders)
+  foreach(target IN LISTS ARGN)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    get_target_property(folder ${target} SOURCE_DIR)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      if(source MATCHES "\\.cpp$" AND NOT source MATCHES "(^|/)(${AXISD_ALONE})$")
+        cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE)
+        cmake_path(GET source PARENT_PATH group)
+        cmake_path(RELATIVE_PATH group BASE_DIRECTORY ${folder})
+        string(MAKE_C_IDENTIFIER "folder_${group}" group)
+        set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
+# axisd_targets_below(RESULT FOLDER): every library and program that FOLDER and the folders below it make.
+function(axisd_targets_below result folder)
+  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    if(NOT type MATCHES "^(STATIC_LIBRARY|SHARED_LIBRARY|OBJECT_LIBRARY|EXECUTABLE)$")
+      list(REMOVE_ITEM targets ${target})
+    endif()
+  endforeach()
+  get_property(below DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+  foreach(each IN LISTS below)
+    axisd_targets_below(more ${each})
+    list(APPEND targets ${more})
+  endforeach()
+  set(${result} ${targets} PARENT_SCOPE)
+endfunction()
