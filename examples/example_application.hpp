@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <libcanopen/node/application.hpp>
+#include <libcanopen/application/application.hpp>
 #include <libcanopen/od/dictionary.hpp>
 
 /// Every RPDO advances the counter 2000h by the step 2002h that it carries.

@@ -6,7 +6,7 @@
 #include "can/port/port.hpp"
 #include "libcanopen/base/frame.hpp"
 #include "libcanopen/base/time.hpp"
-#include "libcanopen/node/subscription.hpp"
+#include "libcanopen/service/subscription.hpp"
 
 namespace axisd {
 

@@ -7,7 +7,7 @@
 #include "device/bus/bus_follow_ups.hpp"
 #include "device/bus/bus_outlet.hpp"
 #include "drive/drive_unit.hpp"
-#include "libcanopen/nmt/state.hpp"
+#include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/node/node.hpp"
 #include "unit/unit_parameters.hpp"
 

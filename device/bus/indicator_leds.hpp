@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "libcanopen/nmt/state.hpp"
+#include "libcanopen/base/nmt_state.hpp"
 
 namespace device {
 

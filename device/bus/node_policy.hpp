@@ -3,7 +3,7 @@
 #include <array>
 
 #include "device/objects/configuration.hpp"
-#include "libcanopen/node/policy.hpp"
+#include "libcanopen/application/policy.hpp"
 
 namespace device {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "libcanopen/base/little_endian.hpp"
-#include "libcanopen/node/identifier_list.hpp"
+#include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "libcanopen/node/service.hpp"
+#include "libcanopen/service/service.hpp"
 
 namespace canopen {
 

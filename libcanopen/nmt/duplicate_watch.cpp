@@ -1,6 +1,6 @@
 #include "libcanopen/nmt/duplicate_watch.hpp"
 
-#include "libcanopen/node/identifier_list.hpp"
+#include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 

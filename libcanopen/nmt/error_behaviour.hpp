@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "libcanopen/nmt/state.hpp"
+#include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace canopen {

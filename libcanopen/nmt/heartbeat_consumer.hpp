@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "libcanopen/node/service.hpp"
+#include "libcanopen/service/service.hpp"
 
 namespace canopen {
 

@@ -1,6 +1,6 @@
 #include "libcanopen/nmt/node_guarding.hpp"
 
-#include "libcanopen/node/identifier_list.hpp"
+#include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {

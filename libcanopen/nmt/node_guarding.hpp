@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcanopen/node/service.hpp"
+#include "libcanopen/service/service.hpp"
 
 namespace canopen {
 

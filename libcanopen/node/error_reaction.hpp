@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libcanopen/node/standard_services.hpp"
+#include "libcanopen/service/error_reports.hpp"
 
 namespace canopen {
 

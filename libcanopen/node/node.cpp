@@ -4,9 +4,9 @@
 #include <cassert>
 
 #include "libcanopen/node/error_reaction.hpp"
-#include "libcanopen/node/service_list.hpp"
 #include "libcanopen/node/standard_services.hpp"
 #include "libcanopen/node/state_machine.hpp"
+#include "libcanopen/service/service_list.hpp"
 
 namespace canopen {
 
@@ -56,7 +56,7 @@ void Node::send_to(FrameSink& sink) noexcept {
 }
 
 void Node::set_pdo_cycle(const PdoCycle& cycle) noexcept {
-  parts_->context.pdo_cycle = cycle;
+  parts_->services.transmit.set_cycle(cycle);
 }
 
 void Node::start(TimePoint now) noexcept {

@@ -6,17 +6,18 @@
 #include <memory>
 #include <span>
 
+#include "libcanopen/application/application.hpp"
+#include "libcanopen/application/communication_error.hpp"
+#include "libcanopen/application/policy.hpp"
 #include "libcanopen/base/cob_id.hpp"
 #include "libcanopen/base/export.hpp"
 #include "libcanopen/base/frame.hpp"
+#include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/base/time.hpp"
-#include "libcanopen/nmt/state.hpp"
-#include "libcanopen/node/application.hpp"
-#include "libcanopen/node/communication_error.hpp"
-#include "libcanopen/node/policy.hpp"
-#include "libcanopen/node/subscription.hpp"
 #include "libcanopen/od/dictionary.hpp"
 #include "libcanopen/pdo/pdo_cycle.hpp"
+#include "libcanopen/service/subscription.hpp"
+#include "libcanopen/time/time_of_day.hpp"
 
 namespace canopen {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "libcanopen/nmt/control.hpp"
-#include "libcanopen/node/policy.hpp"
-#include "libcanopen/node/service_list.hpp"
+#include "libcanopen/application/policy.hpp"
+#include "libcanopen/service/nmt_control.hpp"
+#include "libcanopen/service/service_list.hpp"
 
 namespace canopen {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "libcanopen/node/context.hpp"
-#include "libcanopen/node/identifier_list.hpp"
 #include "libcanopen/pdo/settings.hpp"
+#include "libcanopen/service/context.hpp"
+#include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "libcanopen/node/service.hpp"
 #include "libcanopen/pdo/parameters.hpp"
+#include "libcanopen/service/service.hpp"
 #include "libcanopen/sync/sync_listener.hpp"
 
 namespace canopen {

@@ -49,9 +49,8 @@ void TransmitPdos::load_settings(std::size_t position) noexcept {
   pdo.plan = settings.plan;
   pdo.trigger = trigger_of(settings);
   pdo.period = pdo.trigger == Trigger::Cyclic ? settings.transmission_type : std::uint8_t{1};
-  const PdoCycle& cycle = context_.pdo_cycle;
-  pdo.inhibit = cycle.whole(inhibit_time(parameters_.communication(settings, pdo_sub::kInhibitTime)));
-  pdo.event_period = cycle.whole(event_time(parameters_.communication(settings, pdo_sub::kEventTimer)));
+  pdo.inhibit = cycle_.whole(inhibit_time(parameters_.communication(settings, pdo_sub::kInhibitTime)));
+  pdo.event_period = cycle_.whole(event_time(parameters_.communication(settings, pdo_sub::kEventTimer)));
   pdo.first_sync = static_cast<std::uint8_t>(parameters_.communication(settings, pdo_sub::kSyncStart));
   begin_anew(pdo);
 }
@@ -101,8 +100,8 @@ void TransmitPdos::start() noexcept {
   for (Outgoing& pdo : outgoing_) begin_anew(pdo);
   for (const std::uint16_t position : event_driven_) {
     outgoing_[position].is_due = true;
-    if (context_.pdo_cycle.is_on()) {
-      arm(timer(position, Timer::Event), context_.pdo_cycle.next_from(context_.now));
+    if (cycle_.is_on()) {
+      arm(timer(position, Timer::Event), cycle_.next_from(context_.now));
     } else {
       request(position, pack(outgoing_[position]));
     }
@@ -184,7 +183,7 @@ void TransmitPdos::request(std::size_t position, std::uint64_t payload) noexcept
   if (moment_ >= allowed) {
     transmit(position, payload);
   } else if (!is_armed(timer(position, Timer::Inhibit))) {
-    arm(timer(position, Timer::Inhibit), context_.pdo_cycle.next_from(allowed));
+    arm(timer(position, Timer::Inhibit), cycle_.next_from(allowed));
   }
 }
 
@@ -224,20 +223,19 @@ void TransmitPdos::on_pdo_changed(std::size_t position) noexcept {
   sort_out();
   // As an event, so that the answer to the write comes first.
   if (running_ && pdo.trigger == Trigger::Event)
-    arm(timer(position, Timer::Event), context_.pdo_cycle.next_from(context_.now));
+    arm(timer(position, Timer::Event), cycle_.next_from(context_.now));
 }
 
 void TransmitPdos::on_pdo_time_changed(std::size_t position, std::uint8_t sub_index, std::int64_t value) noexcept {
   Outgoing& pdo = outgoing_[position];
-  const PdoCycle& cycle = context_.pdo_cycle;
-  if (sub_index == pdo_sub::kInhibitTime) pdo.inhibit = cycle.whole(inhibit_time(value));
+  if (sub_index == pdo_sub::kInhibitTime) pdo.inhibit = cycle_.whole(inhibit_time(value));
   if (sub_index != pdo_sub::kEventTimer) return;
-  pdo.event_period = cycle.whole(event_time(value));
+  pdo.event_period = cycle_.whole(event_time(value));
   if (!running_ || pdo.trigger != Trigger::Event) return;
   if (value == 0) {
     cancel(timer(position, Timer::Event));
   } else {
-    arm(timer(position, Timer::Event), cycle.begin_of(context_.now) + pdo.event_period);
+    arm(timer(position, Timer::Event), cycle_.begin_of(context_.now) + pdo.event_period);
   }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "libcanopen/node/service.hpp"
 #include "libcanopen/pdo/parameters.hpp"
+#include "libcanopen/pdo/pdo_cycle.hpp"
+#include "libcanopen/service/service.hpp"
 #include "libcanopen/sync/sync_listener.hpp"
 
 namespace canopen {
@@ -13,6 +14,8 @@ namespace canopen {
 class TransmitPdos final : public Service, public SyncListener, public PdoParameters::Listener {
  public:
   explicit TransmitPdos(Context& context);
+  /// See Node::set_pdo_cycle().
+  void set_cycle(const PdoCycle& cycle) noexcept { cycle_ = cycle; }
 
   void list_identifiers(IdentifierList& list) const noexcept override;
   /// Nothing is valid before claim_identifiers(), and nothing is sent before start(). Inhibit times that run go on
@@ -86,13 +89,14 @@ class TransmitPdos final : public Service, public SyncListener, public PdoParame
   void request(std::size_t position, std::uint64_t payload) noexcept;
   void transmit(std::size_t position, std::uint64_t payload) noexcept;
   void load_settings(std::size_t position) noexcept;
-  void begin_moment() noexcept { moment_ = context_.pdo_cycle.begin_of(context_.now); }
+  void begin_moment() noexcept { moment_ = cycle_.begin_of(context_.now); }
   void sort_out() noexcept;
   static constexpr std::size_t timer(std::size_t position, Timer which) noexcept {
     return position * kTimersEach + static_cast<std::size_t>(which);
   }
 
   const std::byte* image_;
+  PdoCycle cycle_{};  ///< what event-driven TPDOs are judged in
   PdoParameters parameters_;
   std::vector<Outgoing> outgoing_;
   std::vector<std::uint16_t> synchronous_;   ///< positions that SYNC concerns

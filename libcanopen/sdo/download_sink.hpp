@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "libcanopen/node/context.hpp"
 #include "libcanopen/sdo/viewed_object.hpp"
+#include "libcanopen/service/context.hpp"
 
 namespace canopen::sdo {
 

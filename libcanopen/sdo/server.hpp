@@ -3,11 +3,11 @@
 #include <array>
 #include <vector>
 
-#include "libcanopen/node/context.hpp"
 #include "libcanopen/sdo/command.hpp"
 #include "libcanopen/sdo/domain_locks.hpp"
 #include "libcanopen/sdo/download_sink.hpp"
 #include "libcanopen/sdo/upload_source.hpp"
+#include "libcanopen/service/context.hpp"
 
 namespace canopen {
 

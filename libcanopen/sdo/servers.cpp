@@ -4,7 +4,7 @@
 #include <span>
 
 #include "libcanopen/base/node_id.hpp"
-#include "libcanopen/node/identifier_list.hpp"
+#include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {

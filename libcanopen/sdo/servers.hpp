@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "libcanopen/node/service.hpp"
 #include "libcanopen/sdo/domain_locks.hpp"
 #include "libcanopen/sdo/server.hpp"
+#include "libcanopen/service/service.hpp"
 
 namespace canopen {
 

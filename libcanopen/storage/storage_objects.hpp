@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcanopen/node/context.hpp"
+#include "libcanopen/service/context.hpp"
 
 namespace canopen {
 

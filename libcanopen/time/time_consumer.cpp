@@ -1,7 +1,8 @@
 #include "libcanopen/time/time_consumer.hpp"
 
 #include "libcanopen/base/little_endian.hpp"
-#include "libcanopen/node/identifier_list.hpp"
+#include "libcanopen/service/identifier_list.hpp"
+#include "libcanopen/time/time_of_day.hpp"
 
 namespace canopen {
 namespace {

@@ -6,7 +6,7 @@
 #include "device/objects/object_rows.hpp"
 #include "device/process_data/process_data.hpp"
 #include "device/process_data/unit_process_data.hpp"
-#include "libcanopen/node/application.hpp"
+#include "libcanopen/application/application.hpp"
 #include "tests/fakes/vector_bus.hpp"
 
 namespace device {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "libcanopen/nmt/state.hpp"
+#include "libcanopen/base/nmt_state.hpp"
 #include "tools/canopen-check/core/wire.hpp"
 
 namespace conformance {

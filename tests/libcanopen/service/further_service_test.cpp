@@ -1,5 +1,5 @@
-#include "libcanopen/node/identifier_list.hpp"
-#include "libcanopen/node/service.hpp"
+#include "libcanopen/service/identifier_list.hpp"
+#include "libcanopen/service/service.hpp"
 #include "tests/libcanopen/fixture/node_fixture.hpp"
 
 namespace {

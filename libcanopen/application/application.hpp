@@ -1,12 +1,13 @@
 #pragma once
 
+#include "libcanopen/application/communication_error.hpp"
 #include "libcanopen/base/export.hpp"
-#include "libcanopen/nmt/state.hpp"
-#include "libcanopen/node/communication_error.hpp"
+#include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/od/entry.hpp"
-#include "libcanopen/time/time_of_day.hpp"
 
 namespace canopen {
+
+struct TimeOfDay;
 
 /// What the application behind a node is told and asked. Called from within the calls of the node that cause it;
 /// must not call Node::start(), reload(), on_frame(), on_time(), on_values_changed() or command(). All other

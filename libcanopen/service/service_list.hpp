@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "libcanopen/base/identifier_use.hpp"
-#include "libcanopen/node/routes.hpp"
-#include "libcanopen/node/service.hpp"
+#include "libcanopen/service/routes.hpp"
+#include "libcanopen/service/service.hpp"
 
 namespace canopen {
 

@@ -1,6 +1,6 @@
-#include "libcanopen/node/service.hpp"
+#include "libcanopen/service/service.hpp"
 
-#include "libcanopen/node/service_list.hpp"
+#include "libcanopen/service/service_list.hpp"
 
 namespace canopen {
 

@@ -1,8 +1,8 @@
-#include "libcanopen/node/service_list.hpp"
+#include "libcanopen/service/service_list.hpp"
 
 #include <stdexcept>
 
-#include "libcanopen/node/identifier_list.hpp"
+#include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 

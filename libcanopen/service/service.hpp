@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "libcanopen/base/export.hpp"
-#include "libcanopen/node/context.hpp"
+#include "libcanopen/service/context.hpp"
 
 namespace canopen {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcanopen/nmt/state.hpp"
+#include "libcanopen/base/nmt_state.hpp"
 
 namespace canopen {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <span>
 
+#include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/base/time.hpp"
-#include "libcanopen/nmt/state.hpp"
 
 namespace canopen {
 

@@ -1,6 +1,6 @@
-#include "libcanopen/node/identifier_list.hpp"
+#include "libcanopen/service/identifier_list.hpp"
 
-#include "libcanopen/node/routes.hpp"
+#include "libcanopen/service/routes.hpp"
 
 namespace canopen {
 

@@ -1,4 +1,4 @@
-#include "libcanopen/node/routes.hpp"
+#include "libcanopen/service/routes.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "libcanopen/node/subscription.hpp"
+#include "libcanopen/service/subscription.hpp"
 
 namespace canopen {
 
