@@ -11,6 +11,7 @@ inline constexpr std::uint16_t kErrorField = 0x1003;
 inline constexpr std::uint16_t kReserved = 0x1004;  ///< no device has it
 inline constexpr std::uint16_t kCobIdSync = 0x1005;
 inline constexpr std::uint16_t kCyclePeriod = 0x1006;
+inline constexpr std::uint16_t kWindowLength = 0x1007;  ///< of synchronous PDOs
 inline constexpr std::uint16_t kDeviceName = 0x1008;
 inline constexpr std::uint16_t kSoftwareVersion = 0x100A;
 inline constexpr std::uint16_t kGuardTime = 0x100C;

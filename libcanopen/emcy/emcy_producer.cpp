@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/base/object_index.hpp"
 #include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {
 
-constexpr std::uint16_t kCobIdEmcy = 0x1014;
-constexpr std::uint16_t kInhibitTime = 0x1015;
 constexpr std::size_t kTimer = 0;
 
 }  // namespace
@@ -17,7 +16,8 @@ constexpr std::size_t kTimer = 0;
 EmcyProducer::EmcyProducer(Context& context)
     : Service{context,
               {.lives_in = kStatesOfObjects, .identifiers = 1, .timers = 1, .stage = ReloadStage::Senders}} {
-  for (const std::uint16_t index : {kCobIdEmcy, kInhibitTime}) context_.dictionary.serve_writes(index, 0, *this);
+  for (const std::uint16_t index : {object::kCobIdEmcy, object::kInhibitTimeEmcy})
+    context_.dictionary.serve_writes(index, 0, *this);
 }
 
 void EmcyProducer::list_identifiers(IdentifierList& list) const noexcept {
@@ -34,10 +34,10 @@ void EmcyProducer::reload(Reload how) noexcept {
 
 void EmcyProducer::take_over() noexcept {
   const Dictionary& dictionary = context_.dictionary;
-  const auto cob_id = dictionary.stored(kCobIdEmcy, 0);
+  const auto cob_id = dictionary.stored(object::kCobIdEmcy, 0);
   identifier_ =
       cob_id ? valid_identifier(static_cast<std::uint32_t>(*cob_id)) : function_code::kEmcy + dictionary.node_id();
-  set_inhibit_time(inhibit_time(dictionary.stored(kInhibitTime, 0).value_or(0)));
+  set_inhibit_time(inhibit_time(dictionary.stored(object::kInhibitTimeEmcy, 0).value_or(0)));
   if (identifier_ == 0) forget();
 }
 
@@ -47,7 +47,7 @@ void EmcyProducer::forget() noexcept {
 }
 
 Result<void> EmcyProducer::write(const Entry& entry, std::int64_t value) {
-  if (entry.index == kCobIdEmcy) return write_cob_id(static_cast<std::uint32_t>(value));
+  if (entry.index == object::kCobIdEmcy) return write_cob_id(static_cast<std::uint32_t>(value));
   set_inhibit_time(inhibit_time(value));
   return {};
 }

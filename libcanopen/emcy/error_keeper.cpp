@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "libcanopen/base/object_index.hpp"
+
 namespace canopen {
 namespace {
 
-constexpr std::uint16_t kErrorRegister = 0x1001;
-constexpr std::uint16_t kErrorField = 0x1003;
 constexpr std::uint8_t kMostEntries = 254;
 constexpr std::uint16_t kErrorReset = 0x0000;
 constexpr std::uint8_t kGenericError = 0x01;
@@ -19,9 +19,10 @@ ErrorKeeper::ErrorKeeper(Context& context, EmcyProducer& producer)
       enabled_{context.policy.error_keeping == ErrorKeeping::Library} {
   if (!enabled_) return;
   Dictionary& dictionary = context_.dictionary;
-  dictionary.serve_writes(kErrorField, 0, *this);
-  for (std::uint8_t sub = 1; sub <= kMostEntries && dictionary.lookup(kErrorField, sub) != nullptr; ++sub) {
-    dictionary.own_read(kErrorField, sub, *this, OwnerRank::Service);
+  dictionary.serve_writes(object::kErrorField, 0, *this);
+  for (std::uint8_t sub = 1; sub <= kMostEntries && dictionary.lookup(object::kErrorField, sub) != nullptr;
+       ++sub) {
+    dictionary.own_read(object::kErrorField, sub, *this, OwnerRank::Service);
     room_ = sub;
   }
 }
@@ -61,7 +62,7 @@ void ErrorKeeper::reload(Reload how) noexcept {
 std::uint8_t ErrorKeeper::show_register(std::uint8_t further_bits) noexcept {
   std::uint8_t bits = 0;
   for (std::size_t i = 0; i < count_; ++i) bits |= present_[i].error_register;
-  if (const Entry* const entry = context_.dictionary.lookup(kErrorRegister, 0))
+  if (const Entry* const entry = context_.dictionary.lookup(object::kErrorRegister, 0))
     context_.dictionary.set(*entry, bits);
   return bits | further_bits;
 }
@@ -76,13 +77,13 @@ void ErrorKeeper::log(std::uint32_t field) noexcept {
 }
 
 void ErrorKeeper::set_history(std::uint8_t sub_index, std::int64_t value) noexcept {
-  if (const Entry* const entry = context_.dictionary.lookup(kErrorField, sub_index)) {
+  if (const Entry* const entry = context_.dictionary.lookup(object::kErrorField, sub_index)) {
     context_.dictionary.set(*entry, value);
   }
 }
 
 std::int64_t ErrorKeeper::history(std::uint8_t sub_index) const noexcept {
-  return context_.dictionary.stored(kErrorField, sub_index).value_or(0);
+  return context_.dictionary.stored(object::kErrorField, sub_index).value_or(0);
 }
 
 Result<std::int64_t> ErrorKeeper::read(const Entry& entry, std::int64_t stored) {

@@ -4,12 +4,12 @@
 #include <array>
 
 #include "libcanopen/base/node_id.hpp"
+#include "libcanopen/base/object_index.hpp"
 #include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {
 
-constexpr std::uint16_t kConsumerHeartbeatTime = 0x1016;
 constexpr std::uint8_t kStateBits = 0x7F;  // bit 7 is the toggle bit of node guarding
 constexpr std::array kStates{NmtState::Stopped, NmtState::Operational, NmtState::PreOperational};
 
@@ -28,7 +28,7 @@ constexpr Identifier watched_by(std::uint32_t word) noexcept {
   return used ? function_code::kErrorControl + node_in(word) : 0;
 }
 constexpr bool is_watch(const Entry& entry) noexcept {
-  return entry.index == kConsumerHeartbeatTime && entry.sub_index != 0;
+  return entry.index == object::kConsumerHeartbeatTime && entry.sub_index != 0;
 }
 std::size_t watches_in(const Dictionary& dictionary) noexcept {
   return static_cast<std::size_t>(std::ranges::count_if(dictionary.entries(), is_watch));

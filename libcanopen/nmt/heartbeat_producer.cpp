@@ -1,21 +1,21 @@
 #include "libcanopen/nmt/heartbeat_producer.hpp"
 
+#include "libcanopen/base/object_index.hpp"
 #include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {
-constexpr std::uint16_t kProducerHeartbeatTime = 0x1017;
 constexpr std::size_t kTimer = 0;
 }  // namespace
 
 HeartbeatProducer::HeartbeatProducer(Context& context)
     : Service{context,
               {.lives_in = kStatesOfNmt, .identifiers = 1, .timers = 1, .stage = ReloadStage::AfterBootUp}} {
-  context_.dictionary.serve_writes(kProducerHeartbeatTime, 0, *this);
+  context_.dictionary.serve_writes(object::kHeartbeatTime, 0, *this);
 }
 
 Duration HeartbeatProducer::stored() const noexcept {
-  return std::chrono::milliseconds{context_.dictionary.stored(kProducerHeartbeatTime, 0).value_or(0)};
+  return std::chrono::milliseconds{context_.dictionary.stored(object::kHeartbeatTime, 0).value_or(0)};
 }
 
 void HeartbeatProducer::list_identifiers(IdentifierList& list) const noexcept {

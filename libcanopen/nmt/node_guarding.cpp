@@ -1,13 +1,11 @@
 #include "libcanopen/nmt/node_guarding.hpp"
 
+#include "libcanopen/base/object_index.hpp"
 #include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {
 
-constexpr std::uint16_t kGuardTime = 0x100C;
-constexpr std::uint16_t kLifeTimeFactor = 0x100D;
-constexpr std::uint16_t kProducerHeartbeatTime = 0x1017;
 constexpr std::uint8_t kToggleBit = 0x80;
 constexpr std::size_t kTimer = 0;
 
@@ -20,9 +18,10 @@ constexpr Duration life_time(std::int64_t guard_time_ms, std::int64_t factor) no
 NodeGuarding::NodeGuarding(Context& context)
     : Service{context,
               {.lives_in = kStatesOfNmt, .identifiers = 1, .timers = 1, .stage = ReloadStage::AfterBootUp}},
-      exists_{context.dictionary.contains(kGuardTime) && context.dictionary.contains(kLifeTimeFactor)} {
+      exists_{context.dictionary.contains(object::kGuardTime) &&
+              context.dictionary.contains(object::kLifeTimeFactor)} {
   if (!exists_) return;
-  for (const std::uint16_t index : {kGuardTime, kLifeTimeFactor, kProducerHeartbeatTime})
+  for (const std::uint16_t index : {object::kGuardTime, object::kLifeTimeFactor, object::kHeartbeatTime})
     context_.dictionary.serve_writes(index, 0, *this);
 }
 
@@ -44,20 +43,20 @@ void NodeGuarding::reload(Reload how) noexcept {
 
 void NodeGuarding::begin_anew() noexcept {
   stop_watching();
-  heartbeat_ = stored(kProducerHeartbeatTime) != 0;
+  heartbeat_ = stored(object::kHeartbeatTime) != 0;
   life_time_ = stored_life_time();
   toggle_ = false;
 }
 
 void NodeGuarding::take_over() noexcept {
-  switch_heartbeat(stored(kProducerHeartbeatTime) != 0);
+  switch_heartbeat(stored(object::kHeartbeatTime) != 0);
   const Duration wanted = stored_life_time();
   if (wanted != life_time_) set_life_time(wanted);
 }
 
 /// The life time of the objects, or none where no request can come.
 Duration NodeGuarding::stored_life_time() const noexcept {
-  const Duration wanted = life_time(stored(kGuardTime), stored(kLifeTimeFactor));
+  const Duration wanted = life_time(stored(object::kGuardTime), stored(object::kLifeTimeFactor));
   if (wanted == Duration{0} || context_.policy.remote_frames) return wanted;
   context_.application.on_life_guarding_withheld();
   return Duration{0};
@@ -100,23 +99,24 @@ void NodeGuarding::on_timer(std::size_t) noexcept {
 /// May @p entry become @p value, with the other two objects as they are?
 Result<void> NodeGuarding::check(const Entry& entry, std::int64_t value) noexcept {
   const auto after = [&](std::uint16_t index) { return entry.index == index ? value : stored(index); };
-  const bool is_guarded = life_time(after(kGuardTime), after(kLifeTimeFactor)) != Duration{0};
-  if (is_guarded && !context_.policy.remote_frames && entry.index != kProducerHeartbeatTime) {
+  const bool is_guarded = life_time(after(object::kGuardTime), after(object::kLifeTimeFactor)) != Duration{0};
+  if (is_guarded && !context_.policy.remote_frames && entry.index != object::kHeartbeatTime) {
     context_.application.on_life_guarding_withheld();
     return refuse(AbortCode::DeviceState);
   }
   if (context_.policy.error_control_conflict != ErrorControlConflict::Refuse) return {};
-  return is_guarded && context_.policy.remote_frames && after(kProducerHeartbeatTime) != 0
+  return is_guarded && context_.policy.remote_frames && after(object::kHeartbeatTime) != 0
              ? refuse(AbortCode::InvalidValue)
              : Result<void>{};
 }
 
 Result<void> NodeGuarding::write(const Entry& entry, std::int64_t value) {
   if (auto accepted = check(entry, value); !accepted) return accepted;
-  if (entry.index == kProducerHeartbeatTime) {
+  if (entry.index == object::kHeartbeatTime) {
     switch_heartbeat(value != 0);
   } else {
-    set_life_time(life_time(value, stored(entry.index == kGuardTime ? kLifeTimeFactor : kGuardTime)));
+    set_life_time(life_time(
+        value, stored(entry.index == object::kGuardTime ? object::kLifeTimeFactor : object::kGuardTime)));
   }
   return {};
 }

@@ -4,12 +4,12 @@
 #include <span>
 
 #include "libcanopen/base/node_id.hpp"
+#include "libcanopen/base/object_index.hpp"
 #include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {
 
-constexpr std::uint16_t kFirstObject = 0x1200;
 constexpr std::uint16_t kObjects = 128;
 
 /// Sub-indices of a server's record (CiA 301, 7.5.2.33).
@@ -31,7 +31,7 @@ constexpr bool is_valid(std::uint32_t cob_id) noexcept {
 std::size_t servers_in(const Dictionary& dictionary) noexcept {
   std::size_t servers = 1;
   for (std::uint16_t number = 1; number < kObjects; ++number) {
-    if (dictionary.contains(static_cast<std::uint16_t>(kFirstObject + number))) ++servers;
+    if (dictionary.contains(static_cast<std::uint16_t>(object::kSdoServer + number))) ++servers;
   }
   return servers;
 }
@@ -47,7 +47,7 @@ SdoServers::SdoServers(Context& context)
   servers_.reserve(servers_in(context.dictionary));
   indices_.reserve(servers_in(context.dictionary));
   for (std::uint16_t number = 0; number < kObjects; ++number) {
-    const auto index = static_cast<std::uint16_t>(kFirstObject + number);
+    const auto index = static_cast<std::uint16_t>(object::kSdoServer + number);
     if (number != 0 && !context_.dictionary.contains(index)) continue;
     const std::size_t position = servers_.size();
     position_[number] = static_cast<std::uint8_t>(position);
@@ -163,7 +163,7 @@ bool SdoServers::may_have(std::size_t position, std::uint8_t sub_index, std::uin
 }
 
 Result<void> SdoServers::write(const Entry& entry, std::int64_t value) {
-  const std::size_t position = position_[entry.index - kFirstObject];
+  const std::size_t position = position_[entry.index - object::kSdoServer];
   const auto cob_id = static_cast<std::uint32_t>(value);
   if (auto allowed = check(position, entry.sub_index, cob_id); !allowed) return allowed;
   CobIds wanted = cob_ids(position);

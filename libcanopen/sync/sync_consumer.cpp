@@ -1,14 +1,10 @@
 #include "libcanopen/sync/sync_consumer.hpp"
 
+#include "libcanopen/base/object_index.hpp"
 #include "libcanopen/service/identifier_list.hpp"
 
 namespace canopen {
 namespace {
-
-constexpr std::uint16_t kCobIdSync = 0x1005;
-constexpr std::uint16_t kCyclePeriod = 0x1006;
-constexpr std::uint16_t kWindowLength = 0x1007;
-constexpr std::uint16_t kCounterOverflow = 0x1019;
 
 /// Synchronous window length in us (CiA 301, 7.5.2.7).
 constexpr Duration window_time(std::int64_t value) noexcept {
@@ -23,7 +19,7 @@ constexpr bool is_overflow(std::int64_t value) noexcept {
 }  // namespace
 
 SyncConsumer::SyncConsumer(Context& context) : Service{context, {.lives_in = kStatesOfObjects, .identifiers = 1}} {
-  for (const std::uint16_t index : {kCobIdSync, kWindowLength, kCounterOverflow}) {
+  for (const std::uint16_t index : {object::kCobIdSync, object::kWindowLength, object::kSyncOverflow}) {
     context_.dictionary.serve_writes(index, 0, *this);
   }
 }
@@ -37,12 +33,12 @@ void SyncConsumer::list_identifiers(IdentifierList& list) const noexcept {
 }
 
 void SyncConsumer::reload(Reload) noexcept {
-  identifier_ = identifier_in(static_cast<std::uint32_t>(stored(kCobIdSync).value_or(0)));
-  window_ = window_time(stored(kWindowLength).value_or(0));
+  identifier_ = identifier_in(static_cast<std::uint32_t>(stored(object::kCobIdSync).value_or(0)));
+  window_ = window_time(stored(object::kWindowLength).value_or(0));
   if (wrong_length_) recover();
   shortest_ = 0;
   longest_ = 1;
-  if (const auto overflow = stored(kCounterOverflow)) set_overflow(*overflow);
+  if (const auto overflow = stored(object::kSyncOverflow)) set_overflow(*overflow);
 }
 
 /// A SYNC has a counter exactly if there is an overflow value.
@@ -70,8 +66,8 @@ void SyncConsumer::recover() noexcept {
 }
 
 Result<void> SyncConsumer::write(const Entry& entry, std::int64_t value) {
-  if (entry.index == kCobIdSync) return write_cob_id(static_cast<std::uint32_t>(value));
-  if (entry.index == kCounterOverflow) return write_overflow(value);
+  if (entry.index == object::kCobIdSync) return write_cob_id(static_cast<std::uint32_t>(value));
+  if (entry.index == object::kSyncOverflow) return write_overflow(value);
   window_ = window_time(value);
   return {};
 }
@@ -89,7 +85,7 @@ Result<void> SyncConsumer::write_cob_id(std::uint32_t cob_id) {
 
 Result<void> SyncConsumer::write_overflow(std::int64_t value) {
   if (!is_overflow(value)) return refuse(AbortCode::InvalidValue);
-  if (stored(kCyclePeriod).value_or(0) != 0 && value != stored(kCounterOverflow))
+  if (stored(object::kCyclePeriod).value_or(0) != 0 && value != stored(object::kSyncOverflow))
     return refuse(AbortCode::DeviceState);
   set_overflow(value);
   return {};

@@ -1,13 +1,13 @@
 #include "libcanopen/time/time_consumer.hpp"
 
 #include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/base/object_index.hpp"
 #include "libcanopen/service/identifier_list.hpp"
 #include "libcanopen/time/time_of_day.hpp"
 
 namespace canopen {
 namespace {
 
-constexpr std::uint16_t kCobIdTime = 0x1012;
 constexpr std::uint8_t kTimeBytes = 6;
 constexpr std::uint32_t kMilliseconds = 0x0FFFFFFF;  // the four bits above are void (CiA 301, 7.1.6.5)
 
@@ -18,7 +18,7 @@ constexpr Identifier consumed_identifier(std::uint32_t cob_id) noexcept {
 }  // namespace
 
 TimeConsumer::TimeConsumer(Context& context) : Service{context, {.lives_in = kStatesOfObjects, .identifiers = 1}} {
-  context_.dictionary.serve_writes(kCobIdTime, 0, *this);
+  context_.dictionary.serve_writes(object::kCobIdTime, 0, *this);
 }
 
 void TimeConsumer::list_identifiers(IdentifierList& list) const noexcept {
@@ -26,7 +26,7 @@ void TimeConsumer::list_identifiers(IdentifierList& list) const noexcept {
 }
 
 void TimeConsumer::reload(Reload) noexcept {
-  const std::int64_t cob_id = context_.dictionary.stored(kCobIdTime, 0).value_or(0);
+  const std::int64_t cob_id = context_.dictionary.stored(object::kCobIdTime, 0).value_or(0);
   identifier_ = consumed_identifier(static_cast<std::uint32_t>(cob_id));
 }
 
