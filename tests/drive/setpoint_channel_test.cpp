@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/units.hpp"
+#include "drive/base/units.hpp"
 
 namespace drive {
 namespace {
