@@ -76,10 +76,10 @@ endfunction()
 
 # Sources with names in their unnamed namespaces that others of their folder have, too.
 set(AXISD_ALONE
-  socket_can.cpp link_monitor.cpp predefined_connections.cpp standard_wiring.cpp provocation.cpp many_messages.cpp start_hub.cpp motor_file.cpp parameter_reader.cpp fault_table.cpp standard_rules.cpp
+  socket_can.cpp link_monitor.cpp predefined_connections.cpp standard_wiring.cpp provocation.cpp many_messages.cpp start_hub.cpp motor_file.cpp parameter_reader.cpp fault_table.cpp axis_parameters.cpp standard_rules.cpp
   module_rules.cpp object_reader.cpp table_writer.cpp node_guarding.cpp voltage_frequency.cpp magnet_flux_test.cpp
   saturation_test.cpp inertia_test.cpp rotor_test.cpp standstill_measurement.cpp stopping.cpp plant_step.cpp
-  runner_aftercare.cpp sdo_match.cpp lint_command.cpp make_commands.cpp "[a-z_]*_checks.cpp")
+  runner_aftercare.cpp sdo_match.cpp lint_command.cpp make_commands.cpp "[a-z_]*_checks.cpp" "[a-z_]*_reasons.cpp")
 list(JOIN AXISD_ALONE "|" AXISD_ALONE)
 
 # axisd_unite_folders(TARGET...): the sources that a target has in one folder are compiled as one, with AXISD_FAST_COMPILE.
