@@ -76,10 +76,12 @@ endfunction()
 
 # Sources with names in their unnamed namespaces that others of their folder have, too.
 set(AXISD_ALONE
-  socket_can.cpp link_monitor.cpp predefined_connections.cpp standard_wiring.cpp provocation.cpp many_messages.cpp start_hub.cpp motor_file.cpp parameter_reader.cpp fault_table.cpp axis_parameters.cpp standard_rules.cpp
-  module_rules.cpp object_reader.cpp table_writer.cpp node_guarding.cpp voltage_frequency.cpp magnet_flux_test.cpp
-  saturation_test.cpp inertia_test.cpp rotor_test.cpp standstill_measurement.cpp stopping.cpp plant_step.cpp
-  runner_aftercare.cpp sdo_match.cpp lint_command.cpp make_commands.cpp "[a-z_]*_checks.cpp" "[a-z_]*_reasons.cpp")
+  axis_parameters.cpp fault_table.cpp inertia_test.cpp link_monitor.cpp lint_command.cpp magnet_flux_test.cpp
+  make_commands.cpp many_messages.cpp module_rules.cpp motor_file.cpp node_guarding.cpp object_reader.cpp
+  parameter_reader.cpp plant_step.cpp predefined_connections.cpp provocation.cpp rotor_test.cpp
+  runner_aftercare.cpp saturation_test.cpp sdo_match.cpp socket_can.cpp standard_rules.cpp standard_wiring.cpp
+  standstill_measurement.cpp start_hub.cpp stopping.cpp table_writer.cpp voltage_frequency.cpp
+  "[a-z_]*_checks.cpp" "[a-z_]*_reasons.cpp")
 list(JOIN AXISD_ALONE "|" AXISD_ALONE)
 
 # axisd_unite_folders(TARGET...): the sources that a target has in one folder are compiled as one, with AXISD_FAST_COMPILE.
