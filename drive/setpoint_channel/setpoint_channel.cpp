@@ -32,10 +32,12 @@ void SetpointChannel::configure(double motor_maximum_speed, bool extended) noexc
              ramp(off3, off3, p.off3_initial_rounding, p.off3_final_rounding), RampSlopes{}};
   maximum_ = std::min(p.maximum_speed, motor_maximum_speed);
   extended_ = extended;
-  limit(p.speed_limit_positive, p.speed_limit_negative);
+  limit();
 }
 
-void SetpointChannel::limit(double forward, double backward) noexcept {
+void SetpointChannel::limit() noexcept {
+  const double forward = std::isinf(in_.forward_limit) ? settings.speed_limit_positive : in_.forward_limit;
+  const double backward = std::isinf(in_.backward_limit) ? settings.speed_limit_negative : in_.backward_limit;
   forward_ = std::clamp(forward, 0.0, maximum_);
   backward_ = std::clamp(backward, -maximum_, 0.0);
 }
@@ -95,8 +97,7 @@ void SetpointChannel::follow_zero() noexcept {
 }
 
 void SetpointChannel::choose(bool jogs) noexcept {
-  limit(std::isinf(in_.forward_limit) ? settings.speed_limit_positive : in_.forward_limit,
-        std::isinf(in_.backward_limit) ? settings.speed_limit_negative : in_.backward_limit);
+  limit();
   const std::array selection{in_.fixed_setpoint_bit_0, in_.fixed_setpoint_bit_1, in_.fixed_setpoint_bit_2,
                              in_.fixed_setpoint_bit_3};
   std::size_t number = 0;

@@ -164,7 +164,7 @@ class SetpointChannel {
   double jog_setpoint() const noexcept;
   double limited(double setpoint) const noexcept;
   void lead_ramp() noexcept;
-  void limit(double forward, double backward) noexcept;
+  void limit() noexcept;
   void leave_module_out() noexcept;
 
   // Follows from the parameters.
