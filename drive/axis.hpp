@@ -162,13 +162,17 @@ class Axis final : public DriveObject {
   void before_setting(const ParameterRow& row) noexcept override;
   void after_setting(const ParameterRow& row) noexcept override;
   WriteState write_state() const noexcept override;
-  void on_settings_changed(BlockId) noexcept override { apply_parameters(); }
+  void on_settings_changed(BlockId changed) noexcept override;
   void on_parameter_written() noexcept override { settled_ = false; }
   void react(const FaultRow& row) noexcept override;
   void on_acknowledged_fault_left() noexcept override;
   void on_messages_changed() noexcept override;
 
+  // What follows from the settings (axis_parameters.cpp).
   void apply_parameters() noexcept;
+  void configure_channel() noexcept;
+  void configure_model() noexcept;
+  void configure_control() noexcept;
   void commission() noexcept;
   void follow_control_mode() noexcept;
 
