@@ -44,6 +44,7 @@ DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host
     axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id, configuration.supply,
                        configuration.infeed);
   wiring_ = std::make_unique<Wiring>(*this);
+  group_inputs();
   for_each_object([this](DriveObject& object) { object.join(*this); });
 }
 
@@ -67,24 +68,27 @@ void DriveUnit::exchange_process_data() noexcept {
 void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   wiring_->connect();
   wiring_->convert_words();
-  std::array<bool, kMostAxes> runs{};
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    runs[i] = awake[i] || !has_nothing_to_do(axes_[i]);
-    if (runs[i]) take_inputs(axes_[i]);
-  }
-  follow_unit_inputs();
-  run_infeed(duration);
   std::array<Axis*, kMostAxes> running{};
+  std::array<bool, kMostAxes> runs{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!runs[i]) {
-      axes_[i].rest(duration, dc_link_.voltage());
-      continue;
-    }
-    axes_[i].begin_cycle(duration);
-    running[count++] = &axes_[i];
+    Axis& axis = axes_[i];
+    runs[i] = awake[i] || !has_nothing_to_do(axis);
+    if (!runs[i]) continue;
+    running[count++] = &axis;
+    axis.start_cycle(duration);
+    axis.take_image();
+    take_inputs(axis, Phase::Sequence);
   }
-  run({running.data(), count}, duration);
+  const std::span<Axis* const> moved{running.data(), count};
+  follow_unit_inputs();
+  run_infeed(duration);
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (!runs[i]) axes_[i].rest(duration, dc_link_.voltage());
+  for (Axis* const axis : moved) axis->run(Phase::Sequence);
+  run_phase(Phase::Setpoint, moved);
+  run_phase(Phase::Torque, moved);
+  run(moved, duration);
 }
 
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
@@ -119,12 +123,14 @@ void DriveUnit::run(std::span<Axis* const> moved, double duration) noexcept {
   end_cycle(moved);
 }
 
+/// All axes see of each other what the phase before has led to.
+void DriveUnit::run_phase(Phase phase, std::span<Axis* const> axes) noexcept {
+  for (Axis* const axis : axes) take_inputs(*axis, phase);
+  for (Axis* const axis : axes) axis->run(phase);
+}
+
 void DriveUnit::end_cycle(std::span<Axis* const> moved) noexcept {
-  for (Axis* const axis : moved) axis->measure();
-  for (Axis* const axis : moved) {
-    for (const BlockId block : kInputsAtTheEnd) wiring_->take(*axis, block);
-    axis->end_cycle();
-  }
+  for (const Phase phase : kAfterTheSteps) run_phase(phase, moved);
   send_converted();
 }
 

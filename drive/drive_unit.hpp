@@ -147,7 +147,9 @@ class DriveUnit final : private Surroundings {
   void follow_unit_inputs() noexcept;
   void run_infeed(double duration) noexcept;
   void connect_line() noexcept;
-  void take_inputs(Axis& axis) noexcept;
+  void group_inputs();
+  void take_inputs(const Axis& axis, Phase phase) noexcept;
+  void run_phase(Phase phase, std::span<Axis* const> axes) noexcept;
   bool has_nothing_to_do(const Axis& axis) const noexcept;
   void run(std::span<Axis* const> moved, double duration) noexcept;
   void end_cycle(std::span<Axis* const> moved) noexcept;

@@ -18,9 +18,15 @@ void follow_messages(DriveObject& object, ExternalMessages& external) noexcept {
 
 }  // namespace
 
-void DriveUnit::take_inputs(Axis& axis) noexcept {
-  for (const BlockId block : kInputsAtTheBeginning) wiring_->take(axis, block);
-  axis.take_image();
+/// A phase is the group of inputs with its number.
+void DriveUnit::group_inputs() {
+  for (const Axis& axis : axes_)
+    for (const auto& phases : {kBeforeTheSteps, kAfterTheSteps})
+      for (const Phase phase : phases) wiring_->add_group(axis, Axis::inputs_of(phase));
+}
+
+void DriveUnit::take_inputs(const Axis& axis, Phase phase) noexcept {
+  wiring_->take_group(axis, static_cast<std::size_t>(phase));
 }
 
 /// Whether @p axis is quiescent and all that acts on it is as in its last cycle.

@@ -31,6 +31,11 @@ class Wiring {
   void convert_words() noexcept;
   /// Step 2: the inputs of block @p block of @p object take what they are connected to.
   void take(const DriveObject& object, BlockId block) noexcept;
+  /// Makes ready to take the inputs of @p blocks of @p object, which are in no other group, together: as the next
+  /// group, from 0.
+  void add_group(const DriveObject& object, std::span<const BlockId> blocks);
+  /// Step 2 of all blocks of group @p group of @p object.
+  void take_group(const DriveObject& object, std::size_t group) noexcept;
   /// Whether a source has another value than an input of @p object that is connected to it.
   bool changed(const DriveObject& object) const noexcept;
   /// Step 3.
@@ -74,10 +79,16 @@ class Wiring {
     std::size_t bit = 0;
     SignalSource source{};
   };
+  /// Blocks that stand side by side.
+  struct Group {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
   /// All inputs of one drive object.
   struct Object {
     DriveObject* object;
-    std::vector<Inputs> blocks{};
+    std::vector<Inputs> blocks{};  ///< those of groups first
+    std::vector<Group> groups{};
     std::vector<Place> words_of_bits{};
     decltype(ProcessDataImage::words_of_bits) constant_words_of_bits{};
     std::array<SignalSource, 2> bits_of_words{};
@@ -96,6 +107,8 @@ class Wiring {
   static void add(Inputs& inputs, const BitLink& link) noexcept;
   static void group(Inputs& inputs) noexcept;
   static std::span<const BitLink> bits_of(const Inputs& inputs, const Word& word) noexcept;
+  Object& entry_of(const DriveObject& object) noexcept { return objects_[object.number() - std::size_t{1}]; }
+  static void take(Inputs& inputs) noexcept;
   static void take_all(Inputs& inputs) noexcept;
   static void take_new(Inputs& inputs) noexcept;
   static bool is_other(const Inputs& inputs) noexcept;

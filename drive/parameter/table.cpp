@@ -12,6 +12,7 @@
 #include "drive/identification/identification_rows.hpp"
 #include "drive/measurement/measurement_rows.hpp"
 #include "drive/motor_model/motor_model_rows.hpp"
+#include "drive/jog/jog_rows.hpp"
 #include "drive/motor_monitoring/motor_monitoring_rows.hpp"
 #include "drive/parameter/rows/can.hpp"
 #include "drive/parameter/rows/control.hpp"
