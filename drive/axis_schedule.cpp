@@ -1,7 +1,10 @@
 // The schedule of an axis: which block has its turn when in a process-data cycle.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "drive/axis.hpp"

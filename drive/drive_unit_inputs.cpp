@@ -29,9 +29,13 @@ void DriveUnit::take_inputs(const Axis& axis, Phase phase) noexcept {
   wiring_->take_group(axis, static_cast<std::size_t>(phase));
 }
 
-/// Whether @p axis is quiescent and all that acts on it is as in its last cycle.
+bool DriveUnit::has_new_inputs(const Axis& axis, Phase phase) const noexcept {
+  return wiring_->changed(axis, static_cast<std::size_t>(phase));
+}
+
+/// Whether @p axis is quiescent and nothing new acts on it as a cycle begins.
 bool DriveUnit::has_nothing_to_do(const Axis& axis) const noexcept {
-  return axis.is_quiescent() && !axis.has_new_image() && !wiring_->changed(axis);
+  return axis.is_quiescent() && !axis.has_new_image() && !has_new_inputs(axis, Phase::Sequence);
 }
 
 /// Of the control unit: p2102 acknowledges the faults of all drive objects, p2103 to p2105 its own, p2106 to p2108

@@ -214,8 +214,10 @@ void Wiring::take_new(Inputs& inputs) noexcept {
   }
 }
 
-bool Wiring::changed(const DriveObject& object) const noexcept {
-  return std::ranges::any_of(objects_[object.number() - std::size_t{1}].blocks, [](const Inputs& inputs) {
+bool Wiring::changed(const DriveObject& object, std::size_t group) const noexcept {
+  const Object& entry = objects_[object.number() - std::size_t{1}];
+  const Group& place = entry.groups[group];
+  return std::ranges::any_of(std::span{entry.blocks}.subspan(place.first, place.count), [](const Inputs& inputs) {
     return inputs.is_taken ? has_new(inputs) : is_other(inputs);
   });
 }

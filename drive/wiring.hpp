@@ -13,7 +13,7 @@ namespace drive {
 /// there are and where what they bring lies. What is constant is settled once, what is not is a list of sources.
 /// In a cycle come, in this order, for the control unit, the axes and the infeed:
 /// 1. connector-binector converters (p8899 -> r8894, r8895), with what the bus has brought for this cycle;
-/// 2. the inputs of each block, when its turn has come (take());
+/// 2. the inputs of each block, when its turn has come (take(), take_group());
 /// 3. when the statuswords are there, binector-connector converters (p8880 to p8884 -> r8889) and then the words
 ///    to be sent (p8851, p8861).
 class Wiring {
@@ -36,8 +36,8 @@ class Wiring {
   void add_group(const DriveObject& object, std::span<const BlockId> blocks);
   /// Step 2 of all blocks of group @p group of @p object.
   void take_group(const DriveObject& object, std::size_t group) noexcept;
-  /// Whether a source has another value than an input of @p object that is connected to it.
-  bool changed(const DriveObject& object) const noexcept;
+  /// Whether a source has another value than an input of group @p group of @p object that is connected to it.
+  bool changed(const DriveObject& object, std::size_t group) const noexcept;
   /// Step 3.
   void convert_bits() noexcept;
   void send() noexcept;
