@@ -140,11 +140,17 @@ void Axis::start_cycle(double duration) noexcept {
 
 void Axis::begin_cycle(double duration) noexcept {
   start_cycle(duration);
-  for (const Phase phase : kBeforeTheSteps) run(phase);
+  [this]<std::size_t... kPlaces>(std::index_sequence<kPlaces...>) {
+    (run<kBeforeTheSteps[kPlaces]>(), ...);
+  }
+  (std::make_index_sequence<kBeforeTheSteps.size()>{});
 }
 
 void Axis::end_cycle() noexcept {
-  for (const Phase phase : kAfterTheSteps) run(phase);
+  [this]<std::size_t... kPlaces>(std::index_sequence<kPlaces...>) {
+    (run<kAfterTheSteps[kPlaces]>(), ...);
+  }
+  (std::make_index_sequence<kAfterTheSteps.size()>{});
 }
 
 }  // namespace drive
