@@ -4,8 +4,11 @@
 #include <array>
 #include <cstdint>
 
-#include "drive/axis.hpp"
+#include "drive/drive_object.hpp"
+#include "drive/function_modules.hpp"
+#include "drive/identification/identification.hpp"
 #include "drive/parameter/factory_values.hpp"
+#include "drive/speed_control/speed_control.hpp"
 
 namespace drive::check {
 namespace {
@@ -46,6 +49,12 @@ constexpr std::array kServoMeasurements{-3, -1, 0, 1};  // p1910 and p1960
 constexpr std::array kVectorStandstill{-3, -1, 0, 1, 2};
 constexpr std::array kVectorRotating{-3, -1, 0, 1, 2, 3, 4};
 
+/// A block of an axis; nullptr if @p object is none.
+template <class Block>
+const Block* block_of(const DriveObject& object) noexcept {
+  return static_cast<const Block*>(object.block(kBlock<Block>));
+}
+
 /// -3 where nothing was found.
 std::optional<Refusal> nothing_to_take(double value, bool found) noexcept {
   return refuse_unless(static_cast<int>(value) != selection::kTakeOver || found, Refusal::NotNow);
@@ -63,22 +72,22 @@ std::optional<Refusal> standstill_selection(const DriveObject& object, std::size
   const bool of_the_curve = static_cast<int>(value) == selection::kMeasureCurve && magnetises;
   const auto reason = vector ? one_of(kVectorStandstill, value) : one_of(kServoMeasurements, value);
   if (reason && !of_the_curve) return reason;
-  const auto* const axis = dynamic_cast<const Axis*>(&object);
-  if (axis == nullptr) return Refusal::NotNow;
-  return nothing_to_take(value, axis->identification().results().standstill.has_value());
+  const auto* const identification = block_of<Identification>(object);
+  if (identification == nullptr) return Refusal::NotNow;
+  return nothing_to_take(value, identification->results().standstill.has_value());
 }
 
 std::optional<Refusal> rotating_selection(const DriveObject& object, std::size_t, double value) noexcept {
   const bool vector = object.kind() == ObjectKind::Vector;
   if (const auto reason = vector ? one_of(kVectorRotating, value) : one_of(kServoMeasurements, value))
     return reason;
-  const auto* const axis = dynamic_cast<const Axis*>(&object);
-  if (axis == nullptr) return Refusal::NotNow;
+  const auto* const identification = block_of<Identification>(object);
+  const auto* const control = block_of<SpeedControl>(object);
+  if (identification == nullptr || control == nullptr) return Refusal::NotNow;
   const int choice = static_cast<int>(value);
   const bool measures = choice != selection::kNone && choice != selection::kTakeOver;
-  if (measures && !can_rotate(choice, object.kind(), axis->block<SpeedControl>().settings.control_mode))
-    return Refusal::NotNow;
-  return nothing_to_take(value, axis->identification().results().rotating.has_value());
+  if (measures && !can_rotate(choice, object.kind(), control->settings.control_mode)) return Refusal::NotNow;
+  return nothing_to_take(value, identification->results().rotating.has_value());
 }
 
 std::optional<Refusal> not_zero(const DriveObject&, std::size_t, double value) noexcept {
