@@ -7,7 +7,7 @@
 
 #include "device/objects/object_index.hpp"
 #include "device/pdo/pdo_objects.hpp"
-#include "drive/explain.hpp"
+#include "drive/explain/explain.hpp"
 #include "drive/parameter/bico.hpp"
 #include "libcanopen/base/cob_id.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "drive/function_modules.hpp"
+#include "drive/base/function_modules.hpp"
 #include "drive/wiring.hpp"
 
 namespace drive {

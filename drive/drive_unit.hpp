@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "drive/axis.hpp"
-#include "drive/control_unit.hpp"
-#include "drive/infeed.hpp"
+#include "drive/axis/axis.hpp"
+#include "drive/control_unit/control_unit.hpp"
+#include "drive/infeed/infeed.hpp"
 #include "motor/plant/dc_link.hpp"
 
 namespace drive {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "drive/base/scaling.hpp"
+#include "drive/base/units.hpp"
 #include "drive/parameter/rounding.hpp"
-#include "drive/scaling.hpp"
-#include "drive/units.hpp"
 
 namespace drive {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "drive/axis.hpp"
+#include "drive/axis/axis.hpp"
 #include "unit/time.hpp"
 
 namespace unit {

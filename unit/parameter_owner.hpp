@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "drive/drive_object.hpp"
+#include "drive/object/drive_object.hpp"
 
 namespace unit {
 

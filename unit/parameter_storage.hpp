@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "drive/storage_image.hpp"
+#include "drive/images/storage_image.hpp"
 #include "unit/follow_ups.hpp"
 #include "unit/parameter_groups.hpp"
 #include "unit/unit_parameters.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drive/drive_unit.hpp"
-#include "drive/retained_image.hpp"
+#include "drive/images/retained_image.hpp"
 #include "unit/configuration.hpp"
 #include "unit/cycle_clock.hpp"
 #include "unit/face.hpp"

@@ -2,7 +2,7 @@
 
 #include "bench/operations/frames.hpp"
 #include "bench/operations/operation.hpp"
-#include "drive/axis.hpp"
+#include "drive/axis/axis.hpp"
 
 namespace bench {
 namespace {

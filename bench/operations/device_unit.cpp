@@ -3,7 +3,7 @@
 #include <array>
 #include <bit>
 
-#include "drive/scaling.hpp"
+#include "drive/base/scaling.hpp"
 
 namespace bench {
 

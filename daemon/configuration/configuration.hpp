@@ -9,7 +9,7 @@
 
 #include "can/port/address.hpp"
 #include "daemon/configuration/motor_source.hpp"
-#include "drive/object_kind.hpp"
+#include "drive/base/object_kind.hpp"
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/load.hpp"
 #include "motor/data/machine_data.hpp"

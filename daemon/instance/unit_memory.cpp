@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "daemon/base/clock.hpp"
-#include "drive/retained_image.hpp"
-#include "drive/storage_image.hpp"
+#include "drive/images/retained_image.hpp"
+#include "drive/images/storage_image.hpp"
 
 namespace axisd {
 namespace {

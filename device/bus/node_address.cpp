@@ -1,6 +1,6 @@
 #include "device/bus/node_address.hpp"
 
-#include "drive/storage_image.hpp"
+#include "drive/images/storage_image.hpp"
 
 namespace device {
 

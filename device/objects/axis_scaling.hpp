@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "device/objects/object_index.hpp"
-#include "drive/axis.hpp"
-#include "drive/scaling.hpp"
+#include "drive/axis/axis.hpp"
+#include "drive/base/scaling.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {

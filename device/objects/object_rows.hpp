@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "drive/object_kind.hpp"
+#include "drive/base/object_kind.hpp"
 #include "libcanopen/od/entry_description.hpp"
 
 namespace device {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "device/objects/object_index.hpp"
-#include "drive/object_kind.hpp"
+#include "drive/base/object_kind.hpp"
 
 /// Which object is which parameter: said here and nowhere else.
 namespace device {

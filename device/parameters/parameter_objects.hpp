@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "device/objects/axis_scaling.hpp"
-#include "drive/axis.hpp"
+#include "drive/axis/axis.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "device/pdo/pdo_objects.hpp"
-#include "drive/process_data_image.hpp"
+#include "drive/base/process_data_image.hpp"
 
 namespace device {
 

@@ -6,7 +6,7 @@
 #include "device/parameters/parameter_objects.hpp"
 #include "device/process_data/process_data.hpp"
 #include "device/process_data/written_controlwords.hpp"
-#include "drive/axis.hpp"
+#include "drive/axis/axis.hpp"
 #include "libcanopen/od/dictionary.hpp"
 #include "unit/runner.hpp"
 

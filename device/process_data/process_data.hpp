@@ -8,7 +8,7 @@
 #include "device/objects/axis_scaling.hpp"
 #include "device/process_data/process_data_buffers.hpp"
 #include "device/process_data/process_objects.hpp"
-#include "drive/axis.hpp"
+#include "drive/axis/axis.hpp"
 #include "libcanopen/od/dictionary.hpp"
 
 namespace device {

@@ -1,6 +1,6 @@
 #include "device/process_data/process_objects.hpp"
 
-#include "drive/units.hpp"
+#include "drive/base/units.hpp"
 
 namespace device {
 namespace {

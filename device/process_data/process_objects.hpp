@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "device/objects/object_index.hpp"
-#include "drive/axis.hpp"
-#include "drive/scaling.hpp"
+#include "drive/axis/axis.hpp"
+#include "drive/base/scaling.hpp"
 
 namespace device {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "device/process_data/process_data_buffers.hpp"
-#include "drive/axis.hpp"
+#include "drive/axis/axis.hpp"
 
 namespace device {
 

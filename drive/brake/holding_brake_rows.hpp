@@ -3,8 +3,8 @@
 #include <array>
 
 #include "drive/brake/holding_brake.hpp"
-#include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/row.hpp"
+#include "drive/values/factory_values.hpp"
 
 namespace drive::rows {
 

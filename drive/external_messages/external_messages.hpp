@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "drive/cause.hpp"
+#include "drive/messages/cause.hpp"
 
 namespace drive {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "drive/object_kind.hpp"
+#include "drive/base/object_kind.hpp"
 #include "motor/identification/rotating/rotating_measurement.hpp"
 #include "motor/identification/standstill/standstill_measurement.hpp"
 

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "drive/identification/identification.hpp"
-#include "drive/parameter/checks.hpp"
-#include "drive/parameter/identification_values.hpp"
 #include "drive/parameter/row.hpp"
+#include "drive/values/checks.hpp"
+#include "drive/values/identification_values.hpp"
 
 namespace drive::rows {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "drive/cause.hpp"
+#include "drive/messages/cause.hpp"
 #include "motor/drive_train.hpp"
 
 namespace drive {

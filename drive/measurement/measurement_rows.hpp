@@ -3,9 +3,9 @@
 #include <array>
 
 #include "drive/measurement/measurement.hpp"
-#include "drive/parameter/axis_values.hpp"
-#include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/row.hpp"
+#include "drive/values/axis_values.hpp"
+#include "drive/values/factory_values.hpp"
 
 namespace drive::rows {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "drive/cause.hpp"
-#include "drive/motor_model/machine_model.hpp"
+#include "drive/machine/machine_model.hpp"
+#include "drive/messages/cause.hpp"
 
 namespace drive {
 

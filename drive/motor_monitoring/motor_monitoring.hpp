@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "drive/cause.hpp"
+#include "drive/messages/cause.hpp"
 #include "motor/control/signals.hpp"
 
 namespace drive {

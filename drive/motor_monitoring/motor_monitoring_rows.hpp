@@ -3,8 +3,8 @@
 #include <array>
 
 #include "drive/motor_monitoring/motor_monitoring.hpp"
-#include "drive/parameter/axis_values.hpp"
 #include "drive/parameter/row.hpp"
+#include "drive/values/axis_values.hpp"
 
 namespace drive::rows {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "drive/object_kind.hpp"
+#include "drive/base/object_kind.hpp"
 #include "drive/parameter/bico.hpp"
 #include "drive/parameter/value.hpp"
 

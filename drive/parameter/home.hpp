@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "drive/base/quantity.hpp"
 #include "drive/parameter/block.hpp"
-#include "drive/quantity.hpp"
 
 namespace drive {
 

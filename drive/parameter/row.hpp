@@ -9,14 +9,14 @@
 #include <utility>
 #include <variant>
 
-#include "drive/axis_configuration.hpp"
-#include "drive/function_modules.hpp"
-#include "drive/object_kind.hpp"
+#include "drive/base/axis_configuration.hpp"
+#include "drive/base/function_modules.hpp"
+#include "drive/base/object_kind.hpp"
+#include "drive/base/units.hpp"
 #include "drive/parameter/bico.hpp"
 #include "drive/parameter/home.hpp"
 #include "drive/parameter/value.hpp"
 #include "drive/parameter/write_condition.hpp"
-#include "drive/units.hpp"
 #include "motor/data/supply_data.hpp"
 
 namespace drive {

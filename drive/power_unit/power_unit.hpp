@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "drive/cause.hpp"
+#include "drive/messages/cause.hpp"
 #include "motor/data/supply_data.hpp"
 #include "motor/drive_train.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "drive/parameter/axis_values.hpp"
 #include "drive/parameter/row.hpp"
 #include "drive/power_unit/power_unit.hpp"
+#include "drive/values/axis_values.hpp"
 
 namespace drive::rows {
 

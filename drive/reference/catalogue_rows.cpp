@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "drive/parameter/table.hpp"
+#include "drive/catalogue/table.hpp"
 
 namespace drive {
 namespace {

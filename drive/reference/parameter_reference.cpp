@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "drive/function_modules.hpp"
-#include "drive/parameter/table.hpp"
+#include "drive/base/function_modules.hpp"
+#include "drive/catalogue/table.hpp"
 
 namespace drive {
 namespace {

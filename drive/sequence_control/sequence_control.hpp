@@ -6,7 +6,7 @@
 #include <span>
 
 #include "drive/external_messages/external_messages.hpp"
-#include "drive/fault_table.hpp"
+#include "drive/messages/fault_table.hpp"
 #include "drive/sequence_control/standstill_monitor.hpp"
 #include "drive/sequence_control/state_machine.hpp"
 

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "drive/parameter/axis_values.hpp"
-#include "drive/parameter/checks.hpp"
 #include "drive/parameter/row.hpp"
 #include "drive/sequence_control/sequence_control.hpp"
+#include "drive/values/axis_values.hpp"
+#include "drive/values/checks.hpp"
 
 namespace drive::rows {
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "drive/parameter/axis_values.hpp"
 #include "drive/parameter/row.hpp"
 #include "drive/sequence_control/statusword.hpp"
+#include "drive/values/axis_values.hpp"
 
 namespace drive::rows {
 

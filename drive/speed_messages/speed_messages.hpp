@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "drive/cause.hpp"
+#include "drive/messages/cause.hpp"
 #include "drive/speed_messages/target_monitor.hpp"
 
 namespace drive {

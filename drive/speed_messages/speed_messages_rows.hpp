@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "drive/parameter/axis_values.hpp"
-#include "drive/parameter/factory_values.hpp"
 #include "drive/parameter/row.hpp"
 #include "drive/speed_messages/speed_messages.hpp"
+#include "drive/values/axis_values.hpp"
+#include "drive/values/factory_values.hpp"
 
 namespace drive::rows {
 

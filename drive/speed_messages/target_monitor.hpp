@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "drive/elapsed.hpp"
+#include "drive/base/elapsed.hpp"
 
 namespace drive {
 

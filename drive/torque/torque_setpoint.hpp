@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "drive/cause.hpp"
+#include "drive/messages/cause.hpp"
 #include "motor/control/signals.hpp"
 
 namespace drive {

@@ -1,6 +1,6 @@
 /// Every message of the unit on every drive object that can have it: on the bus, in the parameters, and each way
 /// to acknowledge it. That the table is the list of the real unit is shown in tests/drive/message_list_test.cpp.
-#include "drive/fault_table.hpp"
+#include "drive/messages/fault_table.hpp"
 
 #include <algorithm>
 #include <array>

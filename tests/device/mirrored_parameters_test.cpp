@@ -1,6 +1,6 @@
 #include <array>
 
-#include "drive/storage_image.hpp"
+#include "drive/images/storage_image.hpp"
 #include "tests/device/test_unit.hpp"
 
 namespace device {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/parameter/table.hpp"
+#include "drive/catalogue/table.hpp"
 
 namespace device {
 namespace {

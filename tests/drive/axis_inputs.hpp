@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "drive/axis.hpp"
+#include "drive/axis/axis.hpp"
 
 namespace drive {
 

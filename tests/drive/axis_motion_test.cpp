@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/scaling.hpp"
+#include "drive/base/scaling.hpp"
 #include "tests/drive/test_axis.hpp"
 
 namespace drive {

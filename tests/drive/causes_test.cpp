@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/axis.hpp"
-#include "drive/cause_monitor.hpp"
-#include "drive/fault_table.hpp"
+#include "drive/axis/axis.hpp"
+#include "drive/messages/cause_monitor.hpp"
+#include "drive/messages/fault_table.hpp"
 
 namespace drive {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "drive/explain.hpp"
+#include "drive/explain/explain.hpp"
 #include "tests/drive/wired_axis.hpp"
 
 namespace drive {

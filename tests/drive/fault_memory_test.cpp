@@ -1,4 +1,4 @@
-#include "drive/fault_memory.hpp"
+#include "drive/messages/fault_memory.hpp"
 
 #include <gtest/gtest.h>
 

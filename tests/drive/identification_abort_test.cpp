@@ -4,7 +4,7 @@
 #include <string>
 
 #include "drive/drive_unit.hpp"
-#include "drive/storage_image.hpp"
+#include "drive/images/storage_image.hpp"
 #include "tests/drive/measuring_axis.hpp"
 #include "tests/drive/wired_axis.hpp"
 

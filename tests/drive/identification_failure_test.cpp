@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "drive/motor_model/machine_model.hpp"
+#include "drive/machine/machine_model.hpp"
 #include "motor/control/field/induction_circuit.hpp"
 #include "tests/drive/measuring_axis.hpp"
 

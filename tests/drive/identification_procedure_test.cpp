@@ -2,7 +2,7 @@
 #include <array>
 
 #include "drive/drive_unit.hpp"
-#include "drive/storage_image.hpp"
+#include "drive/images/storage_image.hpp"
 #include "tests/drive/measuring_axis.hpp"
 
 namespace drive {

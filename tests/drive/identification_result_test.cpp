@@ -1,7 +1,7 @@
 /// What the motor identification of an axis finds, against the machine that turns.
 #include <numbers>
 
-#include "drive/motor_model/machine_model.hpp"
+#include "drive/machine/machine_model.hpp"
 #include "motor/control/field/induction_circuit.hpp"
 #include "tests/drive/measuring_axis.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/crc32.hpp"
+#include "drive/images/crc32.hpp"
 #include "tests/drive/test_drive_unit.hpp"
 
 namespace drive {

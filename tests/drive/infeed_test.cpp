@@ -1,9 +1,9 @@
 // The infeed as a drive object: its sequence control, the DC link, and what is said of it.
-#include "drive/infeed.hpp"
+#include "drive/infeed/infeed.hpp"
 
 #include <array>
 
-#include "drive/explain.hpp"
+#include "drive/explain/explain.hpp"
 #include "tests/drive/test_drive_unit.hpp"
 
 namespace drive {

@@ -1,4 +1,4 @@
-#include "drive/message_buffers.hpp"
+#include "drive/messages/message_buffers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "drive/drive_object.hpp"
+#include "drive/object/drive_object.hpp"
 
 namespace drive {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/axis.hpp"
+#include "drive/axis/axis.hpp"
 #include "tests/drive/test_axis.hpp"
 
 namespace drive {

@@ -1,4 +1,4 @@
-#include "drive/retained_image.hpp"
+#include "drive/images/retained_image.hpp"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
-#include "drive/scaling.hpp"
+#include "drive/base/scaling.hpp"
 
 #include <cstdint>
 
 #include <gtest/gtest.h>
 
-#include "drive/axis.hpp"
-#include "drive/units.hpp"
+#include "drive/axis/axis.hpp"
+#include "drive/base/units.hpp"
 
 namespace drive {
 namespace {

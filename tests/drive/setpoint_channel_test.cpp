@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "drive/base/units.hpp"
 #include "drive/jog/jog.hpp"
-#include "drive/units.hpp"
 
 namespace drive {
 namespace {

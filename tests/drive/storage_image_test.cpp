@@ -1,4 +1,4 @@
-#include "drive/storage_image.hpp"
+#include "drive/images/storage_image.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Digital inputs and outputs of the control unit (r0721 to r0723, p0728, p0738 to r0747, p0748, p0795, p0796).
-#include "drive/terminals.hpp"
+#include "drive/control_unit/terminals.hpp"
 
 #include "tests/drive/wired_unit.hpp"
 

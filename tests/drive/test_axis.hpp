@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/axis.hpp"
-#include "drive/units.hpp"
+#include "drive/axis/axis.hpp"
+#include "drive/base/units.hpp"
 
 namespace drive {
 

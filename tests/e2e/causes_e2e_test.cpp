@@ -1,7 +1,7 @@
 #include <functional>
 #include <string>
 
-#include "drive/fault_table.hpp"
+#include "drive/messages/fault_table.hpp"
 #include "libcanopen/base/little_endian.hpp"
 #include "tests/e2e/bus_sdo_client.hpp"
 #include "tests/e2e/daemon_process.hpp"

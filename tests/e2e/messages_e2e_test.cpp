@@ -1,4 +1,4 @@
-#include "drive/fault_memory.hpp"
+#include "drive/messages/fault_memory.hpp"
 #include "libcanopen/base/little_endian.hpp"
 #include "tests/e2e/daemon_process.hpp"
 #include "tests/fakes/candump.hpp"

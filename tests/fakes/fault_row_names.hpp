@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "drive/fault_table.hpp"
+#include "drive/messages/fault_table.hpp"
 
 namespace drive {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/parameter/table.hpp"
+#include "drive/catalogue/table.hpp"
 #include "tests/eds/rules/eds_reader.hpp"
 #include "tests/eds/rules/objects_csv.hpp"
 
