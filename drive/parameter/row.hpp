@@ -147,7 +147,7 @@ inline constexpr std::string_view kPulses = "an inverter with pulses; it acts as
 }  // namespace until
 
 /// The parameters of a block of an axis, an array of rows; a block that has some specialises it behind its class
-/// or in a header beside it that table.cpp includes.
+/// or in a header beside it that catalogue/table.cpp includes.
 template <class Block>
 inline constexpr std::array<Row, 0> rows_of{};
 

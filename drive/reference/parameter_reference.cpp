@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kIntroduction = R"(# Parameters
 
-Generated from the tables in drive/parameter/rows/ by the target `update_parameter_reference`; a test compares it with them.
+Generated from the rows that drive/catalogue lists by the target `update_parameter_reference`; a test compares it with them.
 
 The drive objects of the unit are the control unit (number 1) and the axes (from 2), each of them servo or vector; where
 the configuration makes the infeed a drive object, it has the number 2 and the axes begin at 3. A parameter is read and written at an index, from 0. "Factory" is the value of a new unit, which is commissioned for the

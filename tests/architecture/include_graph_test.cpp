@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 12> kFolders{"libcanopen", "text",   "mot
                                                     "can",        "daemon", "tools", "bench", "examples", "tests"};
 
 /// Folders whose parts still include each other; a name goes from here when they no longer do.
-constexpr std::array<std::string_view, 2> kTangled{"drive", "libcanopen"};
+constexpr std::array<std::string_view, 1> kTangled{"libcanopen"};
 
 bool is_tangled(const std::string& circle) {
   return std::ranges::any_of(kTangled, [&](std::string_view folder) { return circle.starts_with(folder); });
