@@ -44,6 +44,7 @@ DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host
     axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id, configuration.supply,
                        configuration.infeed);
   wiring_ = std::make_unique<Wiring>(*this);
+  group_inputs();
   for_each_object([this](DriveObject& object) { object.join(*this); });
 }
 
@@ -67,46 +68,84 @@ void DriveUnit::exchange_process_data() noexcept {
 void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   wiring_->connect();
   wiring_->convert_words();
-  std::array<bool, kMostAxes> runs{};
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    runs[i] = awake[i] || !has_nothing_to_do(axes_[i]);
-    if (runs[i]) take_inputs(axes_[i]);
+  Running running{};
+  for (std::size_t i = 0; i < axes_.size(); ++i) running.runs[i] = awake[i] || !has_nothing_to_do(axes_[i]);
+  collect(running);
+  for (Axis* const axis : running.all()) {
+    axis->start_cycle(duration);
+    axis->take_image();
+    take_inputs(*axis, Phase::Sequence);
   }
   follow_unit_inputs();
   run_infeed(duration);
-  std::array<Axis*, kMostAxes> running{};
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!runs[i]) {
-      axes_[i].rest(duration, dc_link_.voltage());
-      continue;
-    }
-    axes_[i].begin_cycle(duration);
-    running[count++] = &axes_[i];
+  for (Axis* const axis : running.all()) axis->run(Phase::Sequence);
+  for (const Phase phase : {Phase::Setpoint, Phase::Torque}) {
+    wake_for(phase, running, duration);
+    run_phase(phase, running);
   }
-  run({running.data(), count}, duration);
+  rest_others(running, duration);
+  move(running, duration);
+  for (const Phase phase : kAfterTheSteps) {
+    wake_for(phase, running, duration);
+    run_phase(phase, running);
+  }
+  send_converted();
 }
 
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
   wiring_->connect();
   run_infeed(duration);
-  std::array<Axis*, kMostAxes> running{};
-  std::size_t count = 0;
+  Running running{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!setpoints[i]) {
-      axes_[i].rest(duration, dc_link_.voltage());
-      continue;
-    }
+    running.runs[i] = setpoints[i].has_value();
+    if (!running.runs[i]) continue;
     axes_[i].command(*setpoints[i]);
     axes_[i].begin_cycle(duration);
-    running[count++] = &axes_[i];
   }
-  run({running.data(), count}, duration);
+  collect(running);
+  rest_others(running, duration);
+  move(running, duration);
+  for (const Phase phase : kAfterTheSteps) run_phase(phase, running);
+  send_converted();
   wiring_->invalidate();  // the inputs do not hold what they are connected to
 }
 
-void DriveUnit::run(std::span<Axis* const> moved, double duration) noexcept {
+void DriveUnit::collect(Running& running) noexcept {
+  running.count = 0;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (running.runs[i]) running.axes[running.count++] = &axes_[i];
+}
+
+/// An axis at rest that @p phase brings something new goes on from there: what it has missed of the cycle would
+/// have changed nothing.
+void DriveUnit::wake_for(Phase phase, Running& running, double duration) noexcept {
+  if (running.count == axes_.size()) return;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (running.runs[i] || !has_new_inputs(axes_[i], phase)) continue;
+    running.runs[i] = true;
+    axes_[i].start_cycle(duration);
+    for (const Phase missed : kBeforeTheSteps)
+      if (missed < phase) axes_[i].run(missed);
+  }
+  collect(running);
+}
+
+/// All axes see of each other what the phase before has led to.
+void DriveUnit::run_phase(Phase phase, const Running& running) noexcept {
+  if (!Axis::inputs_of(phase).empty())
+    for (const Axis* const axis : running.all()) take_inputs(*axis, phase);
+  for (Axis* const axis : running.all()) axis->run(phase);
+}
+
+void DriveUnit::rest_others(const Running& running, double duration) noexcept {
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (!running.runs[i]) axes_[i].rest(duration, dc_link_.voltage());
+}
+
+/// The steps of a cycle, side by side on the DC link.
+void DriveUnit::move(const Running& running, double duration) noexcept {
   const auto steps = std::lround(duration / motor::kControlPeriod);
+  const std::span<Axis* const> moved = running.all();
   double lowest = dc_link_.voltage();
   for (long step = 0; step < steps; ++step) {
     const double voltage = dc_link_.voltage();
@@ -116,16 +155,6 @@ void DriveUnit::run(std::span<Axis* const> moved, double duration) noexcept {
     lowest = std::min(lowest, voltage);
   }
   lowest_dc_voltage_ = std::min(lowest, dc_link_.voltage());
-  end_cycle(moved);
-}
-
-void DriveUnit::end_cycle(std::span<Axis* const> moved) noexcept {
-  for (Axis* const axis : moved) axis->measure();
-  for (Axis* const axis : moved) {
-    for (const BlockId block : kInputsAtTheEnd) wiring_->take(*axis, block);
-    axis->end_cycle();
-  }
-  send_converted();
 }
 
 /// What is made of bits, and what is put out.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -135,6 +137,15 @@ class DriveUnit final : private Surroundings {
   void follow_function_modules() noexcept;
 
  private:
+  /// Which axes run in a cycle, and these in their order; the others rest.
+  struct Running {
+    std::array<bool, kMostAxes> runs{};
+    std::array<Axis*, kMostAxes> axes{};
+    std::size_t count = 0;
+
+    std::span<Axis* const> all() const noexcept { return {axes.data(), count}; }
+  };
+
   std::uint32_t& message_counter() noexcept override { return message_counter_; }
   std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept override;
   std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
@@ -147,10 +158,15 @@ class DriveUnit final : private Surroundings {
   void follow_unit_inputs() noexcept;
   void run_infeed(double duration) noexcept;
   void connect_line() noexcept;
-  void take_inputs(Axis& axis) noexcept;
+  void group_inputs();
+  void take_inputs(const Axis& axis, Phase phase) noexcept;
+  bool has_new_inputs(const Axis& axis, Phase phase) const noexcept;
   bool has_nothing_to_do(const Axis& axis) const noexcept;
-  void run(std::span<Axis* const> moved, double duration) noexcept;
-  void end_cycle(std::span<Axis* const> moved) noexcept;
+  void collect(Running& running) noexcept;
+  void wake_for(Phase phase, Running& running, double duration) noexcept;
+  void run_phase(Phase phase, const Running& running) noexcept;
+  void rest_others(const Running& running, double duration) noexcept;
+  void move(const Running& running, double duration) noexcept;
   void send_converted() noexcept;
 
   ParameterHost* host_;

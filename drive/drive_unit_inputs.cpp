@@ -18,14 +18,24 @@ void follow_messages(DriveObject& object, ExternalMessages& external) noexcept {
 
 }  // namespace
 
-void DriveUnit::take_inputs(Axis& axis) noexcept {
-  for (const BlockId block : kInputsAtTheBeginning) wiring_->take(axis, block);
-  axis.take_image();
+/// A phase is the group of inputs with its number.
+void DriveUnit::group_inputs() {
+  for (const Axis& axis : axes_)
+    for (const auto& phases : {kBeforeTheSteps, kAfterTheSteps})
+      for (const Phase phase : phases) wiring_->add_group(axis, Axis::inputs_of(phase));
 }
 
-/// Whether @p axis is quiescent and all that acts on it is as in its last cycle.
+void DriveUnit::take_inputs(const Axis& axis, Phase phase) noexcept {
+  wiring_->take_group(axis, static_cast<std::size_t>(phase));
+}
+
+bool DriveUnit::has_new_inputs(const Axis& axis, Phase phase) const noexcept {
+  return wiring_->changed(axis, static_cast<std::size_t>(phase));
+}
+
+/// Whether @p axis is quiescent and nothing new acts on it as a cycle begins.
 bool DriveUnit::has_nothing_to_do(const Axis& axis) const noexcept {
-  return axis.is_quiescent() && !axis.has_new_image() && !wiring_->changed(axis);
+  return axis.is_quiescent() && !axis.has_new_image() && !has_new_inputs(axis, Phase::Sequence);
 }
 
 /// Of the control unit: p2102 acknowledges the faults of all drive objects, p2103 to p2105 its own, p2106 to p2108

@@ -155,8 +155,33 @@ std::span<const Wiring::BitLink> Wiring::bits_of(const Inputs& inputs, const Wor
 }
 
 void Wiring::take(const DriveObject& object, BlockId block) noexcept {
-  for (Inputs& inputs : objects_[object.number() - std::size_t{1}].blocks)
-    if (inputs.block == block) return inputs.is_taken ? take_new(inputs) : take_all(inputs);
+  for (Inputs& inputs : entry_of(object).blocks)
+    if (inputs.block == block) return take(inputs);
+}
+
+void Wiring::add_group(const DriveObject& object, std::span<const BlockId> blocks) {
+  Object& entry = entry_of(object);
+  Group group{.first = entry.groups.empty() ? 0 : entry.groups.back().first + entry.groups.back().count};
+  for (const BlockId block : blocks) {
+    const auto place = entry.blocks.begin() + static_cast<std::ptrdiff_t>(group.first + group.count);
+    const auto found =
+        std::find_if(place, entry.blocks.end(), [=](const Inputs& inputs) { return inputs.block == block; });
+    if (found == entry.blocks.end()) continue;
+    std::iter_swap(place, found);
+    ++group.count;
+  }
+  entry.groups.push_back(group);
+}
+
+void Wiring::take_group(const DriveObject& object, std::size_t group) noexcept {
+  Object& entry = entry_of(object);
+  for (Inputs& inputs : std::span{entry.blocks}.subspan(entry.groups[group].first, entry.groups[group].count))
+    take(inputs);
+}
+
+inline void Wiring::take(Inputs& inputs) noexcept {
+  if (!inputs.is_taken) return take_all(inputs);
+  if (!inputs.words.empty() || !inputs.values.empty()) take_new(inputs);
 }
 
 void Wiring::take_all(Inputs& inputs) noexcept {
@@ -189,8 +214,10 @@ void Wiring::take_new(Inputs& inputs) noexcept {
   }
 }
 
-bool Wiring::changed(const DriveObject& object) const noexcept {
-  return std::ranges::any_of(objects_[object.number() - std::size_t{1}].blocks, [](const Inputs& inputs) {
+bool Wiring::changed(const DriveObject& object, std::size_t group) const noexcept {
+  const Object& entry = objects_[object.number() - std::size_t{1}];
+  const Group& place = entry.groups[group];
+  return std::ranges::any_of(std::span{entry.blocks}.subspan(place.first, place.count), [](const Inputs& inputs) {
     return inputs.is_taken ? has_new(inputs) : is_other(inputs);
   });
 }

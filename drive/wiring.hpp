@@ -13,7 +13,7 @@ namespace drive {
 /// there are and where what they bring lies. What is constant is settled once, what is not is a list of sources.
 /// In a cycle come, in this order, for the control unit, the axes and the infeed:
 /// 1. connector-binector converters (p8899 -> r8894, r8895), with what the bus has brought for this cycle;
-/// 2. the inputs of each block, when its turn has come (take());
+/// 2. the inputs of each block, when its turn has come (take(), take_group());
 /// 3. when the statuswords are there, binector-connector converters (p8880 to p8884 -> r8889) and then the words
 ///    to be sent (p8851, p8861).
 class Wiring {
@@ -31,8 +31,13 @@ class Wiring {
   void convert_words() noexcept;
   /// Step 2: the inputs of block @p block of @p object take what they are connected to.
   void take(const DriveObject& object, BlockId block) noexcept;
-  /// Whether a source has another value than an input of @p object that is connected to it.
-  bool changed(const DriveObject& object) const noexcept;
+  /// Makes ready to take the inputs of @p blocks of @p object, which are in no other group, together: as the next
+  /// group, from 0.
+  void add_group(const DriveObject& object, std::span<const BlockId> blocks);
+  /// Step 2 of all blocks of group @p group of @p object.
+  void take_group(const DriveObject& object, std::size_t group) noexcept;
+  /// Whether a source has another value than an input of group @p group of @p object that is connected to it.
+  bool changed(const DriveObject& object, std::size_t group) const noexcept;
   /// Step 3.
   void convert_bits() noexcept;
   void send() noexcept;
@@ -74,10 +79,16 @@ class Wiring {
     std::size_t bit = 0;
     SignalSource source{};
   };
+  /// Blocks that stand side by side.
+  struct Group {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
   /// All inputs of one drive object.
   struct Object {
     DriveObject* object;
-    std::vector<Inputs> blocks{};
+    std::vector<Inputs> blocks{};  ///< those of groups first
+    std::vector<Group> groups{};
     std::vector<Place> words_of_bits{};
     decltype(ProcessDataImage::words_of_bits) constant_words_of_bits{};
     std::array<SignalSource, 2> bits_of_words{};
@@ -96,6 +107,8 @@ class Wiring {
   static void add(Inputs& inputs, const BitLink& link) noexcept;
   static void group(Inputs& inputs) noexcept;
   static std::span<const BitLink> bits_of(const Inputs& inputs, const Word& word) noexcept;
+  Object& entry_of(const DriveObject& object) noexcept { return objects_[object.number() - std::size_t{1}]; }
+  static void take(Inputs& inputs) noexcept;
   static void take_all(Inputs& inputs) noexcept;
   static void take_new(Inputs& inputs) noexcept;
   static bool is_other(const Inputs& inputs) noexcept;

@@ -61,6 +61,7 @@ void Axis::fail_encoder(motor::EncoderDefect defect) noexcept {
 
 void Axis::set_function_modules(function_module::Set wanted) noexcept {
   modules_ = (wanted & function_module::possible(kind())) | function_module::always(kind());
+  if (!has_setpoint_channel()) block<Jog>().power_off();
   apply_parameters();
 }
 

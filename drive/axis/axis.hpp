@@ -6,6 +6,7 @@
 #include <span>
 
 #include "drive/axis/actual_values.hpp"
+#include "drive/axis/axis_schedule.hpp"
 #include "drive/axis/setpoints.hpp"
 #include "drive/base/axis_configuration.hpp"
 #include "drive/base/function_modules.hpp"
@@ -43,15 +44,17 @@ class Axis final : public DriveObject {
   void take_image() noexcept;
   /// Whether that is something else than in the last cycle.
   bool has_new_image() const noexcept;
-  /// A cycle in parts, for axes that share a DC link: the blocks that have their turn at the beginning of one of
-  /// @p duration (s),
-  void begin_cycle(double duration) noexcept;
-  /// one step of motor::kControlPeriod with the link at @p dc_voltage (V), which returns the energy drawn from it
-  /// (J, negative = fed back),
+  /// A cycle in parts, for axes that share a DC link. One of @p duration (s) begins,
+  void start_cycle(double duration) noexcept;
+  /// the blocks that have their turn in @p phase run with the inputs as they are,
+  void run(Phase phase) noexcept;
+  /// between kBeforeTheSteps and kAfterTheSteps come steps of motor::kControlPeriod with the link at @p dc_voltage
+  /// (V), each of which returns the energy drawn from it (J, negative = fed back).
   double step(double dc_voltage) noexcept;
-  /// when all axes have moved, the actual values,
-  void measure() noexcept;
-  /// and monitoring, messages and statusword at the end.
+  /// The blocks whose inputs are taken before @p phase.
+  static std::span<const BlockId> inputs_of(Phase phase) noexcept;
+  /// What comes before the steps, and what after them, of an axis whose inputs nothing brings.
+  void begin_cycle(double duration) noexcept;
   void end_cycle() noexcept;
   /// Lets @p duration (s) pass in a quiescent axis with the DC link at @p dc_voltage (V): only temperatures
   /// change.
@@ -162,25 +165,44 @@ class Axis final : public DriveObject {
   void before_setting(const ParameterRow& row) noexcept override;
   void after_setting(const ParameterRow& row) noexcept override;
   WriteState write_state() const noexcept override;
-  void on_settings_changed(BlockId) noexcept override { apply_parameters(); }
+  void on_settings_changed(BlockId changed) noexcept override;
   void on_parameter_written() noexcept override { settled_ = false; }
   void react(const FaultRow& row) noexcept override;
   void on_acknowledged_fault_left() noexcept override;
   void on_messages_changed() noexcept override;
 
+  // What follows from the settings (axis_parameters.cpp).
   void apply_parameters() noexcept;
+  void configure_channel() noexcept;
+  void configure_model() noexcept;
+  void configure_control() noexcept;
   void commission() noexcept;
   void follow_control_mode() noexcept;
 
-  // The schedule (axis_schedule.cpp).
+  // The schedule (axis_schedule.cpp), and the turns of the blocks (axis_turns.cpp).
+  struct Turn;
+  struct Schedule;
+  template <Phase kPhase>
+  void run() noexcept;
+  void choose_mode() noexcept;
+  void follow_jog_bits() noexcept;
   void control_sequence() noexcept;
   void lead_setpoint() noexcept;
+  void begin_sums() noexcept;
   void lead_torque() noexcept;
   void lead_brake() noexcept;
+  void lead_identification() noexcept;
+  void plan_ramp() noexcept;
   double measured_step(double dc_voltage) noexcept;
   double move(double dc_voltage) noexcept;
-  void monitor() noexcept;
+  void measure() noexcept;
+  void track_measurement() noexcept;
+  void watch_speed() noexcept;
+  void observe_motor() noexcept;
+  void judge_causes() noexcept;
+  void conclude_measurement() noexcept;
   void refresh_status() noexcept;
+  void show_free_bits() noexcept;
 
   // What the sequence control brings about (axis_sequence.cpp).
   bool apply(Event event) noexcept;

@@ -46,6 +46,7 @@ void Axis::command(const Setpoints& setpoints) noexcept {
                                      .halt = named(ControlwordBit::Halt)};
   block<ExternalMessages>().inputs = {.acknowledge_1 = bit(7)};
   block<SpeedControl>().inputs = {};
+  block<Jog>().inputs = {};
   block<SetpointChannel>().inputs = {.vl_enable_ramp = named(ControlwordBit::EnableRamp),
                                      .vl_unlock_ramp = named(ControlwordBit::UnlockRamp),
                                      .vl_reference_ramp = named(ControlwordBit::ReferenceRamp),

@@ -10,7 +10,6 @@ namespace drive {
 namespace {
 
 constexpr std::uint16_t kControlMode = 1300;
-constexpr std::uint16_t kFirstFixedSetpoint = 1001;
 
 /// What p0340 computes for its values 4, 2 (by the kind of machine) and 5.
 constexpr std::uint16_t kInertia = 341;  // with 1 only
@@ -118,6 +117,7 @@ void Axis::compute_circuit() noexcept {
 void Axis::leave_commissioning() noexcept {
   cancel_identification();
   block<SequenceControl>().settings.commissioning = 0;
+  on_settings_changed(kBlock<SequenceControl>);
   settled_ = false;
 }
 
@@ -147,19 +147,42 @@ motor::ControlSettings Axis::control_settings(const motor::MachineData& machine)
   return block<SpeedControl>().control_settings(machine, block<MotorModel>(), context().axis.inverter, highest);
 }
 
+/// What is made of the settings, in the order in which one thing needs the other: each is made anew when one of
+/// the blocks whose settings it is made of has changed.
+void Axis::on_settings_changed(BlockId changed) noexcept {
+  struct Made {
+    void (Axis::*make)() noexcept;
+    std::array<BlockId, 2> of;
+  };
+  static constexpr std::array kMade{
+      Made{&Axis::configure_channel, {kBlock<SetpointChannel>, kBlock<MotorModel>}},
+      Made{&Axis::configure_model, {kBlock<MotorModel>, kBlock<SequenceControl>}},
+      Made{&Axis::configure_control, {kBlock<SpeedControl>, kBlock<MotorModel>}},
+  };
+  for (const Made& row : kMade)
+    if (changed == nullptr || std::ranges::find(row.of, changed) != row.of.end()) (this->*row.make)();
+}
+
 void Axis::apply_parameters() noexcept {
-  FixedSetpoints& fixed = block<SetpointChannel>().settings.fixed;
-  for (std::size_t i = 1; i < fixed.size(); ++i)
-    fixed[i] = read(static_cast<std::uint16_t>(kFirstFixedSetpoint + i - 1)).value_or(0.0) * kRpm;
-  MotorModel& model = block<MotorModel>();
-  block<SetpointChannel>().configure(model.settings.motor_maximum_speed, has_setpoint_channel());
-  model.configure(block<SequenceControl>().settings.commissioning != 0);
-  if (model.is_plausible()) {  // otherwise the last possible model stays
-    const motor::MachineData machine = model.believed();
-    train_.set_machine(machine);
-    train_.tune(control_settings(machine));
-  }
+  on_settings_changed(nullptr);
   settled_ = false;
+}
+
+void Axis::configure_channel() noexcept {
+  block<SetpointChannel>().configure(block<MotorModel>().settings.motor_maximum_speed, has_setpoint_channel());
+}
+
+void Axis::configure_model() noexcept {
+  block<MotorModel>().configure(block<SequenceControl>().settings.commissioning != 0);
+}
+
+/// Of a machine that cannot be, the last possible one stays.
+void Axis::configure_control() noexcept {
+  const MotorModel& model = block<MotorModel>();
+  if (!model.is_plausible()) return;
+  const motor::MachineData machine = model.believed();
+  train_.set_machine(machine);
+  train_.tune(control_settings(machine));
 }
 
 void Axis::request_mode(std::int8_t code) noexcept {

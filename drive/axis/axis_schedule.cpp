@@ -1,179 +1,156 @@
 // The schedule of an axis: which block has its turn when in a process-data cycle.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <utility>
 
 #include "drive/axis/axis.hpp"
-#include "drive/sequence_control/statusword.hpp"
 
 namespace drive {
 namespace {
 
-using motor::kControlPeriod;
+/// Whether a block of the list that has inputs has @p id.
+template <class... Block>
+constexpr bool has_inputs(BlockId id, const std::tuple<Block...>*) noexcept {
+  return ((kHasInputs<Block> && id == kBlock<Block>) || ...);
+}
 
-constexpr std::uint16_t kTorqueControlImpossible = 7430;
+constexpr bool has_turn(const auto& turns, BlockId block) noexcept {
+  return std::ranges::any_of(turns, [=](const auto& turn) { return turn.block == block; });
+}
+
+template <class... Block>
+constexpr bool all_with_inputs_have_a_turn(const auto& turns, const std::tuple<Block...>*) noexcept {
+  return ((!kHasInputs<Block> || has_turn(turns, kBlock<Block>)) && ...);
+}
+
+/// The blocks whose inputs are taken before a phase.
+struct TakenInputs {
+  std::array<BlockId, std::tuple_size_v<AxisBlocks>> blocks{};
+  std::size_t count = 0;
+};
+
+/// For each phase, those that have the first of their turns in it.
+constexpr auto taken_inputs(const auto& turns) noexcept {
+  std::array<TakenInputs, kPhases> taken{};
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const auto& turn = turns[i];
+    const bool is_first = !has_turn(std::span{turns}.first(i), turn.block);
+    TakenInputs& phase = taken[static_cast<std::size_t>(turn.phase)];
+    if (is_first && has_inputs(turn.block, static_cast<const AxisBlocks*>(nullptr)))
+      phase.blocks[phase.count++] = turn.block;
+  }
+  return taken;
+}
 
 }  // namespace
 
+/// A turn of a block; @p run is nullptr where another block only asks it. The first one of a block is preceded by
+/// its inputs. It is left out where a function module of @p modules is not in force.
+struct Axis::Turn {
+  Phase phase;
+  BlockId block;
+  void (Axis::*run)() noexcept;
+  function_module::Set modules = 0;
+};
+
+/// All turns in their order. Between those of Phase::Torque and of Phase::Values lie the steps of 125 µs:
+/// SetpointChannel (ramp), the drive train, PowerUnit and Measurement (sums).
+struct Axis::Schedule {
+  // clang-format off
+  static constexpr std::array kTurns{
+      Turn{Phase::Sequence, kBlock<ExternalMessages>, nullptr},
+      Turn{Phase::Sequence, kBlock<SpeedControl>,     &Axis::choose_mode},
+      Turn{Phase::Sequence, kBlock<Jog>,              &Axis::follow_jog_bits, function_module::kSetpointChannel},
+      Turn{Phase::Sequence, kBlock<SequenceControl>,  &Axis::control_sequence},
+      Turn{Phase::Setpoint, kBlock<SetpointChannel>,  &Axis::lead_setpoint},
+      Turn{Phase::Torque,   kBlock<PowerUnit>,        &Axis::begin_sums},
+      Turn{Phase::Torque,   kBlock<TorqueSetpoint>,   &Axis::lead_torque},
+      Turn{Phase::Torque,   kBlock<HoldingBrake>,     &Axis::lead_brake},
+      Turn{Phase::Torque,   kBlock<Identification>,   &Axis::lead_identification},
+      Turn{Phase::Torque,   kBlock<SetpointChannel>,  &Axis::plan_ramp},
+      Turn{Phase::Values,   kBlock<Measurement>,      &Axis::measure},
+      Turn{Phase::Messages, kBlock<Identification>,   &Axis::track_measurement},
+      Turn{Phase::Messages, kBlock<SpeedMessages>,    &Axis::watch_speed},
+      Turn{Phase::Messages, kBlock<MotorMonitoring>,  &Axis::observe_motor},
+      Turn{Phase::Messages, kBlock<MotorMonitoring>,  &Axis::judge_causes},
+      Turn{Phase::Messages, kBlock<Identification>,   &Axis::conclude_measurement},
+      Turn{Phase::Messages, kBlock<SequenceControl>,  &Axis::refresh_status},
+      Turn{Phase::Status,   kBlock<FreeStatusBits>,   &Axis::show_free_bits},
+  };
+  // clang-format on
+  static_assert(std::ranges::is_sorted(kTurns, {}, &Turn::phase));
+};
+
+std::span<const BlockId> Axis::inputs_of(Phase phase) noexcept {
+  static_assert(all_with_inputs_have_a_turn(Schedule::kTurns, static_cast<const AxisBlocks*>(nullptr)));
+  static constexpr auto kTaken = taken_inputs(Schedule::kTurns);
+  const TakenInputs& taken = kTaken[static_cast<std::size_t>(phase)];
+  return {taken.blocks.data(), taken.count};
+}
+
+template <Phase kPhase>
+void Axis::run() noexcept {
+  const auto take_turn = [this]<std::size_t kIndex>() {
+    constexpr Turn kTurn = Schedule::kTurns[kIndex];
+    if constexpr (kTurn.phase == kPhase && kTurn.run != nullptr) {
+      if constexpr (kTurn.modules == 0)
+        (this->*kTurn.run)();
+      else if ((modules_ & kTurn.modules) == kTurn.modules)
+        (this->*kTurn.run)();
+    }
+  };
+  [&]<std::size_t... kIndices>(std::index_sequence<kIndices...>) {
+    (take_turn.template operator()<kIndices>(), ...);
+  }
+  (std::make_index_sequence<Schedule::kTurns.size()>{});
+}
+
+void Axis::run(Phase phase) noexcept {
+  switch (phase) {
+    case Phase::Sequence:
+      return run<Phase::Sequence>();
+    case Phase::Setpoint:
+      return run<Phase::Setpoint>();
+    case Phase::Torque:
+      return run<Phase::Torque>();
+    case Phase::Values:
+      return run<Phase::Values>();
+    case Phase::Messages:
+      return run<Phase::Messages>();
+    case Phase::Status:
+      return run<Phase::Status>();
+  }
+}
+
 void Axis::cycle(double duration) noexcept {
   begin_cycle(duration);
-  const int steps = std::max(1, static_cast<int>(std::lround(duration / kControlPeriod)));
+  const int steps = std::max(1, static_cast<int>(std::lround(duration / motor::kControlPeriod)));
   for (int i = 0; i < steps; ++i) step(block<PowerUnit>().dc_voltage());
-  measure();
   end_cycle();
 }
 
-void Axis::begin_cycle(double duration) noexcept {
+void Axis::start_cycle(double duration) noexcept {
   before_ = actual_;
   duration_ = duration;
-  control_sequence();
-  lead_setpoint();
-  command_ = {.pulses_enabled = block<SequenceControl>().pulses_enabled()};
-  measured_ = false;
-  block<PowerUnit>().begin_cycle();
-  block<Measurement>().begin_cycle();
-  lead_torque();
-  lead_brake();
-  if (block<Identification>().leads()) lead_measurement();
-  if (command_.pulses_enabled && !measured_) block<SetpointChannel>().plan();
 }
 
-/// The inputs of the enables, of messages and of the mode, to the state that they lead to.
-void Axis::control_sequence() noexcept {
-  SequenceControl& sequence = block<SequenceControl>();
-  SetpointChannel& channel = block<SetpointChannel>();
-  const bool acknowledges = block<ExternalMessages>().acknowledges();
-  sequence.begin_cycle();
-  if (!block<SpeedControl>().begin_cycle() && sequence.pulses_enabled())
-    static_cast<void>(raise(kTorqueControlImpossible));
-  channel.begin_cycle(block<SpeedControl>().has_ramp_bits());
-  if (apply(Event::Initialised)) return;
-  const auto tell = [this](std::uint16_t number, bool present, bool) { follow({number, present, 0}); };
-  sequence.follow_messages(tell);
-  block<ExternalMessages>().follow(tell);
-  if (acknowledges) {
-    const State unacknowledged = sequence.state();
-    acknowledge();
-    if (sequence.state() != unacknowledged)
-      return;  // Switch on disabled is seen for a cycle, whatever the word says
+void Axis::begin_cycle(double duration) noexcept {
+  start_cycle(duration);
+  [this]<std::size_t... kPlaces>(std::index_sequence<kPlaces...>) {
+    (run<kBeforeTheSteps[kPlaces]>(), ...);
   }
-  const bool link = block<PowerUnit>().has_link();
-  sequence.follow_jog(channel.wants_jog(), channel.wanted_jog());
-  apply(sequence.command(link));
-  if (const auto missing = sequence.await_power(link, duration_)) static_cast<void>(raise(*missing));
-  if (!is_braking(sequence.state())) return;
-  const double closing_time = has_brake() ? block<HoldingBrake>().settings.closing_time : 0.0;
-  if (sequence.brakes_to_standstill(duration_, actual_.speed, channel.output(), closing_time))
-    apply(Event::Standstill);
-}
-
-void Axis::lead_setpoint() noexcept {
-  const SequenceControl& sequence = block<SequenceControl>();
-  SetpointChannel& channel = block<SetpointChannel>();
-  channel.choose(sequence.jogs());
-  if (!sequence.operates() || block<Identification>().leads())
-    channel.follow_zero();
-  else if (sequence.halts())
-    channel.halt(sequence.settings.halt_option, train_.signals().measured_speed);
-  else
-    channel.follow();
-  channel.begin_way();
-}
-
-/// A halt in torque control takes the setpoint to zero, the rated torque in the time of the ramp or at once.
-void Axis::lead_torque() noexcept {
-  const SequenceControl& sequence = block<SequenceControl>();
-  const SpeedControl& control = block<SpeedControl>();
-  SetpointChannel& channel = block<SetpointChannel>();
-  TorqueSetpoint& torque = block<TorqueSetpoint>();
-  TorqueSetpoint::Turn turn{
-      .leads = control.torque_control() && sequence.operates() && !block<Identification>().leads(),
-      .enabled = control.inputs.enable,
-      .halts = sequence.halts()};
-  if (turn.leads && turn.halts) {
-    const double time = channel.halt_time(sequence.settings.halt_option);
-    const double rated = block<MotorModel>().settings.rated_torque;
-    turn.halt_step = time > 0.0 ? rated / time * duration_ : std::numeric_limits<double>::infinity();
-  }
-  if (turn.leads || torque.led()) channel.track(train_.signals().measured_speed);
-  torque.run(turn, command_);
-}
-
-/// Opens the brake with the pulses, and closes it at the end of a braking ramp while the motor still holds.
-void Axis::lead_brake() noexcept {
-  if (!has_brake()) return train_.set_brake(false);
-  const SequenceControl& sequence = block<SequenceControl>();
-  HoldingBrake& brake = block<HoldingBrake>();
-  const bool open = sequence.pulses_enabled() && !(is_braking(sequence.state()) && stands());
-  train_.set_brake(!open);
-  brake.lead(open, duration_);
-  if (brake.is_opening()) block<SetpointChannel>().wait();  // the setpoint waits for the brake
-}
-
-/// A step that a measurement leads.
-[[gnu::noinline]] double Axis::measured_step(double dc_voltage) noexcept {
-  step_measurement();
-  return move(dc_voltage);
-}
-
-void Axis::measure() noexcept {
-  Measurement& measurement = block<Measurement>();
-  measurement.measure(train_);
-  actual_.speed = measurement.speed();
-  actual_.torque_demand = measurement.torque_demand();
-  actual_.torque = measurement.torque();
-  actual_.encoder_counts = measurement.counts();
-  actual_.encoder_position = static_cast<std::int32_t>(static_cast<std::uint32_t>(measurement.counts()));
-  block<SetpointChannel>().end_way(measurement.duration());
+  (std::make_index_sequence<kBeforeTheSteps.size()>{});
 }
 
 void Axis::end_cycle() noexcept {
-  if (measured_) block<SetpointChannel>().track(command_.speed_setpoint);
-  monitor();
-  if (measured_) end_measurement();
-  refresh_status();
-  settled_ = actual_ == before_;
-}
-
-/// What has come of the cycle, and which messages follow from it.
-void Axis::monitor() noexcept {
-  const SetpointChannel& channel = block<SetpointChannel>();
-  const bool pulses = block<SequenceControl>().pulses_enabled();
-  block<SpeedMessages>().run(
-      {.duration = duration_,
-       .speed = actual_.speed,
-       .ramp_input = channel.input(),
-       .forward_limit = channel.forward_limit(),
-       .backward_limit = channel.backward_limit(),
-       .at_torque_limit = pulses && std::abs(channel.total()) > 0.0 && train_.signals().torque_limit_reached});
-  block<PowerUnit>().observe(train_.signals());
-  block<MotorMonitoring>().observe(train_.signals());
-  block<Measurement>().observe(train_.encoder());
-  causes_.update(duration_, blocks_, pulses, [this](const Verdict& verdict) { follow(verdict); });
-}
-
-void Axis::refresh_status() noexcept {
-  const SequenceControl& sequence = block<SequenceControl>();
-  const SpeedMessages& speed = block<SpeedMessages>();
-  const FreeStatusBits::Inputs& free = block<FreeStatusBits>().inputs;
-  actual_.state = sequence.state();
-  actual_.pulses_enabled = sequence.pulses_enabled();
-  actual_.speed_demand = block<SetpointChannel>().total();
-  actual_.mode = block<SpeedControl>().mode();
-  actual_.statusword = statusword(sequence.state(), {.no_off2 = !sequence.inputs.has_off2(),
-                                                     .no_off3 = !sequence.inputs.has_off3(),
-                                                     .fault = !messages().faults().empty(),
-                                                     .alarm = !messages().alarms().empty(),
-                                                     .target_reached = speed.target_reached(),
-                                                     .torque_limit_reached = is_at_torque_limit(),
-                                                     .speed_zero = speed.is_zero(actual_.speed),
-                                                     .free_bit_8 = free.bit_8,
-                                                     .free_bit_14 = free.bit_14,
-                                                     .free_bit_15 = free.bit_15});
-}
-
-void Axis::rest(double duration, double dc_voltage) noexcept {
-  block<PowerUnit>().rest(dc_voltage);
-  train_.rest(duration);
+  [this]<std::size_t... kPlaces>(std::index_sequence<kPlaces...>) {
+    (run<kAfterTheSteps[kPlaces]>(), ...);
+  }
+  (std::make_index_sequence<kAfterTheSteps.size()>{});
 }
 
 }  // namespace drive

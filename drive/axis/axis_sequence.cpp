@@ -121,6 +121,7 @@ void Axis::power_off() noexcept {
   controlword_ = 0;
   block<ExternalMessages>().power_off();
   block<SpeedControl>().power_off();
+  block<Jog>().power_off();
   block<SetpointChannel>().power_off();
   block<TorqueSetpoint>().inputs = {};
   refresh_status();

@@ -127,10 +127,11 @@ double control_status(const Axis& axis, std::size_t) noexcept {
 double sequence_control(const Axis& axis, std::size_t) noexcept {
   const SequenceControl::Inputs& inputs = sequence_of(axis).inputs;
   const SetpointChannel::Inputs& channel = channel_inputs_of(axis);
+  const Jog::Inputs& jog = axis.block<Jog>().inputs;
   return word(std::array{Bit{0, sequence_of(axis).is_on()}, Bit{1, !inputs.has_off2()}, Bit{2, !inputs.has_off3()},
                          Bit{3, inputs.enable_operation}, Bit{4, channel.enable_ramp},
-                         Bit{5, channel.continue_ramp}, Bit{6, channel.enable_setpoint}, Bit{8, channel.jog_1},
-                         Bit{9, channel.jog_2}, Bit{10, inputs.control_by_plc}});
+                         Bit{5, channel.continue_ramp}, Bit{6, channel.enable_setpoint}, Bit{8, jog.jog_1},
+                         Bit{9, jog.jog_2}, Bit{10, inputs.control_by_plc}});
 }
 
 double sequence_status(const Axis& axis, std::size_t) noexcept {

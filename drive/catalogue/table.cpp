@@ -22,6 +22,7 @@
 #include "drive/catalogue/rows/unit.hpp"
 #include "drive/external_messages/external_messages_rows.hpp"
 #include "drive/identification/identification_rows.hpp"
+#include "drive/jog/jog_rows.hpp"
 #include "drive/measurement/measurement_rows.hpp"
 #include "drive/motor_model/motor_model_rows.hpp"
 #include "drive/motor_monitoring/motor_monitoring_rows.hpp"

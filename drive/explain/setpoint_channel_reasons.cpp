@@ -29,7 +29,7 @@ std::string ramp_sentence(P p, const char* what, std::uint16_t input, unsigned b
 }
 
 bool has_both_jogs(P p) noexcept {
-  return p.axis.jogs() && p.channel().effective().jog_1 && p.channel().effective().jog_2;
+  return p.axis.jogs() && p.axis.block<Jog>().has_both();
 }
 
 /// The setpoint of the setpoint channel after its inversion.

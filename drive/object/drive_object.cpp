@@ -50,7 +50,8 @@ bool is_agreed(const ParameterRow& row) noexcept {
 DriveObject::DriveObject(const ObjectContext& context) : context_{context}, slots_(slot_count(context.kind)) {
   for (const PlacedRow& placed : parameters_of(context.kind)) {
     if (placed.slot == kNoSlot) continue;
-    for (std::size_t i = 0; i < placed.row->count; ++i) assign(placed, i, factory_value(*placed.row, context_, i));
+    for (std::size_t i = 0; i < placed.row->count; ++i)
+      slots_[placed.slot + i] = encode(placed.row->type, factory_value(*placed.row, context_, i)).bits;
   }
 }
 
@@ -217,6 +218,9 @@ void DriveObject::assign(const PlacedRow& placed, std::size_t index, double valu
   if (surroundings_ != nullptr && concerns_wiring(row)) surroundings_->on_wiring_changed();
   if (placed.slot != kNoSlot) {
     slots_[placed.slot + index] = encode(row.type, value).bits;
+    const auto* const home = std::get_if<Slot>(&row.home);
+    if (home != nullptr && home->give != nullptr)
+      home->give(block(home->reader), index, kept_value_of(placed, index) * row_of(row.unit).si);
   } else if (std::holds_alternative<Setting>(row.home)) {
     set_setting(row, index, value);
   } else if (const auto* const computed = std::get_if<Computed>(&row.home)) {

@@ -17,8 +17,14 @@ struct Stored {
 };
 /// The value lies in a slot of the drive object, and what the row's effect names is computed from it.
 struct Slot {
-  BlockId reader = nullptr;  ///< the block that is told of a change, if it does not look itself
+  BlockId reader = nullptr;  ///< the block that is given every change, if it does not look itself
+  void (*give)(void* block, std::size_t index, double si) noexcept = nullptr;  ///< in SI units
 };
+/// The same with element @p Place of an array of a block.
+template <auto Member, std::size_t Place>
+inline constexpr Slot slot_given{
+    kBlock<typename block_access::Of<Member>::Block>,
+    [](void* block, std::size_t, double si) noexcept { block_access::Of<Member>::at(block, Place) = si; }};
 /// The value lies in a slot of the drive object; the layer that owns the bus acts on it, agrees to every change
 /// and brings in its own ones.
 struct Agreed {};

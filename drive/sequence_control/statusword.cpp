@@ -52,4 +52,11 @@ std::uint16_t statusword(State state, const StatusSignals& signals) noexcept {
   return static_cast<std::uint16_t>((word & ~static_cast<unsigned>(row.clear)) | row.set);
 }
 
+std::uint16_t with_free_bits(std::uint16_t word, const FreeStatusBits::Inputs& free) noexcept {
+  unsigned result = word;
+  for (const Bit& bit : {Bit{free.bit_8, 8}, Bit{free.bit_14, 14}, Bit{free.bit_15, 15}})
+    result = (result & ~(1U << bit.number)) | static_cast<unsigned>(bit.on) << bit.number;
+  return static_cast<std::uint16_t>(result);
+}
+
 }  // namespace drive

@@ -22,8 +22,6 @@ struct StatusSignals {
 
 /// The bits of the statusword that are free for the user.
 struct FreeStatusBits {
-  static constexpr bool kInputsAtTheEnd = true;
-
   struct Settings {};
   struct Inputs {
     using Block = FreeStatusBits;
@@ -41,5 +39,7 @@ struct FreeStatusBits {
 
 /// The statusword 6041h (r8784) in @p state: bits 0, 1, 2, 3, 5 and 6 as CiA 402 masks them, bit 6 clear in Fault.
 std::uint16_t statusword(State state, const StatusSignals& signals) noexcept;
+/// @p word with the free bits as they are in @p free.
+std::uint16_t with_free_bits(std::uint16_t word, const FreeStatusBits::Inputs& free) noexcept;
 
 }  // namespace drive

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace drive {
 namespace {
@@ -32,16 +31,17 @@ void SetpointChannel::configure(double motor_maximum_speed, bool extended) noexc
              ramp(off3, off3, p.off3_initial_rounding, p.off3_final_rounding), RampSlopes{}};
   maximum_ = std::min(p.maximum_speed, motor_maximum_speed);
   extended_ = extended;
-  limit(p.speed_limit_positive, p.speed_limit_negative);
+  limit();
 }
 
-void SetpointChannel::limit(double forward, double backward) noexcept {
+void SetpointChannel::limit() noexcept {
+  const double forward = std::isinf(in_.forward_limit) ? settings.speed_limit_positive : in_.forward_limit;
+  const double backward = std::isinf(in_.backward_limit) ? settings.speed_limit_negative : in_.backward_limit;
   forward_ = std::clamp(forward, 0.0, maximum_);
   backward_ = std::clamp(backward, -maximum_, 0.0);
 }
 
 void SetpointChannel::begin_cycle(bool velocity_mode) noexcept {
-  wanted_jog_ = std::exchange(has_jog_bit_, inputs.jog_1 || inputs.jog_2);
   in_ = inputs;
   if (velocity_mode) {
     in_.enable_ramp &= inputs.vl_enable_ramp;
@@ -51,7 +51,7 @@ void SetpointChannel::begin_cycle(bool velocity_mode) noexcept {
   if (!extended_) leave_module_out();
 }
 
-/// Without extended setpoint channel there are neither jog nor ramp-function generator, but limits and the
+/// Without extended setpoint channel there is no ramp-function generator, but limits and the
 /// setpoints behind the ramp.
 void SetpointChannel::leave_module_out() noexcept {
   in_ = {.bypass_ramp = true,
@@ -94,15 +94,14 @@ void SetpointChannel::follow_zero() noexcept {
   moves_ = true;
 }
 
-void SetpointChannel::choose(bool jogs) noexcept {
-  limit(std::isinf(in_.forward_limit) ? settings.speed_limit_positive : in_.forward_limit,
-        std::isinf(in_.backward_limit) ? settings.speed_limit_negative : in_.backward_limit);
+void SetpointChannel::choose(std::optional<double> jog) noexcept {
+  limit();
   const std::array selection{in_.fixed_setpoint_bit_0, in_.fixed_setpoint_bit_1, in_.fixed_setpoint_bit_2,
                              in_.fixed_setpoint_bit_3};
   std::size_t number = 0;
   for (std::size_t bit = 0; bit < selection.size(); ++bit) number |= std::size_t{selection[bit]} << bit;
   fixed_setpoint_ = settings.fixed[number];
-  sum_ = jogs ? jog_setpoint() : in_.main_setpoint + in_.supplementary_setpoint;
+  sum_ = jog ? *jog : in_.main_setpoint + in_.supplementary_setpoint;
   directed_ = in_.invert_setpoint ? -sum_ : sum_;
   if (in_.inhibit_negative) directed_ = std::max(directed_, 0.0);
   if (in_.inhibit_positive) directed_ = std::min(directed_, 0.0);
@@ -120,12 +119,6 @@ void SetpointChannel::lead_ramp() noexcept {
   const bool held = !in_.enable_ramp || in_.set_ramp;
   moves_ = in_.continue_ramp && !held;
   if (held) ramp_generator_.start(in_.enable_ramp ? limited(in_.ramp_setting) : 0.0);
-}
-
-/// One of the two; both at once are none.
-double SetpointChannel::jog_setpoint() const noexcept {
-  if (in_.jog_1 == in_.jog_2) return 0.0;
-  return in_.jog_1 ? settings.jog_speed_1 : settings.jog_speed_2;
 }
 
 double SetpointChannel::limited(double setpoint) const noexcept {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "drive/setpoint_channel/ramp_function_generator.hpp"
@@ -36,8 +37,6 @@ class SetpointChannel {
     using Block = SetpointChannel;
 
     FixedSetpoints fixed{};              ///< p1001 to p1015
-    double jog_speed_1 = 0.0;            ///< p1058
-    double jog_speed_2 = 0.0;            ///< p1059
     double minimum_speed = 0.0;          ///< p1080
     double maximum_speed = 0.0;          ///< p1082
     double speed_limit_positive = 0.0;   ///< p1083
@@ -55,8 +54,6 @@ class SetpointChannel {
   struct Inputs {
     using Block = SetpointChannel;
 
-    bool jog_1 = false;                    ///< p1055
-    bool jog_2 = false;                    ///< p1056
     bool fixed_setpoint_bit_0 = false;     ///< p1020
     bool fixed_setpoint_bit_1 = false;     ///< p1021
     bool fixed_setpoint_bit_2 = false;     ///< p1022
@@ -94,21 +91,15 @@ class SetpointChannel {
   const Inputs& effective() const noexcept { return in_; }
   /// The setpoint that comes in: p1070, or p1155 where there is no extended setpoint channel.
   double incoming() const noexcept { return extended_ ? inputs.main_setpoint : inputs.speed_setpoint_1; }
-  /// Whether a jog bit is set, and was so in the last cycle.
-  bool wants_jog() const noexcept { return in_.jog_1 || in_.jog_2; }
-  bool wanted_jog() const noexcept { return wanted_jog_; }
   /// Power-off: no input has come yet.
-  void power_off() noexcept {
-    in_ = inputs = {};
-    has_jog_bit_ = false;
-  }
+  void power_off() noexcept { in_ = inputs = {}; }
 
   /// The pulses come on: the ramp goes on from @p speed.
   void start(double speed) noexcept;
   /// The setpoint goes to zero on @p ramp, from @p speed where the motor is not yet as fast as its setpoint.
   void brake(Ramp ramp, double speed) noexcept;
-  /// Chooses the setpoint of this cycle, and its limits; @p jogs lets p1058 and p1059 lead.
-  void choose(bool jogs) noexcept;
+  /// Chooses the setpoint of this cycle, and its limits; where the axis jogs, @p jog leads.
+  void choose(std::optional<double> jog) noexcept;
   /// The setpoint goes to zero from @p speed as p8791 = @p option (not negative) says.
   void halt(std::int32_t option, double speed) noexcept;
   /// Time of the ramp of such a halt (s), 0 = none.
@@ -161,10 +152,9 @@ class SetpointChannel {
   Inputs inputs{};
 
  private:
-  double jog_setpoint() const noexcept;
   double limited(double setpoint) const noexcept;
   void lead_ramp() noexcept;
-  void limit(double forward, double backward) noexcept;
+  void limit() noexcept;
   void leave_module_out() noexcept;
 
   // Follows from the parameters.
@@ -173,8 +163,6 @@ class SetpointChannel {
   bool extended_ = true;
 
   Inputs in_{};
-  bool has_jog_bit_ = false;  // in the last cycle, and
-  bool wanted_jog_ = false;   // in the one before
   Ramp ramp_ = Ramp::Setpoint;
   bool moves_ = true;
   double forward_ = 0.0;

@@ -13,7 +13,6 @@ namespace drive {
 /// Messages about the speed: target reached, standstill, overspeed, blocked. All speeds in rad/s.
 class SpeedMessages {
  public:
-  static constexpr bool kInputsAtTheEnd = true;
   static constexpr double kAsRampInput = std::numeric_limits<double>::infinity();
 
   struct Settings {

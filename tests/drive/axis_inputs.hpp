@@ -88,8 +88,8 @@ void for_each(auto& axis, const auto& visit) {
   visit(&AxisInputs::control_by_plc, block<SequenceControl>(axis).inputs.control_by_plc);
   visit(&AxisInputs::enable_speed_controller, block<SpeedControl>(axis).inputs.enable);
   visit(&AxisInputs::infeed_operates, block<SequenceControl>(axis).inputs.infeed_operates);
-  visit(&AxisInputs::jog_1, block<SetpointChannel>(axis).inputs.jog_1);
-  visit(&AxisInputs::jog_2, block<SetpointChannel>(axis).inputs.jog_2);
+  visit(&AxisInputs::jog_1, block<Jog>(axis).inputs.jog_1);
+  visit(&AxisInputs::jog_2, block<Jog>(axis).inputs.jog_2);
   visit(&AxisInputs::fixed_setpoint_bit_0, block<SetpointChannel>(axis).inputs.fixed_setpoint_bit_0);
   visit(&AxisInputs::fixed_setpoint_bit_1, block<SetpointChannel>(axis).inputs.fixed_setpoint_bit_1);
   visit(&AxisInputs::fixed_setpoint_bit_2, block<SetpointChannel>(axis).inputs.fixed_setpoint_bit_2);

@@ -146,7 +146,6 @@ TEST_P(IdentificationAbort, EndsWithTheDcLink) {
     drive.axis.command(drive.setpoints);
     drive.axis.begin_cycle(MeasuringAxis::kCycle);
     for (int i = 0; i < 32; ++i) drive.axis.step(200.0);
-    drive.axis.measure();
     drive.axis.end_cycle();
     EXPECT_EQ(drive.state(), State::Fault);
     EXPECT_NE(drive.fault(30003), nullptr);

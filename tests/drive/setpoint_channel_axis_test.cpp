@@ -37,6 +37,27 @@ TEST(SetpointChannelOfAnAxis, ShowsTheChosenSetpointWithThePulsesOff) {
   EXPECT_NEAR(wired.read(kX, 1024), 100.0, 1e-3);
 }
 
+TEST(SetpointChannelOfAnAxis, KeepsAWiredLimitWhateverIsWritten) {
+  WiredUnit wired;
+  ASSERT_EQ(wired.write(kX, 1120, 0.0), std::nullopt);
+  wired.wire(kX, 1070, {2900, kOwnObject, 0});
+  wired.wire(kX, 1085, {2901, kOwnObject, 0});
+  ASSERT_EQ(wired.write(kX, 2900, 20.0), std::nullopt);
+  ASSERT_EQ(wired.write(kX, 2901, 30.0), std::nullopt);
+  wired.switch_on(kX);
+  wired.cycles(20);
+  ASSERT_NEAR(wired.read(kX, 1170), 0.2 * wired.read(kX, 2000), 1e-3);
+  ASSERT_EQ(wired.write(kX, 2901, 10.0), std::nullopt);
+  wired.cycles(2);
+  const double limit = 0.1 * wired.read(kX, 2000);
+  ASSERT_GT(wired.read(kX, 1150), limit) << "on its ramp";
+  for (const auto& [number, value] :
+       {std::pair{1001, 50.0}, {1083, 2000.0}, {1120, 3.0}, {1226, 20.0}, {1460, 1.0}}) {
+    ASSERT_EQ(wired.write(kX, static_cast<std::uint16_t>(number), value), std::nullopt);
+    EXPECT_NEAR(wired.read(kX, 1170), limit, 1e-3) << "before the next cycle, after p" << number;
+  }
+}
+
 TEST(SetpointChannelOfAnAxis, BrakesWithASetpointBehindTheRampToStandstill) {
   for (const int word : {0x000E, 0x000B}) {
     WiredUnit wired;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "drive/base/units.hpp"
+#include "drive/jog/jog.hpp"
 
 namespace drive {
 namespace {
@@ -18,6 +19,7 @@ struct Channel {
   SetpointChannel::Settings& parameters = channel.settings;
   SetpointChannel::Inputs& inputs = channel.inputs;
   double motor_maximum_speed = 500.0;
+  Jog jog;
   bool jogs = false;
 
   Channel() {
@@ -25,8 +27,7 @@ struct Channel {
     parameters.speed_limit_positive = 1000.0;
     parameters.speed_limit_negative = -1000.0;
     parameters.ramp_up_time = parameters.ramp_down_time = 0.0;
-    parameters.jog_speed_1 = 15.0;
-    parameters.jog_speed_2 = -16.0;
+    jog.settings = {.speed_1 = 15.0, .speed_2 = -16.0};
     FixedSetpoints& fixed = parameters.fixed;
     for (std::size_t i = 1; i < fixed.size(); ++i) fixed[i] = 10.0 * static_cast<double>(i);
     configure();
@@ -37,7 +38,7 @@ struct Channel {
   /// A cycle; the setpoint behind the channel.
   double cycle() {
     channel.begin_cycle();
-    channel.choose(jogs);
+    channel.choose(jogs ? std::optional{jog.setpoint()} : std::nullopt);
     channel.follow();
     return step();
   }
@@ -143,15 +144,15 @@ TEST(SetpointChannel, LimitsByTheSmallestOfItsLimitsInEachDirection) {
 TEST(SetpointChannel, LetsJogSpeedsLeadWhileItJogs) {
   Channel c;
   c.inputs.main_setpoint = 100.0;
-  c.inputs.jog_1 = true;
+  c.jog.inputs.jog_1 = true;
   EXPECT_DOUBLE_EQ(c.cycle(), 100.0) << "it does not jog";
   c.jogs = true;
   EXPECT_DOUBLE_EQ(c.cycle(), 15.0);
-  c.inputs.jog_2 = true;
+  c.jog.inputs.jog_2 = true;
   EXPECT_EQ(c.cycle(), 0.0) << "both";
-  c.inputs.jog_1 = false;
+  c.jog.inputs.jog_1 = false;
   EXPECT_DOUBLE_EQ(c.cycle(), -16.0);
-  c.inputs.jog_2 = false;
+  c.jog.inputs.jog_2 = false;
   EXPECT_EQ(c.cycle(), 0.0);
 }
 
