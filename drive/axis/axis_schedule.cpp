@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "drive/axis/axis.hpp"
@@ -12,24 +13,40 @@
 namespace drive {
 namespace {
 
-/// Whether a block of the list that has inputs has @p id.
-template <class... Block>
-constexpr bool has_inputs(BlockId id, const std::tuple<Block...>*) noexcept {
-  return ((kHasInputs<Block> && id == kBlock<Block>) || ...);
+/// What the schedule knows of the blocks, by their places in the list.
+template <class List>
+struct Places;
+template <class... Blocks>
+struct Places<std::tuple<Blocks...>> {
+  static constexpr std::size_t kCount = sizeof...(Blocks);
+  static constexpr std::array<BlockId, kCount> kBlocks{kBlock<Blocks>...};
+  static constexpr std::array<bool, kCount> kTakeInputs{kHasInputs<Blocks>...};
+
+  template <class Block>
+  static constexpr std::size_t of() noexcept {
+    std::size_t place = 0;
+    static_cast<void>(((!std::is_same_v<Block, Blocks> && ++place != 0) && ...));
+    return place;
+  }
+};
+using AxisPlaces = Places<AxisBlocks>;
+
+template <class Block>
+constexpr std::size_t kPlace = AxisPlaces::of<Block>();
+
+constexpr bool has_turn(const auto& turns, std::size_t place) noexcept {
+  return std::ranges::any_of(turns, [=](const auto& turn) { return turn.place == place; });
 }
 
-constexpr bool has_turn(const auto& turns, BlockId block) noexcept {
-  return std::ranges::any_of(turns, [=](const auto& turn) { return turn.block == block; });
-}
-
-template <class... Block>
-constexpr bool all_with_inputs_have_a_turn(const auto& turns, const std::tuple<Block...>*) noexcept {
-  return ((!kHasInputs<Block> || has_turn(turns, kBlock<Block>)) && ...);
+constexpr bool all_with_inputs_have_a_turn(const auto& turns) noexcept {
+  for (std::size_t place = 0; place < AxisPlaces::kCount; ++place)
+    if (AxisPlaces::kTakeInputs[place] && !has_turn(turns, place)) return false;
+  return true;
 }
 
 /// The blocks whose inputs are taken before a phase.
 struct TakenInputs {
-  std::array<BlockId, std::tuple_size_v<AxisBlocks>> blocks{};
+  std::array<BlockId, AxisPlaces::kCount> blocks{};
   std::size_t count = 0;
 };
 
@@ -38,21 +55,20 @@ constexpr auto taken_inputs(const auto& turns) noexcept {
   std::array<TakenInputs, kPhases> taken{};
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const auto& turn = turns[i];
-    const bool is_first = !has_turn(std::span{turns}.first(i), turn.block);
+    if (!AxisPlaces::kTakeInputs[turn.place] || has_turn(std::span{turns}.first(i), turn.place)) continue;
     TakenInputs& phase = taken[static_cast<std::size_t>(turn.phase)];
-    if (is_first && has_inputs(turn.block, static_cast<const AxisBlocks*>(nullptr)))
-      phase.blocks[phase.count++] = turn.block;
+    phase.blocks[phase.count++] = AxisPlaces::kBlocks[turn.place];
   }
   return taken;
 }
 
 }  // namespace
 
-/// A turn of a block; @p run is nullptr where another block only asks it. The first one of a block is preceded by
-/// its inputs. It is left out where a function module of @p modules is not in force.
+/// A turn of the block at @p place of the list. The first one of a block is preceded by its inputs. It is left out
+/// where a function module of @p modules is not in force.
 struct Axis::Turn {
   Phase phase;
-  BlockId block;
+  std::size_t place;
   void (Axis::*run)() noexcept;
   function_module::Set modules = 0;
 };
@@ -62,31 +78,31 @@ struct Axis::Turn {
 struct Axis::Schedule {
   // clang-format off
   static constexpr std::array kTurns{
-      Turn{Phase::Sequence, kBlock<ExternalMessages>, nullptr},
-      Turn{Phase::Sequence, kBlock<SpeedControl>,     &Axis::choose_mode},
-      Turn{Phase::Sequence, kBlock<Jog>,              &Axis::follow_jog_bits, function_module::kSetpointChannel},
-      Turn{Phase::Sequence, kBlock<SequenceControl>,  &Axis::control_sequence},
-      Turn{Phase::Setpoint, kBlock<SetpointChannel>,  &Axis::lead_setpoint},
-      Turn{Phase::Torque,   kBlock<PowerUnit>,        &Axis::begin_sums},
-      Turn{Phase::Torque,   kBlock<TorqueSetpoint>,   &Axis::lead_torque},
-      Turn{Phase::Torque,   kBlock<HoldingBrake>,     &Axis::lead_brake},
-      Turn{Phase::Torque,   kBlock<Identification>,   &Axis::lead_identification},
-      Turn{Phase::Torque,   kBlock<SetpointChannel>,  &Axis::plan_ramp},
-      Turn{Phase::Values,   kBlock<Measurement>,      &Axis::measure},
-      Turn{Phase::Messages, kBlock<Identification>,   &Axis::track_measurement},
-      Turn{Phase::Messages, kBlock<SpeedMessages>,    &Axis::watch_speed},
-      Turn{Phase::Messages, kBlock<MotorMonitoring>,  &Axis::observe_motor},
-      Turn{Phase::Messages, kBlock<MotorMonitoring>,  &Axis::judge_causes},
-      Turn{Phase::Messages, kBlock<Identification>,   &Axis::conclude_measurement},
-      Turn{Phase::Messages, kBlock<SequenceControl>,  &Axis::refresh_status},
-      Turn{Phase::Status,   kBlock<FreeStatusBits>,   &Axis::show_free_bits},
+      Turn{Phase::Sequence, kPlace<ExternalMessages>, &Axis::stand_by},
+      Turn{Phase::Sequence, kPlace<SpeedControl>,     &Axis::choose_mode},
+      Turn{Phase::Sequence, kPlace<Jog>,              &Axis::follow_jog_bits, function_module::kSetpointChannel},
+      Turn{Phase::Sequence, kPlace<SequenceControl>,  &Axis::control_sequence},
+      Turn{Phase::Setpoint, kPlace<SetpointChannel>,  &Axis::lead_setpoint},
+      Turn{Phase::Torque,   kPlace<PowerUnit>,        &Axis::begin_sums},
+      Turn{Phase::Torque,   kPlace<TorqueSetpoint>,   &Axis::lead_torque},
+      Turn{Phase::Torque,   kPlace<HoldingBrake>,     &Axis::lead_brake},
+      Turn{Phase::Torque,   kPlace<Identification>,   &Axis::lead_identification},
+      Turn{Phase::Torque,   kPlace<SetpointChannel>,  &Axis::plan_ramp},
+      Turn{Phase::Values,   kPlace<Measurement>,      &Axis::measure},
+      Turn{Phase::Messages, kPlace<Identification>,   &Axis::track_measurement},
+      Turn{Phase::Messages, kPlace<SpeedMessages>,    &Axis::watch_speed},
+      Turn{Phase::Messages, kPlace<MotorMonitoring>,  &Axis::observe_motor},
+      Turn{Phase::Messages, kPlace<MotorMonitoring>,  &Axis::judge_causes},
+      Turn{Phase::Messages, kPlace<Identification>,   &Axis::conclude_measurement},
+      Turn{Phase::Messages, kPlace<SequenceControl>,  &Axis::refresh_status},
+      Turn{Phase::Status,   kPlace<FreeStatusBits>,   &Axis::show_free_bits},
   };
   // clang-format on
   static_assert(std::ranges::is_sorted(kTurns, {}, &Turn::phase));
 };
 
 std::span<const BlockId> Axis::inputs_of(Phase phase) noexcept {
-  static_assert(all_with_inputs_have_a_turn(Schedule::kTurns, static_cast<const AxisBlocks*>(nullptr)));
+  static_assert(all_with_inputs_have_a_turn(Schedule::kTurns));
   static constexpr auto kTaken = taken_inputs(Schedule::kTurns);
   const TakenInputs& taken = kTaken[static_cast<std::size_t>(phase)];
   return {taken.blocks.data(), taken.count};
@@ -96,7 +112,7 @@ template <Phase kPhase>
 void Axis::run() noexcept {
   const auto take_turn = [this]<std::size_t kIndex>() {
     constexpr Turn kTurn = Schedule::kTurns[kIndex];
-    if constexpr (kTurn.phase == kPhase && kTurn.run != nullptr) {
+    if constexpr (kTurn.phase == kPhase) {
       if constexpr (kTurn.modules == 0)
         (this->*kTurn.run)();
       else if ((modules_ & kTurn.modules) == kTurn.modules)
