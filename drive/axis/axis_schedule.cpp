@@ -113,10 +113,7 @@ void Axis::run() noexcept {
   const auto take_turn = [this]<std::size_t kIndex>() {
     constexpr Turn kTurn = Schedule::kTurns[kIndex];
     if constexpr (kTurn.phase == kPhase) {
-      if constexpr (kTurn.modules == 0)
-        (this->*kTurn.run)();
-      else if ((modules_ & kTurn.modules) == kTurn.modules)
-        (this->*kTurn.run)();
+      if ((modules_ & kTurn.modules) == kTurn.modules) (this->*kTurn.run)();
     }
   };
   [&]<std::size_t... kIndices>(std::index_sequence<kIndices...>) {
