@@ -35,6 +35,11 @@ double new_torque_limit(const drive::Axis& axis, std::uint16_t number) noexcept 
   return drive::factory_value(row, axis.context());
 }
 
+/// p1082, which slopes refer to.
+double maximum_speed(const drive::Axis& axis) noexcept {
+  return axis.block<drive::SetpointChannel>().settings.maximum_speed;
+}
+
 /// Values are shown with fewer digits than they are computed with.
 bool is_nearly(double value, double other) noexcept {
   constexpr double kShare = 1e-6;
@@ -65,7 +70,7 @@ canopen::Result<std::int64_t> ParameterObjects::read(const canopen::Entry& entry
   if (!value) return canopen::refuse(abort_code(value.error().reason));
   switch (row.form) {
     case Form::Slope:
-      return scaling_.get().slope_to_bus(axis_.references().maximum_speed, *value);
+      return scaling_.get().slope_to_bus(maximum_speed(axis_), *value);
     case Form::TorqueLimit:
       if (is_nearly(*value, new_torque_limit(axis_, kUpperTorqueLimit))) return 0;
       return whole(*value / axis_.references().rated_torque * kPerMille, entry);
@@ -88,8 +93,8 @@ canopen::Result<double> ParameterObjects::parameter_value(const canopen::Entry& 
     return value == kRoundedRamp ? 1.0 : 0.0;
   }
   const double longest = drive::find_parameter(axis_.kind(), row.parameter)->row->range.maximum;
-  const auto time = scaling_.get().ramp_time_from_bus(static_cast<std::uint32_t>(value),
-                                                      axis_.references().maximum_speed, longest);
+  const auto time =
+      scaling_.get().ramp_time_from_bus(static_cast<std::uint32_t>(value), maximum_speed(axis_), longest);
   if (!time) return canopen::refuse(canopen::AbortCode::ValueTooLow);
   return *time;
 }
