@@ -1,0 +1,28 @@
+#include "daemon/control/handlers.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace axisd {
+namespace {
+
+using Group = std::span<const Handler> (*)() noexcept;
+constexpr std::array<Group, 4> kGroups{
+    &unit_handlers,
+    &fault_handlers,
+    &plant_handlers,
+    &terminal_handlers,
+};
+
+}  // namespace
+
+const Handler* find_handler(std::string_view method) noexcept {
+  for (const Group group : kGroups) {
+    const std::span<const Handler> handlers = group();
+    const auto row = std::ranges::find(handlers, method, &Handler::method);
+    if (row != handlers.end()) return &*row;
+  }
+  return nullptr;
+}
+
+}  // namespace axisd

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+#include "daemon/control/handler.hpp"
+
+namespace axisd {
+
+// A function a group of methods, each in a file of its own.
+
+std::span<const Handler> unit_handlers() noexcept;
+std::span<const Handler> fault_handlers() noexcept;
+std::span<const Handler> plant_handlers() noexcept;
+std::span<const Handler> terminal_handlers() noexcept;
+
+/// The handler of @p method among those of all groups; nullptr if it has none.
+const Handler* find_handler(std::string_view method) noexcept;
+
+}  // namespace axisd

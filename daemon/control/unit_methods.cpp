@@ -1,0 +1,57 @@
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+#include "daemon/control/handlers.hpp"
+#include "daemon/instance/instance.hpp"
+#include "daemon/instance/status.hpp"
+#include "device/explain.hpp"
+
+namespace axisd {
+namespace {
+
+using nlohmann::json;
+
+Outcome status(const Call& call, const json&) {
+  return status_of(call.instance);
+}
+
+json reasons_of(const Instance& instance, std::size_t axis) {
+  json reasons = json::array();
+  if (!instance.bus().is_open()) reasons.push_back("The bus is down: bring the interface up (ip link set up).");
+  if (instance.bus().port().error_state() == bus::ErrorState::BusOff)
+    reasons.push_back(
+        "The CAN controller is bus-off: remove the cause and let it restart (restart-ms of the interface).");
+  for (const std::string& reason : device::explain(instance.device(), axis)) reasons.push_back(reason);
+  return reasons;
+}
+
+/// Of one axis, or of all without one.
+Outcome explain(const Call& call, const json& params) {
+  if (params.contains("axis"))
+    return json{{"reasons", reasons_of(call.instance, params.at("axis").get<std::size_t>())}};
+  json axes = json::array();
+  for (std::size_t number = 1; number <= call.instance.configuration().axes.size(); ++number)
+    axes.push_back({{"axis", number}, {"reasons", reasons_of(call.instance, number)}});
+  return json{{"axes", axes}};
+}
+
+Outcome restart_bus(const Call& call, const json&) {
+  if (!call.instance.device().restart_bus(call.now))
+    return refuse(control::ErrorCode::Refused, "the bus is not off");
+  return json::object();
+}
+
+constexpr std::array kHandlers{
+    Handler{"status", &status},
+    Handler{"explain", &explain},
+    Handler{"bus.restart", &restart_bus},
+};
+
+}  // namespace
+
+std::span<const Handler> unit_handlers() noexcept {
+  return kHandlers;
+}
+
+}  // namespace axisd
