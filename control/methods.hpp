@@ -119,11 +119,15 @@ inline constexpr std::array kMethods{
            {},
            "`{}`: the CAN controller starts again from bus-off, as with p8608[0] = 1; an error if the bus is not "
            "off"},
+    Method{"units", "", "units", "List the units of the daemon", {}, "`{\"units\": [...]}`"},
+    Method{"unit.off", "power", "off", "Switch a unit off", {}},
+    Method{"unit.on", "power", "on", "Switch a unit on", {}},
     Method{"quit", "", "quit", "Switch the unit off", {}, "`{}`, then the daemon powers off"},
 };
 
 /// Groups of subcommands.
 inline constexpr std::array kGroups{Group{"fault", "Inject or acknowledge faults"},
+                                    Group{"power", "Switch a unit off and on"},
                                     Group{"bus", "Act on the CAN controller of the unit"}};
 
 /// The row of the method called @p name; nullptr if there is none.

@@ -68,8 +68,15 @@ struct Configuration {
   bool fault_on_leaving_operational = true;   ///< key "f08701"
 };
 
+/// What one program serves.
+struct UnitsConfiguration {
+  std::vector<Configuration> units{Configuration{}};  ///< at least one; no two with one node-ID on one bus
+  std::size_t threads = 1;                            ///< that they are spread over
+  bool is_list = false;                               ///< the file has a list of units, even if of one
+};
+
 /// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; throws
 /// ConfigurationError.
-Configuration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors);
+UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors);
 
 }  // namespace axisd

@@ -17,6 +17,15 @@ constexpr device::BusState bus_state_of(bus::ErrorState state) noexcept {
   return kStates[static_cast<std::size_t>(state)];
 }
 
+/// Cycles of different units begin a multiple of this apart, so that a thread that runs many wakes for several at
+/// once.
+constexpr canopen::Duration kGrid = std::chrono::microseconds{500};
+
+/// The last point of the grid up to @p now.
+canopen::TimePoint on_grid(canopen::TimePoint now) noexcept {
+  return now - now.time_since_epoch() % kGrid;
+}
+
 std::vector<Instance::LoadTorque> load_torques(const Configuration& configuration) {
   std::vector<Instance::LoadTorque> torques;
   for (const AxisConfiguration& axis : configuration.axes)
@@ -74,7 +83,7 @@ void Instance::link_up() noexcept {
     return;
   }
   sent_before_boot_up_ = bus_.queue().counters().sent;
-  device_.start(read_clock());
+  device_.start(on_grid(read_clock()));
   memory_.raise_faults();
   if (!ready_told_) return tell_ready();
   log_.notice("{} is up again", bus_name());
@@ -114,6 +123,11 @@ void Instance::set_load_torque(std::size_t axis, double torque, motor::LoadTorqu
   const bool friction = type == motor::LoadTorqueType::Friction;
   load_torques_[axis - 1] = {friction ? 0.0 : torque, friction ? torque : 0.0};
   device_.set_load_torque(axis, torque, now, type);
+}
+
+void Instance::power_off() noexcept {
+  memory_.power_off();
+  listener_.on_condition(*this, Condition::Off);
 }
 
 double Instance::uptime_s() const noexcept {

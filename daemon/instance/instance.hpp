@@ -23,9 +23,10 @@ class Instance;
 
 /// What an instance tells of itself.
 enum class Condition : std::uint8_t {
-  Ready,   ///< its boot-up frame is out, for the first time
-  Down,    ///< its bus cannot be used
-  UpAgain  ///< its bus can be used again
+  Ready,    ///< its boot-up frame is out, for the first time
+  Down,     ///< its bus cannot be used
+  UpAgain,  ///< its bus can be used again
+  Off       ///< it is switched off
 };
 
 /// Who runs an instance.
@@ -59,10 +60,10 @@ class Instance final : private device::Listener, private Station {
   void load() { memory_.load(); }
   /// Power-on: onto the bus, if that is there.
   void start() noexcept;
-  /// What a turn may have changed without telling.
+  /// What something else than a turn may have changed without telling.
   void look_around() noexcept;
   /// Power-off: the drives coast, and what survives is on the disk.
-  void power_off() noexcept { memory_.power_off(); }
+  void power_off() noexcept;
 
   /// What is rare here; the descriptors stay the same.
   std::array<RareSource, 2> rare_sources() noexcept {
@@ -117,6 +118,7 @@ class Instance final : private device::Listener, private Station {
   std::span<const canopen::Subscription> subscriptions() const noexcept override {
     return device_.subscriptions();
   }
+  void on_turn_over() noexcept override { look_around(); }
   void on_link_lost() noexcept override;
   void on_burst_end() noexcept override;
   void on_error_state(bus::ErrorState state) noexcept override;
