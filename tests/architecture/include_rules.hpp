@@ -81,7 +81,7 @@ inline constexpr std::array kLayers{
            "can/connection/", "text/", "fmt/", "CLI/", "systemd/", "nlohmann/", kSystem}},
     Layer{"tools",
           {"libcanopen/", "eds/", "os/", "can/userbus/", "can/port/", "can/connection/", "can/hub/", "text/",
-           "control/", "fmt/", "nlohmann/", "CLI/", kSystem}},
+           "control/", "record/", "fmt/", "nlohmann/", "CLI/", kSystem}},
     Layer{"can/preload", {"can/userbus/", kSystem}},
 };
 
