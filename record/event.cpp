@@ -15,10 +15,17 @@ using nlohmann::json;
 
 constexpr std::array<std::string_view, 3> kOrigins{"unit", "sdo", "control"};
 
-/// Where it happened: the drive object, and the axis if it is one.
+constexpr std::uint8_t kControlUnit = 1;
+
+/// Where it happened: the drive object, and the place as control methods name it.
 void add_place(json& line, const Event& event) {
-  if (event.object != 0) line["drive_object"] = event.object;
-  if (event.axis != 0) line["axis"] = event.axis;
+  if (event.object == 0) return;
+  line["drive_object"] = event.object;
+  if (event.axis != 0 || event.object == kControlUnit) {
+    line["axis"] = event.axis;
+  } else {
+    line["axis"] = "infeed";
+  }
 }
 
 /// A state in place of another.
