@@ -50,6 +50,7 @@ inline constexpr std::array kLayers{
     Layer{"drive/values", {"motor/control/", "drive/base/", "drive/parameter/", "drive/machine/"}},
     Layer{"drive/messages", {"fmt/", "drive/base/"}},
     Layer{"unit", {"drive/"}},
+    Layer{"trace", {"motor/", "drive/", "unit/", "text/", "fmt/"}},
     Layer{"device",
           {"libcanopen/", "drive/", "unit/", "fmt/", "generated/object_table.hpp", "generated/axis_offsets.hpp",
            "eds/catalogue/axis_rule.hpp"}},
