@@ -89,7 +89,7 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
     wake_for(phase, running, duration);
     run_phase(phase, running);
   }
-  send_converted();
+  end_cycle();
 }
 
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
@@ -106,7 +106,7 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
   rest_others(running, duration);
   move(running, duration);
   for (const Phase phase : kAfterTheSteps) run_phase(phase, running);
-  send_converted();
+  end_cycle();
   wiring_->invalidate();  // the inputs do not hold what they are connected to
 }
 
@@ -142,11 +142,21 @@ void DriveUnit::rest_others(const Running& running, double duration) noexcept {
     if (!running.runs[i]) axes_[i].rest(duration, dc_link_.voltage());
 }
 
-/// The steps of a cycle, side by side on the DC link.
 void DriveUnit::move(const Running& running, double duration) noexcept {
   const auto steps = std::lround(duration / motor::kControlPeriod);
-  const std::span<Axis* const> moved = running.all();
-  double lowest = dc_link_.voltage();
+  lowest_dc_voltage_ = dc_link_.voltage();
+  if (observer_ == nullptr) [[likely]]
+    return run_steps(running.all(), steps);
+  for (long step = 1; step < steps; ++step) {
+    run_steps(running.all(), 1);
+    observer_->on_step(step);
+  }
+  run_steps(running.all(), 1);
+}
+
+/// Steps of a cycle, side by side on the DC link. At one place, for all of a step to be compiled into it.
+[[gnu::noinline]] void DriveUnit::run_steps(std::span<Axis* const> moved, long steps) noexcept {
+  double lowest = lowest_dc_voltage_;
   for (long step = 0; step < steps; ++step) {
     const double voltage = dc_link_.voltage();
     double drawn = 0.0;
@@ -163,6 +173,12 @@ void DriveUnit::send_converted() noexcept {
   wiring_->take(control_unit_, kBlock<TerminalInputs>);
   control_unit_.lead_outputs();
   wiring_->send();
+}
+
+void DriveUnit::end_cycle() noexcept {
+  send_converted();
+  if (observer_ != nullptr) [[unlikely]]
+    observer_->on_cycle_end();
 }
 
 void DriveUnit::rest(double duration) noexcept {

@@ -66,6 +66,9 @@ class Runner final {
   bool is_resting() const noexcept { return clock_.is_resting(); }
   /// The rest, if there is one, ends with what came at @p arrival, now() at the latest.
   void end_rest(TimePoint arrival) noexcept;
+  /// From now on @p observer, which outlives that, looks at every cycle, and the unit does not rest; nullptr:
+  /// nobody does.
+  void observe(CycleObserver* observer) noexcept;
   /// Something has come for @p axes: the next cycle has to run them.
   void wake(AxisMask axes = kAllAxes) noexcept {
     if ((idle_ & axes) == 0) return;
@@ -98,6 +101,14 @@ class Runner final {
   /// What ParameterKeeper::on_store() has begun is over; @p kept: with success.
   void on_stored(bool kept, TimePoint now) noexcept;
   bool has_saved_parameters() const noexcept { return storage_.has_saved(); }
+  /// What was saved last, or loaded; valid until the next save.
+  drive::SavedValues saved_parameters() const noexcept { return storage_.saved(); }
+  /// Somebody beside the faces writes index @p index of parameter @p number of drive object @p object at @p now,
+  /// under the conditions that hold for a master, and what it leads to is carried out at once. NotNow while a save
+  /// runs; one that this begins goes on, see is_saving().
+  [[nodiscard]] tl::expected<void, drive::ParameterError> write_parameter(std::uint8_t object,
+                                                                          std::uint16_t number, std::size_t index,
+                                                                          double value, TimePoint now) noexcept;
   /// p8848 comes into force.
   void take_over_period() noexcept;
   /// A face has left the state in which its master leads the unit: p0972 = 3 waits for that.
@@ -143,7 +154,7 @@ class Runner final {
 
  private:
   void run_cycles() noexcept;
-  void run_cycle(bool all) noexcept;
+  void run_cycle(bool all, TimePoint end) noexcept;
   void wake_clock() noexcept;
   void see_what_rests() noexcept;
   void publish() noexcept;
@@ -170,6 +181,7 @@ class Runner final {
   std::vector<Face*> faces_;
   CycleClock clock_;
   MessageWatch messages_;
+  CycleObserver* observer_ = nullptr;
   AxisMask idle_;                     ///< nothing moves there, and nothing has come since the last cycle
   std::optional<TimePoint> started_;  ///< when the unit was switched on
   TimePoint now_{};                   ///< as last told

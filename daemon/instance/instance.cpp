@@ -37,11 +37,15 @@ std::vector<Instance::LoadTorque> load_torques(const Configuration& configuratio
 
 Instance::Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
                    InstanceListener& listener)
+    : Instance{configuration, bus::open(configuration.address), folder, log, listener} {}
+
+Instance::Instance(const Configuration& configuration, bus::Connection connection,
+                   const std::filesystem::path& folder, const Log& log, InstanceListener& listener)
     : configuration_{configuration},
       log_{log},
       listener_{listener},
       started_{read_clock()},
-      connection_{bus::open(configuration.address)},
+      connection_{std::move(connection)},
       bus_{*connection_.port, *this},
       device_{device_configuration(configuration, *connection_.port, folder, log), bus_.queue(), *this},
       memory_{folder, device_, log},
@@ -49,6 +53,7 @@ Instance::Instance(const Configuration& configuration, const std::filesystem::pa
       load_torques_{load_torques(configuration)} {}
 
 void Instance::start() noexcept {
+  tell(record::EventKind::Power, true);
   reports_.on_open(*connection_.port);
   if (connection_.link->state() == bus::LinkState::Up) return link_up();
   log_.notice("{} is down: waiting until it is up", bus_name());
@@ -59,6 +64,13 @@ void Instance::look_around() noexcept {
   if (!ready_told_) tell_ready();
   reports_.look_at(bus_, device_);
   memory_.look_at_unit();
+  if (events_.is_watched()) events_.look(read_clock());
+}
+
+void Instance::power_off() noexcept {
+  tell(record::EventKind::Power, false);
+  memory_.power_off();
+  listener_.on_condition(*this, Condition::Off);
 }
 
 void Instance::tell_ready() noexcept {
@@ -82,6 +94,7 @@ void Instance::link_up() noexcept {
     log_.warning("{} is up but cannot be used", bus_name());
     return;
   }
+  tell(record::EventKind::Link, true);
   sent_before_boot_up_ = bus_.queue().counters().sent;
   device_.start(on_grid(read_clock()));
   memory_.raise_faults();
@@ -97,13 +110,32 @@ void Instance::link_down() noexcept {
 }
 
 void Instance::on_link_lost() noexcept {
+  tell(record::EventKind::Link, false);
   log_.warning("{} is down: waiting until it is up", bus_name());
   listener_.on_condition(*this, Condition::Down);
 }
 
 void Instance::on_error_state(bus::ErrorState state) noexcept {
   log_.warning("{}: {}", bus_name(), bus::name_of(state));
-  device_.on_bus_state(bus_state_of(state), read_clock());
+  const canopen::TimePoint now = read_clock();
+  if (events_.is_watched()) events_.on_bus_state(state, now);
+  device_.on_bus_state(bus_state_of(state), now);
+}
+
+/// What is refused at once is not saved either.
+device::Keeping Instance::on_store(std::span<const std::byte> image) noexcept {
+  const device::Keeping keeping = memory_.store(image);
+  if (keeping != device::Keeping::Begun) tell(record::EventKind::Store, keeping == device::Keeping::Kept);
+  return keeping;
+}
+
+void Instance::on_restore() noexcept {
+  tell(record::EventKind::Restore, true);
+  memory_.on_restore();
+}
+
+void Instance::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
+  if (events_.is_watched()) events_.on_nmt_state(from, to, read_clock());
 }
 
 bool Instance::on_bus_restart() noexcept {
@@ -125,9 +157,35 @@ void Instance::set_load_torque(std::size_t axis, double torque, motor::LoadTorqu
   device_.set_load_torque(axis, torque, now, type);
 }
 
-void Instance::power_off() noexcept {
-  memory_.power_off();
-  listener_.on_condition(*this, Condition::Off);
+void Instance::tell(record::EventKind kind, bool active) noexcept {
+  if (events_.is_watched()) events_.on_change(kind, active, read_clock());
+}
+
+void Instance::tell_events(bool wanted) noexcept {
+  if (!wanted) return events_.remove(*this);
+  if (!events_.add(*this)) log_.error("{}: too many listen to the events of the unit", bus_name());
+}
+
+void Instance::on_tap(bool is_open) noexcept {
+  bus_.lead_to(is_open ? static_cast<Station&>(heard_) : *this);
+  device_.send_to(is_open ? static_cast<canopen::FrameSink&>(frames_) : bus_.queue());
+}
+
+void Instance::Heard::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
+  instance_.frames_.on_frame(frame, now);
+  instance_.on_frame(frame, now);
+  instance_.frames_.on_handled();
+}
+
+/// Also when nothing of the unit itself was due.
+void Instance::Heard::on_time(canopen::TimePoint now) noexcept {
+  instance_.frames_.on_time(now);
+  instance_.on_time(now);
+  instance_.frames_.on_handled();
+}
+
+canopen::TimePoint Instance::Heard::next_deadline() const noexcept {
+  return std::min(instance_.next_deadline(), instance_.frames_.next_deadline());
 }
 
 double Instance::uptime_s() const noexcept {
