@@ -73,14 +73,17 @@ tl::expected<std::string, std::string> read_line(const os::Descriptor& socket) {
 
 }  // namespace
 
-tl::expected<nlohmann::json, std::string> ask(const std::string& path, const Call& call) {
+tl::expected<nlohmann::json, control::AnswerError> ask(const std::string& path, const Call& call) {
+  const auto fail = [](std::string message) {
+    return tl::unexpected{control::AnswerError{std::nullopt, std::move(message)}};
+  };
   const auto socket = connect_to(path);
-  if (!socket) return Failure{socket.error()};
+  if (!socket) return fail(socket.error());
   // A daemon that closes the connection before it has read the request may have said why.
   if (!send_all(*socket, control::request_line(kRequestId, call.method, call.params)) && errno != EPIPE)
-    return Failure{fmt::format("{}: {}", path, reason())};
+    return fail(fmt::format("{}: {}", path, reason()));
   const auto line = read_line(*socket);
-  if (!line) return Failure{fmt::format("{}: {}", path, line.error())};
+  if (!line) return fail(fmt::format("{}: {}", path, line.error()));
   return control::parse_answer(*line, kRequestId);
 }
 

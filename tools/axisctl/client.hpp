@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "control/protocol.hpp"
+
 namespace axisctl {
 
 /// What is asked of a daemon.
@@ -15,6 +17,6 @@ struct Call {
 };
 
 /// Asks the daemon at socket @p path; the result of its answer, or in one line why there is none.
-[[nodiscard]] tl::expected<nlohmann::json, std::string> ask(const std::string& path, const Call& call);
+[[nodiscard]] tl::expected<nlohmann::json, control::AnswerError> ask(const std::string& path, const Call& call);
 
 }  // namespace axisctl

@@ -27,6 +27,23 @@ std::string unknown_subcommand(const CLI::App& app, const std::string& word) {
   return fmt::format("unknown subcommand {}, expected one of: {}", word, fmt::join(names, ", "));
 }
 
+/// A word or an option of @p app for @p parameter, whose words go to @p words.
+void add_argument(CLI::App& app, const control::Parameter& parameter, control::Words& words) {
+  const std::string help{parameter.help};
+  const bool is_word = parameter.option.empty();
+  if (!is_word && parameter.form == control::Form::Switch) {
+    app.add_flag_callback(
+        control::argument_of(parameter), [&words] { words = {"on"}; }, help);
+    return;
+  }
+  const std::string name = control::argument_of(parameter);
+  CLI::Option* const option = parameter.form == control::Form::List
+                                  ? app.add_option(name, words, help)->delimiter(is_word ? '\0' : ',')
+                                  : app.add_option_function<std::string>(
+                                        name, [&words](const std::string& word) { words = {word}; }, help);
+  option->required(parameter.absent.empty())->type_name(is_word ? "" : std::string{parameter.argument});
+}
+
 }  // namespace
 
 CommandLine::CommandLine() {
@@ -63,14 +80,12 @@ CLI::App& CommandLine::group_of(const control::Method& method) {
 
 void CommandLine::add_commands() {
   for (const control::Method& method : control::kMethods) {
+    if (method.command.empty()) continue;
     CLI::App* const sub =
         group_of(method).add_subcommand(std::string{method.command}, std::string{method.summary});
     sub->fallthrough();
-    std::vector<std::string>& own = words_.emplace_back(method.parameters.size());
-    for (std::size_t i = 0; i < own.size(); ++i)
-      sub->add_option(std::string{method.parameters[i].argument}, own[i], std::string{method.parameters[i].help})
-          ->required(method.parameters[i].absent.empty())
-          ->type_name("");
+    std::vector<control::Words>& own = words_.emplace_back(method.parameters.size());
+    for (std::size_t i = 0; i < own.size(); ++i) add_argument(*sub, method.parameters[i], own[i]);
     sub->callback([this, &method, &own] {
       invocation_.method = &method;
       invocation_.words = own;

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "control/method.hpp"
+#include "control/words.hpp"
 #include "tools/axisctl/socket_choice.hpp"
 
 namespace axisctl {
@@ -18,7 +19,7 @@ struct Invocation {
   std::optional<std::string> interface;
   bool json = false;
   const control::Method* method = nullptr;  ///< none: help alone was asked for
-  std::vector<std::string> words;
+  std::vector<control::Words> words;        ///< of its parameters
 };
 
 /// The command line of the program: its options, a subcommand for each row of control::kMethods, and help.
@@ -44,8 +45,8 @@ class CommandLine {
 
   CLI::App app_{"Talks to a running axisd.", "axisctl"};
   Invocation invocation_;
-  std::list<std::vector<std::string>> words_;  // where CLI11 writes the arguments of each command to
-  std::vector<std::string> help_;              // the subcommand that help is asked for
+  std::list<std::vector<control::Words>> words_;  // where CLI11 writes the arguments of each command to
+  std::vector<std::string> help_;                 // the subcommand that help is asked for
 };
 
 }  // namespace axisctl

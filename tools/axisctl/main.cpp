@@ -35,7 +35,7 @@ int run(Invocation& invocation) {
   const auto path = axisctl::choose_socket(invocation.address);
   if (!path) return error(path.error().several ? kUsage : kFailure, path.error().message);
   const auto result = axisctl::ask(*path, {method.name, *parameters});
-  if (!result) return error(kFailure, axisctl::printable(control::in_words_of(method, result.error())));
+  if (!result) return error(kFailure, axisctl::printable(control::in_words_of(method, result.error().message)));
   if (invocation.json)
     std::cout << axisctl::printable(result->dump()) << '\n';
   else
