@@ -82,6 +82,20 @@ class Device final {
     return std::min(face_.next_deadline(), node_time(runner_.next_deadline()));
   }
 
+  /// What goes on by itself while the unit rests (temperatures, operating time) is that of @p now.
+  void tell_time(canopen::TimePoint now) noexcept { runner_.tell_time(unit_time(now)); }
+  /// Somebody beside the bus writes a parameter at @p now: see unit::Runner::write_parameter().
+  [[nodiscard]] tl::expected<void, drive::ParameterError> write_parameter(std::uint8_t object,
+                                                                          std::uint16_t number, std::size_t index,
+                                                                          double value,
+                                                                          canopen::TimePoint now) noexcept {
+    return runner_.write_parameter(object, number, index, value, unit_time(now));
+  }
+  /// What was saved last, or loaded; valid until the next save.
+  drive::SavedValues saved_parameters() const noexcept { return runner_.saved_parameters(); }
+  /// A save runs: no parameter may be written.
+  bool is_saving() const noexcept { return runner_.is_saving(); }
+
   /// Raises fault or alarm @p number on @p axis (0..axes) with @p value; a message that propagates appears on
   /// every drive object.
   tl::expected<void, drive::FaultError> raise(std::size_t axis, std::uint16_t number, std::uint32_t value,

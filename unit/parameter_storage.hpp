@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "drive/images/saved_values.hpp"
 #include "drive/images/storage_image.hpp"
 #include "unit/follow_ups.hpp"
 #include "unit/parameter_groups.hpp"
@@ -73,6 +74,8 @@ class ParameterStorage final : public ParameterOwner {
 
   /// Whether there are saved parameters.
   bool has_saved() const noexcept { return length_ != 0; }
+  /// What was saved last, or loaded; valid until the next save.
+  drive::SavedValues saved() const noexcept { return drive::SavedValues{image()}; }
 
   /// The parameters of @p group are those of a new unit.
   void reset(ParameterGroup group) noexcept;

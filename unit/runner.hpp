@@ -98,6 +98,14 @@ class Runner final {
   /// What ParameterKeeper::on_store() has begun is over; @p kept: with success.
   void on_stored(bool kept, TimePoint now) noexcept;
   bool has_saved_parameters() const noexcept { return storage_.has_saved(); }
+  /// What was saved last, or loaded; valid until the next save.
+  drive::SavedValues saved_parameters() const noexcept { return storage_.saved(); }
+  /// Somebody beside the faces writes index @p index of parameter @p number of drive object @p object at @p now,
+  /// under the conditions that hold for a master, and what it leads to is carried out at once. NotNow while a save
+  /// runs; one that this begins goes on, see is_saving().
+  [[nodiscard]] tl::expected<void, drive::ParameterError> write_parameter(std::uint8_t object,
+                                                                          std::uint16_t number, std::size_t index,
+                                                                          double value, TimePoint now) noexcept;
   /// p8848 comes into force.
   void take_over_period() noexcept;
   /// A face has left the state in which its master leads the unit: p0972 = 3 waits for that.

@@ -77,6 +77,23 @@ void Runner::reload(ParameterGroup group) noexcept {
   take_over({.cause = Replacement::Cause::Reset, .group = group});
 }
 
+tl::expected<void, drive::ParameterError> Runner::write_parameter(std::uint8_t object, std::uint16_t number,
+                                                                  std::size_t index, double value,
+                                                                  TimePoint now) noexcept {
+  drive::DriveObject* const owner = unit_.object(object);
+  if (owner == nullptr)
+    return tl::unexpected{drive::ParameterError{drive::Refusal::NoDriveObject, number, nullptr}};
+  const auto found = owner->parameter(number, index);
+  if (!found) return tl::unexpected{found.error()};
+  if (is_saving()) return tl::unexpected{drive::ParameterError{drive::Refusal::NotNow, number, (*found)->row}};
+  tell_time(now);
+  auto written = unit_.write(*owner, **found, index, value);
+  if (!written) return written;
+  on_parameter_written(object, number);
+  follow_up();
+  return written;
+}
+
 void Runner::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
   const bool left_reset = number == kResetObject && unit_.object(object)->read(kFilter) == 0.0;
   if (left_reset) follow_ups_.add(FollowUp::RestoreObject, object);

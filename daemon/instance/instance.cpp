@@ -28,11 +28,15 @@ std::vector<Instance::LoadTorque> load_torques(const Configuration& configuratio
 
 Instance::Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
                    InstanceListener& listener)
+    : Instance{configuration, bus::open(configuration.address), folder, log, listener} {}
+
+Instance::Instance(const Configuration& configuration, bus::Connection connection,
+                   const std::filesystem::path& folder, const Log& log, InstanceListener& listener)
     : configuration_{configuration},
       log_{log},
       listener_{listener},
       started_{read_clock()},
-      connection_{bus::open(configuration.address)},
+      connection_{std::move(connection)},
       bus_{*connection_.port, *this},
       device_{device_configuration(configuration, *connection_.port, folder, log), bus_.queue(), *this},
       memory_{folder, device_, log},

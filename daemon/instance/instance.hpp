@@ -51,6 +51,9 @@ class Instance final : private device::Listener, private Station {
   /// Throws bus::OpenError or std::system_error.
   Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
            InstanceListener& listener);
+  /// The same on a bus that was opened already.
+  Instance(const Configuration& configuration, bus::Connection connection, const std::filesystem::path& folder,
+           const Log& log, InstanceListener& listener);
   ~Instance() override = default;
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "drive/images/storage_blocks.hpp"
+
 namespace drive::storage_image {
 namespace {
 
@@ -10,7 +12,6 @@ using image_format::Writer;
 
 constexpr image_format::Kind kKind{{'a', 'x', 'i', 's', 'd', 'p', 'a', 'r'}, kFormatVersion};
 constexpr std::size_t kFixedSize = image_format::kHeadSize + 2 + image_format::kChecksumSize;
-constexpr std::size_t kValueSize = 2 + 1 + 1 + 4;
 
 std::uint16_t value_count(ObjectKind kind) noexcept {
   std::size_t count = 0;
@@ -20,21 +21,6 @@ std::uint16_t value_count(ObjectKind kind) noexcept {
 
 bool concerns(std::uint8_t selected, std::uint8_t number) noexcept {
   return selected == kAllObjects || selected == number;
-}
-
-/// A value of the image and where it belongs.
-struct SavedValue {
-  std::uint16_t number = 0;
-  std::uint8_t index = 0;
-  ParameterValue value{};
-};
-
-SavedValue take_value(Reader& reader) noexcept {
-  const auto number = reader.take<std::uint16_t>();
-  const auto index = reader.take<std::uint8_t>();
-  const auto type = reader.take<DataType>();
-  const auto bits = reader.take<std::uint32_t>();
-  return {number, index, {type, bits}};
 }
 
 void put_value(Writer& writer, const SavedValue& saved) noexcept {
@@ -49,23 +35,6 @@ SavedValue present_value(const DriveObject& object, const ParameterRow& row, std
   const auto read = object.read(row.number, index);
   const double value = read ? *read : object.kept_value(row.number, index).value_or(0.0);
   return {row.number, static_cast<std::uint8_t>(index), encode(row.type, value)};
-}
-
-/// The values of one drive object in an image.
-struct Block {
-  std::uint8_t number = 0;
-  ObjectKind kind{};
-  std::uint16_t count = 0;
-  std::span<const std::byte> values{};
-
-  Reader reader() const noexcept { return Reader{values}; }
-};
-
-Block take_block(Reader& reader) noexcept {
-  const auto number = reader.take<std::uint8_t>();
-  const auto kind = reader.take<ObjectKind>();
-  const auto count = reader.take<std::uint16_t>();
-  return {number, kind, count, reader.take_bytes(count * kValueSize)};
 }
 
 void put_present(Writer& writer, const DriveObject& object) noexcept {
@@ -131,24 +100,6 @@ void load_block(DriveObject& object, const Block& block, RowFilter rows) noexcep
 bool is_whole(RowFilter rows) noexcept {
   return rows == RowFilter{is_saved};
 }
-
-/// The drive objects of an image, by number.
-class Blocks {
- public:
-  explicit Blocks(Reader reader) noexcept {
-    for (auto objects = reader.take<std::uint16_t>(); objects > 0 && reader.is_complete(); --objects) {
-      const Block block = take_block(reader);
-      if (block.number < blocks_.size()) blocks_[block.number] = block;
-    }
-  }
-  Blocks() = default;
-
-  bool has(std::uint8_t number) const noexcept { return blocks_[number].number == number; }
-  const Block& of(std::uint8_t number) const noexcept { return blocks_[number]; }
-
- private:
-  std::array<Block, 1 + kMostObjects> blocks_{};
-};
 
 }  // namespace
 

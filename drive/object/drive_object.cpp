@@ -96,14 +96,18 @@ tl::expected<void, ParameterError> DriveObject::write(const PlacedRow& placed, s
                                                       double value) noexcept {
   const ParameterRow& row = *placed.row;
   const auto refused = [&](Refusal reason) { return tl::unexpected{ParameterError{reason, row.number, &row}}; };
-  const WriteState state = write_state();
-  if (!allows(row.when, state)) return refused(refusal(row.when, state));
+  if (const auto reason = state_refusal(row)) return refused(*reason);
   if (const auto reason = value_refusal(row, index, value)) return refused(*reason);
   if (is_agreed(row) && surroundings_ != nullptr)
     if (const auto reason = surroundings_->agree(*this, row, index, value)) return refused(*reason);
   if (!std::holds_alternative<HostCommand>(row.home)) assign(placed, index, value);
   tell(row);
   return {};
+}
+
+std::optional<Refusal> DriveObject::state_refusal(const ParameterRow& row) const noexcept {
+  const WriteState state = write_state();
+  return allows(row.when, state) ? std::nullopt : std::optional{refusal(row.when, state)};
 }
 
 /// Only what @p row concerns is to be computed anew.

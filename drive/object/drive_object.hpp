@@ -73,6 +73,8 @@ class DriveObject {
   /// The same of @p placed, found by parameter() with @p index.
   [[nodiscard]] tl::expected<void, ParameterError> write(const PlacedRow& placed, std::size_t index,
                                                          double value) noexcept;
+  /// Why the present state lets nobody write parameter @p row, whatever the value, if it does not.
+  std::optional<Refusal> state_refusal(const ParameterRow& row) const noexcept;
   /// Takes over a saved value whatever the state; refused if it is outside the limits or not a saved parameter.
   [[nodiscard]] tl::expected<void, ParameterError> load(std::uint16_t number, std::size_t index,
                                                         double value) noexcept;

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "drive/base/function_modules.hpp"
+#include "drive/catalogue/effect_text.hpp"
 #include "drive/catalogue/table.hpp"
 
 namespace drive {
@@ -57,15 +55,6 @@ std::string kinds(const ParameterRow& row) {
   return {};
 }
 
-/// @p value as an integer if it is one, large ones in hexadecimal.
-std::string number(double value) {
-  constexpr double kLarge = 16777216.0;
-  const bool integer = !(std::abs(value - std::trunc(value)) > 0.0);
-  if (integer && value >= kLarge && value <= 4294967295.0)
-    return fmt::format("{:X}h", static_cast<std::uint32_t>(value));
-  return fmt::format("{}", value);
-}
-
 /// The source of a BICO input as "r8890.0" or "r8860[1]".
 std::string source(const ParameterRow& row, std::uint32_t packed) {
   if (packed <= kHighestConstant) return fmt::format("{}", packed);
@@ -81,46 +70,13 @@ std::string factory(const ParameterRow& row) {
   const bool shown = row.is_writable() || std::holds_alternative<Agreed>(row.home);
   if (!shown) return "";
   if (value == nullptr) return "computed";
-  return is_bico_input(row.type) ? source(row, static_cast<std::uint32_t>(*value)) : number(*value);
+  return is_bico_input(row.type) ? source(row, static_cast<std::uint32_t>(*value)) : number_text(*value);
 }
 
 std::string range(const ParameterRow& row) {
   if (!row.is_writable() || is_bico_input(row.type)) return "";
   const Range limits = limits_of(row);
-  return fmt::format("{} … {}", number(limits.minimum), number(limits.maximum));
-}
-
-/// What would make a parameter act that does nothing yet.
-std::string until(const ParameterRow& row, std::string_view itself) {
-  const function_module::Missing* const missing = function_module::missing_of(row.number);
-  if (missing == nullptr) return std::string{itself};
-  return fmt::format("the function module {} (p0108.{}), which is not simulated yet", missing->name,
-                     std::countr_zero(missing->module));
-}
-
-/// What the home of a parameter means, for the last column.
-std::string role(const ParameterRow& row) {
-  if (const auto* const stored = std::get_if<Stored>(&row.home))
-    return fmt::format("{}; would act with {}", is_bico_input(row.type) ? "wiring stored" : "stored only",
-                       until(row, stored->until));
-  if (std::holds_alternative<Agreed>(row.home)) return is_bico_input(row.type) ? "wiring stored" : "bus";
-  if (std::holds_alternative<HostCommand>(row.home)) return "command";
-  if (const auto* const fixed = std::get_if<Fixed>(&row.home))
-    return fmt::format("fixed: {}; would change with {}", number(fixed->value), until(row, fixed->until));
-  return row.is_writable() ? "" : "true value";
-}
-
-/// Whether the effect of @p row says what acts on what is written.
-bool acts(const ParameterRow& row) {
-  return std::holds_alternative<Slot>(row.home) || std::holds_alternative<BitInput>(row.home) ||
-         std::holds_alternative<ValueInput>(row.home) || std::holds_alternative<ImageInput>(row.home);
-}
-
-std::string effect(const ParameterRow& row) {
-  const std::string means = role(row);
-  if (acts(row)) return fmt::format("acts on {}", row.effect);
-  const std::string_view between = means.empty() || row.effect.empty() ? "" : "; ";
-  return fmt::format("{}{}{}", means, between, row.effect);
+  return fmt::format("{} … {}", number_text(limits.minimum), number_text(limits.maximum));
 }
 
 std::string_view output(const ParameterRow& row) {
@@ -131,7 +87,8 @@ std::string_view output(const ParameterRow& row) {
 void write_row(std::string& page, const ParameterRow& row) {
   fmt::format_to(std::back_inserter(page), "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
                  parameter_text(row), row.name, kinds(row), static_cast<int>(row.count), row_of(row.type).text,
-                 row_of(row.unit).text, range(row), factory(row), row_of(row.when).text, output(row), effect(row));
+                 row_of(row.unit).text, range(row), factory(row), row_of(row.when).text, output(row),
+                 effect_text(row));
 }
 
 /// How many parameters there are, and that there are no others.
@@ -146,11 +103,11 @@ void write_counts(std::string& page) {
                  parameters_of(ObjectKind::Vector).size(), highest);
 }
 
-/// A line with the parameters that @p role_text begins the role of.
-void write_list(std::string& page, std::string_view title, std::string_view role_text) {
+/// A line with the parameters that @p begin begins the role of.
+void write_list(std::string& page, std::string_view title, std::string_view begin) {
   std::vector<std::string> names;
   for (const ParameterRow* row : parameter_rows()) {
-    if (role(*row).rfind(role_text, 0) != 0) continue;
+    if (role_text(*row).rfind(begin, 0) != 0) continue;
     const std::string name = parameter_text(*row);
     if (names.empty() || names.back() != name) names.push_back(name);
   }

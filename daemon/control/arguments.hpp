@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "control/error.hpp"
+
+namespace axisd {
+
+/// A parameter of a method, or why it cannot be taken.
+template <class Value>
+using Taken = tl::expected<Value, control::Error>;
+
+/// The parameters of a method, taken one by one: nothing throws, whatever they are. One that is null counts as
+/// absent.
+class Arguments {
+ public:
+  using json = nlohmann::json;
+
+  /// @p params outlive this.
+  explicit Arguments(const json& params) noexcept : params_{params} {}
+
+  /// The value of @p key; nullptr if it is absent.
+  const json* find(std::string_view key) const noexcept;
+  bool has(std::string_view key) const noexcept { return find(key) != nullptr; }
+
+  /// An integer @p low to @p high; @p absent if there is none.
+  Taken<std::int64_t> integer(std::string_view key, std::int64_t low, std::int64_t high,
+                              std::optional<std::int64_t> absent = std::nullopt) const;
+  /// A number @p low to @p high.
+  Taken<double> number(std::string_view key, double low, double high,
+                       std::optional<double> absent = std::nullopt) const;
+  /// true or false.
+  Taken<bool> flag(std::string_view key, std::optional<bool> absent = std::nullopt) const;
+  /// A text.
+  Taken<std::string> text(std::string_view key, std::optional<std::string> absent = std::nullopt) const;
+  /// The place of a text among @p choices.
+  Taken<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices,
+                            std::optional<std::size_t> absent = std::nullopt) const;
+
+ private:
+  const json& params_;
+};
+
+/// @p value for a message, cut to a length that a line has room for.
+std::string shown(const nlohmann::json& value);
+
+/// BadParameter: "KEY: expected @p expected, got @p value"; nullptr: nothing.
+control::Error unexpected_value(std::string_view key, std::string_view expected, const nlohmann::json* value);
+
+}  // namespace axisd
