@@ -60,10 +60,13 @@ enum class Scope : std::uint8_t {
 struct Method {
   std::string_view name;  ///< on the socket
   Scope scope = Scope::Unit;
-  std::string_view group{};                 ///< first word of a subcommand of two words, empty otherwise
-  std::string_view command{};               ///< last word of the subcommand; empty: it has none of its own
-  std::string_view summary{};               ///< of the subcommand, one line
-  std::span<const Parameter> parameters{};  ///< of the words, those that may be left out are the last ones
+  std::string_view group{};                     ///< first word of a subcommand of two words, empty otherwise
+  std::string_view command{};                   ///< last word of the subcommand; empty: it has none of its own
+  std::string_view summary{};                   ///< of the subcommand, one line
+  std::span<const Parameter> parameters{};      ///< of the words, those that may be left out are the last ones
+  std::span<const std::string_view> keys{};     ///< members of the result and below, in the order of its schema
+  std::span<const std::string_view> columns{};  ///< what a table of the result shows; empty: all
+  std::span<const std::string_view> brief{};    ///< the same where it is to be brief
 };
 
 /// What the subcommands of a group have in common.

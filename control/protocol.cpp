@@ -82,13 +82,13 @@ std::string notice_line(std::string_view key, const json& value) {
 tl::expected<json, AnswerError> parse_answer(std::string_view line, int id) {
   json object = parse_line(line);
   const auto not_an_answer = [line] {
-    return tl::unexpected{AnswerError{std::nullopt, "not an answer: " + quoted(line)}};
+    return tl::unexpected{AnswerError{.message = "not an answer: " + quoted(line)}};
   };
   if (!object.is_object()) return not_an_answer();
   if (const auto error = object.find("error"); error != object.end()) {
     const auto message = error->is_object() ? error->find("message") : error->end();
     if (!error->is_object() || message == error->end() || !message->is_string()) return not_an_answer();
-    AnswerError refusal{std::nullopt, message->get<std::string>(), *error};
+    AnswerError refusal{.is_answer = true, .message = message->get<std::string>(), .details = *error};
     if (const auto code = error->find("code"); code != error->end() && code->is_string())
       refusal.code = error_code_of(code->get_ref<const std::string&>());
     refusal.details.erase("code");

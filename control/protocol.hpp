@@ -40,9 +40,9 @@ struct RequestError {
 
 /// Why a request has no result.
 struct AnswerError {
-  std::optional<ErrorCode>
-      code;  ///< of the daemon's error; nothing: the line is no answer, or its code is not known
-  std::string message;
+  bool is_answer = false;           ///< the daemon refuses; else the line is no answer
+  std::optional<ErrorCode> code{};  ///< of the daemon's error, if it is one that is known
+  std::string message{};
   nlohmann::json details = nlohmann::json::object();  ///< further members of the error
 };
 /// The result in the answer @p line to request @p id, or its error.

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kFileKeys{"group",       "summary", "order",  "commands",
                                                     "definitions", "notices", "methods"};
-constexpr std::array<std::string_view, 7> kMethodKeys{"name",   "scope",  "command",    "summary",
-                                                      "params", "result", "result_text"};
+constexpr std::array<std::string_view, 9> kMethodKeys{"name",   "scope",       "command", "summary", "params",
+                                                      "result", "result_text", "columns", "brief"};
 constexpr double kLast = 1000.0;
 
 /// One file, with what its texts are kept in.
@@ -27,6 +27,7 @@ struct Reader {
   void read_file(const Json& document);
   MethodText read_method(const Json& object, const std::string& place);
   void read_parameters(const Fields& fields, MethodText& method);
+  std::span<const std::string_view> read_texts(const Fields& fields, std::string_view key);
   void add_group(std::string_view name, std::string_view summary);
   void merge(Json& all, const Fields& fields, std::string_view key) const;
 };
@@ -50,6 +51,15 @@ void Reader::read_parameters(const Fields& fields, MethodText& method) {
   }
 }
 
+std::span<const std::string_view> Reader::read_texts(const Fields& fields, std::string_view key) {
+  std::vector<std::string_view>& own = text.choices.emplace_back();
+  for (const Json& element : fields.list(key)) {
+    if (!element.is_string()) fields.refuse(key, "texts");
+    own.emplace_back(element.get_ref<const std::string&>());
+  }
+  return own;
+}
+
 MethodText Reader::read_method(const Json& object, const std::string& place) {
   const Fields fields{object, place, kMethodKeys};
   MethodText method{};
@@ -65,6 +75,8 @@ MethodText Reader::read_method(const Json& object, const std::string& place) {
   if (method.row.command.find(' ') != std::string_view::npos) fields.refuse("command", "one word or two");
   method.result = fields.has("result") ? &fields.object("result") : nullptr;
   method.result_text = fields.text("result_text", method.result == nullptr ? "`{}`" : "the object below");
+  method.row.columns = read_texts(fields, "columns");
+  method.row.brief = read_texts(fields, "brief");
   read_parameters(fields, method);
   return method;
 }
@@ -107,6 +119,34 @@ std::unique_ptr<const Json> parse_file(const std::string& path) {
   }
 }
 
+/// The names of the members that @p schema describes, in its order, each once.
+void collect_keys(const ProtocolText& text, const Json& schema, std::vector<std::string_view>& keys) {
+  if (schema.is_array())
+    for (const Json& element : schema) collect_keys(text, element, keys);
+  if (!schema.is_object()) return;
+  if (const auto reference = schema.find("$ref"); reference != schema.end() && reference->is_string()) {
+    const auto& target = reference->get_ref<const std::string&>();
+    const auto found = text.definitions.find(target.substr(target.rfind('/') + 1));
+    if (found != text.definitions.end()) collect_keys(text, *found, keys);
+  }
+  if (const auto members = schema.find("properties"); members != schema.end())
+    for (const auto& item : members->items()) {
+      if (std::ranges::count(keys, item.key()) == 0) keys.emplace_back(item.key());
+      collect_keys(text, item.value(), keys);
+    }
+  for (const char* const below : {"items", "anyOf", "oneOf", "allOf"})
+    if (schema.contains(below)) collect_keys(text, schema[below], keys);
+}
+
+void add_keys(ProtocolText& text) {
+  for (Chapter& chapter : text.chapters)
+    for (MethodText& method : chapter.methods) {
+      std::vector<std::string_view>& keys = text.choices.emplace_back();
+      if (method.result != nullptr) collect_keys(text, *method.result, keys);
+      method.row.keys = keys;
+    }
+}
+
 /// Names and subcommands of methods are theirs alone.
 void check_names(const ProtocolText& text) {
   std::vector<std::string> seen;
@@ -133,6 +173,7 @@ ProtocolText read_protocol(const std::vector<std::string>& paths) {
     return a.order != b.order ? a.order < b.order : a.group < b.group;
   });
   check_names(text);
+  add_keys(text);
   return text;
 }
 

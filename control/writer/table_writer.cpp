@@ -1,4 +1,5 @@
-#include <map>
+#include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
@@ -57,11 +58,11 @@ std::string_view name_of(Form form) {
 class TableWriter {
  public:
   std::string parameters(const Method& method);
+  std::string texts(std::span<const std::string_view> texts);
   std::string take() { return std::move(arrays_); }
 
  private:
   std::string name(std::string_view what) { return fmt::format("k{}{}", what, ++number_); }
-  std::string choices(const Parameter& parameter);
   std::string terminals(const Parameter& parameter);
   std::string row(const Parameter& parameter);
 
@@ -69,12 +70,11 @@ class TableWriter {
   int number_ = 0;
 };
 
-std::string TableWriter::choices(const Parameter& parameter) {
-  if (parameter.choices.empty()) return "{}";
-  const std::string array = name("Choices");
-  arrays_ +=
-      fmt::format("inline constexpr std::array<std::string_view, {}> {}{{", parameter.choices.size(), array);
-  for (const std::string_view choice : parameter.choices) arrays_ += quoted(choice) + ", ";
+std::string TableWriter::texts(std::span<const std::string_view> texts) {
+  if (texts.empty()) return "{}";
+  const std::string array = name("Texts");
+  arrays_ += fmt::format("inline constexpr std::array<std::string_view, {}> {}{{", texts.size(), array);
+  for (const std::string_view text : texts) arrays_ += quoted(text) + ", ";
   arrays_ += "};\n";
   return array;
 }
@@ -95,7 +95,7 @@ std::string TableWriter::row(const Parameter& parameter) {
       "              .exception = {{{}, {}, {}}}, .absent = {}, .argument = {}, .option = {},\n"
       "              .help = {}}},\n",
       quoted(parameter.key), name_of(parameter.form), text_of(parameter.range), quoted(parameter.unit),
-      choices(parameter), terminals(parameter), quoted(exception.key), quoted(exception.choice),
+      texts(parameter.choices), terminals(parameter), quoted(exception.key), quoted(exception.choice),
       text_of(exception.range), quoted(parameter.absent), quoted(parameter.argument), quoted(parameter.option),
       quoted(parameter.help));
 }
@@ -109,6 +109,32 @@ std::string TableWriter::parameters(const Method& method) {
   return array;
 }
 
+/// "drive-state" as the name of a constant: kDriveState.
+std::string constant_of(std::string_view definition) {
+  std::string name{"k"};
+  bool is_first = true;
+  for (const char c : definition) {
+    if (c != '-') name += static_cast<char>(is_first ? std::toupper(static_cast<unsigned char>(c)) : c);
+    is_first = c == '-';
+  }
+  return name;
+}
+
+/// The choices of the definitions that are nothing else, for who takes them as words.
+std::string choices_of(const ProtocolText& text) {
+  std::string arrays;
+  for (const auto& item : text.definitions.items()) {
+    if (!item.value().is_object() || !item.value().contains("enum")) continue;
+    const Json& choices = item.value()["enum"];
+    if (!std::ranges::all_of(choices, [](const Json& choice) { return choice.is_string(); })) continue;
+    arrays += fmt::format("inline constexpr std::array<std::string_view, {}> {}{{", choices.size(),
+                          constant_of(item.key()));
+    for (const Json& choice : choices) arrays += choice.dump() + ", ";
+    arrays += "};\n";
+  }
+  return arrays;
+}
+
 }  // namespace
 
 std::string write_table(const ProtocolText& text) {
@@ -120,14 +146,15 @@ std::string write_table(const ProtocolText& text) {
           "    Method{{.name = {}, .scope = Scope::{}, .group = {}, .command = {}, .summary = {}, .parameters = "
           "{}}},\n",
           quoted(row.name), row.scope == Scope::Unit ? "Unit" : "Program", quoted(row.group), quoted(row.command),
-          quoted(row.summary), writer.parameters(row));
+          quoted(row.summary), writer.parameters(row), writer.texts(row.keys), writer.texts(row.columns),
+          writer.texts(row.brief));
   std::string groups;
   for (const Group& group : text.groups)
     groups += fmt::format("    Group{{{}, {}}},\n", quoted(group.name), quoted(group.summary));
   return fmt::format(
       "{}{}inline constexpr std::array kMethods{{\n{}}};\ninline constexpr std::array kGroups{{\n{}}};"
       "\n\n}}  // namespace control\n",
-      kHead, writer.take(), methods, groups);
+      kHead, choices_of(text) + writer.take(), methods, groups);
 }
 
 }  // namespace control
