@@ -89,7 +89,7 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
     wake_for(phase, running, duration);
     run_phase(phase, running);
   }
-  send_converted();
+  end_cycle();
 }
 
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
@@ -106,7 +106,7 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
   rest_others(running, duration);
   move(running, duration);
   for (const Phase phase : kAfterTheSteps) run_phase(phase, running);
-  send_converted();
+  end_cycle();
   wiring_->invalidate();  // the inputs do not hold what they are connected to
 }
 
@@ -142,8 +142,15 @@ void DriveUnit::rest_others(const Running& running, double duration) noexcept {
     if (!running.runs[i]) axes_[i].rest(duration, dc_link_.voltage());
 }
 
-/// The steps of a cycle, side by side on the DC link.
 void DriveUnit::move(const Running& running, double duration) noexcept {
+  if (observer_ != nullptr) [[unlikely]]
+    return move_steps<true>(running, duration);
+  move_steps<false>(running, duration);
+}
+
+/// The steps of a cycle, side by side on the DC link.
+template <bool kObserved>
+void DriveUnit::move_steps(const Running& running, double duration) noexcept {
   const auto steps = std::lround(duration / motor::kControlPeriod);
   const std::span<Axis* const> moved = running.all();
   double lowest = dc_link_.voltage();
@@ -153,6 +160,9 @@ void DriveUnit::move(const Running& running, double duration) noexcept {
     for (Axis* const axis : moved) drawn += axis->step(voltage);
     dc_link_.step(motor::kControlPeriod, drawn);
     lowest = std::min(lowest, voltage);
+    if constexpr (kObserved) {
+      if (step + 1 < steps) observer_->on_step(step + 1);
+    }
   }
   lowest_dc_voltage_ = std::min(lowest, dc_link_.voltage());
 }
@@ -163,6 +173,12 @@ void DriveUnit::send_converted() noexcept {
   wiring_->take(control_unit_, kBlock<TerminalInputs>);
   control_unit_.lead_outputs();
   wiring_->send();
+}
+
+void DriveUnit::end_cycle() noexcept {
+  send_converted();
+  if (observer_ != nullptr) [[unlikely]]
+    observer_->on_cycle_end();
 }
 
 void DriveUnit::rest(double duration) noexcept {

@@ -11,6 +11,7 @@
 #include "drive/axis/axis.hpp"
 #include "drive/control_unit/control_unit.hpp"
 #include "drive/infeed/infeed.hpp"
+#include "drive/step_observer.hpp"
 #include "motor/plant/dc_link.hpp"
 
 namespace drive {
@@ -91,10 +92,14 @@ class DriveUnit final : private Surroundings {
   void exchange_process_data() noexcept;
   /// Sources of interconnections are found anew before the next cycle: what they are relative to has changed.
   void on_wiring_changed() noexcept override;
+  /// From now on @p observer, which outlives that, looks at every step; nullptr: nobody does.
+  void observe(StepObserver* observer) noexcept { observer_ = observer; }
   /// Lets @p duration (s) pass while every axis is quiescent.
   void rest(double duration) noexcept;
   /// The DC link that the axes share.
   const motor::DcLink& dc_link() const noexcept { return dc_link_; }
+  /// Of the supply, as last set (V rms between lines).
+  double line_voltage() const noexcept { return line_voltage_; }
   /// The line fails (0) or changes its voltage (V rms between lines, not negative).
   void set_line_voltage(double voltage) noexcept;
 
@@ -167,7 +172,10 @@ class DriveUnit final : private Surroundings {
   void run_phase(Phase phase, const Running& running) noexcept;
   void rest_others(const Running& running, double duration) noexcept;
   void move(const Running& running, double duration) noexcept;
+  template <bool kObserved>
+  void move_steps(const Running& running, double duration) noexcept;
   void send_converted() noexcept;
+  void end_cycle() noexcept;
 
   ParameterHost* host_;
   std::uint32_t message_counter_ = 0;
@@ -180,6 +188,7 @@ class DriveUnit final : private Surroundings {
   std::optional<Infeed> infeed_;
   std::vector<Axis> axes_;
   std::unique_ptr<Wiring> wiring_;
+  StepObserver* observer_ = nullptr;
 };
 
 }  // namespace drive

@@ -71,6 +71,8 @@ class DriveTrain {
   Observation observation() const noexcept;
   const Encoder& encoder() const noexcept { return encoder_; }
   const PlantState& plant_state() const noexcept { return plant_.state(); }
+  /// What hangs on the shaft (see Plant::load_torque()).
+  double load_torque() const noexcept { return plant_.load_torque(); }
   /// Whether the shaft is at its bursting speed and would turn faster if it could.
   bool is_held_back() const noexcept { return plant_.is_held_back(); }
   /// Where the energy of the last step went, behind the terminals (J).

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "drive/axis/axis.hpp"
+#include "drive/step_observer.hpp"
 #include "unit/time.hpp"
 
 namespace unit {
@@ -70,6 +71,14 @@ class CycleClock {
   Duration period_ = kFactory;
   TimePoint last_{};  ///< end of the last cycle
   bool resting_ = true;
+};
+
+/// Looks at a drive unit while it runs its cycles, with the time that they have on the grid: a cycle that is made
+/// up for late has the time that it should have had.
+class CycleObserver : public drive::StepObserver {
+ public:
+  /// A cycle begins, at @p begin on the grid; the values are still those of the end of the last one.
+  virtual void on_cycle_begin(TimePoint begin) noexcept = 0;
 };
 
 }  // namespace unit

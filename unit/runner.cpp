@@ -28,7 +28,7 @@ void Runner::start(TimePoint now) noexcept {
   started_ = now;
   rested_until_ = now;
   adopt({.cause = Replacement::Cause::PowerOn});
-  run_cycle(true);  // run-up: the first statusword is that of a unit that is ready
+  run_cycle(true, now);  // run-up: the first statusword is that of a unit that is ready
   for (Face* const face : faces_) face->show();
   tell_time(now);
   take_over_period();
@@ -45,8 +45,11 @@ void Runner::tell_time(TimePoint now) noexcept {
   unit_.set_time(static_cast<drive::Uptime>(uptime));
 }
 
-/// One cycle of the axes with what has come; @p all of them, or those that something has come for.
-void Runner::run_cycle(bool all) noexcept {
+/// The cycle of the axes that ends at @p end, with what has come; @p all of them, or those that something has come
+/// for.
+void Runner::run_cycle(bool all, TimePoint end) noexcept {
+  if (observer_ != nullptr) [[unlikely]]
+    observer_->on_cycle_begin(end - clock_.period());
   for (Face* const face : faces_) face->bring();
   std::array<bool, drive::kMostAxes> awake{};
   const std::size_t axes = unit_.axes().size();
@@ -58,11 +61,13 @@ void Runner::run_cycles() noexcept {
   tell_time(now_);
   const CycleClock::Due due = clock_.take_due(now_);
   skipped_cycles_ += static_cast<std::uint64_t>(due.skipped);
-  for (std::int64_t i = 0; i < due.run; ++i) run_cycle(false);
+  const Duration period = clock_.period();
+  TimePoint end = clock_.last() - due.run * period;
+  for (std::int64_t i = 0; i < due.run; ++i) run_cycle(false, end += period);
   see_what_rests();
   publish();
   const bool infeed_rests = unit_.infeed() == nullptr || unit_.infeed()->is_quiescent();
-  if (infeed_rests && idle_ == (AxisMask{1} << unit_.axes().size()) - 1) clock_.rest();
+  if (observer_ == nullptr && infeed_rests && idle_ == (AxisMask{1} << unit_.axes().size()) - 1) clock_.rest();
 }
 
 /// An axis is idle when nothing moves there and nothing waits for it.
@@ -99,8 +104,14 @@ bool Runner::make_up_cycle() noexcept {
   if (due.run == 0) return false;
   skipped_cycles_ += static_cast<std::uint64_t>(due.skipped);
   tell_time(now_);
-  run_cycle(false);
+  run_cycle(false, clock_.last());
   return true;
+}
+
+void Runner::observe(CycleObserver* observer) noexcept {
+  observer_ = observer;
+  unit_.observe(observer);
+  if (observer != nullptr && is_on()) wake_clock();
 }
 
 void Runner::wake_clock() noexcept {

@@ -66,6 +66,9 @@ class Runner final {
   bool is_resting() const noexcept { return clock_.is_resting(); }
   /// The rest, if there is one, ends with what came at @p arrival, now() at the latest.
   void end_rest(TimePoint arrival) noexcept;
+  /// From now on @p observer, which outlives that, looks at every cycle, and the unit does not rest; nullptr:
+  /// nobody does.
+  void observe(CycleObserver* observer) noexcept;
   /// Something has come for @p axes: the next cycle has to run them.
   void wake(AxisMask axes = kAllAxes) noexcept {
     if ((idle_ & axes) == 0) return;
@@ -151,7 +154,7 @@ class Runner final {
 
  private:
   void run_cycles() noexcept;
-  void run_cycle(bool all) noexcept;
+  void run_cycle(bool all, TimePoint end) noexcept;
   void wake_clock() noexcept;
   void see_what_rests() noexcept;
   void publish() noexcept;
@@ -178,6 +181,7 @@ class Runner final {
   std::vector<Face*> faces_;
   CycleClock clock_;
   MessageWatch messages_;
+  CycleObserver* observer_ = nullptr;
   AxisMask idle_;                     ///< nothing moves there, and nothing has come since the last cycle
   std::optional<TimePoint> started_;  ///< when the unit was switched on
   TimePoint now_{};                   ///< as last told

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <csignal>
 #include <system_error>
 
 #include <sys/eventfd.h>
 #include <unistd.h>
+
+#include "os/no_signals.hpp"
 
 namespace axisd {
 namespace {
@@ -18,27 +19,11 @@ os::Descriptor open_eventfd() {
   return descriptor;
 }
 
-/// Keeps all signals from a thread that is started meanwhile: they belong to the loop.
-class NoSignals {
- public:
-  NoSignals() noexcept {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  NoSignals(const NoSignals&) = delete;
-  NoSignals& operator=(const NoSignals&) = delete;
-  ~NoSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
- private:
-  sigset_t before_{};
-};
-
 }  // namespace
 
 StateWriter::StateWriter(std::size_t longest) : ended_{open_eventfd()} {
   for (Job& job : jobs_) job.content.reserve(longest);
-  const NoSignals none;
+  const os::NoSignals none;
   thread_ = std::thread{[this] { work(); }};
 }
 

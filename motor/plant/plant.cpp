@@ -82,6 +82,10 @@ void Plant::set_fluxes(const MachineFluxes& fluxes) noexcept {
   state_.flux = machine->main_flux();
 }
 
+double Plant::load_torque() const noexcept {
+  return std::visit([](const auto& shaft) { return shaft.load_torque(); }, shaft_);
+}
+
 bool Plant::rests() const noexcept {
   const bool open = norm(state_.current) == 0.0 && brake_delay_ == 0 && norm(fluxes().rotor) == 0.0;
   return open && std::visit([this](const auto& shaft) { return shaft.rests(angle()); }, shaft_);

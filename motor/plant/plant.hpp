@@ -39,6 +39,8 @@ class Plant {
   MachineFluxes fluxes() const noexcept;
   /// Whether the shaft would turn faster if it could.
   bool is_held_back() const noexcept { return std::abs(state_.speed) >= bursting_speed_; }
+  /// What hangs on the shaft, without friction (N·m, positive against positive rotation), in the last step.
+  double load_torque() const noexcept;
   /// How many Runge-Kutta steps make a control period, unless the shaft turns faster than the machine should.
   int substeps() const noexcept { return substeps_; }
 

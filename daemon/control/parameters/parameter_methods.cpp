@@ -92,9 +92,13 @@ Outcome write_parameter(const Call& call, const json& params) {
   if (!number) return tl::unexpected{number.error()};
   device::Device& device = call.instance.device();
   const bool is_saving = device.is_saving();
-  const auto written =
-      device.write_parameter(target->object->number(), target->row().number, target->index, *number, call.now);
+  const std::uint8_t place = target->object->number();
+  const auto before = device.unit().read(place, target->row().number, target->index);
+  const auto written = device.write_parameter(place, target->row().number, target->index, *number, call.now);
   if (!written) return tl::unexpected{refusal_of(written.error(), *target, is_saving)};
+  call.instance.events().on_parameter_written(
+      place, target->row().number, static_cast<std::uint16_t>(target->index), *number,
+      before ? std::optional{drive::decode(*before)} : std::nullopt, call.now);
   return written_json(unit_of(call), *target);
 }
 

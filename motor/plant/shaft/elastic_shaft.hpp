@@ -95,6 +95,8 @@ class ElasticShaft {
   bool stands() const noexcept { return speed_ == 0.0; }
   double load_speed() const noexcept { return load_speed_; }
   double twist() const noexcept { return twist_; }
+  /// What hangs on the load (N·m) where the last step began.
+  double load_torque() const noexcept { return load_.at(load_speed_, 0.0, 0.0); }
   void set_speed(double speed) noexcept { speed_ = load_speed_ = speed; }
   /// Whether anything turns faster than @p limit (rad/s) after a step in which the rotor made @p rotor.
   bool is_beyond(const Motion& rotor, double limit) const noexcept {

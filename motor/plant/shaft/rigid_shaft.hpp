@@ -62,6 +62,8 @@ class RigidShaft {
   bool stands() const noexcept { return speed_ == 0.0; }
   double load_speed() const noexcept { return speed_; }
   double twist() const noexcept { return 0.0; }
+  /// What hangs on the load (N·m) where the last step began.
+  double load_torque() const noexcept { return load_.at(speed_, 0.0, 0.0); }
   void set_speed(double speed) noexcept { speed_ = speed; }
   /// Whether anything turns faster than @p limit (rad/s) after a step in which the rotor made @p rotor.
   bool is_beyond(const Motion& rotor, double limit) const noexcept { return std::abs(rotor.speed) > limit; }
