@@ -24,10 +24,11 @@ int milliseconds_until(canopen::TimePoint when) noexcept {
 Program::Program(const Assignment& assignment, const Log& log)
     : log_{log},
       notification_{assignment.units.size()},
-      fleet_{assignment.units, assignment.threads, assignment.state_root, log, notification_},
+      fleet_{assignment.units, assignment.threads, assignment.state_root, log, *this},
       events_{[this] { stop(); }},
       watchdog_{fleet_} {
-  if (!assignment.control.empty()) dispatcher_.emplace(events_, assignment.control, fleet_, [this] { stop(); });
+  if (!assignment.control.empty())
+    dispatcher_.emplace(events_, assignment.control, fleet_, queue_, [this] { stop(); });
   events_.dispatch();  // makes room for as many as are watched now, which it would do with the first of them
 }
 

@@ -25,14 +25,14 @@ struct Assignment {
 
 /// The running program. Its thread does what is rare for all units: signals, the control socket, systemd; the
 /// units run on the threads of the fleet.
-class Program final {
+class Program final : private InstanceListener {
  public:
   /// Opens all that @p assignment names, which outlives this. Throws InstanceError, bus::OpenError or
   /// std::system_error.
   Program(const Assignment& assignment, const Log& log);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
-  ~Program() = default;
+  ~Program() override = default;
 
   /// Serves until stop(), SIGTERM, SIGINT or SIGHUP.
   void run();
@@ -40,10 +40,17 @@ class Program final {
   void stop() noexcept { stopping_ = true; }
 
  private:
+  void on_condition(const Instance& instance, Condition condition) noexcept override {
+    notification_.on_condition(instance, condition);
+  }
+  void on_event(const Instance& instance, const UnitEvent& event) noexcept override {
+    queue_.add({&instance.configuration(), instance.started(), event});
+  }
   void wait();
 
   const Log& log_;
   Notification notification_;
+  EventQueue queue_;
   Fleet fleet_;
   ServiceEvents events_;
   Watchdog watchdog_;

@@ -199,7 +199,7 @@ void ControlServer::keep(ClientId id, bool kept) noexcept {
 
 void ControlServer::refuse(Client& client, std::string_view message) {
   ++counters_.refused;
-  client.output += control::error_line(nullptr, message);
+  client.output += control::error_line(nullptr, {control::ErrorCode::Overflow, std::string{message}});
 }
 
 bool ControlServer::flush(Client& client) {
