@@ -38,10 +38,9 @@ Outcome answer(const ProgramCall& call, const control::Request& request) {
 
 std::string answer_request(const ProgramCall& call, std::string_view line) {
   const auto request = control::parse_request(line);
-  if (!request) return control::error_line(request.error().id, request.error().message);
+  if (!request) return control::error_line(request.error().id, request.error().error);
   const Outcome outcome = answer(call, *request);
-  return outcome ? control::result_line(request->id, *outcome)
-                 : control::error_line(request->id, outcome.error().message);
+  return outcome ? control::result_line(request->id, *outcome) : control::error_line(request->id, outcome.error());
 }
 
 }  // namespace axisd

@@ -22,7 +22,7 @@ inline constexpr std::string_view kSystem = "<*.h>";
 /// Who may include whom: a folder rests only on what its row names.
 inline constexpr std::array kLayers{
     Layer{"os", {"fmt/", kSystem}},
-    Layer{"control", {"fmt/", "nlohmann/", kSystem}},
+    Layer{"control", {"fmt/", "nlohmann/", "generated/control_methods.hpp", kSystem}},
     Layer{"libcanopen", {}},
     Layer{"libcanopen/base", {}},
     Layer{"libcanopen/od", {"libcanopen/base/"}},
