@@ -11,6 +11,7 @@
 #include "daemon/configuration/motor_file.hpp"
 #include "daemon/configuration/parameter_reader.hpp"
 #include "daemon/configuration/plant_reader.hpp"
+#include "daemon/configuration/record_reader.hpp"
 #include "daemon/configuration/supply_reader.hpp"
 #include "drive/drive_unit.hpp"
 
@@ -98,8 +99,8 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kUnitKeys{"interface", "node_id", "axes",      "parameters",
-                                                    "supply",    "infeed",  "sdo_block", "f08701"};
+constexpr std::array<std::string_view, 9> kUnitKeys{"interface", "node_id", "axes",   "parameters", "supply",
+                                                    "infeed", "sdo_block", "f08701", "record"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
@@ -113,6 +114,7 @@ Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
   if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors);
+  if (json.has("record")) configuration.record = read_record(json.at("record"));
   read_parameters(json, configuration);
   return configuration;
 }

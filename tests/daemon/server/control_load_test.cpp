@@ -26,7 +26,7 @@ TEST_F(ControlServerTest, MakesRoomForTheClientBeyond256) {
 
   ControlClient& idle = *std::next(clients.begin());
   EXPECT_EQ(idle.line(),
-            R"({"error":{"message":"the connection was idle, and others need its place"},"id":null})");
+            R"({"error":{"code":"overflow","message":"the connection was idle, and others need its place"},"id":null})");
   EXPECT_EQ(idle.line(), "");
   clients.front().send("still there\n");
   EXPECT_EQ(clients.front().line(), "(still there)");
