@@ -39,6 +39,12 @@ class BusListener {
   /// p8608 asks for the controller to be restarted from bus-off. True if the bus can be used now, false if it
   /// cannot yet: CanopenFace::on_bus_state() tells when.
   virtual bool on_bus_restart() noexcept { return true; }
+  /// The NMT state has changed.
+  virtual void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
+    static_cast<void>(from), static_cast<void>(to);
+  }
+  /// A save of the parameters is over; @p kept: with success.
+  virtual void on_saved(bool kept) noexcept { static_cast<void>(kept); }
 };
 
 /// The drive unit as a CANopen node: control unit and axes behind the objects of CiA 301 and CiA 402. It is fed
@@ -81,7 +87,13 @@ class CanopenFace final : public unit::Face,
   /// Frames that had arrived were lost before on_frame(): A08751.
   void on_frames_lost() noexcept { reception_.on_frames_lost(); }
 
+  /// From now on frames go to @p sink, which outlives this.
+  void send_to(canopen::FrameSink& sink) noexcept { communication_.send_to(sink); }
+
   const canopen::Node& node() const noexcept { return node_; }
+  const canopen::Dictionary& dictionary() const noexcept { return objects_.dictionary; }
+  /// What the parameters of the drive objects are on the SDO servers.
+  const ParameterWindow& window() const noexcept { return window_; }
   /// What must be received (see canopen::Node::subscriptions()).
   std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
   /// What the LEDs of the CANopen board show.

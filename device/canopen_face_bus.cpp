@@ -23,6 +23,7 @@ bool is_sdo_request(const canopen::Frame& frame) noexcept {
 }  // namespace
 
 void CanopenFace::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
+  listener_.on_nmt_state(from, to);
   if (from == canopen::NmtState::Operational) reception_.on_operational_left();
   runner_.tell_time();
   reception_.stop();

@@ -101,6 +101,7 @@ canopen::Result<void> CanopenFace::on_restore(std::uint8_t sub_index) noexcept {
 }
 
 void CanopenFace::on_stored(bool kept) noexcept {
+  listener_.on_saved(kept);
   communication_.lead_answers();
   node_.answer_deferred(kept ? canopen::Result<void>{} : canopen::refuse(canopen::AbortCode::HardwareError),
                         now());

@@ -144,9 +144,15 @@ class Device final {
     face_.on_frames_lost();
   }
 
+  /// From now on frames go to @p sink, which outlives this.
+  void send_to(canopen::FrameSink& sink) noexcept { face_.send_to(sink); }
+
   /// The address in force.
   std::uint8_t node_id() const noexcept { return node().node_id(); }
   const canopen::Node& node() const noexcept { return face_.node(); }
+  const canopen::Dictionary& dictionary() const noexcept { return face_.dictionary(); }
+  /// What the parameters of the drive objects are on the SDO servers.
+  const ParameterWindow& window() const noexcept { return face_.window(); }
   const drive::DriveUnit& unit() const noexcept { return runner_.unit(); }
   /// Axis @p number (1..axes).
   const drive::Axis& axis(std::size_t number = 1) const noexcept { return runner_.unit().axes()[number - 1]; }

@@ -23,7 +23,7 @@ constexpr canopen::Duration kLongestCatchUp = std::chrono::milliseconds{20};
 
 }  // namespace
 
-BusTurn::BusTurn(bus::Port& port, Station& station) : station_{station}, port_{port}, queue_{port_} {
+BusTurn::BusTurn(bus::Port& port, Station& station) : station_{&station}, port_{port}, queue_{port_} {
   filters_.reserve(kMostSubscriptions);
 }
 
@@ -43,7 +43,7 @@ void BusTurn::close() noexcept {
 
 void BusTurn::follow_subscriptions() noexcept {
   filters_.clear();
-  for (const canopen::Subscription& wanted : station_.subscriptions()) {
+  for (const canopen::Subscription& wanted : station_->subscriptions()) {
     filters_.push_back({.identifier = wanted.identifier & canopen::cob_id::kLong,
                         .remote = wanted.remote,
                         .extended = (wanted.identifier & canopen::cob_id::kExtended) != 0});
@@ -62,10 +62,10 @@ void BusTurn::turn(canopen::TimePoint now, bool readable) noexcept {
 /// What waits is older than a deadline that has passed by so much, be it that a frame has shown it just now: the
 /// station was at rest when it came.
 void BusTurn::tell_time(bool listens) noexcept {
-  const canopen::TimePoint deadline = station_.next_deadline();
+  const canopen::TimePoint deadline = station_->next_deadline();
   if (deadline > now_) return;
   if (listens && now_ - deadline >= kLate) catch_up();
-  station_.on_time(now_);
+  station_->on_time(now_);
 }
 
 canopen::TimePoint BusTurn::frame_arrival() const noexcept {
@@ -100,7 +100,7 @@ void BusTurn::catch_up() noexcept {
 void BusTurn::end_burst(int frames) noexcept {
   const bool is_over = flooded_ && frames < kBurst;
   flooded_ = frames >= kBurst;
-  if (is_over) station_.on_burst_end();
+  if (is_over) station_->on_burst_end();
 }
 
 /// False if there was none.
@@ -109,14 +109,14 @@ bool BusTurn::receive_frame() noexcept {
   switch (const bus::Received received = port_.receive(frame); received.kind) {
     case bus::Received::Frame:
       ++received_;
-      station_.on_frame(frame, now_);
+      station_->on_frame(frame, now_);
       return true;
     case bus::Received::Error:
-      station_.on_error_state(received.state);
+      station_->on_error_state(received.state);
       return true;
     case bus::Received::Down:
       close();
-      station_.on_link_lost();
+      station_->on_link_lost();
       return false;
     case bus::Received::Nothing:
       break;

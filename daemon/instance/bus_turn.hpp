@@ -25,6 +25,8 @@ class BusTurn {
   /// The bus is gone: what waits is dropped, and nothing is received until open().
   void close() noexcept;
   bool is_open() const noexcept { return is_open_; }
+  /// From now on @p station, which outlives this, is what is moved: not from within a turn.
+  void lead_to(Station& station) noexcept { station_ = &station; }
   /// Brings the bus back from bus-off (see bus::Port::restart()).
   [[nodiscard]] bus::Restart restart_bus() noexcept { return port_.restart(); }
   /// Receives from now on what Station::subscriptions() names.
@@ -34,7 +36,7 @@ class BusTurn {
   int descriptor() const noexcept { return listens() ? port_.descriptor() : -1; }
   /// When the next turn is wanted, whether or not frames come.
   canopen::TimePoint next_deadline() const noexcept {
-    return std::min(station_.next_deadline(), queue_.next_retry());
+    return std::min(station_->next_deadline(), queue_.next_retry());
   }
   /// Handles all that is due at @p now and waits for nothing; @p readable: descriptor() was polled so. Also
   /// without a link: time goes on.
@@ -58,7 +60,7 @@ class BusTurn {
   void end_burst(int frames) noexcept;
   bool receive_frame() noexcept;
 
-  Station& station_;
+  Station* station_;
   bus::Port& port_;
   bus::TransmitQueue queue_;
   std::vector<bus::Filter> filters_;

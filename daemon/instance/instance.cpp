@@ -44,6 +44,7 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       load_torques_{load_torques(configuration)} {}
 
 void Instance::start() noexcept {
+  tell(record::EventKind::Power, true);
   reports_.on_open(*connection_.port);
   if (connection_.link->state() == bus::LinkState::Up) return link_up();
   log_.notice("{} is down: waiting until it is up", bus_name());
@@ -54,6 +55,12 @@ void Instance::look_around() noexcept {
   if (!ready_told_) tell_ready();
   reports_.look_at(bus_, device_);
   memory_.look_at_unit();
+  if (events_.is_watched()) events_.look(read_clock());
+}
+
+void Instance::power_off() noexcept {
+  tell(record::EventKind::Power, false);
+  memory_.power_off();
 }
 
 void Instance::tell_ready() noexcept {
@@ -77,6 +84,7 @@ void Instance::link_up() noexcept {
     log_.warning("{} is up but cannot be used", bus_name());
     return;
   }
+  tell(record::EventKind::Link, true);
   sent_before_boot_up_ = bus_.queue().counters().sent;
   device_.start(read_clock());
   memory_.raise_faults();
@@ -92,13 +100,32 @@ void Instance::link_down() noexcept {
 }
 
 void Instance::on_link_lost() noexcept {
+  tell(record::EventKind::Link, false);
   log_.warning("{} is down: waiting until it is up", bus_name());
   listener_.on_condition(*this, Condition::Down);
 }
 
 void Instance::on_error_state(bus::ErrorState state) noexcept {
   log_.warning("{}: {}", bus_name(), bus::name_of(state));
-  device_.on_bus_state(bus_state_of(state), read_clock());
+  const canopen::TimePoint now = read_clock();
+  if (events_.is_watched()) events_.on_bus_state(state, now);
+  device_.on_bus_state(bus_state_of(state), now);
+}
+
+/// What is refused at once is not saved either.
+device::Keeping Instance::on_store(std::span<const std::byte> image) noexcept {
+  const device::Keeping keeping = memory_.store(image);
+  if (keeping != device::Keeping::Begun) tell(record::EventKind::Store, keeping == device::Keeping::Kept);
+  return keeping;
+}
+
+void Instance::on_restore() noexcept {
+  tell(record::EventKind::Restore, true);
+  memory_.on_restore();
+}
+
+void Instance::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
+  if (events_.is_watched()) events_.on_nmt_state(from, to, read_clock());
 }
 
 bool Instance::on_bus_restart() noexcept {
@@ -118,6 +145,37 @@ void Instance::set_load_torque(std::size_t axis, double torque, motor::LoadTorqu
   const bool friction = type == motor::LoadTorqueType::Friction;
   load_torques_[axis - 1] = {friction ? 0.0 : torque, friction ? torque : 0.0};
   device_.set_load_torque(axis, torque, now, type);
+}
+
+void Instance::tell(record::EventKind kind, bool active) noexcept {
+  if (events_.is_watched()) events_.on_change(kind, active, read_clock());
+}
+
+void Instance::tell_events(bool wanted) noexcept {
+  if (!wanted) return events_.remove(*this);
+  if (!events_.add(*this)) log_.error("{}: too many listen to the events of the unit", bus_name());
+}
+
+void Instance::on_tap(bool is_open) noexcept {
+  bus_.lead_to(is_open ? static_cast<Station&>(heard_) : *this);
+  device_.send_to(is_open ? static_cast<canopen::FrameSink&>(frames_) : bus_.queue());
+}
+
+void Instance::Heard::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
+  instance_.frames_.on_frame(frame, now);
+  instance_.on_frame(frame, now);
+  instance_.frames_.on_handled();
+}
+
+/// Also when nothing of the unit itself was due.
+void Instance::Heard::on_time(canopen::TimePoint now) noexcept {
+  instance_.frames_.on_time(now);
+  instance_.on_time(now);
+  instance_.frames_.on_handled();
+}
+
+canopen::TimePoint Instance::Heard::next_deadline() const noexcept {
+  return std::min(instance_.next_deadline(), instance_.frames_.next_deadline());
 }
 
 double Instance::uptime_s() const noexcept {

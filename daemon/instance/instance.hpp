@@ -15,6 +15,8 @@
 #include "daemon/instance/bus_turn.hpp"
 #include "daemon/instance/station.hpp"
 #include "daemon/instance/unit_memory.hpp"
+#include "daemon/watch/event_watch.hpp"
+#include "daemon/watch/frame_tap.hpp"
 #include "device/device.hpp"
 
 namespace axisd {
@@ -34,11 +36,16 @@ class InstanceListener {
   virtual ~InstanceListener() = default;
   /// @p instance is in @p condition from now on.
   virtual void on_condition(const Instance& instance, Condition condition) noexcept = 0;
+  /// Something has happened in @p instance, which was asked for it (Instance::tell_events()). Called on the thread
+  /// of the unit.
+  virtual void on_event(const Instance& instance, const UnitEvent& event) noexcept {
+    static_cast<void>(instance), static_cast<void>(event);
+  }
 };
 
 /// One drive unit on one CAN bus: what it is made of, what it keeps and what is logged of it. Whoever runs it
 /// waits for its descriptors and deadlines; nothing here does.
-class Instance final : private device::Listener, private Station {
+class Instance final : private device::Listener, private Station, private TapOwner, private EventListener {
  public:
   /// A descriptor that is readable when something rare is to be handled, and what handles it: one event at most.
   struct RareSource {
@@ -65,7 +72,7 @@ class Instance final : private device::Listener, private Station {
   /// What a turn may have changed without telling.
   void look_around() noexcept;
   /// Power-off: the drives coast, and what survives is on the disk.
-  void power_off() noexcept { memory_.power_off(); }
+  void power_off() noexcept;
 
   /// What is rare here; the descriptors stay the same.
   std::array<RareSource, 2> rare_sources() noexcept {
@@ -82,8 +89,16 @@ class Instance final : private device::Listener, private Station {
   const BusReports& reports() const noexcept { return reports_; }
   /// The bus as the user named it, for messages.
   const std::string& bus_name() const noexcept { return configuration_.address.text; }
+  /// Zero of the times that others are told: the start of the unit.
+  canopen::TimePoint started() const noexcept { return started_; }
   /// Seconds since the start.
   double uptime_s() const noexcept;
+
+  /// Where the frames of the unit can be heard, and what happens in it.
+  FrameTap& frames() noexcept { return frames_; }
+  EventWatch& events() noexcept { return events_; }
+  /// Whether InstanceListener::on_event() is called from now on.
+  void tell_events(bool wanted) noexcept;
 
   /// What a load does whatever else hangs on the shaft (N·m).
   struct LoadTorque {
@@ -97,14 +112,34 @@ class Instance final : private device::Listener, private Station {
                        canopen::TimePoint now) noexcept;
 
  private:
+  /// Takes the place of the instance at the bus while somebody listens to its frames.
+  class Heard final : public Station {
+   public:
+    explicit Heard(Instance& instance) noexcept : instance_{instance} {}
+    void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override;
+    void on_time(canopen::TimePoint now) noexcept override;
+    canopen::TimePoint next_deadline() const noexcept override;
+    std::span<const canopen::Subscription> subscriptions() const noexcept override {
+      return instance_.subscriptions();
+    }
+    void on_link_lost() noexcept override { instance_.on_link_lost(); }
+    void on_burst_end() noexcept override { instance_.on_burst_end(); }
+    void on_error_state(bus::ErrorState state) noexcept override { instance_.on_error_state(state); }
+
+   private:
+    Instance& instance_;
+  };
+
   void on_subscriptions_changed() noexcept override { bus_.follow_subscriptions(); }
   void on_foreign_frame(std::uint32_t identifier) noexcept override {
     reports_.on_foreign_frame(identifier, device_.node_id());
   }
   void on_life_guarding_withheld() noexcept override { reports_.on_life_guarding_withheld(); }
   bool on_bus_restart() noexcept override;
-  device::Keeping on_store(std::span<const std::byte> image) noexcept override { return memory_.store(image); }
-  void on_restore() noexcept override { memory_.on_restore(); }
+  device::Keeping on_store(std::span<const std::byte> image) noexcept override;
+  void on_saved(bool kept) noexcept override { tell(record::EventKind::Store, kept); }
+  void on_restore() noexcept override;
+  void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   canopen::TimePoint frame_arrival(canopen::TimePoint) noexcept override { return bus_.frame_arrival(); }
 
   void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override {
@@ -124,6 +159,10 @@ class Instance final : private device::Listener, private Station {
   void on_burst_end() noexcept override;
   void on_error_state(bus::ErrorState state) noexcept override;
 
+  void on_tap(bool is_open) noexcept override;
+  void on_event(const UnitEvent& event) noexcept override { listener_.on_event(*this, event); }
+  void tell(record::EventKind kind, bool active) noexcept;
+
   void on_link() noexcept;
   void on_write_ended() noexcept { memory_.take_ended(); }
   void tell_ready() noexcept;
@@ -139,6 +178,9 @@ class Instance final : private device::Listener, private Station {
   device::Device device_;
   UnitMemory memory_;
   BusReports reports_;
+  Heard heard_{*this};
+  FrameTap frames_{bus_.queue(), *this};
+  EventWatch events_{device_, frames_};
   std::vector<LoadTorque> load_torques_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;

@@ -1,6 +1,5 @@
 #include "daemon/instance/status.hpp"
 
-#include <array>
 #include <chrono>
 #include <numbers>
 #include <span>
@@ -16,11 +15,6 @@ namespace axisd {
 namespace {
 
 using nlohmann::json;
-
-/// Names of drive::State, in its order, as CiA 402 prints them.
-constexpr std::array<std::string_view, drive::kStateCount> kStateNames{
-    "Not ready to switch on", "Switch on disabled", "Ready to switch on",    "Switched on", "Operation enabled",
-    "OFF1 braking",           "Quick stop active",  "Fault reaction active", "STOP2",       "Fault"};
 
 json messages(std::span<const drive::FaultEntry> entries) {
   json list = json::array();
@@ -42,7 +36,7 @@ json axis_status(const Instance& instance, std::size_t number) {
   return {{"axis", number},
           {"name", instance.configuration().axes[number - 1].name},
           {"type", axis.kind() == drive::ObjectKind::Vector ? "vector" : "servo"},
-          {"state", kStateNames[static_cast<std::size_t>(actual.state)]},
+          {"state", name_of(actual.state)},
           {"statusword", fmt::format("0x{:04X}", actual.statusword)},
           {"controlword", fmt::format("0x{:04X}", axis.process_data().controlword)},
           {"speed_rpm", actual.speed / motor::kRpm},
@@ -83,7 +77,7 @@ json control_unit_status(const Instance& instance) {
 json infeed_status(const drive::Infeed& infeed, const std::string& name) {
   return {{"drive_object", infeed.number()},
           {"name", name},
-          {"state", kStateNames[static_cast<std::size_t>(infeed.state())]},
+          {"state", name_of(infeed.state())},
           {"operates", infeed.operates()},
           {"faults", messages(infeed.messages().faults())},
           {"alarms", messages(infeed.messages().alarms())}};

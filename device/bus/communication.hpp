@@ -49,6 +49,8 @@ class Communication final : public unit::ParameterOwner {
   /// Frames go to the bus, or nowhere while that is off; answers go there in any case.
   void lead_frames() noexcept { outlet_.lead(!is_bus_off()); }
   void lead_answers() noexcept { outlet_.lead(true); }
+  /// From now on the bus is @p sink, which outlives this.
+  void send_to(canopen::FrameSink& sink) noexcept { outlet_.connect(sink); }
   /// The error state that was told last.
   BusState bus_state() const noexcept { return bus_; }
 

@@ -88,6 +88,13 @@ canopen::Result<ParameterWindow::Target> ParameterWindow::target(std::uint8_t se
                 sub_index + kIndicesInWindow * window(kIndexRange)};
 }
 
+std::optional<ParameterWindow::Target> ParameterWindow::parameter_at(std::uint8_t server, std::uint16_t index,
+                                                                     std::uint8_t sub_index) const noexcept {
+  if (place_of(server, index) != ObjectPlace::Application) return std::nullopt;
+  const auto found = target(server, index, sub_index);
+  return found ? std::optional{*found} : std::nullopt;
+}
+
 canopen::Result<std::size_t> ParameterWindow::read(std::uint8_t server, std::uint16_t index,
                                                    std::uint8_t sub_index,
                                                    std::span<std::uint8_t, 8> value) noexcept {

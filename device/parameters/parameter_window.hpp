@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "drive/drive_unit.hpp"
@@ -39,13 +40,18 @@ class ParameterWindow final : public canopen::SdoView {
   canopen::Result<void> write(std::uint8_t server, std::uint16_t index, std::uint8_t sub_index,
                               std::span<const std::uint8_t> value, bool sized) noexcept override;
 
- private:
   /// The parameter that an access means.
   struct Target {
     std::uint8_t object;
     std::uint16_t number;
     std::size_t index;
   };
+  /// What an access to @p index, @p sub_index over @p server means now; nothing if that is no parameter. It need
+  /// not exist.
+  std::optional<Target> parameter_at(std::uint8_t server, std::uint16_t index,
+                                     std::uint8_t sub_index) const noexcept;
+
+ private:
   canopen::Result<Target> target(std::uint8_t server, std::uint16_t index, std::uint8_t sub_index) const noexcept;
   std::uint8_t object_of(std::uint8_t server) const noexcept;
   std::uint16_t window(std::size_t index) const noexcept;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace drive {
 
@@ -19,6 +21,14 @@ enum class State : std::uint8_t {
   Fault,                ///< pulses off, r0002 = 45
 };
 inline constexpr std::size_t kStateCount = 10;
+
+/// The name of @p state as CiA 402 prints it.
+constexpr std::string_view name_of(State state) noexcept {
+  constexpr std::array<std::string_view, kStateCount> kNames{
+      "Not ready to switch on", "Switch on disabled", "Ready to switch on",    "Switched on", "Operation enabled",
+      "OFF1 braking",           "Quick stop active",  "Fault reaction active", "STOP2",       "Fault"};
+  return kNames[static_cast<std::size_t>(state)];
+}
 
 /// What moves the sequence control: the command in the controlword, or something that happened.
 enum class Event : std::uint8_t {

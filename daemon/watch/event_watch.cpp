@@ -1,0 +1,179 @@
+#include "daemon/watch/event_watch.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "libcanopen/base/cob_id.hpp"
+#include "libcanopen/base/object_index.hpp"
+
+namespace axisd {
+
+using record::EventKind;
+
+bool EventWatch::add(EventListener& listener) {
+  if (past_ == nullptr) {
+    past_ = std::make_unique<Past>(
+        Past{.writes = WriteWatch{device_}, .objects = {}, .message_changes = device_.message_changes()});
+    device_.unit().for_each_object(
+        [this](const drive::DriveObject& object) { past_->objects.push_back(seen_of(object)); });
+    if (!tap_.add(*this)) {
+      past_.reset();
+      return false;
+    }
+  }
+  return listeners_.add(listener);
+}
+
+void EventWatch::remove(EventListener& listener) noexcept {
+  listeners_.remove(listener);
+  if (is_watched() || past_ == nullptr) return;
+  tap_.remove(*this);
+  past_.reset();
+}
+
+void EventWatch::tell(UnitEvent event) noexcept {
+  event.axis = axis_of(event.object);
+  for (EventListener* const listener : listeners_.all()) listener->on_event(event);
+}
+
+void EventWatch::on_nmt_state(canopen::NmtState from, canopen::NmtState to, canopen::TimePoint now) noexcept {
+  tell({.time = now,
+        .kind = EventKind::Nmt,
+        .number = static_cast<std::uint16_t>(to),
+        .text = name_of(to),
+        .text_before = name_of(from)});
+}
+
+void EventWatch::on_bus_state(bus::ErrorState state, canopen::TimePoint now) noexcept {
+  if (past_ == nullptr) return;
+  const bus::ErrorState before = std::exchange(past_->bus, state);
+  tell({.time = now,
+        .kind = EventKind::Bus,
+        .number = static_cast<std::uint16_t>(state),
+        .text = name_of(state),
+        .text_before = name_of(before)});
+}
+
+void EventWatch::on_parameter_written(std::uint8_t object, std::uint16_t number, std::uint16_t index, double value,
+                                      std::optional<double> before, canopen::TimePoint now) noexcept {
+  tell({.time = now,
+        .kind = EventKind::Parameter,
+        .origin = record::Origin::Control,
+        .object = object,
+        .number = number,
+        .index = index,
+        .value = value,
+        .before = before});
+}
+
+void EventWatch::on_object_written(std::uint16_t index, std::uint8_t sub_index, double value,
+                                   std::optional<double> before, canopen::TimePoint now) noexcept {
+  tell({.time = now,
+        .kind = EventKind::Object,
+        .origin = record::Origin::Control,
+        .number = index,
+        .index = sub_index,
+        .value = value,
+        .before = before});
+}
+
+void EventWatch::on_frame(const canopen::Frame& frame, Direction direction, canopen::TimePoint time) noexcept {
+  if (direction == Direction::Received) return past_->writes.on_received(frame);
+  on_sent(frame, time);
+}
+
+void EventWatch::on_sent(const canopen::Frame& frame, canopen::TimePoint time) noexcept {
+  if (auto written = past_->writes.on_sent(frame)) {
+    written->time = time;
+    return tell(*written);
+  }
+  const canopen::Identifier identifier = canopen::identifier_of(frame);
+  const std::uint8_t node_id = device_.node_id();
+  if (identifier == canopen::function_code::kErrorControl + node_id && !frame.remote && frame.length == 1 &&
+      frame.data[0] == static_cast<std::uint8_t>(canopen::NmtState::Initialising))
+    return tell({.time = time, .kind = EventKind::BootUp, .number = node_id});
+  const auto emergency = device_.dictionary().stored(canopen::object::kCobIdEmcy, 0);
+  if (!emergency || canopen::valid_identifier(static_cast<std::uint32_t>(*emergency)) != identifier) return;
+  tell({.time = time,
+        .kind = EventKind::Emergency,
+        .number = canopen::load<std::uint16_t>(frame.data.data()),
+        .data = frame.data});
+}
+
+void EventWatch::look(canopen::TimePoint now) noexcept {
+  if (past_ == nullptr) return;
+  look_at_messages(now);
+  look_at_states(now);
+}
+
+std::uint8_t EventWatch::axis_of(std::uint8_t object) const noexcept {
+  const std::uint8_t first = device_.unit().first_axis();
+  return object < first ? std::uint8_t{0} : static_cast<std::uint8_t>(object - first + 1);
+}
+
+/// The control unit has none.
+std::optional<drive::State> EventWatch::state_of(std::uint8_t object) const noexcept {
+  const drive::DriveUnit& unit = device_.unit();
+  if (const std::uint8_t axis = axis_of(object)) return device_.axis(axis).actual().state;
+  if (unit.infeed() != nullptr && unit.infeed()->number() == object) return unit.infeed()->state();
+  return std::nullopt;
+}
+
+EventWatch::Seen EventWatch::seen_of(const drive::DriveObject& object) const noexcept {
+  Seen seen{.object = object.number(), .state = state_of(object.number())};
+  for (const auto entries : {object.messages().faults(), object.messages().alarms()})
+    for (const drive::FaultEntry& entry : entries)
+      seen.messages[seen.count++] = {entry.row, entry.value, entry.sequence, entry.kind};
+  return seen;
+}
+
+void EventWatch::look_at_states(canopen::TimePoint now) noexcept {
+  for (Seen& seen : past_->objects) {
+    const auto state = state_of(seen.object);
+    const auto before = std::exchange(seen.state, state);
+    if (!state || !before || *state == *before) continue;
+    tell({.time = now,
+          .kind = EventKind::DriveState,
+          .object = seen.object,
+          .number = static_cast<std::uint16_t>(*state),
+          .text = name_of(*state),
+          .text_before = name_of(*before)});
+  }
+}
+
+void EventWatch::look_at_messages(canopen::TimePoint now) noexcept {
+  const std::uint32_t changes = device_.message_changes();
+  if (std::exchange(past_->message_changes, changes) == changes) return;
+  for (Seen& seen : past_->objects) {
+    Seen present = seen_of(*device_.unit().object(seen.object));
+    present.state = seen.state;
+    const Seen before = std::exchange(seen, present);
+    compare(before, present, now);
+  }
+}
+
+/// What has left first, then what has come or changed.
+void EventWatch::compare(const Seen& before, const Seen& after, canopen::TimePoint now) noexcept {
+  const std::span old{before.messages.data(), before.count};
+  const std::span present{after.messages.data(), after.count};
+  for (const Known& message : old)
+    if (std::ranges::find(present, message.sequence, &Known::sequence) == present.end())
+      tell_message(before, message, false, now);
+  for (const Known& message : present) {
+    const auto known = std::ranges::find(old, message.sequence, &Known::sequence);
+    if (known == old.end() || known->value != message.value) tell_message(after, message, true, now);
+  }
+}
+
+void EventWatch::tell_message(const Seen& of, const Known& message, bool active, canopen::TimePoint now) noexcept {
+  tell({.time = now,
+        .kind = message.kind == drive::Kind::Fault ? EventKind::Fault : EventKind::Alarm,
+        .object = of.object,
+        .active = active,
+        .number = message.row->number,
+        .code = message.value,
+        .text = message.row->name});
+}
+
+}  // namespace axisd

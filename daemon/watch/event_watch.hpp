@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "can/port/port.hpp"
+#include "daemon/watch/frame_tap.hpp"
+#include "daemon/watch/unit_event.hpp"
+#include "daemon/watch/write_watch.hpp"
+#include "device/device.hpp"
+
+namespace axisd {
+
+/// Makes events of what happens in a unit: of its frames, of what it tells, and by comparing its states and
+/// messages with those before. While nobody listens it neither hears nor compares anything.
+class EventWatch final : private FrameListener {
+ public:
+  /// Both arguments outlive this.
+  EventWatch(const device::Device& device, FrameTap& tap) noexcept : device_{device}, tap_{tap} {}
+  ~EventWatch() override = default;
+  EventWatch(const EventWatch&) = delete;
+  EventWatch& operator=(const EventWatch&) = delete;
+
+  /// @p listener is told what happens from now on; false if there are too many. Allocates.
+  [[nodiscard]] bool add(EventListener& listener);
+  void remove(EventListener& listener) noexcept;
+  bool is_watched() const noexcept { return !listeners_.is_empty(); }
+
+  /// Tells what has changed by @p now without a frame or time having been told to the unit.
+  void look(canopen::TimePoint now) noexcept;
+
+  // What the unit tells. The axis of a drive object is filled in.
+  void tell(UnitEvent event) noexcept;
+  void on_nmt_state(canopen::NmtState from, canopen::NmtState to, canopen::TimePoint now) noexcept;
+  void on_bus_state(bus::ErrorState state, canopen::TimePoint now) noexcept;
+  /// What is on or off, up or down, done or failed.
+  void on_change(record::EventKind kind, bool active, canopen::TimePoint now) noexcept {
+    tell({.time = now, .kind = kind, .active = active});
+  }
+  /// Index @p index of parameter @p number of drive object @p object has @p value, in its own unit, by the control
+  /// socket.
+  void on_parameter_written(std::uint8_t object, std::uint16_t number, std::uint16_t index, double value,
+                            std::optional<double> before, canopen::TimePoint now) noexcept;
+  /// The same of an object of the dictionary.
+  void on_object_written(std::uint16_t index, std::uint8_t sub_index, double value, std::optional<double> before,
+                         canopen::TimePoint now) noexcept;
+
+ private:
+  /// An active fault or alarm as it was told.
+  struct Known {
+    const drive::FaultRow* row;
+    std::uint32_t value;
+    std::uint32_t sequence;
+    drive::Kind kind;
+  };
+  /// What was told of a drive object.
+  struct Seen {
+    std::uint8_t object = 0;
+    std::optional<drive::State> state{};
+    std::array<Known, 2 * drive::FaultMemory::kCapacity> messages{};
+    std::size_t count = 0;
+  };
+  /// What is there only while somebody listens.
+  struct Past {
+    WriteWatch writes;
+    std::vector<Seen> objects;
+    std::uint32_t message_changes;
+    bus::ErrorState bus = bus::ErrorState::Active;
+  };
+
+  void on_frame(const canopen::Frame& frame, Direction direction, canopen::TimePoint time) noexcept override;
+  void on_handled(canopen::TimePoint now) noexcept override { look(now); }
+
+  Seen seen_of(const drive::DriveObject& object) const noexcept;
+  std::optional<drive::State> state_of(std::uint8_t object) const noexcept;
+  std::uint8_t axis_of(std::uint8_t object) const noexcept;
+  void look_at_states(canopen::TimePoint now) noexcept;
+  void look_at_messages(canopen::TimePoint now) noexcept;
+  void compare(const Seen& before, const Seen& after, canopen::TimePoint now) noexcept;
+  void tell_message(const Seen& of, const Known& message, bool active, canopen::TimePoint now) noexcept;
+  void on_sent(const canopen::Frame& frame, canopen::TimePoint time) noexcept;
+
+  const device::Device& device_;
+  FrameTap& tap_;
+  Listeners<EventListener> listeners_;
+  std::unique_ptr<Past> past_;
+};
+
+}  // namespace axisd
