@@ -16,6 +16,11 @@ std::span<const Handler> terminal_handlers() noexcept;
 std::span<const Handler> parameter_handlers() noexcept;
 std::span<const Handler> parameter_list_handlers() noexcept;
 std::span<const Handler> object_handlers() noexcept;
+std::span<const Handler> terminal_list_handlers() noexcept;
+std::span<const Handler> plant_state_handlers() noexcept;
+std::span<const Handler> pdo_handlers() noexcept;
+std::span<const Handler> nmt_handlers() noexcept;
+std::span<const Handler> storage_handlers() noexcept;
 std::span<const Handler> message_handlers() noexcept;
 
 /// The handler of @p method among those of all groups; nullptr if it has none.
