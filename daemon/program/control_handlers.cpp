@@ -30,7 +30,9 @@ Outcome answer(const ProgramCall& call, const control::Request& request) {
   if (!checked) return refuse(ErrorCode::BadParameter, checked.error());
   if (const Handler* const handler = find_handler(method->name))
     return handler->answer({call.instance, read_clock()}, request.params);
-  call.power_off();  // quit, the one method of the program
+  if (method->name != "quit")
+    return refuse(ErrorCode::UnknownMethod, fmt::format("method: {} is not served here", method->name));
+  call.power_off();
   return nlohmann::json::object();
 }
 
