@@ -7,9 +7,9 @@ namespace axisd {
 namespace {
 
 using Group = std::span<const Handler> (*)() noexcept;
-constexpr std::array<Group, 6> kGroups{
-    &unit_handlers,     &fault_handlers,     &plant_handlers,
-    &terminal_handlers, &parameter_handlers, &parameter_list_handlers,
+constexpr std::array<Group, 8> kGroups{
+    &unit_handlers,      &fault_handlers,          &plant_handlers,  &terminal_handlers,
+    &parameter_handlers, &parameter_list_handlers, &signal_handlers, &trace_handlers,
 };
 
 }  // namespace

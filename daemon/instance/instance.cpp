@@ -55,6 +55,7 @@ void Instance::look_around() noexcept {
   if (!ready_told_) tell_ready();
   reports_.look_at(bus_, device_);
   memory_.look_at_unit();
+  trace_.look_around();
   if (events_.is_watched()) events_.look(read_clock());
 }
 

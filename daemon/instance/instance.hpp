@@ -17,6 +17,7 @@
 #include "daemon/instance/unit_memory.hpp"
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
+#include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
 
 namespace axisd {
@@ -97,6 +98,9 @@ class Instance final : private device::Listener, private Station, private TapOwn
   /// Where the frames of the unit can be heard, and what happens in it.
   FrameTap& frames() noexcept { return frames_; }
   EventWatch& events() noexcept { return events_; }
+  /// The trace of its signals.
+  UnitTrace& trace() noexcept { return trace_; }
+  const UnitTrace& trace() const noexcept { return trace_; }
   /// Whether InstanceListener::on_event() is called from now on.
   void tell_events(bool wanted) noexcept;
 
@@ -181,6 +185,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   Heard heard_{*this};
   FrameTap frames_{bus_.queue(), *this};
   EventWatch events_{device_, frames_};
+  UnitTrace trace_{device_, frames_, events_};
   std::vector<LoadTorque> load_torques_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;
