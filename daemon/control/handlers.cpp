@@ -17,6 +17,8 @@ constexpr auto kGroups = std::to_array<Group>({
     &parameter_handlers,
     &parameter_list_handlers,
     &object_handlers,
+    &signal_handlers,
+    &trace_handlers,
 });
 
 }  // namespace
