@@ -143,8 +143,8 @@ std::string write_table(const ProtocolText& text) {
   for (const Chapter& chapter : text.chapters)
     for (const auto& [row, meanings, result_text, result] : chapter.methods)
       methods += fmt::format(
-          "    Method{{.name = {}, .scope = Scope::{}, .group = {}, .command = {}, .summary = {}, .parameters = "
-          "{}}},\n",
+          "    Method{{.name = {}, .scope = Scope::{}, .group = {}, .command = {}, .summary = {},\n"
+          "           .parameters = {}, .keys = {}, .columns = {}, .brief = {}}},\n",
           quoted(row.name), row.scope == Scope::Unit ? "Unit" : "Program", quoted(row.group), quoted(row.command),
           quoted(row.summary), writer.parameters(row), writer.texts(row.keys), writer.texts(row.columns),
           writer.texts(row.brief));

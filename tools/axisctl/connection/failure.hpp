@@ -76,8 +76,9 @@ static_assert(kCodeRows.size() == control::kErrorNames.size() &&
 
 /// Why something was not done.
 struct Failure {
-  ExitStatus status;
-  std::string message;                                ///< one line
+  ExitStatus status = ExitStatus::Failed;
+  std::string message{};                              ///< one line
+  std::vector<std::string> choices{};                 ///< what there is to choose from, a line each
   nlohmann::json details = nlohmann::json::object();  ///< `code` and whatever else the daemon has told
 };
 

@@ -72,6 +72,7 @@ void print_members(std::ostream& out, const json& object, const control::Method&
   for (const std::string& key : keys_of(one, method.keys)) {
     const json& value = object[key];
     if (tables == 1 && is_alone(key)) continue;
+    if (style.brief && tables > 0 && !value.is_array()) continue;
     const bool needs_head = object.size() > 1 && !(tables == 1 && object.contains("total"));
     if (is_table(value)) {
       if (needs_head) out << blanks << words_of(key) << ":\n";
