@@ -17,17 +17,6 @@ std::string to_line(const json& object) {
   return object.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
-/// The value in @p line; discarded if it is no JSON, or nested so deep that walking through it needs much stack.
-json parse(std::string_view line) {
-  bool too_deep = false;
-  const auto watch_depth = [&](int depth, json::parse_event_t, const json&) {
-    too_deep = too_deep || depth > kDeepest;
-    return !too_deep;
-  };
-  json value = json::parse(line, watch_depth, /*allow_exceptions=*/false);
-  return too_deep ? json(json::value_t::discarded) : value;
-}
-
 /// The beginning of @p line, fit for a message.
 std::string quoted(std::string_view line) {
   std::string text{line.substr(0, kQuotedText)};
@@ -38,15 +27,28 @@ std::string quoted(std::string_view line) {
 
 }  // namespace
 
+json parse_line(std::string_view line) {
+  // What is nested deep needs much stack to walk through.
+  bool too_deep = false;
+  const auto watch_depth = [&](int depth, json::parse_event_t, const json&) {
+    too_deep = too_deep || depth > kDeepest;
+    return !too_deep;
+  };
+  json value = json::parse(line, watch_depth, /*allow_exceptions=*/false);
+  return too_deep ? json(json::value_t::discarded) : value;
+}
+
 tl::expected<Request, RequestError> parse_request(std::string_view line) {
-  json object = parse(line);
-  const auto refuse = [&](std::string message) { return tl::unexpected{RequestError{{}, std::move(message)}}; };
+  json object = parse_line(line);
+  const auto refuse = [&](std::string message) {
+    return tl::unexpected{RequestError{{}, {ErrorCode::Malformed, std::move(message)}}};
+  };
   if (!object.is_object()) return refuse("expected a JSON object, got " + quoted(line));
   Request request;
   if (const auto id = object.find("id"); id != object.end()) request.id = std::move(*id);
   if (request.id.is_structured()) return refuse("id: expected a number or a string");
   const auto refuse_it = [&](std::string message) {
-    return tl::unexpected{RequestError{std::move(request.id), std::move(message)}};
+    return tl::unexpected{RequestError{std::move(request.id), {ErrorCode::Malformed, std::move(message)}}};
   };
   const auto method = object.find("method");
   if (method == object.end() || !method->is_string()) return refuse_it("method: expected a string");
@@ -66,18 +68,32 @@ std::string result_line(const json& id, const json& result) {
   return to_line({{"id", id}, {"result", result}});
 }
 
-std::string error_line(const json& id, std::string_view message) {
-  return to_line({{"id", id}, {"error", {{"message", message}}}});
+std::string error_line(const json& id, const Error& error) {
+  json object = error.details.is_object() ? error.details : json::object();
+  object["code"] = name_of(error.code);
+  object["message"] = error.message;
+  return to_line({{"id", id}, {"error", std::move(object)}});
 }
 
-tl::expected<json, std::string> parse_answer(std::string_view line, int id) {
-  json object = parse(line);
-  const auto not_an_answer = [line] { return tl::unexpected{"not an answer: " + quoted(line)}; };
+std::string notice_line(std::string_view key, const json& value) {
+  return to_line({{key, value}});
+}
+
+tl::expected<json, AnswerError> parse_answer(std::string_view line, int id) {
+  json object = parse_line(line);
+  const auto not_an_answer = [line] {
+    return tl::unexpected{AnswerError{.message = "not an answer: " + quoted(line)}};
+  };
   if (!object.is_object()) return not_an_answer();
   if (const auto error = object.find("error"); error != object.end()) {
     const auto message = error->is_object() ? error->find("message") : error->end();
     if (!error->is_object() || message == error->end() || !message->is_string()) return not_an_answer();
-    return tl::unexpected{message->get<std::string>()};
+    AnswerError refusal{.is_answer = true, .message = message->get<std::string>(), .details = *error};
+    if (const auto code = error->find("code"); code != error->end() && code->is_string())
+      refusal.code = error_code_of(code->get_ref<const std::string&>());
+    refusal.details.erase("code");
+    refusal.details.erase("message");
+    return tl::unexpected{std::move(refusal)};
   }
   const auto result = object.find("result");
   if (result == object.end() || object.value("id", json{}) != id) return not_an_answer();

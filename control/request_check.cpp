@@ -20,9 +20,17 @@ struct Examined {
   std::size_t axes;
 };
 
+constexpr std::size_t kQuotedValue = 100;
+
+/// @p value as a message shows it.
+std::string shown(const json* value) {
+  std::string text = value == nullptr ? "nothing" : value->dump(-1, ' ', true);
+  if (text.size() > kQuotedValue) text.replace(kQuotedValue, std::string::npos, "...");
+  return text;
+}
+
 Outcome refuse(const Parameter& parameter, std::string_view expected, const json* got) {
-  return tl::unexpected{
-      fmt::format("{}: expected {}, got {}", parameter.key, expected, got == nullptr ? "nothing" : got->dump())};
+  return tl::unexpected{fmt::format("{}: expected {}, got {}", parameter.key, expected, shown(got))};
 }
 
 Outcome check_integer(const Parameter& parameter, const Range& range, const json* value) {
@@ -52,6 +60,24 @@ Outcome check_choice(const Parameter& parameter, const json* value) {
   return fits ? Outcome{} : refuse(parameter, alternatives_of(parameter), value);
 }
 
+/// A drive object: axes by their numbers, the infeed by its name.
+Outcome check_place(const Parameter& parameter, std::size_t axes, const json* value) {
+  if (value != nullptr && *value == "infeed") return {};
+  const bool fits = value != nullptr && value->is_number_integer() && *value >= 0 && *value <= axes;
+  return fits ? Outcome{} : refuse(parameter, fmt::format("an integer 0 to {} or \"infeed\"", axes), value);
+}
+
+Outcome check_list(const Parameter& parameter, const json* value) {
+  const auto is_text = [](const json& element) { return element.is_string(); };
+  if (value != nullptr && value->is_string() && parameter.range.low <= 1) return {};
+  if (value == nullptr || !value->is_array() || !std::ranges::all_of(*value, is_text))
+    return refuse(parameter, "a text or a list of texts", value);
+  const auto size = static_cast<double>(value->size());
+  if (parameter.range.low <= size && size <= parameter.range.high) return {};
+  return tl::unexpected{fmt::format("{}: expected {} to {} texts, got {}", parameter.key, parameter.range.low,
+                                    parameter.range.high, size)};
+}
+
 const json* value_of(const json& params, std::string_view key) {
   const auto found = params.find(key);
   return found == params.end() ? nullptr : &*found;
@@ -64,6 +90,8 @@ Outcome check_parameter(const Examined& request, const Parameter& parameter) {
   switch (parameter.form) {
     case Form::Axis:
       return check_integer(parameter, {parameter.range.low, static_cast<double>(request.axes)}, value);
+    case Form::Place:
+      return check_place(parameter, request.axes, value);
     case Form::Integer:
     case Form::Fault:
       return check_integer(parameter, parameter.range, value);
@@ -75,6 +103,16 @@ Outcome check_parameter(const Examined& request, const Parameter& parameter) {
       return check_choice(parameter, value);
     case Form::Switch:
       return value != nullptr && value->is_boolean() ? Outcome{} : refuse(parameter, "true or false", value);
+    case Form::Text:
+      return value != nullptr && value->is_string() ? Outcome{} : refuse(parameter, "a text", value);
+    case Form::List:
+      return check_list(parameter, value);
+    case Form::Value: {
+      const bool fits = value != nullptr && (value->is_number() || value->is_string());
+      return fits ? Outcome{} : refuse(parameter, "a number or a text", value);
+    }
+    case Form::Any:
+      return value != nullptr ? Outcome{} : refuse(parameter, "a value", value);
   }
   const Exception& exception = parameter.exception;
   if (exception.key.empty()) return check_number(parameter, parameter.range, value);

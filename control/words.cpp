@@ -47,6 +47,28 @@ Reading read_place(const Parameter& parameter, std::string_view word) {
           fmt::format("a number from {}", whole(parameter.range.low))};
 }
 
+/// The number of a drive object, or the infeed's name.
+Reading read_drive_object(std::string_view word) {
+  constexpr std::string_view kExpected = "a number from 0 or infeed";
+  if (word == "infeed") return {word, ""};
+  const auto number = number_of<std::uint32_t>(word);
+  return {number ? std::optional<json>{*number} : std::nullopt, std::string{kExpected}};
+}
+
+/// A number as such: "0.5", "-3", "0x1A"; else the text.
+json read_value(std::string_view word) {
+  constexpr std::string_view kHexadecimal = "0x";
+  constexpr int kBase = 16;
+  const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
+  if (const auto whole = number_of<std::int64_t>(digits)) return *whole;
+  if (const auto number = number_of<double>(digits); number && std::isfinite(*number)) return *number;
+  if (!word.starts_with(kHexadecimal)) return word;
+  std::uint64_t bits = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data() + kHexadecimal.size(), end, bits, kBase);
+  return error == std::errc{} && rest == end ? json(bits) : json(word);
+}
+
 /// The letter of the message class may be left out.
 Reading read_fault(const Parameter& parameter, std::string_view word) {
   if (!word.empty() && kClassLetters.find(word.front()) != std::string_view::npos) word.remove_prefix(1);
@@ -56,11 +78,18 @@ Reading read_fault(const Parameter& parameter, std::string_view word) {
 Reading read_number(const Parameter& parameter, std::string_view word) {
   const auto number = number_of<double>(word.substr(word.starts_with('+') ? 1 : 0));
   return {number && std::isfinite(*number) ? std::optional<json>{*number} : std::nullopt,
-          fmt::format("a number of {}", parameter.unit)};
+          parameter.unit.empty() ? "a number" : fmt::format("a number of {}", parameter.unit)};
+}
+
+Reading read_switch(std::string_view word) {
+  const bool on = word == "on";
+  return {on || word == "off" ? std::optional<json>{on} : std::nullopt, "on or off"};
 }
 
 Reading read_word(const Parameter& parameter, const std::string& word) {
   switch (parameter.form) {
+    case Form::Place:
+      return read_drive_object(word);
     case Form::Axis:
     case Form::Terminal:
       return read_place(parameter, word);
@@ -72,26 +101,41 @@ Reading read_word(const Parameter& parameter, const std::string& word) {
     case Form::Number:
       return read_number(parameter, word);
     case Form::Choice:  // the daemon knows them
+    case Form::Text:
+    case Form::List:
       return {word, ""};
     case Form::Switch:
+      return read_switch(word);
+    case Form::Value:
+      return {read_value(word), ""};
+    case Form::Any:
       break;
   }
-  const bool on = word == "on";
-  return {on || word == "off" ? std::optional<json>{on} : std::nullopt, "on or off"};
+  json value = json::parse(word, nullptr, /*allow_exceptions=*/false);
+  return {value.is_discarded() ? json(word) : std::move(value), ""};
 }
 
 }  // namespace
 
-tl::expected<json, std::string> parse_words(const Method& method, std::span<const std::string> words) {
+std::string argument_of(const Parameter& parameter) {
+  return parameter.option.empty() ? std::string{parameter.argument} : "--" + std::string{parameter.option};
+}
+
+tl::expected<json, std::string> parse_words(const Method& method, std::span<const Words> words) {
   json params = json::object();
   for (std::size_t i = 0; i < method.parameters.size(); ++i) {
     const Parameter& parameter = method.parameters[i];
-    if (words[i].empty() && !parameter.absent.empty()) continue;
-    Reading reading = read_word(parameter, words[i]);
+    if (words[i].empty()) continue;
+    json& value = params[std::string{parameter.key}];
+    if (parameter.form == Form::List) {
+      value = words[i];
+      continue;
+    }
+    Reading reading = read_word(parameter, words[i].front());
     if (!reading.value)
       return tl::unexpected{
-          fmt::format("{}: expected {}, got \"{}\"", parameter.argument, reading.expected, words[i])};
-    params[std::string{parameter.key}] = *std::move(reading.value);
+          fmt::format("{}: expected {}, got \"{}\"", argument_of(parameter), reading.expected, words[i].front())};
+    value = *std::move(reading.value);
   }
   return params;
 }
@@ -99,7 +143,7 @@ tl::expected<json, std::string> parse_words(const Method& method, std::span<cons
 std::string in_words_of(const Method& method, const std::string& message) {
   for (const Parameter& parameter : method.parameters)
     if (message.starts_with(std::string{parameter.key} + ": "))
-      return std::string{parameter.argument} + message.substr(parameter.key.size());
+      return argument_of(parameter) + message.substr(parameter.key.size());
   return message;
 }
 

@@ -10,6 +10,7 @@
 #include "daemon/configuration/motor_file.hpp"
 #include "daemon/configuration/parameter_reader.hpp"
 #include "daemon/configuration/plant_reader.hpp"
+#include "daemon/configuration/record_reader.hpp"
 #include "daemon/configuration/supply_reader.hpp"
 #include "drive/drive_unit.hpp"
 
@@ -97,7 +98,8 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 Configuration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
   const JsonReader json = JsonReader::parse(text, file);
-  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "infeed", "sdo_block", "f08701"});
+  json.expect_object(
+      {"interface", "node_id", "axes", "parameters", "supply", "infeed", "sdo_block", "f08701", "record"});
   Configuration configuration;
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kAddressSwitchOff, kHighestNodeId);
@@ -106,6 +108,7 @@ Configuration parse_configuration(std::string_view text, const std::string& file
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
   if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors);
+  if (json.has("record")) configuration.record = read_record(json.at("record"));
   read_parameters(json, configuration);
   return configuration;
 }

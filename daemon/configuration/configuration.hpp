@@ -9,6 +9,7 @@
 
 #include "can/port/address.hpp"
 #include "daemon/configuration/motor_source.hpp"
+#include "daemon/configuration/record_settings.hpp"
 #include "drive/base/object_kind.hpp"
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/load.hpp"
@@ -66,6 +67,7 @@ struct Configuration {
   motor::SupplyData supply{};                 ///< key "supply"
   bool sdo_block = false;                     ///< key "sdo_block"
   bool fault_on_leaving_operational = true;   ///< key "f08701"
+  std::optional<RecordSettings> record{};     ///< key "record": begins with the unit
 };
 
 /// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; throws

@@ -11,9 +11,12 @@ namespace axisd {
 std::span<const Handler> unit_handlers() noexcept;
 std::span<const Handler> fault_handlers() noexcept;
 std::span<const Handler> plant_handlers() noexcept;
+std::span<const Handler> record_handlers() noexcept;
 std::span<const Handler> terminal_handlers() noexcept;
 std::span<const Handler> parameter_handlers() noexcept;
 std::span<const Handler> parameter_list_handlers() noexcept;
+std::span<const Handler> object_handlers() noexcept;
+std::span<const Handler> message_handlers() noexcept;
 std::span<const Handler> signal_handlers() noexcept;
 std::span<const Handler> trace_handlers() noexcept;
 

@@ -37,7 +37,8 @@ constexpr std::array kDefects{DefectName{motor::EncoderDefect::None, "none"},
                               DefectName{motor::EncoderDefect::Loss, "loss"},
                               DefectName{motor::EncoderDefect::LostPulses, "lost_pulses"},
                               DefectName{motor::EncoderDefect::Reversed, "reversed"}};
-static_assert(std::ranges::equal(kDefects, control::kEncoderDefects, {}, &DefectName::name));
+static_assert(std::ranges::equal(kDefects, control::find_parameter("encoder.fail", "defect")->choices, {},
+                                 &DefectName::name));
 
 Outcome fail_encoder(const Call& call, const json& params) {
   const auto* const row = std::ranges::find(kDefects, params.at("defect").get<std::string>(), &DefectName::name);

@@ -16,9 +16,9 @@ using nlohmann::json;
 /// The terminals of the control unit are those that the row of input.set has.
 constexpr bool has_the_inputs_of_the_unit() {
   for (unsigned number = 0; number <= drive::Terminals::kHighest; ++number)
-    if (drive::Terminals::exists(number) != std::ranges::any_of(control::kInputs, [number](const auto& range) {
-          return range.low <= number && number <= range.high;
-        }))
+    if (drive::Terminals::exists(number) !=
+        std::ranges::any_of(control::find_parameter("input.set", "input")->terminals,
+                            [number](const auto& range) { return range.low <= number && number <= range.high; }))
       return false;
   return true;
 }

@@ -17,6 +17,7 @@
 #include "daemon/instance/unit_memory.hpp"
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
+#include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
 
@@ -56,7 +57,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   };
 
   /// Opens the bus that @p configuration names, with the state in @p folder; all arguments must outlive this.
-  /// Throws bus::OpenError or std::system_error.
+  /// Throws bus::OpenError, ConfigurationError or std::system_error.
   Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
            InstanceListener& listener);
   /// The same on a bus that was opened already.
@@ -98,6 +99,8 @@ class Instance final : private device::Listener, private Station, private TapOwn
   /// Where the frames of the unit can be heard, and what happens in it.
   FrameTap& frames() noexcept { return frames_; }
   EventWatch& events() noexcept { return events_; }
+  /// What is kept of both in files.
+  UnitRecording& recording() noexcept { return recording_; }
   /// The trace of its signals.
   UnitTrace& trace() noexcept { return trace_; }
   const UnitTrace& trace() const noexcept { return trace_; }
@@ -163,6 +166,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   void on_burst_end() noexcept override;
   void on_error_state(bus::ErrorState state) noexcept override;
 
+  void begin_recording() noexcept;
   void on_tap(bool is_open) noexcept override;
   void on_event(const UnitEvent& event) noexcept override { listener_.on_event(*this, event); }
   void tell(record::EventKind kind, bool active) noexcept;
@@ -185,6 +189,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   Heard heard_{*this};
   FrameTap frames_{bus_.queue(), *this};
   EventWatch events_{device_, frames_};
+  UnitRecording recording_;
   UnitTrace trace_{device_, frames_, events_};
   std::vector<LoadTorque> load_torques_;
   bool ready_told_ = false;

@@ -30,7 +30,9 @@ Outcome answer(const ProgramCall& call, const control::Request& request) {
   if (!checked) return refuse(ErrorCode::BadParameter, checked.error());
   if (const Handler* const handler = find_handler(method->name))
     return handler->answer({call.instance, read_clock()}, request.params);
-  call.power_off();  // quit, the one method of the program
+  if (method->name != "quit")
+    return refuse(ErrorCode::UnknownMethod, fmt::format("method: {} is not served here", method->name));
+  call.power_off();
   return nlohmann::json::object();
 }
 
@@ -38,10 +40,9 @@ Outcome answer(const ProgramCall& call, const control::Request& request) {
 
 std::string answer_request(const ProgramCall& call, std::string_view line) {
   const auto request = control::parse_request(line);
-  if (!request) return control::error_line(request.error().id, request.error().message);
+  if (!request) return control::error_line(request.error().id, request.error().error);
   const Outcome outcome = answer(call, *request);
-  return outcome ? control::result_line(request->id, *outcome)
-                 : control::error_line(request->id, outcome.error().message);
+  return outcome ? control::result_line(request->id, *outcome) : control::error_line(request->id, outcome.error());
 }
 
 }  // namespace axisd

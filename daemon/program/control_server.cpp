@@ -152,7 +152,7 @@ void ControlServer::answer_line(Client& client) {
 }
 
 void ControlServer::refuse(Client& client, std::string_view message) {
-  client.output += control::error_line(nullptr, message);
+  client.output += control::error_line(nullptr, {control::ErrorCode::Overflow, std::string{message}});
 }
 
 bool ControlServer::flush(Client& client) {

@@ -92,17 +92,21 @@ TEST(ControlRequest, MayLeaveItsParametersAndItsIdOut) {
 }
 
 TEST(ControlRequest, SaysWhatIsWrongWithIt) {
-  EXPECT_EQ(control::parse_request("status").error().message, R"(expected a JSON object, got "status")");
-  EXPECT_EQ(control::parse_request("[1]").error().message, R"(expected a JSON object, got "[1]")");
-  EXPECT_EQ(control::parse_request("\x1b[2J").error().message, R"(expected a JSON object, got "?[2J")");
+  EXPECT_EQ(control::parse_request("status").error().error.message, R"(expected a JSON object, got "status")");
+  EXPECT_EQ(control::parse_request("[1]").error().error.message, R"(expected a JSON object, got "[1]")");
+  EXPECT_EQ(control::parse_request("\x1b[2J").error().error.message, R"(expected a JSON object, got "?[2J")");
   EXPECT_EQ(control::parse_request(R"({"id":7,"method":5})").error().id, 7);
-  EXPECT_EQ(control::parse_request(R"({"id":[1],"method":"quit"})").error().message,
+  EXPECT_EQ(control::parse_request(R"({"id":[1],"method":"quit"})").error().error.message,
             "id: expected a number or a string");
+  EXPECT_EQ(control::parse_request("status").error().error.code, control::ErrorCode::Malformed);
+  EXPECT_FALSE(control::parse_request("{\"method\":\"\xff\"}")) << "is not UTF-8";
+  EXPECT_FALSE(control::parse_request("{\"method\":\"quit\"")) << "does not end";
+  EXPECT_FALSE(control::parse_request(R"({"method":"quit"} {})")) << "is two";
   const std::string deep = std::string(60000, '[') + std::string(60000, ']');
   EXPECT_FALSE(control::parse_request(R"({"id":)" + deep + "}"));
-  EXPECT_EQ(control::parse_request(R"({"id":1})").error().message, "method: expected a string");
-  EXPECT_EQ(control::parse_request(R"({"method":5})").error().message, "method: expected a string");
-  EXPECT_EQ(control::parse_request(R"({"method":"quit","params":[1]})").error().message,
+  EXPECT_EQ(control::parse_request(R"({"id":1})").error().error.message, "method: expected a string");
+  EXPECT_EQ(control::parse_request(R"({"method":5})").error().error.message, "method: expected a string");
+  EXPECT_EQ(control::parse_request(R"({"method":"quit","params":[1]})").error().error.message,
             "params: expected an object");
 }
 
@@ -113,14 +117,46 @@ TEST(ControlAnswer, BringsItsResult) {
   EXPECT_EQ(*answer, (json{{"axis", 1}}));
 }
 
-TEST(ControlAnswer, BringsTheMessageOfItsError) {
-  EXPECT_EQ(control::parse_answer(control::error_line(1, "axis 9: there are 2"), 1).error(),
-            "axis 9: there are 2");
-  EXPECT_EQ(control::parse_answer(control::error_line(nullptr, "not JSON"), 1).error(), "not JSON");
+TEST(ControlAnswer, BringsItsErrorWithCodeAndDetails) {
+  const control::Error error{
+      control::ErrorCode::OutOfRange, "p1120: expected 0 to 999999", {{"limits", {{"low", 0}}}}};
+  const auto answer = control::parse_answer(control::error_line(1, error), 1);
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().message, error.message);
+  EXPECT_EQ(answer.error().code, error.code);
+  EXPECT_EQ(answer.error().details, error.details);
+}
+
+TEST(ControlAnswer, BringsTheErrorOfALineThatWasNoRequest) {
+  const control::Error error{control::ErrorCode::Malformed, "not JSON"};
+
+  EXPECT_EQ(control::error_line(nullptr, error), R"({"error":{"code":"malformed","message":"not JSON"},"id":null})"
+                                                 "\n");
+  EXPECT_EQ(control::parse_answer(control::error_line(nullptr, error), 1).error().message, "not JSON");
+}
+
+TEST(ControlAnswer, MayHaveAnErrorWithACodeThatIsNotKnown) {
+  for (const char* line :
+       {R"({"id":1,"error":{"message":"no"}})", R"({"id":1,"error":{"code":"new","message":"no"}})",
+        R"({"id":1,"error":{"code":5,"message":"no"}})"}) {
+    const auto answer = control::parse_answer(line, 1);
+    ASSERT_FALSE(answer);
+    EXPECT_EQ(answer.error().message, "no");
+    EXPECT_EQ(answer.error().code, std::nullopt);
+  }
+}
+
+TEST(ControlError, HasACodeOfItsOwn) {
+  for (const auto& row : control::kErrorNames) {
+    EXPECT_EQ(control::name_of(row.code), row.name);
+    EXPECT_EQ(control::error_code_of(row.name), row.code);
+  }
+  EXPECT_EQ(control::error_code_of(""), std::nullopt);
 }
 
 TEST(ControlAnswer, ToAnotherRequestIsNone) {
-  EXPECT_EQ(control::parse_answer(R"({"id":2,"result":{}})", 1).error(),
+  EXPECT_EQ(control::parse_answer(R"({"id":2,"result":{}})", 1).error().message,
             R"(not an answer: "{"id":2,"result":{}}")");
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -74,6 +75,47 @@ TEST(RequestCheck, SaysInOneLineWhatIsWrong) {
            Case{"input.set", R"({"input": 0})", "state: expected true or false, got nothing"},
        })
     EXPECT_EQ(verdict(c.method, c.params), c.said) << c.params;
+}
+
+/// What is wrong with @p value for a parameter of @p form on a unit of two axes.
+std::string verdict(Form form, std::string_view value, std::string_view absent = "") {
+  const Parameter parameter{.key = "x", .form = form, .range = {1, 2}, .absent = absent};
+  const Method method{.name = "test", .summary = "", .parameters = {&parameter, 1}};
+  const auto checked = check(method, nlohmann::json::parse(value), 2);
+  return checked ? "fine" : checked.error();
+}
+
+TEST(RequestCheck, KnowsEveryForm) {
+  for (const auto& [form, value] : {std::pair{Form::Place, R"({"x": 0})"},
+                                    {Form::Place, R"({"x": "infeed"})"},
+                                    {Form::Text, R"({"x": ""})"},
+                                    {Form::List, R"({"x": "p1120"})"},
+                                    {Form::List, R"({"x": ["p1120", "r63"]})"},
+                                    {Form::Value, R"({"x": "r0899.2"})"},
+                                    {Form::Value, R"({"x": -0.5})"},
+                                    {Form::Any, R"({"x": [{"a": null}]})"}})
+    EXPECT_EQ(verdict(form, value), "fine") << value;
+  for (const auto& [form, value, said] :
+       {std::tuple{Form::Place, R"({"x": 3})", "x: expected an integer 0 to 2 or \"infeed\", got 3"},
+        {Form::Place, R"({"x": -1})", "x: expected an integer 0 to 2 or \"infeed\", got -1"},
+        {Form::Place, R"({"x": "cu"})", "x: expected an integer 0 to 2 or \"infeed\", got \"cu\""},
+        {Form::Text, R"({"x": 5})", "x: expected a text, got 5"},
+        {Form::Text, "{}", "x: expected a text, got nothing"},
+        {Form::List, R"({"x": [1]})", "x: expected a text or a list of texts, got [1]"},
+        {Form::List, R"({"x": []})", "x: expected 1 to 2 texts, got 0"},
+        {Form::List, R"({"x": ["", "", ""]})", "x: expected 1 to 2 texts, got 3"},
+        {Form::Value, R"({"x": true})", "x: expected a number or a text, got true"},
+        {Form::Value, R"({"x": [1]})", "x: expected a number or a text, got [1]"},
+        {Form::Any, "{}", "x: expected a value, got nothing"}})
+    EXPECT_EQ(verdict(form, value), said) << value;
+  EXPECT_EQ(verdict(Form::Text, "{}", "none"), "fine");
+}
+
+TEST(RequestCheck, QuotesTheBeginningOfALongValue) {
+  const std::string said = verdict(Form::Place, R"({"x": ")" + std::string(60000, '"' - 1) + "\"}");
+
+  EXPECT_LT(said.size(), 200u);
+  EXPECT_TRUE(said.ends_with("!...")) << said;
 }
 
 TEST(RequestCheck, NamesTheOnlyAxisOfAUnit) {

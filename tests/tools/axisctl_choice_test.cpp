@@ -22,7 +22,7 @@ TEST_F(Axisctl, ListsTheDaemonsIfThereAreSeveral) {
   EXPECT_EQ(run_.status, 2);
   EXPECT_EQ(run_.output, "");
   EXPECT_EQ(run_.errors,
-            "axisctl: several daemons run; choose one with --socket, or --interface and --node-id:\n  " +
+            "axisctl: several units fit; choose one with --unit, --socket, or --interface and --node-id:\n  " +
                 folder.path("axisd-vcan0-2.sock") + "\n  " + folder.path("axisd-vcan0-3.sock") + "\n");
 }
 
@@ -52,7 +52,7 @@ TEST_F(Axisctl, ListsTheDaemonsOfANodeIdThatIsOnSeveralInterfaces) {
 
   EXPECT_EQ(run_.status, 2);
   EXPECT_EQ(run_.errors,
-            "axisctl: several daemons run; choose one with --socket, or --interface and --node-id:\n  " +
+            "axisctl: several units fit; choose one with --unit, --socket, or --interface and --node-id:\n  " +
                 folder.path("axisd-can0-5.sock") + "\n  " + folder.path("axisd-vcan0-5.sock") + "\n");
 }
 
@@ -70,7 +70,7 @@ TEST_F(Axisctl, SaysThatNoDaemonFits) {
   EXPECT_EQ(
       run({"--node-id", "5", "quit"}).errors,
       "axisctl: no daemon with node-ID 5 runs: it would have its control socket in " + folder.path("") + "\n");
-  EXPECT_EQ(run({"--interface", "can1", "quit"}).status, 1);
+  EXPECT_EQ(run({"--interface", "can1", "quit"}).status, 5);
   EXPECT_EQ(another.request(), "");
 }
 
@@ -90,6 +90,40 @@ TEST_F(Axisctl, ChoosesByInterfaceAndNodeWithTheDefaultForTheOther) {
     std::filesystem::remove(folder.path("axisd-vcan1-127.sock"));
     std::filesystem::remove(folder.path(file));
   }
+}
+
+TEST_F(Axisctl, TakesTheUnitThatIsNamed) {
+  for (const auto& [file, unit] :
+       std::vector<std::pair<std::string, std::string>>{{"axisd-can7-5.sock", "5"},
+                                                        {"axisd-can7-5.sock", "can7/5"},
+                                                        {"axisd-unix-bus-bd35932a-5.sock", "unix:/tmp/bus/5"}}) {
+    ControlServer wanted{folder.path(file), kDone};
+    ControlServer another{folder.path("axisd-vcan0-2.sock"), kDone};
+
+    EXPECT_EQ(run({"--unit", unit, "quit"}).status, 0) << unit;
+    EXPECT_NE(wanted.request(), "") << unit;
+    EXPECT_EQ(another.request(), "") << unit;
+    std::filesystem::remove(folder.path("axisd-vcan0-2.sock"));
+    std::filesystem::remove(folder.path(file));
+  }
+}
+
+TEST_F(Axisctl, NamesTheUnitToADaemonOfMany) {
+  ControlServer server{folder.path("axisd.sock"), kDone};
+
+  EXPECT_EQ(run({"--socket", folder.path("axisd.sock"), "--unit", "can0/5", "fault", "ack", "1"}).status, 0);
+
+  EXPECT_EQ(nlohmann::json::parse(server.request())["params"], (nlohmann::json{{"axis", 1}, {"unit", "can0/5"}}));
+}
+
+TEST_F(Axisctl, RefusesAUnitThatNoneCanBe) {
+  for (const char* unit : {"", "x", "can0/", "128", "-1", "can0/5x", "/5", "tcp://host/5"})
+    EXPECT_EQ(run({"--unit", unit, "quit"}).status, 2) << unit;
+  EXPECT_EQ(run({"--unit", "5", "--node-id", "5", "quit"}).status, 2);
+  EXPECT_EQ(run({"--unit", "can0/5", "quit"}).errors,
+            "axisctl: no daemon on can0 with node-ID 5 runs: it would have its control socket in " +
+                folder.path("") + "\n");
+  EXPECT_EQ(run({"--unit", "can0/5", "quit"}).status, 5);
 }
 
 TEST_F(Axisctl, SaysWhatAnInterfaceIs) {

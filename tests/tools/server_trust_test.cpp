@@ -1,4 +1,4 @@
-#include "tools/axisctl/server_trust.hpp"
+#include "tools/axisctl/connection/server_trust.hpp"
 
 #include <cstring>
 

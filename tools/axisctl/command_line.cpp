@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "control/methods.hpp"
 #include "tools/axisctl/suggestion.hpp"
 
 namespace axisctl {
@@ -31,51 +30,32 @@ std::string unknown_subcommand(const CLI::App& app, const std::string& word) {
 
 CommandLine::CommandLine() {
   add_options();
-  add_commands();
+  add_methods(app_, invocation_.run);
+  for (const AddCommand add : commands()) add(app_, invocation_.run);
   add_help();
   app_.require_subcommand(1);
 }
 
 void CommandLine::add_options() {
+  Address& address = invocation_.settings.address;
   app_.set_version_flag("--version", "axisctl " AXISD_VERSION);
-  app_.add_option("--socket", invocation_.address.socket, "Control socket of the daemon")->type_name("PATH");
+  app_.add_option("--unit", invocation_.unit,
+                  "Unit: node-ID as it was told to the daemon, or BUS/NODE; may be left out if there is one")
+      ->type_name("UNIT");
+  app_.add_option("--socket", address.socket, "Control socket of the daemon")->type_name("PATH");
   app_.add_option("--interface", invocation_.interface,
-                  "Interface of the daemon, a name or a URL as it was told; may be left out if one daemon runs")
+                  "Interface of the unit, a name or a URL as it was told; may be left out if there is one")
       ->type_name("IF");
-  app_.add_option("--node-id", invocation_.address.node,
-                  "Node-ID of the daemon as it was told, 0 where p8620 gives it; the same")
+  app_.add_option("--node-id", address.node,
+                  "Node-ID of the unit as it was told, 0 where p8620 gives it; the same")
       ->check(CLI::Range(0, kHighestNode))
       ->type_name("N");
-  app_.add_flag("--json", invocation_.json, "Print the result as one line of JSON");
-}
-
-CLI::App& CommandLine::group_of(const control::Method& method) {
-  const auto* const row = std::ranges::find(control::kGroups, method.group, &control::Group::name);
-  if (row == control::kGroups.end()) return app_;
-  const std::string name{row->name};
-  const auto present = app_.get_subcommands([&name](const CLI::App* sub) { return sub->get_name() == name; });
-  if (!present.empty()) return *present.front();
-  CLI::App* const group = app_.add_subcommand(name, std::string{row->summary});
-  group->require_subcommand(1);
-  group->fallthrough();
-  return *group;
-}
-
-void CommandLine::add_commands() {
-  for (const control::Method& method : control::kMethods) {
-    CLI::App* const sub =
-        group_of(method).add_subcommand(std::string{method.command}, std::string{method.summary});
-    sub->fallthrough();
-    std::vector<std::string>& own = words_.emplace_back(method.parameters.size());
-    for (std::size_t i = 0; i < own.size(); ++i)
-      sub->add_option(std::string{method.parameters[i].argument}, own[i], std::string{method.parameters[i].help})
-          ->required(method.parameters[i].absent.empty())
-          ->type_name("");
-    sub->callback([this, &method, &own] {
-      invocation_.method = &method;
-      invocation_.words = own;
-    });
-  }
+  app_.add_flag("--json", invocation_.settings.json, "Print the result as one line of JSON");
+  app_.add_flag("-b,--brief", invocation_.brief, "Print one line an axis or thing, without heads");
+  std::string footer = "Exit status:";
+  for (const ExitRow& row : kExitRows)
+    footer += fmt::format("\n  {:>2}  {}", static_cast<int>(row.status), row.meaning);
+  app_.footer(footer);
 }
 
 void CommandLine::add_help() {

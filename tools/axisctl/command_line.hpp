@@ -1,6 +1,5 @@
 #pragma once
 
-#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,20 +7,21 @@
 #include <CLI/CLI.hpp>
 
 #include "control/method.hpp"
-#include "tools/axisctl/socket_choice.hpp"
+#include "tools/axisctl/commands/command.hpp"
 
 namespace axisctl {
 
 /// What the command line asks for.
 struct Invocation {
-  Address address;
-  std::optional<std::string> interface;
-  bool json = false;
-  const control::Method* method = nullptr;  ///< none: help alone was asked for
-  std::vector<std::string> words;
+  Settings settings{};
+  std::optional<std::string> interface {};
+  std::optional<std::string> unit{};
+  bool brief = false;
+  Run run{};  ///< none: help alone was asked for
 };
 
-/// The command line of the program: its options, a subcommand for each row of control::kMethods, and help.
+/// The command line of the program: its options, a subcommand for each row of control::kMethods that has one,
+/// those that are more than a row, and help.
 class CommandLine {
  public:
   CommandLine();
@@ -37,15 +37,12 @@ class CommandLine {
 
  private:
   void add_options();
-  CLI::App& group_of(const control::Method& method);
-  void add_commands();
   void add_help();
   void print_help() const;
 
   CLI::App app_{"Talks to a running axisd.", "axisctl"};
   Invocation invocation_;
-  std::list<std::vector<std::string>> words_;  // where CLI11 writes the arguments of each command to
-  std::vector<std::string> help_;              // the subcommand that help is asked for
+  std::vector<std::string> help_;  // the subcommand that help is asked for
 };
 
 }  // namespace axisctl

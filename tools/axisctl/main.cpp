@@ -3,45 +3,83 @@
 #include <string>
 
 #include "can/port/address.hpp"
-#include "control/words.hpp"
-#include "tools/axisctl/client.hpp"
+#include "text/number.hpp"
 #include "tools/axisctl/command_line.hpp"
-#include "tools/axisctl/printable.hpp"
-#include "tools/axisctl/printer.hpp"
+#include "tools/axisctl/print/printable.hpp"
 
 namespace {
 
+using axisctl::ExitStatus;
+using axisctl::Expected;
+using axisctl::Failure;
 using axisctl::Invocation;
 
-constexpr int kSuccess = 0;
-constexpr int kFailure = 1;
-constexpr int kUsage = 2;
+constexpr int kHighestNode = 127;
 
-int error(int status, const std::string& message) {
+int status_of(ExitStatus status) {
+  return static_cast<int>(status);
+}
+
+int error(ExitStatus status, const std::string& message) {
   std::cerr << "axisctl: " << message << '\n';
+  return status_of(status);
+}
+
+/// What went wrong, for a program too if it has asked for JSON.
+int report(const Failure& failure, bool as_json) {
+  if (as_json) {
+    nlohmann::json object = failure.details;
+    object["message"] = failure.message;
+    if (!failure.choices.empty()) object["choices"] = failure.choices;
+    object["exit_status"] = status_of(failure.status);
+    std::cout << axisctl::printable(nlohmann::json{{"error", object}}.dump(
+                     -1, ' ', false, nlohmann::json::error_handler_t::replace))
+              << '\n';
+  }
+  const int status = error(failure.status, axisctl::printable(failure.message));
+  for (const std::string& choice : failure.choices) std::cerr << "  " << axisctl::printable(choice) << '\n';
   return status;
 }
 
-int run(Invocation& invocation) {
-  const control::Method& method = *invocation.method;
-  const auto parameters = control::parse_words(method, invocation.words);
-  if (!parameters) return error(kUsage, parameters.error());
+Expected<std::string> label_of(const std::string& option, const std::string& interface) {
+  const auto address = bus::parse_address(interface);
+  if (address) return bus::label(*address);
+  return fail(ExitStatus::Usage, option + ": expected " + address.error() + ", got \"" + interface + '"');
+}
+
+/// The interface and node that the options name.
+Expected<void> complete(Invocation& invocation) {
+  axisctl::Address& address = invocation.settings.address;
+  invocation.settings.style = axisctl::style_of_output(invocation.brief);
   if (invocation.interface) {
-    const auto address = bus::parse_address(*invocation.interface);
-    if (!address)
-      return error(kUsage, "--interface: expected " + address.error() + ", got \"" + *invocation.interface + '"');
-    invocation.address.label = bus::label(*address);
+    const auto label = label_of("--interface", *invocation.interface);
+    if (!label) return tl::unexpected{label.error()};
+    address.label = *label;
   }
-  const auto path = axisctl::choose_socket(invocation.address);
-  if (!path) return error(path.error().several ? kUsage : kFailure, path.error().message);
-  const auto result = axisctl::ask(*path, {method.name, *parameters});
-  if (!result) return error(kFailure, axisctl::printable(control::in_words_of(method, result.error())));
-  if (invocation.json)
-    std::cout << axisctl::printable(result->dump()) << '\n';
-  else
-    axisctl::print_result(std::cout, method.name, axisctl::printable_values(*result));
+  if (!invocation.unit) return {};
+  if (address.label || address.node)
+    return fail(ExitStatus::Usage, "--unit goes with neither --interface nor --node-id");
+  const std::size_t slash = invocation.unit->rfind('/');
+  const auto node =
+      text::integer<int>(std::string_view{*invocation.unit}.substr(slash == std::string::npos ? 0 : slash + 1));
+  if (!node || *node < 0 || *node > kHighestNode)
+    return fail(ExitStatus::Usage, "--unit: expected NODE or BUS/NODE, got \"" + *invocation.unit + '"');
+  address.names_unit = true;
+  address.node = *node;
+  if (slash == std::string::npos) return {};
+  const auto label = label_of("--unit", invocation.unit->substr(0, slash));
+  if (!label) return tl::unexpected{label.error()};
+  address.label = *label;
+  return {};
+}
+
+int run(Invocation& invocation) {
+  if (const auto completed = complete(invocation); !completed)
+    return report(completed.error(), invocation.settings.json);
+  const auto done = invocation.run(invocation.settings);
   std::cout.flush();
-  return std::cout ? kSuccess : kFailure;
+  if (!done) return report(done.error(), invocation.settings.json);
+  return std::cout ? status_of(ExitStatus::Done) : error(ExitStatus::Failed, "standard output: cannot be written");
 }
 
 }  // namespace
@@ -50,13 +88,13 @@ int main(int argc, char** argv) {
   axisctl::CommandLine line;
   try {
     line.parse(argc, argv);
-    const int status = line.invocation().method != nullptr ? run(line.invocation()) : kSuccess;
+    if (line.invocation().run) return run(line.invocation());
     std::cout.flush();
-    return std::cout ? status : kFailure;
+    return status_of(std::cout ? ExitStatus::Done : ExitStatus::Failed);
   } catch (const CLI::ParseError& thrown) {
     // Help and version are thrown too.
-    return thrown.get_exit_code() == 0 ? line.exit(thrown) : error(kUsage, line.complaint(thrown));
+    return thrown.get_exit_code() == 0 ? line.exit(thrown) : error(ExitStatus::Usage, line.complaint(thrown));
   } catch (const std::exception& thrown) {
-    return error(kFailure, thrown.what());
+    return error(ExitStatus::Failed, thrown.what());
   }
 }

@@ -1,4 +1,4 @@
-#include "tools/axisctl/printable.hpp"
+#include "tools/axisctl/print/printable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <ostream>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/axisctl/printer.hpp"
+#include "tools/axisctl/print/printer.hpp"
 
 namespace axisctl {
 
@@ -65,6 +67,7 @@ constexpr std::array kAxisLabels{
 constexpr std::array<std::string_view, 6> kElsewhere{"axis", "name", "type", "axes", "control_unit", "infeed"};
 constexpr int kIndent = 2;
 constexpr int kLabelWidth = 16;
+constexpr std::size_t kStateWidth = 22, kCodeWidth = 6;
 
 /// F07860, A07860: how the manuals print the number of a message.
 std::string message(char letter, const json& entry) {
@@ -116,7 +119,9 @@ void print_members(std::ostream& out, int indent, const Labels& labels, const js
   }
 }
 
-void print_axis(std::ostream& out, const json& axis) {
+void print_axis(std::ostream& out, json axis, Style style) {
+  if (const auto state = axis.find("state"); state != axis.end() && state->is_string())
+    *state = coloured_state(state->get<std::string>(), style);
   out << "axis " << to_text("axis", axis.value("axis", json{}));
   if (const auto name = axis.find("name"); name != axis.end()) out << ' ' << to_text("name", *name);
   if (const auto type = axis.find("type"); type != axis.end()) out << " (" << to_text("type", *type) << ')';
@@ -124,11 +129,35 @@ void print_axis(std::ostream& out, const json& axis) {
   print_members(out, kIndent, kAxisLabels, axis);
 }
 
+/// One line: axis, name, state, speed, torque, active messages.
+void print_briefly(std::ostream& out, const json& axis, Style style) {
+  const auto member = [&axis](std::string_view key) { return to_text(key, axis.value(key, json{})); };
+  const auto number = [&axis](const char* key) {
+    const json value = axis.value(key, json{});
+    return value.is_number() ? fmt::format("{:.1f}", value.get<double>()) : "?";
+  };
+  std::string state = member("state");
+  const std::string blanks(kStateWidth - std::min(kStateWidth, state.size()), ' ');
+  state = coloured_state(state, style) + blanks;
+  std::string messages;
+  for (const auto& [key, letter] : {std::pair{"faults", 'F'}, {"alarms", 'A'}})
+    for (const json& entry : axis.value(key, json::array()))
+      messages += ' ' + message(letter, entry).substr(0, kCodeWidth);
+  out << fmt::format("{} {:<8} {} {:>8} rpm {:>8} N·m{}\n", member("axis"), member("name"), state,
+                     number("speed_rpm"), number("torque_Nm"), messages);
+}
+
 }  // namespace
 
-void print_status(std::ostream& out, const json& result) {
+void print_status(std::ostream& out, const json& result, Style style) {
   if (!result.is_object()) {
     out << result.dump() << '\n';
+    return;
+  }
+  const json axes = result.value("axes", json::array());
+  if (style.brief) {
+    for (const json& axis : axes)
+      if (axis.is_object()) print_briefly(out, axis, style);
     return;
   }
   print_members(out, 0, kUnitLabels, result);
@@ -140,10 +169,9 @@ void print_status(std::ostream& out, const json& result) {
     out << "infeed " << to_text("name", infeed->value("name", json{})) << '\n';
     print_members(out, kIndent, kInfeedLabels, *infeed);
   }
-  const auto axes = result.find("axes");
-  if (axes == result.end() || !axes->is_array()) return;
-  for (const json& axis : *axes)
-    if (axis.is_object()) print_axis(out, axis);
+  if (!axes.is_array()) return;
+  for (const json& axis : axes)
+    if (axis.is_object()) print_axis(out, axis, style);
 }
 
 }  // namespace axisctl

@@ -1,0 +1,12 @@
+#include <array>
+
+#include "tools/axisctl/commands/command.hpp"
+
+namespace axisctl {
+
+std::span<const AddCommand> commands() noexcept {
+  static constexpr std::array<AddCommand, 4> kCommands{&add_units, &add_wait, &add_watch, &add_monitor};
+  return kCommands;
+}
+
+}  // namespace axisctl

@@ -1,0 +1,109 @@
+#include "tools/axisctl/connection/target.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+
+#include "control/socket_name.hpp"
+#include "os/descriptor.hpp"
+#include "tools/axisctl/connection/client.hpp"
+#include "tools/axisctl/connection/socket_files.hpp"
+
+namespace axisctl {
+
+namespace {
+
+using nlohmann::json;
+
+bool fits(const Address& address, std::string_view label, int node) {
+  return address.label.value_or(std::string{label}) == label && address.node.value_or(node) == node;
+}
+
+/// Whether nobody listens at @p path any more. A socket of another type is refused before the daemon notices.
+bool is_left_behind(const std::string& path) {
+  const auto address = control::socket_address(path);
+  const os::Descriptor socket{::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
+  if (!address || !socket) return false;
+  return ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0 &&
+         errno == ECONNREFUSED;
+}
+
+std::string text_of(const Address& address) {
+  if (!address.label) return fmt::format("with node-ID {}", *address.node);
+  if (!address.node) return fmt::format("on {}", *address.label);
+  return fmt::format("on {} with node-ID {}", *address.label, *address.node);
+}
+
+/// The units of the daemon at @p path that @p address means, where one socket serves many.
+std::vector<Target> units_of(const std::string& path, const Address& address) {
+  std::vector<Target> found;
+  const auto result = ask(path, {"units"});
+  if (!result || !result->is_object()) return found;
+  for (const json& unit : result->value("units", json::array())) {
+    const std::string name = unit.is_object() ? unit.value("unit", "") : "";
+    const std::size_t slash = name.rfind('/');
+    const json node = unit.is_object() ? unit.value("node_id", json{}) : json{};
+    if (slash == std::string::npos || !node.is_number_integer()) continue;
+    if (fits(address, std::string_view{name}.substr(0, slash), node.get<int>())) found.push_back({path, name});
+  }
+  return found;
+}
+
+/// Every unit that @p address can mean.
+std::vector<Target> candidates(const Address& address) {
+  std::vector<Target> found;
+  const bool says_nothing = !address.label && !address.node;
+  for (const SocketFile& file : socket_files()) {
+    if (file.name && fits(address, file.name->label, file.name->node)) found.push_back({file.path});
+    if (file.name) continue;
+    if (says_nothing) {
+      found.push_back({file.path});
+      continue;
+    }
+    for (Target& target : units_of(file.path, address)) found.push_back(std::move(target));
+  }
+  return found;
+}
+
+std::string text_of(const Target& target) {
+  return target.unit.empty() ? target.path : fmt::format("{} ({})", target.unit, target.path);
+}
+
+}  // namespace
+
+Expected<Target> choose_target(const Address& address) {
+  const bool says_all = address.label && address.node;
+  if (address.socket) {
+    if (!address.names_unit) return Target{*address.socket};
+    const std::string node = address.node ? std::to_string(*address.node) : "";
+    return Target{*address.socket, address.label ? *address.label + "/" + node : node};
+  }
+  std::vector<Target> found = candidates(address);
+  if (found.size() > 1) std::erase_if(found, [](const Target& target) { return is_left_behind(target.path); });
+  if (found.size() == 1) return found.front();
+  if (found.size() > 1) {
+    Failure several{
+        .status = ExitStatus::Usage,
+        .message = "several units fit; choose one with --unit, --socket, or --interface and --node-id:"};
+    for (const Target& target : found) several.choices.push_back(text_of(target));
+    return tl::unexpected{std::move(several)};
+  }
+  if (says_all && !address.names_unit) return Target{control::default_socket_path(*address.label, *address.node)};
+  if (address.label || address.node)
+    return fail(ExitStatus::NotReachable, fmt::format("no daemon {} runs: it would have its control socket in {}",
+                                                      text_of(address), control::runtime_directory()));
+  return Target{control::default_socket_path(control::kDefaultInterface, control::kDefaultNode)};
+}
+
+std::vector<std::string> served_sockets() {
+  std::vector<std::string> paths;
+  for (const SocketFile& file : socket_files())
+    if (!is_left_behind(file.path)) paths.push_back(file.path);
+  return paths;
+}
+
+}  // namespace axisctl

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/axisctl/connection/failure.hpp"
+
+namespace axisctl {
+
+/// What the command line says of the unit to talk to.
+struct Address {
+  std::optional<std::string> socket{};  ///< path of the control socket; label and node are then of no account
+  std::optional<std::string> label{};   ///< bus::label() of the interface
+  std::optional<int> node{};            ///< the address switch: the node-ID, 1..127, or 0
+  bool names_unit = false;              ///< given by --unit: none is made up for what is left out
+};
+
+/// A daemon, and which of its units.
+struct Target {
+  std::string path;
+  std::string unit{};  ///< for `unit` among the parameters; empty: the daemon's only one
+};
+
+/// The unit that @p address means: the only one of the machine that fits what it says.
+[[nodiscard]] Expected<Target> choose_target(const Address& address);
+
+/// Paths of the control sockets in the runtime folders that somebody serves.
+[[nodiscard]] std::vector<std::string> served_sockets();
+
+}  // namespace axisctl
