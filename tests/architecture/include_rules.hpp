@@ -51,6 +51,7 @@ inline constexpr std::array kLayers{
     Layer{"drive/messages", {"fmt/", "drive/base/"}},
     Layer{"unit", {"drive/"}},
     Layer{"trace", {"motor/", "drive/", "unit/", "text/", "fmt/", "nlohmann/"}},
+    Layer{"trace/export", {"nlohmann/", "fmt/"}},
     Layer{"trace/signal", {"motor/", "drive/", "unit/", "text/", "fmt/"}},
     Layer{"device",
           {"libcanopen/", "drive/", "unit/", "fmt/", "generated/object_table.hpp", "generated/axis_offsets.hpp",
@@ -91,7 +92,7 @@ inline constexpr std::array kLayers{
            "can/connection/", "text/", "fmt/", "CLI/", "systemd/", "nlohmann/", kSystem}},
     Layer{"tools",
           {"libcanopen/", "eds/", "os/", "can/userbus/", "can/port/", "can/connection/", "can/hub/", "text/",
-           "control/", "record/", "fmt/", "nlohmann/", "CLI/", kSystem}},
+           "control/", "record/", "trace/export/", "fmt/", "nlohmann/", "CLI/", kSystem}},
     Layer{"can/preload", {"can/userbus/", kSystem}},
 };
 
