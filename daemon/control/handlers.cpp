@@ -22,6 +22,8 @@ constexpr auto kGroups = std::to_array<Group>({
     &pdo_handlers,
     &nmt_handlers,
     &storage_handlers,
+    &signal_handlers,
+    &trace_handlers,
 });
 
 }  // namespace

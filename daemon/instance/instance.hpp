@@ -19,6 +19,7 @@
 #include "daemon/watch/frame_tap.hpp"
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/pdo_watch.hpp"
+#include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
 
 namespace axisd {
@@ -110,6 +111,9 @@ class Instance final : private device::Listener, private Station, private TapOwn
     bool kept = false;
   };
   const Saves& saves() const noexcept { return saves_; }
+  /// The trace of its signals.
+  UnitTrace& trace() noexcept { return trace_; }
+  const UnitTrace& trace() const noexcept { return trace_; }
   /// Whether InstanceListener::on_event() is called from now on.
   void tell_events(bool wanted) noexcept;
 
@@ -203,6 +207,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   UnitRecording recording_;
   PdoWatch pdo_watch_{frames_};
   Saves saves_{};
+  UnitTrace trace_{device_, frames_, events_};
   std::vector<LoadTorque> load_torques_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;
