@@ -12,6 +12,7 @@
 #include "daemon/configuration/plant_reader.hpp"
 #include "daemon/configuration/record_reader.hpp"
 #include "daemon/configuration/supply_reader.hpp"
+#include "daemon/configuration/trace_reader.hpp"
 #include "drive/drive_unit.hpp"
 
 namespace axisd {
@@ -98,8 +99,8 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 Configuration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
   const JsonReader json = JsonReader::parse(text, file);
-  json.expect_object(
-      {"interface", "node_id", "axes", "parameters", "supply", "infeed", "sdo_block", "f08701", "record"});
+  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "infeed", "sdo_block", "f08701",
+                      "record", "trace"});
   Configuration configuration;
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kAddressSwitchOff, kHighestNodeId);
@@ -109,6 +110,7 @@ Configuration parse_configuration(std::string_view text, const std::string& file
   if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors);
   if (json.has("record")) configuration.record = read_record(json.at("record"));
+  if (json.has("trace")) configuration.trace = read_trace(json.at("trace"));
   read_parameters(json, configuration);
   return configuration;
 }

@@ -52,6 +52,8 @@ def sample(node):
             return other["const"]
         if other.get("type") in ("number", "integer"):
             return max(1, other.get("minimum", 1))
+        if other.get("type") == "string":
+            return "text"
         if other.get("type") == "array":
             if "prefixItems" in other:
                 return [sample(item) for item in other["prefixItems"]]
