@@ -36,6 +36,10 @@ std::string default_socket_path(std::string_view label, int node) {
   return path;
 }
 
+std::string common_socket_path() {
+  return runtime_directory() + "/axisd.sock";
+}
+
 std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept {
   if (!file_name.starts_with(kPrefix) || !file_name.ends_with(kSuffix)) return std::nullopt;
   if (file_name.size() <= kPrefix.size() + kSuffix.size()) return std::nullopt;

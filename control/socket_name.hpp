@@ -19,6 +19,8 @@ inline constexpr int kDefaultNode = 2;
 /// Path of the control socket of the daemon with address switch @p node (0..127: its node-ID, or 0) on the bus
 /// whose bus::label() is @p label.
 [[nodiscard]] std::string default_socket_path(std::string_view label, int node);
+/// Path of the control socket of a daemon that serves a list of units.
+[[nodiscard]] std::string common_socket_path();
 /// What the name of a control socket says of its daemon.
 struct SocketName {
   std::string_view label;  ///< bus::label() of its bus

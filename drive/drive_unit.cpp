@@ -143,26 +143,26 @@ void DriveUnit::rest_others(const Running& running, double duration) noexcept {
 }
 
 void DriveUnit::move(const Running& running, double duration) noexcept {
-  if (observer_ != nullptr) [[unlikely]]
-    return move_steps<true>(running, duration);
-  move_steps<false>(running, duration);
+  const auto steps = std::lround(duration / motor::kControlPeriod);
+  lowest_dc_voltage_ = dc_link_.voltage();
+  if (observer_ == nullptr) [[likely]]
+    return run_steps(running.all(), steps);
+  for (long step = 1; step < steps; ++step) {
+    run_steps(running.all(), 1);
+    observer_->on_step(step);
+  }
+  run_steps(running.all(), 1);
 }
 
-/// The steps of a cycle, side by side on the DC link.
-template <bool kObserved>
-void DriveUnit::move_steps(const Running& running, double duration) noexcept {
-  const auto steps = std::lround(duration / motor::kControlPeriod);
-  const std::span<Axis* const> moved = running.all();
-  double lowest = dc_link_.voltage();
+/// Steps of a cycle, side by side on the DC link. At one place, for all of a step to be compiled into it.
+[[gnu::noinline]] void DriveUnit::run_steps(std::span<Axis* const> moved, long steps) noexcept {
+  double lowest = lowest_dc_voltage_;
   for (long step = 0; step < steps; ++step) {
     const double voltage = dc_link_.voltage();
     double drawn = 0.0;
     for (Axis* const axis : moved) drawn += axis->step(voltage);
     dc_link_.step(motor::kControlPeriod, drawn);
     lowest = std::min(lowest, voltage);
-    if constexpr (kObserved) {
-      if (step + 1 < steps) observer_->on_step(step + 1);
-    }
   }
   lowest_dc_voltage_ = std::min(lowest, dc_link_.voltage());
 }

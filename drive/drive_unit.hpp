@@ -172,8 +172,7 @@ class DriveUnit final : private Surroundings {
   void run_phase(Phase phase, const Running& running) noexcept;
   void rest_others(const Running& running, double duration) noexcept;
   void move(const Running& running, double duration) noexcept;
-  template <bool kObserved>
-  void move_steps(const Running& running, double duration) noexcept;
+  void run_steps(std::span<Axis* const> moved, long steps) noexcept;
   void send_converted() noexcept;
   void end_cycle() noexcept;
 

@@ -141,7 +141,6 @@ void FileWriter::finish(EndReason reason, Moment at) noexcept {
 }
 
 void FileWriter::fail(int error) noexcept {
-  has_failed_ = true;
   segments_.abandon();
   try {
     const std::scoped_lock lock{mutex_};
@@ -150,6 +149,7 @@ void FileWriter::fail(int error) noexcept {
     const std::scoped_lock lock{mutex_};
     status_.error = "no memory";
   }
+  has_failed_.store(true, std::memory_order_release);
 }
 
 }  // namespace record

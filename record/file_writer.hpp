@@ -52,6 +52,8 @@ class FileWriter {
   /// By the other thread, before it hands the history over.
   void hand_over_history() noexcept { has_history_.store(true, std::memory_order_release); }
   WriterStatus status() const;
+  /// Whether status() has an error.
+  bool has_failed() const noexcept { return has_failed_.load(std::memory_order_acquire); }
 
  private:
   void work() noexcept;
@@ -69,7 +71,7 @@ class FileWriter {
   History& history_;
   std::atomic<bool> has_history_{false};
   bool is_full_ = false;  ///< the open file was to take no more: what comes is left out
-  bool has_failed_ = false;
+  std::atomic<bool> has_failed_{false};
   std::uint64_t finished_ = 0;  ///< bytes of files that were closed
   mutable std::mutex mutex_;    ///< of what follows
   std::condition_variable changed_;

@@ -73,6 +73,15 @@ RecordBytes samples_record(std::span<const double> values, Moment at) noexcept;
 RecordBytes lost_record(std::uint64_t records, Moment at) noexcept;
 RecordBytes end_record(EndReason reason, Moment at) noexcept;
 
+/// Whether @p name can be that of a recording: letters, digits, '.', '_' and '-', at most 64 of them, a dot not in
+/// front.
+constexpr bool is_name(std::string_view name) noexcept {
+  constexpr std::size_t kLongest = 64;
+  constexpr std::string_view kLetters{"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-"};
+  return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
+         name.find_first_not_of(kLetters) == std::string_view::npos;
+}
+
 /// Room for the longest record without its checksum.
 using RecordBuffer = std::array<std::byte, kRecordHeadBytes + kLongestPayload>;
 

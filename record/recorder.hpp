@@ -56,9 +56,13 @@ class Recorder {
   void on_time(Moment now) noexcept {
     if (until_ && now >= *until_) end_fault(now);
   }
+  /// When on_time() is wanted next, if it is.
+  std::optional<Moment> until() const noexcept { return until_; }
   /// Nothing more is taken; the rest is written.
   void stop(Moment now) noexcept;
   bool is_stopped() const noexcept { return stopped_; }
+  /// Whether the state is Failed.
+  bool has_failed() const noexcept { return writer_.has_failed(); }
   Status status() const;
 
  private:

@@ -19,14 +19,8 @@ namespace {
 constexpr const char* kRecording = ".axrec";
 constexpr const char* kLog = ".log";
 constexpr const char* kOlder = ".1";
-constexpr std::size_t kLongestName = 64;
 /// Above the longest line of a log.
 constexpr std::size_t kLineBytes = 128;
-
-constexpr bool is_name_letter(char letter) noexcept {
-  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-         (letter >= '0' && letter <= '9') || letter == '.' || letter == '_' || letter == '-';
-}
 
 std::array<std::byte, kChecksumBytes> checksum_of(std::span<const std::byte> bytes) noexcept {
   const std::uint32_t crc = crc32(bytes);
@@ -36,11 +30,6 @@ std::array<std::byte, kChecksumBytes> checksum_of(std::span<const std::byte> byt
 }
 
 }  // namespace
-
-bool is_name(std::string_view name) noexcept {
-  return !name.empty() && name.size() <= kLongestName && name.front() != '.' &&
-         std::ranges::all_of(name, is_name_letter);
-}
 
 /// Each share is that of a recording or of its log.
 Segments::Segments(Plan plan)

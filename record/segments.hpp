@@ -12,10 +12,6 @@
 
 namespace record {
 
-/// Whether @p name can be that of a recording: letters, digits, '.', '_' and '-', at most 64 of them, a dot not in
-/// front.
-bool is_name(std::string_view name) noexcept;
-
 /// The files of one recording: a recording and the candump log beside it, of bounded size. Every function that
 /// writes gives 0 or an errno; where() then says where.
 ///

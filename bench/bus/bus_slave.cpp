@@ -13,7 +13,7 @@
 #include "bench/operations/library_node.hpp"
 #include "can/port/socketcan/socket_can.hpp"
 #include "daemon/base/clock.hpp"
-#include "daemon/program/event_loop.hpp"
+#include "daemon/loop/event_loop.hpp"
 
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "daemon/configuration/motor_file.hpp"
 #include "daemon/configuration/parameter_reader.hpp"
 #include "daemon/configuration/plant_reader.hpp"
+#include "daemon/configuration/record_reader.hpp"
 #include "daemon/configuration/supply_reader.hpp"
 #include "drive/drive_unit.hpp"
 
@@ -95,18 +97,87 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
   return axes;
 }
 
-Configuration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
-  const JsonReader json = JsonReader::parse(text, file);
-  json.expect_object({"interface", "node_id", "axes", "parameters", "supply", "infeed", "sdo_block", "f08701"});
+namespace {
+
+constexpr std::array<std::string_view, 9> kUnitKeys{"interface", "node_id", "axes",   "parameters", "supply",
+                                                    "infeed", "sdo_block", "f08701", "record"};
+/// Units of a program, and threads that run them.
+constexpr std::size_t kMostUnits = 1024;
+constexpr int kMostThreads = 64;
+
+/// What is said of one unit but its node-ID.
+Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
   Configuration configuration;
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
-  if (json.has("node_id")) configuration.node_id = json.at("node_id").integer(kAddressSwitchOff, kHighestNodeId);
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
   if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors);
+  if (json.has("record")) configuration.record = read_record(json.at("record"));
   read_parameters(json, configuration);
+  return configuration;
+}
+
+int read_node_id(const JsonReader& json) {
+  return json.integer(kAddressSwitchOff, kHighestNodeId);
+}
+
+/// One unit, or as many alike as node_id has room for.
+std::vector<Configuration> read_entry(const JsonReader& json, const MotorSource& motors) {
+  json.expect_object(kUnitKeys);
+  std::vector<Configuration> units{read_unit(json, motors)};
+  if (!json.has("node_id")) return units;
+  const JsonReader node = json.at("node_id");
+  if (!node.is_object()) {
+    units.front().node_id = read_node_id(node);
+    return units;
+  }
+  node.expect_object({"from", "to"});
+  if (!node.has("from") || !node.has("to")) node.fail("an integer 0 to 127, or an object with from and to");
+  const int first = node.at("from").integer(1, kHighestNodeId);
+  const int last = node.at("to").integer(first, kHighestNodeId);
+  units.resize(static_cast<std::size_t>(last - first) + 1, units.front());
+  for (std::size_t i = 0; i < units.size(); ++i) units[i].node_id = first + static_cast<int>(i);
+  return units;
+}
+
+/// Where @p unit would be on its bus.
+std::string place_of(const Configuration& unit) {
+  return fmt::format("{}/{}", bus::label(unit.address), unit.node_id);
+}
+
+UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors) {
+  json.expect_object({"units", "threads"});
+  const JsonReader list = json.at("units");
+  list.expect_array(1, kMostUnits);
+  UnitsConfiguration configuration{.units = {}, .threads = 1, .is_list = true};
+  std::map<std::string, std::size_t> taken;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    for (Configuration& unit : read_entry(list.at(i), motors)) {
+      const auto [known, is_new] = taken.emplace(place_of(unit), i);
+      const JsonReader entry = list.at(i);
+      if (!is_new)
+        (entry.has("node_id") ? entry.at("node_id") : entry)
+            .fail(fmt::format("a node-ID that /units/{} does not have on {}", known->second, unit.address.text));
+      configuration.units.push_back(std::move(unit));
+    }
+  }
+  if (configuration.units.size() > kMostUnits)
+    list.fail(fmt::format("at most {} units, got {}", kMostUnits, configuration.units.size()));
+  if (json.has("threads"))
+    configuration.threads = static_cast<std::size_t>(json.at("threads").integer(1, kMostThreads));
+  return configuration;
+}
+
+}  // namespace
+
+UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
+  const JsonReader json = JsonReader::parse(text, file);
+  if (json.has("units")) return read_units(json, motors);
+  json.expect_object(kUnitKeys);
+  UnitsConfiguration configuration{.units = {read_unit(json, motors)}, .threads = 1, .is_list = false};
+  if (json.has("node_id")) configuration.units.front().node_id = read_node_id(json.at("node_id"));
   return configuration;
 }
 

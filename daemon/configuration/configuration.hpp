@@ -9,6 +9,7 @@
 
 #include "can/port/address.hpp"
 #include "daemon/configuration/motor_source.hpp"
+#include "daemon/configuration/record_settings.hpp"
 #include "drive/base/object_kind.hpp"
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/load.hpp"
@@ -66,10 +67,18 @@ struct Configuration {
   motor::SupplyData supply{};                 ///< key "supply"
   bool sdo_block = false;                     ///< key "sdo_block"
   bool fault_on_leaving_operational = true;   ///< key "f08701"
+  std::optional<RecordSettings> record{};     ///< key "record": begins with the unit
+};
+
+/// What one program serves.
+struct UnitsConfiguration {
+  std::vector<Configuration> units{Configuration{}};  ///< at least one; no two with one node-ID on one bus
+  std::size_t threads = 1;                            ///< that they are spread over
+  bool is_list = false;                               ///< the file has a list of units, even if of one
 };
 
 /// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; throws
 /// ConfigurationError.
-Configuration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors);
+UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors);
 
 }  // namespace axisd

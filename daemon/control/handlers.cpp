@@ -7,8 +7,8 @@ namespace axisd {
 namespace {
 
 using Group = std::span<const Handler> (*)() noexcept;
-constexpr std::array<Group, 6> kGroups{
-    &unit_handlers,     &fault_handlers,     &plant_handlers,
+constexpr std::array kGroups{
+    &unit_handlers,     &fault_handlers,     &plant_handlers,          &record_handlers,
     &terminal_handlers, &parameter_handlers, &parameter_list_handlers,
 };
 

@@ -57,6 +57,7 @@ void BusTurn::turn(canopen::TimePoint now, bool readable) noexcept {
   queue_.retry(now_);
   if (readable) receive();
   tell_time(listened);
+  station_->on_turn_over();
 }
 
 /// What waits is older than a deadline that has passed by so much, be it that a frame has shown it just now: the

@@ -17,6 +17,15 @@ constexpr device::BusState bus_state_of(bus::ErrorState state) noexcept {
   return kStates[static_cast<std::size_t>(state)];
 }
 
+/// Cycles of different units begin a multiple of this apart, so that a thread that runs many wakes for several at
+/// once.
+constexpr canopen::Duration kGrid = std::chrono::microseconds{500};
+
+/// The last point of the grid up to @p now.
+canopen::TimePoint on_grid(canopen::TimePoint now) noexcept {
+  return now - now.time_since_epoch() % kGrid;
+}
+
 std::vector<Instance::LoadTorque> load_torques(const Configuration& configuration) {
   std::vector<Instance::LoadTorque> torques;
   for (const AxisConfiguration& axis : configuration.axes)
@@ -41,9 +50,15 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       device_{device_configuration(configuration, *connection_.port, folder, log), bus_.queue(), *this},
       memory_{folder, device_, log},
       reports_{configuration, log},
-      load_torques_{load_torques(configuration)} {}
+      recording_{{configuration, device_, frames_, events_, folder, started_}},
+      load_torques_{load_torques(configuration)} {
+  if (!configuration.record) return;
+  if (const auto signals = recording_.signals_of(*configuration.record); !signals)
+    throw ConfigurationError{"record: " + signals.error()};
+}
 
 void Instance::start() noexcept {
+  if (configuration_.record) begin_recording();
   tell(record::EventKind::Power, true);
   reports_.on_open(*connection_.port);
   if (connection_.link->state() == bus::LinkState::Up) return link_up();
@@ -55,12 +70,16 @@ void Instance::look_around() noexcept {
   if (!ready_told_) tell_ready();
   reports_.look_at(bus_, device_);
   memory_.look_at_unit();
-  if (events_.is_watched()) events_.look(read_clock());
+  if (!events_.is_watched()) return;
+  events_.look(frames_.now());
+  if (const auto failure = recording_.take_failure()) log_.error("recording: {}; it has ended", *failure);
 }
 
 void Instance::power_off() noexcept {
   tell(record::EventKind::Power, false);
+  recording_.end();
   memory_.power_off();
+  listener_.on_condition(*this, Condition::Off);
 }
 
 void Instance::tell_ready() noexcept {
@@ -86,7 +105,7 @@ void Instance::link_up() noexcept {
   }
   tell(record::EventKind::Link, true);
   sent_before_boot_up_ = bus_.queue().counters().sent;
-  device_.start(read_clock());
+  device_.start(on_grid(read_clock()));
   memory_.raise_faults();
   if (!ready_told_) return tell_ready();
   log_.notice("{} is up again", bus_name());
@@ -108,7 +127,7 @@ void Instance::on_link_lost() noexcept {
 void Instance::on_error_state(bus::ErrorState state) noexcept {
   log_.warning("{}: {}", bus_name(), bus::name_of(state));
   const canopen::TimePoint now = read_clock();
-  if (events_.is_watched()) events_.on_bus_state(state, now);
+  if (events_.is_watched()) events_.on_bus_state(state, frames_.now());
   device_.on_bus_state(bus_state_of(state), now);
 }
 
@@ -125,7 +144,7 @@ void Instance::on_restore() noexcept {
 }
 
 void Instance::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
-  if (events_.is_watched()) events_.on_nmt_state(from, to, read_clock());
+  if (events_.is_watched()) events_.on_nmt_state(from, to, frames_.now());
 }
 
 bool Instance::on_bus_restart() noexcept {
@@ -148,12 +167,17 @@ void Instance::set_load_torque(std::size_t axis, double torque, motor::LoadTorqu
 }
 
 void Instance::tell(record::EventKind kind, bool active) noexcept {
-  if (events_.is_watched()) events_.on_change(kind, active, read_clock());
+  if (events_.is_watched()) events_.on_change(kind, active, frames_.now());
 }
 
 void Instance::tell_events(bool wanted) noexcept {
   if (!wanted) return events_.remove(*this);
   if (!events_.add(*this)) log_.error("{}: too many listen to the events of the unit", bus_name());
+}
+
+void Instance::begin_recording() noexcept {
+  const auto begun = recording_.start(*configuration_.record, read_clock());
+  if (!begun) log_.error("recording: {}", begun.error().message);
 }
 
 void Instance::on_tap(bool is_open) noexcept {

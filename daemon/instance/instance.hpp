@@ -17,6 +17,7 @@
 #include "daemon/instance/unit_memory.hpp"
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
+#include "daemon/watch/unit_recording.hpp"
 #include "device/device.hpp"
 
 namespace axisd {
@@ -25,9 +26,10 @@ class Instance;
 
 /// What an instance tells of itself.
 enum class Condition : std::uint8_t {
-  Ready,   ///< its boot-up frame is out, for the first time
-  Down,    ///< its bus cannot be used
-  UpAgain  ///< its bus can be used again
+  Ready,    ///< its boot-up frame is out, for the first time
+  Down,     ///< its bus cannot be used
+  UpAgain,  ///< its bus can be used again
+  Off       ///< it is switched off
 };
 
 /// Who runs an instance.
@@ -55,7 +57,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   };
 
   /// Opens the bus that @p configuration names, with the state in @p folder; all arguments must outlive this.
-  /// Throws bus::OpenError or std::system_error.
+  /// Throws bus::OpenError, ConfigurationError or std::system_error.
   Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
            InstanceListener& listener);
   /// The same on a bus that was opened already.
@@ -69,7 +71,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   void load() { memory_.load(); }
   /// Power-on: onto the bus, if that is there.
   void start() noexcept;
-  /// What a turn may have changed without telling.
+  /// What something else than a turn may have changed without telling.
   void look_around() noexcept;
   /// Power-off: the drives coast, and what survives is on the disk.
   void power_off() noexcept;
@@ -97,6 +99,8 @@ class Instance final : private device::Listener, private Station, private TapOwn
   /// Where the frames of the unit can be heard, and what happens in it.
   FrameTap& frames() noexcept { return frames_; }
   EventWatch& events() noexcept { return events_; }
+  /// What is kept of both in files.
+  UnitRecording& recording() noexcept { return recording_; }
   /// Whether InstanceListener::on_event() is called from now on.
   void tell_events(bool wanted) noexcept;
 
@@ -122,6 +126,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
     std::span<const canopen::Subscription> subscriptions() const noexcept override {
       return instance_.subscriptions();
     }
+    void on_turn_over() noexcept override { instance_.on_turn_over(); }
     void on_link_lost() noexcept override { instance_.on_link_lost(); }
     void on_burst_end() noexcept override { instance_.on_burst_end(); }
     void on_error_state(bus::ErrorState state) noexcept override { instance_.on_error_state(state); }
@@ -155,10 +160,12 @@ class Instance final : private device::Listener, private Station, private TapOwn
   std::span<const canopen::Subscription> subscriptions() const noexcept override {
     return device_.subscriptions();
   }
+  void on_turn_over() noexcept override { look_around(); }
   void on_link_lost() noexcept override;
   void on_burst_end() noexcept override;
   void on_error_state(bus::ErrorState state) noexcept override;
 
+  void begin_recording() noexcept;
   void on_tap(bool is_open) noexcept override;
   void on_event(const UnitEvent& event) noexcept override { listener_.on_event(*this, event); }
   void tell(record::EventKind kind, bool active) noexcept;
@@ -181,6 +188,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   Heard heard_{*this};
   FrameTap frames_{bus_.queue(), *this};
   EventWatch events_{device_, frames_};
+  UnitRecording recording_;
   std::vector<LoadTorque> load_torques_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;

@@ -21,6 +21,8 @@ class Station {
   virtual void on_time(canopen::TimePoint now) noexcept = 0;
   /// When on_time() is wanted next; kNever if nothing is pending.
   virtual canopen::TimePoint next_deadline() const noexcept = 0;
+  /// A turn is over.
+  virtual void on_turn_over() noexcept {}
   /// What must be received (see canopen::Node::subscriptions()).
   virtual std::span<const canopen::Subscription> subscriptions() const noexcept = 0;
 

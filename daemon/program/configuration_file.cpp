@@ -47,6 +47,13 @@ void override_with(Configuration& configuration, const Options& options) {
         fmt::format("--axes: expected the axis that {} is connected to, got {}", *refused, *options.axes)};
 }
 
+/// An option that says something of one unit, if there is any.
+const char* option_of_one_unit(const Options& options) {
+  if (options.interface) return "--interface";
+  if (options.node_id) return "--node-id";
+  return options.axes ? "--axes" : nullptr;
+}
+
 }  // namespace
 
 tl::expected<std::string, std::string> read_text_file(const std::string& file) {
@@ -55,14 +62,19 @@ tl::expected<std::string, std::string> read_text_file(const std::string& file) {
   return tl::unexpected{fmt::format("{}: cannot be read: {}", file, content.error().reason())};
 }
 
-Configuration load_configuration(const Options& options) {
-  Configuration configuration;
+UnitsConfiguration load_configuration(const Options& options) {
+  UnitsConfiguration configuration;
   if (!options.config_file.empty()) {
     const auto text = read_text_file(options.config_file);
     if (!text) throw ConfigurationError{text.error()};
     configuration = parse_configuration(*text, options.config_file, MotorFolders{});
   }
-  override_with(configuration, options);
+  if (configuration.is_list) {
+    if (const char* const option = option_of_one_unit(options))
+      throw UsageError{fmt::format("{}: expected nothing beside the units of {}", option, options.config_file)};
+    return configuration;
+  }
+  override_with(configuration.units.front(), options);
   return configuration;
 }
 

@@ -1,78 +1,53 @@
 #include "daemon/program/program.hpp"
 
-#include <sys/epoll.h>
+#include <algorithm>
+#include <chrono>
 
-#include "daemon/program/control_handlers.hpp"
+#include <poll.h>
+
+#include "daemon/base/clock.hpp"
 
 namespace axisd {
+namespace {
 
-Program::Unit::Unit(const Configuration& configuration, const std::filesystem::path& state_root, const Log& log,
-                    InstanceListener& listener)
-    : lock{state_root, configuration.address, configuration.node_id},
-      instance{configuration, lock.directory(), log, listener} {
-  if (configuration.node_id == kAddressSwitchOff) lock.serve(configuration.address, instance.device().node_id());
-  instance.load();
+/// From now until @p when, rounded up; nothing to wait for is negative.
+int milliseconds_until(canopen::TimePoint when) noexcept {
+  constexpr canopen::Duration kLongest = std::chrono::hours{1};
+  if (when == canopen::kNever) return -1;
+  const canopen::Duration left = std::clamp(when - read_clock(), canopen::Duration{0}, kLongest);
+  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
 }
 
-Program::Program(std::span<const Assignment> assignments, const std::filesystem::path& state_root, const Log& log)
+}  // namespace
+
+/// The fleet before the signals are caught: whoever waits for a bus can be ended.
+Program::Program(const Assignment& assignment, const Log& log)
     : log_{log},
-      notification_{assignments.size()},
-      units_{make_units(assignments, state_root)},
+      notification_{assignment.units.size()},
+      fleet_{assignment.units, assignment.threads, assignment.state_root, log, *this},
       events_{[this] { stop(); }},
-      loop_{*this} {
-  loop_.watch(events_.descriptor());
-  auto unit = units_.begin();
-  for (const Assignment& assignment : assignments) {
-    attach(unit->instance);
-    if (!assignment.control.empty()) open_control(unit->instance, assignment.control);
-    ++unit;
-  }
+      watchdog_{fleet_} {
+  if (!assignment.control.empty())
+    dispatcher_.emplace(events_, assignment.control, fleet_, queue_, [this] { stop(); });
   events_.dispatch();  // makes room for as many as are watched now, which it would do with the first of them
 }
 
-/// Before the signals are caught: whoever waits for a bus can be ended.
-std::list<Program::Unit> Program::make_units(std::span<const Assignment> assignments,
-                                             const std::filesystem::path& state_root) {
-  std::list<Unit> units;
-  for (const Assignment& assignment : assignments)
-    units.emplace_back(assignment.configuration, state_root, log_, notification_);
-  return units;
+void Program::run() {
+  fleet_.start();
+  while (!stopping_) wait();
+  Notification::on_stopping();
+  fleet_.stop();
 }
 
-void Program::attach(Instance& instance) {
-  loop_.add(instance.bus());
-  for (const Instance::RareSource& source : instance.rare_sources()) {
-    watched_.push_back(source);
-    sources_.push_back(events_.watch(source.descriptor, EPOLLIN, &Program::on_rare, &watched_.back()));
-  }
-}
-
-void Program::open_control(Instance& instance, const std::string& path) {
-  controls_.emplace_back(events_, path, [this, &instance](std::string_view line) {
-    return answer_request({instance, [this] { stop(); }}, line);
-  });
-}
-
-int Program::on_rare(sd_event_source*, int, std::uint32_t, void* watched) noexcept {
-  const auto& source = *static_cast<const Instance::RareSource*>(watched);
-  (source.instance->*source.handle)();
-  return 0;
-}
-
-void Program::on_chores(canopen::TimePoint now) noexcept {
+/// Until something rare has happened, and handles it.
+void Program::wait() {
+  const canopen::TimePoint deadline = std::min(watchdog_.due(), log_.due());
+  pollfd rare{events_.descriptor(), POLLIN, 0};
+  if (!more_) ::poll(&rare, 1, milliseconds_until(deadline));
+  more_ = events_.dispatch();
+  const canopen::TimePoint now = read_clock();
   watchdog_.on_time(now);
   if (log_.due() <= now) log_.tell_left_out(now);
-}
-
-void Program::run() {
-  for (Unit& unit : units_) unit.instance.start();
-  while (!stopping_) {
-    loop_.turn();
-    for (Unit& unit : units_) unit.instance.look_around();
-  }
-  Notification::on_stopping();
-  for (Unit& unit : units_) unit.instance.power_off();
-  log_.info("power-off");
 }
 
 }  // namespace axisd

@@ -1,37 +1,38 @@
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
-#include <list>
-#include <span>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "daemon/base/log.hpp"
-#include "daemon/instance/instance.hpp"
-#include "daemon/program/control_server.hpp"
-#include "daemon/program/event_loop.hpp"
-#include "daemon/program/instance_lock.hpp"
+#include "daemon/base/service_events.hpp"
+#include "daemon/configuration/configuration.hpp"
+#include "daemon/fleet/fleet.hpp"
 #include "daemon/program/notification.hpp"
-#include "daemon/program/service_events.hpp"
 #include "daemon/program/watchdog.hpp"
+#include "daemon/server/dispatcher.hpp"
 
 namespace axisd {
 
-/// A unit to be served.
+/// What the program serves.
 struct Assignment {
-  Configuration configuration;
-  std::string control;  ///< path of its control socket; empty: none
+  std::vector<Configuration> units;    ///< at least one
+  std::size_t threads = 1;             ///< that the units are spread over
+  std::string control;                 ///< path of the control socket; empty: none
+  std::filesystem::path state_root{};  ///< the states of the units lie below it
 };
 
-/// The running program: its instances on one EventLoop; sd-event serves what is rare.
-class Program final : private Service {
+/// The running program. Its thread does what is rare for all units: signals, the control socket, systemd; the
+/// units run on the threads of the fleet.
+class Program final : private InstanceListener {
  public:
-  /// Opens all that @p assignments name, which outlive this, with the states below @p state_root. Throws
-  /// InstanceError, bus::OpenError or std::system_error.
-  Program(std::span<const Assignment> assignments, const std::filesystem::path& state_root, const Log& log);
-  ~Program() override = default;
+  /// Opens all that @p assignment names, which outlives this. Throws InstanceError, bus::OpenError or
+  /// std::system_error.
+  Program(const Assignment& assignment, const Log& log);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
+  ~Program() override = default;
 
   /// Serves until stop(), SIGTERM, SIGINT or SIGHUP.
   void run();
@@ -39,31 +40,22 @@ class Program final : private Service {
   void stop() noexcept { stopping_ = true; }
 
  private:
-  /// An instance, and what keeps others from its node.
-  struct Unit {
-    Unit(const Configuration& configuration, const std::filesystem::path& state_root, const Log& log,
-         InstanceListener& listener);
-    InstanceLock lock;
-    Instance instance;
-  };
-
-  std::list<Unit> make_units(std::span<const Assignment> assignments, const std::filesystem::path& state_root);
-  bool on_rare_event() noexcept override { return events_.dispatch(); }
-  void on_chores(canopen::TimePoint now) noexcept override;
-  canopen::TimePoint next_chores() const noexcept override { return std::min(watchdog_.due(), log_.due()); }
-  void attach(Instance& instance);
-  void open_control(Instance& instance, const std::string& path);
-  static int on_rare(sd_event_source* source, int descriptor, std::uint32_t events, void* watched) noexcept;
+  void on_condition(const Instance& instance, Condition condition) noexcept override {
+    notification_.on_condition(instance, condition);
+  }
+  void on_event(const Instance& instance, const UnitEvent& event) noexcept override {
+    queue_.add({&instance.configuration(), instance.started(), event});
+  }
+  void wait();
 
   const Log& log_;
   Notification notification_;
-  std::list<Unit> units_;
+  EventQueue queue_;
+  Fleet fleet_;
   ServiceEvents events_;
-  EventLoop loop_;
   Watchdog watchdog_;
-  std::list<Instance::RareSource> watched_;
-  std::list<EventSource> sources_;
-  std::list<ControlServer> controls_;
+  std::optional<Dispatcher> dispatcher_;
+  bool more_ = false;  ///< events wait, whatever the descriptor says
   bool stopping_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "daemon/watch/frame_tap.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "daemon/base/clock.hpp"
@@ -20,7 +21,7 @@ void FrameTap::remove(FrameListener& listener) noexcept {
 }
 
 void FrameTap::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
-  now_ = now;
+  on_time(now);
   tell(frame, Direction::Received, now);
 }
 
@@ -30,8 +31,12 @@ void FrameTap::on_handled() noexcept {
 }
 
 void FrameTap::send(const canopen::Frame& frame, canopen::Delivery delivery) {
-  tell(frame, Direction::Sent, now_ == canopen::kNever ? read_clock() : now_);
+  tell(frame, Direction::Sent, now());
   bus_.send(frame, delivery);
+}
+
+canopen::TimePoint FrameTap::now() const noexcept {
+  return now_ == canopen::kNever ? std::max(told_, read_clock()) : now_;
 }
 
 canopen::TimePoint FrameTap::next_deadline() const noexcept {

@@ -48,10 +48,13 @@ class FrameTap final : public canopen::FrameSink {
   /// @p frame has come at @p now; on_handled() follows.
   void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept;
   /// The unit is about to be told the time; on_handled() follows.
-  void on_time(canopen::TimePoint now) noexcept { now_ = now; }
+  void on_time(canopen::TimePoint now) noexcept { told_ = now_ = now; }
   void on_handled() noexcept;
   /// A frame that the unit sends: heard, and handed on.
   void send(const canopen::Frame& frame, canopen::Delivery delivery) override;
+  /// The time that holds for what happens now: that which the unit is being told, or else the present. It does not
+  /// go back.
+  canopen::TimePoint now() const noexcept;
   /// The earliest deadline of the listeners.
   canopen::TimePoint next_deadline() const noexcept;
 
@@ -62,6 +65,7 @@ class FrameTap final : public canopen::FrameSink {
   TapOwner& owner_;
   Listeners<FrameListener> listeners_;
   canopen::TimePoint now_ = canopen::kNever;  ///< kNever: what the unit does now has another cause
+  canopen::TimePoint told_{};                 ///< the last one
 };
 
 }  // namespace axisd

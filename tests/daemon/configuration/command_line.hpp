@@ -9,11 +9,12 @@
 
 namespace axisd {
 
-/// The configuration that `axisd` takes from the command line @p words.
+/// The one unit that `axisd` takes from the command line @p words.
 inline Configuration configuration_of(const std::vector<std::string>& words) {
   std::vector<const char*> arguments{"axisd"};
   for (const std::string& word : words) arguments.push_back(word.c_str());
-  return load_configuration(parse_command_line(static_cast<int>(arguments.size()), arguments.data()).value());
+  return load_configuration(parse_command_line(static_cast<int>(arguments.size()), arguments.data()).value())
+      .units.at(0);
 }
 
 }  // namespace axisd

@@ -8,9 +8,9 @@
 
 namespace axisd {
 
-/// The configuration that @p text says as the content of @p file, with the motors that the program finds.
+/// The one unit that @p text describes as the content of @p file, with the motors that the program finds.
 inline Configuration parse_configuration(std::string_view text, const std::string& file) {
-  return parse_configuration(text, file, MotorFolders{});
+  return parse_configuration(text, file, MotorFolders{}).units.at(0);
 }
 
 }  // namespace axisd

@@ -51,12 +51,16 @@ def sample(node):
         if "const" in other:
             return other["const"]
         if other.get("type") in ("number", "integer"):
+            if "examples" in other:
+                return other["examples"][0]
             return max(1, other.get("minimum", 1))
         if other.get("type") == "array":
             if "prefixItems" in other:
                 return [sample(item) for item in other["prefixItems"]]
             item = sample(other["items"])
             return [[0] * len(item), item] if isinstance(item, list) else [item]
+        if "properties" in other:
+            return {key: sample(other["properties"][key]) for key in other.get("required", [])}
     raise ValueError(f"no sample of {node}")
 
 
@@ -92,6 +96,9 @@ def answers(configurations):
 
 def with_induction_motor(configuration):
     """The same with the other type of motor, which has a plant of its own."""
+    units = configuration.get("units") if isinstance(configuration, dict) else None
+    if isinstance(units, list):
+        return {**configuration, "units": [with_induction_motor(unit) for unit in units]}
     axes = configuration.get("axes") if isinstance(configuration, dict) else None
     axis = axes[0] if isinstance(axes, list) and axes else None
     if not isinstance(axis, dict) or "plant" not in axis:

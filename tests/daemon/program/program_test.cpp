@@ -1,7 +1,6 @@
-// The program with more than one unit: each has its bus, state and control socket, and none keeps another waiting.
+// The program with more than one unit: each has its node and its state, and one control socket serves both.
 #include "daemon/program/program.hpp"
 
-#include <array>
 #include <cstdlib>
 #include <thread>
 
@@ -18,12 +17,12 @@ namespace {
 
 using nlohmann::json;
 
-/// Two units on one bus, run in a thread of the test.
-class TwoUnits : public testing::Test {
+/// Two units on one bus, on one thread or on two; the program itself runs in a thread of the test.
+class TwoUnits : public testing::TestWithParam<std::size_t> {
  protected:
   TwoUnits() {
     setenv("NOTIFY_SOCKET", folder.path("notify").c_str(), 1);
-    program.emplace(assignments, folder.path("state"), log);
+    program.emplace(assignment, log);
     thread = std::thread{[this] { program->run(); }};
   }
   ~TwoUnits() override {
@@ -32,51 +31,54 @@ class TwoUnits : public testing::Test {
   }
   void end() {
     if (!thread.joinable()) return;
-    EXPECT_TRUE(ask(0, "quit").contains("result"));
+    EXPECT_TRUE(ask("", "quit").contains("result"));
     thread.join();
   }
 
-  /// The answer of unit @p number to @p method.
-  json ask(std::size_t number, const char* method, const json& params = json::object()) {
-    e2e::ControlClient client{assignments.at(number).control};
+  /// The answer to @p method of unit @p name, of the program if that is empty.
+  json ask(const std::string& name, const char* method, json params = json::object()) {
+    if (!name.empty()) params["unit"] = name;
+    e2e::ControlClient client{assignment.control};
     return client.ask({{"id", 1}, {"method", method}, {"params", params}});
   }
-  json status(std::size_t number) { return ask(number, "status").at("result"); }
-  Assignment assignment(int node_id) const {
-    Assignment unit;
-    unit.configuration.address = bus::parse_address("unix:" + hub.path()).value();
-    unit.configuration.node_id = node_id;
-    unit.control = folder.path("node-" + std::to_string(node_id) + ".sock");
-    return unit;
+  json status(const std::string& name) { return ask(name, "status").at("result"); }
+  Configuration unit(int node_id) const {
+    Configuration configuration;
+    configuration.address = bus::parse_address("unix:" + hub.path()).value();
+    configuration.node_id = node_id;
+    return configuration;
   }
 
   hub_test::RunningHub hub;
   fakes::TemporaryDirectory folder;
   e2e::NotifySocket manager{folder.path("notify")};
-  std::array<Assignment, 2> assignments{assignment(5), assignment(6)};
+  Assignment assignment{.units = {unit(5), unit(6)},
+                        .threads = GetParam(),
+                        .control = folder.path("axisd.sock"),
+                        .state_root = folder.path("state")};
   Log log{LogLevel::Error};
   std::optional<Program> program;
   std::thread thread;
 };
 
-TEST_F(TwoUnits, AreReadyWhenBothAre) {
+TEST_P(TwoUnits, AreReadyWhenBothAre) {
   ASSERT_TRUE(manager.wait_for("READY=1"));
   EXPECT_EQ(manager.messages().size(), 2U) << "the first one tells its STATUS only";
-  EXPECT_NE(manager.messages().front().find("STATUS=node "), std::string::npos);
+  EXPECT_EQ(manager.messages().front(), "STATUS=1 of 2 units on their bus");
 }
 
-TEST_F(TwoUnits, AnswerForThemselves) {
+TEST_P(TwoUnits, AnswerForThemselves) {
   ASSERT_TRUE(manager.wait_for("READY=1"));
-  EXPECT_EQ(status(0).at("node_id"), 5);
-  EXPECT_EQ(status(1).at("node_id"), 6);
+  EXPECT_EQ(status("5").at("node_id"), 5);
+  EXPECT_EQ(status("6").at("node_id"), 6);
 
-  EXPECT_EQ(ask(1, "load.set", {{"axis", 1}, {"torque_Nm", 3}}).at("result"), json::object());
+  EXPECT_EQ(ask("6", "load.set", {{"axis", 1}, {"torque_Nm", 3}}).at("result"), json::object());
 
-  EXPECT_EQ(status(0).at("axes").at(0).at("load_torque_Nm"), 0.0);
-  EXPECT_EQ(status(1).at("axes").at(0).at("load_torque_Nm"), 3.0);
+  EXPECT_EQ(status("5").at("axes").at(0).at("load_torque_Nm"), 0.0);
+  EXPECT_EQ(status("6").at("axes").at(0).at("load_torque_Nm"), 3.0);
 }
 
-TEST_F(TwoUnits, SaveTheirStatesAtPowerOff) {
+TEST_P(TwoUnits, SaveTheirStatesAtPowerOff) {
   ASSERT_TRUE(manager.wait_for("READY=1"));
   end();
   std::size_t saved = 0;
@@ -84,6 +86,42 @@ TEST_F(TwoUnits, SaveTheirStatesAtPowerOff) {
     if (entry.path().filename() == "retained.bin") ++saved;
   EXPECT_EQ(saved, 2U);
 }
+
+TEST_P(TwoUnits, AreNamed) {
+  ASSERT_TRUE(manager.wait_for("READY=1"));
+  const json units = ask("", "units").at("result").at("units");
+  ASSERT_EQ(units.size(), 2U);
+  const std::string first = units[0].at("unit");
+  EXPECT_TRUE(first.ends_with("/5")) << first;
+
+  EXPECT_EQ(status(first).at("node_id"), 5);
+  EXPECT_EQ(status("unix:" + hub.path() + "/6").at("node_id"), 6);
+}
+
+TEST_P(TwoUnits, AreToBeChosen) {
+  ASSERT_TRUE(manager.wait_for("READY=1"));
+  const json neither = ask("", "status").at("error");
+  EXPECT_EQ(neither.at("message").get<std::string>().find("unit: expected one of "), 0U) << neither;
+  EXPECT_EQ(ask("7", "status").at("error").at("message"), "unit: expected a unit of this daemon, got \"7\"");
+  EXPECT_EQ(ask("", "status", {{"unit", true}}).at("error").at("message"),
+            "unit: expected a node-ID or BUS/NODE, got true");
+}
+
+TEST_P(TwoUnits, AreSwitchedOffAndOnOneByOne) {
+  ASSERT_TRUE(manager.wait_for("READY=1"));
+  EXPECT_EQ(ask("6", "load.set", {{"axis", 1}, {"torque_Nm", 3}}).at("result"), json::object());
+
+  EXPECT_EQ(ask("6", "unit.off").at("result"), json::object());
+  EXPECT_TRUE(ask("6", "status").at("error").at("message").get<std::string>().ends_with("(unit.on)"));
+  EXPECT_EQ(status("5").at("node_id"), 5) << "the other one runs on";
+  EXPECT_EQ(ask("6", "unit.off").at("result"), json::object()) << "it is off already";
+
+  EXPECT_EQ(ask("6", "unit.on").at("result"), json::object());
+  EXPECT_EQ(status("6").at("axes").at(0).at("load_torque_Nm"), 0.0) << "as configured";
+  EXPECT_EQ(status("6").at("memory").at("retained"), "in use") << "what survives was on the disk";
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, TwoUnits, testing::Values(1U, 2U));
 
 }  // namespace
 }  // namespace axisd

@@ -1,10 +1,10 @@
-#include "daemon/program/service_events.hpp"
+#include "daemon/base/service_events.hpp"
 
 #include <csignal>
 
 #include <gtest/gtest.h>
 
-#include "tests/daemon/program/control_client.hpp"
+#include "tests/daemon/server/control_client.hpp"
 
 namespace axisd {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/program/service_events.hpp"
+#include "daemon/base/service_events.hpp"
 #include "os/descriptor.hpp"
 
 namespace axisd {

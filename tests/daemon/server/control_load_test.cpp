@@ -5,15 +5,15 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "tests/daemon/program/control_server_fixture.hpp"
+#include "tests/daemon/server/control_server_fixture.hpp"
 
 namespace axisd {
 namespace {
 
-TEST_F(ControlServerTest, MakesRoomForTheClientBeyond64) {
+TEST_F(ControlServerTest, MakesRoomForTheClientBeyond256) {
   serve();
   std::list<ControlClient> clients;
-  for (int i = 0; i < 64; ++i) {
+  for (int i = 0; i < 256; ++i) {
     clients.emplace_back(events, path).send("hello\n");
     EXPECT_EQ(clients.back().line(), "(hello)");
   }
@@ -26,7 +26,7 @@ TEST_F(ControlServerTest, MakesRoomForTheClientBeyond64) {
 
   ControlClient& idle = *std::next(clients.begin());
   EXPECT_EQ(idle.line(),
-            R"({"error":{"message":"the connection was idle, and others need its place"},"id":null})");
+            R"({"error":{"code":"overflow","message":"the connection was idle, and others need its place"},"id":null})");
   EXPECT_EQ(idle.line(), "");
   clients.front().send("still there\n");
   EXPECT_EQ(clients.front().line(), "(still there)");
@@ -34,7 +34,8 @@ TEST_F(ControlServerTest, MakesRoomForTheClientBeyond64) {
 
 TEST_F(ControlServerTest, AnswersOneRequestAnEventHoweverManyWait) {
   int answered = 0;
-  server.emplace(events, path, [&](std::string_view line) { return ++answered, echo(line); });
+  on_line = [&](ControlServer::ClientId, std::string_view) { ++answered; };
+  serve();
   std::list<ControlClient> clients;
   for (int i = 0; i < 60; ++i) {
     clients.emplace_back(events, path);
@@ -53,7 +54,8 @@ TEST_F(ControlServerTest, AnswersOneRequestAnEventHoweverManyWait) {
 
 TEST_F(ControlServerTest, LetsClientsTakeTurns) {
   std::string order;
-  server.emplace(events, path, [&](std::string_view line) { return order += line, echo(line); });
+  on_line = [&](ControlServer::ClientId, std::string_view line) { order += line; };
+  serve();
   ControlClient first{events, path};
   ControlClient second{events, path};
   settle(events);

@@ -1,4 +1,4 @@
-#include "daemon/program/control_server.hpp"
+#include "daemon/server/control_server.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,13 +14,15 @@
 
 #include "control/protocol.hpp"
 #include "control/socket_name.hpp"
-#include "daemon/program/instance_lock.hpp"
+#include "daemon/base/instance_error.hpp"
 
 namespace axisd {
 namespace {
 
-constexpr std::size_t kMostClients = 64;
-constexpr int kBacklog = 16;
+constexpr std::size_t kMostClients = 256;
+/// What a client may leave unread of the lines that it has subscribed to (bytes).
+constexpr std::size_t kMostUnread = std::size_t{1} << 20;
+constexpr int kBacklog = 128;
 /// From a connection that could not be accepted to the next try.
 constexpr std::chrono::seconds kPause{1};
 
@@ -70,8 +72,8 @@ bool has_line(std::string_view text) noexcept {
 
 }  // namespace
 
-ControlServer::ControlServer(ServiceEvents& events, std::string path, Answer answer)
-    : events_{events}, path_{std::move(path)}, answer_{std::move(answer)}, listener_{listen_at(path_)} {
+ControlServer::ControlServer(ServiceEvents& events, std::string path, Requests& requests)
+    : events_{events}, path_{std::move(path)}, requests_{requests}, listener_{listen_at(path_)} {
   source_ = events_.watch(listener_.get(), EPOLLIN, &ControlServer::on_connection, this);
   pause_ = events_.timer(&ControlServer::on_pause_over, this);
 }
@@ -99,7 +101,7 @@ void ControlServer::accept() {
     return;
   }
   if (clients_.size() >= kMostClients) make_room();
-  Client& client = clients_.emplace_back(Client{this, std::move(descriptor), nullptr, {}, {}});
+  Client& client = clients_.emplace_back(Client{this, ++last_id_, std::move(descriptor), nullptr});
   client.source = events_.watch(client.descriptor.get(), EPOLLIN, &ControlServer::on_client, &client);
 }
 
@@ -114,24 +116,36 @@ int ControlServer::on_pause_over(sd_event_source*, std::uint64_t, void* self) no
   return 0;
 }
 
+/// Who has subscribed to something makes room only where all have.
 void ControlServer::make_room() {
-  Client& client = clients_.front();
+  const auto idle = std::ranges::find(clients_, false, &Client::is_kept);
+  Client& client = idle == clients_.end() ? clients_.front() : *idle;
   refuse(client, "the connection was idle, and others need its place");
   static_cast<void>(flush(client));
   close(client);
 }
 
 void ControlServer::close(const Client& client) {
-  clients_.remove_if([&](const Client& known) { return &known == &client; });
+  const ClientId id = client.id;
+  clients_.remove_if([&](const Client& known) { return known.id == id; });
+  requests_.on_client_gone(id);
+}
+
+ControlServer::Client* ControlServer::find(ClientId id) noexcept {
+  const auto found = std::ranges::find(clients_, id, &Client::id);
+  return found == clients_.end() ? nullptr : &*found;
 }
 
 /// False if the client is to be closed.
 bool ControlServer::serve(Client& client, std::uint32_t events) {
+  if ((events & (EPOLLHUP | EPOLLERR)) != 0) return false;
   if ((events & EPOLLIN) != 0 && !read(client)) return false;
-  if (client.output.empty()) answer_line(client);
+  if (!client.is_busy && client.output.empty()) take_line(client);
   const bool too_long = client.input.size() >= control::kMaximumLine && !has_line(client.input);
   if (too_long) refuse(client, fmt::format("a request is longer than {} bytes", control::kMaximumLine));
-  return flush(client) && !too_long;
+  if (!flush(client) || too_long) return false;
+  listen_to(client);
+  return true;
 }
 
 bool ControlServer::read(Client& client) {
@@ -142,16 +156,49 @@ bool ControlServer::read(Client& client) {
   return true;
 }
 
-void ControlServer::answer_line(Client& client) {
+void ControlServer::take_line(Client& client) {
   const std::size_t end = client.input.find('\n');
   if (end == std::string::npos) return;
-  client.output += answer_(std::string_view{client.input}.substr(0, end));
+  const std::string line = client.input.substr(0, end);
   client.input.erase(0, end + 1);
   const auto place = std::ranges::find(clients_, &client, [](const Client& known) { return &known; });
   clients_.splice(clients_.end(), clients_, place);
+  client.is_busy = true;
+  taking_ = client.id;
+  requests_.on_request(client.id, line);
+  taking_ = kNobody;
+}
+
+void ControlServer::answer(ClientId id, std::string_view line) {
+  Client* const client = find(id);
+  if (client == nullptr) return;
+  client->is_busy = false;
+  client->output += line;
+  deliver(*client);
+}
+
+/// Whose request is being taken is looked after behind it.
+void ControlServer::deliver(Client& client) {
+  if (client.id == taking_) return;
+  if (!flush(client)) return close(client);
+  listen_to(client);
+}
+
+void ControlServer::push(ClientId id, std::string_view line) {
+  Client* const client = find(id);
+  if (client == nullptr) return;
+  client->output += line;
+  if (client->output.size() <= kMostUnread || id == taking_) return deliver(*client);
+  ++counters_.cut_off;
+  close(*client);
+}
+
+void ControlServer::keep(ClientId id, bool kept) noexcept {
+  if (Client* const client = find(id)) client->is_kept = kept;
 }
 
 void ControlServer::refuse(Client& client, std::string_view message) {
+  ++counters_.refused;
   client.output += control::error_line(nullptr, {control::ErrorCode::Overflow, std::string{message}});
 }
 
@@ -161,11 +208,15 @@ bool ControlServer::flush(Client& client) {
                                                     client.output.size(), MSG_NOSIGNAL);
   if (sent < 0 && errno != EAGAIN && errno != EINTR) return false;
   if (sent > 0) client.output.erase(0, static_cast<std::size_t>(sent));
-  // A client that does not read its answers is asked for no more requests until it does; one whose requests wait
-  // here is served again when it could take the answer.
-  const bool waits = !client.output.empty() || has_line(client.input);
-  sd_event_source_set_io_events(client.source.get(), waits ? EPOLLOUT : EPOLLIN);
   return true;
+}
+
+/// A client that does not read its answers, or has a request under way, is asked for no more requests until then;
+/// one whose requests wait here is served again when it could take the answer.
+void ControlServer::listen_to(Client& client) {
+  const bool writes = !client.output.empty() || (!client.is_busy && has_line(client.input));
+  const std::uint32_t events = writes ? EPOLLOUT : client.is_busy ? 0U : EPOLLIN;
+  sd_event_source_set_io_events(client.source.get(), events);
 }
 
 }  // namespace axisd

@@ -1,18 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 
 #include "can/port/address.hpp"
+#include "daemon/base/instance_error.hpp"
 #include "os/descriptor.hpp"
 
 namespace axisd {
-
-/// Another axisd already serves this bus and node-ID, or its state directory cannot be used.
-struct InstanceError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Where the state of all instances lies: @p given, else $STATE_DIRECTORY, else
 /// ${XDG_STATE_HOME:-~/.local/state}/axisd.

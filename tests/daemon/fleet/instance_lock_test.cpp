@@ -1,4 +1,4 @@
-#include "daemon/program/instance_lock.hpp"
+#include "daemon/fleet/instance_lock.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "daemon/program/event_loop.hpp"
+#include "daemon/loop/event_loop.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -2,10 +2,9 @@
 
 #include <vector>
 
-#include <poll.h>
-
 #include "daemon/instance/bus_turn.hpp"
-#include "daemon/program/wake_up.hpp"
+#include "daemon/loop/port_watch.hpp"
+#include "daemon/loop/wake_up.hpp"
 #include "os/pollable.hpp"
 
 namespace axisd {
@@ -25,31 +24,39 @@ class Service {
   virtual canopen::TimePoint next_chores() const noexcept { return canopen::kNever; }
 };
 
-/// The loop of the program: waits for what any of its buses has to do, gives each its turn, and then looks after
-/// what is rare.
+/// The loop of a thread: waits for what any of its buses has to do, gives those a turn that have, and then looks
+/// after what is rare.
 ///
-/// A turn is one poll over the ports' descriptors and an epoll descriptor that stands for the timer and for
-/// everything rare. A request that comes alone costs poll, read and send. What is rare gets one event a turn.
+/// A turn is one system call that waits for the ports and for an epoll descriptor, which stands for the timer and
+/// for everything rare. A request that comes alone costs that, read and send. What is rare gets one event a turn.
 class EventLoop {
  public:
   /// @p service outlives it. Throws std::system_error.
   explicit EventLoop(Service& service);
 
-  /// Gives @p bus, which outlives this, its turns.
+  /// Gives @p bus, which outlives this or is removed, its turns. Throws std::system_error.
   void add(BusTurn& bus);
+  /// Gives @p bus no turn any more.
+  void remove(BusTurn& bus) noexcept;
+  /// Something beside its turns may have changed what @p bus waits for. A few buses are looked at before every
+  /// turn without being told.
+  void refresh(const BusTurn& bus) noexcept;
   /// Calls Service::on_rare_event() while @p descriptor is readable. Throws std::system_error.
   void watch(int descriptor);
   /// Waits for the next event and handles all that is due.
   void turn() noexcept;
 
  private:
+  void refresh(std::size_t place) noexcept;
+  canopen::TimePoint earliest() const noexcept;
   void look_after_others() noexcept;
 
   Service& service_;
   std::vector<BusTurn*> buses_;
-  std::vector<pollfd> polled_;  ///< a port each, in the order of the buses, and the others
+  std::vector<canopen::TimePoint> due_;  ///< when each bus wants its next turn, as of the last one
+  os::Pollable others_;                  ///< over the timer and what is watched
+  PortWatch ports_;
   WakeUp wake_up_;
-  os::Pollable others_;       ///< over the timer and what is watched
   canopen::TimePoint now_{};  ///< of the last turn
   bool rare_waits_ = true;    ///< whatever the descriptors say; at first nobody has looked
   unsigned rings_in_a_row_ = 0;

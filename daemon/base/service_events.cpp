@@ -1,4 +1,4 @@
-#include "daemon/program/service_events.hpp"
+#include "daemon/base/service_events.hpp"
 
 #include <csignal>
 #include <system_error>

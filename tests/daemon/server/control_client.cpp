@@ -1,4 +1,4 @@
-#include "tests/daemon/program/control_client.hpp"
+#include "tests/daemon/server/control_client.hpp"
 
 #include <array>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "daemon/program/control_server.hpp"
+#include "daemon/server/control_server.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -10,7 +10,7 @@
 
 #include "control/protocol.hpp"
 #include "control/socket_name.hpp"
-#include "tests/daemon/program/control_server_fixture.hpp"
+#include "tests/daemon/server/control_server_fixture.hpp"
 
 namespace axisd {
 namespace {
@@ -117,7 +117,7 @@ TEST_F(ControlServerTest, ClosesTheConnectionOfALineThatIsTooLong) {
 
   client.send(std::string(control::kMaximumLine, 'x'));
 
-  EXPECT_EQ(client.line(), R"({"error":{"message":"a request is longer than 65536 bytes"},"id":null})");
+  EXPECT_EQ(client.line(), R"({"error":{"code":"overflow","message":"a request is longer than 65536 bytes"},"id":null})");
   EXPECT_EQ(client.line(), "");
 }
 
@@ -160,6 +160,66 @@ TEST_F(ControlServerTest, StopsListeningToAClientThatNeverReadsAndServesTheOther
   EXPECT_EQ(client.line(), "(hello)");
 
   for (std::size_t i = 0; i < taken / 7; ++i) ASSERT_EQ(deaf.line(), fmt::format("({})", 100'000 + i));
+}
+
+TEST_F(ControlServerTest, HasOneRequestOfAClientUnderWay) {
+  std::vector<ControlServer::ClientId> asked;
+  on_line = [&](ControlServer::ClientId client, std::string_view) { asked.push_back(client); };
+  defers = true;
+  serve();
+  ControlClient slow{events, path};
+  ControlClient other{events, path};
+  slow.send("one\ntwo\n");
+  settle(events);
+  ASSERT_EQ(asked.size(), 1U);
+
+  other.send("hello\n");
+  settle(events);
+  ASSERT_EQ(asked.size(), 2U) << "others need not wait for it";
+  server->answer(asked[1], "hello\n");
+  EXPECT_EQ(other.line(), "hello");
+
+  server->answer(asked[0], "first\n");
+  EXPECT_EQ(slow.line(), "first");
+  settle(events);
+  ASSERT_EQ(asked.size(), 3U);
+  server->answer(asked[2], "second\n");
+  EXPECT_EQ(slow.line(), "second");
+}
+
+TEST_F(ControlServerTest, ForgetsAClientThatHasLeftBeforeItsAnswer) {
+  ControlServer::ClientId asked = ControlServer::kNobody;
+  on_line = [&](ControlServer::ClientId client, std::string_view) { asked = client; };
+  defers = true;
+  serve();
+  {
+    ControlClient hasty{events, path};
+    hasty.send("one\n");
+    settle(events);
+  }
+  settle(events);
+  EXPECT_EQ(server->clients(), 0U);
+
+  server->answer(asked, "too late\n");
+  server->push(asked, "this too\n");
+}
+
+TEST_F(ControlServerTest, CutsOffAClientThatDoesNotReadWhatItGetsUnasked) {
+  ControlServer::ClientId asked = ControlServer::kNobody;
+  on_line = [&](ControlServer::ClientId client, std::string_view) { asked = client; };
+  serve();
+  ControlClient deaf{events, path};
+  deaf.send("subscribe\n");
+  EXPECT_EQ(deaf.line(), "(subscribe)");
+
+  const std::string line = std::string(999, 'x') + '\n';
+  for (int i = 0; i < 5000 && server->clients() == 1; ++i) server->push(asked, line);
+
+  EXPECT_EQ(server->clients(), 0U);
+  EXPECT_EQ(server->counters().cut_off, 1U);
+  ControlClient client{events, path};
+  client.send("hello\n");
+  EXPECT_EQ(client.line(), "(hello)");
 }
 
 TEST_F(ControlServerTest, ClosesItsClientsAtTheEnd) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/record_settings.hpp"
+
+namespace axisd {
+
+/// A recording as the object @p json says; whether its signals exist only the unit knows. Throws
+/// ConfigurationError.
+RecordSettings read_record(const JsonReader& json);
+
+}  // namespace axisd

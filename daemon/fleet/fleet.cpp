@@ -1,0 +1,72 @@
+#include "daemon/fleet/fleet.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace axisd {
+namespace {
+
+using control::ErrorCode;
+
+/// Names in a message, beyond which it says how many more there are.
+constexpr std::size_t kMostNames = 8;
+
+std::string names_of(const std::vector<ServedUnit*>& units) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(units.size(), kMostNames); ++i)
+    names.append(i == 0 ? "" : ", ").append(units[i]->name());
+  if (units.size() > kMostNames) names += fmt::format(" and {} more", units.size() - kMostNames);
+  return names;
+}
+
+/// By the name of the unit, the bus as it was configured, or the node-ID alone.
+bool is_meant(const ServedUnit& unit, std::string_view name) {
+  const Configuration& configuration = unit.configuration();
+  return name.empty() || name == unit.name() || name == std::to_string(configuration.node_id) ||
+         name == fmt::format("{}/{}", configuration.address.text, configuration.node_id);
+}
+
+}  // namespace
+
+Fleet::Fleet(std::span<const Configuration> configurations, std::size_t threads,
+             const std::filesystem::path& state_root, const Log& log, InstanceListener& listener) {
+  for (std::size_t i = 0; i < std::clamp(threads, std::size_t{1}, configurations.size()); ++i)
+    loops_.emplace_back(log);
+  auto loop = loops_.begin();
+  for (const Configuration& configuration : configurations) {
+    const std::string name = configurations.size() > 1 ? name_of(configuration) : "";
+    units_.emplace_back(configuration, state_root, Log{log, name}, *loop, listener);
+    if (++loop == loops_.end()) loop = loops_.begin();
+  }
+  for (ServedUnit& unit : units_) unit.loop().add(*unit.instance());
+}
+
+void Fleet::start() {
+  for (UnitLoop& loop : loops_) loop.start();
+}
+
+void Fleet::stop() noexcept {
+  for (UnitLoop& loop : loops_) loop.stop();
+  for (ServedUnit& unit : units_) {
+    if (unit.instance() != nullptr) unit.loop().remove(unit.begin_to_switch_off());
+    unit.switch_off();
+  }
+}
+
+tl::expected<ServedUnit*, control::Error> Fleet::find(std::string_view name) {
+  std::vector<ServedUnit*> meant;
+  for (ServedUnit& unit : units_)
+    if (is_meant(unit, name)) meant.push_back(&unit);
+  if (meant.size() == 1) return meant.front();
+  if (meant.empty())
+    return tl::unexpected{control::Error{ErrorCode::UnknownUnit,
+                                         fmt::format("unit: expected a unit of this daemon, got \"{}\"", name)}};
+  return tl::unexpected{
+      control::Error{ErrorCode::UnknownUnit, fmt::format("unit: expected one of {}, got {}", names_of(meant),
+                                                         name.empty() ? "nothing" : fmt::format("\"{}\"", name))}};
+}
+
+}  // namespace axisd

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <list>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "control/error.hpp"
+#include "daemon/fleet/served_unit.hpp"
+
+namespace axisd {
+
+/// All units of the program, and the threads that run them. Its functions belong to the thread that has made it.
+class Fleet {
+ public:
+  /// The units of @p configurations, which outlive this, on @p threads loops (at least one), with their states
+  /// below
+  /// @p state_root. Lines of the log bear the name of their unit where there are several. Throws InstanceError,
+  /// bus::OpenError or std::system_error.
+  Fleet(std::span<const Configuration> configurations, std::size_t threads,
+        const std::filesystem::path& state_root, const Log& log, InstanceListener& listener);
+
+  /// Power-on of all units. Throws std::system_error.
+  void start();
+  /// Power-off of all units.
+  void stop() noexcept;
+
+  std::list<ServedUnit>& units() noexcept { return units_; }
+  std::list<UnitLoop>& loops() noexcept { return loops_; }
+  /// The unit that is meant by @p name: its name, "BUS/NODE", or its node-ID alone, or nothing where there is one.
+  tl::expected<ServedUnit*, control::Error> find(std::string_view name);
+
+ private:
+  std::list<UnitLoop> loops_;
+  std::list<ServedUnit> units_;
+};
+
+}  // namespace axisd

@@ -1,0 +1,82 @@
+#include "daemon/loop/event_loop.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include <sys/epoll.h>
+
+#include "daemon/base/clock.hpp"
+
+namespace axisd {
+namespace {
+
+/// After so many turns in which the timer rang the rare descriptors are looked after in spite of it.
+constexpr unsigned kMostRings = 16;
+
+}  // namespace
+
+EventLoop::EventLoop(Service& service) : service_{service}, ports_{others_.descriptor()} {
+  watch(wake_up_.descriptor());
+}
+
+void EventLoop::add(BusTurn& bus) {
+  buses_.push_back(&bus);
+  due_.push_back(canopen::kNever);
+  ports_.resize(buses_.size());
+  refresh(buses_.size() - 1);
+}
+
+void EventLoop::remove(BusTurn& bus) noexcept {
+  const auto found = std::ranges::find(buses_, &bus);
+  if (found == buses_.end()) return;
+  const auto place = found - buses_.begin();
+  ports_.remove(static_cast<std::size_t>(place));
+  buses_.erase(found);
+  due_.erase(due_.begin() + place);
+}
+
+void EventLoop::refresh(const BusTurn& bus) noexcept {
+  const auto found = std::ranges::find(buses_, &bus);
+  if (found != buses_.end()) refresh(static_cast<std::size_t>(found - buses_.begin()));
+}
+
+void EventLoop::refresh(std::size_t place) noexcept {
+  due_[place] = buses_[place]->next_deadline();
+  ports_.set(place, buses_[place]->descriptor());
+}
+
+void EventLoop::watch(int descriptor) {
+  if (!others_.add(descriptor, EPOLLIN)) throw std::system_error{errno, std::generic_category(), "epoll_ctl"};
+}
+
+canopen::TimePoint EventLoop::earliest() const noexcept {
+  canopen::TimePoint deadline = service_.next_chores();
+  for (const canopen::TimePoint due : due_) deadline = std::min(deadline, due);
+  return deadline;
+}
+
+void EventLoop::turn() noexcept {
+  if (buses_.size() <= PortWatch::kFew)
+    for (std::size_t i = 0; i < buses_.size(); ++i) refresh(i);
+  wake_up_.by(earliest(), now_);
+  if (!ports_.wait(!rare_waits_) && !rare_waits_) return;
+  now_ = read_clock();
+  for (std::size_t i = 0; i < buses_.size(); ++i) {
+    if (due_[i] > now_ && !ports_.is_readable(i)) continue;
+    buses_[i]->turn(now_, ports_.is_readable(i));
+    if (buses_.size() > PortWatch::kFew) refresh(i);
+  }
+  if (service_.next_chores() <= now_) service_.on_chores(now_);
+  if (rare_waits_ || ports_.others_wait()) look_after_others();
+}
+
+/// Which of the others is readable would be one system call more. The clock tells it nearly always: a timer whose
+/// time has come is taken for the cause, and what is still readable once the timer is set anew is something rare.
+void EventLoop::look_after_others() noexcept {
+  if (!rare_waits_ && wake_up_.has_rung(now_) && ++rings_in_a_row_ < kMostRings) return;
+  rings_in_a_row_ = 0;
+  rare_waits_ = service_.on_rare_event();
+}
+
+}  // namespace axisd

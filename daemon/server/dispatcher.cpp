@@ -1,0 +1,206 @@
+#include "daemon/server/dispatcher.hpp"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/epoll.h>
+
+#include "control/methods.hpp"
+#include "control/request_check.hpp"
+#include "daemon/base/clock.hpp"
+#include "daemon/control/handlers.hpp"
+
+namespace axisd {
+namespace {
+
+using control::ErrorCode;
+using nlohmann::json;
+
+std::string names_of_methods() {
+  std::string names;
+  for (const control::Method& method : control::kMethods)
+    names.append(names.empty() ? "" : ", ").append(method.name);
+  return names;
+}
+
+/// The unit that @p params name, as text; it is taken out of them.
+tl::expected<std::string, control::Error> take_unit(json& params) {
+  const auto unit = params.find("unit");
+  if (unit == params.end()) return {};
+  const json value = *unit;
+  params.erase(unit);
+  if (value.is_string() && !value.get_ref<const std::string&>().empty()) return value.get<std::string>();
+  if (value.is_number_integer()) return value.dump();
+  return refuse(ErrorCode::BadParameter,
+                fmt::format("unit: expected a node-ID or BUS/NODE, got {}", value.dump()));
+}
+
+}  // namespace
+
+Dispatcher::Dispatcher(ServiceEvents& events, std::string path, Fleet& fleet, EventQueue& queue,
+                       std::function<void()> on_quit)
+    : fleet_{fleet},
+      on_quit_{std::move(on_quit)},
+      mail_{events.watch(mailbox_.descriptor(), EPOLLIN, &Dispatcher::on_mail, this)},
+      server_{events, std::move(path), *this},
+      subscriptions_{events, fleet, queue, server_,
+                     [this](ServedUnit& unit, const json& params, std::function<void(Outcome)> done) {
+                       call(unit, *find_handler("signal.read"), params, std::move(done));
+                     }} {}
+
+int Dispatcher::on_mail(sd_event_source*, int, std::uint32_t, void* self) noexcept {
+  static_cast<Dispatcher*>(self)->mailbox_.do_one();
+  return 0;
+}
+
+void Dispatcher::on_request(ClientId client, std::string_view line) {
+  auto request = control::parse_request(line);
+  if (!request) return server_.answer(client, control::error_line(request.error().id, request.error().error));
+  dispatch({client, *std::move(request)});
+}
+
+void Dispatcher::dispatch(Asked asked) {
+  if (const auto outcome = carry_out(asked)) answer(asked, *outcome);
+}
+
+void Dispatcher::answer(const Asked& asked, const Outcome& outcome) {
+  const json& id = asked.request.id;
+  server_.answer(asked.client,
+                 outcome ? control::result_line(id, *outcome) : control::error_line(id, outcome.error()));
+}
+
+std::optional<Outcome> Dispatcher::carry_out(Asked& asked) {
+  control::Request& request = asked.request;
+  const control::Method* const method = control::find_method(request.method);
+  if (method == nullptr)
+    return refuse(ErrorCode::UnknownMethod,
+                  fmt::format("method: expected one of {}, got \"{}\"", names_of_methods(), request.method));
+  const ProgramHandler* const program = find_program_handler(method->name);
+  const Handler* const handler = find_handler(method->name);
+  const auto name = take_unit(request.params);
+  if (!name) return tl::unexpected{name.error()};
+  const Needs needs = program == nullptr ? Needs::One : program->unit;
+  tl::expected<ServedUnit*, control::Error> unit = nullptr;
+  if (needs == Needs::One || (needs == Needs::OneOrAll && !name->empty())) unit = fleet_.find(*name);
+  if (!unit) return tl::unexpected{unit.error()};
+  const std::size_t axes = *unit == nullptr ? 0 : (*unit)->configuration().axes.size();
+  if (const auto checked = control::check(*method, request.params, axes); !checked)
+    return refuse(ErrorCode::BadParameter, checked.error());
+  if (program != nullptr) return (this->*program->answer)(asked, *unit);
+  if (handler == nullptr) return refuse(ErrorCode::UnknownMethod, "method: not of this daemon");
+  return call_unit(asked, **unit, *handler);
+}
+
+std::optional<Outcome> Dispatcher::call_unit(const Asked& asked, ServedUnit& unit, const Handler& handler) {
+  call(unit, handler, asked.request.params, [this, asked](const Outcome& outcome) { answer(asked, outcome); });
+  return std::nullopt;
+}
+
+/// On the thread of the unit, whose outcome comes back as mail.
+void Dispatcher::call(ServedUnit& unit, const Handler& handler, const json& params,
+                      std::function<void(Outcome)> done) {
+  Instance* const instance = unit.instance();
+  if (instance == nullptr)
+    return done(refuse(ErrorCode::Off, fmt::format("{} is switched off: switch it on (unit.on)", unit.name())));
+  unit.loop().post(
+      [this, instance, &handler, params, done = std::move(done)] {
+        auto outcome = std::make_shared<Outcome>(handler.answer({*instance, read_clock()}, params));
+        mailbox_.post([done, outcome] { done(std::move(*outcome)); });
+      },
+      instance);
+}
+
+std::optional<Outcome> Dispatcher::list_units(const Asked&, ServedUnit*) {
+  json units = json::array();
+  for (const ServedUnit& unit : fleet_.units())
+    units.push_back({{"unit", unit.name()},
+                     {"interface", unit.configuration().address.text},
+                     {"node_id", unit.configuration().node_id},
+                     {"axes", unit.configuration().axes.size()},
+                     {"on", unit.instance() != nullptr}});
+  return json{{"units", std::move(units)},
+              {"clients", server_.clients()},
+              {"refused_clients", server_.counters().refused},
+              {"cut_off_clients", server_.counters().cut_off},
+              {"lost_events", subscriptions_.lost_events()}};
+}
+
+std::optional<Outcome> Dispatcher::switch_unit_off(const Asked& asked, ServedUnit* unit) {
+  if (unit->instance() == nullptr) return json::object();
+  Instance* const instance = &unit->begin_to_switch_off();
+  unit->loop().post([this, unit, instance, asked] {
+    unit->loop().remove(*instance);
+    mailbox_.post([this, unit, asked] {
+      unit->switch_off();
+      answer(asked, json::object());
+    });
+  });
+  return std::nullopt;
+}
+
+std::optional<Outcome> Dispatcher::switch_unit_on(const Asked& asked, ServedUnit* unit) {
+  if (unit->instance() != nullptr) return json::object();
+  if (!unit->is_off()) return refuse(ErrorCode::Busy, fmt::format("{} is being switched off", unit->name()));
+  try {
+    unit->switch_on();
+  } catch (const std::exception& reason) {
+    return refuse(ErrorCode::Refused, reason.what());
+  }
+  Instance* const instance = unit->instance();
+  instance->tell_events(subscriptions_.is_watched(*unit));
+  unit->loop().post(
+      [this, unit, instance, asked] {
+        unit->loop().add(*instance);
+        instance->start();
+        mailbox_.post([this, asked] { answer(asked, json::object()); });
+      },
+      instance);
+  return std::nullopt;
+}
+
+std::optional<Outcome> Dispatcher::subscribe_to_events(const Asked& asked, ServedUnit* unit) {
+  return subscriptions_.subscribe_to_events(asked.client, unit, asked.request.params);
+}
+
+std::optional<Outcome> Dispatcher::end_events(const Asked& asked, ServedUnit*) {
+  subscriptions_.end_events(asked.client);
+  return json::object();
+}
+
+std::optional<Outcome> Dispatcher::subscribe_to_samples(const Asked& asked, ServedUnit* unit) {
+  subscriptions_.subscribe_to_samples(asked.client, *unit, asked.request.params,
+                                      [this, asked](const Outcome& outcome) { answer(asked, outcome); });
+  return std::nullopt;
+}
+
+std::optional<Outcome> Dispatcher::end_samples(const Asked& asked, ServedUnit*) {
+  subscriptions_.end_samples(asked.client);
+  return json::object();
+}
+
+std::optional<Outcome> Dispatcher::quit(const Asked&, ServedUnit*) {
+  on_quit_();
+  return json::object();
+}
+
+const Dispatcher::ProgramHandler* Dispatcher::find_program_handler(std::string_view method) noexcept {
+  static constexpr std::array kHandlers{
+      ProgramHandler{"units", Needs::None, &Dispatcher::list_units},
+      ProgramHandler{"unit.off", Needs::One, &Dispatcher::switch_unit_off},
+      ProgramHandler{"unit.on", Needs::One, &Dispatcher::switch_unit_on},
+      ProgramHandler{"events.subscribe", Needs::OneOrAll, &Dispatcher::subscribe_to_events},
+      ProgramHandler{"events.unsubscribe", Needs::None, &Dispatcher::end_events},
+      ProgramHandler{"samples.subscribe", Needs::One, &Dispatcher::subscribe_to_samples},
+      ProgramHandler{"samples.unsubscribe", Needs::None, &Dispatcher::end_samples},
+      ProgramHandler{"quit", Needs::None, &Dispatcher::quit},
+  };
+  const auto* const row = std::ranges::find(kHandlers, method, &ProgramHandler::method);
+  return row == kHandlers.end() ? nullptr : row;
+}
+
+}  // namespace axisd

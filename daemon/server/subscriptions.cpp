@@ -1,0 +1,170 @@
+#include "daemon/server/subscriptions.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/epoll.h>
+
+#include "control/protocol.hpp"
+#include "record/event.hpp"
+
+namespace axisd {
+namespace {
+
+using control::ErrorCode;
+using nlohmann::json;
+using Kinds = std::bitset<record::kEventKinds>;
+
+/// Those that @p names name, all without any.
+tl::expected<Kinds, control::Error> kinds_of(const json& params) {
+  const auto names = params.find("kinds");
+  if (names == params.end() || names->empty()) return Kinds{}.set();
+  Kinds kinds;
+  for (const json& name : *names) {
+    const auto* const row = std::ranges::find_if(
+        record::kEventRows, [&](const record::EventRow& known) { return name == known.name; });
+    if (row == record::kEventRows.end())
+      return refuse(ErrorCode::BadParameter,
+                    fmt::format("kinds: expected kinds of events such as \"{}\" or \"{}\", got {}",
+                                record::kEventRows.front().name, record::kEventRows.back().name, name.dump()));
+    kinds.set(static_cast<std::size_t>(row->kind));
+  }
+  return kinds;
+}
+
+}  // namespace
+
+Subscriptions::Subscriptions(ServiceEvents& events, Fleet& fleet, EventQueue& queue, ControlServer& server,
+                             Read read)
+    : events_{events},
+      fleet_{fleet},
+      queue_{queue},
+      server_{server},
+      read_{std::move(read)},
+      source_{events.watch(queue.descriptor(), EPOLLIN, &Subscriptions::on_events, this)} {}
+
+Outcome Subscriptions::subscribe_to_events(ClientId client, ServedUnit* unit, const json& params) {
+  const auto kinds = kinds_of(params);
+  if (!kinds) return tl::unexpected{kinds.error()};
+  filters_.remove_if([client](const EventFilter& filter) { return filter.client == client; });
+  filters_.push_back({client, unit, *kinds});
+  keep(client);
+  watch_units();
+  return json::object();
+}
+
+void Subscriptions::end_events(ClientId client) {
+  filters_.remove_if([client](const EventFilter& filter) { return filter.client == client; });
+  keep(client);
+  watch_units();
+}
+
+void Subscriptions::subscribe_to_samples(ClientId client, ServedUnit& unit, const json& params,
+                                         std::function<void(Outcome)> done) {
+  const json signals{{"signals", params.at("signals")}};
+  const std::chrono::milliseconds period{params.at("period_ms").get<std::int64_t>()};
+  read_(unit, signals, [this, client, &unit, signals, period, done = std::move(done)](Outcome first) {
+    if (!first) return done(std::move(first));
+    end_samples(client);
+    Samples& samples = samples_.emplace_back(Samples{this, client, &unit, signals, period, nullptr});
+    samples.timer = events_.timer(&Subscriptions::on_period, &samples);
+    ServiceEvents::start(samples.timer, samples.period);
+    keep(client);
+    done(json::object());
+    deliver_sample(client, first);
+  });
+}
+
+void Subscriptions::end_samples(ClientId client) {
+  samples_.remove_if([client](const Samples& samples) { return samples.client == client; });
+  keep(client);
+}
+
+void Subscriptions::forget(ClientId client) {
+  end_samples(client);
+  end_events(client);
+}
+
+bool Subscriptions::is_watched(const ServedUnit& unit) const noexcept {
+  return std::ranges::any_of(
+      filters_, [&unit](const EventFilter& filter) { return filter.unit == nullptr || filter.unit == &unit; });
+}
+
+/// Who has a subscription makes no room for others.
+void Subscriptions::keep(ClientId client) {
+  const bool has_filter = std::ranges::find(filters_, client, &EventFilter::client) != filters_.end();
+  server_.keep(client, has_filter || samples_of(client) != nullptr);
+}
+
+/// A unit to which nobody listens any more tells nothing.
+void Subscriptions::watch_units() {
+  for (ServedUnit& unit : fleet_.units()) {
+    const bool was_watched = std::ranges::find(watched_, &unit) != watched_.end();
+    const bool wanted = is_watched(unit);
+    if (was_watched == wanted) continue;
+    wanted ? watched_.push_back(&unit) : static_cast<void>(std::erase(watched_, &unit));
+    Instance* const instance = unit.instance();
+    if (instance != nullptr) unit.loop().post([instance, wanted] { instance->tell_events(wanted); });
+  }
+}
+
+int Subscriptions::on_events(sd_event_source*, int, std::uint32_t, void* self) noexcept {
+  static_cast<Subscriptions*>(self)->deliver_events();
+  return 0;
+}
+
+void Subscriptions::deliver_events() {
+  lost_ += queue_.take(taken_);
+  for (const EventQueue::Entry& entry : taken_) deliver(entry);
+}
+
+void Subscriptions::deliver(const EventQueue::Entry& entry) {
+  const auto unit = std::ranges::find_if(
+      fleet_.units(), [&](const ServedUnit& known) { return &known.configuration() == entry.unit; });
+  if (unit == fleet_.units().end()) return;
+  const auto wants = [&](const EventFilter& filter) {
+    return (filter.unit == nullptr || filter.unit == &*unit) &&
+           filter.kinds.test(static_cast<std::size_t>(entry.event.kind));
+  };
+  std::vector<ClientId> clients;  // one that is cut off leaves the list
+  for (const EventFilter& filter : filters_)
+    if (wants(filter)) clients.push_back(filter.client);
+  if (clients.empty()) return;
+  json event = record::json_of(entry.event, entry.started);
+  event["unit"] = unit->name();
+  const std::string line = control::notice_line("event", event);
+  for (const ClientId client : clients) server_.push(client, line);
+}
+
+Subscriptions::Samples* Subscriptions::samples_of(ClientId client) noexcept {
+  const auto found = std::ranges::find(samples_, client, &Samples::client);
+  return found == samples_.end() ? nullptr : &*found;
+}
+
+int Subscriptions::on_period(sd_event_source*, std::uint64_t, void* userdata) noexcept {
+  auto& samples = *static_cast<Samples*>(userdata);
+  ServiceEvents::start(samples.timer, samples.period);
+  if (std::exchange(samples.is_asked, true)) return 0;  // a unit that is late is not asked again
+  Subscriptions& self = *samples.owner;
+  self.read_(*samples.unit, samples.params, [&self, client = samples.client](const Outcome& outcome) {
+    if (Samples* const asked = self.samples_of(client)) {
+      asked->is_asked = false;
+      self.deliver_sample(client, outcome);
+    }
+  });
+  return 0;
+}
+
+/// Nothing while the unit is switched off.
+void Subscriptions::deliver_sample(ClientId client, const Outcome& outcome) {
+  const Samples* const samples = samples_of(client);
+  if (!outcome || samples == nullptr) return;
+  json values = json::array();
+  for (const json& signal : outcome->at("signals")) values.push_back(signal.at("value"));
+  server_.push(client, control::notice_line("sample", {{"unit", samples->unit->name()},
+                                                       {"t", outcome->at("t")},
+                                                       {"values", std::move(values)}}));
+}
+
+}  // namespace axisd

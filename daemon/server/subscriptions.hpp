@@ -1,0 +1,82 @@
+#pragma once
+
+#include <bitset>
+#include <functional>
+#include <list>
+#include <optional>
+#include <string>
+
+#include "daemon/base/service_events.hpp"
+#include "daemon/control/handler.hpp"
+#include "daemon/fleet/fleet.hpp"
+#include "daemon/server/control_server.hpp"
+#include "daemon/server/event_queue.hpp"
+
+namespace axisd {
+
+/// What clients of the control socket are told without asking: events as they come, and samples of signals now and
+/// then. A client has at most one subscription of each; the next one takes its place.
+class Subscriptions {
+ public:
+  using ClientId = ControlServer::ClientId;
+  /// Reads the signals that params name in @p unit; @p done gets the outcome later, on this thread.
+  using Read =
+      std::function<void(ServedUnit& unit, const nlohmann::json& params, std::function<void(Outcome)> done)>;
+
+  /// All arguments outlive it.
+  Subscriptions(ServiceEvents& events, Fleet& fleet, EventQueue& queue, ControlServer& server, Read read);
+
+  /// @p client is told the events of @p unit, or of all units; `kinds` of @p params says which.
+  Outcome subscribe_to_events(ClientId client, ServedUnit* unit, const nlohmann::json& params);
+  void end_events(ClientId client);
+  /// @p client is told what `signals` of @p params are in @p unit every `period_ms`; @p done gets the answer.
+  void subscribe_to_samples(ClientId client, ServedUnit& unit, const nlohmann::json& params,
+                            std::function<void(Outcome)> done);
+  void end_samples(ClientId client);
+  /// @p client is gone.
+  void forget(ClientId client);
+  /// @p unit is about to be switched on: whether somebody listens to it.
+  bool is_watched(const ServedUnit& unit) const noexcept;
+
+  /// Events that were lost because they came faster than they were taken.
+  std::uint64_t lost_events() const noexcept { return lost_; }
+
+ private:
+  struct EventFilter {
+    ClientId client;
+    const ServedUnit* unit;  ///< nullptr: all
+    std::bitset<record::kEventKinds> kinds;
+  };
+  struct Samples {
+    Subscriptions* owner;
+    ClientId client;
+    ServedUnit* unit;
+    nlohmann::json params;
+    std::chrono::microseconds period;
+    EventSource timer;
+    bool is_asked = false;  ///< the unit has not answered yet
+  };
+
+  static int on_events(sd_event_source* source, int descriptor, std::uint32_t events, void* self) noexcept;
+  static int on_period(sd_event_source* source, std::uint64_t now, void* samples) noexcept;
+  void deliver_events();
+  void deliver(const EventQueue::Entry& entry);
+  void deliver_sample(ClientId client, const Outcome& outcome);
+  void keep(ClientId client);
+  void watch_units();
+  Samples* samples_of(ClientId client) noexcept;
+
+  ServiceEvents& events_;
+  Fleet& fleet_;
+  EventQueue& queue_;
+  ControlServer& server_;
+  Read read_;
+  EventSource source_;
+  std::list<EventFilter> filters_;
+  std::list<Samples> samples_;
+  std::vector<EventQueue::Entry> taken_;
+  std::vector<const ServedUnit*> watched_;
+  std::uint64_t lost_ = 0;
+};
+
+}  // namespace axisd

@@ -1,0 +1,91 @@
+// A list of units in one configuration file.
+#include <array>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "daemon/program/configuration_file.hpp"
+#include "daemon/program/motor_folders.hpp"
+#include "daemon/program/options.hpp"
+#include "tests/daemon/configuration/bad_file.hpp"
+#include "tests/fakes/temporary_directory.hpp"
+
+namespace axisd {
+namespace {
+
+UnitsConfiguration read(const std::string& text) {
+  return parse_configuration(text, "units.json", MotorFolders{});
+}
+
+TEST(ListOfUnits, IsReadUnitByUnit) {
+  const UnitsConfiguration list = read(R"({"threads": 2, "units": [
+      {"interface": "vcan0", "node_id": 5, "axes": [{}, {}]}, {"interface": "vcan1", "node_id": 5}]})");
+
+  EXPECT_TRUE(list.is_list);
+  EXPECT_EQ(list.threads, 2U);
+  ASSERT_EQ(list.units.size(), 2U);
+  EXPECT_EQ(list.units[0].axes.size(), 2U);
+  EXPECT_EQ(list.units[1].address.text, "vcan1");
+  EXPECT_EQ(list.units[1].axes.size(), 1U);
+}
+
+TEST(ListOfUnits, HasAUnitForEachNodeIdOfARange) {
+  const UnitsConfiguration list =
+      read(R"({"units": [{"node_id": {"from": 1, "to": 127}, "axes": [{}, {}, {}]}]})");
+
+  ASSERT_EQ(list.units.size(), 127U);
+  EXPECT_EQ(list.units.front().node_id, 1);
+  EXPECT_EQ(list.units.back().node_id, 127);
+  EXPECT_EQ(list.units.back().axes.size(), 3U);
+}
+
+TEST(ListOfUnits, IsNoListWhereTheFileDescribesOneUnit) {
+  EXPECT_FALSE(read("{}").is_list);
+  EXPECT_EQ(read("{}").units.size(), 1U);
+}
+
+struct Refused {
+  const char* text;
+  const char* message;
+};
+class ListThatIsRefused : public testing::TestWithParam<Refused> {};
+
+TEST_P(ListThatIsRefused, SaysWhereAndWhy) {
+  EXPECT_EQ(message_of([] { read(GetParam().text); }), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Reasons, ListThatIsRefused,
+    testing::Values(
+        Refused{R"({"units": [{"node_id": 5}, {"node_id": 6}, {"node_id": 5}]})",
+                "units.json: /units/2/node_id: expected a node-ID that /units/0 does not have on vcan0, got 5"},
+        Refused{R"({"units": [{"node_id": {"from": 2, "to": 9}}, {}]})",
+                "units.json: /units/1: expected a node-ID that /units/0 does not have on vcan0, got {}"},
+        Refused{R"({"units": [{"node_id": {"from": 9, "to": 2}}]})",
+                "units.json: /units/0/node_id/to: expected an integer 9 to 127, got 2"},
+        Refused{R"({"units": []})", "units.json: /units: expected an array of 1 to 1024, got []"},
+        Refused{R"({"units": [{}], "node_id": 5})",
+                "units.json: /node_id: unknown key, expected one of: units, threads"},
+        Refused{R"({"units": [{}], "threads": 0})", "units.json: /threads: expected an integer 1 to 64, got 0"}));
+
+class OptionBesideUnits : public testing::TestWithParam<const char*> {};
+
+TEST_P(OptionBesideUnits, IsAUsageError) {
+  fakes::TemporaryDirectory folder;
+  const std::string file = folder.path("units.json");
+  std::ofstream{file} << R"({"units": [{}]})";
+  const std::array<const char*, 5> words{"axisd", "--config", file.c_str(), GetParam(), "3"};
+  const Options options = parse_command_line(words.size(), words.data()).value();
+
+  try {
+    static_cast<void>(load_configuration(options));
+    FAIL() << "accepted";
+  } catch (const UsageError& error) {
+    EXPECT_EQ(error.what(), std::string{GetParam()} + ": expected nothing beside the units of " + file);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfOneUnit, OptionBesideUnits, testing::Values("--interface", "--node-id", "--axes"));
+
+}  // namespace
+}  // namespace axisd
