@@ -91,6 +91,13 @@ class CanopenFace final : public unit::Face,
   void send_to(canopen::FrameSink& sink) noexcept { communication_.send_to(sink); }
 
   const canopen::Node& node() const noexcept { return node_; }
+  /// Before somebody beside the bus changes anything: the services of the node are told the time.
+  void tell_time() noexcept { node_.on_time(now()); }
+  /// Somebody beside the bus writes the number, or the text, @p entry of dictionary(), as a master over SDO does;
+  /// what it leads to is carried out at once. A save that this begins goes on.
+  canopen::Result<void> write_object(const canopen::Entry& entry, std::int64_t value) noexcept;
+  canopen::Result<void> write_object(const canopen::Entry& entry, std::span<const std::uint8_t> text) noexcept;
+
   const canopen::Dictionary& dictionary() const noexcept { return objects_.dictionary; }
   /// What the parameters of the drive objects are on the SDO servers.
   const ParameterWindow& window() const noexcept { return window_; }

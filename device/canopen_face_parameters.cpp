@@ -100,6 +100,21 @@ canopen::Result<void> CanopenFace::on_restore(std::uint8_t sub_index) noexcept {
   return result(runner_.restore(ParameterGroup{sub_index}));
 }
 
+canopen::Result<void> CanopenFace::write_object(const canopen::Entry& entry, std::int64_t value) noexcept {
+  tell_time();
+  auto written = objects_.dictionary.write(entry, value);
+  follow_up_all();
+  return written;
+}
+
+canopen::Result<void> CanopenFace::write_object(const canopen::Entry& entry,
+                                                std::span<const std::uint8_t> text) noexcept {
+  tell_time();
+  auto written = objects_.dictionary.write_text(entry, text);
+  follow_up_all();
+  return written;
+}
+
 void CanopenFace::on_stored(bool kept) noexcept {
   listener_.on_saved(kept);
   communication_.lead_answers();

@@ -89,8 +89,19 @@ class Device final {
                                                                           std::uint16_t number, std::size_t index,
                                                                           double value,
                                                                           canopen::TimePoint now) noexcept {
+    runner_.set_now(unit_time(now));
+    face_.tell_time();
     return runner_.write_parameter(object, number, index, value, unit_time(now));
   }
+  /// Somebody beside the bus writes @p entry of dictionary() at @p now: see CanopenFace::write_object().
+  template <class Value>
+  [[nodiscard]] canopen::Result<void> write_object(const canopen::Entry& entry, const Value& value,
+                                                   canopen::TimePoint now) noexcept {
+    runner_.tell_time(unit_time(now));
+    return face_.write_object(entry, value);
+  }
+  /// Whether the unit was switched on: it is when its bus is there for the first time.
+  bool is_on() const noexcept { return runner_.is_on(); }
   /// What was saved last, or loaded; valid until the next save.
   drive::SavedValues saved_parameters() const noexcept { return runner_.saved_parameters(); }
   /// A save runs: no parameter may be written.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "trace/signal/place.hpp"
@@ -16,7 +17,9 @@ struct Event {
   Place place = kControlUnitPlace;
   bool active = true;        ///< it has come; false: it has gone
   std::uint16_t number = 0;  ///< of a message, parameter or object
-  std::string_view text{};   ///< state, name of a message
+  std::uint16_t index = 0;   ///< of a parameter, or sub-index of an object
+  std::optional<double> value{};
+  std::string_view text{};  ///< state, name of a message
 };
 
 /// What a trace sees itself.

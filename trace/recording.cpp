@@ -7,6 +7,7 @@ namespace trace {
 void Recording::begin(std::uint64_t number) noexcept {
   number_ = number;
   first_ = count_ = 0;
+  dropped_ = false;
   triggered_.reset();
   frames_.clear();
   events_.clear();
@@ -29,8 +30,9 @@ void Recording::sample(unit::TimePoint time, std::span<const Reader> readers) no
 }
 
 void Recording::end() noexcept {
-  if (count_ == 0) return;
-  const unit::TimePoint start = triggered_ ? std::min(time(0), *triggered_) : time(0);
+  if (!dropped_) return;
+  unit::TimePoint start = triggered_.value_or(unit::kNever);
+  if (count_ > 0) start = std::min(start, time(0));
   frames_.forget_before(start);
   events_.forget_before(start);
 }

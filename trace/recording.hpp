@@ -68,6 +68,7 @@ class Recording {
   }
   std::size_t slot(std::size_t position) const noexcept { return (first_ + position) % size_.samples; }
   void drop_oldest() noexcept {
+    dropped_ = true;
     first_ = (first_ + 1) % size_.samples;
     --count_;
   }
@@ -80,6 +81,7 @@ class Recording {
   std::uint64_t number_ = 0;
   std::size_t first_ = 0;
   std::size_t count_ = 0;
+  bool dropped_ = false;       ///< there were samples before the oldest
   std::size_t remaining_ = 0;  ///< samples to come behind the trigger
   std::optional<unit::TimePoint> triggered_{};
 };

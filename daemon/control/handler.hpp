@@ -34,4 +34,9 @@ inline tl::unexpected<control::Error> refuse(control::ErrorCode code, std::strin
   return tl::unexpected{control::Error{code, std::move(message), std::move(details)}};
 }
 
+/// Why nothing can be written to a unit that was never switched on.
+inline control::Error unit_is_off() {
+  return {control::ErrorCode::Off, "the unit is not switched on: its bus was not there yet", {}};
+}
+
 }  // namespace axisd

@@ -7,10 +7,19 @@ namespace axisd {
 namespace {
 
 using Group = std::span<const Handler> (*)() noexcept;
-constexpr std::array kGroups{
-    &unit_handlers,     &fault_handlers,     &plant_handlers,          &record_handlers,
-    &terminal_handlers, &parameter_handlers, &parameter_list_handlers,
-};
+constexpr auto kGroups = std::to_array<Group>({
+    &unit_handlers,
+    &fault_handlers,
+    &message_handlers,
+    &plant_handlers,
+    &record_handlers,
+    &terminal_handlers,
+    &parameter_handlers,
+    &parameter_list_handlers,
+    &object_handlers,
+    &signal_handlers,
+    &trace_handlers,
+});
 
 }  // namespace
 

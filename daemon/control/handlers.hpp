@@ -15,6 +15,10 @@ std::span<const Handler> record_handlers() noexcept;
 std::span<const Handler> terminal_handlers() noexcept;
 std::span<const Handler> parameter_handlers() noexcept;
 std::span<const Handler> parameter_list_handlers() noexcept;
+std::span<const Handler> object_handlers() noexcept;
+std::span<const Handler> message_handlers() noexcept;
+std::span<const Handler> signal_handlers() noexcept;
+std::span<const Handler> trace_handlers() noexcept;
 
 /// The handler of @p method among those of all groups; nullptr if it has none.
 const Handler* find_handler(std::string_view method) noexcept;

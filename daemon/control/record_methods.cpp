@@ -35,11 +35,12 @@ Outcome show_status(const Call& call, const json&) {
   return status_of(call.instance.recording().status());
 }
 
-/// The names of the signals; absent: none.
+/// The names of the signals, one alone without a list; absent: none.
 Taken<std::vector<std::string>> signals_in(const Arguments& arguments) {
   std::vector<std::string> signals;
   const json* const list = arguments.find("signals");
   if (list == nullptr) return signals;
+  if (list->is_string()) return std::vector{list->get<std::string>()};
   const std::string expected = fmt::format("at most {} names of signals", RecordSettings::kMostSignals);
   if (!list->is_array() || list->size() > RecordSettings::kMostSignals)
     return tl::unexpected{unexpected_value("signals", expected, list)};

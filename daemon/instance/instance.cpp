@@ -70,6 +70,7 @@ void Instance::look_around() noexcept {
   if (!ready_told_) tell_ready();
   reports_.look_at(bus_, device_);
   memory_.look_at_unit();
+  trace_.look_around();
   if (!events_.is_watched()) return;
   events_.look(frames_.now());
   if (const auto failure = recording_.take_failure()) log_.error("recording: {}; it has ended", *failure);

@@ -18,6 +18,7 @@
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
 #include "daemon/watch/unit_recording.hpp"
+#include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
 
 namespace axisd {
@@ -101,6 +102,9 @@ class Instance final : private device::Listener, private Station, private TapOwn
   EventWatch& events() noexcept { return events_; }
   /// What is kept of both in files.
   UnitRecording& recording() noexcept { return recording_; }
+  /// The trace of its signals.
+  UnitTrace& trace() noexcept { return trace_; }
+  const UnitTrace& trace() const noexcept { return trace_; }
   /// Whether InstanceListener::on_event() is called from now on.
   void tell_events(bool wanted) noexcept;
 
@@ -189,6 +193,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   FrameTap frames_{bus_.queue(), *this};
   EventWatch events_{device_, frames_};
   UnitRecording recording_;
+  UnitTrace trace_{device_, frames_, events_};
   std::vector<LoadTorque> load_torques_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;

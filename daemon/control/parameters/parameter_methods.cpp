@@ -6,6 +6,7 @@
 #include "daemon/control/handlers.hpp"
 #include "daemon/control/parameters/parameter_value.hpp"
 #include "daemon/control/parameters/parameter_view.hpp"
+#include "daemon/control/parameters/parameter_write.hpp"
 #include "daemon/control/place.hpp"
 
 namespace axisd {
@@ -90,15 +91,8 @@ Outcome write_parameter(const Call& call, const json& params) {
   if (!target) return tl::unexpected{target.error()};
   const auto number = number_of(unit_of(call), *target, *value);
   if (!number) return tl::unexpected{number.error()};
-  device::Device& device = call.instance.device();
-  const bool is_saving = device.is_saving();
-  const std::uint8_t place = target->object->number();
-  const auto before = device.unit().read(place, target->row().number, target->index);
-  const auto written = device.write_parameter(place, target->row().number, target->index, *number, call.now);
-  if (!written) return tl::unexpected{refusal_of(written.error(), *target, is_saving)};
-  call.instance.events().on_parameter_written(
-      place, target->row().number, static_cast<std::uint16_t>(target->index), *number,
-      before ? std::optional{drive::decode(*before)} : std::nullopt, call.now);
+  const auto written = write_and_tell(call, *target, *number);
+  if (!written) return tl::unexpected{written.error()};
   return written_json(unit_of(call), *target);
 }
 

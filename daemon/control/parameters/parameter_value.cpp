@@ -8,6 +8,7 @@
 
 #include "device/objects/abort_codes.hpp"
 #include "drive/parameter/bico_text.hpp"
+#include "libcanopen/od/abort_text.hpp"
 #include "text/number.hpp"
 
 namespace axisd {
@@ -119,8 +120,10 @@ control::Error refusal_of(const drive::ParameterError& error, const ParameterTar
   if (is_saving)
     return {ErrorCode::Busy, fmt::format("{}: parameters are being saved: try again", parameter_text(target)), {}};
   const drive::ParameterRow& row = target.row();
+  const canopen::AbortCode abort = device::abort_code(error.reason);
   json details{{"reason", static_cast<int>(error.reason.why)},
-               {"abort_code", static_cast<std::uint32_t>(device::abort_code(error.reason))}};
+               {"abort_code", static_cast<std::uint32_t>(abort)},
+               {"abort_text", canopen::text_of(abort)}};
   const ErrorCode code = code_of(error.reason.why);
   if (code == ErrorCode::OutOfRange)
     if (json limits = limits_json(row); !limits.is_null()) details["limits"] = std::move(limits);

@@ -63,6 +63,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /node_id: expected an integer 0 to 127, got 18446744073709551615"},
         BadFile{R"({"sdo_block": 1})", "node.json: /sdo_block: expected true or false, got 1"},
         BadFile{R"({"f08701": "no"})", "node.json: /f08701: expected true or false, got \"no\""},
+        BadFile{R"({"record": true})", "node.json: /record: expected an object, got true"},
+        BadFile{R"({"record": {"file": "x"}})",
+                "node.json: /record/file: unknown key, expected one of: name, max_MB, signals, every_s, on_fault, "
+                "before_s, after_s"},
+        BadFile{
+            R"({"record": {"name": "../x"}})",
+            "node.json: /record/name: expected 1 to 64 letters, digits, '_', '-' or '.', a dot not in front, got "
+            "\"../x\""},
+        BadFile{R"({"record": {"max_MB": 0}})", "node.json: /record/max_MB: expected a number 1 to 1024, got 0"},
+        BadFile{R"({"record": {"signals": [1]}})", "node.json: /record/signals/0: expected a string, got 1"},
         BadFile{R"({"axes": {}})", "node.json: /axes: expected an array of 1 to 8, got {}"},
         BadFile{R"({"axes": []})", "node.json: /axes: expected an array of 1 to 8, got []"},
         BadFile{R"({"axes": [{},{},{},{},{},{},{},{},{}]})",

@@ -54,6 +54,22 @@ TEST(Configuration, TakesEveryKeyOfTheUnit) {
   EXPECT_EQ(configuration.parameters[1].value, 1.0);
 }
 
+TEST(Configuration, TakesEveryKeyOfARecording) {
+  const Configuration configuration =
+      parse(R"({"record": {"name": "night", "max_MB": 20, "signals": ["1/r0063"], "every_s": 0.5, "on_fault": true,
+                "before_s": 2, "after_s": 3}})");
+
+  ASSERT_TRUE(configuration.record);
+  EXPECT_EQ(configuration.record->name, "night");
+  EXPECT_EQ(configuration.record->most_MB, 20.0);
+  EXPECT_EQ(configuration.record->signals, std::vector<std::string>{"1/r0063"});
+  EXPECT_EQ(configuration.record->period, 0.5);
+  EXPECT_TRUE(configuration.record->on_fault);
+  EXPECT_EQ(configuration.record->before, 2.0);
+  EXPECT_EQ(configuration.record->after, 3.0);
+  EXPECT_FALSE(parse("{}").record);
+}
+
 TEST(Configuration, SaysWhatIsNoParameterOfTheControlUnit) {
   const auto message = [](const std::string& text) -> std::string {
     try {

@@ -125,7 +125,7 @@ TEST_F(RecordedUnit, RefusesWhatCannotBeRecorded) {
   using enum control::ErrorCode;
   EXPECT_EQ(refused({{"name", "../run"}}), BadParameter);
   EXPECT_EQ(refused({{"name", 3}}), BadParameter);
-  EXPECT_EQ(refused({{"signals", "1/r0063"}}), BadParameter);
+  EXPECT_EQ(refused({{"signals", 3}}), BadParameter);
   EXPECT_EQ(refused({{"signals", {1, 2}}}), BadParameter);
   EXPECT_EQ(refused({{"signals", json::array_t(17, "1/r0063")}}), BadParameter);
   EXPECT_EQ(refused({{"signals", {"1/nothing"}}}), NotFound);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <tl/expected.hpp>
+
+#include "trace/settings.hpp"
+#include "trace/signal/problem.hpp"
+
+namespace trace {
+
+/// What @p value says of a trace, the parameters of `trace.start` and key "trace" of a configuration: keys as
+/// docs/trace.md has them. Whether a unit has the signals is not looked at.
+tl::expected<Settings, Problem> read_settings(const nlohmann::json& value);
+
+}  // namespace trace
