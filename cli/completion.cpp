@@ -15,7 +15,8 @@ struct Shell {
   std::string_view name;
   std::string (*script)(const Command& program);
 };
-constexpr std::array kShells{Shell{"bash", bash_script}, Shell{"zsh", zsh_script}, Shell{"fish", fish_script}};
+constexpr std::array kShells{Shell{"bash", bash_script}, Shell{"zsh", zsh_script}, Shell{"fish", fish_script},
+                             Shell{"markdown", markdown_page}};
 
 void visit(const std::string& path, const Command& command,
            const std::function<void(const std::string&, const Command&)>& visitor) {

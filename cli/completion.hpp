@@ -8,12 +8,15 @@
 
 namespace cli {
 
-/// The script with which @p shell (bash, zsh or fish) completes @p program; empty for another shell.
+/// The script with which @p shell (bash, zsh or fish) completes @p program; of `markdown` a page that describes
+/// it; empty for another shell.
 [[nodiscard]] std::string completion_script(const Command& program, std::string_view shell);
 
 [[nodiscard]] std::string bash_script(const Command& program);
 [[nodiscard]] std::string zsh_script(const Command& program);
 [[nodiscard]] std::string fish_script(const Command& program);
+/// A page of documentation: options, and subcommands with their words and options.
+[[nodiscard]] std::string markdown_page(const Command& program);
 
 /// What may be added to a description: what @p app cannot tell.
 using Complete = std::function<void(Command& program)>;

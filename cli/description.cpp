@@ -41,7 +41,8 @@ Option option_of(const CLI::Option& known) {
   // A validator adds what it knows behind a colon.
   const std::string type = known.get_type_name();
   const std::size_t colon = type.find(':');
-  if (option.takes_value) option.value = value_named(type.substr(0, colon));
+  if (option.takes_value) option.argument = type.substr(0, colon);
+  if (option.takes_value) option.value = value_named(option.argument);
   if (colon != std::string::npos && type.substr(colon).starts_with(":{"))
     option.value = choices_in(type.substr(colon + 2));
   return option;
@@ -50,7 +51,8 @@ Option option_of(const CLI::Option& known) {
 Word word_of(const CLI::Option& known) {
   const std::string name = known.get_name(true);
   const std::string type = known.get_type_name();
-  return {name, known.get_items_expected_max() > 1, value_named(type.empty() ? name : type)};
+  return {name, known.get_description(), known.get_required(), known.get_items_expected_max() > 1,
+          value_named(type.empty() ? name : type)};
 }
 
 }  // namespace
@@ -62,6 +64,7 @@ Value value_named(const std::string& type) {
 
 Command describe(const CLI::App& app) {
   Command command{app.get_name(), app.get_description()};
+  command.footer = app.get_footer();
   for (const CLI::Option* const option : app.get_options([](const CLI::Option*) { return true; })) {
     if (option->get_group().empty()) continue;  // hidden
     if (option->nonpositional())

@@ -30,12 +30,15 @@ struct Option {
   std::vector<std::string> names;  ///< with their dashes
   std::string help;
   bool takes_value = false;
+  std::string argument{};  ///< name of the value
   Value value{};
 };
 
 /// A word that is no option.
 struct Word {
   std::string name;
+  std::string help{};
+  bool required = false;
   bool repeats = false;  ///< and all behind it
   Value value{};
 };
@@ -47,6 +50,7 @@ struct Command {
   std::vector<Option> options{};
   std::vector<Word> words{};
   std::vector<Command> commands{};
+  std::string footer{};  ///< what the help ends with
 };
 
 /// What @p app and its subcommands take; not what is hidden.

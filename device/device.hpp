@@ -102,10 +102,20 @@ class Device final {
   }
   /// Whether the unit was switched on: it is when its bus is there for the first time.
   bool is_on() const noexcept { return runner_.is_on(); }
+  /// All parameters are those of a new unit, as with 1011h; the reason if they cannot be now.
+  [[nodiscard]] std::optional<drive::Refusal> restore(canopen::TimePoint now) noexcept {
+    runner_.tell_time(unit_time(now));
+    face_.tell_time();
+    const auto refused = runner_.restore(::unit::ParameterGroup::All);
+    if (!refused) runner_.follow_up();
+    return refused;
+  }
   /// What was saved last, or loaded; valid until the next save.
   drive::SavedValues saved_parameters() const noexcept { return runner_.saved_parameters(); }
   /// A save runs: no parameter may be written.
   bool is_saving() const noexcept { return runner_.is_saving(); }
+  /// Whether parameters were saved, or loaded.
+  bool is_stored() const noexcept { return runner_.has_saved_parameters(); }
 
   /// Raises fault or alarm @p number on @p axis (0..axes) with @p value; a message that propagates appears on
   /// every drive object.
@@ -131,6 +141,15 @@ class Device final {
   /// Sets the line voltage of the supply (V rms between lines, not negative; 0 = mains failure).
   void set_line_voltage(double voltage, canopen::TimePoint now) noexcept {
     runner_.set_line_voltage(voltage, unit_time(now));
+  }
+  /// Inertia and friction of the load of @p axis (1..axes) and the air around its motor are @p settings from @p
+  /// now on: see drive::Axis::set_plant().
+  void set_plant(std::size_t axis, const motor::PlantSettings& settings, canopen::TimePoint now) noexcept {
+    runner_.set_plant(axis, settings, unit_time(now));
+  }
+  /// Puts @p voltage (V) to the analogue input of the control unit (r0752).
+  void set_analog_input(double voltage, canopen::TimePoint now) noexcept {
+    runner_.set_analog_input(voltage, unit_time(now));
   }
   /// Puts terminal @p number of the control unit (drive::Terminals::exists) to 24 V or 0 V; the cycle that @p now
   /// lies in takes it.

@@ -98,10 +98,10 @@ class DriveUnit final : private Surroundings {
   void rest(double duration) noexcept;
   /// The DC link that the axes share.
   const motor::DcLink& dc_link() const noexcept { return dc_link_; }
-  /// Of the supply, as last set (V rms between lines).
-  double line_voltage() const noexcept { return line_voltage_; }
   /// The line fails (0) or changes its voltage (V rms between lines, not negative).
   void set_line_voltage(double voltage) noexcept;
+  /// As last set, at first as configured.
+  double line_voltage() const noexcept { return line_voltage_; }
 
   /// The value of a parameter as it is transferred.
   [[nodiscard]] tl::expected<ParameterValue, ParameterError> read(std::uint8_t object, std::uint16_t number,

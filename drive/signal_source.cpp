@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kWord = 0x4000;
 constexpr double kDoubleWord = 0x40000000;
+constexpr double kAnalogInput = 10.0;  // V
 constexpr double kPerMille = 1000.0;
 
 /// What of the quantity that @p row shows of @p object is 100 %, in the unit of the row, if anything is.
@@ -34,6 +35,8 @@ std::optional<double> full_scale(const DriveObject& object, const ParameterRow& 
       return reference(object, Quantity::Speed) * scales.increments_per_radian;
     case FullScale::TargetTorque:
       return kPerMille * reference(object, Quantity::Torque) / scales.rated_torque;
+    case FullScale::AnalogInput:
+      return kAnalogInput;
     case FullScale::OfUnit:
       break;
   }

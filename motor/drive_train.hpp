@@ -57,6 +57,11 @@ class DriveTrain {
   void set_load_torque(double torque, LoadTorqueType type = LoadTorqueType::Constant) noexcept {
     plant_.set_load_torque(torque, type);
   }
+  /// Inertia and friction of the load become those of @p load, on @p machine as it really is; see
+  /// Plant::set_body().
+  void set_body(const MachineData& machine, const Load& load) noexcept { plant_.set_body(machine, load); }
+  /// The air around the motor has @p temperature (°C) from now on.
+  void set_ambient(double temperature) noexcept { thermal_.set_ambient(temperature); }
   /// Commands the holding brake; it acts after its opening or closing time.
   void set_brake(bool closed) noexcept { plant_.set_brake(closed); }
   /// From now on the encoder has @p defect instead of the one before.

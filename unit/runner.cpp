@@ -163,6 +163,18 @@ void Runner::set_input(unsigned number, bool high, TimePoint now) noexcept {
   wake();
 }
 
+void Runner::set_analog_input(double voltage, TimePoint now) noexcept {
+  tell_time(now);
+  unit_.control_unit().terminals().apply_analog(voltage);
+  wake();
+}
+
+void Runner::set_plant(std::size_t axis, const motor::PlantSettings& settings, TimePoint now) noexcept {
+  tell_time(now);
+  unit_.axes()[axis - 1].set_plant(settings);
+  wake(mask_of(axis));
+}
+
 void Runner::fail_encoder(std::size_t axis, motor::EncoderDefect defect, TimePoint now) noexcept {
   tell_time(now);
   unit_.axes()[axis - 1].fail_encoder(defect);

@@ -134,6 +134,11 @@ class Runner final {
   void fail_encoder(std::size_t axis, motor::EncoderDefect defect, TimePoint now) noexcept;
   /// Sets the line voltage of the supply (V rms between lines, not negative; 0 = mains failure).
   void set_line_voltage(double voltage, TimePoint now) noexcept;
+  /// Inertia and friction of the load of @p axis (1..axes) and the air around its motor are @p settings from @p
+  /// now on: see drive::Axis::set_plant().
+  void set_plant(std::size_t axis, const motor::PlantSettings& settings, TimePoint now) noexcept;
+  /// Puts @p voltage (V) to the analogue input of the control unit (r0752).
+  void set_analog_input(double voltage, TimePoint now) noexcept;
   /// Puts terminal @p number of the control unit (drive::Terminals::exists) to 24 V or 0 V; the cycle that @p now
   /// lies in takes it.
   void set_input(unsigned number, bool high, TimePoint now) noexcept;

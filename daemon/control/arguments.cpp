@@ -71,8 +71,9 @@ Taken<bool> Arguments::flag(std::string_view key, std::optional<bool> absent) co
 Taken<std::string> Arguments::text(std::string_view key, std::optional<std::string> absent) const {
   const json* const value = find(key);
   if (value == nullptr) return without(key, "a text", absent);
-  if (value->is_string()) return value->get<std::string>();
-  return tl::unexpected{unexpected_value(key, "a text", value)};
+  if (!value->is_string()) return tl::unexpected{unexpected_value(key, "a text", value)};
+  if (value->get_ref<const std::string&>().size() <= kLongestText) return value->get<std::string>();
+  return tl::unexpected{unexpected_value(key, fmt::format("a text of at most {} bytes", kLongestText), value)};
 }
 
 Taken<std::size_t> Arguments::choice(std::string_view key, std::span<const std::string_view> choices,

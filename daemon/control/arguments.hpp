@@ -39,7 +39,8 @@ class Arguments {
                        std::optional<double> absent = std::nullopt) const;
   /// true or false.
   Taken<bool> flag(std::string_view key, std::optional<bool> absent = std::nullopt) const;
-  /// A text.
+  static constexpr std::size_t kLongestText = 200;
+  /// A text of at most kLongestText bytes.
   Taken<std::string> text(std::string_view key, std::optional<std::string> absent = std::nullopt) const;
   /// The place of a text among @p choices.
   Taken<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices,

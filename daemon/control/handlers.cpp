@@ -19,6 +19,11 @@ constexpr auto kGroups = std::to_array<Group>({
     &object_handlers,
     &signal_handlers,
     &trace_handlers,
+    &terminal_list_handlers,
+    &plant_state_handlers,
+    &pdo_handlers,
+    &nmt_handlers,
+    &storage_handlers,
 });
 
 }  // namespace

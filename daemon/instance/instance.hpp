@@ -17,6 +17,7 @@
 #include "daemon/instance/unit_memory.hpp"
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
+#include "daemon/watch/pdo_watch.hpp"
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
@@ -105,6 +106,14 @@ class Instance final : private device::Listener, private Station, private TapOwn
   /// The trace of its signals.
   UnitTrace& trace() noexcept { return trace_; }
   const UnitTrace& trace() const noexcept { return trace_; }
+  /// Counts the frames of each PDO while it is on.
+  PdoWatch& pdo_watch() noexcept { return pdo_watch_; }
+  /// Saves of the parameters that were begun and have ended since the start, and whether the last one was kept.
+  struct Saves {
+    std::uint32_t ended = 0;
+    bool kept = false;
+  };
+  const Saves& saves() const noexcept { return saves_; }
   /// Whether InstanceListener::on_event() is called from now on.
   void tell_events(bool wanted) noexcept;
 
@@ -146,7 +155,10 @@ class Instance final : private device::Listener, private Station, private TapOwn
   void on_life_guarding_withheld() noexcept override { reports_.on_life_guarding_withheld(); }
   bool on_bus_restart() noexcept override;
   device::Keeping on_store(std::span<const std::byte> image) noexcept override;
-  void on_saved(bool kept) noexcept override { tell(record::EventKind::Store, kept); }
+  void on_saved(bool kept) noexcept override {
+    saves_ = {saves_.ended + 1, kept};
+    tell(record::EventKind::Store, kept);
+  }
   void on_restore() noexcept override;
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   canopen::TimePoint frame_arrival(canopen::TimePoint) noexcept override { return bus_.frame_arrival(); }
@@ -194,6 +206,8 @@ class Instance final : private device::Listener, private Station, private TapOwn
   EventWatch events_{device_, frames_};
   UnitRecording recording_;
   UnitTrace trace_{device_, frames_, events_};
+  PdoWatch pdo_watch_{frames_};
+  Saves saves_{};
   std::vector<LoadTorque> load_torques_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;

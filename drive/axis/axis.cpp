@@ -38,6 +38,10 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
                    .has_infeed = has_infeed}},
       modules_{function_module::of_new(configuration)},
       blocks_{blocks_of(context(), static_cast<const AxisBlocks*>(nullptr))},
+      plant_{.load_inertia = configuration.load.inertia,
+             .coulomb_friction = configuration.load.coulomb_friction,
+             .viscous_friction = configuration.load.viscous_friction,
+             .ambient = configuration.machine.thermal.ambient},
       train_{configuration.machine, motor::real_machine(configuration.machine, configuration.deviation),
              configuration.load, configuration.inverter} {
   commission();
@@ -51,6 +55,18 @@ bool Axis::is_quiescent() const noexcept {
 
 void Axis::set_load_torque(double torque, motor::LoadTorqueType type) noexcept {
   train_.set_load_torque(torque, type);
+  settled_ = false;
+}
+
+void Axis::set_plant(const motor::PlantSettings& settings) noexcept {
+  const AxisConfiguration& configuration = context().axis;
+  motor::Load load = configuration.load;
+  load.inertia = settings.load_inertia;
+  load.coulomb_friction = settings.coulomb_friction;
+  load.viscous_friction = settings.viscous_friction;
+  train_.set_body(motor::real_machine(configuration.machine, configuration.deviation), load);
+  train_.set_ambient(settings.ambient);
+  plant_ = settings;
   settled_ = false;
 }
 

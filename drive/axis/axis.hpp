@@ -88,6 +88,12 @@ class Axis final : public DriveObject {
   /// positive rotation, friction not negative).
   void set_load_torque(double torque, motor::LoadTorqueType type = motor::LoadTorqueType::Constant) noexcept;
 
+  /// Inertia and friction of the load and the air around the motor are @p settings from now on; behind a coupling
+  /// the load has an inertia. What the drive believes of them (p0341, p0613) stays.
+  void set_plant(const motor::PlantSettings& settings) noexcept;
+  /// As last set, at first as configured.
+  const motor::PlantSettings& plant() const noexcept { return plant_; }
+
   /// The motor encoder has @p defect from now on.
   void fail_encoder(motor::EncoderDefect defect) noexcept;
 
@@ -245,6 +251,7 @@ class Axis final : public DriveObject {
   // Of the cycle that runs.
   motor::DriveCommand command_{};
   bool measured_ = false;  // a measurement leads instead of the setpoint channel
+  motor::PlantSettings plant_;
   motor::DriveTrain train_;
   double duration_ = 0.0;  // s
 

@@ -25,6 +25,10 @@ double outputs(const ControlUnit& unit, std::size_t) noexcept {
   return unit.terminals().outputs();
 }
 
+double analog(const ControlUnit& unit, std::size_t) noexcept {
+  return unit.terminals().analog();
+}
+
 double directions(const ControlUnit& unit, std::size_t) noexcept {
   return unit.terminals().directions;
 }

@@ -4,8 +4,8 @@
 
 namespace drive {
 
-/// The digital terminals of the control unit, a bit each as r0722 numbers them: inputs DI 0 to 7, 16, 17, 20 and
-/// 21, and DI/DO 8 to 15, which are inputs until p0728 makes outputs of them.
+/// The terminals of the control unit: the digital ones, a bit each as r0722 numbers them, inputs DI 0 to 7, 16,
+/// 17, 20 and 21, and DI/DO 8 to 15, which are inputs until p0728 makes outputs of them; and an analogue input.
 class Terminals {
  public:
   using Word = std::uint32_t;
@@ -31,6 +31,11 @@ class Terminals {
     applied_ = high ? applied_ | bit : applied_ & ~bit;
   }
 
+  /// What is connected outside puts @p voltage (V) to the analogue input.
+  constexpr void apply_analog(double voltage) noexcept { analog_ = voltage; }
+  /// r0752: that voltage (V).
+  constexpr double analog() const noexcept { return analog_; }
+
   /// r0721: what comes in; 0 of an output.
   constexpr Word levels() const noexcept { return applied_ & inputs(); }
   /// r0722: the same, with what p0795 and p0796 simulate in its place.
@@ -52,6 +57,7 @@ class Terminals {
   constexpr Word inputs() const noexcept { return kAll & ~directions; }
 
   Word applied_ = 0;
+  double analog_ = 0.0;
 };
 
 }  // namespace drive

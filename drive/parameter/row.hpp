@@ -65,6 +65,7 @@ enum class FullScale : std::uint8_t {
   Word,            ///< 4000h, of process data
   DoubleWord,      ///< 40000000h
   TargetVelocity,  ///< the reference speed in increments per second
+  AnalogInput,     ///< 10 V
   TargetTorque,    ///< the reference torque in per mille of the rated torque
 };
 

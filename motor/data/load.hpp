@@ -62,6 +62,16 @@ struct Load {
   HoldingBrake brake{};
 };
 
+/// What of machine and load can become different while they turn; angles and speeds go on as they are.
+struct PlantSettings {
+  double load_inertia = 0.0;      ///< (kg·m²); behind a coupling positive
+  double coulomb_friction = 0.0;  ///< of the load (N·m), not negative
+  double viscous_friction = 0.0;  ///< of the load (N·m·s/rad), not negative
+  double ambient = 20.0;          ///< of the motor (°C)
+
+  friend bool operator==(const PlantSettings&, const PlantSettings&) = default;
+};
+
 /// What a load torque that is set from outside does.
 enum class LoadTorqueType : std::uint8_t {
   Constant,  ///< keeps its sign: drives a shaft that turns the other way, and one that stands

@@ -60,6 +60,7 @@ class Encoder {
   /// Time constant of the smoothing (s): just enough for the encoder's resolution, 0 for a very fine one.
   double filter_time() const noexcept { return filter_time_; }
   const EncoderStatus& status() const noexcept { return status_; }
+  EncoderDefect defect() const noexcept { return defect_; }
 
  private:
   static constexpr double kZeroSpeed = 1e-6;  // rad/s, far below one increment a period

@@ -53,6 +53,12 @@ void Plant::set_load_torque(double torque, LoadTorqueType type) noexcept {
   std::visit([&](auto& shaft) { shaft.set_load(friction ? 0.0 : torque, friction ? torque : 0.0); }, shaft_);
 }
 
+void Plant::set_body(const MachineData& machine, const Load& load) noexcept {
+  std::visit([&](auto& shaft) { shaft.set_body(machine, load); }, shaft_);
+  substeps_ = needed_substeps(machine, load);
+  whole_step_speed_ = substeps_ == 1 ? followed_speed(1) : -1.0;
+}
+
 void Plant::set_brake(bool closed) noexcept {
   const bool exists = brake_.torque > 0.0;
   if (!exists || closed == brake_closed_) return;

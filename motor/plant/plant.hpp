@@ -49,6 +49,9 @@ class Plant {
   /// Replaces constant torque and friction torque of the load by @p torque (N·m; a constant one positive against
   /// positive rotation, friction not negative).
   void set_load_torque(double torque, LoadTorqueType type = LoadTorqueType::Constant) noexcept;
+  /// Inertia and friction of the load become those of @p load, and the rest is as it was built with @p machine; a
+  /// load behind a coupling keeps a positive inertia. No state jumps.
+  void set_body(const MachineData& machine, const Load& load) noexcept;
   /// Commands the holding brake; it acts after its closing or opening time.
   void set_brake(bool closed) noexcept;
   /// Lets rotor and load turn at @p wanted (rad/s, at most the bursting speed), whatever they did before.

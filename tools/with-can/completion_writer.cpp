@@ -16,8 +16,8 @@ cli::Command described() {
   std::smatch parts;
   for (std::string line; std::getline(lines, line);)
     if (std::regex_match(line, parts, pattern))
-      program.options.push_back({{parts[1]}, parts[3], parts[2].matched, cli::value_named(parts[2])});
-  program.words.push_back({"COMMAND", true, {cli::Kind::Command}});
+      program.options.push_back({{parts[1]}, parts[3], parts[2].matched, parts[2], cli::value_named(parts[2])});
+  program.words.push_back({"COMMAND", "program and its arguments", true, true, {cli::Kind::Command}});
   return program;
 }
 

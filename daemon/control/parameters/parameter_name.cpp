@@ -33,6 +33,8 @@ bool take(std::string_view& text, char mark) noexcept {
 }
 
 std::optional<Name> name_of(std::string_view text) {
+  constexpr std::size_t kLongest = 32;
+  if (text.size() > kLongest) return std::nullopt;
   Name name{};
   if (const std::size_t slash = text.find('/'); slash != std::string_view::npos) {
     name.place = text.substr(0, slash);

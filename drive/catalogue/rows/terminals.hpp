@@ -8,7 +8,7 @@
 
 namespace drive::rows {
 
-/// Digital inputs and outputs of the control unit.
+/// Inputs and outputs of the control unit.
 // clang-format off
 inline constexpr std::array kTerminalRows{
     Row{721, 1, kControlUnit, U32, Unit::None, kWhole, 0.0, When::ReadOnly, shown<terminal_value::levels>, Output::Both, "CU digital inputs terminal value", "bits 0 to 7, 16, 17, 20, 21 DI, 8 to 15 DI/DO; 0 of an output"},
@@ -25,6 +25,7 @@ inline constexpr std::array kTerminalRows{
     Row{745, 1, kControlUnit, BinectorInput, Unit::None, kWhole, 0.0, When::Always, bit_input_at<&TerminalInputs::outputs, 7>, Output::No, "BI: CU signal source for terminal DI/DO 15", "r0747.15"},
     Row{747, 1, kControlUnit, U32, Unit::None, kWhole, 0.0, When::ReadOnly, shown<terminal_value::outputs>, Output::Both, "CU digital outputs status", "bits 8 to 15: p0738 to p0745, inverted by p0748, whatever p0728 says"},
     Row{748, 1, kControlUnit, U32, Unit::None, kWhole, 0.0, When::Always, shown<terminal_value::inversions, terminal_value::set_inversions>, Output::No, "CU invert digital outputs", "bits 8 to 15 of r0747"},
+    Row{752, 1, kControlUnit, F32, Unit::VoltsOrMilliamperes, kWhole, 0.0, When::ReadOnly, shown<terminal_value::analog>, Output::Connector, "CU analog input", "in V; 10 V are 100 %; 0 until something is connected, as a CU320-2 has no such input", Keep::Stored, nullptr, FullScale::AnalogInput},
     Row{795, 1, kControlUnit, U32, Unit::None, kWhole, 0.0, When::Always, shown<terminal_value::simulated, terminal_value::set_simulated>, Output::No, "CU digital inputs simulation mode", "1: r0722 shows p0796 in place of the terminal", Keep::No},
     Row{796, 1, kControlUnit, U32, Unit::None, kWhole, 0.0, When::Always, shown<terminal_value::simulation, terminal_value::set_simulation>, Output::No, "CU digital inputs simulation mode setpoint", "by p0795", Keep::No},
 };

@@ -31,7 +31,6 @@ inline constexpr std::array kUnitRows{
     Row{210, 1, kAxes | kInfeed, F32, Unit::VoltsRms, {70.0, 1000.0}, 400.0, When::Ready, Stored{"a supply that follows it; the configuration gives the line voltage"}, Output::No, "Device supply voltage", ""},
     Row{500, 1, kServo, I16, Unit::None, {100.0, 102.0}, 100.0, When::QuickReady, Stored{"presets of a technology application"}, Output::No, "Technology application", ""},
     Row{500, 1, kVector, I16, Unit::None, {0.0, 6.0}, 0.0, When::QuickReady, Stored{"presets of a technology application"}, Output::No, "Technology application", ""},
-    Row{752, 1, kControlUnit, F32, Unit::VoltsOrMilliamperes, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "analog inputs of the control unit"}, Output::Connector, "CU analog input", ""},
     Row{774, 3, kControlUnit, F32, Unit::Volts, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "test sockets of the control unit"}, Output::Connector, "Test sockets output voltage T0..T2", ""},
     Row{918, 1, kControlUnit, U16, Unit::None, {1.0, 126.0}, 126.0, When::Ready, Stored{"PROFIBUS"}, Output::No, "PROFIBUS address", ""},
     Row{969, 1, kControlUnit, U32, Unit::Milliseconds, {0.0, 4294967295.0}, 0.0, When::Always, HostCommand{}, Output::No, "System runtime relative", "", Keep::No},

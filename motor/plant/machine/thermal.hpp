@@ -38,6 +38,8 @@ class MotorThermal {
   /// Heats for @p dt (s, positive) with the losses of the winding and those of iron and bearings, means over dt
   /// (W).
   void step(double dt, double copper_losses, double iron_losses) noexcept;
+  /// The air has @p temperature (°C) from now on.
+  void set_ambient(double temperature) noexcept { data_.ambient = temperature; }
   /// Sets both bodies to @p temperature (°C).
   void start(double temperature) noexcept { winding_ = frame_ = temperature; }
   /// Winding, which the sensor and the stator resistance follow (°C).

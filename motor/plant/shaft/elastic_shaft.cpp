@@ -25,6 +25,16 @@ ElasticShaft::ElasticShaft(const MachineData& machine, const Load& load) noexcep
   load_friction_.coulomb += load.friction_torque;
 }
 
+void ElasticShaft::set_body(const MachineData&, const Load& load) noexcept {
+  const double set_friction = load_friction_.coulomb - own_load_friction_;
+  load_inertia_ = load.inertia;
+  load_inverse_inertia_ = 1.0 / load_inertia_;
+  load_friction_ = load_friction(load);
+  own_load_friction_ = load_friction_.coulomb;
+  load_friction_.coulomb += set_friction;
+  load_viscous_ = load.viscous_friction;
+}
+
 void ElasticShaft::begin(const StepStart& start, double torque) noexcept {
   start_angle_ = start.angle - twist_;
   load_.begin(start.time, start_angle_);

@@ -109,6 +109,8 @@ class ElasticShaft {
     load_.set_constant(constant);
     load_friction_.coulomb = own_load_friction_ + friction;
   }
+  /// Inertia and friction of the load become those of @p load; the torques that were set stay.
+  void set_body(const MachineData& machine, const Load& load) noexcept;
   /// Friction of the brake on the rotor (N·m), 0 = open.
   void set_brake(double torque) noexcept { friction_.coulomb = open_friction_ + torque; }
 

@@ -79,6 +79,16 @@ class RigidShaft {
     set_friction_ = friction;
     sum_friction();
   }
+  /// Inertia and friction become those of @p machine with @p load; the torques that were set stay.
+  void set_body(const MachineData& machine, const Load& load) noexcept {
+    inertia_ = machine.inertia + load.inertia;
+    inverse_inertia_ = 1.0 / inertia_;
+    friction_ = with_bearings(load_friction(load), machine);
+    own_friction_ = friction_.coulomb;
+    viscous_ = machine.viscous_friction + load.viscous_friction;
+    drag_ = viscous_ + eddy_current_drag_;
+    sum_friction();
+  }
   /// Friction of the brake on the rotor (N·m), 0 = open.
   void set_brake(double torque) noexcept {
     brake_ = torque;
