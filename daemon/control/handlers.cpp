@@ -17,13 +17,13 @@ constexpr auto kGroups = std::to_array<Group>({
     &parameter_handlers,
     &parameter_list_handlers,
     &object_handlers,
-    &signal_handlers,
-    &trace_handlers,
     &terminal_list_handlers,
     &plant_state_handlers,
     &pdo_handlers,
     &nmt_handlers,
     &storage_handlers,
+    &signal_handlers,
+    &trace_handlers,
 });
 
 }  // namespace

@@ -17,8 +17,8 @@
 #include "daemon/instance/unit_memory.hpp"
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
-#include "daemon/watch/pdo_watch.hpp"
 #include "daemon/watch/unit_recording.hpp"
+#include "daemon/watch/pdo_watch.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
 
@@ -103,9 +103,6 @@ class Instance final : private device::Listener, private Station, private TapOwn
   EventWatch& events() noexcept { return events_; }
   /// What is kept of both in files.
   UnitRecording& recording() noexcept { return recording_; }
-  /// The trace of its signals.
-  UnitTrace& trace() noexcept { return trace_; }
-  const UnitTrace& trace() const noexcept { return trace_; }
   /// Counts the frames of each PDO while it is on.
   PdoWatch& pdo_watch() noexcept { return pdo_watch_; }
   /// Saves of the parameters that were begun and have ended since the start, and whether the last one was kept.
@@ -114,6 +111,9 @@ class Instance final : private device::Listener, private Station, private TapOwn
     bool kept = false;
   };
   const Saves& saves() const noexcept { return saves_; }
+  /// The trace of its signals.
+  UnitTrace& trace() noexcept { return trace_; }
+  const UnitTrace& trace() const noexcept { return trace_; }
   /// Whether InstanceListener::on_event() is called from now on.
   void tell_events(bool wanted) noexcept;
 
@@ -205,9 +205,9 @@ class Instance final : private device::Listener, private Station, private TapOwn
   FrameTap frames_{bus_.queue(), *this};
   EventWatch events_{device_, frames_};
   UnitRecording recording_;
-  UnitTrace trace_{device_, frames_, events_};
   PdoWatch pdo_watch_{frames_};
   Saves saves_{};
+  UnitTrace trace_{device_, frames_, events_};
   std::vector<LoadTorque> load_torques_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;
