@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/completion.hpp"
 #include "daemon/version.hpp"
 #include "text/number.hpp"
 
@@ -56,6 +57,14 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   app.add_flag("--check-config", options.check_config, "check the configuration and exit");
   app.add_option("--log-level", level, "error, warning, notice, info or debug (default: info)")
       ->type_name("LEVEL");
+  cli::add_completion(app, [](cli::Command& program) {
+    for (cli::Option& option : program.options)
+      if (option.names.back() == "--log-level")
+        for (const LevelRow& row : kLevels) {
+          option.value.kind = cli::Kind::Choices;
+          option.value.choices.emplace_back(row.name);
+        }
+  });
   try {
     app.parse(count, words);
   } catch (const CLI::Success& asked) {

@@ -23,6 +23,7 @@ inline constexpr std::string_view kSystem = "<*.h>";
 inline constexpr std::array kLayers{
     Layer{"os", {"fmt/", kSystem}},
     Layer{"control", {"fmt/", "nlohmann/", "generated/control_methods.hpp", kSystem}},
+    Layer{"cli", {"fmt/", "CLI/"}},
     Layer{"libcanopen", {}},
     Layer{"libcanopen/base", {}},
     Layer{"libcanopen/od", {"libcanopen/base/"}},
@@ -89,11 +90,11 @@ inline constexpr std::array kLayers{
           {"daemon/base/", "daemon/configuration/", "daemon/watch/", "daemon/control/", "daemon/fleet/",
            "record/event.hpp", "control/", "os/", "fmt/", "nlohmann/", "systemd/", kSystem}},
     Layer{"daemon/program",
-          {"daemon/", "control/", "libcanopen/", "drive/", "motor/", "unit/", "device/", "os/", "can/port/",
-           "can/connection/", "text/", "fmt/", "CLI/", "systemd/", "nlohmann/", kSystem}},
+          {"cli/", "daemon/", "control/", "libcanopen/", "drive/", "motor/", "unit/", "device/", "os/",
+           "can/port/", "can/connection/", "text/", "fmt/", "CLI/", "systemd/", "nlohmann/", kSystem}},
     Layer{"tools",
           {"libcanopen/", "eds/", "os/", "can/userbus/", "can/port/", "can/connection/", "can/hub/", "text/",
-           "control/", "record/", "trace/export/", "fmt/", "nlohmann/", "CLI/", kSystem}},
+           "control/", "record/", "trace/export/", "cli/", "fmt/", "nlohmann/", "CLI/", kSystem}},
     Layer{"can/preload", {"can/userbus/", kSystem}},
 };
 

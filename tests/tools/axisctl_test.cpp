@@ -1,3 +1,6 @@
+#include <fstream>
+#include <iterator>
+
 #include "tests/tools/axisctl_fixture.hpp"
 
 namespace {
@@ -241,6 +244,14 @@ TEST_F(Axisctl, HelpsAsASubcommandToo) {
   EXPECT_NE(load.output.find("friction: against the motion"), std::string::npos) << load.output;
   const std::string all = run({"help"}).output;
   EXPECT_NE(all.find("Act on the CAN controller"), std::string::npos) << all;
+}
+
+TEST_F(Axisctl, HasAPageThatIsUpToDate) {
+  std::ifstream file{SOURCE_FOLDER "/docs/axisctl-commands.md"};
+  const std::string page{std::istreambuf_iterator<char>{file}, {}};
+
+  EXPECT_TRUE(run({"--completion", "markdown"}).output == page)
+      << "docs/axisctl-commands.md: cmake --build BUILD --target update_generated";
 }
 
 TEST_F(Axisctl, ExplainsItself) {

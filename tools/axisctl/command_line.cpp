@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/completion.hpp"
+#include "tools/axisctl/completion.hpp"
 #include "tools/axisctl/suggestion.hpp"
 
 namespace axisctl {
@@ -33,6 +35,7 @@ CommandLine::CommandLine() {
   add_methods(app_, invocation_.run);
   for (const AddCommand add : commands()) add(app_, invocation_.run);
   add_help();
+  cli::add_completion(app_, add_choices);
   app_.require_subcommand(1);
 }
 

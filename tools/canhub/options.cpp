@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "can/userbus/bit_rate.hpp"
+#include "cli/completion.hpp"
 
 namespace canhub {
 
@@ -73,6 +74,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
       ->type_name("URL");
   app.add_option("--socketcand", options.socketcand, "serve clients of socketcand too")->type_name("HOST:PORT");
   app.add_flag("--status", options.status, "print what a running hub knows of its members, and exit");
+  cli::add_completion(app);
   try {
     app.parse(count, words);
   } catch (const CLI::ParseError& error) {

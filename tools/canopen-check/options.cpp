@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/completion.hpp"
 #include "tools/canopen-check/checks/objects/static_checks.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 
@@ -32,6 +33,7 @@ struct Words {
 };
 
 void add_options(CLI::App& app, Options& options, Words& words) {
+  cli::add_completion(app);
   app.add_option("--interface", words.interface, "CAN interface, or the URL of a bus as axisd takes it")
       ->type_name("IF");
   app.add_option("--node", words.node, "node-ID of the slave, 1 to 127")

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/completion.hpp"
 #include "tools/edstool/command.hpp"
 
 namespace {
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
       "Exit status: 0 clean or warnings only, 1 an error or a difference was found, 2 wrong usage or a file that "
       "cannot be read or written.");
   for (const edstool::AddCommand add : edstool::commands()) add(app, invocation);
+  cli::add_completion(app);
   app.require_subcommand(1);
   app.fallthrough();
   for (CLI::App* const command : app.get_subcommands({})) command->fallthrough();

@@ -5,7 +5,8 @@
 namespace axisctl {
 
 std::span<const AddCommand> commands() noexcept {
-  static constexpr std::array<AddCommand, 4> kCommands{&add_units, &add_wait, &add_watch, &add_monitor};
+  static constexpr std::array<AddCommand, 6> kCommands{&add_units,   &add_wait,  &add_watch,
+                                                       &add_monitor, &add_trace, &add_record};
   return kCommands;
 }
 

@@ -45,8 +45,8 @@ Expected<Comparison> parse_comparison(const std::string& word, const std::string
 Expected<double> read_signal(Session& session, const std::string& signal) {
   const auto result = session.ask("signal.read", {{"signals", json::array({signal})}});
   if (!result) return tl::unexpected{result.error()};
-  const json values = result->is_object() ? result->value("values", json::array()) : json::array();
-  if (values.is_array() && !values.empty() && values.front().is_number()) return values.front().get<double>();
+  const json value = result->is_object() ? result->value("/signals/0/value"_json_pointer, json{}) : json{};
+  if (value.is_number()) return value.get<double>();
   return fail(ExitStatus::NotUnderstood, fmt::format("SIGNAL: {} has no value", signal));
 }
 

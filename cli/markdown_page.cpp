@@ -1,0 +1,58 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/completion.hpp"
+
+namespace cli {
+namespace {
+
+/// What stands in a cell of a table.
+std::string cell(std::string text) {
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    text.insert(at, "\\");
+  return text;
+}
+
+std::string choices_of(const Value& value) {
+  return value.choices.empty() ? "" : fmt::format(": `{}`", fmt::join(value.choices, "`, `"));
+}
+
+std::string rows_of(const Command& command) {
+  std::string rows;
+  for (const Word& word : command.words)
+    rows += fmt::format("| `{}` | {}{} |\n", word.name, cell(word.help), choices_of(word.value));
+  for (const Option& option : command.options) {
+    if (std::ranges::count(option.names, "--help") != 0) continue;
+    rows +=
+        fmt::format("| `{}{}` | {}{} |\n", fmt::join(option.names, "`, `"),
+                    option.takes_value ? " " + option.argument : "", cell(option.help), choices_of(option.value));
+  }
+  return rows.empty() ? "" : "\n| | |\n|---|---|\n" + rows;
+}
+
+std::string usage_of(const std::string& path, const Command& command) {
+  std::string usage = path;
+  for (const Word& word : command.words) {
+    const std::string name = word.name + (word.repeats ? "..." : "");
+    usage += word.required ? ' ' + name : fmt::format(" [{}]", name);
+  }
+  return usage;
+}
+
+}  // namespace
+
+std::string markdown_page(const Command& program) {
+  std::string page = fmt::format("# {}: options and subcommands\n\n{}\n", program.name, program.help);
+  visit_commands(program, [&](const std::string& path, const Command& command) {
+    const bool is_program = path == program.name;
+    if (!is_program && !command.commands.empty()) return;
+    if (!is_program) page += fmt::format("\n## {}\n\n{}.\n", usage_of(path, command), command.help);
+    page += rows_of(command);
+    if (is_program && !program.footer.empty()) page += fmt::format("\n```\n{}\n```\n", program.footer);
+  });
+  return page;
+}
+
+}  // namespace cli

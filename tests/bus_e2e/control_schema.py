@@ -1,0 +1,142 @@
+"""The schema of the control socket against a daemon: control_schema.py BIN-FOLDER SCHEMA
+
+Every method is asked for something, by a request that the schema allows; every answer, error and notice is what the schema says,
+and nothing more. Needs python3-jsonschema.
+"""
+
+import copy
+import json
+import pathlib
+import socket
+import sys
+
+import jsonschema
+import programs
+
+# What every method is asked for, in an order in which all can be answered.
+REQUESTS = [
+    ('units', {}), ('status', {}), ('explain', {}), ('explain', {'axis': 1}),
+    ('events.subscribe', {}), ('samples.subscribe', {'signals': ['1/speed'], 'period_ms': 10}),
+    ('fault.inject', {'axis': 1, 'number': 7860, 'value': 3}), ('fault.list', {}), ('fault.list', {'axis': 1}),
+    ('status', {}), ('fault.ack', {'axis': 1}), ('fault.buffer', {'axis': 1}), ('fault.clear', {'axis': 1}),
+    ('load.set', {'axis': 1, 'torque_Nm': 1.5}), ('load.get', {'axis': 1}), ('supply.set', {'line_voltage_V': 390}),
+    ('supply.get', {}), ('encoder.fail', {'axis': 1, 'defect': 'none'}), ('encoder.get', {'axis': 1}),
+    ('plant.get', {'axis': 1}), ('plant.set', {'axis': 1, 'ambient_C': 30}),
+    ('input.set', {'input': 3, 'state': True}), ('input.list', {}), ('output.list', {}), ('input.analog', {'voltage_V': 1}),
+    ('parameter.read', {'parameters': ['1/p1120', '1/p1070', '0/r0722.3', '1/r0899.2']}),
+    ('parameter.write', {'parameter': 'p1120', 'value': 2.5}), ('parameter.list', {'axis': 1, 'count': 5}),
+    ('parameter.list', {'axis': 0, 'filter': 'inputs'}), ('parameter.search', {'text': 'ramp'}),
+    ('parameter.search', {'text': 'ramp', 'axis': 1}), ('parameter.diff', {}), ('parameter.diff', {'against': 'stored'}),
+    ('object.read', {'index': '6041'}), ('object.write', {'index': '6083', 'value': 5000}), ('object.list', {'count': 20}),
+    ('pdo.list', {'all': True}), ('pdo.list', {'watch': True}), ('pdo.list', {}), ('nmt.get', {}),
+    ('signal.list', {'search': 'speed'}), ('signal.read', {'signals': ['1/speed', '1/r0063']}),
+    ('trace.start', {'signals': ['1/speed'], 'every': 'cycle', 'samples': 5}), ('trace.status', {}), ('trace.stop', {}),
+    ('trace.read', {}), ('trace.read', {'part': 'frames'}), ('trace.read', {'part': 'events'}),
+    ('record.start', {'name': 'one'}), ('record.status', {}), ('record.stop', {}), ('record.status', {}),
+    ('store', {}), ('store.status', {}), ('restore', {'which': 'factory'}),
+    ('samples.unsubscribe', {}), ('events.unsubscribe', {}),
+    ('unit.off', {}), ('units', {}), ('unit.on', {}), ('status', {}), ('quit', {}),
+]
+# Those that this unit may refuse: the bus is not off, an input that it does not have.
+REFUSED = [('bus.restart', {}, 'refused')]
+MAY_BE_REFUSED = {'input.analog', 'trace.read', 'restore', 'store'}
+
+WRONG = [
+    (b'hello', 'malformed'), (b'[1]', 'malformed'), (b'{"id": 1}', 'malformed'), (b'{"id": [1], "method": "status"}', 'malformed'),
+    (b'{"id": 1, "method": "status", "params": 5}', 'malformed'), (b'{"id": 1, "method": "stat\xff"}', 'malformed'),
+    (b'{"id": 1, "method": "status"', 'malformed'), (b'{"id":' + b'[' * 30000 + b']' * 30000 + b'}', 'malformed'),
+    (b'{"id": 1, "method": "dance"}', 'unknown-method'), (b'{"id": 1, "method": ""}', 'unknown-method'),
+    (b'{"id": 1, "method": "status", "params": {"unit": "vcan9/77"}}', 'unknown-unit'),
+    (b'{"id": 1, "method": "fault.ack"}', 'bad-parameter'),
+    (b'{"id": 1, "method": "fault.ack", "params": {"axis": 9}}', 'bad-parameter'),
+    (b'{"id": 1, "method": "fault.ack", "params": {"axis": "1"}}', 'bad-parameter'),
+    (b'{"id": 1, "method": "fault.inject", "params": {"axis": 1, "number": 9}}', 'not-found'),
+    (b'{"id": 1, "method": "parameter.read", "params": {"parameters": ["p9999"]}}', 'not-found'),
+    (b'{"id": 1, "method": "parameter.write", "params": {"parameter": "p1120", "value": -1}}', 'out-of-range'),
+    (b'{"id": 1, "method": "parameter.write", "params": {"parameter": "1/r0063", "value": 1}}', 'read-only'),
+    (b'{"id": 1, "method": "signal.read", "params": {"signals": ["1/dance"]}}', 'not-found'),
+]
+
+
+def closed(schema):
+    """The same without members that it does not name."""
+    schema = copy.deepcopy(schema)
+
+    def close(node):
+        if isinstance(node, dict):
+            if isinstance(node.get('properties'), dict) and 'additionalProperties' not in node:
+                node['additionalProperties'] = False
+            for value in node.values():
+                close(value)
+        elif isinstance(node, list):
+            for value in node:
+                close(value)
+
+    open_error = copy.deepcopy(schema['$defs']['error'])
+    close(schema)
+    schema['$defs']['error'] = open_error
+    return schema
+
+
+class Conversation:
+    """A connection, and the lines that nobody has asked for."""
+
+    def __init__(self, path, schema):
+        self.schema = schema
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.settimeout(programs.PATIENCE)
+        self.socket.connect(path)
+        self.lines = self.socket.makefile('rb')
+        self.notices = []
+
+    def check(self, definition, value):
+        jsonschema.validate(value, {'$ref': f'#/$defs/{definition}', '$defs': self.schema['$defs']},
+                            cls=jsonschema.Draft202012Validator)
+
+    def answer_to(self, line):
+        self.socket.sendall(line + b'\n')
+        while True:
+            got = self.lines.readline()
+            assert got.endswith(b'\n'), f'no answer to {line[:100]}'
+            answer = json.loads(got)
+            if 'result' in answer or 'error' in answer:
+                return answer
+            self.notices.append(answer)
+
+    def ask(self, method, params):
+        request = {'id': 1, 'method': method, 'params': params}
+        self.check('request.' + method, request)
+        answer = self.answer_to(json.dumps(request).encode())
+        self.check('error' if 'error' in answer else 'answer.' + method, answer)
+        return answer
+
+
+def main():
+    bin_folder, schema_file = sys.argv[1:]
+    schema = json.loads(pathlib.Path(schema_file).read_text(encoding='utf-8'))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    methods = {name[len('request.'):] for name in schema['$defs'] if name.startswith('request.')}
+    asked = {request[0] for request in REQUESTS + REFUSED}
+    assert methods == asked, f'not asked for: {methods - asked}, not in the schema: {asked - methods}'
+    with programs.Folder(bin_folder) as folder:
+        programs.start_unit(folder)
+        path = next(pathlib.Path(folder.folder.name).glob('axisd*.sock'))
+        talk = Conversation(str(path), closed(schema))
+        for line, code in WRONG:
+            answer = talk.answer_to(line)
+            talk.check('error', answer)
+            assert answer['error']['code'] == code, (line[:100], answer)
+        for method, params, code in REFUSED:
+            assert talk.ask(method, params)['error']['code'] == code, method
+        for method, params in REQUESTS:
+            answer = talk.ask(method, params)
+            assert 'error' not in answer or method in MAY_BE_REFUSED, (method, params, answer)
+            assert answer.get('error', {}).get('code') != 'unknown-method', method
+        for notice in talk.notices:
+            talk.check('notice', notice)
+        kinds = {key for notice in talk.notices for key in notice}
+        assert kinds == {'event', 'sample'}, kinds
+
+
+if __name__ == '__main__':
+    main()
