@@ -20,6 +20,8 @@ constexpr double kHighestFriction = 1e6;              // N·m, N·m·s/rad
 constexpr double kColdest = -40.0, kHottest = 100.0;  // °C
 
 constexpr std::array<std::string_view, 3> kInfeeds{"diode", "regenerative", "active"};
+/// In the order of motor::EncoderDefect.
+constexpr auto kDefects = control::find_parameter("encoder.fail", "defect") -> choices;
 
 Outcome show_load(const Call& call, const json& params) {
   const auto axis = required_axis(call.instance, params);
@@ -124,7 +126,7 @@ Outcome show_encoder(const Call& call, const json& params) {
   const drive::Axis& of = call.instance.device().axis(*axis);
   const motor::Encoder& encoder = of.drive_train().encoder();
   return json{{"axis", *axis},
-              {"defect", control::kEncoderDefects[static_cast<std::size_t>(encoder.defect())]},
+              {"defect", kDefects[static_cast<std::size_t>(encoder.defect())]},
               {"signal_is_lost", encoder.status().signal_lost},
               {"zero_mark_deviation", encoder.status().zero_mark_deviation},
               {"counts", encoder.counts()},
