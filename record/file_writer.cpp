@@ -85,17 +85,20 @@ void FileWriter::carry_out(Command command, std::span<const std::byte> record) n
   switch (command) {
     case Command::Begin:
       return begin();
-    case Command::History: {
-      RecordBuffer buffer{};
-      history_.for_each(buffer, [this](std::span<const std::byte> past) { take(past); });
-      history_.clear();
-      return has_history_.store(false, std::memory_order_release);
-    }
+    case Command::History:
+      return write_history();
     case Command::Finish:
       return finish(static_cast<EndReason>(number_at(record, kRecordHeadBytes, 1)), moment_of(record));
     case Command::Quit:
       return finish(EndReason::Stopped, moment_of(record));
   }
+}
+
+void FileWriter::write_history() noexcept {
+  RecordBuffer buffer{};
+  history_.for_each(buffer, [this](std::span<const std::byte> past) { take(past); });
+  history_.clear();
+  has_history_.store(false, std::memory_order_release);
 }
 
 void FileWriter::begin() noexcept {

@@ -59,6 +59,7 @@ class FileWriter {
   void work() noexcept;
   bool empty_queue() noexcept;
   void carry_out(Command command, std::span<const std::byte> record) noexcept;
+  void write_history() noexcept;
   void take(std::span<const std::byte> record) noexcept;
   void begin() noexcept;
   void write(std::span<const std::byte> record) noexcept;

@@ -55,14 +55,14 @@ void EventWatch::on_bus_state(bus::ErrorState state, canopen::TimePoint now) noe
         .text_before = name_of(before)});
 }
 
-void EventWatch::on_parameter_written(std::uint8_t object, std::uint16_t number, std::uint16_t index, double value,
+void EventWatch::on_parameter_written(const device::ParameterWindow::Target& at, double value,
                                       std::optional<double> before, canopen::TimePoint now) noexcept {
   tell({.time = now,
         .kind = EventKind::Parameter,
         .origin = record::Origin::Control,
-        .object = object,
-        .number = number,
-        .index = index,
+        .object = at.object,
+        .number = at.number,
+        .index = static_cast<std::uint16_t>(at.index),
         .value = value,
         .before = before});
 }

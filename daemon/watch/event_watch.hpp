@@ -40,10 +40,9 @@ class EventWatch final : private FrameListener {
   void on_change(record::EventKind kind, bool active, canopen::TimePoint now) noexcept {
     tell({.time = now, .kind = kind, .active = active});
   }
-  /// Index @p index of parameter @p number of drive object @p object has @p value, in its own unit, by the control
-  /// socket.
-  void on_parameter_written(std::uint8_t object, std::uint16_t number, std::uint16_t index, double value,
-                            std::optional<double> before, canopen::TimePoint now) noexcept;
+  /// The parameter @p at has @p value, in its own unit, by the control socket.
+  void on_parameter_written(const device::ParameterWindow::Target& at, double value, std::optional<double> before,
+                            canopen::TimePoint now) noexcept;
   /// The same of an object of the dictionary.
   void on_object_written(std::uint16_t index, std::uint8_t sub_index, double value, std::optional<double> before,
                          canopen::TimePoint now) noexcept;

@@ -15,8 +15,7 @@ Taken<void> write_and_tell(const Call& call, const ParameterTarget& target, doub
   const auto written = device.write_parameter(object, number, target.index, value, call.now);
   if (!written) return tl::unexpected{refusal_of(written.error(), target, is_saving)};
   EventWatch& events = call.instance.events();
-  if (events.is_watched())
-    events.on_parameter_written(object, number, static_cast<std::uint16_t>(target.index), value, before, call.now);
+  if (events.is_watched()) events.on_parameter_written({object, number, target.index}, value, before, call.now);
   return {};
 }
 
