@@ -100,8 +100,6 @@ class DriveUnit final : private Surroundings {
   const motor::DcLink& dc_link() const noexcept { return dc_link_; }
   /// The line fails (0) or changes its voltage (V rms between lines, not negative).
   void set_line_voltage(double voltage) noexcept;
-  /// As last set, at first as configured.
-  double line_voltage() const noexcept { return line_voltage_; }
 
   /// The value of a parameter as it is transferred.
   [[nodiscard]] tl::expected<ParameterValue, ParameterError> read(std::uint8_t object, std::uint16_t number,

@@ -69,6 +69,7 @@ void add_object(json& line, const Event& event) {
 void add_refusal(json& line, const Event& event) {
   line["object"] = fmt::format("{:04X}:{:02X}", event.number, event.index);
   line["abort_code"] = fmt::format("0x{:08X}", event.code);
+  line["text"] = event.text;
   add_origin(line, event);
 }
 

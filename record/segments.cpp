@@ -46,7 +46,7 @@ std::string Segments::fault_suffix() const {
   std::optional<std::filesystem::file_time_type> oldest;
   std::string found;
   for (unsigned number = 1; number <= kFaults; ++number) {
-    const std::string suffix = "-" + std::to_string(number);
+    std::string suffix = "-" + std::to_string(number);
     std::error_code missing;
     const auto written = std::filesystem::last_write_time(path(suffix, kRecording), missing);
     if (missing) return suffix;

@@ -96,6 +96,7 @@ const Recording* Tracer::result(std::uint64_t number) const noexcept {
 void Tracer::on_cycle_begin(unit::TimePoint begin) noexcept {
   begin_ = begin;
   steps_ = 0;
+  look(begin);  // what has come between two cycles acts from here on
 }
 
 void Tracer::on_step(long step) noexcept {
@@ -105,8 +106,12 @@ void Tracer::on_step(long step) noexcept {
 
 void Tracer::on_cycle_end() noexcept {
   const unit::TimePoint now = begin_ + (steps_ + 1) * kStep;
-  if (is_on()) armed_->watch.look(now, [this](const Event& event) { on_event(event); });
+  look(now);
   advance(now, true);
+}
+
+void Tracer::look(unit::TimePoint now) noexcept {
+  if (is_on()) armed_->watch.look(now, [this](const Event& event) { on_event(event); });
 }
 
 void Tracer::advance(unit::TimePoint now, bool at_cycle_end) noexcept {

@@ -72,6 +72,7 @@ class Tracer final : public unit::CycleObserver {
  private:
   struct Armed;
 
+  void look(unit::TimePoint now) noexcept;
   void advance(unit::TimePoint now, bool at_cycle_end) noexcept;
   void trigger(unit::TimePoint time) noexcept;
   void finish() noexcept;

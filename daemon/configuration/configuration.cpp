@@ -13,6 +13,7 @@
 #include "daemon/configuration/plant_reader.hpp"
 #include "daemon/configuration/record_reader.hpp"
 #include "daemon/configuration/supply_reader.hpp"
+#include "daemon/configuration/trace_reader.hpp"
 #include "drive/drive_unit.hpp"
 
 namespace axisd {
@@ -99,8 +100,8 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kUnitKeys{"interface", "node_id", "axes",   "parameters", "supply",
-                                                    "infeed", "sdo_block", "f08701", "record"};
+constexpr std::array<std::string_view, 10> kUnitKeys{"interface", "node_id",   "axes",   "parameters", "supply",
+                                                     "infeed",    "sdo_block", "f08701", "record",     "trace"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
@@ -115,6 +116,7 @@ Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
   if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors);
   if (json.has("record")) configuration.record = read_record(json.at("record"));
+  if (json.has("trace")) configuration.trace = read_trace(json.at("trace"));
   read_parameters(json, configuration);
   return configuration;
 }

@@ -16,6 +16,7 @@
 #include "motor/data/machine_data.hpp"
 #include "motor/data/plant_deviation.hpp"
 #include "motor/data/supply_data.hpp"
+#include "trace/settings.hpp"
 
 namespace axisd {
 
@@ -67,6 +68,7 @@ struct Configuration {
   motor::SupplyData supply{};                 ///< key "supply"
   bool sdo_block = false;                     ///< key "sdo_block"
   bool fault_on_leaving_operational = true;   ///< key "f08701"
+  std::optional<trace::Settings> trace{};     ///< key "trace": begins with the unit
   std::optional<RecordSettings> record{};     ///< key "record": begins with the unit
 };
 

@@ -120,6 +120,10 @@ void JsonReader::fail(const std::string& expected) const {
   throw ConfigurationError{fmt::format("{}: expected {}, got {}", place(), expected, quote(value_))};
 }
 
+void JsonReader::fail_below(const std::string& path, const std::string& expected) const {
+  throw ConfigurationError{fmt::format("{}: {}/{}: expected {}", file_, path_, quoted_key(path), expected)};
+}
+
 void JsonReader::expect_object(std::span<const std::string_view> keys) const {
   if (!value_.is_object()) fail("an object");
   for (const auto& item : value_.items()) {

@@ -30,6 +30,9 @@ class JsonReader {
   /// Keys of an object, in the order of nlohmann's map.
   std::vector<std::string> keys() const;
 
+  /// The value itself, for a reader of another layer.
+  const nlohmann::json& value() const noexcept { return value_; }
+
   /// Name of the file, for paths in it that are relative.
   const std::string& file() const noexcept { return file_; }
 
@@ -44,6 +47,8 @@ class JsonReader {
 
   /// Throws ConfigurationError: this value is not @p expected.
   [[noreturn]] void fail(const std::string& expected) const;
+  /// The same of what is at @p path ("a/b") below this value, or should be.
+  [[noreturn]] void fail_below(const std::string& path, const std::string& expected) const;
 
  private:
   JsonReader(nlohmann::json value, std::string file, std::string path)

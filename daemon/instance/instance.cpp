@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "daemon/base/clock.hpp"
 #include "daemon/instance/device_setup.hpp"
 
@@ -52,6 +54,8 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       reports_{configuration, log},
       recording_{{configuration, device_, frames_, events_, folder, started_}},
       load_torques_{load_torques(configuration)} {
+  if (const auto problem = configuration.trace ? trace_.problem_of(*configuration.trace) : std::nullopt)
+    throw ConfigurationError{fmt::format("trace: {}: expected {}", problem->key, problem->expected)};
   if (!configuration.record) return;
   if (const auto signals = recording_.signals_of(*configuration.record); !signals)
     throw ConfigurationError{"record: " + signals.error()};
@@ -107,6 +111,8 @@ void Instance::link_up() noexcept {
   tell(record::EventKind::Link, true);
   sent_before_boot_up_ = bus_.queue().counters().sent;
   device_.start(on_grid(read_clock()));
+  if (configuration_.trace && trace_.tracer().phase() == trace::Phase::Off)
+    static_cast<void>(trace_.start(*configuration_.trace));  // it has been tried
   memory_.raise_faults();
   if (!ready_told_) return tell_ready();
   log_.notice("{} is up again", bus_name());

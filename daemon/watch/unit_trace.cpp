@@ -4,6 +4,7 @@
 #include <array>
 
 #include "device/bus/unit_time.hpp"
+#include "trace/arming.hpp"
 
 namespace axisd {
 namespace {
@@ -18,6 +19,11 @@ tl::expected<void, trace::Problem> UnitTrace::start(const trace::Settings& setti
   if (auto started = tracer_.start(settings, device_.cycle()); !started) return started;
   listen(true);
   return {};
+}
+
+std::optional<trace::Problem> UnitTrace::problem_of(const trace::Settings& settings) const {
+  const auto plan = trace::make_plan(std::as_const(device_).unit(), settings, device_.cycle());
+  return plan ? std::nullopt : std::optional{plan.error()};
 }
 
 void UnitTrace::stop() noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include <tl/expected.hpp>
@@ -24,6 +25,8 @@ class UnitTrace final : private FrameListener, private EventListener {
   /// Begins a trace (see trace::Tracer::start()). Neither this nor stop() from within what the unit tells.
   tl::expected<void, trace::Problem> start(const trace::Settings& settings);
   void stop() noexcept;
+  /// What start() would complain of.
+  std::optional<trace::Problem> problem_of(const trace::Settings& settings) const;
   /// A trace that has ended by itself is told nothing more. After every turn.
   void look_around() noexcept {
     if (listens_ && !tracer_.is_on()) [[unlikely]]

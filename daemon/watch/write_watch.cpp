@@ -5,6 +5,7 @@
 
 #include "libcanopen/base/cob_id.hpp"
 #include "libcanopen/base/object_index.hpp"
+#include "libcanopen/od/abort_text.hpp"
 
 namespace axisd {
 namespace {
@@ -153,12 +154,14 @@ UnitEvent WriteWatch::written(std::size_t server) const noexcept {
 
 UnitEvent WriteWatch::refused(std::size_t server, const canopen::Frame& frame) const noexcept {
   const Download& download = downloads_[server];
+  const auto code = canopen::load<std::uint32_t>(&frame.data[4]);
   return {.kind = record::EventKind::Refusal,
           .origin = record::Origin::Sdo,
           .server = static_cast<std::uint8_t>(server),
           .number = download.at.index,
           .index = download.at.sub_index,
-          .code = canopen::load<std::uint32_t>(&frame.data[4])};
+          .code = code,
+          .text = canopen::text_of(static_cast<canopen::AbortCode>(code))};
 }
 
 }  // namespace axisd

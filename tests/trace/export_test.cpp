@@ -99,7 +99,7 @@ TEST(Pictures, ShowSignalsTriggerEventsAndFrames) {
   EXPECT_NE(svg.find(">-500<"), std::string::npos) << "the first tick";
   EXPECT_NE(svg.find(">rpm<"), std::string::npos);
   EXPECT_EQ(count(svg, "<path"), 6U) << "four signals, two ways of frames";
-  EXPECT_NE(svg.find("<line x1=\"630.0\""), std::string::npos) << "the trigger, in the middle of 80 to 1180";
+  EXPECT_NE(svg.find("<line x1=\"635.0\""), std::string::npos) << "the trigger, in the middle of 90 to 1180";
   EXPECT_EQ(count(svg, "<svg"), count(svg, "</svg>"));
 }
 

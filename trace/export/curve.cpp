@@ -38,29 +38,44 @@ class CurveWriter {
   }
   void interrupt() {
     put_column();
+    end_level();
     starts_ = true;
   }
   std::string data() && {
     put_column();
+    end_level();
     return std::move(data_);
   }
 
  private:
   void put_column() {
     if (column_.points == 0) return;
+    const double middle = 0.5 * (column_.first_x + column_.last_x);
     put(column_.first_x, column_.first);
-    if (column_.points > 2) {
-      put(column_.first_x, column_.lowest);
-      put(column_.last_x, column_.highest);
-    }
+    if (column_.lowest < std::min(column_.first, column_.last)) put(middle, column_.lowest);
+    if (column_.highest > std::max(column_.first, column_.last)) put(middle, column_.highest);
     if (column_.points > 1) put(column_.last_x, column_.last);
     column_ = {};
   }
+  /// Of a level line its two ends.
   void put(double x, double y) {
-    data_.append(starts_ ? "M" : "L").append(coordinate(x)).append(",").append(coordinate(y));
+    const std::string height = coordinate(y);
+    if (!starts_ && height == height_) {
+      level_end_ = coordinate(x);
+      return;
+    }
+    end_level();
+    data_.append(starts_ ? "M" : "L").append(coordinate(x)).append(",").append(height);
+    height_ = height;
     starts_ = false;
   }
+  void end_level() {
+    if (!level_end_.empty()) data_.append("H").append(level_end_);
+    level_end_.clear();
+  }
 
+  std::string height_;     ///< of the point that was put last
+  std::string level_end_;  ///< how far it reaches, if further than that
   std::string data_;
   Column column_;
   bool starts_ = true;

@@ -13,7 +13,8 @@ namespace trace {
 namespace {
 
 constexpr double kWidth = 1200.0;
-constexpr double kLeft = 80.0;
+constexpr double kUnitLeft = 6.0;
+constexpr double kLeft = 90.0;
 constexpr double kRight = kWidth - 20.0;
 constexpr double kTitleHeight = 30.0;
 constexpr double kEventRow = 15.0;
@@ -67,10 +68,7 @@ class Picture {
     for (const Lane& lane : lanes_) draw(lane);
     events();
     frames();
-    if (result_.trigger) {
-      const double x = time_.place(*result_.trigger);
-      svg_.line(x, kTitleHeight, x, bottom_, kTriggerLine);
-    }
+    if (result_.trigger) upright(time_.place(*result_.trigger), kTriggerLine);
     return std::move(svg_).picture();
   }
 
@@ -79,6 +77,12 @@ class Picture {
     int rows = 0;
     for (const EventLabel& label : labels_) rows = std::max(rows, label.row + 1);
     return rows;
+  }
+
+  /// A line through all lanes, but not through the names above them.
+  void upright(double x, std::string_view style) {
+    for (const Lane& lane : lanes_) svg_.line(x, lane.top, x, lane.top + lane.height, style);
+    svg_.line(x, events_top_, x, bottom_, style);
   }
 
   void title() {
@@ -96,7 +100,7 @@ class Picture {
     const double step = round_step(shown.high() - shown.low(), kTimeTicks);
     for (const double tick : shown.ticks(kTimeTicks)) {
       const double x = shown.place(tick);
-      svg_.line(x, kTitleHeight, x, bottom_, kGrid);
+      upright(x, kGrid);
       svg_.line(x, bottom_, x, bottom_ + 4.0, "stroke=\"#606060\"");
       svg_.text(x, bottom_ + 17.0, tick_text(tick, step), Anchor::Middle, kSmall);
     }
@@ -130,7 +134,7 @@ class Picture {
       svg_.line(kLeft - 4.0, y, kLeft, y, "stroke=\"#606060\"");
       svg_.text(kLeft - 7.0, y + 4.0, tick_text(tick, step), Anchor::End, kSmall);
     }
-    svg_.text(kLeft - 7.0, lane.top - 5.0, lane.unit, Anchor::End, "font-size=\"12\" fill=\"#000000\"");
+    svg_.text(kUnitLeft, lane.top + 0.5 * lane.height + 4.0, lane.unit);
   }
 
   void events() {
@@ -138,8 +142,7 @@ class Picture {
     svg_.text(kLeft - 7.0, events_top_ + 11.0, "events", Anchor::End, kSmall);
     for (const EventLabel& label : labels_) {
       const std::string_view colour = colour_of(result_.events[label.event]);
-      svg_.line(label.x, kTitleHeight, label.x, frames_top_ - 4.0,
-                fmt::format("stroke=\"{}\" stroke-dasharray=\"3,3\" stroke-opacity=\"0.7\"", colour));
+      upright(label.x, fmt::format("stroke=\"{}\" stroke-dasharray=\"3,3\" stroke-opacity=\"0.7\"", colour));
       if (label.row == kNoRow) continue;
       const double y = events_top_ + kEventRow * label.row + 11.0;
       svg_.text(label.before ? label.x - 3.0 : label.x + 3.0, y, label.text,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -31,7 +30,8 @@ void read_signals(const Fields& fields, Settings& settings) {
     settings.signals.push_back(list->get<std::string>());
     return;
   }
-  if (list == nullptr || !list->is_array()) return fields.fail("signals", expected);
+  const bool is_list = list != nullptr && list->is_array() && !list->empty() && list->size() <= kMostSignals;
+  if (!is_list) return fields.fail("signals", expected);
   for (const json& name : *list) {
     if (!name.is_string()) return fields.fail("signals", expected);
     settings.signals.push_back(name.get<std::string>());
@@ -64,6 +64,10 @@ void read_length(const Fields& fields, Settings& settings) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> settings_keys() noexcept {
+  return kKeys;
+}
 
 tl::expected<Settings, Problem> read_settings(const json& value) {
   std::optional<Problem> problem;

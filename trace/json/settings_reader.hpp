@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include <nlohmann/json_fwd.hpp>
 #include <tl/expected.hpp>
 
@@ -7,6 +10,9 @@
 #include "trace/signal/problem.hpp"
 
 namespace trace {
+
+/// The keys that read_settings() knows.
+std::span<const std::string_view> settings_keys() noexcept;
 
 /// What @p value says of a trace, the parameters of `trace.start` and key "trace" of a configuration: keys as
 /// docs/trace.md has them. Whether a unit has the signals is not looked at.

@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadFile{R"({"nodeid": 5})",
                 "node.json: /nodeid: unknown key, expected one of: interface, node_id, axes, parameters, supply, "
-                "infeed, sdo_block, f08701, record"},
+                "infeed, sdo_block, f08701, record, trace"},
         BadFile{R"({"interface": 0})", "node.json: /interface: expected a string, got 0"},
         BadFile{R"({"interface": ""})", "node.json: /interface: expected " + kForms + ", got \"\""},
         BadFile{R"({"interface": "a-rather-long-name"})",
@@ -73,6 +73,14 @@ INSTANTIATE_TEST_SUITE_P(
             "\"../x\""},
         BadFile{R"({"record": {"max_MB": 0}})", "node.json: /record/max_MB: expected a number 1 to 1024, got 0"},
         BadFile{R"({"record": {"signals": [1]}})", "node.json: /record/signals/0: expected a string, got 1"},
+        BadFile{R"({"trace": []})", "node.json: /trace: expected an object, got []"},
+        BadFile{R"({"trace": {}})", "node.json: /trace/signals: expected a list of 1 to 8 names of signals"},
+        BadFile{
+            R"({"trace": {"signals": ["1/speed"], "evry": 1}})",
+            "node.json: /trace/evry: unknown key, expected one of: signals, every, trigger, before_s, length_s, "
+            "samples, repeat, keep"},
+        BadFile{R"({"trace": {"signals": ["1/speed"], "trigger": {"on": "fault", "number": "F1"}}})",
+                "node.json: /trace/trigger/number: expected a fault or alarm of the unit, such as 7860"},
         BadFile{R"({"axes": {}})", "node.json: /axes: expected an array of 1 to 8, got {}"},
         BadFile{R"({"axes": []})", "node.json: /axes: expected an array of 1 to 8, got []"},
         BadFile{R"({"axes": [{},{},{},{},{},{},{},{},{}]})",

@@ -70,6 +70,23 @@ TEST(Configuration, TakesEveryKeyOfARecording) {
   EXPECT_FALSE(parse("{}").record);
 }
 
+TEST(Configuration, TakesATrace) {
+  const Configuration configuration =
+      parse(R"({"trace": {"signals": ["1/speed", "1/r0899.2"], "every": 0.001, "before_s": 0.5, "length_s": 2,
+                "trigger": {"on": "fault", "axis": 1, "number": "F07860"}, "repeat": true, "keep": 4}})");
+
+  ASSERT_TRUE(configuration.trace);
+  EXPECT_EQ(configuration.trace->signals, (std::vector<std::string>{"1/speed", "1/r0899.2"}));
+  EXPECT_EQ(configuration.trace->every, std::chrono::milliseconds{1});
+  EXPECT_EQ(configuration.trace->before, std::chrono::milliseconds{500});
+  EXPECT_EQ(configuration.trace->length, std::chrono::seconds{2});
+  EXPECT_EQ(configuration.trace->trigger.kind, trace::TriggerKind::Fault);
+  EXPECT_EQ(configuration.trace->trigger.number, 7860);
+  EXPECT_TRUE(configuration.trace->repeat);
+  EXPECT_EQ(configuration.trace->keep, 4U);
+  EXPECT_FALSE(parse("{}").trace);
+}
+
 TEST(Configuration, SaysWhatIsNoParameterOfTheControlUnit) {
   const auto message = [](const std::string& text) -> std::string {
     try {

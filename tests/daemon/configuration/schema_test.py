@@ -54,6 +54,8 @@ def sample(node):
             if "examples" in other:
                 return other["examples"][0]
             return max(1, other.get("minimum", 1))
+        if other.get("type") == "string":
+            return "text"
         if other.get("type") == "array":
             if "prefixItems" in other:
                 return [sample(item) for item in other["prefixItems"]]

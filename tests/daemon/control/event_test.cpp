@@ -103,7 +103,7 @@ TEST_F(EventsOfAUnit, TellWhichSdoServerHasWrittenAParameter) {
   EXPECT_EQ(told(), (Told{{{"kind", "parameter"},
                            {"drive_object", 2},
                            {"axis", 1},
-                           {"parameter", "p1120[0]"},
+                           {"parameter", "p1120"},
                            {"before", 10.0},
                            {"value", 5.0},
                            {"by", "sdo"},
@@ -115,7 +115,7 @@ TEST_F(EventsOfAUnit, TellWhatTheControlSocketHasWritten) {
   EXPECT_EQ(told(), (Told{{{"kind", "parameter"},
                            {"drive_object", 2},
                            {"axis", 1},
-                           {"parameter", "p1120[0]"},
+                           {"parameter", "p1120"},
                            {"before", 10.0},
                            {"value", 2.5},
                            {"by", "control"}}}));
@@ -139,10 +139,20 @@ TEST_F(EventsOfAUnit, TellOfWritesThatAreRefused) {
   open_window();
   answer("605#236024000000C8C2");
   answer("605#2B00100001000000");
-  const auto refusal = [](const char* object, const char* code) {
-    return json{{"kind", "refusal"}, {"object", object}, {"abort_code", code}, {"by", "sdo"}, {"server", 0}};
+  const auto refusal = [](const char* object, const char* code, const char* text) {
+    return json{{"kind", "refusal"}, {"object", object}, {"abort_code", code},
+                {"text", text},      {"by", "sdo"},      {"server", 0}};
   };
-  EXPECT_EQ(told(), (Told{refusal("2460:00", "0x06090032"), refusal("1000:00", "0x06010002")}));
+  EXPECT_EQ(told(), (Told{refusal("2460:00", "0x06090032", "value too low"),
+                          refusal("1000:00", "0x06010002", "read only")}));
+}
+
+TEST_F(EventsOfAUnit, NameTheSourceThatAnInputIsConnectedTo) {
+  result_of("parameter.write", {{"parameter", "1/p0840"}, {"value", "1"}});
+  const Told written = told("parameter");
+  ASSERT_EQ(written.size(), 1U);
+  EXPECT_EQ(written[0].at("value"), "1");
+  EXPECT_TRUE(written[0].at("before").is_string()) << written[0];
 }
 
 TEST_F(EventsOfAUnit, SayNothingOfReads) {

@@ -150,7 +150,7 @@ TEST_F(ATracedUnit, SaysWhatWasExpected) {
   const std::vector<Case> cases{
       {json::object(), "signals: expected a list of 1 to 8 names of signals"},
       {{{"signals", {1}}}, "signals: expected a list of 1 to 8 names of signals"},
-      {{{"signals", json::array()}}, "signals: expected 1 to 8 signals"},
+      {{{"signals", json::array()}}, "signals: expected a list of 1 to 8 names of signals"},
       {{{"signals", {"1/r9999"}}}, "signals[0]: expected a signal of the unit: axis 1 has no parameter 9999"},
       {{{"signals", speed}, {"every", 0.0002}}, "every: expected a multiple of 0.000125 s, or \"cycle\""},
       {{{"signals", speed}, {"every", "often"}}, "every: expected a multiple of 0.000125 s, or \"cycle\""},

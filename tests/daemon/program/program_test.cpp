@@ -121,6 +121,66 @@ TEST_P(TwoUnits, AreSwitchedOffAndOnOneByOne) {
   EXPECT_EQ(status("6").at("memory").at("retained"), "in use") << "what survives was on the disk";
 }
 
+TEST_P(TwoUnits, TellWhoHasSubscribedWhatHappens) {
+  ASSERT_TRUE(manager.wait_for("READY=1"));
+  e2e::ControlClient client{assignment.control};
+  EXPECT_EQ(
+      client.ask({{"id", 1}, {"method", "events.subscribe"}, {"params", {{"kinds", {"parameter", "power"}}}}})
+          .at("result"),
+      json::object());
+
+  ASSERT_TRUE(ask("6", "parameter.write", {{"parameter", "p1120"}, {"value", 2.5}}).contains("result"));
+  const json written = json::parse(client.line()).at("event");
+  EXPECT_TRUE(written.at("unit").get<std::string>().ends_with("/6")) << written;
+  EXPECT_EQ(written.at("kind"), "parameter");
+  EXPECT_EQ(written.at("value"), 2.5);
+  EXPECT_EQ(written.at("by"), "control");
+
+  ASSERT_TRUE(ask("5", "unit.off").contains("result"));
+  const json off = json::parse(client.line()).at("event");
+  EXPECT_EQ(off.at("kind"), "power");
+  EXPECT_EQ(off.at("on"), false);
+  ASSERT_TRUE(ask("5", "unit.on").contains("result"));
+  EXPECT_EQ(json::parse(client.line()).at("event").at("on"), true);
+
+  client.send("{\"id\": 2, \"method\": \"events.unsubscribe\"}\n");
+  EXPECT_EQ(json::parse(client.line()).at("id"), 2);
+}
+
+TEST_P(TwoUnits, TellWhatSignalsAreAgainAndAgain) {
+  ASSERT_TRUE(manager.wait_for("READY=1"));
+  e2e::ControlClient client{assignment.control};
+  const json params{{"unit", "5"}, {"signals", {"1/speed", "dc_voltage"}}, {"period_ms", 5}};
+  EXPECT_EQ(client.ask({{"id", 1}, {"method", "samples.subscribe"}, {"params", params}}).at("result"),
+            json::object());
+
+  double before = -1.0;
+  for (int i = 0; i < 3; ++i) {
+    const json sample = json::parse(client.line()).at("sample");
+    EXPECT_EQ(sample.at("values").size(), 2U);
+    EXPECT_EQ(sample.at("values").at(0), 0.0);
+    EXPECT_GT(sample.at("t").get<double>(), before);
+    before = sample.at("t");
+  }
+
+  EXPECT_EQ(ask("5", "samples.subscribe", {{"signals", {"1/no_such"}}, {"period_ms", 5}}).at("error").at("code"),
+            "not-found");
+}
+
+TEST_P(TwoUnits, AnswerWhateverElseAClientAsks) {
+  ASSERT_TRUE(manager.wait_for("READY=1"));
+  for (const char* const line : {"nonsense", "[1]", R"({"method": 1})", R"({"method": "status", "params": []})",
+                                 R"({"method": "events.subscribe", "params": {"kinds": ["weather"]}})",
+                                 R"({"method": "events.subscribe", "params": {"kinds": 7}})",
+                                 R"({"method": "samples.subscribe", "params": {"unit": "5", "signals": {}}})"}) {
+    e2e::ControlClient client{assignment.control};
+    client.send(std::string{line} + '\n');
+    const json answer = json::parse(client.line());
+    EXPECT_TRUE(answer.at("error").contains("code")) << line;
+    EXPECT_FALSE(answer.at("error").at("message").get<std::string>().empty()) << line;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Threads, TwoUnits, testing::Values(1U, 2U));
 
 }  // namespace

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "daemon/configuration/json_reader.hpp"
+#include "trace/settings.hpp"
+
+namespace axisd {
+
+/// A trace as the object @p json says; whether its signals exist only the unit knows. Throws ConfigurationError.
+trace::Settings read_trace(const JsonReader& json);
+
+}  // namespace axisd
