@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,10 +10,13 @@ namespace cli {
 namespace {
 
 /// What stands in a cell of a table.
-std::string cell(std::string text) {
-  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
-    text.insert(at, "\\");
-  return text;
+std::string cell(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|') result += '\\';
+    result += c;
+  }
+  return result;
 }
 
 std::string choices_of(const Value& value) {
@@ -25,9 +29,9 @@ std::string rows_of(const Command& command) {
     rows += fmt::format("| `{}` | {}{} |\n", word.name, cell(word.help), choices_of(word.value));
   for (const Option& option : command.options) {
     if (std::ranges::count(option.names, "--help") != 0) continue;
-    rows +=
-        fmt::format("| `{}{}` | {}{} |\n", fmt::join(option.names, "`, `"),
-                    option.takes_value ? " " + option.argument : "", cell(option.help), choices_of(option.value));
+    rows += fmt::format("| `{}{}` | {}{} |\n", fmt::join(option.names, "`, `"),
+                        option.takes_value ? fmt::format(" {}", option.argument) : "", cell(option.help),
+                        choices_of(option.value));
   }
   return rows.empty() ? "" : "\n| | |\n|---|---|\n" + rows;
 }
@@ -35,8 +39,8 @@ std::string rows_of(const Command& command) {
 std::string usage_of(const std::string& path, const Command& command) {
   std::string usage = path;
   for (const Word& word : command.words) {
-    const std::string name = word.name + (word.repeats ? "..." : "");
-    usage += word.required ? ' ' + name : fmt::format(" [{}]", name);
+    usage += fmt::format("{}{}{}{}", word.required ? " " : " [", word.name, word.repeats ? "..." : "",
+                         word.required ? "" : "]");
   }
   return usage;
 }

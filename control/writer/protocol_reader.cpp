@@ -159,6 +159,10 @@ void check_names(const ProtocolText& text) {
       once(fmt::format("method {}", method.row.name));
       if (!method.row.command.empty()) once(fmt::format("command {} {}", method.row.group, method.row.command));
     }
+  for (const Chapter& chapter : text.chapters)
+    for (const auto& [row, meanings, result_text, result] : chapter.methods)
+      if (row.group.empty() && std::ranges::count(text.groups, row.command, &Group::name) != 0)
+        throw std::runtime_error{fmt::format("{}: {} is the first word of other commands", row.name, row.command)};
 }
 
 }  // namespace
