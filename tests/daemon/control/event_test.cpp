@@ -1,5 +1,5 @@
 // What a subscriber is told of a unit while a master and an operator work with it.
-#include "daemon/control/event_json.hpp"
+#include "daemon/control/events/event_json.hpp"
 #include "tests/daemon/control/controlled_unit.hpp"
 
 namespace axisd {

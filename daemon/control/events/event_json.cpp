@@ -1,4 +1,4 @@
-#include "daemon/control/event_json.hpp"
+#include "daemon/control/events/event_json.hpp"
 
 #include "daemon/control/parameters/parameter_name.hpp"
 #include "daemon/control/parameters/parameter_value.hpp"
