@@ -98,6 +98,8 @@ class DriveUnit final : private Surroundings {
   void rest(double duration) noexcept;
   /// The DC link that the axes share.
   const motor::DcLink& dc_link() const noexcept { return dc_link_; }
+  /// Of the supply, as last set, at first as configured (V rms between lines).
+  double line_voltage() const noexcept { return line_voltage_; }
   /// The line fails (0) or changes its voltage (V rms between lines, not negative).
   void set_line_voltage(double voltage) noexcept;
 
