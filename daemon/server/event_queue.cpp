@@ -10,6 +10,7 @@ namespace axisd {
 
 EventQueue::EventQueue() : waiting_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)} {
   if (!waiting_) throw std::system_error{errno, std::generic_category(), "eventfd"};
+  entries_.reserve(kMost);
 }
 
 void EventQueue::add(const Entry& entry) noexcept {
