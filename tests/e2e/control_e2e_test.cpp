@@ -51,7 +51,7 @@ TEST_F(Control, ExplainsWhyTheAxisDoesNotTurnAndThatItDoes) {
   const fakes::Finished all = daemon->axisctl({"--json", "explain"});
   EXPECT_EQ(json::parse(all.output).at("axes").at(0).at("reasons").size(), 1U) << all.output;
   const fakes::Finished refused = daemon->axisctl({"explain", "2"});
-  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.status, 4);
   EXPECT_NE(refused.errors.find("AXIS: expected 1, got 2"), std::string::npos) << refused.errors;
 }
 
@@ -95,7 +95,7 @@ TEST_F(Control, ALoadThatRunsAwayIsHeldAndFrictionStopsTheShaft) {
   EXPECT_EQ(axis.at("load_friction_Nm"), 5.0);
   EXPECT_TRUE(eventually([&](const json& now) { return std::abs(speed(now)) <= 0.0; }));
   const fakes::Finished refused = daemon->axisctl({"load", "1", "-5", "friction"});
-  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.status, 4);
   EXPECT_EQ(refused.errors, "axisctl: TORQUE: expected a number 0 to 1000000, got -5.0\n");
   EXPECT_EQ(daemon->axisctl({"load", "1", "5", "spring"}).errors,
             "axisctl: TYPE: expected constant or friction, got \"spring\"\n");
@@ -189,7 +189,7 @@ TEST_F(Control, RefusesAnInputThatIsNone) {
 TEST_F(Control, RefusesAnUnknownFaultInOneLine) {
   const auto finished = daemon->axisctl({"fault", "inject", "1", "1"});
 
-  EXPECT_EQ(finished.status, 1);
+  EXPECT_EQ(finished.status, 4);
   EXPECT_NE(finished.errors.find("no fault or alarm"), std::string::npos) << finished.errors;
 }
 
