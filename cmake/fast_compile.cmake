@@ -76,12 +76,12 @@ endfunction()
 
 # Sources with names in their unnamed namespaces that others of their folder have, too.
 set(AXISD_ALONE
-  axis_parameters.cpp fault_table.cpp inertia_test.cpp link_monitor.cpp lint_command.cpp magnet_flux_test.cpp
+  axis_parameters.cpp bash_script.cpp completion.cpp fault_table.cpp fish_script.cpp inertia_test.cpp link_monitor.cpp lint_command.cpp magnet_flux_test.cpp
   make_commands.cpp many_messages.cpp module_rules.cpp motor_file.cpp node_guarding.cpp object_reader.cpp
   parameter_reader.cpp plant_step.cpp predefined_connections.cpp provocation.cpp rotor_test.cpp
-  runner_aftercare.cpp saturation_test.cpp sdo_match.cpp socket_can.cpp standard_rules.cpp standard_wiring.cpp
-  standstill_measurement.cpp start_hub.cpp stopping.cpp table_writer.cpp voltage_frequency.cpp
-  "[a-z_]*_checks.cpp" "[a-z_]*_reasons.cpp")
+  runner_aftercare.cpp saturation_test.cpp script_tables.cpp sdo_match.cpp socket_can.cpp standard_rules.cpp standard_wiring.cpp
+  standstill_measurement.cpp start_hub.cpp status_printer.cpp stopping.cpp table_writer.cpp voltage_frequency.cpp watch_command.cpp zsh_script.cpp
+  "[a-z_]*_checks.cpp" "[a-z_]*_methods.cpp" "[a-z_]*_reasons.cpp")
 list(JOIN AXISD_ALONE "|" AXISD_ALONE)
 
 # axisd_unite_folders(TARGET...): the sources that a target has in one folder are compiled as one, with AXISD_FAST_COMPILE.

@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::size_t kLengthAt = 2, kMomentAt = 4;
 
-// Flags of a frame.
-constexpr unsigned kSent = 1, kRemote = 2, kExtended = 4;
-// Flags of an event.
-constexpr unsigned kActive = 1, kHasValue = 2, kHasBefore = 4;
-
 constexpr unsigned bit_if(bool condition, unsigned bit) noexcept {
   return condition ? bit : 0U;
 }

@@ -38,6 +38,11 @@ enum class EndReason : std::uint8_t {
   Over = 2,     ///< the time after the fault is over
 };
 
+/// Flags of a frame.
+inline constexpr unsigned kSent = 1, kRemote = 2, kExtended = 4;
+/// Flags of an event.
+inline constexpr unsigned kActive = 1, kHasValue = 2, kHasBefore = 4;
+
 inline constexpr std::size_t kHeadBytes = 16;        ///< before the text of the head
 inline constexpr std::size_t kRecordHeadBytes = 12;  ///< type, length of the payload, moment
 inline constexpr std::size_t kChecksumBytes = 4;     ///< behind the text of the head, and behind each record

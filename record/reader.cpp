@@ -17,8 +17,6 @@ using nlohmann::json;
 using Bytes = std::span<const std::byte>;
 
 constexpr std::size_t kVersionAt = 8, kHeadLengthAt = 12;
-constexpr unsigned kSent = 1, kRemote = 2, kExtended = 4;
-constexpr unsigned kActive = 1, kHasValue = 2, kHasBefore = 4;
 
 std::string_view text_in(Bytes bytes) noexcept {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

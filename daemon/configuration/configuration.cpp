@@ -100,7 +100,7 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kUnitKeys{"interface", "node_id",   "axes",   "parameters", "supply",
+constexpr std::array<std::string_view, 10> kKeysOfUnit{"interface", "node_id",   "axes",   "parameters", "supply",
                                                      "infeed",    "sdo_block", "f08701", "record",     "trace"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
@@ -127,7 +127,7 @@ int read_node_id(const JsonReader& json) {
 
 /// One unit, or as many alike as node_id has room for.
 std::vector<Configuration> read_entry(const JsonReader& json, const MotorSource& motors) {
-  json.expect_object(kUnitKeys);
+  json.expect_object(kKeysOfUnit);
   std::vector<Configuration> units{read_unit(json, motors)};
   if (!json.has("node_id")) return units;
   const JsonReader node = json.at("node_id");
@@ -177,7 +177,7 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
 UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
   const JsonReader json = JsonReader::parse(text, file);
   if (json.has("units")) return read_units(json, motors);
-  json.expect_object(kUnitKeys);
+  json.expect_object(kKeysOfUnit);
   UnitsConfiguration configuration{.units = {read_unit(json, motors)}, .threads = 1, .is_list = false};
   if (json.has("node_id")) configuration.units.front().node_id = read_node_id(json.at("node_id"));
   return configuration;

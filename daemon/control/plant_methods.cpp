@@ -37,7 +37,7 @@ constexpr std::array kDefects{DefectName{motor::EncoderDefect::None, "none"},
                               DefectName{motor::EncoderDefect::Loss, "loss"},
                               DefectName{motor::EncoderDefect::LostPulses, "lost_pulses"},
                               DefectName{motor::EncoderDefect::Reversed, "reversed"}};
-static_assert(std::ranges::equal(kDefects, control::find_parameter("encoder.fail", "defect")->choices, {},
+static_assert(std::ranges::equal(kDefects, control::parameter_of("encoder.fail", "defect").choices, {},
                                  &DefectName::name));
 
 Outcome fail_encoder(const Call& call, const json& params) {

@@ -17,7 +17,7 @@ using nlohmann::json;
 constexpr bool has_the_inputs_of_the_unit() {
   for (unsigned number = 0; number <= drive::Terminals::kHighest; ++number)
     if (drive::Terminals::exists(number) !=
-        std::ranges::any_of(control::find_parameter("input.set", "input")->terminals,
+        std::ranges::any_of(control::parameter_of("input.set", "input").terminals,
                             [number](const auto& range) { return range.low <= number && number <= range.high; }))
       return false;
   return true;

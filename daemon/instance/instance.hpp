@@ -17,8 +17,8 @@
 #include "daemon/instance/unit_memory.hpp"
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
-#include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/pdo_watch.hpp"
+#include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -129,12 +130,16 @@ bool Program::wakes(std::uint64_t times) const {
 }
 
 std::uint64_t Program::sleeps() const {
-  std::ifstream file{"/proc/" + std::to_string(id_) + "/status"};
-  for (std::string name; file >> name;) {
-    std::uint64_t count = 0;
-    if (name == "voluntary_ctxt_switches:" && file >> count) return count;
+  std::uint64_t sum = 0;
+  std::error_code gone;
+  for (const auto& task : std::filesystem::directory_iterator{"/proc/" + std::to_string(id_) + "/task", gone}) {
+    std::ifstream file{task.path() / "status"};
+    for (std::string name; file >> name;) {
+      std::uint64_t count = 0;
+      if (name == "voluntary_ctxt_switches:" && file >> count) sum += count;
+    }
   }
-  return 0;
+  return sum;
 }
 
 }  // namespace e2e

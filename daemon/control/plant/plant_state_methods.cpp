@@ -21,7 +21,7 @@ constexpr double kColdest = -40.0, kHottest = 100.0;  // °C
 
 constexpr std::array<std::string_view, 3> kInfeeds{"diode", "regenerative", "active"};
 /// In the order of motor::EncoderDefect.
-constexpr auto kDefects = control::find_parameter("encoder.fail", "defect") -> choices;
+constexpr auto kDefects = control::parameter_of("encoder.fail", "defect").choices;
 
 Outcome show_load(const Call& call, const json& params) {
   const auto axis = required_axis(call.instance, params);

@@ -25,8 +25,9 @@ TEST_F(ControlServerTest, MakesRoomForTheClientBeyond256) {
   EXPECT_EQ(next.line(), "(hello)");
 
   ControlClient& idle = *std::next(clients.begin());
-  EXPECT_EQ(idle.line(),
-            R"({"error":{"code":"overflow","message":"the connection was idle, and others need its place"},"id":null})");
+  EXPECT_EQ(
+      idle.line(),
+      R"({"error":{"code":"overflow","message":"the connection was idle, and others need its place"},"id":null})");
   EXPECT_EQ(idle.line(), "");
   clients.front().send("still there\n");
   EXPECT_EQ(clients.front().line(), "(still there)");

@@ -117,7 +117,8 @@ TEST_F(ControlServerTest, ClosesTheConnectionOfALineThatIsTooLong) {
 
   client.send(std::string(control::kMaximumLine, 'x'));
 
-  EXPECT_EQ(client.line(), R"({"error":{"code":"overflow","message":"a request is longer than 65536 bytes"},"id":null})");
+  EXPECT_EQ(client.line(),
+            R"({"error":{"code":"overflow","message":"a request is longer than 65536 bytes"},"id":null})");
   EXPECT_EQ(client.line(), "");
 }
 
