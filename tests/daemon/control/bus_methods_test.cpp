@@ -68,8 +68,8 @@ TEST_F(BusMethods, ListAllPdosOfEightAxesInPages) {
   }
 
   EXPECT_EQ(listed, 128U);
-  for (const json& pdo : result_of("pdo.list", {{"axis", 3}, {"all", true}}).at("pdos"))
-    EXPECT_EQ(pdo.at("axis"), 3);
+  const json of_axis = result_of("pdo.list", {{"axis", 3}, {"all", true}});
+  for (const json& pdo : of_axis.at("pdos")) EXPECT_EQ(pdo.at("axis"), 3);
   EXPECT_EQ(error_of("pdo.list", {{"axis", 9}}).code, ErrorCode::BadParameter);
   EXPECT_EQ(error_of("pdo.list", {{"watch", 1}}).code, ErrorCode::BadParameter);
 }

@@ -120,7 +120,8 @@ TEST_F(ObjectMethods, ListTheWholeDictionaryInPages) {
 
   EXPECT_EQ(objects.size(), unit().device().dictionary().entries().size());
   EXPECT_EQ(result_of("object.list", {{"text", "Device type"}}).at("objects").at(0).at("object"), "1000h:00");
-  for (const json& object : result_of("object.list", {{"text", "60f"}}).at("objects"))
+  const json found = result_of("object.list", {{"text", "60f"}});
+  for (const json& object : found.at("objects"))
     EXPECT_TRUE(object.at("object").get<std::string>().starts_with("60F")) << object;
 }
 
