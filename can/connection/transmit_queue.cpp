@@ -15,10 +15,20 @@ bool same_identifier(const canopen::Frame& a, const canopen::Frame& b) noexcept 
 TransmitQueue::TransmitQueue(Port& port, std::size_t capacity, std::size_t margin)
     : port_{port}, ring_(capacity), margin_{margin} {
   assert(capacity > 0 && margin <= capacity);
+  held_.reserve(kMostHeld);
 }
 
 void TransmitQueue::send(const canopen::Frame& frame, canopen::Delivery delivery) noexcept {
+  if (holds_ && held_.size() < kMostHeld) return held_.push_back({frame, delivery, {}});
+  if (!held_.empty()) release();
   if (count_ > 0 || !settle(port_.send(frame))) keep({frame, delivery, {}});
+}
+
+void TransmitQueue::release() noexcept {
+  holds_ = false;
+  for (const Waiting& waiting : held_)
+    if (count_ > 0 || !settle(port_.send(waiting.frame))) keep(waiting);
+  held_.clear();
 }
 
 void TransmitQueue::send_marked(const canopen::Frame& frame, const Mark& mark) noexcept {

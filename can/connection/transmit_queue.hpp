@@ -24,6 +24,8 @@ class TransmitQueue final : public canopen::FrameSink {
   static constexpr std::size_t kCapacity = 1024;
   /// Frames that one received frame may cause: an SDO block of 127 segments, 64 TPDOs on a SYNC, EMCY.
   static constexpr std::size_t kMargin = 256;
+  /// Frames that are held back: those of a cycle of eight axes.
+  static constexpr std::size_t kMostHeld = 64;
 
   /// What has happened to frames since the construction.
   struct Counters {
@@ -44,6 +46,11 @@ class TransmitQueue final : public canopen::FrameSink {
   void send(const canopen::Frame& frame, canopen::Delivery delivery) noexcept override;
   /// The same for a bridge: @p frame with its mark, in order.
   void send_marked(const canopen::Frame& frame, const Mark& mark) noexcept;
+  /// From now on frames are held back, as far as there is room, until release(): those of several queues that go
+  /// out together wake who hears them once.
+  void hold() noexcept { holds_ = true; }
+  /// Sends what was held back.
+  void release() noexcept;
   /// Tells the time, and sends what waits if its time has come; call it once every turn of the event loop.
   void retry(canopen::TimePoint now) noexcept;
   /// When retry() wants to be called, kNever while nothing waits.
@@ -73,9 +80,11 @@ class TransmitQueue final : public canopen::FrameSink {
 
   Port& port_;
   std::vector<Waiting> ring_;
+  std::vector<Waiting> held_;
   std::size_t margin_;
   std::size_t head_ = 0;
   std::size_t count_ = 0;
+  bool holds_ = false;
   canopen::TimePoint now_{};
   canopen::TimePoint next_retry_{};
   Counters counters_;

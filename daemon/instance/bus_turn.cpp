@@ -52,12 +52,25 @@ void BusTurn::follow_subscriptions() noexcept {
 }
 
 void BusTurn::turn(canopen::TimePoint now, bool readable) noexcept {
+  const bool listened = begin_turn(now, readable);
+  tell_time(listened);
+  station_->on_turn_over();
+}
+
+void BusTurn::turn_and_hold(canopen::TimePoint now, bool readable) noexcept {
+  const bool listened = begin_turn(now, readable);
+  queue_.hold();
+  tell_time(listened);
+  station_->on_turn_over();
+}
+
+/// Whether it listened before.
+bool BusTurn::begin_turn(canopen::TimePoint now, bool readable) noexcept {
   const bool listened = listens();
   before_ = std::exchange(now_, now);
   queue_.retry(now_);
   if (readable) receive();
-  tell_time(listened);
-  station_->on_turn_over();
+  return listened;
 }
 
 /// What waits is older than a deadline that has passed by so much, be it that a frame has shown it just now: the

@@ -41,6 +41,9 @@ class BusTurn {
   /// Handles all that is due at @p now and waits for nothing; @p readable: descriptor() was polled so. Also
   /// without a link: time goes on.
   void turn(canopen::TimePoint now, bool readable) noexcept;
+  /// The same, but what the station sends because of the time goes out with release() only, which follows.
+  void turn_and_hold(canopen::TimePoint now, bool readable) noexcept;
+  void release() noexcept { queue_.release(); }
 
   const bus::Port& port() const noexcept { return port_; }
   /// Where the station puts its frames.
@@ -54,6 +57,7 @@ class BusTurn {
 
  private:
   bool listens() const noexcept { return is_open_ && queue_.accepts_input(); }
+  bool begin_turn(canopen::TimePoint now, bool readable) noexcept;
   void tell_time(bool listens) noexcept;
   void receive() noexcept;
   void catch_up() noexcept;

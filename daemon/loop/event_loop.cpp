@@ -23,6 +23,7 @@ EventLoop::EventLoop(Service& service) : service_{service}, ports_{others_.descr
 void EventLoop::add(BusTurn& bus) {
   buses_.push_back(&bus);
   due_.push_back(canopen::kNever);
+  turned_.reserve(buses_.size());
   ports_.resize(buses_.size());
   refresh(buses_.size() - 1);
 }
@@ -62,13 +63,28 @@ void EventLoop::turn() noexcept {
   wake_up_.by(earliest(), now_);
   if (!ports_.wait(!rare_waits_) && !rare_waits_) return;
   now_ = read_clock();
-  for (std::size_t i = 0; i < buses_.size(); ++i) {
-    if (due_[i] > now_ && !ports_.is_readable(i)) continue;
-    buses_[i]->turn(now_, ports_.is_readable(i));
-    if (buses_.size() > PortWatch::kFew) refresh(i);
-  }
+  buses_.size() <= PortWatch::kFew ? give_turns() : give_turns_to_many();
   if (service_.next_chores() <= now_) service_.on_chores(now_);
   if (rare_waits_ || ports_.others_wait()) look_after_others();
+}
+
+void EventLoop::give_turns() noexcept {
+  for (std::size_t i = 0; i < buses_.size(); ++i)
+    if (due_[i] <= now_ || ports_.is_readable(i)) buses_[i]->turn(now_, ports_.is_readable(i));
+}
+
+/// What their cycles have led to goes out when all are over: the hub of a bus, or another program, wakes once.
+void EventLoop::give_turns_to_many() noexcept {
+  for (std::size_t i = 0; i < buses_.size(); ++i) {
+    if (due_[i] > now_ && !ports_.is_readable(i)) continue;
+    buses_[i]->turn_and_hold(now_, ports_.is_readable(i));
+    turned_.push_back(i);
+  }
+  for (const std::size_t i : turned_) {
+    buses_[i]->release();
+    refresh(i);
+  }
+  turned_.clear();
 }
 
 /// Which of the others is readable would be one system call more. The clock tells it nearly always: a timer whose

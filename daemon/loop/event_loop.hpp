@@ -49,10 +49,13 @@ class EventLoop {
  private:
   void refresh(std::size_t place) noexcept;
   canopen::TimePoint earliest() const noexcept;
+  void give_turns() noexcept;
+  void give_turns_to_many() noexcept;
   void look_after_others() noexcept;
 
   Service& service_;
   std::vector<BusTurn*> buses_;
+  std::vector<std::size_t> turned_;      ///< places of those that have their turn
   std::vector<canopen::TimePoint> due_;  ///< when each bus wants its next turn, as of the last one
   os::Pollable others_;                  ///< over the timer and what is watched
   PortWatch ports_;
