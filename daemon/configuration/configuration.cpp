@@ -101,7 +101,7 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 namespace {
 
 constexpr std::array<std::string_view, 10> kKeysOfUnit{"interface", "node_id",   "axes",   "parameters", "supply",
-                                                     "infeed",    "sdo_block", "f08701", "record",     "trace"};
+                                                       "infeed",    "sdo_block", "f08701", "record",     "trace"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
