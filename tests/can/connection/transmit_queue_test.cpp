@@ -52,42 +52,6 @@ TEST_F(TransmitQueueTest, WritesAtOnceWhileTheBusTakesFrames) {
   EXPECT_EQ(queue.counters(), (TransmitQueue::Counters{.sent = 2}));
 }
 
-TEST_F(TransmitQueueTest, HoldsFramesBackUntilTheyAreReleased) {
-  full = false;
-  queue.hold();
-  ordered(0x581, 1);
-  replaceable(0x181, 2);
-  replaceable(0x181, 3);
-  EXPECT_TRUE(port.sent.empty());
-
-  queue.release();
-  ordered(0x582, 4);
-
-  EXPECT_EQ(port.sent, (std::vector{frame(0x581, 1), frame(0x181, 2), frame(0x181, 3), frame(0x582, 4)}));
-  EXPECT_EQ(queue.counters(), (TransmitQueue::Counters{.sent = 4}));
-}
-
-TEST_F(TransmitQueueTest, LetsGoWhatItHoldsWhenThereIsMoreThanItHasRoomFor) {
-  full = false;
-  queue.hold();
-  for (std::size_t i = 0; i <= TransmitQueue::kMostHeld; ++i) ordered(0x581, static_cast<std::uint8_t>(i));
-
-  ASSERT_EQ(port.sent.size(), TransmitQueue::kMostHeld + 1);
-  for (std::size_t i = 0; i < port.sent.size(); ++i) EXPECT_EQ(port.sent[i].data[0], i);
-}
-
-TEST_F(TransmitQueueTest, KeepsWhatItReleasesToAFullBus) {
-  queue.hold();
-  ordered(0x581, 1);
-  ordered(0x582, 2);
-  queue.release();
-  EXPECT_EQ(queue.waiting(), 2U);
-
-  open();
-
-  EXPECT_EQ(port.sent, (std::vector{frame(0x581, 1), frame(0x582, 2)}));
-}
-
 TEST_F(TransmitQueueTest, SendsWhatWaitedInOrderOnceThereIsRoom) {
   ordered(0x581, 1);
   replaceable(0x181, 2);
