@@ -52,6 +52,14 @@ Taken<std::int64_t> Arguments::integer(std::string_view key, std::int64_t low, s
   return tl::unexpected{unexpected_value(key, expected, value)};
 }
 
+Taken<Page> Arguments::page(const PageLimits& limits) const {
+  const auto from = integer("from", 0, limits.last, 0);
+  if (!from) return tl::unexpected{from.error()};
+  const auto count = integer("count", 1, limits.most, limits.usual);
+  if (!count) return tl::unexpected{count.error()};
+  return Page{static_cast<std::size_t>(*from), static_cast<std::size_t>(*count)};
+}
+
 Taken<double> Arguments::number(std::string_view key, double low, double high,
                                 std::optional<double> absent) const {
   const std::string expected = fmt::format("a number {} to {}", low, high);

@@ -18,6 +18,18 @@ namespace axisd {
 template <class Value>
 using Taken = tl::expected<Value, control::Error>;
 
+/// The part of a list that a method is asked for: from which place on, and how many at most.
+struct Page {
+  std::size_t from;
+  std::size_t count;
+};
+/// What "from" (0 to `last`) and "count" (1 to `most`, `usual` if absent) may be.
+struct PageLimits {
+  std::int64_t last;
+  std::int64_t most;
+  std::int64_t usual;
+};
+
 /// The parameters of a method, taken one by one: nothing throws, whatever they are. One that is null counts as
 /// absent.
 class Arguments {
@@ -39,6 +51,8 @@ class Arguments {
                        std::optional<double> absent = std::nullopt) const;
   /// true or false.
   Taken<bool> flag(std::string_view key, std::optional<bool> absent = std::nullopt) const;
+  /// "from" and "count".
+  Taken<Page> page(const PageLimits& limits) const;
   static constexpr std::size_t kLongestText = 200;
   /// A text of at most kLongestText bytes.
   Taken<std::string> text(std::string_view key, std::optional<std::string> absent = std::nullopt) const;

@@ -40,8 +40,7 @@ struct Wanted {
   std::size_t axis;  ///< 0: of all
   std::size_t direction;
   bool all;  ///< those too that are not valid
-  std::size_t from;
-  std::size_t count;
+  Page page;
 };
 
 Taken<Wanted> wanted_of(const Call& call, const json& params) {
@@ -53,12 +52,9 @@ Taken<Wanted> wanted_of(const Call& call, const json& params) {
   if (!direction) return tl::unexpected{direction.error()};
   const auto all = arguments.flag("all", false);
   if (!all) return tl::unexpected{all.error()};
-  const auto from = arguments.integer("from", 0, kLastPlace, 0);
-  if (!from) return tl::unexpected{from.error()};
-  const auto count = arguments.integer("count", 1, kMostEntries, kMostEntries);
-  if (!count) return tl::unexpected{count.error()};
-  return Wanted{static_cast<std::size_t>(*axis), *direction, *all, static_cast<std::size_t>(*from),
-                static_cast<std::size_t>(*count)};
+  const auto page = arguments.page({.last = kLastPlace, .most = kMostEntries, .usual = kMostEntries});
+  if (!page) return tl::unexpected{page.error()};
+  return Wanted{static_cast<std::size_t>(*axis), *direction, *all, *page};
 }
 
 /// The PDOs that are wanted, RPDOs first.
@@ -85,9 +81,9 @@ Outcome list_pdos(const Call& call, const json& params) {
   if (!wanted) return tl::unexpected{wanted.error()};
   if (const auto followed = follow_watch(call, params); !followed) return tl::unexpected{followed.error()};
   const std::vector<Chosen> chosen = chosen_of(call.instance.device().node(), *wanted);
-  const std::size_t end = std::min(chosen.size(), wanted->from + wanted->count);
+  const std::size_t end = std::min(chosen.size(), wanted->page.from + wanted->page.count);
   json list = json::array();
-  for (std::size_t at = wanted->from; at < end; ++at)
+  for (std::size_t at = wanted->page.from; at < end; ++at)
     list.push_back(pdo_json(call.instance, *chosen[at].settings, chosen[at].direction, call.now));
   const PdoWatch& watch = call.instance.pdo_watch();
   json result{{"pdos", std::move(list)}, {"total", chosen.size()}, {"is_watched", watch.is_on()}};

@@ -204,17 +204,15 @@ bool is_meant(const canopen::Entry& entry, const std::string& text) {
 
 Outcome list_objects(const Call& call, const json& params) {
   const Arguments arguments{params};
-  const auto from = arguments.integer("from", 0, kLastPlace, 0);
-  if (!from) return tl::unexpected{from.error()};
-  const auto count = arguments.integer("count", 1, kMostEntries, kMostEntries);
-  if (!count) return tl::unexpected{count.error()};
+  const auto page = arguments.page({.last = kLastPlace, .most = kMostEntries, .usual = kMostEntries});
+  if (!page) return tl::unexpected{page.error()};
   const auto text = arguments.text("text", "");
   if (!text) return tl::unexpected{text.error()};
   const std::string wanted = lowered(*text);
   const auto entries = call.instance.device().dictionary().entries();
   json list = json::array();
-  std::size_t at = std::min(static_cast<std::size_t>(*from), entries.size());
-  for (; at < entries.size() && list.size() < static_cast<std::size_t>(*count); ++at)
+  std::size_t at = std::min(page->from, entries.size());
+  for (; at < entries.size() && list.size() < page->count; ++at)
     if (is_meant(entries[at], wanted)) list.push_back(entry_json(entries[at]));
   json result{{"objects", std::move(list)}, {"total", entries.size()}};
   if (at < entries.size()) result["next"] = at;

@@ -28,19 +28,8 @@ drive::DriveUnit& unit_of(const Call& call) noexcept {
   return call.instance.device().runner().unit();
 }
 
-/// From where on, and how many at most.
-struct Page {
-  std::size_t from;
-  std::size_t count;
-};
-
 Taken<Page> page_of(const json& params, std::int64_t most) {
-  const Arguments arguments{params};
-  const auto from = arguments.integer("from", 0, kLastPlace, 0);
-  if (!from) return tl::unexpected{from.error()};
-  const auto count = arguments.integer("count", 1, most, most);
-  if (!count) return tl::unexpected{count.error()};
-  return Page{static_cast<std::size_t>(*from), static_cast<std::size_t>(*count)};
+  return Arguments{params}.page({.last = kLastPlace, .most = most, .usual = most});
 }
 
 /// The entries of @p page of @p sequence that @p chosen chooses, as @p told; with "next" if there may be more.

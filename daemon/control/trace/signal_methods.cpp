@@ -31,17 +31,14 @@ Outcome list_signals(const Call& call, const json& params) {
   const Arguments arguments{params};
   const auto text = arguments.text("search", "");
   if (!text) return tl::unexpected{text.error()};
-  const auto from = arguments.integer("from", 0, kMostFrom, 0);
-  if (!from) return tl::unexpected{from.error()};
-  const auto count = arguments.integer("count", 1, kMostListed, kListed);
-  if (!count) return tl::unexpected{count.error()};
-  const trace::SignalPage page = trace::list_signals(
-      std::as_const(call.instance).device().unit(),
-      {.text = *text, .from = static_cast<std::size_t>(*from), .count = static_cast<std::size_t>(*count)});
+  const auto asked = arguments.page({.last = kMostFrom, .most = kMostListed, .usual = kListed});
+  if (!asked) return tl::unexpected{asked.error()};
+  const trace::SignalPage page = trace::list_signals(std::as_const(call.instance).device().unit(),
+                                                     {.text = *text, .from = asked->from, .count = asked->count});
   json signals = json::array();
   for (const trace::ListedSignal& signal : page.signals) signals.push_back(listed(signal));
   json result{{"signals", std::move(signals)}, {"total", page.total}};
-  const auto next = static_cast<std::size_t>(*from) + page.signals.size();
+  const auto next = asked->from + page.signals.size();
   if (next < page.total) result["next"] = next;
   return result;
 }

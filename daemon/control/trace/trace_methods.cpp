@@ -61,13 +61,11 @@ Outcome read_trace(const Call& call, const json& params) {
   if (!result) return tl::unexpected{result.error()};
   const auto part = arguments.choice("part", kTraceParts, 0);
   if (!part) return tl::unexpected{part.error()};
-  const auto from = arguments.integer("from", 0, kMostFrom, 0);
-  if (!from) return tl::unexpected{from.error()};
-  const auto count = arguments.integer("count", 1, kMostItems, kMostItems);
-  if (!count) return tl::unexpected{count.error()};
+  const auto asked = arguments.page({.last = kMostFrom, .most = kMostItems, .usual = kMostItems});
+  if (!asked) return tl::unexpected{asked.error()};
   const std::size_t total = part_size(**result, *part);
-  const std::size_t first = std::min(static_cast<std::size_t>(*from), total);
-  const std::size_t last = std::min(first + static_cast<std::size_t>(*count), total);
+  const std::size_t first = std::min(asked->from, total);
+  const std::size_t last = std::min(first + asked->count, total);
   json items = json::array();
   for (std::size_t i = first; i < last; ++i) items.push_back(part_item(call.instance, **result, *part, i));
   json page{{"result", (*result)->number()},
