@@ -144,11 +144,6 @@ std::vector<Configuration> read_entry(const JsonReader& json, const MotorSource&
   return units;
 }
 
-/// Where @p unit would be on its bus.
-std::string place_of(const Configuration& unit) {
-  return fmt::format("{}/{}", bus::label(unit.address), unit.node_id);
-}
-
 UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors) {
   json.expect_object({"units", "threads"});
   const JsonReader list = json.at("units");
@@ -157,7 +152,7 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
   std::map<std::string, std::size_t> taken;
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (Configuration& unit : read_entry(list.at(i), motors)) {
-      const auto [known, is_new] = taken.emplace(place_of(unit), i);
+      const auto [known, is_new] = taken.emplace(name_of(unit), i);
       const JsonReader entry = list.at(i);
       if (!is_new)
         (entry.has("node_id") ? entry.at("node_id") : entry)
@@ -173,6 +168,10 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
 }
 
 }  // namespace
+
+std::string name_of(const Configuration& unit) {
+  return fmt::format("{}/{}", bus::label(unit.address), unit.node_id);
+}
 
 UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
   const JsonReader json = JsonReader::parse(text, file);

@@ -72,6 +72,9 @@ struct Configuration {
   std::optional<RecordSettings> record{};     ///< key "record": begins with the unit
 };
 
+/// The name of the unit that @p unit describes, as "vcan0/5": bus::label() and address switch.
+std::string name_of(const Configuration& unit);
+
 /// What one program serves.
 struct UnitsConfiguration {
   std::vector<Configuration> units{Configuration{}};  ///< at least one; no two with one node-ID on one bus

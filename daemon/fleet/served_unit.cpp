@@ -2,13 +2,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
 namespace axisd {
-
-std::string name_of(const Configuration& configuration) {
-  return fmt::format("{}/{}", bus::label(configuration.address), configuration.node_id);
-}
 
 ServedUnit::ServedUnit(const Configuration& configuration, const std::filesystem::path& state_root, Log log,
                        UnitLoop& loop, InstanceListener& listener)

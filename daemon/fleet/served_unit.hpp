@@ -12,9 +12,6 @@
 
 namespace axisd {
 
-/// The name of the unit that @p configuration describes, as "vcan0/5": bus::label() and address switch.
-std::string name_of(const Configuration& configuration);
-
 /// A unit of this program: what keeps others from its node for as long as the program lives, the loop that runs
 /// it, and, while it is switched on, the instance. It belongs to the thread of the fleet, the instance to that of
 /// its loop.
