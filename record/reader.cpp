@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "record/crc32.hpp"
+#include "checksum/crc32.hpp"
 
 namespace record {
 namespace {
@@ -137,7 +137,7 @@ tl::expected<Reader, std::string> Reader::open(Bytes content) {
   if (content.size() < first) return tl::unexpected{std::string{"cut within its head"}};
   const Bytes text = content.subspan(kHeadBytes, length);
   json head = json::parse(text_in(text), nullptr, false);
-  if (crc32(text) != number_at(content, kHeadBytes + length, kChecksumBytes) || !head.is_object())
+  if (checksum::crc32(text) != number_at(content, kHeadBytes + length, kChecksumBytes) || !head.is_object())
     return tl::unexpected{std::string{"its head is damaged"}};
   return Reader{content, first, std::move(head)};
 }
@@ -153,7 +153,7 @@ Bytes Reader::take() noexcept {
   const std::size_t size = size_of(rest);
   if (rest.size() < size + kChecksumBytes) return end_with(Ending::Cut);
   const Bytes record = rest.first(size);
-  if (crc32(record) != number_at(rest, size, kChecksumBytes)) return end_with(Ending::Damaged);
+  if (checksum::crc32(record) != number_at(rest, size, kChecksumBytes)) return end_with(Ending::Damaged);
   position_ += size + kChecksumBytes;
   return record;
 }

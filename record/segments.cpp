@@ -9,8 +9,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include "checksum/crc32.hpp"
 #include "record/candump.hpp"
-#include "record/crc32.hpp"
 #include "record/reader.hpp"
 
 namespace record {
@@ -23,7 +23,7 @@ constexpr const char* kOlder = ".1";
 constexpr std::size_t kLineBytes = 128;
 
 std::array<std::byte, kChecksumBytes> checksum_of(std::span<const std::byte> bytes) noexcept {
-  const std::uint32_t crc = crc32(bytes);
+  const std::uint32_t crc = checksum::crc32(bytes);
   std::array<std::byte, kChecksumBytes> checksum{};
   for (std::size_t i = 0; i < checksum.size(); ++i) checksum[i] = static_cast<std::byte>(crc >> 8 * i);
   return checksum;

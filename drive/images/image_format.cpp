@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "drive/images/crc32.hpp"
+#include "checksum/crc32.hpp"
 
 namespace drive::image_format {
 namespace {
@@ -28,7 +28,7 @@ std::uint32_t identity(const DriveUnit& unit) noexcept {
                              machine.inertia,
                              static_cast<double>(machine.encoder.pulses),
                              static_cast<double>(machine.encoder.fine_bits)};
-    all = crc32(std::as_bytes(std::span{numbers}));
+    all = checksum::crc32(std::as_bytes(std::span{numbers}));
   }
   return all;
 }
@@ -65,7 +65,7 @@ void put_object_head(Writer& writer, const DriveObject& object, std::uint16_t co
 }
 
 std::span<const std::byte> seal(Writer& writer) noexcept {
-  writer.put(crc32(writer.written()));
+  writer.put(checksum::crc32(writer.written()));
   return writer.written();
 }
 
@@ -75,7 +75,7 @@ tl::expected<Reader, Error> open(std::span<const std::byte> image, const Kind& k
   if (const auto error = check_beginning(beginning, kind)) return tl::unexpected{*error};
   if (image.size() < kHeadSize + kChecksumSize) return tl::unexpected{Error::Truncated};
   const std::span<const std::byte> content = image.first(image.size() - kChecksumSize);
-  if (Reader{image.last(kChecksumSize)}.take<std::uint32_t>() != crc32(content))
+  if (Reader{image.last(kChecksumSize)}.take<std::uint32_t>() != checksum::crc32(content))
     return tl::unexpected{Error::WrongChecksum};
   Reader reader{content};
   static_cast<void>(check_beginning(reader, kind));

@@ -7,14 +7,14 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/images/crc32.hpp"
+#include "checksum/crc32.hpp"
 #include "tests/drive/test_drive_unit.hpp"
 
 namespace drive {
 
 /// Makes the checksum of a changed image right again.
 inline void seal(std::vector<std::byte>& image) {
-  const std::uint32_t crc = crc32(std::span{image}.first(image.size() - 4));
+  const std::uint32_t crc = checksum::crc32(std::span{image}.first(image.size() - 4));
   for (std::size_t i = 0; i < 4; ++i) image[image.size() - 4 + i] = static_cast<std::byte>(crc >> (8 * i));
 }
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "record/crc32.hpp"
+#include "checksum/crc32.hpp"
 #include "record/segments.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 #include "tests/record/recorded.hpp"
@@ -118,7 +118,7 @@ TEST_F(ARecording, WithRecordsOfUnknownTypesIsReadWithoutThem) {
   RecordBytes unknown{static_cast<RecordType>(77), 2ms};
   unknown.add_text("of a later program");
   std::string record{reinterpret_cast<const char*>(unknown.bytes().data()), unknown.bytes().size()};
-  const std::uint32_t crc = crc32(unknown.bytes());
+  const std::uint32_t crc = checksum::crc32(unknown.bytes());
   for (unsigned i = 0; i < 4; ++i) record.push_back(static_cast<char>(crc >> 8 * i & 0xFFU));
   content.insert(ends()[1], record);
 
@@ -145,7 +145,7 @@ TEST(Reader, TakesAnyBytes) {
     for (auto left = random() % 60; left > 0; --left) record.add_number(random() % 256, 1);
     std::string content{head};
     content.append(reinterpret_cast<const char*>(record.bytes().data()), record.bytes().size());
-    const std::uint32_t crc = crc32(record.bytes());
+    const std::uint32_t crc = checksum::crc32(record.bytes());
     for (unsigned i = 0; i < 4; ++i) content.push_back(static_cast<char>(crc >> 8 * i & 0xFFU));
 
     const Recorded read = read_all(content);
@@ -156,7 +156,7 @@ TEST(Reader, TakesAnyBytes) {
 
 TEST(Crc32, HasTheCheckValueOfIsoHdlc) {
   constexpr std::string_view kDigits = "123456789";
-  EXPECT_EQ(crc32(std::as_bytes(std::span{kDigits.data(), kDigits.size()})), 0xCBF43926U);
+  EXPECT_EQ(checksum::crc32(std::as_bytes(std::span{kDigits.data(), kDigits.size()})), 0xCBF43926U);
 }
 
 }  // namespace
