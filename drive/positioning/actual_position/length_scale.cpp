@@ -9,7 +9,7 @@ namespace {
 /// Holds the product of any count and any ratio of parameters.
 __extension__ using Wide = __int128;
 
-constexpr Wide kFarthest = Wide{1} << 62;  // LU
+constexpr Wide kFarthest = Wide{1} << 61;  // LU
 
 }  // namespace
 

@@ -31,7 +31,7 @@ class LengthScale {
   LengthScale() noexcept : LengthScale{LengthMechanics{}} {}
   explicit LengthScale(const LengthMechanics& mechanics) noexcept;
 
-  /// The length of @p counts. Beyond ±2^62 LU, far outside every range of a parameter, it stays there.
+  /// The length of @p counts. Beyond ±2^61 LU, far outside every range of a parameter, it stays there.
   Length length(std::int64_t counts) const noexcept;
   /// r2524: LU in a revolution of the motor, negative if the load turns the other way.
   double units_per_revolution() const noexcept { return units_per_revolution_; }

@@ -67,8 +67,8 @@ TEST(LengthScale, TurnsTheOtherWayWithANegativeGear) {
 TEST(LengthScale, StaysAtTheEndsOfItsRange) {
   const LengthScale coarse{{.pulses = 1, .fine_bits = 2, .gear_load = 1 << 20, .units_per_load = 2147483647}};
 
-  EXPECT_EQ(coarse.length(std::numeric_limits<std::int64_t>::max()).whole, 1LL << 62);
-  EXPECT_EQ(coarse.length(std::numeric_limits<std::int64_t>::min()).whole, -(1LL << 62));
+  EXPECT_EQ(coarse.length(std::numeric_limits<std::int64_t>::max()).whole, 1LL << 61);
+  EXPECT_EQ(coarse.length(std::numeric_limits<std::int64_t>::min()).whole, -(1LL << 61));
   EXPECT_EQ(scale_of(1, 0, 10000).length(123'456).whole, 0);
 }
 
