@@ -43,6 +43,7 @@ DriveUnit::DriveUnit(const UnitConfiguration& configuration, ParameterHost* host
   for (const AxisConfiguration& axis : configuration.axes)
     axes_.emplace_back(axis, static_cast<std::uint8_t>(axes_.size()), configuration.node_id, configuration.supply,
                        configuration.infeed);
+  fit_switches();
   wiring_ = std::make_unique<Wiring>(*this);
   group_inputs();
   for_each_object([this](DriveObject& object) { object.join(*this); });
@@ -85,6 +86,7 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   }
   rest_others(running, duration);
   move(running, duration);
+  move_switches();
   for (const Phase phase : kAfterTheSteps) {
     wake_for(phase, running, duration);
     run_phase(phase, running);
@@ -105,6 +107,7 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
   collect(running);
   rest_others(running, duration);
   move(running, duration);
+  move_switches();
   for (const Phase phase : kAfterTheSteps) run_phase(phase, running);
   end_cycle();
   wiring_->invalidate();  // the inputs do not hold what they are connected to

@@ -11,6 +11,7 @@
 #include "drive/axis/axis.hpp"
 #include "drive/control_unit/control_unit.hpp"
 #include "drive/infeed/infeed.hpp"
+#include "drive/positioning/switches/travel_switches.hpp"
 #include "drive/step_observer.hpp"
 #include "motor/plant/dc_link.hpp"
 
@@ -151,6 +152,12 @@ class DriveUnit final : private Surroundings {
     std::span<Axis* const> all() const noexcept { return {axes.data(), count}; }
   };
 
+  /// The switches beside the way of the load of an axis.
+  struct AxisSwitches {
+    const Axis* axis;
+    TravelSwitches switches;
+  };
+
   std::uint32_t& message_counter() noexcept override { return message_counter_; }
   std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept override;
   std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
@@ -172,6 +179,8 @@ class DriveUnit final : private Surroundings {
   void run_phase(Phase phase, const Running& running) noexcept;
   void rest_others(const Running& running, double duration) noexcept;
   void move(const Running& running, double duration) noexcept;
+  void fit_switches();
+  void move_switches() noexcept;
   void run_steps(std::span<Axis* const> moved, long steps) noexcept;
   void send_converted() noexcept;
   void end_cycle() noexcept;
@@ -186,6 +195,7 @@ class DriveUnit final : private Surroundings {
   ControlUnit control_unit_;
   std::optional<Infeed> infeed_;
   std::vector<Axis> axes_;
+  std::vector<AxisSwitches> switches_;  // of the axes that have some
   std::unique_ptr<Wiring> wiring_;
   StepObserver* observer_ = nullptr;
 };

@@ -48,6 +48,13 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
   restore_parameters();
 }
 
+double Axis::load_place() const noexcept {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const motor::PlantState& plant = train_.plant_state();
+  const double motor = static_cast<double>(plant.revolutions) + (plant.rotor_angle - plant.twist) / kTurn;
+  return motor / context().axis.mechanics.ratio();
+}
+
 bool Axis::is_quiescent() const noexcept {
   return settled_ && !block<SequenceControl>().pulses_enabled() && train_.rests() && !causes_.any_present() &&
          !waits_for_power();

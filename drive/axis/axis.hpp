@@ -68,6 +68,8 @@ class Axis final : public DriveObject {
   const OperatingModeRow& speed_setpoint() const noexcept { return block<SpeedControl>().speed_setpoint(); }
   /// r0054: the controlword as it came.
   std::uint16_t controlword() const noexcept { return controlword_; }
+  /// Where the load is (its revolutions from the place at power-on).
+  double load_place() const noexcept;
   /// Whether an encoder is mounted.
   bool has_encoder() const noexcept { return context().axis.machine.encoder.type != motor::EncoderType::None; }
   /// The values after the last cycle; the statusword follows a fault at once.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drive/base/load_mechanics.hpp"
 #include "drive/base/object_kind.hpp"
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/load.hpp"
@@ -17,6 +18,8 @@ struct AxisConfiguration {
   motor::PlantDeviation deviation{};  ///< of what turns from the data sheet
   bool setpoint_channel =
       true;  ///< p0108.8 of a new unit, the extended setpoint channel; a vector axis has it always
+  LoadMechanics mechanics{};    ///< the gear that is in `load` already, and what a revolution behind it is
+  TravelSwitchList switches{};  ///< beside the way of the load
 };
 
 }  // namespace drive

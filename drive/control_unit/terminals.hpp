@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "drive/base/input_edges.hpp"
+
 namespace drive {
 
 /// The terminals of the control unit: the digital ones, a bit each as r0722 numbers them, inputs DI 0 to 7, 16,
@@ -25,11 +27,18 @@ class Terminals {
     return number <= kHighest && (directions >> number & 1U) != 0;
   }
 
-  /// What is connected outside puts terminal @p number, which exists, to 24 V or 0 V.
+  /// Somebody outside puts terminal @p number, which exists, to 24 V or 0 V. From then on no switch feeds it.
   constexpr void apply(unsigned number, bool high) noexcept {
     const Word bit = Word{1} << number;
+    forced_ |= bit;
     applied_ = high ? applied_ | bit : applied_ & ~bit;
   }
+  /// A slice of time has passed in which the switches at the inputs @p fed, a bit each, did what @p switches
+  /// tells.
+  constexpr void pass_slice(const InputEdges& switches, Word fed) noexcept;
+  /// DI 0 to 7 in the last slice: r0722 at its end and its edges. What is applied or simulated between two slices
+  /// has its edge at the beginning of the second.
+  constexpr const InputEdges& edges() const noexcept { return edges_; }
 
   /// What is connected outside puts @p voltage (V) to the analogue input.
   constexpr void apply_analog(double voltage) noexcept { analog_ = voltage; }
@@ -57,7 +66,28 @@ class Terminals {
   constexpr Word inputs() const noexcept { return kAll & ~directions; }
 
   Word applied_ = 0;
+  Word forced_ = 0;  // applied from outside
   double analog_ = 0.0;
+  InputEdges edges_{};
 };
+
+constexpr void Terminals::pass_slice(const InputEdges& switches, Word fed) noexcept {
+  const Word before = edges_.levels;
+  fed &= ~forced_;
+  applied_ = (applied_ & ~fed) | (switches.levels & fed);
+  const Word told = fed & ~simulated;
+  const Word now = status();
+  edges_ = {.levels = static_cast<std::uint8_t>(now)};
+  for (unsigned input = 0; input < InputEdges::kInputs; ++input) {
+    const Word bit = Word{1} << input;
+    if ((told & bit) != 0) {
+      edges_.rising[input] = switches.rising[input];
+      edges_.falling[input] = switches.falling[input];
+    } else if (((before ^ now) & bit) != 0) {
+      constexpr double kBeginning = 0.0;
+      ((now & bit) != 0 ? edges_.rising : edges_.falling)[input] = kBeginning;
+    }
+  }
+}
 
 }  // namespace drive

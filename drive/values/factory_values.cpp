@@ -126,6 +126,18 @@ double encoder_fine_bits(const ObjectContext& context, std::size_t index) noexce
   return index == kMotorEncoder ? static_cast<double>(machine(context).encoder.fine_bits) : kOtherEncoders;
 }
 
+double gear_motor_revolutions(const ObjectContext& context, std::size_t) noexcept {
+  return context.axis.mechanics.gear_motor;
+}
+double gear_load_revolutions(const ObjectContext& context, std::size_t) noexcept {
+  return context.axis.mechanics.gear_load;
+}
+double units_per_load_revolution(const ObjectContext& context, std::size_t) noexcept {
+  constexpr double kOfARevolution = 10000.0;  // LU
+  const std::uint32_t pitch = context.axis.mechanics.pitch;
+  return pitch != 0 ? static_cast<double>(pitch) : kOfARevolution;
+}
+
 double overspeed_hysteresis(const ObjectContext& context, std::size_t) noexcept {
   return rounded(std::min(0.1 * machine(context).maximum_speed / kRpm, kLargestHysteresis));
 }

@@ -40,6 +40,12 @@ double encoder_pulses(const ObjectContext& context, std::size_t index) noexcept;
 double encoder_type(const ObjectContext& context, std::size_t index) noexcept;
 double encoder_fine_bits(const ObjectContext& context, std::size_t index) noexcept;
 
+// The mechanics behind it.
+double gear_motor_revolutions(const ObjectContext& context, std::size_t index) noexcept;  ///< p2504
+double gear_load_revolutions(const ObjectContext& context, std::size_t index) noexcept;   ///< p2505
+/// p2506: µm where a revolution of the load is a way.
+double units_per_load_revolution(const ObjectContext& context, std::size_t index) noexcept;
+
 // What commissioning computes for it.
 double overspeed_hysteresis(const ObjectContext& context, std::size_t index) noexcept;
 double speed_gain(const ObjectContext& context, std::size_t index) noexcept;

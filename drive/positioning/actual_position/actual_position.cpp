@@ -1,0 +1,278 @@
+#include "drive/positioning/actual_position/actual_position.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "drive/positioning/actual_position/whole_numbers.hpp"
+
+namespace drive {
+namespace {
+
+constexpr std::size_t kOwn = 0;      // of the position control, among the values
+constexpr std::size_t kEncoder = 1;  // of encoder 1, among the values
+constexpr std::int32_t kMotorEncoder = 1;
+constexpr std::int64_t kLowest = std::numeric_limits<std::int32_t>::min();
+constexpr std::int64_t kHighest = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t kWords = std::int64_t{1} << 32;  // numbers of 32 bits
+
+/// Whole length units of an input.
+std::int64_t units(double value) noexcept {
+  return std::llround(std::clamp(value, static_cast<double>(kLowest), static_cast<double>(kHighest)));
+}
+
+/// The multiple of 2^32 that is nearest to @p value.
+constexpr std::int64_t nearest_words(std::int64_t value) noexcept {
+  return floor_divide(value + kWords / 2, kWords) * kWords;
+}
+
+/// Where @p share of the way from @p from to @p to is.
+Length between(Length from, Length to, double share) noexcept {
+  const double way = static_cast<double>(to.whole - from.whole) + (to.rest - from.rest);
+  const double beyond = from.rest + share * way;
+  const std::int64_t whole = std::llround(beyond);
+  return {.whole = from.whole + whole, .rest = beyond - static_cast<double>(whole)};
+}
+
+/// Bits of r2526 to r2529.
+enum StatusBit : unsigned { kValid = 0, kReferencing = 1, kMeasured = 2, kAdjustmentValid = 9 };
+constexpr std::uint16_t bit(StatusBit place, bool set) noexcept {
+  return static_cast<std::uint16_t>(static_cast<unsigned>(set) << place);
+}
+
+}  // namespace
+
+ActualPosition::ActualPosition(const motor::EncoderData& encoder) noexcept
+    : encoder_{encoder},
+      per_revolution_{static_cast<std::int64_t>(motor::increments_per_revolution(encoder))},
+      start_{static_cast<std::int64_t>(
+          std::floor(encoder.start_position * motor::increments_per_revolution(encoder)))} {
+  power_on(0);
+}
+
+void ActualPosition::power_on(std::int64_t counts) noexcept {
+  const std::int64_t place = start_ + counts;
+  const std::int64_t range = per_revolution_ * static_cast<std::int64_t>(encoder_.revolutions);
+  const std::int64_t known = is_absolute() ? place - floor_divide(place, range) * range : 0;
+  base_ = known - counts;
+  counts_ = counts;
+  known_.reset();
+  offset_ = 0;
+  backlash_ = {};
+  capture_ = {};
+  measured_ = {};
+  corrects_ = corrects_negatively_ = held_ = false;
+  adjustment_refused_ = unsaved_ = invalidated_ = false;
+}
+
+void ActualPosition::begin_cycle() noexcept {
+  capture_.begin_cycle();
+  adjustment_refused_ = false;
+}
+
+ActualPosition::Mechanics ActualPosition::mechanics() const noexcept {
+  return {.lengths = {.pulses = encoder_.pulses,
+                      .fine_bits = encoder_.fine_bits,
+                      .gear_motor = settings.gear_motor,
+                      .gear_load = settings.gear_load,
+                      .units_per_load = settings.units_per_load},
+          .encoder = settings.encoder,
+          .units_per_10_mm = settings.units_per_10_mm};
+}
+
+/// The encoder that has a fault, or none, is that of the motor.
+CaptureTerminals ActualPosition::terminals() const noexcept {
+  constexpr std::size_t kFirst = 0;
+  const auto either = [](std::int32_t first, std::int32_t second) { return first != 0 ? first : second; };
+  return {.mark_selection = settings.mark_selection[kFirst],
+          .equivalent_mark = either(settings.equivalent_mark[kFirst], settings.equivalent_mark_2[kFirst]),
+          .probes = {either(settings.direct_probe_1, settings.probe_terminal_1[kFirst]),
+                     either(settings.direct_probe_2, settings.probe_terminal_2[kFirst])}};
+}
+
+/// What the position has beside the place of the encoder and the backlash (LU).
+std::int64_t ActualPosition::added() const noexcept {
+  const std::int64_t written = std::llround(settings.adjustment_offset);
+  const std::int64_t adjusted = is_absolute() ? written - nearest_words(written) : 0;
+  return offset_ + units(inputs.offset[kOwn]) + adjusted;
+}
+
+void ActualPosition::run(const Slice& slice) noexcept {
+  follow_mechanics();
+  watch_encoder(slice);
+  follow_backlash(slice.is_referenced || adjusted());
+  const Length from = sensed_;
+  const Backlash play = backlash_;
+  const DiscMotion motion{
+      .from = start_ + counts_, .to = start_ + slice.counts, .per_revolution = per_revolution_};
+  const std::optional<Captured> captured = capture_.look(motion, slice.inputs);
+  count(slice.counts);
+  take_corrections();
+  hold_setting_value();
+  follow_adjustment(slice.reference_coordinate);
+  follow_modulo(slice);
+  if (captured) take_measured(*captured, from, play);
+  const CaptureRequest request{.mark = inputs.search_mark[kOwn],
+                               .probe = inputs.evaluate_probe[kOwn],
+                               .second_probe = inputs.second_probe[kOwn],
+                               .falling_edge = inputs.falling_edge[kOwn]};
+  capture_.follow(request, terminals(), position_valid() && !held_);
+  reference_lost_ = std::exchange(invalidated_, false) || !position_valid();
+}
+
+/// Another scale, or another encoder: the position begins as after power-on, and no adjustment fits it.
+void ActualPosition::follow_mechanics() noexcept {
+  const Mechanics now = mechanics();
+  if (known_ == now) return;
+  if (known_) {
+    power_on(counts_);
+    invalidate();
+  }
+  known_ = now;
+  scale_ = LengthScale{now.lengths};
+  sensed_ = measured_length(counts_);
+  matched_range_ = 0;
+  fold_absolute();
+}
+
+/// p2525 has 32 bits, and so has what it is added to.
+void ActualPosition::fold_absolute() noexcept {
+  if (is_absolute()) offset_ -= nearest_words(whole());
+}
+
+void ActualPosition::watch_encoder(const Slice& slice) noexcept {
+  no_encoder_ = settings.encoder != kMotorEncoder || encoder_.type == motor::EncoderType::None;
+  encoder_faulty_ = !no_encoder_ && slice.encoder_faulty;
+  valid_ = !no_encoder_ && !encoder_faulty_;
+  velocity_ = valid_ ? slice.speed * units_per_revolution() / (2.0 * std::numbers::pi) : 0.0;
+}
+
+/// Where the compensation ends, the position stays what it is.
+void ActualPosition::follow_backlash(bool active) noexcept {
+  if (!active) offset_ += backlash_.compensation();
+  backlash_.set_size(settings.backlash);
+  backlash_.activate(active);
+}
+
+void ActualPosition::count(std::int64_t counts) noexcept {
+  counts_ = counts;
+  const Length now = measured_length(counts);
+  backlash_.move(now.whole - sensed_.whole);
+  sensed_ = now;
+}
+
+/// p2513, at the edges of p2512 and, with its sign turned, of p2730.
+void ActualPosition::take_corrections() noexcept {
+  const std::int64_t by = units(inputs.correction[kOwn]);
+  const bool corrected = std::exchange(corrects_, inputs.correct[kOwn]);
+  const bool corrected_negatively = std::exchange(corrects_negatively_, inputs.correct_negatively[kOwn]);
+  if (corrects_ && !corrected) correct(by);
+  if (corrects_negatively_ && !corrected_negatively) correct(-by);
+}
+
+void ActualPosition::hold_setting_value() noexcept {
+  held_ = inputs.set_position[kOwn];
+  if (held_) offset_ += units(inputs.setting_value[kOwn]) - whole();
+}
+
+/// p2507 = 2.
+void ActualPosition::follow_adjustment(double coordinate) noexcept {
+  if (settings.adjustment != kStartAdjustment) return;
+  const bool done = is_absolute() && valid_ && adjust(units(coordinate));
+  settings.adjustment = done ? kAdjusted : kNotAdjusted;
+}
+
+/// p2525 becomes what makes the position @p coordinate here.
+bool ActualPosition::adjust(std::int64_t coordinate) noexcept {
+  adjustment_refused_ = static_cast<double>(std::abs(coordinate)) > largest_coordinate();
+  if (adjustment_refused_) return false;
+  settings.adjustment_offset = 0.0;
+  offset_ = 0;
+  const std::int64_t needed = coordinate - whole();
+  settings.adjustment_offset = static_cast<double>(needed - floor_divide(needed, kWords) * kWords);
+  fold_absolute();
+  unsaved_ = true;
+  return true;
+}
+
+void ActualPosition::follow_modulo(const Slice& slice) noexcept {
+  modulo_range_ = slice.modulo_range;
+  wrapped_ = 0;
+  wrap(slice.setpoint);
+  if (std::exchange(matched_range_, modulo_range_) != modulo_range_)
+    multiturn_mismatch_ =
+        is_absolute() && modulo_range_ > 0 && !scale_.is_multiple(encoder_.revolutions, modulo_range_);
+}
+
+void ActualPosition::wrap(std::optional<double> setpoint) noexcept {
+  if (modulo_range_ <= 0) return;
+  const std::int64_t ranges = setpoint
+                                  ? std::llround((position() - *setpoint) / static_cast<double>(modulo_range_))
+                                  : floor_divide(whole(), modulo_range_);
+  offset_ -= ranges * modulo_range_;
+  wrapped_ += ranges * modulo_range_;
+}
+
+/// The way to the event began at @p from with @p play.
+void ActualPosition::take_measured(const Captured& captured, Length from, const Backlash& play) noexcept {
+  const Length at =
+      captured.mark ? measured_length(*captured.mark - start_) : between(from, sensed_, captured.instant);
+  measured_ = {.whole = at.whole + added() + play.compensation_after(at.whole - from.whole), .rest = at.rest};
+}
+
+bool ActualPosition::set_position(std::int64_t value) noexcept {
+  const bool modulo = modulo_range_ > 0;
+  const std::int64_t lowest = modulo ? 0 : kLowestCoordinate;
+  const std::int64_t highest = modulo ? modulo_range_ - 1 : kHighestCoordinate;
+  if (value < lowest || value > highest) return false;
+  offset_ += value - whole();
+  return true;
+}
+
+void ActualPosition::invalidate() noexcept {
+  invalidated_ = true;
+  settings.adjustment = kNotAdjusted;
+}
+
+std::int64_t ActualPosition::shown() const noexcept {
+  return std::clamp(whole(), kLowest, kHighest);
+}
+
+bool ActualPosition::overflows() const noexcept {
+  return valid_ && shown() != whole();
+}
+
+double ActualPosition::shown_of(std::size_t index) const noexcept {
+  if (index == kOwn) return static_cast<double>(shown());
+  const bool exists = index == kEncoder && encoder_.type != motor::EncoderType::None;
+  return exists ? static_cast<double>(sensed_.whole + units(inputs.offset[kEncoder])) : 0.0;
+}
+
+double ActualPosition::units_per_revolution() const noexcept {
+  return static_cast<double>(settings.units_per_load) * settings.gear_load / settings.gear_motor;
+}
+
+bool ActualPosition::adjusted() const noexcept {
+  return is_absolute() && settings.adjustment == kAdjusted && position_valid();
+}
+
+/// The revolutions that the encoder tells apart, less one unit: as far as a coordinate can be told from others.
+double ActualPosition::largest_coordinate() const noexcept {
+  const double range = std::floor(std::abs(units_per_revolution()) * encoder_.revolutions);
+  return std::clamp(range - 1.0, 0.0, static_cast<double>(kHighestCoordinate));
+}
+
+std::uint16_t ActualPosition::status() const noexcept {
+  return bit(kValid, position_valid()) | bit(kReferencing, referencing_active()) |
+         bit(kMeasured, measured_valid()) | bit(kAdjustmentValid, adjusted());
+}
+
+/// Marks and probes are waited for by the position control alone.
+std::uint16_t ActualPosition::encoder_status(std::size_t encoder) const noexcept {
+  constexpr std::size_t kFirst = 0;
+  return encoder == kFirst ? bit(kValid, position_valid()) | bit(kAdjustmentValid, adjusted()) : std::uint16_t{0};
+}
+
+}  // namespace drive

@@ -1,0 +1,239 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "drive/base/input_edges.hpp"
+#include "drive/messages/cause.hpp"
+#include "drive/positioning/actual_position/backlash.hpp"
+#include "drive/positioning/actual_position/length_scale.hpp"
+#include "drive/positioning/actual_position/position_capture.hpp"
+#include "motor/data/machine_data.hpp"
+
+namespace drive {
+
+/// Position of the load from what the encoder has counted: scaled to length units (LU), with its offsets and
+/// corrections, backlash and modulo range; and its value at zero marks and probes. Index 0 of what has four is
+/// that of the position control, 1 to 3 belong to an encoder. Runs a slice at a time.
+class ActualPosition {
+ public:
+  static constexpr std::size_t kEncoders = 3;
+  static constexpr std::size_t kValues = 1 + kEncoders;
+  /// Values of p2507.
+  static constexpr std::int32_t kNotAdjusted = 1;
+  static constexpr std::int32_t kStartAdjustment = 2;
+  static constexpr std::int32_t kAdjusted = 3;
+  /// The range of coordinates that can be set (LU).
+  static constexpr std::int64_t kLowestCoordinate = -2147482648;
+  static constexpr std::int64_t kHighestCoordinate = 2147482647;
+
+  struct Settings {
+    using Block = ActualPosition;
+    using Terminals = std::array<std::int32_t, kEncoders>;  ///< n is DI n-1, 0 none
+
+    std::int32_t encoder = 1;             ///< p2502
+    double units_per_10_mm = 10000.0;     ///< p2503, of a linear encoder, which no axis has
+    std::int32_t gear_motor = 1;          ///< p2504
+    std::int32_t gear_load = 1;           ///< p2505
+    std::int32_t units_per_load = 10000;  ///< p2506
+    std::int32_t adjustment = 1;          ///< p2507
+    Terminals probe_terminal_1{};         ///< p0488
+    Terminals probe_terminal_2{};         ///< p0489
+    Terminals mark_selection{};           ///< p0493
+    Terminals equivalent_mark{};          ///< p0494
+    Terminals equivalent_mark_2{};        ///< p0495, where p0494 is 0
+    std::int32_t direct_probe_1 = 0;      ///< p2517
+    std::int32_t direct_probe_2 = 0;      ///< p2518
+    double adjustment_offset = 0.0;       ///< p2525 (LU), 0..2^32-1; from 2^31 on it is negative, less 2^32
+    std::int32_t backlash = 0;            ///< p2583 (LU)
+  };
+  struct Inputs {
+    using Block = ActualPosition;
+    using Bits = std::array<bool, kValues>;
+    using Values = std::array<double, kValues>;
+
+    Bits search_mark{};         ///< p2508
+    Bits evaluate_probe{};      ///< p2509
+    Bits second_probe{};        ///< p2510
+    Bits falling_edge{};        ///< p2511
+    Bits correct{};             ///< p2512
+    Bits set_position{};        ///< p2514
+    Bits correct_negatively{};  ///< p2730
+    Values correction{};        ///< p2513 (LU)
+    Values setting_value{};     ///< p2515 (LU)
+    Values offset{};            ///< p2516 (LU)
+
+    friend bool operator==(const Inputs&, const Inputs&) = default;
+  };
+
+  /// A slice of time begins; what is told of the one that has passed belongs to it.
+  struct Slice {
+    std::int64_t counts = 0;            ///< of the encoder, since the unit was made
+    double speed = 0.0;                 ///< of the encoder (rad/s)
+    bool encoder_faulty = false;        ///< a fault of the encoder is active
+    InputEdges inputs{};                ///< of the slice that has passed
+    double reference_coordinate = 0.0;  ///< p2598[0] (LU), which an adjustment takes
+    bool is_referenced = false;         ///< r2684.11
+    std::int64_t modulo_range = 0;      ///< p2576 (LU) while the axis is a modulo axis, otherwise 0
+    std::optional<double> setpoint{};   ///< of a position that is controlled, 0..p2576-1 on a modulo axis (LU)
+  };
+
+  /// Of @p encoder, which has turned nowhere yet.
+  explicit ActualPosition(const motor::EncoderData& encoder) noexcept;
+
+  /// Power-on with the encoder at @p counts: an incremental one begins at 0, an absolute one where it is within
+  /// the revolutions that it tells apart (p0421).
+  void power_on(std::int64_t counts) noexcept;
+  /// A process-data cycle begins: what was told of the last one for its messages alone is over.
+  void begin_cycle() noexcept;
+  void run(const Slice& slice) noexcept;
+
+  /// The position becomes @p value (LU) where the axis is. False: that is outside the range of coordinates or of
+  /// the modulo axis, and nothing is set.
+  [[nodiscard]] bool set_position(std::int64_t value) noexcept;
+  /// The position becomes greater by @p by (LU).
+  void correct(std::int64_t by) noexcept { offset_ += by; }
+  /// Takes whole modulo ranges out of the position: with a @p setpoint it becomes the one that is nearest to it,
+  /// without one it is 0 to p2576-1. The slice does so by itself.
+  void wrap(std::optional<double> setpoint) noexcept;
+  /// What is known of the place of the load is no longer true: the reference is lost with the next slice, and an
+  /// absolute encoder has to be adjusted anew.
+  void invalidate() noexcept;
+  /// The parameters were saved, p2525 with them.
+  void on_saved() noexcept { unsaved_ = false; }
+
+  /// LU, exact to the increment.
+  double position() const noexcept { return static_cast<double>(whole()) + sensed_.rest; }
+  /// r2521[0]: the same in whole LU, at the ends of the 32-bit range if it is beyond.
+  std::int64_t shown() const noexcept;
+  /// r2521, LU: [0] the position, [1] what encoder 1 has measured, with p2516[1] and nothing else.
+  double shown_of(std::size_t index) const noexcept;
+  /// LU/s, of the speed of the encoder.
+  double velocity() const noexcept { return velocity_; }
+  /// r2522, LU/s, as r2521.
+  double velocity_of(std::size_t index) const noexcept { return index <= 1 ? velocity_ : 0.0; }
+  /// LU, at the last zero mark or probe that was asked for.
+  double measured() const noexcept { return measured_.exact(); }
+  /// r2523[0], LU: the same in whole LU.
+  std::int64_t measured_shown() const noexcept { return measured_.whole; }
+  double measured_of(std::size_t index) const noexcept {
+    return index == 0 ? static_cast<double>(measured_.whole) : 0.0;
+  }
+  /// r2524, LU in a revolution of the motor.
+  double units_per_revolution() const noexcept;
+  /// r2667, LU.
+  double backlash_compensation() const noexcept { return static_cast<double>(backlash_.compensation()); }
+  /// LU that the last slice took off the position, whole modulo ranges.
+  std::int64_t wrapped() const noexcept { return wrapped_; }
+
+  /// r2526.0
+  bool position_valid() const noexcept { return valid_ && !overflows(); }
+  /// r2526.1
+  bool referencing_active() const noexcept { return capture_.awaits(); }
+  /// r2526.2
+  bool measured_valid() const noexcept { return capture_.has_captured(); }
+  /// r2526.9: an absolute encoder is adjusted.
+  bool adjusted() const noexcept;
+  /// The bits of r2526 that are those of the position, and r2527 to r2529 of encoder 1 to 3.
+  std::uint16_t status() const noexcept;
+  std::uint16_t encoder_status(std::size_t encoder) const noexcept;
+  /// In this slice the reference was lost.
+  bool reference_lost() const noexcept { return reference_lost_; }
+
+  bool overflows() const noexcept;                                            ///< F07493, value 1
+  bool has_no_encoder() const noexcept { return no_encoder_; }                ///< A07454
+  bool encoder_faulty() const noexcept { return encoder_faulty_; }            ///< F07453
+  bool interrupted() const noexcept { return capture_.is_interrupted(); }     ///< A07495
+  bool is_held() const noexcept { return held_; }                             ///< A07497
+  bool probe_impossible() const noexcept { return capture_.refusal() != 0; }  ///< A07498
+  double probe_refusal() const noexcept { return capture_.refusal(); }        ///< its value
+  bool adjustment_refused() const noexcept { return adjustment_refused_; }    ///< F07443
+  double largest_coordinate() const noexcept;                                 ///< its value (LU)
+  bool adjustment_unsaved() const noexcept { return unsaved_; }               ///< A07441
+  bool multiturn_mismatch() const noexcept { return multiturn_mismatch_; }    ///< F07442
+
+  /// One of those above as a quantity for the table of causes, 1 or 0.
+  template <bool (ActualPosition::*Holds)() const noexcept>
+  double holds() const noexcept {
+    return (this->*Holds)() ? 1.0 : 0.0;
+  }
+  double overflow_value() const noexcept { return overflows() ? 1.0 : 0.0; }
+
+  Settings settings{};
+  Inputs inputs{};
+
+ private:
+  /// What scale and place of zero follow from.
+  struct Mechanics {
+    LengthMechanics lengths{};
+    std::int32_t encoder = 0;
+    double units_per_10_mm = 0.0;
+
+    friend bool operator==(const Mechanics&, const Mechanics&) = default;
+  };
+
+  Mechanics mechanics() const noexcept;
+  CaptureTerminals terminals() const noexcept;
+  bool is_absolute() const noexcept { return encoder_.type == motor::EncoderType::Absolute; }
+  std::int64_t added() const noexcept;
+  std::int64_t whole() const noexcept { return sensed_.whole + added() + backlash_.compensation(); }
+  void follow_mechanics() noexcept;
+  void watch_encoder(const Slice& slice) noexcept;
+  void follow_backlash(bool active) noexcept;
+  void count(std::int64_t counts) noexcept;
+  void take_corrections() noexcept;
+  void hold_setting_value() noexcept;
+  void follow_adjustment(double coordinate) noexcept;
+  bool adjust(std::int64_t coordinate) noexcept;
+  void follow_modulo(const Slice& slice) noexcept;
+  void take_measured(const Captured& captured, Length from, const Backlash& play) noexcept;
+  void fold_absolute() noexcept;
+  Length measured_length(std::int64_t counts) const noexcept { return scale_.length(base_ + counts); }
+
+  motor::EncoderData encoder_;
+  std::int64_t per_revolution_;  // increments
+  std::int64_t start_;           // increments past the zero of the disc where counting began
+  std::int64_t base_ = 0;        // increments that power-on adds to the counts
+  std::int64_t counts_ = 0;      // at the end of the slice that has passed
+  std::optional<Mechanics> known_{};
+  LengthScale scale_{};
+  Length sensed_{};          // of the encoder alone
+  std::int64_t offset_ = 0;  // LU, all that was set and corrected since power-on
+  Backlash backlash_{};
+  PositionCapture capture_{};
+  Length measured_{};
+  double velocity_ = 0.0;
+  std::int64_t modulo_range_ = 0;
+  std::int64_t matched_range_ = 0;  // that multiturn_mismatch_ was found with
+  std::int64_t wrapped_ = 0;
+  bool valid_ = false;
+  bool no_encoder_ = false;
+  bool encoder_faulty_ = false;
+  bool reference_lost_ = false;
+  bool invalidated_ = false;
+  bool corrects_ = false;  // p2512 and p2730 in the last slice
+  bool corrects_negatively_ = false;
+  bool held_ = false;
+  bool adjustment_refused_ = false;
+  bool unsaved_ = false;
+  bool multiturn_mismatch_ = false;
+};
+
+// clang-format off
+template <>
+inline constexpr auto causes_of<ActualPosition> = std::array{
+    CauseRow<ActualPosition>{7441, &ActualPosition::holds<&ActualPosition::adjustment_unsaved>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "p2525 adjusted and not saved"},
+    CauseRow<ActualPosition>{7442, &ActualPosition::holds<&ActualPosition::multiturn_mismatch>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "p0421 revolutions no multiple of p2576"},
+    CauseRow<ActualPosition>{7443, &ActualPosition::holds<&ActualPosition::adjustment_refused>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, &ActualPosition::largest_coordinate, 1.0, "p2598 beyond what the absolute encoder tells apart"},
+    CauseRow<ActualPosition>{7453, &ActualPosition::holds<&ActualPosition::encoder_faulty>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "encoder fault"},
+    CauseRow<ActualPosition>{7454, &ActualPosition::holds<&ActualPosition::has_no_encoder>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "p2502 names no encoder of the axis"},
+    CauseRow<ActualPosition>{7493, &ActualPosition::overflow_value, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, &ActualPosition::overflow_value, 1.0, "r2521 beyond its range"},
+    CauseRow<ActualPosition>{7495, &ActualPosition::holds<&ActualPosition::interrupted>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "waiting for a mark or probe ended without it"},
+    CauseRow<ActualPosition>{7497, &ActualPosition::holds<&ActualPosition::is_held>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "p2514"},
+    CauseRow<ActualPosition>{7498, &ActualPosition::holds<&ActualPosition::probe_impossible>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, &ActualPosition::probe_refusal, 1.0, "probe without a terminal"},
+};
+// clang-format on
+
+}  // namespace drive
