@@ -16,7 +16,8 @@ struct AxisConfiguration {
   motor::InverterData inverter{};
   motor::PlantDeviation deviation{};  ///< of what turns from the data sheet
   bool setpoint_channel =
-      true;  ///< p0108.8 of a new unit, the extended setpoint channel; a vector axis has it always
+      true;                 ///< p0108.8 of a new unit, the extended setpoint channel; a vector axis has it always
+  bool positioner = false;  ///< p0108.3 and p0108.4, position control and basic positioner
 };
 
 }  // namespace drive
