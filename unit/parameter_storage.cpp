@@ -5,6 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "drive/images/module_connections.hpp"
+
 namespace unit {
 namespace {
 
@@ -40,6 +42,8 @@ ParameterStorage::ParameterStorage(drive::DriveUnit& unit, UnitParameters& param
 
 tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<const std::byte> image) noexcept {
   if (const auto loaded = drive::storage_image::load(unit_, image); !loaded) return loaded;
+  drive::connect_new_modules(unit_, drive::SavedValues{image});
+  unit_.follow_function_modules();
   // Parameters that the image does not have are as in a new unit, and part of it from now on.
   std::size_t length = 0;
   for (std::uint8_t number = drive::kControlUnitNumber; unit_.object(number) != nullptr; ++number) {

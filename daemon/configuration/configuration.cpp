@@ -43,10 +43,19 @@ bool read_setpoint_channel(const JsonReader& json, drive::ObjectKind kind) {
   return active;
 }
 
+/// A ready wiring of an axis that has a positioner if @p positioner.
+drive::PositionerWiring read_positioner_wiring(const JsonReader& json, bool positioner) {
+  const std::string name = json.text();
+  const auto* const known = std::ranges::find(drive::kPositionerWirings, name);
+  if (known == drive::kPositionerWirings.end()) json.fail("mdi, blocks, telegram-110 or telegram-111");
+  if (!positioner) json.fail(R"(an axis with "positioner": true)");
+  return static_cast<drive::PositionerWiring>(known - drive::kPositionerWirings.begin());
+}
+
 /// What is said of @p axis, over its defaults, except its parameters.
 AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis, const MotorSource& motors) {
-  json.expect_object(
-      {"name", "type", "motor", "encoder", "load", "plant", "power_unit", "setpoint_channel", "parameters"});
+  json.expect_object({"name", "type", "motor", "encoder", "load", "plant", "power_unit", "setpoint_channel",
+                      "positioner", "positioner_wiring", "parameters"});
   if (json.has("name")) axis.name = json.at("name").text();
   if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"), motors);
@@ -57,6 +66,9 @@ AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis, cons
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
   if (json.has("setpoint_channel"))
     axis.setpoint_channel = read_setpoint_channel(json.at("setpoint_channel"), axis.kind);
+  if (json.has("positioner")) axis.positioner = json.at("positioner").boolean();
+  if (json.has("positioner_wiring"))
+    axis.positioner_wiring = read_positioner_wiring(json.at("positioner_wiring"), axis.positioner);
   return axis;
 }
 

@@ -11,6 +11,7 @@
 #include "daemon/configuration/motor_source.hpp"
 #include "daemon/configuration/record_settings.hpp"
 #include "drive/base/object_kind.hpp"
+#include "drive/base/positioner_wiring.hpp"
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/load.hpp"
 #include "motor/data/machine_data.hpp"
@@ -45,8 +46,10 @@ struct AxisConfiguration {
   motor::PlantDeviation deviation;                    ///< of what turns from it, key "plant"
   motor::Load load;
   motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.maximum_current);  ///< key "power_unit"
-  bool setpoint_channel = true;            ///< p0108.8 of a new unit, the extended setpoint channel
-  std::vector<ParameterValue> parameters;  ///< laid over the state of a new axis
+  bool setpoint_channel = true;  ///< p0108.8 of a new unit, the extended setpoint channel
+  bool positioner = false;       ///< p0108.3 and p0108.4, the basic positioner
+  std::optional<drive::PositionerWiring> positioner_wiring{};  ///< laid under the parameters
+  std::vector<ParameterValue> parameters;                      ///< laid over the state of a new axis
 };
 
 /// The infeed as a drive object.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "daemon/instance/unit_memory.hpp"
+#include "device/process_data/positioner_wiring.hpp"
 
 namespace axisd {
 namespace {
@@ -21,8 +22,23 @@ device::AxisSetup setup_of(const AxisConfiguration& axis) {
                     .kind = axis.kind,
                     .inverter = axis.inverter,
                     .deviation = axis.deviation,
-                    .setpoint_channel = axis.setpoint_channel},
+                    .setpoint_channel = axis.setpoint_channel,
+                    .positioner = axis.positioner},
           .presets = presets_of(axis.parameters)};
+}
+
+/// Lays the ready wirings of @p axes under the parameters that the configuration names.
+void wire_positioners(const std::vector<AxisConfiguration>& axes, device::Configuration& unit) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!axes[i].positioner_wiring) continue;
+    std::vector<device::ParameterPreset> wired =
+        device::presets_of(*axes[i].positioner_wiring, {.module = static_cast<std::uint8_t>(i),
+                                                        .node_id = unit.node_id,
+                                                        .kind = axes[i].kind,
+                                                        .setpoint_channel = axes[i].setpoint_channel});
+    std::vector<device::ParameterPreset>& presets = unit.axes[i].presets;
+    presets.insert(presets.begin(), wired.begin(), wired.end());
+  }
 }
 
 }  // namespace
@@ -44,6 +60,7 @@ device::Configuration device_configuration(const Configuration& configuration, c
   for (const AxisConfiguration& axis : configuration.axes) result.axes.push_back(setup_of(axis));
   if (result.address_switch_off)
     result.node_id = device::address_without_switch(result, UnitMemory::saved_parameters(folder, log));
+  wire_positioners(configuration.axes, result);
   return result;
 }
 

@@ -83,7 +83,8 @@ void Axis::fail_encoder(motor::EncoderDefect defect) noexcept {
 }
 
 void Axis::set_function_modules(function_module::Set wanted) noexcept {
-  modules_ = (wanted & function_module::possible(kind())) | function_module::always(kind());
+  modules_ = (wanted & function_module::possible(kind())) | function_module::always(kind()) |
+             function_module::configured(context().axis);
   if (!has_setpoint_channel()) block<Jog>().power_off();
   apply_parameters();
 }

@@ -20,6 +20,7 @@ struct AxisConfiguration {
       true;  ///< p0108.8 of a new unit, the extended setpoint channel; a vector axis has it always
   LoadMechanics mechanics{};    ///< the gear that is in `load` already, and what a revolution behind it is
   TravelSwitchList switches{};  ///< beside the way of the load
+  bool positioner = false;      ///< p0108.3 and p0108.4, position control and basic positioner
 };
 
 }  // namespace drive

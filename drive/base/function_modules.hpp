@@ -23,12 +23,20 @@ constexpr Set always(ObjectKind kind) noexcept {
   return kind == ObjectKind::Vector ? kCan | kSetpointChannel : kCan;
 }
 
-/// The modules of a new axis of @p axis.
-constexpr Set of_new(const AxisConfiguration& axis) noexcept {
-  return always(axis.kind) | (axis.setpoint_channel ? kSetpointChannel : Set{0});
+/// What a positioning axis has: the basic positioner works with the position control.
+inline constexpr Set kPositioning = kPositionControl | kBasicPositioner;
+
+/// The modules that the configuration alone gives @p axis: p0108 shows them.
+constexpr Set configured(const AxisConfiguration& axis) noexcept {
+  return axis.positioner ? kPositioning : Set{0};
 }
 
-/// The modules that an axis of @p kind can have.
+/// The modules of a new axis of @p axis.
+constexpr Set of_new(const AxisConfiguration& axis) noexcept {
+  return always(axis.kind) | configured(axis) | (axis.setpoint_channel ? kSetpointChannel : Set{0});
+}
+
+/// The modules that p0108 can give an axis of @p kind.
 constexpr Set possible(ObjectKind kind) noexcept {
   return always(kind) | kSetpointChannel;
 }

@@ -142,7 +142,8 @@ std::optional<Refusal> function_modules(const DriveObject& object, std::size_t i
   if (!of_axis) return refuse_unless(!(value < factory || value > factory), Refusal::IllegalValue);
   const ObjectKind kind = context.axes[index - first_axis];
   const auto wanted = static_cast<function_module::Set>(value);
-  const function_module::Set possible = function_module::possible(kind);
+  const function_module::Set configured = context.modules[index - first_axis] & function_module::kPositioning;
+  const function_module::Set possible = function_module::possible(kind) | configured;
   const function_module::Set always = function_module::always(kind);
   return refuse_unless((wanted & ~possible) == 0 && (wanted & always) == always, Refusal::IllegalValue);
 }

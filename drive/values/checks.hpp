@@ -34,7 +34,8 @@ std::optional<Refusal> acknowledge_only(const DriveObject& object, std::size_t i
 std::optional<Refusal> address_switch_off(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8612: 601h..67Fh and 581h..5FFh, or bit 31.
 std::optional<Refusal> server_cob_id(const DriveObject& object, std::size_t index, double value) noexcept;
-/// p0108: what the drive object always has, and of a servo the extended setpoint channel as one likes.
+/// p0108: what the drive object always has, and of a servo the extended setpoint channel as one likes. What the
+/// configuration alone gives may be left out, for it is there all the same.
 std::optional<Refusal> function_modules(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8630: the windows [1] and [2] end at 3 and 5.
 std::optional<Refusal> object_window(const DriveObject& object, std::size_t index, double value) noexcept;

@@ -36,6 +36,20 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /axes: expected once, is there twice"},
         BadFile{R"({"a\nb": 5, "a\nb": 6})", "node.json: /a\\nb: expected once, is there twice"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Positioner, BadFiles,
+    testing::Values(
+        BadFile{R"({"axes": [{"positioner": 1}]})",
+                "node.json: /axes/0/positioner: expected true or false, got 1"},
+        BadFile{R"({"axes": [{"positioner_wiring": "mdi"}]})",
+                "node.json: /axes/0/positioner_wiring: expected an axis with \"positioner\": true, got \"mdi\""},
+        BadFile{
+            R"({"axes": [{"positioner": false, "positioner_wiring": "blocks"}]})",
+            "node.json: /axes/0/positioner_wiring: expected an axis with \"positioner\": true, got \"blocks\""},
+        BadFile{R"({"axes": [{"positioner": true, "positioner_wiring": "epos"}]})",
+                "node.json: /axes/0/positioner_wiring: expected mdi, blocks, telegram-110 or telegram-111, got "
+                "\"epos\""}));
+
 /// What the key "interface" and the option of that name take.
 const std::string kForms =
     "a name of 1 to 15 characters without spaces, unix:PATH, udp-multicast://GROUP:PORT[?interface=NAME] or "
@@ -92,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [1]})", "node.json: /axes/0: expected an object, got 1"},
         BadFile{R"({"axes": [{"speed": 1}]})",
                 "node.json: /axes/0/speed: unknown key, expected one of: name, type, motor, encoder, load, "
-                "plant, power_unit, setpoint_channel, parameters"},
+                "plant, power_unit, setpoint_channel, positioner, positioner_wiring, parameters"},
         BadFile{R"({"axes": [{"setpoint_channel": 0}]})",
                 "node.json: /axes/0/setpoint_channel: expected true or false, got 0"},
         BadFile{R"({"axes": [{"type": "vector", "setpoint_channel": false}]})",

@@ -130,6 +130,16 @@ TEST(Configuration, DeliversAServoWithoutSetpointChannel) {
   EXPECT_EQ(axis.parameters.size(), 1U);
 }
 
+TEST(Configuration, DeliversAnAxisWithPositionerWithOrWithoutWiring) {
+  EXPECT_FALSE(axis_of("{}").positioner);
+  EXPECT_FALSE(axis_of(R"({"positioner": true})").positioner_wiring);
+  const AxisConfiguration axis = axis_of(
+      R"({"positioner": true, "positioner_wiring": "telegram-110", "parameters": {"p2612": "r0722.3 of drive object 1"}})");
+  EXPECT_TRUE(axis.positioner);
+  EXPECT_EQ(axis.positioner_wiring, drive::PositionerWiring::Telegram110);
+  EXPECT_EQ(axis.parameters.size(), 1U);
+}
+
 TEST(Configuration, TakesAMotorFromAFileAndTheRestFromTheDefaultMotor) {
   const fakes::TemporaryDirectory folder;
   std::ofstream{folder.path("motor.json")} << R"({"rated_speed_rpm": 1500, "rated_torque_Nm": 12})";
