@@ -86,7 +86,6 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
   }
   rest_others(running, duration);
   move(running, duration);
-  move_switches();
   for (const Phase phase : kAfterTheSteps) {
     wake_for(phase, running, duration);
     run_phase(phase, running);
@@ -107,7 +106,6 @@ void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, doubl
   collect(running);
   rest_others(running, duration);
   move(running, duration);
-  move_switches();
   for (const Phase phase : kAfterTheSteps) run_phase(phase, running);
   end_cycle();
   wiring_->invalidate();  // the inputs do not hold what they are connected to
@@ -145,16 +143,22 @@ void DriveUnit::rest_others(const Running& running, double duration) noexcept {
     if (!running.runs[i]) axes_[i].rest(duration, dc_link_.voltage());
 }
 
+/// Where an axis has position control, or switches are beside its way, slices of 1 ms begin among the steps.
 void DriveUnit::move(const Running& running, double duration) noexcept {
-  const auto steps = std::lround(duration / motor::kControlPeriod);
+  const long steps = std::lround(duration / motor::kControlPeriod);
   lowest_dc_voltage_ = dc_link_.voltage();
-  if (observer_ == nullptr) [[likely]]
+  const bool sliced = !switches_.empty() || std::ranges::any_of(running.all(), &Axis::positions);
+  if (observer_ == nullptr && !sliced) [[likely]]
     return run_steps(running.all(), steps);
-  for (long step = 1; step < steps; ++step) {
-    run_steps(running.all(), 1);
-    observer_->on_step(step);
+  for (long step = 0; step < steps;) {
+    if (sliced && steps_in_slice_ == 0) run_slice(running);
+    const long until_slice = sliced ? std::min(steps - step, kStepsInASlice - steps_in_slice_) : steps;
+    const long count = observer_ != nullptr ? 1 : until_slice;
+    run_steps(running.all(), count);
+    step += count;
+    if (sliced) steps_in_slice_ = (steps_in_slice_ + count) % kStepsInASlice;
+    if (observer_ != nullptr && step < steps) observer_->on_step(step);
   }
-  run_steps(running.all(), 1);
 }
 
 /// Steps of a cycle, side by side on the DC link. At one place, for all of a step to be compiled into it.

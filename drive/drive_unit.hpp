@@ -181,6 +181,7 @@ class DriveUnit final : private Surroundings {
   void move(const Running& running, double duration) noexcept;
   void fit_switches();
   void move_switches() noexcept;
+  void run_slice(const Running& running) noexcept;
   void run_steps(std::span<Axis* const> moved, long steps) noexcept;
   void send_converted() noexcept;
   void end_cycle() noexcept;
@@ -198,6 +199,7 @@ class DriveUnit final : private Surroundings {
   std::vector<AxisSwitches> switches_;  // of the axes that have some
   std::unique_ptr<Wiring> wiring_;
   StepObserver* observer_ = nullptr;
+  long steps_in_slice_ = 0;
 };
 
 }  // namespace drive

@@ -1,4 +1,6 @@
 // What the inputs of the drive objects make of them in a cycle.
+#include <algorithm>
+
 #include "drive/drive_unit.hpp"
 #include "drive/wiring.hpp"
 
@@ -21,8 +23,8 @@ void follow_messages(DriveObject& object, ExternalMessages& external) noexcept {
 /// A phase is the group of inputs with its number.
 void DriveUnit::group_inputs() {
   for (const Axis& axis : axes_)
-    for (const auto& phases : {kBeforeTheSteps, kAfterTheSteps})
-      for (const Phase phase : phases) wiring_->add_group(axis, Axis::inputs_of(phase));
+    for (std::size_t phase = 0; phase < kPhases; ++phase)
+      wiring_->add_group(axis, Axis::inputs_of(static_cast<Phase>(phase)));
 }
 
 void DriveUnit::take_inputs(const Axis& axis, Phase phase) noexcept {
@@ -35,7 +37,9 @@ bool DriveUnit::has_new_inputs(const Axis& axis, Phase phase) const noexcept {
 
 /// Whether @p axis is quiescent and nothing new acts on it as a cycle begins.
 bool DriveUnit::has_nothing_to_do(const Axis& axis) const noexcept {
-  return axis.is_quiescent() && !axis.has_new_image() && !has_new_inputs(axis, Phase::Sequence);
+  if (!axis.is_quiescent() || axis.has_new_image() || has_new_inputs(axis, Phase::Sequence)) return false;
+  return !axis.positions() ||
+         std::ranges::none_of(kInTheSlices, [&](Phase phase) { return has_new_inputs(axis, phase); });
 }
 
 /// Of the control unit: p2102 acknowledges the faults of all drive objects, p2103 to p2105 its own, p2106 to p2108

@@ -1,5 +1,7 @@
-// The switches beside the ways of the loads, which feed the digital inputs of the unit.
+// The slices of 1 ms: switches beside the ways of the loads, which feed the digital inputs of the unit, and
+// position control.
 #include "drive/drive_unit.hpp"
+#include "drive/wiring.hpp"
 
 namespace drive {
 
@@ -13,7 +15,6 @@ void DriveUnit::fit_switches() {
 
 /// A slice of time has passed: the digital inputs follow the switches that the loads have come past.
 void DriveUnit::move_switches() noexcept {
-  if (switches_.empty()) return;
   InputEdges moved{};
   Terminals::Word fed = 0;
   for (AxisSwitches& axis : switches_) {
@@ -21,6 +22,25 @@ void DriveUnit::move_switches() noexcept {
     fed |= axis.switches.inputs();
   }
   control_unit_.terminals().pass_slice(moved, fed);
+}
+
+/// The axes go through the phases of a slice side by side, each with the inputs as they are then.
+void DriveUnit::run_slice(const Running& running) noexcept {
+  move_switches();
+  const auto axes = running.all();
+  for (Axis* const axis : axes)
+    if (axis->positions()) axis->begin_slice(control_unit_.terminals().edges());
+  for (const Phase phase : kInTheSlices)
+    for (Axis* const axis : axes) {
+      if (!axis->positions()) continue;
+      take_inputs(*axis, phase);
+      axis->run(phase);
+    }
+  for (Axis* const axis : axes) {
+    if (!axis->positions()) continue;
+    wiring_->take(*axis, kBlock<SpeedSetpoint2>);
+    axis->follow_position();
+  }
 }
 
 }  // namespace drive

@@ -1,5 +1,6 @@
 #include "drive/signal_source.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include "drive/base/scaling.hpp"
@@ -46,6 +47,7 @@ std::optional<double> full_scale(const DriveObject& object, const ParameterRow& 
 }  // namespace
 
 double reference(const DriveObject& object, Quantity quantity) noexcept {
+  if (quantity == Quantity::Share) return 1.0;
   const PlacedRow* const placed = find_parameter(object.kind(), reference_of(quantity));
   return placed != nullptr ? object.value(*placed, 0) * row_of(placed->row->unit).si : 0.0;
 }
@@ -89,6 +91,11 @@ void SignalSource::look_into(const Home& home) noexcept {
   }
 }
 
+void SignalSource::take_plain() noexcept {
+  if (!is_constant()) scale_ = 1.0;
+  is_quantity_ = true;
+}
+
 double SignalSource::parameter(double number) const noexcept {
   if (conversion_ == Conversion::None) return number;
   const double in_unit = number / row_of(placed_->row->unit).si;
@@ -105,7 +112,7 @@ template <class Int>
 Int SignalSource::process_data() const noexcept {
   constexpr double kFull = sizeof(Int) == 2 ? kWord : kDoubleWord;
   if (is_quantity_) return saturated<Int>(value(kFull));
-  return static_cast<Int>(static_cast<std::int64_t>(parameter(number())));
+  return static_cast<Int>(static_cast<std::int64_t>(std::round(parameter(number()))));
 }
 template std::int16_t SignalSource::process_data() const noexcept;
 template std::int32_t SignalSource::process_data() const noexcept;

@@ -18,6 +18,9 @@ class SignalSource {
   /// until a reference (p2000 to p2007) or the scaling of a drive object of @p unit changes.
   SignalSource(const DriveUnit& unit, const DriveObject& own, std::uint32_t packed) noexcept;
 
+  /// From now on a connector brings its number as it is, not as a share.
+  void take_plain() noexcept;
+
   /// Whether the value can never change.
   bool is_constant() const noexcept { return placed_ == nullptr; }
   /// The number that a connector brings now, and the one whose bits a binector brings; 0 of a constant.

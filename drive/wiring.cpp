@@ -115,9 +115,12 @@ void Wiring::group(Inputs& inputs) noexcept {
 void Wiring::connect(Object& entry, const ParameterRow& row, const ValueInput& input) noexcept {
   Inputs& inputs = inputs_of(entry, input.block);
   void* const block = entry.object->block(input.block);
-  const double full = reference(*entry.object, input.quantity);
+  const double of_one = row_of(input.quantity).of_one;
+  const bool is_plain = of_one > 0.0;
+  const double full = is_plain ? of_one : reference(*entry.object, input.quantity);
   for (std::size_t i = 0; i < row.count; ++i) {
-    const SignalSource from = source(*entry.object, row, i);
+    SignalSource from = source(*entry.object, row, i);
+    if (is_plain) from.take_plain();
     (from.is_constant() ? inputs.constant_values : inputs.values).push_back({&input.member(block, i), from, full});
   }
 }

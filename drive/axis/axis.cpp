@@ -17,6 +17,10 @@ Block made(const ObjectContext& context) noexcept {
     return PowerUnit{axis.inverter, context.supply, motor::DcLink{context.supply}.voltage()};
   else if constexpr (std::is_same_v<Block, Measurement>)
     return Measurement{2.0 * std::numbers::pi / motor::increments_per_revolution(axis.machine)};
+  else if constexpr (std::is_same_v<Block, ActualPosition>)
+    return ActualPosition{axis.machine.encoder};
+  else if constexpr (std::is_same_v<Block, Positioner>)
+    return Positioner{axis.positioner};
   else
     return Block{};
 }
@@ -57,7 +61,7 @@ double Axis::load_place() const noexcept {
 
 bool Axis::is_quiescent() const noexcept {
   return settled_ && !block<SequenceControl>().pulses_enabled() && train_.rests() && !causes_.any_present() &&
-         !waits_for_power();
+         !waits_for_power() && (!positions() || block<Positioner>().is_settled());
 }
 
 void Axis::set_load_torque(double torque, motor::LoadTorqueType type) noexcept {

@@ -10,6 +10,7 @@
 #include "drive/axis/setpoints.hpp"
 #include "drive/base/axis_configuration.hpp"
 #include "drive/base/function_modules.hpp"
+#include "drive/base/input_edges.hpp"
 #include "drive/base/references.hpp"
 #include "drive/catalogue/axis_blocks.hpp"
 #include "drive/messages/cause_monitor.hpp"
@@ -48,6 +49,12 @@ class Axis final : public DriveObject {
   void start_cycle(double duration) noexcept;
   /// the blocks that have their turn in @p phase run with the inputs as they are,
   void run(Phase phase) noexcept;
+  /// Whether it has position control, and the phases of kInTheSlices.
+  bool positions() const noexcept { return (modules_ & function_module::kPositioning) != 0; }
+  /// A slice begins in which the fast inputs of the unit did what @p inputs tells (until the next slice).
+  void begin_slice(const InputEdges& inputs) noexcept { edges_ = inputs; }
+  /// After the phases of a slice: its speed setpoint and torque limits act in the steps that follow.
+  void follow_position() noexcept;
   /// between kBeforeTheSteps and kAfterTheSteps come steps of motor::kControlPeriod with the link at @p dc_voltage
   /// (V), each of which returns the energy drawn from it (J, negative = fed back).
   double step(double dc_voltage) noexcept;
@@ -182,6 +189,7 @@ class Axis final : public DriveObject {
   // What follows from the settings (axis_parameters.cpp).
   void apply_parameters() noexcept;
   void configure_channel() noexcept;
+  void check_blocks() noexcept;
   void configure_model() noexcept;
   void configure_control() noexcept;
   void commission() noexcept;
@@ -201,6 +209,14 @@ class Axis final : public DriveObject {
   void lead_torque() noexcept;
   void lead_brake() noexcept;
   void lead_identification() noexcept;
+  void run_slice() noexcept;
+  void read_position() noexcept;
+  void lead_position() noexcept;
+  void control_position() noexcept;
+  void tell_positioning() noexcept;
+  bool is_position_control_possible() const noexcept;
+  bool has_encoder_fault() const noexcept;
+  void show_position_messages() noexcept;
   void plan_ramp() noexcept;
   double measured_step(double dc_voltage) noexcept;
   double move(double dc_voltage) noexcept;
@@ -256,6 +272,9 @@ class Axis final : public DriveObject {
   motor::PlantSettings plant_;
   motor::DriveTrain train_;
   double duration_ = 0.0;  // s
+
+  InputEdges edges_{};                  // of the slice
+  bool block_asked_for_probe_ = false;  // in the slice before
 
   std::uint16_t controlword_ = 0;  // of the last cycle
   bool settled_ = false;           // the last cycle changed nothing

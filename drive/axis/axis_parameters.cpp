@@ -157,6 +157,7 @@ void Axis::on_settings_changed(BlockId changed) noexcept {
   static constexpr std::array kMade{
       Made{&Axis::configure_channel, {kBlock<SetpointChannel>, kBlock<MotorModel>}},
       Made{&Axis::configure_model, {kBlock<MotorModel>, kBlock<SequenceControl>}},
+      Made{&Axis::check_blocks, {kBlock<Positioner>, kBlock<ActualPosition>}},
       Made{&Axis::configure_control, {kBlock<SpeedControl>, kBlock<MotorModel>}},
   };
   for (const Made& row : kMade)
@@ -170,6 +171,10 @@ void Axis::apply_parameters() noexcept {
 
 void Axis::configure_channel() noexcept {
   block<SetpointChannel>().configure(block<MotorModel>().settings.motor_maximum_speed, has_setpoint_channel());
+}
+
+void Axis::check_blocks() noexcept {
+  block<Positioner>().on_settings_changed();
 }
 
 void Axis::configure_model() noexcept {

@@ -82,17 +82,22 @@ struct Axis::Schedule {
       Turn{Phase::Sequence, kPlace<SpeedControl>,     &Axis::choose_mode},
       Turn{Phase::Sequence, kPlace<Jog>,              &Axis::follow_jog_bits, function_module::kSetpointChannel},
       Turn{Phase::Sequence, kPlace<SequenceControl>,  &Axis::control_sequence},
+      Turn{Phase::Setpoint, kPlace<SpeedSetpoint2>,   &Axis::stand_by},
       Turn{Phase::Setpoint, kPlace<SetpointChannel>,  &Axis::lead_setpoint},
       Turn{Phase::Torque,   kPlace<PowerUnit>,        &Axis::begin_sums},
       Turn{Phase::Torque,   kPlace<TorqueSetpoint>,   &Axis::lead_torque},
       Turn{Phase::Torque,   kPlace<HoldingBrake>,     &Axis::lead_brake},
       Turn{Phase::Torque,   kPlace<Identification>,   &Axis::lead_identification},
       Turn{Phase::Torque,   kPlace<SetpointChannel>,  &Axis::plan_ramp},
+      Turn{Phase::ActualPosition,  kPlace<ActualPosition>,  &Axis::read_position, function_module::kPositionControl},
+      Turn{Phase::Positioner,      kPlace<Positioner>,      &Axis::lead_position, function_module::kBasicPositioner},
+      Turn{Phase::PositionControl, kPlace<PositionControl>, &Axis::control_position, function_module::kPositionControl},
       Turn{Phase::Values,   kPlace<Measurement>,      &Axis::measure},
       Turn{Phase::Messages, kPlace<Identification>,   &Axis::track_measurement},
       Turn{Phase::Messages, kPlace<SpeedMessages>,    &Axis::watch_speed},
       Turn{Phase::Messages, kPlace<MotorMonitoring>,  &Axis::observe_motor},
       Turn{Phase::Messages, kPlace<MotorMonitoring>,  &Axis::judge_causes},
+      Turn{Phase::Messages, kPlace<Positioner>,       &Axis::tell_positioning, function_module::kBasicPositioner},
       Turn{Phase::Messages, kPlace<Identification>,   &Axis::conclude_measurement},
       Turn{Phase::Messages, kPlace<SequenceControl>,  &Axis::refresh_status},
       Turn{Phase::Status,   kPlace<FreeStatusBits>,   &Axis::show_free_bits},
@@ -130,6 +135,12 @@ void Axis::run(Phase phase) noexcept {
       return run<Phase::Setpoint>();
     case Phase::Torque:
       return run<Phase::Torque>();
+    case Phase::ActualPosition:
+      return run<Phase::ActualPosition>();
+    case Phase::Positioner:
+      return run<Phase::Positioner>();
+    case Phase::PositionControl:
+      return run<Phase::PositionControl>();
     case Phase::Values:
       return run<Phase::Values>();
     case Phase::Messages:
@@ -142,8 +153,16 @@ void Axis::run(Phase phase) noexcept {
 void Axis::cycle(double duration) noexcept {
   begin_cycle(duration);
   const int steps = std::max(1, static_cast<int>(std::lround(duration / motor::kControlPeriod)));
-  for (int i = 0; i < steps; ++i) step(block<PowerUnit>().dc_voltage());
+  for (long i = 0; i < steps; ++i) {
+    if (positions() && i % kStepsInASlice == 0) run_slice();
+    step(block<PowerUnit>().dc_voltage());
+  }
   end_cycle();
+}
+
+void Axis::run_slice() noexcept {
+  for (const Phase phase : kInTheSlices) run(phase);
+  follow_position();
 }
 
 void Axis::start_cycle(double duration) noexcept {

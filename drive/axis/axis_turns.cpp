@@ -51,10 +51,13 @@ void Axis::control_sequence() noexcept {
 void Axis::lead_setpoint() noexcept {
   const SequenceControl& sequence = block<SequenceControl>();
   SetpointChannel& channel = block<SetpointChannel>();
+  channel.inputs.speed_setpoint_2 = block<SpeedSetpoint2>().inputs.speed;
   channel.begin_cycle(block<SpeedControl>().has_ramp_bits());
   channel.choose(sequence.jogs() ? std::optional{block<Jog>().setpoint()} : std::nullopt);
   if (!sequence.operates() || block<Identification>().leads())
     channel.follow_zero();
+  else if (positions() && block<PositionControl>().is_enabled())
+    channel.follow_position(block<SpeedSetpoint2>().inputs.speed);
   else if (sequence.halts())
     channel.halt(sequence.settings.halt_option, train_.signals().measured_speed);
   else
@@ -116,6 +119,7 @@ void Axis::plan_ramp() noexcept {
 void Axis::measure() noexcept {
   Measurement& measurement = block<Measurement>();
   measurement.measure(train_);
+  if (!positions()) block<ActualPosition>().note(measurement.counts(), measurement.speed());
   actual_.speed = measurement.speed();
   actual_.torque_demand = measurement.torque_demand();
   actual_.torque = measurement.torque();
@@ -132,13 +136,14 @@ void Axis::track_measurement() noexcept {
 void Axis::watch_speed() noexcept {
   const SetpointChannel& channel = block<SetpointChannel>();
   const bool pulses = block<SequenceControl>().pulses_enabled();
-  block<SpeedMessages>().run(
-      {.duration = duration_,
-       .speed = actual_.speed,
-       .ramp_input = channel.input(),
-       .forward_limit = channel.forward_limit(),
-       .backward_limit = channel.backward_limit(),
-       .at_torque_limit = pulses && std::abs(channel.total()) > 0.0 && train_.signals().torque_limit_reached});
+  block<SpeedMessages>().run({.duration = duration_,
+                              .speed = actual_.speed,
+                              .ramp_input = channel.input(),
+                              .forward_limit = channel.forward_limit(),
+                              .backward_limit = channel.backward_limit(),
+                              .at_torque_limit = pulses && std::abs(channel.total()) > 0.0 &&
+                                                 train_.signals().torque_limit_reached &&
+                                                 !block<TorqueSetpoint>().inputs.travels_to_fixed_stop});
 }
 
 void Axis::observe_motor() noexcept {

@@ -19,10 +19,6 @@ double rpm(double speed) noexcept {
   return speed / kRpm;
 }
 
-double parameter(const Axis& axis, std::uint16_t number) noexcept {
-  return axis.read(number).value_or(0.0);
-}
-
 /// [0] balance, [1] drawn, [2] fed back, in units of @p unit (J).
 double energy_in(double unit, const Axis& axis, std::size_t index) noexcept {
   const PowerUnit& power_unit = axis.block<PowerUnit>();
@@ -114,20 +110,6 @@ double encoder_position(const Axis& axis, std::size_t index) noexcept {
   return index == kMotorEncoder ? static_cast<double>(static_cast<std::uint32_t>(axis.actual().encoder_position))
                                 : 0.0;
 }
-double units_per_revolution(const Axis& axis, std::size_t) noexcept {
-  return parameter(axis, 2506) * parameter(axis, 2505) / parameter(axis, 2504);
-}
-double position(const Axis& axis, std::size_t index) noexcept {
-  if (index != kMotorEncoder) return 0.0;
-  const double revolutions = static_cast<double>(axis.actual().encoder_counts) /
-                             motor::increments_per_revolution(axis.context().axis.machine);
-  return revolutions * units_per_revolution(axis, 0) + parameter(axis, 2525);
-}
-double position_velocity(const Axis& axis, std::size_t index) noexcept {
-  constexpr double kThousand = 1000.0;
-  return index == kMotorEncoder ? speed(axis, 0) * units_per_revolution(axis, 0) / kThousand : 0.0;
-}
-
 void compute_parameters(Axis& axis, std::size_t, double value) noexcept {
   axis.compute_parameters(static_cast<int>(value));
 }

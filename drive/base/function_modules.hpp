@@ -50,8 +50,6 @@ struct Missing {
 };
 inline constexpr std::array kMissing{
     Missing{2200, 2294, kTechnologyController, "technology controller"},
-    Missing{2502, 2567, kPositionControl, "position control"},
-    Missing{2568, 2693, kBasicPositioner, "basic positioner"},
 };
 
 /// The missing module that parameter @p number of an axis belongs to, or nullptr.

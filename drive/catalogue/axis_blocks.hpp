@@ -11,6 +11,9 @@
 #include "drive/motor_model/motor_model.hpp"
 #include "drive/motor_monitoring/motor_monitoring.hpp"
 #include "drive/parameter/block.hpp"
+#include "drive/positioning/actual_position/actual_position.hpp"
+#include "drive/positioning/control/position_control.hpp"
+#include "drive/positioning/positioner/positioner.hpp"
 #include "drive/power_unit/power_unit.hpp"
 #include "drive/sequence_control/sequence_control.hpp"
 #include "drive/sequence_control/statusword.hpp"
@@ -28,8 +31,12 @@ using AxisBlocks = std::tuple<SequenceControl,   //
                               SpeedControl,      //
                               Jog,               //
                               SetpointChannel,   //
+                              SpeedSetpoint2,    //
                               TorqueSetpoint,    //
                               HoldingBrake,      //
+                              ActualPosition,    //
+                              Positioner,        //
+                              PositionControl,   //
                               Identification,    //
                               MotorModel,        //
                               PowerUnit,         //

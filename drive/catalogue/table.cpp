@@ -14,8 +14,6 @@
 #include "drive/catalogue/rows/infeed.hpp"
 #include "drive/catalogue/rows/messages.hpp"
 #include "drive/catalogue/rows/pdo.hpp"
-#include "drive/catalogue/rows/position.hpp"
-#include "drive/catalogue/rows/positioner.hpp"
 #include "drive/catalogue/rows/process_data.hpp"
 #include "drive/catalogue/rows/technology.hpp"
 #include "drive/catalogue/rows/terminals.hpp"
@@ -26,6 +24,9 @@
 #include "drive/measurement/measurement_rows.hpp"
 #include "drive/motor_model/motor_model_rows.hpp"
 #include "drive/motor_monitoring/motor_monitoring_rows.hpp"
+#include "drive/positioning/actual_position/actual_position_rows.hpp"
+#include "drive/positioning/control/position_control_rows.hpp"
+#include "drive/positioning/positioner/positioner_rows.hpp"
 #include "drive/power_unit/power_unit_rows.hpp"
 #include "drive/sequence_control/sequence_control_rows.hpp"
 #include "drive/sequence_control/statusword_rows.hpp"
@@ -57,7 +58,7 @@ template <class... Block>
 constexpr auto joined_with(const std::tuple<Block...>*) {
   return joined(rows::rows_of<Block>..., rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows,
                 rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
-                rows::kControlRows, rows::kTechnologyRows, rows::kPositionRows, rows::kPositionerRows);
+                rows::kControlRows, rows::kTechnologyRows);
 }
 constexpr auto kRows = joined_with(static_cast<const AxisBlocks*>(nullptr));
 

@@ -22,6 +22,11 @@ std::optional<Refusal> limit_refusal(const ParameterRow& row, double value) noex
   return std::nullopt;
 }
 
+/// What a parameter of whole numbers shows of @p value.
+double represented(const ParameterRow& row, double value) noexcept {
+  return row.type == DataType::F32 ? value : std::round(value);
+}
+
 /// Why @p value cannot be taken over as a saved one of @p row.
 std::optional<Refusal> load_refusal(const ParameterRow& row, double value) noexcept {
   return is_saved(row) ? limit_refusal(row, value) : std::optional{Refusal::ReadOnly};
@@ -189,7 +194,7 @@ double DriveObject::kept_value_of(const PlacedRow& placed, std::size_t index) co
   if (const auto* const home = std::get_if<Setting>(&row.home))
     return rounded(home->get(block(home->block), index) / row_of(row.unit).si);
   if (const auto* const shown = std::get_if<BlockOutput>(&row.home))
-    return shown->get(block(shown->block), index) / row_of(row.unit).si;
+    return represented(row, shown->get(block(shown->block), index) / row_of(row.unit).si);
   if (const auto* const shown = std::get_if<Computed>(&row.home)) return shown->get(block(shown->block), index);
   return 0.0;
 }

@@ -73,7 +73,7 @@ template <auto Member>
 struct Of;
 /// A data member of a block or of a part of it.
 template <class Part, class Value, Value Part::*Member>
-struct Of<Member> {
+requires(!std::is_function_v<Value>) struct Of<Member> {
   using Block = typename Owner<Part>::Type;
   using Element = typename Elements<Value>::Type;
   static constexpr std::size_t kCount = Elements<Value>::kCount;

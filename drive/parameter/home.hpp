@@ -57,6 +57,19 @@ inline constexpr Setting setting{.block = kBlock<typename block_access::Of<Membe
                                        block_access::Of<Member>::at(block, index) = static_cast<Element>(si);
                                      }};
 
+/// Element @p Place of an array that is a setting of its own.
+template <auto Member, std::size_t Place>
+inline constexpr Setting setting_at{
+    .block = kBlock<typename block_access::Of<Member>::Block>,
+    .count = 1,
+    .get = [](const void* block,
+              std::size_t) noexcept { return static_cast<double>(block_access::Of<Member>::at(block, Place)); },
+    .set =
+        [](void* block, std::size_t, double si) noexcept {
+          using Element = typename block_access::Of<Member>::Element;
+          block_access::Of<Member>::at(block, Place) = static_cast<Element>(si);
+        }};
+
 /// A binector input: its source lies in a slot, the bit that the source brings in a member of the block.
 struct BitInput {
   BlockId block;

@@ -162,6 +162,11 @@ class PositioningMessages {
     if (!this->stands(message) || values_[place(message)] != value) raise(message, value);
     standing_ |= bit(message);
   }
+  /// A message that comes once, each time @p cause begins to hold.
+  void fault_once(PositioningMessage message, bool cause, std::uint32_t value = 0) noexcept {
+    if (cause && (held_ & bit(message)) == 0) raise(message, value);
+    held_ = cause ? held_ | bit(message) : held_ & ~bit(message);
+  }
   bool stands(PositioningMessage message) const noexcept { return (standing_ & bit(message)) != 0; }
   /// Whether there is something to tell.
   bool has_news() const noexcept { return seen_ != 0 || standing_ != told_; }
@@ -180,7 +185,7 @@ class PositioningMessages {
         tell(row, (present & bit(row.message)) != 0, values_[place(row.message)]);
   }
   /// Power-off: nothing has come.
-  void clear() noexcept { seen_ = standing_ = told_ = 0; }
+  void clear() noexcept { seen_ = standing_ = told_ = held_ = 0; }
 
  private:
   using Mask = std::uint64_t;
@@ -198,6 +203,7 @@ class PositioningMessages {
 
   Mask seen_ = 0;      // since the last tell()
   Mask standing_ = 0;  // now
+  Mask held_ = 0;      // causes of fault_once()
   Mask told_ = 0;      // as present, by the last tell()
   std::array<std::uint32_t, kPositioningMessages.size()> values_{};
 };

@@ -26,6 +26,22 @@ inline constexpr std::size_t kRampCount = 4;
 /// Fixed setpoints p1001 to p1015 (rad/s); number 0 is no setpoint.
 using FixedSetpoints = std::array<double, 16>;
 
+/// The setpoint behind the ramp that has an input of its own: the position controller leads by it too, faster than
+/// the others.
+struct SpeedSetpoint2 {
+  struct Settings {};
+  struct Inputs {
+    using Block = SpeedSetpoint2;
+
+    double speed = 0.0;  ///< p1160 (rad/s)
+
+    friend bool operator==(const Inputs&, const Inputs&) = default;
+  };
+
+  Settings settings{};
+  Inputs inputs{};
+};
+
 /// From the main setpoint to the setpoint of the speed controller: choice and sum of setpoints, inversion,
 /// inhibited directions, minimum speed, limits, ramp-function generator, setpoints behind the ramp. All speeds in
 /// rad/s.
@@ -75,7 +91,7 @@ class SetpointChannel {
     double backward_limit = kAsParameter;  ///< p1088, p1086 if it is infinite
     double ramp_setting = 0.0;             ///< p1144
     double speed_setpoint_1 = 0.0;         ///< p1155, behind the ramp
-    double speed_setpoint_2 = 0.0;         ///< p1160, behind the ramp
+    double speed_setpoint_2 = 0.0;         ///< of SpeedSetpoint2, behind the ramp
 
     friend bool operator==(const Inputs&, const Inputs&) = default;
   };
@@ -110,6 +126,14 @@ class SetpointChannel {
   void follow() noexcept;
   /// The torque leads: the ramp is where the motor is, at @p speed, so that speed control can take over.
   void track(double speed) noexcept { ramp_generator_.start(speed - behind_); }
+  /// A position controller leads with @p speed (rad/s); nothing else counts.
+  void follow_position(double speed) noexcept {
+    ramp_generator_.start(0.0);
+    ramp_ = Ramp::Setpoint;
+    target_ = 0.0;
+    behind_ = speed;
+    moves_ = false;
+  }
   /// The setpoint waits at zero, for the holding brake.
   void wait() noexcept { target_ = behind_ = 0.0; }
   /// What begins here is the way of the ramp in this cycle.

@@ -24,7 +24,6 @@ inline constexpr std::array kSpeedLimitRows{
     Row{1136, 1, kAxes, F32, Unit::Seconds, {0.0, 30.0}, 0.0, When::Always, setting<&SetpointChannel::Settings::off3_initial_rounding>, Output::No, "OFF3 initial rounding time", "with p1115 = 1"},
     Row{1137, 1, kAxes, F32, Unit::Seconds, {0.0, 30.0}, 0.0, When::Always, setting<&SetpointChannel::Settings::off3_final_rounding>, Output::No, "OFF3 final rounding time", "with p1115 = 1"},
     Row{1155, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::speed_setpoint, When::Always, value_input<&SetpointChannel::Inputs::speed_setpoint_1>(Quantity::Speed), Output::No, "CI: speed controller setpoint 1", "speed setpoint behind the ramp; delivered on an axis without extended setpoint channel: 60FFh, in velocity mode 6042h"},
-    Row{1160, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::positioner_connection<1160>, When::Always, value_input<&SetpointChannel::Inputs::speed_setpoint_2>(Quantity::Speed), Output::No, "CI: speed controller setpoint 2", "speed setpoint behind the ramp; delivered on an axis with positioner: r2562"},
     Row{1170, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, shown<axis_value::speed_demand>, Output::Connector, "Speed controller setpoint sum", "behind the ramp"},
 };
 template <>
@@ -74,6 +73,10 @@ inline constexpr auto rows_of<SetpointChannel> = joined(kSpeedLimitRows, with_mo
     Row{1149, 1, kAxes, F32, Unit::RevolutionsPerSecondSquared, kWhole, 0.0, When::ReadOnly, shown<axis_value::ramp_acceleration>, Output::Connector, "RFG acceleration", ""},
     Row{1150, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, shown<axis_value::ramp_output>, Output::Connector, "RFG setpoint at the output", ""},
 }));
+template <>
+inline constexpr auto rows_of<SpeedSetpoint2> = std::array{
+    Row{1160, 1, kAxes, ConnectorInput, Unit::None, kWhole, factory::positioner_connection<1160>, When::Always, value_input<&SpeedSetpoint2::Inputs::speed>(Quantity::Speed), Output::No, "CI: speed controller setpoint 2", "speed setpoint behind the ramp; delivered on an axis with positioner: r2562"},
+};
 // clang-format on
 
 }  // namespace drive::rows

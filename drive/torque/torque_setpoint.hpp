@@ -26,11 +26,12 @@ class TorqueSetpoint {
   struct Inputs {
     using Block = TorqueSetpoint;
 
-    double setpoint = 0.0;              ///< p1503
-    double supplementary_1 = 0.0;       ///< p1511
-    double supplementary_2 = 0.0;       ///< p1513
-    double upper_limit = kAsParameter;  ///< p1522, p1520 if it is infinite
-    double lower_limit = kAsParameter;  ///< p1523, p1521 if it is infinite
+    double setpoint = 0.0;               ///< p1503
+    double supplementary_1 = 0.0;        ///< p1511
+    double supplementary_2 = 0.0;        ///< p1513
+    double upper_limit = kAsParameter;   ///< p1522, p1520 if it is infinite
+    bool travels_to_fixed_stop = false;  ///< p1545
+    double lower_limit = kAsParameter;   ///< p1523, p1521 if it is infinite
 
     friend bool operator==(const Inputs&, const Inputs&) = default;
   };

@@ -6,6 +6,7 @@
 #include "drive/torque/torque_setpoint.hpp"
 #include "drive/values/axis_values.hpp"
 #include "drive/values/factory_values.hpp"
+#include "drive/values/positioner_connections.hpp"
 
 namespace drive::rows {
 
@@ -22,6 +23,7 @@ inline constexpr auto rows_of<TorqueSetpoint> = std::array{
     Row{1523, 1, kAxes, ConnectorInput, Unit::None, kWhole, own_source(1521, 0), When::Always, value_input<&TorqueSetpoint::Inputs::lower_limit>(Quantity::Torque), Output::No, "CI: torque limit lower", "lower torque limit"},
     Row{1538, 1, kAxes, F32, Unit::NewtonMetre, kWhole, 0.0, When::ReadOnly, shown<axis_value::upper_torque_limit>, Output::Connector, "Upper effective torque limit", ""},
     Row{1539, 1, kAxes, F32, Unit::NewtonMetre, kWhole, 0.0, When::ReadOnly, shown<axis_value::lower_torque_limit>, Output::Connector, "Lower effective torque limit", ""},
+    Row{1545, 1, kAxes, BinectorInput, Unit::None, kWhole, factory::positioner_connection<1545>, When::Always, bit_input<&TorqueSetpoint::Inputs::travels_to_fixed_stop>, Output::No, "BI: travel to fixed stop", "a motor that stands at its torque limit is not blocked (F07900)"},
 };
 // clang-format on
 

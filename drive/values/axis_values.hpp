@@ -28,8 +28,6 @@ double monitoring_3(const Axis& axis, std::size_t index) noexcept;
 double no_value(const Axis& axis, std::size_t index) noexcept;
 double operating_display(const Axis& axis, std::size_t index) noexcept;
 double pole_pairs(const Axis& axis, std::size_t index) noexcept;
-double position(const Axis& axis, std::size_t index) noexcept;
-double position_velocity(const Axis& axis, std::size_t index) noexcept;
 double process_energy(const Axis& axis, std::size_t index) noexcept;
 double ramp_acceleration(const Axis& axis, std::size_t index) noexcept;
 double ramp_input(const Axis& axis, std::size_t index) noexcept;
@@ -49,7 +47,6 @@ double statusword(const Axis& axis, std::size_t index) noexcept;
 double torque(const Axis& axis, std::size_t index) noexcept;
 double torque_demand(const Axis& axis, std::size_t index) noexcept;
 double torque_utilisation(const Axis& axis, std::size_t index) noexcept;
-double units_per_revolution(const Axis& axis, std::size_t index) noexcept;
 double upper_torque_limit(const Axis& axis, std::size_t index) noexcept;
 
 // Machine and power unit (axis_electrical_values.cpp).
@@ -69,6 +66,20 @@ double motor_utilisation(const Axis& axis, std::size_t index) noexcept;
 double motor_temperature(const Axis& axis, std::size_t index) noexcept;
 double overload(const Axis& axis, std::size_t index) noexcept;
 double power_unit_temperature(const Axis& axis, std::size_t index) noexcept;
+
+// Positioning (axis_position_values.cpp).
+double position_status(const Axis& axis, std::size_t index) noexcept;
+double encoder_position_status_of(const Axis& axis, std::size_t encoder) noexcept;
+template <std::size_t Encoder>
+double encoder_position_status(const Axis& axis, std::size_t) noexcept {
+  return encoder_position_status_of(axis, Encoder);
+}
+double positioner_status_1(const Axis& axis, std::size_t index) noexcept;
+double positioner_status_2(const Axis& axis, std::size_t index) noexcept;
+double fixed_stop_limit(const Axis& axis, std::size_t index) noexcept;
+double fixed_stop_torque(const Axis& axis, std::size_t index) noexcept;
+/// p2624: 1 sorts the traversing blocks.
+void sort_blocks(Axis& axis, std::size_t index, double value) noexcept;
 
 /// p0340: computes control parameters anew.
 void compute_parameters(Axis& axis, std::size_t index, double value) noexcept;

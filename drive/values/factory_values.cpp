@@ -126,6 +126,14 @@ double encoder_fine_bits(const ObjectContext& context, std::size_t index) noexce
   return index == kMotorEncoder ? static_cast<double>(machine(context).encoder.fine_bits) : kOtherEncoders;
 }
 
+double tracking_source(const ObjectContext&, std::size_t index) noexcept {
+  constexpr std::array kSources{1.0, own_source(2526, 7)};
+  return kSources[index];
+}
+/// That of the position control is p2599; those of encoders have none.
+double reference_coordinate_source(const ObjectContext&, std::size_t index) noexcept {
+  return index == 0 ? own_source(2599, 0) : 0.0;
+}
 double gear_motor_revolutions(const ObjectContext& context, std::size_t) noexcept {
   return context.axis.mechanics.gear_motor;
 }

@@ -60,6 +60,8 @@ double motoring_power_limit(const ObjectContext& context, std::size_t index) noe
 double regenerative_power_limit(const ObjectContext& context, std::size_t index) noexcept;
 double upper_torque_limit(const ObjectContext& context, std::size_t index) noexcept;
 double lower_torque_limit(const ObjectContext& context, std::size_t index) noexcept;
+double tracking_source(const ObjectContext& context, std::size_t index) noexcept;
+double reference_coordinate_source(const ObjectContext& context, std::size_t index) noexcept;
 double sampling_times(const ObjectContext& context, std::size_t index) noexcept;
 double vector_sampling_times(const ObjectContext& context, std::size_t index) noexcept;
 

@@ -100,6 +100,7 @@ std::int64_t ActualPosition::added() const noexcept {
 }
 
 void ActualPosition::run(const Slice& slice) noexcept {
+  runs_ = true;
   follow_mechanics();
   watch_encoder(slice);
   follow_backlash(slice.is_referenced || adjusted());
@@ -114,8 +115,8 @@ void ActualPosition::run(const Slice& slice) noexcept {
   follow_adjustment(slice.reference_coordinate);
   follow_modulo(slice);
   if (captured) take_measured(*captured, from, play);
-  const CaptureRequest request{.mark = inputs.search_mark[kOwn],
-                               .probe = inputs.evaluate_probe[kOwn],
+  const CaptureRequest request{.mark = inputs.search_mark[kOwn] && !slice.holds_mark,
+                               .probe = (inputs.evaluate_probe[kOwn] && !slice.holds_probe) || slice.asks_probe,
                                .second_probe = inputs.second_probe[kOwn],
                                .falling_edge = inputs.falling_edge[kOwn]};
   capture_.follow(request, terminals(), position_valid() && !held_);
@@ -248,6 +249,22 @@ double ActualPosition::shown_of(std::size_t index) const noexcept {
   if (index == kOwn) return static_cast<double>(shown());
   const bool exists = index == kEncoder && encoder_.type != motor::EncoderType::None;
   return exists ? static_cast<double>(sensed_.whole + units(inputs.offset[kEncoder])) : 0.0;
+}
+
+/// Without position control what the encoder has counted, with p2525.
+double ActualPosition::position_of(std::size_t index) const noexcept {
+  if (index != kOwn) return shown_of(index);
+  if (!runs_) {
+    const double turns = static_cast<double>(counts_) / static_cast<double>(per_revolution_);
+    return turns * units_per_revolution() + settings.adjustment_offset;
+  }
+  return std::clamp(position(), static_cast<double>(kLowest), static_cast<double>(kHighest));
+}
+
+double ActualPosition::velocity_of(std::size_t index) const noexcept {
+  if (index > 1) return 0.0;
+  if (runs_) return velocity_;
+  return index == kOwn ? noted_speed_ * units_per_revolution() / (2.0 * std::numbers::pi) : 0.0;
 }
 
 double ActualPosition::units_per_revolution() const noexcept {

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "drive/base/input_edges.hpp"
-#include "drive/messages/cause.hpp"
 #include "drive/positioning/actual_position/backlash.hpp"
 #include "drive/positioning/actual_position/length_scale.hpp"
 #include "drive/positioning/actual_position/position_capture.hpp"
@@ -76,6 +75,9 @@ class ActualPosition {
     InputEdges inputs{};                ///< of the slice that has passed
     double reference_coordinate = 0.0;  ///< p2598[0] (LU), which an adjustment takes
     bool is_referenced = false;         ///< r2684.11
+    bool holds_mark = false;            ///< p2508[0] waits: the positioner has it on and does not want a mark now
+    bool holds_probe = false;           ///< p2509[0] waits
+    bool asks_probe = false;            ///< the positioner wants a probe without p2509
     std::int64_t modulo_range = 0;      ///< p2576 (LU) while the axis is a modulo axis, otherwise 0
     std::optional<double> setpoint{};   ///< of a position that is controlled, 0..p2576-1 on a modulo axis (LU)
   };
@@ -110,10 +112,17 @@ class ActualPosition {
   std::int64_t shown() const noexcept;
   /// r2521, LU: [0] the position, [1] what encoder 1 has measured, with p2516[1] and nothing else.
   double shown_of(std::size_t index) const noexcept;
+  /// r2521, LU: the same exactly, for what is connected to it.
+  double position_of(std::size_t index) const noexcept;
+  /// Without position control nothing runs: the encoder is at @p counts and turns with @p speed (rad/s).
+  void note(std::int64_t counts, double speed) noexcept {
+    counts_ = counts;
+    noted_speed_ = speed;
+  }
   /// LU/s, of the speed of the encoder.
   double velocity() const noexcept { return velocity_; }
   /// r2522, LU/s, as r2521.
-  double velocity_of(std::size_t index) const noexcept { return index <= 1 ? velocity_ : 0.0; }
+  double velocity_of(std::size_t index) const noexcept;
   /// LU, at the last zero mark or probe that was asked for.
   double measured() const noexcept { return measured_.exact(); }
   /// r2523[0], LU: the same in whole LU.
@@ -153,13 +162,6 @@ class ActualPosition {
   double largest_coordinate() const noexcept;                                 ///< its value (LU)
   bool adjustment_unsaved() const noexcept { return unsaved_; }               ///< A07441
   bool multiturn_mismatch() const noexcept { return multiturn_mismatch_; }    ///< F07442
-
-  /// One of those above as a quantity for the table of causes, 1 or 0.
-  template <bool (ActualPosition::*Holds)() const noexcept>
-  double holds() const noexcept {
-    return (this->*Holds)() ? 1.0 : 0.0;
-  }
-  double overflow_value() const noexcept { return overflows() ? 1.0 : 0.0; }
 
   Settings settings{};
   Inputs inputs{};
@@ -208,6 +210,8 @@ class ActualPosition {
   std::int64_t modulo_range_ = 0;
   std::int64_t matched_range_ = 0;  // that multiturn_mismatch_ was found with
   std::int64_t wrapped_ = 0;
+  double noted_speed_ = 0.0;  // rad/s
+  bool runs_ = false;
   bool valid_ = false;
   bool no_encoder_ = false;
   bool encoder_faulty_ = false;
@@ -220,20 +224,5 @@ class ActualPosition {
   bool unsaved_ = false;
   bool multiturn_mismatch_ = false;
 };
-
-// clang-format off
-template <>
-inline constexpr auto causes_of<ActualPosition> = std::array{
-    CauseRow<ActualPosition>{7441, &ActualPosition::holds<&ActualPosition::adjustment_unsaved>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "p2525 adjusted and not saved"},
-    CauseRow<ActualPosition>{7442, &ActualPosition::holds<&ActualPosition::multiturn_mismatch>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "p0421 revolutions no multiple of p2576"},
-    CauseRow<ActualPosition>{7443, &ActualPosition::holds<&ActualPosition::adjustment_refused>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, &ActualPosition::largest_coordinate, 1.0, "p2598 beyond what the absolute encoder tells apart"},
-    CauseRow<ActualPosition>{7453, &ActualPosition::holds<&ActualPosition::encoder_faulty>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "encoder fault"},
-    CauseRow<ActualPosition>{7454, &ActualPosition::holds<&ActualPosition::has_no_encoder>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "p2502 names no encoder of the axis"},
-    CauseRow<ActualPosition>{7493, &ActualPosition::overflow_value, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, &ActualPosition::overflow_value, 1.0, "r2521 beyond its range"},
-    CauseRow<ActualPosition>{7495, &ActualPosition::holds<&ActualPosition::interrupted>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "waiting for a mark or probe ended without it"},
-    CauseRow<ActualPosition>{7497, &ActualPosition::holds<&ActualPosition::is_held>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, nullptr, cause::kNone, "p2514"},
-    CauseRow<ActualPosition>{7498, &ActualPosition::holds<&ActualPosition::probe_impossible>, Side::Above, cause::kYes, cause::kNone, cause::kAtOnce, Pulses::Any, &ActualPosition::probe_refusal, 1.0, "probe without a terminal"},
-};
-// clang-format on
 
 }  // namespace drive

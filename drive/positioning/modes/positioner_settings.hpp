@@ -42,9 +42,9 @@ struct PositionerSettings {
   std::int32_t block_count = 0;                ///< p2615, entries that count
   Table<std::int32_t> block_number{};          ///< p2616, -1 = no block
   Table<std::int32_t> block_position{};        ///< p2617
-  Table<float> block_velocity{};               ///< p2618
-  Table<float> block_acceleration{};           ///< p2619
-  Table<float> block_deceleration{};           ///< p2620
+  Table<double> block_velocity{};              ///< p2618
+  Table<double> block_acceleration{};          ///< p2619
+  Table<double> block_deceleration{};          ///< p2620
   Table<std::int32_t> block_task{};            ///< p2621
   Table<std::int32_t> block_task_parameter{};  ///< p2622
   Table<std::int32_t> block_task_mode{};       ///< p2623

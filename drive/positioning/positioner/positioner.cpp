@@ -22,7 +22,10 @@ ModeContext Positioner::context(const PositionerSlice& slice) noexcept {
 }
 
 void Positioner::run(const PositionerSlice& slice) noexcept {
-  if (is_first_slice_) before_ = inputs;
+  if (is_first_slice_) {
+    before_ = inputs;
+    before_.adjusted = false;
+  }
   is_first_slice_ = false;
   actual_moved_by_ = setpoint_moved_by_ = 0.0;
   sets_actual_ = false;
@@ -30,6 +33,7 @@ void Positioner::run(const PositionerSlice& slice) noexcept {
   const double place = travel_.position();
   follow_modulo(slice);
   ModeContext context = this->context(slice);
+  if (context.rises(&Inputs::adjusted)) reference_.is_set = true;
   correct(context);
   follow_enable(slice, context);
   stop_cams_.run(context);
@@ -180,7 +184,7 @@ void Positioner::move(ModeContext& context, const PositionerSlice& slice) noexce
 void Positioner::wrap() noexcept {
   if (!(modulo_range_ > 0.0)) return;
   const double turns = std::floor(std::round(travel_.position()) / modulo_range_);
-  if (turns != 0.0) move_coordinates(-turns * modulo_range_, true);
+  if (turns != 0.0) move_coordinates(-turns * modulo_range_, false);
 }
 
 }  // namespace drive

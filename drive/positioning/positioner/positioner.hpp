@@ -56,8 +56,10 @@ class Positioner {
   /// By how much the coordinates of the setpoint have moved (LU).
   double moved_setpoint_by() const noexcept { return setpoint_moved_by_; }
   bool sets_actual() const noexcept { return sets_actual_; }  ///< the actual value becomes position()
+  bool searches() const noexcept { return search_.is_active(); }
+  bool is_flying() const noexcept { return flying_.is_active(); }
   bool awaits_mark() const noexcept { return search_.awaits_mark(); }
-  bool awaits_probe() const noexcept { return flying_.awaits_probe() || blocks_.awaits_probe(settings); }
+  bool awaits_probe() const noexcept { return flying_.awaits_probe(); }
   /// Modulo range in force (LU), 0 = none.
   double modulo_range() const noexcept { return modulo_range_; }
   /// Clamping torque (N·m) while it travels to a fixed stop or holds against one.
