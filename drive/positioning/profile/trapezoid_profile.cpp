@@ -139,8 +139,8 @@ void TrapezoidProfile::brake_to_target() noexcept {
   }
   end_velocity_ = 0.0;
   end_local_ = target_ - origin_;
-  announces_ = true;
   start(Phase::Braking, -direction() * slope, speed / slope);
+  announces_ = true;
 }
 
 void TrapezoidProfile::start(Phase phase, double acceleration, double duration) noexcept {
@@ -148,6 +148,7 @@ void TrapezoidProfile::start(Phase phase, double acceleration, double duration) 
   acceleration_ = duration > 0.0 ? acceleration : 0.0;
   rest_ = duration;
   rest_error_ = 0.0;
+  announces_ = false;
 }
 
 TrapezoidProfile::Advance TrapezoidProfile::go_on(double dt, bool stops_at_braking_point,

@@ -19,7 +19,7 @@ struct MotionStretch {
   double area = 0.0;  ///< ∫ of the way over the time (LU s)
 };
 
-/// Set-point of a motion in continuous time: it rises with the acceleration, cruises, and falls with the
+/// Setpoint of a motion in continuous time: it rises with the acceleration, cruises, and falls with the
 /// deceleration, and the braking curve to the target goes before everything else. The instants at which that
 /// changes lie where they fall, not on cycles, and a motion ends at its target to the last bit.
 ///

@@ -32,7 +32,7 @@ TEST(SlidingMean, LagsBehindAConstantVelocityByHalfItsTime) {
 
   EXPECT_NEAR(mean.lag(), 5000.0 * 0.05, 1e-10);
   EXPECT_NEAR(mean.velocity(), 5000.0, 1e-9);
-  EXPECT_NEAR(mean.acceleration(), 50000.0, 1e-6);  // the set-point jumped to its velocity 100 ms ago
+  EXPECT_NEAR(mean.acceleration(), 50000.0, 1e-6);  // the setpoint jumped to its velocity 100 ms ago
   mean.add({5.0, 0.0025}, 5000.0);
   EXPECT_EQ(mean.acceleration(), 0.0);
 }

@@ -114,6 +114,14 @@ TEST(TrapezoidProfile, TellsOfTheBrakingPointOfEveryOrderAndStaysOnTheCurve) {
   EXPECT_EQ(profile.position(), 500.0);
 }
 
+TEST(TrapezoidProfile, DoesNotTellOfABrakingPointThatAnotherOrderHasMoved) {
+  TrapezoidProfile profile = placed(0.0);
+  profile.move_to(0.0, kLimits);
+  profile.move_to(500.0, kLimits);
+  EXPECT_EQ(profile.advance(0.2, true).event, Event::None);
+  EXPECT_EQ(profile.velocity(), 1000.0);
+}
+
 TEST(TrapezoidProfile, FallsToALowerVelocityWithTheDeceleration) {
   TrapezoidProfile profile = placed(0.0);
   profile.move_to(kEndless, kLimits);
