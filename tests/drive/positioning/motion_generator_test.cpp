@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -153,6 +155,49 @@ TEST(MotionGenerator, ChangesItsAccelerationByNoMoreThanTheJerkWhateverIsOrdered
     const double jerk = 2.0 * kLimits.acceleration / kJerkTime;
     ASSERT_LE(std::abs(motion.acceleration() - acceleration), 2.0 * jerk * kMotionCycle);
     acceleration = motion.acceleration();
+  }
+}
+
+/// ∫ of the position over a cycle that @p profile goes on by, by Simpson's rule (LU s).
+double area_of_cycle(TrapezoidProfile& profile) {
+  constexpr int kParts = 20;
+  constexpr double kPart = kMotionCycle / kParts;
+  double area = 0.0;
+  for (int i = 0; i < kParts; ++i) {
+    const double start = profile.position();
+    profile.advance(0.5 * kPart);
+    const double middle = profile.position();
+    profile.advance(0.5 * kPart);
+    area += (start + 4.0 * middle + profile.position()) * kPart / 6.0;
+  }
+  return area;
+}
+
+TEST(MotionGenerator, IsTheMeanOfItsTrapezoidWhateverIsOrdered) {
+  const unsigned seed = 20261123;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random{seed};
+  std::uniform_real_distribution<double> targets{-2000.0, 2000.0};
+  constexpr std::size_t kCycles = 37;
+  MotionGenerator motion = placed(0.0, kCycles * kMotionCycle);
+  TrapezoidProfile profile = motion.unlimited();
+  std::deque<double> areas(kCycles, 0.0);
+
+  for (int i = 0; i < 20'000; ++i) {
+    if (i % 173 == 0) {
+      const double target = targets(random);
+      motion.move_to(target, kLimits);
+      profile.move_to(target, kLimits);
+    }
+    if (i % 173 == 101) {
+      motion.brake(kLimits.deceleration);
+      profile.brake(kLimits.deceleration);
+    }
+    motion.advance(kMotionCycle);
+    areas.pop_front();
+    areas.push_back(area_of_cycle(profile));
+    const double mean = std::accumulate(areas.begin(), areas.end(), 0.0) / (kCycles * kMotionCycle);
+    ASSERT_NEAR(motion.position(), mean, 1e-7) << i;
   }
 }
 
