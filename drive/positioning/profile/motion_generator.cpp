@@ -10,17 +10,15 @@ constexpr double kRoundingError = 1e-6;  // cycles, of a time that is meant to b
 
 constexpr double kInstant = 1e-12;  // s, nearer than which a cycle is over
 
-constexpr auto kMostCycles = static_cast<std::size_t>(MotionGenerator::kLongestJerkTime / kMotionCycle + 0.5);
-
 std::size_t whole_cycles(double seconds) noexcept {
   if (!(seconds > 0.0)) return 0;
-  const double cycles = std::min(seconds, MotionGenerator::kLongestJerkTime) / kMotionCycle;
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(cycles - kRoundingError)));
+  const double cycles = std::ceil(seconds / kMotionCycle - kRoundingError);
+  return static_cast<std::size_t>(std::clamp(cycles, 1.0, static_cast<double>(MotionGenerator::kMostJerkCycles)));
 }
 
 }  // namespace
 
-MotionGenerator::MotionGenerator(bool has_jerk_memory) : mean_{has_jerk_memory ? kMostCycles : 0} {}
+MotionGenerator::MotionGenerator(bool has_jerk_memory) : mean_{has_jerk_memory ? kMostJerkCycles : 0} {}
 
 void MotionGenerator::place(double position) noexcept {
   trapezoid_.place(position);

@@ -7,13 +7,13 @@
 
 namespace drive {
 
-/// Set-point of a motion in cycles of 1 ms: a trapezoid in continuous time, and behind it the jerk limiting as its
+/// Setpoint of a motion in cycles of 1 ms: a trapezoid in continuous time, and behind it the jerk limiting as its
 /// mean over the last Tr. Limits, targets and braking points are those of the trapezoid; what the controller
 /// follows is the mean.
 class MotionGenerator {
  public:
-  /// Longest time of the jerk limiting (s).
-  static constexpr double kLongestJerkTime = 1.0;
+  /// Longest time of the jerk limiting, in cycles.
+  static constexpr std::size_t kMostJerkCycles = 1000;
 
   /// Without memory there is no jerk limiting, and set_jerk_time() has no effect.
   explicit MotionGenerator(bool has_jerk_memory);
@@ -26,7 +26,7 @@ class MotionGenerator {
   }
   void brake(double deceleration) noexcept { trapezoid_.brake(deceleration); }
   void shift(double by) noexcept { trapezoid_.shift(by); }
-  /// Tr (s), rounded up to whole cycles and at most kLongestJerkTime; 0 = off. Acts at standstill only: at once,
+  /// Tr (s), rounded up to whole cycles and kMostJerkCycles at most; 0 = off. Acts at standstill only: at once,
   /// or when the motion has come to rest.
   void set_jerk_time(double seconds) noexcept;
 

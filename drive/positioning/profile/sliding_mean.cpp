@@ -7,7 +7,9 @@
 namespace drive {
 
 void SlidingMean::start(std::size_t cycles) noexcept {
-  length_ = std::min(cycles, cycles_.size());
+  const std::size_t length = std::min(cycles, cycles_.size());
+  if (length == length_ && is_settled()) return;
+  length_ = length;
   std::fill_n(cycles_.begin(), length_, Cycle{});
   next_ = 0;
   still_ = length_;
@@ -38,7 +40,7 @@ void SlidingMean::add(const MotionStretch& stretch, double velocity) noexcept {
   acceleration_ = (newest.velocity - oldest.velocity) / (count * kMotionCycle);
 }
 
-/// The set-point and its mean are at rest in one place; the ring holds nothing but rest.
+/// The setpoint and its mean are at rest in one place; the ring holds nothing but rest.
 void SlidingMean::settle() noexcept {
   next_ = 0;
   sums_ = fresh_ = {};

@@ -10,28 +10,28 @@ namespace drive {
 /// One cycle of the motions (s).
 inline constexpr double kMotionCycle = 1e-3;
 
-/// Jerk limiting: the mean of a set-point over the last n cycles, x_f(t) = 1/Tr · ∫ x from t - Tr to t, Tr = n · 1
+/// Jerk limiting: the mean of a setpoint over the last n cycles, x_f(t) = 1/Tr · ∫ x from t - Tr to t, Tr = n · 1
 /// ms.
 ///
-/// It is fed with the exact ways and areas of the set-point and tells how far the mean lags behind, so it knows no
+/// It is fed with the exact ways and areas of the setpoint and tells how far the mean lags behind, so it knows no
 /// places: a shift of the coordinates does not concern it.
 class SlidingMean {
  public:
   /// Has room for @p capacity cycles; the only allocation.
   explicit SlidingMean(std::size_t capacity) : cycles_(capacity) {}
 
-  /// At rest, over @p cycles (at most the capacity) from now on; 0 = off, the mean is the set-point itself.
+  /// At rest, over @p cycles (at most the capacity) from now on; 0 = off, the mean is the setpoint itself.
   void start(std::size_t cycles) noexcept;
-  /// A cycle of the set-point: its way, its area from the place where it began, and its velocity at the end
+  /// A cycle of the setpoint: its way, its area from the place where it began, and its velocity at the end
   /// (LU/s).
   void add(const MotionStretch& stretch, double velocity) noexcept;
 
   std::size_t cycles() const noexcept { return length_; }
-  /// How far the mean is behind the set-point, with its sign (LU); exactly 0 when it is settled.
+  /// How far the mean is behind the setpoint, with its sign (LU); exactly 0 when it is settled.
   double lag() const noexcept { return lag_; }
   double velocity() const noexcept { return velocity_; }          ///< of the mean (LU/s)
   double acceleration() const noexcept { return acceleration_; }  ///< of the mean (LU/s²)
-  /// Whether the set-point did not move in the last n cycles; always, when it is off.
+  /// Whether the setpoint did not move in the last n cycles; always, when it is off.
   bool is_settled() const noexcept { return still_ >= length_; }
 
  private:

@@ -52,10 +52,8 @@ void TrapezoidProfile::move_to(double target, const MotionLimits& limits,
   next_deceleration_ = limits_.deceleration;
   if (keeps_larger_deceleration && !can_reach(target, limits_.deceleration))
     limits_.deceleration = std::max(limits_.deceleration, before);
-  const bool announced = has_passed_braking_point() && !stands() && target == target_;
   target_ = target;
   plan();
-  if (announced && phase_ == Phase::Braking) announces_ = false;
 }
 
 void TrapezoidProfile::brake(double deceleration) noexcept {
@@ -141,14 +139,16 @@ void TrapezoidProfile::brake_to_target() noexcept {
   }
   end_velocity_ = 0.0;
   end_local_ = target_ - origin_;
-  announces_ = true;
   start(Phase::Braking, -direction() * slope, speed / slope);
+  announces_ = true;
 }
 
 void TrapezoidProfile::start(Phase phase, double acceleration, double duration) noexcept {
   phase_ = phase;
   acceleration_ = duration > 0.0 ? acceleration : 0.0;
   rest_ = duration;
+  rest_error_ = 0.0;
+  announces_ = false;
 }
 
 TrapezoidProfile::Advance TrapezoidProfile::go_on(double dt, bool stops_at_braking_point,
@@ -174,6 +174,7 @@ TrapezoidProfile::Advance TrapezoidProfile::go_on(double dt, bool stops_at_braki
     finish_phase(to_go);
     if (stands() && stops_at_standstill) return stop_at(Event::Standstill);
   }
+  stretch_.area += stretch_.way * std::max(0.0, left);
   return {};
 }
 
@@ -198,7 +199,10 @@ void TrapezoidProfile::move(double time) noexcept {
     if (std::abs(local_) > kFar) rebase();
     return;
   }
-  rest_ -= time;
+  const double step = -time - rest_error_;  // compensated, for a long ramp has many cycles
+  const double rest = rest_ + step;
+  rest_error_ = (rest - rest_) - step;
+  rest_ = rest;
   velocity_ = end_velocity_ - acceleration_ * rest_;
   local_ = end_local_ - rest_ * (end_velocity_ - 0.5 * acceleration_ * rest_);
 }

@@ -19,7 +19,7 @@ struct MotionStretch {
   double area = 0.0;  ///< ∫ of the way over the time (LU s)
 };
 
-/// Set-point of a motion in continuous time: it rises with the acceleration, cruises, and falls with the
+/// Setpoint of a motion in continuous time: it rises with the acceleration, cruises, and falls with the
 /// deceleration, and the braking curve to the target goes before everything else. The instants at which that
 /// changes lie where they fall, not on cycles, and a motion ends at its target to the last bit.
 ///
@@ -57,7 +57,10 @@ class TrapezoidProfile {
   /// Goes on for @p dt (s), or to the event that comes first of those that it is told to stop at. After a braking
   /// point the next advance() brakes, unless move_to() came in between.
   Advance advance(double dt, bool stops_at_braking_point = false, bool stops_at_standstill = false) noexcept {
-    if (stands()) return {};
+    if (stands()) {
+      stretch_.area += stretch_.way * dt;
+      return {};
+    }
     return go_on(dt, stops_at_braking_point, stops_at_standstill);
   }
 
@@ -70,9 +73,7 @@ class TrapezoidProfile {
   bool holds() const noexcept { return phase_ == Phase::Holding; }        ///< stands, since the velocity is 0
   bool has_arrived() const noexcept { return phase_ == Phase::Arrived; }  ///< stands at the target of move_to()
   /// Whether it brakes to its target, or stands there.
-  bool has_passed_braking_point() const noexcept {
-    return phase_ == Phase::Arrived || (phase_ == Phase::Braking && !announces_);
-  }
+  bool has_passed_braking_point() const noexcept { return phase_ == Phase::Arrived || phase_ == Phase::Braking; }
   /// Way (LU) from the present velocity to rest with @p deceleration (LU/s²).
   double braking_distance(double deceleration) const noexcept {
     return 0.5 * velocity_ * velocity_ / deceleration;
@@ -123,11 +124,12 @@ class TrapezoidProfile {
   MotionLimits limits_{};
 
   Phase phase_ = Phase::Idle;
-  bool announces_ = false;          // the braking point was reached, and nobody was told
+  bool announces_ = false;          // the braking point is here, and nobody was told yet
   double debt_ = 0.0;               // s, that the state is ahead of the time
   double end_local_ = 0.0;          // LU from the origin, where a ramp ends
   double end_velocity_ = 0.0;       // LU/s, there
   double rest_ = 0.0;               // s, until there
+  double rest_error_ = 0.0;         // s, by which rounding has made that too long
   double next_deceleration_ = 1.0;  // LU/s², after a reversal
   double braking_distance_ = 0.0;   // LU, from the cruise to rest
   MotionStretch stretch_{};

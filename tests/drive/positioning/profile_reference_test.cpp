@@ -45,7 +45,7 @@ TEST(ProfileReference, LimitsTheJerkFromAccelerationIntoDeceleration) {
   follow_override("k4_jerk_direct");
 }
 
-/// MDI set-points taken in motion.
+/// MDI setpoints taken in motion.
 void follow_setpoints(std::string_view name) {
   RecordedMotion run{name};
   run.motion.place(0.0);
