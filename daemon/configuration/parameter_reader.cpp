@@ -73,7 +73,8 @@ drive::UnitConfiguration trial_of(const Configuration& configuration) {
                          .load = axis.load,
                          .kind = axis.kind,
                          .inverter = axis.inverter,
-                         .setpoint_channel = axis.setpoint_channel});
+                         .setpoint_channel = axis.setpoint_channel,
+                         .mechanics = axis.mechanics});
   return unit;
 }
 

@@ -21,7 +21,9 @@ device::AxisSetup setup_of(const AxisConfiguration& axis) {
                     .kind = axis.kind,
                     .inverter = axis.inverter,
                     .deviation = axis.deviation,
-                    .setpoint_channel = axis.setpoint_channel},
+                    .setpoint_channel = axis.setpoint_channel,
+                    .mechanics = axis.mechanics,
+                    .switches = axis.switches},
           .presets = presets_of(axis.parameters)};
 }
 
