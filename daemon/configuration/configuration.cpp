@@ -8,6 +8,7 @@
 
 #include "daemon/configuration/json_reader.hpp"
 #include "daemon/configuration/load_reader.hpp"
+#include "daemon/configuration/mechanics_reader.hpp"
 #include "daemon/configuration/motor_file.hpp"
 #include "daemon/configuration/parameter_reader.hpp"
 #include "daemon/configuration/plant_reader.hpp"
@@ -55,12 +56,15 @@ drive::PositionerWiring read_positioner_wiring(const JsonReader& json, bool posi
 /// What is said of @p axis, over its defaults, except its parameters.
 AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis, const MotorSource& motors) {
   json.expect_object({"name", "type", "motor", "encoder", "load", "plant", "power_unit", "setpoint_channel",
-                      "positioner", "positioner_wiring", "parameters"});
+                      "positioner", "positioner_wiring", "switches", "parameters"});
   if (json.has("name")) axis.name = json.at("name").text();
   if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"), motors);
   if (json.has("encoder")) read_encoder(json.at("encoder"), axis.machine.encoder);
-  if (json.has("load")) axis.load = read_load(json.at("load"), axis.machine);
+  if (json.has("load")) {
+    axis.mechanics = read_mechanics(json.at("load"));
+    axis.load = read_load(json.at("load"), axis.machine, axis.mechanics);
+  }
   if (json.has("plant")) axis.deviation = read_plant(json.at("plant"), axis.machine, axis.load);
   axis.inverter = motor::inverter_for(axis.machine.maximum_current);
   if (json.has("power_unit")) axis.inverter = read_power_unit(json.at("power_unit"), axis.inverter);
@@ -84,6 +88,7 @@ std::optional<InfeedConfiguration> read_infeed(const JsonReader& json) {
 std::vector<AxisConfiguration> read_axes(const JsonReader& json, const MotorSource& motors) {
   json.expect_array(1, drive::kMostAxes);
   std::vector<AxisConfiguration> axes;
+  FedInputs fed;
   for (std::size_t i = 0; i < json.size(); ++i) {
     AxisConfiguration axis = read_axis(json.at(i), default_axes(i + 1).back(), motors);
     const auto same = std::ranges::find(axes, axis.name, &AxisConfiguration::name);
@@ -91,6 +96,7 @@ std::vector<AxisConfiguration> read_axes(const JsonReader& json, const MotorSour
       const JsonReader& named = json.at(i).has("name") ? json.at(i).at("name") : json.at(i);
       named.fail(fmt::format("a name that /axes/{} does not have", same - axes.begin()));
     }
+    if (json.at(i).has("switches")) axis.switches = read_switches(json.at(i).at("switches"), fed);
     axes.push_back(std::move(axis));
   }
   return axes;

@@ -10,6 +10,7 @@
 #include "can/port/address.hpp"
 #include "daemon/configuration/motor_source.hpp"
 #include "daemon/configuration/record_settings.hpp"
+#include "drive/base/load_mechanics.hpp"
 #include "drive/base/object_kind.hpp"
 #include "drive/base/positioner_wiring.hpp"
 #include "motor/data/inverter_data.hpp"
@@ -44,7 +45,9 @@ struct AxisConfiguration {
   drive::ObjectKind kind = drive::ObjectKind::Servo;  ///< Servo or Vector
   motor::MachineData machine;                         ///< by its data sheet
   motor::PlantDeviation deviation;                    ///< of what turns from it, key "plant"
-  motor::Load load;
+  motor::Load load;                                   ///< at the motor shaft
+  drive::LoadMechanics mechanics{};                   ///< keys "gear" and "pitch" of "load"
+  drive::TravelSwitchList switches{};                 ///< no two of a unit at one input
   motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.maximum_current);  ///< key "power_unit"
   bool setpoint_channel = true;  ///< p0108.8 of a new unit, the extended setpoint channel
   bool positioner = false;       ///< p0108.3 and p0108.4, the basic positioner

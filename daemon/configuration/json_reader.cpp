@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -9,12 +10,34 @@
 #include <fmt/format.h>
 
 #include "daemon/configuration/configuration.hpp"
-#include "daemon/configuration/json_depth.hpp"
 
 namespace axisd {
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;
+
+/// Levels of objects and arrays that a file may have; values are copied and printed by recursion.
+constexpr std::size_t kDeepestFile = 32;
+
+/// Offset of the first bracket in the JSON @p text that opens a level beyond @p deepest, if there is one.
+constexpr std::optional<std::size_t> find_too_deep(std::string_view text, std::size_t deepest) noexcept {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (in_string) {
+      if (c == '\\') ++at;
+      in_string = c != '"';
+    } else if (c == '{' || c == '[') {
+      if (++depth > deepest) return at;
+    } else if (c == '}' || c == ']') {
+      if (depth != 0) --depth;
+    } else {
+      in_string = c == '"';
+    }
+  }
+  return std::nullopt;
+}
 
 /// "line 3, column 7" of byte @p offset, which counts from 1.
 std::string position_of(std::string_view text, std::size_t offset) {

@@ -33,6 +33,8 @@ class JsonReader {
   /// The value itself, for a reader of another layer.
   const nlohmann::json& value() const noexcept { return value_; }
 
+  /// Where in the file the value stands: "/axes/0/load".
+  const std::string& path() const noexcept { return path_; }
   /// Name of the file, for paths in it that are relative.
   const std::string& file() const noexcept { return file_; }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <numbers>
 
 #include "daemon/configuration/quantity_keys.hpp"
 
@@ -16,6 +17,7 @@ using Key = QuantityKey<Load>;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kHighestTorque = 1e6;  // N·m
+constexpr double kTurn = 2.0 * std::numbers::pi;
 
 template <auto... path>
 constexpr auto kNumber = &quantity<Load, path...>;
@@ -40,6 +42,8 @@ constexpr std::array kCouplingKeys{
 constexpr std::array kEndStopKeys{
     Key{"lower", "end_stops.lower", kNumber<&Load::end_stops, &EndStops::lower>},
     Key{"upper", "end_stops.upper", kNumber<&Load::end_stops, &EndStops::upper>},
+    Key{"lower_revolutions", "end_stops.lower", kNumber<&Load::end_stops, &EndStops::lower>, kTurn},
+    Key{"upper_revolutions", "end_stops.upper", kNumber<&Load::end_stops, &EndStops::upper>, kTurn},
     Key{"stiffness", "end_stops.stiffness", kNumber<&Load::end_stops, &EndStops::stiffness>},
     Key{"damping", "end_stops.damping", kNumber<&Load::end_stops, &EndStops::damping>},
 };
@@ -141,6 +145,7 @@ void read_section(const JsonReader& json, const Section& section, Load& load) {
   std::vector<std::string_view> keys;
   for (const Key& row : section.keys) keys.push_back(row.key);
   json.expect_object(keys);
+  refuse_doubles(json, section.keys);
   read_quantities(json, section.keys, load);
   const auto impossible = motor::find_impossible(load);
   for (const Key& row : section.keys)
@@ -163,10 +168,7 @@ void refer_to_shaft(double ratio, Load& load) {
     *angle *= ratio;
 }
 
-void read_gear(const JsonReader& json, Load& load) {
-  constexpr double kLowest = 1e-3;
-  constexpr double kHighest = 1e4;
-  const double ratio = json.number(kLowest, kHighest);
+void put_behind_gear(const JsonReader& json, double ratio, Load& load) {
   if (load.pendulum_torque > 0.0 && (ratio < 1.0 || ratio > 1.0)) json.fail("1, since there is a pendulum");
   refer_to_shaft(ratio, load);
 }
@@ -182,15 +184,15 @@ void refuse_too_fast(const JsonReader& json, const std::optional<motor::Impossib
 
 }  // namespace
 
-Load read_load(const JsonReader& json, const motor::MachineData& machine) {
-  json.expect_object({"inertia", "friction", "torque", "coupling", "end_stops", "gear", "brake"});
+Load read_load(const JsonReader& json, const motor::MachineData& machine, const drive::LoadMechanics& mechanics) {
+  json.expect_object({"inertia", "friction", "torque", "coupling", "end_stops", "gear", "pitch", "brake"});
   Load load;
   read_quantities<Load>(json, kOwnKeys, load);
   if (json.has("torque")) read_torques(json.at("torque"), load);
   for (const Section& section : kSections)
     if (json.has(section.key)) read_section(json.at(section.key), section, load);
   refuse<Load>(json, kOwnKeys, motor::find_impossible(load));
-  if (json.has("gear")) read_gear(json.at("gear"), load);
+  if (json.has("gear")) put_behind_gear(json.at("gear"), mechanics.ratio(), load);
   refuse_too_fast(json, motor::find_impossible(machine, load));
   return load;
 }

@@ -74,6 +74,7 @@ drive::UnitConfiguration trial_of(const Configuration& configuration) {
                          .kind = axis.kind,
                          .inverter = axis.inverter,
                          .setpoint_channel = axis.setpoint_channel,
+                         .mechanics = axis.mechanics,
                          .positioner = axis.positioner});
   return unit;
 }

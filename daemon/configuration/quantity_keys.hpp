@@ -38,6 +38,18 @@ void read_quantities(const JsonReader& json, std::span<const QuantityKey<Data>> 
   }
 }
 
+/// Throws ConfigurationError where @p json says one quantity with two of @p keys.
+template <class Data>
+void refuse_doubles(const JsonReader& json, std::span<const QuantityKey<Data>> keys) {
+  for (const QuantityKey<Data>& row : keys)
+    for (const QuantityKey<Data>& other : keys) {
+      const std::string key{row.key};
+      const std::string second{other.key};
+      if (key != second && row.member == other.member && json.has(key) && json.has(second))
+        json.at(second).fail(fmt::format("{} or {}, not both", key, second));
+    }
+}
+
 /// Throws ConfigurationError at the key of what is @p impossible, if anything is.
 template <class Data>
 void refuse(const JsonReader& json, std::span<const QuantityKey<Data>> keys,
@@ -45,7 +57,7 @@ void refuse(const JsonReader& json, std::span<const QuantityKey<Data>> keys,
   if (!impossible) return;
   std::string key{impossible->member};
   for (const QuantityKey<Data>& row : keys)
-    if (row.member == impossible->member) key = row.key;
+    if (row.member == impossible->member && (!json.has(key) || json.has(std::string{row.key}))) key = row.key;
   if (json.has(key)) json.at(key).fail(std::string{impossible->expected});
   json.fail(fmt::format("a value for {} that is {}", key, impossible->expected));
 }

@@ -23,6 +23,8 @@ device::AxisSetup setup_of(const AxisConfiguration& axis) {
                     .inverter = axis.inverter,
                     .deviation = axis.deviation,
                     .setpoint_channel = axis.setpoint_channel,
+                    .mechanics = axis.mechanics,
+                    .switches = axis.switches,
                     .positioner = axis.positioner},
           .presets = presets_of(axis.parameters)};
 }

@@ -56,6 +56,13 @@ void Axis::show_position_messages() noexcept {
   messages.show(ReferenceInterrupted, actual.interrupted() && !block_asked_for_probe_);
   messages.show(SettingValueActive, actual.is_held());
   messages.show(ProbeNotPossible, actual.probe_impossible(), static_cast<std::uint32_t>(actual.probe_refusal()));
+  messages.show(Encoder1ProbeNotPossible, actual.encoder_1_probe_impossible(),
+                static_cast<std::uint32_t>(actual.encoder_1_probe_refusal()));
+  messages.show(Encoder1Fault, actual.encoder_1_faulty());
+  messages.show(Encoder1SettingValueActive, actual.encoder_1_held());
+  messages.show(Encoder1Missing, actual.encoder_1_missing());
+  messages.show(Encoder1Overflow, actual.encoder_1_overflows(), kOverflowOfActualPosition);
+  messages.show(Encoder1Interrupted, actual.encoder_1_interrupted());
   messages.fault_once(ModuloDoesNotFit, actual.multiturn_mismatch());
   messages.fault_once(EncoderFault, actual.encoder_faulty());
   messages.fault_once(PositionOverflow, actual.overflows(), kOverflowOfActualPosition);

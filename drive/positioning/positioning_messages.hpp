@@ -64,6 +64,12 @@ enum class PositioningMessage : std::uint8_t {
   StopCamWrongSide,
   FixedStopNotPossible,
   ReferenceOutsideRange,
+  Encoder1ProbeNotPossible,
+  Encoder1Fault,
+  Encoder1SettingValueActive,
+  Encoder1Missing,
+  Encoder1Overflow,
+  Encoder1Interrupted,
 };
 
 /// Whether a message comes once, when its cause does, or stands as long as its cause.
@@ -136,6 +142,12 @@ inline constexpr std::array kPositioningMessages = [] {
       PositioningMessageRow{StopCamWrongSide, 7503, Once},
       PositioningMessageRow{FixedStopNotPossible, 7505, WhileCauseStands},
       PositioningMessageRow{ReferenceOutsideRange, 7557, WhileCauseStands},
+      PositioningMessageRow{Encoder1ProbeNotPossible, 7577, WhileCauseStands},
+      PositioningMessageRow{Encoder1Fault, 7581, WhileCauseStands},
+      PositioningMessageRow{Encoder1SettingValueActive, 7584, WhileCauseStands},
+      PositioningMessageRow{Encoder1Missing, 7587, WhileCauseStands},
+      PositioningMessageRow{Encoder1Overflow, 7593, WhileCauseStands},
+      PositioningMessageRow{Encoder1Interrupted, 7596, WhileCauseStands},
   };
 }();
 static_assert([] {

@@ -1,8 +1,6 @@
 #include "drive/positioning/actual_position/actual_position.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -14,14 +12,7 @@ namespace {
 constexpr std::size_t kOwn = 0;      // of the position control, among the values
 constexpr std::size_t kEncoder = 1;  // of encoder 1, among the values
 constexpr std::int32_t kMotorEncoder = 1;
-constexpr std::int64_t kLowest = std::numeric_limits<std::int32_t>::min();
-constexpr std::int64_t kHighest = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t kWords = std::int64_t{1} << 32;  // numbers of 32 bits
-
-/// Whole length units of an input.
-std::int64_t units(double value) noexcept {
-  return std::llround(std::clamp(value, static_cast<double>(kLowest), static_cast<double>(kHighest)));
-}
 
 /// The multiple of 2^32 that is nearest to @p value.
 constexpr std::int64_t nearest_words(std::int64_t value) noexcept {
@@ -34,12 +25,6 @@ Length between(Length from, Length to, double share) noexcept {
   const double beyond = from.rest + share * way;
   const std::int64_t whole = std::llround(beyond);
   return {.whole = from.whole + whole, .rest = beyond - static_cast<double>(whole)};
-}
-
-/// Bits of r2526 to r2529.
-enum StatusBit : unsigned { kValid = 0, kReferencing = 1, kMeasured = 2, kAdjustmentValid = 9 };
-constexpr std::uint16_t bit(StatusBit place, bool set) noexcept {
-  return static_cast<std::uint16_t>(static_cast<unsigned>(set) << place);
 }
 
 }  // namespace
@@ -59,16 +44,13 @@ void ActualPosition::power_on(std::int64_t counts) noexcept {
   base_ = known - counts;
   counts_ = counts;
   known_.reset();
-  offset_ = 0;
   backlash_ = {};
-  capture_ = {};
-  measured_ = {};
-  corrects_ = corrects_negatively_ = held_ = false;
+  for (PositionChannel& channel : channels_) channel.power_on();
   adjustment_refused_ = unsaved_ = invalidated_ = false;
 }
 
 void ActualPosition::begin_cycle() noexcept {
-  capture_.begin_cycle();
+  for (PositionChannel& channel : channels_) channel.begin_cycle();
   adjustment_refused_ = false;
 }
 
@@ -82,7 +64,6 @@ ActualPosition::Mechanics ActualPosition::mechanics() const noexcept {
           .units_per_10_mm = settings.units_per_10_mm};
 }
 
-/// The encoder that has a fault, or none, is that of the motor.
 CaptureTerminals ActualPosition::terminals() const noexcept {
   constexpr std::size_t kFirst = 0;
   const auto either = [](std::int32_t first, std::int32_t second) { return first != 0 ? first : second; };
@@ -92,11 +73,27 @@ CaptureTerminals ActualPosition::terminals() const noexcept {
                      either(settings.direct_probe_2, settings.probe_terminal_2[kFirst])}};
 }
 
-/// What the position has beside the place of the encoder and the backlash (LU).
-std::int64_t ActualPosition::added() const noexcept {
+ChannelInputs ActualPosition::inputs_of(std::size_t index) const noexcept {
+  return {.request = {.mark = inputs.search_mark[index],
+                      .probe = inputs.evaluate_probe[index],
+                      .second_probe = inputs.second_probe[index],
+                      .falling_edge = inputs.falling_edge[index]},
+          .correct = inputs.correct[index],
+          .correct_negatively = inputs.correct_negatively[index],
+          .set_position = inputs.set_position[index],
+          .correction = inputs.correction[index],
+          .setting_value = inputs.setting_value[index],
+          .offset = inputs.offset[index]};
+}
+
+/// p2525 as it counts (LU), of an absolute encoder only.
+std::int64_t ActualPosition::adjustment_offset() const noexcept {
   const std::int64_t written = std::llround(settings.adjustment_offset);
-  const std::int64_t adjusted = is_absolute() ? written - nearest_words(written) : 0;
-  return offset_ + units(inputs.offset[kOwn]) + adjusted;
+  return is_absolute() ? written - nearest_words(written) : 0;
+}
+
+std::int64_t ActualPosition::without_channel() const noexcept {
+  return sensed_.whole + adjustment_offset() + backlash_.compensation();
 }
 
 void ActualPosition::run(const Slice& slice) noexcept {
@@ -108,18 +105,14 @@ void ActualPosition::run(const Slice& slice) noexcept {
   const Backlash play = backlash_;
   const DiscMotion motion{
       .from = start_ + counts_, .to = start_ + slice.counts, .per_revolution = per_revolution_};
-  const std::optional<Captured> captured = capture_.look(motion, slice.inputs);
+  for (PositionChannel& channel : channels_) channel.look(motion, slice.inputs);
   count(slice.counts);
-  take_corrections();
-  hold_setting_value();
+  own().follow(inputs_of(kOwn), without_channel());
+  encoder_1().follow(inputs_of(kEncoder), sensed_.whole);
   follow_adjustment(slice.reference_coordinate);
   follow_modulo(slice);
-  if (captured) take_measured(*captured, from, play);
-  const CaptureRequest request{.mark = inputs.search_mark[kOwn] && !slice.holds_mark,
-                               .probe = (inputs.evaluate_probe[kOwn] && !slice.holds_probe) || slice.asks_probe,
-                               .second_probe = inputs.second_probe[kOwn],
-                               .falling_edge = inputs.falling_edge[kOwn]};
-  capture_.follow(request, terminals(), position_valid() && !held_);
+  take_measured(from, play);
+  ask(slice);
   reference_lost_ = std::exchange(invalidated_, false) || !position_valid();
 }
 
@@ -140,19 +133,19 @@ void ActualPosition::follow_mechanics() noexcept {
 
 /// p2525 has 32 bits, and so has what it is added to.
 void ActualPosition::fold_absolute() noexcept {
-  if (is_absolute()) offset_ -= nearest_words(whole());
+  if (is_absolute()) own().shift(-nearest_words(whole()));
 }
 
 void ActualPosition::watch_encoder(const Slice& slice) noexcept {
-  no_encoder_ = settings.encoder != kMotorEncoder || encoder_.type == motor::EncoderType::None;
-  encoder_faulty_ = !no_encoder_ && slice.encoder_faulty;
-  valid_ = !no_encoder_ && !encoder_faulty_;
-  velocity_ = valid_ ? slice.speed * units_per_revolution() / (2.0 * std::numbers::pi) : 0.0;
+  no_encoder_ = settings.encoder != kMotorEncoder || encoder_1_missing();
+  fault_ = slice.encoder_faulty;
+  valid_ = !no_encoder_ && !fault_;
+  velocity_ = slice.speed * units_per_revolution() / (2.0 * std::numbers::pi);
 }
 
 /// Where the compensation ends, the position stays what it is.
 void ActualPosition::follow_backlash(bool active) noexcept {
-  if (!active) offset_ += backlash_.compensation();
+  if (!active) own().shift(backlash_.compensation());
   backlash_.set_size(settings.backlash);
   backlash_.activate(active);
 }
@@ -164,24 +157,10 @@ void ActualPosition::count(std::int64_t counts) noexcept {
   sensed_ = now;
 }
 
-/// p2513, at the edges of p2512 and, with its sign turned, of p2730.
-void ActualPosition::take_corrections() noexcept {
-  const std::int64_t by = units(inputs.correction[kOwn]);
-  const bool corrected = std::exchange(corrects_, inputs.correct[kOwn]);
-  const bool corrected_negatively = std::exchange(corrects_negatively_, inputs.correct_negatively[kOwn]);
-  if (corrects_ && !corrected) correct(by);
-  if (corrects_negatively_ && !corrected_negatively) correct(-by);
-}
-
-void ActualPosition::hold_setting_value() noexcept {
-  held_ = inputs.set_position[kOwn];
-  if (held_) offset_ += units(inputs.setting_value[kOwn]) - whole();
-}
-
 /// p2507 = 2.
 void ActualPosition::follow_adjustment(double coordinate) noexcept {
   if (settings.adjustment != kStartAdjustment) return;
-  const bool done = is_absolute() && valid_ && adjust(units(coordinate));
+  const bool done = is_absolute() && valid_ && adjust(whole_units(coordinate));
   settings.adjustment = done ? kAdjusted : kNotAdjusted;
 }
 
@@ -190,7 +169,7 @@ bool ActualPosition::adjust(std::int64_t coordinate) noexcept {
   adjustment_refused_ = static_cast<double>(std::abs(coordinate)) > largest_coordinate();
   if (adjustment_refused_) return false;
   settings.adjustment_offset = 0.0;
-  offset_ = 0;
+  own().clear();
   const std::int64_t needed = coordinate - whole();
   settings.adjustment_offset = static_cast<double>(needed - floor_divide(needed, kWords) * kWords);
   fold_absolute();
@@ -202,6 +181,7 @@ void ActualPosition::follow_modulo(const Slice& slice) noexcept {
   modulo_range_ = slice.modulo_range;
   wrapped_ = 0;
   wrap(slice.setpoint);
+  if (modulo_range_ > 0) encoder_1().shift(-floor_divide(encoder_1_whole(), modulo_range_) * modulo_range_);
   if (std::exchange(matched_range_, modulo_range_) != modulo_range_)
     multiturn_mismatch_ =
         is_absolute() && modulo_range_ > 0 && !scale_.is_multiple(encoder_.revolutions, modulo_range_);
@@ -212,15 +192,32 @@ void ActualPosition::wrap(std::optional<double> setpoint) noexcept {
   const std::int64_t ranges = setpoint
                                   ? std::llround((position() - *setpoint) / static_cast<double>(modulo_range_))
                                   : floor_divide(whole(), modulo_range_);
-  offset_ -= ranges * modulo_range_;
+  own().shift(-ranges * modulo_range_);
   wrapped_ += ranges * modulo_range_;
 }
 
-/// The way to the event began at @p from with @p play.
-void ActualPosition::take_measured(const Captured& captured, Length from, const Backlash& play) noexcept {
-  const Length at =
-      captured.mark ? measured_length(*captured.mark - start_) : between(from, sensed_, captured.instant);
-  measured_ = {.whole = at.whole + added() + play.compensation_after(at.whole - from.whole), .rest = at.rest};
+/// The way to the events began at @p from with @p play.
+void ActualPosition::take_measured(Length from, const Backlash& play) noexcept {
+  for (PositionChannel& channel : channels_) {
+    const std::optional<Captured>& captured = channel.captured();
+    if (!captured) continue;
+    Length at =
+        captured->mark ? measured_length(*captured->mark - start_) : between(from, sensed_, captured->instant);
+    const std::int64_t way = at.whole - from.whole;
+    if (&channel == &own()) at.whole += adjustment_offset() + play.compensation_after(way);
+    at.whole += channel.added();
+    channel.set_measured(at);
+  }
+}
+
+/// What is asked for can be waited for while the position is known.
+/// What the positioner has on and does not want now, waits.
+void ActualPosition::ask(const Slice& slice) noexcept {
+  CaptureRequest request = inputs_of(kOwn).request;
+  request.mark = request.mark && !slice.holds_mark;
+  request.probe = (request.probe && !slice.holds_probe) || slice.asks_probe;
+  own().ask(request, terminals(), position_valid());
+  encoder_1().ask(inputs_of(kEncoder).request, terminals(), encoder_1_valid());
 }
 
 bool ActualPosition::set_position(std::int64_t value) noexcept {
@@ -228,68 +225,13 @@ bool ActualPosition::set_position(std::int64_t value) noexcept {
   const std::int64_t lowest = modulo ? 0 : kLowestCoordinate;
   const std::int64_t highest = modulo ? modulo_range_ - 1 : kHighestCoordinate;
   if (value < lowest || value > highest) return false;
-  offset_ += value - whole();
+  own().shift(value - whole());
   return true;
 }
 
 void ActualPosition::invalidate() noexcept {
   invalidated_ = true;
   settings.adjustment = kNotAdjusted;
-}
-
-std::int64_t ActualPosition::shown() const noexcept {
-  return std::clamp(whole(), kLowest, kHighest);
-}
-
-bool ActualPosition::overflows() const noexcept {
-  return valid_ && shown() != whole();
-}
-
-double ActualPosition::shown_of(std::size_t index) const noexcept {
-  if (index == kOwn) return static_cast<double>(shown());
-  const bool exists = index == kEncoder && encoder_.type != motor::EncoderType::None;
-  return exists ? static_cast<double>(sensed_.whole + units(inputs.offset[kEncoder])) : 0.0;
-}
-
-/// Without position control what the encoder has counted, with p2525.
-double ActualPosition::position_of(std::size_t index) const noexcept {
-  if (index != kOwn) return shown_of(index);
-  if (!runs_) {
-    const double turns = static_cast<double>(counts_) / static_cast<double>(per_revolution_);
-    return turns * units_per_revolution() + settings.adjustment_offset;
-  }
-  return std::clamp(position(), static_cast<double>(kLowest), static_cast<double>(kHighest));
-}
-
-double ActualPosition::velocity_of(std::size_t index) const noexcept {
-  if (index > 1) return 0.0;
-  if (runs_) return velocity_;
-  return index == kOwn ? noted_speed_ * units_per_revolution() / (2.0 * std::numbers::pi) : 0.0;
-}
-
-double ActualPosition::units_per_revolution() const noexcept {
-  return static_cast<double>(settings.units_per_load) * settings.gear_load / settings.gear_motor;
-}
-
-bool ActualPosition::adjusted() const noexcept {
-  return is_absolute() && settings.adjustment == kAdjusted && position_valid();
-}
-
-/// The revolutions that the encoder tells apart, less one unit: as far as a coordinate can be told from others.
-double ActualPosition::largest_coordinate() const noexcept {
-  const double range = std::floor(std::abs(units_per_revolution()) * encoder_.revolutions);
-  return std::clamp(range - 1.0, 0.0, static_cast<double>(kHighestCoordinate));
-}
-
-std::uint16_t ActualPosition::status() const noexcept {
-  return bit(kValid, position_valid()) | bit(kReferencing, referencing_active()) |
-         bit(kMeasured, measured_valid()) | bit(kAdjustmentValid, adjusted());
-}
-
-/// Marks and probes are waited for by the position control alone.
-std::uint16_t ActualPosition::encoder_status(std::size_t encoder) const noexcept {
-  constexpr std::size_t kFirst = 0;
-  return encoder == kFirst ? bit(kValid, position_valid()) | bit(kAdjustmentValid, adjusted()) : std::uint16_t{0};
 }
 
 }  // namespace drive

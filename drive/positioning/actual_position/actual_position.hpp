@@ -9,6 +9,7 @@
 #include "drive/positioning/actual_position/backlash.hpp"
 #include "drive/positioning/actual_position/length_scale.hpp"
 #include "drive/positioning/actual_position/position_capture.hpp"
+#include "drive/positioning/actual_position/position_channel.hpp"
 #include "motor/data/machine_data.hpp"
 
 namespace drive {
@@ -96,7 +97,7 @@ class ActualPosition {
   /// the modulo axis, and nothing is set.
   [[nodiscard]] bool set_position(std::int64_t value) noexcept;
   /// The position becomes greater by @p by (LU).
-  void correct(std::int64_t by) noexcept { offset_ += by; }
+  void correct(std::int64_t by) noexcept { own().shift(by); }
   /// Takes whole modulo ranges out of the position: with a @p setpoint it becomes the one that is nearest to it,
   /// without one it is 0 to p2576-1. The slice does so by itself.
   void wrap(std::optional<double> setpoint) noexcept;
@@ -110,7 +111,8 @@ class ActualPosition {
   double position() const noexcept { return static_cast<double>(whole()) + sensed_.rest; }
   /// r2521[0]: the same in whole LU, at the ends of the 32-bit range if it is beyond.
   std::int64_t shown() const noexcept;
-  /// r2521, LU: [0] the position, [1] what encoder 1 has measured, with p2516[1] and nothing else.
+  /// r2521, LU: [0] the position, [1] that of encoder 1, which is on the modulo range too, but has
+  /// neither adjustment nor backlash.
   double shown_of(std::size_t index) const noexcept;
   /// r2521, LU: the same exactly, for what is connected to it.
   double position_of(std::size_t index) const noexcept;
@@ -120,16 +122,15 @@ class ActualPosition {
     noted_speed_ = speed;
   }
   /// LU/s, of the speed of the encoder.
-  double velocity() const noexcept { return velocity_; }
+  double velocity() const noexcept { return valid_ ? velocity_ : 0.0; }
   /// r2522, LU/s, as r2521.
   double velocity_of(std::size_t index) const noexcept;
   /// LU, at the last zero mark or probe that was asked for.
-  double measured() const noexcept { return measured_.exact(); }
+  double measured() const noexcept { return own().measured().exact(); }
   /// r2523[0], LU: the same in whole LU.
-  std::int64_t measured_shown() const noexcept { return measured_.whole; }
-  double measured_of(std::size_t index) const noexcept {
-    return index == 0 ? static_cast<double>(measured_.whole) : 0.0;
-  }
+  std::int64_t measured_shown() const noexcept { return own().measured().whole; }
+  /// r2523, LU, as r2521.
+  double measured_of(std::size_t index) const noexcept;
   /// r2524, LU in a revolution of the motor.
   double units_per_revolution() const noexcept;
   /// r2667, LU.
@@ -140,9 +141,9 @@ class ActualPosition {
   /// r2526.0
   bool position_valid() const noexcept { return valid_ && !overflows(); }
   /// r2526.1
-  bool referencing_active() const noexcept { return capture_.awaits(); }
+  bool referencing_active() const noexcept { return own().capture().awaits(); }
   /// r2526.2
-  bool measured_valid() const noexcept { return capture_.has_captured(); }
+  bool measured_valid() const noexcept { return own().capture().has_captured(); }
   /// r2526.9: an absolute encoder is adjusted.
   bool adjusted() const noexcept;
   /// The bits of r2526 that are those of the position, and r2527 to r2529 of encoder 1 to 3.
@@ -151,17 +152,26 @@ class ActualPosition {
   /// In this slice the reference was lost.
   bool reference_lost() const noexcept { return reference_lost_; }
 
-  bool overflows() const noexcept;                                            ///< F07493, value 1
-  bool has_no_encoder() const noexcept { return no_encoder_; }                ///< A07454
-  bool encoder_faulty() const noexcept { return encoder_faulty_; }            ///< F07453
-  bool interrupted() const noexcept { return capture_.is_interrupted(); }     ///< A07495
-  bool is_held() const noexcept { return held_; }                             ///< A07497
-  bool probe_impossible() const noexcept { return capture_.refusal() != 0; }  ///< A07498
-  double probe_refusal() const noexcept { return capture_.refusal(); }        ///< its value
-  bool adjustment_refused() const noexcept { return adjustment_refused_; }    ///< F07443
-  double largest_coordinate() const noexcept;                                 ///< its value (LU)
-  bool adjustment_unsaved() const noexcept { return unsaved_; }               ///< A07441
-  bool multiturn_mismatch() const noexcept { return multiturn_mismatch_; }    ///< F07442
+  bool overflows() const noexcept;                                                   ///< F07493, value 1
+  bool has_no_encoder() const noexcept { return no_encoder_; }                       ///< A07454
+  bool encoder_faulty() const noexcept { return !no_encoder_ && fault_; }            ///< F07453
+  bool interrupted() const noexcept { return own().capture().is_interrupted(); }     ///< A07495
+  bool is_held() const noexcept { return own().is_held(); }                          ///< A07497
+  bool probe_impossible() const noexcept { return own().capture().refusal() != 0; }  ///< A07498
+  double probe_refusal() const noexcept { return own().capture().refusal(); }        ///< its value
+  bool adjustment_refused() const noexcept { return adjustment_refused_; }           ///< F07443
+  double largest_coordinate() const noexcept;                                        ///< its value (LU)
+  bool adjustment_unsaved() const noexcept { return unsaved_; }                      ///< A07441
+  bool multiturn_mismatch() const noexcept { return multiturn_mismatch_; }           ///< F07442
+
+  // The same of encoder 1.
+  bool encoder_1_overflows() const noexcept;                                                         ///< A07593
+  bool encoder_1_missing() const noexcept { return encoder_.type == motor::EncoderType::None; }      ///< A07587
+  bool encoder_1_faulty() const noexcept { return !encoder_1_missing() && fault_; }                  ///< A07581
+  bool encoder_1_interrupted() const noexcept { return encoder_1().capture().is_interrupted(); }     ///< A07596
+  bool encoder_1_held() const noexcept { return encoder_1().is_held(); }                             ///< A07584
+  bool encoder_1_probe_impossible() const noexcept { return encoder_1().capture().refusal() != 0; }  ///< A07577
+  double encoder_1_probe_refusal() const noexcept { return encoder_1().capture().refusal(); }        ///< its value
 
   Settings settings{};
   Inputs inputs{};
@@ -178,19 +188,27 @@ class ActualPosition {
 
   Mechanics mechanics() const noexcept;
   CaptureTerminals terminals() const noexcept;
+  PositionChannel& own() noexcept { return channels_.front(); }
+  const PositionChannel& own() const noexcept { return channels_.front(); }
+  PositionChannel& encoder_1() noexcept { return channels_.back(); }
+  const PositionChannel& encoder_1() const noexcept { return channels_.back(); }
+  ChannelInputs inputs_of(std::size_t index) const noexcept;
   bool is_absolute() const noexcept { return encoder_.type == motor::EncoderType::Absolute; }
-  std::int64_t added() const noexcept;
-  std::int64_t whole() const noexcept { return sensed_.whole + added() + backlash_.compensation(); }
+  std::int64_t adjustment_offset() const noexcept;
+  std::int64_t without_channel() const noexcept;
+  std::int64_t whole() const noexcept { return without_channel() + own().added(); }
+  std::int64_t encoder_1_whole() const noexcept { return sensed_.whole + encoder_1().added(); }
+  bool encoder_1_valid() const noexcept;
   void follow_mechanics() noexcept;
   void watch_encoder(const Slice& slice) noexcept;
   void follow_backlash(bool active) noexcept;
   void count(std::int64_t counts) noexcept;
-  void take_corrections() noexcept;
-  void hold_setting_value() noexcept;
   void follow_adjustment(double coordinate) noexcept;
   bool adjust(std::int64_t coordinate) noexcept;
   void follow_modulo(const Slice& slice) noexcept;
-  void take_measured(const Captured& captured, Length from, const Backlash& play) noexcept;
+  void take_measured(Length from, const Backlash& play) noexcept;
+  void ask(const Slice& slice) noexcept;
+  double noted_position() const noexcept;
   void fold_absolute() noexcept;
   Length measured_length(std::int64_t counts) const noexcept { return scale_.length(base_ + counts); }
 
@@ -201,12 +219,10 @@ class ActualPosition {
   std::int64_t counts_ = 0;      // at the end of the slice that has passed
   std::optional<Mechanics> known_{};
   LengthScale scale_{};
-  Length sensed_{};          // of the encoder alone
-  std::int64_t offset_ = 0;  // LU, all that was set and corrected since power-on
+  Length sensed_{};  // of the encoder alone
   Backlash backlash_{};
-  PositionCapture capture_{};
-  Length measured_{};
-  double velocity_ = 0.0;
+  std::array<PositionChannel, 2> channels_{};  // of index 0 and of encoder 1
+  double velocity_ = 0.0;                      // of the encoder
   std::int64_t modulo_range_ = 0;
   std::int64_t matched_range_ = 0;  // that multiturn_mismatch_ was found with
   std::int64_t wrapped_ = 0;
@@ -214,12 +230,9 @@ class ActualPosition {
   bool runs_ = false;
   bool valid_ = false;
   bool no_encoder_ = false;
-  bool encoder_faulty_ = false;
+  bool fault_ = false;  // of the encoder
   bool reference_lost_ = false;
   bool invalidated_ = false;
-  bool corrects_ = false;  // p2512 and p2730 in the last slice
-  bool corrects_negatively_ = false;
-  bool held_ = false;
   bool adjustment_refused_ = false;
   bool unsaved_ = false;
   bool multiturn_mismatch_ = false;

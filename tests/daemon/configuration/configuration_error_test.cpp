@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [1]})", "node.json: /axes/0: expected an object, got 1"},
         BadFile{R"({"axes": [{"speed": 1}]})",
                 "node.json: /axes/0/speed: unknown key, expected one of: name, type, motor, encoder, load, "
-                "plant, power_unit, setpoint_channel, positioner, positioner_wiring, parameters"},
+                "plant, power_unit, setpoint_channel, positioner, positioner_wiring, switches, parameters"},
         BadFile{R"({"axes": [{"setpoint_channel": 0}]})",
                 "node.json: /axes/0/setpoint_channel: expected true or false, got 0"},
         BadFile{R"({"axes": [{"type": "vector", "setpoint_channel": false}]})",
@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [{"load": 5}]})", "node.json: /axes/0/load: expected an object, got 5"},
         BadFile{R"({"axes": [{"load": {"mass": 5}}]})",
                 "node.json: /axes/0/load/mass: unknown key, expected one of: inertia, friction, torque, coupling, "
-                "end_stops, gear, brake"},
+                "end_stops, gear, pitch, brake"},
         BadFile{R"({"axes": [{"load": {"inertia": -1}}]})",
                 "node.json: /axes/0/load/inertia: expected a number not below 0, got -1"},
         BadFile{R"({"axes": [{"load": {"friction": 1}}]})",

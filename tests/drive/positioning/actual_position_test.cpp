@@ -100,7 +100,7 @@ TEST(ActualPosition, HasTheOffsetThatIsWired) {
   axis.position.inputs.offset[0] = -40.0;
   axis.turn(100);
   EXPECT_EQ(axis.shown(), 60);
-  EXPECT_EQ(axis.position.shown_of(1), 100.0);
+  EXPECT_EQ(axis.position.shown_of(1), 100.0) << "it has an offset of its own";
   axis.position.inputs.offset[0] = 0.0;
   axis.stay();
   EXPECT_EQ(axis.shown(), 100);
@@ -159,6 +159,7 @@ TEST(ActualPosition, OverflowsBeyondItsNumbers) {
   EXPECT_TRUE(axis.position.position_valid());
   axis.turn(1);
   EXPECT_TRUE(axis.position.overflows());
+  EXPECT_TRUE(axis.position.encoder_1_overflows());
   EXPECT_FALSE(axis.position.position_valid());
   EXPECT_TRUE(axis.position.reference_lost());
   EXPECT_EQ(axis.shown(), kLargest);
@@ -212,61 +213,6 @@ TEST(ActualPosition, OfAnIncrementalEncoderBeginsAnewWithPower) {
   axis.position.power_on(axis.slice.counts);
   axis.turn(3);
   EXPECT_EQ(axis.shown(), 3);
-}
-
-TEST(Backlash, IsTakenBackAfterAReversal) {
-  SensedAxis axis;
-  axis.position.settings.backlash = 50;
-  axis.turn(100);
-  axis.slice.is_referenced = true;
-  axis.stay();
-  axis.turn(-30);
-  EXPECT_EQ(axis.shown(), 100) << "the load has not moved yet";
-  EXPECT_EQ(axis.position.backlash_compensation(), 30.0);
-  axis.turn(-30);
-  EXPECT_EQ(axis.shown(), 90);
-  EXPECT_EQ(axis.position.backlash_compensation(), 50.0);
-  axis.turn(40);
-  EXPECT_EQ(axis.shown(), 90);
-  axis.turn(20);
-  EXPECT_EQ(axis.shown(), 100);
-  EXPECT_EQ(axis.position.backlash_compensation(), 0.0);
-}
-
-TEST(Backlash, CountsFromTheSideOfTheReference) {
-  SensedAxis axis;
-  axis.position.settings.backlash = 50;
-  axis.turn(-100);
-  axis.slice.is_referenced = true;
-  axis.turn(-10);
-  EXPECT_EQ(axis.shown(), -110);
-  axis.turn(60);
-  EXPECT_EQ(axis.shown(), -100);
-  EXPECT_EQ(axis.position.backlash_compensation(), -50.0);
-}
-
-TEST(Backlash, CountsWithoutAReferenceNothing) {
-  SensedAxis axis;
-  axis.position.settings.backlash = 50;
-  axis.turn(100);
-  axis.turn(-30);
-  EXPECT_EQ(axis.shown(), 70);
-  axis.slice.is_referenced = true;
-  axis.turn(20);
-  EXPECT_EQ(axis.shown(), 70);
-  axis.slice.is_referenced = false;
-  axis.stay();
-  EXPECT_EQ(axis.shown(), 70) << "no jump";
-}
-
-TEST(Backlash, OfTheOtherSignHasTheLoadMoveFirst) {
-  SensedAxis axis;
-  axis.position.settings.backlash = -50;
-  axis.turn(100);
-  axis.slice.is_referenced = true;
-  axis.stay();
-  axis.turn(-60);
-  EXPECT_EQ(axis.shown(), -10);
 }
 
 }  // namespace

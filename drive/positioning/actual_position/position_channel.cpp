@@ -1,0 +1,27 @@
+#include "drive/positioning/actual_position/position_channel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace drive {
+
+std::int64_t whole_units(double value) noexcept {
+  constexpr double kLowest = std::numeric_limits<std::int32_t>::min();
+  constexpr double kHighest = std::numeric_limits<std::int32_t>::max();
+  return std::llround(std::clamp(value, kLowest, kHighest));
+}
+
+void PositionChannel::follow(const ChannelInputs& inputs, std::int64_t sensed) noexcept {
+  wired_ = whole_units(inputs.offset);
+  const std::int64_t by = whole_units(inputs.correction);
+  const bool corrected = std::exchange(corrects_, inputs.correct);
+  const bool corrected_negatively = std::exchange(corrects_negatively_, inputs.correct_negatively);
+  if (corrects_ && !corrected) shift(by);
+  if (corrects_negatively_ && !corrected_negatively) shift(-by);
+  held_ = inputs.set_position;
+  if (held_) offset_ = whole_units(inputs.setting_value) - sensed - wired_;
+}
+
+}  // namespace drive
