@@ -154,7 +154,7 @@ class DriveUnit final : private Surroundings {
 
   /// The switches beside the way of the load of an axis.
   struct AxisSwitches {
-    const Axis* axis;
+    const Axis* axis = nullptr;
     TravelSwitches switches;
   };
 
