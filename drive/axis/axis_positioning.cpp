@@ -131,11 +131,12 @@ void Axis::tell_positioning() noexcept {
   block<ActualPosition>().begin_cycle();
   if (!positioning.has_news()) return;
   positioning.tell([this](const PositioningMessageRow& row, bool present, std::uint32_t value) {
-    const FaultRow& message = *find_fault(row.number);
+    const FaultRow* const message = find_fault(row.number);
+    if (message == nullptr) return;
     if (!present)
-      memory().withdraw(message);
+      memory().withdraw(*message);
     else
-      enter(message, value, row.comes == Comes::Once ? Cause::Gone : Cause::Present);
+      enter(*message, value, row.comes == Comes::Once ? Cause::Gone : Cause::Present);
   });
   on_messages_changed();
 }
