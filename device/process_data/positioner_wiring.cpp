@@ -53,9 +53,10 @@ void put_pdos(const Direction& direction, const std::array<Mapping, 4>& mappings
     else if (axis.module == 0)
       presets.push_back({communication, static_cast<double>(direction.flags | (direction.first_cob_id +
                                                                                kCobIdStep * pdo + axis.node_id))});
-    for (std::uint8_t i = 0; i < mapping.size(); ++i)
+    std::uint8_t index = 0;
+    for (const std::uint32_t entry : mapping)
       presets.push_back(
-          {static_cast<std::uint16_t>(direction.mapping + pdo), entry_on(mapping[i], axis.module), i});
+          {static_cast<std::uint16_t>(direction.mapping + pdo), entry_on(entry, axis.module), index++});
   }
 }
 
@@ -94,8 +95,9 @@ std::vector<unit::ParameterPreset> presets_of(PositionerWiring wiring, const Wir
       presets.push_back({connection.input, value_of(connection.source), connection.index});
   for (std::size_t word = 0; word < kConverters; ++word) {
     const StatusWord& bits = word < table.words.size() ? *table.words[word] : kNoBits;
-    for (std::uint8_t bit = 0; bit < bits.size(); ++bit)
-      presets.push_back({static_cast<std::uint16_t>(kBitsOfWord + word), value_of(bits[bit]), bit});
+    std::uint8_t index = 0;
+    for (const Source& bit : bits)
+      presets.push_back({static_cast<std::uint16_t>(kBitsOfWord + word), value_of(bit), index++});
   }
   put_factory_connections(axis, presets);
   return presets;
