@@ -48,8 +48,8 @@ tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<co
   std::size_t length = 0;
   for (std::uint8_t number = drive::kControlUnitNumber; unit_.object(number) != nullptr; ++number) {
     if (!drive::storage_image::has(unit_, image, number)) continue;
-    const auto written =
-        drive::storage_image::update(unit_, std::span{image_}.first(length), spare_, {.object = number});
+    const auto written = drive::storage_image::update(unit_, std::span{image_}.first(length), spare_,
+                                                      {.object = number, .kept = true});
     if (!written) return tl::unexpected{written.error()};
     length = written->size();
     std::swap(image_, spare_);

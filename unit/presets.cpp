@@ -1,5 +1,6 @@
 #include "unit/presets.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace unit {
@@ -16,9 +17,33 @@ void Presets::apply(ParameterGroup group) noexcept {
     if (belongs(group, drive::ObjectKind::Infeed, preset))
       static_cast<void>(unit_.infeed()->write(preset.number, preset.index, preset.value));
   }
+  for (std::size_t i = 0; i < configuration_.axis_deliveries.size(); ++i) {
+    const Delivery& delivery = configuration_.axis_deliveries[i];
+    if (has_identity(i)) continue;
+    apply(group, unit_.axes()[i], delivery.identity);
+    apply(group, unit_.axes()[i], delivery.values);
+  }
   for (std::size_t i = 0; i < configuration_.axis_presets.size(); ++i)
-    for (const ParameterPreset& preset : configuration_.axis_presets[i])
-      if (belongs(group, unit_.axes()[i].kind(), preset)) apply(unit_.axes()[i], preset);
+    apply(group, unit_.axes()[i], configuration_.axis_presets[i]);
+}
+
+/// Whether axis @p i has the identity of its delivery, as its own presets leave it.
+bool Presets::has_identity(std::size_t i) const noexcept {
+  const auto is_preset = [&](const ParameterPreset& value) {
+    return i < configuration_.axis_presets.size() &&
+           std::ranges::any_of(configuration_.axis_presets[i], [&](const ParameterPreset& preset) {
+             return preset.number == value.number && preset.index == value.index;
+           });
+  };
+  return std::ranges::all_of(configuration_.axis_deliveries[i].identity, [&](const ParameterPreset& value) {
+    const double present = unit_.axes()[i].kept_value(value.number, value.index).value_or(0.0);
+    return !(present < value.value || present > value.value) || is_preset(value);
+  });
+}
+
+void Presets::apply(ParameterGroup group, drive::Axis& axis, std::span<const ParameterPreset> presets) noexcept {
+  for (const ParameterPreset& preset : presets)
+    if (belongs(group, axis.kind(), preset)) apply(axis, preset);
 }
 
 bool Presets::belongs(ParameterGroup group, drive::ObjectKind kind, const ParameterPreset& preset) const noexcept {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "drive/drive_unit.hpp"
 #include "unit/configuration.hpp"
 #include "unit/parameter_groups.hpp"
@@ -25,6 +28,8 @@ class Presets {
 
  private:
   bool belongs(ParameterGroup group, drive::ObjectKind kind, const ParameterPreset& preset) const noexcept;
+  bool has_identity(std::size_t i) const noexcept;
+  void apply(ParameterGroup group, drive::Axis& axis, std::span<const ParameterPreset> presets) noexcept;
   void apply(drive::Axis& axis, const ParameterPreset& preset) noexcept;
 
   Configuration configuration_;

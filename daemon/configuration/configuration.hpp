@@ -51,7 +51,7 @@ struct AxisConfiguration {
   motor::InverterData inverter = motor::inverter_for(motor::MachineData{}.maximum_current);  ///< key "power_unit"
   bool setpoint_channel = true;  ///< p0108.8 of a new unit, the extended setpoint channel
   bool positioner = false;       ///< p0108.3 and p0108.4, the basic positioner
-  std::optional<drive::PositionerWiring> positioner_wiring{};  ///< laid under the parameters
+  std::optional<drive::PositionerWiring> positioner_wiring{};  ///< below the parameters
   std::vector<ParameterValue> parameters;                      ///< laid over the state of a new axis
 };
 

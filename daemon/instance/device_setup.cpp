@@ -29,18 +29,15 @@ device::AxisSetup setup_of(const AxisConfiguration& axis) {
           .presets = presets_of(axis.parameters)};
 }
 
-/// Lays the ready wirings of @p axes under the parameters that the configuration names.
+/// The ready wirings that @p axes of @p unit ask for.
 void wire_positioners(const std::vector<AxisConfiguration>& axes, device::Configuration& unit) {
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (!axes[i].positioner_wiring) continue;
-    std::vector<device::ParameterPreset> wired =
-        device::presets_of(*axes[i].positioner_wiring, {.module = static_cast<std::uint8_t>(i),
-                                                        .node_id = unit.node_id,
-                                                        .kind = axes[i].kind,
-                                                        .setpoint_channel = axes[i].setpoint_channel});
-    std::vector<device::ParameterPreset>& presets = unit.axes[i].presets;
-    presets.insert(presets.begin(), wired.begin(), wired.end());
-  }
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (axes[i].positioner_wiring)
+      unit.axes[i].delivery =
+          device::delivery_of(*axes[i].positioner_wiring, {.module = static_cast<std::uint8_t>(i),
+                                                           .node_id = unit.node_id,
+                                                           .kind = axes[i].kind,
+                                                           .setpoint_channel = axes[i].setpoint_channel});
 }
 
 }  // namespace

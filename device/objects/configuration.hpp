@@ -9,12 +9,14 @@
 
 namespace device {
 
+using unit::Delivery;
 using unit::ParameterPreset;
 
 /// One axis of the unit.
 struct AxisSetup {
   drive::AxisConfiguration drive{};
   std::vector<ParameterPreset> presets{};  ///< existing, writable and within their limits
+  Delivery delivery{};                     ///< below them; likewise
 };
 
 /// What the unit is made of.
@@ -41,10 +43,12 @@ struct Configuration {
   unit::Configuration unit{.drive = std::move(drive),
                            .presets = configuration.presets,
                            .infeed_presets = configuration.infeed_presets,
+                           .axis_deliveries = {},
                            .axis_presets = {}};
   unit.drive.axes.clear();
   for (const AxisSetup& axis : configuration.axes) {
     unit.drive.axes.push_back(axis.drive);
+    unit.axis_deliveries.push_back(axis.delivery);
     unit.axis_presets.push_back(axis.presets);
   }
   return unit;

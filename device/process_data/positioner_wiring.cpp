@@ -42,20 +42,24 @@ double entry_on(std::uint32_t entry, std::uint8_t module) noexcept {
   return static_cast<double>(std::uint32_t{moved} << kIndexAt | (entry & 0xFFFFU));
 }
 
-void put_pdos(const Direction& direction, const std::array<Mapping, 4>& mappings, const WiredAxis& axis,
-              Presets& presets) {
+void put_mappings(const Direction& direction, const std::array<Mapping, 4>& mappings, std::uint8_t module,
+                  Presets& presets) {
   for (std::uint16_t pdo = 0; pdo < kPdosOfAnAxis; ++pdo) {
     const Mapping mapping = pdo < mappings.size() ? mappings[pdo] : Mapping{};
-    const auto communication = static_cast<std::uint16_t>(direction.communication + pdo);
-    const bool is_used = mapping[0] != 0;
-    if (!is_used)
-      presets.push_back({communication, static_cast<double>(direction.flags | kUnused)});
-    else if (axis.module == 0)
-      presets.push_back({communication, static_cast<double>(direction.flags | (direction.first_cob_id +
-                                                                               kCobIdStep * pdo + axis.node_id))});
-    for (std::uint8_t i = 0; i < mapping.size(); ++i)
-      presets.push_back(
-          {static_cast<std::uint16_t>(direction.mapping + pdo), entry_on(mapping[i], axis.module), i});
+    std::uint8_t index = 0;
+    for (const std::uint32_t entry : mapping)
+      presets.push_back({static_cast<std::uint16_t>(direction.mapping + pdo), entry_on(entry, module), index++});
+  }
+}
+
+void put_cob_ids(const Direction& direction, const std::array<Mapping, 4>& mappings, const WiredAxis& axis,
+                 Presets& presets) {
+  for (std::uint16_t pdo = 0; pdo < kPdosOfAnAxis; ++pdo) {
+    const auto number = static_cast<std::uint16_t>(direction.communication + pdo);
+    const bool is_used = pdo < mappings.size() && mappings[pdo][0] != 0;
+    const std::uint32_t predefined = direction.first_cob_id + kCobIdStep * pdo + axis.node_id;
+    if (!is_used || axis.module == 0)
+      presets.push_back({number, static_cast<double>(direction.flags | (is_used ? predefined : kUnused))});
   }
 }
 
@@ -83,22 +87,27 @@ void put_factory_connections(const WiredAxis& axis, Presets& presets) {
 
 }  // namespace
 
-std::vector<unit::ParameterPreset> presets_of(PositionerWiring wiring, const WiredAxis& axis) {
+unit::Delivery delivery_of(PositionerWiring wiring, const WiredAxis& axis) {
   const Table& table = kTables[static_cast<std::size_t>(wiring)];
-  Presets presets{{kMappingConfiguration, kFreeMapping},
-                  {axis.setpoint_channel ? kMainSetpoint : kSetpointBehindRamp, value_of({kWrittenVelocity, 0})}};
-  put_pdos(kReceive, table.received, axis, presets);
-  put_pdos(kTransmit, table.sent, axis, presets);
+  unit::Delivery delivery;
+  put_mappings(kReceive, table.received, axis.module, delivery.identity);
+  put_mappings(kTransmit, table.sent, axis.module, delivery.identity);
+  Presets& presets = delivery.values;
+  presets = {{kMappingConfiguration, kFreeMapping},
+             {axis.setpoint_channel ? kMainSetpoint : kSetpointBehindRamp, value_of({kWrittenVelocity, 0})}};
+  put_cob_ids(kReceive, table.received, axis, presets);
+  put_cob_ids(kTransmit, table.sent, axis, presets);
   for (const auto& connections : table.connections)
     for (const Connection& connection : connections)
       presets.push_back({connection.input, value_of(connection.source), connection.index});
   for (std::size_t word = 0; word < kConverters; ++word) {
     const StatusWord& bits = word < table.words.size() ? *table.words[word] : kNoBits;
-    for (std::uint8_t bit = 0; bit < bits.size(); ++bit)
-      presets.push_back({static_cast<std::uint16_t>(kBitsOfWord + word), value_of(bits[bit]), bit});
+    std::uint8_t index = 0;
+    for (const Source& bit : bits)
+      presets.push_back({static_cast<std::uint16_t>(kBitsOfWord + word), value_of(bit), index++});
   }
   put_factory_connections(axis, presets);
-  return presets;
+  return delivery;
 }
 
 }  // namespace device

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "drive/base/positioner_wiring.hpp"
 #include "unit/configuration.hpp"
@@ -19,9 +18,9 @@ struct WiredAxis {
 };
 
 /// The values that make @p wiring, to PDOs with free objects, on @p axis, whatever was mapped and connected
-/// before: mappings of all PDOs, with the COB-IDs of the predefined connection set where that has some (those of
-/// further axes stay), the inputs of the controlword, of the words that come and of those that are sent. An input
-/// that another wiring connects, and this one does not, has its factory value.
-std::vector<unit::ParameterPreset> presets_of(PositionerWiring wiring, const WiredAxis& axis);
+/// before: mappings of all PDOs, which are its identity, with the COB-IDs of the predefined connection set where
+/// that has some (those of further axes stay), the inputs of the controlword, of the words that come and of those
+/// that are sent. An input that another wiring connects, and this one does not, has its factory value.
+unit::Delivery delivery_of(PositionerWiring wiring, const WiredAxis& axis);
 
 }  // namespace device

@@ -18,9 +18,9 @@ struct Source {
   std::uint16_t position = 0;
 };
 struct Connection {
-  std::uint16_t input;
-  std::uint8_t index;
-  Source source;
+  std::uint16_t input = 0;
+  std::uint8_t index = 0;
+  Source source{};
 };
 /// The bits of a word that is sent, from bit 0; those without source are 0.
 using StatusWord = std::array<Source, 16>;

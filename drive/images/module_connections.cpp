@@ -8,7 +8,8 @@
 namespace drive {
 namespace {
 
-constexpr std::uint16_t kModules = 108;  // p0108
+constexpr std::uint8_t kOwner = kControlUnitNumber;
+constexpr std::uint16_t kModules = 108;  // p0108, of the drive objects in the order of their numbers
 
 bool holds(double value, double expected) noexcept {
   return !(value < expected || value > expected);
@@ -17,8 +18,7 @@ bool holds(double value, double expected) noexcept {
 /// Whether @p axis was saved with the positioner: saved p0108 says so, and where it was not saved with the axis,
 /// that an input is connected as only the positioner does.
 bool had_positioner(const Axis& axis, const SavedValues& saved) noexcept {
-  if (const auto modules =
-          saved.find(kControlUnitNumber, kModules, std::size_t{axis.number()} - kControlUnitNumber))
+  if (const auto modules = saved.find(kOwner, kModules, std::size_t{axis.number()} - kControlUnitNumber))
     return (static_cast<function_module::Set>(decode(*modules)) & function_module::kPositioning) ==
            function_module::kPositioning;
   return std::ranges::any_of(kPositionerConnections, [&](const PositionerConnection& connection) {

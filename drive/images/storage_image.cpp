@@ -30,30 +30,33 @@ void put_value(Writer& writer, const SavedValue& saved) noexcept {
   writer.put(saved.value.bits);
 }
 
-/// What a function module has that is not in force is saved as it is kept.
-SavedValue present_value(const DriveObject& object, const ParameterRow& row, std::size_t index) noexcept {
-  const auto read = object.read(row.number, index);
-  const double value = read ? *read : object.kept_value(row.number, index).value_or(0.0);
+/// What a function module has that is not in force is saved as it is kept, and all where @p kept.
+SavedValue present_value(const DriveObject& object, const ParameterRow& row, std::size_t index,
+                         bool kept) noexcept {
+  const auto shown = object.read(row.number, index);
+  const double value = shown && !kept ? *shown : object.kept_value(row.number, index).value_or(0.0);
   return {row.number, static_cast<std::uint8_t>(index), encode(row.type, value)};
 }
 
-void put_present(Writer& writer, const DriveObject& object) noexcept {
+void put_present(Writer& writer, const DriveObject& object, bool kept) noexcept {
   image_format::put_object_head(writer, object, value_count(object.kind()));
   for (const PlacedRow& placed : parameters_of(object.kind())) {
     if (!is_saved(*placed.row)) continue;
-    for (std::size_t i = 0; i < placed.row->count; ++i) put_value(writer, present_value(object, *placed.row, i));
+    for (std::size_t i = 0; i < placed.row->count; ++i)
+      put_value(writer, present_value(object, *placed.row, i, kept));
   }
 }
 
-/// The values of @p block, those that @p rows chooses as they are at present.
-void put_updated(Writer& writer, const DriveObject& object, const Block& block, RowFilter rows) noexcept {
+/// The values of @p block, those that the rows of @p selection choose as they are at present.
+void put_updated(Writer& writer, const DriveObject& object, const Block& block,
+                 const Selection& selection) noexcept {
   image_format::put_object_head(writer, object, block.count);
   Reader reader = block.reader();
   for (std::uint16_t i = 0; i < block.count; ++i) {
     const SavedValue saved = take_value(reader);
     const PlacedRow* const placed = find_parameter(object.kind(), saved.number);
-    const bool chosen = placed != nullptr && rows(*placed->row);
-    put_value(writer, chosen ? present_value(object, *placed->row, saved.index) : saved);
+    const bool chosen = placed != nullptr && selection.rows(*placed->row);
+    put_value(writer, chosen ? present_value(object, *placed->row, saved.index, selection.kept) : saved);
   }
 }
 
@@ -142,10 +145,10 @@ tl::expected<std::span<const std::byte>, Error> update(const DriveUnit& unit, st
   image_format::begin(writer, kKind, unit);
   writer.put(objects);
   unit.for_each_object([&](const DriveObject& o) {
-    if (is_added(o)) return put_present(writer, o);
+    if (is_added(o)) return put_present(writer, o, selection.kept);
     constexpr RowFilter kNone = [](const ParameterRow&) noexcept { return false; };
     if (former.has(o.number()))
-      put_updated(writer, o, former.of(o.number()), is_chosen(o) ? selection.rows : kNone);
+      put_updated(writer, o, former.of(o.number()), is_chosen(o) ? selection : Selection{.rows = kNone});
   });
   return image_format::seal(writer);
 }

@@ -34,6 +34,7 @@ inline constexpr std::uint8_t kAllObjects = 0;
 struct Selection {
   std::uint8_t object = kAllObjects;  ///< a drive object number, or all
   RowFilter rows = is_saved;
+  bool kept = false;  ///< of update(): the values as the drive objects keep them, not as other layers show them
 };
 
 /// Bytes that save() needs for drive object @p object of @p unit, or for all.

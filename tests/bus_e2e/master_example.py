@@ -23,13 +23,14 @@ def skip_without(module, python):
 
 def main():
     bin_folder, *words = sys.argv[1:]
+    module = axis = None
     if words[0] == '--module':
         _, module, *words = words
-        skip_without(module, words[1])
-    axis = None
     if words[0] == '--axis':
         _, axis, *words = words
     pattern, *command = words
+    if module:
+        skip_without(module, command[0])
     with programs.Folder(bin_folder) as folder:
         unit = programs.start_unit(folder, axis and json.loads(axis))
         run = subprocess.run(command, stdout=subprocess.PIPE, text=True, timeout=6 * programs.PATIENCE)

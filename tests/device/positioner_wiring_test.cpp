@@ -18,18 +18,26 @@ Configuration wired(PositionerWiring wiring, std::size_t axes = 1, const drive::
   for (std::size_t i = 0; i < axes; ++i) {
     configuration.axes[i].drive = axis;
     configuration.axes[i].drive.positioner = true;
-    configuration.axes[i].presets = presets_of(wiring, {.module = static_cast<std::uint8_t>(i),
-                                                        .node_id = 5,
-                                                        .kind = axis.kind,
-                                                        .setpoint_channel = axis.setpoint_channel});
+    configuration.axes[i].delivery = delivery_of(wiring, {.module = static_cast<std::uint8_t>(i),
+                                                          .node_id = 5,
+                                                          .kind = axis.kind,
+                                                          .setpoint_channel = axis.setpoint_channel});
   }
   return configuration;
+}
+
+/// All that the wiring of axis @p axis (from 1) of @p configuration sets.
+std::vector<ParameterPreset> values_of(const Configuration& configuration, std::size_t axis = 1) {
+  const Delivery& delivery = configuration.axes[axis - 1].delivery;
+  std::vector<ParameterPreset> all = delivery.identity;
+  all.insert(all.end(), delivery.values.begin(), delivery.values.end());
+  return all;
 }
 
 /// What @p unit has of @p configuration, and whether its PDOs can be used.
 void expect_wired(WiredDevice& unit, const Configuration& configuration) {
   for (std::size_t axis = 1; axis <= configuration.axes.size(); ++axis)
-    for (const ParameterPreset& preset : configuration.axes[axis - 1].presets)
+    for (const ParameterPreset& preset : values_of(configuration, axis))
       EXPECT_EQ(unit.parameter(preset.number, preset.index, axis), preset.value)
           << "p" << preset.number << '[' << int{preset.index} << "] of axis " << axis;
   unit.enter();
@@ -49,7 +57,7 @@ TEST(PositionerWiring, IsOfANewUnitWhateverItsAxesAre) {
     }
 }
 
-TEST(PositionerWiring, LiesOverEverythingThatWasSaved) {
+TEST(PositionerWiring, LiesOverEverythingThatWasSavedWithOtherMappings) {
   WiredDevice former;
   former.unmap_all();
   former.map_rpdo(1, {0x58000010, 0x60400010, 0x60FF0020});
@@ -62,11 +70,56 @@ TEST(PositionerWiring, LiesOverEverythingThatWasSaved) {
     const Configuration configuration = wired(wiring);
     NextLife life{former, configuration};
     const drive::Axis& axis = life.unit.device.axis();
-    for (const ParameterPreset& preset : configuration.axes[0].presets)
+    for (const ParameterPreset& preset : values_of(configuration))
       EXPECT_EQ(axis.read(preset.number, preset.index).value(), preset.value)
           << "p" << preset.number << '[' << int{preset.index} << ']';
     EXPECT_EQ(axis.read(1070).value(), own(8796)) << "no word of the positioner is a speed";
   }
+}
+
+TEST(PositionerWiring, LeavesWhatTheUserHasChangedAndSaved) {
+  const Configuration configuration = wired(PositionerWiring::Mdi);
+  WiredDevice former{configuration};
+  ASSERT_EQ(former.wire(2, 2612, {722, 1, 3}), 0U);
+  ASSERT_EQ(former.write_parameter(2, 2633, 0, 4), 0U);
+  ASSERT_EQ(former.download(0x1401, 1, 0x80000305, 4), 0U);
+  ASSERT_EQ(former.download(kStore, 1, kSave, 4), 0U);
+  ASSERT_EQ(former.write_parameter(2, 2596, 0, 4), 0U) << "not saved";
+
+  NextLife next{former, configuration};
+  for (const char* const how : {"power-on", "reset"}) {
+    const drive::Axis& axis = next.unit.device.axis();
+    EXPECT_EQ(axis.read(2612).value(), drive::pack({722, 1, 3})) << how;
+    EXPECT_EQ(axis.read(2633).value(), 0.0) << how;
+    EXPECT_EQ(axis.read(8701).value(), 0x80000305) << how;
+    EXPECT_EQ(axis.read(2596).value(), own(8892, 1)) << how;
+    EXPECT_EQ(axis.read(2642).value(), own(8860, 4)) << how;
+    next.unit.says("000#8105");
+    next.unit.passes(100ms);
+  }
+  ASSERT_EQ(next.unit.download(kRestore, 1, kLoad, 4), 0U);
+  EXPECT_EQ(next.unit.device.axis().read(2612).value(), own(8892, 2));
+  EXPECT_EQ(next.unit.device.axis().read(8701).value(), 0x305);
+}
+
+TEST(PositionerWiring, IsKnownAgainWithAMappingOfTheConfiguration) {
+  Configuration configuration = wired(PositionerWiring::Mdi);
+  configuration.axes[0].presets = {{8713, 0x58050010, 0}};
+  WiredDevice former{configuration};
+  ASSERT_EQ(former.wire(2, 2612, {722, 1, 3}), 0U);
+  ASSERT_EQ(former.download(kStore, 1, kSave, 4), 0U);
+  NextLife next{former, configuration};
+  EXPECT_EQ(next.unit.device.axis().read(8713).value(), 0x58050010);
+  EXPECT_EQ(next.unit.device.axis().read(2612).value(), drive::pack({722, 1, 3}));
+}
+
+TEST(PositionerWiring, ComesBackWhereAMasterHasMappedTheNodeAndResetsIt) {
+  const Configuration configuration = wired(PositionerWiring::Mdi);
+  WiredDevice unit{configuration};
+  unit.unmap_all();
+  unit.says("000#8205");
+  unit.passes(100ms);
+  expect_wired(unit, configuration);
 }
 
 TEST(PositionerWiring, TakesThePlaceOfAnother) {

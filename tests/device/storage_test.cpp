@@ -218,6 +218,11 @@ TEST(StoredCommunication, IsInForceAfterAPowerCut) {
 
   NextLife next{unit, quiet};
   EXPECT_TRUE(has_changed_pdos(next.unit));
+  for (const char* const reset : {"000#8205", "000#8105"}) {
+    next.unit.says(reset);
+    next.unit.passes(100ms);
+    EXPECT_TRUE(has_changed_pdos(next.unit)) << reset;
+  }
 }
 
 TEST(StoredCommunication, IsWhatAResetOfTheCommunicationReturnsTo) {
