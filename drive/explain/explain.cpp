@@ -142,7 +142,7 @@ std::string motion_sentence(const Picture& picture) {
   const std::string limit = !picture.axis.is_at_torque_limit() ? ""
                             : load_drives(picture)             ? "; the load drives it against its torque limit"
                                                                : "; it is at its torque limit";
-  return fmt::format("It turns at {} rpm ({}{}).", plain(rpm), what, limit);
+  return fmt::format("It turns at {} rpm ({}{}{}).", plain(rpm), what, limit, positioning_text(picture));
 }
 
 std::string measurement_sentence(const Axis& axis) {

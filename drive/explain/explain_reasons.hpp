@@ -52,6 +52,8 @@ inline bool halts(const Picture& picture) noexcept {
 
 /// Above it a shaft is said to turn (rad/s).
 inline constexpr double kSlowest = 0.5 * kRpm;
+/// What the positioner does with an axis that turns, to be put behind a sentence; empty if it does nothing.
+std::string positioning_text(const Picture& picture);
 /// Whether what hangs on the shaft turns it: it gives work to the shaft.
 bool load_drives(const Picture& picture) noexcept;
 

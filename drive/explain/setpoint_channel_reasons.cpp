@@ -18,7 +18,8 @@ constexpr States kOperation = in(State::OperationEnabled);
 
 /// The ramp follows the setpoint channel.
 bool ramp_leads(P p) noexcept {
-  return !torque_leads(p) && !halts(p) && !p.axis.brake_opens();
+  const bool positions = p.axis.positions() && p.axis.block<PositionControl>().is_enabled();
+  return !torque_leads(p) && !halts(p) && !p.axis.brake_opens() && !positions;
 }
 
 /// In velocity mode, bits 4 to 6 of the controlword are enables too.

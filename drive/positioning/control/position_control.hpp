@@ -3,13 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace drive {
-namespace explanation {
-struct Reason;
-}
-
 /// The position controller with its monitors (function diagrams 4015 and 4020): from the setpoint and the actual
 /// value, in LU, to a speed setpoint.
 class PositionControl {
@@ -96,9 +91,6 @@ class PositionControl {
   bool is_below_cam_1() const noexcept { return inputs.actual_position <= settings.cam_1; }  ///< r2683.8
   bool is_below_cam_2() const noexcept { return inputs.actual_position <= settings.cam_2; }  ///< r2683.9
   bool is_at_fixed_stop() const noexcept { return fixed_stop_; }
-
-  /// Its reasons that an axis does not turn.
-  static std::span<const explanation::Reason> reasons() noexcept;
 
   Settings settings{};
   Inputs inputs{};
