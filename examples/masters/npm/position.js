@@ -92,9 +92,8 @@ async function chain() {
   await start();
   await until(() => {
     if (is(blockState, IN_BLOCKS) && is(blockState, BLOCK)) passed.add(blockState.value & BLOCK);
-    return !is(motionState, TRAVERSING) && is(statusword, REACHED);
-  }, 'the end of the last block');
-  expect(at(30000), 'position 30000');
+    return !is(motionState, TRAVERSING) && is(statusword, REACHED) && at(30000);
+  }, 'the end of the last block at position 30000');
   expect([...passed].join() === '1,2,3,4', `blocks 1,2,3,4 and not ${[...passed]}`);
   console.log('blocks 1 to 4: position 30000');
 }
