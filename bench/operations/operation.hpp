@@ -46,6 +46,7 @@ std::vector<OperationRow> library_pdo_operations();
 std::vector<OperationRow> plant_operations();
 std::vector<OperationRow> drive_train_operations();
 std::vector<OperationRow> axis_operations();
+std::vector<OperationRow> positioning_operations();
 std::vector<OperationRow> device_operations();
 
 /// All operations in the order of the printed table.
