@@ -87,7 +87,8 @@ void Axis::lead_position() noexcept {
 
 bool Axis::is_position_control_possible() const noexcept {
   const SpeedControl& control = block<SpeedControl>();
-  return block<ActualPosition>().position_valid() && control.settings.control_mode == kSpeedControlWithEncoder &&
+  return block<ActualPosition>().position_valid() && block<SequenceControl>().operates() &&
+         control.settings.control_mode == kSpeedControlWithEncoder &&
          !control.torque_control() && !jogs() && !block<Identification>().leads() && !brake_opens();
 }
 

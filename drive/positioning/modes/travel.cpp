@@ -6,7 +6,8 @@
 namespace drive {
 namespace {
 
-constexpr double kHair = 1e-6;  // LU, below what any position shows
+constexpr double kHair = 1e-6;       // LU, below what any position shows
+constexpr double kSameShare = 1e-6;  // of a deceleration, below what makes a difference
 
 double braking_way(double velocity, double deceleration) noexcept {
   return velocity * velocity / (2.0 * deceleration);
@@ -17,6 +18,7 @@ double braking_way(double velocity, double deceleration) noexcept {
 void Travel::bound(const TravelConditions& conditions) noexcept {
   conditions_ = conditions;
   if (state_ == State::Going) apply();
+  if (state_ == State::Interrupted) motion_.brake(deceleration());
 }
 
 void Travel::place(double position) noexcept {
@@ -59,8 +61,20 @@ double Travel::bounded(double target, double deceleration) const noexcept {
   return target;
 }
 
+/// The deceleration of the goal, or where that would overrun a limit what leads to the limit, up to p2573.
+double Travel::deceleration() const noexcept {
+  const double wanted = goal_.deceleration * conditions_.deceleration;
+  const double velocity = planned_velocity();
+  const double position = planned_position();
+  const double room = std::max(0.0, velocity < 0.0 ? position - conditions_.lower : conditions_.upper - position);
+  const double way = braking_way(velocity, wanted);
+  if (way <= room * (1.0 + kSameShare)) return wanted;
+  const double needed = room > 0.0 ? wanted * way / room : kEndless;
+  return std::min(needed, std::max(wanted, conditions_.deceleration));
+}
+
 Travel::Applied Travel::plan() const noexcept {
-  const double deceleration = goal_.deceleration * conditions_.deceleration;
+  const double deceleration = this->deceleration();
   const double target = bounded(goal_.target, deceleration);
   const double way = target - planned_position();
   const double heading = std::abs(way) > 0.0 ? way : planned_velocity();
@@ -100,9 +114,9 @@ void Travel::change(const Goal& goal) noexcept {
 }
 
 void Travel::interrupt() noexcept {
-  if (state_ == State::Free || state_ == State::Interrupted) return;
+  if (state_ != State::Going || has_arrived()) return;
   state_ = State::Interrupted;
-  motion_.brake(goal_.deceleration * conditions_.deceleration);
+  motion_.brake(deceleration());
 }
 
 void Travel::resume() noexcept {

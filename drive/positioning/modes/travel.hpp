@@ -140,6 +140,7 @@ class Travel {
   };
 
   Applied plan() const noexcept;
+  double deceleration() const noexcept;
   double bounded(double target, double deceleration) const noexcept;
   double highest_velocity(Direction direction) const noexcept;
   void apply() noexcept;
