@@ -53,7 +53,8 @@ void Axis::show_position_messages() noexcept {
   if (actual.reference_lost()) positioner.lose_reference();
   messages.show(SaveAdjustment, actual.adjustment_unsaved());
   messages.show(NoEncoder, actual.has_no_encoder());
-  messages.show(ReferenceInterrupted, actual.interrupted() && !block_asked_for_probe_);
+  messages.show(ReferenceInterrupted,
+                actual.interrupted() && !block_asked_for_probe_ && !positioner.search_has_failed());
   messages.show(SettingValueActive, actual.is_held());
   messages.show(ProbeNotPossible, actual.probe_impossible(), static_cast<std::uint32_t>(actual.probe_refusal()));
   messages.fault_once(ModuloDoesNotFit, actual.multiturn_mismatch());
@@ -98,7 +99,7 @@ void Axis::control_position() noexcept {
   PositionControl& control = block<PositionControl>();
   const bool reacts =
       sequence.state() == State::FaultReactionActive || sequence.inputs.has_off2() || sequence.inputs.has_off3();
-  control.run({.is_possible = is_position_control_possible(),
+  control.run({.is_possible = is_position_control_possible() && sequence.state() != State::FaultReactionActive,
                .requests_tracking = reacts,
                .modulo_range = positioner.modulo_range(),
                .stop_deviation = positioner.settings.fixed_stop_following_error,

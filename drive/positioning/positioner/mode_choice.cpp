@@ -86,17 +86,22 @@ void Positioner::begin(ModeContext& context, ModeRequest request, bool Inputs::*
     if (request == ModeRequest::Mdi) mdi_.stand_by(context);
     return;
   }
-  if (mode() == PositionerMode::Basic && blocks_.fixed_stop().is_active()) blocks_.release(context);
+  const auto let_go = [&] {
+    if (mode() == PositionerMode::Basic && blocks_.fixed_stop().is_active()) blocks_.release(context);
+  };
   switch (request) {
     case ModeRequest::Jog:
       refusals_.accept();
+      let_go();
       return jog_.start(context);
     case ModeRequest::Search:
       refusals_.accept();
+      let_go();
       return search_.start(context);
     case ModeRequest::Mdi:
-      if (mdi_.may_start(context)) mdi_.start(context);
-      return;
+      if (!mdi_.may_start(context)) return;
+      let_go();
+      return mdi_.start(context);
     case ModeRequest::Block:
       if (blocks_.may_start(context)) blocks_.start(context);
       return;
