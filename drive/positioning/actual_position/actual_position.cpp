@@ -62,6 +62,7 @@ void ActualPosition::power_on(std::int64_t counts) noexcept {
   offset_ = 0;
   backlash_ = {};
   capture_ = {};
+  wired_ = {};
   measured_ = {};
   corrects_ = corrects_negatively_ = held_ = false;
   adjustment_refused_ = unsaved_ = invalidated_ = false;
@@ -108,6 +109,7 @@ void ActualPosition::run(const Slice& slice) noexcept {
   const Backlash play = backlash_;
   const DiscMotion motion{
       .from = start_ + counts_, .to = start_ + slice.counts, .per_revolution = per_revolution_};
+  capture_.follow(released(wired_, slice), terminals(), position_valid() && !held_);
   const std::optional<Captured> captured = capture_.look(motion, slice.inputs);
   count(slice.counts);
   take_corrections();
@@ -115,12 +117,21 @@ void ActualPosition::run(const Slice& slice) noexcept {
   follow_adjustment(slice.reference_coordinate);
   follow_modulo(slice);
   if (captured) take_measured(*captured, from, play);
-  const CaptureRequest request{.mark = inputs.search_mark[kOwn] && !slice.holds_mark,
-                               .probe = (inputs.evaluate_probe[kOwn] && !slice.holds_probe) || slice.asks_probe,
-                               .second_probe = inputs.second_probe[kOwn],
-                               .falling_edge = inputs.falling_edge[kOwn]};
-  capture_.follow(request, terminals(), position_valid() && !held_);
+  wired_ = {.mark = inputs.search_mark[kOwn],
+            .probe = inputs.evaluate_probe[kOwn],
+            .second_probe = inputs.second_probe[kOwn],
+            .falling_edge = inputs.falling_edge[kOwn]};
+  capture_.follow(released(wired_, slice), terminals(), position_valid() && !held_);
   reference_lost_ = std::exchange(invalidated_, false) || !position_valid();
+}
+
+/// What the inputs ask for, as far as the positioner does not hold it back; its word counts from the beginning of
+/// the slice that has passed.
+CaptureRequest ActualPosition::released(const CaptureRequest& wired, const Slice& slice) noexcept {
+  CaptureRequest request = wired;
+  request.mark = wired.mark && !slice.holds_mark;
+  request.probe = (wired.probe && !slice.holds_probe) || slice.asks_probe;
+  return request;
 }
 
 /// Another scale, or another encoder: the position begins as after power-on, and no adjustment fits it.

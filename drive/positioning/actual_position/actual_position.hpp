@@ -177,6 +177,7 @@ class ActualPosition {
   };
 
   Mechanics mechanics() const noexcept;
+  static CaptureRequest released(const CaptureRequest& wired, const Slice& slice) noexcept;
   CaptureTerminals terminals() const noexcept;
   bool is_absolute() const noexcept { return encoder_.type == motor::EncoderType::Absolute; }
   std::int64_t added() const noexcept;
@@ -205,6 +206,7 @@ class ActualPosition {
   std::int64_t offset_ = 0;  // LU, all that was set and corrected since power-on
   Backlash backlash_{};
   PositionCapture capture_{};
+  CaptureRequest wired_{};  // as the inputs asked at the end of the slice that has passed
   Length measured_{};
   double velocity_ = 0.0;
   std::int64_t modulo_range_ = 0;

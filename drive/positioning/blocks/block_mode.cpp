@@ -40,11 +40,12 @@ bool BlockMode::may_start(ModeContext& context) const noexcept {
 
 /// In a motion the selected block takes it over where it is.
 void BlockMode::start(ModeContext& context) noexcept {
+  const auto block = BlockTable{context.settings}.find(selected(context.inputs));
+  if (!active_ && block->task != BlockTask::FixedStop) release(context);
   if (active_)
     base_ = change_position_ = std::round(context.inputs.actual_position);
   else
     base_ = std::round(context.travel.planned_position());
-  const auto block = BlockTable{context.settings}.find(selected(context.inputs));
   active_ = true;
   rejected_ = false;
   acknowledges_ = true;
