@@ -14,6 +14,7 @@ using drive::Refusal;
 using drive::storage_image::Selection;
 
 constexpr std::uint16_t kRestart = 972;
+constexpr std::uint16_t kAdjustmentOffset = 2525;
 
 // Values of p0972 and p0976.
 constexpr int kRestartNow = 1;
@@ -75,6 +76,16 @@ void ParameterStorage::end_save(bool kept) noexcept {
   if (!kept) return;
   length_ = length;
   std::swap(image_, spare_);
+  tell_axes();
+}
+
+/// An adjustment of an absolute encoder is no longer unsaved once its offset is in the image.
+void ParameterStorage::tell_axes() noexcept {
+  for (drive::Axis& axis : unit_.axes()) {
+    drive::ActualPosition& position = axis.block<drive::ActualPosition>();
+    const auto offset = saved().find(axis.number(), kAdjustmentOffset, 0);
+    if (offset && decode(*offset) == position.settings.adjustment_offset) position.on_saved();
+  }
 }
 
 std::optional<Refusal> ParameterStorage::store(ParameterGroup group) noexcept {

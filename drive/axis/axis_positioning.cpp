@@ -53,7 +53,8 @@ void Axis::show_position_messages() noexcept {
   if (actual.reference_lost()) positioner.lose_reference();
   messages.show(SaveAdjustment, actual.adjustment_unsaved());
   messages.show(NoEncoder, actual.has_no_encoder());
-  messages.show(ReferenceInterrupted, actual.interrupted() && !block_asked_for_probe_);
+  messages.show(ReferenceInterrupted,
+                actual.interrupted() && !block_asked_for_probe_ && !positioner.search_has_failed());
   messages.show(SettingValueActive, actual.is_held());
   messages.show(ProbeNotPossible, actual.probe_impossible(), static_cast<std::uint32_t>(actual.probe_refusal()));
   messages.show(Encoder1ProbeNotPossible, actual.encoder_1_probe_impossible(),
@@ -94,8 +95,9 @@ void Axis::lead_position() noexcept {
 
 bool Axis::is_position_control_possible() const noexcept {
   const SpeedControl& control = block<SpeedControl>();
-  return block<ActualPosition>().position_valid() && control.settings.control_mode == kSpeedControlWithEncoder &&
-         !control.torque_control() && !jogs() && !block<Identification>().leads() && !brake_opens();
+  return block<ActualPosition>().position_valid() && block<SequenceControl>().operates() &&
+         control.settings.control_mode == kSpeedControlWithEncoder && !control.torque_control() && !jogs() &&
+         !block<Identification>().leads() && !brake_opens();
 }
 
 void Axis::control_position() noexcept {

@@ -73,7 +73,7 @@ void Axis::lose_connection() noexcept {
 
 Reaction Axis::reaction_to(const FaultRow& row) const noexcept {
   const bool abort = row.number == kConnectionAbort;
-  const Reaction standard = abort ? block<SequenceControl>().abort_reaction() : row.reaction;
+  const Reaction standard = abort ? block<SequenceControl>().abort_reaction() : standard_reaction(row);
   return messages().settings.reaction_to(row).value_or(standard);
 }
 

@@ -47,7 +47,7 @@ struct FaultRow {
   Kind kind;
   Scope scope;
   Reaction reaction;
-  Reactions alternatives;  ///< what p2100 and p2101 can set instead
+  Reactions alternatives;  ///< what p2100 and p2101 can set instead; of an alarm, its reaction as a fault or none
   Acknowledge acknowledge;
   Propagation propagation;
   std::uint16_t emcy_code;      ///< 0 = no EMCY
@@ -55,6 +55,13 @@ struct FaultRow {
   std::string_view name;
   std::string_view cause;
 };
+
+/// The reaction to @p row where p2100 and p2101 name no other one; of an alarm, that to the fault which p2118 and
+/// p2119 make of it.
+constexpr Reaction standard_reaction(const FaultRow& row) noexcept {
+  const bool stops = row.kind == Kind::Alarm && row.alternatives == bit_of(Reaction::Off1);
+  return stops ? Reaction::Off1 : row.reaction;
+}
 
 /// Every fault and alarm of the unit, ascending by number.
 std::span<const FaultRow> fault_rows() noexcept;

@@ -26,8 +26,9 @@ const std::map<std::string, Acknowledge> kAcknowledges{{"NONE", Acknowledge::Non
 const std::map<std::string, Scope> kScopes{
     {"AXIS", Scope::Axis}, {"CU", Scope::ControlUnit}, {"BOTH", Scope::Both}};
 
-/// "[settable: OFF2 (NONE, OFF1)]" in the cause.
+/// "[settable: OFF2 (NONE, OFF1)]" in the cause, or of an alarm "[settable as fault: OFF1]".
 Reactions alternatives_in(const std::string& cause) {
+  if (cause.find("[settable as fault: OFF1]") != std::string::npos) return bit_of(Reaction::Off1);
   static const std::regex kSettable{R"(\[settable: \S+ \(([^)]*)\)\])"};
   static const std::regex kName{"[A-Z0-9/]+"};
   std::smatch settable;

@@ -132,7 +132,7 @@ TEST_F(ParameterList, IsCompleteAndReadableInEveryIndex) {
     EXPECT_EQ(unit_.read(object, row.number, row.count).error().reason, beyond);
   });
 
-  EXPECT_EQ(found, 973);  // 49 of the control unit, 2 x 375 of the axes, 3 x 58 of all
+  EXPECT_EQ(found, 1109);  // 49 of the control unit, 2 x 443 of the axes, 3 x 58 of all
 }
 
 TEST_F(ParameterList, HasItsTypesAndAccess) {

@@ -76,9 +76,10 @@ const std::vector<ValueInput> kValueInputs{
 /// data, converters.
 const std::set<std::uint16_t> kOtherInputs{738,  739,  740,  741,  742,  743,  744,  745,  2102, 2151, 8746, 8748,
                                            8785, 8786, 8787, 8851, 8861, 8880, 8881, 8882, 8883, 8884, 8899};
-/// Inputs of functions that the drive does not have yet.
+/// Inputs of position control and the positioner, which have tests of their own, and of the technology controller,
+/// which the drive does not have.
 bool is_of_positioner(std::uint16_t number) {
-  return number == 2200 || (number >= 2510 && number <= 2663);
+  return number == 1545 || number == 2200 || (number >= 2508 && number <= 2663) || number == 2730;
 }
 
 /// The drive objects that a source can lie on, seen from axis X.

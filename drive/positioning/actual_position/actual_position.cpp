@@ -46,6 +46,7 @@ void ActualPosition::power_on(std::int64_t counts) noexcept {
   known_.reset();
   backlash_ = {};
   for (PositionChannel& channel : channels_) channel.power_on();
+  wired_ = {};
   adjustment_refused_ = unsaved_ = invalidated_ = false;
 }
 
@@ -105,6 +106,7 @@ void ActualPosition::run(const Slice& slice) noexcept {
   const Backlash play = backlash_;
   const DiscMotion motion{
       .from = start_ + counts_, .to = start_ + slice.counts, .per_revolution = per_revolution_};
+  own().ask(released(wired_, slice), terminals(), position_valid());
   for (PositionChannel& channel : channels_) channel.look(motion, slice.inputs);
   count(slice.counts);
   own().follow(inputs_of(kOwn), without_channel());
@@ -112,8 +114,18 @@ void ActualPosition::run(const Slice& slice) noexcept {
   follow_adjustment(slice.reference_coordinate);
   follow_modulo(slice);
   take_measured(from, play);
+  wired_ = inputs_of(kOwn).request;
   ask(slice);
   reference_lost_ = std::exchange(invalidated_, false) || !position_valid();
+}
+
+/// What the inputs ask for, as far as the positioner does not hold it back; its word counts from the beginning of
+/// the slice that has passed.
+CaptureRequest ActualPosition::released(const CaptureRequest& wired, const Slice& slice) noexcept {
+  CaptureRequest request = wired;
+  request.mark = wired.mark && !slice.holds_mark;
+  request.probe = (wired.probe && !slice.holds_probe) || slice.asks_probe;
+  return request;
 }
 
 /// Another scale, or another encoder: the position begins as after power-on, and no adjustment fits it.
@@ -211,12 +223,8 @@ void ActualPosition::take_measured(Length from, const Backlash& play) noexcept {
 }
 
 /// What is asked for can be waited for while the position is known.
-/// What the positioner has on and does not want now, waits.
 void ActualPosition::ask(const Slice& slice) noexcept {
-  CaptureRequest request = inputs_of(kOwn).request;
-  request.mark = request.mark && !slice.holds_mark;
-  request.probe = (request.probe && !slice.holds_probe) || slice.asks_probe;
-  own().ask(request, terminals(), position_valid());
+  own().ask(released(wired_, slice), terminals(), position_valid());
   encoder_1().ask(inputs_of(kEncoder).request, terminals(), encoder_1_valid());
 }
 

@@ -187,6 +187,7 @@ class ActualPosition {
   };
 
   Mechanics mechanics() const noexcept;
+  static CaptureRequest released(const CaptureRequest& wired, const Slice& slice) noexcept;
   CaptureTerminals terminals() const noexcept;
   PositionChannel& own() noexcept { return channels_.front(); }
   const PositionChannel& own() const noexcept { return channels_.front(); }
@@ -221,6 +222,7 @@ class ActualPosition {
   LengthScale scale_{};
   Length sensed_{};  // of the encoder alone
   Backlash backlash_{};
+  CaptureRequest wired_{};  // as the inputs asked at the end of the slice that has passed
   std::array<PositionChannel, 2> channels_{};  // of index 0 and of encoder 1
   double velocity_ = 0.0;                      // of the encoder
   std::int64_t modulo_range_ = 0;

@@ -15,6 +15,11 @@ double step_share(double time) noexcept {
   return time > 0.0 ? -std::expm1(-PositionControl::kSlice / time) : 1.0;
 }
 
+/// @p distance, or on a modulo axis the shortest one.
+double shortest(double distance, double modulo_range) noexcept {
+  return modulo_range > 0.0 ? distance - modulo_range * std::round(distance / modulo_range) : distance;
+}
+
 }  // namespace
 
 double PositionControl::radians(double units) const noexcept {
@@ -28,10 +33,11 @@ void PositionControl::run(const Slice& slice) noexcept {
   const bool before = enabled_;
   enabled_ = inputs.enable_1 && inputs.enable_2 && slice.is_possible;
   if (!enabled_ || !before) rest();
+  const double former = setpoint_;
   lead_setpoint();
-  following_error_ = model_ - inputs.actual_position;
+  if (enabled_) follow_model(former);
+  following_error_ = shortest(model_ - inputs.actual_position, slice.modulo_range);
   control(slice.modulo_range);
-  if (enabled_) follow_model();
   watch(slice);
 }
 
@@ -66,8 +72,7 @@ double PositionControl::delayed() const noexcept {
 }
 
 void PositionControl::control(double modulo_range) noexcept {
-  deviation_ = setpoint_ - inputs.actual_position;
-  if (modulo_range > 0.0) deviation_ -= modulo_range * std::round(deviation_ / modulo_range);
+  deviation_ = shortest(setpoint_ - inputs.actual_position, modulo_range);
   const double speed = radians(inputs.velocity);
   torque_ = enabled_ ? settings.inertia * (speed - setpoint_speed_) / kSlice : 0.0;
   setpoint_speed_ = speed;
@@ -86,14 +91,17 @@ void PositionControl::control(double modulo_range) noexcept {
   precontrol_ = settings.precontrol * speed;
 }
 
-/// An axis that follows at once: dx/dt = Kv·(setpoint - x) + precontrol.
-void PositionControl::follow_model() noexcept {
+/// An axis that follows at once: dx/dt = Kv·(setpoint - x) + precontrol, over the slice in which the setpoint has
+/// come from @p former on a straight line.
+void PositionControl::follow_model(double former) noexcept {
   const double gain = settings.gain * inputs.gain_share;
   const double velocity = settings.precontrol * inputs.velocity;
-  if (gain > 0.0)
-    model_ += (setpoint_ + velocity / gain - model_) * -std::expm1(-gain * kSlice);
-  else
+  if (!(gain > 0.0)) {
     model_ += velocity * kSlice;
+    return;
+  }
+  const double ahead = (velocity - (setpoint_ - former) / kSlice) / gain;  // of the setpoint, in the end
+  model_ = setpoint_ + ahead + (model_ - former - ahead) * std::exp(-gain * kSlice);
 }
 
 void PositionControl::watch(const Slice& slice) noexcept {

@@ -103,7 +103,7 @@ class PositionControl {
   double delayed() const noexcept;
   void rest() noexcept;
   void control(double modulo_range) noexcept;
-  void follow_model() noexcept;
+  void follow_model(double former) noexcept;
   void watch(const Slice& slice) noexcept;
   void watch_fixed_stop(const Slice& slice) noexcept;
   void watch_standstill() noexcept;

@@ -16,7 +16,9 @@ double braking_way(double velocity, double deceleration) noexcept {
 
 void Travel::bound(const TravelConditions& conditions) noexcept {
   conditions_ = conditions;
-  if (state_ == State::Going) apply();
+  const bool ended = has_arrived() && has_target();
+  if (state_ == State::Going && !ended) apply();
+  if (state_ == State::Interrupted) motion_.brake(goal_deceleration());
 }
 
 void Travel::place(double position) noexcept {
@@ -43,6 +45,20 @@ double Travel::highest_velocity(Direction direction) const noexcept {
   return std::min(conditions_.velocity, conditions_.directed_velocity[place_of(direction)]);
 }
 
+double Travel::hardest_deceleration() const noexcept {
+  return std::max(conditions_.deceleration, state_ != State::Free ? applied_.limits.deceleration : 0.0);
+}
+
+/// @p wanted, or as much more as it takes to stand at the limit ahead, p2573 or what brakes already at the most.
+double Travel::deceleration_to_limits(double wanted) const noexcept {
+  const double velocity = planned_velocity();
+  const double limit = velocity < 0.0 ? conditions_.lower : conditions_.upper;
+  const double way = velocity < 0.0 ? planned_position() - limit : limit - planned_position();
+  if (!(std::abs(velocity) > 0.0) || braking_way(velocity, wanted) <= way + kHair) return wanted;
+  const double hardest = std::max(wanted, hardest_deceleration());
+  return way > 0.0 ? std::min(hardest, braking_way(velocity, 1.0) / way) : hardest;
+}
+
 /// The place that can be reached of what lies beyond a limit; where that has come too close, the place where the
 /// motion can stand.
 double Travel::bounded(double target, double deceleration) const noexcept {
@@ -54,13 +70,18 @@ double Travel::bounded(double target, double deceleration) const noexcept {
                                                                          : conditions_.upper;
   const double lower = conditions_.barred[place_of(Direction::Negative)] ? std::max(conditions_.lower, position)
                                                                          : conditions_.lower;
-  if (target > upper) return velocity > 0.0 && rest > upper ? std::min(target, rest) : upper;
-  if (target < lower) return velocity < 0.0 && rest < lower ? std::max(target, rest) : lower;
+  if (target > upper) return velocity > 0.0 && rest > upper + kHair ? std::min(target, rest) : upper;
+  if (target < lower) return velocity < 0.0 && rest < lower - kHair ? std::max(target, rest) : lower;
   return target;
 }
 
+/// What the goal asks for, within the limits.
+double Travel::goal_deceleration() const noexcept {
+  return deceleration_to_limits(goal_.deceleration * conditions_.deceleration);
+}
+
 Travel::Applied Travel::plan() const noexcept {
-  const double deceleration = goal_.deceleration * conditions_.deceleration;
+  const double deceleration = goal_deceleration();
   const double target = bounded(goal_.target, deceleration);
   const double way = target - planned_position();
   const double heading = std::abs(way) > 0.0 ? way : planned_velocity();
@@ -100,9 +121,9 @@ void Travel::change(const Goal& goal) noexcept {
 }
 
 void Travel::interrupt() noexcept {
-  if (state_ == State::Free || state_ == State::Interrupted) return;
+  if (state_ != State::Going || has_arrived()) return;
   state_ = State::Interrupted;
-  motion_.brake(goal_.deceleration * conditions_.deceleration);
+  motion_.brake(goal_deceleration());
 }
 
 void Travel::resume() noexcept {
@@ -112,8 +133,9 @@ void Travel::resume() noexcept {
 }
 
 void Travel::reject() noexcept {
+  const double deceleration = deceleration_to_limits(conditions_.deceleration);
   state_ = State::Free;
-  motion_.brake(conditions_.deceleration);
+  motion_.brake(deceleration);
 }
 
 Travel::Advance Travel::advance(double dt, bool stops_at_braking_point) noexcept {

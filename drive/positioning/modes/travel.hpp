@@ -80,6 +80,10 @@ class Travel {
   void reject() noexcept;
   /// Stands from one slice to the next where it is; there is no goal any more.
   void freeze() noexcept { place(position()); }
+  /// Standing, it has no goal any more.
+  void release() noexcept {
+    if (is_still()) state_ = State::Free;
+  }
   /// Jerk limiting over @p seconds (0 = off) from the next standstill on.
   void limit_jerk(double seconds) noexcept { motion_.set_jerk_time(seconds); }
 
@@ -110,7 +114,7 @@ class Travel {
   /// Whether the goal has another target than endless.
   bool has_target() const noexcept;
   /// Whether the programmed velocity times override is more than the highest.
-  bool is_capped() const noexcept { return state_ == State::Going && applied_.capped; }
+  bool is_capped() const noexcept { return state_ == State::Going && applied_.capped && !has_arrived(); }
   /// Share of the programmed velocity that is in force.
   double effective_override() const noexcept;
   const TravelConditions& conditions() const noexcept { return conditions_; }
@@ -140,6 +144,9 @@ class Travel {
   };
 
   Applied plan() const noexcept;
+  double deceleration_to_limits(double wanted) const noexcept;
+  double hardest_deceleration() const noexcept;
+  double goal_deceleration() const noexcept;
   double bounded(double target, double deceleration) const noexcept;
   double highest_velocity(Direction direction) const noexcept;
   void apply() noexcept;

@@ -38,17 +38,18 @@ void Positioner::run(const PositionerSlice& slice) noexcept {
   follow_enable(slice, context);
   stop_cams_.run(context);
   bound(slice);
-  limit_jerk();
   follow_blocks();
   flying_.run(context);
   set_reference(context);
   choose_mode(context);
   run_mode(context);
+  limit_jerk();
   move(context, slice);
   watch_limits();
   watch_actual_position(slice);
-  refusals_.show(inputs, messages_);
+  refusals_.show(inputs, mode(), messages_);
   show_status();
+  if (mode() == PositionerMode::Basic) travel_.release();
   before_ = inputs;
   settled_ = !enabled_ && before == std::array{status_1_, status_2_} && place == travel_.position();
 }
@@ -102,26 +103,26 @@ void Positioner::move_coordinates(double by, bool moves_actual) noexcept {
   travel_.shift(by);
   blocks_.shift(by);
   mdi_.shift(by);
+  search_.shift(by);
   setpoint_moved_by_ += by;
   if (moves_actual) actual_moved_by_ += by;
 }
 
-/// What flying referencing has found has moved the actual value by p2512; an absolute target stays where it is.
+/// What flying referencing has found has moved the actual value by p2512. The setpoint goes with it; the target of
+/// a task stays where it is.
 void Positioner::correct(ModeContext& context) noexcept {
   if (!corrects_next_) return;
   corrects_next_ = false;
   const double by = flying_.difference();
   move_coordinates(by, false);
-  const bool absolute = mdi_.is_active()
-                            ? mdi_.is_absolute()
-                            : blocks_.is_active() && blocks_.block().target_kind() != TargetKind::Relative;
-  if (!absolute || !context.travel.has_target()) return;
+  if (!has_task() || searches() || !context.travel.has_target()) return;
   context.travel.shift_target(-by);
   blocks_.shift(-by);
   mdi_.shift(-by);
 }
 
-/// p2596: in basic state, clamped at a fixed stop, in an interrupted block, or without enable.
+/// p2596: in basic state, clamped at a fixed stop, in an interrupted block, or without enable. A clamped axis goes
+/// on pushing: its setpoint stays as far ahead as it is.
 void Positioner::set_reference(ModeContext& context) noexcept {
   using enum PositioningMessage;
   const double value = std::round(inputs.reference_coordinate[0]);
@@ -133,6 +134,8 @@ void Positioner::set_reference(ModeContext& context) noexcept {
   const bool outside = context.has_modulo() ? value < 0.0 || value >= context.modulo_range
                                             : value < kLowestPosition || value > kHighestPosition;
   if (outside) return messages_.show(ReferenceOutsideRange, true);
+  reference_.is_set = true;
+  if (is_clamped()) return move_coordinates(value - std::round(inputs.actual_position), true);
   const double by = value - travel_.position();
   if (interrupted) {
     const bool absolute = blocks_.block().target_kind() != TargetKind::Relative;
@@ -145,7 +148,6 @@ void Positioner::set_reference(ModeContext& context) noexcept {
     travel_.place(value);
   }
   sets_actual_ = true;
-  reference_.is_set = true;
 }
 
 PositionerMode Positioner::mode() const noexcept {

@@ -57,6 +57,7 @@ class Positioner {
   double moved_setpoint_by() const noexcept { return setpoint_moved_by_; }
   bool sets_actual() const noexcept { return sets_actual_; }  ///< the actual value becomes position()
   bool searches() const noexcept { return search_.is_active(); }
+  bool search_has_failed() const noexcept { return search_.has_failed(); }
   bool is_flying() const noexcept { return flying_.is_active(); }
   bool awaits_mark() const noexcept { return search_.awaits_mark(); }
   bool awaits_probe() const noexcept { return flying_.awaits_probe(); }
@@ -128,6 +129,8 @@ class Positioner {
   // Modes.
   void set_reference(ModeContext& context) noexcept;
   void correct(ModeContext& context) noexcept;
+  bool block_is_requested(const ModeContext& context) const noexcept;
+  bool mdi_is_requested(const ModeContext& context) noexcept;
   void choose_mode(ModeContext& context) noexcept;
   bool is_admitted(ModeContext& context, ModeRequest request, bool Inputs::*signal) noexcept;
   void begin(ModeContext& context, ModeRequest request, bool Inputs::*signal) noexcept;

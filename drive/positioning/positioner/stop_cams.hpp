@@ -35,15 +35,14 @@ class StopCams {
     }
     const double outward = context.travel.velocity() * sign_of(direction);
     if (outward < 0.0 || outward > 0.0) cam.inward = outward < 0.0;
-    const bool pressed = !free;
-    const bool comes = pressed && !cam.pressed;
-    cam.pressed = pressed;
-    if (comes && outward < 0.0) return context.messages.raise(StopCamWrongSide);
-    if (comes && !cam.hit) {
-      cam.hit = true;
-      context.messages.raise(direction == Direction::Negative ? StopCamMinus : StopCamPlus);
-    }
-    if (!pressed && cam.inward) cam.hit = false;
+    const bool comes = !free && !cam.pressed;
+    const bool goes = free && cam.pressed;
+    cam.pressed = !free;
+    if (goes && cam.inward) cam.hit = false;
+    if (!comes || cam.hit) return;
+    if (outward < 0.0) return context.messages.raise(StopCamWrongSide);
+    cam.hit = true;
+    context.messages.raise(direction == Direction::Negative ? StopCamMinus : StopCamPlus);
   }
 
   std::array<Cam, 2> cams_{};

@@ -11,6 +11,7 @@ void FlyingReferencing::run(ModeContext& context) noexcept {
     outside_ = false;
   }
   if (!context.inputs.reference) interrupt();
+  context.messages.show(PositioningMessage::CorrectionOutsideWindow, outside_);
   if (!active_) return;
   const bool measured = awaits_probe_ && context.inputs.measured_value_valid;
   awaits_probe_ = !measured;  // for one slice no request, then the next edge is awaited
@@ -26,6 +27,7 @@ void FlyingReferencing::judge(ModeContext& context) noexcept {
   const double size = std::abs(difference);
   const bool referenced = context.reference.is_set;
   outside_ = referenced && settings.outer_window > 0.0 && size > settings.outer_window;
+  context.messages.show(PositioningMessage::CorrectionOutsideWindow, outside_);
   if (outside_ || (referenced && size < settings.inner_window)) return;
   difference_ = difference;
   corrects_ = true;

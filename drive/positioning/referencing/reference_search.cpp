@@ -4,24 +4,23 @@
 
 namespace drive {
 
+/// Where travel in the direction of the start is barred, nothing starts.
 void ReferenceSearch::start(ModeContext& context) noexcept {
-  direction_ = context.inputs.search_negative ? -1.0 : 1.0;
+  const double direction = context.inputs.search_negative ? -1.0 : 1.0;
+  const bool without_cam = context.settings.has_cam == 0;
+  const bool on_cam = !without_cam && context.inputs.reference_cam;
+  heading_ = on_cam ? -direction : direction;
+  if (context.travel.is_barred(direction_of(heading_))) return;
+  direction_ = direction;
   context.reference.is_set = false;
-  has_reversed_ = false;
-  awaits_mark_ = false;
+  cam_to_mark_ = 0.0;
+  has_reversed_ = has_passed_cam_ = awaits_mark_ = interrupted_ = false;
+  after_reversal_ = Step::None;
   way_ = 0.0;
   last_position_ = context.travel.planned_position();
-  if (context.settings.has_cam == 0) {
-    has_left_cam_ = true;
-    way_begins_ = context.inputs.actual_position;
-    heading_ = direction_;
-    return begin_mark(context);
-  }
-  has_left_cam_ = false;
-  if (context.inputs.reference_cam) {
-    heading_ = -direction_;
-    return begin_mark(context);
-  }
+  has_left_cam_ = without_cam;
+  way_begins_ = context.inputs.actual_position;
+  if (without_cam || on_cam) return begin_mark(context);
   step_ = Step::ToCam;
   go(context, direction_, context.settings.cam_velocity, true);
 }
@@ -38,6 +37,7 @@ void ReferenceSearch::run(ModeContext& context) noexcept {
   if (!context.inputs.reference && step_ != Step::Brake) {
     context.messages.raise(PositioningMessage::ReferenceInterrupted);
     awaits_mark_ = false;
+    interrupted_ = true;
     context.travel.reject();
     step_ = Step::Brake;
   }
@@ -51,8 +51,7 @@ void ReferenceSearch::run(ModeContext& context) noexcept {
       if (context.travel.is_still()) reverse(context);
       break;
     case Step::OnCam:
-      heading_ = -direction_;
-      if (context.travel.is_still()) begin_mark(context);
+      brake_on_cam(context);
       break;
     case Step::ToMark:
       look_for_mark(context);
@@ -66,8 +65,8 @@ void ReferenceSearch::run(ModeContext& context) noexcept {
   }
 }
 
-void ReferenceSearch::fail(ModeContext& context, PositioningMessage message) noexcept {
-  context.messages.raise(message);
+void ReferenceSearch::fail(ModeContext& context, PositioningMessage message, std::uint32_t value) noexcept {
+  context.messages.raise(message, value);
   awaits_mark_ = false;
   context.travel.reject();
   step_ = Step::Brake;
@@ -92,7 +91,8 @@ void ReferenceSearch::look_for_cam(ModeContext& context) noexcept {
     step_ = Step::OnCam;
     return context.travel.reject();
   }
-  if (way_ >= context.settings.longest_way_to_cam) return fail(context, PositioningMessage::CamNotFound);
+  const bool at_end = context.travel.has_arrived();
+  if (at_end || way_ >= context.settings.longest_way_to_cam) return fail(context, PositioningMessage::CamNotFound);
   if (!hits_reversing_cam(context)) return;
   step_ = Step::Reverse;
   after_reversal_ = Step::ToCam;
@@ -113,27 +113,42 @@ void ReferenceSearch::begin_mark(ModeContext& context) noexcept {
   go(context, heading_, context.settings.mark_velocity, false);
 }
 
+/// A short cam is passed while the axis brakes: with the direction that step 2 has, its end is behind already;
+/// otherwise it is met again on the way back.
+void ReferenceSearch::brake_on_cam(ModeContext& context) noexcept {
+  const bool against = heading_ * direction_ < 0.0;
+  const bool on_cam = context.inputs.reference_cam;
+  if (against && !on_cam && !has_left_cam_) leave_cam(context);
+  if (!context.travel.is_still()) return;
+  has_passed_cam_ = !against && !on_cam;
+  heading_ = -direction_;
+  begin_mark(context);
+}
+
+void ReferenceSearch::leave_cam(const ModeContext& context) noexcept {
+  has_left_cam_ = true;
+  way_begins_ = context.inputs.actual_position;
+  awaits_mark_ = true;
+}
+
+void ReferenceSearch::look_for_end_of_cam(ModeContext& context) noexcept {
+  const bool on_cam = context.inputs.reference_cam;
+  if (on_cam) has_passed_cam_ = false;
+  if (!on_cam && !has_passed_cam_) return leave_cam(context);
+  if (context.travel.is_at_limit(direction_of(heading_))) fail(context, PositioningMessage::EndOfCamNotFound);
+}
+
 void ReferenceSearch::look_for_mark(ModeContext& context) noexcept {
   const PositionerInputs& inputs = context.inputs;
-  if (!has_left_cam_) {
-    if (inputs.reference_cam) {
-      const Direction direction = direction_of(heading_);
-      if (context.travel.is_at_limit(direction)) fail(context, PositioningMessage::EndOfCamNotFound);
-      return;
-    }
-    has_left_cam_ = true;
-    way_begins_ = inputs.actual_position;
-    awaits_mark_ = true;
-    return;
-  }
+  if (!has_left_cam_) return look_for_end_of_cam(context);
   if (awaits_mark_ && inputs.measured_value_valid) return take_mark(context);
   awaits_mark_ = true;
   const double way = std::abs(inputs.actual_position - way_begins_);
-  if (way > context.settings.longest_way_to_mark) return fail(context, PositioningMessage::MarkNotFound);
+  if (way > context.settings.longest_way_to_mark || context.travel.has_arrived())
+    return fail(context, PositioningMessage::MarkNotFound);
   if (context.settings.has_cam != 0) return;
-  const bool has_turned = has_reversed_;
   if (!hits_reversing_cam(context)) return;
-  if (has_turned || after_reversal_ == Step::ToMark) return fail(context, PositioningMessage::MarkNotFound);
+  if (after_reversal_ == Step::ToMark) return fail(context, PositioningMessage::MarkNotFound);
   step_ = Step::Reverse;
   after_reversal_ = Step::ToMark;
   context.travel.reject();
@@ -148,15 +163,18 @@ void ReferenceSearch::take_mark(ModeContext& context) noexcept {
   if (way > settings.longest_way_to_mark) return fail(context, PositioningMessage::MarkNotFound);
   if (way < settings.longest_way_to_mark - settings.mark_tolerance) return;
   cam_to_mark_ = mark - way_begins_;
-  point_ = mark + settings.reference_offset;
+  const double point = mark + settings.reference_offset;
   step_ = Step::ToPoint;
   static_cast<void>(context.travel.start(
-      {.target = point_, .velocity = settings.reference_point_velocity, .follows_override = false}));
+      {.target = point, .velocity = settings.reference_point_velocity, .follows_override = false}));
 }
 
 /// The reference point has its coordinate; what the actual value lags behind by, it goes on lagging.
 void ReferenceSearch::arrive(ModeContext& context) noexcept {
-  context.reference.moved_by = context.inputs.reference_coordinate[0] - context.travel.goal().target;
+  const double coordinate = std::round(context.inputs.reference_coordinate[0]);
+  if (coordinate < kLowestPosition || coordinate > kHighestPosition)
+    return fail(context, PositioningMessage::ReferenceOutOfRange, static_cast<std::uint32_t>(kHighestPosition));
+  context.reference.moved_by = coordinate - context.travel.goal().target;
   context.reference.is_set = true;
   step_ = Step::None;
 }
