@@ -82,6 +82,7 @@ struct Axis::Schedule {
       Turn{Phase::Sequence, kPlace<SpeedControl>,     &Axis::choose_mode},
       Turn{Phase::Sequence, kPlace<Jog>,              &Axis::follow_jog_bits, function_module::kSetpointChannel},
       Turn{Phase::Sequence, kPlace<SequenceControl>,  &Axis::control_sequence},
+      Turn{Phase::Setpoint, kPlace<SequenceControl>, &Axis::refresh_status, function_module::kPositionControl},
       Turn{Phase::Setpoint, kPlace<SpeedSetpoint2>,   &Axis::stand_by},
       Turn{Phase::Setpoint, kPlace<SetpointChannel>,  &Axis::lead_setpoint},
       Turn{Phase::Torque,   kPlace<PowerUnit>,        &Axis::begin_sums},
