@@ -143,24 +143,6 @@ void DriveUnit::rest_others(const Running& running, double duration) noexcept {
     if (!running.runs[i]) axes_[i].rest(duration, dc_link_.voltage());
 }
 
-/// Where an axis has position control, or switches are beside its way, slices of 1 ms begin among the steps.
-void DriveUnit::move(const Running& running, double duration) noexcept {
-  const long steps = std::lround(duration / motor::kControlPeriod);
-  lowest_dc_voltage_ = dc_link_.voltage();
-  const bool sliced = !switches_.empty() || std::ranges::any_of(running.all(), &Axis::positions);
-  if (observer_ == nullptr && !sliced) [[likely]]
-    return run_steps(running.all(), steps);
-  for (long step = 0; step < steps;) {
-    if (sliced && steps_in_slice_ == 0) run_slice(running);
-    const long until_slice = sliced ? std::min(steps - step, kStepsInASlice - steps_in_slice_) : steps;
-    const long count = observer_ != nullptr ? 1 : until_slice;
-    run_steps(running.all(), count);
-    step += count;
-    if (sliced) steps_in_slice_ = (steps_in_slice_ + count) % kStepsInASlice;
-    if (observer_ != nullptr && step < steps) observer_->on_step(step);
-  }
-}
-
 /// Steps of a cycle, side by side on the DC link. At one place, for all of a step to be compiled into it.
 [[gnu::noinline]] void DriveUnit::run_steps(std::span<Axis* const> moved, long steps) noexcept {
   double lowest = lowest_dc_voltage_;

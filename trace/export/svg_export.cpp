@@ -13,7 +13,7 @@ namespace trace {
 namespace {
 
 constexpr double kWidth = 1200.0;
-constexpr double kUnitLeft = 6.0;
+constexpr double kUnitPlace = 16.0;  // reads upwards
 constexpr double kLeft = 90.0;
 constexpr double kRight = kWidth - 20.0;
 constexpr double kTitleHeight = 30.0;
@@ -134,7 +134,9 @@ class Picture {
       svg_.line(kLeft - 4.0, y, kLeft, y, "stroke=\"#606060\"");
       svg_.text(kLeft - 7.0, y + 4.0, tick_text(tick, step), Anchor::End, kSmall);
     }
-    svg_.text(kUnitLeft, lane.top + 0.5 * lane.height + 4.0, lane.unit);
+    const double middle = lane.top + 0.5 * lane.height;
+    svg_.text(kUnitPlace, middle, lane.unit, Anchor::Middle,
+              fmt::format("transform=\"rotate(-90 {:.1f} {:.1f})\"", kUnitPlace, middle));
   }
 
   void events() {

@@ -29,6 +29,7 @@ void Positioner::run(const PositionerSlice& slice) noexcept {
   is_first_slice_ = false;
   actual_moved_by_ = setpoint_moved_by_ = 0.0;
   sets_actual_ = false;
+  searched_ = search_.is_active();
   const std::array before{status_1_, status_2_};
   const double place = travel_.position();
   follow_modulo(slice);

@@ -56,7 +56,8 @@ class Positioner {
   /// By how much the coordinates of the setpoint have moved (LU).
   double moved_setpoint_by() const noexcept { return setpoint_moved_by_; }
   bool sets_actual() const noexcept { return sets_actual_; }  ///< the actual value becomes position()
-  bool searches() const noexcept { return search_.is_active(); }
+  /// Whether a search runs, or did in the last slice: what it has asked for is its own until then.
+  bool searches() const noexcept { return search_.is_active() || searched_; }
   bool search_has_failed() const noexcept { return search_.has_failed(); }
   bool is_flying() const noexcept { return flying_.is_active(); }
   bool awaits_mark() const noexcept { return search_.awaits_mark(); }
@@ -160,6 +161,7 @@ class Positioner {
   bool was_enabled_ = false;  // since power-on, or since the position became valid
   bool tracks_ = true;
   bool settled_ = false;
+  bool searched_ = false;  // when the slice began
   bool blocks_changed_ = true;
   bool sets_actual_ = false;
   bool corrects_next_ = false;  // p2512 takes the correction of the slice before
