@@ -205,5 +205,20 @@ TEST(PositionerEnable, JogOfTheSetpointChannelIsWithoutEffectInPositionControl) 
   EXPECT_TRUE(unit.messages().empty());
 }
 
+TEST(PositionerEnable, ModesOfOperationAsProcessDataChangeNothing) {
+  for (const std::int8_t mode : std::initializer_list<std::int8_t>{4, 2}) {
+    PositioningUnit unit;
+    prepare(unit);
+    unit.move(100000.0, 600.0);
+    unit.run(200);
+    unit.axis().process_data().requested_mode = mode;
+    unit.run(100);
+    EXPECT_TRUE(unit.bit(2526, 3));
+    EXPECT_EQ(unit.read(2666), 600.0);
+    EXPECT_EQ(unit.axis().actual().mode, 3) << "6061h";
+    EXPECT_TRUE(unit.messages().empty());
+  }
+}
+
 }  // namespace
 }  // namespace drive
