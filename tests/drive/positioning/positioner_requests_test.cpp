@@ -196,6 +196,23 @@ TEST(PositionerRequests, ASignalByAProbeThatIsNowhereIsAnAlarm) {
   EXPECT_FALSE(unit.has(7498));
 }
 
+TEST(PositionerRequests, SettingTheReferenceFarFromItsCoordinateIsBeyondNoLimit) {
+  PositioningUnit unit;
+  unit.enable();
+  unit.set(2580, -1000.0);
+  unit.set(2581, 1000.0);
+  unit.set(2582, 1.0);
+  unit.move(5000.0, 600.0, false);
+  ASSERT_TRUE(unit.run_until([&] { return unit.is_done(); }));
+  unit.set(2647, 0.0);
+  unit.run(2);
+  unit.set_reference(200.0);
+  unit.run(5);
+  EXPECT_EQ(unit.read(2665), 200.0);
+  EXPECT_NEAR(unit.read(2521), 200.0, 2.0);
+  EXPECT_TRUE(unit.messages().empty());
+}
+
 TEST(PositionerRequests, AreTakenOnceWhateverTheProcessDataCycle) {
   constexpr std::array kAwake{true};
   constexpr double kCycle = 4e-3;
