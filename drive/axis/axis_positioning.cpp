@@ -94,8 +94,9 @@ void Axis::lead_position() noexcept {
 
 bool Axis::is_position_control_possible() const noexcept {
   const SpeedControl& control = block<SpeedControl>();
-  return block<ActualPosition>().position_valid() && control.settings.control_mode == kSpeedControlWithEncoder &&
-         !control.torque_control() && !jogs() && !block<Identification>().leads() && !brake_opens();
+  return block<ActualPosition>().position_valid() && block<SequenceControl>().operates() &&
+         control.settings.control_mode == kSpeedControlWithEncoder && !control.torque_control() && !jogs() &&
+         !block<Identification>().leads() && !brake_opens();
 }
 
 void Axis::control_position() noexcept {
@@ -105,7 +106,7 @@ void Axis::control_position() noexcept {
   PositionControl& control = block<PositionControl>();
   const bool reacts =
       sequence.state() == State::FaultReactionActive || sequence.inputs.has_off2() || sequence.inputs.has_off3();
-  control.run({.is_possible = is_position_control_possible() && sequence.state() != State::FaultReactionActive,
+  control.run({.is_possible = is_position_control_possible(),
                .requests_tracking = reacts,
                .modulo_range = positioner.modulo_range(),
                .stop_deviation = positioner.settings.fixed_stop_following_error,

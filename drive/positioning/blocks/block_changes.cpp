@@ -31,17 +31,19 @@ void BlockMode::run(ModeContext& context) noexcept {
     if (travel.is_still()) abandon();
     return;
   }
+  note_signal(context);
   if (!inputs.no_intermediate_stop) return travel.interrupt();
   travel.resume();
-  change_by_signal(context);
+  if (signalled_) go_on(context);
   if (!active_ || block_.moves() || block_.task == BlockTask::Wait) return;
   perform(block_);
   if (block_.task != BlockTask::Goto && block_.continuation() == Continuation::End) return end(context);
   go_on(context);
 }
 
-void BlockMode::change_by_signal(ModeContext& context) noexcept {
-  if (!block_.awaits_signal()) return;
+/// A signal changes the block at once, or when an intermediate stop is over.
+void BlockMode::note_signal(const ModeContext& context) noexcept {
+  if (!block_.awaits_signal() || signalled_) return;
   const bool by_probe = context.settings.external_change == kByProbe;
   const bool came = by_probe ? context.rises(&PositionerInputs::measured_value_valid)
                              : context.rises(&PositionerInputs::external_change);
@@ -49,11 +51,11 @@ void BlockMode::change_by_signal(ModeContext& context) noexcept {
   took_probe_ = by_probe;
   change_position_ = std::round(by_probe ? context.inputs.measured_position : context.inputs.actual_position);
   base_ = change_position_;
-  go_on(context);
+  signalled_ = true;
 }
 
 void BlockMode::conclude(ModeContext& context, bool in_window) noexcept {
-  if (!active_ || rejected_ || context.travel.is_interrupted()) return;
+  if (!active_ || rejected_ || !context.inputs.no_intermediate_stop) return;
   if (block_.task == BlockTask::FixedStop) {
     if (!fixed_stop_.has_torque()) return;
     return task_is_over(context, true);

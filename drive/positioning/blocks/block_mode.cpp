@@ -8,7 +8,7 @@ namespace {
 
 using enum PositioningMessage;
 
-constexpr double kMillisecond = 1e-3;
+constexpr double kMilliseconds = 1e3;  // of a second
 constexpr double kHundredth = 0.01;
 constexpr int kMostChanges = static_cast<int>(kTraversingBlocks);
 
@@ -40,8 +40,6 @@ bool BlockMode::may_start(ModeContext& context) const noexcept {
 
 /// In a motion the selected block takes it over where it is.
 void BlockMode::start(ModeContext& context) noexcept {
-  context.refusals.accept();
-  context.messages.show(ChangeNotRequested, false);
   const auto block = BlockTable{context.settings}.find(selected(context.inputs));
   if (!active_ && block->task != BlockTask::FixedStop) release(context);
   if (active_)
@@ -56,14 +54,14 @@ void BlockMode::start(ModeContext& context) noexcept {
 
 void BlockMode::begin(ModeContext& context, const TraversingBlock& block) noexcept {
   block_ = block;
-  is_over_ = false;
+  is_over_ = signalled_ = false;
   const BlockTable table{context.settings};
   if (inconsistency(table, block, limits_))
     return fail(context, BlockInconsistent, static_cast<std::uint32_t>(block.number));
   if (block.task != BlockTask::FixedStop && block.moves()) release(context);
   if (block.task == BlockTask::FixedStop) return begin_fixed_stop(context);
   if (block.moves()) return begin_motion(context);
-  wait_ = block.task == BlockTask::Wait ? block.parameter * kMillisecond : 0.0;
+  wait_ = block.task == BlockTask::Wait ? block.parameter : 0.0;
   if (!context.travel.is_still() && block.task == BlockTask::Wait) context.travel.reject();
 }
 
@@ -187,19 +185,18 @@ bool BlockMode::changes_at_braking_point(const ModeContext& context) const noexc
   const Travel& travel = context.travel;
   if (!active_ || rejected_ || is_over_ || travel.is_interrupted() || travel.is_past_braking_point()) return false;
   if (block_.task == BlockTask::FixedStop) return fixed_stop_.is_active() && !fixed_stop_.is_clamped();
-  const bool flies =
-      block_.continuation() == Continuation::Flying || block_.continuation() == Continuation::External;
-  return block_.task == BlockTask::Positioning && flies && !travel.is_cut_off();
+  return block_.task == BlockTask::Positioning && flies() && !travel.is_cut_off();
 }
 
 void BlockMode::advance(ModeContext& context, double dt) noexcept {
   double left = dt;
   for (int changes = 0; left > 0.0 && changes < kMostChanges; ++changes) {
-    if (is_waiting() && context.travel.is_still() && !context.travel.is_interrupted()) {
-      const double waited = std::min(wait_, left);
+    if (is_waiting() && context.travel.is_still()) {
+      const double waited = std::min(wait_, left * kMilliseconds);
       wait_ -= waited;
-      left -= waited;
-      if (wait_ > 0.0 || block_.awaits_signal() || block_.continuation() == Continuation::End) break;
+      left -= waited / kMilliseconds;
+      const bool stays = block_.awaits_signal() || block_.continuation() == Continuation::End;
+      if (wait_ > 0.0 || stays || !context.inputs.no_intermediate_stop) break;
       go_on(context);
       continue;
     }

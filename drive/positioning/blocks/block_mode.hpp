@@ -46,8 +46,13 @@ class BlockMode {
   /// Jerk limiting by the JERK task.
   bool limits_jerk() const noexcept { return limits_jerk_; }
   /// Time that a WAIT still takes (s).
-  double remaining_wait() const noexcept { return wait_; }
+  double remaining_wait() const noexcept { return wait_ / 1000.0; }
   bool is_waiting() const noexcept { return active_ && block_.task == BlockTask::Wait && !is_over_; }
+  /// Whether the target of the block is passed on the way to the next one.
+  bool flies() const noexcept {
+    return active_ &&
+           (block_.continuation() == Continuation::Flying || block_.continuation() == Continuation::External);
+  }
   /// Whether it stands at its target and waits for a signal.
   bool awaits_signal() const noexcept { return active_ && is_over_ && block_.awaits_signal(); }
   const FixedStop& fixed_stop() const noexcept { return fixed_stop_; }
@@ -67,7 +72,7 @@ class BlockMode {
   void take_flying_successor(ModeContext& context) noexcept;
   void perform(const TraversingBlock& block) noexcept;
   void go_on(ModeContext& context) noexcept;
-  void change_by_signal(ModeContext& context) noexcept;
+  void note_signal(const ModeContext& context) noexcept;
   void fail(ModeContext& context, PositioningMessage message, std::uint32_t value) noexcept;
   void end(ModeContext& context) noexcept;
   void task_is_over(ModeContext& context, bool in_window) noexcept;
@@ -77,11 +82,12 @@ class BlockMode {
   BlockLimits limits_{};
   double base_ = 0.0;  // what a relative target counts from
   double change_position_ = 0.0;
-  double wait_ = 0.0;  // s
+  double wait_ = 0.0;  // ms, whole as long as slices are
   bool active_ = false;
   bool acknowledges_ = false;
   bool rejected_ = false;
-  bool is_over_ = false;  // the task is done; the next one waits for something
+  bool is_over_ = false;    // the task is done; the next one waits for something
+  bool signalled_ = false;  // the signal for the next block has come
   bool took_probe_ = false;
   bool limits_jerk_ = false;
   std::uint8_t outputs_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace drive {
 namespace {
@@ -29,7 +30,7 @@ bool MdiMode::is_requested(const ModeContext& context) noexcept {
   const PositionerInputs& inputs = context.inputs;
   if (!inputs.mdi) pending_ = false;
   if (!inputs.mdi) return false;
-  if (inputs.mdi_continuous &&
+  if (inputs.mdi_continuous && (!active_ || rejected_) &&
       (context.rises(&PositionerInputs::mdi) || context.rises(&PositionerInputs::mdi_continuous)))
     pending_ = true;
   return inputs.mdi_continuous ? pending_ : context.rises(&PositionerInputs::mdi_transfer);
@@ -43,7 +44,7 @@ bool MdiMode::may_start(ModeContext& context) noexcept {
     context.refusals.refuse(message, signal);
     return false;
   };
-  if (!inputs.no_intermediate_stop) return refused(IntermediateStopMissing);
+  if (!inputs.no_intermediate_stop && !task_) return refused(IntermediateStopMissing);
   if (!inputs.no_reject) return refused(RejectMissing);
   if (inputs.mdi_setting_up) return true;
   const Kind kind = kind_of(inputs);
@@ -56,16 +57,18 @@ bool MdiMode::may_start(ModeContext& context) noexcept {
 }
 
 void MdiMode::start(ModeContext& context) noexcept {
-  context.refusals.accept();
   active_ = true;
+  task_ = false;
   pending_ = false;
   rejected_ = false;
+  begins_ = true;
   take(context);
 }
 
 /// In a motion a new setpoint is taken over at once.
 void MdiMode::take(ModeContext& context) noexcept {
   acknowledges_ = true;
+  if (context.inputs.mdi_setting_up != setting_up_) task_ = false;
   setting_up_ = context.inputs.mdi_setting_up;
   if (setting_up_)
     take_velocity(context);
@@ -76,7 +79,7 @@ void MdiMode::take(ModeContext& context) noexcept {
 double MdiMode::target_of(const ModeContext& context, const Kind& kind) const noexcept {
   const Travel& travel = context.travel;
   const double position = std::round(context.inputs.mdi_position);
-  if (!kind.absolute) return (task_ && !setting_up_ ? target_ : std::round(travel.position())) + position;
+  if (!kind.absolute) return (task_ ? target_ : std::round(travel.position())) + position;
   if (!context.has_modulo()) return position;
   const double place = travel.planned_position();
   const double range = context.modulo_range;
@@ -93,12 +96,10 @@ void MdiMode::take_position(ModeContext& context) noexcept {
   taken_position_ = inputs.mdi_position;
   if (!context.has_modulo() && !kind.absolute && (target > kHighestPosition || target < kLowestPosition)) {
     context.messages.raise(target > 0.0 ? TargetAboveRange : TargetBelowRange);
-    rejected_ = true;
-    return context.travel.reject();
+    return reject(context);
   }
   absolute_ = kind.absolute;
   target_ = target;
-  task_ = true;
   const bool interrupted = context.travel.is_interrupted();
   task_ = context.travel.start({.target = target,
                                 .velocity = std::abs(inputs.mdi_velocity),
@@ -110,7 +111,7 @@ void MdiMode::take_position(ModeContext& context) noexcept {
 /// Both directions, or none, are a standstill.
 void MdiMode::take_velocity(ModeContext& context) noexcept {
   const PositionerInputs& inputs = context.inputs;
-  const Kind kind{.direction = inputs.mdi_positive == inputs.mdi_negative ? 0 : inputs.mdi_positive ? 1 : -1};
+  const Kind kind = kind_of(inputs);
   const double heading = kind.direction != 0                       ? kind.direction
                          : context.travel.planned_velocity() < 0.0 ? -1.0
                                                                    : 1.0;
@@ -133,31 +134,58 @@ bool MdiMode::follows(const ModeContext& context) const noexcept {
   const PositionerInputs& inputs = context.inputs;
   if (inputs.mdi_setting_up || setting_up_) return true;
   const Goal& goal = context.travel.goal();
+  const Kind kind = kind_of(inputs);
+  const Kind before = kind_of(context.before);
   return taken_position_ != inputs.mdi_position || goal.velocity != std::abs(inputs.mdi_velocity) ||
          goal.acceleration != share(inputs.mdi_acceleration) ||
-         goal.deceleration != share(inputs.mdi_deceleration) ||
-         kind_of(inputs).direction != kind_of(context.before).direction;
+         goal.deceleration != share(inputs.mdi_deceleration) || kind.direction != before.direction ||
+         kind.absolute != before.absolute;
 }
 
 void MdiMode::run(ModeContext& context) noexcept {
   const PositionerInputs& inputs = context.inputs;
   Travel& travel = context.travel;
-  if (!rejected_ && (!inputs.mdi || !inputs.no_reject)) {
-    rejected_ = true;
-    travel.reject();
+  const bool edge = context.rises(&PositionerInputs::mdi_transfer);
+  if (!inputs.mdi || !inputs.no_reject) {
+    if (!rejected_) reject(context);
+  } else if (rejected_ && (inputs.mdi_continuous ? pending_ : edge) && may_start(context)) {
+    context.refusals.accept();
+    start(context);
   }
   if (rejected_) {
     if (travel.is_still()) abandon();
     return;
   }
-  const bool transfer = inputs.mdi_continuous ? follows(context) : context.rises(&PositionerInputs::mdi_transfer);
-  if (transfer && (setting_up_ || inputs.mdi_setting_up || may_start(context))) take(context);
-  if (rejected_) return;
-  if (!inputs.mdi_continuous && !inputs.mdi_transfer) acknowledges_ = false;
-  if (inputs.mdi_continuous) acknowledges_ = true;
+  const bool transfer = inputs.mdi_continuous ? follows(context) : edge;
+  const bool begins = std::exchange(begins_, false);  // what led here is taken over already
+  if (transfer && !begins) {
+    if (may_start(context)) {
+      context.refusals.accept();
+      take(context);
+    } else if (inputs.mdi_continuous && setting_up_) {
+      reject(context);  // it would go on without end, and nothing would lead it
+    }
+  }
+  if (!rejected_) stop_or_go(context);
+}
+
+/// The task is lost; the mode ends where the motion does.
+void MdiMode::reject(ModeContext& context) noexcept {
+  rejected_ = true;
+  task_ = acknowledges_ = false;
+  context.travel.reject();
+}
+
+void MdiMode::stop_or_go(ModeContext& context) noexcept {
+  const PositionerInputs& inputs = context.inputs;
+  Travel& travel = context.travel;
+  if (inputs.mdi_continuous)
+    acknowledges_ = true;
+  else if (!inputs.mdi_transfer)
+    acknowledges_ = false;
   if (inputs.no_intermediate_stop)
     travel.resume();
-  else
+  else if (task_)
     travel.interrupt();
   if (task_ && !setting_up_ && travel.has_arrived()) task_ = false;
 }

@@ -42,12 +42,15 @@ class MdiMode {
   void take_position(ModeContext& context) noexcept;
   void take_velocity(ModeContext& context) noexcept;
   bool follows(const ModeContext& context) const noexcept;
+  void reject(ModeContext& context) noexcept;
+  void stop_or_go(ModeContext& context) noexcept;
   double target_of(const ModeContext& context, const Kind& kind) const noexcept;
 
   bool active_ = false;
   bool setting_up_ = false;
   bool task_ = false;
   bool absolute_ = false;
+  bool begins_ = false;    // in this slice
   bool rejected_ = false;  // brakes to the end of the mode
   bool pending_ = false;   // continuous, and not yet begun
   bool acknowledges_ = false;

@@ -18,6 +18,7 @@ void Travel::bound(const TravelConditions& conditions) noexcept {
   conditions_ = conditions;
   const bool ended = has_arrived() && has_target();
   if (state_ == State::Going && !ended) apply();
+  if (state_ == State::Interrupted) motion_.brake(goal_deceleration());
 }
 
 void Travel::place(double position) noexcept {
@@ -74,8 +75,13 @@ double Travel::bounded(double target, double deceleration) const noexcept {
   return target;
 }
 
+/// What the goal asks for, within the limits.
+double Travel::goal_deceleration() const noexcept {
+  return deceleration_to_limits(goal_.deceleration * conditions_.deceleration);
+}
+
 Travel::Applied Travel::plan() const noexcept {
-  const double deceleration = deceleration_to_limits(goal_.deceleration * conditions_.deceleration);
+  const double deceleration = goal_deceleration();
   const double target = bounded(goal_.target, deceleration);
   const double way = target - planned_position();
   const double heading = std::abs(way) > 0.0 ? way : planned_velocity();
@@ -115,9 +121,9 @@ void Travel::change(const Goal& goal) noexcept {
 }
 
 void Travel::interrupt() noexcept {
-  if (state_ == State::Free || state_ == State::Interrupted) return;
+  if (state_ != State::Going || has_arrived()) return;
   state_ = State::Interrupted;
-  motion_.brake(deceleration_to_limits(goal_.deceleration * conditions_.deceleration));
+  motion_.brake(goal_deceleration());
 }
 
 void Travel::resume() noexcept {

@@ -146,6 +146,7 @@ class Travel {
   Applied plan() const noexcept;
   double deceleration_to_limits(double wanted) const noexcept;
   double hardest_deceleration() const noexcept;
+  double goal_deceleration() const noexcept;
   double bounded(double target, double deceleration) const noexcept;
   double highest_velocity(Direction direction) const noexcept;
   void apply() noexcept;

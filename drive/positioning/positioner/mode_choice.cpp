@@ -46,7 +46,8 @@ bool Positioner::is_admitted(ModeContext& context, ModeRequest request, bool Inp
   if (becomes.kind == ModeSwitch::Kind::Ignore) return false;
   if (becomes.kind == ModeSwitch::Kind::Refuse) {
     const auto other = signal_of_mode();
-    context.refusals.clash(becomes.alarm_value, signal, other != nullptr ? other : signal);
+    const bool is_held = other != nullptr && inputs.*other;  // else it brakes, or was started by an edge
+    context.refusals.clash(becomes.alarm_value, signal, is_held ? other : signal, mode());
     return false;
   }
   if (enabled_) return true;
@@ -55,21 +56,36 @@ bool Positioner::is_admitted(ModeContext& context, ModeRequest request, bool Inp
   return false;
 }
 
+/// Whether a rising p2631 asks for a block; where p2650 rises with it, p2647 says whom the edge belongs to.
+bool Positioner::block_is_requested(const ModeContext& context) const noexcept {
+  const bool is_of_mdi = inputs.mdi && mode() != PositionerMode::Blocks && context.rises(&Inputs::mdi_transfer);
+  return BlockMode::is_requested(context) && !is_of_mdi;
+}
+
+/// Whether MDI asks for its mode; not while a block runs, nor as long as what it came together with stands.
+bool Positioner::mdi_is_requested(const ModeContext& context) noexcept {
+  const bool requested = mdi_.is_requested(context);
+  return requested && mode() != PositionerMode::Mdi && mode() != PositionerMode::Blocks &&
+         !refusals_.excludes(&Inputs::mdi, inputs);
+}
+
 void Positioner::choose_mode(ModeContext& context) noexcept {
-  const bool for_mdi = inputs.mdi && mode() != PositionerMode::Blocks;
-  const bool mdi_requested = mdi_.is_requested(context);
+  const bool mdi_requested = mdi_is_requested(context);
+  const bool block_requested = block_is_requested(context);
   if (inputs.mdi && mode() == PositionerMode::Blocks)
-    context.refusals.clash(kMdiAndBlock, &Inputs::mdi, &Inputs::mdi);
-  const bool edge_is_of_mdi = for_mdi && context.rises(&Inputs::mdi_transfer);
-  const bool block_requested = BlockMode::is_requested(context) && !edge_is_of_mdi;
-  if (block_requested && for_mdi)
-    return context.refusals.clash(kMdiAndBlock, &Inputs::mdi, &Inputs::activate_task);
-  const std::array requests{
-      Request{ModeRequest::Jog, jog_signal(context), JogMode::is_requested(context)},
-      Request{ModeRequest::Search, &Inputs::reference, ReferenceSearch::is_requested(context)},
-      Request{ModeRequest::Mdi, inputs.mdi_continuous ? &Inputs::mdi : &Inputs::mdi_transfer,
-              mdi_requested && mode() != PositionerMode::Mdi && mode() != PositionerMode::Blocks},
-      Request{ModeRequest::Block, &Inputs::activate_task, block_requested}};
+    refusals_.clash(kMdiAndBlock, &Inputs::mdi, &Inputs::mdi, PositionerMode::Blocks);
+  if (block_requested && inputs.mdi && mode() == PositionerMode::Basic)
+    return refusals_.clash(kMdiAndBlock, &Inputs::mdi, &Inputs::activate_task);
+  const bool jog_requested = JogMode::is_requested(context);
+  const bool search_requested = ReferenceSearch::is_requested(context);
+  const bool mdi_waits = inputs.mdi_continuous && !context.rises(&Inputs::mdi) &&
+                         !context.rises(&Inputs::mdi_continuous) && mode() == PositionerMode::Basic;
+  const bool mdi_gives_way = mdi_waits && (jog_requested || search_requested);
+  const std::array requests{Request{ModeRequest::Jog, jog_signal(context), jog_requested},
+                            Request{ModeRequest::Search, &Inputs::reference, search_requested},
+                            Request{ModeRequest::Mdi, inputs.mdi_continuous ? &Inputs::mdi : &Inputs::mdi_transfer,
+                                    mdi_requested && !mdi_gives_way},
+                            Request{ModeRequest::Block, &Inputs::activate_task, block_requested}};
   const Request* chosen = nullptr;
   for (const Request& request : requests) {
     if (!request.comes) continue;
@@ -86,25 +102,21 @@ void Positioner::begin(ModeContext& context, ModeRequest request, bool Inputs::*
     if (request == ModeRequest::Mdi) mdi_.stand_by(context);
     return;
   }
-  const auto let_go = [&] {
-    if (mode() == PositionerMode::Basic && blocks_.fixed_stop().is_active()) blocks_.release(context);
-  };
+  if (request == ModeRequest::Mdi && !mdi_.may_start(context)) return;
+  if (request == ModeRequest::Block && !blocks_.may_start(context)) return;
+  refusals_.accept();
+  messages_.show(PositioningMessage::ChangeNotRequested, false);
+  if (request == ModeRequest::Block) return blocks_.start(context);
+  if (blocks_.fixed_stop().is_active()) blocks_.release(context);
   switch (request) {
     case ModeRequest::Jog:
-      refusals_.accept();
-      let_go();
       return jog_.start(context);
     case ModeRequest::Search:
-      refusals_.accept();
-      let_go();
       return search_.start(context);
     case ModeRequest::Mdi:
-      if (!mdi_.may_start(context)) return;
-      let_go();
       return mdi_.start(context);
     case ModeRequest::Block:
-      if (blocks_.may_start(context)) blocks_.start(context);
-      return;
+      break;
   }
 }
 

@@ -38,16 +38,16 @@ void Positioner::run(const PositionerSlice& slice) noexcept {
   follow_enable(slice, context);
   stop_cams_.run(context);
   bound(slice);
-  limit_jerk();
   follow_blocks();
   flying_.run(context);
   set_reference(context);
   choose_mode(context);
   run_mode(context);
+  limit_jerk();
   move(context, slice);
   watch_limits();
   watch_actual_position(slice);
-  refusals_.show(inputs, messages_);
+  refusals_.show(inputs, mode(), messages_);
   show_status();
   if (mode() == PositionerMode::Basic) travel_.release();
   before_ = inputs;

@@ -129,6 +129,8 @@ class Positioner {
   // Modes.
   void set_reference(ModeContext& context) noexcept;
   void correct(ModeContext& context) noexcept;
+  bool block_is_requested(const ModeContext& context) const noexcept;
+  bool mdi_is_requested(const ModeContext& context) noexcept;
   void choose_mode(ModeContext& context) noexcept;
   bool is_admitted(ModeContext& context, ModeRequest request, bool Inputs::*signal) noexcept;
   void begin(ModeContext& context, ModeRequest request, bool Inputs::*signal) noexcept;

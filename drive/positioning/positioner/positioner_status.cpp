@@ -78,7 +78,7 @@ void Positioner::show_status() noexcept {
   const bool fixed = still && !pending;
   if (!fixed || tracks_)
     setpoint_reached_ = false;
-  else if (travel_.has_arrived() && !travel_.is_cut_off() && travel_.has_target())
+  else if (travel_.has_arrived() && !travel_.is_cut_off() && travel_.has_target() && !blocks_.flies())
     setpoint_reached_ = true;
   const double velocity = travel_.velocity();
   const double change = travel_.acceleration() * velocity;
