@@ -83,6 +83,26 @@ TEST(PositionerEnable, LosingItWhileATaskRunsIsAFault) {
   }
 }
 
+TEST(PositionerEnable, LosingItBrakesWithTheRampOfTheReaction) {
+  constexpr double kSpeed = 600.0;  // rpm, at 6000 * 1000 LU/min
+  for (const Loss& loss : kLosses) {
+    if (loss.name == std::string{"OFF2"} || loss.name == std::string{"OFF3"}) continue;
+    SCOPED_TRACE(loss.name);
+    PositioningUnit unit;
+    prepare(unit);
+    unit.set(1121, 10.0);
+    unit.move(500000.0, 6000.0);
+    ASSERT_TRUE(unit.run_until([&] { return unit.read(2666) == 6000.0; }, 3000));
+    unit.run(100);
+    loss.happens(unit);
+    for (int i = 0; i < 20; ++i) {
+      unit.run(1);
+      ASSERT_GT(unit.axis().actual().speed / kRpm, 0.95 * kSpeed) << i;
+    }
+    ASSERT_TRUE(unit.run_until([&] { return unit.read(21) < 0.5 * kSpeed; }, 10000));
+  }
+}
+
 TEST(PositionerEnable, OffAtRestIsNoFault) {
   for (const Loss& loss : kLosses) {
     SCOPED_TRACE(loss.name);

@@ -35,6 +35,23 @@ constexpr Way kWays[] = {
     {0.0, 1.0, 0x130, 0x300, -34000.0},
 };
 
+TEST(PositionerModuloModes, AHalfLengthUnitIsNeverShownOutsideTheRange) {
+  for (const double way : {500.0, -500.0}) {
+    ModuloUnit unit;
+    unit.set(2572, 1000.0);  // half a length unit in the first millisecond
+    unit.set_reference(way > 0.0 ? kRange - 1.0 : 0.0);
+    unit.set(2690, way);
+    unit.set(2691, 600.0);
+    unit.set(2647, 1.0);
+    unit.set(2650, 1.0);
+    for (int i = 0; i < 100; ++i) {
+      unit.run(1);
+      ASSERT_GE(unit.read(2665), 0.0);
+      ASSERT_LE(unit.read(2665), kRange - 1.0);
+    }
+  }
+}
+
 TEST(PositionerModuloModes, MdiGoesTheWayOfItsBits) {
   for (const Way& way : kWays) {
     ModuloUnit unit;
