@@ -19,11 +19,16 @@ constexpr std::array kFixedInterconnections{
     FixedInterconnection{ControlwordBit::Halt, bit_input<&SequenceControl::Inputs::halt>},
 };
 
+/// 6060h as process data, which changes nothing where the axis positions.
+std::optional<std::int8_t> requested_mode(const Axis& axis) noexcept {
+  return axis.positions() ? std::nullopt : axis.process_data().requested_mode;
+}
+
 }  // namespace
 
 void Axis::take_image() noexcept {
   const ProcessDataImage& image = process_data();
-  block<SpeedControl>().inputs.requested_mode = image.requested_mode;
+  block<SpeedControl>().inputs.requested_mode = drive::requested_mode(*this);
   if (controlword_ == image.controlword) return;
   controlword_ = image.controlword;
   for (const FixedInterconnection& row : kFixedInterconnections)
@@ -32,7 +37,7 @@ void Axis::take_image() noexcept {
 
 bool Axis::has_new_image() const noexcept {
   return controlword_ != process_data().controlword ||
-         block<SpeedControl>().inputs.requested_mode != process_data().requested_mode;
+         block<SpeedControl>().inputs.requested_mode != drive::requested_mode(*this);
 }
 
 void Axis::command(const Setpoints& setpoints) noexcept {

@@ -111,7 +111,7 @@ void ActualPosition::run(const Slice& slice) noexcept {
   count(slice.counts);
   own().follow(inputs_of(kOwn), without_channel());
   encoder_1().follow(inputs_of(kEncoder), sensed_.whole);
-  follow_adjustment(slice.reference_coordinate);
+  if (!slice.holds_adjustment) follow_adjustment(slice.reference_coordinate);
   follow_modulo(slice);
   take_measured(from, play);
   wired_ = inputs_of(kOwn).request;

@@ -30,7 +30,7 @@ bool MdiMode::is_requested(const ModeContext& context) noexcept {
   const PositionerInputs& inputs = context.inputs;
   if (!inputs.mdi) pending_ = false;
   if (!inputs.mdi) return false;
-  if (inputs.mdi_continuous &&
+  if (inputs.mdi_continuous && (!active_ || rejected_) &&
       (context.rises(&PositionerInputs::mdi) || context.rises(&PositionerInputs::mdi_continuous)))
     pending_ = true;
   return inputs.mdi_continuous ? pending_ : context.rises(&PositionerInputs::mdi_transfer);
@@ -158,9 +158,13 @@ void MdiMode::run(ModeContext& context) noexcept {
   }
   const bool transfer = inputs.mdi_continuous ? follows(context) : edge;
   const bool begins = std::exchange(begins_, false);  // what led here is taken over already
-  if (transfer && !begins && may_start(context)) {
-    context.refusals.accept();
-    take(context);
+  if (transfer && !begins) {
+    if (may_start(context)) {
+      context.refusals.accept();
+      take(context);
+    } else if (inputs.mdi_continuous && setting_up_) {
+      reject(context);  // it would go on without end, and nothing would lead it
+    }
   }
   if (!rejected_) stop_or_go(context);
 }

@@ -82,7 +82,8 @@ bool Positioner::tracks_now(const PositionerSlice& slice) const noexcept {
   return !enabled_ && (inputs.tracking[0] || inputs.tracking[1] || !was_enabled_ || slice.has_fault);
 }
 
-/// Losing the enable ends the task; a fault of its own says so if no other one does.
+/// Losing the enable ends the task; a fault of its own says so if no other one does, and until that takes the axis
+/// over the setpoint brakes.
 void Positioner::follow_enable(const PositionerSlice& slice, ModeContext& context) noexcept {
   const bool before = enabled_;
   enabled_ = inputs.enable && inputs.position_valid;
@@ -92,10 +93,13 @@ void Positioner::follow_enable(const PositionerSlice& slice, ModeContext& contex
     if (has_task() && !slice.has_fault && !messages_.has_fault())
       messages_.raise(PositioningMessage::EnableWithdrawn);
     abandon();
-    travel_.freeze();
+    if (inputs.position_valid)
+      travel_.reject();
+    else
+      travel_.freeze();
   }
   was_enabled_ = was_enabled_ || enabled_;
-  tracks_ = tracks_now(slice);
+  tracks_ = tracks_now(slice) && (slice.has_fault || travel_.is_still());
   if (tracks_) travel_.place(inputs.actual_position);
 }
 

@@ -68,7 +68,7 @@ class Positioner {
   bool limits_torque() const noexcept { return blocks_.fixed_stop().is_active(); }
   double torque_limit() const noexcept { return blocks_.fixed_stop().torque(); }
 
-  double position() const noexcept { return travel_.position(); }                      ///< r2665 (LU)
+  double position() const noexcept;                                                    ///< r2665 (LU)
   double velocity() const noexcept { return travel_.velocity(); }                      ///< r2666 (LU/s)
   double mode_word() const noexcept;                                                   ///< r2669
   double block_word() const noexcept;                                                  ///< r2670

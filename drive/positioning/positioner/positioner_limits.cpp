@@ -93,6 +93,7 @@ void Positioner::watch_limits() noexcept {
 /// Beyond a software limit and not on the way back; within the positioning window it is overshoot.
 void Positioner::watch_actual_position(const PositionerSlice& slice) noexcept {
   const bool active = has_software_limits() && inputs.position_valid;
+  const double actual = sets_actual_ ? travel_.position() : inputs.actual_position + actual_moved_by_;
   const auto watch = [&](Direction direction, double beyond, PositioningMessage message) {
     bool& reported = beyond_reported_[place_of(direction)];
     const bool outside = active && beyond > slice.positioning_window;
@@ -102,8 +103,8 @@ void Positioner::watch_actual_position(const PositionerSlice& slice) noexcept {
     reported = true;
     messages_.raise(message);
   };
-  watch(Direction::Negative, inputs.software_limit_minus - inputs.actual_position, BelowLimitMinus);
-  watch(Direction::Positive, inputs.actual_position - inputs.software_limit_plus, AboveLimitPlus);
+  watch(Direction::Negative, inputs.software_limit_minus - actual, BelowLimitMinus);
+  watch(Direction::Positive, actual - inputs.software_limit_plus, AboveLimitPlus);
 }
 
 }  // namespace drive

@@ -1,4 +1,5 @@
 // What the basic positioner shows.
+#include <algorithm>
 #include <cmath>
 
 #include "drive/positioning/positioner/positioner.hpp"
@@ -19,9 +20,17 @@ class Word {
   std::uint16_t word_ = 0;
 };
 
-constexpr unsigned kMdiBit = 15;  // of r2670
+constexpr unsigned kMdiBit = 15;         // of r2670
+constexpr double kBelowHalf = 0.499999;  // LU, is rounded to 0
 
 }  // namespace
+
+/// What a modulo axis shows is rounded, a half away from zero, and that must not lead out of its range.
+double Positioner::position() const noexcept {
+  const double position = travel_.position();
+  const bool wraps = modulo_range_ > 0.0 && position > -1.0 && position < modulo_range_;
+  return wraps ? std::clamp(position, -kBelowHalf, modulo_range_ - 1.0 + kBelowHalf) : position;
+}
 
 double Positioner::mode_word() const noexcept {
   const bool setting_up = mode() == PositionerMode::Mdi && mdi_.is_setting_up();

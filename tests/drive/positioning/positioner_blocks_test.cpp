@@ -19,6 +19,7 @@ enum class Outcome : std::uint8_t {
   Runs,          ///< without end
   Alarms,        ///< A07463, mode 0
   Inconsistent,  ///< F07464
+  Misses,        ///< F07485
 };
 using enum Outcome;
 
@@ -40,6 +41,11 @@ const std::array kRows{
         1,
         0.0,
         {{{Ends, GoesOn, GoesOn, GoesOn, Waits, Alarms}, {Ends, GoesOn, GoesOn, Changes, Changes, Changes}}}},
+    Row{"FIXED STOP",
+        2,
+        1000.0,
+        {{{Misses, Misses, Inconsistent, Misses, Misses, Inconsistent},
+          {Misses, Misses, Inconsistent, Changes, Changes, Inconsistent}}}},
     Row{"ENDLESS_POS", 3, 0.0, {{kEndless, kEndlessChanged}}},
     Row{"ENDLESS_NEG", 4, 0.0, {{kEndless, kEndlessChanged}}},
     Row{"WAIT",
@@ -130,6 +136,11 @@ void expect_outcome(BlockUnit& unit, Outcome outcome, bool lasts, int passed) {
       EXPECT_EQ(unit.value_of(7463), 1);
       unit.start_block(2);
       EXPECT_FALSE(unit.has(7463)) << "gone with the next start";
+      return;
+    case Misses:
+      unit.run(kDone);
+      EXPECT_TRUE(unit.has(7485));
+      EXPECT_EQ(unit.read(2669), 0.0);
       return;
     case Inconsistent:
       EXPECT_EQ(unit.value_of(7464), 1);

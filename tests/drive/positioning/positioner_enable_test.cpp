@@ -83,6 +83,26 @@ TEST(PositionerEnable, LosingItWhileATaskRunsIsAFault) {
   }
 }
 
+TEST(PositionerEnable, LosingItBrakesWithTheRampOfTheReaction) {
+  constexpr double kSpeed = 600.0;  // rpm, at 6000 * 1000 LU/min
+  for (const Loss& loss : kLosses) {
+    if (loss.name == std::string{"OFF2"} || loss.name == std::string{"OFF3"}) continue;
+    SCOPED_TRACE(loss.name);
+    PositioningUnit unit;
+    prepare(unit);
+    unit.set(1121, 10.0);
+    unit.move(500000.0, 6000.0);
+    ASSERT_TRUE(unit.run_until([&] { return unit.read(2666) == 6000.0; }, 3000));
+    unit.run(100);
+    loss.happens(unit);
+    for (int i = 0; i < 20; ++i) {
+      unit.run(1);
+      ASSERT_GT(unit.axis().actual().speed / kRpm, 0.95 * kSpeed) << i;
+    }
+    ASSERT_TRUE(unit.run_until([&] { return unit.read(21) < 0.5 * kSpeed; }, 10000));
+  }
+}
+
 TEST(PositionerEnable, OffAtRestIsNoFault) {
   for (const Loss& loss : kLosses) {
     SCOPED_TRACE(loss.name);
@@ -203,6 +223,21 @@ TEST(PositionerEnable, JogOfTheSetpointChannelIsWithoutEffectInPositionControl) 
   EXPECT_NEAR(unit.read(2521), 0.0, 2.0);
   EXPECT_TRUE(unit.bit(2526, 3));
   EXPECT_TRUE(unit.messages().empty());
+}
+
+TEST(PositionerEnable, ModesOfOperationAsProcessDataChangeNothing) {
+  for (const std::int8_t mode : std::initializer_list<std::int8_t>{4, 2}) {
+    PositioningUnit unit;
+    prepare(unit);
+    unit.move(100000.0, 600.0);
+    unit.run(200);
+    unit.axis().process_data().requested_mode = mode;
+    unit.run(100);
+    EXPECT_TRUE(unit.bit(2526, 3));
+    EXPECT_EQ(unit.read(2666), 600.0);
+    EXPECT_EQ(unit.axis().actual().mode, 3) << "6061h";
+    EXPECT_TRUE(unit.messages().empty());
+  }
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ constexpr std::array<std::array<int, 4>, 4> kValues{{
 void prepare(PositioningUnit& unit) {
   unit.enable();
   unit.set_reference();
-  unit.block(0, {.number = 1, .task = 3, .velocity = 600.0});
+  unit.block(0, {.number = 1, .task = 3, .velocity = 300.0});
   unit.set(2648, 1.0);
   unit.set(2691, 600.0);
   unit.set(2605, 300.0);  // of the search

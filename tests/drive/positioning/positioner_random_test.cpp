@@ -101,6 +101,7 @@ struct RandomUnit : PositioningUnit {
     const bool begins_block = mode == 4 && mode_before != 4;
     EXPECT_TRUE(!begins_block || bit(2684, 11)) << "a block without reference";
     mode_before = mode;
+    modes_seen |= mode;
   }
   void reject() {
     for (const std::uint16_t input : std::initializer_list<std::uint16_t>{2589, 2590, 2595, 2641}) set(input, 0.0);
@@ -109,22 +110,24 @@ struct RandomUnit : PositioningUnit {
     EXPECT_EQ(read(2669), 0.0);
     EXPECT_EQ(read(2666), 0.0);
     EXPECT_FALSE(bit(2684, 15));
-    velocity_before = 0.0;
-    mode_before = 0;
     set(2641, 1.0);
     set(2596, 0.0);
     run(1);
     set(2596, 1.0);
     run(1);
+    velocity_before = positioner().velocity();  // what waits may have begun
+    mode_before = static_cast<unsigned>(read(2669));
   }
 
   Kind kind;
   std::mt19937 random;
   double velocity_before = 0.0;
   unsigned mode_before = 0;
+  unsigned modes_seen = 0;  // of r2669
 };
 
-void expect_soundness(const Kind& kind, std::uint32_t seed) {
+/// Returns the modes that ran.
+unsigned expect_soundness(const Kind& kind, std::uint32_t seed) {
   constexpr int kOrders = 400;
   constexpr int kOrdersToReject = 40;
   RandomUnit unit{kind, seed};
@@ -138,16 +141,20 @@ void expect_soundness(const Kind& kind, std::uint32_t seed) {
     if (i % kOrdersToReject == 0) unit.reject();
     EXPECT_TRUE(unit.axis().messages().faults().empty()) << unit.messages().front();
   }
+  return unit.modes_seen;
 }
 
 TEST(PositionerRandomOrders, NeverBreakWhatHoldsForAll) {
+  constexpr unsigned kAllModes = 0x1F;
+  unsigned seen = 0;
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     for (const Kind& kind : {Kind{}, Kind{.modulo = true}, Kind{.limits_jerk = true}}) {
       SCOPED_TRACE(::testing::Message()
                    << "seed " << seed << ", modulo " << kind.modulo << ", jerk limiting " << kind.limits_jerk);
-      expect_soundness(kind, seed);
+      seen |= expect_soundness(kind, seed);
     }
   }
+  EXPECT_EQ(seen, kAllModes);
 }
 
 }  // namespace
