@@ -223,7 +223,7 @@ class ActualPosition {
   LengthScale scale_{};
   Length sensed_{};  // of the encoder alone
   Backlash backlash_{};
-  CaptureRequest wired_{};  // as the inputs asked at the end of the slice that has passed
+  CaptureRequest wired_{};                     // as the inputs asked at the end of the slice that has passed
   std::array<PositionChannel, 2> channels_{};  // of index 0 and of encoder 1
   double velocity_ = 0.0;                      // of the encoder
   std::int64_t modulo_range_ = 0;

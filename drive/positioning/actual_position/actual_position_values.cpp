@@ -1,10 +1,10 @@
 // What the position shows: r2521 to r2529, and values of its messages.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "drive/positioning/actual_position/actual_position.hpp"
+#include "drive/positioning/actual_position/whole_numbers.hpp"
 
 namespace drive {
 namespace {
@@ -14,8 +14,7 @@ constexpr std::size_t kEncoder = 1;  // of encoder 1, among the values
 
 /// @p whole (LU) at the ends of the range of r2521 if it is beyond.
 constexpr std::int64_t bounded(std::int64_t whole) noexcept {
-  return std::clamp<std::int64_t>(whole, std::numeric_limits<std::int32_t>::min(),
-                                  std::numeric_limits<std::int32_t>::max());
+  return std::clamp(whole, kLowestShown, kHighestShown);
 }
 
 /// Bits of r2526 to r2529.
@@ -51,9 +50,7 @@ double ActualPosition::shown_of(std::size_t index) const noexcept {
 /// Without position control what the encoder has counted, with p2525.
 double ActualPosition::position_of(std::size_t index) const noexcept {
   if (index != kOwn || !runs_) return index == kOwn ? noted_position() : shown_of(index);
-  constexpr double kLowest = std::numeric_limits<std::int32_t>::min();
-  constexpr double kHighest = std::numeric_limits<std::int32_t>::max();
-  return std::clamp(position(), kLowest, kHighest);
+  return std::clamp(position(), static_cast<double>(kLowestShown), static_cast<double>(kHighestShown));
 }
 
 double ActualPosition::noted_position() const noexcept {

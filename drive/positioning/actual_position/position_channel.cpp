@@ -5,13 +5,9 @@
 #include <limits>
 #include <utility>
 
-namespace drive {
+#include "drive/positioning/actual_position/whole_numbers.hpp"
 
-std::int64_t whole_units(double value) noexcept {
-  constexpr double kLowest = std::numeric_limits<std::int32_t>::min();
-  constexpr double kHighest = std::numeric_limits<std::int32_t>::max();
-  return std::llround(std::clamp(value, kLowest, kHighest));
-}
+namespace drive {
 
 void PositionChannel::follow(const ChannelInputs& inputs, std::int64_t sensed) noexcept {
   wired_ = whole_units(inputs.offset);
