@@ -275,6 +275,7 @@ class Axis final : public DriveObject {
 
   InputEdges edges_{};                  // of the slice
   bool block_asked_for_probe_ = false;  // in the slice before
+  bool adjustment_asked_ = false;       // p2507 = 2 in the slice before
 
   std::uint16_t controlword_ = 0;  // of the last cycle
   bool settled_ = false;           // the last cycle changed nothing

@@ -1,6 +1,7 @@
 // The turns of the blocks of positioning, in the slices of 1 ms.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "drive/axis/axis.hpp"
 
@@ -29,17 +30,22 @@ void Axis::read_position() noexcept {
   const Positioner& positioner = block<Positioner>();
   const bool tracks = positioner.tracks();
   const bool asks = positioner.blocks().awaits_probe(positioner.settings);
-  block<ActualPosition>().run({.counts = train_.signals().encoder_counts,
-                               .speed = train_.signals().measured_speed,
-                               .encoder_faulty = has_encoder_fault(),
-                               .inputs = edges_,
-                               .reference_coordinate = positioner.inputs.reference_coordinate[0],
-                               .is_referenced = positioner.is_referenced(),
-                               .holds_mark = positioner.searches() && !positioner.awaits_mark(),
-                               .holds_probe = positioner.is_flying() && !positioner.awaits_probe(),
-                               .asks_probe = asks,
-                               .modulo_range = std::llround(positioner.modulo_range()),
-                               .setpoint = tracks ? std::nullopt : std::optional{positioner.position()}});
+  ActualPosition& actual = block<ActualPosition>();
+  // The coordinate that was written with p2507 is known when the positioner has taken it, a slice later.
+  const bool asked =
+      std::exchange(adjustment_asked_, actual.settings.adjustment == ActualPosition::kStartAdjustment);
+  actual.run({.counts = train_.signals().encoder_counts,
+              .speed = train_.signals().measured_speed,
+              .encoder_faulty = has_encoder_fault(),
+              .inputs = edges_,
+              .reference_coordinate = positioner.inputs.reference_coordinate[0],
+              .is_referenced = positioner.is_referenced(),
+              .holds_mark = positioner.searches() && !positioner.awaits_mark(),
+              .holds_probe = positioner.is_flying() && !positioner.awaits_probe(),
+              .holds_adjustment = !asked,
+              .asks_probe = asks,
+              .modulo_range = std::llround(positioner.modulo_range()),
+              .setpoint = tracks ? std::nullopt : std::optional{positioner.position()}});
   show_position_messages();
   block_asked_for_probe_ = asks;
 }

@@ -114,7 +114,7 @@ void ActualPosition::run(const Slice& slice) noexcept {
   count(slice.counts);
   take_corrections();
   hold_setting_value();
-  follow_adjustment(slice.reference_coordinate);
+  if (!slice.holds_adjustment) follow_adjustment(slice.reference_coordinate);
   follow_modulo(slice);
   if (captured) take_measured(*captured, from, play);
   wired_ = {.mark = inputs.search_mark[kOwn],

@@ -77,6 +77,7 @@ class ActualPosition {
     bool is_referenced = false;         ///< r2684.11
     bool holds_mark = false;            ///< p2508[0] waits: the positioner has it on and does not want a mark now
     bool holds_probe = false;           ///< p2509[0] waits
+    bool holds_adjustment = false;      ///< p2507 = 2 waits
     bool asks_probe = false;            ///< the positioner wants a probe without p2509
     std::int64_t modulo_range = 0;      ///< p2576 (LU) while the axis is a modulo axis, otherwise 0
     std::optional<double> setpoint{};   ///< of a position that is controlled, 0..p2576-1 on a modulo axis (LU)

@@ -14,7 +14,9 @@ void ReferenceSearch::start(ModeContext& context) noexcept {
   direction_ = direction;
   context.reference.is_set = false;
   cam_to_mark_ = 0.0;
-  has_reversed_ = has_passed_cam_ = awaits_mark_ = interrupted_ = false;
+  has_passed_cam_ = awaits_mark_ = interrupted_ = false;
+  leaves_reversing_cam_ =
+      heading_ > 0.0 ? !context.inputs.reversing_cam_minus : !context.inputs.reversing_cam_plus;
   after_reversal_ = Step::None;
   way_ = 0.0;
   last_position_ = context.travel.planned_position();
@@ -78,11 +80,11 @@ bool ReferenceSearch::hits_reversing_cam(ModeContext& context) noexcept {
   const bool plus = !context.inputs.reversing_cam_plus;
   const bool ahead = heading_ > 0.0 ? plus : minus;
   const bool behind = heading_ > 0.0 ? minus : plus;
-  if (behind && !(has_reversed_ && !ahead)) {
+  if (behind && !(leaves_reversing_cam_ && !ahead)) {
     fail(context, PositioningMessage::ReversingCamWrongSide);
     return false;
   }
-  if (!behind) has_reversed_ = false;  // the cam that it came from is left
+  if (!behind) leaves_reversing_cam_ = false;  // the cam that it came from is left
   return ahead;
 }
 
@@ -100,7 +102,7 @@ void ReferenceSearch::look_for_cam(ModeContext& context) noexcept {
 }
 
 void ReferenceSearch::reverse(ModeContext& context) noexcept {
-  has_reversed_ = true;
+  leaves_reversing_cam_ = true;
   step_ = after_reversal_;
   const bool to_cam = after_reversal_ == Step::ToCam;
   go(context, -heading_, to_cam ? context.settings.cam_velocity : context.settings.mark_velocity, to_cam);
@@ -108,7 +110,6 @@ void ReferenceSearch::reverse(ModeContext& context) noexcept {
 
 void ReferenceSearch::begin_mark(ModeContext& context) noexcept {
   step_ = Step::ToMark;
-  has_reversed_ = false;
   awaits_mark_ = has_left_cam_;
   go(context, heading_, context.settings.mark_velocity, false);
 }

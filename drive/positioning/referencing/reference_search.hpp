@@ -61,9 +61,9 @@ class ReferenceSearch {
   double way_ = 0.0;            // travelled in the step
   double way_begins_ = 0.0;     // where the way to the mark is measured from
   bool has_left_cam_ = false;
-  bool has_passed_cam_ = false;  // a short one, in the direction of the start: it is met once more
-  bool interrupted_ = false;     // by p2595
-  bool has_reversed_ = false;
+  bool has_passed_cam_ = false;        // a short one, in the direction of the start: it is met once more
+  bool interrupted_ = false;           // by p2595
+  bool leaves_reversing_cam_ = false;  // the one behind is not left yet
   bool awaits_mark_ = false;
   double cam_to_mark_ = 0.0;
 };

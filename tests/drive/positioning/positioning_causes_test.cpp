@@ -1,0 +1,49 @@
+// Every message of positioning from its cause.
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/drive/csv.hpp"
+#include "tests/drive/positioning/positioning_scenarios.hpp"
+
+namespace drive {
+namespace {
+
+class PositioningCauses : public testing::TestWithParam<Scenario> {};
+
+TEST_P(PositioningCauses, BringTheirMessage) {
+  const Scenario& scenario = GetParam();
+  PositioningUnit unit{scenario.configuration()};
+  EXPECT_FALSE(unit.has(scenario.message));
+  scenario.bring(unit);
+  EXPECT_TRUE(unit.run_until([&] { return unit.has(scenario.message); }, 8000))
+      << testing::PrintToString(unit.messages());
+  EXPECT_EQ(unit.value_of(scenario.message), scenario.value);
+}
+
+INSTANTIATE_TEST_SUITE_P(List, PositioningCauses, testing::ValuesIn(positioning_scenarios()),
+                         [](const auto& test) { return std::to_string(test.param.message); });
+
+/// Of the position of an encoder for other users than the positioner, and of changes of data sets: an axis has
+/// neither.
+const std::set<int> kOfNothingThatAnAxisHas{7494, 7577, 7581, 7584, 7587, 7590, 7593, 7596};
+
+TEST(PositioningMessages, HaveEachItsScenario) {
+  std::set<int> covered;
+  for (const Scenario& scenario : positioning_scenarios()) covered.insert(scenario.message);
+  std::set<int> raised;
+  for (const PositioningMessageRow& row : kPositioningMessages) raised.insert(row.number);
+  EXPECT_EQ(covered, raised);
+
+  for (const drive_test::CsvRow& row : drive_test::read_csv("faults.csv")) {
+    const int number = std::stoi(row.at("code").substr(1));
+    const bool of_positioning = row.at("name").rfind("EPOS", 0) == 0 || (number >= 7440 && number <= 7599);
+    const bool never = row.at("cause").find("not raised by axisd") != std::string::npos;
+    if (!of_positioning || number == 7575 || kOfNothingThatAnAxisHas.contains(number)) continue;
+    EXPECT_EQ(raised.contains(number), !never) << number;
+  }
+}
+
+}  // namespace
+}  // namespace drive

@@ -1,0 +1,325 @@
+#include "tests/drive/positioning/positioning_scenarios.hpp"
+
+#include <numbers>
+
+namespace drive {
+namespace {
+
+AxisConfiguration plain() {
+  return PositioningUnit::axis_configuration();
+}
+AxisConfiguration with_absolute_encoder() {
+  AxisConfiguration axis = plain();
+  axis.machine.encoder.type = motor::EncoderType::Absolute;
+  axis.machine.encoder.revolutions = 16;
+  return axis;
+}
+AxisConfiguration with_wall() {
+  AxisConfiguration axis = plain();
+  axis.load.end_stops.upper = 2.0 * std::numbers::pi;  // 10000 LU
+  axis.load.end_stops.stiffness = 2000.0;
+  return axis;
+}
+AxisConfiguration with_probe() {
+  AxisConfiguration axis = plain();
+  axis.switches.add({.input = 3, .from = 0.5, .to = 0.6});
+  return axis;
+}
+
+using TestedUnit = PositioningUnit;
+
+void enable_and_reference(TestedUnit& unit) {
+  unit.enable();
+  unit.set_reference();
+}
+/// Block 1 as @p block, started.
+void start(TestedUnit& unit, const TestedUnit::Block& block) {
+  enable_and_reference(unit);
+  unit.block(0, block);
+  unit.set(2632, 1.0);
+  unit.set(2625, 1.0);
+  unit.set(2631, 1.0);
+  unit.run(2);
+}
+/// Software limits at ±20000 LU, and an MDI to @p target.
+void move_within_limits(TestedUnit& unit, double target) {
+  enable_and_reference(unit);
+  unit.set(2580, -20000.0);
+  unit.set(2581, 20000.0);
+  unit.set(2582, 1.0);
+  unit.move(target);
+}
+void activate_limits_outside(TestedUnit& unit, double lower, double upper) {
+  enable_and_reference(unit);
+  unit.set(2580, lower);
+  unit.set(2581, upper);
+  unit.set(2582, 1.0);
+}
+/// Block 1 as @p block in the table, without a start; block 5 follows it.
+std::function<void(TestedUnit&)> checked(const TestedUnit::Block& block) {
+  return [block](TestedUnit& unit) {
+    unit.block(0, block);
+    unit.block(1, {.number = 5});
+  };
+}
+void search(TestedUnit& unit) {
+  unit.enable();
+  unit.set(2605, 3000.0);
+  unit.set(2595, 1.0);
+}
+void jog_from(TestedUnit& unit, double place, std::uint16_t jog) {
+  unit.enable();
+  unit.set(2585, -6000.0);
+  unit.set(2586, 6000.0);
+  unit.set_reference(place);
+  unit.set(jog, 1.0);
+}
+void clamp(TestedUnit& unit) {
+  start(unit, {.number = 1, .task = 2, .position = 20000.0, .velocity = 600.0, .parameter = 300.0});
+}
+
+}  // namespace
+
+std::vector<Scenario> positioning_scenarios() {
+  return {
+      {7440, plain, [](TestedUnit& unit) { unit.set(2574, 50.0); }},
+      {7441, with_absolute_encoder, [](TestedUnit& unit) { unit.set(2507, 2.0); }},
+      {7442, with_absolute_encoder,
+       [](TestedUnit& unit) {
+         unit.set(2576, 70000.0);
+         unit.set(2577, 1.0);
+       }},
+      {7443, with_absolute_encoder,
+       [](TestedUnit& unit) {
+         unit.set(2599, 160000.0);
+         unit.set(2507, 2.0);
+       },
+       159999},
+      {7450, plain,
+       [](TestedUnit& unit) {
+         enable_and_reference(unit);
+         unit.set(2546, 0.0);
+         unit.set(2544, 0.0);
+         unit.set(1520, 0.1);
+         unit.set(1521, -0.1);
+         unit.axis().set_load_torque(3.0);
+       }},
+      {7451, plain,
+       [](TestedUnit& unit) {
+         unit.set(2534, 0.0);
+         unit.set(2542, 0.0);
+         unit.set(2544, 1.0);
+         unit.set(2545, 100.0);
+         enable_and_reference(unit);
+         unit.move(20000.0);
+       }},
+      {7452, plain,
+       [](TestedUnit& unit) {
+         enable_and_reference(unit);
+         unit.set(1520, 0.1);
+         unit.set(1521, -0.1);
+         unit.axis().set_load_torque(3.0);
+       }},
+      {7453, plain, [](TestedUnit& unit) { EXPECT_TRUE(unit.unit.raise(TestedUnit::kAxis, 31116)); }},
+      {7454, plain, [](TestedUnit& unit) { unit.set(2502, 0.0); }},
+      {7455, plain,
+       [](TestedUnit& unit) {
+         unit.set(2576, 900.0);
+         unit.set(2577, 1.0);
+       }},
+      {7456, plain,
+       [](TestedUnit& unit) {
+         enable_and_reference(unit);
+         unit.set(2571, 500.0);
+         unit.move(90000.0);
+       }},
+      {7457, plain,
+       [](TestedUnit& unit) {
+         unit.enable();
+         unit.set(2589, 1.0);
+         unit.set(2590, 1.0);
+       }},
+      {7458, plain,
+       [](TestedUnit& unit) {
+         unit.set(2606, 5000.0);
+         search(unit);
+       }},
+      {7459, plain,
+       [](TestedUnit& unit) {
+         unit.set(2607, 0.0);
+         unit.set(2609, 500.0);
+         search(unit);
+       }},
+      {7460, plain,
+       [](TestedUnit& unit) {
+         unit.set_reference(-2147482000.0);
+         unit.set(2612, 1.0);
+         search(unit);
+       }},
+      {7461, plain,
+       [](TestedUnit& unit) {
+         unit.enable();
+         unit.block(0, {.number = 1});
+         unit.set(2625, 1.0);
+         unit.set(2631, 1.0);
+       }},
+      {7462, plain, [](TestedUnit& unit) { start(unit, {.number = 2}); }, 1},
+      {7463, plain,
+       [](TestedUnit& unit) {
+         unit.block(1, {.number = 5});
+         start(unit, {.number = 1, .position = 100.0, .mode = 0x50});
+       },
+       1},
+      {7464, plain, [](TestedUnit& unit) { start(unit, {.number = 1, .task = 5, .parameter = -1.0}); }, 1},
+      {7465, plain, [](TestedUnit& unit) { unit.block(0, {.number = 7, .mode = 0x10}); }, 7},
+      {7466, plain, checked({.number = 5}), 5},
+      {7467, plain, checked({.number = 1, .task = 9, .parameter = 2.0}), 1},
+      {7468, plain, checked({.number = 1, .task = 6, .parameter = 9.0}), 1},
+      {7469, plain,
+       [](TestedUnit& unit) {
+         activate_limits_outside(unit, -100.0, 100.0);
+         checked({.number = 1, .position = -101.0})(unit);
+       },
+       1},
+      {7470, plain,
+       [](TestedUnit& unit) {
+         activate_limits_outside(unit, -100.0, 100.0);
+         checked({.number = 1, .position = 101.0})(unit);
+       },
+       1},
+      {7471, plain,
+       [](TestedUnit& unit) {
+         unit.set(2577, 1.0);
+         checked({.number = 1, .position = 360000.0})(unit);
+       },
+       1},
+      {7472, plain, checked({.number = 1, .mode = 0x200}), 1},
+      {7473, plain, [](TestedUnit& unit) { jog_from(unit, -2147480000.0, 2589); }},
+      {7474, plain, [](TestedUnit& unit) { jog_from(unit, 2147480000.0, 2590); }},
+      {7475, plain,
+       [](TestedUnit& unit) {
+         unit.set_reference(-2147480000.0);
+         unit.enable();
+         unit.move(-9000.0, 6000.0, false);
+       }},
+      {7476, plain,
+       [](TestedUnit& unit) {
+         unit.set_reference(2147480000.0);
+         unit.enable();
+         unit.move(9000.0, 6000.0, false);
+       }},
+      {7477, plain, [](TestedUnit& unit) { move_within_limits(unit, -20001.0); }},
+      {7478, plain, [](TestedUnit& unit) { move_within_limits(unit, 20001.0); }},
+      {7479, plain, [](TestedUnit& unit) { move_within_limits(unit, -20001.0); }},
+      {7480, plain, [](TestedUnit& unit) { move_within_limits(unit, 20001.0); }},
+      {7481, plain, [](TestedUnit& unit) { activate_limits_outside(unit, 1000.0, 2000.0); }},
+      {7482, plain, [](TestedUnit& unit) { activate_limits_outside(unit, -2000.0, -1000.0); }},
+      {7483, with_wall,
+       [](TestedUnit& unit) {
+         unit.set(2639, 0.0);
+         clamp(unit);
+       }},
+      {7484, with_wall,
+       [](TestedUnit& unit) {
+         clamp(unit);
+         EXPECT_TRUE(unit.run_until([&] { return unit.bit(2683, 12); }, 8000));
+         unit.axis().set_load_torque(8.0);
+       }},
+      {7485, plain, [](TestedUnit& unit) { clamp(unit); }},
+      {7486, plain,
+       [](TestedUnit& unit) {
+         unit.set(2640, 0.0);
+         start(unit, {.number = 1});
+       }},
+      {7487, plain,
+       [](TestedUnit& unit) {
+         unit.set(2641, 0.0);
+         start(unit, {.number = 1});
+       }},
+      {7488, plain,
+       [](TestedUnit& unit) {
+         enable_and_reference(unit);
+         unit.set(2649, 1.0);
+         unit.set(2647, 1.0);
+       }},
+      {7489, with_probe,
+       [](TestedUnit& unit) {
+         enable_and_reference(unit);
+         unit.set(488, 4.0);
+         unit.set(2602, 10.0);
+         unit.set(2597, 1.0);
+         unit.set(2595, 1.0);
+         unit.run(2);
+         unit.move(20000.0);
+       }},
+      {7490, plain,
+       [](TestedUnit& unit) {
+         enable_and_reference(unit);
+         unit.move(90000.0);
+         unit.control(0x0006);
+       }},
+      {7491, plain,
+       [](TestedUnit& unit) {
+         unit.set(2568, 1.0);
+         unit.set(2569, 0.0);
+       }},
+      {7492, plain,
+       [](TestedUnit& unit) {
+         unit.set(2568, 1.0);
+         unit.set(2570, 0.0);
+       }},
+      {7493, plain,
+       [](TestedUnit& unit) {
+         unit.set_reference(2147480000.0);
+         unit.set(2690, 100000.0);
+         unit.wire(2516, {2690, kOwnObject, 0});
+       },
+       1},
+      {7495, plain,
+       [](TestedUnit& unit) {
+         search(unit);
+         unit.run(50);
+         unit.set(2595, 0.0);
+       }},
+      {7496, plain, [](TestedUnit& unit) { unit.set(2590, 1.0); }, 1},
+      {7497, plain, [](TestedUnit& unit) { unit.set(2514, 1.0); }},
+      {7498, plain,
+       [](TestedUnit& unit) {
+         unit.set(2597, 1.0);
+         unit.set(2595, 1.0);
+       },
+       6},
+      {7499, plain,
+       [](TestedUnit& unit) {
+         search(unit);
+         unit.run(50);
+         unit.set(2613, 0.0);
+       }},
+      {7503, plain,
+       [](TestedUnit& unit) {
+         unit.set(2568, 1.0);
+         jog_from(unit, 0.0, 2590);
+         unit.run(50);
+         unit.set(2569, 0.0);
+       }},
+      {7505, plain,
+       [](TestedUnit& unit) {
+         unit.set(1300, 20.0);
+         unit.set(2656, 1.0);
+         unit.set_reference();
+         unit.block(0, {.number = 1, .task = 2, .parameter = 100.0});
+         unit.set(2625, 1.0);
+         unit.set(2631, 1.0);
+       },
+       1},
+      {7557, plain,
+       [](TestedUnit& unit) {
+         unit.set(2577, 1.0);
+         unit.run(2);
+         unit.set(2599, -1.0);
+         unit.set(2596, 1.0);
+       }},
+  };
+}
+
+}  // namespace drive
