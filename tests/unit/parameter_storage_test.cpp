@@ -1,5 +1,6 @@
 #include "unit/parameter_storage.hpp"
 
+#include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -95,6 +96,30 @@ TEST_F(Storage, SavesDriveObjectsOneByOneBeforeAllWereSaved) {
 
   EXPECT_EQ(saved_value(kY, 1120), 2.0);
   EXPECT_EQ(storage.store(ParameterGroup::Application), std::nullopt);
+}
+
+/// A07441 stands until the offset of an adjusted absolute encoder is saved.
+TEST(StorageOfAnAdjustment, TellsTheAxis) {
+  drive::AxisConfiguration axis{.positioner = true};
+  axis.machine.encoder.type = motor::EncoderType::Absolute;
+  FollowUps<FollowUp> follow_ups;
+  UnitParameters parameters;
+  drive::DriveUnit unit{{.axes = {axis}, .node_id = 5}, &parameters};
+  Shelf shelf;
+  ParameterStorage storage{unit, parameters, shelf, follow_ups};
+  const auto run = [&] {
+    for (int i = 0; i < 3; ++i) unit.cycle(std::array{true}, 1e-3);
+  };
+  const drive::ActualPosition& position = unit.axes()[0].block<drive::ActualPosition>();
+  run();
+  ASSERT_TRUE(unit.object(kX)->write(2599, 1000.0));
+  ASSERT_TRUE(unit.object(kX)->write(2507, 2.0));
+  run();
+  EXPECT_TRUE(position.adjustment_unsaved());
+
+  ASSERT_TRUE(unit.object(kControlUnit)->write(977, 1.0));
+
+  EXPECT_FALSE(position.adjustment_unsaved());
 }
 
 TEST_F(Storage, DoesNothingOnZero) {

@@ -1,8 +1,6 @@
 #include "drive/positioning/actual_position/actual_position.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -11,17 +9,9 @@
 namespace drive {
 namespace {
 
-constexpr std::size_t kOwn = 0;      // of the position control, among the values
-constexpr std::size_t kEncoder = 1;  // of encoder 1, among the values
+constexpr std::size_t kOwn = 0;  // of the position control, among the values
 constexpr std::int32_t kMotorEncoder = 1;
-constexpr std::int64_t kLowest = std::numeric_limits<std::int32_t>::min();
-constexpr std::int64_t kHighest = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t kWords = std::int64_t{1} << 32;  // numbers of 32 bits
-
-/// Whole length units of an input.
-std::int64_t units(double value) noexcept {
-  return std::llround(std::clamp(value, static_cast<double>(kLowest), static_cast<double>(kHighest)));
-}
 
 /// The multiple of 2^32 that is nearest to @p value.
 constexpr std::int64_t nearest_words(std::int64_t value) noexcept {
@@ -34,12 +24,6 @@ Length between(Length from, Length to, double share) noexcept {
   const double beyond = from.rest + share * way;
   const std::int64_t whole = std::llround(beyond);
   return {.whole = from.whole + whole, .rest = beyond - static_cast<double>(whole)};
-}
-
-/// Bits of r2526 to r2529.
-enum StatusBit : unsigned { kValid = 0, kReferencing = 1, kMeasured = 2, kAdjustmentValid = 9 };
-constexpr std::uint16_t bit(StatusBit place, bool set) noexcept {
-  return static_cast<std::uint16_t>(static_cast<unsigned>(set) << place);
 }
 
 }  // namespace
@@ -97,7 +81,7 @@ CaptureTerminals ActualPosition::terminals() const noexcept {
 std::int64_t ActualPosition::added() const noexcept {
   const std::int64_t written = std::llround(settings.adjustment_offset);
   const std::int64_t adjusted = is_absolute() ? written - nearest_words(written) : 0;
-  return offset_ + units(inputs.offset[kOwn]) + adjusted;
+  return offset_ + whole_units(inputs.offset[kOwn]) + adjusted;
 }
 
 void ActualPosition::run(const Slice& slice) noexcept {
@@ -177,7 +161,7 @@ void ActualPosition::count(std::int64_t counts) noexcept {
 
 /// p2513, at the edges of p2512 and, with its sign turned, of p2730.
 void ActualPosition::take_corrections() noexcept {
-  const std::int64_t by = units(inputs.correction[kOwn]);
+  const std::int64_t by = whole_units(inputs.correction[kOwn]);
   const bool corrected = std::exchange(corrects_, inputs.correct[kOwn]);
   const bool corrected_negatively = std::exchange(corrects_negatively_, inputs.correct_negatively[kOwn]);
   if (corrects_ && !corrected) correct(by);
@@ -186,13 +170,13 @@ void ActualPosition::take_corrections() noexcept {
 
 void ActualPosition::hold_setting_value() noexcept {
   held_ = inputs.set_position[kOwn];
-  if (held_) offset_ += units(inputs.setting_value[kOwn]) - whole();
+  if (held_) offset_ += whole_units(inputs.setting_value[kOwn]) - whole();
 }
 
 /// p2507 = 2.
 void ActualPosition::follow_adjustment(double coordinate) noexcept {
   if (settings.adjustment != kStartAdjustment) return;
-  const bool done = is_absolute() && valid_ && adjust(units(coordinate));
+  const bool done = is_absolute() && valid_ && adjust(whole_units(coordinate));
   settings.adjustment = done ? kAdjusted : kNotAdjusted;
 }
 
@@ -246,61 +230,6 @@ bool ActualPosition::set_position(std::int64_t value) noexcept {
 void ActualPosition::invalidate() noexcept {
   invalidated_ = true;
   settings.adjustment = kNotAdjusted;
-}
-
-std::int64_t ActualPosition::shown() const noexcept {
-  return std::clamp(whole(), kLowest, kHighest);
-}
-
-bool ActualPosition::overflows() const noexcept {
-  return valid_ && shown() != whole();
-}
-
-double ActualPosition::shown_of(std::size_t index) const noexcept {
-  if (index == kOwn) return static_cast<double>(shown());
-  const bool exists = index == kEncoder && encoder_.type != motor::EncoderType::None;
-  return exists ? static_cast<double>(sensed_.whole + units(inputs.offset[kEncoder])) : 0.0;
-}
-
-/// Without position control what the encoder has counted, with p2525.
-double ActualPosition::position_of(std::size_t index) const noexcept {
-  if (index != kOwn) return shown_of(index);
-  if (!runs_) {
-    const double turns = static_cast<double>(counts_) / static_cast<double>(per_revolution_);
-    return turns * units_per_revolution() + settings.adjustment_offset;
-  }
-  return std::clamp(position(), static_cast<double>(kLowest), static_cast<double>(kHighest));
-}
-
-double ActualPosition::velocity_of(std::size_t index) const noexcept {
-  if (index > 1) return 0.0;
-  if (runs_) return velocity_;
-  return index == kOwn ? noted_speed_ * units_per_revolution() / (2.0 * std::numbers::pi) : 0.0;
-}
-
-double ActualPosition::units_per_revolution() const noexcept {
-  return static_cast<double>(settings.units_per_load) * settings.gear_load / settings.gear_motor;
-}
-
-bool ActualPosition::adjusted() const noexcept {
-  return is_absolute() && settings.adjustment == kAdjusted && position_valid();
-}
-
-/// The revolutions that the encoder tells apart, less one unit: as far as a coordinate can be told from others.
-double ActualPosition::largest_coordinate() const noexcept {
-  const double range = std::floor(std::abs(units_per_revolution()) * encoder_.revolutions);
-  return std::clamp(range - 1.0, 0.0, static_cast<double>(kHighestCoordinate));
-}
-
-std::uint16_t ActualPosition::status() const noexcept {
-  return bit(kValid, position_valid()) | bit(kReferencing, referencing_active()) |
-         bit(kMeasured, measured_valid()) | bit(kAdjustmentValid, adjusted());
-}
-
-/// Marks and probes are waited for by the position control alone.
-std::uint16_t ActualPosition::encoder_status(std::size_t encoder) const noexcept {
-  constexpr std::size_t kFirst = 0;
-  return encoder == kFirst ? bit(kValid, position_valid()) | bit(kAdjustmentValid, adjusted()) : std::uint16_t{0};
 }
 
 }  // namespace drive

@@ -29,6 +29,22 @@ INSTANTIATE_TEST_SUITE_P(List, PositioningCauses, testing::ValuesIn(positioning_
 /// neither.
 const std::set<int> kOfNothingThatAnAxisHas{7494, 7577, 7581, 7584, 7587, 7590, 7593, 7596};
 
+/// p2118 and p2119 make a fault of the alarm at a software limit; it stops with OFF1 as the list says.
+TEST(PositioningMessages, StopAsFaults) {
+  PositioningUnit unit;
+  unit.set(2118, 7480.0);
+  unit.set(2119, 1.0);
+  unit.set(2581, 5000.0);
+  unit.set(2582, 1.0);
+  unit.enable();
+  unit.set_reference();
+  unit.move(9000.0);
+  ASSERT_TRUE(unit.run_until([&] { return unit.axis().actual().state == State::FaultReactionActive; }));
+  EXPECT_TRUE(unit.run_until([&] { return unit.axis().actual().state == State::Fault; }, 2000));
+  EXPECT_EQ(unit.read(945), 7480.0);
+  EXPECT_FALSE(unit.bit(2526, 3));
+}
+
 TEST(PositioningMessages, HaveEachItsScenario) {
   std::set<int> covered;
   for (const Scenario& scenario : positioning_scenarios()) covered.insert(scenario.message);

@@ -1,86 +1,11 @@
 #include "tests/drive/positioning/positioning_scenarios.hpp"
 
-#include <numbers>
+#include "tests/drive/positioning/scenario_steps.hpp"
 
 namespace drive {
-namespace {
-
-AxisConfiguration plain() {
-  return PositioningUnit::axis_configuration();
-}
-AxisConfiguration with_absolute_encoder() {
-  AxisConfiguration axis = plain();
-  axis.machine.encoder.type = motor::EncoderType::Absolute;
-  axis.machine.encoder.revolutions = 16;
-  return axis;
-}
-AxisConfiguration with_wall() {
-  AxisConfiguration axis = plain();
-  axis.load.end_stops.upper = 2.0 * std::numbers::pi;  // 10000 LU
-  axis.load.end_stops.stiffness = 2000.0;
-  return axis;
-}
-AxisConfiguration with_probe() {
-  AxisConfiguration axis = plain();
-  axis.switches.add({.input = 3, .from = 0.5, .to = 0.6});
-  return axis;
-}
-
-using TestedUnit = PositioningUnit;
-
-void enable_and_reference(TestedUnit& unit) {
-  unit.enable();
-  unit.set_reference();
-}
-/// Block 1 as @p block, started.
-void start(TestedUnit& unit, const TestedUnit::Block& block) {
-  enable_and_reference(unit);
-  unit.block(0, block);
-  unit.set(2632, 1.0);
-  unit.set(2625, 1.0);
-  unit.set(2631, 1.0);
-  unit.run(2);
-}
-/// Software limits at ±20000 LU, and an MDI to @p target.
-void move_within_limits(TestedUnit& unit, double target) {
-  enable_and_reference(unit);
-  unit.set(2580, -20000.0);
-  unit.set(2581, 20000.0);
-  unit.set(2582, 1.0);
-  unit.move(target);
-}
-void activate_limits_outside(TestedUnit& unit, double lower, double upper) {
-  enable_and_reference(unit);
-  unit.set(2580, lower);
-  unit.set(2581, upper);
-  unit.set(2582, 1.0);
-}
-/// Block 1 as @p block in the table, without a start; block 5 follows it.
-std::function<void(TestedUnit&)> checked(const TestedUnit::Block& block) {
-  return [block](TestedUnit& unit) {
-    unit.block(0, block);
-    unit.block(1, {.number = 5});
-  };
-}
-void search(TestedUnit& unit) {
-  unit.enable();
-  unit.set(2605, 3000.0);
-  unit.set(2595, 1.0);
-}
-void jog_from(TestedUnit& unit, double place, std::uint16_t jog) {
-  unit.enable();
-  unit.set(2585, -6000.0);
-  unit.set(2586, 6000.0);
-  unit.set_reference(place);
-  unit.set(jog, 1.0);
-}
-void clamp(TestedUnit& unit) {
-  start(unit, {.number = 1, .task = 2, .position = 20000.0, .velocity = 600.0, .parameter = 300.0});
-}
-
-}  // namespace
 
 std::vector<Scenario> positioning_scenarios() {
+  using namespace scenario;
   return {
       {7440, plain, [](TestedUnit& unit) { unit.set(2574, 50.0); }},
       {7441, with_absolute_encoder, [](TestedUnit& unit) { unit.set(2507, 2.0); }},
