@@ -62,10 +62,14 @@ bool Positioner::block_is_requested(const ModeContext& context) const noexcept {
   return BlockMode::is_requested(context) && !is_of_mdi;
 }
 
-/// Whether MDI asks for its mode; not while a block runs, nor as long as what it came together with stands.
+/// Whether MDI asks for its mode; not while a block runs, nor as long as what it came together with stands. What
+/// has been waiting gives way to what is new.
 bool Positioner::mdi_is_requested(const ModeContext& context) noexcept {
   const bool requested = mdi_.is_requested(context);
-  return requested && mode() != PositionerMode::Mdi && mode() != PositionerMode::Blocks &&
+  const bool waits =
+      inputs.mdi_continuous && !context.rises(&Inputs::mdi) && !context.rises(&Inputs::mdi_continuous);
+  const bool gives_way = waits && (JogMode::is_requested(context) || ReferenceSearch::is_requested(context));
+  return requested && mode() != PositionerMode::Mdi && mode() != PositionerMode::Blocks && !gives_way &&
          !refusals_.excludes(&Inputs::mdi, inputs);
 }
 
@@ -76,16 +80,11 @@ void Positioner::choose_mode(ModeContext& context) noexcept {
     refusals_.clash(kMdiAndBlock, &Inputs::mdi, &Inputs::mdi, PositionerMode::Blocks);
   if (block_requested && inputs.mdi && mode() == PositionerMode::Basic)
     return refusals_.clash(kMdiAndBlock, &Inputs::mdi, &Inputs::activate_task);
-  const bool jog_requested = JogMode::is_requested(context);
-  const bool search_requested = ReferenceSearch::is_requested(context);
-  const bool mdi_waits = inputs.mdi_continuous && !context.rises(&Inputs::mdi) &&
-                         !context.rises(&Inputs::mdi_continuous) && mode() == PositionerMode::Basic;
-  const bool mdi_gives_way = mdi_waits && (jog_requested || search_requested);
-  const std::array requests{Request{ModeRequest::Jog, jog_signal(context), jog_requested},
-                            Request{ModeRequest::Search, &Inputs::reference, search_requested},
-                            Request{ModeRequest::Mdi, inputs.mdi_continuous ? &Inputs::mdi : &Inputs::mdi_transfer,
-                                    mdi_requested && !mdi_gives_way},
-                            Request{ModeRequest::Block, &Inputs::activate_task, block_requested}};
+  const std::array requests{
+      Request{ModeRequest::Jog, jog_signal(context), JogMode::is_requested(context)},
+      Request{ModeRequest::Search, &Inputs::reference, ReferenceSearch::is_requested(context)},
+      Request{ModeRequest::Mdi, inputs.mdi_continuous ? &Inputs::mdi : &Inputs::mdi_transfer, mdi_requested},
+      Request{ModeRequest::Block, &Inputs::activate_task, block_requested}};
   const Request* chosen = nullptr;
   for (const Request& request : requests) {
     if (!request.comes) continue;

@@ -141,7 +141,8 @@ struct PositioningUnit {
   }
   /// Starts block @p number.
   void start_block(int number, int cycles = 2) {
-    for (unsigned bit = 0; bit < 6; ++bit) set(static_cast<std::uint16_t>(2625 + bit), (number >> bit & 1) != 0 ? 1.0 : 0.0);
+    for (unsigned bit = 0; bit < 6; ++bit)
+      set(static_cast<std::uint16_t>(2625 + bit), (number >> bit & 1) != 0 ? 1.0 : 0.0);
     pulse(2631, cycles);
   }
   /// The setpoint stands and the target is reached.
