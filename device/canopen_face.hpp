@@ -176,6 +176,7 @@ class CanopenFace final : public unit::Face,
   Communication communication_;
   ParameterWindow window_;
   Reception reception_;
+  bool restarts_unit_ = false;  ///< the reset that comes is that of restart_unit()
 };
 
 }  // namespace device

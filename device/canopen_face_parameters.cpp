@@ -125,7 +125,9 @@ void CanopenFace::on_stored(bool kept) noexcept {
 
 void CanopenFace::on_reset(canopen::NmtCommand command) noexcept {
   const bool all = command == canopen::NmtCommand::ResetNode;
-  if (all) {
+  if (restarts_unit_) {
+    runner_.restart_unit();
+  } else if (all) {
     runner_.power_off();
   } else {
     lose_connection();
@@ -135,7 +137,9 @@ void CanopenFace::on_reset(canopen::NmtCommand command) noexcept {
 }
 
 bool CanopenFace::restart_unit() noexcept {
+  restarts_unit_ = true;
   node_.command(canopen::NmtCommand::ResetNode, now());
+  restarts_unit_ = false;
   return true;
 }
 

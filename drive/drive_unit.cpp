@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "drive/axis/axis_step.hpp"
 #include "drive/base/function_modules.hpp"
 #include "drive/wiring.hpp"
 

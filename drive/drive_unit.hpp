@@ -132,6 +132,11 @@ class DriveUnit final : private Surroundings {
   bool acknowledge(std::uint8_t object) noexcept;
   /// Power-off of the sequence controls: pulses off, no message left; the shafts coast on.
   void power_off() noexcept;
+  /// The electronics start anew with that (POWER ON, p0976), not only the communication: incremental encoders know
+  /// no place any more.
+  void lose_positions() noexcept {
+    for (Axis& axis : axes_) axis.lose_position();
+  }
   /// Factory reset: every drive object in the state of a new one, commissioning ended.
   void restore_parameters() noexcept;
   /// The saved parameters that @p which chooses are as in a new unit again.

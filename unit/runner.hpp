@@ -115,6 +115,11 @@ class Runner final {
   void on_operation_left() noexcept { storage_.on_operational_left(); }
   /// Power-off of the drives.
   void power_off() noexcept { unit_.power_off(); }
+  /// The same of the unit as a whole, which a bus that starts anew alone does not do.
+  void restart_unit() noexcept {
+    unit_.power_off();
+    unit_.lose_positions();
+  }
   /// The parameters of @p group are the saved ones again, as after power-on.
   void reload(ParameterGroup group) noexcept;
 

@@ -132,7 +132,7 @@ void Runner::restart_if_due(std::uint8_t) noexcept {
   const bool is_left = control_unit_value(unit_, kDeviceFilter) == 0.0;
   if (!is_left || CycleClock::period_of(control_unit_value(unit_, kCyclePeriod)) == clock_.period()) return;
   tell_time(now_);
-  unit_.power_off();
+  restart_unit();
   take_over_period();
   const Replacement replacement{.cause = Replacement::Cause::Restart};
   adopt(replacement);
@@ -155,7 +155,7 @@ void Runner::reset(std::uint8_t) noexcept {
   for (Face* const face : faces_)
     if (face->restart_unit()) return;
   tell_time(now_);
-  unit_.power_off();
+  restart_unit();
   show_messages();
   reload(ParameterGroup::All);
 }

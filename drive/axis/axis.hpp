@@ -85,6 +85,8 @@ class Axis final : public DriveObject {
   bool is_quiescent() const noexcept;
   /// Power-off of the sequence control: pulses off, Switch on disabled, no message left; the shaft coasts on.
   void power_off() noexcept override;
+  /// The electronics start anew: an incremental encoder begins at 0 and has no reference.
+  void lose_position() noexcept;
 
   /// The master has given the connection up, which is no fault: the axis stops as p8641 says, and ON needs an
   /// edge.
@@ -282,25 +284,5 @@ class Axis final : public DriveObject {
   ActualValues actual_;
   ActualValues before_;  // those of the cycle before
 };
-
-inline double Axis::step(double dc_voltage) noexcept {
-  if (measured_) [[unlikely]]
-    return measured_step(dc_voltage);
-  if (command_.pulses_enabled) {
-    auto& channel = block<SetpointChannel>();
-    command_.speed_setpoint = channel.step(motor::kControlPeriod);
-    command_.acceleration_setpoint = channel.acceleration();
-  }
-  return move(dc_voltage);
-}
-
-[[gnu::always_inline]] inline double Axis::move(double dc_voltage) noexcept {
-  const double drawn = train_.step(dc_voltage, command_);
-  const motor::Signals& seen = train_.signals();
-  block<Measurement>().add(seen);
-  if (!block<PowerUnit>().watch(dc_voltage, seen, train_.plant_state().current)) [[unlikely]]
-    command_.pulses_enabled = false;
-  return drawn;
-}
 
 }  // namespace drive

@@ -21,6 +21,11 @@ constexpr bool is_of_encoder(std::uint16_t number) noexcept {
 
 }  // namespace
 
+void Axis::lose_position() noexcept {
+  block<ActualPosition>().power_on(train_.signals().encoder_counts);
+  block<Positioner>().lose_reference();
+}
+
 bool Axis::has_encoder_fault() const noexcept {
   return std::ranges::any_of(messages().faults(),
                              [](const FaultEntry& fault) { return is_of_encoder(fault.row->number); });

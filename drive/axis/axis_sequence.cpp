@@ -125,7 +125,6 @@ void Axis::power_off() noexcept {
   block<SetpointChannel>().power_off();
   block<TorqueSetpoint>().inputs = {};
   block<SpeedSetpoint2>().inputs = {};
-  block<ActualPosition>().power_on(train_.signals().encoder_counts);
   block<ActualPosition>().inputs = {};
   block<Positioner>().power_off();
   block<PositionControl>().power_off();

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "drive/axis/axis.hpp"
+#include "drive/axis/axis_step.hpp"
 #include "drive/sequence_control/statusword.hpp"
 
 namespace drive {

@@ -62,7 +62,6 @@ void Positioner::power_off() noexcept {
   stop_cams_.clear();
   refusals_.clear();
   messages_.clear();
-  reference_ = {};
   inputs = before_ = {};
   is_first_slice_ = true;
   enabled_ = was_enabled_ = false;

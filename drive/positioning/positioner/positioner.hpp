@@ -44,7 +44,7 @@ class Positioner {
   void run(const PositionerSlice& slice) noexcept;
   /// Settings of blocks or limits have changed.
   void on_settings_changed() noexcept { blocks_changed_ = true; }
-  /// Power-off: no input has come yet; the reference is lost.
+  /// Power-off: no input has come yet; the reference stays.
   void power_off() noexcept;
   /// The position is no longer known (encoder, overflow, other scaling): the reference is lost.
   void lose_reference() noexcept { reference_.is_set = false; }

@@ -25,9 +25,8 @@ TEST_P(PositioningCauses, BringTheirMessage) {
 INSTANTIATE_TEST_SUITE_P(List, PositioningCauses, testing::ValuesIn(positioning_scenarios()),
                          [](const auto& test) { return std::to_string(test.param.message); });
 
-/// Of the position of an encoder for other users than the positioner, and of changes of data sets: an axis has
-/// neither.
-const std::set<int> kOfNothingThatAnAxisHas{7494, 7577, 7581, 7584, 7587, 7590, 7593, 7596};
+/// Of changes of data sets, which a unit has one of.
+const std::set<int> kOfNothingThatAnAxisHas{7494, 7590};
 
 /// p2118 and p2119 make a fault of the alarm at a software limit; it stops with OFF1 as the list says.
 TEST(PositioningMessages, StopAsFaults) {
@@ -45,8 +44,16 @@ TEST(PositioningMessages, StopAsFaults) {
   EXPECT_FALSE(unit.bit(2526, 3));
 }
 
+TEST(PositioningMessages, TellOfAMissingEncoderFromTheBeginning) {
+  AxisConfiguration axis = PositioningUnit::axis_configuration();
+  axis.machine.encoder.type = motor::EncoderType::None;
+  PositioningUnit unit{axis};
+  EXPECT_TRUE(unit.has(7587));
+  EXPECT_TRUE(unit.has(7454));
+}
+
 TEST(PositioningMessages, HaveEachItsScenario) {
-  std::set<int> covered;
+  std::set<int> covered{7587};  // TellOfAMissingEncoderFromTheBeginning
   for (const Scenario& scenario : positioning_scenarios()) covered.insert(scenario.message);
   std::set<int> raised;
   for (const PositioningMessageRow& row : kPositioningMessages) raised.insert(row.number);

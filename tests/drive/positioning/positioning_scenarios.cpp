@@ -6,6 +6,7 @@ namespace drive {
 
 std::vector<Scenario> positioning_scenarios() {
   using namespace scenario;
+  constexpr std::size_t kEncoder1 = 1;
   return {
       {7440, plain, [](TestedUnit& unit) { unit.set(2574, 50.0); }},
       {7441, with_absolute_encoder, [](TestedUnit& unit) { unit.set(2507, 2.0); }},
@@ -243,6 +244,26 @@ std::vector<Scenario> positioning_scenarios() {
          unit.run(2);
          unit.set(2599, -1.0);
          unit.set(2596, 1.0);
+       }},
+      {7577, plain, [](TestedUnit& unit) { unit.set(2509, 1.0, kEncoder1); }, 6},
+      {7581, plain, [](TestedUnit& unit) { EXPECT_TRUE(unit.unit.raise(TestedUnit::kAxis, 31116)); }},
+      {7584, plain, [](TestedUnit& unit) { unit.set(2514, 1.0, kEncoder1); }},
+      {7593, plain,
+       [](TestedUnit& unit) {
+         unit.set(2690, 2147482000.0);
+         unit.wire(2515, {2690, kOwnObject, 0}, kEncoder1);
+         unit.set(2514, 1.0, kEncoder1);
+         unit.run(3);
+         unit.set(2514, 0.0, kEncoder1);
+         unit.run(3);
+         unit.wire(2516, {2690, kOwnObject, 0}, kEncoder1);
+       },
+       1},
+      {7596, plain,
+       [](TestedUnit& unit) {
+         unit.set(2508, 1.0, kEncoder1);
+         unit.run(5);
+         unit.set(2508, 0.0, kEncoder1);
        }},
   };
 }
