@@ -1,6 +1,7 @@
 #include "daemon/instance/status.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <numbers>
 #include <span>
 #include <string_view>
@@ -29,26 +30,46 @@ double target_velocity(const drive::Axis& axis) noexcept {
   return axis.block<drive::SetpointChannel>().incoming();
 }
 
+/// What a positioning axis does, in whole LU.
+json positioner_status(const drive::Axis& axis) {
+  constexpr double kPercent = 100.0;
+  const auto whole = [](double units) { return std::llround(units); };
+  const drive::Positioner& positioner = axis.block<drive::Positioner>();
+  json status{{"enabled", axis.block<drive::PositionControl>().is_enabled()},
+              {"referenced", positioner.is_referenced()},
+              {"mode", positioner.mode_name()},
+              {"position_LU", axis.block<drive::ActualPosition>().shown()},
+              {"setpoint_LU", whole(positioner.position())},
+              {"override_percent", positioner.effective_override() * kPercent}};
+  if (positioner.blocks().is_active()) status["block"] = positioner.blocks().block().number;
+  if (!positioner.has_target()) return status;
+  status["target_LU"] = whole(positioner.target());
+  status["residual_LU"] = whole(positioner.residual_distance());
+  return status;
+}
+
 json axis_status(const Instance& instance, std::size_t number) {
   const device::Device& device = instance.device();
   const drive::Axis& axis = device.axis(number);
   const drive::ActualValues& actual = axis.actual();
-  return {{"axis", number},
-          {"name", instance.configuration().axes[number - 1].name},
-          {"type", axis.kind() == drive::ObjectKind::Vector ? "vector" : "servo"},
-          {"state", name_of(actual.state)},
-          {"statusword", fmt::format("0x{:04X}", actual.statusword)},
-          {"controlword", fmt::format("0x{:04X}", axis.process_data().controlword)},
-          {"speed_rpm", actual.speed / motor::kRpm},
-          {"setpoint_rpm", target_velocity(axis) / motor::kRpm},
-          {"torque_Nm", actual.torque},
-          {"load_torque_Nm", instance.load_torque(number).constant},
-          {"load_friction_Nm", instance.load_torque(number).friction},
-          {"current_A", axis.signals().current / std::numbers::sqrt2},
-          {"motor_temperature_C", axis.signals().winding_temperature},
-          {"position", actual.encoder_position},
-          {"faults", messages(axis.messages().faults())},
-          {"alarms", messages(axis.messages().alarms())}};
+  json status{{"axis", number},
+              {"name", instance.configuration().axes[number - 1].name},
+              {"type", axis.kind() == drive::ObjectKind::Vector ? "vector" : "servo"},
+              {"state", name_of(actual.state)},
+              {"statusword", fmt::format("0x{:04X}", actual.statusword)},
+              {"controlword", fmt::format("0x{:04X}", axis.process_data().controlword)},
+              {"speed_rpm", actual.speed / motor::kRpm},
+              {"setpoint_rpm", target_velocity(axis) / motor::kRpm},
+              {"torque_Nm", actual.torque},
+              {"load_torque_Nm", instance.load_torque(number).constant},
+              {"load_friction_Nm", instance.load_torque(number).friction},
+              {"current_A", axis.signals().current / std::numbers::sqrt2},
+              {"motor_temperature_C", axis.signals().winding_temperature},
+              {"position", actual.encoder_position},
+              {"faults", messages(axis.messages().faults())},
+              {"alarms", messages(axis.messages().alarms())}};
+  if (axis.positions()) status["positioner"] = positioner_status(axis);
+  return status;
 }
 
 json axes_status(const Instance& instance) {

@@ -13,14 +13,14 @@ using namespace positioner_wiring;
 using Presets = std::vector<unit::ParameterPreset>;
 
 /// The parameters of the PDOs of a direction, of the first one.
-struct Direction {
+struct PdoDirection {
   std::uint16_t communication;
   std::uint16_t mapping;
   std::uint32_t first_cob_id;  ///< without the node-ID
   std::uint32_t flags;
 };
-constexpr Direction kReceive{8700, 8710, 0x200, 0};
-constexpr Direction kTransmit{8720, 8730, 0x180, canopen::cob_id::kNoRemote};
+constexpr PdoDirection kReceivePdos{8700, 8710, 0x200, 0};
+constexpr PdoDirection kTransmitPdos{8720, 8730, 0x180, canopen::cob_id::kNoRemote};
 constexpr std::uint16_t kPdosOfAnAxis = 8;
 constexpr std::uint32_t kCobIdStep = 0x100;
 constexpr std::uint32_t kUnused = canopen::cob_id::kInvalid | 0x6DF;  ///< as the unit delivers invalid PDOs
@@ -42,7 +42,7 @@ double entry_on(std::uint32_t entry, std::uint8_t module) noexcept {
   return static_cast<double>(std::uint32_t{moved} << kIndexAt | (entry & 0xFFFFU));
 }
 
-void put_mappings(const Direction& direction, const std::array<Mapping, 4>& mappings, std::uint8_t module,
+void put_mappings(const PdoDirection& direction, const std::array<Mapping, 4>& mappings, std::uint8_t module,
                   Presets& presets) {
   for (std::uint16_t pdo = 0; pdo < kPdosOfAnAxis; ++pdo) {
     const Mapping mapping = pdo < mappings.size() ? mappings[pdo] : Mapping{};
@@ -52,7 +52,7 @@ void put_mappings(const Direction& direction, const std::array<Mapping, 4>& mapp
   }
 }
 
-void put_cob_ids(const Direction& direction, const std::array<Mapping, 4>& mappings, const WiredAxis& axis,
+void put_cob_ids(const PdoDirection& direction, const std::array<Mapping, 4>& mappings, const WiredAxis& axis,
                  Presets& presets) {
   for (std::uint16_t pdo = 0; pdo < kPdosOfAnAxis; ++pdo) {
     const auto number = static_cast<std::uint16_t>(direction.communication + pdo);
@@ -90,13 +90,13 @@ void put_factory_connections(const WiredAxis& axis, Presets& presets) {
 unit::Delivery delivery_of(PositionerWiring wiring, const WiredAxis& axis) {
   const Table& table = kTables[static_cast<std::size_t>(wiring)];
   unit::Delivery delivery;
-  put_mappings(kReceive, table.received, axis.module, delivery.identity);
-  put_mappings(kTransmit, table.sent, axis.module, delivery.identity);
+  put_mappings(kReceivePdos, table.received, axis.module, delivery.identity);
+  put_mappings(kTransmitPdos, table.sent, axis.module, delivery.identity);
   Presets& presets = delivery.values;
   presets = {{kMappingConfiguration, kFreeMapping},
              {axis.setpoint_channel ? kMainSetpoint : kSetpointBehindRamp, value_of({kWrittenVelocity, 0})}};
-  put_cob_ids(kReceive, table.received, axis, presets);
-  put_cob_ids(kTransmit, table.sent, axis, presets);
+  put_cob_ids(kReceivePdos, table.received, axis, presets);
+  put_cob_ids(kTransmitPdos, table.sent, axis, presets);
   for (const auto& connections : table.connections)
     for (const Connection& connection : connections)
       presets.push_back({connection.input, value_of(connection.source), connection.index});

@@ -80,20 +80,11 @@ std::string limit_text(P p) {
       opposite_of(kDirection));
 }
 
+/// What leads the setpoint; a block by its number.
 std::string mode_text(P p) {
-  switch (positioner(p).mode()) {
-    case PositionerMode::Jog:
-      return "jog";
-    case PositionerMode::Search:
-      return "the reference search";
-    case PositionerMode::Blocks:
-      return fmt::format("traversing block {}", positioner(p).blocks().block().number);
-    case PositionerMode::Mdi:
-      return positioner(p).mdi().is_setting_up() ? "MDI setting-up" : "MDI positioning";
-    case PositionerMode::Basic:
-      break;
-  }
-  return "no task";
+  const BlockMode& blocks = positioner(p).blocks();
+  if (blocks.is_active()) return fmt::format("traversing block {}", blocks.block().number);
+  return positioner(p).mode() == PositionerMode::Basic ? "no task" : std::string{positioner(p).mode_name()};
 }
 
 std::string start_text(P p) {

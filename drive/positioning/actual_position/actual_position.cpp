@@ -9,8 +9,6 @@
 namespace drive {
 namespace {
 
-constexpr std::size_t kOwn = 0;      // of the position control, among the values
-constexpr std::size_t kEncoder = 1;  // of encoder 1, among the values
 constexpr std::int32_t kMotorEncoder = 1;
 constexpr std::int64_t kWords = std::int64_t{1} << 32;  // numbers of 32 bits
 

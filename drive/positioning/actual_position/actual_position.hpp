@@ -178,6 +178,9 @@ class ActualPosition {
   Inputs inputs{};
 
  private:
+  static constexpr std::size_t kOwn = 0;      ///< of the position control, among the values
+  static constexpr std::size_t kEncoder = 1;  ///< of encoder 1, among the values
+
   /// What scale and place of zero follow from.
   struct Mechanics {
     LengthMechanics lengths{};

@@ -9,9 +9,6 @@
 namespace drive {
 namespace {
 
-constexpr std::size_t kOwn = 0;      // of the position control, among the values
-constexpr std::size_t kEncoder = 1;  // of encoder 1, among the values
-
 /// @p whole (LU) at the ends of the range of r2521 if it is beyond.
 constexpr std::int64_t bounded(std::int64_t whole) noexcept {
   return std::clamp(whole, kLowestShown, kHighestShown);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace drive {
 
@@ -14,6 +15,12 @@ inline constexpr std::size_t kPositionerModes = 5;
 inline constexpr std::array<int, kPositionerModes> kModeCodes{0, 1, 2, 4, 8};
 constexpr int code_of(PositionerMode mode) noexcept {
   return kModeCodes[static_cast<std::size_t>(mode)];
+}
+/// The modes in words.
+inline constexpr std::array<std::string_view, kPositionerModes> kModeNames{"none", "jog", "reference search",
+                                                                           "traversing blocks", "MDI positioning"};
+constexpr std::string_view name_of(PositionerMode mode) noexcept {
+  return kModeNames[static_cast<std::size_t>(mode)];
 }
 inline constexpr int kSettingUpCode = 0x10;
 inline constexpr int kFlyingCode = 0x20;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "drive/positioning/blocks/block_mode.hpp"
 #include "drive/positioning/modes/jog_mode.hpp"
@@ -82,8 +83,10 @@ class Positioner {
   double change_position() const noexcept { return blocks_.change_position(); }        ///< r2678 (LU)
   double cam_to_mark() const noexcept { return search_.cam_to_mark(); }                ///< r2680 (LU)
   double effective_override() const noexcept { return travel_.effective_override(); }  ///< r2681
-  double residual_distance() const noexcept;                                           ///< r2682 (LU)
-  double correction() const noexcept { return flying_.difference(); }                  ///< r2685 (LU)
+  /// Whether a task has a target that is not endless.
+  bool has_target() const noexcept;
+  double residual_distance() const noexcept;                           ///< r2682 (LU)
+  double correction() const noexcept { return flying_.difference(); }  ///< r2685 (LU)
   /// r2683 but for the bits that position control knows: 8, 9 and the cams.
   std::uint16_t status_1() const noexcept { return status_1_; }
   /// r2684 but for bits 8 (following error) and 10 (target reached).
@@ -91,6 +94,8 @@ class Positioner {
 
   bool is_present() const noexcept { return is_present_; }
   PositionerMode mode() const noexcept;
+  /// What leads the setpoint, in words: "MDI setting-up", "none".
+  std::string_view mode_name() const noexcept;
   bool is_enabled() const noexcept { return enabled_; }
   bool tracks() const noexcept { return tracks_; }
   bool is_referenced() const noexcept { return reference_.is_set; }
@@ -142,7 +147,6 @@ class Positioner {
   void wrap() noexcept;
   // Status words (positioner_status.cpp).
   void show_status() noexcept;
-  bool has_target_to_show() const noexcept;
 
   bool is_present_;
   Travel travel_;

@@ -38,17 +38,22 @@ double Positioner::mode_word() const noexcept {
   return flying_.is_active() ? code | kFlyingCode : code;
 }
 
+std::string_view Positioner::mode_name() const noexcept {
+  if (mode() == PositionerMode::Mdi && mdi_.is_setting_up()) return "MDI setting-up";
+  return name_of(mode());
+}
+
 double Positioner::block_word() const noexcept {
   if (blocks_.is_active()) return blocks_.block().number;
   return mdi_.is_active() ? static_cast<double>(1U << kMdiBit) : 0.0;
 }
 
-bool Positioner::has_target_to_show() const noexcept {
+bool Positioner::has_target() const noexcept {
   return mode() != PositionerMode::Basic && travel_.has_target();
 }
 
 double Positioner::target() const noexcept {
-  if (!has_target_to_show()) return 0.0;
+  if (!has_target()) return 0.0;
   const double target = travel_.goal().target;
   return modulo_range_ > 0.0 ? target - modulo_range_ * std::floor(target / modulo_range_) : target;
 }
@@ -78,7 +83,7 @@ double Positioner::task_mode() const noexcept {
 }
 
 double Positioner::residual_distance() const noexcept {
-  return has_target_to_show() ? travel_.goal().target - travel_.position() : 0.0;
+  return has_target() ? travel_.goal().target - travel_.position() : 0.0;
 }
 
 void Positioner::show_status() noexcept {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRoundingError = 1e-6;  // cycles, of a time that is meant to be whole cycles
 
-constexpr double kInstant = 1e-12;  // s, nearer than which a cycle is over
+constexpr double kEndOfCycle = 1e-12;  // s, nearer than which a cycle is over
 
 std::size_t whole_cycles(double seconds) noexcept {
   if (!(seconds > 0.0)) return 0;
@@ -38,7 +38,7 @@ TrapezoidProfile::Advance MotionGenerator::advance(double dt, bool stops_at_brak
   is_at_rest_ = rests;
   const TrapezoidProfile::Advance advance = trapezoid_.advance(dt, stops_at_braking_point, stops_at_standstill);
   elapsed_ += dt - advance.left;
-  if (elapsed_ + kInstant < kMotionCycle) return advance;
+  if (elapsed_ + kEndOfCycle < kMotionCycle) return advance;
   elapsed_ = 0.0;
   if (!rests) finish_cycle();
   return advance;

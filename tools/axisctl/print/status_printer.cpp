@@ -60,6 +60,7 @@ constexpr std::array kAxisLabels{
     Label{"current_A", "current", " A"},
     Label{"motor_temperature_C", "motor", " °C"},
     Label{"position", "position", ""},
+    Label{"positioner", "positioner", ""},
     Label{"faults", "faults", ""},
     Label{"alarms", "alarms", ""},
 };
