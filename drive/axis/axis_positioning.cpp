@@ -92,7 +92,6 @@ void Axis::lead_position() noexcept {
                   .monitoring_time = control.settings.positioning_time,
                   .has_fault = !messages().faults().empty(),
                   .has_encoder_control = block<SpeedControl>().settings.control_mode == kSpeedControlWithEncoder,
-                  .travels_to_fixed_stop = block<TorqueSetpoint>().inputs.travels_to_fixed_stop,
                   .is_ready_to_switch_on = !block<SequenceControl>().pulses_enabled()});
   control.shift(positioner.moved_setpoint_by());
   if (positioner.sets_actual()) {

@@ -30,7 +30,6 @@ struct ModeContext {
   Refusals& refusals;
   ReferencePoint& reference;
   double modulo_range = 0.0;    ///< in force (LU), 0 = none
-  bool torque_limited = false;  ///< p1545
   bool can_reach_stop = true;   ///< closed loop with encoder
 
   bool rises(bool PositionerInputs::*input) const noexcept { return inputs.*input && !(before.*input); }

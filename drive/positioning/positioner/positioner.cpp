@@ -17,7 +17,6 @@ ModeContext Positioner::context(const PositionerSlice& slice) noexcept {
           .refusals = refusals_,
           .reference = reference_,
           .modulo_range = modulo_range_,
-          .torque_limited = slice.travels_to_fixed_stop,
           .can_reach_stop = slice.has_encoder_control};
 }
 

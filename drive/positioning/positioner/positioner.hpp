@@ -27,7 +27,6 @@ struct PositionerSlice {
   double monitoring_time = 0.0;        ///< p2545 (s)
   bool has_fault = false;              ///< a fault is active on the axis
   bool has_encoder_control = true;     ///< p1300 = 21
-  bool travels_to_fixed_stop = false;  ///< p1545
   bool is_ready_to_switch_on = false;  ///< the state in which p2577 is taken over
 };
 
