@@ -82,7 +82,7 @@ void ParameterStorage::end_save(bool kept) noexcept {
 /// An adjustment of an absolute encoder is no longer unsaved once its offset is in the image.
 void ParameterStorage::tell_axes() noexcept {
   for (drive::Axis& axis : unit_.axes()) {
-    drive::ActualPosition& position = axis.block<drive::ActualPosition>();
+    auto& position = axis.block<drive::ActualPosition>();
     const auto offset = saved().find(axis.number(), kAdjustmentOffset, 0);
     if (offset && decode(*offset) == position.settings.adjustment_offset) position.on_saved();
   }

@@ -178,7 +178,7 @@ class Runner final {
   void restore_object(std::uint8_t object) noexcept;
   void show_messages(std::uint8_t) noexcept { show_messages(); }
   void restart_if_due(std::uint8_t) noexcept;
-  void restore_group(std::uint8_t group) noexcept;
+  void restore_group(std::uint8_t which) noexcept;
   void reset(std::uint8_t) noexcept;
 
   ParameterKeeper& keeper_;

@@ -30,6 +30,7 @@ class Log {
   Log(Log&&) = default;
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
+  ~Log() = default;
   template <class... Arguments>
   void error(fmt::format_string<Arguments...> text, Arguments&&... arguments) const {
     write(LogLevel::Error, text, fmt::make_format_args(arguments...));

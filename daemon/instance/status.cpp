@@ -34,7 +34,7 @@ double target_velocity(const drive::Axis& axis) noexcept {
 json positioner_status(const drive::Axis& axis) {
   constexpr double kPercent = 100.0;
   const auto whole = [](double units) { return std::llround(units); };
-  const drive::Positioner& positioner = axis.block<drive::Positioner>();
+  const auto& positioner = axis.block<drive::Positioner>();
   json status{{"enabled", axis.block<drive::PositionControl>().is_enabled()},
               {"referenced", positioner.is_referenced()},
               {"mode", positioner.mode_name()},

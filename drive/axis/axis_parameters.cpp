@@ -49,7 +49,7 @@ void Axis::after_setting(const ParameterRow& row) noexcept {
 
 /// Without closed loop nothing rotates, and nothing with an encoder that the mode does not use.
 void Axis::follow_control_mode() noexcept {
-  SpeedControl& control = block<SpeedControl>();
+  auto& control = block<SpeedControl>();
   control.on_control_mode();
   const std::int32_t rotating = block<Identification>().selection().rotating;
   if (rotating != selection::kNone && !can_rotate(rotating, kind(), control.settings.control_mode))
@@ -183,7 +183,7 @@ void Axis::configure_model() noexcept {
 
 /// Of a machine that cannot be, the last possible one stays.
 void Axis::configure_control() noexcept {
-  const MotorModel& model = block<MotorModel>();
+  const auto& model = block<MotorModel>();
   if (!model.is_plausible()) return;
   const motor::MachineData machine = model.believed();
   train_.set_machine(machine);

@@ -32,10 +32,10 @@ bool Axis::has_encoder_fault() const noexcept {
 }
 
 void Axis::read_position() noexcept {
-  const Positioner& positioner = block<Positioner>();
+  const auto& positioner = block<Positioner>();
   const bool tracks = positioner.tracks();
   const bool asks = positioner.blocks().awaits_probe(positioner.settings);
-  ActualPosition& actual = block<ActualPosition>();
+  auto& actual = block<ActualPosition>();
   // The coordinate that was written with p2507 is known when the positioner has taken it, a slice later.
   const bool asked =
       std::exchange(adjustment_asked_, actual.settings.adjustment == ActualPosition::kStartAdjustment);
@@ -58,8 +58,8 @@ void Axis::read_position() noexcept {
 /// What the actual position has found, in the words of the positioner.
 void Axis::show_position_messages() noexcept {
   using enum PositioningMessage;
-  const ActualPosition& actual = block<ActualPosition>();
-  Positioner& positioner = block<Positioner>();
+  const auto& actual = block<ActualPosition>();
+  auto& positioner = block<Positioner>();
   PositioningMessages& messages = positioner.messages();
   if (actual.reference_lost()) positioner.lose_reference();
   messages.show(SaveAdjustment, actual.adjustment_unsaved());
@@ -83,10 +83,10 @@ void Axis::show_position_messages() noexcept {
 }
 
 void Axis::lead_position() noexcept {
-  Positioner& positioner = block<Positioner>();
-  ActualPosition& actual = block<ActualPosition>();
-  PositionControl& control = block<PositionControl>();
-  const SetpointChannel& channel = block<SetpointChannel>();
+  auto& positioner = block<Positioner>();
+  auto& actual = block<ActualPosition>();
+  auto& control = block<PositionControl>();
+  const auto& channel = block<SetpointChannel>();
   positioner.run({.highest_speed = std::min(std::abs(channel.forward_limit()), std::abs(channel.backward_limit())),
                   .positioning_window = control.settings.positioning_window,
                   .monitoring_time = control.settings.positioning_time,
@@ -104,7 +104,7 @@ void Axis::lead_position() noexcept {
 }
 
 bool Axis::is_position_control_possible() const noexcept {
-  const SpeedControl& control = block<SpeedControl>();
+  const auto& control = block<SpeedControl>();
   return block<ActualPosition>().position_valid() && block<SequenceControl>().operates() &&
          control.settings.control_mode == kSpeedControlWithEncoder && !control.torque_control() && !jogs() &&
          !block<Identification>().leads() && !brake_opens();
@@ -112,9 +112,9 @@ bool Axis::is_position_control_possible() const noexcept {
 
 void Axis::control_position() noexcept {
   using enum PositioningMessage;
-  const SequenceControl& sequence = block<SequenceControl>();
-  const Positioner& positioner = block<Positioner>();
-  PositionControl& control = block<PositionControl>();
+  const auto& sequence = block<SequenceControl>();
+  const auto& positioner = block<Positioner>();
+  auto& control = block<PositionControl>();
   const bool reacts =
       sequence.state() == State::FaultReactionActive || sequence.inputs.has_off2() || sequence.inputs.has_off3();
   control.run({.is_possible = is_position_control_possible(),
@@ -131,7 +131,7 @@ void Axis::control_position() noexcept {
 void Axis::follow_position() noexcept {
   if (!block<PositionControl>().is_enabled() || !command_.pulses_enabled) return;
   block<SetpointChannel>().follow_position(block<SpeedSetpoint2>().inputs.speed);
-  const Positioner& positioner = block<Positioner>();
+  const auto& positioner = block<Positioner>();
   command_.limits = block<TorqueSetpoint>().limits();
   if (!positioner.limits_torque()) return;
   const double torque = positioner.torque_limit();

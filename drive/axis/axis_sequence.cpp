@@ -20,7 +20,7 @@ bool Axis::apply(Event event) noexcept {
 }
 
 void Axis::perform(Action action) noexcept {
-  Identification& identification = block<Identification>();
+  auto& identification = block<Identification>();
   const bool jogs = block<SequenceControl>().jogs();
   switch (action) {
     case Action::None:
@@ -94,7 +94,7 @@ void Axis::on_acknowledged_fault_left() noexcept {
 }
 
 bool Axis::acknowledge() noexcept {
-  const SequenceControl& sequence = block<SequenceControl>();
+  const auto& sequence = block<SequenceControl>();
   const bool brakes =
       sequence.state() == State::FaultReactionActive || (sequence.state() == State::Stop2Active && !stands());
   if (brakes) return false;

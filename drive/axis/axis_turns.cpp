@@ -25,7 +25,7 @@ void Axis::follow_jog_bits() noexcept {
 
 /// The inputs of the enables and of messages, to the state that they lead to.
 void Axis::control_sequence() noexcept {
-  SequenceControl& sequence = block<SequenceControl>();
+  auto& sequence = block<SequenceControl>();
   const bool acknowledges = block<ExternalMessages>().acknowledges();
   sequence.begin_cycle();
   if (apply(Event::Initialised)) return;
@@ -49,8 +49,8 @@ void Axis::control_sequence() noexcept {
 }
 
 void Axis::lead_setpoint() noexcept {
-  const SequenceControl& sequence = block<SequenceControl>();
-  SetpointChannel& channel = block<SetpointChannel>();
+  const auto& sequence = block<SequenceControl>();
+  auto& channel = block<SetpointChannel>();
   channel.inputs.speed_setpoint_2 = block<SpeedSetpoint2>().inputs.speed;
   channel.begin_cycle(block<SpeedControl>().has_ramp_bits());
   channel.choose(sequence.jogs() ? std::optional{block<Jog>().setpoint()} : std::nullopt);
@@ -74,10 +74,10 @@ void Axis::begin_sums() noexcept {
 
 /// A halt in torque control takes the setpoint to zero, the rated torque in the time of the ramp or at once.
 void Axis::lead_torque() noexcept {
-  const SequenceControl& sequence = block<SequenceControl>();
-  const SpeedControl& control = block<SpeedControl>();
-  SetpointChannel& channel = block<SetpointChannel>();
-  TorqueSetpoint& torque = block<TorqueSetpoint>();
+  const auto& sequence = block<SequenceControl>();
+  const auto& control = block<SpeedControl>();
+  auto& channel = block<SetpointChannel>();
+  auto& torque = block<TorqueSetpoint>();
   TorqueSetpoint::Turn turn{
       .leads = control.torque_control() && sequence.operates() && !block<Identification>().leads(),
       .enabled = control.inputs.enable,
@@ -94,8 +94,8 @@ void Axis::lead_torque() noexcept {
 /// Opens the brake with the pulses, and closes it at the end of a braking ramp while the motor still holds.
 void Axis::lead_brake() noexcept {
   if (!has_brake()) return train_.set_brake(false);
-  const SequenceControl& sequence = block<SequenceControl>();
-  HoldingBrake& brake = block<HoldingBrake>();
+  const auto& sequence = block<SequenceControl>();
+  auto& brake = block<HoldingBrake>();
   const bool open = sequence.pulses_enabled() && !(is_braking(sequence.state()) && stands());
   train_.set_brake(!open);
   brake.lead(open, duration_);
@@ -117,7 +117,7 @@ void Axis::plan_ramp() noexcept {
 }
 
 void Axis::measure() noexcept {
-  Measurement& measurement = block<Measurement>();
+  auto& measurement = block<Measurement>();
   measurement.measure(train_);
   if (!positions()) block<ActualPosition>().note(measurement.counts(), measurement.speed());
   actual_.speed = measurement.speed();
@@ -134,7 +134,7 @@ void Axis::track_measurement() noexcept {
 }
 
 void Axis::watch_speed() noexcept {
-  const SetpointChannel& channel = block<SetpointChannel>();
+  const auto& channel = block<SetpointChannel>();
   const bool pulses = block<SequenceControl>().pulses_enabled();
   block<SpeedMessages>().run({.duration = duration_,
                               .speed = actual_.speed,
@@ -163,8 +163,8 @@ void Axis::conclude_measurement() noexcept {
 }
 
 void Axis::refresh_status() noexcept {
-  const SequenceControl& sequence = block<SequenceControl>();
-  const SpeedMessages& speed = block<SpeedMessages>();
+  const auto& sequence = block<SequenceControl>();
+  const auto& speed = block<SpeedMessages>();
   const FreeStatusBits::Inputs& free = block<FreeStatusBits>().inputs;
   actual_.state = sequence.state();
   actual_.pulses_enabled = sequence.pulses_enabled();

@@ -25,8 +25,8 @@ enum class Quantity : std::uint8_t {
 
 /// A quantity and the parameter that is 100 % of it where it comes from a connector or goes to a connector input.
 struct QuantityRow {
-  Quantity quantity;
-  std::uint16_t reference;  ///< in the unit of the parameter; 0 = a connector brings the number as it is
+  Quantity quantity = Quantity::None;
+  std::uint16_t reference = 0;  ///< in the unit of the parameter; 0 = a connector brings the number as it is
   /// Of one that a connector input takes as the number that it is, whatever that is 100 % of where it comes from:
   /// what 1 is in SI units (LU, LU/s); 0: it takes a share of the reference.
   double of_one = 0.0;

@@ -24,10 +24,10 @@ constexpr int kTimeTicks = 10;
 constexpr int kValueTicks = 5;
 constexpr double kShortestSpan = 1e-6;  // s
 
-constexpr std::string_view kGrid = "stroke=\"#e4e4e4\"";
-constexpr std::string_view kFrame = "fill=\"none\" stroke=\"#909090\"";
-constexpr std::string_view kTriggerLine = "stroke=\"#c00000\" stroke-width=\"1.5\"";
-constexpr std::string_view kSmall = "font-size=\"11\" fill=\"#404040\"";
+constexpr std::string_view kGrid = R"(stroke="#e4e4e4")";
+constexpr std::string_view kFrame = R"(fill="none" stroke="#909090")";
+constexpr std::string_view kTriggerLine = R"(stroke="#c00000" stroke-width="1.5")";
+constexpr std::string_view kSmall = R"(font-size="11" fill="#404040")";
 
 /// How times are shown: since what, and in which unit.
 struct TimeUnit {
@@ -101,10 +101,10 @@ class Picture {
     for (const double tick : shown.ticks(kTimeTicks)) {
       const double x = shown.place(tick);
       upright(x, kGrid);
-      svg_.line(x, bottom_, x, bottom_ + 4.0, "stroke=\"#606060\"");
+      svg_.line(x, bottom_, x, bottom_ + 4.0, R"(stroke="#606060")");
       svg_.text(x, bottom_ + 17.0, tick_text(tick, step), Anchor::Middle, kSmall);
     }
-    svg_.line(kLeft, bottom_, kRight, bottom_, "stroke=\"#606060\"");
+    svg_.line(kLeft, bottom_, kRight, bottom_, R"(stroke="#606060")");
     svg_.text(0.5 * (kLeft + kRight), bottom_ + 35.0,
               fmt::format("time from the {} ({})", result_.trigger ? "trigger" : "first sample", unit.text),
               Anchor::Middle, kSmall);
@@ -117,12 +117,12 @@ class Picture {
     for (const std::size_t signal : lane.signals) {
       const Result::Signal& named = result_.signals[signal];
       const std::string text = fmt::format("{}  {}", named.name, named.text);
-      svg_.rectangle(x, lane.top - 13.0, 10.0, 10.0, fmt::format("fill=\"{}\"", colour_of(signal)));
+      svg_.rectangle(x, lane.top - 13.0, 10.0, 10.0, fmt::format(R"(fill="{}")", colour_of(signal)));
       svg_.text(x + 14.0, lane.top - 4.0, lane.signals.size() > 3 ? named.name : text, Anchor::Start, kSmall);
       x += 34.0 + 6.0 * static_cast<double>((lane.signals.size() > 3 ? named.name : text).size());
-      svg_.path(curve_of(result_, signal, time_, lane.values),
-                fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.3\" stroke-linejoin=\"round\"",
-                            colour_of(signal)));
+      svg_.path(
+          curve_of(result_, signal, time_, lane.values),
+          fmt::format(R"(fill="none" stroke="{}" stroke-width="1.3" stroke-linejoin="round")", colour_of(signal)));
     }
   }
 
@@ -131,12 +131,12 @@ class Picture {
     for (const double tick : lane.values.ticks(kValueTicks)) {
       const double y = lane.values.place(tick);
       svg_.line(kLeft, y, kRight, y, kGrid);
-      svg_.line(kLeft - 4.0, y, kLeft, y, "stroke=\"#606060\"");
+      svg_.line(kLeft - 4.0, y, kLeft, y, R"(stroke="#606060")");
       svg_.text(kLeft - 7.0, y + 4.0, tick_text(tick, step), Anchor::End, kSmall);
     }
     const double middle = lane.top + 0.5 * lane.height;
     svg_.text(kUnitPlace, middle, lane.unit, Anchor::Middle,
-              fmt::format("transform=\"rotate(-90 {:.1f} {:.1f})\"", kUnitPlace, middle));
+              fmt::format(R"(transform="rotate(-90 {:.1f} {:.1f})")", kUnitPlace, middle));
   }
 
   void events() {
@@ -144,11 +144,11 @@ class Picture {
     svg_.text(kLeft - 7.0, events_top_ + 11.0, "events", Anchor::End, kSmall);
     for (const EventLabel& label : labels_) {
       const std::string_view colour = colour_of(result_.events[label.event]);
-      upright(label.x, fmt::format("stroke=\"{}\" stroke-dasharray=\"3,3\" stroke-opacity=\"0.7\"", colour));
+      upright(label.x, fmt::format(R"(stroke="{}" stroke-dasharray="3,3" stroke-opacity="0.7")", colour));
       if (label.row == kNoRow) continue;
       const double y = events_top_ + kEventRow * label.row + 11.0;
       svg_.text(label.before ? label.x - 3.0 : label.x + 3.0, y, label.text,
-                label.before ? Anchor::End : Anchor::Start, fmt::format("font-size=\"11\" fill=\"{}\"", colour));
+                label.before ? Anchor::End : Anchor::Start, fmt::format(R"(font-size="11" fill="{}")", colour));
     }
   }
 
@@ -166,7 +166,7 @@ class Picture {
         marks.append("M").append(coordinate(x)).append(",").append(coordinate(top + 2.0)).append("v12");
         before = x;
       }
-      svg_.path(marks, sent ? "stroke=\"#1f4e9c\"" : "stroke=\"#404040\"");
+      svg_.path(marks, sent ? R"(stroke="#1f4e9c")" : R"(stroke="#404040")");
     }
   }
 

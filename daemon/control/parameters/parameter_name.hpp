@@ -13,9 +13,9 @@ namespace axisd {
 
 /// One value of a drive object, or one bit of it.
 struct ParameterTarget {
-  drive::DriveObject* object;
-  const drive::PlacedRow* placed;
-  std::size_t index;
+  drive::DriveObject* object = nullptr;
+  const drive::PlacedRow* placed = nullptr;
+  std::size_t index = 0;
   std::optional<unsigned> bit;
 
   const drive::ParameterRow& row() const noexcept { return *placed->row; }

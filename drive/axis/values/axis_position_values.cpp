@@ -34,20 +34,20 @@ double encoder_position_status_of(const Axis& axis, std::size_t encoder) noexcep
 
 double positioner_status_1(const Axis& axis, std::size_t) noexcept {
   if (!axis.positions()) return 0.0;
-  const PositionControl& control = axis.block<PositionControl>();
+  const auto& control = axis.block<PositionControl>();
   return axis.block<Positioner>().status_1() + bit(kBelowCam1, control.is_below_cam_1()) +
          bit(kBelowCam2, control.is_below_cam_2());
 }
 
 double positioner_status_2(const Axis& axis, std::size_t) noexcept {
   if (!axis.positions()) return 0.0;
-  const PositionControl& control = axis.block<PositionControl>();
+  const auto& control = axis.block<PositionControl>();
   return axis.block<Positioner>().status_2() + bit(kFollows, control.is_following()) +
          bit(kTargetReached, control.is_in_position());
 }
 
 double fixed_stop_limit(const Axis& axis, std::size_t index) noexcept {
-  const Positioner& positioner = axis.block<Positioner>();
+  const auto& positioner = axis.block<Positioner>();
   if (!positioner.limits_torque()) return 0.0;
   const double share = torque_share(axis, positioner.torque_limit());
   return index == 0 ? share : -share;

@@ -152,7 +152,7 @@ double speed_controller_status(const Axis& axis, std::size_t) noexcept {
   constexpr std::int32_t kFirstVectorMode = 20;
   constexpr std::int32_t kSpeedWithoutEncoder = 20;
   constexpr std::int32_t kTorqueWithoutEncoder = 22;
-  const SpeedControl& control = axis.block<SpeedControl>();
+  const auto& control = axis.block<SpeedControl>();
   const std::int32_t mode = control.settings.control_mode;
   const bool pulses = axis.actual().pulses_enabled;
   return word(std::array{Bit{0, pulses && mode < kFirstVectorMode},
@@ -177,7 +177,7 @@ double speed_status(const Axis& axis, std::size_t) noexcept {
 }
 
 double monitoring_1(const Axis& axis, std::size_t) noexcept {
-  const SpeedMessages& speed = axis.block<SpeedMessages>();
+  const auto& speed = axis.block<SpeedMessages>();
   const bool standstill = std::abs(axis.actual().speed) < sequence_of(axis).settings.standstill_threshold;
   return word(std::array{Bit{5, standstill}, Bit{6, speed.has_overspeed()}, Bit{7, speed.target_reached()}});
 }

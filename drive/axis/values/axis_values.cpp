@@ -21,7 +21,7 @@ double rpm(double speed) noexcept {
 
 /// [0] balance, [1] drawn, [2] fed back, in units of @p unit (J).
 double energy_in(double unit, const Axis& axis, std::size_t index) noexcept {
-  const PowerUnit& power_unit = axis.block<PowerUnit>();
+  const auto& power_unit = axis.block<PowerUnit>();
   const double drawn = power_unit.energy_drawn();
   const double fed_back = power_unit.energy_fed_back();
   const std::array values{drawn - fed_back, drawn, fed_back};

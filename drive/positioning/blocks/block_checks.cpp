@@ -93,7 +93,7 @@ std::optional<PositioningMessage> inconsistency(const BlockTable& table, const T
 
 void check_blocks(const BlockTable& table, const BlockLimits& limits, PositioningMessages& messages) noexcept {
   struct Finding {
-    PositioningMessage message;
+    PositioningMessage message = NoSubsequentBlock;
     int lowest = static_cast<int>(kTraversingBlocks);
   };
   std::array findings{Finding{NoSubsequentBlock},  Finding{BlockNumberTwice}, Finding{IllegalTaskParameter},

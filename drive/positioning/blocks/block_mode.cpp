@@ -21,7 +21,7 @@ int BlockMode::selected(const PositionerInputs& inputs) noexcept {
   return number;
 }
 
-bool BlockMode::may_start(ModeContext& context) const noexcept {
+bool BlockMode::may_start(ModeContext& context) noexcept {
   const PositionerInputs& inputs = context.inputs;
   const int number = selected(inputs);
   const auto refused = [&](PositioningMessage message, std::uint32_t value = 0) {

@@ -19,7 +19,7 @@ class BlockMode {
   /// The block that p2625 to p2630 select.
   static int selected(const PositionerInputs& inputs) noexcept;
   /// Whether the selected block may begin; otherwise the alarm says what is missing.
-  bool may_start(ModeContext& context) const noexcept;
+  static bool may_start(ModeContext& context) noexcept;
   void start(ModeContext& context) noexcept;
   /// A slice begins: stop, reject, signals, tasks without motion.
   void run(ModeContext& context) noexcept;

@@ -78,14 +78,14 @@ void MdiMode::take(ModeContext& context) noexcept {
 
 double MdiMode::target_of(const ModeContext& context, const Kind& kind) const noexcept {
   const Travel& travel = context.travel;
-  const double position = std::round(context.inputs.mdi_position);
-  if (!kind.absolute) return (task_ ? target_ : std::round(travel.position())) + position;
-  if (!context.has_modulo()) return position;
-  const double place = travel.planned_position();
+  const double target = std::round(context.inputs.mdi_position);
+  if (!kind.absolute) return (task_ ? target_ : std::round(travel.position())) + target;
+  if (!context.has_modulo()) return target;
+  const double position = travel.planned_position();
   const double range = context.modulo_range;
-  const double way = modulo_way(place, position, range, kind.direction);
+  const double way = modulo_way(position, target, range, kind.direction);
   const double braking = travel.braking_distance(share(context.inputs.mdi_deceleration));
-  return std::round(place + whole_turn_way(way, range, travel.planned_velocity(), braking, kind.direction));
+  return std::round(position + whole_turn_way(way, range, travel.planned_velocity(), braking, kind.direction));
 }
 
 void MdiMode::take_position(ModeContext& context) noexcept {

@@ -102,7 +102,7 @@ void Positioner::begin(ModeContext& context, ModeRequest request, bool Inputs::*
     return;
   }
   if (request == ModeRequest::Mdi && !mdi_.may_start(context)) return;
-  if (request == ModeRequest::Block && !blocks_.may_start(context)) return;
+  if (request == ModeRequest::Block && !BlockMode::may_start(context)) return;
   refusals_.accept();
   messages_.show(PositioningMessage::ChangeNotRequested, false);
   if (request == ModeRequest::Block) return blocks_.start(context);

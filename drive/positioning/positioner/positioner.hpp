@@ -146,6 +146,9 @@ class Positioner {
   void wrap() noexcept;
   // Status words (positioner_status.cpp).
   void show_status() noexcept;
+  bool follow_setpoint() noexcept;
+  std::uint16_t word_1(bool fixed) const noexcept;
+  std::uint16_t word_2() const noexcept;
 
   bool is_present_;
   Travel travel_;

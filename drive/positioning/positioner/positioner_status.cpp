@@ -86,48 +86,60 @@ double Positioner::residual_distance() const noexcept {
   return has_target() ? travel_.goal().target - travel_.position() : 0.0;
 }
 
-void Positioner::show_status() noexcept {
-  const bool still = travel_.is_still();
-  const bool pending = travel_.is_pending() || search_.is_active();
-  const bool fixed = still && !pending;
+/// r2683.2 and r2683.3: the setpoint stands, and where it was to go.
+bool Positioner::follow_setpoint() noexcept {
+  const bool fixed = travel_.is_still() && !travel_.is_pending() && !search_.is_active();
   if (!fixed || tracks_)
     setpoint_reached_ = false;
   else if (travel_.has_arrived() && !travel_.is_cut_off() && travel_.has_target() && !blocks_.flies())
     setpoint_reached_ = true;
+  return fixed;
+}
+
+void Positioner::show_status() noexcept {
+  status_1_ = word_1(follow_setpoint());
+  status_2_ = word_2();
+}
+
+/// r2683 with @p fixed, the setpoint that stands.
+std::uint16_t Positioner::word_1(bool fixed) const noexcept {
   const double velocity = travel_.velocity();
-  const double change = travel_.acceleration() * velocity;
   const FixedStop& stop = blocks_.fixed_stop();
-  status_1_ = Word{}
-                  .bit(0, tracks_)
-                  .bit(1, travel_.is_capped())
-                  .bit(2, fixed)
-                  .bit(3, setpoint_reached_)
-                  .bit(4, velocity > 0.0)
-                  .bit(5, velocity < 0.0)
-                  .bit(6, messages_.stands(PositioningMessage::LimitMinusReached))
-                  .bit(7, messages_.stands(PositioningMessage::LimitPlusReached))
-                  .bit(10, (blocks_.outputs() & 1U) != 0)
-                  .bit(11, (blocks_.outputs() & 2U) != 0)
-                  .bit(12, stop.is_clamped())
-                  .bit(13, stop.has_torque())
-                  .bit(14, stop.is_active())
-                  .value();
-  status_2_ = Word{}
-                  .bit(0, search_.is_active())
-                  .bit(1, flying_.is_active())
-                  .bit(2, search_.is_active() || flying_.is_active())
-                  .bit(3, flying_.is_outside())
-                  .bit(4, change > 0.0)
-                  .bit(5, change < 0.0)
-                  .bit(6, travel_.is_smoothing())
-                  .bit(7, flying_.corrects())
-                  .bit(9, modulo_range_ > 0.0)
-                  .bit(11, reference_.is_set)
-                  .bit(12, blocks_.acknowledges() || mdi_.acknowledges())
-                  .bit(13, stop_cams_.bars(Direction::Negative))
-                  .bit(14, stop_cams_.bars(Direction::Positive))
-                  .bit(15, has_task())
-                  .value();
+  return Word{}
+      .bit(0, tracks_)
+      .bit(1, travel_.is_capped())
+      .bit(2, fixed)
+      .bit(3, setpoint_reached_)
+      .bit(4, velocity > 0.0)
+      .bit(5, velocity < 0.0)
+      .bit(6, messages_.stands(PositioningMessage::LimitMinusReached))
+      .bit(7, messages_.stands(PositioningMessage::LimitPlusReached))
+      .bit(10, (blocks_.outputs() & 1U) != 0)
+      .bit(11, (blocks_.outputs() & 2U) != 0)
+      .bit(12, stop.is_clamped())
+      .bit(13, stop.has_torque())
+      .bit(14, stop.is_active())
+      .value();
+}
+
+std::uint16_t Positioner::word_2() const noexcept {
+  const double change = travel_.acceleration() * travel_.velocity();
+  return Word{}
+      .bit(0, search_.is_active())
+      .bit(1, flying_.is_active())
+      .bit(2, search_.is_active() || flying_.is_active())
+      .bit(3, flying_.is_outside())
+      .bit(4, change > 0.0)
+      .bit(5, change < 0.0)
+      .bit(6, travel_.is_smoothing())
+      .bit(7, flying_.corrects())
+      .bit(9, modulo_range_ > 0.0)
+      .bit(11, reference_.is_set)
+      .bit(12, blocks_.acknowledges() || mdi_.acknowledges())
+      .bit(13, stop_cams_.bars(Direction::Negative))
+      .bit(14, stop_cams_.bars(Direction::Positive))
+      .bit(15, has_task())
+      .value();
 }
 
 }  // namespace drive
