@@ -136,7 +136,7 @@ class Picture {
     }
     const double middle = lane.top + 0.5 * lane.height;
     svg_.text(kUnitPlace, middle, lane.unit, Anchor::Middle,
-              fmt::format(R"(transform="rotate(-90 {:.1f} {:.1f})")", kUnitPlace, middle));
+              fmt::format(R"x(transform="rotate(-90 {:.1f} {:.1f})")x", kUnitPlace, middle));
   }
 
   void events() {

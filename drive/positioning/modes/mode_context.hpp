@@ -29,8 +29,8 @@ struct ModeContext {
   PositioningMessages& messages;
   Refusals& refusals;
   ReferencePoint& reference;
-  double modulo_range = 0.0;    ///< in force (LU), 0 = none
-  bool can_reach_stop = true;   ///< closed loop with encoder
+  double modulo_range = 0.0;   ///< in force (LU), 0 = none
+  bool can_reach_stop = true;  ///< closed loop with encoder
 
   bool rises(bool PositionerInputs::*input) const noexcept { return inputs.*input && !(before.*input); }
   bool has_modulo() const noexcept { return modulo_range > 0.0; }
