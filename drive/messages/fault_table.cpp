@@ -22,6 +22,15 @@ constexpr Reactions kEncoder = bit_of(Reaction::Encoder);
 constexpr std::array kRows{
     FaultRow{1000, Kind::Fault, Scope::ControlUnit, Reaction::Off2, kFixed, Acknowledge::PowerOn, Propagation::Local, 0x1000, 0x81, "Internal software error", "internal error, unit must be restarted"},
     FaultRow{1002, Kind::Fault, Scope::ControlUnit, Reaction::Off2, kFixed, Acknowledge::Immediately, Propagation::Local, 0x1000, 0x81, "Internal software error", "internal error, acknowledgeable"},
+    FaultRow{1097, Kind::Alarm, Scope::ControlUnit, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "NTP server unreachable", "no answer for 10 minutes; never here, as the clock of the host counts as the answer"},
+    FaultRow{1099, Kind::Alarm, Scope::ControlUnit, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "UTC synchronisation tolerance violated", "the clock was corrected by more than p3109; r3107 and r3108 show it; gone with the next correction inside the tolerance"},
+    FaultRow{1505, Kind::Fault, Scope::Both, Reaction::None, kFixed, Acknowledge::Immediately, Propagation::Local, 0x1000, 0x81, "BICO telegram cannot be wired", "an input that the telegram of p0922 or p2079 holds cannot be connected"},
+    FaultRow{1906, Kind::Alarm, Scope::ControlUnit, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "EtherNet/IP configuration faulty", "EtherNet/IP is served by a program of its own, if at all"},
+    FaultRow{1910, Kind::Fault, Scope::Axis, Reaction::Off3, kNone | kOff1 | kOff2 | kStop2, Acknowledge::Immediately, Propagation::Local, 0x1000, 0x81, "Fieldbus interface setpoint timeout", "no process data on IF1 for p2040, p2047 and p2044"},
+    FaultRow{1912, Kind::Fault, Scope::Axis, Reaction::Off1, kNone | kOff2 | kOff3 | kStop2, Acknowledge::Immediately, Propagation::Local, 0x1000, 0x81, "PROFIdrive sign of life failed", "more than p0925 wrong values of the sign of life in STW2 in a row"},
+    FaultRow{1920, Kind::Alarm, Scope::Both, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "Fieldbus interface setpoint interruption", "no process data on IF1 for p2040 and p2047; gone when they come again"},
+    FaultRow{1925, Kind::Alarm, Scope::Both, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "Modbus TCP connection interrupted", "a connection was closed that had written process data; gone when they come again"},
+    FaultRow{1980, Kind::Alarm, Scope::ControlUnit, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "PROFINET no cyclic connection", "PROFINET is not served"},
     FaultRow{7011, Kind::Fault, Scope::Axis, Reaction::Off2, kNone | kOff1 | kOff3 | kStop2, Acknowledge::Immediately, Propagation::Local, 0x1000, 0x81, "Motor overtemperature", "sensor or model above p0605, or p0604 exceeded longer than p0606"},
     FaultRow{7012, Kind::Alarm, Scope::Axis, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "Motor temperature model 1/3 overtemperature", "thermal model above its alarm threshold"},
     FaultRow{7015, Kind::Alarm, Scope::Axis, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "Motor temperature sensor alarm", "sensor wire break or short circuit"},
@@ -129,6 +138,10 @@ constexpr std::array kRows{
     FaultRow{7990, Kind::Fault, Scope::Axis, Reaction::Off2, kNone | kOff1, Acknowledge::Immediately, Propagation::Local, 0x1000, 0x81, "Motor data identification incorrect", "p1910 measurement failed, value = step"},
     FaultRow{7991, Kind::Alarm, Scope::Axis, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "Motor data identification activated", "p1910 set, executed at next ON"},
     FaultRow{7994, Kind::Alarm, Scope::Axis, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "Motor data identification not performed", "vector control without identified motor"},
+    FaultRow{8501, Kind::Fault, Scope::Axis, Reaction::Off3, kNone | kOff1 | kOff2, Acknowledge::Immediately, Propagation::Local, 0x1000, 0x81, "COMM BOARD setpoint timeout", "no process data on a communication board for p8840; the CANopen board does not raise it"},
+    FaultRow{8526, Kind::Alarm, Scope::ControlUnit, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "COMM BOARD no cyclic connection", "a communication board for PROFINET, which the unit does not have"},
+    FaultRow{8550, Kind::Alarm, Scope::ControlUnit, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "PZD interface hardware assignment faulty", "p8839 as of power-on; IF1 or IF2, or both, count as not assigned"},
+    FaultRow{8555, Kind::Alarm, Scope::ControlUnit, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "Modbus TCP configuration faulty", "value: 1 two Modbus ports, 2 p0978[0] is no servo or vector axis"},
     FaultRow{8700, Kind::Fault, Scope::Both, Reaction::Off3, kNone | kOff1 | kOff2, Acknowledge::Immediately, Propagation::Global, 0x1001, 0x11, "CAN communication error", "value 1: transmit error counter passed 255 (bus-off); value 2: master did not poll within guard time x life time factor. Reaction taken from p8641. Present on CU too without reaction. After bus-off restart with p8608"},
     FaultRow{8701, Kind::Fault, Scope::Both, Reaction::Off3, kFixed, Acknowledge::Immediately, Propagation::Global, 0x1001, 0x11, "CAN NMT state change", "value 1: operational -> pre-operational; value 2: operational -> stopped. Reaction fixed (not from p8641). Just acknowledge; infeed OFF2"},
     FaultRow{8702, Kind::Fault, Scope::Both, Reaction::Off3, kNone | kOff1 | kOff2, Acknowledge::Immediately, Propagation::Global, 0x1001, 0x11, "CAN RPDO timeout", "no process data received within p8699 (0 = off)"},
@@ -170,6 +183,7 @@ constexpr std::array kRows{
     FaultRow{31118, Kind::Fault, Scope::Axis, Reaction::Encoder, kShortCircuit | kNone, Acknowledge::PulseInhibit, Propagation::Local, 0x1000, 0x81, "Encoder 1 speed difference", "speed jump larger than p0492"},
     FaultRow{31120, Kind::Fault, Scope::Axis, Reaction::Encoder, kShortCircuit | kNone, Acknowledge::PulseInhibit, Propagation::Local, 0x1000, 0x81, "Encoder 1 supply fault", "encoder supply voltage missing"},
     FaultRow{31150, Kind::Fault, Scope::Axis, Reaction::Encoder, kShortCircuit | kNone | kOff1 | kOff2 | kOff3 | kStop2, Acknowledge::PulseInhibit, Propagation::Local, 0x1000, 0x81, "Encoder 1 initialisation error", "encoder could not be started"},
+    FaultRow{50011, Kind::Alarm, Scope::ControlUnit, Reaction::None, kFixed, Acknowledge::None, Propagation::Local, 0x0000, 0x00, "EtherNet/IP configuration faulty", "EtherNet/IP is served by a program of its own, if at all"},
 };
 // clang-format on
 

@@ -36,6 +36,7 @@ constexpr std::array kTexts{
     ReasonRow{RefusalReason::OnlyInDeviceReset, "can only be written with p0009 = 30"},
     ReasonRow{RefusalReason::OnlyInDeviceCommissioning, "can only be written with p0009 not 0"},
     ReasonRow{RefusalReason::IllegalSource, "not a BICO source that it can be connected to"},
+    ReasonRow{RefusalReason::Locked, "locked by the telegram that p0922 or p2079 selects"},
     ReasonRow{RefusalReason::BelowMinimum, "below the minimum"},
     ReasonRow{RefusalReason::AboveMaximum, "above the maximum"},
 };

@@ -31,6 +31,7 @@ enum class RefusalReason : std::uint8_t {
   OnlyInDeviceReset = 0x7D,
   OnlyInDeviceCommissioning = 0x7F,
   IllegalSource = 0x83,
+  Locked = 0x84,  ///< a telegram (p0922, p2079) holds it
   BelowMinimum = 0xC8,
   AboveMaximum = 0xC9,
 };

@@ -82,7 +82,7 @@ using Check = std::optional<Refusal> (*)(const DriveObject& object, std::size_t 
 /// One parameter of the kinds of drive objects that it names.
 struct ParameterRow {
   std::uint16_t number;
-  std::uint8_t count;  ///< indices, from 0
+  std::uint16_t count;  ///< indices, from 0
   ObjectKinds kinds;
   DataType type;
   Unit unit;

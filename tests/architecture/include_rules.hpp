@@ -13,7 +13,7 @@ namespace architecture {
 /// An item that ends with a slash allows what lies below it; kSystem allows headers of Linux and of the C library.
 struct Layer {
   std::string_view folder;
-  std::array<std::string_view, 18> allowed;  ///< empty items allow nothing
+  std::array<std::string_view, 22> allowed;  ///< empty items allow nothing
 };
 
 /// Headers of Linux and of the C library: in angle brackets, ended by .h, of no library that is named in a layer.
@@ -52,6 +52,7 @@ inline constexpr std::array kLayers{
     Layer{"drive/values", {"motor/control/", "drive/base/", "drive/parameter/", "drive/machine/"}},
     Layer{"drive/messages", {"fmt/", "drive/base/"}},
     Layer{"unit", {"drive/"}},
+    Layer{"profidrive", {"drive/", "unit/"}},
     Layer{"trace", {"motor/", "drive/", "unit/", "text/", "fmt/", "nlohmann/"}},
     Layer{"trace/export", {"nlohmann/", "fmt/"}},
     Layer{"trace/signal", {"motor/", "drive/", "unit/", "text/", "fmt/"}},
@@ -76,14 +77,17 @@ inline constexpr std::array kLayers{
     Layer{"daemon/watch",
           {"daemon/base/", "daemon/configuration/", "daemon/version.hpp", "libcanopen/", "drive/", "unit/",
            "device/", "can/port/", "record/", "trace/", "os/", "fmt/", "nlohmann/", kSystem}},
-    Layer{"daemon/instance",
-          {"daemon/base/", "daemon/watch/", "daemon/configuration/", "record/", "trace/", "daemon/version.hpp",
-           "libcanopen/", "drive/", "motor/", "unit/", "device/", "os/", "can/port/", "can/connection/", "text/",
-           "fmt/", "nlohmann/", kSystem}},
+    Layer{"daemon/instance", {"daemon/base/", "daemon/watch/",   "daemon/configuration/",
+                              "record/",      "trace/",          "daemon/version.hpp",
+                              "libcanopen/",  "drive/",          "motor/",
+                              "unit/",        "device/",         "profidrive/",
+                              "modbus/",      "daemon/modbus/",  "os/",
+                              "can/port/",    "can/connection/", "text/",
+                              "fmt/",         "nlohmann/",       kSystem}},
     Layer{"daemon/control",
           {"daemon/base/", "daemon/watch/", "daemon/instance/", "daemon/configuration/", "daemon/version.hpp",
-           "control/", "record/", "trace/", "device/", "unit/", "drive/", "motor/", "libcanopen/", "can/", "text/",
-           "fmt/", "nlohmann/"}},
+           "control/", "record/", "trace/", "device/", "profidrive/", "modbus/", "unit/", "drive/", "motor/",
+           "libcanopen/", "can/", "text/", "fmt/", "nlohmann/"}},
     Layer{"daemon/loop", {"daemon/base/", "daemon/instance/", "libcanopen/base/", "os/", kSystem}},
     Layer{"daemon/fleet",
           {"daemon/base/", "daemon/configuration/", "daemon/instance/", "daemon/loop/", "control/error.hpp",
