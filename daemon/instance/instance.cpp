@@ -54,6 +54,7 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       reports_{configuration, log},
       recording_{{configuration, device_, frames_, events_, folder, started_}},
       load_torques_{load_torques(configuration)} {
+  device_.attach(if1_);
   if (const auto problem = configuration.trace ? trace_.problem_of(*configuration.trace) : std::nullopt)
     throw ConfigurationError{fmt::format("trace: {}: expected {}", problem->key, problem->expected)};
   if (!configuration.record) return;

@@ -21,6 +21,7 @@
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
+#include "profidrive/interface/interface.hpp"
 
 namespace axisd {
 
@@ -88,6 +89,9 @@ class Instance final : private device::Listener, private Station, private TapOwn
   const BusTurn& bus() const noexcept { return bus_; }
   device::Device& device() noexcept { return device_; }
   const device::Device& device() const noexcept { return device_; }
+  /// Its process data beside the CAN bus.
+  profidrive::Interface& if1() noexcept { return if1_; }
+  const profidrive::Interface& if1() const noexcept { return if1_; }
   const Configuration& configuration() const noexcept { return configuration_; }
   const UnitMemory& memory() const noexcept { return memory_; }
   const BusReports& reports() const noexcept { return reports_; }
@@ -199,6 +203,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   bus::Connection connection_;
   BusTurn bus_;
   device::Device device_;
+  profidrive::Interface if1_{device_.runner()};
   UnitMemory memory_;
   BusReports reports_;
   Heard heard_{*this};

@@ -11,6 +11,7 @@
 #include "drive/catalogue/rows/can.hpp"
 #include "drive/catalogue/rows/control.hpp"
 #include "drive/catalogue/rows/display.hpp"
+#include "drive/catalogue/rows/if1.hpp"
 #include "drive/catalogue/rows/infeed.hpp"
 #include "drive/catalogue/rows/messages.hpp"
 #include "drive/catalogue/rows/pdo.hpp"
@@ -57,7 +58,7 @@ constexpr auto joined(const Tables&... tables) {
 template <class... Block>
 constexpr auto joined_with(const std::tuple<Block...>*) {
   return joined(rows::rows_of<Block>..., rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows,
-                rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
+                rows::kPdoRows, rows::kIf1Rows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
                 rows::kControlRows, rows::kTechnologyRows);
 }
 constexpr auto kRows = joined_with(static_cast<const AxisBlocks*>(nullptr));
