@@ -25,6 +25,13 @@ double free_double_word(const DriveObject& object, std::size_t index) noexcept {
 double interface_state(const DriveObject& object, std::size_t index) noexcept {
   return object.process_data().interface_state[index] ? 1.0 : 0.0;
 }
+double board_state(const DriveObject& object, std::size_t) noexcept {
+  constexpr std::size_t kNoSetpoints = 0, kBusRuns = 2;
+  constexpr double kAcyclic = 5.0, kWithoutSetpoints = 6.0, kCyclic = 255.0;
+  const auto& state = object.process_data().interface_state;
+  if (!state[kBusRuns]) return kAcyclic;
+  return state[kNoSetpoints] ? kWithoutSetpoints : kCyclic;
+}
 double received_word(const DriveObject& object, std::size_t place) noexcept {
   return static_cast<std::int16_t>(object.process_data().received[place]);
 }
