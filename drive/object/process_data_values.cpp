@@ -22,6 +22,13 @@ double free_word(const DriveObject& object, std::size_t index) noexcept {
 double free_double_word(const DriveObject& object, std::size_t index) noexcept {
   return object.process_data().unplaced.double_words[index];
 }
+double board_state(const DriveObject& object, std::size_t) noexcept {
+  constexpr std::size_t kNoSetpoints = 0, kBusRuns = 2;
+  constexpr double kAcyclic = 5.0, kWithoutSetpoints = 6.0, kCyclic = 255.0;
+  const auto& state = object.process_data().interface_state;
+  if (!state[kBusRuns]) return kAcyclic;
+  return state[kNoSetpoints] ? kWithoutSetpoints : kCyclic;
+}
 double if1_state(const DriveObject& object, std::size_t) noexcept {
   const auto& state = object.if1().interface_state;
   double bits = 0.0;

@@ -11,6 +11,8 @@ class DriveObject;
 /// What parameters show of the process data of a drive object, as numbers of their own types.
 namespace drive::process_value {
 
+/// r8854.
+double board_state(const DriveObject& object, std::size_t index) noexcept;
 double controlword(const DriveObject& object, std::size_t index) noexcept;
 double free_double_word(const DriveObject& object, std::size_t index) noexcept;
 double free_word(const DriveObject& object, std::size_t index) noexcept;

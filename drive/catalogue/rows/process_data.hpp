@@ -18,6 +18,7 @@ inline constexpr std::array kProcessDataRows{
     Row{2900, 1, kAll, F32, Unit::Percent, {-10000.0, 10000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed value 1 (CO)", "inputs that are connected to it"},
     Row{2901, 1, kAll, F32, Unit::Percent, {-10000.0, 10000.0}, 0.0, When::Always, Slot{}, Output::Connector, "Fixed value 2 (CO)", "inputs that are connected to it"},
     Row{2902, 15, kAll, F32, Unit::Percent, kWhole, 0.0, When::ReadOnly, shown<object_value::fixed_value>, Output::Connector, "Fixed values (CO)", "0, 5, 10, 20, 50, 100, 150, 200 and -5 to -200"},
+    Row{2930, 1, kAll, F32, Unit::NewtonMetre, {-100000.0, 100000.0}, 0.0, When::Always, Slot{}, Output::Connector, "CO: fixed value torque", "inputs that are connected to it"},
     Row{8805, 2, kControlUnit, I16, Unit::None, kWhole, 0.0, When::Ready, Stored{"I&M data of PROFIdrive"}, Output::No, "I&M 4 configuration", ""},
     Row{8815, 2, kControlUnit, I16, Unit::None, {1.0, 2.0}, 1.0, When::Ready, Stored{"isochronous PROFIdrive and PROFIsafe"}, Output::No, "IF1/IF2 PZD functionality: [0] isochronous, [1] PROFIsafe", ""},
     Row{8837, 1, kWithProcessData, I16, Unit::None, {0.0, 2.0}, 2.0, When::Ready, Stored{"a control word with control by PLC on the CAN bus"}, Output::No, "IF2 STW1.10 = 0 mode", ""},
