@@ -39,6 +39,9 @@ std::optional<Refusal> server_cob_id(const DriveObject& object, std::size_t inde
 std::optional<Refusal> function_modules(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8630: the windows [1] and [2] end at 3 and 5.
 std::optional<Refusal> object_window(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p3101: days end at 65535. p3103: 0, 2 or 4.
+std::optional<Refusal> clock_time(const DriveObject& object, std::size_t index, double value) noexcept;
+std::optional<Refusal> clock_method(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8684: 4, 5 or 127.
 std::optional<Refusal> start_state(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8685: 4, 5, 127, or a reset: 128, 129.

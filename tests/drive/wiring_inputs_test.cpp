@@ -74,8 +74,9 @@ const std::vector<ValueInput> kValueInputs{
 
 /// Inputs that act elsewhere: digital outputs, messages of the statusword, acknowledgement of the unit, process
 /// data, converters.
-const std::set<std::uint16_t> kOtherInputs{738,  739,  740,  741,  742,  743,  744,  745,  2102, 2151, 8746, 8748,
-                                           8785, 8786, 8787, 8851, 8861, 8880, 8881, 8882, 8883, 8884, 8899};
+const std::set<std::uint16_t> kOtherInputs{738,  739,  740,  741,  742,  743,  744,  745,  2102,
+                                           2151, 3104, 3116, 8746, 8748, 8785, 8786, 8787, 8851,
+                                           8861, 8880, 8881, 8882, 8883, 8884, 8899};
 /// Inputs of position control and the positioner, which have tests of their own, and of the technology controller,
 /// which the drive does not have.
 bool is_of_positioner(std::uint16_t number) {
