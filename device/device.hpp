@@ -15,11 +15,12 @@
 namespace device {
 
 using unit::CycleClock;
+using unit::HostClock;
 using unit::Keeping;
 using unit::ParameterKeeper;
 
 /// What the unit tells the program around it. Called from within the functions of Device.
-class Listener : public ParameterKeeper, public BusListener {};
+class Listener : public ParameterKeeper, public BusListener, public HostClock {};
 
 /// The drive unit as a CANopen node: a runner with the CANopen face, and whatever further faces are attached. It
 /// is fed frames and time and hands its frames to a sink; nothing in it reads a clock, blocks or, after
@@ -31,6 +32,7 @@ class Device final {
 
   Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
       : runner_{unit_configuration(configuration), listener}, face_{configuration, runner_, sink, listener} {
+    runner_.ask(listener);
     runner_.attach(face_);
   }
 

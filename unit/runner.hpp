@@ -37,6 +37,9 @@ class Runner final {
   /// Before start(): @p face, which outlives this, is connected to the unit from now on. It gets the presets.
   void attach(Face& face);
 
+  /// Before start(): @p clock, which outlives this, is asked if the unit takes its time from the host.
+  void ask(HostClock& clock) noexcept { host_clock_ = &clock; }
+
   /// Before start(): the saved parameters, and what a power cut did not take. An image that does not fit changes
   /// nothing.
   [[nodiscard]] tl::expected<void, ImageError> load_parameters(std::span<const std::byte> image) noexcept;
@@ -169,6 +172,7 @@ class Runner final {
   void see_what_rests() noexcept;
   void publish() noexcept;
   void tell_of_messages() noexcept;
+  void ask_host() noexcept;
   std::uint8_t object_of(std::size_t axis) const noexcept;
   // runner_parameters.cpp
   void lay_presets(ParameterGroup group) noexcept;
@@ -192,6 +196,7 @@ class Runner final {
   CycleClock clock_;
   MessageWatch messages_;
   CycleObserver* observer_ = nullptr;
+  HostClock* host_clock_ = nullptr;
   AxisMask idle_;                     ///< nothing moves there, and nothing has come since the last cycle
   std::optional<TimePoint> started_;  ///< when the unit was switched on
   TimePoint now_{};                   ///< as last told

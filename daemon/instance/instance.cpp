@@ -151,6 +151,11 @@ void Instance::on_restore() noexcept {
   memory_.on_restore();
 }
 
+std::optional<drive::UtcTime> Instance::host_time() noexcept {
+  const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(os::wall_time()).count();
+  return time >= 0 ? std::optional{static_cast<drive::UtcTime>(time)} : std::nullopt;
+}
+
 void Instance::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
   if (events_.is_watched()) events_.on_nmt_state(from, to, frames_.now());
 }

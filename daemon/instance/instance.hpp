@@ -164,6 +164,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
     tell(record::EventKind::Store, kept);
   }
   void on_restore() noexcept override;
+  std::optional<drive::UtcTime> host_time() noexcept override;
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   canopen::TimePoint frame_arrival(canopen::TimePoint) noexcept override { return bus_.frame_arrival(); }
 

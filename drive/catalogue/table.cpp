@@ -22,6 +22,7 @@
 #include "drive/catalogue/rows/technology.hpp"
 #include "drive/catalogue/rows/terminals.hpp"
 #include "drive/catalogue/rows/unit.hpp"
+#include "drive/clock/unit_clock_rows.hpp"
 #include "drive/external_messages/external_messages_rows.hpp"
 #include "drive/identification/identification_rows.hpp"
 #include "drive/jog/jog_rows.hpp"
@@ -61,10 +62,10 @@ constexpr auto joined(const Tables&... tables) {
 /// The rows of all blocks of an axis, and those that belong to none.
 template <class... Block>
 constexpr auto joined_with(const std::tuple<Block...>*) {
-  return joined(rows::rows_of<Block>..., rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows,
-                rows::kPdoRows, rows::kIf1Rows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
-                rows::kControlRows, rows::kTechnologyRows, rows::kDataSetRows, rows::kTelegramWordRows,
-                rows::kNetworkRows);
+  return joined(rows::rows_of<Block>..., rows::rows_of<UnitClock>, rows::kUnitRows, rows::kTerminalRows,
+                rows::kInfeedRows, rows::kCanRows, rows::kPdoRows, rows::kIf1Rows, rows::kProcessDataRows,
+                rows::kMessagesRows, rows::kDisplayRows, rows::kControlRows, rows::kTechnologyRows,
+                rows::kDataSetRows, rows::kTelegramWordRows, rows::kNetworkRows);
 }
 constexpr auto kRows = joined_with(static_cast<const AxisBlocks*>(nullptr));
 
