@@ -1,5 +1,6 @@
 #include "drive/reference/catalogue_rows.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iterator>
@@ -14,6 +15,8 @@ namespace drive {
 namespace {
 
 constexpr unsigned kFirstObject = 0x2000;
+/// An EDS has no more; p8630[1] leads to the indices behind it.
+constexpr unsigned kLastSubIndex = 0xFE;
 
 struct KindName {
   ObjectKind kind;
@@ -66,7 +69,7 @@ void write_row(std::string& list, const ParameterRow& row, std::string_view scop
     fmt::format_to(out,
                    "\n"
                    R"({{"index": "{:04X}", "sub": "00-{:02X}")",
-                   index, row.count - 1U);
+                   index, std::min<unsigned>(row.count - 1U, kLastSubIndex));
   }
   fmt::format_to(
       out, R"(, "object": "VAR", "type": "{}", "access": "{}", "pdo": false{}, "scope": "{}", "name": "{}"}})",
