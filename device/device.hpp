@@ -97,6 +97,17 @@ class Device final {
     face_.tell_time();
     return runner_.write_parameter(object, number, index, value, unit_time(now));
   }
+  /// Somebody beside the bus reads and writes parameters at @p now: @p use(drive::ParameterAccess&) does it and
+  /// makes an answer of it, and what the writes lead to is carried out behind that. A save that one begins goes
+  /// on.
+  template <class Use>
+  auto access_parameters(canopen::TimePoint now, const Use& use) noexcept {
+    runner_.set_now(unit_time(now));
+    face_.tell_time();
+    auto answer = use(runner_.parameter_access());
+    runner_.follow_up();
+    return answer;
+  }
   /// Somebody beside the bus writes @p entry of dictionary() at @p now: see CanopenFace::write_object().
   template <class Value>
   [[nodiscard]] canopen::Result<void> write_object(const canopen::Entry& entry, const Value& value,

@@ -113,6 +113,8 @@ class DriveUnit final : private Surroundings {
   /// The value of a parameter as it is transferred.
   [[nodiscard]] tl::expected<ParameterValue, ParameterError> read(std::uint8_t object, std::uint16_t number,
                                                                   std::size_t index) const noexcept;
+  /// The same of @p placed of @p object, found by DriveObject::parameter() with @p index.
+  static ParameterValue read(const DriveObject& object, const PlacedRow& placed, std::size_t index) noexcept;
   /// Writes a parameter; the type of @p value has to be that of the parameter.
   [[nodiscard]] tl::expected<void, ParameterError> write(std::uint8_t object, std::uint16_t number,
                                                          std::size_t index, const ParameterValue& value) noexcept;

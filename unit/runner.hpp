@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "drive/drive_unit.hpp"
+#include "drive/access/parameter_access.hpp"
 #include "drive/images/retained_image.hpp"
 #include "unit/configuration.hpp"
 #include "unit/cycle_clock.hpp"
@@ -24,13 +24,13 @@ namespace unit {
 /// otherwise, and brings its parameters and what it keeps back to life. Nothing in it reads a clock, blocks or,
 /// after the last face is attached, allocates. Axes are counted from 1; where a function takes one, 0 is the
 /// control unit.
-class Runner final {
+class Runner final : private drive::AccessListener {
  public:
   using ImageError = drive::image_format::Error;
 
   /// @p keeper outlives this.
   Runner(const Configuration& configuration, ParameterKeeper& keeper);
-  ~Runner() = default;
+  ~Runner() override = default;
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
@@ -106,9 +106,12 @@ class Runner final {
   bool has_saved_parameters() const noexcept { return storage_.has_saved(); }
   /// What was saved last, or loaded; valid until the next save.
   drive::SavedValues saved_parameters() const noexcept { return storage_.saved(); }
-  /// Somebody beside the faces writes index @p index of parameter @p number of drive object @p object at @p now,
-  /// under the conditions that hold for a master, and what it leads to is carried out at once. NotNow while a save
-  /// runs; one that this begins goes on, see is_saving().
+  /// How somebody beside the faces reads and writes parameters, under the conditions that hold for a master, at
+  /// the time that was told last; what the writes lead to comes with follow_up(). A save that one begins goes on,
+  /// see is_saving().
+  drive::ParameterAccess& parameter_access() noexcept { return access_; }
+  /// Somebody beside the faces writes index @p index of parameter @p number of drive object @p object at @p now
+  /// by parameter_access(), and what it leads to is carried out at once.
   [[nodiscard]] tl::expected<void, drive::ParameterError> write_parameter(std::uint8_t object,
                                                                           std::uint16_t number, std::size_t index,
                                                                           double value, TimePoint now) noexcept;
@@ -166,6 +169,13 @@ class Runner final {
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
  private:
+  // drive::AccessListener
+  bool is_locked() const noexcept override { return is_saving(); }
+  void on_access() noexcept override { tell_time(now_); }
+  void on_written(std::uint8_t object, std::uint16_t number) noexcept override {
+    on_parameter_written(object, number);
+  }
+
   void run_cycles() noexcept;
   void run_cycle(bool all, TimePoint end) noexcept;
   void wake_clock() noexcept;
@@ -189,6 +199,7 @@ class Runner final {
   FollowUps<FollowUp> follow_ups_;
   UnitParameters parameters_;
   drive::DriveUnit unit_;
+  drive::ParameterAccess access_{unit_, *this};
   ParameterStorage storage_;
   Presets presets_;
   std::vector<std::byte> retained_;

@@ -52,6 +52,8 @@ class DriveObject {
   /// 1 = control unit, then the infeed if the unit has one, then the axes.
   std::uint8_t number() const noexcept;
   const ObjectContext& context() const noexcept { return context_; }
+  /// How many drive objects the unit has.
+  std::size_t objects_of_unit() const noexcept;
   /// From now on @p surroundings, which outlive this, are asked; without them a drive object knows only itself.
   void join(Surroundings& surroundings) noexcept {
     surroundings_ = &surroundings;
@@ -70,6 +72,8 @@ class DriveObject {
                                                           std::size_t index = 0) const noexcept;
   /// Value of index @p index of @p placed, a parameter of this kind of drive object, in the parameter's own unit.
   double value(const PlacedRow& placed, std::size_t index) const noexcept;
+  /// Whether every index of @p placed has its factory value.
+  bool is_as_delivered(const PlacedRow& placed) const noexcept;
   /// Writes a parameter as a master does, in a state and within the limits that allow it; it acts at once.
   [[nodiscard]] tl::expected<void, ParameterError> write(std::uint16_t number, std::size_t index,
                                                          double value) noexcept;

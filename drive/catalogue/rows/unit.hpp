@@ -7,6 +7,7 @@
 #include "drive/values/axis_values.hpp"
 #include "drive/values/checks.hpp"
 #include "drive/values/factory_values.hpp"
+#include "drive/values/firmware.hpp"
 #include "drive/values/unit_values.hpp"
 
 namespace drive::rows {
@@ -15,7 +16,7 @@ namespace drive::rows {
 // clang-format off
 inline constexpr std::array kUnitRows{
     Row{9, 1, kControlUnit, I16, Unit::None, {0.0, 10100.0}, 0.0, When::Ready, Agreed{}, Output::No, "Device commissioning parameter filter", "not 0: switching on is inhibited on every axis; leaving 3 restarts the unit", Keep::No, check::device_filter},
-    Row{18, 1, kControlUnit, U32, Unit::None, kWhole, 4806500.0, When::ReadOnly, Agreed{}, Output::No, "CU firmware version", "100Ah"},
+    Row{18, 1, kControlUnit, U32, Unit::None, kWhole, double{kFirmware}, When::ReadOnly, Agreed{}, Output::No, "CU firmware version", "100Ah"},
     Row{50, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "command data sets, of which there is one"}, Output::Both, "Command data set effective", ""},
     Row{51, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "drive data sets, of which there is one"}, Output::Both, "Drive data set effective", ""},
     Row{97, 1, kControlUnit, I16, Unit::None, {0.0, 17.0}, 0.0, When::Ready, Stored{until::kDriveObjects}, Output::No, "Select drive object type", ""},
