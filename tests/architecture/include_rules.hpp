@@ -53,6 +53,7 @@ inline constexpr std::array kLayers{
     Layer{"drive/messages", {"fmt/", "drive/base/"}},
     Layer{"unit", {"drive/"}},
     Layer{"profidrive", {"drive/", "unit/"}},
+    Layer{"modbus", {"profidrive/", "unit/", "drive/"}},
     Layer{"trace", {"motor/", "drive/", "unit/", "text/", "fmt/", "nlohmann/"}},
     Layer{"trace/export", {"nlohmann/", "fmt/"}},
     Layer{"trace/signal", {"motor/", "drive/", "unit/", "text/", "fmt/"}},
