@@ -101,7 +101,7 @@ TEST_F(Served, AnswersOneWhoSendsNoMore) {
 }
 
 TEST_F(Served, KeepsAnswersForOneWhoReadsSlowly) {
-  TcpClient slow = client(), other = client();
+  TcpClient slow{server.place(), [this] { work(); }, 4096}, other = client();
   const std::vector<std::uint8_t> request = modbus::bytes_of("0001 0000 0006 11 03 0000 007D");
   std::vector<std::uint8_t> requests;
   for (int i = 0; i < 100; ++i) requests.insert(requests.end(), request.begin(), request.end());

@@ -17,12 +17,14 @@ namespace {
 /// For what should come at once: machines of others are slow.
 constexpr std::chrono::seconds kPatience{20};
 
-os::Descriptor connected(const std::string& place) {
+os::Descriptor connected(const std::string& place, int receive_buffer) {
   const std::size_t colon = place.rfind(':');
   const bool six = place.front() == '[';
   const std::string address = six ? place.substr(1, colon - 2) : place.substr(0, colon);
   const std::uint16_t port = htons(static_cast<std::uint16_t>(std::stoi(place.substr(colon + 1))));
   os::Descriptor socket{::socket(six ? AF_INET6 : AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+  if (receive_buffer != 0)
+    ::setsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
   sockaddr_in four{.sin_family = AF_INET, .sin_port = port, .sin_addr = {}, .sin_zero = {}};
   sockaddr_in6 with_six{};
   with_six.sin6_family = AF_INET6;
@@ -37,8 +39,8 @@ os::Descriptor connected(const std::string& place) {
 
 }  // namespace
 
-TcpClient::TcpClient(const std::string& place, std::function<void()> work)
-    : socket_{connected(place)}, work_{std::move(work)} {}
+TcpClient::TcpClient(const std::string& place, std::function<void()> work, int receive_buffer)
+    : socket_{connected(place, receive_buffer)}, work_{std::move(work)} {}
 
 void TcpClient::send(std::string_view text) {
   const std::vector<std::uint8_t> bytes = modbus::bytes_of(text);

@@ -14,8 +14,10 @@ namespace axisd {
 /// A client of Modbus TCP on the thread of the test. While it waits it lets the other side work.
 class TcpClient {
  public:
-  /// Connects to @p place, "ADDRESS:PORT" or "[ADDRESS]:PORT"; @p work is what the other side does.
-  TcpClient(const std::string& place, std::function<void()> work);
+  /// Connects to @p place, "ADDRESS:PORT" or "[ADDRESS]:PORT"; @p work is what the other side does. The kernel
+  /// keeps
+  /// @p receive_buffer bytes for it, about; 0: as many as it likes.
+  TcpClient(const std::string& place, std::function<void()> work, int receive_buffer = 0);
 
   /// Sends what hexadecimal @p text says; nothing is waited for.
   void send(std::string_view text);
