@@ -18,8 +18,10 @@ enum class Form : std::uint8_t {
   Switch,    ///< true or false; as a word on or off
   Text,      ///< a text
   List,      ///< texts, as many as the range says; one alone may stand for a list of one
-  Value,     ///< what a parameter or object may be set to: a number or a text
-  Any        ///< any JSON value, which the method itself looks at
+  Words,  ///< words of 16 bits: integers or hexadecimal texts, as many as the range says, or one hexadecimal text
+          ///< of all
+  Value,  ///< what a parameter or object may be set to: a number or a text
+  Any     ///< any JSON value, which the method itself looks at
 };
 
 /// From `low` to `high`, both included.

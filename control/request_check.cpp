@@ -78,6 +78,21 @@ Outcome check_list(const Parameter& parameter, const json* value) {
                                     parameter.range.high, size)};
 }
 
+/// What the texts say is for the method.
+Outcome check_words(const Parameter& parameter, const json* value) {
+  constexpr unsigned kHighest = 0xFFFF;
+  const auto is_word = [](const json& element) {
+    return element.is_string() || (element.is_number_integer() && element >= 0 && element <= kHighest);
+  };
+  if (value != nullptr && value->is_string()) return {};
+  if (value == nullptr || !value->is_array() || !std::ranges::all_of(*value, is_word))
+    return refuse(parameter, "a hexadecimal text or a list of words (0 to 65535, or hexadecimal texts)", value);
+  const auto size = static_cast<double>(value->size());
+  if (parameter.range.low <= size && size <= parameter.range.high) return {};
+  return tl::unexpected{fmt::format("{}: expected {} to {} words, got {}", parameter.key, parameter.range.low,
+                                    parameter.range.high, size)};
+}
+
 const json* value_of(const json& params, std::string_view key) {
   const auto found = params.find(key);
   return found == params.end() ? nullptr : &*found;
@@ -107,6 +122,8 @@ Outcome check_parameter(const Examined& request, const Parameter& parameter) {
       return value != nullptr && value->is_string() ? Outcome{} : refuse(parameter, "a text", value);
     case Form::List:
       return check_list(parameter, value);
+    case Form::Words:
+      return check_words(parameter, value);
     case Form::Value: {
       const bool fits = value != nullptr && (value->is_number() || value->is_string());
       return fits ? Outcome{} : refuse(parameter, "a number or a text", value);

@@ -103,6 +103,7 @@ Reading read_word(const Parameter& parameter, const std::string& word) {
     case Form::Choice:  // the daemon knows them
     case Form::Text:
     case Form::List:
+    case Form::Words:
       return {word, ""};
     case Form::Switch:
       return read_switch(word);
@@ -127,7 +128,7 @@ tl::expected<json, std::string> parse_words(const Method& method, std::span<cons
     const Parameter& parameter = method.parameters[i];
     if (words[i].empty()) continue;
     json& value = params[std::string{parameter.key}];
-    if (parameter.form == Form::List) {
+    if (parameter.form == Form::List || parameter.form == Form::Words) {
       value = words[i];
       continue;
     }

@@ -39,6 +39,8 @@ class Device final {
     runner_.attach(*face);
     further_faces_.push_back(std::move(face));
   }
+  /// The same; @p face outlives this.
+  void attach(::unit::Face& face) { runner_.attach(face); }
   /// What a further face works with.
   ::unit::Runner& runner() noexcept { return runner_; }
 

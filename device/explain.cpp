@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -113,11 +114,12 @@ constexpr std::array kReasons{
 
 }  // namespace
 
-std::vector<std::string> explain(const Device& device, std::size_t number) {
+std::vector<std::string> explain(const Device& device, std::size_t number, std::vector<std::string> commanding) {
   const Picture picture{device, number};
-  std::vector<std::string> bus;
+  std::vector<std::string> bus = std::move(commanding);
+  const bool is_led_by_the_bus = bus.empty();
   for (const Reason& reason : kReasons)
-    if (reason.holds(picture)) bus.push_back(reason.text(picture));
+    if (is_led_by_the_bus && reason.holds(picture)) bus.push_back(reason.text(picture));
   if (const drive::Infeed* const infeed = device.unit().infeed())
     for (std::string& sentence : drive::explain(*infeed)) bus.push_back(std::move(sentence));
   return drive::explain(picture.axis(), bus);

@@ -277,6 +277,11 @@ std::optional<double> DriveUnit::agreed_value(const DriveObject& object, const P
   return host_ != nullptr ? host_->value_of(object, row, index) : std::nullopt;
 }
 
+std::optional<Refusal> DriveUnit::lock_on(const DriveObject& object, const ParameterRow& row,
+                                          std::size_t index) const noexcept {
+  return host_ != nullptr ? host_->lock_on(object, row, index) : std::nullopt;
+}
+
 void DriveUnit::inhibit_axes(bool inhibited) noexcept {
   if (infeed_) infeed_->inhibit(inhibited);
   for (Axis& axis : axes_) axis.inhibit(inhibited);

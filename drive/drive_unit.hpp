@@ -31,6 +31,12 @@ class ParameterHost {
     (void)object, (void)row, (void)index;
     return std::nullopt;
   }
+  /// Why nobody may write index @p index of @p row of @p object in whatever state, if somebody holds it.
+  virtual std::optional<Refusal> lock_on(const DriveObject& object, const ParameterRow& row,
+                                         std::size_t index) const noexcept {
+    (void)object, (void)row, (void)index;
+    return std::nullopt;
+  }
 };
 
 class Wiring;
@@ -171,6 +177,8 @@ class DriveUnit final : private Surroundings {
                                                   double count) noexcept;
   std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
                                      std::size_t index) const noexcept override;
+  std::optional<Refusal> lock_on(const DriveObject& object, const ParameterRow& row,
+                                 std::size_t index) const noexcept override;
   void inhibit_axes(bool inhibited) noexcept;
   void follow_unit_inputs() noexcept;
   void run_infeed(double duration) noexcept;

@@ -7,8 +7,6 @@
 namespace drive {
 namespace {
 
-constexpr std::size_t kBitsOfAWord = 16;
-
 /// Calls @p visit with every row of @p object that is an input, and with its home.
 template <class Visit>
 void for_each_input(const DriveObject& object, const Visit& visit) {
@@ -20,10 +18,6 @@ void for_each_input(const DriveObject& object, const Visit& visit) {
   }
 }
 
-std::uint16_t word_of(const SignalSource& source) noexcept {
-  return static_cast<std::uint16_t>(source.process_data<std::int16_t>());
-}
-
 /// Whether two numbers are the same to the last bit.
 bool same(double a, double b) noexcept {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -32,13 +26,19 @@ bool same(double a, double b) noexcept {
 }  // namespace
 
 Wiring::Wiring(DriveUnit& unit) : unit_{unit} {
-  unit.for_each_object([this](DriveObject& object) { objects_.push_back({.object = &object}); });
+  unit.for_each_object([this](DriveObject& object) {
+    objects_.push_back({.object = &object,
+                        .images = {ImageLinks{object.if1(), object.if1_converters()},
+                                   ImageLinks{object.process_data(), object.converters()}}});
+  });
   for (Object& entry : objects_) reserve(entry);
+  for (auto* const list : {&words_to_convert_, &bits_to_convert_, &to_send_})
+    list->reserve(objects_.size() * std::tuple_size_v<decltype(Object::images)>);
 }
 
 /// Makes room for all inputs, so that nothing is allocated later.
 void Wiring::reserve(Object& entry) {
-  std::size_t bits_of_words = 0;
+  std::size_t bits_of_words = 0;  // of both interfaces, which are alike
   for_each_input(*entry.object, [&](const ParameterRow& row, const auto& input) {
     if constexpr (std::is_same_v<std::decay_t<decltype(input)>, ImageInput>)
       bits_of_words += input.sink == ImageSink::BitOfWord ? row.count : 0U;
@@ -50,9 +50,7 @@ void Wiring::reserve(Object& entry) {
     for (auto* const values : {&inputs.values, &inputs.constant_values}) values->reserve(inputs.count);
     inputs.words.reserve(inputs.count);
   }
-  entry.words_of_bits.reserve(bits_of_words);
-  entry.sent_words.reserve(ProcessDataImage::kSentWords);
-  entry.sent_double_words.reserve(ProcessDataImage::kSentWords);
+  for (ImageLinks& image : entry.images) image.reserve(bits_of_words);
 }
 
 Wiring::Inputs& Wiring::inputs_of(Object& entry, BlockId block) {
@@ -64,6 +62,17 @@ void Wiring::connect() noexcept {
   if (valid_) return;
   valid_ = true;
   for (Object& entry : objects_) connect(entry);
+  list_images();
+}
+
+void Wiring::list_images() noexcept {
+  for (auto* const list : {&words_to_convert_, &bits_to_convert_, &to_send_}) list->clear();
+  for (Object& entry : objects_)
+    for (ImageLinks& image : entry.images) {
+      if (image.has_words()) words_to_convert_.push_back(&image);
+      if (image.has_bits()) bits_to_convert_.push_back(&image);
+      if (image.sends()) to_send_.push_back(&image);
+    }
 }
 
 // The generic lambda calls members.
@@ -74,11 +83,7 @@ void Wiring::connect(Object& entry) noexcept {
     for (auto* const values : {&inputs.values, &inputs.constant_values}) values->clear();
     inputs.is_taken = false;
   }
-  for (auto* const places : {&entry.words_of_bits, &entry.sent_words, &entry.sent_double_words}) places->clear();
-  entry.bits_of_words = {};
-  entry.constant_words_of_bits = {};
-  entry.constant_bits_of_words = {};
-  entry.object->process_data().sent = {};
+  for (ImageLinks& image : entry.images) image.clear();
   for_each_input(*entry.object, [&](const ParameterRow& row, const auto& input) { connect(entry, row, input); });
   for (Inputs& inputs : entry.blocks) group(inputs);
 }
@@ -126,31 +131,8 @@ void Wiring::connect(Object& entry, const ParameterRow& row, const ValueInput& i
 }
 
 void Wiring::connect(Object& entry, const ParameterRow& row, const ImageInput& input) noexcept {
-  for (std::size_t i = 0; i < row.count; ++i) {
-    const SignalSource from = source(*entry.object, row, i);
-    const bool is_wired = !from.is_constant() || from.bit();
-    switch (input.sink) {
-      case ImageSink::SentWord:
-        if (is_wired) entry.sent_words.push_back({i, 0, from});
-        break;
-      case ImageSink::SentDoubleWord:
-        if (is_wired) entry.sent_double_words.push_back({i, 0, from});
-        break;
-      case ImageSink::WordOfBits:
-        entry.bits_of_words[i] = from;
-        entry.constant_bits_of_words[i] = word_of(from);
-        break;
-      case ImageSink::BitOfWord:
-        connect_bit(entry, {input.place, i, from});
-        break;
-    }
-  }
-}
-
-void Wiring::connect_bit(Object& entry, const Place& place) noexcept {
-  if (!place.source.is_constant()) return entry.words_of_bits.push_back(place);
-  std::uint16_t& word = entry.constant_words_of_bits[place.word];
-  word = static_cast<std::uint16_t>(word ^ static_cast<unsigned>(place.source.bit()) << place.bit);
+  ImageLinks& image = entry.images[static_cast<std::size_t>(input.interface)];
+  for (std::size_t i = 0; i < row.count; ++i) image.connect(input, i, source(*entry.object, row, i));
 }
 
 std::span<const Wiring::BitLink> Wiring::bits_of(const Inputs& inputs, const Word& word) noexcept {
@@ -249,37 +231,15 @@ bool Wiring::has_new(const Inputs& inputs) noexcept {
 }
 
 void Wiring::convert_words() noexcept {
-  for (Object& entry : objects_) {
-    auto& words = entry.object->process_data().bits_of_words;
-    const auto& inverted = entry.object->converters().invert_bits_of_words;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      const SignalSource& from = entry.bits_of_words[i];
-      const std::uint16_t word = from.is_constant() ? entry.constant_bits_of_words[i] : word_of(from);
-      words[i] = static_cast<std::uint16_t>(word ^ inverted[i]);
-    }
-  }
+  for (ImageLinks* const image : words_to_convert_) image->convert_words();
 }
 
 void Wiring::convert_bits() noexcept {
-  for (Object& entry : objects_) {
-    auto words = entry.object->converters().invert_words_of_bits;
-    for (std::size_t i = 0; i < words.size(); ++i)
-      words[i] = static_cast<std::uint16_t>(words[i] ^ entry.constant_words_of_bits[i]);
-    for (const Place& place : entry.words_of_bits)
-      words[place.word] =
-          static_cast<std::uint16_t>(words[place.word] ^ (static_cast<unsigned>(place.source.bit()) << place.bit));
-    entry.object->process_data().words_of_bits = words;
-  }
+  for (ImageLinks* const image : bits_to_convert_) image->convert_bits();
 }
 
 void Wiring::send() noexcept {
-  for (Object& entry : objects_) {
-    auto& sent = entry.object->process_data().sent;
-    for (const Place& place : entry.sent_words) sent[place.word] = word_of(place.source);
-    for (const Place& place : entry.sent_double_words)
-      ProcessDataImage::set_double_word(sent, place.word,
-                                        static_cast<std::uint32_t>(place.source.process_data<std::int32_t>()));
-  }
+  for (ImageLinks* const image : to_send_) image->send();
 }
 
 }  // namespace drive

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "drive/image_links.hpp"
 #include "drive/signal_source.hpp"
 
 namespace drive {
@@ -12,10 +13,11 @@ namespace drive {
 /// The BICO interconnections of a unit, made ready for the cycle: the rows of the parameters say which inputs
 /// there are and where what they bring lies. What is constant is settled once, what is not is a list of sources.
 /// In a cycle come, in this order, for the control unit, the axes and the infeed:
-/// 1. connector-binector converters (p8899 -> r8894, r8895), with what the bus has brought for this cycle;
+/// 1. connector-binector converters (p8899 -> r8894, r8895; p2099 -> r2094, r2095), with what has come for this
+/// cycle;
 /// 2. the inputs of each block, when its turn has come (take(), take_group());
-/// 3. when the statuswords are there, binector-connector converters (p8880 to p8884 -> r8889) and then the words
-///    to be sent (p8851, p8861).
+/// 3. when the statuswords are there, binector-connector converters (p8880 to p8884 -> r8889; p2080 to p2084 ->
+///    r2089) and then the words to be sent (p8851, p8861; p2051, p2061).
 class Wiring {
  public:
   /// Of @p unit, which outlives this; to be made when all drive objects exist.
@@ -73,12 +75,6 @@ class Wiring {
     std::vector<ValueLink> constant_values{};
     bool is_taken = false;  ///< since the sources were found
   };
-  /// A bit or a word of process data.
-  struct Place {
-    std::size_t word = 0;
-    std::size_t bit = 0;
-    SignalSource source{};
-  };
   /// Blocks that stand side by side.
   struct Group {
     std::size_t first = 0;
@@ -89,12 +85,7 @@ class Wiring {
     DriveObject* object;
     std::vector<Inputs> blocks{};  ///< those of groups first
     std::vector<Group> groups{};
-    std::vector<Place> words_of_bits{};
-    decltype(ProcessDataImage::words_of_bits) constant_words_of_bits{};
-    std::array<SignalSource, 2> bits_of_words{};
-    decltype(ProcessDataImage::bits_of_words) constant_bits_of_words{};
-    std::vector<Place> sent_words{};
-    std::vector<Place> sent_double_words{};
+    std::array<ImageLinks, 2> images;  ///< by PzdInterface
   };
 
   static void reserve(Object& entry);
@@ -103,7 +94,7 @@ class Wiring {
   void connect(Object& entry, const ParameterRow& row, const BitInput& input) noexcept;
   void connect(Object& entry, const ParameterRow& row, const ValueInput& input) noexcept;
   void connect(Object& entry, const ParameterRow& row, const ImageInput& input) noexcept;
-  static void connect_bit(Object& entry, const Place& place) noexcept;
+  void list_images() noexcept;
   static void add(Inputs& inputs, const BitLink& link) noexcept;
   static void group(Inputs& inputs) noexcept;
   static std::span<const BitLink> bits_of(const Inputs& inputs, const Word& word) noexcept;
@@ -117,6 +108,10 @@ class Wiring {
 
   DriveUnit& unit_;
   std::vector<Object> objects_;  // in the order of their numbers
+  // Process data with sources that vary, each a list of what has something to do there.
+  std::vector<ImageLinks*> words_to_convert_;
+  std::vector<ImageLinks*> bits_to_convert_;
+  std::vector<ImageLinks*> to_send_;
   bool valid_ = false;
 };
 

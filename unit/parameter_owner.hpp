@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "drive/object/drive_object.hpp"
@@ -33,6 +34,14 @@ class ParameterOwner {
     (void)place, (void)value;
     return {};
   }
+};
+
+/// Holds parameters against everybody else's writes.
+class ParameterLock {
+ public:
+  virtual ~ParameterLock() = default;
+  /// Whether index @p index of parameter @p number of @p object is held.
+  virtual bool holds(const drive::DriveObject& object, std::uint16_t number, std::size_t index) const noexcept = 0;
 };
 
 }  // namespace unit

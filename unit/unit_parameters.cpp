@@ -32,4 +32,12 @@ std::optional<double> UnitParameters::value_of(const drive::DriveObject& object,
   return owner != nullptr ? owner->value_of({object, row, index}) : std::nullopt;
 }
 
+std::optional<drive::Refusal> UnitParameters::lock_on(const drive::DriveObject& object,
+                                                      const drive::ParameterRow& row,
+                                                      std::size_t index) const noexcept {
+  const bool is_held = std::ranges::any_of(
+      locks_, [&](const ParameterLock* lock) { return lock->holds(object, row.number, index); });
+  return is_held ? std::optional<drive::Refusal>{drive::Refusal::Locked} : std::nullopt;
+}
+
 }  // namespace unit

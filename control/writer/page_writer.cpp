@@ -45,6 +45,8 @@ std::string bounds_of(const Parameter& parameter) {
       return "text";
     case Form::List:
       return "text or list of texts";
+    case Form::Words:
+      return "hexadecimal text or list of words";
     case Form::Value:
       return "number or text";
     case Form::Any:

@@ -28,6 +28,7 @@ constexpr std::array kForms{
     FormRow{"switch", Form::Switch},
     FormRow{"text", Form::Text},
     FormRow{"list", Form::List, {1, kMostTexts}},
+    FormRow{"words", Form::Words, {1, kMostTexts}},
     FormRow{"value", Form::Value},
     FormRow{"any", Form::Any},
 };
@@ -79,6 +80,7 @@ void read_range(const Fields& fields, Parameter& row) {
       row.range.low = fields.number("low", row.range.low);
       return;
     case Form::List:
+    case Form::Words:
       row.range = {fields.number("low", row.range.low), fields.number("high", row.range.high)};
       return;
     case Form::Choice:

@@ -44,6 +44,13 @@ Json schema_of(const Parameter& parameter) {
                  {"items", {{"type", "string"}}},
                  {"minItems", static_cast<int>(range.low)},
                  {"maxItems", static_cast<int>(range.high)}}}}};
+    case Form::Words:
+      return {{"anyOf",
+               {{{"type", "string"}},
+                {{"type", "array"},
+                 {"items", {{"type", {"integer", "string"}}}},
+                 {"minItems", static_cast<int>(range.low)},
+                 {"maxItems", static_cast<int>(range.high)}}}}};
     case Form::Value:
       return {{"type", {"number", "string"}}};
     case Form::Any:

@@ -46,6 +46,8 @@ std::string_view name_of(Form form) {
       return "Text";
     case Form::List:
       return "List";
+    case Form::Words:
+      return "Words";
     case Form::Value:
       return "Value";
     case Form::Any:

@@ -6,6 +6,7 @@
 #include "daemon/instance/instance.hpp"
 #include "daemon/instance/status.hpp"
 #include "device/explain.hpp"
+#include "profidrive/interface/reasons.hpp"
 
 namespace axisd {
 namespace {
@@ -16,13 +17,20 @@ Outcome status(const Call& call, const json&) {
   return status_of(call.instance);
 }
 
-json reasons_of(const Instance& instance, std::size_t axis) {
+/// What is wrong with the bus concerns the axes that it commands.
+json bus_reasons_of(const Instance& instance) {
   json reasons = json::array();
   if (!instance.bus().is_open()) reasons.push_back("The bus is down: bring the interface up (ip link set up).");
   if (instance.bus().port().error_state() == bus::ErrorState::BusOff)
     reasons.push_back(
         "The CAN controller is bus-off: remove the cause and let it restart (restart-ms of the interface).");
-  for (const std::string& reason : device::explain(instance.device(), axis)) reasons.push_back(reason);
+  return reasons;
+}
+
+json reasons_of(const Instance& instance, std::size_t axis) {
+  const std::vector<std::string> if1 = profidrive::reasons(instance.if1(), instance.device().axis(axis).number());
+  json reasons = if1.empty() ? bus_reasons_of(instance) : json::array();
+  for (const std::string& reason : device::explain(instance.device(), axis, if1)) reasons.push_back(reason);
   return reasons;
 }
 

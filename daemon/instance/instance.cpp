@@ -54,10 +54,10 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       reports_{configuration, log},
       recording_{{configuration, device_, frames_, events_, folder, started_}},
       load_torques_{load_torques(configuration)},
-      modbus_{configuration.modbus ? std::make_unique<ModbusDoor>(*configuration.modbus, device_) : nullptr},
       rare_sources_{{memory_.descriptor(), this, &Instance::on_write_ended},
                     {connection_.link->descriptor(), this, &Instance::on_link}} {
-  if (modbus_) rare_sources_.push_back({modbus_->descriptor(), this, &Instance::on_modbus});
+  device_.attach(if1_);
+  if (configuration.modbus) open_modbus(*configuration.modbus);
   if (const auto problem = configuration.trace ? trace_.problem_of(*configuration.trace) : std::nullopt)
     throw ConfigurationError{fmt::format("trace: {}: expected {}", problem->key, problem->expected)};
   if (!configuration.record) return;
@@ -163,6 +163,11 @@ bool Instance::on_bus_restart() noexcept {
   const bus::Restart outcome = bus_.restart_bus();
   reports_.on_restart(outcome);
   return outcome == bus::Restart::Done;
+}
+
+void Instance::open_modbus(const ModbusSettings& settings) {
+  modbus_ = std::make_unique<ModbusDoor>(settings, device_, if1_);
+  rare_sources_.push_back({modbus_->descriptor(), this, &Instance::on_modbus});
 }
 
 void Instance::on_modbus() noexcept {

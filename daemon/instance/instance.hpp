@@ -22,6 +22,7 @@
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
+#include "profidrive/interface/interface.hpp"
 
 namespace axisd {
 
@@ -86,6 +87,9 @@ class Instance final : private device::Listener, private Station, private TapOwn
   const BusTurn& bus() const noexcept { return bus_; }
   device::Device& device() noexcept { return device_; }
   const device::Device& device() const noexcept { return device_; }
+  /// Its process data beside the CAN bus.
+  profidrive::Interface& if1() noexcept { return if1_; }
+  const profidrive::Interface& if1() const noexcept { return if1_; }
   const Configuration& configuration() const noexcept { return configuration_; }
   const UnitMemory& memory() const noexcept { return memory_; }
   /// The server of Modbus TCP; nullptr if the configuration has none.
@@ -188,6 +192,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
 
   void on_link() noexcept;
   void on_write_ended() noexcept { memory_.take_ended(); }
+  void open_modbus(const ModbusSettings& settings);
   void on_modbus() noexcept;
   void tell_ready() noexcept;
   void link_up() noexcept;
@@ -200,6 +205,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   bus::Connection connection_;
   BusTurn bus_;
   device::Device device_;
+  profidrive::Interface if1_{device_.runner()};
   UnitMemory memory_;
   BusReports reports_;
   Heard heard_{*this};

@@ -1,27 +1,15 @@
 #include "daemon/instance/modbus_door.hpp"
 
-#include <memory>
-#include <utility>
-
 namespace axisd {
-namespace {
 
-/// @p device has @p face from now on.
-template <class Face>
-Face& attached(device::Device& device, std::unique_ptr<Face> face) {
-  Face& result = *face;
-  device.attach(std::move(face));
-  return result;
-}
-
-}  // namespace
-
-ModbusDoor::ModbusDoor(const ModbusSettings& settings, device::Device& device)
+ModbusDoor::ModbusDoor(const ModbusSettings& settings, device::Device& device, profidrive::Interface& if1)
     : device_{device},
-      interface_{attached(device, std::make_unique<profidrive::Interface>(device.runner()))},
-      face_{attached(device, std::make_unique<modbus::UnitFace>(device.runner(), nullptr))},
-      registers_{device.runner(), interface_, face_},
-      server_{settings, registers_} {}
+      face_{device.runner(), nullptr},
+      registers_{device.runner(), if1, face_},
+      server_{settings, registers_} {
+  if1.serve_modbus();
+  device.attach(face_);
+}
 
 void ModbusDoor::handle(canopen::TimePoint now) noexcept {
   device_.begin_access(now);

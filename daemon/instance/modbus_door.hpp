@@ -10,8 +10,9 @@ namespace axisd {
 /// Modbus TCP of a unit: what goes with its cycles, its registers, and the server.
 class ModbusDoor {
  public:
-  /// Attaches what it needs to @p device, which is not switched on yet and outlives this. Throws InstanceError.
-  ModbusDoor(const ModbusSettings& settings, device::Device& device);
+  /// Attaches what it needs to @p device, which is not switched on yet; it and @p if1, its process data, outlive
+  /// this. Throws InstanceError.
+  ModbusDoor(const ModbusSettings& settings, device::Device& device, profidrive::Interface& if1);
 
   /// What a turn of handle() waits for.
   int descriptor() const noexcept { return server_.descriptor(); }
@@ -21,8 +22,7 @@ class ModbusDoor {
 
  private:
   device::Device& device_;
-  profidrive::Interface& interface_;
-  modbus::UnitFace& face_;
+  modbus::UnitFace face_;
   modbus::UnitRegisters registers_;
   ModbusServer server_;
 };

@@ -61,7 +61,8 @@ double Axis::load_place() const noexcept {
 
 bool Axis::is_quiescent() const noexcept {
   return settled_ && !block<SequenceControl>().pulses_enabled() && train_.rests() && !causes_.any_present() &&
-         !waits_for_power() && (!positions() || block<Positioner>().is_settled());
+         !waits_for_power() && !block<SpeedMessages>().awaits_target() &&
+         (!positions() || block<Positioner>().is_settled());
 }
 
 void Axis::set_load_torque(double torque, motor::LoadTorqueType type) noexcept {

@@ -79,6 +79,8 @@ class Axis final : public DriveObject {
   double load_place() const noexcept;
   /// Whether an encoder is mounted.
   bool has_encoder() const noexcept { return context().axis.machine.encoder.type != motor::EncoderType::None; }
+  /// Whether a fault of the encoder is active.
+  bool has_encoder_fault() const noexcept;
   /// The values after the last cycle; the statusword follows a fault at once.
   const ActualValues& actual() const noexcept { return actual_; }
   /// Whether further cycles with the setpoints of the last one would change nothing: pulses off, shaft still.
@@ -217,7 +219,6 @@ class Axis final : public DriveObject {
   void control_position() noexcept;
   void tell_positioning() noexcept;
   bool is_position_control_possible() const noexcept;
-  bool has_encoder_fault() const noexcept;
   void show_position_messages() noexcept;
   void plan_ramp() noexcept;
   double measured_step(double dc_voltage) noexcept;
@@ -225,6 +226,7 @@ class Axis final : public DriveObject {
   void measure() noexcept;
   void track_measurement() noexcept;
   void watch_speed() noexcept;
+  void answer_encoder_word() noexcept;
   void observe_motor() noexcept;
   void judge_causes() noexcept;
   void conclude_measurement() noexcept;

@@ -49,7 +49,7 @@ struct Missing {
   std::string_view name;
 };
 inline constexpr std::array kMissing{
-    Missing{2200, 2294, kTechnologyController, "technology controller"},
+    Missing{2200, 2349, kTechnologyController, "technology controller"},
 };
 
 /// The missing module that parameter @p number of an axis belongs to, or nullptr.

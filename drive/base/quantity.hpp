@@ -13,6 +13,7 @@ enum class Quantity : std::uint8_t {
   Share,           ///< percent and per mille, which are their own 100 %
   Length,          ///< in LU, as they are
   LengthVelocity,  ///< in 1000 LU/min, as they are
+  Word,            ///< a word whose bits count, as it is
   Speed,
   Voltage,
   Current,
@@ -34,12 +35,19 @@ struct QuantityRow {
 
 /// One row a quantity, in the order of the enumeration.
 inline constexpr std::array kQuantities{
-    QuantityRow{Quantity::None, 0},           QuantityRow{Quantity::Share, 0},
-    QuantityRow{Quantity::Length, 0, 1.0},    QuantityRow{Quantity::LengthVelocity, 0, 1000.0 / 60.0},
-    QuantityRow{Quantity::Speed, 2000},       QuantityRow{Quantity::Voltage, 2001},
-    QuantityRow{Quantity::Current, 2002},     QuantityRow{Quantity::Torque, 2003},
-    QuantityRow{Quantity::Power, 2004},       QuantityRow{Quantity::Angle, 2005},
-    QuantityRow{Quantity::Temperature, 2006}, QuantityRow{Quantity::Acceleration, 2007},
+    QuantityRow{Quantity::None, 0},
+    QuantityRow{Quantity::Share, 0},
+    QuantityRow{Quantity::Length, 0, 1.0},
+    QuantityRow{Quantity::LengthVelocity, 0, 1000.0 / 60.0},
+    QuantityRow{Quantity::Word, 0, 1.0},
+    QuantityRow{Quantity::Speed, 2000},
+    QuantityRow{Quantity::Voltage, 2001},
+    QuantityRow{Quantity::Current, 2002},
+    QuantityRow{Quantity::Torque, 2003},
+    QuantityRow{Quantity::Power, 2004},
+    QuantityRow{Quantity::Angle, 2005},
+    QuantityRow{Quantity::Temperature, 2006},
+    QuantityRow{Quantity::Acceleration, 2007},
 };
 static_assert([] {
   for (std::size_t i = 0; i < kQuantities.size(); ++i)

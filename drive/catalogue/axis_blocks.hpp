@@ -7,6 +7,7 @@
 #include "drive/external_messages/external_messages.hpp"
 #include "drive/identification/identification.hpp"
 #include "drive/jog/jog.hpp"
+#include "drive/measurement/encoder_interface.hpp"
 #include "drive/measurement/measurement.hpp"
 #include "drive/motor_model/motor_model.hpp"
 #include "drive/motor_monitoring/motor_monitoring.hpp"
@@ -41,6 +42,7 @@ using AxisBlocks = std::tuple<SequenceControl,   //
                               MotorModel,        //
                               PowerUnit,         //
                               Measurement,       //
+                              EncoderInterface,  //
                               SpeedMessages,     //
                               MotorMonitoring,   //
                               FreeStatusBits,    //

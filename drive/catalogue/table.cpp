@@ -8,9 +8,13 @@
 #include "drive/base/function_modules.hpp"
 #include "drive/brake/holding_brake_rows.hpp"
 #include "drive/catalogue/axis_blocks.hpp"
+#include "drive/catalogue/rows/absent/data_sets.hpp"
+#include "drive/catalogue/rows/absent/networks.hpp"
+#include "drive/catalogue/rows/absent/telegram_words.hpp"
 #include "drive/catalogue/rows/can.hpp"
 #include "drive/catalogue/rows/control.hpp"
 #include "drive/catalogue/rows/display.hpp"
+#include "drive/catalogue/rows/if1.hpp"
 #include "drive/catalogue/rows/infeed.hpp"
 #include "drive/catalogue/rows/messages.hpp"
 #include "drive/catalogue/rows/pdo.hpp"
@@ -21,6 +25,7 @@
 #include "drive/external_messages/external_messages_rows.hpp"
 #include "drive/identification/identification_rows.hpp"
 #include "drive/jog/jog_rows.hpp"
+#include "drive/measurement/encoder_interface_rows.hpp"
 #include "drive/measurement/measurement_rows.hpp"
 #include "drive/motor_model/motor_model_rows.hpp"
 #include "drive/motor_monitoring/motor_monitoring_rows.hpp"
@@ -57,8 +62,9 @@ constexpr auto joined(const Tables&... tables) {
 template <class... Block>
 constexpr auto joined_with(const std::tuple<Block...>*) {
   return joined(rows::rows_of<Block>..., rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows,
-                rows::kPdoRows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
-                rows::kControlRows, rows::kTechnologyRows);
+                rows::kPdoRows, rows::kIf1Rows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
+                rows::kControlRows, rows::kTechnologyRows, rows::kDataSetRows, rows::kTelegramWordRows,
+                rows::kNetworkRows);
 }
 constexpr auto kRows = joined_with(static_cast<const AxisBlocks*>(nullptr));
 
@@ -165,7 +171,8 @@ const PlacedRow* find_parameter(ObjectKind kind, std::uint16_t number) noexcept 
 
 const ParameterRow* find_parameter(ObjectKind kind, std::string_view text) noexcept {
   constexpr std::size_t kLength = 5;
-  if (text.size() != kLength) return nullptr;
+  constexpr std::size_t kLongest = 6;  // numbers from 10000 on
+  if (text.size() != kLength && (text.size() != kLongest || text[1] == '0')) return nullptr;
   const auto number = text::integer<std::uint16_t>(text.substr(1));
   const PlacedRow* const placed = number ? find_parameter(kind, *number) : nullptr;
   if (placed == nullptr || text.front() != (placed->row->is_writable() ? 'p' : 'r')) return nullptr;

@@ -1,5 +1,8 @@
 #include "drive/values/unit_values.hpp"
 
+#include <array>
+#include <cstdint>
+
 #include "drive/control_unit/control_unit.hpp"
 
 namespace drive::unit_value {
@@ -18,6 +21,11 @@ double object_count(const ControlUnit& unit, std::size_t) noexcept {
 double module_object(const ControlUnit& unit, std::size_t index) noexcept {
   const ObjectContext& context = unit.context();
   return index < context.axis_count ? static_cast<double>(index + first_axis_number(context.has_infeed)) : 0.0;
+}
+
+double mac_address(const ControlUnit&, std::size_t index) noexcept {
+  constexpr std::array<std::uint8_t, 6> kLocallyAdministered{0x02, 'A', 'X', 'S', 'I', 'M'};
+  return kLocallyAdministered[index];
 }
 
 }  // namespace drive::unit_value

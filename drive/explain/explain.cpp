@@ -18,6 +18,9 @@ namespace {
 /// r8890 to r8893 are the bits of the first four words that are received.
 constexpr std::uint16_t kFirstReceivedBits = 8890;
 constexpr std::uint16_t kLastReceivedBits = 8893;
+/// The same of IF1.
+constexpr std::uint16_t kFirstIf1Bits = 2090;
+constexpr std::uint16_t kLastIf1Bits = 2093;
 constexpr std::uint16_t kDigitalInputs = 722;
 
 std::uint32_t value_of(const DriveObject& object, std::uint16_t input) {
@@ -46,6 +49,10 @@ std::string order_for(const DriveObject& object, std::uint16_t input, bool wante
   if (packed <= kHighestConstant) return fmt::format("write p{:04} = {} or connect it", input, wanted ? 1 : 0);
   const BicoSource source = unpack(packed);
   const bool received = source.number >= kFirstReceivedBits && source.number <= kLastReceivedBits;
+  if (source.number >= kFirstIf1Bits && source.number <= kLastIf1Bits)
+    return fmt::format("send word {} on IF1 with bit {} = {}{}", source.number - kFirstIf1Bits + 1, source.position,
+                       wanted ? 1 : 0,
+                       is_own(object, source) ? "" : fmt::format(" to drive object {}", source.object));
   if (received)
     return fmt::format("send a controlword with bit {} = {}{}", source.position, wanted ? 1 : 0,
                        is_own(object, source) ? "" : fmt::format(" to drive object {}", source.object));

@@ -25,7 +25,7 @@ inline constexpr auto rows_of<Measurement> = std::array{
     Row{419, 3, kAxes, U8, Unit::Bits, {2.0, 18.0}, 9.0, When::Encoder, Stored{"the encoder interface of PROFIdrive (Gx_XIST2)"}, Output::No, "Fine resolution Gx_XIST2", ""},
     Row{421, 3, kAxes, U32, Unit::None, {0.0, 65535.0}, 4096.0, When::Encoder, Stored{until::kEncoder}, Output::No, "Absolute encoder multiturn resolution", ""},
     Row{482, 3, kAxes, U32, Unit::Increments, kWhole, 0.0, When::ReadOnly, shown<axis_value::encoder_position>, Output::Connector, "Encoder position actual value Gn_XIST1", "[0] of the motor encoder; other encoders 0"},
-    Row{483, 3, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::absolute_position>, Output::Connector, "Encoder position actual value Gn_XIST2", "[0] of an absolute motor encoder; other encoders 0"},
+    Row{483, 3, kAxes, U32, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::absolute_position>, Output::Connector, "Encoder position actual value Gn_XIST2", "[0] of an absolute motor encoder, or what p0480 asks for; other encoders 0"},
     Row{491, 1, kAxes, I16, Unit::None, {0.0, 6.0}, 0.0, When::Always, Stored{"encoder faults with a reaction of their own; they have that of the list of messages"}, Output::No, "Motor encoder fault response ENCODER", ""},
 };
 // clang-format on

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "drive/messages/fault_memory.hpp"
+#include "drive/messages/message_classes.hpp"
 
 namespace drive::message_value {
 namespace {
@@ -22,6 +23,12 @@ double days(Uptime time) noexcept {
 /// Fault and alarm values are shown as signed numbers.
 double signed_value(const BufferEntry& entry) noexcept {
   return static_cast<double>(static_cast<std::int32_t>(entry.value));
+}
+
+template <class Visit>
+void for_each_active(const FaultMemory& memory, const Visit& visit) {
+  for (const auto entries : {memory.faults(), memory.alarms()})
+    for (const FaultEntry& entry : entries) visit(entry);
 }
 
 double newest(std::span<const FaultEntry> entries) noexcept {
@@ -86,6 +93,16 @@ double newest_alarm(const FaultMemory& memory, std::size_t) noexcept {
 }
 double message_status(const FaultMemory& memory, std::size_t) noexcept {
   return (memory.faults().empty() ? 0U : kFaultPresent) | (memory.alarms().empty() ? 0U : kAlarmPresent);
+}
+double thermal_status(const FaultMemory& memory, std::size_t) noexcept {
+  unsigned bits = 0;
+  for_each_active(memory, [&](const FaultEntry& entry) { bits |= thermal_bit(entry.row->number, entry.kind); });
+  return bits;
+}
+double namur_bits(const FaultMemory& memory, std::size_t) noexcept {
+  unsigned bits = 0;
+  for_each_active(memory, [&](const FaultEntry& entry) { bits |= namur_bit(entry.row->number); });
+  return bits;
 }
 double reaction_number(const FaultMemory& memory, std::size_t index) noexcept {
   return memory.settings.reaction_numbers[index];

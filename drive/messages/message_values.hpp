@@ -28,6 +28,10 @@ double alarm_removed_days(const FaultMemory& memory, std::size_t index) noexcept
 double newest_fault(const FaultMemory& memory, std::size_t index) noexcept;
 double newest_alarm(const FaultMemory& memory, std::size_t index) noexcept;
 double message_status(const FaultMemory& memory, std::size_t index) noexcept;
+/// r2135: motor and power unit too warm.
+double thermal_status(const FaultMemory& memory, std::size_t index) noexcept;
+/// r3113: a bit for each class of messages.
+double namur_bits(const FaultMemory& memory, std::size_t index) noexcept;
 double reaction_number(const FaultMemory& memory, std::size_t index) noexcept;
 double reaction(const FaultMemory& memory, std::size_t index) noexcept;
 double type_number(const FaultMemory& memory, std::size_t index) noexcept;

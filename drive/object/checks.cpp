@@ -44,6 +44,9 @@ std::optional<Refusal> one_of(const std::array<int, Count>& values, double value
 constexpr std::array kDriveFilters{0, 1, 2, 3, 4, 5, 15, 17, 25, 30, 95};
 constexpr std::array kDeviceFilters{0, 1, 2, 3, 4, 29, 30};
 constexpr std::array kStartStates{4, 5, 127};
+constexpr std::array kRestartModes{0, 1, 4, 6, 14, 16, 26};
+constexpr std::array kLinkNodes{8, 12, 16, 64};
+constexpr std::array kBoardFirmwares{1, 2, 3, 4, 5, 99};
 constexpr std::array kStateCommands{4, 5, 127, 128, 129};
 constexpr std::array kServoMeasurements{-3, -1, 0, 1};  // p1910 and p1960
 constexpr std::array kVectorStandstill{-3, -1, 0, 1, 2};
@@ -100,6 +103,18 @@ std::optional<Refusal> drive_filter(const DriveObject&, std::size_t, double valu
 
 std::optional<Refusal> device_filter(const DriveObject&, std::size_t, double value) noexcept {
   return one_of(kDeviceFilters, value);
+}
+
+std::optional<Refusal> restart_mode(const DriveObject&, std::size_t, double value) noexcept {
+  return one_of(kRestartModes, value);
+}
+
+std::optional<Refusal> link_nodes(const DriveObject&, std::size_t, double value) noexcept {
+  return one_of(kLinkNodes, value);
+}
+
+std::optional<Refusal> board_firmware(const DriveObject&, std::size_t, double value) noexcept {
+  return one_of(kBoardFirmwares, value);
 }
 
 std::optional<Refusal> reaction(const DriveObject&, std::size_t, double value) noexcept {

@@ -32,9 +32,13 @@ std::optional<Refusal> load_refusal(const ParameterRow& row, double value) noexc
   return is_saved(row) ? limit_refusal(row, value) : std::optional{Refusal::ReadOnly};
 }
 
-/// Inputs, and the references that quantities are relative to.
+/// What converters invert is settled with their sources.
+constexpr std::array<std::uint16_t, 4> kInversions{2088, 2098, 8888, 8898};
+
+/// Inputs, and what the values of sources are settled with: references, inversions.
 bool concerns_wiring(const ParameterRow& row) noexcept {
-  return is_bico_input(row.type) || is_reference(row.number);
+  return is_bico_input(row.type) || is_reference(row.number) ||
+         std::ranges::find(kInversions, row.number) != kInversions.end();
 }
 
 /// What of the messages of an axis the infeed has too: it is not ready, the DC link is lost.
@@ -102,6 +106,8 @@ tl::expected<void, ParameterError> DriveObject::write(const PlacedRow& placed, s
   const ParameterRow& row = *placed.row;
   const auto refused = [&](Refusal reason) { return tl::unexpected{ParameterError{reason, row.number, &row}}; };
   if (const auto reason = state_refusal(row)) return refused(*reason);
+  if (surroundings_ != nullptr)
+    if (const auto reason = surroundings_->lock_on(*this, row, index)) return refused(*reason);
   if (const auto reason = value_refusal(row, index, value)) return refused(*reason);
   if (is_agreed(row) && surroundings_ != nullptr)
     if (const auto reason = surroundings_->agree(*this, row, index, value)) return refused(*reason);
@@ -207,12 +213,12 @@ void DriveObject::set_setting(const ParameterRow& row, std::size_t index, double
 }
 
 void* DriveObject::block(BlockId id) noexcept {
-  void* const found = find_block(id, *this, memory_, process_data_, converters_);
+  void* const found = find_block(id, *this, memory_, process_data_, converters_, if1_converters_);
   return found != nullptr ? found : own_block(id);
 }
 
 const void* DriveObject::block(BlockId id) const noexcept {
-  const void* const found = find_block(id, *this, memory_, process_data_, converters_);
+  const void* const found = find_block(id, *this, memory_, process_data_, converters_, if1_converters_);
   return found != nullptr ? found : own_block(id);
 }
 

@@ -32,6 +32,9 @@ class Surroundings {
                                        double value) noexcept = 0;
   /// A BICO input was connected anew, or something that the values of sources are relative to has changed.
   virtual void on_wiring_changed() noexcept = 0;
+  /// Why nobody may write index @p index of @p row in whatever state, if somebody holds it.
+  virtual std::optional<Refusal> lock_on(const DriveObject& object, const ParameterRow& row,
+                                         std::size_t index) const noexcept = 0;
   /// What an agreed parameter or a command reads as, if that is not the value of its slot.
   virtual std::optional<double> agreed_value(const DriveObject& object, const ParameterRow& row,
                                              std::size_t index) const noexcept = 0;
@@ -98,6 +101,10 @@ class DriveObject {
   const ProcessDataImage& process_data() const noexcept { return process_data_; }
   ProcessDataImage& process_data() noexcept { return process_data_; }
   const Converters& converters() const noexcept { return converters_; }
+  /// The same of IF1.
+  const If1Image& if1() const noexcept { return if1_; }
+  If1Image& if1() noexcept { return if1_; }
+  const If1Converters& if1_converters() const noexcept { return if1_converters_; }
   /// 60FFh and 6071h have other scales than before, if they have.
   void scale_process_data(const ProcessDataImage::Scales& scales) noexcept;
 
@@ -164,6 +171,8 @@ class DriveObject {
   FaultMemory memory_;
   ProcessDataImage process_data_{};
   Converters converters_{};
+  If1Image if1_{};
+  If1Converters if1_converters_{};
 };
 
 }  // namespace drive

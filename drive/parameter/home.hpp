@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "drive/base/process_data_image.hpp"
 #include "drive/base/quantity.hpp"
 #include "drive/parameter/block.hpp"
 
@@ -114,6 +115,7 @@ enum class ImageSink : std::uint8_t {
 struct ImageInput {
   ImageSink sink;
   std::uint8_t place = 0;  ///< the word, of BitOfWord
+  PzdInterface interface = PzdInterface::If2;
 };
 
 /// An output of a block, in SI units there.

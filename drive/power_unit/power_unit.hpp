@@ -18,7 +18,12 @@ struct Reason;
 /// and energies.
 class PowerUnit {
  public:
-  struct Settings {};
+  struct Settings {
+    using Block = PowerUnit;
+
+    double current_threshold = 0.0;  ///< p2170 (A rms)
+    double link_threshold = 0.0;     ///< p2172 (V)
+  };
 
   /// On a link at @p dc_voltage (V).
   PowerUnit(const motor::InverterData& inverter, const motor::SupplyData& supply, double dc_voltage) noexcept

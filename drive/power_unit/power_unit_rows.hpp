@@ -24,6 +24,12 @@ inline constexpr auto rows_of<PowerUnit> = std::array{
     Row{69, 7, kAxes, F32, Unit::Amperes, kWhole, 0.0, When::ReadOnly, shown<axis_value::phase_current>, Output::Connector, "Phase current actual values", "[0..2] phases U, V, W; others 0"},
     Row{70, 1, kAxes, F32, Unit::Volts, kWhole, 600.0, When::ReadOnly, shown<axis_value::dc_voltage>, Output::Connector, "DC link voltage actual value", ""},
     Row{72, 1, kAxes, F32, Unit::VoltsRms, kWhole, 0.0, When::ReadOnly, shown<axis_value::output_voltage>, Output::Connector, "Output voltage", ""},
+    Row{200, 1, kAxes, U16, Unit::None, kWhole, 10000.0, When::ReadOnly, Fixed{10000.0, "code numbers of power units; the configuration gives the power unit"}, Output::No, "Power unit current code number", ""},
+    Row{201, 1, kAxes, U16, Unit::None, {0.0, 65535.0}, 10000.0, When::Ready, Stored{"code numbers of power units; the configuration gives the power unit"}, Output::No, "Power unit code number", ""},
+    Row{206, 5, kAxes, F32, Unit::Kilowatts, kWhole, 0.0, When::ReadOnly, shown<axis_value::rated_power>, Output::No, "Rated power unit power", "of a unit of the series with this rated current, every index"},
+    Row{2170, 1, kAxes, F32, Unit::AmperesRms, {0.0, 10000.0}, 0.0, When::Always, setting<&PowerUnit::Settings::current_threshold>, Output::No, "Current threshold", "bit 3 of r0053"},
+    Row{2172, 1, kAxes, F32, Unit::Volts, {0.0, 2000.0}, 800.0, When::Always, setting<&PowerUnit::Settings::link_threshold>, Output::No, "DC link voltage threshold", "bits 7 and 8 of r0053"},
+    Row{7841, 16, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::serial_number>, Output::No, "Power unit serial number", "characters: AXSIM, then the number of the drive object"},
 };
 // clang-format on
 

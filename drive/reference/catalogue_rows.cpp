@@ -1,5 +1,6 @@
 #include "drive/reference/catalogue_rows.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iterator>
@@ -14,6 +15,13 @@ namespace drive {
 namespace {
 
 constexpr unsigned kFirstObject = 0x2000;
+constexpr unsigned kLastObject = 0x470F;
+constexpr std::uint16_t kIndicesOfAnObject = 256;  // further ones p8630[1] shows
+
+/// Whether a server of a drive object shows @p row, whose number is that of an object.
+bool is_an_object(const ParameterRow& row) {
+  return kFirstObject + row.number <= kLastObject;
+}
 
 struct KindName {
   ObjectKind kind;
@@ -66,7 +74,7 @@ void write_row(std::string& list, const ParameterRow& row, std::string_view scop
     fmt::format_to(out,
                    "\n"
                    R"({{"index": "{:04X}", "sub": "00-{:02X}")",
-                   index, row.count - 1U);
+                   index, std::min(row.count, kIndicesOfAnObject) - 1U);
   }
   fmt::format_to(
       out, R"(, "object": "VAR", "type": "{}", "access": "{}", "pdo": false{}, "scope": "{}", "name": "{}"}})",
@@ -80,7 +88,7 @@ std::string catalogue_rows() {
   std::string list{"["};
   for (const ParameterRow* row : parameter_rows())
     for (const auto& [kind, scope] : kKinds)
-      if (contains(row->kinds, kind)) write_row(list, *row, scope);
+      if (contains(row->kinds, kind) && is_an_object(*row)) write_row(list, *row, scope);
   return list + "\n]\n";
 }
 

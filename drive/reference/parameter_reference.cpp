@@ -91,16 +91,26 @@ void write_row(std::string& page, const ParameterRow& row) {
                  effect_text(row));
 }
 
-/// How many parameters there are, and that there are no others.
+/// How many parameters there are, that there are no others, and which of them no server of SDOs shows.
 void write_counts(std::string& page) {
+  constexpr std::uint16_t kHighestObject = 9999;
+  std::string beyond;
   std::uint16_t highest = 0;
-  for (const ParameterRow* row : parameter_rows()) highest = std::max(highest, row->number);
-  fmt::format_to(std::back_inserter(page),
-                 "The control unit has {} parameters, a servo axis {}, a vector axis {}. Every one that is not "
-                 "listed here does\n"
-                 "not exist (06020000h); the highest number is {}, so p8630[2] above 0 shows none.\n\n",
-                 parameters_of(ObjectKind::ControlUnit).size(), parameters_of(ObjectKind::Servo).size(),
-                 parameters_of(ObjectKind::Vector).size(), highest);
+  for (const ParameterRow* row : parameter_rows()) {
+    if (row->number <= kHighestObject)
+      highest = std::max(highest, row->number);
+    else
+      beyond += (beyond.empty() ? "" : ", ") + parameter_text(*row);
+  }
+  fmt::format_to(
+      std::back_inserter(page),
+      "The control unit has {} parameters, a servo axis {}, a vector axis {}. Every one that is not "
+      "listed here does\n"
+      "not exist (06020000h). The highest number that an SDO reaches is {}, so p8630[2] above 0 shows none; "
+      "only other\n"
+      "doors than CANopen read {}.\n\n",
+      parameters_of(ObjectKind::ControlUnit).size(), parameters_of(ObjectKind::Servo).size(),
+      parameters_of(ObjectKind::Vector).size(), highest, beyond);
 }
 
 /// A line with the parameters that @p begin begins the role of.

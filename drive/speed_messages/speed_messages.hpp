@@ -18,11 +18,16 @@ class SpeedMessages {
   struct Settings {
     using Block = SpeedMessages;
 
+    double threshold_1 = 0.0;              ///< p2141, r2199.1
+    double hysteresis_1 = 0.0;             ///< p2142
+    double hysteresis_3 = 0.0;             ///< p2150, r2197.3
+    double threshold_2 = 0.0;              ///< p2155, r2197.1
     double zero_speed_threshold = 0.0;     ///< p2161, statusword bit 12
     double overspeed_hysteresis = 0.0;     ///< p2162, F07901
     double target_window = 0.0;            ///< p2163, statusword bit 10
     double target_hysteresis = 0.0;        ///< p2164
     double target_off_delay = 0.0;         ///< p2166 (s)
+    double target_on_delay = 0.0;          ///< p2167 (s), r2199.4
     double blocked_speed_threshold = 0.0;  ///< p2175, F07900
     double blocked_delay = 0.0;            ///< p2177 (s), F07900
   };
@@ -45,9 +50,12 @@ class SpeedMessages {
   };
   void run(const Seen& seen) noexcept {
     const double setpoint = std::isinf(inputs.setpoint) ? seen.ramp_input : inputs.setpoint;
-    target_reached_ =
-        monitor_.update(seen.duration, setpoint - seen.speed,
-                        {settings.target_window, settings.target_hysteresis, settings.target_off_delay});
+    target_reached_ = monitor_.update(
+        seen.duration, setpoint - seen.speed,
+        {settings.target_window, settings.target_hysteresis, settings.target_off_delay, settings.target_on_delay});
+    const double lowest = settings.threshold_1 - (reaches_threshold_1_ ? settings.hysteresis_1 : 0.0);
+    reaches_threshold_1_ = std::abs(seen.speed) >= lowest;
+    turns_forward_ = seen.speed >= (turns_forward_ ? -settings.hysteresis_3 : 0.0);
     overspeed_ = std::max(seen.speed - seen.forward_limit, seen.backward_limit - seen.speed);
     has_overspeed_ = overspeed_ > settings.overspeed_hysteresis;
     const bool stuck = seen.at_torque_limit && std::abs(seen.speed) < settings.blocked_speed_threshold;
@@ -57,8 +65,13 @@ class SpeedMessages {
   void tell_blocked(bool blocked) noexcept { blocked_ = blocked; }
 
   bool target_reached() const noexcept { return target_reached_; }  ///< r2197.7
-  bool is_blocked() const noexcept { return blocked_; }             ///< r2198.6
-  bool has_overspeed() const noexcept { return has_overspeed_; }    ///< r2197.6
+  bool target_kept() const noexcept { return monitor_.is_kept(); }  ///< r2199.4
+  /// Whether time alone will change target_kept().
+  bool awaits_target() const noexcept { return monitor_.awaits(); }
+  bool reaches_threshold_1() const noexcept { return reaches_threshold_1_; }  ///< r2199.1
+  bool turns_forward() const noexcept { return turns_forward_; }              ///< r2197.3, or stands
+  bool is_blocked() const noexcept { return blocked_; }                       ///< r2198.6
+  bool has_overspeed() const noexcept { return has_overspeed_; }              ///< r2197.6
   /// r2199.0: whether @p speed is below p2161.
   bool is_zero(double speed) const noexcept { return std::abs(speed) < settings.zero_speed_threshold; }
   double overspeed() const noexcept { return overspeed_; }  ///< speed beyond its limits, negative within them
@@ -75,6 +88,8 @@ class SpeedMessages {
   double stuck_ = 0.0;
   bool has_overspeed_ = false;
   bool target_reached_ = false;
+  bool reaches_threshold_1_ = false;
+  bool turns_forward_ = true;
   bool blocked_ = false;
 };
 

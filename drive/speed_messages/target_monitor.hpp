@@ -6,28 +6,47 @@
 
 namespace drive {
 
-/// r2197.7, speed setpoint and actual speed agree, with hysteresis and off-delay.
+/// Whether speed setpoint and actual speed agree, with hysteresis: r2197.7 with an off-delay, r2199.4 with an
+/// on-delay.
 class TargetMonitor {
  public:
-  /// Window p2163 (rad/s), hysteresis p2164 (rad/s), off-delay p2166 (s).
+  /// Window p2163 (rad/s), hysteresis p2164 (rad/s), off-delay p2166 (s), on-delay p2167 (s).
   struct Limits {
     double window;
     double hysteresis;
     double off_delay;
+    double on_delay;
   };
 
   /// Tells the @p deviation of setpoint and actual speed (rad/s) @p duration (s) later; true = target reached.
   bool update(double duration, double deviation, const Limits& limits) noexcept {
-    const bool outside = std::abs(deviation) > limits.window + limits.hysteresis;
+    const double distance = std::abs(deviation);
+    const bool outside = distance > limits.window + limits.hysteresis;
+    const bool within = distance <= limits.window;
     outside_time_ = outside ? outside_time_ + duration : 0.0;
-    if (std::abs(deviation) <= limits.window) reached_ = true;
+    if (within) reached_ = true;
     if (outside && elapsed(outside_time_, limits.off_delay)) reached_ = false;
+    inside_ = within || (inside_ && !outside);
+    if (!inside_) {
+      kept_ = false;
+      inside_time_ = 0.0;
+    } else if (!kept_) {
+      inside_time_ += duration;
+      kept_ = elapsed(inside_time_, limits.on_delay);
+    }
     return reached_;
   }
+  /// Whether they have agreed for the on-delay, and have done so since.
+  bool is_kept() const noexcept { return kept_; }
+  /// Whether the on-delay runs.
+  bool awaits() const noexcept { return inside_ && !kept_; }
 
  private:
   bool reached_ = false;
+  bool inside_ = true;
+  bool kept_ = true;
   double outside_time_ = 0.0;  // s
+  double inside_time_ = 0.0;   // s
 };
 
 }  // namespace drive

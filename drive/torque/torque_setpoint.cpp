@@ -4,10 +4,21 @@
 #include <cmath>
 
 namespace drive {
+namespace {
+
+/// A share that comes as a word of telegrams has no sign: from 8000h on it is 200 % and more.
+constexpr double without_sign(double share) noexcept {
+  constexpr double kWholeRange = 4.0;
+  return share < 0.0 ? share + kWholeRange : share;
+}
+
+}  // namespace
 
 void TorqueSetpoint::limit() noexcept {
   const auto limit = [](double wired, double parameter) { return std::isinf(wired) ? parameter : wired; };
-  limits_ = {limit(inputs.upper_limit, settings.upper_limit), limit(inputs.lower_limit, settings.lower_limit)};
+  const double left = std::max(0.0, 1.0 - without_sign(inputs.reduction) * settings.reduction_weight);
+  limits_ = {limit(inputs.upper_limit, settings.upper_limit) * left * without_sign(inputs.upper_scaling),
+             limit(inputs.lower_limit, settings.lower_limit) * left * without_sign(inputs.lower_scaling)};
 }
 
 /// Any braking is done by the speed controller, which goes on with the torque that there was.

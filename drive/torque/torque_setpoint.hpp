@@ -20,8 +20,10 @@ class TorqueSetpoint {
   struct Settings {
     using Block = TorqueSetpoint;
 
-    double upper_limit = 0.0;  ///< p1520
-    double lower_limit = 0.0;  ///< p1521
+    double upper_limit = 0.0;       ///< p1520
+    double lower_limit = 0.0;       ///< p1521
+    double reduction_weight = 1.0;  ///< p1544, what 100 % of p1542 take off
+    double threshold = 0.0;         ///< p2194, share of the limit, r2199.11
   };
   struct Inputs {
     using Block = TorqueSetpoint;
@@ -32,6 +34,9 @@ class TorqueSetpoint {
     double upper_limit = kAsParameter;   ///< p1522, p1520 if it is infinite
     bool travels_to_fixed_stop = false;  ///< p1545
     double lower_limit = kAsParameter;   ///< p1523, p1521 if it is infinite
+    double reduction = 0.0;              ///< p1542 (MOMRED), a share, taken off both limits
+    double upper_scaling = 1.0;          ///< p1552, share of the upper limit that is left
+    double lower_scaling = 1.0;          ///< p1554, the same of the lower limit
 
     friend bool operator==(const Inputs&, const Inputs&) = default;
   };

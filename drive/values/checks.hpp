@@ -39,6 +39,12 @@ std::optional<Refusal> server_cob_id(const DriveObject& object, std::size_t inde
 std::optional<Refusal> function_modules(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8630: the windows [1] and [2] end at 3 and 5.
 std::optional<Refusal> object_window(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p1210: 0, 1, 4, 6, 14, 16 or 26.
+std::optional<Refusal> restart_mode(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8811: 8, 12, 16 or 64 nodes.
+std::optional<Refusal> link_nodes(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p8835: 1 to 5 or 99.
+std::optional<Refusal> board_firmware(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8684: 4, 5 or 127.
 std::optional<Refusal> start_state(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8685: 4, 5, 127, or a reset: 128, 129.

@@ -15,5 +15,7 @@ double operating_display(const ControlUnit& unit, std::size_t index) noexcept;
 double object_count(const ControlUnit& unit, std::size_t index) noexcept;
 /// r8743: the drive object behind CANopen module @p index; 0 = none.
 double module_object(const ControlUnit& unit, std::size_t index) noexcept;
+/// r8935.
+double mac_address(const ControlUnit& unit, std::size_t index) noexcept;
 
 }  // namespace drive::unit_value

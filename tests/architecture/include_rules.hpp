@@ -52,7 +52,7 @@ inline constexpr std::array kLayers{
     Layer{"drive/values", {"motor/control/", "drive/base/", "drive/parameter/", "drive/machine/"}},
     Layer{"drive/messages", {"fmt/", "drive/base/"}},
     Layer{"unit", {"drive/"}},
-    Layer{"profidrive", {"drive/", "unit/"}},
+    Layer{"profidrive", {"drive/", "unit/", "fmt/"}},
     Layer{"modbus", {"profidrive/", "unit/", "drive/"}},
     Layer{"trace", {"motor/", "drive/", "unit/", "text/", "fmt/", "nlohmann/"}},
     Layer{"trace/export", {"nlohmann/", "fmt/"}},

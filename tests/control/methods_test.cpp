@@ -39,7 +39,7 @@ TEST(Methods, HaveParametersWithEverythingThatTheirFormAsksFor) {
       EXPECT_TRUE(parameter.form == Form::Number || parameter.unit.empty());
       const bool has_range = parameter.form == Form::Integer || parameter.form == Form::Terminal ||
                              parameter.form == Form::Fault || parameter.form == Form::Number ||
-                             parameter.form == Form::List;
+                             (parameter.form == Form::List || parameter.form == Form::Words);
       EXPECT_EQ(has_range, parameter.range.low < parameter.range.high);
     }
 }

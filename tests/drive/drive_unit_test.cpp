@@ -215,7 +215,7 @@ TEST(DriveUnit, ShowsWhatATurningAxisDoes) {
   EXPECT_EQ(test.read(kX, 899), 0x0BB7);
   EXPECT_EQ(test.read(kX, 8762), 3.0);
   EXPECT_EQ(test.read(kX, 482), static_cast<std::uint32_t>(axis.actual().encoder_position));
-  EXPECT_EQ(test.read(kX, 2197), 0x0080);
+  EXPECT_EQ(test.read(kX, 2197), 0x0088);
 }
 
 }  // namespace

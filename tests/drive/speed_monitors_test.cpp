@@ -33,13 +33,35 @@ TEST(StandstillMonitor, SwitchesOffTheMonitoringTimeAfterTheSetpointIsBelowTheTh
 
 TEST(TargetMonitor, ComesAtOnceInTheWindowAndGoesOnlyBeyondTheHysteresisAfterTheOffDelay) {
   TargetMonitor monitor;
-  const TargetMonitor::Limits limits{9.0, 0.5, 0.2};
+  const TargetMonitor::Limits limits{9.0, 0.5, 0.2, 0.0};
 
   EXPECT_FALSE(monitor.update(kCycle, 9.1, limits));
   EXPECT_TRUE(monitor.update(kCycle, -9.0, limits));
   EXPECT_EQ(cycles_until([&] { return !monitor.update(kCycle, 9.4, limits); }), 10001);
   EXPECT_EQ(cycles_until([&] { return !monitor.update(kCycle, 9.6, limits); }), 50);
   EXPECT_FALSE(monitor.update(kCycle, 9.4, limits));
+}
+
+TEST(TargetMonitor, IsKeptAfterTheOnDelayAndFallsAtOnceBeyondTheHysteresis) {
+  TargetMonitor monitor;
+  const TargetMonitor::Limits limits{9.0, 0.5, 0.0, 0.1};
+  const auto kept = [&](double deviation) {
+    monitor.update(kCycle, deviation, limits);
+    return monitor.is_kept();
+  };
+
+  EXPECT_TRUE(kept(0.0)) << "a motor that has never turned";
+  EXPECT_TRUE(kept(9.4));
+  EXPECT_FALSE(kept(-9.6));
+  EXPECT_FALSE(monitor.awaits());
+  EXPECT_FALSE(kept(9.4)) << "within the hysteresis, but it has not been in the window";
+  EXPECT_FALSE(monitor.awaits());
+  EXPECT_EQ(cycles_until([&] { return kept(8.9); }), 25);
+  EXPECT_FALSE(kept(9.6));
+  EXPECT_EQ(cycles_until([&] { return kept(9.0); }, 10), 11);
+  EXPECT_TRUE(monitor.awaits());
+  EXPECT_FALSE(kept(9.6)) << "the delay begins anew";
+  EXPECT_EQ(cycles_until([&] { return kept(9.0); }), 25);
 }
 
 }  // namespace

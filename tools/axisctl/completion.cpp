@@ -39,6 +39,7 @@ cli::Value value_of(const control::Parameter& parameter) {
     case control::Form::Number:
     case control::Form::Text:
     case control::Form::List:
+    case control::Form::Words:
     case control::Form::Value:
     case control::Form::Any:
       break;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "drive/axis/axis.hpp"
 #include "drive/values/axis_values.hpp"
@@ -15,6 +16,7 @@ using std::numbers::sqrt3;
 
 constexpr double kPercent = row_of(Unit::Percent).si;
 constexpr std::size_t kOfThePowerUnit = 1;
+constexpr std::size_t kMotorEncoder = 0;
 
 /// @p amplitude of a phase as a value between lines (rms).
 double between_lines(double amplitude) noexcept {
@@ -53,13 +55,26 @@ double phase_current(const Axis& axis, std::size_t index) noexcept {
   return index < phases.size() ? phases[index] : 0.0;
 }
 double absolute_position(const Axis& axis, std::size_t index) noexcept {
-  constexpr std::size_t kMotorEncoder = 0;
-  return index == kMotorEncoder ? axis.drive_train().encoder().absolute_position() : 0.0;
+  if (index != kMotorEncoder) return 0.0;
+  return axis.block<EncoderInterface>().second_value(axis.has_encoder_fault(),
+                                                     axis.drive_train().encoder().absolute_position());
+}
+double encoder_status(const Axis& axis, std::size_t index) noexcept {
+  return index == kMotorEncoder ? axis.block<EncoderInterface>().status(axis.has_encoder_fault()) : 0.0;
 }
 double maximum_current(const Axis& axis, std::size_t index) noexcept {
   const double of_the_unit = axis.context().axis.inverter.maximum_current;
   return index == kOfThePowerUnit ? of_the_unit
                                   : std::min(axis.drive_train().settings().current_limit, of_the_unit);
+}
+/// Of the units of the series: 9.7 kW at 18 A, the others in proportion.
+double rated_power(const Axis& axis, std::size_t) noexcept {
+  constexpr double kOfTheSeries = 9.7 / 18.0;  // kW/A
+  return axis.context().axis.inverter.rated_current * kOfTheSeries;
+}
+double serial_number(const Axis& axis, std::size_t index) noexcept {
+  constexpr std::string_view kPrefix = "AXSIM0000000000";
+  return index < kPrefix.size() ? kPrefix[index] : '0' + axis.number() % 10;
 }
 double magnetising_current(const Axis& axis, std::size_t) noexcept {
   return axis.block<MotorModel>().settings.magnetising_current;

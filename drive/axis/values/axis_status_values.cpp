@@ -38,6 +38,13 @@ bool enables_speed_controller(const Axis& axis) noexcept {
   return axis.block<SpeedControl>().inputs.enable;
 }
 
+bool has_ended(const SetpointChannel& channel) noexcept {
+  return !(std::abs(channel.output() - channel.input()) > 0.0);
+}
+double share_of_torque_limit(const Axis& axis) noexcept {
+  return torque_utilisation(axis, 0) * row_of(Unit::Percent).si;
+}
+
 /// What r0002 shows in a state while something holds.
 struct Display {
   State state;
@@ -121,7 +128,8 @@ double missing_enables(const Axis& axis, std::size_t) noexcept {
 }
 
 double control_status(const Axis& axis, std::size_t) noexcept {
-  return word(std::array{Bit{0, !is(axis, State::NotReadyToSwitchOn)}, Bit{2, axis.actual().pulses_enabled}});
+  return word(std::array{Bit{0, !is(axis, State::NotReadyToSwitchOn)}, Bit{2, axis.actual().pulses_enabled},
+                         Bit{13, axis.is_at_torque_limit()}});
 }
 
 double sequence_control(const Axis& axis, std::size_t) noexcept {
@@ -145,7 +153,8 @@ double sequence_status(const Axis& axis, std::size_t) noexcept {
 }
 
 double speed_controller_control(const Axis& axis, std::size_t) noexcept {
-  return word(std::array{Bit{12, axis.block<SpeedControl>().inputs.torque_control}});
+  return word(std::array{Bit{8, axis.block<TorqueSetpoint>().inputs.travels_to_fixed_stop},
+                         Bit{12, axis.block<SpeedControl>().inputs.torque_control}});
 }
 
 double speed_controller_status(const Axis& axis, std::size_t) noexcept {
@@ -170,16 +179,24 @@ double message_control(const Axis& axis, std::size_t) noexcept {
 
 double speed_status(const Axis& axis, std::size_t) noexcept {
   const double speed = std::abs(axis.actual().speed);
-  const double threshold = axis.read(2155).value_or(0.0) * kRpm;
+  const double threshold = axis.block<SpeedMessages>().settings.threshold_2;
+  const auto& channel = axis.block<SetpointChannel>();
+  const auto& power_unit = axis.block<PowerUnit>();
+  const bool link_above = power_unit.dc_voltage() > power_unit.settings.link_threshold;
   return word(std::array{Bit{1, speed > sequence_of(axis).settings.standstill_threshold},
+                         Bit{2, speed > channel.settings.minimum_speed},
+                         Bit{3, current(axis, 0) >= power_unit.settings.current_threshold},
                          Bit{4, speed > threshold}, Bit{5, speed <= threshold},
-                         Bit{6, speed >= std::abs(axis.block<SetpointChannel>().input())}});
+                         Bit{6, speed >= std::abs(channel.input())}, Bit{7, !link_above}, Bit{8, link_above},
+                         Bit{9, has_ended(channel)}});
 }
 
 double monitoring_1(const Axis& axis, std::size_t) noexcept {
   const auto& speed = axis.block<SpeedMessages>();
   const bool standstill = std::abs(axis.actual().speed) < sequence_of(axis).settings.standstill_threshold;
-  return word(std::array{Bit{5, standstill}, Bit{6, speed.has_overspeed()}, Bit{7, speed.target_reached()}});
+  return word(std::array{Bit{1, std::abs(axis.actual().speed) <= speed.settings.threshold_2},
+                         Bit{3, speed.turns_forward()}, Bit{5, standstill}, Bit{6, speed.has_overspeed()},
+                         Bit{7, speed.target_reached()}});
 }
 
 double monitoring_2(const Axis& axis, std::size_t) noexcept {
@@ -187,7 +204,10 @@ double monitoring_2(const Axis& axis, std::size_t) noexcept {
 }
 
 double monitoring_3(const Axis& axis, std::size_t) noexcept {
-  return word(std::array{Bit{0, axis.block<SpeedMessages>().is_zero(axis.actual().speed)}});
+  const auto& speed = axis.block<SpeedMessages>();
+  return word(std::array{Bit{0, speed.is_zero(axis.actual().speed)}, Bit{1, speed.reaches_threshold_1()},
+                         Bit{4, speed.target_kept()}, Bit{5, has_ended(axis.block<SetpointChannel>())},
+                         Bit{11, share_of_torque_limit(axis) < axis.block<TorqueSetpoint>().settings.threshold}});
 }
 
 }  // namespace drive::axis_value

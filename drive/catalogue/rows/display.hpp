@@ -20,7 +20,7 @@ inline constexpr std::array kDisplayRows{
     Row{33, 1, kAxes, F32, Unit::Percent, kWhole, 0.0, When::ReadOnly, shown<axis_value::torque_utilisation>, Output::Connector, "Torque utilisation smoothed", "of the effective limit"},
     Row{37, 2, kControlUnit, F32, Unit::Celsius, kWhole, 40.0, When::ReadOnly, Fixed{40.0, "a thermal model of the control unit"}, Output::Connector, "CU temperature [0] actual [1] max", ""},
     Row{54, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::controlword>, Output::Both, "Control word 1 (VECTOR)", "the one in force"},
-    Row{56, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::control_status>, Output::Both, "Status word closed-loop control", "bits 0 and 2"},
+    Row{56, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::control_status>, Output::Both, "Status word closed-loop control", "bits 0, 2 and 13"},
     Row{60, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, shown<axis_value::speed_demand>, Output::Connector, "Speed setpoint before filter", ""},
     Row{62, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, shown<axis_value::speed_demand>, Output::Connector, "Speed setpoint after filter", ""},
     Row{64, 1, kAxes, F32, Unit::Rpm, kWhole, 0.0, When::ReadOnly, shown<axis_value::speed_deviation>, Output::Connector, "Speed controller deviation", ""},

@@ -38,12 +38,16 @@ inline constexpr std::array kMessagesRows{
     Row{2130, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::fault_days>, Output::No, "Fault time received in days", ""},
     Row{2131, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::newest_fault>, Output::Connector, "Current fault code", ""},
     Row{2132, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::newest_alarm>, Output::Connector, "Current alarm code", ""},
+    Row{2135, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::thermal_status>, Output::Both, "CO/BO: status word faults/alarms 2", "bits 12 and 13 faults, 14 and 15 alarms: motor overtemperature, power unit"},
     Row{2136, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::fault_removed_days>, Output::No, "Fault time removed in days", ""},
     Row{2138, 1, kControlUnit | kInfeed, U16, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "inputs of this drive object for messages; only an axis has them"}, Output::Both, "Control word faults/alarms", ""},
     Row{2138, 1, kAxes, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<axis_value::message_control>, Output::Both, "Control word faults/alarms", "bits 7 acknowledgement, 10 p2112, 13 to 15 p2106 to p2108"},
     Row{2139, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::message_status>, Output::Both, "Status word faults/alarms 1", "bits 3 and 7"},
     Row{2145, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::alarm_days>, Output::No, "Alarm time received in days", ""},
     Row{2146, 64, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::alarm_removed_days>, Output::No, "Alarm time removed in days", ""},
+    Row{3113, 1, kAll, U16, Unit::None, kWhole, 0.0, When::ReadOnly, shown<message_value::namur_bits>, Output::Both, "CO/BO: NAMUR message bit bar", "a bit for each class of active faults and alarms"},
+    Row{3120, 64, kAll, I32, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "component numbers of a DRIVE-CLiQ topology"}, Output::No, "Component fault", ""},
+    Row{3121, 64, kAll, I32, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "component numbers of a DRIVE-CLiQ topology"}, Output::No, "Component alarm", ""},
     Row{3981, 1, kAll, U8, Unit::None, {0.0, 1.0}, 0.0, When::Always, shown<object_value::no_value, object_value::acknowledge>, Output::No, "Acknowledge faults of the drive object", "1 acknowledges the faults of this drive object; reads 0", Keep::No},
 };
 // clang-format on

@@ -26,7 +26,7 @@ void add_argument(CLI::App& app, const control::Parameter& parameter, control::W
     return;
   }
   const std::string name = control::argument_of(parameter);
-  CLI::Option* const option = parameter.form == control::Form::List
+  CLI::Option* const option = parameter.form == control::Form::List || parameter.form == control::Form::Words
                                   ? app.add_option(name, words, help)->delimiter(is_word ? '\0' : ',')
                                   : app.add_option_function<std::string>(
                                         name, [&words](const std::string& word) { words = {word}; }, help);
