@@ -33,8 +33,8 @@ class Stream {
       bytes = bytes.subspan(taken);
       connection_.answer(2);
       if (std::string broken = expect_answers(); !broken.empty()) return broken;
-      if (taken == 0 && !connection_.has_request()) take(connection_.to_send().size());
-      if (connection_.is_over() || (taken == 0 && room.empty() && connection_.room().empty() && is_stuck())) break;
+      if (connection_.is_over()) break;
+      if (taken == 0) take(connection_.to_send().size());
     }
     return {};
   }
@@ -69,8 +69,6 @@ class Stream {
     static ServedUnit unit;
     return unit;
   }
-  bool is_stuck() const { return !connection_.has_request() && connection_.to_send().empty(); }
-
   /// Looks at the answers that are new.
   std::string expect_answers() {
     for (auto answers = connection_.to_send(); checked_ < answers.size();) {
