@@ -88,6 +88,11 @@ class Device final {
 
   /// What goes on by itself while the unit rests (temperatures, operating time) is that of @p now.
   void tell_time(canopen::TimePoint now) noexcept { runner_.tell_time(unit_time(now)); }
+  /// Somebody beside the bus is about to read and write by the runner at @p now.
+  void begin_access(canopen::TimePoint now) noexcept {
+    runner_.tell_time(unit_time(now));
+    face_.tell_time();
+  }
   /// Somebody beside the bus writes a parameter at @p now: see unit::Runner::write_parameter().
   [[nodiscard]] tl::expected<void, drive::ParameterError> write_parameter(std::uint8_t object,
                                                                           std::uint16_t number, std::size_t index,

@@ -61,16 +61,20 @@ tl::expected<Endpoint, std::string> read_endpoint(std::string_view text, std::st
   return Endpoint{std::string{host}, *port, in_brackets};
 }
 
-/// @p text as the C library prints the address it stands for; nothing if it is no multicast group.
-std::optional<std::string> normal_group(const std::string& text, bool six) {
+/// @p text as the C library prints the address of @p family that it stands for.
+template <class Fits>
+std::optional<std::string> normal_address(const std::string& text, int family, const Fits& fits) {
   std::array<unsigned char, sizeof(in6_addr)> address{};
   std::array<char, INET6_ADDRSTRLEN> printed{};
-  const int family = six ? AF_INET6 : AF_INET;
-  if (::inet_pton(family, text.c_str(), address.data()) != 1) return std::nullopt;
-  const bool is_group = six ? address[0] == 0xFF : address[0] >> 4 == 0xE;
-  if (!is_group || ::inet_ntop(family, address.data(), printed.data(), printed.size()) == nullptr)
-    return std::nullopt;
+  if (::inet_pton(family, text.c_str(), address.data()) != 1 || !fits(address[0])) return std::nullopt;
+  if (::inet_ntop(family, address.data(), printed.data(), printed.size()) == nullptr) return std::nullopt;
   return printed.data();
+}
+
+/// The same of a multicast group.
+std::optional<std::string> normal_group(const std::string& text, bool six) {
+  return normal_address(text, six ? AF_INET6 : AF_INET,
+                        [&](unsigned char first) { return six ? first == 0xFF : first >> 4 == 0xE; });
 }
 
 Parsed parse_name(std::string_view text, std::string_view) {
@@ -192,6 +196,12 @@ std::string label(const Address& address) {
   const auto parts = std::visit([](const auto& place) { return parts_of(place); }, address.place);
   if (!parts) return address.text;
   return fmt::format("{}-{}-{:08x}", parts->scheme, plain_beginning(parts->readable), hash_of(parts->whole));
+}
+
+std::optional<std::string> normal_ip_address(const std::string& text) {
+  const auto any = [](unsigned char) { return true; };
+  const auto four = normal_address(text, AF_INET, any);
+  return four ? four : normal_address(text, AF_INET6, any);
 }
 
 }  // namespace bus

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -62,5 +63,8 @@ struct Address {
 /// hexadecimal digits that tell it from others, such as "unix-can-bus-1a2b3c4d". At most 40 characters, without
 /// slash, colon or space; the same for every way to write the same address.
 [[nodiscard]] std::string label(const Address& address);
+
+/// The IPv4 or IPv6 address @p text in its shortest form; nothing if it is none.
+[[nodiscard]] std::optional<std::string> normal_ip_address(const std::string& text);
 
 }  // namespace bus

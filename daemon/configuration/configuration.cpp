@@ -9,6 +9,7 @@
 #include "daemon/configuration/json_reader.hpp"
 #include "daemon/configuration/load_reader.hpp"
 #include "daemon/configuration/mechanics_reader.hpp"
+#include "daemon/configuration/modbus_reader.hpp"
 #include "daemon/configuration/motor_file.hpp"
 #include "daemon/configuration/parameter_reader.hpp"
 #include "daemon/configuration/plant_reader.hpp"
@@ -118,8 +119,9 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kKeysOfUnit{"interface", "node_id",   "axes",   "parameters", "supply",
-                                                       "infeed",    "sdo_block", "f08701", "record",     "trace"};
+constexpr std::array<std::string_view, 11> kKeysOfUnit{"interface", "node_id", "axes",      "parameters",
+                                                       "supply",    "infeed",  "sdo_block", "f08701",
+                                                       "record",    "trace",   "modbus"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
@@ -135,6 +137,7 @@ Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors);
   if (json.has("record")) configuration.record = read_record(json.at("record"));
   if (json.has("trace")) configuration.trace = read_trace(json.at("trace"));
+  if (json.has("modbus")) configuration.modbus = read_modbus(json.at("modbus"));
   read_parameters(json, configuration);
   return configuration;
 }
@@ -168,6 +171,7 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
   list.expect_array(1, kMostUnits);
   UnitsConfiguration configuration{.units = {}, .threads = 1, .is_list = true};
   std::map<std::string, std::size_t> taken;
+  ModbusPlaces places;
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (Configuration& unit : read_entry(list.at(i), motors)) {
       const auto [known, is_new] = taken.emplace(name_of(unit), i);
@@ -175,6 +179,7 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
       if (!is_new)
         (entry.has("node_id") ? entry.at("node_id") : entry)
             .fail(fmt::format("a node-ID that /units/{} does not have on {}", known->second, unit.address.text));
+      if (unit.modbus) places.take(entry, i, *unit.modbus);
       configuration.units.push_back(std::move(unit));
     }
   }

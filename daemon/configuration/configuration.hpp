@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "can/port/address.hpp"
+#include "daemon/configuration/modbus_settings.hpp"
 #include "daemon/configuration/motor_source.hpp"
 #include "daemon/configuration/record_settings.hpp"
 #include "drive/base/load_mechanics.hpp"
@@ -76,6 +77,7 @@ struct Configuration {
   bool fault_on_leaving_operational = true;   ///< key "f08701"
   std::optional<trace::Settings> trace{};     ///< key "trace": begins with the unit
   std::optional<RecordSettings> record{};     ///< key "record": begins with the unit
+  std::optional<ModbusSettings> modbus{};     ///< key "modbus"; none: Modbus TCP is not served
 };
 
 /// The name of the unit that @p unit describes, as "vcan0/5": bus::label() and address switch.

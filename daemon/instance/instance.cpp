@@ -53,8 +53,11 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       memory_{folder, device_, log},
       reports_{configuration, log},
       recording_{{configuration, device_, frames_, events_, folder, started_}},
-      load_torques_{load_torques(configuration)} {
+      load_torques_{load_torques(configuration)},
+      rare_sources_{{memory_.descriptor(), this, &Instance::on_write_ended},
+                    {connection_.link->descriptor(), this, &Instance::on_link}} {
   device_.attach(if1_);
+  if (configuration.modbus) open_modbus(*configuration.modbus);
   if (const auto problem = configuration.trace ? trace_.problem_of(*configuration.trace) : std::nullopt)
     throw ConfigurationError{fmt::format("trace: {}: expected {}", problem->key, problem->expected)};
   if (!configuration.record) return;
@@ -66,6 +69,7 @@ void Instance::start() noexcept {
   if (configuration_.record) begin_recording();
   tell(record::EventKind::Power, true);
   reports_.on_open(*connection_.port);
+  if (modbus_) log_.info("Modbus TCP on {}", modbus_->server().place());
   if (connection_.link->state() == bus::LinkState::Up) return link_up();
   log_.notice("{} is down: waiting until it is up", bus_name());
   listener_.on_condition(*this, Condition::Down);
@@ -164,6 +168,15 @@ bool Instance::on_bus_restart() noexcept {
   const bus::Restart outcome = bus_.restart_bus();
   reports_.on_restart(outcome);
   return outcome == bus::Restart::Done;
+}
+
+void Instance::open_modbus(const ModbusSettings& settings) {
+  modbus_ = std::make_unique<ModbusDoor>(settings, device_, if1_);
+  rare_sources_.push_back({modbus_->descriptor(), this, &Instance::on_modbus});
+}
+
+void Instance::on_modbus() noexcept {
+  modbus_->handle(read_clock());
 }
 
 void Instance::on_burst_end() noexcept {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +13,7 @@
 #include "daemon/configuration/configuration.hpp"
 #include "daemon/instance/bus_reports.hpp"
 #include "daemon/instance/bus_turn.hpp"
+#include "daemon/instance/modbus_door.hpp"
 #include "daemon/instance/station.hpp"
 #include "daemon/instance/unit_memory.hpp"
 #include "daemon/watch/event_watch.hpp"
@@ -80,10 +81,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   void power_off() noexcept;
 
   /// What is rare here; the descriptors stay the same.
-  std::array<RareSource, 2> rare_sources() noexcept {
-    return {RareSource{memory_.descriptor(), this, &Instance::on_write_ended},
-            RareSource{connection_.link->descriptor(), this, &Instance::on_link}};
-  }
+  std::span<const RareSource> rare_sources() const noexcept { return rare_sources_; }
   /// The part of the loop that is this instance's.
   BusTurn& bus() noexcept { return bus_; }
   const BusTurn& bus() const noexcept { return bus_; }
@@ -94,6 +92,8 @@ class Instance final : private device::Listener, private Station, private TapOwn
   const profidrive::Interface& if1() const noexcept { return if1_; }
   const Configuration& configuration() const noexcept { return configuration_; }
   const UnitMemory& memory() const noexcept { return memory_; }
+  /// The server of Modbus TCP; nullptr if the configuration has none.
+  const ModbusServer* modbus() const noexcept { return modbus_ ? &modbus_->server() : nullptr; }
   const BusReports& reports() const noexcept { return reports_; }
   /// The bus as the user named it, for messages.
   const std::string& bus_name() const noexcept { return configuration_.address.text; }
@@ -193,6 +193,8 @@ class Instance final : private device::Listener, private Station, private TapOwn
 
   void on_link() noexcept;
   void on_write_ended() noexcept { memory_.take_ended(); }
+  void open_modbus(const ModbusSettings& settings);
+  void on_modbus() noexcept;
   void tell_ready() noexcept;
   void link_up() noexcept;
   void link_down() noexcept;
@@ -215,6 +217,8 @@ class Instance final : private device::Listener, private Station, private TapOwn
   Saves saves_{};
   UnitTrace trace_{device_, frames_, events_};
   std::vector<LoadTorque> load_torques_;
+  std::unique_ptr<ModbusDoor> modbus_;  ///< none: Modbus TCP is not served
+  std::vector<RareSource> rare_sources_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;
   std::uint64_t sent_before_boot_up_ = 0;

@@ -108,6 +108,14 @@ json leds_status(const device::IndicatorLeds& leds) {
   return {{"run", name_of(leds.run)}, {"error", name_of(leds.error)}};
 }
 
+json modbus_status(const ModbusServer& server) {
+  return {{"address", server.place()},
+          {"connections", server.clients()},
+          {"turned_away", server.turned_away()},
+          {"requests", server.counters().requests},
+          {"exceptions", server.counters().exceptions}};
+}
+
 json bus_status(const Instance& instance) {
   const auto& sent = instance.bus().queue().counters();
   return {{"state", bus::name_of(instance.bus().port().error_state())},
@@ -144,6 +152,7 @@ json status_of(const Instance& instance) {
       {"axes", axes_status(instance)}};
   if (const drive::Infeed* const infeed = instance.device().unit().infeed())
     status["infeed"] = infeed_status(*infeed, instance.configuration().infeed->name);
+  if (instance.modbus() != nullptr) status["modbus"] = modbus_status(*instance.modbus());
   return status;
 }
 

@@ -243,6 +243,10 @@ double object_number(const ObjectContext& context, std::size_t index) noexcept {
   const bool exists = index < objects_before_axes(context) + context.axis_count;
   return exists ? static_cast<double>(index + kControlUnitNumber) : 0.0;
 }
+double cyclic_object(const ObjectContext& context, std::size_t index) noexcept {
+  if (index < context.axis_count) return static_cast<double>(first_axis_number(context.has_infeed) + index);
+  return index == context.axis_count ? kControlUnitNumber : 0.0;
+}
 double object_type(const ObjectContext& context, std::size_t index) noexcept {
   constexpr double kUnitType = 1.0;
   const std::size_t first_axis = objects_before_axes(context);

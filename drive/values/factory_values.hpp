@@ -72,6 +72,7 @@ double speed_setpoint(const ObjectContext& context, std::size_t index) noexcept;
 double message_setpoint(const ObjectContext& context, std::size_t index) noexcept;
 
 // The drive objects of the unit.
+double cyclic_object(const ObjectContext& context, std::size_t index) noexcept;  ///< p0978: axes, then the unit
 double object_number(const ObjectContext& context, std::size_t index) noexcept;
 double object_type(const ObjectContext& context, std::size_t index) noexcept;
 double object_modules(const ObjectContext& context, std::size_t index) noexcept;

@@ -2,6 +2,7 @@
 # check_unit.sh verify FOLDER UNIT            the unit has no error, and no warning either
 # check_unit.sh exposure FOLDER UNIT LIMIT    its exposure, times ten, is at most LIMIT; prints the exposure
 # check_unit.sh limits FOLDER UNIT            memory and tasks are bounded, and systemd understands the bounds
+# check_unit.sh loopback FOLDER UNIT          it may use the sockets of the network, but only with this machine
 # UNIT is a template; it is checked as the instance vcan0.
 set -euo pipefail
 
@@ -22,6 +23,11 @@ case $mode in
     for limit in MemoryMax TasksMax; do
       value=$(sed -n "s/^$limit=//p" "$folder/$unit")
       [[ $value =~ ^[0-9]+M?$ ]] || { echo "$unit: expected $limit=NUMBER, got '$value'" >&2; exit 1; }
+    done ;;
+  loopback)
+    answer=$(SYSTEMD_UNIT_PATH=$folder: systemd-analyze security --offline=true --threshold=100 --no-pager "$folder/$unit")
+    for wanted in 'may allocate Internet sockets' 'IP address allow list with only localhost entries'; do
+      grep -qF "$wanted" <<<"$answer" || { echo "$unit: systemd-analyze does not say '$wanted'" >&2; exit 1; }
     done ;;
   *) echo "unknown mode $mode" >&2; exit 2 ;;
 esac

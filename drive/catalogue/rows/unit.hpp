@@ -40,6 +40,7 @@ inline constexpr std::array kUnitRows{
     Row{972, 1, kControlUnit, U16, Unit::None, {0.0, 3.0}, 0.0, When::Always, HostCommand{}, Output::No, "Drive unit reset", "1 restarts the unit, 2 is only shown, 3 restarts it when the node leaves Operational", Keep::No},
     Row{976, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::DeviceReset, HostCommand{}, Output::No, "Reset and load all parameters", "1 state of a new unit, 2 restart with the saved values; reads 0", Keep::No},
     Row{977, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::Always, HostCommand{}, Output::No, "Save all parameters", "1 saves all drive objects; reads 0", Keep::No},
+    Row{978, 25, kControlUnit, U8, Unit::None, {0.0, 255.0}, factory::cyclic_object, When::Device, Slot{}, Output::No, "List of drive objects with cyclic exchange", "the axis of Modbus TCP at index 0; behind the first 0 none takes part, 255 is visible but empty"},
 };
 // clang-format on
 

@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadFile{R"({"nodeid": 5})",
                 "node.json: /nodeid: unknown key, expected one of: interface, node_id, axes, parameters, supply, "
-                "infeed, sdo_block, f08701, record, trace"},
+                "infeed, sdo_block, f08701, record, trace, modbus"},
         BadFile{R"({"interface": 0})", "node.json: /interface: expected a string, got 0"},
         BadFile{R"({"interface": ""})", "node.json: /interface: expected " + kForms + ", got \"\""},
         BadFile{R"({"interface": "a-rather-long-name"})",
@@ -75,6 +75,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"node_id": 128})", "node.json: /node_id: expected an integer 0 to 127, got 128"},
         BadFile{R"({"node_id": 18446744073709551615})",
                 "node.json: /node_id: expected an integer 0 to 127, got 18446744073709551615"},
+        BadFile{R"({"modbus": 502})", "node.json: /modbus: expected true or false, got 502"},
+        BadFile{R"({"modbus": {"address": "localhost"}})",
+                "node.json: /modbus/address: expected an IPv4 or IPv6 address, got \"localhost\""},
+        BadFile{R"({"modbus": {"port": 65536}})",
+                "node.json: /modbus/port: expected an integer 0 to 65535, got 65536"},
         BadFile{R"({"sdo_block": 1})", "node.json: /sdo_block: expected true or false, got 1"},
         BadFile{R"({"f08701": "no"})", "node.json: /f08701: expected true or false, got \"no\""},
         BadFile{R"({"record": true})", "node.json: /record: expected an object, got true"},

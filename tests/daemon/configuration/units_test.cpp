@@ -39,6 +39,18 @@ TEST(ListOfUnits, HasAUnitForEachNodeIdOfARange) {
   EXPECT_EQ(list.units.back().axes.size(), 3U);
 }
 
+TEST(ListOfUnits, MayServeModbusAtDifferentPlaces) {
+  const UnitsConfiguration list = read(R"({"units": [
+      {"node_id": 1, "modbus": true}, {"node_id": 2, "modbus": {"port": 503}}, {"node_id": 3, "modbus": false},
+      {"node_id": 4, "modbus": {"address": "0:0:0:0:0:0:0:1"}}, {"node_id": {"from": 5, "to": 6}, "modbus": {"port": 0}}]})");
+
+  EXPECT_EQ(list.units[0].modbus, (ModbusSettings{"127.0.0.1", 502}));
+  EXPECT_EQ(list.units[1].modbus, (ModbusSettings{"127.0.0.1", 503}));
+  EXPECT_EQ(list.units[2].modbus, std::nullopt);
+  EXPECT_EQ(list.units[3].modbus, (ModbusSettings{"::1", 502}));
+  EXPECT_EQ(list.units[5].modbus, (ModbusSettings{"127.0.0.1", 0}));
+}
+
 TEST(ListOfUnits, IsNoListWhereTheFileDescribesOneUnit) {
   EXPECT_FALSE(read("{}").is_list);
   EXPECT_EQ(read("{}").units.size(), 1U);
@@ -63,6 +75,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "units.json: /units/1: expected a node-ID that /units/0 does not have on vcan0, got {}"},
         Refused{R"({"units": [{"node_id": {"from": 9, "to": 2}}]})",
                 "units.json: /units/0/node_id/to: expected an integer 9 to 127, got 2"},
+        Refused{R"({"units": [{"modbus": true}, {"node_id": 3, "modbus": {"address": "127.0.0.2"}},
+                              {"node_id": 4, "modbus": {"port": 502}}]})",
+                "units.json: /units/2/modbus: expected a port that /units/0 does not have at this address, got "
+                "{\"port\":502}"},
+        Refused{R"({"units": [{"modbus": {"port": 1502}},
+                              {"node_id": 3, "modbus": {"address": "0.0.0.0", "port": 1502}}]})",
+                "units.json: /units/1/modbus: expected a port that /units/0 does not have at this address, got "
+                "{\"address\":\"0.0.0.0\",\"port\":1502}"},
+        Refused{
+            R"({"units": [{"node_id": {"from": 1, "to": 2}, "modbus": true}]})",
+            "units.json: /units/0/modbus: expected a port for each of the units that node_id stands for (0: one "
+            "that is free), got true"},
         Refused{R"({"units": []})", "units.json: /units: expected an array of 1 to 1024, got []"},
         Refused{R"({"units": [{}], "node_id": 5})",
                 "units.json: /node_id: unknown key, expected one of: units, threads"},

@@ -1,0 +1,58 @@
+#include "modbus/unit_face.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace modbus {
+namespace {
+
+constexpr std::uint16_t kCyclicObjects = 978;  // p0978
+constexpr std::uint16_t kConfigurationAlarm = 8555;
+constexpr std::uint32_t kNoAxis = 2;  // r2124
+
+}  // namespace
+
+const drive::DriveObject* UnitFace::target() const noexcept {
+  const drive::DriveUnit& unit = std::as_const(runner_).unit();
+  const double number = unit.control_unit().read(kCyclicObjects).value_or(0.0);
+  const drive::DriveObject* const object = unit.object(static_cast<std::uint8_t>(number));
+  const bool is_axis = object != nullptr &&
+                       (object->kind() == drive::ObjectKind::Servo || object->kind() == drive::ObjectKind::Vector);
+  return is_axis ? object : nullptr;
+}
+
+void UnitFace::write_mailbox(std::size_t first, std::span<const std::uint16_t> values) noexcept {
+  const bool was_pending = mailbox_.is_pending();
+  mailbox_.write(first, values);
+  if (was_pending || !mailbox_.is_pending()) return;
+  activated_ = runner_.now();
+  if (runner_.is_on()) runner_.wake();
+}
+
+void UnitFace::show() noexcept {
+  if (mailbox_.is_pending() && runner_.is_on()) runner_.wake();  // it has waited for the power-on
+  const bool wanted = target() == nullptr;
+  if (!wanted && !has_alarm_) return;
+  has_alarm_ = wanted;
+  if (!wanted) return runner_.unit().withdraw(drive::kControlUnitNumber, kConfigurationAlarm);
+  if (shows_alarm()) return;
+  static_cast<void>(
+      runner_.unit().raise(drive::kControlUnitNumber, kConfigurationAlarm, kNoAxis, drive::Cause::Present));
+}
+
+bool UnitFace::shows_alarm() const noexcept {
+  return std::ranges::any_of(
+      std::as_const(runner_).unit().control_unit().messages().alarms(),
+      [](const drive::FaultEntry& alarm) { return alarm.row->number == kConfigurationAlarm; });
+}
+
+void UnitFace::on_cycles_over() noexcept {
+  if (!mailbox_.is_pending()) return;
+  const unit::CycleClock& clock = runner_.clock();
+  if (clock.last() - clock.period() < activated_) return;
+  std::array<std::uint8_t, RecordMailbox::kMostBytes> response{};
+  const std::size_t bytes = carry_out_ == nullptr ? 0 : carry_out_(mailbox_.request(), response, access_);
+  mailbox_.finish(std::span{response}.first(std::min(bytes, response.size())));
+}
+
+}  // namespace modbus

@@ -1,0 +1,90 @@
+// Examples byte for byte that need no axis in motion and no records.
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "tests/modbus/hexadecimal.hpp"
+#include "tests/modbus/served_unit.hpp"
+
+namespace modbus {
+namespace {
+
+struct Step {
+  std::string_view request, response;
+};
+
+struct Vector {
+  std::string_view name;
+  std::vector<Step> steps;
+
+  friend void PrintTo(const Vector& vector, std::ostream* stream) { *stream << vector.name; }
+};
+
+const std::array kVectors{
+    Vector{"write-one-word", {{"000100000006110600635566", "000100000006110600635566"}}},
+    Vector{"ds47-not-ready",
+           {{"0001000000151110025800070E00012F0A80010101100100020000", "000100000006111002580007"},
+            {"000100000006110302580007", "00010000001111030E00012F0000040000000000000000"}}},
+    Vector{"too-many-registers", {{"00010000000611030063007E", "000100000003118303"}}},
+    Vector{"beyond-the-end",
+           {{"000100000006110302D10001", "0001000000051103020000"},
+            {"000100000006110302D10002", "000100000003118302"},
+            {"000100000006110302D20001", "000100000003118302"}}},
+    Vector{"write-read-only",
+           {{"0001000000061106006D0001", "000100000003118604"},
+            {"000100000006110301F20001", "0001000000051103020001"}}},
+    Vector{"reserved-reads-zero",
+           {{"000100000006110300C70003", "000100000009110306000000000000"},
+            {"000100000006110300000001", "0001000000051103020000"}}},
+    Vector{"unknown-function",
+           {{"000100000006110400630001", "000100000003118401"},
+            {"000100000005112B0E0100", "00010000000311AB01"},
+            {"000100000006110300C70001", "0001000000051103020000"}}},
+    Vector{"drive-identification",
+           {{"0001000000061103012C0001", "00010000000511030201E0"},
+            {"000100000006110301430001", "0001000000051103020BB8"}}},
+    Vector{"write-ramp",
+           {{"0001000000061106014105DC", "0001000000061106014105DC"},
+            {"000100000006110301410002", "00010000000711030405DC03E8"}}},
+    Vector{"write-below-minimum",
+           {{"000100000006110601430005", "000100000003118604"},
+            {"000100000006110301F20001", "0001000000051103020002"},
+            {"000100000006110301430001", "0001000000051103020BB8"}}},
+    Vector{"write-across-a-border",
+           {{"00010000000B1110006C00020400010002", "000100000003119004"},
+            {"0001000000061103006C0001", "0001000000051103020000"}}},
+    Vector{"ds47-wrong-function-code",
+           {{"0001000000151110025800070E0001300A80010201100100020000", "000100000006111002580007"},
+            {"000100000006110302580003", "00010000000911030600022F000003"}}},
+};
+
+class Vectors : public testing::TestWithParam<Vector> {};
+
+TEST_P(Vectors, AreAnsweredStepByStep) {
+  ServedUnit unit;
+  for (const Step& step : GetParam().steps) EXPECT_EQ(unit.exchange(step.request), step.response);
+}
+
+TEST_P(Vectors, AreAnsweredInOneSegment) {
+  ServedUnit unit;
+  std::string requests, responses;
+  for (const Step& step : GetParam().steps) {
+    requests += step.request;
+    responses += step.response;
+  }
+  EXPECT_EQ(unit.exchange(requests), responses);
+}
+
+TEST_P(Vectors, AreAnsweredByteByByte) {
+  ServedUnit unit;
+  for (const Step& step : GetParam().steps) {
+    std::string response;
+    for (std::size_t i = 0; i < step.request.size(); i += 2) response += unit.exchange(step.request.substr(i, 2));
+    EXPECT_EQ(response, step.response);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ModbusTcp, Vectors, testing::ValuesIn(kVectors));
+
+}  // namespace
+}  // namespace modbus
