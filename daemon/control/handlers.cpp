@@ -24,6 +24,7 @@ constexpr auto kGroups = std::to_array<Group>({
     &storage_handlers,
     &signal_handlers,
     &trace_handlers,
+    &acyclic_handlers,
 });
 
 }  // namespace
