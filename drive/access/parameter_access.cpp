@@ -66,8 +66,11 @@ tl::expected<void, ParameterError> ParameterAccess::write(const FoundParameter& 
                                                           Door door) noexcept {
   if (const auto reason = door_refusal(parameter, door)) return refused(parameter, *reason);
   listener_.on_access();
+  const double before = observer_ != nullptr ? parameter.object.value(parameter.placed, parameter.index) : 0.0;
   auto written = unit_.write(parameter.object, parameter.placed, parameter.index, value);
-  if (written) listener_.on_written(parameter.object.number(), parameter.row().number);
+  if (!written) return written;
+  listener_.on_written(parameter.object.number(), parameter.row().number);
+  if (observer_ != nullptr) observer_->on_write(parameter, before, value);
   return written;
 }
 

@@ -25,6 +25,16 @@ class AccessListener {
   }
 };
 
+struct FoundParameter;
+
+/// Whoever wants to know what is written.
+class WriteObserver {
+ public:
+  virtual ~WriteObserver() = default;
+  /// @p parameter was @p before and was set to @p value, both in its own unit.
+  virtual void on_write(const FoundParameter& parameter, double before, double value) noexcept = 0;
+};
+
 /// What somebody asks for: it need not exist.
 struct ParameterAddress {
   std::uint8_t object = 0;  ///< number of the drive object
@@ -67,6 +77,9 @@ class ParameterAccess {
   /// Both outlive this.
   ParameterAccess(DriveUnit& unit, AccessListener& listener) noexcept : unit_{unit}, listener_{listener} {}
 
+  /// From now on @p observer, which outlives this, is told of every write that was not refused.
+  void observe(WriteObserver& observer) noexcept { observer_ = &observer; }
+
   bool has_object(std::uint8_t number) const noexcept { return unit_.object(number) != nullptr; }
   /// The parameter that @p address names. NoDriveObject, NoParameter, NotIndexed or NoIndex, in this order.
   [[nodiscard]] tl::expected<FoundParameter, ParameterError> find(const ParameterAddress& address) const noexcept;
@@ -91,6 +104,7 @@ class ParameterAccess {
 
   DriveUnit& unit_;
   AccessListener& listener_;
+  WriteObserver* observer_ = nullptr;
 };
 
 }  // namespace drive
