@@ -29,6 +29,8 @@ test_packages=(
   iproute2 kmod util-linux
   # masters of the tests
   python3-can python3-msgpack python3-pytest python3-yaml
+  # clients of Modbus TCP, and who decodes what they send
+  mbpoll python3-pymodbus tshark
   # holds the schema of configurations against their reader
   python3-jsonschema
   # form and faults of the source
