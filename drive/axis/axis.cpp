@@ -91,6 +91,7 @@ void Axis::set_function_modules(function_module::Set wanted) noexcept {
   modules_ = (wanted & function_module::possible(kind())) | function_module::always(kind()) |
              function_module::configured(context().axis);
   if (!has_setpoint_channel()) block<Jog>().power_off();
+  on_parameters_changed();
   apply_parameters();
 }
 

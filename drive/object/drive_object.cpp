@@ -246,6 +246,7 @@ void DriveObject::scale_process_data(const ProcessDataImage::Scales& scales) noe
 
 void DriveObject::assign(const PlacedRow& placed, std::size_t index, double value) noexcept {
   const ParameterRow& row = *placed.row;
+  on_parameters_changed();
   if (surroundings_ != nullptr && concerns_wiring(row)) surroundings_->on_wiring_changed();
   if (placed.slot != kNoSlot) {
     slots_[placed.slot + index] = encode(row.type, value).bits;

@@ -42,6 +42,19 @@ class Surroundings {
                                              std::size_t index) const noexcept = 0;
 };
 
+class DriveObject;
+
+/// How far a list of the parameters of a drive object was read last: whoever reads it index by index goes on
+/// there.
+struct ListPlace {
+  using Belongs = bool (*)(const DriveObject& object, const PlacedRow& placed) noexcept;
+
+  Belongs belongs = nullptr;  ///< what the list names
+  std::uint32_t changes = 0;  ///< DriveObject::parameter_changes() at that time
+  std::size_t count = 0;      ///< of them lie in front of
+  std::size_t row = 0;        ///< this one of parameters_of()
+};
+
 /// What all drive objects have: parameters, each in its own unit here, faults and alarms. It is a value; nothing
 /// is allocated after construction.
 class DriveObject {
@@ -72,6 +85,9 @@ class DriveObject {
                                                           std::size_t index = 0) const noexcept;
   /// Value of index @p index of @p placed, a parameter of this kind of drive object, in the parameter's own unit.
   double value(const PlacedRow& placed, std::size_t index) const noexcept;
+  /// Counts how often parameters were set, or others were there.
+  std::uint32_t parameter_changes() const noexcept { return parameter_changes_; }
+  ListPlace& list_place() const noexcept { return list_place_; }
   /// Whether every index of @p placed has its factory value.
   bool is_as_delivered(const PlacedRow& placed) const noexcept;
   /// Writes a parameter as a master does, in a state and within the limits that allow it; it acts at once.
@@ -142,6 +158,8 @@ class DriveObject {
   DriveObject& operator=(DriveObject&&) = default;
 
   FaultMemory& memory() noexcept { return memory_; }
+  /// Other parameters are there than before.
+  void on_parameters_changed() noexcept { ++parameter_changes_; }
   /// Every message comes this way: @p row is entered as what the settings make of it, and a fault has its
   /// reaction.
   void enter(const FaultRow& row, std::uint32_t value, Cause cause) noexcept;
@@ -175,6 +193,8 @@ class DriveObject {
   ObjectContext context_;
   Surroundings* surroundings_ = nullptr;
   std::vector<std::uint32_t> slots_;  // as ParameterValue has the bits
+  std::uint32_t parameter_changes_ = 0;
+  mutable ListPlace list_place_{};
   FaultMemory memory_;
   ProcessDataImage process_data_{};
   Converters converters_{};

@@ -10,9 +10,6 @@
 namespace drive::profile_value {
 namespace {
 
-/// Whether a list has @p placed of @p object.
-using Belongs = bool (*)(const DriveObject& object, const PlacedRow& placed) noexcept;
-
 bool exists(const DriveObject& object, const PlacedRow& placed) noexcept {
   return object.provides(*placed.row);
 }
@@ -22,14 +19,22 @@ bool is_modified(const DriveObject& object, const PlacedRow& placed) noexcept {
 }
 
 /// Number @p place, from 0, of the parameters of @p object that belong to a list; 0 behind the last one.
-std::uint16_t number_at(std::size_t place, const DriveObject& object, Belongs belongs) noexcept {
-  for (const PlacedRow& placed : parameters_of(object.kind()))
-    if (belongs(object, placed) && place-- == 0) return placed.row->number;
+std::uint16_t number_at(std::size_t place, const DriveObject& object, ListPlace::Belongs belongs) noexcept {
+  ListPlace& last = object.list_place();
+  const bool goes_on =
+      last.belongs == belongs && last.changes == object.parameter_changes() && last.count <= place;
+  if (!goes_on) last = {.belongs = belongs, .changes = object.parameter_changes()};
+  const std::span<const PlacedRow> rows = parameters_of(object.kind());
+  for (; last.row < rows.size(); ++last.row) {
+    if (!belongs(object, rows[last.row])) continue;
+    if (last.count == place) return rows[last.row].row->number;
+    ++last.count;
+  }
   return 0;
 }
 
 double number_in(std::span<const ListRow> lists, std::size_t list, std::size_t index, const DriveObject& object,
-                 Belongs belongs) noexcept {
+                 ListPlace::Belongs belongs) noexcept {
   const std::uint16_t number = number_at(room_of(lists.first(list)) + index, object, belongs);
   if (index + 1 < lists[list].count) return number;
   return number != 0 && list + 1 < lists.size() ? lists[list + 1].number : 0.0;

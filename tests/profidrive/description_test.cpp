@@ -79,6 +79,19 @@ TEST(ParameterLists, NameWhatExists) {
   }
 }
 
+TEST(ParameterLists, FollowTheFunctionModules) {
+  RecordUnit unit;
+  const std::vector<std::uint16_t> before = listed(unit, 2, 980);
+  ASSERT_EQ(std::ranges::count(before, 1120), 1);
+  ASSERT_EQ(std::ranges::count(before, 1055), 1);
+
+  unit.device.runner().unit().axes()[0].set_function_modules(0);
+
+  const std::vector<std::uint16_t> after = listed(unit, 2, 980);
+  EXPECT_EQ(std::ranges::count(after, 1055), 0);
+  EXPECT_LT(after.size(), before.size());
+}
+
 TEST(ParameterLists, NameWhatIsModified) {
   RecordUnit unit;
   ASSERT_EQ(listed(unit, 2, 990), std::vector<std::uint16_t>{});

@@ -155,6 +155,15 @@ TEST_F(EventsOfAUnit, NameTheSourceThatAnInputIsConnectedTo) {
   EXPECT_TRUE(written[0].at("before").is_string()) << written[0];
 }
 
+TEST_F(EventsOfAUnit, TellWhatARecordHasWritten) {
+  result_of("parameter.record", {{"request", "01020202 10010460 0000 10010460 0000 0801 40400000 0801 BF800000"}});
+  const Told written = told("parameter");
+  ASSERT_EQ(written.size(), 1U) << "the second value was refused";
+  EXPECT_EQ(written[0].at("value"), 3.0);
+  EXPECT_EQ(written[0].at("before"), 10.0);
+  EXPECT_EQ(written[0].at("parameter"), "p1120");
+}
+
 TEST_F(EventsOfAUnit, SayNothingOfReads) {
   answer("605#4000100000000000");
   answer("605#40FF100000000000");
