@@ -1,6 +1,6 @@
 """Modbus TCP beside a CANopen master: modbus.py BIN-FOLDER CLIENT
 
-CLIENT is mbpoll, pymodbus, modbus-serial or tshark; where it is missing the test is skipped: exit status 77. To be run
+CLIENT is mbpoll, pymodbus, jsmodbus or tshark; where it is missing the test is skipped: exit status 77. To be run
 by with-can, on a bus of its own.
 """
 
@@ -50,7 +50,7 @@ class Plain:
         self.log = []
 
     def ask(self, pdu):
-        request = struct.pack('>HHHB', len(self.log) + 1, 0, len(pdu) + 1, 0x11) + pdu
+        request = struct.pack('>HHHB', len(self.log) + 1 & 0xFFFF, 0, len(pdu) + 1, 0x11) + pdu
         self.socket.sendall(request)
         head = self._take(7)
         answer = head + self._take(struct.unpack('>H', head[4:6])[0] - 1)
@@ -81,6 +81,7 @@ def wait_for(what, read, is_there):
     end = time.monotonic() + programs.PATIENCE
     while not is_there(value := read()):
         assert time.monotonic() < end, f'{what} stays {value}'
+        time.sleep(0.01)
     return value
 
 
@@ -123,27 +124,27 @@ def with_pymodbus(port, _folder):
     client.close()
 
 
-SERIAL = '''
-const ModbusRTU = require('modbus-serial');
-(async () => {
-  const client = new ModbusRTU();
-  await client.connectTCP('127.0.0.1', {port: Number(process.argv[1])});
-  client.setID(17);
-  const reference = (await client.readHoldingRegisters(323, 1)).data;
-  await client.writeRegister(321, 700);
-  await client.writeRegisters(321, [800, 900]);
-  const ramps = (await client.readHoldingRegisters(321, 2)).data;
-  const code = await client.writeRegister(339, 1).then(() => 0, (error) => error.modbusCode);
+JSMODBUS = '''
+const net = require('net'), modbus = require('jsmodbus');
+const socket = new net.Socket(), client = new modbus.client.TCP(socket, 17);
+socket.on('connect', async () => {
+  const values = async (...place) => (await client.readHoldingRegisters(...place)).response.body.valuesAsArray;
+  const reference = await values(323, 1);
+  await client.writeSingleRegister(321, 700);
+  await client.writeMultipleRegisters(321, [800, 900]);
+  const ramps = await values(321, 2);
+  const code = await client.writeSingleRegister(339, 1).then(() => 0, (error) => error.response.body.code);
   console.log(JSON.stringify({reference, ramps, code}));
-  client.close();
-})();
+  socket.end();
+});
+socket.connect({host: '127.0.0.1', port: Number(process.argv[1])});
 '''
 
 
-def with_modbus_serial(port, _folder):
-    if not shutil.which('node') or run(['node', '-e', "require('modbus-serial')"]).returncode != 0:
-        skip('node has no module modbus-serial')
-    answer = run(['node', '-e', SERIAL, str(port)])
+def with_jsmodbus(port, _folder):
+    if not shutil.which('node') or run(['node', '-e', "require('jsmodbus')"]).returncode != 0:
+        skip('node has no module jsmodbus')
+    answer = run(['node', '-e', JSMODBUS, str(port)])
     assert answer.returncode == 0, answer.stderr
     assert json.loads(answer.stdout) == {'reference': [3000], 'ramps': [800, 900], 'code': 4}, answer.stdout
 
@@ -177,7 +178,7 @@ def with_tshark(port, folder):
         assert text in decoded.stdout, text
 
 
-CLIENTS = {'mbpoll': with_mbpoll, 'pymodbus': with_pymodbus, 'modbus-serial': with_modbus_serial,
+CLIENTS = {'mbpoll': with_mbpoll, 'pymodbus': with_pymodbus, 'jsmodbus': with_jsmodbus,
            'tshark': with_tshark}
 
 
