@@ -70,7 +70,7 @@ void CanopenFace::after_cycles() noexcept {
   follow_up_all();
 }
 
-void CanopenFace::on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept {
+void CanopenFace::on_written(std::uint8_t object, std::uint16_t number) noexcept {
   runner_.on_parameter_written(object, number);
   if (runner_.is_saving()) node_.defer_answer();
 }

@@ -53,7 +53,7 @@ class CanopenFace final : public unit::Face,
                           private canopen::Application,
                           private canopen::EntryOwner,
                           private AlarmListener,
-                          private WindowListener {
+                          private drive::AccessListener {
  public:
   /// A face of the unit of @p runner, to be attached to it; all arguments but the configuration outlive this.
   CanopenFace(const Configuration& configuration, unit::Runner& runner, canopen::FrameSink& sink,
@@ -136,8 +136,8 @@ class CanopenFace final : public unit::Face,
   canopen::Result<void> write(const canopen::Entry& entry, std::int64_t value) override;
   void on_alarm() noexcept override { runner_.tell_time(), runner_.show_messages_later(); }
   bool is_locked() const noexcept override { return runner_.is_saving(); }
-  void on_parameter_access() noexcept override { runner_.tell_time(); }
-  void on_parameter_written(std::uint8_t object, std::uint16_t number) noexcept override;
+  void on_access() noexcept override { runner_.tell_time(); }
+  void on_written(std::uint8_t object, std::uint16_t number) noexcept override;
 
   canopen::TimePoint now() const noexcept { return node_time(runner_.now()); }
   void serve(const canopen::Frame& frame) noexcept {

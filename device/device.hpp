@@ -15,11 +15,12 @@
 namespace device {
 
 using unit::CycleClock;
+using unit::HostClock;
 using unit::Keeping;
 using unit::ParameterKeeper;
 
 /// What the unit tells the program around it. Called from within the functions of Device.
-class Listener : public ParameterKeeper, public BusListener {};
+class Listener : public ParameterKeeper, public BusListener, public HostClock {};
 
 /// The drive unit as a CANopen node: a runner with the CANopen face, and whatever further faces are attached. It
 /// is fed frames and time and hands its frames to a sink; nothing in it reads a clock, blocks or, after
@@ -31,6 +32,7 @@ class Device final {
 
   Device(const Configuration& configuration, canopen::FrameSink& sink, Listener& listener)
       : runner_{unit_configuration(configuration), listener}, face_{configuration, runner_, sink, listener} {
+    runner_.ask(listener);
     runner_.attach(face_);
   }
 
@@ -99,6 +101,17 @@ class Device final {
     runner_.set_now(unit_time(now));
     face_.tell_time();
     return runner_.write_parameter(object, number, index, value, unit_time(now));
+  }
+  /// Somebody beside the bus reads and writes parameters at @p now: @p use(drive::ParameterAccess&) does it and
+  /// makes an answer of it, and what the writes lead to is carried out behind that. A save that one begins goes
+  /// on.
+  template <class Use>
+  auto access_parameters(canopen::TimePoint now, const Use& use) noexcept {
+    runner_.set_now(unit_time(now));
+    face_.tell_time();
+    auto answer = use(runner_.parameter_access());
+    runner_.follow_up();
+    return answer;
   }
   /// Somebody beside the bus writes @p entry of dictionary() at @p now: see CanopenFace::write_object().
   template <class Value>

@@ -192,7 +192,12 @@ const DriveObject* DriveUnit::object(std::uint8_t number) const noexcept {
 
 void DriveUnit::set_time(Uptime now) noexcept {
   uptime_ = now;
-  for_each_object([time = runtime()](DriveObject& object) { object.set_time(time); });
+  control_unit_.clock().tell(runtime());
+}
+
+void DriveUnit::continue_after(Uptime runtime) noexcept {
+  former_runtime_ = runtime;
+  control_unit_.clock().continue_at(this->runtime());
 }
 
 tl::expected<void, FaultError> DriveUnit::raise(std::uint8_t object, std::uint16_t number, std::uint32_t value,

@@ -113,6 +113,8 @@ class DriveUnit final : private Surroundings {
   /// The value of a parameter as it is transferred.
   [[nodiscard]] tl::expected<ParameterValue, ParameterError> read(std::uint8_t object, std::uint16_t number,
                                                                   std::size_t index) const noexcept;
+  /// The same of @p placed of @p object, found by DriveObject::parameter() with @p index.
+  static ParameterValue read(const DriveObject& object, const PlacedRow& placed, std::size_t index) noexcept;
   /// Writes a parameter; the type of @p value has to be that of the parameter.
   [[nodiscard]] tl::expected<void, ParameterError> write(std::uint8_t object, std::uint16_t number,
                                                          std::size_t index, const ParameterValue& value) noexcept;
@@ -123,7 +125,7 @@ class DriveUnit final : private Surroundings {
   /// Tells every drive object the time since the unit was switched on (ms).
   void set_time(Uptime now) noexcept;
   /// The unit has a former life of @p runtime (ms), which the times of messages go on from.
-  void continue_after(Uptime runtime) noexcept { former_runtime_ = runtime; }
+  void continue_after(Uptime runtime) noexcept;
   /// Time switched on over all lives (ms), as of set_time().
   Uptime runtime() const noexcept { return former_runtime_ + uptime_; }
   /// A message appears on drive object @p object, and one that propagates globally on all that can have it.
@@ -170,6 +172,7 @@ class DriveUnit final : private Surroundings {
   };
 
   std::uint32_t& message_counter() noexcept override { return message_counter_; }
+  const TimeLine& time() const noexcept override { return control_unit_.clock().line(); }
   std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept override;
   std::optional<Refusal> agree(const DriveObject& object, const ParameterRow& row, std::size_t index,
                                double value) noexcept override;

@@ -43,11 +43,14 @@ bool DriveUnit::has_nothing_to_do(const Axis& axis) const noexcept {
 }
 
 /// Of the control unit: p2102 acknowledges the faults of all drive objects, p2103 to p2105 its own, p2106 to p2108
-/// and p2112 bring messages.
+/// and p2112 bring messages; p3104 is the ping of the clock.
 void DriveUnit::follow_unit_inputs() noexcept {
-  const bool acknowledged_all = control_unit_.unit_inputs().acknowledge_all;
+  const UnitInputs before = control_unit_.unit_inputs();
   wiring_->take(control_unit_, kBlock<UnitInputs>);
-  if (control_unit_.unit_inputs().acknowledge_all && !acknowledged_all) acknowledge();
+  if (const UnitInputs& inputs = control_unit_.unit_inputs(); inputs != before) {
+    if (inputs.acknowledge_all && !before.acknowledge_all) acknowledge();
+    if (inputs.utc_ping && !before.utc_ping) control_unit_.clock().ping();
+  }
   ExternalMessages& external = control_unit_.external_messages();
   wiring_->take(control_unit_, kBlock<ExternalMessages>);
   follow_messages(control_unit_, external);

@@ -1,21 +1,13 @@
 // Parameters of the unit as they are transferred.
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "drive/drive_unit.hpp"
+#include "drive/parameter/transfer.hpp"
 
 namespace drive {
 namespace {
 
 constexpr std::uint16_t kAlarmCounter = 2111;  // p2111
-
-/// @p number as @p type holds it: rounded to an integer, at the ends of the type saturated.
-ParameterValue transferred(DataType type, double number) noexcept {
-  const DataTypeRow& row = row_of(type);
-  const double bounded = std::clamp(number, row.lowest, row.highest);
-  return encode(type, type == DataType::F32 ? bounded : std::round(bounded));
-}
 
 ParameterError no_object(std::uint16_t number) noexcept {
   return {Refusal::NoDriveObject, number, nullptr};
@@ -28,8 +20,12 @@ tl::expected<ParameterValue, ParameterError> DriveUnit::read(std::uint8_t object
   const DriveObject* const owner = this->object(object);
   if (owner == nullptr) return tl::unexpected{no_object(number)};
   return owner->parameter(number, index).map([&](const PlacedRow* placed) {
-    return transferred(placed->row->type, owner->value(*placed, index));
+    return read(*owner, *placed, index);
   });
+}
+
+ParameterValue DriveUnit::read(const DriveObject& object, const PlacedRow& placed, std::size_t index) noexcept {
+  return transferred(placed.row->type, object.value(placed, index));
 }
 
 tl::expected<void, ParameterError> DriveUnit::write(std::uint8_t object, std::uint16_t number, std::size_t index,

@@ -1,12 +1,16 @@
 #!/usr/bin/env bash
 # fuzz.sh [--minutes N | --runs N] [--jobs N] [--fast] [--keep]: lets libFuzzer look for inputs that a node handles against its rules.
 # fuzz.sh --eds [--minutes N | --runs N] [--jobs N] [--fast]: likewise texts that the reader of EDS files handles against its rules.
+# fuzz.sh --records [--minutes N | --runs N] [--jobs N] [--fast] [--keep]: likewise records and parameter channels of PROFIdrive that a unit answers against the rules.
+# fuzz.sh --modbus [--minutes N | --runs N] [--jobs N] [--fast]: likewise streams of Modbus TCP that a unit answers against the rules.
 #
 # Builds tests/fuzz with clang (build/fuzz; --fast: build/fuzz-fast, without the sanitizers) and runs it for N minutes (1), or
 # for N executions in all, in N processes (all processors), from the kept corpus and the dialogues. Ends with the number of executions, the rate and the
 # edges of the library reached. --keep puts what reaches something new into tests/fuzz/corpus, as few and small inputs as
-# possible. An input that breaks a rule stays in build/fuzz/findings and makes the exit status 1:
+# possible (--records: into tests/fuzz/records/corpus). An input that breaks a rule stays in build/fuzz/findings and makes the exit status 1:
 #   build/fuzz/bin/tests/node_replay --trace build/fuzz/findings/crash-...
+# Records start from their kept inputs; one that breaks a rule is played again by build/fuzz/bin/tests/records_fuzz FILE.
+# Streams of Modbus TCP start from tests/data/modbus, where a test plays them; build/fuzz/bin/tests/modbus_fuzz FILE plays one again.
 # Texts start from tests/data/eds; one that breaks a rule is read again by build/fuzz/bin/tests/eds_fuzz FILE.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -21,21 +25,33 @@ while (($#)); do
     --fast) preset=fuzz-fast ;;
     --keep) keep=yes ;;
     --eds) target=eds ;;
-    *) misuse "unknown option $1; usage: fuzz.sh [--eds] [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
+    --records) target=records ;;
+    --modbus) target=modbus ;;
+    *) misuse "unknown option $1; usage: fuzz.sh [--eds | --records | --modbus] [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
   esac
   shift
 done
-[[ $target == node || ! $keep ]] || misuse "--keep is for the inputs of the node; a text that shows something new goes into tests/data/eds"
+[[ $target != eds && $target != modbus || ! $keep ]] ||
+  misuse "--keep is not for texts and streams of Modbus TCP; one that shows something new goes into tests/data/$target"
 
 need_packages clang libclang-rt-14-dev
 folder=$root/build/$preset
-mkdir -p "$folder"/{seeds,found,found-eds,findings,logs}
+mkdir -p "$folder"/{seeds,found,found-eds,found-records,found-modbus,findings,logs}
 rm -f "$folder"/logs/*
 fuzzer=$folder/bin/tests/${target}_fuzz
 if [[ $target == eds ]]; then
   build "$preset" eds_fuzz
   inputs=("$folder/found-eds" "$root/tests/data/eds")
   options=(-max_len=8192 -timeout=10)
+elif [[ $target == modbus ]]; then
+  build "$preset" modbus_fuzz
+  inputs=("$folder/found-modbus" "$root/tests/data/modbus")
+  options=(-max_len=1500 -timeout=10)
+elif [[ $target == records ]]; then
+  build "$preset" records_fuzz
+  corpus=$root/tests/fuzz/records/corpus
+  inputs=("$folder/found-records" "$corpus")
+  options=(-max_len=500 -timeout=10)
 else
   build "$preset" node_fuzz node_replay
   corpus=$root/tests/fuzz/corpus
@@ -68,7 +84,7 @@ awk '/number_of_executed_units/ {runs += $2} /average_exec_per_sec/ {rate += $2}
 if [[ $keep ]]; then
   say "keeping what is new"
   rm -rf "$folder/kept" && mkdir "$folder/kept"
-  "$fuzzer" -merge=1 -use_counters=0 -max_len=200 "$folder/kept" "$corpus" "$folder/seeds" "$folder/found" &>"$folder/logs/merge"
+  "$fuzzer" -merge=1 -use_counters=0 "${options[0]}" "$folder/kept" "${inputs[@]}" &>"$folder/logs/merge"
   find "$corpus" -type f -delete
   cp "$folder"/kept/* "$corpus"
   echo "$(find "$corpus" -type f | wc -l) inputs, $(du -sb "$corpus" | cut -f 1) bytes"

@@ -43,6 +43,13 @@ void Runner::tell_time(TimePoint now) noexcept {
   rested_until_ = now;
   const auto uptime = std::chrono::duration_cast<std::chrono::milliseconds>(running).count();
   unit_.set_time(static_cast<drive::Uptime>(uptime));
+  if (unit_.control_unit().clock().asks_host()) [[unlikely]]
+    ask_host();
+}
+
+void Runner::ask_host() noexcept {
+  unit_.control_unit().take_host_time(host_clock_ != nullptr ? host_clock_->host_time() : std::nullopt);
+  show_messages_later();
 }
 
 /// The cycle of the axes that ends at @p end, with what has come; @p all of them, or those that something has come

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "drive/drive_unit.hpp"
+#include "drive/access/parameter_access.hpp"
 #include "drive/images/retained_image.hpp"
 #include "unit/configuration.hpp"
 #include "unit/cycle_clock.hpp"
@@ -24,18 +24,21 @@ namespace unit {
 /// otherwise, and brings its parameters and what it keeps back to life. Nothing in it reads a clock, blocks or,
 /// after the last face is attached, allocates. Axes are counted from 1; where a function takes one, 0 is the
 /// control unit.
-class Runner final {
+class Runner final : private drive::AccessListener {
  public:
   using ImageError = drive::image_format::Error;
 
   /// @p keeper outlives this.
   Runner(const Configuration& configuration, ParameterKeeper& keeper);
-  ~Runner() = default;
+  ~Runner() override = default;
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
   /// Before start(): @p face, which outlives this, is connected to the unit from now on. It gets the presets.
   void attach(Face& face);
+
+  /// Before start(): @p clock, which outlives this, is asked if the unit takes its time from the host.
+  void ask(HostClock& clock) noexcept { host_clock_ = &clock; }
 
   /// Before start(): the saved parameters, and what a power cut did not take. An image that does not fit changes
   /// nothing.
@@ -103,9 +106,12 @@ class Runner final {
   bool has_saved_parameters() const noexcept { return storage_.has_saved(); }
   /// What was saved last, or loaded; valid until the next save.
   drive::SavedValues saved_parameters() const noexcept { return storage_.saved(); }
-  /// Somebody beside the faces writes index @p index of parameter @p number of drive object @p object at @p now,
-  /// under the conditions that hold for a master, and what it leads to is carried out at once. NotNow while a save
-  /// runs; one that this begins goes on, see is_saving().
+  /// How somebody beside the faces reads and writes parameters, under the conditions that hold for a master, at
+  /// the time that was told last; what the writes lead to comes with follow_up(). A save that one begins goes on,
+  /// see is_saving().
+  drive::ParameterAccess& parameter_access() noexcept { return access_; }
+  /// Somebody beside the faces writes index @p index of parameter @p number of drive object @p object at @p now
+  /// by parameter_access(), and what it leads to is carried out at once.
   [[nodiscard]] tl::expected<void, drive::ParameterError> write_parameter(std::uint8_t object,
                                                                           std::uint16_t number, std::size_t index,
                                                                           double value, TimePoint now) noexcept;
@@ -163,12 +169,20 @@ class Runner final {
   std::uint64_t skipped_cycles() const noexcept { return skipped_cycles_; }
 
  private:
+  // drive::AccessListener
+  bool is_locked() const noexcept override { return is_saving(); }
+  void on_access() noexcept override { tell_time(now_); }
+  void on_written(std::uint8_t object, std::uint16_t number) noexcept override {
+    on_parameter_written(object, number);
+  }
+
   void run_cycles() noexcept;
   void run_cycle(bool all, TimePoint end) noexcept;
   void wake_clock() noexcept;
   void see_what_rests() noexcept;
   void publish() noexcept;
   void tell_of_messages() noexcept;
+  void ask_host() noexcept;
   std::uint8_t object_of(std::size_t axis) const noexcept;
   // runner_parameters.cpp
   void lay_presets(ParameterGroup group) noexcept;
@@ -185,6 +199,7 @@ class Runner final {
   FollowUps<FollowUp> follow_ups_;
   UnitParameters parameters_;
   drive::DriveUnit unit_;
+  drive::ParameterAccess access_{unit_, *this};
   ParameterStorage storage_;
   Presets presets_;
   std::vector<std::byte> retained_;
@@ -192,6 +207,7 @@ class Runner final {
   CycleClock clock_;
   MessageWatch messages_;
   CycleObserver* observer_ = nullptr;
+  HostClock* host_clock_ = nullptr;
   AxisMask idle_;                     ///< nothing moves there, and nothing has come since the last cycle
   std::optional<TimePoint> started_;  ///< when the unit was switched on
   TimePoint now_{};                   ///< as last told

@@ -80,17 +80,11 @@ void Runner::reload(ParameterGroup group) noexcept {
 tl::expected<void, drive::ParameterError> Runner::write_parameter(std::uint8_t object, std::uint16_t number,
                                                                   std::size_t index, double value,
                                                                   TimePoint now) noexcept {
-  drive::DriveObject* const owner = unit_.object(object);
-  if (owner == nullptr)
-    return tl::unexpected{drive::ParameterError{drive::Refusal::NoDriveObject, number, nullptr}};
-  const auto found = owner->parameter(number, index);
-  if (!found) return tl::unexpected{found.error()};
-  if (is_saving()) return tl::unexpected{drive::ParameterError{drive::Refusal::NotNow, number, (*found)->row}};
-  tell_time(now);
-  auto written = unit_.write(*owner, **found, index, value);
-  if (!written) return written;
-  on_parameter_written(object, number);
-  follow_up();
+  set_now(now);
+  auto written = access_.find({object, number, index}).and_then([&](const drive::FoundParameter& parameter) {
+    return access_.write(parameter, value);
+  });
+  if (written) follow_up();
   return written;
 }
 

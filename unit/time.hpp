@@ -1,6 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
+
+#include "drive/messages/time_stamp.hpp"
 
 namespace unit {
 
@@ -23,5 +26,14 @@ using TimePoint = ToldClock::time_point;
 
 /// "Never": later than every deadline.
 inline constexpr TimePoint kNever = TimePoint::max();
+
+/// The wall clock of the machine that the owner runs on; the unit asks it only if p3103 makes it the answer of an
+/// NTP server.
+class HostClock {
+ public:
+  virtual ~HostClock() = default;
+  /// The present; nothing: it does not know.
+  virtual std::optional<drive::UtcTime> host_time() noexcept { return std::nullopt; }
+};
 
 }  // namespace unit

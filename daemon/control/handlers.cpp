@@ -25,6 +25,7 @@ constexpr auto kGroups = std::to_array<Group>({
     &signal_handlers,
     &trace_handlers,
     &if1_handlers,
+    &acyclic_handlers,
 });
 
 }  // namespace

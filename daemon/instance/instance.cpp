@@ -57,12 +57,27 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       rare_sources_{{memory_.descriptor(), this, &Instance::on_write_ended},
                     {connection_.link->descriptor(), this, &Instance::on_link}} {
   device_.attach(if1_);
+  device_.unit().for_each_object(
+      [this](const drive::DriveObject& object) { parameter_channels_.emplace_back(object.number()); });
+  device_.runner().parameter_access().observe(*this);
   if (configuration.modbus) open_modbus(*configuration.modbus);
   if (const auto problem = configuration.trace ? trace_.problem_of(*configuration.trace) : std::nullopt)
     throw ConfigurationError{fmt::format("trace: {}: expected {}", problem->key, problem->expected)};
   if (!configuration.record) return;
   if (const auto signals = recording_.signals_of(*configuration.record); !signals)
     throw ConfigurationError{"record: " + signals.error()};
+}
+
+profidrive::ParameterChannel* Instance::parameter_channel(std::uint8_t object) noexcept {
+  const auto found = std::ranges::find(parameter_channels_, object, &profidrive::ParameterChannel::object);
+  return found != parameter_channels_.end() ? &*found : nullptr;
+}
+
+/// Somebody beside the bus has written a parameter.
+void Instance::on_write(const drive::FoundParameter& parameter, double before, double value) noexcept {
+  if (!events_.is_watched()) return;
+  const drive::ParameterAddress at{parameter.object.number(), parameter.row().number, parameter.index};
+  events_.on_parameter_written(at, value, before, device::node_time(device_.runner().now()));
 }
 
 void Instance::start() noexcept {
@@ -153,6 +168,11 @@ device::Keeping Instance::on_store(std::span<const std::byte> image) noexcept {
 void Instance::on_restore() noexcept {
   tell(record::EventKind::Restore, true);
   memory_.on_restore();
+}
+
+std::optional<drive::UtcTime> Instance::host_time() noexcept {
+  const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(os::wall_time()).count();
+  return time >= 0 ? std::optional{static_cast<drive::UtcTime>(time)} : std::nullopt;
 }
 
 void Instance::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {

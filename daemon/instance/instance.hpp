@@ -22,6 +22,7 @@
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
+#include "profidrive/channel/parameter_channel.hpp"
 #include "profidrive/interface/interface.hpp"
 
 namespace axisd {
@@ -51,7 +52,11 @@ class InstanceListener {
 
 /// One drive unit on one CAN bus: what it is made of, what it keeps and what is logged of it. Whoever runs it
 /// waits for its descriptors and deadlines; nothing here does.
-class Instance final : private device::Listener, private Station, private TapOwner, private EventListener {
+class Instance final : private device::Listener,
+                       private Station,
+                       private TapOwner,
+                       private EventListener,
+                       private drive::WriteObserver {
  public:
   /// A descriptor that is readable when something rare is to be handled, and what handles it: one event at most.
   struct RareSource {
@@ -126,6 +131,9 @@ class Instance final : private device::Listener, private Station, private TapOwn
     double constant = 0.0;
     double friction = 0.0;
   };
+  /// The parameter channel of drive object @p object; nullptr if there is none.
+  profidrive::ParameterChannel* parameter_channel(std::uint8_t object) noexcept;
+
   /// Load torque of @p axis (1..axes) as last set.
   const LoadTorque& load_torque(std::size_t axis) const noexcept { return load_torques_[axis - 1]; }
   /// Sets the load torque of @p axis (1..axes; N·m; friction not negative).
@@ -164,6 +172,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
     tell(record::EventKind::Store, kept);
   }
   void on_restore() noexcept override;
+  std::optional<drive::UtcTime> host_time() noexcept override;
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   canopen::TimePoint frame_arrival(canopen::TimePoint) noexcept override { return bus_.frame_arrival(); }
 
@@ -188,6 +197,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   void begin_recording() noexcept;
   void on_tap(bool is_open) noexcept override;
   void on_event(const UnitEvent& event) noexcept override { listener_.on_event(*this, event); }
+  void on_write(const drive::FoundParameter& parameter, double before, double value) noexcept override;
   void tell(record::EventKind kind, bool active) noexcept;
 
   void on_link() noexcept;
@@ -218,6 +228,7 @@ class Instance final : private device::Listener, private Station, private TapOwn
   std::vector<LoadTorque> load_torques_;
   std::unique_ptr<ModbusDoor> modbus_;  ///< none: Modbus TCP is not served
   std::vector<RareSource> rare_sources_;
+  std::vector<profidrive::ParameterChannel> parameter_channels_;
   bool ready_told_ = false;
   std::uint64_t overflows_seen_ = 0;
   std::uint64_t sent_before_boot_up_ = 0;

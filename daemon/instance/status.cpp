@@ -1,5 +1,6 @@
 #include "daemon/instance/status.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include "daemon/instance/instance.hpp"
 #include "daemon/version.hpp"
 #include "motor/data/machine_data.hpp"
+#include "profidrive/telegram/telegrams.hpp"
 
 namespace axisd {
 namespace {
@@ -48,6 +50,18 @@ json positioner_status(const drive::Axis& axis) {
   return status;
 }
 
+/// What IF1 has to do with @p axis; null: nothing.
+json if1_status(const profidrive::Interface& if1, const drive::Axis& axis) {
+  constexpr std::array kStages{"none", "running", "interrupted", "failed"};
+  const profidrive::Telegram* const telegram = if1.selection(axis.number()).telegram;
+  const profidrive::Monitoring::Stage stage = if1.stage(axis.number());
+  if (telegram == nullptr && stage == profidrive::Monitoring::Stage::Off) return nullptr;
+  return {{"telegram", telegram != nullptr ? telegram->number : profidrive::telegrams::kFreeWords},
+          {"exchange", kStages[static_cast<std::size_t>(stage)]},
+          {"received", fmt::format("0x{:04X}", if1.received(axis.number())[0])},
+          {"sent", fmt::format("0x{:04X}", if1.sent(axis.number())[0])}};
+}
+
 json axis_status(const Instance& instance, std::size_t number) {
   const device::Device& device = instance.device();
   const drive::Axis& axis = device.axis(number);
@@ -69,6 +83,7 @@ json axis_status(const Instance& instance, std::size_t number) {
               {"faults", messages(axis.messages().faults())},
               {"alarms", messages(axis.messages().alarms())}};
   if (axis.positions()) status["positioner"] = positioner_status(axis);
+  if (json if1 = if1_status(instance.if1(), axis); !if1.is_null()) status["if1"] = std::move(if1);
   return status;
 }
 

@@ -40,7 +40,7 @@ class EventWatch final : private FrameListener {
   void on_change(record::EventKind kind, bool active, canopen::TimePoint now) noexcept {
     tell({.time = now, .kind = kind, .active = active});
   }
-  /// The parameter @p at has @p value, in its own unit, by the control socket.
+  /// The parameter @p at has @p value, in its own unit, by somebody beside the bus.
   void on_parameter_written(const device::ParameterWindow::Target& at, double value, std::optional<double> before,
                             canopen::TimePoint now) noexcept;
   /// The same of an object of the dictionary.

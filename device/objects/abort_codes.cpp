@@ -28,6 +28,10 @@ constexpr std::array kRows{
     Row{RefusalReason::IllegalSource, AbortCode::InvalidValue},
     Row{RefusalReason::BelowMinimum, AbortCode::ValueTooLow},
     Row{RefusalReason::AboveMaximum, AbortCode::ValueTooHigh},
+    Row{RefusalReason::BadFormat, AbortCode::LengthMismatch},
+    Row{RefusalReason::CountMismatch, AbortCode::LengthMismatch},
+    Row{RefusalReason::BadAddress, AbortCode::NoObject},
+    Row{RefusalReason::AnswerTooLong, AbortCode::OutOfMemory},
     Row{RefusalReason::Failed, AbortCode::HardwareError},
 };
 

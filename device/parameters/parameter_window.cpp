@@ -39,13 +39,6 @@ std::uint32_t number_in(std::span<const std::uint8_t> bytes) noexcept {
   return number;
 }
 
-/// Why a parameter that @p object refuses with @p error cannot be written: a parameter of a function module that
-/// is not active has no index.
-AbortCode write_refusal(const drive::DriveObject& object, const drive::ParameterError& error) noexcept {
-  const bool exists = error.row != nullptr && object.provides(*error.row);
-  return exists ? abort_code(error.reason) : AbortCode::NoObject;
-}
-
 }  // namespace
 
 /// 1201h belongs to the control unit, the others to the axes in their order: an infeed has none.
@@ -100,8 +93,7 @@ canopen::Result<std::size_t> ParameterWindow::read(std::uint8_t server, std::uin
                                                    std::span<std::uint8_t, 8> value) noexcept {
   const auto wanted = target(server, index, sub_index);
   if (!wanted) return canopen::refuse(wanted.error());
-  listener_.on_parameter_access();
-  const auto found = unit_.read(wanted->object, wanted->number, wanted->index);
+  const auto found = access_.read(*wanted);
   if (!found) return canopen::refuse(abort_code(found.error().reason));
   for (std::size_t i = 0; i < sizeof found->bits; ++i) value[i] = static_cast<std::uint8_t>(found->bits >> 8 * i);
   return std::size_t{drive::row_of(found->type).size};
@@ -111,19 +103,13 @@ canopen::Result<void> ParameterWindow::write(std::uint8_t server, std::uint16_t 
                                              std::span<const std::uint8_t> value, bool sized) noexcept {
   const auto wanted = target(server, index, sub_index);
   if (!wanted) return canopen::refuse(wanted.error());
-  drive::DriveObject& object = *unit_.object(wanted->object);
-  const auto found = object.parameter(wanted->number, wanted->index);
-  if (!found) return canopen::refuse(write_refusal(object, found.error()));
-  const drive::ParameterRow& row = *(*found)->row;
-  const std::size_t size = drive::row_of(row.type).size;
-  if (!row.is_writable()) return canopen::refuse(AbortCode::ReadOnly);
-  if (value.size() != size && (sized || value.size() < size)) return canopen::refuse(AbortCode::LengthMismatch);
-  if (listener_.is_locked()) return canopen::refuse(AbortCode::DeviceState);
-  listener_.on_parameter_access();
-  const drive::ParameterValue number{row.type, number_in(value.first(size))};
-  const auto written = unit_.write(object, **found, wanted->index, decode(number));
+  const auto found = access_.find(*wanted);
+  if (!found) return canopen::refuse(abort_code(found.error().reason));
+  const std::size_t own_size = drive::row_of(found->row().type).size;
+  const bool has_own_size = value.size() == own_size || (!sized && value.size() > own_size);
+  const std::size_t size = has_own_size ? own_size : value.size();
+  const auto written = access_.write(*found, {.bits = number_in(value.first(size)), .size = size});
   if (!written) return canopen::refuse(abort_code(written.error().reason));
-  listener_.on_parameter_written(wanted->object, wanted->number);
   return {};
 }
 

@@ -7,6 +7,9 @@ namespace drive {
 /// What inputs of the control unit bring for the unit as a whole.
 struct UnitInputs {
   bool acknowledge_all = false;  ///< p2102, edge
+  bool utc_ping = false;         ///< p3104, edge
+
+  friend bool operator==(const UnitInputs&, const UnitInputs&) = default;
 };
 
 /// What inputs of the infeed bring for its sequence control.

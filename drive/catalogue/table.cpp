@@ -19,9 +19,11 @@
 #include "drive/catalogue/rows/messages.hpp"
 #include "drive/catalogue/rows/pdo.hpp"
 #include "drive/catalogue/rows/process_data.hpp"
+#include "drive/catalogue/rows/profile.hpp"
 #include "drive/catalogue/rows/technology.hpp"
 #include "drive/catalogue/rows/terminals.hpp"
 #include "drive/catalogue/rows/unit.hpp"
+#include "drive/clock/unit_clock_rows.hpp"
 #include "drive/external_messages/external_messages_rows.hpp"
 #include "drive/identification/identification_rows.hpp"
 #include "drive/jog/jog_rows.hpp"
@@ -61,10 +63,10 @@ constexpr auto joined(const Tables&... tables) {
 /// The rows of all blocks of an axis, and those that belong to none.
 template <class... Block>
 constexpr auto joined_with(const std::tuple<Block...>*) {
-  return joined(rows::rows_of<Block>..., rows::kUnitRows, rows::kTerminalRows, rows::kInfeedRows, rows::kCanRows,
-                rows::kPdoRows, rows::kIf1Rows, rows::kProcessDataRows, rows::kMessagesRows, rows::kDisplayRows,
-                rows::kControlRows, rows::kTechnologyRows, rows::kDataSetRows, rows::kTelegramWordRows,
-                rows::kNetworkRows);
+  return joined(rows::rows_of<Block>..., rows::rows_of<UnitClock>, rows::kUnitRows, rows::kTerminalRows,
+                rows::kInfeedRows, rows::kCanRows, rows::kPdoRows, rows::kIf1Rows, rows::kProcessDataRows,
+                rows::kMessagesRows, rows::kDisplayRows, rows::kControlRows, rows::kTechnologyRows,
+                rows::kDataSetRows, rows::kTelegramWordRows, rows::kNetworkRows, rows::kProfileRows);
 }
 constexpr auto kRows = joined_with(static_cast<const AxisBlocks*>(nullptr));
 
@@ -95,6 +97,9 @@ constexpr bool kNumbersAreUnique = [] {
     if (kPlaced<Kind>[i - 1].row->number >= kPlaced<Kind>[i].row->number) return false;
   return true;
 }();
+static_assert(std::max({kRowsOf<ObjectKind::ControlUnit>, kRowsOf<ObjectKind::Servo>, kRowsOf<ObjectKind::Vector>,
+                        kRowsOf<ObjectKind::Infeed>}) <= profile_value::room_of(profile_value::kExisting),
+              "the lists of existing parameters name them all");
 static_assert(kNumbersAreUnique<ObjectKind::ControlUnit> && kNumbersAreUnique<ObjectKind::Servo> &&
                   kNumbersAreUnique<ObjectKind::Vector> && kNumbersAreUnique<ObjectKind::Infeed>,
               "lookup is a binary search, and no drive object has a parameter twice");

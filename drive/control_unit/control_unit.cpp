@@ -4,6 +4,7 @@ namespace drive {
 namespace {
 
 constexpr std::uint16_t kCommissioningFilter = 9;
+constexpr std::uint16_t kToleranceViolated = 1099;
 
 }  // namespace
 
@@ -28,12 +29,31 @@ void ControlUnit::lead_outputs() noexcept {
   terminals_.sources = word;
 }
 
+void ControlUnit::run_utc(bool runs) noexcept {
+  clock_.run_utc(runs);
+  withdraw(kToleranceViolated);
+}
+
+void ControlUnit::set_clock(UnitClock::Part part, std::uint32_t value) noexcept {
+  follow(clock_.give(part, value));
+}
+
+void ControlUnit::take_host_time(std::optional<UtcTime> host) noexcept {
+  follow(clock_.answer(host));
+}
+
+void ControlUnit::follow(UnitClock::Correction correction) noexcept {
+  if (correction == UnitClock::Correction::Within) withdraw(kToleranceViolated);
+  if (correction == UnitClock::Correction::Beyond)
+    static_cast<void>(raise(kToleranceViolated, 0, Cause::Present));  // it is one of the control unit
+}
+
 void* ControlUnit::own_block(BlockId id) noexcept {
-  return find_block(id, *this, external_messages_, unit_inputs_, terminal_inputs_);
+  return find_block(id, *this, clock_, external_messages_, unit_inputs_, terminal_inputs_);
 }
 
 const void* ControlUnit::own_block(BlockId id) const noexcept {
-  return find_block(id, *this, external_messages_, unit_inputs_, terminal_inputs_);
+  return find_block(id, *this, clock_, external_messages_, unit_inputs_, terminal_inputs_);
 }
 
 WriteState ControlUnit::write_state() const noexcept {

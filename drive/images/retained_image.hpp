@@ -16,10 +16,11 @@
 ///       number             U8, drive object number
 ///       kind               U8, ObjectKind
 ///       sections           U16; then for each one
-///         section          U16: 1 faults, 2 energy; one that the reader does not know is passed over
-///         length           U16, bytes that follow
-///         faults           r0944 U16, p0952 U16; then 64 times number U16, value U32, received U64, removed U64
-///         energy           drawn F64, fed back F64 (J)
+///         section          U16: 1 faults, 2 energy, 3 times in UTC; one that the reader does not know is passed
+///         over length           U16, bytes that follow faults           r0944 U16, p0952 U16; then 64 times
+///         number U16, value U32, received U64, removed U64 energy           drawn F64, fed back F64 (J) times in
+///         UTC     of what faults has: now U64; then 64 times received U64, removed U64 (ms since 1970); all
+///                          bits 1: there is none. It stands before the faults that it belongs to
 namespace drive::retained_image {
 
 inline constexpr std::uint16_t kFormatVersion = 1;

@@ -22,7 +22,7 @@ bool is_of_the_communication(const FaultRow& row) noexcept {
   return row.number >= 8700 && row.number < 8800;
 }
 
-BufferEntry displayed(const FaultEntry& entry, Uptime removed) noexcept {
+BufferEntry displayed(const FaultEntry& entry, const TimeStamp& removed) noexcept {
   return {entry.row->number, entry.value, entry.received, removed};
 }
 
@@ -73,7 +73,7 @@ void FaultMemory::enter(const FaultRow& row, std::uint32_t value, Cause cause) n
   List& list = *kind == Kind::Fault ? faults_ : alarms_;
   if (list.count == kCapacity) return;
   std::uint32_t& sequence = common_sequence_ != nullptr ? *common_sequence_ : sequence_;
-  list.items[list.count++] = FaultEntry{&row, value, ++sequence, cause, *kind, now_};
+  list.items[list.count++] = FaultEntry{&row, value, ++sequence, cause, *kind, stamp()};
   ++change_count_;
   note_entered(list.items[list.count - 1]);
 }
@@ -89,7 +89,7 @@ void FaultMemory::update(FaultEntry& active, std::uint32_t value, Cause cause) n
 
 void FaultMemory::note_entered(const FaultEntry& entry) noexcept {
   if (entry.kind == Kind::Alarm) {
-    alarm_buffer_.enter(entry.row->number, entry.value, now_);
+    alarm_buffer_.enter(entry.row->number, entry.value, entry.received);
     ++counters_.alarms;
     ++counters_.alarm_changes;
     return;
@@ -109,7 +109,7 @@ bool FaultMemory::withdraw(const FaultRow& row) noexcept {
     return leaves;
   }
   alarms_.remove_if(is_it);
-  alarm_buffer_.leave(row.number, now_);
+  alarm_buffer_.leave(row.number, stamp());
   ++counters_.alarm_changes;
   ++change_count_;
   return false;
@@ -121,7 +121,7 @@ void FaultMemory::remove_faults(Predicate leave) noexcept {
   std::array<BufferEntry, kCapacity> gone{};
   std::size_t count = 0;
   for (const FaultEntry& entry : faults())
-    if (leave(entry)) gone[count++] = displayed(entry, now_);
+    if (leave(entry)) gone[count++] = displayed(entry, stamp());
   if (count == 0) return;
   faults_.remove_if(leave);
   history_.push({gone.data(), count});
@@ -147,7 +147,7 @@ bool FaultMemory::acknowledge(bool pulses_enabled) noexcept {
 void FaultMemory::clear() noexcept {
   remove_faults([](const FaultEntry&) { return true; });
   if (alarms_.count == 0) return;
-  for (const FaultEntry& entry : alarms()) alarm_buffer_.leave(entry.row->number, now_);
+  for (const FaultEntry& entry : alarms()) alarm_buffer_.leave(entry.row->number, stamp());
   alarms_.count = 0;
   ++counters_.alarm_changes;
   ++change_count_;
@@ -169,7 +169,7 @@ std::uint8_t FaultMemory::error_register() const noexcept {
 
 BufferEntry FaultMemory::fault(std::size_t index) const noexcept {
   if (index >= kCapacity) return history_.at(index - kCapacity);
-  return index < faults_.count ? displayed(faults_.items[index], 0) : BufferEntry{};
+  return index < faults_.count ? displayed(faults_.items[index], {}) : BufferEntry{};
 }
 
 void FaultMemory::clear_fault_buffer() noexcept {
@@ -185,7 +185,7 @@ FaultMemory::Kept FaultMemory::kept() const noexcept {
   return kept;
 }
 
-void FaultMemory::bring_back(const Kept& kept, Uptime power_off) noexcept {
+void FaultMemory::bring_back(const Kept& kept, const TimeStamp& power_off) noexcept {
   counters_.fault_changes = kept.fault_changes;
   counters_.fault_cases = kept.fault_cases;
   history_.assign(std::span{kept.faults}.subspan(kCapacity));
@@ -200,7 +200,7 @@ void FaultMemory::bring_back(const Kept& kept, Uptime power_off) noexcept {
 void FaultMemory::clear_alarm_buffer() noexcept {
   const auto is_latched = [](const FaultEntry& entry) { return entry.cause == Cause::Latched; };
   for (const FaultEntry& entry : alarms())
-    if (is_latched(entry)) alarm_buffer_.leave(entry.row->number, now_);
+    if (is_latched(entry)) alarm_buffer_.leave(entry.row->number, stamp());
   if (alarms_.remove_if(is_latched) != 0) ++change_count_;
   alarm_buffer_.clear();
   counters_.alarms = 0;

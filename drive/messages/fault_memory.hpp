@@ -26,8 +26,8 @@ struct FaultEntry {
   std::uint32_t value = 0;     ///< fault value (r0949) or alarm value (r2124)
   std::uint32_t sequence = 0;  ///< ascending over all messages of the memory (see number_by()), from 1
   Cause cause = Cause::Gone;
-  Kind kind = Kind::Fault;    ///< what the row or p2119 makes of it
-  Uptime received = 0;        ///< since the unit was switched on
+  Kind kind = Kind::Fault;  ///< what the row or p2119 makes of it
+  TimeStamp received{};
   bool acknowledged = false;  ///< a fault whose cause is Ending
 
   /// CANopen error code, 0 = no EMCY; F08700 has its own one only for life guarding (value 2).
@@ -45,8 +45,8 @@ class FaultMemory {
  public:
   static constexpr std::size_t kCapacity = 8;
 
-  /// Tells the time (ms) that holds for what follows.
-  void set_time(Uptime now) noexcept { now_ = now; }
+  /// Tells the time (ms) that holds for what follows, unless there is a common one.
+  void set_time(Uptime now) noexcept { own_time_.now = now; }
   /// Enters a message as what the settings make of it, if anything. One that is active already only takes over
   /// @p value and @p cause.
   void enter(const FaultRow& row, std::uint32_t value, Cause cause) noexcept;
@@ -60,6 +60,8 @@ class FaultMemory {
 
   /// From now on @p counter, which outlives this, numbers the messages: common to memories whose order matters.
   void number_by(std::uint32_t& counter) noexcept { common_sequence_ = &counter; }
+  /// From now on @p time, which outlives this, stamps the messages: that of the unit.
+  void stamp_by(const TimeLine& time) noexcept { common_time_ = &time; }
 
   /// Active faults, oldest first.
   std::span<const FaultEntry> faults() const noexcept { return faults_.entries(); }
@@ -95,7 +97,7 @@ class FaultMemory {
   };
   Kept kept() const noexcept;
   /// Takes over what a former life kept; a case that was active then has ended at @p power_off.
-  void bring_back(const Kept& kept, Uptime power_off) noexcept;
+  void bring_back(const Kept& kept, const TimeStamp& power_off) noexcept;
   /// p2111 = 0: latched alarms leave, the buffer holds only what is active.
   void clear_alarm_buffer() noexcept;
 
@@ -117,6 +119,7 @@ class FaultMemory {
   FaultEntry* find(const FaultRow& row) noexcept;
   void update(FaultEntry& active, std::uint32_t value, Cause cause) noexcept;
   void note_entered(const FaultEntry& entry) noexcept;
+  TimeStamp stamp() const noexcept { return (common_time_ != nullptr ? *common_time_ : own_time_).stamp(); }
   template <class Predicate>
   void remove_faults(Predicate leave) noexcept;
 
@@ -125,7 +128,8 @@ class FaultMemory {
   FaultHistory history_;
   AlarmBuffer alarm_buffer_;
   Counters counters_;
-  Uptime now_ = 0;
+  TimeLine own_time_{};
+  const TimeLine* common_time_ = nullptr;
   std::uint32_t sequence_ = 0;
   std::uint32_t* common_sequence_ = nullptr;
   std::uint32_t change_count_ = 0;

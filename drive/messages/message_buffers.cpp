@@ -2,17 +2,17 @@
 
 namespace drive {
 
-void AlarmBuffer::enter(std::uint16_t number, std::uint32_t value, Uptime now) noexcept {
+void AlarmBuffer::enter(std::uint16_t number, std::uint32_t value, const TimeStamp& now) noexcept {
   if (current_ == kCurrent) archive();
   if (current_ == kCurrent) return;
-  entries_[current_++] = Entry{{number, value, now, 0}, true};
+  entries_[current_++] = Entry{{number, value, now, {}}, true};
 }
 
 void AlarmBuffer::change(std::uint16_t number, std::uint32_t value) noexcept {
   if (Entry* const entry = find_active(number)) entry->shown.value = value;
 }
 
-void AlarmBuffer::leave(std::uint16_t number, Uptime now) noexcept {
+void AlarmBuffer::leave(std::uint16_t number, const TimeStamp& now) noexcept {
   Entry* const entry = find_active(number);
   if (entry == nullptr) return;
   entry->active = false;

@@ -6,18 +6,16 @@
 #include <cstdint>
 #include <span>
 
-namespace drive {
+#include "drive/messages/time_stamp.hpp"
 
-/// Time that the unit has been switched on (ms), over all its lives if it keeps what it should (see
-/// DriveUnit::continue_after()).
-using Uptime = std::uint64_t;
+namespace drive {
 
 /// A fault or alarm as the buffers show it.
 struct BufferEntry {
   std::uint16_t number = 0;  ///< 0 = empty
   std::uint32_t value = 0;   ///< r0949, r2124
-  Uptime received = 0;       ///< r0948, r2123
-  Uptime removed = 0;        ///< r2109, r2125; 0 while it is active
+  TimeStamp received{};      ///< r0948, r2123
+  TimeStamp removed{};       ///< r2109, r2125; 0 while it is active
 };
 
 /// The past seven fault cases of eight faults; the current case is what is active now.
@@ -54,11 +52,11 @@ class AlarmBuffer {
   static constexpr std::size_t kEntries = 64;
 
   /// An alarm appears at @p now; the buffer holds fewer than eight active ones.
-  void enter(std::uint16_t number, std::uint32_t value, Uptime now) noexcept;
+  void enter(std::uint16_t number, std::uint32_t value, const TimeStamp& now) noexcept;
   /// The active alarm @p number takes another value.
   void change(std::uint16_t number, std::uint32_t value) noexcept;
   /// The active alarm @p number disappears at @p now.
-  void leave(std::uint16_t number, Uptime now) noexcept;
+  void leave(std::uint16_t number, const TimeStamp& now) noexcept;
   /// Forgets all that are gone (p2111 = 0).
   void clear() noexcept;
   /// Entry 0..63.

@@ -8,16 +8,15 @@
 namespace drive::message_value {
 namespace {
 
-constexpr Uptime kDay = 24ULL * 60 * 60 * 1000;
 constexpr unsigned kFaultPresent = 1U << 3;
 constexpr unsigned kAlarmPresent = 1U << 7;
 
-double of_the_day(Uptime time) noexcept {
-  return static_cast<double>(time % kDay);
+double of_the_day(const TimeStamp& time) noexcept {
+  return static_cast<double>(time.shown() % kMillisecondsOfADay);
 }
 
-double days(Uptime time) noexcept {
-  return static_cast<double>(time / kDay % 0x10000U);
+double days(const TimeStamp& time) noexcept {
+  return static_cast<double>(time.shown() / kMillisecondsOfADay % 0x10000U);
 }
 
 /// Fault and alarm values are shown as signed numbers.

@@ -43,6 +43,7 @@ std::optional<Refusal> one_of(const std::array<int, Count>& values, double value
 
 constexpr std::array kDriveFilters{0, 1, 2, 3, 4, 5, 15, 17, 25, 30, 95};
 constexpr std::array kDeviceFilters{0, 1, 2, 3, 4, 29, 30};
+constexpr std::array kClockMethods{0, 2, 4};
 constexpr std::array kStartStates{4, 5, 127};
 constexpr std::array kRestartModes{0, 1, 4, 6, 14, 16, 26};
 constexpr std::array kLinkNodes{8, 12, 16, 64};
@@ -166,6 +167,15 @@ std::optional<Refusal> function_modules(const DriveObject& object, std::size_t i
 std::optional<Refusal> object_window(const DriveObject&, std::size_t index, double value) noexcept {
   constexpr std::array kLast{65535.0, 3.0, 5.0};
   return refuse_unless(value <= kLast[index], Refusal::IllegalValue);
+}
+
+std::optional<Refusal> clock_time(const DriveObject&, std::size_t index, double value) noexcept {
+  constexpr double kMostDays = 65535.0;
+  return refuse_unless(index == 0 || value <= kMostDays, Refusal::AboveMaximum);
+}
+
+std::optional<Refusal> clock_method(const DriveObject&, std::size_t, double value) noexcept {
+  return one_of(kClockMethods, value);
 }
 
 std::optional<Refusal> start_state(const DriveObject&, std::size_t, double value) noexcept {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drive/parameter/rounding.hpp"
+#include "drive/parameter/transfer.hpp"
 
 namespace drive {
 namespace {
@@ -70,6 +71,13 @@ std::uint8_t DriveObject::number() const noexcept {
   return static_cast<std::uint8_t>(first_axis_number(context_.has_infeed) + context_.module);
 }
 
+std::size_t DriveObject::objects_of_unit() const noexcept {
+  if (surroundings_ == nullptr) return 1;
+  std::size_t count = 0;
+  while (surroundings_->kind_of(static_cast<std::uint8_t>(kControlUnitNumber + count))) ++count;
+  return count;
+}
+
 tl::expected<const PlacedRow*, ParameterError> DriveObject::find(std::uint16_t number,
                                                                  std::size_t index) const noexcept {
   const PlacedRow* const placed = find_parameter(kind(), number);
@@ -82,8 +90,8 @@ tl::expected<const PlacedRow*, ParameterError> DriveObject::find(std::uint16_t n
 tl::expected<const PlacedRow*, ParameterError> DriveObject::parameter(std::uint16_t number,
                                                                       std::size_t index) const noexcept {
   auto found = find(number, index);
-  if (found && !provides(*(*found)->row))
-    return tl::unexpected{ParameterError{Refusal::NoParameter, number, (*found)->row}};
+  const ParameterRow* const row = found ? (*found)->row : found.error().row;
+  if (row != nullptr && !provides(*row)) return tl::unexpected{ParameterError{Refusal::NoParameter, number, row}};
   return found;
 }
 
@@ -203,6 +211,14 @@ double DriveObject::kept_value_of(const PlacedRow& placed, std::size_t index) co
     return represented(row, shown->get(block(shown->block), index) / row_of(row.unit).si);
   if (const auto* const shown = std::get_if<Computed>(&row.home)) return shown->get(block(shown->block), index);
   return 0.0;
+}
+
+bool DriveObject::is_as_delivered(const PlacedRow& placed) const noexcept {
+  const ParameterRow& row = *placed.row;
+  for (std::size_t i = 0; i < row.count; ++i)
+    if (!is_same(transferred(row.type, value(placed, i)), transferred(row.type, factory_value(row, context_, i))))
+      return false;
+  return true;
 }
 
 void DriveObject::set_setting(const ParameterRow& row, std::size_t index, double value) noexcept {

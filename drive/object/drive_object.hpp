@@ -25,6 +25,8 @@ class Surroundings {
   virtual ~Surroundings() = default;
   /// Numbers the messages of all drive objects in the order of their appearance.
   virtual std::uint32_t& message_counter() noexcept = 0;
+  /// The time that the messages of all drive objects are stamped with.
+  virtual const TimeLine& time() const noexcept = 0;
   /// The kind of drive object @p number, if there is one.
   virtual std::optional<ObjectKind> kind_of(std::uint8_t number) const noexcept = 0;
   /// Takes over @p value of an agreed parameter or carries out a command; the reason if it cannot.
@@ -50,10 +52,13 @@ class DriveObject {
   /// 1 = control unit, then the infeed if the unit has one, then the axes.
   std::uint8_t number() const noexcept;
   const ObjectContext& context() const noexcept { return context_; }
+  /// How many drive objects the unit has.
+  std::size_t objects_of_unit() const noexcept;
   /// From now on @p surroundings, which outlive this, are asked; without them a drive object knows only itself.
   void join(Surroundings& surroundings) noexcept {
     surroundings_ = &surroundings;
     memory_.number_by(surroundings.message_counter());
+    memory_.stamp_by(surroundings.time());
   }
 
   /// Whether the function modules of the drive object have parameter @p row of its kind.
@@ -67,6 +72,8 @@ class DriveObject {
                                                           std::size_t index = 0) const noexcept;
   /// Value of index @p index of @p placed, a parameter of this kind of drive object, in the parameter's own unit.
   double value(const PlacedRow& placed, std::size_t index) const noexcept;
+  /// Whether every index of @p placed has its factory value.
+  bool is_as_delivered(const PlacedRow& placed) const noexcept;
   /// Writes a parameter as a master does, in a state and within the limits that allow it; it acts at once.
   [[nodiscard]] tl::expected<void, ParameterError> write(std::uint16_t number, std::size_t index,
                                                          double value) noexcept;
@@ -111,10 +118,10 @@ class DriveObject {
   /// Active faults and alarms, and those that were.
   const FaultMemory& messages() const noexcept { return memory_; }
   /// Takes over the fault buffer of a former life, which ended at @p power_off.
-  void bring_back(const FaultMemory::Kept& kept, Uptime power_off) noexcept {
+  void bring_back(const FaultMemory::Kept& kept, const TimeStamp& power_off) noexcept {
     memory_.bring_back(kept, power_off);
   }
-  /// Tells the time (ms) that messages are stamped with.
+  /// Tells a drive object of its own the time (ms) that messages are stamped with.
   void set_time(Uptime now) noexcept { memory_.set_time(now); }
   /// A fault or an alarm with its value (r0949, r2124) appears; the reaction follows at once.
   [[nodiscard]] tl::expected<void, FaultError> raise(std::uint16_t number, std::uint32_t value = 0,

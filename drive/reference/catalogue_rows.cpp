@@ -16,7 +16,8 @@ namespace {
 
 constexpr unsigned kFirstObject = 0x2000;
 constexpr unsigned kLastObject = 0x470F;
-constexpr std::uint16_t kIndicesOfAnObject = 256;  // further ones p8630[1] shows
+/// An EDS has no more; p8630[1] leads to the indices behind it.
+constexpr unsigned kLastSubIndex = 0xFE;
 
 /// Whether a server of a drive object shows @p row, whose number is that of an object.
 bool is_an_object(const ParameterRow& row) {
@@ -74,7 +75,7 @@ void write_row(std::string& list, const ParameterRow& row, std::string_view scop
     fmt::format_to(out,
                    "\n"
                    R"({{"index": "{:04X}", "sub": "00-{:02X}")",
-                   index, std::min(row.count, kIndicesOfAnObject) - 1U);
+                   index, std::min<unsigned>(row.count - 1U, kLastSubIndex));
   }
   fmt::format_to(
       out, R"(, "object": "VAR", "type": "{}", "access": "{}", "pdo": false{}, "scope": "{}", "name": "{}"}})",

@@ -45,6 +45,9 @@ std::optional<Refusal> restart_mode(const DriveObject& object, std::size_t index
 std::optional<Refusal> link_nodes(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8835: 1 to 5 or 99.
 std::optional<Refusal> board_firmware(const DriveObject& object, std::size_t index, double value) noexcept;
+/// p3101: days end at 65535. p3103: 0, 2 or 4.
+std::optional<Refusal> clock_time(const DriveObject& object, std::size_t index, double value) noexcept;
+std::optional<Refusal> clock_method(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8684: 4, 5 or 127.
 std::optional<Refusal> start_state(const DriveObject& object, std::size_t index, double value) noexcept;
 /// p8685: 4, 5, 127, or a reset: 128, 129.

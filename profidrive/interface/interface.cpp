@@ -161,7 +161,7 @@ unit::AxisMask Interface::waiting() const noexcept {
 
 void Interface::show() noexcept {
   if (!is_used_ || cycle_ != 0) return;
-  for (Exchange& exchange : exchanges_) exchange.sample(false);
+  for (Exchange& exchange : exchanges_) exchange.sample(runner_.unit().control_unit().clock().is_synchronised());
 }
 
 void Interface::on_cycles_over() noexcept {

@@ -142,9 +142,7 @@ const Telegram* find_telegram(const DriveObject& object, double number) noexcept
   const auto* const row = std::ranges::find_if(
       telegrams::kAll, [=](const Telegram& telegram) { return static_cast<double>(telegram.number) == number; });
   if (row == telegrams::kAll.end() || !drive::contains(row->kinds, object.kind())) return nullptr;
-  constexpr std::uint16_t kBlockNumber = 2625;
-  const bool positions = exists(object, kBlockNumber);
-  return row->on_any_axis || row->positions == positions ? row : nullptr;
+  return row->on_any_axis || row->positions == object.context().axis.positioner ? row : nullptr;
 }
 
 Selection selection_of(const DriveObject& object) noexcept {

@@ -184,6 +184,8 @@ CLIENTS = {'mbpoll': with_mbpoll, 'pymodbus': with_pymodbus, 'jsmodbus': with_js
 
 def turn(port, master):
     """The axis runs by process data over Modbus while a CANopen master looks on."""
+    master.write(0x21B6, 0, b'\x02\x00')  # p8630[0]: parameters of drive object 2
+    master.write(0x239A, 0, b'\x01\x00')  # p0922: telegram 1
     client = Plain(port)
     client.write(40100, 0x047E, 0)
     wait_for('ZSW1', lambda: client.read(40110)[0], lambda word: word & 0x6F == 0x21)
@@ -201,7 +203,7 @@ def main():
         master = Master(bus)
         ramps = {'p1120': 0.2, 'p1121': 0.2}
         if name == 'turn':
-            with served_unit(folder, axes=[{'parameters': {**ramps, 'p0922': 1}}]) as port:
+            with served_unit(folder, axes=[{'parameters': ramps}]) as port:
                 master.expect(*BOOT_UP)
                 turn(port, master)
             return

@@ -91,6 +91,8 @@ TEST(RequestCheck, KnowsEveryForm) {
                                     {Form::Text, R"({"x": ""})"},
                                     {Form::List, R"({"x": "p1120"})"},
                                     {Form::List, R"({"x": ["p1120", "r63"]})"},
+                                    {Form::Words, R"({"x": "047E0000"})"},
+                                    {Form::Words, R"({"x": [1150, "047E"]})"},
                                     {Form::Value, R"({"x": "r0899.2"})"},
                                     {Form::Value, R"({"x": -0.5})"},
                                     {Form::Any, R"({"x": [{"a": null}]})"}})
@@ -104,6 +106,9 @@ TEST(RequestCheck, KnowsEveryForm) {
         {Form::List, R"({"x": [1]})", "x: expected a text or a list of texts, got [1]"},
         {Form::List, R"({"x": []})", "x: expected 1 to 2 texts, got 0"},
         {Form::List, R"({"x": ["", "", ""]})", "x: expected 1 to 2 texts, got 3"},
+        {Form::Words, R"({"x": [65536]})",
+         "x: expected a hexadecimal text or a list of words (0 to 65535, or hexadecimal texts), got [65536]"},
+        {Form::Words, R"({"x": [1, 2, 3]})", "x: expected 1 to 2 words, got 3"},
         {Form::Value, R"({"x": true})", "x: expected a number or a text, got true"},
         {Form::Value, R"({"x": [1]})", "x: expected a number or a text, got [1]"},
         {Form::Any, "{}", "x: expected a value, got nothing"}})

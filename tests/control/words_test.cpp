@@ -67,6 +67,7 @@ TEST(CommandWords, BecomeWhatTheFormSays) {
   EXPECT_EQ(value_of(Form::Text, {"12"}), R"({"x":"12"})");
   EXPECT_EQ(value_of(Form::List, {"p1120", "r63"}), R"({"x":["p1120","r63"]})");
   EXPECT_EQ(value_of(Form::List, {}), "{}");
+  EXPECT_EQ(value_of(Form::Words, {"047E", "0000"}), R"({"x":["047E","0000"]})");
   EXPECT_EQ(value_of(Form::Value, {"-12"}), R"({"x":-12})");
   EXPECT_EQ(value_of(Form::Value, {"+0.5"}), R"({"x":0.5})");
   EXPECT_EQ(value_of(Form::Value, {"0x1F"}), R"({"x":31})");

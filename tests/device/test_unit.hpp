@@ -39,6 +39,8 @@ struct RecordingListener final : Listener {
   void on_restore() noexcept override { ++restores; }
   canopen::TimePoint frame_arrival(canopen::TimePoint now) noexcept override { return now - waited; }
 
+  std::optional<drive::UtcTime> host_time() noexcept override { return ++host_questions, host; }
+
   std::vector<std::byte> image;  ///< as last stored
   int stores = 0;
   bool is_full = false;  ///< nothing more can be stored
@@ -50,6 +52,8 @@ struct RecordingListener final : Listener {
   int bus_restarts = 0;         ///< asked for
   bool bus_can_be_used = true;  ///< as soon as one is asked for
   std::vector<std::uint32_t> foreign;
+  std::optional<drive::UtcTime> host{};  ///< what the clock of the host says
+  int host_questions = 0;
 };
 
 /// A line of a dialogue: what a master sends and what the unit answers at once, "" for silence.

@@ -72,13 +72,13 @@ TEST(FaultBuffer, SurvivesPowerOff) {
 
 TEST(AlarmBuffer, KeepsEightInOrderAndMovesWhatIsGoneToTheHistory) {
   AlarmBuffer buffer;
-  for (std::uint16_t n = 1; n <= 8; ++n) buffer.enter(n, 0, n);
-  buffer.leave(2, 20);
-  buffer.leave(5, 50);
+  for (std::uint16_t n = 1; n <= 8; ++n) buffer.enter(n, 0, {n});
+  buffer.leave(2, {20});
+  buffer.leave(5, {50});
   EXPECT_EQ(buffer.at(1).number, 2);
-  EXPECT_EQ(buffer.at(1).removed, 20u);
+  EXPECT_EQ(buffer.at(1).removed.uptime, 20u);
 
-  buffer.enter(9, 0, 60);
+  buffer.enter(9, 0, {60});
 
   EXPECT_EQ(buffer.at(0).number, 1);
   EXPECT_EQ(buffer.at(1).number, 3);
@@ -86,14 +86,14 @@ TEST(AlarmBuffer, KeepsEightInOrderAndMovesWhatIsGoneToTheHistory) {
   EXPECT_EQ(buffer.at(7).number, 0);
   EXPECT_EQ(buffer.at(8).number, 5);
   EXPECT_EQ(buffer.at(9).number, 2);
-  EXPECT_EQ(buffer.at(9).removed, 20u);
+  EXPECT_EQ(buffer.at(9).removed.uptime, 20u);
 }
 
 TEST(AlarmBuffer, LosesTheOldestOfTheHistory) {
   AlarmBuffer buffer;
   for (std::uint16_t n = 1; n <= 100; ++n) {
-    buffer.enter(n, 0, n);
-    buffer.leave(n, n);
+    buffer.enter(n, 0, {n});
+    buffer.leave(n, {n});
   }
 
   EXPECT_EQ(buffer.at(3).number, 100);

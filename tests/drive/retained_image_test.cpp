@@ -99,7 +99,7 @@ TEST(RetainedImage, PassesOverASectionThatItDoesNotKnow) {
   std::vector<std::byte> image = kept_by(unit);
   constexpr std::size_t kFirstObject = 16 + 8 + 2;
   const std::vector<std::byte> section{std::byte{99}, std::byte{0}, std::byte{1}, std::byte{0}, std::byte{42}};
-  image[kFirstObject + 2] = std::byte{2};
+  image[kFirstObject + 2] = std::byte{3};
   image.insert(image.begin() + kFirstObject + 4, section.begin(), section.end());
   seal(image);
 

@@ -1,6 +1,7 @@
 // Examples byte for byte that need no axis in motion and no records.
 #include <array>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/modbus/hexadecimal.hpp"
@@ -57,6 +58,21 @@ const std::array kVectors{
            {{"0001000000151110025800070E0001300A80010201100100020000", "000100000006111002580007"},
             {"000100000006110302580003", "00010000000911030600022F000003"}}},
 };
+
+TEST(RecordVectors, ReadAParameterOfTheUnitAndOfTheAxis) {
+  ServedUnit unit;
+  EXPECT_EQ(unit.exchange("0001000000151110025800070E00012F0A80010101100100020000"), "000100000006111002580007");
+  unit.passes(std::chrono::milliseconds{100});
+  const std::string of_unit = unit.exchange("000100000006110302580007");
+  EXPECT_EQ(of_unit.substr(0, 38), "00010000001111030E00022F08800101010301");
+  EXPECT_EQ(of_unit.substr(42), "0000");
+
+  EXPECT_EQ(unit.exchange("0001000000151110025800070E00012F0A80010201100100020000"), "000100000006111002580007");
+  unit.passes(std::chrono::milliseconds{100});
+  EXPECT_EQ(
+      unit.exchange("000100000006110302580007"),
+      fmt::format("00010000001111030E00022F08800102010301{:04X}0000", static_cast<unsigned>(unit.value(2, 2))));
+}
 
 class Vectors : public testing::TestWithParam<Vector> {};
 

@@ -84,7 +84,7 @@ TEST(If1Monitoring, TakesItsAlarmBackWhenWordsComeAgain) {
 }
 
 TEST(If1Monitoring, HasAFaultThatStopsTheAxisAndIsAcknowledgedAtOnce) {
-  If1Unit unit{Pzd::servo_with_channel()};
+  If1Unit unit;
   unit.set(2040, 100.0, 0, Pzd::kControlUnit);
   unit.set(1135, 1.0);
   unit.set(922, 1.0);

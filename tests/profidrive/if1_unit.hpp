@@ -29,9 +29,9 @@ struct If1Unit {
     return {.drive = {.axes = {axis, axis}, .node_id = 5}};
   }
   static unit::Configuration servo() { return of({}); }
-  static unit::Configuration servo_with_channel() {
+  static unit::Configuration servo_without_channel() {
     drive::AxisConfiguration axis{};
-    axis.setpoint_channel = true;
+    axis.setpoint_channel = false;
     return of(axis);
   }
   static unit::Configuration vector() {

@@ -13,7 +13,7 @@ TEST(If1Words, SwitchTheAxisOn) {
 }
 
 TEST(If1Words, LeadTheSpeed) {
-  for (const auto& configuration : {Pzd::servo(), Pzd::servo_with_channel(), Pzd::vector()}) {
+  for (const auto& configuration : {Pzd::servo(), Pzd::servo_without_channel(), Pzd::vector()}) {
     If1Unit unit{configuration};
     unit.set(922, 1.0);
     unit.exchange({0x047E, 0}, 200ms);

@@ -33,8 +33,8 @@ TEST(Telegram, ThatIsNotOfferedIsNoValue) {
 }
 
 TEST(Telegram, WiresTheInputsOfItsWords) {
-  If1Unit unit{If1Unit::servo_with_channel()};
-  unit.set(840, own(722, 1));
+  If1Unit unit;
+  unit.set(840, drive::pack({722, If1Unit::kControlUnit, 1}));
 
   unit.set(922, 1.0);
 
@@ -55,7 +55,7 @@ TEST(Telegram, WiresTheInputsOfItsWords) {
 }
 
 TEST(Telegram, LeadsTheSpeedSetpointBehindTheRampWithoutSetpointChannel) {
-  If1Unit unit;
+  If1Unit unit{If1Unit::servo_without_channel()};
   unit.set(922, 2.0);
   EXPECT_EQ(unit.read(1155), own(2060, 1));
   EXPECT_EQ(unit.read(2061, 1), own(63, 0));
@@ -64,17 +64,17 @@ TEST(Telegram, LeadsTheSpeedSetpointBehindTheRampWithoutSetpointChannel) {
 }
 
 TEST(Telegram, LocksWhatItHasWired) {
-  If1Unit unit{If1Unit::servo_with_channel()};
+  If1Unit unit;
   unit.set(922, 1.0);
-  for (const std::uint16_t number : {840, 844, 848, 852, 854, 1070, 1140, 1141, 1142, 1113, 2103, 2038, 8790})
-    EXPECT_EQ(unit.refusal(number, 0.0), Locked) << "p" << number;
+  for (const int number : {840, 844, 848, 852, 854, 1070, 1140, 1141, 1142, 1113, 2103, 2038, 8790})
+    EXPECT_EQ(unit.refusal(static_cast<std::uint16_t>(number), 0.0), Locked) << "p" << number;
   EXPECT_EQ(unit.refusal(2051, 0.0, 0), Locked);
   EXPECT_EQ(unit.refusal(2051, own(68), 5), Locked);
   EXPECT_EQ(unit.refusal(2080, 0.0, 3), Locked);
   EXPECT_EQ(unit.refusal(2079, 2.0), Locked);
   EXPECT_EQ(unit.refusal(8790, 1.0), Locked);
   unit.set(2081, own(899, 0), 3);
-  unit.set(1055, own(722, 2));
+  unit.set(1055, drive::pack({722, If1Unit::kControlUnit, 2}));
 }
 
 TEST(Telegram, LeavesItsWiringBehindAndFree) {

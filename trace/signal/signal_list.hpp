@@ -17,8 +17,8 @@ struct ListedSignal {
   std::string_view unit;  ///< empty: none
   std::string_view text;
   std::uint16_t indices = 1;  ///< of a parameter
-  std::uint8_t bits = 0;     ///< that are signals, too: "1/r0899.0"...
-  bool is_quantity = false;  ///< physical, not a parameter
+  std::uint8_t bits = 0;      ///< that are signals, too: "1/r0899.0"...
+  bool is_quantity = false;   ///< physical, not a parameter
 };
 
 /// A part of a list.

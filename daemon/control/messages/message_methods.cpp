@@ -53,7 +53,7 @@ json active_json(const drive::DriveObject& object, const drive::FaultEntry& entr
             {"name", row.name},
             {"cause", row.cause},
             {"cause_is", kCauses[static_cast<std::size_t>(entry.cause)]},
-            {"t", seconds(entry.received)}};
+            {"t", seconds(entry.received.uptime)}};
   if (entry.kind != drive::Kind::Fault) return told;
   told["reaction"] =
       kReactions[static_cast<std::size_t>(object.messages().settings.reaction_to(row).value_or(row.reaction))];
@@ -79,9 +79,9 @@ json buffer_json(const drive::BufferEntry& entry, std::size_t place) {
   json told{{"place", place},
             {"number", entry.number},
             {"value", entry.value},
-            {"received_s", seconds(entry.received)},
-            {"is_active", entry.removed == 0}};
-  if (entry.removed != 0) told["removed_s"] = seconds(entry.removed);
+            {"received_s", seconds(entry.received.uptime)},
+            {"is_active", entry.removed.uptime == 0}};
+  if (entry.removed.uptime != 0) told["removed_s"] = seconds(entry.removed.uptime);
   if (const drive::FaultRow* const row = drive::find_fault(entry.number)) {
     told["code"] = drive::fault_text(*row);
     told["name"] = row->name;

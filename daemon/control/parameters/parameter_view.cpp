@@ -1,12 +1,12 @@
 #include "daemon/control/parameters/parameter_view.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "daemon/control/parameters/parameter_value.hpp"
 #include "daemon/control/place.hpp"
 #include "drive/catalogue/effect_text.hpp"
 #include "drive/parameter/bico_text.hpp"
+#include "drive/parameter/transfer.hpp"
 
 namespace axisd {
 namespace {
@@ -15,22 +15,6 @@ using nlohmann::json;
 
 /// Of the inputs that a parameter is connected to so many are named.
 constexpr std::size_t kMostUses = 12;
-
-/// Within what conversions of units leave of a floating-point number.
-bool is_same(const drive::ParameterValue& one, const drive::ParameterValue& other) noexcept {
-  constexpr double kRelative = 1e-6;
-  constexpr double kAbsolute = 2e-9;
-  if (one.type != drive::DataType::F32 || other.type != drive::DataType::F32) return one == other;
-  const double a = drive::decode(one), b = drive::decode(other);
-  return !(std::abs(a - b) > std::max(kAbsolute, kRelative * std::abs(a)));
-}
-
-/// @p number as @p type holds it.
-drive::ParameterValue held(drive::DataType type, double number) noexcept {
-  const drive::DataTypeRow& row = drive::row_of(type);
-  const double bounded = std::clamp(number, row.lowest, row.highest);
-  return drive::encode(type, type == drive::DataType::F32 ? bounded : std::round(bounded));
-}
 
 const std::vector<ParameterValue>* presets_of(const Configuration& configuration,
                                               const drive::DriveObject& object) noexcept {
@@ -76,7 +60,7 @@ json ParameterView::definition(const drive::ParameterRow& row) {
 
 drive::ParameterValue ParameterView::present(const drive::DriveObject& object, const drive::PlacedRow& placed,
                                              std::size_t index) const noexcept {
-  return held(placed.row->type, object.value(placed, index));
+  return drive::transferred(placed.row->type, object.value(placed, index));
 }
 
 drive::ParameterValue ParameterView::reference_value(const drive::DriveObject& object,
@@ -84,14 +68,14 @@ drive::ParameterValue ParameterView::reference_value(const drive::DriveObject& o
                                                      Reference reference) const noexcept {
   if (reference == Reference::Stored)
     if (const auto stored = saved_.find(object.number(), row.number, index)) return *stored;
-  return held(row.type, drive::factory_value(row, object.context(), index));
+  return drive::transferred(row.type, drive::factory_value(row, object.context(), index));
 }
 
 bool ParameterView::differs(const drive::DriveObject& object, const drive::PlacedRow& placed, std::size_t index,
                             Reference reference) const noexcept {
   const drive::ParameterRow& row = *placed.row;
   return drive::is_saved(row) &&
-         !is_same(present(object, placed, index), reference_value(object, row, index, reference));
+         !drive::is_same(present(object, placed, index), reference_value(object, row, index, reference));
 }
 
 void ParameterView::add_access(json& entry, const drive::DriveObject& object,
@@ -116,7 +100,8 @@ void ParameterView::add_references(json& entry, const drive::DriveObject& object
   if (presets == nullptr) return;
   const auto preset = std::ranges::find_if(
       *presets, [&](const ParameterValue& value) { return value.number == row.number && value.index == index; });
-  if (preset != presets->end()) entry["preset"] = value_json(row, held(row.type, preset->value), object);
+  if (preset != presets->end())
+    entry["preset"] = value_json(row, drive::transferred(row.type, preset->value), object);
 }
 
 void ParameterView::add_source(json& entry, const drive::DriveObject& object, const drive::ParameterRow& row,

@@ -11,11 +11,8 @@ Taken<void> write_and_tell(const Call& call, const ParameterTarget& target, doub
   const bool is_saving = device.is_saving();
   const std::uint8_t object = target.object->number();
   const std::uint16_t number = target.row().number;
-  const double before = target.object->value(*target.placed, target.index);
   const auto written = device.write_parameter(object, number, target.index, value, call.now);
   if (!written) return tl::unexpected{refusal_of(written.error(), target, is_saving)};
-  EventWatch& events = call.instance.events();
-  if (events.is_watched()) events.on_parameter_written({object, number, target.index}, value, before, call.now);
   return {};
 }
 

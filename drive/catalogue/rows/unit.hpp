@@ -7,6 +7,7 @@
 #include "drive/values/axis_values.hpp"
 #include "drive/values/checks.hpp"
 #include "drive/values/factory_values.hpp"
+#include "drive/values/firmware.hpp"
 #include "drive/values/unit_values.hpp"
 
 namespace drive::rows {
@@ -15,7 +16,7 @@ namespace drive::rows {
 // clang-format off
 inline constexpr std::array kUnitRows{
     Row{9, 1, kControlUnit, I16, Unit::None, {0.0, 10100.0}, 0.0, When::Ready, Agreed{}, Output::No, "Device commissioning parameter filter", "not 0: switching on is inhibited on every axis; leaving 3 restarts the unit", Keep::No, check::device_filter},
-    Row{18, 1, kControlUnit, U32, Unit::None, kWhole, 4806500.0, When::ReadOnly, Agreed{}, Output::No, "CU firmware version", "100Ah"},
+    Row{18, 1, kControlUnit, U32, Unit::None, kWhole, double{kFirmware}, When::ReadOnly, Agreed{}, Output::No, "CU firmware version", "100Ah"},
     Row{50, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "command data sets, of which there is one"}, Output::Both, "Command data set effective", ""},
     Row{51, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, "drive data sets, of which there is one"}, Output::Both, "Drive data set effective", ""},
     Row{97, 1, kControlUnit, I16, Unit::None, {0.0, 17.0}, 0.0, When::Ready, Stored{until::kDriveObjects}, Output::No, "Select drive object type", ""},
@@ -40,7 +41,6 @@ inline constexpr std::array kUnitRows{
     Row{976, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::DeviceReset, HostCommand{}, Output::No, "Reset and load all parameters", "1 state of a new unit, 2 restart with the saved values; reads 0", Keep::No},
     Row{977, 1, kControlUnit, U16, Unit::None, {0.0, 1013.0}, 0.0, When::Always, HostCommand{}, Output::No, "Save all parameters", "1 saves all drive objects; reads 0", Keep::No},
     Row{978, 25, kControlUnit, U8, Unit::None, {0.0, 255.0}, factory::cyclic_object, When::Device, Slot{}, Output::No, "List of drive objects with cyclic exchange", "the axis of Modbus TCP at index 0; behind the first 0 none takes part, 255 is visible but empty"},
-    Row{3100, 1, kControlUnit, U16, Unit::None, {0.0, 1.0}, 0.0, When::Ready, Stored{"time stamps in real time; messages bear the operating time"}, Output::No, "RTC time stamp mode", ""},
 };
 // clang-format on
 

@@ -61,6 +61,7 @@ constexpr std::array kAxisLabels{
     Label{"motor_temperature_C", "motor", " °C"},
     Label{"position", "position", ""},
     Label{"positioner", "positioner", ""},
+    Label{"if1", "IF1", ""},
     Label{"faults", "faults", ""},
     Label{"alarms", "alarms", ""},
 };
