@@ -144,6 +144,28 @@ TEST(UnitRegisters, RememberThatProcessDataWasWritten) {
   EXPECT_FALSE(unit.registers.take_command());
 }
 
+TEST(UnitRegisters, TellTheUnitThatWhoeverWroteProcessDataIsGone) {
+  ServedUnit unit;
+  unit.write(40100, 0x047E);
+  unit.passes(8ms);
+  unit.registers.on_command_lost();
+  unit.passes(8ms);
+  EXPECT_EQ(unit.read(40409), 1925);
+
+  unit.write(40100, 0x047E);
+  unit.passes(8ms);
+  EXPECT_EQ(unit.read(40409), 0);
+}
+
+TEST(UnitRegisters, HoldTheProtocolWhileTheyAreServed) {
+  ServedUnit unit;
+  unit.interface.serve_modbus();
+  EXPECT_EQ(unit.value(kUnit, 2030), 13.0);
+  const auto refused = unit.runner.write_parameter(kUnit, 2030, 0, 7.0, unit.runner.now());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().reason, drive::RefusalReason::Locked);
+}
+
 TEST(UnitRegisters, CarryRecordsInTheFirstWholeCycle) {
   ServedUnit unit;
   EXPECT_TRUE(unit.runner.is_resting());

@@ -74,6 +74,41 @@ TEST(RecordVectors, ReadAParameterOfTheUnitAndOfTheAxis) {
       fmt::format("00010000001111030E00022F08800102010301{:04X}0000", static_cast<unsigned>(unit.value(2, 2))));
 }
 
+/// A source of p2051: word @p index of r2050 of the own drive object.
+constexpr double received_word(unsigned index) {
+  constexpr unsigned kReceived = 2050, kOwn = 63;
+  return static_cast<double>(kReceived << 16U | kOwn << 10U | index);
+}
+
+TEST(ProcessDataVectors, ReadTwoWords) {
+  ServedUnit unit;
+  unit.set(2, 2051, received_word(1), 0);
+  unit.set(2, 2051, received_word(2), 1);
+  EXPECT_EQ(unit.exchange("00010000000D1110006300030604001122"
+                          "3344"),
+            "000100000006111000630003");
+  unit.passes(std::chrono::milliseconds{20});
+  EXPECT_EQ(unit.exchange("0001000000061103006D0002"), "00010000000711030411223344");
+  EXPECT_EQ(unit.exchange("000100000006110300630003"), "000100000009110306040011223344");
+}
+
+TEST(ProcessDataVectors, Timeout) {
+  ServedUnit unit;
+  unit.set(2, 922, 1);
+  unit.set(1, 2040, 500);
+  unit.set(2, 2044, 0);
+  unit.passes(std::chrono::seconds{2});
+  EXPECT_EQ(unit.exchange("0001000000061103018F0001"), "0001000000051103020000")
+      << "never written: time does not run";
+  EXPECT_EQ(unit.exchange("00010000000611060063047E"), "00010000000611060063047E");
+  unit.passes(std::chrono::milliseconds{400});
+  EXPECT_EQ(unit.exchange("0001000000061103006D0001").size(), 22U) << "begins the time anew";
+  unit.passes(std::chrono::milliseconds{400});
+  EXPECT_EQ(unit.exchange("0001000000061103018F0001"), "0001000000051103020000");
+  unit.passes(std::chrono::milliseconds{400});
+  EXPECT_EQ(unit.exchange("0001000000061103018F0001"), "0001000000051103020776");
+}
+
 class Vectors : public testing::TestWithParam<Vector> {};
 
 TEST_P(Vectors, AreAnsweredStepByStep) {
