@@ -1,7 +1,7 @@
 """Modbus TCP beside a CANopen master: modbus.py BIN-FOLDER CLIENT
 
-CLIENT is mbpoll, pymodbus, jsmodbus or tshark; where it is missing the test is skipped: exit status 77. To be run
-by with-can, on a bus of its own.
+CLIENT is mbpoll, pymodbus, jsmodbus or tshark; where it is missing the test is skipped: exit status 77. "turn" moves
+the axis, "taken" starts another axisd at the same port. To be run by with-can, on a bus of its own.
 """
 
 import contextlib
@@ -17,6 +17,7 @@ import threading
 import time
 
 import programs
+from control_client import ControlClient
 from master import BOOT_UP, Master, can
 
 SKIPPED = 77
@@ -159,6 +160,7 @@ def with_tshark(port, folder):
     client.write(40322, 1500, 1600)
     client.write(40601, 1, 0x2F0A, 0x8001, 0x0101, 0x1001, 0x0002, 0x0000)
     wait_for('40601', lambda: client.read(40601)[0], lambda control: control == 2)
+    assert client.read(40602, 4)[:3] == [0x2F08, 0x8001, 0x0101], client.read(40602, 4)
     for pdu in (b'\x04\0\0\0\1', b'\x03\0\0\0\x7e', b'\x03\x02\xd2\0\1', b'\x06\1\x53\0\1'):
         answer = client.ask(pdu)
         assert answer[0] == pdu[0] | 0x80, answer.hex()
@@ -178,14 +180,24 @@ def with_tshark(port, folder):
         assert text in decoded.stdout, text
 
 
+def start_another(port, folder):
+    """A second axisd at the same port: one line, exit status 1."""
+    with open(folder.path('other.json'), 'w', encoding='ascii') as file:
+        json.dump({'modbus': {'port': port}}, file)
+    other = run([os.path.join(folder.bin_folder, 'axisd'), '--interface', f'unix:{os.environ["CAN_BUS"]}', '--node-id', '6',
+                 '--config', folder.path('other.json'), '--control', 'none', '--state-directory', folder.path('other')])
+    assert other.returncode == 1, other
+    assert other.stderr == (f'axisd: modbus 127.0.0.1:{port}: Address already in use: expected a port that nobody '
+                            'serves\n'), other.stderr
+
+
 CLIENTS = {'mbpoll': with_mbpoll, 'pymodbus': with_pymodbus, 'jsmodbus': with_jsmodbus,
-           'tshark': with_tshark}
+           'tshark': with_tshark, 'taken': start_another}
 
 
-def turn(port, master):
+def turn(port, folder, master):
     """The axis runs by process data over Modbus while a CANopen master looks on."""
-    master.write(0x21B6, 0, b'\x02\x00')  # p8630[0]: parameters of drive object 2
-    master.write(0x239A, 0, b'\x01\x00')  # p0922: telegram 1
+    ControlClient(folder.path('control.sock'), programs.PATIENCE).call('parameter.write', axis=1, parameter='p0922', value=1)
     client = Plain(port)
     client.write(40100, 0x047E, 0)
     wait_for('ZSW1', lambda: client.read(40110)[0], lambda word: word & 0x6F == 0x21)
@@ -205,7 +217,7 @@ def main():
         if name == 'turn':
             with served_unit(folder, axes=[{'parameters': ramps}]) as port:
                 master.expect(*BOOT_UP)
-                turn(port, master)
+                turn(port, folder, master)
             return
         with served_unit(folder) as port:
             master.expect(*BOOT_UP)
