@@ -14,6 +14,7 @@ namespace {
 using nlohmann::json;
 
 Outcome status(const Call& call, const json&) {
+  call.instance.device().tell_time(call.now);
   return status_of(call.instance);
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "daemon/base/utc_text.hpp"
 #include "daemon/instance/instance.hpp"
 #include "daemon/version.hpp"
 #include "motor/data/machine_data.hpp"
@@ -119,6 +120,17 @@ json infeed_status(const drive::Infeed& infeed, const std::string& name) {
           {"alarms", messages(infeed.messages().alarms())}};
 }
 
+/// The clock of the unit, which has UTC.
+json utc_status(const drive::UnitClock& clock) {
+  using Method = drive::UnitClock::Method;
+  const std::string_view method = clock.method() == Method::PingSnap ? "ping-snap"
+                                  : clock.method() == Method::Simple ? "simple"
+                                                                     : "host";
+  return {{"time", utc_text(clock.line().utc().value_or(0))},
+          {"synchronised", clock.is_synchronised()},
+          {"method", method}};
+}
+
 json leds_status(const device::IndicatorLeds& leds) {
   return {{"run", name_of(leds.run)}, {"error", name_of(leds.error)}};
 }
@@ -165,6 +177,8 @@ json status_of(const Instance& instance) {
        {{"parameters", instance.memory().parameters_text()}, {"retained", instance.memory().retained_text()}}},
       {"control_unit", control_unit_status(instance)},
       {"axes", axes_status(instance)}};
+  const drive::UnitClock& clock = instance.device().unit().control_unit().clock();
+  if (clock.is_utc()) status["utc"] = utc_status(clock);
   if (const drive::Infeed* const infeed = instance.device().unit().infeed())
     status["infeed"] = infeed_status(*infeed, instance.configuration().infeed->name);
   if (instance.modbus() != nullptr) status["modbus"] = modbus_status(*instance.modbus());

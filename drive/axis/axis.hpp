@@ -226,6 +226,7 @@ class Axis final : public DriveObject {
   void measure() noexcept;
   void track_measurement() noexcept;
   void watch_speed() noexcept;
+  void follow_encoder_word() noexcept;
   void answer_encoder_word() noexcept;
   void observe_motor() noexcept;
   void judge_causes() noexcept;

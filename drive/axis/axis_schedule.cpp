@@ -96,7 +96,7 @@ struct Axis::Schedule {
       Turn{Phase::Values,   kPlace<Measurement>,      &Axis::measure},
       Turn{Phase::Messages, kPlace<Identification>,   &Axis::track_measurement},
       Turn{Phase::Messages, kPlace<SpeedMessages>,    &Axis::watch_speed},
-      Turn{Phase::Messages, kPlace<EncoderInterface>, &Axis::answer_encoder_word},
+      Turn{Phase::Messages, kPlace<EncoderInterface>, &Axis::follow_encoder_word},
       Turn{Phase::Messages, kPlace<MotorMonitoring>,  &Axis::observe_motor},
       Turn{Phase::Messages, kPlace<MotorMonitoring>,  &Axis::judge_causes},
       Turn{Phase::Messages, kPlace<Positioner>,       &Axis::tell_positioning, function_module::kBasicPositioner},

@@ -146,14 +146,16 @@ void Axis::watch_speed() noexcept {
                                                  !block<TorqueSetpoint>().inputs.travels_to_fixed_stop});
 }
 
-void Axis::answer_encoder_word() noexcept {
-  auto& interface = block<EncoderInterface>();
-  if (!interface.is_asked()) return;
+void Axis::follow_encoder_word() noexcept {
+  if (block<EncoderInterface>().is_asked()) answer_encoder_word();
+}
+
+[[gnu::noinline]] void Axis::answer_encoder_word() noexcept {
   const bool cause_present =
       std::ranges::any_of(causes_of<Measurement>, [this](const auto& row) { return causes_.holds(row.message); });
-  interface.run({.position = static_cast<std::uint32_t>(actual_.encoder_position),
-                 .faulty = has_encoder_fault(),
-                 .cause_present = cause_present});
+  block<EncoderInterface>().run({.position = static_cast<std::uint32_t>(actual_.encoder_position),
+                                 .faulty = has_encoder_fault(),
+                                 .cause_present = cause_present});
 }
 
 void Axis::observe_motor() noexcept {

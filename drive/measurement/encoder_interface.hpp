@@ -30,7 +30,7 @@ class EncoderInterface {
   };
 
   /// Whether run() has something to do.
-  bool is_asked() const noexcept { return acknowledged_ || inputs.control_words[0] != taken_; }
+  bool is_asked() const noexcept { return inputs.control_words[0] != taken_; }
   /// Answers the control word.
   void run(const Seen& seen) noexcept;
 
@@ -48,7 +48,7 @@ class EncoderInterface {
   bool shows_fault(bool faulty) const noexcept;
   void command(unsigned command, unsigned functions, std::uint32_t position) noexcept;
 
-  double taken_ = 0.0;         // the word as it was last taken
+  double taken_ = 0.0;         // the word as it was last taken, no number while a fault is watched
   std::uint16_t control_ = 0;  // the same as bits
   unsigned active_ = 0;        // functions 1 to 4, a bit each
   unsigned available_ = 0;     // those whose value was read

@@ -53,9 +53,15 @@ class SpeedMessages {
     target_reached_ = monitor_.update(
         seen.duration, setpoint - seen.speed,
         {settings.target_window, settings.target_hysteresis, settings.target_off_delay, settings.target_on_delay});
-    const double lowest = settings.threshold_1 - (reaches_threshold_1_ ? settings.hysteresis_1 : 0.0);
-    reaches_threshold_1_ = std::abs(seen.speed) >= lowest;
-    turns_forward_ = seen.speed >= (turns_forward_ ? -settings.hysteresis_3 : 0.0);
+    const double speed = std::abs(seen.speed);
+    if (speed >= settings.threshold_1)
+      reaches_threshold_1_ = true;
+    else if (speed < settings.threshold_1 - settings.hysteresis_1)
+      reaches_threshold_1_ = false;
+    if (seen.speed >= 0.0)
+      turns_forward_ = true;
+    else if (seen.speed < -settings.hysteresis_3)
+      turns_forward_ = false;
     overspeed_ = std::max(seen.speed - seen.forward_limit, seen.backward_limit - seen.speed);
     has_overspeed_ = overspeed_ > settings.overspeed_hysteresis;
     const bool stuck = seen.at_torque_limit && std::abs(seen.speed) < settings.blocked_speed_threshold;

@@ -21,16 +21,13 @@ class TargetMonitor {
   /// Tells the @p deviation of setpoint and actual speed (rad/s) @p duration (s) later; true = target reached.
   bool update(double duration, double deviation, const Limits& limits) noexcept {
     const double distance = std::abs(deviation);
-    const bool outside = distance > limits.window + limits.hysteresis;
-    const bool within = distance <= limits.window;
-    outside_time_ = outside ? outside_time_ + duration : 0.0;
-    if (within) reached_ = true;
-    if (outside && elapsed(outside_time_, limits.off_delay)) reached_ = false;
-    inside_ = within || (inside_ && !outside);
-    if (!inside_) {
-      kept_ = false;
-      inside_time_ = 0.0;
-    } else if (!kept_) {
+    if (distance <= limits.window) {
+      reached_ = inside_ = true;
+      outside_time_ = 0.0;
+    } else {
+      leave(duration, distance, limits);
+    }
+    if (!kept_ && inside_) [[unlikely]] {
       inside_time_ += duration;
       kept_ = elapsed(inside_time_, limits.on_delay);
     }
@@ -42,6 +39,15 @@ class TargetMonitor {
   bool awaits() const noexcept { return inside_ && !kept_; }
 
  private:
+  void leave(double duration, double distance, const Limits& limits) noexcept {
+    const bool outside = distance > limits.window + limits.hysteresis;
+    outside_time_ = outside ? outside_time_ + duration : 0.0;
+    if (!outside) return;
+    inside_ = kept_ = false;
+    inside_time_ = 0.0;
+    if (elapsed(outside_time_, limits.off_delay)) reached_ = false;
+  }
+
   bool reached_ = false;
   bool inside_ = true;
   bool kept_ = true;

@@ -16,9 +16,15 @@ constexpr double without_sign(double share) noexcept {
 
 void TorqueSetpoint::limit() noexcept {
   const auto limit = [](double wired, double parameter) { return std::isinf(wired) ? parameter : wired; };
+  limits_ = {limit(inputs.upper_limit, settings.upper_limit), limit(inputs.lower_limit, settings.lower_limit)};
+  if (inputs.reduction != 0.0 || inputs.upper_scaling != 1.0 || inputs.lower_scaling != 1.0) [[unlikely]]
+    scale();
+}
+
+void TorqueSetpoint::scale() noexcept {
   const double left = std::max(0.0, 1.0 - without_sign(inputs.reduction) * settings.reduction_weight);
-  limits_ = {limit(inputs.upper_limit, settings.upper_limit) * left * without_sign(inputs.upper_scaling),
-             limit(inputs.lower_limit, settings.lower_limit) * left * without_sign(inputs.lower_scaling)};
+  limits_.upper *= left * without_sign(inputs.upper_scaling);
+  limits_.lower *= left * without_sign(inputs.lower_scaling);
 }
 
 /// Any braking is done by the speed controller, which goes on with the torque that there was.

@@ -67,6 +67,8 @@ class TorqueSetpoint {
   Inputs inputs{};
 
  private:
+  void scale() noexcept;
+
   motor::TorqueLimits limits_{};
   double setpoint_ = 0.0;  // of torque control
   bool led_ = false;

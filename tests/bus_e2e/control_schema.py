@@ -33,6 +33,8 @@ REQUESTS = [
     ('trace.start', {'signals': ['1/speed'], 'every': 'cycle', 'samples': 5}), ('trace.status', {}), ('trace.stop', {}),
     ('trace.read', {}), ('trace.read', {'part': 'frames'}), ('trace.read', {'part': 'events'}),
     ('record.start', {'name': 'one'}), ('record.status', {}), ('record.stop', {}), ('record.status', {}),
+    ('if1.exchange', {'do': 2}), ('if1.exchange', {'do': 2, 'received': [1150, '0000']}),
+    ('parameter.record', {'request': '25010201100803B10000'}), ('pkw.exchange', {'do': 2, 'request': '1000008000000000'}),
     ('store', {}), ('store.status', {}), ('restore', {'which': 'factory'}),
     ('samples.unsubscribe', {}), ('events.unsubscribe', {}),
     ('unit.off', {}), ('units', {}), ('unit.on', {}), ('status', {}), ('quit', {}),

@@ -45,12 +45,12 @@ TEST(UnitClock, CountsFromThePingThatAnRpdoBringsToAUnitAtRest) {
 
   unit.says("205#0008");  // bit 11 of the controlword
   unit.passes(300ms);
+  EXPECT_EQ(unit.device.next_deadline(), canopen::kNever) << "the unit rests again";
   unit.noon();
 
   const std::uint64_t late = 300 - (unit.milliseconds() - kNoon);
   EXPECT_LE(late, 4U) << "one process-data cycle";
   EXPECT_EQ(unit.days(), kDays);
-  EXPECT_EQ(unit.device.next_deadline(), canopen::kNever) << "the unit rests again";
 }
 
 TEST(UnitClock, CountsFromThePingThatASlowMasterWritesOverSdo) {
@@ -103,7 +103,6 @@ TEST(UnitClock, ShowsAnAlarmOfACorrectionThatIsTooLarge) {
   unit.noon();
   EXPECT_EQ(unit.read(2132), 1099U);
   EXPECT_EQ(static_cast<std::int32_t>(unit.upload(0x2C24, 0).number()), -60'000);
-  EXPECT_EQ(unit.device.leds(), TestUnit{}.device.leds()) << "it is no matter of the bus";
 
   unit.passes(2ms);
   unit.noon();

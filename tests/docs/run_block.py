@@ -44,6 +44,7 @@ BLOCKS = {
     'ci_npm': Blocks('docs/ci.md', ['NODE_PATH=examples/masters/npm/node_modules'], npm=True),
     'ci_shell': Blocks('docs/ci.md', ['with-can --private -- examples/ci/drive.sh']),
     'preload': Blocks('docs/preload.md', ['with-can -- candump vcan0 &']),
+    'clock': Blocks('docs/time.md', ['candump vcan0 & sleep', 'candump vcan0,585:7FF'], unit=True),
     'explain': Blocks('docs/control.md', ['$ axisctl explain 1'], unit=True),
     'lint': Blocks('docs/eds-checks.md', ['edstool lint --severity error'],
                    copies={'device.eds': 'eds/axisd.eds', 'known.txt': 'tests/docs/known.txt'}),

@@ -10,7 +10,7 @@ const FaultRow& row(std::uint16_t number) {
 }
 
 TEST(FaultTable, HasAllMessagesWithUniqueNumbersAndTheirTexts) {
-  EXPECT_EQ(fault_rows().size(), 150u);
+  EXPECT_EQ(fault_rows().size(), 164u);
   EXPECT_EQ(fault_text(row(7900)), "F07900");
   EXPECT_EQ(fault_text(row(8751)), "A08751");
   EXPECT_EQ(fault_text(row(30005)), "F30005");

@@ -89,12 +89,6 @@ const std::map<std::uint16_t, double> kOfANewUnit{{9, 0.0},
                                                   {8620, kNodeId},
                                                   {8744, 1.0},
                                                   {8790, 1.0}};
-/// Parameters of the second list that are not there yet.
-const std::set<std::uint16_t> kToCome{107,  922,  925,  927,  964,  965,  978,  980,  981,  990,  991,  2030,
-                                      2037, 2038, 2040, 2043, 2044, 2045, 2047, 2048, 2050, 2051, 2053, 2054,
-                                      2060, 2061, 2063, 2065, 2067, 2074, 2075, 2076, 2079, 2080, 2081, 2082,
-                                      2083, 2084, 2088, 2089, 2090, 2091, 2092, 2093, 2094, 2095, 2098, 2099,
-                                      2114, 3101, 3102, 3103, 3104, 3105, 3106, 3107, 3108, 3109, 3116, 8837};
 /// Computed: see the control's own tests, or of the axes only and shown on the control unit too.
 const std::set<std::uint16_t> kTestedElsewhere{1460, 1462, 1470, 1472, 1530, 1531, 2103, 8851, 8861};
 /// Any COB-ID with bit 31 is taken, so the limits are those of the type.
@@ -109,8 +103,7 @@ bool is_mapping(std::uint16_t number) {
 /// The rows of both lists.
 std::vector<CsvRow> both_lists() {
   std::vector<CsvRow> rows = drive_test::read_csv("parameters.csv");
-  for (const CsvRow& row : drive_test::read_csv("interfaces-parameters.csv"))
-    if (kToCome.count(number_of(row)) == 0) rows.push_back(row);
+  for (const CsvRow& row : drive_test::read_csv("interfaces-parameters.csv")) rows.push_back(row);
   return rows;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "daemon/base/utc_text.hpp"
 #include "daemon/control/handlers.hpp"
 #include "daemon/control/parameters/parameter_write.hpp"
 #include "daemon/control/place.hpp"
@@ -42,6 +43,11 @@ drive::DriveUnit& unit_of(const Call& call) noexcept {
   return call.instance.device().runner().unit();
 }
 
+/// Tells under @p key when @p stamp was by the clock of the unit, if that ran.
+void tell_utc(json& told, std::string_view key, const drive::TimeStamp& stamp) {
+  if (stamp.utc) told[std::string{key}] = utc_text(*stamp.utc);
+}
+
 json active_json(const drive::DriveObject& object, const drive::FaultEntry& entry) {
   const drive::FaultRow& row = *entry.row;
   json told{{"axis", place_of(object)},
@@ -54,6 +60,7 @@ json active_json(const drive::DriveObject& object, const drive::FaultEntry& entr
             {"cause", row.cause},
             {"cause_is", kCauses[static_cast<std::size_t>(entry.cause)]},
             {"t", seconds(entry.received.uptime)}};
+  tell_utc(told, "utc", entry.received);
   if (entry.kind != drive::Kind::Fault) return told;
   told["reaction"] =
       kReactions[static_cast<std::size_t>(object.messages().settings.reaction_to(row).value_or(row.reaction))];
@@ -81,6 +88,8 @@ json buffer_json(const drive::BufferEntry& entry, std::size_t place) {
             {"value", entry.value},
             {"received_s", seconds(entry.received.uptime)},
             {"is_active", entry.removed.uptime == 0}};
+  tell_utc(told, "received_utc", entry.received);
+  tell_utc(told, "removed_utc", entry.removed);
   if (entry.removed.uptime != 0) told["removed_s"] = seconds(entry.removed.uptime);
   if (const drive::FaultRow* const row = drive::find_fault(entry.number)) {
     told["code"] = drive::fault_text(*row);

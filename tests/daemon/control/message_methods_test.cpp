@@ -67,6 +67,51 @@ TEST_F(MessageMethods, ShowTheCasesThatWere) {
   EXPECT_FALSE(result_of("fault.buffer", {{"axis", 1}, {"kind", "faults"}}).contains("alarms"));
 }
 
+TEST_F(MessageMethods, TellTheirTimesInUtcOnceTheUnitHasOne) {
+  inject(1, 7900);
+  EXPECT_FALSE(list().at(0).contains("utc"));
+  EXPECT_FALSE(result_of("status").contains("utc"));
+  const auto write = [&](std::uint16_t number, std::size_t index, double value) {
+    EXPECT_TRUE(unit().device().write_parameter(1, number, index, value, now()));
+  };
+  write(3100, 0, 1.0);
+  EXPECT_EQ(result_of("status").at("utc"),
+            (json{{"time", "1970-01-01T00:00:00.000Z"}, {"synchronised", false}, {"method", "ping-snap"}}));
+  write(3103, 0, 2.0);
+  write(3101, 1, 20779.0);
+  write(3101, 0, 86'399'750.0);
+  run(std::chrono::milliseconds{500});
+
+  result_of("fault.ack", {{"axis", 1}});
+  inject(1, 7860);
+
+  const std::string after_midnight = "2026-11-23T00:00:00.250Z";
+  EXPECT_EQ(result_of("status").at("utc"),
+            (json{{"time", after_midnight}, {"synchronised", true}, {"method", "simple"}}));
+  EXPECT_EQ(list().at(0).at("utc"), after_midnight);
+  const json faults = buffer(1).at("faults");
+  EXPECT_EQ(faults.at(0).at("received_utc"), after_midnight);
+  EXPECT_FALSE(faults.at(0).contains("removed_utc"));
+  EXPECT_FALSE(faults.at(1).contains("received_utc")) << "there was none then";
+  EXPECT_EQ(faults.at(1).at("removed_utc"), after_midnight);
+}
+
+TEST_F(MessageMethods, TakeTheTimeOfTheHostOnRequest) {
+  const auto wall = [] { return std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()); };
+  EXPECT_TRUE(unit().device().write_parameter(1, 3103, 0, 4.0, now()));
+  EXPECT_TRUE(unit().device().write_parameter(1, 3100, 0, 1.0, now()));
+
+  const auto before = wall().time_since_epoch().count();
+  const json clock = result_of("status").at("utc");
+  const auto after = wall().time_since_epoch().count();
+
+  EXPECT_EQ(clock.at("synchronised"), true);
+  EXPECT_EQ(clock.at("method"), "host");
+  const auto told = unit().device().unit().control_unit().clock().line().utc().value_or(0);
+  EXPECT_LE(before, static_cast<std::int64_t>(told));
+  EXPECT_LE(static_cast<std::int64_t>(told), after);
+}
+
 TEST_F(MessageMethods, ClearTheBuffersButNotWhatIsActive) {
   inject(1, 7900);
   result_of("fault.ack", {{"axis", 1}});

@@ -28,6 +28,7 @@ constexpr std::array kUnitLabels{
     Label{"node_id", "node-ID", ""},
     Label{"nmt_state", "NMT state", ""},
     Label{"uptime_s", "up for", " s"},
+    Label{"utc", "UTC", ""},
     Label{"bus", "bus", ""},
     Label{"leds", "LEDs", ""},
     Label{"dc_link_V", "DC link", " V"},
