@@ -1,10 +1,15 @@
 #include "modbus/unit_face.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include "profidrive/record/record.hpp"
 
 namespace modbus {
 namespace {
+
+static_assert(RecordMailbox::kMostBytes == profidrive::record::kMostBytes);
 
 constexpr std::uint16_t kCyclicObjects = 978;  // p0978
 constexpr std::uint16_t kConfigurationAlarm = 8555;
@@ -26,11 +31,10 @@ void UnitFace::write_mailbox(std::size_t first, std::span<const std::uint16_t> v
   mailbox_.write(first, values);
   if (was_pending || !mailbox_.is_pending()) return;
   activated_ = runner_.now();
-  if (runner_.is_on()) runner_.wake();
+  runner_.wake();
 }
 
 void UnitFace::show() noexcept {
-  if (mailbox_.is_pending() && runner_.is_on()) runner_.wake();  // it has waited for the power-on
   const bool wanted = target() == nullptr;
   if (!wanted && !has_alarm_) return;
   has_alarm_ = wanted;
@@ -51,7 +55,7 @@ void UnitFace::on_cycles_over() noexcept {
   const unit::CycleClock& clock = runner_.clock();
   if (clock.last() - clock.period() < activated_) return;
   std::array<std::uint8_t, RecordMailbox::kMostBytes> response{};
-  const std::size_t bytes = carry_out_ == nullptr ? 0 : carry_out_(mailbox_.request(), response, access_);
+  const std::size_t bytes = profidrive::record::answer(mailbox_.request(), response, runner_.parameter_access());
   mailbox_.finish(std::span{response}.first(std::min(bytes, response.size())));
 }
 

@@ -24,7 +24,7 @@ class UnitRegisters final : public Service {
   /// is refused.
   [[nodiscard]] bool write(std::uint16_t first, std::span<const std::uint16_t> values) noexcept override;
   // Service
-  bool is_available() const noexcept override { return face_.target() != nullptr; }
+  bool is_available() const noexcept override { return runner_.is_on() && face_.target() != nullptr; }
   bool take_command() noexcept override;
   void on_command_lost() noexcept override { interface_.on_connection_lost(commanded_); }
 

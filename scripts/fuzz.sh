@@ -2,6 +2,7 @@
 # fuzz.sh [--minutes N | --runs N] [--jobs N] [--fast] [--keep]: lets libFuzzer look for inputs that a node handles against its rules.
 # fuzz.sh --eds [--minutes N | --runs N] [--jobs N] [--fast]: likewise texts that the reader of EDS files handles against its rules.
 # fuzz.sh --records [--minutes N | --runs N] [--jobs N] [--fast] [--keep]: likewise records and parameter channels of PROFIdrive that a unit answers against the rules.
+# fuzz.sh --modbus [--minutes N | --runs N] [--jobs N] [--fast]: likewise streams of Modbus TCP that a unit answers against the rules.
 #
 # Builds tests/fuzz with clang (build/fuzz; --fast: build/fuzz-fast, without the sanitizers) and runs it for N minutes (1), or
 # for N executions in all, in N processes (all processors), from the kept corpus and the dialogues. Ends with the number of executions, the rate and the
@@ -9,6 +10,7 @@
 # possible (--records: into tests/fuzz/records/corpus). An input that breaks a rule stays in build/fuzz/findings and makes the exit status 1:
 #   build/fuzz/bin/tests/node_replay --trace build/fuzz/findings/crash-...
 # Records start from their kept inputs; one that breaks a rule is played again by build/fuzz/bin/tests/records_fuzz FILE.
+# Streams of Modbus TCP start from tests/data/modbus, where a test plays them; build/fuzz/bin/tests/modbus_fuzz FILE plays one again.
 # Texts start from tests/data/eds; one that breaks a rule is read again by build/fuzz/bin/tests/eds_fuzz FILE.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -24,21 +26,27 @@ while (($#)); do
     --keep) keep=yes ;;
     --eds) target=eds ;;
     --records) target=records ;;
-    *) misuse "unknown option $1; usage: fuzz.sh [--eds | --records] [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
+    --modbus) target=modbus ;;
+    *) misuse "unknown option $1; usage: fuzz.sh [--eds | --records | --modbus] [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
   esac
   shift
 done
-[[ $target != eds || ! $keep ]] || misuse "--keep is not for texts; one that shows something new goes into tests/data/eds"
+[[ $target != eds && $target != modbus || ! $keep ]] ||
+  misuse "--keep is not for texts and streams of Modbus TCP; one that shows something new goes into tests/data/$target"
 
 need_packages clang libclang-rt-14-dev
 folder=$root/build/$preset
-mkdir -p "$folder"/{seeds,found,found-eds,found-records,findings,logs}
+mkdir -p "$folder"/{seeds,found,found-eds,found-records,found-modbus,findings,logs}
 rm -f "$folder"/logs/*
 fuzzer=$folder/bin/tests/${target}_fuzz
 if [[ $target == eds ]]; then
   build "$preset" eds_fuzz
   inputs=("$folder/found-eds" "$root/tests/data/eds")
   options=(-max_len=8192 -timeout=10)
+elif [[ $target == modbus ]]; then
+  build "$preset" modbus_fuzz
+  inputs=("$folder/found-modbus" "$root/tests/data/modbus")
+  options=(-max_len=1500 -timeout=10)
 elif [[ $target == records ]]; then
   build "$preset" records_fuzz
   corpus=$root/tests/fuzz/records/corpus

@@ -30,7 +30,7 @@ test_packages=(
   # masters of the tests
   python3-can python3-msgpack python3-pytest python3-yaml
   # clients of Modbus TCP, and who decodes what they send
-  mbpoll python3-pymodbus tshark
+  mbpoll python3-pymodbus python3-serial-asyncio tshark
   # holds the schema of configurations against their reader
   python3-jsonschema
   # form and faults of the source

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "can/port/address.hpp"
-#include "daemon/configuration/modbus_settings.hpp"
 #include "daemon/configuration/motor_source.hpp"
-#include "daemon/configuration/record_settings.hpp"
+#include "daemon/configuration/settings/modbus_settings.hpp"
+#include "daemon/configuration/settings/record_settings.hpp"
 #include "drive/base/load_mechanics.hpp"
 #include "drive/base/object_kind.hpp"
 #include "drive/base/positioner_wiring.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "daemon/configuration/json_reader.hpp"
-#include "daemon/configuration/modbus_settings.hpp"
+#include "daemon/configuration/settings/modbus_settings.hpp"
 
 namespace axisd {
 

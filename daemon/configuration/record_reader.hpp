@@ -1,7 +1,7 @@
 #pragma once
 
 #include "daemon/configuration/json_reader.hpp"
-#include "daemon/configuration/record_settings.hpp"
+#include "daemon/configuration/settings/record_settings.hpp"
 
 namespace axisd {
 

@@ -4,7 +4,7 @@ namespace axisd {
 
 ModbusDoor::ModbusDoor(const ModbusSettings& settings, device::Device& device, profidrive::Interface& if1)
     : device_{device},
-      face_{device.runner(), nullptr},
+      face_{device.runner()},
       registers_{device.runner(), if1, face_},
       server_{settings, registers_} {
   if1.serve_modbus();

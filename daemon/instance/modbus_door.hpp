@@ -1,6 +1,6 @@
 #pragma once
 
-#include "daemon/configuration/modbus_settings.hpp"
+#include "daemon/configuration/settings/modbus_settings.hpp"
 #include "daemon/modbus/modbus_server.hpp"
 #include "device/device.hpp"
 #include "modbus/unit_registers.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "daemon/configuration/modbus_settings.hpp"
+#include "daemon/configuration/settings/modbus_settings.hpp"
 #include "os/descriptor.hpp"
 
 namespace axisd {

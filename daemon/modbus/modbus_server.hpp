@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "daemon/configuration/modbus_settings.hpp"
+#include "daemon/configuration/settings/modbus_settings.hpp"
 #include "modbus/connection.hpp"
 #include "modbus/service.hpp"
 #include "os/descriptor.hpp"

@@ -75,8 +75,9 @@ inline constexpr std::array kLayers{
     Layer{"daemon/configuration",
           {"motor/", "drive/", "can/port/address.hpp", "record/format.hpp", "trace/settings.hpp", "trace/json/",
            "text/", "fmt/", "nlohmann/"}},
-    Layer{"daemon/modbus",
-          {"daemon/base/", "daemon/configuration/modbus_settings.hpp", "modbus/", "os/", "fmt/", kSystem}},
+    Layer{
+        "daemon/modbus",
+        {"daemon/base/", "daemon/configuration/settings/modbus_settings.hpp", "modbus/", "os/", "fmt/", kSystem}},
     Layer{"daemon/watch",
           {"daemon/base/", "daemon/configuration/", "daemon/version.hpp", "libcanopen/", "drive/", "unit/",
            "device/", "can/port/", "record/", "trace/", "os/", "fmt/", "nlohmann/", kSystem}},

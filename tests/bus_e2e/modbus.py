@@ -1,7 +1,7 @@
 """Modbus TCP beside a CANopen master: modbus.py BIN-FOLDER CLIENT
 
-CLIENT is mbpoll, pymodbus, modbus-serial or tshark; where it is missing the test is skipped: exit status 77. To be run
-by with-can, on a bus of its own.
+CLIENT is mbpoll, pymodbus, jsmodbus or tshark; where it is missing the test is skipped: exit status 77. "turn" moves
+the axis, "taken" starts another axisd at the same port. To be run by with-can, on a bus of its own.
 """
 
 import contextlib
@@ -17,6 +17,7 @@ import threading
 import time
 
 import programs
+from control_client import ControlClient
 from master import BOOT_UP, Master, can
 
 SKIPPED = 77
@@ -50,7 +51,7 @@ class Plain:
         self.log = []
 
     def ask(self, pdu):
-        request = struct.pack('>HHHB', len(self.log) + 1, 0, len(pdu) + 1, 0x11) + pdu
+        request = struct.pack('>HHHB', len(self.log) + 1 & 0xFFFF, 0, len(pdu) + 1, 0x11) + pdu
         self.socket.sendall(request)
         head = self._take(7)
         answer = head + self._take(struct.unpack('>H', head[4:6])[0] - 1)
@@ -81,6 +82,7 @@ def wait_for(what, read, is_there):
     end = time.monotonic() + programs.PATIENCE
     while not is_there(value := read()):
         assert time.monotonic() < end, f'{what} stays {value}'
+        time.sleep(0.01)
     return value
 
 
@@ -123,27 +125,27 @@ def with_pymodbus(port, _folder):
     client.close()
 
 
-SERIAL = '''
-const ModbusRTU = require('modbus-serial');
-(async () => {
-  const client = new ModbusRTU();
-  await client.connectTCP('127.0.0.1', {port: Number(process.argv[1])});
-  client.setID(17);
-  const reference = (await client.readHoldingRegisters(323, 1)).data;
-  await client.writeRegister(321, 700);
-  await client.writeRegisters(321, [800, 900]);
-  const ramps = (await client.readHoldingRegisters(321, 2)).data;
-  const code = await client.writeRegister(339, 1).then(() => 0, (error) => error.modbusCode);
+JSMODBUS = '''
+const net = require('net'), modbus = require('jsmodbus');
+const socket = new net.Socket(), client = new modbus.client.TCP(socket, 17);
+socket.on('connect', async () => {
+  const values = async (...place) => (await client.readHoldingRegisters(...place)).response.body.valuesAsArray;
+  const reference = await values(323, 1);
+  await client.writeSingleRegister(321, 700);
+  await client.writeMultipleRegisters(321, [800, 900]);
+  const ramps = await values(321, 2);
+  const code = await client.writeSingleRegister(339, 1).then(() => 0, (error) => error.response.body.code);
   console.log(JSON.stringify({reference, ramps, code}));
-  client.close();
-})();
+  socket.end();
+});
+socket.connect({host: '127.0.0.1', port: Number(process.argv[1])});
 '''
 
 
-def with_modbus_serial(port, _folder):
-    if not shutil.which('node') or run(['node', '-e', "require('modbus-serial')"]).returncode != 0:
-        skip('node has no module modbus-serial')
-    answer = run(['node', '-e', SERIAL, str(port)])
+def with_jsmodbus(port, _folder):
+    if not shutil.which('node') or run(['node', '-e', "require('jsmodbus')"]).returncode != 0:
+        skip('node has no module jsmodbus')
+    answer = run(['node', '-e', JSMODBUS, str(port)])
     assert answer.returncode == 0, answer.stderr
     assert json.loads(answer.stdout) == {'reference': [3000], 'ramps': [800, 900], 'code': 4}, answer.stdout
 
@@ -158,6 +160,7 @@ def with_tshark(port, folder):
     client.write(40322, 1500, 1600)
     client.write(40601, 1, 0x2F0A, 0x8001, 0x0101, 0x1001, 0x0002, 0x0000)
     wait_for('40601', lambda: client.read(40601)[0], lambda control: control == 2)
+    assert client.read(40602, 4)[:3] == [0x2F08, 0x8001, 0x0101], client.read(40602, 4)
     for pdu in (b'\x04\0\0\0\1', b'\x03\0\0\0\x7e', b'\x03\x02\xd2\0\1', b'\x06\1\x53\0\1'):
         answer = client.ask(pdu)
         assert answer[0] == pdu[0] | 0x80, answer.hex()
@@ -177,12 +180,24 @@ def with_tshark(port, folder):
         assert text in decoded.stdout, text
 
 
-CLIENTS = {'mbpoll': with_mbpoll, 'pymodbus': with_pymodbus, 'modbus-serial': with_modbus_serial,
-           'tshark': with_tshark}
+def start_another(port, folder):
+    """A second axisd at the same port: one line, exit status 1."""
+    with open(folder.path('other.json'), 'w', encoding='ascii') as file:
+        json.dump({'modbus': {'port': port}}, file)
+    other = run([os.path.join(folder.bin_folder, 'axisd'), '--interface', f'unix:{os.environ["CAN_BUS"]}', '--node-id', '6',
+                 '--config', folder.path('other.json'), '--control', 'none', '--state-directory', folder.path('other')])
+    assert other.returncode == 1, other
+    assert other.stderr == (f'axisd: modbus 127.0.0.1:{port}: Address already in use: expected a port that nobody '
+                            'serves\n'), other.stderr
 
 
-def turn(port, master):
+CLIENTS = {'mbpoll': with_mbpoll, 'pymodbus': with_pymodbus, 'jsmodbus': with_jsmodbus,
+           'tshark': with_tshark, 'taken': start_another}
+
+
+def turn(port, folder, master):
     """The axis runs by process data over Modbus while a CANopen master looks on."""
+    ControlClient(folder.path('control.sock'), programs.PATIENCE).call('parameter.write', axis=1, parameter='p0922', value=1)
     client = Plain(port)
     client.write(40100, 0x047E, 0)
     wait_for('ZSW1', lambda: client.read(40110)[0], lambda word: word & 0x6F == 0x21)
@@ -200,9 +215,9 @@ def main():
         master = Master(bus)
         ramps = {'p1120': 0.2, 'p1121': 0.2}
         if name == 'turn':
-            with served_unit(folder, axes=[{'parameters': {**ramps, 'p0922': 1}}]) as port:
+            with served_unit(folder, axes=[{'parameters': ramps}]) as port:
                 master.expect(*BOOT_UP)
-                turn(port, master)
+                turn(port, folder, master)
             return
         with served_unit(folder) as port:
             master.expect(*BOOT_UP)

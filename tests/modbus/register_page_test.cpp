@@ -23,7 +23,8 @@ std::string parameter_of(const RegisterRow& row) {
 }
 
 std::string scale_of(const Scale& scale) {
-  const std::string text = scale.divisor == 1 ? std::to_string(scale.multiplier) : fmt::format("1/{}", scale.divisor);
+  const std::string text =
+      scale.divisor == 1 ? std::to_string(scale.multiplier) : fmt::format("1/{}", scale.divisor);
   return scale.is_signed ? text + ", signed" : text;
 }
 

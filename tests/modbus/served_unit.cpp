@@ -10,19 +10,11 @@ namespace modbus {
 
 using namespace std::chrono_literals;
 
-ServedUnit::ServedUnit(const unit::Configuration& configuration, RecordAnswer carry_out)
-    : runner{configuration, shelf}, face{runner, carry_out} {
+ServedUnit::ServedUnit(const unit::Configuration& configuration) : runner{configuration, shelf} {
   runner.attach(interface);
   runner.attach(face);
   runner.start(unit::TimePoint{1h});
   passes(20ms);
-}
-
-std::size_t ServedUnit::echo(std::span<const std::uint8_t> request,
-                             std::span<std::uint8_t, RecordMailbox::kMostBytes> response,
-                             drive::ParameterAccess&) noexcept {
-  std::ranges::copy(request, response.begin());
-  return request.size();
 }
 
 std::string ServedUnit::exchange(std::string_view frames) {

@@ -14,12 +14,8 @@ namespace modbus {
 /// follow. Time is told.
 class ServedUnit {
  public:
-  explicit ServedUnit(const unit::Configuration& configuration = one_axis(), RecordAnswer carry_out = echo);
+  explicit ServedUnit(const unit::Configuration& configuration = one_axis());
   static unit::Configuration one_axis() { return {.drive = {.axes = {{}}, .node_id = 5}}; }
-  /// A record that is answered by itself.
-  static std::size_t echo(std::span<const std::uint8_t> request,
-                          std::span<std::uint8_t, RecordMailbox::kMostBytes> response,
-                          drive::ParameterAccess& access) noexcept;
 
   /// What one connection answers to @p frames, hexadecimal, of any number.
   std::string exchange(std::string_view frames);
@@ -36,7 +32,7 @@ class ServedUnit {
   unit::Shelf shelf;
   unit::Runner runner;
   profidrive::Interface interface { runner };
-  UnitFace face;
+  UnitFace face{runner};
   UnitRegisters registers{runner, interface, face};
   Counters counters{};
   Connection connection{registers, counters};

@@ -144,11 +144,34 @@ TEST(UnitRegisters, RememberThatProcessDataWasWritten) {
   EXPECT_FALSE(unit.registers.take_command());
 }
 
+TEST(UnitRegisters, TellTheUnitThatWhoeverWroteProcessDataIsGone) {
+  ServedUnit unit;
+  unit.write(40100, 0x047E);
+  unit.passes(8ms);
+  unit.registers.on_command_lost();
+  unit.passes(8ms);
+  EXPECT_EQ(unit.read(40409), 1925);
+
+  unit.write(40100, 0x047E);
+  unit.passes(8ms);
+  EXPECT_EQ(unit.read(40409), 0);
+}
+
+TEST(UnitRegisters, HoldTheProtocolWhileTheyAreServed) {
+  ServedUnit unit;
+  unit.interface.serve_modbus();
+  EXPECT_EQ(unit.value(kUnit, 2030), 13.0);
+  const auto refused = unit.runner.write_parameter(kUnit, 2030, 0, 7.0, unit.runner.now());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().reason, drive::RefusalReason::Locked);
+}
+
 TEST(UnitRegisters, CarryRecordsInTheFirstWholeCycle) {
   ServedUnit unit;
   EXPECT_TRUE(unit.runner.is_resting());
   unit.passes(1ms);
-  EXPECT_EQ(unit.exchange("0001 0000 000D 01 10 0258 0003 06 0001 2F02 ABCD"), "000100000006011002580003");
+  EXPECT_EQ(unit.exchange("0001 0000 0015 01 10 0258 0007 0E 0001 2F0A 8001 0201 1001 0460 0000"),
+            "000100000006011002580007");
   EXPECT_EQ(unit.read(40601), 1);
   EXPECT_EQ(unit.read(40602), 0x2F00);
   EXPECT_EQ(unit.read(40603), 4);
@@ -158,8 +181,9 @@ TEST(UnitRegisters, CarryRecordsInTheFirstWholeCycle) {
   unit.passes(2ms);
 
   EXPECT_EQ(unit.read(40601), 2);
-  EXPECT_EQ(unit.read(40602), 0x2F02);
-  EXPECT_EQ(unit.read(40603), 0xABCD);
+  EXPECT_EQ(unit.read(40602), 0x2F0A);
+  EXPECT_EQ(unit.exchange("0001 0000 0006 01 03 025A 0006").substr(18), "800102010801412000000000")
+      << "p1120 = 10 s";
   unit.passes(20ms);
   EXPECT_TRUE(unit.runner.is_resting());
 }

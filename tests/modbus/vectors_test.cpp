@@ -1,6 +1,7 @@
 // Examples byte for byte that need no axis in motion and no records.
 #include <array>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/modbus/hexadecimal.hpp"
@@ -57,6 +58,56 @@ const std::array kVectors{
            {{"0001000000151110025800070E0001300A80010201100100020000", "000100000006111002580007"},
             {"000100000006110302580003", "00010000000911030600022F000003"}}},
 };
+
+TEST(RecordVectors, ReadAParameterOfTheUnitAndOfTheAxis) {
+  ServedUnit unit;
+  EXPECT_EQ(unit.exchange("0001000000151110025800070E00012F0A80010101100100020000"), "000100000006111002580007");
+  unit.passes(std::chrono::milliseconds{100});
+  const std::string of_unit = unit.exchange("000100000006110302580007");
+  EXPECT_EQ(of_unit.substr(0, 38), "00010000001111030E00022F08800101010301");
+  EXPECT_EQ(of_unit.substr(42), "0000");
+
+  EXPECT_EQ(unit.exchange("0001000000151110025800070E00012F0A80010201100100020000"), "000100000006111002580007");
+  unit.passes(std::chrono::milliseconds{100});
+  EXPECT_EQ(
+      unit.exchange("000100000006110302580007"),
+      fmt::format("00010000001111030E00022F08800102010301{:04X}0000", static_cast<unsigned>(unit.value(2, 2))));
+}
+
+/// A source of p2051: word @p index of r2050 of the own drive object.
+constexpr double received_word(unsigned index) {
+  constexpr unsigned kReceived = 2050, kOwn = 63;
+  return static_cast<double>(kReceived << 16U | kOwn << 10U | index);
+}
+
+TEST(ProcessDataVectors, ReadTwoWords) {
+  ServedUnit unit;
+  unit.set(2, 2051, received_word(1), 0);
+  unit.set(2, 2051, received_word(2), 1);
+  EXPECT_EQ(unit.exchange("00010000000D1110006300030604001122"
+                          "3344"),
+            "000100000006111000630003");
+  unit.passes(std::chrono::milliseconds{20});
+  EXPECT_EQ(unit.exchange("0001000000061103006D0002"), "00010000000711030411223344");
+  EXPECT_EQ(unit.exchange("000100000006110300630003"), "000100000009110306040011223344");
+}
+
+TEST(ProcessDataVectors, Timeout) {
+  ServedUnit unit;
+  unit.set(2, 922, 1);
+  unit.set(1, 2040, 500);
+  unit.set(2, 2044, 0);
+  unit.passes(std::chrono::seconds{2});
+  EXPECT_EQ(unit.exchange("0001000000061103018F0001"), "0001000000051103020000")
+      << "never written: time does not run";
+  EXPECT_EQ(unit.exchange("00010000000611060063047E"), "00010000000611060063047E");
+  unit.passes(std::chrono::milliseconds{400});
+  EXPECT_EQ(unit.exchange("0001000000061103006D0001").size(), 22U) << "begins the time anew";
+  unit.passes(std::chrono::milliseconds{400});
+  EXPECT_EQ(unit.exchange("0001000000061103018F0001"), "0001000000051103020000");
+  unit.passes(std::chrono::milliseconds{400});
+  EXPECT_EQ(unit.exchange("0001000000061103018F0001"), "0001000000051103020776");
+}
 
 class Vectors : public testing::TestWithParam<Vector> {};
 
