@@ -160,13 +160,12 @@ TEST(PositionByTelegram, NineRunsMdi) {
 
 TEST(PositionByTelegram, HundredAndTenRunsMdiWithOverride) {
   PositioningTelegram unit{110};
-  const auto words = [](std::uint16_t stw1, std::uint16_t override) {
-    return Words{stw1,         0x8000,      0,           0,      override, upper(20000),
+  const auto words = [](std::uint16_t stw1, std::uint16_t override, std::uint16_t pos_stw = 0) {
+    return Words{stw1,         0x8000,      pos_stw,     0,      override, upper(20000),
                  lower(20000), upper(6000), lower(6000), 0x4000, 0x4000,   1};
   };
   unit.exchange(words(kReady, 0), 100ms);
-  unit.reference();
-  unit.exchange(words(kReady, 0), 100ms);
+  unit.exchange(words(kReady, 0, 2), 100ms);
   unit.exchange(words(kEnabled, 0), 1s);
   unit.exchange(words(kStart, 0), 1s);
   EXPECT_NEAR(unit.position(), 0.0, 20.0);
