@@ -5,7 +5,7 @@
 
 #include "drive/object/drive_object.hpp"
 #include "drive/values/factory_values.hpp"
-#include "drive/values/firmware.hpp"
+#include "drive/values/unit_values.hpp"
 
 namespace drive::profile_value {
 namespace {

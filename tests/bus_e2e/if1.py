@@ -50,7 +50,7 @@ def main():
                 raise AssertionError(f'{held} is not locked')
             except ControlError as refused:
                 assert 'locked' in refused.args[0]['message'], refused
-        master.write(0x21B6, 0, b'\x02\x00')  # p8630[0] = 2
+        master.write(0x41B6, 0, b'\x02\x00')  # p8630[0] = 2
         try:
             master.write(0x2348, 0, b'\x00\x00\x00\x00')  # p0840
             raise AssertionError('p0840 is not locked over SDO')

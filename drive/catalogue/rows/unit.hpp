@@ -7,7 +7,6 @@
 #include "drive/values/axis_values.hpp"
 #include "drive/values/checks.hpp"
 #include "drive/values/factory_values.hpp"
-#include "drive/values/firmware.hpp"
 #include "drive/values/unit_values.hpp"
 
 namespace drive::rows {
