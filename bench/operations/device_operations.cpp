@@ -144,6 +144,37 @@ struct TurningTick {
   DeviceUnit bus;
 };
 
+/// The same tick with 20 words each way on IF1 beside the bus.
+struct ExchangingTick : TurningTick {
+  ExchangingTick() {
+    for (std::size_t i = 0; i < words.size(); ++i) connect(i, kSources[i % kSources.size()]);
+    step();
+    check(bus.unit.unit().object(kAxis)->read(2050, kLast) == kCounted, "the last word that is received");
+    check(bus.if1.sent(kAxis)[kLast] != 0, "the last word that is sent");
+  }
+  void step() {
+    ++words[kLast - 1];
+    bus.if1.receive(kAxis, words);
+    TurningTick::step();
+  }
+  void connect(std::size_t word, std::uint16_t source) {
+    constexpr std::uint16_t kSentWord = 2051;
+    const auto written = bus.unit.write_parameter(kAxis, kSentWord, word, drive::own_source(source, 0), bus.now);
+    check(written.has_value(), "source of a word that is sent");
+  }
+
+  static constexpr std::uint8_t kAxis = drive::kFirstAxisNumber;
+  static constexpr std::size_t kWords = 20, kLast = kWords - 1;
+  static constexpr std::uint16_t kCounted = 7, kControlByPlc = 0x0400;
+  /// Speeds, torques, currents, status words.
+  static constexpr std::array<std::uint16_t, 5> kSources{63, 80, 899, 68, 2050};
+  std::array<std::uint16_t, kWords> words = [] {
+    std::array<std::uint16_t, kWords> all{kControlByPlc};
+    all.back() = kCounted;
+    return all;
+  }();
+};
+
 struct RestingTick {
   RestingTick() {
     bus.enter_operational();
@@ -171,6 +202,7 @@ std::vector<OperationRow> device_operations() {
       {"device/rpdo", "unit: RPDO with 3 objects applied", make<Rpdo>},
       {"device/sync_4", "unit: SYNC to 4 TPDOs, 7 objects", make<Sync>},
       {"device/tick_turning", "unit: 4 ms tick, axis at speed, 4 event-driven TPDOs sent", make<TurningTick>},
+      {"device/tick_exchanging", "unit: the same with 20 words each way on IF1", make<ExchangingTick>},
       {"device/tick_resting", "unit: tick with nothing due", make<RestingTick>},
   };
   const auto cycles = cycle_operations();

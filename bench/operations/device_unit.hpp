@@ -4,6 +4,7 @@
 
 #include "bench/operations/frames.hpp"
 #include "device/device.hpp"
+#include "profidrive/interface/interface.hpp"
 
 namespace bench {
 
@@ -11,6 +12,7 @@ namespace bench {
 struct DeviceUnit final : device::Listener {
   explicit DeviceUnit(std::size_t axes = 1)
       : unit{{.node_id = kNodeId, .axes = std::vector<device::AxisSetup>(axes)}, sink, *this} {
+    unit.attach(if1);
     unit.start(now);
   }
 
@@ -35,6 +37,7 @@ struct DeviceUnit final : device::Listener {
   canopen::TimePoint now{std::chrono::hours{1}};
   CountingSink sink;
   device::Device unit;
+  profidrive::Interface if1{unit.runner()};
 };
 
 }  // namespace bench
