@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "drive/axis/axis_step.hpp"
 #include "drive/drive_unit.hpp"
 #include "drive/images/storage_image.hpp"
 #include "tests/drive/measuring_axis.hpp"

@@ -105,7 +105,10 @@ TEST(SpeedTelegram20, SendsWhatNamurAsksFor) {
 
 /// An axis with the positioner, referenced by parameter.
 struct PositioningTelegram : If1Unit {
-  explicit PositioningTelegram(double telegram) : If1Unit{positioner()} { set(922, telegram); }
+  explicit PositioningTelegram(double telegram) : If1Unit{positioner()} {
+    set(922, telegram);
+    set(2040, 0.0, 0, kControlUnit);
+  }
   void reference() {
     set(2596, 1.0);
     passes(100ms);

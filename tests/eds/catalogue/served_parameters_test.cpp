@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <ostream>
 #include <set>
@@ -16,6 +17,8 @@ namespace {
 
 constexpr unsigned kFirstObject = 0x2000;
 constexpr unsigned kLastObject = 0x470F;
+/// Sub-indices of an object that an EDS has; further indices p8630[1] shows.
+constexpr unsigned kMostSubIndices = 0xFF;
 
 /// A kind of drive object, its EDS, and the scope of what the vendor's EDS lists of it.
 struct File {
@@ -48,11 +51,12 @@ struct ServedParameters : testing::TestWithParam<File> {
 TEST_P(ServedParameters, StandInTheEdsOfTheirDriveObjectWithEveryIndex) {
   for (const drive::PlacedRow& placed : parameters()) {
     const drive::ParameterRow& row = *placed.row;
-    for (unsigned index = 0; index <= row.count; ++index) {
+    const unsigned shown = std::min<unsigned>(row.count, kMostSubIndices);
+    for (unsigned index = 0; index <= shown; ++index) {
       SCOPED_TRACE(drive::parameter_text(row) + "[" + std::to_string(index) + "]");
       const Section* const entry = find_entry(file, static_cast<std::uint16_t>(kFirstObject + row.number),
                                               static_cast<std::uint8_t>(index));
-      ASSERT_EQ(entry != nullptr, index < row.count);
+      ASSERT_EQ(entry != nullptr, index < shown);
       if (entry == nullptr) break;
       EXPECT_EQ(number_at(*entry, "DataType"), type_of(row.type));
       EXPECT_EQ(entry->at("AccessType"), row.is_writable() ? "rw" : "ro");
