@@ -100,7 +100,7 @@ inline constexpr StatusBits kPosZsw1Bits{{
     {2684, 13}, {2684, 14},          // STOP cams
     {2094, 0}, {2094, 1},            // jogging, referencing
     {2684, 1},                       // flying referencing
-    {2094, 2}, {2094, 4},            // traversing blocks, MDI
+    {2094, 2}, {2094, 4},            // traversing blocks, setting-up
     {2670, 15},
 }};
 inline constexpr StatusBits kPosZsw2Bits{{

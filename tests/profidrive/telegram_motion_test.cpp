@@ -194,7 +194,7 @@ TEST(PositionByTelegram, HundredAndElevenReferencesAndRunsMdi) {
   const Words sent = unit.sent(12);
   EXPECT_NE(sent[0] & kTargetReached, 0);
   EXPECT_NEAR(sent[5] << 16 | sent[6], 20000, 20);
-  EXPECT_NE(sent[1] & 0x4000, 0) << "MDI is active";
+  EXPECT_NE(sent[1] & 0x8000, 0) << "MDI is active";
   EXPECT_EQ(sent[9], 0U);
 
   unit.exchange(words(kOff3, 0, 20000), 1s);
