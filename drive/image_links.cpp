@@ -13,6 +13,7 @@ std::uint16_t word_of(const SignalSource& source) noexcept {
 
 void ImageLinks::reserve(std::size_t bits) {
   bit_sources_.reserve(bits);
+  words_of_sources_.reserve(bits);
   word_sources_.reserve(bits_of_words_.size());
   sent_words_.reserve(sent_.size());
   sent_double_words_.reserve(sent_.size());
@@ -21,7 +22,7 @@ void ImageLinks::reserve(std::size_t bits) {
 void ImageLinks::clear() noexcept {
   for (auto* const places : {&bit_sources_, &word_sources_, &sent_words_, &sent_double_words_}) places->clear();
   std::ranges::fill(sent_, std::uint16_t{0});
-  std::ranges::copy(inverted_words_, constant_words_.begin());
+  words_of_sources_.clear();
   std::ranges::copy(inverted_words_, words_of_bits_.begin());
   std::ranges::copy(inverted_bits_, bits_of_words_.begin());
 }
@@ -49,11 +50,27 @@ void ImageLinks::connect_word(const Place& place) noexcept {
   bits_of_words_[place.word] = static_cast<std::uint16_t>(word_of(place.source) ^ inverted_bits_[place.word]);
 }
 
+/// Bits of the same word stand side by side.
 void ImageLinks::connect_bit(const Place& place) noexcept {
-  if (!place.source.is_constant()) return bit_sources_.push_back(place);
-  std::uint16_t& word = constant_words_[place.word];
-  word = static_cast<std::uint16_t>(word ^ static_cast<unsigned>(place.source.bit()) << place.bit);
-  words_of_bits_[place.word] = word;
+  if (place.source.is_constant()) return set_bit(place, place.source.bit());
+  const auto last = std::find_if(bit_sources_.rbegin(), bit_sources_.rend(),
+                                 [&](const Place& other) { return other.source.shares_word(place.source); });
+  bit_sources_.insert(last != bit_sources_.rend() ? last.base() : bit_sources_.end(), place);
+}
+
+void ImageLinks::set_bit(const Place& place, bool level) noexcept {
+  const unsigned mask = 1U << place.bit;
+  const bool is_set = level != ((inverted_words_[place.word] & mask) != 0);
+  std::uint16_t& word = words_of_bits_[place.word];
+  word = static_cast<std::uint16_t>(is_set ? word | mask : word & ~mask);
+}
+
+void ImageLinks::finish() noexcept {
+  for (std::size_t i = 0; i < bit_sources_.size(); ++i) {
+    const SignalSource& source = bit_sources_[i].source;
+    if (i == 0 || !source.shares_word(bit_sources_[i - 1].source)) words_of_sources_.push_back({source, i});
+    ++words_of_sources_.back().count;
+  }
 }
 
 void ImageLinks::convert_words() noexcept {
@@ -62,17 +79,28 @@ void ImageLinks::convert_words() noexcept {
 }
 
 void ImageLinks::convert_bits() noexcept {
-  auto words = constant_words_;
-  for (const Place& place : bit_sources_)
-    words[place.word] =
-        static_cast<std::uint16_t>(words[place.word] ^ (static_cast<unsigned>(place.source.bit()) << place.bit));
-  std::ranges::copy(words, words_of_bits_.begin());
+  for (Word& word : words_of_sources_) {
+    const double now = word.source.word();
+    if (now == word.taken) continue;
+    word.taken = now;
+    for (const Place& place : std::span{bit_sources_}.subspan(word.first, word.count))
+      set_bit(place, place.source.bit(now));
+  }
 }
 
+/// A word changes with the number of its source alone.
 void ImageLinks::send() noexcept {
-  for (const Place& place : sent_words_) sent_[place.word] = word_of(place.source);
-  for (const Place& place : sent_double_words_) {
-    const auto value = static_cast<std::uint32_t>(place.source.process_data<std::int32_t>());
+  for (Place& place : sent_words_) {
+    const double now = place.source.number();
+    if (now == place.taken) continue;
+    place.taken = now;
+    sent_[place.word] = static_cast<std::uint16_t>(place.source.process_data<std::int16_t>(now));
+  }
+  for (Place& place : sent_double_words_) {
+    const double now = place.source.number();
+    if (now == place.taken) continue;
+    place.taken = now;
+    const auto value = static_cast<std::uint32_t>(place.source.process_data<std::int32_t>(now));
     sent_[place.word] = static_cast<std::uint16_t>(value >> 16);
     sent_[place.word + 1] = static_cast<std::uint16_t>(value);
   }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,6 +29,8 @@ class ImageLinks {
   void clear() noexcept;
   /// Index @p index of @p input is connected to @p from.
   void connect(const ImageInput& input, std::size_t index, const SignalSource& from) noexcept;
+  /// Everything is connected.
+  void finish() noexcept;
 
   bool has_words() const noexcept { return !word_sources_.empty(); }
   bool has_bits() const noexcept { return !bit_sources_.empty(); }
@@ -46,8 +48,17 @@ class ImageLinks {
     std::size_t word = 0;
     std::size_t bit = 0;
     SignalSource source{};
+    double taken = std::numeric_limits<double>::quiet_NaN();  ///< the number that was last sent
+  };
+  /// A word that brings bits, which stand side by side.
+  struct Word {
+    SignalSource source;
+    std::size_t first = 0;
+    std::size_t count = 0;
+    double taken = std::numeric_limits<double>::quiet_NaN();  ///< what it was when its bits were last taken
   };
   void connect_bit(const Place& place) noexcept;
+  void set_bit(const Place& place, bool level) noexcept;
   void connect_word(const Place& place) noexcept;
 
   std::span<std::uint16_t> sent_;
@@ -55,8 +66,8 @@ class ImageLinks {
   std::span<std::uint16_t, 2> bits_of_words_;
   std::span<const std::uint16_t, 5> inverted_words_;
   std::span<const std::uint16_t, 2> inverted_bits_;
-  std::array<std::uint16_t, 5> constant_words_{};  ///< what words of bits are without the sources that vary
   std::vector<Place> bit_sources_;
+  std::vector<Word> words_of_sources_;  ///< of the bits
   std::vector<Place> word_sources_;
   std::vector<Place> sent_words_;
   std::vector<Place> sent_double_words_;

@@ -5,7 +5,6 @@
 
 #include "drive/base/scaling.hpp"
 #include "drive/base/units.hpp"
-#include "drive/parameter/rounding.hpp"
 
 namespace drive {
 namespace {
@@ -68,6 +67,7 @@ SignalSource::SignalSource(const DriveUnit& unit, const DriveObject& own, std::u
   if (placed_ == nullptr) return;
   object_ = object;
   index_ = source.position;
+  unit_ = row_of(placed_->row->unit).si;
   (placed_->row->output == Output::Bits ? word_index_ : bit_) = source.position;
   const auto full = full_scale(*object, *placed_->row);
   is_quantity_ = full.has_value();
@@ -96,25 +96,13 @@ void SignalSource::take_plain() noexcept {
   is_quantity_ = true;
 }
 
-double SignalSource::parameter(double number) const noexcept {
-  if (conversion_ == Conversion::None) return number;
-  const double in_unit = number / row_of(placed_->row->unit).si;
-  return conversion_ == Conversion::RoundedUnit ? rounded(in_unit) : in_unit;
-}
-
-double SignalSource::value(double number, double full) const noexcept {
-  if (is_constant()) return scale_ * full;
-  const double value = parameter(number);
-  return is_quantity_ ? value * scale_ * full : value;
-}
-
 template <class Int>
-Int SignalSource::process_data() const noexcept {
+Int SignalSource::process_data(double number) const noexcept {
   constexpr double kFull = sizeof(Int) == 2 ? kWord : kDoubleWord;
-  if (is_quantity_) return saturated<Int>(value(kFull));
-  return static_cast<Int>(static_cast<std::int64_t>(std::round(parameter(number()))));
+  if (is_quantity_) return saturated<Int>(value(number, kFull));
+  return static_cast<Int>(static_cast<std::int64_t>(std::round(parameter(number))));
 }
-template std::int16_t SignalSource::process_data() const noexcept;
-template std::int32_t SignalSource::process_data() const noexcept;
+template std::int16_t SignalSource::process_data(double) const noexcept;
+template std::int32_t SignalSource::process_data(double) const noexcept;
 
 }  // namespace drive

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "drive/drive_unit.hpp"
+#include "drive/parameter/rounding.hpp"
 
 namespace drive {
 
@@ -40,11 +41,20 @@ class SignalSource {
   /// quantity relative to its reference (p2000 to p2007 of the drive object that it comes from), process data
   /// relative to their own 100 %, a number without unit as it is.
   double value(double full) const noexcept { return value(number(), full); }
-  double value(double number, double full) const noexcept;
+  double value(double number, double full) const noexcept {
+    if (is_constant()) return scale_ * full;
+    const double value = parameter(number);
+    return is_quantity_ ? value * scale_ * full : value;
+  }
   /// The same as a word or double word of process data: a quantity saturates at the ends of @p Int, of a number
   /// the lower bits count.
   template <class Int>
-  Int process_data() const noexcept;
+  Int process_data() const noexcept {
+    return process_data<Int>(number());
+  }
+  /// The same where number() is @p number.
+  template <class Int>
+  Int process_data(double number) const noexcept;
 
  private:
   /// What makes the parameter, in its own unit, of the number.
@@ -59,7 +69,11 @@ class SignalSource {
     if (get_ != nullptr) return get_(place_, index);
     return is_constant() ? 0.0 : object_->value(*placed_, index);
   }
-  double parameter(double number) const noexcept;
+  double parameter(double number) const noexcept {
+    if (conversion_ == Conversion::None) return number;
+    const double in_unit = number / unit_;
+    return conversion_ == Conversion::RoundedUnit ? rounded(in_unit) : in_unit;
+  }
 
   const DriveObject* object_ = nullptr;  ///< of the parameter; none for a constant
   const PlacedRow* placed_ = nullptr;
@@ -70,6 +84,7 @@ class SignalSource {
   std::uint16_t bit_ = 0;
   Conversion conversion_ = Conversion::None;
   bool is_quantity_ = true;
+  double unit_ = 1.0;   ///< of the parameter, in SI units
   double scale_ = 0.0;  ///< 1 / what is 100 %; of a constant the share of 100 %
 };
 

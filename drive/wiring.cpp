@@ -86,6 +86,7 @@ void Wiring::connect(Object& entry) noexcept {
   for (ImageLinks& image : entry.images) image.clear();
   for_each_input(*entry.object, [&](const ParameterRow& row, const auto& input) { connect(entry, row, input); });
   for (Inputs& inputs : entry.blocks) group(inputs);
+  for (ImageLinks& image : entry.images) image.finish();
 }
 
 SignalSource Wiring::source(const DriveObject& object, const ParameterRow& row, std::size_t index) const noexcept {

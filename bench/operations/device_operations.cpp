@@ -147,7 +147,10 @@ struct TurningTick {
 /// The same tick with 20 words each way on IF1 beside the bus.
 struct ExchangingTick : TurningTick {
   ExchangingTick() {
-    for (std::size_t i = 0; i < words.size(); ++i) connect(i, kSources[i % kSources.size()]);
+    constexpr std::uint16_t kBits = 2080, kSentWord = 2051, kMadeOfBits = 2089;
+    for (std::uint16_t bit = 0; bit < kStatusBits; ++bit) connect({kBits, bit}, {899, bit});
+    connect({kSentWord, 0}, {kMadeOfBits, 0});
+    for (std::uint16_t i = 1; i < kWords; ++i) connect({kSentWord, i}, {kSources[i % kSources.size()], 0});
     step();
     check(bus.unit.unit().object(kAxis)->read(2050, kLast) == kCounted, "the last word that is received");
     check(bus.if1.sent(kAxis)[kLast] != 0, "the last word that is sent");
@@ -157,17 +160,21 @@ struct ExchangingTick : TurningTick {
     bus.if1.receive(kAxis, words);
     TurningTick::step();
   }
-  void connect(std::size_t word, std::uint16_t source) {
-    constexpr std::uint16_t kSentWord = 2051;
-    const auto written = bus.unit.write_parameter(kAxis, kSentWord, word, drive::own_source(source, 0), bus.now);
-    check(written.has_value(), "source of a word that is sent");
+  struct Place {
+    std::uint16_t number, index;
+  };
+  void connect(const Place& input, const Place& source) {
+    const auto written = bus.unit.write_parameter(kAxis, input.number, input.index,
+                                                  drive::own_source(source.number, source.index), bus.now);
+    check(written.has_value(), "source of what is sent");
   }
 
   static constexpr std::uint8_t kAxis = drive::kFirstAxisNumber;
   static constexpr std::size_t kWords = 20, kLast = kWords - 1;
   static constexpr std::uint16_t kCounted = 7, kControlByPlc = 0x0400;
-  /// Speeds, torques, currents, status words.
-  static constexpr std::array<std::uint16_t, 5> kSources{63, 80, 899, 68, 2050};
+  static constexpr std::uint16_t kStatusBits = 13;
+  /// Speed, torque, current, power, a word that was received: behind a status word.
+  static constexpr std::array<std::uint16_t, 5> kSources{63, 80, 82, 68, 2050};
   std::array<std::uint16_t, kWords> words = [] {
     std::array<std::uint16_t, kWords> all{kControlByPlc};
     all.back() = kCounted;

@@ -17,7 +17,9 @@ template <class Int>
 Int saturated(double value) noexcept {
   constexpr auto kLow = static_cast<double>(std::numeric_limits<Int>::min());
   constexpr auto kHigh = static_cast<double>(std::numeric_limits<Int>::max());
-  return static_cast<Int>(std::clamp(std::round(value), kLow, kHigh));
+  constexpr double kHalf = 0.5;
+  const double bounded = std::clamp(value, kLow, kHigh);
+  return static_cast<Int>(bounded + (bounded < 0.0 ? -kHalf : kHalf));  // which cuts off
 }
 
 /// 6094h: speeds on the bus are multiplied by the numerator and divided by the denominator.

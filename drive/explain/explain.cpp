@@ -50,8 +50,8 @@ std::string order_for(const DriveObject& object, std::uint16_t input, bool wante
   const BicoSource source = unpack(packed);
   const bool received = source.number >= kFirstReceivedBits && source.number <= kLastReceivedBits;
   if (source.number >= kFirstIf1Bits && source.number <= kLastIf1Bits)
-    return fmt::format("send word {} on IF1 with bit {} = {}{}", source.number - kFirstIf1Bits + 1, source.position,
-                       wanted ? 1 : 0,
+    return fmt::format("send word {} on IF1 with bit {} = {}{}", source.number - kFirstIf1Bits + 1,
+                       source.position, wanted ? 1 : 0,
                        is_own(object, source) ? "" : fmt::format(" to drive object {}", source.object));
   if (received)
     return fmt::format("send a controlword with bit {} = {}{}", source.position, wanted ? 1 : 0,

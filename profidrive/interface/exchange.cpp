@@ -1,11 +1,13 @@
 #include "profidrive/interface/exchange.hpp"
 
+#include <chrono>
+
 namespace profidrive {
 namespace {
 
 constexpr std::uint16_t kReceivedWord = 2050;  // r2050
 constexpr std::uint16_t kSentWord = 2051;      // p2051
-constexpr std::uint16_t kSignOfLife = 2045;    // p2045
+constexpr std::uint16_t kWithoutControl = 2037, kFaultDelay = 2044, kSignOfLife = 2045, kTolerance = 925;
 constexpr std::uint16_t kControlByPlc = 1U << 10;
 constexpr unsigned kSignOfLifeShift = 12;
 constexpr std::uint16_t kSignOfLifeBits = 0xF000;
@@ -32,9 +34,9 @@ void Exchange::select(const Selection& selection) noexcept {
   selection_ = selection;
   const bool has_telegram = selection.telegram != nullptr;
   sign_of_life_sent_ =
-      has_telegram ? place_of(selection.telegram->sent, &SentWord::has_sign_of_life) : std::nullopt;
+      has_telegram ? profidrive::place_of(selection.telegram->sent, &SentWord::has_sign_of_life) : std::nullopt;
   synchronised_sent_ =
-      has_telegram ? place_of(selection.telegram->sent, &SentWord::shows_synchronised) : std::nullopt;
+      has_telegram ? profidrive::place_of(selection.telegram->sent, &SentWord::shows_synchronised) : std::nullopt;
 }
 
 void Exchange::receive(std::span<const std::uint16_t> words, std::size_t first) noexcept {
@@ -50,19 +52,42 @@ bool Exchange::is_frozen() const noexcept {
          (pending_[0] & kControlByPlc) == 0;
 }
 
-/// p2045, as far as it is connected to a word of the same drive object.
-std::optional<std::size_t> Exchange::place_of_sign_of_life() const noexcept {
-  const auto packed = static_cast<std::uint32_t>(object_->kept_value(kSignOfLife).value_or(0.0));
-  const drive::BicoSource source = drive::unpack(packed);
-  const bool is_own = source.object == drive::kOwnObject || source.object == object_->number();
-  const bool is_word = is_own && source.number == kReceivedWord && source.position < received_words_;
-  return is_word ? std::optional<std::size_t>{source.position} : std::nullopt;
+/// The word of the same drive object that p2045 = @p source is connected to, if it is one.
+std::optional<std::size_t> Exchange::place_of(double source) const noexcept {
+  const drive::BicoSource from = drive::unpack(static_cast<std::uint32_t>(source));
+  const bool is_own = from.object == drive::kOwnObject || from.object == object_->number();
+  const bool is_word = is_own && from.number == kReceivedWord && from.position < received_words_;
+  return is_word ? std::optional<std::size_t>{from.position} : std::nullopt;
+}
+
+void Exchange::follow(std::uint16_t number, double value) noexcept {
+  switch (number) {
+    case kWithoutControl:
+      without_control_ = WithoutControl{static_cast<std::uint8_t>(value)};
+      break;
+    case kFaultDelay:
+      fault_delay_ = std::chrono::duration_cast<unit::Duration>(std::chrono::duration<double>{value});
+      break;
+    case kSignOfLife:
+      sign_of_life_received_ = place_of(value);
+      break;
+    case kTolerance:
+      tolerance_ = static_cast<std::uint16_t>(value);
+      break;
+    default:
+      break;
+  }
+}
+
+void Exchange::follow_parameters() noexcept {
+  for (const std::uint16_t number : {kWithoutControl, kFaultDelay, kSignOfLife, kTolerance})
+    follow(number, object_->kept_value(number).value_or(0.0));
 }
 
 std::optional<unsigned> Exchange::received_sign_of_life() const noexcept {
   if (is_frozen() && without_control_ == WithoutControl::FreezeWithSignOfLife) return std::nullopt;
-  const auto place = place_of_sign_of_life();
-  return place ? std::optional{unsigned{pending_[*place]} >> kSignOfLifeShift} : std::nullopt;
+  if (!sign_of_life_received_) return std::nullopt;
+  return unsigned{pending_[*sign_of_life_received_]} >> kSignOfLifeShift;
 }
 
 void Exchange::take() noexcept {
@@ -75,7 +100,7 @@ void Exchange::take() noexcept {
   }
   received[0] = with_bits(received[0], pending_[0], kControlByPlc);
   if (without_control_ == WithoutControl::FreezeWithSignOfLife) return;
-  if (const auto place = place_of_sign_of_life())
+  if (const auto place = sign_of_life_received_)
     received[*place] = with_bits(received[*place], pending_[*place], kSignOfLifeBits);
 }
 

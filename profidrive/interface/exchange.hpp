@@ -33,7 +33,14 @@ class Exchange {
   /// What p0922 and p2079 have selected.
   const Selection& selection() const noexcept { return selection_; }
   void select(const Selection& selection) noexcept;
-  void set_without_control(WithoutControl what) noexcept { without_control_ = what; }
+  /// Parameter @p number of the drive object has value @p value: p2037, p2044, p2045 and p0925 are known here.
+  void follow(std::uint16_t number, double value) noexcept;
+  /// All of them are as the drive object has them.
+  void follow_parameters() noexcept;
+  /// p2044.
+  unit::Duration fault_delay() const noexcept { return fault_delay_; }
+  /// p0925.
+  std::uint16_t tolerance() const noexcept { return tolerance_; }
 
   /// Words @p first and following come.
   void receive(std::span<const std::uint16_t> words, std::size_t first) noexcept;
@@ -59,7 +66,7 @@ class Exchange {
 
  private:
   bool is_frozen() const noexcept;
-  std::optional<std::size_t> place_of_sign_of_life() const noexcept;
+  std::optional<std::size_t> place_of(double source) const noexcept;
 
   drive::DriveObject* object_;
   std::size_t received_words_;
@@ -67,7 +74,10 @@ class Exchange {
   Selection selection_{};
   std::optional<std::size_t> sign_of_life_sent_;
   std::optional<std::size_t> synchronised_sent_;
+  std::optional<std::size_t> sign_of_life_received_;  ///< by p2045
   WithoutControl without_control_ = WithoutControl::Freeze;
+  unit::Duration fault_delay_{};
+  std::uint16_t tolerance_ = 0;
   bool has_new_ = false;
   Words pending_{};
   Words sent_{};

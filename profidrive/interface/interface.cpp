@@ -1,14 +1,11 @@
 #include "profidrive/interface/interface.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace profidrive {
 namespace {
 
-constexpr std::uint16_t kMonitoringTime = 2040, kFurtherTime = 2047, kFaultDelay = 2044;
-constexpr std::uint16_t kTolerance = 925;
 constexpr std::uint16_t kAssignment = 8839;
 constexpr std::uint16_t kTimeout = 1910, kNoSignOfLife = 1912, kInterruption = 1920, kConnectionLost = 1925;
 constexpr std::uint16_t kWrongAssignment = 8550;
@@ -22,13 +19,6 @@ constexpr std::uint16_t kNeutralControlword = 0x0070;
 double number(const drive::DriveObject& object, std::uint16_t parameter, std::size_t index = 0) noexcept {
   return object.kept_value(parameter, index).value_or(0.0);
 }
-unit::Duration milliseconds(double value) noexcept {
-  return std::chrono::duration_cast<unit::Duration>(std::chrono::duration<double, std::milli>{value});
-}
-unit::Duration seconds(double value) noexcept {
-  return std::chrono::duration_cast<unit::Duration>(std::chrono::duration<double>{value});
-}
-
 }  // namespace
 
 Exchange* Interface::find(std::uint8_t object) noexcept {
@@ -63,19 +53,13 @@ Selection Interface::selection(std::uint8_t object) const noexcept {
   return exchange != nullptr ? exchange->selection() : Selection{};
 }
 
-Monitoring::Times Interface::times_of(const drive::DriveObject& object) const noexcept {
-  return {.limit = milliseconds(number(control_unit(), kMonitoringTime)),
-          .further = milliseconds(number(control_unit(), kFurtherTime)),
-          .fault_delay = seconds(number(object, kFaultDelay))};
-}
-
 void Interface::receive(std::uint8_t object, std::span<const std::uint16_t> words, std::size_t first) noexcept {
   Exchange* const exchange = find(object);
   if (exchange == nullptr || !assignment_.if1) return;
   is_used_ = true;
   exchange->receive(words, first);
   begin(*exchange);
-  exchange->monitoring.receive(runner_.now(), times_of(exchange->object()));
+  exchange->monitoring.receive(runner_.now(), {limit_, further_, exchange->fault_delay()});
   watch_sign_of_life(*exchange);
   runner_.wake();
 }
@@ -94,9 +78,8 @@ void Interface::begin(Exchange& exchange) noexcept {
 void Interface::watch_sign_of_life(Exchange& exchange) noexcept {
   const auto value = exchange.received_sign_of_life();
   if (!value) return;
-  const auto tolerance = static_cast<std::uint16_t>(number(exchange.object(), kTolerance));
   const bool is_axis = exchange.object().kind() != drive::ObjectKind::ControlUnit;
-  if (exchange.sign_of_life.receive(*value, tolerance) && is_axis) tell(exchange, kNoSignOfLife, true);
+  if (exchange.sign_of_life.receive(*value, exchange.tolerance()) && is_axis) tell(exchange, kNoSignOfLife, true);
 }
 
 void Interface::touch(std::uint8_t object) noexcept {

@@ -60,6 +60,7 @@ class Interface final : public unit::Face, private unit::ParameterOwner, private
   std::optional<drive::Refusal> take(const unit::ParameterPlace& place, double value) noexcept override;
   bool holds(const drive::DriveObject& object, std::uint16_t number, std::size_t index) const noexcept override;
   void select(Exchange& exchange, const Selection& selection) noexcept;
+  void follow(std::uint16_t number, double value) noexcept;
   void follow_cycle(double period) noexcept;
   std::optional<drive::Refusal> select_standard(Exchange& exchange, double number) noexcept;
   std::optional<drive::Refusal> select_extended(Exchange& exchange, double number) noexcept;
@@ -68,7 +69,6 @@ class Interface final : public unit::Face, private unit::ParameterOwner, private
   Exchange* find(std::uint8_t object) noexcept;
   const Exchange* find(std::uint8_t object) const noexcept;
   drive::DriveObject& control_unit() const noexcept { return runner_.unit().control_unit(); }
-  Monitoring::Times times_of(const drive::DriveObject& object) const noexcept;
   void begin(Exchange& exchange) noexcept;
   void watch_sign_of_life(Exchange& exchange) noexcept;
   void monitor(Exchange& exchange) noexcept;
@@ -79,6 +79,8 @@ class Interface final : public unit::Face, private unit::ParameterOwner, private
   unit::Runner& runner_;
   std::vector<Exchange> exchanges_;
   Assignment assignment_{};
+  unit::Duration limit_{};    ///< p2040
+  unit::Duration further_{};  ///< p2047
   bool serves_modbus_ = false;
   bool is_used_ = false;         ///< something has come, or a telegram is selected
   unsigned cycles_of_unit_ = 1;  ///< cycles of the unit (p8848) in one of the interface (p2048)

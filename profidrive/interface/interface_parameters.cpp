@@ -1,6 +1,7 @@
 // What parameters of IF1 lead to, and what they show.
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "profidrive/interface/interface.hpp"
@@ -11,16 +12,19 @@ namespace {
 
 constexpr std::uint16_t kSelection = 922, kExtendedSelection = 2079;
 constexpr std::uint16_t kProtocol = 2030, kModbusTcp = 13;
-constexpr std::uint16_t kWithoutControl = 2037, kCycle = 2048, kCycleOfUnit = 8848, kAssignment = 8839;
+constexpr std::uint16_t kWithoutControl = 2037, kMonitoringTime = 2040, kFaultDelay = 2044, kSignOfLife = 2045,
+                        kFurtherTime = 2047, kTolerance = 925, kCycle = 2048, kCycleOfUnit = 8848,
+                        kAssignment = 8839;
 constexpr std::uint16_t kState = 2054, kWrongSignsOfLife = 2065, kHighestConnected = 2067;
 constexpr std::uint16_t kOffsetReceived = 2075, kOffsetSent = 2076;
 constexpr std::uint16_t kSentWord = 2051, kSentDoubleWord = 2061;
 constexpr double kNotConnected = 65535.0;
 
 /// Those that are asked for here.
-constexpr std::array<std::uint16_t, 10> kAnswered{
-    kSelection, kExtendedSelection, kProtocol,         kWithoutControl, kCycle,
-    kState,     kWrongSignsOfLife,  kHighestConnected, kOffsetReceived, kOffsetSent};
+constexpr std::array kAnswered{
+    kSelection,        kExtendedSelection, kProtocol,   kWithoutControl, kMonitoringTime, kFaultDelay,
+    kSignOfLife,       kFurtherTime,       kTolerance,  kCycle,          kState,          kWrongSignsOfLife,
+    kHighestConnected, kOffsetReceived,    kOffsetSent, kAssignment};
 
 // r2054
 constexpr double kNoConnection = 1.0, kCyclic = 4.0;
@@ -88,7 +92,6 @@ Interface::Interface(unit::Runner& runner) : runner_{runner} {
     if (drive::contains(drive::kWithProcessData, object.kind())) exchanges_.emplace_back(object);
   });
   for (const std::uint16_t number : kAnswered) runner.parameters().answer(number, *this);
-  runner.parameters().answer(kAssignment, *this);
   runner.parameters().lock_by(*this);
 }
 
@@ -138,16 +141,20 @@ std::optional<drive::Refusal> Interface::take(const unit::ParameterPlace& place,
       return select_standard(*exchange, value);
     case kExtendedSelection:
       return select_extended(*exchange, value);
-    case kWithoutControl:
-      exchange->set_without_control(WithoutControl{static_cast<std::uint8_t>(value)});
-      break;
-    case kCycle:
-      follow_cycle(value);
-      break;
     default:
       break;
   }
+  follow(place.row.number, value);
+  exchange->follow(place.row.number, value);
   return std::nullopt;
+}
+
+/// What the interface has of its own of parameter @p number of the control unit.
+void Interface::follow(std::uint16_t number, double value) noexcept {
+  const auto time = std::chrono::duration_cast<unit::Duration>(std::chrono::duration<double, std::milli>{value});
+  if (number == kMonitoringTime) limit_ = time;
+  if (number == kFurtherTime) further_ = time;
+  if (number == kCycle) follow_cycle(value);
 }
 
 /// p0922: p2079 follows.
@@ -172,6 +179,7 @@ void Interface::select(Exchange& exchange, const Selection& selection) noexcept 
   if (!is_new || selection.telegram == nullptr) return;
   is_used_ = true;
   wire(exchange.object(), selection, FreeWords::Propose);
+  exchange.follow_parameters();
 }
 
 /// The parameters of the drive object have become others: what is selected holds its inputs, whatever they were
@@ -186,13 +194,13 @@ void Interface::follow_selection(Exchange& exchange) noexcept {
   if (standard != telegrams::kFreeWords || selection.telegram == nullptr)
     object.bring_in(kExtendedSelection, 0, standard);
   exchange.select(selection);
-  exchange.set_without_control(
-      WithoutControl{static_cast<std::uint8_t>(object.kept_value(kWithoutControl).value_or(0.0))});
-  follow_cycle(control_unit().kept_value(kCycle).value_or(0.0));
-  if (selection.telegram == nullptr) return;
+  for (const std::uint16_t number : {kMonitoringTime, kFurtherTime, kCycle})
+    follow(number, control_unit().kept_value(number).value_or(0.0));
+  if (selection.telegram == nullptr) return exchange.follow_parameters();
   is_used_ = true;
   const bool was_wired = object.kept_value(kSentWord).value_or(0.0) > 0.0;
   wire(object, selection, was_wired ? FreeWords::Stay : FreeWords::Propose);
+  exchange.follow_parameters();
 }
 
 /// @p period: p2048 (ms). It cannot be shorter than a cycle of the unit.
