@@ -26,7 +26,7 @@ constexpr std::uint32_t kEncoderFault = 1;  ///< error code in Gn_XIST2
 void EncoderInterface::run(const Seen& seen) noexcept {
   const std::uint16_t before = control_;
   control_ = static_cast<std::uint16_t>(static_cast<std::int64_t>(inputs.control_words[0]));
-  const auto came = [=, this](unsigned bit) { return has(bit) && (before >> bit & 1U) == 0; };
+  const auto came = [=, this](unsigned bit) { return has(bit) && (unsigned{before} >> bit & 1U) == 0; };
   if (came(kAcknowledge)) acknowledged_ = seen.faulty && !seen.cause_present;
   if (!seen.faulty) acknowledged_ = false;
   taken_ = acknowledged_ ? std::numeric_limits<double>::quiet_NaN() : inputs.control_words[0];

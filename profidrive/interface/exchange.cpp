@@ -2,13 +2,13 @@
 
 #include <chrono>
 
+#include "profidrive/telegram/parameter_numbers.hpp"
+
 namespace profidrive {
 namespace {
 
-constexpr std::uint16_t kReceivedWord = 2050;  // r2050
-constexpr std::uint16_t kSentWord = 2051;      // p2051
-constexpr std::uint16_t kWithoutControl = 2037, kFaultDelay = 2044, kSignOfLife = 2045, kTolerance = 925;
-constexpr std::uint16_t kControlByPlc = 1U << 10;
+using namespace parameter;
+
 constexpr unsigned kSignOfLifeShift = 12;
 constexpr std::uint16_t kSignOfLifeBits = 0xF000;
 constexpr std::uint16_t kSynchronised = 1U << 8;

@@ -14,6 +14,9 @@
 
 namespace profidrive {
 
+/// Bit 10 of STW1.
+inline constexpr std::uint16_t kControlByPlc = 1U << 10;
+
 /// What a drive object without control by PLC (bit 10 of STW1) makes of the words that come (p2037).
 enum class WithoutControl : std::uint8_t {
   Freeze = 0,  ///< they stay as they were, but for the sign of life

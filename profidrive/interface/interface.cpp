@@ -6,9 +6,7 @@
 namespace profidrive {
 namespace {
 
-constexpr std::uint16_t kAssignment = 8839;
 constexpr std::uint16_t kTimeout = 1910, kNoSignOfLife = 1912, kInterruption = 1920, kConnectionLost = 1925;
-constexpr std::uint16_t kWrongAssignment = 8550;
 
 // Of r2043.
 constexpr std::size_t kNoSetpoints = 0, kRuns = 2;
@@ -16,9 +14,6 @@ constexpr std::size_t kNoSetpoints = 0, kRuns = 2;
 /// The controlword of the CAN bus has no say in what goes through no input: no halt, the ramp is free.
 constexpr std::uint16_t kNeutralControlword = 0x0070;
 
-double number(const drive::DriveObject& object, std::uint16_t parameter, std::size_t index = 0) noexcept {
-  return object.kept_value(parameter, index).value_or(0.0);
-}
 }  // namespace
 
 Exchange* Interface::find(std::uint8_t object) noexcept {
@@ -183,18 +178,6 @@ void Interface::adopt(const unit::Replacement& replacement) noexcept {
     exchange.object().if1().interface_state = {};
   }
   assign();
-}
-
-/// p8839 as of power-on.
-void Interface::assign() noexcept {
-  const auto hardware = [this](std::size_t index) {
-    return Hardware{static_cast<std::uint8_t>(number(control_unit(), kAssignment, index))};
-  };
-  assignment_ = assignment_of(hardware(0), hardware(1));
-  if (assignment_.is_valid)
-    runner_.unit().withdraw(drive::kControlUnitNumber, kWrongAssignment);
-  else
-    static_cast<void>(runner_.unit().raise(drive::kControlUnitNumber, kWrongAssignment, 0, drive::Cause::Present));
 }
 
 }  // namespace profidrive

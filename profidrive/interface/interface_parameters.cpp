@@ -5,20 +5,17 @@
 #include <cmath>
 
 #include "profidrive/interface/interface.hpp"
+#include "profidrive/telegram/parameter_numbers.hpp"
 #include "profidrive/telegram/telegrams.hpp"
 
 namespace profidrive {
 namespace {
 
-constexpr std::uint16_t kSelection = 922, kExtendedSelection = 2079;
-constexpr std::uint16_t kProtocol = 2030, kModbusTcp = 13;
-constexpr std::uint16_t kWithoutControl = 2037, kMonitoringTime = 2040, kFaultDelay = 2044, kSignOfLife = 2045,
-                        kFurtherTime = 2047, kTolerance = 925, kCycle = 2048, kCycleOfUnit = 8848,
-                        kAssignment = 8839;
-constexpr std::uint16_t kState = 2054, kWrongSignsOfLife = 2065, kHighestConnected = 2067;
-constexpr std::uint16_t kOffsetReceived = 2075, kOffsetSent = 2076;
-constexpr std::uint16_t kSentWord = 2051, kSentDoubleWord = 2061;
+using namespace parameter;
+
+constexpr double kModbusTcp = 13.0;  // p2030
 constexpr double kNotConnected = 65535.0;
+constexpr std::uint16_t kWrongAssignment = 8550;  // A08550
 
 /// Those that are asked for here.
 constexpr std::array kAnswered{
@@ -35,11 +32,11 @@ struct ReceivedRange {
   std::size_t words = 0;
 };
 ReceivedRange words_of(const drive::BicoSource& source) noexcept {
-  constexpr std::uint16_t kWord = 2050, kDoubleWord = 2060, kFirstBits = 2090, kLastBits = 2093;
-  if (source.number == kWord) return {source.position, 1};
-  if (source.number == kDoubleWord) return {source.position, 2};
-  if (source.number >= kFirstBits && source.number <= kLastBits)
-    return {static_cast<std::size_t>(source.number - kFirstBits), 1};
+  constexpr std::uint16_t kWordsWithBits = 4;
+  if (source.number == kReceivedWord) return {source.position, 1};
+  if (source.number == kReceivedDoubleWord) return {source.position, 2};
+  if (source.number >= kReceivedBits && source.number < kReceivedBits + kWordsWithBits)
+    return {static_cast<std::size_t>(source.number - kReceivedBits), 1};
   return {};
 }
 
@@ -114,7 +111,7 @@ std::optional<double> Interface::value_of(const unit::ParameterPlace& place) con
   };
   switch (place.row.number) {
     case kProtocol:
-      return serves_modbus_ ? std::optional{static_cast<double>(kModbusTcp)} : std::nullopt;
+      return serves_modbus_ ? std::optional{kModbusTcp} : std::nullopt;
     case kState:
       return std::ranges::any_of(exchanges_, is_running) ? kCyclic : kNoConnection;
     case kWrongSignsOfLife:
@@ -214,6 +211,18 @@ bool Interface::holds(const drive::DriveObject& object, std::uint16_t number, st
   if (number == kProtocol && serves_modbus_) return true;
   const Exchange* const exchange = find(object.number());
   return exchange != nullptr && is_held(object, exchange->selection(), number, index);
+}
+
+/// p8839 as of power-on.
+void Interface::assign() noexcept {
+  const auto hardware = [this](std::size_t index) {
+    return Hardware{static_cast<std::uint8_t>(control_unit().kept_value(kAssignment, index).value_or(0.0))};
+  };
+  assignment_ = assignment_of(hardware(0), hardware(1));
+  if (assignment_.is_valid)
+    runner_.unit().withdraw(drive::kControlUnitNumber, kWrongAssignment);
+  else
+    static_cast<void>(runner_.unit().raise(drive::kControlUnitNumber, kWrongAssignment, 0, drive::Cause::Present));
 }
 
 }  // namespace profidrive

@@ -7,8 +7,6 @@
 namespace profidrive {
 namespace {
 
-constexpr std::uint16_t kControlByPlc = 1U << 10;
-
 /// An axis whose telegram commands it.
 struct Picture {
   const Interface& interface;

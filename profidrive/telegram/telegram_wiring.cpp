@@ -2,24 +2,17 @@
 
 #include <algorithm>
 
+#include "profidrive/telegram/parameter_numbers.hpp"
 #include "profidrive/telegram/telegrams.hpp"
 
 namespace profidrive {
 namespace {
 
+using namespace parameter;
 using drive::DriveObject;
 
-constexpr std::uint16_t kSelection = 922;
-constexpr std::uint16_t kExtendedSelection = 2079;
-constexpr std::uint16_t kInterfaceMode = 2038;
-constexpr std::uint16_t kConnectCanControlword = 8790;
-
-// Received words, their bits, and the first converter from words to bits.
-constexpr std::uint16_t kReceivedWord = 2050, kReceivedDoubleWord = 2060, kReceivedBits = 2090;
-constexpr std::uint16_t kWordOfConverter = 2094, kSourceOfConverter = 2099;
-// Words to be sent, and the converters from bits to words with what inverts them.
-constexpr std::uint16_t kSentWord = 2051, kSentDoubleWord = 2061;
-constexpr std::uint16_t kBitsOfWord = 2080, kConverters = 5, kInversion = 2088, kMadeOfBits = 2089;
+/// Converters from bits to words (p2080 to p2084).
+constexpr std::uint16_t kConverters = 5;
 
 double own(std::uint16_t number, std::size_t position) noexcept {
   return drive::own_source(number, static_cast<std::uint16_t>(position));

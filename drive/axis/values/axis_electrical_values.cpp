@@ -16,7 +16,7 @@ using std::numbers::sqrt3;
 
 constexpr double kPercent = row_of(Unit::Percent).si;
 constexpr std::size_t kOfThePowerUnit = 1;
-constexpr std::size_t kMotorEncoder = 0;
+constexpr std::size_t kFirstEncoder = 0;
 
 /// @p amplitude of a phase as a value between lines (rms).
 double between_lines(double amplitude) noexcept {
@@ -55,12 +55,12 @@ double phase_current(const Axis& axis, std::size_t index) noexcept {
   return index < phases.size() ? phases[index] : 0.0;
 }
 double absolute_position(const Axis& axis, std::size_t index) noexcept {
-  if (index != kMotorEncoder) return 0.0;
+  if (index != kFirstEncoder) return 0.0;
   return axis.block<EncoderInterface>().second_value(axis.has_encoder_fault(),
                                                      axis.drive_train().encoder().absolute_position());
 }
 double encoder_status(const Axis& axis, std::size_t index) noexcept {
-  return index == kMotorEncoder ? axis.block<EncoderInterface>().status(axis.has_encoder_fault()) : 0.0;
+  return index == kFirstEncoder ? axis.block<EncoderInterface>().status(axis.has_encoder_fault()) : 0.0;
 }
 double maximum_current(const Axis& axis, std::size_t index) noexcept {
   const double of_the_unit = axis.context().axis.inverter.maximum_current;
