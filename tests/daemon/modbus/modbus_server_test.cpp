@@ -208,7 +208,12 @@ TEST_F(Served, SurvivesAnyBytes) {
   }
   clients.clear();
   while (server.clients() != 0) work();
-  EXPECT_EQ(client().ask(kRead, kReadBytes), kReadAnswer);
+  // Random bytes may be a request that writes a register.
+  constexpr std::size_t kDigitsOfTheValue = 4;
+  std::string answer = client().ask(kRead, kReadBytes), expected{kReadAnswer};
+  answer.resize(answer.size() - kDigitsOfTheValue);
+  expected.resize(expected.size() - kDigitsOfTheValue);
+  EXPECT_EQ(answer, expected);
 }
 
 std::string error_of(const ModbusSettings& settings) {
