@@ -25,7 +25,7 @@ constexpr std::size_t kQuotedValue = 100;
 /// @p value as a message shows it.
 std::string shown(const json* value) {
   std::string text = value == nullptr ? "nothing" : value->dump(-1, ' ', true);
-  if (text.size() > kQuotedValue) text.replace(kQuotedValue, std::string::npos, "...");
+  if (text.size() > kQuotedValue) text.erase(kQuotedValue).append("...");
   return text;
 }
 

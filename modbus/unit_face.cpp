@@ -38,10 +38,10 @@ void UnitFace::show() noexcept {
   const bool wanted = target() == nullptr;
   if (!wanted && !has_alarm_) return;
   has_alarm_ = wanted;
-  if (!wanted) return runner_.unit().withdraw(drive::kControlUnitNumber, kConfigurationAlarm);
+  const std::uint8_t object = drive::kControlUnitNumber;
+  if (!wanted) return runner_.unit().withdraw(object, kConfigurationAlarm);
   if (shows_alarm()) return;
-  static_cast<void>(
-      runner_.unit().raise(drive::kControlUnitNumber, kConfigurationAlarm, kNoAxis, drive::Cause::Present));
+  static_cast<void>(runner_.unit().raise(object, kConfigurationAlarm, kNoAxis, drive::Cause::Present));
 }
 
 bool UnitFace::shows_alarm() const noexcept {

@@ -1,17 +1,29 @@
 #include "unit/unit_parameters.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace unit {
 
+/// What was named before keeps the numbers on both sides.
 void UnitParameters::answer(std::uint16_t first, std::uint16_t last, ParameterOwner& owner) {
-  ranges_.insert(ranges_.begin(), Range{first, last, &owner});
+  std::vector<Range> ranges{{first, last, &owner}};
+  for (const Range& range : ranges_) {
+    if (range.first < first)
+      ranges.push_back({range.first, std::min(range.last, static_cast<std::uint16_t>(first - 1)), range.owner});
+    if (range.last > last)
+      ranges.push_back({std::max(range.first, static_cast<std::uint16_t>(last + 1)), range.last, range.owner});
+  }
+  std::ranges::sort(ranges, {}, &Range::first);
+  ranges_ = std::move(ranges);
 }
 
 ParameterOwner* UnitParameters::owner_of(std::uint16_t number) const noexcept {
-  const auto range =
-      std::ranges::find_if(ranges_, [=](const Range& r) { return number >= r.first && number <= r.last; });
-  return range != ranges_.end() ? range->owner : nullptr;
+  const auto behind = std::ranges::upper_bound(ranges_, number, {}, &Range::first);
+  if (behind == ranges_.begin()) return nullptr;
+  const Range& range = *std::prev(behind);
+  return number <= range.last ? range.owner : nullptr;
 }
 
 std::optional<drive::Refusal> UnitParameters::on_parameter(const drive::DriveObject& object,

@@ -37,7 +37,7 @@ class UnitParameters final : public drive::ParameterHost {
   };
   ParameterOwner* owner_of(std::uint16_t number) const noexcept;
 
-  std::vector<Range> ranges_;  ///< the latest first
+  std::vector<Range> ranges_;  ///< apart from each other, ascending
   std::vector<const ParameterLock*> locks_;
 };
 

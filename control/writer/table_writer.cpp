@@ -74,7 +74,7 @@ class TableWriter {
 
 std::string TableWriter::texts(std::span<const std::string_view> texts) {
   if (texts.empty()) return "{}";
-  const std::string array = name("Texts");
+  std::string array = name("Texts");
   arrays_ += fmt::format("inline constexpr std::array<std::string_view, {}> {}{{", texts.size(), array);
   for (const std::string_view text : texts) arrays_ += quoted(text) + ", ";
   arrays_ += "};\n";
@@ -83,7 +83,7 @@ std::string TableWriter::texts(std::span<const std::string_view> texts) {
 
 std::string TableWriter::terminals(const Parameter& parameter) {
   if (parameter.terminals.empty()) return "{}";
-  const std::string array = name("Terminals");
+  std::string array = name("Terminals");
   arrays_ += fmt::format("inline constexpr std::array {}{{", array);
   for (const Range& range : parameter.terminals) arrays_ += "Range" + text_of(range) + ", ";
   arrays_ += "};\n";
@@ -106,7 +106,7 @@ std::string TableWriter::parameters(const Method& method) {
   if (method.parameters.empty()) return "{}";
   std::string rows;
   for (const Parameter& parameter : method.parameters) rows += row(parameter);
-  const std::string array = name("Parameters");
+  std::string array = name("Parameters");
   arrays_ += fmt::format("inline constexpr std::array {}{{\n{}}};\n", array, rows);
   return array;
 }

@@ -21,8 +21,8 @@ class ModbusPlaces {
 
  private:
   struct Taken {
-    ModbusSettings settings;
-    std::size_t entry;
+    ModbusSettings settings{};
+    std::size_t entry = 0;
   };
   std::vector<Taken> taken_;
 };

@@ -34,7 +34,7 @@ constexpr std::array kPages{PageRow{0x00, 0},     PageRow{0x80, 2000},  PageRow{
 enum class Task : std::uint8_t { None, Read, WriteWord, WriteDoubleWord, Describe, Count, Unknown };
 /// What a request identifier asks for, and the identifiers of an answer with a word and with a double word.
 struct TaskRow {
-  Task task;
+  Task task = Task::None;
   std::uint8_t word = 0;
   std::uint8_t double_word = 0;
 };

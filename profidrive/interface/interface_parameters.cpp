@@ -40,18 +40,23 @@ ReceivedRange words_of(const drive::BicoSource& source) noexcept {
   return {};
 }
 
-/// Calls @p visit with every BICO source of @p unit that is a word received by @p object.
+/// The words of @p object that the inputs of @p placed, a parameter of @p owner, take, told to @p visit.
+template <class Visit>
+void visit_uses(const drive::DriveObject& owner, const drive::PlacedRow& placed, const drive::DriveObject& object,
+                const Visit& visit) {
+  for (std::size_t i = 0; i < placed.row->count; ++i) {
+    const drive::BicoSource source = drive::unpack(static_cast<std::uint32_t>(owner.value(placed, i)));
+    const std::uint8_t from = source.object == drive::kOwnObject ? owner.number() : source.object;
+    if (from == object.number()) visit(words_of(source));
+  }
+}
+/// The same of all inputs of @p unit.
 template <class Visit>
 void for_each_use(const drive::DriveUnit& unit, const drive::DriveObject& object, const Visit& visit) {
   unit.for_each_object([&](const drive::DriveObject& owner) {
-    for (const drive::PlacedRow& placed : drive::parameters_of(owner.kind())) {
-      if (!drive::is_bico_input(placed.row->type) || !owner.provides(*placed.row)) continue;
-      for (std::size_t i = 0; i < placed.row->count; ++i) {
-        const drive::BicoSource source = drive::unpack(static_cast<std::uint32_t>(owner.value(placed, i)));
-        const std::uint8_t from = source.object == drive::kOwnObject ? owner.number() : source.object;
-        if (from == object.number()) visit(words_of(source));
-      }
-    }
+    for (const drive::PlacedRow& placed : drive::parameters_of(owner.kind()))
+      if (drive::is_bico_input(placed.row->type) && owner.provides(*placed.row))
+        visit_uses(owner, placed, object, visit);
   });
 }
 
@@ -155,17 +160,17 @@ void Interface::follow(std::uint16_t number, double value) noexcept {
 }
 
 /// p0922: p2079 follows.
-std::optional<drive::Refusal> Interface::select_standard(Exchange& exchange, double number) noexcept {
-  const Selection selection{find_telegram(exchange.object(), number), Reach::Everything};
-  if (selection.telegram == nullptr && number != telegrams::kFreeWords) return drive::Refusal::IllegalValue;
-  exchange.object().bring_in(kExtendedSelection, 0, number);
+std::optional<drive::Refusal> Interface::select_standard(Exchange& exchange, double telegram) noexcept {
+  const Selection selection{find_telegram(exchange.object(), telegram), Reach::Everything};
+  if (selection.telegram == nullptr && telegram != telegrams::kFreeWords) return drive::Refusal::IllegalValue;
+  exchange.object().bring_in(kExtendedSelection, 0, telegram);
   select(exchange, selection);
   return std::nullopt;
 }
 
-std::optional<drive::Refusal> Interface::select_extended(Exchange& exchange, double number) noexcept {
-  const Selection selection{find_telegram(exchange.object(), number), Reach::Words};
-  if (selection.telegram == nullptr && number != telegrams::kFreeWords) return drive::Refusal::IllegalValue;
+std::optional<drive::Refusal> Interface::select_extended(Exchange& exchange, double telegram) noexcept {
+  const Selection selection{find_telegram(exchange.object(), telegram), Reach::Words};
+  if (selection.telegram == nullptr && telegram != telegrams::kFreeWords) return drive::Refusal::IllegalValue;
   select(exchange, selection);
   return std::nullopt;
 }
@@ -220,9 +225,9 @@ void Interface::assign() noexcept {
   };
   assignment_ = assignment_of(hardware(0), hardware(1));
   if (assignment_.is_valid)
-    runner_.unit().withdraw(drive::kControlUnitNumber, kWrongAssignment);
+    runner_.unit().withdraw(control_unit().number(), kWrongAssignment);
   else
-    static_cast<void>(runner_.unit().raise(drive::kControlUnitNumber, kWrongAssignment, 0, drive::Cause::Present));
+    static_cast<void>(runner_.unit().raise(control_unit().number(), kWrongAssignment, 0, drive::Cause::Present));
 }
 
 }  // namespace profidrive
