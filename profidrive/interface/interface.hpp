@@ -62,8 +62,8 @@ class Interface final : public unit::Face, private unit::ParameterOwner, private
   void select(Exchange& exchange, const Selection& selection) noexcept;
   void follow(std::uint16_t number, double value) noexcept;
   void follow_cycle(double period) noexcept;
-  std::optional<drive::Refusal> select_standard(Exchange& exchange, double number) noexcept;
-  std::optional<drive::Refusal> select_extended(Exchange& exchange, double number) noexcept;
+  std::optional<drive::Refusal> select_standard(Exchange& exchange, double telegram) noexcept;
+  std::optional<drive::Refusal> select_extended(Exchange& exchange, double telegram) noexcept;
   void follow_selection(Exchange& exchange) noexcept;
 
   Exchange* find(std::uint8_t object) noexcept;
