@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "gateway/api/overview.hpp"
+#include "gateway/routes/router.hpp"
+#include "gateway/security/access.hpp"
+#include "gateway/server/http_server.hpp"
+#include "gateway/streams/event_feed.hpp"
+#include "gateway/streams/sample_feed.hpp"
+#include "gateway/units/daemons.hpp"
+
+namespace gateway {
+
+/// What is behind the routes.
+struct Sources {
+  Daemons& daemons;
+  EventFeed& events;
+  SampleFeed& samples;
+};
+
+/// Does what the route of a request says, if the request may have it.
+class Api final : public HttpServer::Requests {
+ public:
+  /// All that @p sources names outlives it.
+  Api(AccessRules rules, const Sources& sources) : rules_{std::move(rules)}, sources_{sources} {}
+
+  /// Whose counters `/metrics` shows; outlives it.
+  void show(const Counters& counters) noexcept { counters_ = &counters; }
+
+ private:
+  void on_headers(Exchange& exchange) override;
+  void on_request(const std::shared_ptr<Exchange>& exchange) override;
+  [[nodiscard]] tl::expected<void, Error> check(const Request& request) const;
+  void call(const std::shared_ptr<Exchange>& exchange, const Match& match, nlohmann::json params) const;
+
+  AccessRules rules_;
+  Sources sources_;
+  const Counters* counters_ = nullptr;
+};
+
+}  // namespace gateway

@@ -1,0 +1,101 @@
+#include "gateway/units/daemon_client.hpp"
+
+#include <chrono>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "control/protocol.hpp"
+#include "os/clock.hpp"
+
+namespace gateway {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::int64_t kPatience = 10'000'000;  // µs
+
+std::int64_t now() noexcept {
+  return std::chrono::duration_cast<std::chrono::microseconds>(os::monotonic_time()).count();
+}
+
+/// The key of a line that nobody has asked for; empty if @p line is none.
+std::string notice_key(const json& line) {
+  if (!line.is_object() || line.size() != 1) return {};
+  std::string key = line.begin().key();
+  return key == "id" || key == "result" || key == "error" ? std::string{} : key;
+}
+
+}  // namespace
+
+tl::expected<std::unique_ptr<DaemonClient>, std::string> DaemonClient::open(axisd::ServiceEvents& events,
+                                                                            const std::string& path,
+                                                                            Listener& listener) {
+  std::unique_ptr<DaemonClient> made{new DaemonClient{path, listener}};
+  auto connection = LineConnection::open(events, path, *made);
+  if (!connection) return tl::unexpected{std::move(connection.error())};
+  made->connection_ = *std::move(connection);
+  return made;
+}
+
+DaemonClient::~DaemonClient() {
+  give_up(refuse(Refused::NoDaemon, fmt::format("{}: the connection to the daemon has ended", path_)));
+}
+
+void DaemonClient::ask(std::string_view method, const json& params, OnAnswer on_answer) {
+  if (waiting_.size() >= kMostWaiting)
+    return on_answer(tl::unexpected{
+        refuse(Refused::TooMany, fmt::format("{} requests wait for the daemon already", waiting_.size()))});
+  last_id_ = last_id_ == std::numeric_limits<int>::max() ? 1 : last_id_ + 1;
+  const std::string line = control::request_line(last_id_, method, params);
+  if (line.size() > control::kMaximumLine)
+    return on_answer(tl::unexpected{refuse(
+        Refused::TooLong,
+        fmt::format("the request is longer than a line of the control socket, {} bytes", control::kMaximumLine))});
+  if (!connection_ || !connection_->send(line))
+    return on_answer(tl::unexpected{refuse(Refused::TooMany, "the daemon does not take any more requests")});
+  waiting_.push_back({last_id_, now(), std::move(on_answer)});
+}
+
+bool DaemonClient::is_silent() const noexcept {
+  return !waiting_.empty() && now() - waiting_.front().since > kPatience;
+}
+
+void DaemonClient::give_up(const Error& why) {
+  connection_.reset();
+  for (Waiting& waiting : std::exchange(waiting_, {})) waiting.on_answer(tl::unexpected{why});
+}
+
+bool DaemonClient::on_line(std::string_view line) {
+  if (!waiting_.empty()) {
+    const int id = waiting_.front().id;
+    auto answer = control::parse_answer(line, id);
+    if (answer) return take_answer(*std::move(answer)), true;
+    if (answer.error().is_answer) {
+      if (control::parse_line(line).value("id", json{}) != id) return false;
+      control::AnswerError& error = answer.error();
+      return take_answer(tl::unexpected{
+                 refused_by_daemon(error.code, std::move(error.message), std::move(error.details))}),
+             true;
+    }
+  }
+  const json object = control::parse_line(line);
+  const std::string key = notice_key(object);
+  if (!key.empty()) listener_.on_notice(*this, key, object.front());
+  return !key.empty();
+}
+
+void DaemonClient::take_answer(Answer answer) {
+  const OnAnswer on_answer = std::move(waiting_.front().on_answer);
+  waiting_.pop_front();
+  on_answer(std::move(answer));
+}
+
+void DaemonClient::on_closed(const std::string& why) {
+  const Error error = refuse(Refused::BrokenDaemon, fmt::format("{}: {}", path_, why));
+  for (Waiting& waiting : std::exchange(waiting_, {})) waiting.on_answer(tl::unexpected{error});
+  listener_.on_gone(*this, why);
+}
+
+}  // namespace gateway

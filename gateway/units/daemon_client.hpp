@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "gateway/base/error.hpp"
+#include "gateway/units/line_connection.hpp"
+
+namespace gateway {
+
+/// What a daemon has answered.
+using Answer = tl::expected<nlohmann::json, Error>;
+/// Who waits for an answer; called once, whatever happens.
+using OnAnswer = std::function<void(Answer)>;
+
+/// Requests to one daemon over one connection, any number under way; and what the daemon tells unasked.
+class DaemonClient final : private LineConnection::Listener {
+ public:
+  /// Most requests that wait for an answer.
+  static constexpr std::size_t kMostWaiting = 1024;
+
+  /// Who hears.
+  class Listener {
+   public:
+    virtual ~Listener() = default;
+    /// The daemon tells @p value under @p key: "event", "sample".
+    virtual void on_notice(DaemonClient& client, std::string_view key, const nlohmann::json& value) = 0;
+    /// The connection has ended for the reason @p why; the client may be destroyed in the call.
+    virtual void on_gone(DaemonClient& client, const std::string& why) = 0;
+  };
+
+  /// Connects to the daemon at socket @p path; an error is one line. @p events and @p listener outlive it.
+  [[nodiscard]] static tl::expected<std::unique_ptr<DaemonClient>, std::string> open(axisd::ServiceEvents& events,
+                                                                                     const std::string& path,
+                                                                                     Listener& listener);
+  DaemonClient(const DaemonClient&) = delete;
+  DaemonClient& operator=(const DaemonClient&) = delete;
+  /// Whoever waits is told that there is no daemon.
+  ~DaemonClient() override;
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// Asks for @p method; @p on_answer is told, at once if it cannot be asked.
+  void ask(std::string_view method, const nlohmann::json& params, OnAnswer on_answer);
+  /// Whether the daemon owes an answer since more than 10 s.
+  [[nodiscard]] bool is_silent() const noexcept;
+  /// Ends the connection: whoever waits is told @p why.
+  void give_up(const Error& why);
+
+ private:
+  struct Waiting {
+    int id;
+    std::int64_t since;  ///< µs, monotonic
+    OnAnswer on_answer;
+  };
+
+  DaemonClient(std::string path, Listener& listener) : path_{std::move(path)}, listener_{listener} {}
+  bool on_line(std::string_view line) override;
+  void on_closed(const std::string& why) override;
+  void take_answer(Answer answer);
+
+  std::string path_;
+  Listener& listener_;
+  std::unique_ptr<LineConnection> connection_;
+  std::deque<Waiting> waiting_;
+  int last_id_ = 0;
+};
+
+}  // namespace gateway
