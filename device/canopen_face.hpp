@@ -99,6 +99,7 @@ class CanopenFace final : public unit::Face,
   canopen::Result<void> write_object(const canopen::Entry& entry, std::span<const std::uint8_t> text) noexcept;
 
   const canopen::Dictionary& dictionary() const noexcept { return objects_.dictionary; }
+  canopen::Dictionary& objects() noexcept { return objects_.dictionary; }
   /// What the parameters of the drive objects are on the SDO servers.
   const ParameterWindow& window() const noexcept { return window_; }
   /// What must be received (see canopen::Node::subscriptions()).

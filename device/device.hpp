@@ -43,8 +43,12 @@ class Device final {
   }
   /// The same; @p face outlives this.
   void attach(::unit::Face& face) { runner_.attach(face); }
+  /// The face to its bus, and its dictionary, for who stands between that and the drive.
+  ::unit::Face& canopen_face() noexcept { return face_; }
+  canopen::Dictionary& objects() noexcept { return face_.objects(); }
   /// What a further face works with.
   ::unit::Runner& runner() noexcept { return runner_; }
+  const ::unit::Runner& runner() const noexcept { return runner_; }
 
   /// Before the first start(): the saved parameters, and what a power cut did not take. An image that does not fit
   /// changes nothing.
@@ -137,6 +141,14 @@ class Device final {
   /// Whether parameters were saved, or loaded.
   bool is_stored() const noexcept { return runner_.has_saved_parameters(); }
 
+  /// The unit is switched off and on again at @p now, at once: it boots with what was saved.
+  void power_cycle(canopen::TimePoint now) noexcept {
+    runner_.set_now(unit_time(now));
+    face_.tell_time();
+    runner_.power_cycle();
+    runner_.follow_up();
+  }
+
   /// Raises fault or alarm @p number on @p axis (0..axes) with @p value; a message that propagates appears on
   /// every drive object.
   tl::expected<void, drive::FaultError> raise(std::size_t axis, std::uint16_t number, std::uint32_t value,
@@ -212,6 +224,8 @@ class Device final {
   IndicatorLeds leds() const noexcept { return face_.leds(); }
   /// The process-data cycle in force: p8848 as of the last start of the unit.
   canopen::Duration cycle() const noexcept { return runner_.clock().period(); }
+  /// When the next process-data cycle is due; kNever while the unit rests.
+  canopen::TimePoint next_cycle() const noexcept { return node_time(runner_.next_deadline()); }
   /// Counts how often the faults and alarms were different from before.
   std::uint32_t message_changes() const noexcept { return runner_.message_changes(); }
   /// Whether an axis turns or has its pulses enabled.

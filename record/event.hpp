@@ -96,7 +96,7 @@ std::optional<EventKind> kind_named(std::string_view name) noexcept;
 /// "unit", "sdo" or "control".
 std::string_view name_of(Origin origin) noexcept;
 
-/// @p event as docs/control.md shows it; `t` is in seconds since @p start.
+/// @p event as docs/reference/control.md shows it; `t` is in seconds since @p start.
 nlohmann::json json_of(const Event& event, canopen::TimePoint start);
 
 }  // namespace record

@@ -11,8 +11,8 @@
 #include "record/byte_ring.hpp"
 #include "record/event.hpp"
 
-/// The bytes of a recording; docs/recording.md describes them. All numbers have their least significant byte
-/// first.
+/// The bytes of a recording; docs/reference/recording.md describes them. All numbers have their least significant
+/// byte first.
 namespace record {
 
 /// Time since the start of the unit.

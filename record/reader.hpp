@@ -56,7 +56,7 @@ class Reader {
   /// Opens @p content, which outlives this; or why it is no recording, or none that this can read.
   static tl::expected<Reader, std::string> open(std::span<const std::byte> content);
 
-  /// What the head says: unit, wall clock, signals (docs/recording.md).
+  /// What the head says: unit, wall clock, signals (docs/reference/recording.md).
   const nlohmann::json& head() const noexcept { return head_; }
   /// The next record of a known type; nothing at the end.
   std::optional<Record> next();

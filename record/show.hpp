@@ -11,7 +11,7 @@
 namespace record {
 
 /// @p record of a file with @p head as one JSON object: `type`, `t` (s since the start of the unit), and what it
-/// holds (docs/recording.md).
+/// holds (docs/reference/recording.md).
 nlohmann::json json_of(const Record& record, const nlohmann::json& head);
 /// The same for people, without an end of line.
 std::string text_of(const Record& record, const nlohmann::json& head);

@@ -31,6 +31,9 @@ class CycleClock {
     return std::max(std::int64_t{1}, static_cast<std::int64_t>(std::llround(steps))) * kStep;
   }
 
+  /// Cycles that were taken to be run.
+  std::uint64_t run() const noexcept { return run_; }
+
   /// Power-on: the first cycle begins.
   void begin(TimePoint now) noexcept { last_ = now; }
   /// The next cycle ends @p period after the last one.
@@ -56,6 +59,7 @@ class CycleClock {
     const std::int64_t due = (now - last_) / period_;
     const std::int64_t run = std::min(due, kMostAtOnce / period_);
     last_ += due * period_;
+    run_ += static_cast<std::uint64_t>(run);
     return {run, due - run};
   }
   /// The first one of them that is to be run; it counts on from there.
@@ -64,6 +68,7 @@ class CycleClock {
     if (due <= 0) return {0, 0};
     const std::int64_t skipped = std::max(std::int64_t{0}, due - std::max(kMostAtOnce / period_, std::int64_t{1}));
     last_ += (skipped + 1) * period_;
+    ++run_;
     return {1, skipped};
   }
 
@@ -71,6 +76,7 @@ class CycleClock {
   Duration period_ = kFactory;
   TimePoint last_{};  ///< end of the last cycle
   bool resting_ = true;
+  std::uint64_t run_ = 0;
 };
 
 /// Looks at a drive unit while it runs its cycles, with the time that they have on the grid: a cycle that is made

@@ -22,6 +22,11 @@ void Runner::attach(Face& face) {
   face.adopt({.cause = Replacement::Cause::Loaded});
 }
 
+void Runner::replace(const Face& face, Face& other) noexcept {
+  const auto place = std::ranges::find(faces_, &face);
+  if (place != faces_.end()) *place = &other;
+}
+
 void Runner::start(TimePoint now) noexcept {
   set_now(now);
   clock_.begin(now);

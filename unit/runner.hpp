@@ -36,6 +36,9 @@ class Runner final : private drive::AccessListener {
 
   /// Before start(): @p face, which outlives this, is connected to the unit from now on. It gets the presets.
   void attach(Face& face);
+  /// Not from within a cycle: @p other, which outlives that, stands in the place of @p face from now on and hands
+  /// on to it what it likes.
+  void replace(const Face& face, Face& other) noexcept;
 
   /// Before start(): @p clock, which outlives this, is asked if the unit takes its time from the host.
   void ask(HostClock& clock) noexcept { host_clock_ = &clock; }
@@ -126,6 +129,8 @@ class Runner final : private drive::AccessListener {
     unit_.power_off();
     unit_.lose_positions();
   }
+  /// The unit is switched off and on again: by the face whose bus starts anew with that, if there is one.
+  void power_cycle() noexcept;
   /// The parameters of @p group are the saved ones again, as after power-on.
   void reload(ParameterGroup group) noexcept;
 
@@ -193,7 +198,7 @@ class Runner final : private drive::AccessListener {
   void show_messages(std::uint8_t) noexcept { show_messages(); }
   void restart_if_due(std::uint8_t) noexcept;
   void restore_group(std::uint8_t which) noexcept;
-  void reset(std::uint8_t) noexcept;
+  void reset(std::uint8_t) noexcept { power_cycle(); }
 
   ParameterKeeper& keeper_;
   FollowUps<FollowUp> follow_ups_;

@@ -144,8 +144,7 @@ void Runner::restore_group(std::uint8_t which) noexcept {
   show_messages();
 }
 
-/// The unit is switched off and on again: by the face whose bus starts anew with that, if there is one.
-void Runner::reset(std::uint8_t) noexcept {
+void Runner::power_cycle() noexcept {
   for (Face* const face : faces_)
     if (face->restart_unit()) return;
   tell_time(now_);

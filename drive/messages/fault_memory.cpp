@@ -87,7 +87,13 @@ void FaultMemory::update(FaultEntry& active, std::uint32_t value, Cause cause) n
   if (active.kind == Kind::Alarm) alarm_buffer_.change(active.row->number, value);
 }
 
+std::span<const FaultMemory::Entered> FaultMemory::entered() const noexcept {
+  return std::span{entered_}.first(fault_rows().size());
+}
+
 void FaultMemory::note_entered(const FaultEntry& entry) noexcept {
+  Entered& times = entered_[static_cast<std::size_t>(entry.row - fault_rows().data())];
+  ++(entry.kind == Kind::Alarm ? times.as_alarm : times.as_fault);
   if (entry.kind == Kind::Alarm) {
     alarm_buffer_.enter(entry.row->number, entry.value, entry.received);
     ++counters_.alarms;

@@ -86,6 +86,13 @@ class FaultMemory {
     std::uint16_t alarms = 0;         ///< p2111
   };
   const Counters& counters() const noexcept { return counters_; }
+  /// How often a message has entered since the memory was made.
+  struct Entered {
+    std::uint32_t as_fault = 0;
+    std::uint32_t as_alarm = 0;
+  };
+  /// In the order of fault_rows().
+  std::span<const Entered> entered() const noexcept;
   /// p0952 = 0: the buffer holds only what is active.
   void clear_fault_buffer() noexcept;
   /// What survives a power cut.
@@ -128,6 +135,7 @@ class FaultMemory {
   FaultHistory history_;
   AlarmBuffer alarm_buffer_;
   Counters counters_;
+  std::array<Entered, kMostFaultRows> entered_{};
   TimeLine own_time_{};
   const TimeLine* common_time_ = nullptr;
   std::uint32_t sequence_ = 0;

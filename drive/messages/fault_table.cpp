@@ -209,6 +209,7 @@ constexpr bool consistent(const FaultRow& row) {
 static_assert(std::adjacent_find(kRows.begin(), kRows.end(), [](const FaultRow& a, const FaultRow& b) {
                 return a.number >= b.number;
               }) == kRows.end());
+static_assert(kRows.size() <= kMostFaultRows);
 static_assert(std::all_of(kRows.begin(), kRows.end(), consistent));
 
 }  // namespace
@@ -224,7 +225,11 @@ const FaultRow* find_fault(std::uint16_t number) noexcept {
 }
 
 std::string fault_text(const FaultRow& row) {
-  return fmt::format("{}{:05}", row.kind == Kind::Fault ? 'F' : 'A', row.number);
+  return message_code(row.number, row.kind);
+}
+
+std::string message_code(std::uint16_t number, Kind kind) {
+  return fmt::format("{}{:05}", kind == Kind::Fault ? 'F' : 'A', number);
 }
 
 }  // namespace drive

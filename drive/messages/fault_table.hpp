@@ -63,6 +63,9 @@ constexpr Reaction standard_reaction(const FaultRow& row) noexcept {
   return stops ? Reaction::Off1 : row.reaction;
 }
 
+/// There are no more rows than this.
+inline constexpr std::size_t kMostFaultRows = 256;
+
 /// Every fault and alarm of the unit, ascending by number.
 std::span<const FaultRow> fault_rows() noexcept;
 
@@ -71,5 +74,7 @@ const FaultRow* find_fault(std::uint16_t number) noexcept;
 
 /// "F07900" or "A08751".
 std::string fault_text(const FaultRow& row);
+/// The same of a message that p2119 may have made another @p kind.
+std::string message_code(std::uint16_t number, Kind kind);
 
 }  // namespace drive

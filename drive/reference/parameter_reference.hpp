@@ -4,7 +4,7 @@
 
 namespace drive {
 
-/// The page docs/parameters.md: every parameter with unit, limits, factory value and what it does in the
+/// The page docs/reference/parameters.md: every parameter with unit, limits, factory value and what it does in the
 /// simulation.
 std::string parameter_reference();
 

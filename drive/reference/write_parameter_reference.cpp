@@ -1,4 +1,4 @@
-// Prints docs/parameters.md.
+// Prints docs/reference/parameters.md.
 #include <cstdio>
 #include <string>
 

@@ -165,6 +165,14 @@ std::size_t Node::valid_pdos(Direction direction) const noexcept {
   return static_cast<std::size_t>(std::ranges::count_if(pdos, &PdoSettings::is_valid));
 }
 
+std::size_t Node::sdo_servers() const noexcept {
+  return parts_->services.sdo.count();
+}
+
+const SdoAnswerCounters& Node::sdo_answers(std::size_t position) const noexcept {
+  return parts_->services.sdo.answers(position);
+}
+
 std::uint64_t Node::short_rpdos() const noexcept {
   return parts_->services.receive.too_short();
 }

@@ -16,6 +16,7 @@
 #include "libcanopen/base/time.hpp"
 #include "libcanopen/od/dictionary.hpp"
 #include "libcanopen/pdo/pdo_cycle.hpp"
+#include "libcanopen/service/sdo_answer_counters.hpp"
 #include "libcanopen/service/subscription.hpp"
 #include "libcanopen/time/time_of_day.hpp"
 
@@ -123,6 +124,10 @@ class CANOPEN_EXPORT Node final {
   std::size_t valid_pdos(Direction direction) const noexcept;
   /// RPDO frames ignored because they were shorter than their mapping.
   std::uint64_t short_rpdos() const noexcept;
+  /// How many SDO servers there are, one at least.
+  std::size_t sdo_servers() const noexcept;
+  /// What the SDO server at @p position (below sdo_servers(); 0: that of 1200h) has answered.
+  const SdoAnswerCounters& sdo_answers(std::size_t position) const noexcept;
   /// Frames of synchronous RPDOs dropped because they came after the synchronous window (1007h).
   std::uint64_t late_rpdos() const noexcept;
 

@@ -115,8 +115,8 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
   if (!written) sdo::tell_refusal(context_, entry, bytes, written.error());
   const std::uint64_t done = sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0);
   if (written && context_.answer_deferred) return defer(at, done, load<std::uint64_t>(frame.data.data()));
-  store(answer.data.data(), written ? done : sdo::abort_bytes(at, written.error()));
-  context_.sink->send(answer, Delivery::Ordered);
+  store(answer.data.data(), written ? done : abort_answer(at, written.error()));
+  deliver(answer);
 }
 
 /// The owner has put off the answer @p bytes to @p request, 0 if that took several frames.
@@ -131,7 +131,7 @@ void SdoServer::answer_deferred(const Result<void>& result) noexcept {
   if (phase_ != Phase::Deferred) return;
   if (!result) return abort(result.error());
   end();
-  context_.sink->send(answer_, Delivery::Ordered);
+  deliver(answer_);
 }
 
 /// A segment of a block; or a request while an answer is put off. That may be the same request again, from a
@@ -198,8 +198,8 @@ void SdoServer::finish_download(std::uint64_t answer) noexcept {
   const auto written = sink_.commit(context_);
   end();
   if (written && context_.answer_deferred) return defer(at, answer, 0);
-  store(frame.data.data(), written ? answer : sdo::abort_bytes(at, written.error()));
-  context_.sink->send(frame, Delivery::Ordered);
+  store(frame.data.data(), written ? answer : abort_answer(at, written.error()));
+  deliver(frame);
 }
 
 /// When on_timer() acts if the client stays silent.
@@ -223,7 +223,7 @@ void SdoServer::on_timer() noexcept {
 
 void SdoServer::abort(Address at, AbortCode code) noexcept {
   end();
-  send(sdo::abort_bytes(at, code));
+  send(abort_answer(at, code));
 }
 
 /// Aborts: the request, which has no multiplexer, is not what the server waits for.

@@ -8,6 +8,7 @@
 #include "libcanopen/sdo/download_sink.hpp"
 #include "libcanopen/sdo/upload_source.hpp"
 #include "libcanopen/service/context.hpp"
+#include "libcanopen/service/sdo_answer_counters.hpp"
 
 namespace canopen {
 
@@ -40,6 +41,7 @@ class alignas(64) SdoServer {
   void answer_deferred(const Result<void>& result) noexcept;
   /// Forgets a half-finished transfer without a word (NMT state change).
   void forget() noexcept { end(); }
+  const SdoAnswerCounters& answers() const noexcept { return answers_; }
 
  private:
   /// What the server waits for; from BlockDownload on a frame is not taken for a request by its first byte alone.
@@ -117,7 +119,15 @@ class alignas(64) SdoServer {
 
   void send(std::uint64_t bytes) noexcept {
     store(answer_.data.data(), bytes);
-    context_.sink->send(answer_, Delivery::Ordered);
+    deliver(answer_);
+  }
+  void deliver(const Frame& answer) noexcept {
+    answers_.count_frame();
+    context_.sink->send(answer, Delivery::Ordered);
+  }
+  std::uint64_t abort_answer(sdo::Address at, AbortCode code) noexcept {
+    answers_.count_abort(code);
+    return sdo::abort_bytes(at, code);
   }
 
   Context& context_;
@@ -147,6 +157,7 @@ class alignas(64) SdoServer {
   std::array<std::uint8_t, 7>
       last_segment_{};  ///< block download: how many of its bytes count, only the end tells
 
+  SdoAnswerCounters answers_;
   std::vector<std::uint8_t> buffer_;  ///< the window of the two below
   sdo::UploadSource source_;
   sdo::DownloadSink sink_;

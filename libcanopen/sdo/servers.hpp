@@ -32,6 +32,10 @@ class SdoServers final : public Service, public EntryOwner {
     for (SdoServer& server : servers_) server.answer_deferred(result);
   }
 
+  /// What each server has answered, that of 1200h first.
+  std::size_t count() const noexcept { return servers_.size(); }
+  const SdoAnswerCounters& answers(std::size_t position) const noexcept { return servers_[position].answers(); }
+
   /// A COB-ID of a server. InvalidValue if no server may have it, DeviceState if another one is in force,
   /// ParameterIncompatible if a service uses it.
   Result<void> write(const Entry& entry, std::int64_t value) override;

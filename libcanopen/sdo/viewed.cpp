@@ -80,8 +80,8 @@ void SdoServer::download_viewed(ViewedObject object, const Frame& frame) noexcep
       sdo::response_bytes(sdo::command_byte(sdo::Response::InitiateDownload), object.address(), 0);
   if (written && context_.answer_deferred)
     return defer(object.address(), done, load<std::uint64_t>(frame.data.data()));
-  store(answer.data.data(), written ? done : sdo::abort_bytes(object.address(), written.error()));
-  context_.sink->send(answer, Delivery::Ordered);
+  store(answer.data.data(), written ? done : abort_answer(object.address(), written.error()));
+  deliver(answer);
 }
 
 void SdoServer::gather_viewed(ViewedObject object, const Frame& frame) noexcept {

@@ -4,7 +4,7 @@
 
 namespace profidrive {
 
-/// The page docs/telegrams.md: every telegram and every word, as the tables have them.
+/// The page docs/reference/telegrams.md: every telegram and every word, as the tables have them.
 std::string telegram_reference();
 
 }  // namespace profidrive

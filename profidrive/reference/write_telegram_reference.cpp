@@ -1,4 +1,4 @@
-// Prints docs/telegrams.md.
+// Prints docs/reference/telegrams.md.
 #include <fmt/format.h>
 
 #include "profidrive/reference/telegram_reference.hpp"

@@ -15,7 +15,7 @@ namespace trace {
 std::span<const std::string_view> settings_keys() noexcept;
 
 /// What @p value says of a trace, the parameters of `trace.start` and key "trace" of a configuration: keys as
-/// docs/trace.md has them. Whether a unit has the signals is not looked at.
+/// docs/reference/trace.md has them. Whether a unit has the signals is not looked at.
 tl::expected<Settings, Problem> read_settings(const nlohmann::json& value);
 
 }  // namespace trace

@@ -17,7 +17,7 @@ struct QuantityRow {
   std::string_view text;
 };
 
-/// Those of an axis and those of the unit, in the order of docs/trace.md.
+/// Those of an axis and those of the unit, in the order of docs/reference/trace.md.
 std::span<const QuantityRow<drive::Axis>> axis_quantities() noexcept;
 std::span<const QuantityRow<drive::DriveUnit>> unit_quantities() noexcept;
 
