@@ -16,7 +16,7 @@ struct Shell {
   std::string (*script)(const Command& program);
 };
 constexpr std::array kShells{Shell{"bash", bash_script}, Shell{"zsh", zsh_script}, Shell{"fish", fish_script},
-                             Shell{"markdown", markdown_page}};
+                             Shell{"markdown", markdown_page}, Shell{"scdoc", scdoc_page}};
 
 void visit(const std::string& path, const Command& command,
            const std::function<void(const std::string&, const Command&)>& visitor) {
@@ -29,6 +29,15 @@ void visit(const std::string& path, const Command& command,
 std::string completion_script(const Command& program, std::string_view shell) {
   const auto* const row = std::ranges::find(kShells, shell, &Shell::name);
   return row == kShells.end() ? "" : row->script(program);
+}
+
+void offer_choices(Command& program, std::string_view name, std::span<const std::string_view> choices) {
+  const auto option = std::ranges::find_if(program.options, [&](const Option& each) {
+    return std::ranges::find(each.names, name) != each.names.end();
+  });
+  if (option == program.options.end()) return;
+  option->value.kind = Kind::Choices;
+  option->value.choices.assign(choices.begin(), choices.end());
 }
 
 void add_completion(CLI::App& app, Complete complete) {

@@ -40,7 +40,9 @@ Option option_of(const CLI::Option& known) {
   option.takes_value = known.get_items_expected_max() > 0;
   // A validator adds what it knows behind a colon.
   const std::string type = known.get_type_name();
-  const std::size_t colon = type.find(':');
+  std::size_t colon = type.find(':');
+  if (colon != 0 && colon != std::string::npos && type[colon - 1] == '[')
+    colon = std::string::npos;  // CHECK[:SECTION]
   if (option.takes_value) option.argument = type.substr(0, colon);
   if (option.takes_value) option.value = value_named(option.argument);
   if (colon != std::string::npos && type.substr(colon).starts_with(":{"))

@@ -1,9 +1,12 @@
-# axisd_completions(PROGRAM [BY TARGET]): the files with which bash, zsh and fish complete PROGRAM, as it writes them itself, or
-# TARGET does, and their installation.
+# axisd_completions(PROGRAM [BY TARGET] [COMPONENT COMPONENT]): the files with which bash, zsh and fish complete PROGRAM, as it
+# writes them itself, or TARGET does, and their installation.
 function(axisd_completions program)
-  cmake_parse_arguments(COMPLETION "" "BY" "" ${ARGN})
+  cmake_parse_arguments(COMPLETION "" "BY;COMPONENT" "" ${ARGN})
   if(NOT COMPLETION_BY)
     set(COMPLETION_BY ${program})
+  endif()
+  if(NOT COMPLETION_COMPONENT)
+    set(COMPLETION_COMPONENT ${CMAKE_INSTALL_DEFAULT_COMPONENT_NAME})
   endif()
   set(files bash-completion/completions/${program} zsh/site-functions/_${program} fish/vendor_completions.d/${program}.fish)
   foreach(shell file IN ZIP_LISTS AXISD_SHELLS files)
@@ -18,7 +21,10 @@ function(axisd_completions program)
       VERBATIM)
     list(APPEND outputs ${output})
     cmake_path(GET file PARENT_PATH destination)
-    install(FILES ${output} DESTINATION ${CMAKE_INSTALL_DATADIR}/${destination})
+    if(AXISD_PACKAGES AND shell STREQUAL zsh)
+      set(destination zsh/vendor-completions)
+    endif()
+    install(FILES ${output} DESTINATION ${CMAKE_INSTALL_DATADIR}/${destination} COMPONENT ${COMPLETION_COMPONENT})
   endforeach()
   add_custom_target(completion_of_${program} ALL DEPENDS ${outputs})
   add_dependencies(completions completion_of_${program})

@@ -81,7 +81,7 @@ set(AXISD_ALONE
   parameter_reader.cpp plant_step.cpp predefined_connections.cpp provocation.cpp rotor_test.cpp
   runner_aftercare.cpp saturation_test.cpp script_tables.cpp sdo_match.cpp socket_can.cpp standard_rules.cpp standard_wiring.cpp
   standstill_measurement.cpp start_hub.cpp status_printer.cpp stopping.cpp table_writer.cpp voltage_frequency.cpp watch_command.cpp zsh_script.cpp
-  "[a-z_]*_checks.cpp" "[a-z_]*_methods.cpp" "[a-z_]*_reasons.cpp")
+  "[a-z_]*_checks.cpp" "[a-z_]*_methods.cpp" "[a-z_]*_reasons.cpp" "[a-z_]*_slaves.cpp")
 list(JOIN AXISD_ALONE "|" AXISD_ALONE)
 
 # axisd_unite_folders(TARGET...): the sources that a target has in one folder are compiled as one, with AXISD_FAST_COMPILE.

@@ -30,7 +30,7 @@ enum class ErrorCode : std::uint8_t {
 struct ErrorName {
   ErrorCode code;
   std::string_view name;
-  std::string_view meaning;  ///< for docs/control.md
+  std::string_view meaning;  ///< for docs/reference/control.md
 };
 /// In the order of the enumeration.
 inline constexpr std::array kErrorNames{

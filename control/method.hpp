@@ -21,7 +21,8 @@ enum class Form : std::uint8_t {
   Words,  ///< words of 16 bits: integers or hexadecimal texts, as many as the range says, or one hexadecimal text
           ///< of all
   Value,  ///< what a parameter or object may be set to: a number or a text
-  Any     ///< any JSON value, which the method itself looks at
+  Hexadecimal,  ///< a number, or a text of hexadecimal digits, which a word is as it stands
+  Any           ///< any JSON value, which the method itself looks at
 };
 
 /// From `low` to `high`, both included.

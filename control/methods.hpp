@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "control/method.hpp"
-// kMethods, in the order of docs/control.md and of axisctl's help, and kGroups, made from control/protocol/.
+// kMethods, in the order of docs/reference/control.md and of axisctl's help, and kGroups, made from
+// control/protocol/.
 #include "generated/control_methods.hpp"
 
 namespace control {

@@ -124,7 +124,8 @@ Outcome check_parameter(const Examined& request, const Parameter& parameter) {
       return check_list(parameter, value);
     case Form::Words:
       return check_words(parameter, value);
-    case Form::Value: {
+    case Form::Value:
+    case Form::Hexadecimal: {
       const bool fits = value != nullptr && (value->is_number() || value->is_string());
       return fits ? Outcome{} : refuse(parameter, "a number or a text", value);
     }

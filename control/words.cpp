@@ -104,6 +104,7 @@ Reading read_word(const Parameter& parameter, const std::string& word) {
     case Form::Text:
     case Form::List:
     case Form::Words:
+    case Form::Hexadecimal:
       return {word, ""};
     case Form::Switch:
       return read_switch(word);

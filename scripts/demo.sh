@@ -3,7 +3,7 @@
 # back to standstill with nothing but cansend and candump; checks every answer on the bus.
 #
 # Does its own set-up (packages, build, bus), so it works on a fresh Debian 12 machine. Where the kernel has no CAN,
-# everything runs on the user-space bus of this project instead (docs/user-space-bus.md), without any privilege beyond
+# everything runs on the user-space bus of this project instead (docs/explanation/user-space-bus.md), without any privilege beyond
 # that of installing packages. IF other than vcan... must exist and be up.
 # Ends with 1, and says what was expected and what came, if an answer does not come in time.
 set -euo pipefail

@@ -19,6 +19,10 @@ build_packages=(
   g++ cmake ninja-build pkg-config git ca-certificates
   # libraries of the daemon and the tools
   libsystemd-dev nlohmann-json3-dev libexpected-dev libcli11-dev libfmt-dev libeigen3-dev
+  # HTTP of axisd-http
+  libmicrohttpd-dev
+  # man pages
+  scdoc
   # candump and cansend
   can-utils
 )
@@ -28,7 +32,7 @@ test_packages=(
   # ip, modprobe for the module vcan, and unshare for networks of their own
   iproute2 kmod util-linux
   # masters of the tests
-  python3-can python3-msgpack python3-pytest python3-yaml
+  python3-can python3-msgpack python3-pytest python3-pytest-xdist python3-yaml
   # clients of Modbus TCP, and who decodes what they send
   mbpoll python3-pymodbus python3-serial-asyncio tshark
   # holds the schema of configurations against their reader
@@ -40,15 +44,15 @@ test_packages=(
   # systemd-analyze, which checks the units
   systemd
 )
-# the virtual machine of scripts/vcan-vm, only where the kernel has no CAN
+# guests of the tests, and the virtual machine of scripts/vcan-vm where the kernel has no CAN
 machine_packages=(qemu-system-x86 busybox-static cpio)
 
 command -v dpkg-query >/dev/null || die "only Debian and its relatives are supported"
 need_packages "${build_packages[@]}"
 [[ $demo ]] || need_packages "${test_packages[@]}"
-if [[ ! $demo ]] && ! have_can; then
+if [[ ! $demo ]]; then
   need_packages "${machine_packages[@]}"
-  # An image of Debian comes without package lists, and vcan-vm fetches a kernel by them.
+  # An image of Debian comes without package lists, and debian-guest.sh fetches a kernel by them.
   apt-cache show linux-image-amd64 &>/dev/null || update_package_lists
 fi
 # Who sources this decides whether the independent master is worth its time.

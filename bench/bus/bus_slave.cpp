@@ -12,8 +12,8 @@
 #include "bench/number.hpp"
 #include "bench/operations/library_node.hpp"
 #include "can/port/socketcan/socket_can.hpp"
-#include "daemon/base/clock.hpp"
 #include "daemon/loop/event_loop.hpp"
+#include "service/clock.hpp"
 
 namespace {
 

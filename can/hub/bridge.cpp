@@ -104,6 +104,12 @@ void Bridge::receive(const Passage& passage) noexcept {
   queue_.send_marked(bus::from_wire(passage.frame), passage.mark);
 }
 
+Identity Bridge::identity() const noexcept {
+  Identity who;
+  name_.copy(who.name.data(), who.name.size() - 1);
+  return who;
+}
+
 bool Bridge::statistics(userbus::MemberStatistics& row) const noexcept {
   row = {};
   name_.copy(row.name, sizeof row.name - 1);

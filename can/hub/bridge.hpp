@@ -44,6 +44,7 @@ class Bridge final : public Source, public Participant {
 
   void receive(const Passage& passage) noexcept override;
   void on_room() noexcept override;
+  [[nodiscard]] Identity identity() const noexcept override;
 
  private:
   void follow_link(canopen::TimePoint now) noexcept;

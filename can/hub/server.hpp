@@ -36,6 +36,9 @@ class Server final : public SourceList, private Watch {
   /// The names of the bus, likewise.
   Interfaces& interfaces() noexcept { return core_.interfaces; }
 
+  /// What is wrong with the wire, likewise.
+  faults::Faults& faults() noexcept { return core_.faults; }
+
   /// Serves until stop(), or until the end that Settings::on_demand asks for.
   void run() noexcept;
   /// Ends run() after the present turn; to be called from within it, by a source.

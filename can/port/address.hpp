@@ -17,7 +17,7 @@ struct KernelInterface {
   friend bool operator==(const KernelInterface&, const KernelInterface&) = default;
 };
 
-/// A bus in user space that a hub serves at a Unix socket (docs/user-space-bus.md).
+/// A bus in user space that a hub serves at a Unix socket (docs/explanation/user-space-bus.md).
 struct UserBusPath {
   std::string path;  ///< absolute, at most 107 bytes
 

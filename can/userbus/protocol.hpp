@@ -8,7 +8,7 @@
 #include <linux/can/raw.h>
 
 /// What goes over the socket between the hub of a user-space CAN bus and one member of it
-/// (docs/user-space-bus.md).
+/// (docs/explanation/user-space-bus.md).
 ///
 /// A member is an AF_UNIX SOCK_SEQPACKET connection to the hub's path. It binds its own end, before it connects,
 /// to the abstract name "can-bus.1/KIND/" with 16 hexadecimal digits of its own choice behind; so whoever holds
@@ -78,6 +78,8 @@ enum class Operation : uint32_t {
   Broadcast,   ///< a message for the broadcast manager; value: interface index, 0 = as bound; payload: the message
   Statistics,  ///< value: members to leave out at the beginning; reply payload: BusStatistics, then one
                ///< MemberStatistics a member, as many as fit in a message
+  Inject,      ///< the faults of the bus; payload: JSON, {"method": ..., "params": ...}; reply payload: JSON, the
+               ///< result; with EINVAL {"message": ...}, and nothing from a hub without faults
 };
 
 /// Options of a member that are numbers.

@@ -49,6 +49,8 @@ std::string bounds_of(const Parameter& parameter) {
       return "hexadecimal text or list of words";
     case Form::Value:
       return "number or text";
+    case Form::Hexadecimal:
+      return "number or hexadecimal text";
     case Form::Any:
       break;
   }

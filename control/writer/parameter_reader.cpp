@@ -30,6 +30,7 @@ constexpr std::array kForms{
     FormRow{"list", Form::List, {1, kMostTexts}},
     FormRow{"words", Form::Words, {1, kMostTexts}},
     FormRow{"value", Form::Value},
+    FormRow{"hexadecimal", Form::Hexadecimal},
     FormRow{"any", Form::Any},
 };
 
@@ -91,6 +92,7 @@ void read_range(const Fields& fields, Parameter& row) {
     case Form::Switch:
     case Form::Text:
     case Form::Value:
+    case Form::Hexadecimal:
     case Form::Any:
       return;
   }

@@ -52,6 +52,7 @@ Json schema_of(const Parameter& parameter) {
                  {"minItems", static_cast<int>(range.low)},
                  {"maxItems", static_cast<int>(range.high)}}}}};
     case Form::Value:
+    case Form::Hexadecimal:
       return {{"type", {"number", "string"}}};
     case Form::Any:
       break;

@@ -50,6 +50,8 @@ std::string_view name_of(Form form) {
       return "Words";
     case Form::Value:
       return "Value";
+    case Form::Hexadecimal:
+      return "Hexadecimal";
     case Form::Any:
       break;
   }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "daemon/configuration/inject_reader.hpp"
 #include "daemon/configuration/json_reader.hpp"
 #include "daemon/configuration/load_reader.hpp"
 #include "daemon/configuration/mechanics_reader.hpp"
@@ -119,12 +120,26 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> kKeysOfUnit{"interface", "node_id", "axes",      "parameters",
+constexpr std::array<std::string_view, 12> kKeysOfUnit{"interface", "node_id", "axes",      "parameters",
                                                        "supply",    "infeed",  "sdo_block", "f08701",
-                                                       "record",    "trace",   "modbus"};
+                                                       "record",    "trace",   "modbus",    "inject"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
+
+/// The keys of a file that describes one unit.
+std::vector<std::string_view> keys_of_file() {
+  std::vector<std::string_view> keys{kKeysOfUnit.begin(), kKeysOfUnit.end()};
+  keys.push_back("control_group");
+  return keys;
+}
+
+std::string read_control_group(const JsonReader& json) {
+  if (!json.has("control_group")) return {};
+  std::string group = json.at("control_group").text();
+  if (group.empty()) json.at("control_group").fail("the name of a group");
+  return group;
+}
 
 /// What is said of one unit but its node-ID.
 Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
@@ -138,6 +153,7 @@ Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
   if (json.has("record")) configuration.record = read_record(json.at("record"));
   if (json.has("trace")) configuration.trace = read_trace(json.at("trace"));
   if (json.has("modbus")) configuration.modbus = read_modbus(json.at("modbus"));
+  if (json.has("inject")) configuration.inject = read_faults(json.at("inject"));
   read_parameters(json, configuration);
   return configuration;
 }
@@ -166,10 +182,11 @@ std::vector<Configuration> read_entry(const JsonReader& json, const MotorSource&
 }
 
 UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors) {
-  json.expect_object({"units", "threads"});
+  json.expect_object({"units", "threads", "control_group"});
   const JsonReader list = json.at("units");
   list.expect_array(1, kMostUnits);
-  UnitsConfiguration configuration{.units = {}, .threads = 1, .is_list = true};
+  UnitsConfiguration configuration{
+      .units = {}, .threads = 1, .is_list = true, .control_group = read_control_group(json)};
   std::map<std::string, std::size_t> taken;
   ModbusPlaces places;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -199,8 +216,11 @@ std::string name_of(const Configuration& unit) {
 UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
   const JsonReader json = JsonReader::parse(text, file);
   if (json.has("units")) return read_units(json, motors);
-  json.expect_object(kKeysOfUnit);
-  UnitsConfiguration configuration{.units = {read_unit(json, motors)}, .threads = 1, .is_list = false};
+  json.expect_object(keys_of_file());
+  UnitsConfiguration configuration{.units = {read_unit(json, motors)},
+                                   .threads = 1,
+                                   .is_list = false,
+                                   .control_group = read_control_group(json)};
   if (json.has("node_id")) configuration.units.front().node_id = read_node_id(json.at("node_id"));
   return configuration;
 }

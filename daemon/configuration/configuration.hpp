@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "can/port/address.hpp"
-#include "daemon/configuration/motor_source.hpp"
 #include "daemon/configuration/settings/modbus_settings.hpp"
+#include "daemon/configuration/settings/motor_source.hpp"
 #include "daemon/configuration/settings/record_settings.hpp"
 #include "drive/base/load_mechanics.hpp"
 #include "drive/base/object_kind.hpp"
 #include "drive/base/positioner_wiring.hpp"
+#include "injection/language/fault.hpp"
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/load.hpp"
 #include "motor/data/machine_data.hpp"
@@ -78,6 +79,7 @@ struct Configuration {
   std::optional<trace::Settings> trace{};     ///< key "trace": begins with the unit
   std::optional<RecordSettings> record{};     ///< key "record": begins with the unit
   std::optional<ModbusSettings> modbus{};     ///< key "modbus"; none: Modbus TCP is not served
+  std::vector<injection::Fault> inject{};     ///< key "inject": loaded when the unit begins
 };
 
 /// The name of the unit that @p unit describes, as "vcan0/5": bus::label() and address switch.
@@ -88,6 +90,7 @@ struct UnitsConfiguration {
   std::vector<Configuration> units{Configuration{}};  ///< at least one; no two with one node-ID on one bus
   std::size_t threads = 1;                            ///< that they are spread over
   bool is_list = false;                               ///< the file has a list of units, even if of one
+  std::string control_group{};  ///< key "control_group": whose members may use the control socket; empty: none
 };
 
 /// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; throws

@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "daemon/configuration/motor_source.hpp"
 #include "daemon/configuration/quantity_keys.hpp"
+#include "daemon/configuration/settings/motor_source.hpp"
 #include "motor/data/machine_data.hpp"
 
 namespace axisd {

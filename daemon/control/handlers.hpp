@@ -10,6 +10,7 @@ namespace axisd {
 
 std::span<const Handler> unit_handlers() noexcept;
 std::span<const Handler> fault_handlers() noexcept;
+std::span<const Handler> inject_handlers() noexcept;
 std::span<const Handler> plant_handlers() noexcept;
 std::span<const Handler> record_handlers() noexcept;
 std::span<const Handler> terminal_handlers() noexcept;

@@ -1,6 +1,5 @@
 // Process data of IF1.
 #include <array>
-#include <charconv>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "daemon/control/handlers.hpp"
 #include "daemon/instance/instance.hpp"
 #include "profidrive/telegram/telegrams.hpp"
+#include "text/number.hpp"
 
 namespace axisd {
 namespace {
@@ -21,11 +21,8 @@ constexpr std::string_view kReceived = "received";
 constexpr int kHexadecimal = 16;
 constexpr std::size_t kDigits = 4;  ///< of a word
 
-std::optional<std::uint16_t> word_in(std::string_view text) noexcept {
-  std::uint16_t word = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), word, kHexadecimal);
-  const bool is_word = error == std::errc{} && end == text.data() + text.size();
-  return is_word ? std::optional{word} : std::nullopt;
+std::optional<std::uint16_t> word_in(std::string_view digits) noexcept {
+  return text::integer<std::uint16_t>(digits, kHexadecimal);
 }
 
 tl::unexpected<control::Error> not_words(const json& value) {

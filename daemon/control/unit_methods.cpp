@@ -4,6 +4,7 @@
 
 #include "daemon/control/handlers.hpp"
 #include "daemon/instance/instance.hpp"
+#include "daemon/instance/metrics.hpp"
 #include "daemon/instance/status.hpp"
 #include "device/explain.hpp"
 #include "profidrive/interface/reasons.hpp"
@@ -18,11 +19,16 @@ Outcome status(const Call& call, const json&) {
   return status_of(call.instance);
 }
 
+Outcome metrics(const Call& call, const json&) {
+  call.instance.device().tell_time(call.now);
+  return metrics_of(call.instance);
+}
+
 /// What is wrong with the bus concerns the axes that it commands.
 json bus_reasons_of(const Instance& instance) {
   json reasons = json::array();
   if (!instance.bus().is_open()) reasons.push_back("The bus is down: bring the interface up (ip link set up).");
-  if (instance.bus().port().error_state() == bus::ErrorState::BusOff)
+  if (instance.bus_state() == bus::ErrorState::BusOff)
     reasons.push_back(
         "The CAN controller is bus-off: remove the cause and let it restart (restart-ms of the interface).");
   return reasons;
@@ -53,6 +59,7 @@ Outcome restart_bus(const Call& call, const json&) {
 
 constexpr std::array kHandlers{
     Handler{"status", &status},
+    Handler{"metrics", &metrics},
     Handler{"explain", &explain},
     Handler{"bus.restart", &restart_bus},
 };

@@ -37,8 +37,8 @@ Fleet::Fleet(std::span<const Configuration> configurations, std::size_t threads,
     loops_.emplace_back(log);
   auto loop = loops_.begin();
   for (const Configuration& configuration : configurations) {
-    const std::string name = configurations.size() > 1 ? name_of(configuration) : "";
-    units_.emplace_back(configuration, state_root, Log{log, name}, *loop, listener);
+    const auto prefix = configurations.size() > 1 ? Log::Prefix::Name : Log::Prefix::None;
+    units_.emplace_back(configuration, state_root, Log{log, name_of(configuration), prefix}, *loop, listener);
     if (++loop == loops_.end()) loop = loops_.begin();
   }
   for (ServedUnit& unit : units_) unit.loop().add(*unit.instance());

@@ -4,11 +4,11 @@
 #include <memory>
 #include <string>
 
-#include "daemon/base/log.hpp"
 #include "daemon/configuration/configuration.hpp"
 #include "daemon/fleet/instance_lock.hpp"
 #include "daemon/instance/instance.hpp"
 #include "daemon/loop/unit_loop.hpp"
+#include "service/log.hpp"
 
 namespace axisd {
 

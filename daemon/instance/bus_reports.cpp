@@ -3,8 +3,8 @@
 #include <chrono>
 #include <utility>
 
-#include "daemon/base/clock.hpp"
 #include "motor/data/machine_data.hpp"
+#include "service/clock.hpp"
 
 namespace axisd {
 namespace {
@@ -29,8 +29,8 @@ void BusReports::on_foreign_frame(std::uint32_t identifier, int node_id) noexcep
   const canopen::TimePoint now = read_clock();
   if (foreign_frames_ != 1 && now - foreign_logged_ < kRepeatedLogPeriod) return;
   foreign_logged_ = now;
-  log_.warning("{}: identifier {:03X}h came from another station: duplicate node-ID {}?", bus_name(), identifier,
-               node_id);
+  log_.warning("{}: identifier {}h came from another station: duplicate node-ID {}?", bus_name(),
+               cob_id_field(identifier), node_id);
 }
 
 void BusReports::on_life_guarding_withheld() noexcept {
@@ -48,23 +48,45 @@ void BusReports::on_restart(bus::Restart outcome) const noexcept {
   }
 }
 
-void BusReports::look_at(const BusTurn& bus, const device::Device& device) noexcept {
+void BusReports::look_at(const BusTurn& bus) noexcept {
   if (!full_logged_ && bus.queue().waiting() != 0) {
     full_logged_ = true;
     log_.notice("{}: the transmit queue of the interface is full, frames wait; told once (see the status)",
                 bus_name());
   }
-  if (device.skipped_cycles() != skipped_seen_) log_skipped_cycles(device);
-  if (device.held_back_axes() != held_back_seen_) log_held_back(device.held_back_axes());
+  messages_.look([this](std::uint8_t object, const ActiveMessages::Message& message, bool active) {
+    log_message(object, message, active);
+  });
+  if (device_.skipped_cycles() != skipped_seen_) log_skipped_cycles();
+  if (device_.held_back_axes() != held_back_seen_) log_held_back(device_.held_back_axes());
 }
 
-void BusReports::log_skipped_cycles(const device::Device& device) noexcept {
+void BusReports::log_message(std::uint8_t object, const ActiveMessages::Message& message, bool active) const {
+  const LogField axis = axis_of(object);
+  const std::string place = axis.text == "0"        ? "control unit"
+                            : axis.text == "infeed" ? axis.text
+                                                    : fmt::format("axis {}", axis.text);
+  const LogField code = fault_field(message_code(message.row->number, message.kind));
+  if (!active) return log_.info("{}: {} is gone", place, code, axis);
+  if (message.kind == drive::Kind::Fault)
+    return log_.warning("{}: {} {}, value {}", place, code, message.row->name, message.value, axis);
+  log_.notice("{}: {} {}, value {}", place, code, message.row->name, message.value, axis);
+}
+
+/// As the control socket names drive objects: 0 is the control unit.
+LogField BusReports::axis_of(std::uint8_t object) const {
+  const drive::DriveUnit& unit = device_.unit();
+  if (unit.infeed() != nullptr && unit.infeed()->number() == object) return {"AXIS", "infeed"};
+  return axis_field(object < unit.first_axis() ? 0 : object - unit.first_axis() + 1U);
+}
+
+void BusReports::log_skipped_cycles() noexcept {
   const canopen::TimePoint now = read_clock();
   if (skipped_seen_ != 0 && now - skipped_logged_ < kRepeatedLogPeriod) return;
   log_.warning("{} cycles of {} ms were skipped: the daemon was kept from running",
-               device.skipped_cycles() - skipped_seen_,
-               std::chrono::duration<double, std::milli>{device.cycle()}.count());
-  skipped_seen_ = device.skipped_cycles();
+               device_.skipped_cycles() - skipped_seen_,
+               std::chrono::duration<double, std::milli>{device_.cycle()}.count());
+  skipped_seen_ = device_.skipped_cycles();
   skipped_logged_ = now;
 }
 
@@ -73,8 +95,8 @@ void BusReports::log_held_back(std::uint32_t axes) noexcept {
   for (std::size_t axis = 1; axis <= configuration_.axes.size(); ++axis) {
     const std::uint32_t bit = 1U << (axis - 1);
     if ((axes & bit & ~seen) == 0) continue;
-    log_.warning("axis {}: its load drives the shaft to {:.0f} rpm, where the rotor would burst: held there", axis,
-                 motor::bursting_speed(configuration_.axes[axis - 1].machine) / motor::kRpm);
+    log_.warning("axis {}: its load drives the shaft to {:.0f} rpm, where the rotor would burst: held there",
+                 axis_field(axis), motor::bursting_speed(configuration_.axes[axis - 1].machine) / motor::kRpm);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "daemon/base/clock.hpp"
+#include "service/clock.hpp"
 
 namespace axisd {
 namespace {

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "can/port/port.hpp"
-#include "daemon/base/log.hpp"
 #include "daemon/configuration/configuration.hpp"
 #include "device/device.hpp"
+#include "service/log.hpp"
 
 namespace axisd {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "daemon/base/clock.hpp"
 #include "daemon/instance/device_setup.hpp"
+#include "service/clock.hpp"
 
 namespace axisd {
 namespace {
@@ -51,7 +51,7 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       bus_{*connection_.port, *this},
       device_{device_configuration(configuration, *connection_.port, folder, log), bus_.queue(), *this},
       memory_{folder, device_, log},
-      reports_{configuration, log},
+      reports_{configuration, device_, log},
       recording_{{configuration, device_, frames_, events_, folder, started_}},
       load_torques_{load_torques(configuration)},
       rare_sources_{{memory_.descriptor(), this, &Instance::on_write_ended},
@@ -83,6 +83,7 @@ void Instance::on_write(const drive::FoundParameter& parameter, double before, d
 void Instance::start() noexcept {
   if (configuration_.record) begin_recording();
   tell(record::EventKind::Power, true);
+  load_faults();
   reports_.on_open(*connection_.port);
   if (modbus_) log_.info("Modbus TCP on {}", modbus_->server().place());
   if (connection_.link->state() == bus::LinkState::Up) return link_up();
@@ -92,7 +93,7 @@ void Instance::start() noexcept {
 
 void Instance::look_around() noexcept {
   if (!ready_told_) tell_ready();
-  reports_.look_at(bus_, device_);
+  reports_.look_at(bus_);
   memory_.look_at_unit();
   trace_.look_around();
   if (!events_.is_watched()) return;
@@ -108,9 +109,10 @@ void Instance::power_off() noexcept {
 }
 
 void Instance::tell_ready() noexcept {
-  // The boot-up frame has to be out.
+  // The boot-up frame has to be out, if no fault is there that may keep it.
   const bus::TransmitQueue& queue = std::as_const(bus_).queue();
-  if (!bus_.is_open() || queue.waiting() != 0 || queue.counters().sent == sent_before_boot_up_) return;
+  const bool has_sent = queue.counters().sent != sent_before_boot_up_ || !faults_.is_empty();
+  if (!bus_.is_open() || queue.waiting() != 0 || !has_sent) return;
   ready_told_ = true;
   log_.info("ready: node {} on {}", device_.node_id(), bus_name());
   listener_.on_condition(*this, Condition::Ready);
@@ -130,7 +132,9 @@ void Instance::link_up() noexcept {
   }
   tell(record::EventKind::Link, true);
   sent_before_boot_up_ = bus_.queue().counters().sent;
-  device_.start(on_grid(read_clock()));
+  const canopen::TimePoint now = on_grid(read_clock());
+  device_.start(now);
+  if (!faults_.is_empty()) faults_.on_start(now);
   if (configuration_.trace && trace_.tracer().phase() == trace::Phase::Off)
     static_cast<void>(trace_.start(*configuration_.trace));  // it has been tried
   memory_.raise_faults();
@@ -145,6 +149,13 @@ void Instance::link_down() noexcept {
   on_link_lost();
 }
 
+void Instance::on_time(canopen::TimePoint now) noexcept {
+  const canopen::TimePoint due = device_.next_cycle();
+  device_.on_time(now);
+  memory_.on_time(now);
+  if (due <= now) cycle_times_.note(due, now, read_clock(), device_.cycle());
+}
+
 void Instance::on_link_lost() noexcept {
   tell(record::EventKind::Link, false);
   log_.warning("{} is down: waiting until it is up", bus_name());
@@ -155,7 +166,7 @@ void Instance::on_error_state(bus::ErrorState state) noexcept {
   log_.warning("{}: {}", bus_name(), bus::name_of(state));
   const canopen::TimePoint now = read_clock();
   if (events_.is_watched()) events_.on_bus_state(state, frames_.now());
-  device_.on_bus_state(bus_state_of(state), now);
+  if (!faults_.leads_bus_state()) device_.on_bus_state(bus_state_of(state), now);
 }
 
 /// What is refused at once is not saved either.
@@ -180,6 +191,7 @@ void Instance::on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexce
 }
 
 bool Instance::on_bus_restart() noexcept {
+  if (faults_.is_bus_off()) return false;
   const bus::Restart outcome = bus_.restart_bus();
   reports_.on_restart(outcome);
   return outcome == bus::Restart::Done;
@@ -222,25 +234,62 @@ void Instance::begin_recording() noexcept {
 }
 
 void Instance::on_tap(bool is_open) noexcept {
-  bus_.lead_to(is_open ? static_cast<Station&>(heard_) : *this);
-  device_.send_to(is_open ? static_cast<canopen::FrameSink&>(frames_) : bus_.queue());
+  has_listeners_ = is_open;
+  connect();
+}
+
+void Instance::on_loaded(bool) noexcept {
+  connect();
+}
+
+/// Frames take the shortest way that passes those who want them: listeners hear what is on the bus, so they come
+/// between that and the faults.
+void Instance::connect() noexcept {
+  const bool has_faults = !faults_.is_empty();
+  bus_.lead_to(has_faults || has_listeners_ ? static_cast<Station&>(heard_) : *this);
+  device_.send_to(has_faults       ? static_cast<canopen::FrameSink&>(faults_)
+                  : has_listeners_ ? static_cast<canopen::FrameSink&>(frames_)
+                                   : bus_.queue());
+}
+
+void Instance::set_bus_state(device::BusState state, canopen::TimePoint now) noexcept {
+  constexpr std::array kStates{bus::ErrorState::Active, bus::ErrorState::Passive, bus::ErrorState::BusOff};
+  const bus::ErrorState shown = kStates[static_cast<std::size_t>(state)];
+  held_bus_state_ = state != device::BusState::Active ? std::optional{shown} : std::nullopt;
+  if (events_.is_watched()) events_.on_bus_state(shown, now);
+  device_.on_bus_state(state, now);
+}
+
+void Instance::load_faults() noexcept {
+  for (const injection::Fault& fault : configuration_.inject)
+    if (const auto loaded = faults_.add(fault); !loaded) log_.error("inject: {}", loaded.error());
 }
 
 void Instance::Heard::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   instance_.frames_.on_frame(frame, now);
-  instance_.on_frame(frame, now);
+  if (instance_.faults_.is_empty())
+    instance_.on_frame(frame, now);
+  else
+    instance_.faults_.on_frame(frame, now);
   instance_.frames_.on_handled();
 }
 
 /// Also when nothing of the unit itself was due.
 void Instance::Heard::on_time(canopen::TimePoint now) noexcept {
   instance_.frames_.on_time(now);
+  instance_.faults_.on_time(now);
   instance_.on_time(now);
+  instance_.faults_.settle(now);
   instance_.frames_.on_handled();
 }
 
 canopen::TimePoint Instance::Heard::next_deadline() const noexcept {
-  return std::min(instance_.next_deadline(), instance_.frames_.next_deadline());
+  return std::min(
+      {instance_.next_deadline(), instance_.frames_.next_deadline(), instance_.faults_.next_deadline()});
+}
+
+std::span<const canopen::Subscription> Instance::Heard::subscriptions() const noexcept {
+  return instance_.faults_.is_empty() ? instance_.subscriptions() : instance_.faults_.subscriptions();
 }
 
 double Instance::uptime_s() const noexcept {

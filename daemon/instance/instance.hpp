@@ -4,15 +4,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "can/connection/connection.hpp"
-#include "daemon/base/log.hpp"
 #include "daemon/configuration/configuration.hpp"
 #include "daemon/instance/bus_reports.hpp"
 #include "daemon/instance/bus_turn.hpp"
+#include "daemon/instance/cycle_times.hpp"
 #include "daemon/instance/modbus_door.hpp"
 #include "daemon/instance/station.hpp"
 #include "daemon/instance/unit_memory.hpp"
@@ -22,8 +23,10 @@
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
+#include "injection/wire/unit_faults.hpp"
 #include "profidrive/channel/parameter_channel.hpp"
 #include "profidrive/interface/interface.hpp"
+#include "service/log.hpp"
 
 namespace axisd {
 
@@ -56,6 +59,7 @@ class Instance final : private device::Listener,
                        private Station,
                        private TapOwner,
                        private EventListener,
+                       private injection::UnitHooks,
                        private drive::WriteObserver {
  public:
   /// A descriptor that is readable when something rare is to be handled, and what handles it: one event at most.
@@ -100,6 +104,7 @@ class Instance final : private device::Listener,
   /// The server of Modbus TCP; nullptr if the configuration has none.
   const ModbusServer* modbus() const noexcept { return modbus_ ? &modbus_->server() : nullptr; }
   const BusReports& reports() const noexcept { return reports_; }
+  const CycleTimes& cycle_times() const noexcept { return cycle_times_; }
   /// The bus as the user named it, for messages.
   const std::string& bus_name() const noexcept { return configuration_.address.text; }
   /// Zero of the times that others are told: the start of the unit.
@@ -110,6 +115,10 @@ class Instance final : private device::Listener,
   /// Where the frames of the unit can be heard, and what happens in it.
   FrameTap& frames() noexcept { return frames_; }
   EventWatch& events() noexcept { return events_; }
+  /// The error state of the CAN controller: that which a fault holds, or its own.
+  bus::ErrorState bus_state() const noexcept { return held_bus_state_.value_or(bus_.port().error_state()); }
+  /// What of them is wrong on demand.
+  injection::UnitFaults& faults() noexcept { return faults_; }
   /// What is kept of both in files.
   UnitRecording& recording() noexcept { return recording_; }
   /// Counts the frames of each PDO while it is on.
@@ -141,16 +150,14 @@ class Instance final : private device::Listener,
                        canopen::TimePoint now) noexcept;
 
  private:
-  /// Takes the place of the instance at the bus while somebody listens to its frames.
+  /// Takes the place of the instance at the bus while somebody listens to its frames, or a fault is loaded.
   class Heard final : public Station {
    public:
     explicit Heard(Instance& instance) noexcept : instance_{instance} {}
     void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override;
     void on_time(canopen::TimePoint now) noexcept override;
     canopen::TimePoint next_deadline() const noexcept override;
-    std::span<const canopen::Subscription> subscriptions() const noexcept override {
-      return instance_.subscriptions();
-    }
+    std::span<const canopen::Subscription> subscriptions() const noexcept override;
     void on_turn_over() noexcept override { instance_.on_turn_over(); }
     void on_link_lost() noexcept override { instance_.on_link_lost(); }
     void on_burst_end() noexcept override { instance_.on_burst_end(); }
@@ -179,10 +186,7 @@ class Instance final : private device::Listener,
   void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept override {
     device_.on_frame(frame, now);
   }
-  void on_time(canopen::TimePoint now) noexcept override {
-    device_.on_time(now);
-    memory_.on_time(now);
-  }
+  void on_time(canopen::TimePoint now) noexcept override;
   canopen::TimePoint next_deadline() const noexcept override {
     return std::min(device_.next_deadline(), memory_.due());
   }
@@ -195,8 +199,17 @@ class Instance final : private device::Listener,
   void on_error_state(bus::ErrorState state) noexcept override;
 
   void begin_recording() noexcept;
+  void connect() noexcept;
+  void load_faults() noexcept;
   void on_tap(bool is_open) noexcept override;
   void on_event(const UnitEvent& event) noexcept override { listener_.on_event(*this, event); }
+  // injection::UnitHooks
+  canopen::TimePoint now() const noexcept override { return frames_.now(); }
+  void take(const canopen::Frame& frame, canopen::TimePoint now) noexcept override { on_frame(frame, now); }
+  void power_cycle(canopen::TimePoint now) noexcept override { device_.power_cycle(now); }
+  void set_bus_state(device::BusState state, canopen::TimePoint now) noexcept override;
+  void on_loaded(bool any) noexcept override;
+
   void on_write(const drive::FoundParameter& parameter, double before, double value) noexcept override;
   void tell(record::EventKind kind, bool active) noexcept;
 
@@ -218,8 +231,10 @@ class Instance final : private device::Listener,
   profidrive::Interface if1_{device_.runner()};
   UnitMemory memory_;
   BusReports reports_;
+  CycleTimes cycle_times_;
   Heard heard_{*this};
   FrameTap frames_{bus_.queue(), *this};
+  injection::UnitFaults faults_{device_, frames_, *this};
   EventWatch events_{device_, frames_};
   UnitRecording recording_;
   PdoWatch pdo_watch_{frames_};
@@ -229,7 +244,9 @@ class Instance final : private device::Listener,
   std::unique_ptr<ModbusDoor> modbus_;  ///< none: Modbus TCP is not served
   std::vector<RareSource> rare_sources_;
   std::vector<profidrive::ParameterChannel> parameter_channels_;
+  std::optional<bus::ErrorState> held_bus_state_{};  ///< by a fault
   bool ready_told_ = false;
+  bool has_listeners_ = false;  ///< of its frames
   std::uint64_t overflows_seen_ = 0;
   std::uint64_t sent_before_boot_up_ = 0;
 };

@@ -11,7 +11,7 @@
 
 #include <tl/expected.hpp>
 
-#include "daemon/base/log.hpp"
+#include "service/log.hpp"
 
 namespace axisd {
 

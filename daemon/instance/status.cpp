@@ -11,9 +11,9 @@
 
 #include "daemon/base/utc_text.hpp"
 #include "daemon/instance/instance.hpp"
-#include "daemon/version.hpp"
 #include "motor/data/machine_data.hpp"
 #include "profidrive/telegram/telegrams.hpp"
+#include "version/version.hpp"
 
 namespace axisd {
 namespace {
@@ -145,7 +145,7 @@ json modbus_status(const ModbusServer& server) {
 
 json bus_status(const Instance& instance) {
   const auto& sent = instance.bus().queue().counters();
-  return {{"state", bus::name_of(instance.bus().port().error_state())},
+  return {{"state", bus::name_of(instance.bus_state())},
           {"link", instance.bus().is_open() ? "up" : "down"},
           {"received", instance.bus().received()},
           {"sent", sent.sent},
@@ -163,7 +163,7 @@ json bus_status(const Instance& instance) {
 
 json status_of(const Instance& instance) {
   json status{
-      {"version", kVersion},
+      {"version", version::number()},
       {"interface", instance.configuration().address.text},
       {"node_id", instance.device().node_id()},
       {"nmt_state", canopen::name_of(instance.device().node().state())},

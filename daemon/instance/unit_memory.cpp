@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "daemon/base/clock.hpp"
 #include "drive/images/retained_image.hpp"
 #include "drive/images/storage_image.hpp"
+#include "service/clock.hpp"
 
 namespace axisd {
 namespace {

@@ -29,7 +29,7 @@ class UnitMemory {
   /// Hands what the files hold to the unit, which has not been started yet.
   void load();
   /// Once the unit is on the bus: F01002 of the control unit for each file that is not in use (fault value: see
-  /// docs/configuration.md).
+  /// docs/reference/configuration.md).
   void raise_faults() noexcept;
   /// How the file of the saved parameters, or the other one, is used: a few words for the status.
   std::string parameters_text() const { return usage_of(parameters_); }

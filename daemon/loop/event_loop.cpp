@@ -6,7 +6,7 @@
 
 #include <sys/epoll.h>
 
-#include "daemon/base/clock.hpp"
+#include "service/clock.hpp"
 
 namespace axisd {
 namespace {

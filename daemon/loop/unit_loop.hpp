@@ -3,10 +3,10 @@
 #include <list>
 #include <thread>
 
-#include "daemon/base/log.hpp"
 #include "daemon/base/mailbox.hpp"
 #include "daemon/instance/instance.hpp"
 #include "daemon/loop/event_loop.hpp"
+#include "service/log.hpp"
 
 namespace axisd {
 

@@ -1,21 +1,22 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include <fmt/format.h>
+#include <grp.h>
 #include <sys/resource.h>
 
 #include "can/port/address.hpp"
 #include "control/socket_name.hpp"
-#include "daemon/base/log.hpp"
 #include "daemon/program/configuration_file.hpp"
 #include "daemon/program/options.hpp"
 #include "daemon/program/program.hpp"
+#include "service/log.hpp"
 
 namespace {
-
-constexpr int kFailure = 1;
-constexpr int kUsage = 2;
 
 std::string default_control_path(const axisd::UnitsConfiguration& configuration) {
   if (configuration.is_list) return control::common_socket_path();
@@ -32,6 +33,16 @@ std::string control_path(const axisd::Options& options, const axisd::UnitsConfig
   return path;
 }
 
+/// Whose members may use the control socket, if anybody's.
+std::optional<gid_t> control_group(const axisd::Options& options, const axisd::UnitsConfiguration& configuration) {
+  const bool is_option = !options.control_group.empty();
+  const std::string& name = is_option ? options.control_group : configuration.control_group;
+  if (name.empty()) return std::nullopt;
+  if (const ::group* const known = ::getgrnam(name.c_str())) return known->gr_gid;
+  throw axisd::ConfigurationError{fmt::format("{}: expected a group of this machine, got \"{}\"",
+                                              is_option ? "--control-group" : "control_group", name)};
+}
+
 /// Many units have more descriptors than a process may have by default; where that is all it may have, opening
 /// them says so.
 void allow_many_descriptors() {
@@ -44,15 +55,16 @@ void allow_many_descriptors() {
 int serve(const axisd::Options& options) {
   axisd::UnitsConfiguration configuration = axisd::load_configuration(options);
   axisd::Assignment assignment{.units = {}, .threads = configuration.threads, .control = {}};
-  assignment.control = control_path(options, configuration);
-  if (options.check_config) return 0;
+  assignment.control.path = control_path(options, configuration);
+  assignment.control.group = control_group(options, configuration);
+  if (options.check_config) return axisd::kDone;
   if (configuration.is_list) allow_many_descriptors();
   assignment.units = std::move(configuration.units);
   assignment.state_root = axisd::state_root(options.state_directory);
   const axisd::Log log{options.log_level};
   axisd::Program program{assignment, log};
   program.run();
-  return 0;
+  return axisd::kDone;
 }
 
 int fail(const std::exception& error, int status) {
@@ -67,12 +79,12 @@ int main(int count, char** words) {
   std::signal(SIGXFSZ, SIG_IGN);  // nor must a limit on the size of files: it is an error of the write
   try {
     const auto options = axisd::parse_command_line(count, words);
-    return options ? serve(*options) : 0;
+    return options ? serve(*options) : axisd::kDone;
   } catch (const axisd::UsageError& error) {
-    return fail(error, kUsage);
+    return fail(error, axisd::kUsage);
   } catch (const axisd::ConfigurationError& error) {
-    return fail(error, kUsage);
+    return fail(error, axisd::kUsage);
   } catch (const std::exception& error) {
-    return fail(error, kFailure);
+    return fail(error, axisd::kFailure);
   }
 }

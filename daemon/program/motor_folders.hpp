@@ -1,6 +1,6 @@
 #pragma once
 
-#include "daemon/configuration/motor_source.hpp"
+#include "daemon/configuration/settings/motor_source.hpp"
 
 namespace axisd {
 

@@ -8,24 +8,22 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/completion.hpp"
-#include "daemon/version.hpp"
+#include "cli/exit_status.hpp"
 #include "text/number.hpp"
+#include "version/version.hpp"
 
 namespace axisd {
 namespace {
 
-struct LevelRow {
-  std::string_view name;
-  LogLevel level;
+constexpr std::array kExitRows{
+    cli::ExitRow{kDone, "ended by SIGTERM, SIGINT, SIGHUP (unless ignored, as by nohup) or axisctl quit"},
+    cli::ExitRow{kFailure, "any other failure"},
+    cli::ExitRow{kUsage, "wrong command line or configuration"},
 };
-constexpr std::array kLevels{LevelRow{"error", LogLevel::Error}, LevelRow{"warning", LogLevel::Warning},
-                             LevelRow{"notice", LogLevel::Notice}, LevelRow{"info", LogLevel::Info},
-                             LevelRow{"debug", LogLevel::Debug}};
 
-LogLevel level_named(const std::string& name) {
-  const auto row = std::find_if(kLevels.begin(), kLevels.end(), [&](const LevelRow& r) { return r.name == name; });
-  if (row != kLevels.end()) return row->level;
-  throw UsageError{"--log-level: expected error, warning, notice, info or debug, got \"" + name + '"'};
+LogLevel log_level_of(const std::string& name) {
+  if (const auto level = level_named(name)) return *level;
+  throw UsageError{std::string{"--log-level: expected "} + kLogLevelNames + ", got \"" + name + '"'};
 }
 
 /// The decimal number @p text; @p expected says which ones the option takes.
@@ -34,37 +32,50 @@ int integer_of(const char* option, const std::string& text, const char* expected
   throw UsageError{std::string{option} + ": expected an integer " + expected + ", got \"" + text + '"'};
 }
 
-}  // namespace
-
-std::optional<Options> parse_command_line(int count, const char* const* words) {
-  Options options;
-  CLI::App app{"Puts a simulated CANopen drive unit on a CAN bus.", "axisd"};
+/// What options hold as text until it is judged.
+struct Words {
   std::string level = "info";
-  std::optional<std::string> node_id;
-  std::optional<std::string> axes;
-  app.set_version_flag("--version", std::string{"axisd "} + kVersion);
+  std::optional<std::string> node_id{};
+  std::optional<std::string> axes{};
+};
+
+void complete_levels(cli::Command& program) {
+  std::array<std::string_view, kLogLevels.size()> names{};
+  std::ranges::transform(kLogLevels, names.begin(), &LogLevelRow::name);
+  cli::offer_choices(program, "--log-level", names);
+}
+
+void add_options(CLI::App& app, Options& options, Words& words) {
+  app.footer(cli::exit_footer(kExitRows));
+  app.set_version_flag("--version", version::line("axisd"));
   app.add_option("--config", options.config_file, "JSON configuration file")->type_name("FILE");
   app.add_option("--interface", options.interface,
                  "CAN interface, unix:PATH, udp-multicast://GROUP:PORT[?interface=NAME] or "
                  "socketcand://HOST:PORT/NAME (default: vcan0)")
       ->type_name("IF")
       ->take_last();
-  app.add_option("--node-id", node_id, "node-ID, 1 to 127, or 0 for that of p8620 (default: 2)")->type_name("N");
-  app.add_option("--axes", axes, "number of axes, 1 to 8 (default: those of the configuration file, else 1)")
+  app.add_option("--node-id", words.node_id, "node-ID, 1 to 127, or 0 for that of p8620 (default: 2)")
+      ->type_name("N");
+  app.add_option("--axes", words.axes, "number of axes, 1 to 8 (default: those of the configuration file, else 1)")
       ->type_name("N");
   app.add_option("--state-directory", options.state_directory, "where the unit keeps its state")->type_name("DIR");
   app.add_option("--control", options.control, "control socket, or none")->type_name("SOCKET");
+  app.add_option("--control-group", options.control_group,
+                 "group whose members may use the control socket (default: none)")
+      ->type_name("GROUP");
   app.add_flag("--check-config", options.check_config, "check the configuration and exit");
-  app.add_option("--log-level", level, "error, warning, notice, info or debug (default: info)")
+  app.add_option("--log-level", words.level, "error, warning, notice, info or debug (default: info)")
       ->type_name("LEVEL");
-  cli::add_completion(app, [](cli::Command& program) {
-    for (cli::Option& option : program.options)
-      if (option.names.back() == "--log-level")
-        for (const LevelRow& row : kLevels) {
-          option.value.kind = cli::Kind::Choices;
-          option.value.choices.emplace_back(row.name);
-        }
-  });
+  cli::add_completion(app, complete_levels);
+}
+
+}  // namespace
+
+std::optional<Options> parse_command_line(int count, const char* const* words) {
+  Options options;
+  Words given;
+  CLI::App app{"Puts a simulated CANopen drive unit on a CAN bus.", "axisd"};
+  add_options(app, options, given);
   try {
     app.parse(count, words);
   } catch (const CLI::Success& asked) {
@@ -73,9 +84,9 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   } catch (const CLI::ParseError& error) {
     throw UsageError{std::string{error.what()} + " (see axisd --help)"};
   }
-  options.log_level = level_named(level);
-  if (node_id) options.node_id = integer_of("--node-id", *node_id, "0 to 127");
-  if (axes) options.axes = integer_of("--axes", *axes, "1 to 8");
+  options.log_level = log_level_of(given.level);
+  if (given.node_id) options.node_id = integer_of("--node-id", *given.node_id, "0 to 127");
+  if (given.axes) options.axes = integer_of("--axes", *given.axes, "1 to 8");
   return options;
 }
 

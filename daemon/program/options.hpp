@@ -4,9 +4,14 @@
 #include <stdexcept>
 #include <string>
 
-#include "daemon/base/log.hpp"
+#include "service/log.hpp"
 
 namespace axisd {
+
+/// Exit statuses.
+inline constexpr int kDone = 0;
+inline constexpr int kFailure = 1;
+inline constexpr int kUsage = 2;
 
 /// The command line, as given; what is absent is decided by the configuration file or its defaults.
 struct Options {
@@ -15,7 +20,8 @@ struct Options {
   std::optional<int> node_id;
   std::optional<int> axes;
   std::string state_directory;
-  std::string control;  ///< path of the control socket; empty = default, "none" = off
+  std::string control;        ///< path of the control socket; empty = default, "none" = off
+  std::string control_group;  ///< whose members may use it; empty = that of the configuration
   bool check_config = false;
   LogLevel log_level = LogLevel::Info;
 };

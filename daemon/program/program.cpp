@@ -5,7 +5,7 @@
 
 #include <poll.h>
 
-#include "daemon/base/clock.hpp"
+#include "service/clock.hpp"
 
 namespace axisd {
 namespace {
@@ -27,7 +27,7 @@ Program::Program(const Assignment& assignment, const Log& log)
       fleet_{assignment.units, assignment.threads, assignment.state_root, log, *this},
       events_{[this] { stop(); }},
       watchdog_{fleet_} {
-  if (!assignment.control.empty())
+  if (!assignment.control.path.empty())
     dispatcher_.emplace(events_, assignment.control, fleet_, queue_, [this] { stop(); });
   events_.dispatch();  // makes room for as many as are watched now, which it would do with the first of them
 }

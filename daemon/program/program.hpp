@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "daemon/base/log.hpp"
-#include "daemon/base/service_events.hpp"
 #include "daemon/configuration/configuration.hpp"
 #include "daemon/fleet/fleet.hpp"
 #include "daemon/program/notification.hpp"
 #include "daemon/program/watchdog.hpp"
 #include "daemon/server/dispatcher.hpp"
+#include "service/log.hpp"
+#include "service/service_events.hpp"
 
 namespace axisd {
 
@@ -19,7 +19,7 @@ namespace axisd {
 struct Assignment {
   std::vector<Configuration> units;    ///< at least one
   std::size_t threads = 1;             ///< that the units are spread over
-  std::string control;                 ///< path of the control socket; empty: none
+  ControlSocket control;               ///< an empty path: none
   std::filesystem::path state_root{};  ///< the states of the units lie below it
 };
 

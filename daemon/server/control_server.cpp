@@ -66,20 +66,39 @@ os::Descriptor listen_at(const std::string& path) {
   return descriptor;
 }
 
+/// A service whose own group it is need not be allowed to change owners.
+void open_to_group(const std::string& path, gid_t group) {
+  if (group != getegid() && chown(path.c_str(), static_cast<uid_t>(-1), group) != 0)
+    throw failure(path, fmt::format("cannot be given to group {}: {}", group, std::strerror(errno)));
+  if (chmod(path.c_str(), S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP) != 0) throw failure(path, std::strerror(errno));
+}
+
+os::Descriptor listen_at(const ControlSocket& socket) {
+  os::Descriptor descriptor = listen_at(socket.path);
+  if (!socket.group) return descriptor;
+  try {
+    open_to_group(socket.path, *socket.group);
+  } catch (const InstanceError&) {
+    unlink(socket.path.c_str());
+    throw;
+  }
+  return descriptor;
+}
+
 bool has_line(std::string_view text) noexcept {
   return text.find('\n') != std::string_view::npos;
 }
 
 }  // namespace
 
-ControlServer::ControlServer(ServiceEvents& events, std::string path, Requests& requests)
-    : events_{events}, path_{std::move(path)}, requests_{requests}, listener_{listen_at(path_)} {
+ControlServer::ControlServer(ServiceEvents& events, ControlSocket socket, Requests& requests)
+    : events_{events}, socket_{std::move(socket)}, requests_{requests}, listener_{listen_at(socket_)} {
   source_ = events_.watch(listener_.get(), EPOLLIN, &ControlServer::on_connection, this);
   pause_ = events_.timer(&ControlServer::on_pause_over, this);
 }
 
 ControlServer::~ControlServer() {
-  unlink(path_.c_str());
+  unlink(socket_.path.c_str());
 }
 
 int ControlServer::on_connection(sd_event_source*, int, std::uint32_t, void* self) noexcept {

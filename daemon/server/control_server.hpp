@@ -2,13 +2,22 @@
 
 #include <cstdint>
 #include <list>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "daemon/base/service_events.hpp"
+#include <sys/types.h>
+
 #include "os/descriptor.hpp"
+#include "service/service_events.hpp"
 
 namespace axisd {
+
+/// Where the control socket lies, and who may use it beside its user.
+struct ControlSocket {
+  std::string path;
+  std::optional<gid_t> group{};  ///< its members; none: nobody
+};
 
 /// Serves the control socket: one JSON request a line, one answer a line, and lines that nobody has asked for to
 /// those who have subscribed to them. An event that is handled takes one request, however many wait; clients that
@@ -36,14 +45,14 @@ class ControlServer {
     std::uint64_t cut_off = 0;  ///< did not read what they had subscribed to
   };
 
-  /// Listens at @p path with mode 0600, in place of a socket that nobody serves any more. @p requests outlives it.
-  /// Throws InstanceError if somebody does, or if the socket cannot be made.
-  ControlServer(ServiceEvents& events, std::string path, Requests& requests);
+  /// Listens at @p socket with mode 0600, or 0660 of its group, in place of a socket that nobody serves any more.
+  /// @p requests outlives it. Throws InstanceError if somebody does, or if the socket cannot be made.
+  ControlServer(ServiceEvents& events, ControlSocket socket, Requests& requests);
   ~ControlServer();
   ControlServer(const ControlServer&) = delete;
   ControlServer& operator=(const ControlServer&) = delete;
 
-  const std::string& path() const noexcept { return path_; }
+  const std::string& path() const noexcept { return socket_.path; }
   std::size_t clients() const noexcept { return clients_.size(); }
   const Counters& counters() const noexcept { return counters_; }
 
@@ -83,7 +92,7 @@ class ControlServer {
   void close(const Client& client);
 
   ServiceEvents& events_;
-  std::string path_;
+  ControlSocket socket_;
   Requests& requests_;
   os::Descriptor listener_;
   EventSource source_;

@@ -12,8 +12,8 @@
 
 #include "control/methods.hpp"
 #include "control/request_check.hpp"
-#include "daemon/base/clock.hpp"
 #include "daemon/control/handlers.hpp"
+#include "service/clock.hpp"
 
 namespace axisd {
 namespace {
@@ -42,12 +42,12 @@ tl::expected<std::string, control::Error> take_unit(json& params) {
 
 }  // namespace
 
-Dispatcher::Dispatcher(ServiceEvents& events, std::string path, Fleet& fleet, EventQueue& queue,
+Dispatcher::Dispatcher(ServiceEvents& events, ControlSocket socket, Fleet& fleet, EventQueue& queue,
                        std::function<void()> on_quit)
     : fleet_{fleet},
       on_quit_{std::move(on_quit)},
       mail_{events.watch(mailbox_.descriptor(), EPOLLIN, &Dispatcher::on_mail, this)},
-      server_{events, std::move(path), *this},
+      server_{events, std::move(socket), *this},
       subscriptions_{events, fleet, queue, server_,
                      [this](ServedUnit& unit, const json& params, std::function<void(Outcome)> done) {
                        call(unit, *find_handler("signal.read"), params, std::move(done));

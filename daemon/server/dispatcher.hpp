@@ -21,9 +21,9 @@ namespace axisd {
 /// results back, methods of the program to its own functions.
 class Dispatcher final : private ControlServer::Requests {
  public:
-  /// Serves at @p path; @p on_quit ends the program. The other arguments outlive it. Throws InstanceError or
+  /// Serves @p socket; @p on_quit ends the program. The other arguments outlive it. Throws InstanceError or
   /// std::system_error.
-  Dispatcher(ServiceEvents& events, std::string path, Fleet& fleet, EventQueue& queue,
+  Dispatcher(ServiceEvents& events, ControlSocket socket, Fleet& fleet, EventQueue& queue,
              std::function<void()> on_quit);
 
  private:

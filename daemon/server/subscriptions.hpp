@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "daemon/base/service_events.hpp"
 #include "daemon/control/handler.hpp"
 #include "daemon/fleet/fleet.hpp"
 #include "daemon/server/control_server.hpp"
 #include "daemon/server/event_queue.hpp"
+#include "service/service_events.hpp"
 
 namespace axisd {
 

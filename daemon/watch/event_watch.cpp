@@ -1,7 +1,5 @@
 #include "daemon/watch/event_watch.hpp"
 
-#include <algorithm>
-#include <span>
 #include <utility>
 
 #include "libcanopen/base/cob_id.hpp"
@@ -13,10 +11,10 @@ using record::EventKind;
 
 bool EventWatch::add(EventListener& listener) {
   if (past_ == nullptr) {
-    past_ = std::make_unique<Past>(
-        Past{.writes = WriteWatch{device_}, .objects = {}, .message_changes = device_.message_changes()});
-    device_.unit().for_each_object(
-        [this](const drive::DriveObject& object) { past_->objects.push_back(seen_of(object)); });
+    past_ = std::make_unique<Past>(Past{.writes = WriteWatch{device_}, .messages = ActiveMessages{device_}});
+    device_.unit().for_each_object([this](const drive::DriveObject& object) {
+      past_->objects.push_back({object.number(), state_of(object.number())});
+    });
     if (!tap_.add(*this)) {
       past_.reset();
       return false;
@@ -120,14 +118,6 @@ std::optional<drive::State> EventWatch::state_of(std::uint8_t object) const noex
   return std::nullopt;
 }
 
-EventWatch::Seen EventWatch::seen_of(const drive::DriveObject& object) const noexcept {
-  Seen seen{.object = object.number(), .state = state_of(object.number())};
-  for (const auto entries : {object.messages().faults(), object.messages().alarms()})
-    for (const drive::FaultEntry& entry : entries)
-      seen.messages[seen.count++] = {entry.row, entry.value, entry.sequence, entry.kind};
-  return seen;
-}
-
 void EventWatch::look_at_states(canopen::TimePoint now) noexcept {
   for (Seen& seen : past_->objects) {
     const auto state = state_of(seen.object);
@@ -143,37 +133,15 @@ void EventWatch::look_at_states(canopen::TimePoint now) noexcept {
 }
 
 void EventWatch::look_at_messages(canopen::TimePoint now) noexcept {
-  const std::uint32_t changes = device_.message_changes();
-  if (std::exchange(past_->message_changes, changes) == changes) return;
-  for (Seen& seen : past_->objects) {
-    Seen present = seen_of(*device_.unit().object(seen.object));
-    present.state = seen.state;
-    const Seen before = std::exchange(seen, present);
-    compare(before, present, now);
-  }
-}
-
-/// What has left first, then what has come or changed.
-void EventWatch::compare(const Seen& before, const Seen& after, canopen::TimePoint now) noexcept {
-  const std::span old{before.messages.data(), before.count};
-  const std::span present{after.messages.data(), after.count};
-  for (const Known& message : old)
-    if (std::ranges::find(present, message.sequence, &Known::sequence) == present.end())
-      tell_message(before, message, false, now);
-  for (const Known& message : present) {
-    const auto known = std::ranges::find(old, message.sequence, &Known::sequence);
-    if (known == old.end() || known->value != message.value) tell_message(after, message, true, now);
-  }
-}
-
-void EventWatch::tell_message(const Seen& of, const Known& message, bool active, canopen::TimePoint now) noexcept {
-  tell({.time = now,
-        .kind = message.kind == drive::Kind::Fault ? EventKind::Fault : EventKind::Alarm,
-        .object = of.object,
-        .active = active,
-        .number = message.row->number,
-        .code = message.value,
-        .text = message.row->name});
+  past_->messages.look([&](std::uint8_t object, const ActiveMessages::Message& message, bool active) {
+    tell({.time = now,
+          .kind = message.kind == drive::Kind::Fault ? EventKind::Fault : EventKind::Alarm,
+          .object = object,
+          .active = active,
+          .number = message.row->number,
+          .code = message.value,
+          .text = message.row->name});
+  });
 }
 
 }  // namespace axisd

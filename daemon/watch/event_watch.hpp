@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "can/port/port.hpp"
+#include "daemon/watch/active_messages.hpp"
 #include "daemon/watch/frame_tap.hpp"
 #include "daemon/watch/unit_event.hpp"
 #include "daemon/watch/write_watch.hpp"
@@ -48,38 +48,26 @@ class EventWatch final : private FrameListener {
                          canopen::TimePoint now) noexcept;
 
  private:
-  /// An active fault or alarm as it was told.
-  struct Known {
-    const drive::FaultRow* row;
-    std::uint32_t value;
-    std::uint32_t sequence;
-    drive::Kind kind;
-  };
-  /// What was told of a drive object.
+  /// The state of a drive object as it was told.
   struct Seen {
     std::uint8_t object = 0;
     std::optional<drive::State> state{};
-    std::array<Known, 2 * drive::FaultMemory::kCapacity> messages{};
-    std::size_t count = 0;
   };
   /// What is there only while somebody listens.
   struct Past {
     WriteWatch writes;
-    std::vector<Seen> objects;
-    std::uint32_t message_changes;
+    ActiveMessages messages;
+    std::vector<Seen> objects{};
     bus::ErrorState bus = bus::ErrorState::Active;
   };
 
   void on_frame(const canopen::Frame& frame, Direction direction, canopen::TimePoint time) noexcept override;
   void on_handled(canopen::TimePoint now) noexcept override { look(now); }
 
-  Seen seen_of(const drive::DriveObject& object) const noexcept;
   std::optional<drive::State> state_of(std::uint8_t object) const noexcept;
   std::uint8_t axis_of(std::uint8_t object) const noexcept;
   void look_at_states(canopen::TimePoint now) noexcept;
   void look_at_messages(canopen::TimePoint now) noexcept;
-  void compare(const Seen& before, const Seen& after, canopen::TimePoint now) noexcept;
-  void tell_message(const Seen& of, const Known& message, bool active, canopen::TimePoint now) noexcept;
   void on_sent(const canopen::Frame& frame, canopen::TimePoint time) noexcept;
 
   const device::Device& device_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "daemon/base/clock.hpp"
+#include "service/clock.hpp"
 
 namespace axisd {
 

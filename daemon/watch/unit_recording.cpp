@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "daemon/base/clock.hpp"
-#include "daemon/version.hpp"
+#include "service/clock.hpp"
+#include "version/version.hpp"
 
 namespace axisd {
 namespace {
@@ -116,7 +116,7 @@ std::string UnitRecording::head(const RecordSettings& settings, nanoseconds wall
   for (const trace::Signal& signal : signals_) signals.push_back({{"name", signal.name}, {"unit", signal.unit}});
   const auto below_second = wall_clock % std::chrono::seconds{1};
   json head{{"program", "axisd"},
-            {"version", kVersion},
+            {"version", version::number()},
             {"name", settings.name},
             {"unit", fmt::format("{}/{}", unit_.configuration.address.text, unit_.device.node_id())},
             {"interface", interface_of(unit_.configuration.address)},

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "libcanopen/base/cob_id.hpp"
 #include "libcanopen/base/object_index.hpp"
 #include "libcanopen/od/abort_text.hpp"
 
@@ -15,8 +14,6 @@ using canopen::sdo::Request;
 using canopen::sdo::Response;
 
 constexpr std::uint16_t kMostServers = 128;
-/// Sub-indices of a server's record (CiA 301, 7.5.2.33).
-constexpr std::uint8_t kRequest = 1, kResponse = 2;
 constexpr std::size_t kFrameBytes = 8, kExpeditedAt = 4, kExpeditedBytes = 4;
 
 std::size_t servers_of(const device::Device& device) {
@@ -36,20 +33,14 @@ Response response_in(const canopen::Frame& frame) noexcept {
 
 WriteWatch::WriteWatch(const device::Device& device) : device_{device}, downloads_(servers_of(device)) {}
 
-/// The default server has no object here that says it in every unit: the pre-defined connection set does.
-canopen::Identifier WriteWatch::identifier(std::size_t number, std::uint8_t sub_index) const noexcept {
-  const auto index = static_cast<std::uint16_t>(canopen::object::kSdoServer + number);
-  if (const auto cob_id = device_.dictionary().stored(index, sub_index))
-    return canopen::valid_identifier(static_cast<std::uint32_t>(*cob_id));
-  const auto base =
-      sub_index == kRequest ? canopen::function_code::kSdoRequest : canopen::function_code::kSdoResponse;
-  return number == 0 ? base + device_.node_id() : 0;
+canopen::Identifier WriteWatch::identifier(std::size_t number, device::SdoWay way) const noexcept {
+  return device::sdo_identifier(device_.dictionary(), device_.node_id(), number, way);
 }
 
 void WriteWatch::on_received(const canopen::Frame& frame) noexcept {
   if (frame.remote || frame.length != kFrameBytes) return;
   for (std::size_t server = 0; server < downloads_.size(); ++server)
-    if (identifier(server, kRequest) == canopen::identifier_of(frame)) return begin(server, frame);
+    if (identifier(server, device::SdoWay::Request) == canopen::identifier_of(frame)) return begin(server, frame);
 }
 
 /// In a block download the first byte is a sequence number, but 80h, which none has.
@@ -91,7 +82,9 @@ std::optional<UnitEvent> WriteWatch::on_sent(const canopen::Frame& frame) noexce
   if (frame.remote || frame.length != kFrameBytes) return std::nullopt;
   for (std::size_t server = 0; server < downloads_.size(); ++server) {
     Download& download = downloads_[server];
-    if (download.phase == Phase::Idle || identifier(server, kResponse) != canopen::identifier_of(frame)) continue;
+    if (download.phase == Phase::Idle ||
+        identifier(server, device::SdoWay::Response) != canopen::identifier_of(frame))
+      continue;
     const Phase phase = download.phase;
     const Response response = response_in(frame);
     const bool ends = (phase == Phase::Initiated && response == Response::InitiateDownload) ||

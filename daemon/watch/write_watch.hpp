@@ -7,6 +7,7 @@
 
 #include "daemon/watch/unit_event.hpp"
 #include "device/device.hpp"
+#include "device/objects/sdo_channels.hpp"
 #include "libcanopen/base/frame.hpp"
 #include "libcanopen/sdo/command.hpp"
 
@@ -36,8 +37,7 @@ class WriteWatch {
     std::optional<double> before{};
   };
 
-  /// The COB-ID @p sub_index of server @p number as an identifier.
-  canopen::Identifier identifier(std::size_t number, std::uint8_t sub_index) const noexcept;
+  canopen::Identifier identifier(std::size_t number, device::SdoWay way) const noexcept;
   void begin(std::size_t server, const canopen::Frame& frame) noexcept;
   static void take(Download& download, const canopen::Frame& frame, std::size_t first, std::size_t size) noexcept;
   std::optional<double> value_of(const Download& download) const noexcept;

@@ -21,7 +21,7 @@ struct Place {
 /// Something in a file that is not as it should be. All texts are printable UTF-8.
 struct Finding {
   Severity severity = Severity::Error;
-  std::string_view check{};  ///< short stable word, listed in docs/eds-checks.md
+  std::string_view check{};  ///< short stable word, listed in docs/reference/eds-checks.md
   std::string file{};
   unsigned line = 0;  ///< as in Place
   std::string section{};

@@ -5,7 +5,7 @@
 
 namespace eds {
 
-/// One check of a file, as docs/eds-checks.md lists it.
+/// One check of a file, as docs/reference/eds-checks.md lists it.
 struct Check {
   std::string_view id;    ///< the word in findings
   std::string_view rule;  ///< what is right

@@ -10,8 +10,8 @@
 
 #include "eds/writer/file_text.hpp"
 
-// Makes the list of deviations for canopen-check from the two tables of docs/deviations.md: the deviations, and
-// which check meets which of them.
+// Makes the list of deviations for canopen-check from the two tables of docs/reference/deviations.md: the
+// deviations, and which check meets which of them.
 namespace {
 
 using Cells = std::vector<std::string>;

@@ -15,10 +15,12 @@ import programs
 
 # What every method is asked for, in an order in which all can be answered.
 REQUESTS = [
-    ('units', {}), ('status', {}), ('explain', {}), ('explain', {'axis': 1}),
+    ('units', {}), ('status', {}), ('metrics', {}), ('explain', {}), ('explain', {'axis': 1}),
     ('events.subscribe', {}), ('samples.subscribe', {'signals': ['1/speed'], 'period_ms': 50}),
     ('fault.inject', {'axis': 1, 'number': 7860, 'value': 3}), ('fault.list', {}), ('fault.list', {'axis': 1}),
     ('status', {}), ('fault.ack', {'axis': 1}), ('fault.buffer', {'axis': 1}), ('fault.clear', {'axis': 1}),
+    ('inject.kinds', {}), ('inject.add', {'kind': 'heartbeat.late', 'delay_ms': 5, 'after': 3, 'until': '10 heartbeat'}),
+    ('inject.add', {'kind': 'sdo.abort', 'code': '0x08000000', 'times': 1}), ('inject.list', {}), ('inject.remove', {'id': 1}), ('inject.remove', {}),
     ('load.set', {'axis': 1, 'torque_Nm': 1.5}), ('load.get', {'axis': 1}), ('supply.set', {'line_voltage_V': 390}),
     ('supply.get', {}), ('encoder.fail', {'axis': 1, 'defect': 'none'}), ('encoder.get', {'axis': 1}),
     ('plant.get', {'axis': 1}), ('plant.set', {'axis': 1, 'ambient_C': 30}),
@@ -53,6 +55,10 @@ WRONG = [
     (b'{"id": 1, "method": "fault.ack", "params": {"axis": 9}}', 'bad-parameter'),
     (b'{"id": 1, "method": "fault.ack", "params": {"axis": "1"}}', 'bad-parameter'),
     (b'{"id": 1, "method": "fault.inject", "params": {"axis": 1, "number": 9}}', 'not-found'),
+    (b'{"id": 1, "method": "inject.add", "params": {"kind": "sdo.lat"}}', 'bad-parameter'),
+    (b'{"id": 1, "method": "inject.add", "params": {"kind": "sdo.late"}}', 'bad-parameter'),
+    (b'{"id": 1, "method": "inject.add", "params": {"kind": "sdo.late", "delay_ms": 5, "server": 9}}', 'refused'),
+    (b'{"id": 1, "method": "inject.remove", "params": {"id": 9}}', 'not-found'),
     (b'{"id": 1, "method": "parameter.read", "params": {"parameters": ["p9999"]}}', 'not-found'),
     (b'{"id": 1, "method": "parameter.write", "params": {"parameter": "p1120", "value": -1}}', 'out-of-range'),
     (b'{"id": 1, "method": "parameter.write", "params": {"parameter": "1/r0063", "value": 1}}', 'read-only'),

@@ -30,8 +30,8 @@ def main():
         master.receive(0x580 + NODE)
         unit.process.terminate()
         log = unit.text + unit.process.stderr.read().decode()
-        written = len(re.findall('error-(?:passive|active)$', log, re.MULTILINE))
-        left_out = sum(int(count) for count in re.findall(r'\.\.\. (\d+) more left out like .*error-', log))
+        written = len(re.findall(': error-(?:passive|active)$', log, re.MULTILINE))
+        left_out = sum(int(count) for count in re.findall(r'\.\.\. (\d+) more left out like ".*: error-', log))
         assert written <= MOST_LINES, f'{written} lines for {CHANGES} error frames'
         assert written + left_out == CHANGES, f'{written} written, {left_out} left out: {log}'
         assert unit.process.wait(programs.PATIENCE) == 0

@@ -17,7 +17,7 @@ SKIPPED = 77
 
 def skip_without(module, python):
     if subprocess.run([python, '-c', f'import {module}'], stderr=subprocess.DEVNULL).returncode != 0:
-        print(f'skipped: {python} has no module {module}; docs/masters.md says how to install it')
+        print(f'skipped: {python} has no module {module}; docs/how-to/masters.md says how to install it')
         sys.exit(SKIPPED)
 
 

@@ -21,7 +21,7 @@ LINE = re.compile(r'\((\d+\.\d{6})\) can0 ([0-9A-F]{3})#([0-9A-F]*)')
 
 
 def records_of(path):
-    """Head and records (type, ns, content) of a recording, by docs/recording.md and not by a program of the project."""
+    """Head and records (type, ns, content) of a recording, by docs/reference/recording.md and not by a program of the project."""
     with open(path, 'rb') as file:
         content = file.read()
     assert content[:8] == b'AXISREC\n'

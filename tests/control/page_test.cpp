@@ -16,8 +16,9 @@ TEST(ControlPage, IsUpToDate) {
   const std::string made = text_of(METHODS_PAGE);
   ASSERT_NE(made, "");
 
-  EXPECT_NE(text_of(SOURCE_FOLDER "/docs/control.md").find(": begin -->\n" + made + "<!-- "), std::string::npos)
-      << "docs/control.md differs from control/protocol/: cmake --build BUILD --target update_generated";
+  EXPECT_NE(text_of(SOURCE_FOLDER "/docs/reference/control.md").find(": begin -->\n" + made + "<!-- "),
+            std::string::npos)
+      << "docs/reference/control.md differs from control/protocol/: cmake --build BUILD --target update_generated";
 }
 
 }  // namespace

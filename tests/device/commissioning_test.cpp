@@ -1,5 +1,5 @@
-/// A master commissions an axis over CAN: rating plate in, measure, save; docs/commissioning.md shows the same
-/// frames.
+/// A master commissions an axis over CAN: rating plate in, measure, save; docs/how-to/commissioning.md shows the
+/// same frames.
 #include <bit>
 
 #include "tests/device/test_unit.hpp"

@@ -11,9 +11,9 @@
 namespace device {
 namespace {
 
-/// The line of docs/objects.md that opens object @p index: it says what the object does.
+/// The line of docs/reference/objects.md that opens object @p index: it says what the object does.
 std::string line_of(std::uint16_t index) {
-  std::ifstream page{std::string{SOURCE_FOLDER} + "/docs/objects.md"};
+  std::ifstream page{std::string{SOURCE_FOLDER} + "/docs/reference/objects.md"};
   std::ostringstream start;
   start << "| " << std::hex << std::uppercase << index << " | ";
   const std::string variable = start.str() + "00 |";

@@ -41,7 +41,7 @@ TEST(ParameterHomes, AreInBlocksThatTheDriveObjectHas) {
 }
 
 std::string page() {
-  std::ifstream file{SOURCE_FOLDER "/docs/interconnections.md"};
+  std::ifstream file{SOURCE_FOLDER "/docs/reference/interconnections.md"};
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

@@ -9,11 +9,11 @@ namespace drive {
 namespace {
 
 TEST(ParameterReference, IsCheckedInAsTheTablesGiveIt) {
-  std::ifstream file{std::string{SOURCE_FOLDER} + "/docs/parameters.md"};
+  std::ifstream file{std::string{SOURCE_FOLDER} + "/docs/reference/parameters.md"};
   const std::string page{std::istreambuf_iterator<char>{file}, {}};
 
   EXPECT_TRUE(page == parameter_reference())
-      << "docs/parameters.md is not what the tables give; refresh it with: cmake --build BUILD --target "
+      << "docs/reference/parameters.md is not what the tables give; refresh it with: cmake --build BUILD --target "
          "update_parameter_reference";
 }
 

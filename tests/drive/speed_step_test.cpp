@@ -56,7 +56,7 @@ double rise_time(const std::vector<double>& speeds) {
   return kSample * static_cast<double>(there - speeds.begin());
 }
 
-/// With AXISD_PHYSICS_OUT set to a folder, for the picture in docs/commissioning.md.
+/// With AXISD_PHYSICS_OUT set to a folder, for the picture in docs/how-to/commissioning.md.
 void record(const std::vector<double>& before, const std::vector<double>& after) {
   const char* const folder = std::getenv("AXISD_PHYSICS_OUT");
   if (folder == nullptr) return;

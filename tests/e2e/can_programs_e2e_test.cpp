@@ -1,3 +1,4 @@
+#include <chrono>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -24,9 +25,9 @@ struct CanPrograms : RunningDaemon {
     words.insert(words.end(), options.begin(), options.end());
     words.emplace_back(kTestInterface);
     auto program = std::make_unique<Program>(words, bus_environment());
-    while (program->output().find("7FF#") == std::string::npos &&
-           program->output().find(" 7FF ") == std::string::npos)
-      can->send("7FF#");
+    constexpr std::chrono::milliseconds kBetweenProbes{20};  // a flood of them would fill candump's socket
+    do can->send("7FF#");
+    while (!program->wait_for_output("7FF", 0, kBetweenProbes));
     return program;
   }
   /// Whether @p program has ended; its status stays for wait().

@@ -99,9 +99,9 @@ const std::string& Program::output() {
   return output_;
 }
 
-bool Program::wait_for_output(std::string_view text, std::size_t from) {
+bool Program::wait_for_output(std::string_view text, std::size_t from, milliseconds patience) {
   while (output().find(text, from) == std::string::npos) {
-    if (!read_some(kPatience)) return false;
+    if (!read_some(patience)) return false;
   }
   return true;
 }

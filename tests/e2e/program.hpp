@@ -32,8 +32,10 @@ class Program {
   /// Waits until the program has ended: its exit status, or the negative number of the signal that ended it.
   /// Throws std::runtime_error if it goes on.
   int wait();
-  /// Waits until the output contains @p text, at or behind position @p from; false if it does not come.
-  bool wait_for_output(std::string_view text, std::size_t from = 0);
+  /// Waits until the output contains @p text, at or behind position @p from; false if nothing more comes in @p
+  /// patience.
+  bool wait_for_output(std::string_view text, std::size_t from = 0,
+                       std::chrono::milliseconds patience = kPatience);
   /// All that was written so far.
   const std::string& output();
   /// Processor time used so far, in clock ticks.

@@ -20,7 +20,7 @@ std::set<std::string> tests() {
   return names;
 }
 
-constexpr const char* kDocument = SOURCE_FOLDER "/docs/cia301.md";
+constexpr const char* kDocument = SOURCE_FOLDER "/docs/reference/cia301.md";
 
 TEST(Cia301Document, NamesTestsThatExist) {
   static const std::regex last_cell{R"(.*\| ([^|]+) \|)"};

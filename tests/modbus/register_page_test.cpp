@@ -1,4 +1,4 @@
-// The table of registers in docs/modbus.md against the one that is served.
+// The table of registers in docs/reference/modbus.md against the one that is served.
 #include <fstream>
 #include <iterator>
 
@@ -39,7 +39,8 @@ std::string table() {
 TEST(PageOfRegisters, HasEveryRegisterThatIsServed) {
   std::ifstream file{MODBUS_PAGE};
   const std::string page{std::istreambuf_iterator<char>{file}, {}};
-  EXPECT_NE(page.find("\n" + table() + "\n"), std::string::npos) << "docs/modbus.md has to have:\n" << table();
+  EXPECT_NE(page.find("\n" + table() + "\n"), std::string::npos) << "docs/reference/modbus.md has to have:\n"
+                                                                 << table();
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_installation.sh CHECK: installs the whole project from the build tree to a temporary prefix and checks one thing of
-# it. SOURCE_DIR, BUILD_DIR, BUILD_TYPE and CMAKE name the tree, its build and its type, and cmake.
+# it. SOURCE_DIR, BUILD_DIR, BUILD_TYPE, CMAKE and CXX name the tree, its build and its type, cmake, and the compiler.
 set -euo pipefail
 
 work=$(mktemp -d)
@@ -11,22 +11,10 @@ fail() { echo "$*" >&2; exit 1; }
 
 install_all() { "$CMAKE" --install "$BUILD_DIR" --prefix "$prefix" >"$work/log" 2>&1 || fail "$(<"$work/log")"; }
 
-# links_of PAGE: the files that a Markdown page points to, without what stands in blocks of code.
-links_of() {
-  sed '/^```/,/^```/d;/^    /d' "$1" | grep -oE '\]\([^) ]+\)' | sed -E 's/^\]\(//;s/\)$//;s/#.*//' | grep -vE '^([a-z]+:|$)'
-}
-
+# Files and headings that pages point to; every page of docs/ from the index.
 check_links() {
-  local page link count=0 missing=
   install_all
-  while read -r page; do
-    while read -r link; do
-      ((count += 1))
-      [[ -e ${page%/*}/$link ]] || missing+="${page#"$prefix"/} points to $link"$'\n'
-    done < <(links_of "$page")
-  done < <(find "$prefix/share/doc/axisd" -name '*.md')
-  [[ ! $missing ]] || fail "$missing"
-  ((count > 100)) || fail "only $count links were found"
+  PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$SOURCE_DIR/tests/docs/check_links.py" "$prefix/share/doc/axisd" docs/README.md
 }
 
 # says PATTERN COMMAND...: whether the output of COMMAND, read to its end, has a line that matches.
@@ -45,13 +33,117 @@ check_hardened() {
     says 'BIND_NOW|Flags:.* NOW' readelf -Wd "$file" || fail "$file: binds addresses when they are used"
     says 'GNU_RELRO' readelf -Wl "$file" || fail "$file: has no RELRO"
     says 'GNU_STACK .* RW ' readelf -Wl "$file" || fail "$file: has a stack that can be run"
+    if says 'RPATH|RUNPATH' readelf -Wd "$file"; then fail "$file: looks for libraries in folders of its own"; fi
     says '__stack_chk_fail' readelf -Ws --dyn-syms "$file" || fail "$file: does not watch its stack"
   done
   [[ $(uname -m) != x86_64 ]] || says 'endbr64' objdump -d "$prefix/bin/axisd" || fail "axisd: does not mark where calls may go"
   [[ $BUILD_TYPE == Release ]] || return 0
-  for file in axisd canhub; do
-    says '__[a-z]+_chk@' readelf -Ws --dyn-syms "$prefix/bin/$file" || fail "$file: has no checked calls of libc"
+  # libcanopen calls none of the functions in question.
+  for file in "$prefix"/bin/* "$prefix"/lib/axisd/*.so; do
+    says '__[a-z]+_chk@' readelf -Ws --dyn-syms "$file" || fail "$file: has no checked calls of libc"
   done
+}
+
+# Every program says one version, that of the project, and one commit, if any.
+check_versions() {
+  local program lines version
+  version=$(sed -n 's/^project(axisd VERSION \([0-9.]*\).*/\1/p' "$SOURCE_DIR/CMakeLists.txt")
+  install_all
+  lines=$(for program in "$prefix"/bin/*; do "$program" --version | sed "s/^${program##*/} //"; done | sort -u)
+  [[ $lines =~ ^"$version"(\ \([0-9a-f]{10}(-dirty)?\))?$ ]] || fail "expected one version $version and one commit, got: $lines"
+}
+
+# page_of NAME: the text of the man page, as it is shown, in one line without hyphenation.
+page_of() {
+  local page
+  page=$(find "$prefix/share/man" -name "$1.[0-9].gz")
+  [[ $page && $page != *$'\n'* ]] || fail "$1: expected one man page, got '$page'"
+  gzip -dc "$page"
+}
+
+# plain_page_of NAME: without the marks of roff.
+plain_page_of() { page_of "$1" | sed -e 's/\\f[A-Z]//g' -e 's/\\&//g' -e 's/\\\(.\)/\1/g'; }
+
+check_man() {
+  local program page option key count=0 name
+  install_all
+  for program in "$prefix"/bin/*; do
+    page=$(plain_page_of "${program##*/}")
+    while read -r option; do
+      ((count += 1))
+      grep -qE -- "(^|[ ,])$option($|[ ,])" <<<"$page" || fail "${program##*/}: its man page does not have $option"
+    done < <("$program" --help | grep -oE '^ +(-[a-zA-Z], ?)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+')
+    for name in NAME SYNOPSIS DESCRIPTION OPTIONS 'EXIT STATUS' EXAMPLES 'SEE ALSO'; do
+      grep -qE "^\.SH \"?$name\"?$" <<<"$page" || fail "${program##*/}: its man page has no section $name"
+    done
+  done
+  ((count > 40)) || fail "only $count options were found"
+  grep -qF -- '--ignore CHECK[:SECTION]' <<<"$(plain_page_of edstool)" || fail "edstool: the value of --ignore is not as in its help"
+  page=$(plain_page_of axisd.json)
+  count=0
+  while read -r key; do
+    ((count += 1))
+    grep -qE "(^|\.)$key$" <<<"$page" || fail "axisd.json(5) does not have the key $key"
+  done < <(python3 - "$SOURCE_DIR/daemon/axisd.schema.json" <<'KEYS'
+import json, sys
+
+def keys(node):
+    if isinstance(node, dict):
+        for name, value in node.items():
+            if name == "properties":
+                yield from value
+            yield from keys(value)
+    elif isinstance(node, list):
+        for value in node:
+            yield from keys(value)
+
+definitions = json.load(open(sys.argv[1]))["$defs"]
+print(*sorted({key for name in definitions for key in keys(definitions[name])}), sep="\n")
+KEYS
+)
+  ((count > 80)) || fail "only $count keys were found"
+  # Pages of our own that others point to.
+  while read -r name; do
+    page_of "$name" >/dev/null
+  done < <(find "$prefix/share/man" -name '*.gz' -exec gzip -dc {} + | sed 's/\\f[A-Z]//g' |
+    grep -oE '(axisd|axisctl|axisd\.json|axisd-http|canhub|with-can|canopen-check|canopen-zoo|edstool)\([158]\)' | sed 's/(.*//' | sort -u)
+}
+
+# What tests of others are made of: each starts the unit that is installed beside it, and nothing of the tree.
+check_fixtures() {
+  local said modules
+  install_all
+  modules=$(echo "$prefix"/lib/python3*/dist-packages)
+  cd "$work"
+  said=$(env -u AXISD_BIN_DIR PATH=/usr/bin:/bin PYTHONPATH="$modules" /usr/bin/python3 -c 'import axisd
+with axisd.Unit() as unit:
+    print(unit.bus.recv(), unit.bus.hub.process.args[0], unit._program.process.args[0])')
+  [[ $said == "705#00 $prefix/bin/canhub $prefix/bin/axisd" ]] || fail "the module of Python says: $said"
+  cat >"$work/test_one.py" <<'TEST'
+def test_one(drive):
+    assert str(drive.bus.recv()) == "705#00"
+TEST
+  said=$(env -u AXISD_BIN_DIR PATH=/usr/bin:/bin PYTHONPATH="$modules" /usr/bin/python3 -m pytest -q -p no:cacheprovider "$work/test_one.py")
+  [[ $said == *'1 passed'* ]] || fail "pytest says: $said"
+  # shellcheck disable=SC2016  # of JavaScript
+  said=$(env -u AXISD_BIN_DIR PATH="$prefix/bin:$PATH" NODE_PATH="$prefix/share/nodejs" node -e 'require("axisd").Unit.start().then(async (unit) => {
+    console.log(`${unit.bus.frames}`);
+    await unit.close();
+  })')
+  [[ $said == '705#00' ]] || fail "the module of Node says: $said"
+  cat >"$work/one.cpp" <<'PROGRAM'
+#include <iostream>
+
+#include <axisd/testing.hpp>
+
+int main() {
+  axisd::testing::Unit unit;
+  std::cout << unit.wait_frame(0x705).text() << std::endl;
+}
+PROGRAM
+  "$CXX" -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -I "$prefix/include" -o "$work/one" "$work/one.cpp" -lgtest -pthread
+  said=$(env -u AXISD_BIN_DIR PATH="$prefix/bin:$PATH" "$work/one")
+  [[ $said == '705#00' ]] || fail "the header of C++ says: $said"
 }
 
 # Configured and not built: as after a demo, which builds what it needs and no more.

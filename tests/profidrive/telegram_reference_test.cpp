@@ -9,11 +9,11 @@ namespace profidrive {
 namespace {
 
 TEST(TelegramReference, IsCheckedInAsTheTablesGiveIt) {
-  std::ifstream file{std::string{SOURCE_FOLDER} + "/docs/telegrams.md"};
+  std::ifstream file{std::string{SOURCE_FOLDER} + "/docs/reference/telegrams.md"};
   const std::string page{std::istreambuf_iterator<char>{file}, {}};
 
   EXPECT_TRUE(page == telegram_reference())
-      << "docs/telegrams.md is not what the tables give; refresh it with: cmake --build BUILD --target "
+      << "docs/reference/telegrams.md is not what the tables give; refresh it with: cmake --build BUILD --target "
          "update_telegram_reference";
 }
 

@@ -3,7 +3,9 @@
 # check_unit.sh exposure FOLDER UNIT LIMIT    its exposure, times ten, is at most LIMIT; prints the exposure
 # check_unit.sh limits FOLDER UNIT            memory and tasks are bounded, and systemd understands the bounds
 # check_unit.sh loopback FOLDER UNIT          it may use the sockets of the network, but only with this machine
-# UNIT is a template; it is checked as the instance vcan0.
+# check_unit.sh sharing FOLDER UNIT            its user is made at run time, its group is that of the control sockets, its own
+#                                            folders are within nobody else's
+# A template is checked as the instance vcan0.
 set -euo pipefail
 
 mode=$1 folder=$2 unit=$3
@@ -13,7 +15,7 @@ instance=${unit/@./@vcan0.}
 case $mode in
   verify)
     # The trailing colon adds systemd's own units, such as modprobe@.service.
-    answer=$(SYSTEMD_UNIT_PATH=$folder: systemd-analyze verify "$instance" 2>&1) ||
+    answer=$(SYSTEMD_UNIT_PATH=$folder: systemd-analyze verify --man=no "$instance" 2>&1) ||
       { echo "$answer" >&2; exit 1; }
     # systemd-analyze reports an unknown setting and still succeeds. What it says of other units is not about ours.
     if grep -F "${unit%.service}" <<<"$answer" >&2; then exit 1; fi ;;
@@ -22,12 +24,25 @@ case $mode in
   limits)
     for limit in MemoryMax TasksMax; do
       value=$(sed -n "s/^$limit=//p" "$folder/$unit")
-      [[ $value =~ ^[0-9]+M?$ ]] || { echo "$unit: expected $limit=NUMBER, got '$value'" >&2; exit 1; }
+      [[ $value =~ ^[0-9]+[MG]?$ ]] || { echo "$unit: expected $limit=NUMBER, got '$value'" >&2; exit 1; }
     done ;;
   loopback)
     answer=$(SYSTEMD_UNIT_PATH=$folder: systemd-analyze security --offline=true --threshold=100 --no-pager "$folder/$unit")
     for wanted in 'may allocate Internet sockets' 'IP address allow list with only localhost entries'; do
       grep -qF "$wanted" <<<"$answer" || { echo "$unit: systemd-analyze does not say '$wanted'" >&2; exit 1; }
+    done ;;
+  sharing)
+    setting() { sed -n "s/^$1=//p" "$folder/$unit"; }
+    [[ $(setting DynamicUser) == yes && $(setting Group) == axisd ]] || { echo "$unit: expected DynamicUser=yes, Group=axisd" >&2; exit 1; }
+    # A group that exists and a user that does not may not have one name.
+    [[ $(setting User) == _* ]] || { echo "$unit: expected a user other than the group, got '$(setting User)'" >&2; exit 1; }
+    # systemd gives a folder and all below it to the service, and deletes /run/FOLDER when that ends.
+    for other in "$folder"/*.service; do
+      [[ $other != "$folder/$unit" ]] || continue
+      for name in StateDirectory RuntimeDirectory; do
+        own=$(setting $name) theirs=$(sed -n "s/^$name=//p" "$other")
+        [[ -z $own || $theirs/ != "$own"/* ]] || { echo "$unit: $name=$own holds that of ${other##*/}" >&2; exit 1; }
+      done
     done ;;
   *) echo "unknown mode $mode" >&2; exit 2 ;;
 esac

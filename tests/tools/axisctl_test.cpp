@@ -247,11 +247,11 @@ TEST_F(Axisctl, HelpsAsASubcommandToo) {
 }
 
 TEST_F(Axisctl, HasAPageThatIsUpToDate) {
-  std::ifstream file{SOURCE_FOLDER "/docs/axisctl-commands.md"};
+  std::ifstream file{SOURCE_FOLDER "/docs/reference/axisctl-commands.md"};
   const std::string page{std::istreambuf_iterator<char>{file}, {}};
 
   EXPECT_TRUE(run({"--completion", "markdown"}).output == page)
-      << "docs/axisctl-commands.md: cmake --build BUILD --target update_generated";
+      << "docs/reference/axisctl-commands.md: cmake --build BUILD --target update_generated";
 }
 
 TEST_F(Axisctl, ExplainsItself) {

@@ -15,7 +15,8 @@ namespace {
 
 using fakes::Finished;
 
-constexpr const char* kPrograms[] = {"axisctl", "axisd", "canhub", "canopen-check", "edstool", "with-can"};
+constexpr const char* kPrograms[] = {"axisctl",       "axisd",       "axisd-http", "canhub",
+                                     "canopen-check", "canopen-zoo", "edstool",    "with-can"};
 
 /// What a real bash offers for the last of @p words, the first of which is the program; with blanks between.
 std::string offered(const std::vector<std::string>& words) {
@@ -65,6 +66,7 @@ TEST(BashCompletion, OffersValuesOfOptions) {
   EXPECT_EQ(offered({"axisd", "--config", "README"}), "README.md\n");
   EXPECT_EQ(offered({"axisd", "--node-id", ""}), "\n");
   EXPECT_EQ(offered({"edstool", "lint", "--severity", ""}), "error warning\n");
+  EXPECT_EQ(offered({"canopen-zoo", "--run", "NeverT"}), "NeverToggles\n");
 }
 
 TEST(BashCompletion, KnowsValuesOfOptionsFromWords) {

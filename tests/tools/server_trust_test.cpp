@@ -1,4 +1,4 @@
-#include "tools/axisctl/connection/server_trust.hpp"
+#include "control/discovery/server_trust.hpp"
 
 #include <cstring>
 
@@ -11,7 +11,7 @@
 #include "os/descriptor.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 
-namespace axisctl {
+namespace control {
 namespace {
 
 constexpr uid_t kRoot = 0;
@@ -99,4 +99,4 @@ TEST(ServerTrust, IsRefusedToAnotherUserInAFolderForAll) {
 }
 
 }  // namespace
-}  // namespace axisctl
+}  // namespace control

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "cli/completion.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/suggestion.hpp"
 #include "tools/axisctl/completion.hpp"
-#include "tools/axisctl/suggestion.hpp"
+#include "version/version.hpp"
 
 namespace axisctl {
 namespace {
@@ -23,7 +25,7 @@ std::vector<std::string> names_below(const CLI::App& app) {
 /// In one line: @p word is no subcommand of @p app.
 std::string unknown_subcommand(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> names = names_below(app);
-  const std::string meant = nearest(word, names);
+  const std::string meant = cli::nearest(word, names);
   if (!meant.empty()) return fmt::format("unknown subcommand {}, did you mean {}?", word, meant);
   return fmt::format("unknown subcommand {}, expected one of: {}", word, fmt::join(names, ", "));
 }
@@ -41,7 +43,7 @@ CommandLine::CommandLine() {
 
 void CommandLine::add_options() {
   Address& address = invocation_.settings.address;
-  app_.set_version_flag("--version", "axisctl " AXISD_VERSION);
+  app_.set_version_flag("--version", version::line("axisctl"));
   app_.add_option("--unit", invocation_.unit,
                   "Unit: node-ID as it was told to the daemon, or BUS/NODE; may be left out if there is one")
       ->type_name("UNIT");
@@ -55,10 +57,9 @@ void CommandLine::add_options() {
       ->type_name("N");
   app_.add_flag("--json", invocation_.settings.json, "Print the result as one line of JSON");
   app_.add_flag("-b,--brief", invocation_.brief, "Print one line an axis or thing, without heads");
-  std::string footer = "Exit status:";
-  for (const ExitRow& row : kExitRows)
-    footer += fmt::format("\n  {:>2}  {}", static_cast<int>(row.status), row.meaning);
-  app_.footer(footer);
+  std::vector<cli::ExitRow> rows;
+  for (const ExitRow& row : kExitRows) rows.push_back({static_cast<int>(row.status), row.meaning});
+  app_.footer(cli::exit_footer(rows));
 }
 
 void CommandLine::add_help() {

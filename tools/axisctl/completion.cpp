@@ -41,6 +41,7 @@ cli::Value value_of(const control::Parameter& parameter) {
     case control::Form::List:
     case control::Form::Words:
     case control::Form::Value:
+    case control::Form::Hexadecimal:
     case control::Form::Any:
       break;
   }

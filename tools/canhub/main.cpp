@@ -11,6 +11,7 @@
 
 #include "can/hub/path/path_owner.hpp"
 #include "can/hub/server.hpp"
+#include "tools/canhub/faults.hpp"
 #include "tools/canhub/neighbours.hpp"
 #include "tools/canhub/options.hpp"
 #include "tools/canhub/signals.hpp"
@@ -42,6 +43,7 @@ void serve(hub::PathOwner& owner, const canhub::Options& options) {
   hub::Server server{owner.listener(), {.bit_rate = options.bit_rate.value_or(0), .on_demand = options.on_demand}};
   const canhub::Signals signals{server};
   const canhub::Neighbours neighbours{server, options};
+  canhub::load_faults(server, options);
   if (!options.on_demand) std::cerr << "canhub: ready, serving " << options.path.text << std::endl;
   server.run();
   owner.release();  // before the members are told, so that they do not come back here
@@ -72,6 +74,7 @@ int serve_on_demand(hub::PathOwner& owner, const canhub::Options& options) {
 int run(const canhub::Options& options) {
   if (options.status)
     return canhub::print_status(options.path, std::cout, std::cerr) ? EXIT_SUCCESS : EXIT_FAILURE;
+  if (options.is_about_faults()) return canhub::command_faults(options, std::cout, std::cerr);
   raise_descriptor_limit();
   std::signal(SIGPIPE, SIG_IGN);  // a reader of standard error that goes does not end the bus
   auto owner = hub::PathOwner::take(options.path, options.bit_rate);

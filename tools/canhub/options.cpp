@@ -1,5 +1,6 @@
 #include "tools/canhub/options.hpp"
 
+#include <array>
 #include <iostream>
 #include <string_view>
 
@@ -7,7 +8,11 @@
 #include <fmt/format.h>
 
 #include "can/userbus/bit_rate.hpp"
+#include "can/userbus/protocol.hpp"
 #include "cli/completion.hpp"
+#include "cli/exit_status.hpp"
+#include "text/number.hpp"
+#include "version/version.hpp"
 
 namespace canhub {
 
@@ -15,9 +20,20 @@ namespace {
 
 constexpr const char* kDescription =
     "Serves a CAN bus in user space at a Unix socket, for programs that run under with-can and for axisd.";
-constexpr const char* kFooter =
-    "Exit status: 0 done, 1 failed, 2 wrong usage; with --on-demand also 3 the path is used by something else,\n"
-    "4 the bus is served at another bit rate; with --status 1 nobody serves the bus.";
+using userbus::StartStatus;
+constexpr std::array kExitRows{
+    cli::ExitRow{static_cast<int>(StartStatus::Served),
+                 "ended by a signal; with --on-demand: the path is served, by this hub or by one that was there"},
+    cli::ExitRow{
+        static_cast<int>(StartStatus::Failed),
+        "failed, or the path is in use; with --status, --inject, --injected or --take-back: nobody serves it"},
+    cli::ExitRow{static_cast<int>(StartStatus::Usage),
+                 "wrong usage, a path that is too long and a fault that the bus cannot have included"},
+    cli::ExitRow{static_cast<int>(StartStatus::InUse),
+                 "with --on-demand: something that is no hub is at the path"},
+    cli::ExitRow{static_cast<int>(StartStatus::Different),
+                 "with --on-demand: a hub serves the path at another bit rate than --bitrate"},
+};
 
 std::uint32_t bit_rate_of(const std::string& text) {
   std::uint32_t rate = 0;
@@ -42,6 +58,14 @@ userbus::Path path_of(const std::optional<std::string>& given) {
   return path;
 }
 
+TakeBack take_back_of(const std::string& text) {
+  if (text == "all") return {};
+  const auto number = text::integer<std::uint32_t>(text);
+  if (!number)
+    throw UsageError{fmt::format("--take-back: expected the number of a fault or all, got \"{}\"", text)};
+  return {*number};
+}
+
 bus::Address bridge_of(const std::string& text, const userbus::Path& path) {
   auto address = bus::parse_address(text);
   if (!address) throw UsageError{"--bridge: " + address.error()};
@@ -59,8 +83,9 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   std::optional<std::string> path;
   std::optional<std::string> bit_rate;
   std::vector<std::string> bridges;
-  app.footer(kFooter);
-  app.set_version_flag("--version", "canhub " AXISD_VERSION);
+  std::optional<std::string> take_back;
+  app.footer(cli::exit_footer(kExitRows));
+  app.set_version_flag("--version", version::line("canhub"));
   app.add_option(
          "--path", path,
          "socket of the bus (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /run/can-bus for root and "
@@ -74,6 +99,19 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
       ->type_name("URL");
   app.add_option("--socketcand", options.socketcand, "serve clients of socketcand too")->type_name("HOST:PORT");
   app.add_flag("--status", options.status, "print what a running hub knows of its members, and exit");
+  app.add_option("--with", options.with,
+                 "a fault that the bus has from the start, in words or JSON; may be given several times")
+      ->type_name("FAULT");
+  app.add_option("--inject", options.inject,
+                 "give a running hub a fault, \"bus.drop id=185 after=10 times=1\" or JSON, print its number, and "
+                 "exit; may "
+                 "be given several times")
+      ->type_name("FAULT");
+  app.add_flag("--injected", options.injected,
+               "print the faults of a running hub and what they have hit, and exit");
+  app.add_option("--take-back", take_back, "take back fault ID of a running hub, or all, and exit")
+      ->type_name("ID");
+  app.add_flag("--json", options.json, "print --injected as JSON");
   cli::add_completion(app);
   try {
     app.parse(count, words);
@@ -84,6 +122,15 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   }
   options.path = path_of(path);
   if (bit_rate) options.bit_rate = bit_rate_of(*bit_rate);
+  if (take_back) options.take_back = take_back_of(*take_back);
+  if (options.is_about_faults() && (bit_rate || options.on_demand || options.status || !bridges.empty() ||
+                                    !options.socketcand.empty() || !options.with.empty()))
+    throw UsageError{
+        "--inject, --injected and --take-back speak to a running hub: beside --path and --json they go with "
+        "each other only"};
+  if (options.json && !options.injected) throw UsageError{"--json goes with --injected"};
+  if (options.on_demand && !options.with.empty())
+    throw UsageError{"--on-demand does not go with --with, whose faults nobody would see refused"};
   if (options.on_demand && (!bridges.empty() || !options.socketcand.empty()))
     throw UsageError{"--on-demand goes with neither --bridge nor --socketcand, whose failure nobody would see"};
   for (const std::string& bridge : bridges) options.bridges.push_back(bridge_of(bridge, options.path));

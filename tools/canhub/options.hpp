@@ -11,6 +11,11 @@
 
 namespace canhub {
 
+/// Which faults are to be taken back.
+struct TakeBack {
+  std::optional<std::uint32_t> number;  ///< nothing: all
+};
+
 /// What the command line asks for.
 struct Options {
   userbus::Path path{};
@@ -19,6 +24,14 @@ struct Options {
   std::vector<bus::Address> bridges;
   std::string socketcand;  ///< HOST:PORT, empty = none
   bool status = false;
+  std::vector<std::string> with;    ///< faults to begin with, as they were written
+  std::vector<std::string> inject;  ///< faults for a hub that runs
+  bool injected = false;
+  std::optional<TakeBack> take_back;
+  bool json = false;
+
+  /// Whether a hub that runs is spoken to about its faults.
+  [[nodiscard]] bool is_about_faults() const noexcept { return !inject.empty() || injected || take_back; }
 };
 
 /// One line that says what is wrong with the command line.

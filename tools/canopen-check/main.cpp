@@ -16,6 +16,7 @@
 #include "tools/canopen-check/port_wire.hpp"
 #include "tools/canopen-check/report/report.hpp"
 #include "tools/sheet_file.hpp"
+#include "version/version.hpp"
 
 namespace {
 
@@ -66,7 +67,7 @@ std::string hexadecimal_of(const std::optional<std::uint64_t>& number) {
 
 RunInfo info_of(const Options& options, const Sheets& sheets) {
   const DeviceFacts& device = sheets.description.device();
-  return {.version = AXISD_VERSION,
+  return {.version = std::string{version::number()},
           .interface = options.interface ? options.interface->text : "",
           .node_id = options.interface ? options.settings.node_id : 0U,
           .mode = std::string{word_of(options.settings.mode)},

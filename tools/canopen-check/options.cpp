@@ -1,6 +1,7 @@
 #include "tools/canopen-check/options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <ranges>
 
@@ -8,8 +9,10 @@
 #include <fmt/format.h>
 
 #include "cli/completion.hpp"
+#include "cli/exit_status.hpp"
 #include "tools/canopen-check/checks/objects/static_checks.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "version/version.hpp"
 
 namespace conformance {
 namespace {
@@ -17,10 +20,13 @@ namespace {
 constexpr const char* kDescription =
     "Tests a CANopen slave against CiA 301 and its EDS. What is written is read before and restored afterwards; a "
     "drive is\nnever enabled.";
-constexpr const char* kFooter =
-    "Exit status: 0 no check failed, 1 a check failed or could not be ended, 2 wrong usage or a file that cannot "
-    "be "
-    "used,\n3 the bus or the node could not be reached, or nothing was tested.";
+constexpr std::array kExitRows{
+    cli::ExitRow{kClean, "no check failed; known deviations are no failure"},
+    cli::ExitRow{kFound,
+                 "a check failed, the run ended before its last check, or something could not be restored"},
+    cli::ExitRow{kUsage, "wrong usage, or a file that cannot be read, used or written"},
+    cli::ExitRow{kNotReached, "the bus or the node could not be reached, or every check was skipped"},
+};
 constexpr unsigned kHighestNode = 127;
 
 /// What the options hold as text until they are judged.
@@ -118,8 +124,8 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   Options options;
   Words held;
   CLI::App app{kDescription, "canopen-check"};
-  app.footer(kFooter);
-  app.set_version_flag("--version", "canopen-check " AXISD_VERSION);
+  app.footer(cli::exit_footer(kExitRows));
+  app.set_version_flag("--version", version::line("canopen-check"));
   add_options(app, options, held);
   try {
     app.parse(count, words);

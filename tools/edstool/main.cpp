@@ -1,12 +1,21 @@
+#include <array>
 #include <exception>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/completion.hpp"
+#include "cli/exit_status.hpp"
 #include "tools/edstool/command.hpp"
+#include "version/version.hpp"
 
 namespace {
+
+constexpr std::array kExitRows{
+    cli::ExitRow{edstool::kClean, "clean, or warnings only"},
+    cli::ExitRow{edstool::kFound, "an error or a difference was found"},
+    cli::ExitRow{edstool::kUsage, "wrong usage, or a file that cannot be read or written"},
+};
 
 int complain(std::string_view text) {
   std::cerr << "edstool: " << text << '\n';
@@ -18,11 +27,9 @@ int complain(std::string_view text) {
 int main(int argc, char** argv) {
   CLI::App app{"Reads, checks and makes EDS and DCF files of CANopen devices.", "edstool"};
   edstool::Invocation invocation;
-  app.set_version_flag("--version", "edstool " AXISD_VERSION);
+  app.set_version_flag("--version", version::line("edstool"));
   app.add_flag("--json", invocation.json, "Print the result as one line of JSON");
-  app.footer(
-      "Exit status: 0 clean or warnings only, 1 an error or a difference was found, 2 wrong usage or a file that "
-      "cannot be read or written.");
+  app.footer(cli::exit_footer(kExitRows));
   for (const edstool::AddCommand add : edstool::commands()) add(app, invocation);
   cli::add_completion(app);
   app.require_subcommand(1);

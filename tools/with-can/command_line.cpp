@@ -23,8 +23,12 @@ uses SocketCAN and is linked with the C library dynamically; scripts are, as the
   --help        this text
   --version     the version
 
-The exit status is that of COMMAND; 127 if it is not found, 126 if it cannot be executed, 2 for wrong usage and
-for programs into which nothing can be preloaded, 1 for any other failure.
+Exit status:
+   -  that of COMMAND, if it ran
+   1  the bus runs at another bit rate, or cannot be started; the library is missing
+   2  wrong usage, a path over 107 bytes, or a program into which nothing can be preloaded
+ 126  COMMAND cannot be executed
+ 127  COMMAND is not found
 )";
 
 namespace {

@@ -8,15 +8,25 @@
 
 namespace {
 
-/// The options as the help lists them: "  --bus PATH    the bus is at PATH".
+/// The options as the help lists them: "  --bus PATH    the bus is at PATH", and more of that on lines that begin
+/// with spaces; it ends with the exit statuses.
 cli::Command described() {
   cli::Command program{"with-can", "runs a program with CAN sockets on a bus in user space"};
   std::istringstream lines{std::string{with_can::kHelp}};
   const std::regex pattern{"  (--[a-z-]+)(?: ([A-Z]+))?  +(.*)"};
   std::smatch parts;
-  for (std::string line; std::getline(lines, line);)
-    if (std::regex_match(line, parts, pattern))
+  bool in_option = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, parts, pattern)) {
       program.options.push_back({{parts[1]}, parts[3], parts[2].matched, parts[2], cli::value_named(parts[2])});
+      in_option = true;
+    } else if (in_option && line.starts_with("   ")) {
+      program.options.back().help += ' ' + line.substr(line.find_first_not_of(' '));
+    } else {
+      in_option = false;
+    }
+  }
+  program.footer = with_can::kHelp.substr(with_can::kHelp.find("Exit status:"));
   program.words.push_back({"COMMAND", "program and its arguments", true, true, {cli::Kind::Command}});
   return program;
 }

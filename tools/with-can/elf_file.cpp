@@ -50,6 +50,12 @@ std::optional<std::string> read_loader(std::ifstream& file, const ElfW(Ehdr) & h
 
 }  // namespace
 
+bool claims_to_be_elf(const std::filesystem::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  std::array<char, SELFMAG> magic{};
+  return read_at(file, 0, magic) && std::memcmp(magic.data(), ELFMAG, SELFMAG) == 0;
+}
+
 std::optional<ElfFile> read_elf(const std::filesystem::path& path) {
   std::ifstream file{path, std::ios::binary};
   std::array<char, EI_NIDENT> identity{};

@@ -19,4 +19,7 @@ struct ElfFile {
 /// this machine's word size and byte order.
 std::optional<ElfFile> read_elf(const std::filesystem::path& path);
 
+/// Whether @p path begins as an ELF file does, whatever follows.
+bool claims_to_be_elf(const std::filesystem::path& path);
+
 }  // namespace with_can

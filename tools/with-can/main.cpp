@@ -11,7 +11,9 @@
 #include "can/userbus/path.hpp"
 #include "can/userbus/start_hub.hpp"
 #include "tools/with-can/command_line.hpp"
+#include "tools/with-can/elf_file.hpp"
 #include "tools/with-can/program_file.hpp"
+#include "version/version.hpp"
 
 namespace {
 
@@ -98,7 +100,10 @@ int run(const CommandLine& line) {
     if (const int status = start_bus(bus, line.bit_rate, folder.string()); status != 0) return status;
   }
   preload(library);
-  ::execvp(line.command.front(), line.command.data());
+  ::execv(program.path.c_str(), line.command.data());
+  // execvp(3) gives what the kernel does not take to the shell: right for a script, not for a damaged program.
+  if (errno == ENOEXEC && !with_can::claims_to_be_elf(program.path))
+    ::execvp(line.command.front(), line.command.data());
   return fail(with_can::kNotExecutable, fmt::format("{}: {}", line.command.front(), std::strerror(errno)));
 }
 
@@ -116,7 +121,7 @@ int main(int argc, char** argv) try {
     return 0;
   }
   if (line->version) {
-    std::cout << "with-can " AXISD_VERSION "\n";
+    std::cout << version::line("with-can") << '\n';
     return 0;
   }
   return run(*line);

@@ -41,6 +41,7 @@ class BroadcastManager final : public Participant {
   void on_time(canopen::TimePoint now) noexcept;
 
   void receive(const Passage& passage) noexcept override;
+  [[nodiscard]] Identity identity() const noexcept override { return outlet_.sink.who(); }
 
  private:
   struct Operation;

@@ -23,6 +23,8 @@ class BroadcastSink {
   /// Takes @p message: a bcm_msg_head and its frames, which lie in it until the return only. @p interface_index is
   /// where the frame came from, 0 if the message is about none. Must not call the broadcast manager.
   virtual void deliver(std::span<const std::byte> message, int interface_index) noexcept = 0;
+  /// Whose frames these are on the medium.
+  [[nodiscard]] virtual Identity who() const noexcept { return {}; }
 };
 
 }  // namespace hub

@@ -36,10 +36,21 @@ void Medium::attach(Participant& participant) {
 void Medium::detach(Participant& participant) noexcept {
   Station* const station = std::exchange(participant.station_, nullptr);
   if (station == nullptr) return;
+  if (interference_ != nullptr) {
+    station->left = participant.identity();
+    if (current_.sender == &participant) left_ = station->left;
+    interference_->on_detach(participant);
+  }
   station->participant = nullptr;
   if (current_.sender == &participant) current_.sender = nullptr;
   someone_left_ = true;
   if (!advancing_) forget_those_who_left();
+}
+
+void Medium::withdraw(Participant& participant) noexcept {
+  Station& station = *participant.station_;
+  waiting_ -= station.count();
+  station.clear();
 }
 
 bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
@@ -58,13 +69,19 @@ bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
 }
 
 canopen::TimePoint Medium::next_deadline() const noexcept {
-  if (on_wire_) return end_of_frame();
-  return waiting_ > 0 ? now_ : canopen::kNever;
+  const canopen::TimePoint own = on_wire_ ? end_of_frame() : waiting_ > 0 ? now_ : canopen::kNever;
+  return interference_ == nullptr ? own : std::min(own, interference_->next_deadline());
 }
 
 void Medium::on_time(canopen::TimePoint now) noexcept {
   tell(now);
-  if (!advancing_) advance();
+  if (advancing_) return;
+  advance();
+  if (interference_ == nullptr || interference_->next_deadline() > now_) return;
+  advancing_ = true;  // what is sent in answer to a late frame passes behind it
+  interference_->on_time(now_);
+  advancing_ = false;
+  advance();
 }
 
 void Medium::tell(canopen::TimePoint now) noexcept {
@@ -95,6 +112,7 @@ void Medium::advance_with_rate() noexcept {
       if (end > now_) return;
       on_wire_ = false;
       deliver(end.time_since_epoch().count() + to_real_time_);
+      continue;  // a frame that is repeated is on the wire again
     }
     if (waiting_ == 0) return;
     begin(std::max(end_of_frame(), earliest()->first().arrival));
@@ -128,6 +146,7 @@ Station* Medium::earliest() const noexcept {
 void Medium::take(Station& station) noexcept {
   current_ = station.first().passage;
   current_.sender = station.participant;
+  if (station.participant == nullptr) left_ = station.left;
   station.pop();
   --waiting_;
   if (std::exchange(station.refused, false) && station.participant != nullptr) station.participant->on_room();
@@ -142,17 +161,52 @@ void Medium::begin(canopen::TimePoint start) noexcept {
   }
   on_wire_ = true;
   take(*winner(start));
-  busy_bits_ += bits_on_wire(current_.frame);
+  occupy(current_.frame);
+}
+
+/// The bus is busy for so much longer.
+void Medium::occupy(const can_frame& frame) noexcept {
+  busy_bits_ += bits_on_wire(frame);
   for (; busy_bits_ >= bit_rate_; busy_bits_ -= bit_rate_) busy_since_ += std::chrono::seconds{1};
 }
 
 void Medium::deliver(std::int64_t time_ns) noexcept {
   current_.time_ns = time_ns;
   ++passed_;
+  if (interference_ != nullptr) return interfere();
   const std::size_t present = stations_.size();  // who comes while it passes does not see it
   for (std::size_t i = 0; i < present; ++i)
     if (Participant* const participant = stations_[i]->participant; participant != nullptr)
       participant->receive(current_);
+}
+
+void Medium::interfere() noexcept {
+  const canopen::TimePoint end = bit_rate_ == 0 ? now_ : end_of_frame();
+  interference_->on_end(current_, current_.sender == nullptr ? left_ : current_.sender->identity(), end);
+}
+
+void Medium::hand_out(const Passage& passage, const Audience& audience) noexcept {
+  const std::size_t present = stations_.size();
+  for (std::size_t i = 0; i < present; ++i)
+    if (Participant* const participant = stations_[i]->participant;
+        participant != nullptr && audience.hears(*participant))
+      participant->receive(passage);
+}
+
+void Medium::repeat() noexcept {
+  current_.mark = origins_.make();
+  if (bit_rate_ == 0) return deliver(real_time());
+  on_wire_ = true;
+  occupy(current_.frame);
+}
+
+void Medium::set_bit_rate(std::uint32_t bit_rate) noexcept {
+  if (bit_rate_ != 0) {
+    busy_since_ = end_of_frame();
+    busy_bits_ = 0;
+  }
+  bit_rate_ = bit_rate;
+  if (bit_rate_ == 0 && std::exchange(on_wire_, false)) deliver(real_time());
 }
 
 void Medium::forget_those_who_left() noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -7,6 +8,7 @@
 
 #include <linux/can.h>
 
+#include "can/hub/medium/interference.hpp"
 #include "can/hub/medium/origins.hpp"
 #include "can/port/port.hpp"
 #include "libcanopen/base/time.hpp"
@@ -27,6 +29,13 @@ struct Passage {
   bus::Mark mark{};               ///< where it came up; send() gives it to a frame that has none
 };
 
+/// Who a participant is, as the hub's statistics name it.
+struct Identity {
+  std::array<char, 32> name{};       ///< kind of the member, or URL of a bridge; ended by zeros
+  std::int32_t process = 0;          ///< process identifier, 0 = none
+  std::int32_t interface_index = 0;  ///< that it is bound to, 0 = all
+};
+
 /// Who sends and receives on a Medium: a member's socket, a timer of the broadcast manager, a bridge.
 class Participant {
  public:
@@ -40,6 +49,8 @@ class Participant {
   virtual void receive(const Passage& passage) noexcept = 0;
   /// There is room again after a send() that was refused.
   virtual void on_room() noexcept {}
+  /// Who this is; what has no name is on the wire without being a member.
+  [[nodiscard]] virtual Identity identity() const noexcept { return {}; }
 
  private:
   friend class Medium;
@@ -70,6 +81,9 @@ class Medium {
   /// Its frames that wait pass nevertheless, as those of a closed socket do, but without a sender.
   void detach(Participant& participant) noexcept;
 
+  /// Takes back what waits of @p participant.
+  void withdraw(Participant& participant) noexcept;
+
   /// Sends @p passage (whose sender is attached) at @p now; false if the sender's queue is full: on_room() tells
   /// when there is room.
   bool send(const Passage& passage, canopen::TimePoint now) noexcept;
@@ -80,6 +94,19 @@ class Medium {
 
   /// True if a frame with @p mark has not been here yet: a bridge asks before it sends.
   [[nodiscard]] bool is_new(const bus::Mark& mark) noexcept { return origins_.is_new(mark); }
+
+  /// What frames come to before anybody hears them, from now on; nullptr: all hear them at once.
+  void set_interference(Interference* interference) noexcept { interference_ = interference; }
+  /// Gives @p passage to those of the participants who are in the @p audience. For an Interference.
+  void hand_out(const Passage& passage, const Audience& audience) noexcept;
+  /// A mark for a frame that comes up here a second time.
+  [[nodiscard]] bus::Mark new_mark() noexcept { return origins_.make(); }
+  /// The frame whose end Interference::on_end() is told passes a second time before any other, with a mark of its
+  /// own.
+  void repeat() noexcept;
+  /// Has the bus go on at @p bit_rate (bit/s, 0 = frames take no time); a frame that is on the wire keeps its end,
+  /// or passes at once. Only within Interference::on_time().
+  void set_bit_rate(std::uint32_t bit_rate) noexcept;
 
   /// The latest time that was told.
   [[nodiscard]] canopen::TimePoint now() const noexcept { return now_; }
@@ -99,7 +126,9 @@ class Medium {
   [[nodiscard]] Station* earliest() const noexcept;
   void take(Station& station) noexcept;
   void begin(canopen::TimePoint start) noexcept;
+  void occupy(const can_frame& frame) noexcept;
   void deliver(std::int64_t time_ns) noexcept;
+  void interfere() noexcept;
   void forget_those_who_left() noexcept;
   [[nodiscard]] canopen::TimePoint end_of_frame() const noexcept;
 
@@ -114,6 +143,8 @@ class Medium {
   bool on_wire_ = false;    ///< current_ has not reached its end
   bool advancing_ = false;  ///< advance() is at work further up the stack
   bool someone_left_ = false;
+  Identity left_;  ///< who has sent current_, if that has left and there is an interference
+  Interference* interference_ = nullptr;
 
   // The end of the frame on the wire, or of the last one, is busy_bits_ bit times after busy_since_.
   canopen::TimePoint busy_since_ = canopen::TimePoint::min();

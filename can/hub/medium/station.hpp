@@ -22,6 +22,8 @@ class Station {
 
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
   [[nodiscard]] bool full() const noexcept { return count_ == ring_.size(); }
+  /// Frames that wait.
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
   /// The frame that is next; only if not empty().
   [[nodiscard]] const Waiting& first() const noexcept { return ring_[head_]; }
   /// The frame that was kept last; only if not empty().
@@ -37,7 +39,11 @@ class Station {
     --count_;
   }
 
+  /// Takes all frames away.
+  void clear() noexcept { count_ = 0; }
+
   Participant* participant;  ///< nullptr: it has left
+  Identity left;             ///< who that was, if frames met an interference then
   bool refused = false;      ///< it had to be told that there was no room
 
  private:

@@ -17,6 +17,7 @@ class BroadcastMember final : public Member, private BroadcastSink {
  private:
   bool take_frame(const Sent&, canopen::TimePoint) noexcept override { return false; }
   void deliver(std::span<const std::byte> message, int interface_index) noexcept override;
+  [[nodiscard]] Identity who() const noexcept override { return Member::who(); }
 
   BroadcastManager manager_;
 };

@@ -4,7 +4,7 @@
 
 namespace hub {
 
-Core::Core(std::uint32_t bit_rate) : medium{bit_rate} {}
+Core::Core(std::uint32_t bit_rate) : medium{bit_rate}, faults{medium, interfaces} {}
 
 Core::~Core() = default;
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "can/hub/faults/faults.hpp"
 #include "can/hub/loop/closer.hpp"
 #include "can/hub/loop/poll.hpp"
 #include "can/hub/medium/interfaces.hpp"
@@ -30,6 +31,7 @@ struct Core {
   std::vector<std::unique_ptr<Member>> members;
   bool anyone_departed = false;  ///< some member may be destroyed
   std::vector<Source*> sources;
+  faults::Faults faults;  // ends first: members and sources take part in the medium without it
 };
 
 }  // namespace hub

@@ -144,6 +144,12 @@ userbus::MemberState Member::state() const noexcept {
   return state;
 }
 
+Identity Member::who() const noexcept {
+  Identity who{.process = process_, .interface_index = interface_index_};
+  std::strncpy(who.name.data(), userbus::kKindNames[static_cast<std::size_t>(kind_)], who.name.size() - 1);
+  return who;
+}
+
 userbus::MemberStatistics Member::statistics() const noexcept {
   userbus::MemberStatistics row{.name = {},
                                 .process = process_,

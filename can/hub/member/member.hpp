@@ -43,6 +43,8 @@ class Member : public Watch {
   int set_option(const userbus::Option& option) noexcept;
   [[nodiscard]] userbus::MemberState state() const noexcept;
   [[nodiscard]] userbus::MemberStatistics statistics() const noexcept;
+  /// Who it is on the medium.
+  [[nodiscard]] Identity who() const noexcept;
 
   /// Filters of a raw socket; errno, 0 = done.
   virtual int set_filters(std::span<const can_filter> filters) noexcept;

@@ -18,6 +18,7 @@ class RawMember final : public Member, public Participant {
 
   void receive(const Passage& passage) noexcept override;
   void on_room() noexcept override;
+  [[nodiscard]] Identity identity() const noexcept override { return who(); }
 
   int set_filters(std::span<const can_filter> filters) noexcept override;
   [[nodiscard]] std::span<const can_filter> filters() const noexcept override { return filters_.filters(); }

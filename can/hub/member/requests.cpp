@@ -3,10 +3,13 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <string_view>
 #include <type_traits>
 
 #include <sys/socket.h>
+
+#include "can/hub/faults/answer.hpp"
 
 namespace hub {
 
@@ -137,13 +140,25 @@ Result statistics(const Call& call) noexcept {
   return {};
 }
 
+/// The faults of the bus, in texts of JSON.
+Result inject(const Call& call) noexcept {
+  const std::string_view text{reinterpret_cast<const char*>(call.payload.data()), call.payload.size()};
+  try {
+    const faults::Answer answer = faults::answer(call.asking.core.faults, text, call.asking.now);
+    if (!call.reply.append(std::as_bytes(std::span{answer.text}))) return {.error = EMSGSIZE};
+    return {.error = answer.error};
+  } catch (const std::exception&) {
+    return {.error = ENOMEM};
+  }
+}
+
 using Handler = Result (*)(const Call&) noexcept;
 
 /// By Operation.
-constexpr std::array<Handler, 11> kHandlers{hello,       bind,         read_state,      set_option,
+constexpr std::array<Handler, 12> kHandlers{hello,       bind,         read_state,      set_option,
                                             set_filters, read_filters, interface_index, interface_name,
-                                            interfaces,  broadcast,    statistics};
-static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Statistics) + 1);
+                                            interfaces,  broadcast,    statistics,      inject};
+static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Inject) + 1);
 
 Result handle(Operation operation, const Call& call) noexcept {
   const auto number = static_cast<std::size_t>(operation);

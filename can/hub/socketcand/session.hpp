@@ -48,6 +48,9 @@ class Session final : public Participant {
 
   void receive(const Passage& passage) noexcept override;
   void on_room() noexcept override;
+  [[nodiscard]] Identity identity() const noexcept override {
+    return {.name = {"socketcand"}, .process = 0, .interface_index = interface_index_};
+  }
 
  private:
   struct Handler;

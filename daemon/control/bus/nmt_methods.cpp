@@ -53,7 +53,7 @@ Outcome show_node(const Call& call, const json&) {
               {"valid_tpdos", node.valid_pdos(canopen::Direction::Transmit)},
               {"bus",
                {{"link", instance.bus().is_open() ? "up" : "down"},
-                {"state", bus::name_of(instance.bus().port().error_state())},
+                {"state", bus::name_of(instance.bus_state())},
                 {"counters", counters_json(instance)}}}};
 }
 

@@ -8,7 +8,7 @@ namespace axisd {
 
 class Instance;
 
-/// @p event of @p instance as a line of `events.subscribe` shows it (docs/control.md).
+/// @p event of @p instance as a line of `events.subscribe` shows it (docs/reference/control.md).
 nlohmann::json event_json(const Instance& instance, const UnitEvent& event);
 
 }  // namespace axisd

@@ -45,6 +45,7 @@ class Listener final : public hub::Participant {
   std::vector<std::string> seen;       ///< in candump's notation
   std::vector<hub::Passage> passages;  ///< the same, whole
   unsigned rooms = 0;                  ///< calls of on_room()
+  hub::Identity who;
   std::function<void(const hub::Passage&)> at_frame;
   std::function<void()> at_room;
 
@@ -53,6 +54,7 @@ class Listener final : public hub::Participant {
     passages.push_back(passage);
     if (at_frame) at_frame(passage);
   }
+  [[nodiscard]] hub::Identity identity() const noexcept override { return who; }
   void on_room() noexcept override {
     ++rooms;
     if (at_room) at_room();

@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadFile{R"({"nodeid": 5})",
                 "node.json: /nodeid: unknown key, expected one of: interface, node_id, axes, parameters, supply, "
-                "infeed, sdo_block, f08701, record, trace, modbus"},
+                "infeed, sdo_block, f08701, record, trace, modbus, inject, control_group"},
         BadFile{R"({"interface": 0})", "node.json: /interface: expected a string, got 0"},
         BadFile{R"({"interface": ""})", "node.json: /interface: expected " + kForms + ", got \"\""},
         BadFile{R"({"interface": "a-rather-long-name"})",

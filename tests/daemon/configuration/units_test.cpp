@@ -29,6 +29,12 @@ TEST(ListOfUnits, IsReadUnitByUnit) {
   EXPECT_EQ(list.units[1].axes.size(), 1U);
 }
 
+TEST(ListOfUnits, AndAFileOfOneUnitNameTheGroupOfTheControlSocket) {
+  EXPECT_EQ(read(R"({"units": [{}], "control_group": "axisd"})").control_group, "axisd");
+  EXPECT_EQ(read(R"({"control_group": "axisd"})").control_group, "axisd");
+  EXPECT_EQ(read(R"({"units": [{}]})").control_group, "");
+}
+
 TEST(ListOfUnits, HasAUnitForEachNodeIdOfARange) {
   const UnitsConfiguration list =
       read(R"({"units": [{"node_id": {"from": 1, "to": 127}, "axes": [{}, {}, {}]}]})");
@@ -89,7 +95,14 @@ INSTANTIATE_TEST_SUITE_P(
             "that is free), got true"},
         Refused{R"({"units": []})", "units.json: /units: expected an array of 1 to 1024, got []"},
         Refused{R"({"units": [{}], "node_id": 5})",
-                "units.json: /node_id: unknown key, expected one of: units, threads"},
+                "units.json: /node_id: unknown key, expected one of: units, threads, control_group"},
+        Refused{R"({"units": [{"control_group": "axisd"}]})",
+                "units.json: /units/0/control_group: unknown key, expected one of: interface, node_id, axes, "
+                "parameters, "
+                "supply, infeed, sdo_block, f08701, record, trace, modbus, inject"},
+        Refused{R"({"units": [{}], "control_group": ""})",
+                "units.json: /control_group: expected the name of a group, got \"\""},
+        Refused{R"({"control_group": 7})", "units.json: /control_group: expected a string, got 7"},
         Refused{R"({"units": [{}], "threads": 0})", "units.json: /threads: expected an integer 1 to 64, got 0"}));
 
 class OptionBesideUnits : public testing::TestWithParam<const char*> {};

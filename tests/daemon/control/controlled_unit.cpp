@@ -4,8 +4,8 @@
 
 #include <poll.h>
 
-#include "daemon/base/clock.hpp"
 #include "daemon/control/handlers.hpp"
+#include "service/clock.hpp"
 #include "tests/fakes/candump.hpp"
 #include "tests/fakes/fake_link.hpp"
 

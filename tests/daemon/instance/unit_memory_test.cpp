@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
-#include "daemon/base/clock.hpp"
+#include "service/clock.hpp"
 #include "tests/fakes/candump.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 #include "tests/fakes/vector_bus.hpp"

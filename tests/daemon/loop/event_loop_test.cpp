@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <sys/eventfd.h>
 
-#include "daemon/base/clock.hpp"
+#include "service/clock.hpp"
 #include "tests/fakes/fake_port.hpp"
 
 namespace axisd {

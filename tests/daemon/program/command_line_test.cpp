@@ -5,6 +5,7 @@
 
 #include "tests/fakes/child_process.hpp"
 #include "tests/fakes/temporary_directory.hpp"
+#include "version/version.hpp"
 
 namespace axisd {
 namespace {
@@ -30,7 +31,7 @@ TEST_F(Program, PrintsItsVersion) {
   const fakes::Finished finished = run({"--version"});
 
   EXPECT_EQ(finished.status, 0);
-  EXPECT_EQ(finished.output, "axisd " AXISD_VERSION "\n");
+  EXPECT_EQ(finished.output, version::line("axisd") + "\n");
   EXPECT_EQ(finished.errors, "");
 }
 

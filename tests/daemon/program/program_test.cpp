@@ -38,7 +38,7 @@ class TwoUnits : public testing::TestWithParam<std::size_t> {
   /// The answer to @p method of unit @p name, of the program if that is empty.
   json ask(const std::string& name, const char* method, json params = json::object()) {
     if (!name.empty()) params["unit"] = name;
-    e2e::ControlClient client{assignment.control};
+    e2e::ControlClient client{assignment.control.path};
     return client.ask({{"id", 1}, {"method", method}, {"params", params}});
   }
   json status(const std::string& name) { return ask(name, "status").at("result"); }
@@ -54,7 +54,7 @@ class TwoUnits : public testing::TestWithParam<std::size_t> {
   e2e::NotifySocket manager{folder.path("notify")};
   Assignment assignment{.units = {unit(5), unit(6)},
                         .threads = GetParam(),
-                        .control = folder.path("axisd.sock"),
+                        .control = {.path = folder.path("axisd.sock")},
                         .state_root = folder.path("state")};
   Log log{LogLevel::Error};
   std::optional<Program> program;
@@ -123,7 +123,7 @@ TEST_P(TwoUnits, AreSwitchedOffAndOnOneByOne) {
 
 TEST_P(TwoUnits, TellWhoHasSubscribedWhatHappens) {
   ASSERT_TRUE(manager.wait_for("READY=1"));
-  e2e::ControlClient client{assignment.control};
+  e2e::ControlClient client{assignment.control.path};
   EXPECT_EQ(
       client.ask({{"id", 1}, {"method", "events.subscribe"}, {"params", {{"kinds", {"parameter", "power"}}}}})
           .at("result"),
@@ -149,7 +149,7 @@ TEST_P(TwoUnits, TellWhoHasSubscribedWhatHappens) {
 
 TEST_P(TwoUnits, TellWhatSignalsAreAgainAndAgain) {
   ASSERT_TRUE(manager.wait_for("READY=1"));
-  e2e::ControlClient client{assignment.control};
+  e2e::ControlClient client{assignment.control.path};
   const json params{{"unit", "5"}, {"signals", {"1/speed", "dc_voltage"}}, {"period_ms", 5}};
   EXPECT_EQ(client.ask({{"id", 1}, {"method", "samples.subscribe"}, {"params", params}}).at("result"),
             json::object());
@@ -173,7 +173,7 @@ TEST_P(TwoUnits, AnswerWhateverElseAClientAsks) {
                                  R"({"method": "events.subscribe", "params": {"kinds": ["weather"]}})",
                                  R"({"method": "events.subscribe", "params": {"kinds": 7}})",
                                  R"({"method": "samples.subscribe", "params": {"unit": "5", "signals": {}}})"}) {
-    e2e::ControlClient client{assignment.control};
+    e2e::ControlClient client{assignment.control.path};
     client.send(std::string{line} + '\n');
     const json answer = json::parse(client.line());
     EXPECT_TRUE(answer.at("error").contains("code")) << line;

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/base/service_events.hpp"
 #include "os/descriptor.hpp"
+#include "service/service_events.hpp"
 
 namespace axisd {
 

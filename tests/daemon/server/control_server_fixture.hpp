@@ -18,10 +18,10 @@ namespace axisd {
 /// A control server that answers every line with itself in parentheses.
 class ControlServerTest : public testing::Test, public ControlServer::Requests {
  protected:
-  void serve() { server.emplace(events, path, *this); }
+  void serve() { server.emplace(events, ControlSocket{path}, *this); }
   std::string refusal() {
     try {
-      const ControlServer second{events, path, *this};
+      const ControlServer second{events, ControlSocket{path}, *this};
     } catch (const InstanceError& error) {
       return error.what();
     }

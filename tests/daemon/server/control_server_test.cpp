@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "control/protocol.hpp"
 #include "control/socket_name.hpp"
@@ -22,6 +23,15 @@ TEST_F(ControlServerTest, ListensForItsOwnerOnly) {
   ASSERT_EQ(::lstat(path.c_str(), &status), 0);
   EXPECT_TRUE(S_ISSOCK(status.st_mode));
   EXPECT_EQ(status.st_mode & 0777U, 0600U);
+}
+
+TEST_F(ControlServerTest, ListensForTheMembersOfAGroup) {
+  server.emplace(events, ControlSocket{.path = path, .group = ::getegid()}, *this);
+
+  struct stat status {};
+  ASSERT_EQ(::lstat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0660U);
+  EXPECT_EQ(status.st_gid, ::getegid());
 }
 
 TEST_F(ControlServerTest, LeavesTheFileModesOfTheProcessAlone) {

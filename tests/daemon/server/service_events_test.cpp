@@ -1,4 +1,4 @@
-#include "daemon/base/service_events.hpp"
+#include "service/service_events.hpp"
 
 #include <csignal>
 

@@ -26,8 +26,8 @@ TEST(CheckedInCopies, EdsFilesAreWhatTheCatalogueGives) {
 }
 
 TEST(CheckedInCopies, ReferencePageIsWhatTheCatalogueGives) {
-  EXPECT_TRUE(in_source("docs/objects.md") == read_file(GENERATED_OBJECTS_PAGE))
-      << "docs/objects.md: " << kHowToRefresh;
+  EXPECT_TRUE(in_source("docs/reference/objects.md") == read_file(GENERATED_OBJECTS_PAGE))
+      << "docs/reference/objects.md: " << kHowToRefresh;
 }
 
 TEST(CheckedInCopies, GenerationGivesTheSameBytesEveryTime) {

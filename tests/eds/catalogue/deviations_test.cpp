@@ -11,7 +11,8 @@
 
 #include "tests/eds/rules/eds_reader.hpp"
 
-/// The table of docs/deviations.md that tools read: its form, and that it speaks of objects that the unit has.
+/// The table of docs/reference/deviations.md that tools read: its form, and that it speaks of objects that the
+/// unit has.
 namespace eds_test {
 namespace {
 
@@ -34,7 +35,7 @@ Row cells_of(const std::string& line) {
 
 /// The lines of the table, its header first, found as the page tells a tool to find it.
 std::vector<Row> table() {
-  std::istringstream page{read_file(std::string{SOURCE_FOLDER} + "/docs/deviations.md")};
+  std::istringstream page{read_file(std::string{SOURCE_FOLDER} + "/docs/reference/deviations.md")};
   std::vector<Row> rows;
   for (std::string line; std::getline(page, line);) {
     if (rows.empty() && !line.starts_with("| id |")) continue;

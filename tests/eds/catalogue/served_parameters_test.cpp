@@ -93,12 +93,12 @@ TEST_P(ServedParameters, HaveTheirLimitsAndDefaults) {
   }
 }
 
-/// What docs/deviations.md says of the vendor's EDS files.
+/// What docs/reference/deviations.md says of the vendor's EDS files.
 TEST_P(ServedParameters, AreMoreThanTheVendorLists) {
   std::set<std::uint16_t> vendors;
   for (const Fact& fact : read_facts())
     if (fact.at("scope") == GetParam().scope) vendors.insert(index_of(fact));
-  const std::string page = read_file(std::string{SOURCE_FOLDER} + "/docs/deviations.md");
+  const std::string page = read_file(std::string{SOURCE_FOLDER} + "/docs/reference/deviations.md");
 
   EXPECT_NE(page.find(" " + std::to_string(vendors.size()) + " in `" + GetParam().name + "`"), std::string::npos);
 }

@@ -99,7 +99,7 @@ TEST(Checks, AreListedInTheDocumentation) {
   for (const Check& check : kChecks)
     table += "| `" + std::string{check.id} + "` | " + std::string{check.rule} + " |\n";
 
-  const std::string page = content_of(fs::path{SOURCE_FOLDER} / "docs/eds-checks.md");
+  const std::string page = content_of(fs::path{SOURCE_FOLDER} / "docs/reference/eds-checks.md");
   std::string rows;
   std::istringstream lines{page};
   for (std::string line; std::getline(lines, line);)

@@ -33,7 +33,7 @@ std::map<std::string, std::pair<std::string, std::string>> documented() {
   static const std::regex row{R"(\| ([0-9A-F]{8})h \| (\w+) \|.*\| ([^|]+) \|)"};
   std::map<std::string, std::pair<std::string, std::string>> rows;
   std::smatch match;
-  for (const std::string& line : lines_of("docs/abort-codes.md"))
+  for (const std::string& line : lines_of("docs/reference/abort-codes.md"))
     if (std::regex_match(line, match, row)) rows[match[1]] = {match[2], match[3]};
   return rows;
 }

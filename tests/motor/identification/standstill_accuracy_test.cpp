@@ -43,7 +43,7 @@ constexpr std::array kQuantities{
              [](const MachineData& m) { return induction_circuit(m).magnetising_inductance; }, 0.05},
 };
 
-/// As a row of the table in docs/physics.md.
+/// As a row of the table in docs/explanation/physics.md.
 void print_row(std::string_view preset, std::string_view quantity, double worst) {
   std::cout << "| " << preset << " | " << quantity << " | " << std::fixed << std::setprecision(2) << worst
             << " |\n";

@@ -5,7 +5,7 @@
 
 #include "tests/fakes/child_process.hpp"
 #include "tests/fakes/temporary_directory.hpp"
-#include "tests/tools/canopen-check/slave/right_objects.hpp"
+#include "tests/tools/canopen-check/slave/conformance_run.hpp"
 
 /// canopen-check as a user meets it, without a bus.
 namespace conformance_test {
@@ -28,7 +28,7 @@ TEST(CanopenCheck, ListsTheChecksThatTheDocumentationLists) {
   const fakes::Finished list = run({"--list=markdown"});
   EXPECT_EQ(list.status, 0);
   EXPECT_EQ(rows_of(std::istringstream{list.output}),
-            rows_of(std::ifstream{std::string{SOURCE_FOLDER} + "/docs/conformance-checks.md"}));
+            rows_of(std::ifstream{std::string{SOURCE_FOLDER} + "/docs/reference/conformance-checks.md"}));
 }
 
 TEST(CanopenCheck, ListsTheChecksAsPlainText) {

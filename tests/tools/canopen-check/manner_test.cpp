@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/canopen-check/slave/conformance_run.hpp"
-#include "tests/tools/canopen-check/slave/defects.hpp"
+#include "tools/canopen-zoo/slave/defects.hpp"
 
 /// Slaves with manners that CiA 301 allows or is silent about, and what one thing that is wrong leaves untested.
 namespace conformance_test {
@@ -91,8 +91,8 @@ Defect with_pending_error() {
               },
           .incoming = [](Slave&, Frame& frame) { return !is_command(frame, NmtCommand::Start); },
           .outgoing =
-              [](Slave&, Frame& frame) {
-                if (shows(frame, 0x1001)) frame.data[4] = 1;
+              [](Slave& slave, Frame& frame) {
+                if (shows(slave, frame, 0x1001)) frame.data[4] = 1;
                 return true;
               }};
 }
@@ -114,7 +114,8 @@ TEST(Preconditions, WhatNeedsOperationalIsSkippedWithoutTheCheckOfItToo) {
 
 TEST(Preconditions, ANodeThatEndsOnResetIsSaidToBeGoneOnce) {
   const RunReport report = run_checks(
-      hangs_on([](const Frame& frame) { return is_command(frame, NmtCommand::ResetNode); }, false), "nmt.");
+      hangs_on([](const Slave&, const Frame& frame) { return is_command(frame, NmtCommand::ResetNode); }, false),
+      "nmt.");
   EXPECT_EQ(failed_checks(report), std::set<std::string>{"nmt.boot-up-after-reset-node"}) << findings_of(report);
   EXPECT_EQ(report.problem, "the node is gone since nmt.boot-up-after-reset-node");
   EXPECT_TRUE(report.cut_short);
@@ -151,7 +152,9 @@ TEST(Preconditions, WhatTheUserLeavesOutIsSkipped) {
 TEST(Preconditions, ACrashIsToldAtOnceWithTheWriteThatCausedIt) {
   constexpr canopen::Duration kSoon = std::chrono::seconds{6};
   const RunReport report = run_checks(
-      hangs_on([](const Frame& frame) { return writes(frame, 0x1016, 1) && value_of(frame) == 0; }, false),
+      hangs_on([](const Slave& slave,
+                  const Frame& frame) { return writes(slave, frame, 0x1016, 1) && value_of(frame) == 0; },
+               false),
       "error-control.consumer");
   EXPECT_EQ(failed_checks(report).size(), 1U) << findings_of(report);
   EXPECT_NE(
@@ -252,7 +255,7 @@ TEST(Manners, APdoThatMapsNothingNeedNotBeEnabled) {
                   .incoming =
                       [](Slave& slave, Frame& frame) {
                         const auto index = static_cast<std::uint16_t>(frame.data[1] | frame.data[2] << 8U);
-                        const bool cob_id = has_pdo_parameters(index) && writes(frame, index, 1);
+                        const bool cob_id = has_pdo_parameters(index) && writes(slave, frame, index, 1);
                         if (!cob_id || (value_of(frame) & 0x80000000U) != 0) return true;
                         if (stored(slave, static_cast<std::uint16_t>(index + 0x200)) != 0) return true;
                         refuse(slave, frame, 0x06090030);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/tools/canopen-check/slave/slave.hpp"
+#include "tests/tools/canopen-check/slave/conformance_run.hpp"
 
 namespace conformance_test {
 namespace {

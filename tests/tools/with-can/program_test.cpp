@@ -115,12 +115,12 @@ TEST_F(WithCan, SaysThatItIsNotExecutable) {
   EXPECT_EQ(run_on_bus({path("")}).status, 126);  // a folder
 }
 
-TEST_F(WithCan, SurvivesFilesThatAreCutOff) {
+TEST_F(WithCan, SaysOfFilesThatAreCutOffThatTheyCannotBeRun) {
   for (const std::size_t size : {4u, 16u, 63u, 64u, 100u}) {
     const fakes::Finished result = run_on_bus({executable("cut", whole_program().substr(0, size))});
 
-    EXPECT_NE(result.status, 0) << size;
-    EXPECT_NE(result.status, -1) << size;
+    EXPECT_EQ(result.status, 126) << size;
+    EXPECT_TRUE(is_one_line_with(result.errors, "cut: ")) << size;
   }
 }
 

@@ -9,9 +9,9 @@
 #include <sys/socket.h>
 #include <sys/time.h>
 
+#include "control/discovery/server_trust.hpp"
 #include "control/protocol.hpp"
 #include "control/socket_name.hpp"
-#include "tools/axisctl/connection/server_trust.hpp"
 
 namespace axisctl {
 
@@ -45,7 +45,7 @@ Expected<Client> Client::connect(const std::string& path) {
   const int descriptor = client.socket_.get();
   if (::connect(descriptor, reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0)
     return fail(ExitStatus::NotReachable, fmt::format("{}: no daemon answers here ({})", path, reason()));
-  if (const auto trusted = check_server(descriptor, path); !trusted)
+  if (const auto trusted = control::check_server(descriptor, path); !trusted)
     return fail(ExitStatus::NotReachable, trusted.error());
   return client;
 }

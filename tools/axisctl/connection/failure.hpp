@@ -27,9 +27,10 @@ enum class ExitStatus : std::uint8_t {
   Off = 8,
   Busy = 9,
   NotUnderstood = 10,
+  NotFulfilled = 11,
 };
 
-/// A row of the table in docs/axisctl.md.
+/// A row of the help, and of the table in docs/reference/exit-statuses.md.
 struct ExitRow {
   ExitStatus status;
   std::string_view meaning;
@@ -46,6 +47,7 @@ inline constexpr std::array kExitRows{
     ExitRow{ExitStatus::Off, "the unit is switched off"},
     ExitRow{ExitStatus::Busy, "something that is under way has to end first, or it is too much"},
     ExitRow{ExitStatus::NotUnderstood, "daemon and axisctl do not understand each other, as of another version"},
+    ExitRow{ExitStatus::NotFulfilled, "run: a scenario has not gone as it says"},
 };
 
 /// The status for an error of the daemon.

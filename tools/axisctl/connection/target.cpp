@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 
+#include "control/discovery/socket_files.hpp"
 #include "control/socket_name.hpp"
 #include "os/descriptor.hpp"
 #include "tools/axisctl/connection/client.hpp"
-#include "tools/axisctl/connection/socket_files.hpp"
 
 namespace axisctl {
 
@@ -57,7 +57,7 @@ std::vector<Target> units_of(const std::string& path, const Address& address) {
 std::vector<Target> candidates(const Address& address) {
   std::vector<Target> found;
   const bool says_nothing = !address.label && !address.node;
-  for (const SocketFile& file : socket_files()) {
+  for (const control::SocketFile& file : control::socket_files()) {
     if (file.name && fits(address, file.name->label, file.name->node)) found.push_back({file.path});
     if (file.name) continue;
     if (says_nothing) {
@@ -101,7 +101,7 @@ Expected<Target> choose_target(const Address& address) {
 
 std::vector<std::string> served_sockets() {
   std::vector<std::string> paths;
-  for (const SocketFile& file : socket_files())
+  for (const control::SocketFile& file : control::socket_files())
     if (!is_left_behind(file.path)) paths.push_back(file.path);
   return paths;
 }

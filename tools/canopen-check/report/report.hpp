@@ -41,7 +41,7 @@ struct RunInfo {
 
 /// The report as JUnit XML (testsuites, a testsuite a group, a testcase a check).
 [[nodiscard]] std::string junit_of(const RunReport& report, const RunInfo& info);
-/// The report as JSON; docs/conformance.md says what is in it.
+/// The report as JSON; docs/reference/conformance.md says what is in it.
 [[nodiscard]] nlohmann::json json_of(const RunReport& report, const RunInfo& info);
 
 }  // namespace conformance

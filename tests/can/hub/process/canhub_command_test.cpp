@@ -6,6 +6,7 @@
 #include "tests/can/hub/running_hub.hpp"
 #include "tests/fakes/child_process.hpp"
 #include "tests/fakes/temporary_directory.hpp"
+#include "version/version.hpp"
 
 namespace hub_test {
 namespace {
@@ -24,9 +25,9 @@ TEST(CanhubCommand, PrintsHelpAndVersion) {
                                    "--socketcand HOST:PORT", "$XDG_RUNTIME_DIR/can-bus"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
 
-  const Finished version = canhub({"--version"});
-  EXPECT_EQ(version.status, 0);
-  EXPECT_EQ(version.output, "canhub " AXISD_VERSION "\n");
+  const Finished asked = canhub({"--version"});
+  EXPECT_EQ(asked.status, 0);
+  EXPECT_EQ(asked.output, version::line("canhub") + "\n");
 }
 
 /// A command line that cannot be used.
@@ -51,20 +52,30 @@ TEST_P(WrongCommands, AreAnsweredWithOneLineAndStatus2) {
 
 INSTANTIATE_TEST_SUITE_P(
     Words, WrongCommands,
-    testing::Values(Wrong{"LongPath",
-                          {"--path", '/' + std::string(107, 'x')},
-                          "--path: a path of 108 bytes is too long for a socket, 107 is the most"},
-                    Wrong{"EmptyPath", {"--path", ""}, "--path: expected a path, got nothing"},
-                    Wrong{"Word",
-                          {"--bitrate", "fast"},
-                          "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"fast\""},
-                    Wrong{"HighRate",
-                          {"--bitrate", "1000001"},
-                          "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"1000001\""},
-                    Wrong{"LowRate",
-                          {"--bitrate", "999"},
-                          "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"999\""},
-                    Wrong{"Unknown", {"--nonsense"}, "The following argument was not expected: --nonsense"}),
+    testing::Values(
+        Wrong{"LongPath",
+              {"--path", '/' + std::string(107, 'x')},
+              "--path: a path of 108 bytes is too long for a socket, 107 is the most"},
+        Wrong{"EmptyPath", {"--path", ""}, "--path: expected a path, got nothing"},
+        Wrong{"Word",
+              {"--bitrate", "fast"},
+              "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"fast\""},
+        Wrong{"HighRate",
+              {"--bitrate", "1000001"},
+              "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"1000001\""},
+        Wrong{"LowRate",
+              {"--bitrate", "999"},
+              "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"999\""},
+        Wrong{"TakeBack", {"--take-back", "x"}, "--take-back: expected the number of a fault or all, got \"x\""},
+        Wrong{"InjectAndServe",
+              {"--inject", "bus.drop", "--bitrate", "125000"},
+              "--inject, --injected and --take-back speak to a running hub: beside --path and --json they "
+              "go with each other only"},
+        Wrong{"Json", {"--json"}, "--json goes with --injected"},
+        Wrong{"WithOnDemand",
+              {"--on-demand", "--with", "bus.drop"},
+              "--on-demand does not go with --with, whose faults nobody would see refused"},
+        Wrong{"Unknown", {"--nonsense"}, "The following argument was not expected: --nonsense"}),
     [](const auto& row) { return std::string{row.param.name}; });
 
 TEST(CanhubCommand, TakesThePathFromTheEnvironment) {
@@ -95,6 +106,53 @@ TEST(CanhubCommand, PrintsTheStatusOfARunningHub) {
                 "member                        pid interface             sent   received  dropped  refused\n" +
                 "raw                      " + std::string(8 - process.size(), ' ') + process +
                 " vcan0                    1          1        0        0\n");
+}
+
+TEST(CanhubCommand, InjectsListsAndTakesBackFaults) {
+  RunningHub hub;
+  const auto ask = [&hub](std::vector<std::string> words) {
+    words.insert(words.end(), {"--path", hub.path()});
+    return canhub(std::move(words));
+  };
+
+  const Finished injected =
+      ask({"--inject", "bus.drop id=185 after=1 times=1", "--inject", R"({"kind": "bus.duplicate"})"});
+  EXPECT_EQ(injected.output, "1\n2\n");
+  EXPECT_EQ(injected.status, 0);
+  BusClient sender{hub.path()}, receiver{hub.path()};
+  for (const char* const frame : {"185#01", "185#02", "185#03"}) sender.send(frame);
+  sender.settle();
+  EXPECT_EQ(receiver.take_frames(), (std::vector<std::string>{"185#01", "185#01", "185#03", "185#03"}));
+  EXPECT_EQ(ask({"--injected"}).output,
+            "  id state        seen     hits  fault\n"
+            "   1 over            1        1  bus.drop after=1 id=0x185 times=1\n"
+            "   2 active          3        3  bus.duplicate\n");
+  EXPECT_EQ(ask({"--take-back", "2", "--injected", "--json"}).output,
+            R"({"faults":[{"events":2,"fault":{"after":1,"id":"0x185","kind":"bus.drop","times":1},"hit_at":[1],)"
+            R"("hits":1,"id":1,"opportunities":1,"state":"over"}]})"
+            "\n");
+  EXPECT_EQ(ask({"--take-back", "all", "--injected"}).output, "no faults\n");
+}
+
+TEST(CanhubCommand, SaysWhatIsWrongWithAFault) {
+  RunningHub hub;
+  const Finished kind = canhub({"--path", hub.path(), "--inject", "bus.load percent=5"});
+  EXPECT_EQ(kind.status, 2);
+  EXPECT_EQ(kind.errors,
+            "canhub: --inject: expected a bus with a bit rate for a share of its time, got one without\n");
+  const Finished number = canhub({"--path", hub.path(), "--take-back", "7"});
+  EXPECT_EQ(number.status, 2);
+  EXPECT_EQ(number.errors, "canhub: --take-back: id: expected the number of a fault, got 7\n");
+
+  const fakes::TemporaryDirectory folder;
+  const Finished served = canhub({"--path", folder.path("bus"), "--with", "bus.delay"});
+  EXPECT_EQ(served.status, 2);
+  EXPECT_NE(
+      served.errors.find("canhub: --with: delay_ms: expected a whole number from 1 to 3600000, got nothing\n"),
+      std::string::npos);
+  const Finished nobody = canhub({"--path", folder.path("bus"), "--injected"});
+  EXPECT_EQ(nobody.status, 1);
+  EXPECT_EQ(nobody.errors, "canhub: " + folder.path("bus") + ": is not served\n");
 }
 
 TEST(CanhubCommand, SaysWhatIsAtThePath) {

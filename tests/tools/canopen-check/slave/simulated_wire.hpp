@@ -4,29 +4,15 @@
 #include <vector>
 
 #include "tools/canopen-check/core/wire.hpp"
+#include "tools/canopen-zoo/slave/station.hpp"
 
 namespace conformance_test {
-
-/// A node on a simulated bus: fed with frames and time, as libcanopen is.
-class Station {
- public:
-  Station() = default;
-  Station(const Station&) = delete;
-  Station& operator=(const Station&) = delete;
-  virtual ~Station() = default;
-
-  virtual void on_frame(const canopen::Frame& frame, canopen::TimePoint now) = 0;
-  virtual void on_time(canopen::TimePoint now) = 0;
-  [[nodiscard]] virtual canopen::TimePoint next_deadline() const = 0;
-  /// What it has sent since the last call.
-  [[nodiscard]] virtual std::vector<canopen::Frame> take_frames() = 0;
-};
 
 /// A bus of simulated nodes in simulated time: hours pass in milliseconds, and every run is the same.
 class SimulatedWire final : public conformance::Wire {
  public:
   /// Puts @p station on the bus; it must outlive it.
-  void add(Station& station) { stations_.push_back(&station); }
+  void add(zoo::Station& station) { stations_.push_back(&station); }
   /// Takes every station off the bus once @p frames have been sent to them.
   void lose_nodes_after(std::size_t frames) { frames_until_loss_ = frames; }
   /// The bus goes down once @p frames have been sent.
@@ -50,7 +36,7 @@ class SimulatedWire final : public conformance::Wire {
   void collect();
 
   canopen::TimePoint now_{std::chrono::hours{1}};
-  std::vector<Station*> stations_;
+  std::vector<zoo::Station*> stations_;
   std::deque<conformance::TimedFrame> waiting_;
   std::size_t sent_ = 0;
   std::size_t frames_until_loss_ = kNeverHappens;

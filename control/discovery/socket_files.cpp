@@ -1,0 +1,79 @@
+#include "control/discovery/socket_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "control/discovery/server_trust.hpp"
+#include "control/socket_name.hpp"
+
+namespace control {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kSocketOfMany = "axisd.sock";
+/// Folders of the services (systemd/): each instance has one of its own in them.
+constexpr std::array<std::string_view, 2> kFoldersOfServices{"/run/axisd", "/run/axisd-bus"};
+
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// The entries of @p folder; none of one that cannot be read.
+std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
+  std::vector<fs::directory_entry> entries;
+  std::error_code error;
+  for (fs::directory_iterator entry{folder, error}, end; !error && entry != end; entry.increment(error))
+    entries.push_back(*entry);
+  return entries;
+}
+
+std::vector<fs::path> folders() {
+  std::vector<fs::path> found;
+  // systemd.exec(5): several folders are separated by colons.
+  std::string own = environment("RUNTIME_DIRECTORY");
+  for (std::size_t at = 0; at < own.size();
+       at = own.find(':', at) == std::string::npos ? own.size() : own.find(':', at) + 1)
+    found.emplace_back(own.substr(at, own.find(':', at) - at));
+  if (!found.empty()) return found;
+  if (const std::string user = environment("XDG_RUNTIME_DIR"); !user.empty()) found.emplace_back(user);
+  found.insert(found.end(), {"/run", "/tmp"});
+  for (const std::string_view folder : kFoldersOfServices)
+    for (const fs::directory_entry& entry : entries_of(folder)) found.push_back(entry.path());
+  return found;
+}
+
+bool is_trusted(const fs::path& path) {
+  struct stat file {};
+  struct stat folder {};
+  return ::stat(path.c_str(), &file) == 0 && S_ISSOCK(file.st_mode) &&
+         ::stat(path.parent_path().c_str(), &folder) == 0 && is_trusted_server(file.st_uid, ::geteuid(), folder);
+}
+
+}  // namespace
+
+std::vector<SocketFile> socket_files() {
+  std::vector<SocketFile> files;
+  for (const fs::path& folder : folders())
+    for (const fs::directory_entry& entry : entries_of(folder)) {
+      const std::string name = entry.path().filename().string();
+      const auto unit = parse_socket_name(name);
+      if ((!unit && name != kSocketOfMany) || !is_trusted(entry.path())) continue;
+      files.push_back({entry.path().string(),
+                       unit ? std::optional{UnitName{std::string{unit->label}, unit->node}} : std::nullopt});
+    }
+  std::ranges::sort(files, {}, &SocketFile::path);
+  const auto repeated = std::ranges::unique(files, {}, &SocketFile::path);
+  files.erase(repeated.begin(), repeated.end());
+  return files;
+}
+
+}  // namespace control

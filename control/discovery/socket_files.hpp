@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace control {
+
+/// The bus and the address switch of the one unit of a daemon.
+struct UnitName {
+  std::string label;
+  int node = 0;
+};
+
+/// A control socket in a runtime folder.
+struct SocketFile {
+  std::string path;
+  std::optional<UnitName> name;  ///< of its only unit; nothing: it serves a list of units
+};
+
+/// The control sockets of the machine in the order of their paths: those in $RUNTIME_DIRECTORY where that is set,
+/// else those in $XDG_RUNTIME_DIR, /run, the folders of the services below it and /tmp, as far as somebody has put
+/// them there whom this user may trust.
+[[nodiscard]] std::vector<SocketFile> socket_files();
+
+}  // namespace control

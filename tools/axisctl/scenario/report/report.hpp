@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/axisctl/scenario/run/run.hpp"
+
+namespace scenario {
+
+/// What @p frame is in the predefined connection set (CiA 301, 7.3.3): "SDO response", "NMT start"; empty:
+/// unknown.
+[[nodiscard]] std::string service_of(const canopen::Frame& frame);
+
+/// The report for people: a line a step, and what there is to know of a failure.
+[[nodiscard]] std::string text_of(const Scenario& scenario, const RunResult& result);
+/// The same for programs; docs/reference/scenarios.md says what is in it.
+[[nodiscard]] nlohmann::json json_of(const Scenario& scenario, const RunResult& result);
+
+/// A scenario with what came of it.
+struct Ran {
+  Scenario scenario;
+  RunResult result;
+};
+/// All of @p runs as JUnit XML: a testsuite a scenario, a testcase a step.
+[[nodiscard]] std::string junit_of(const std::vector<Ran>& runs);
+
+}  // namespace scenario
