@@ -24,7 +24,7 @@ def report(*results):
 
 
 class CountTests(unittest.TestCase):
-    def counted(self, account, programs=(), reports=None):
+    def counted(self, account, programs=(), reports=None, printed=None):
         """The lines that it prints."""
         with tempfile.TemporaryDirectory() as folder:
             folder = Path(folder)
@@ -32,7 +32,11 @@ class CountTests(unittest.TestCase):
                 (folder / "junit").write_text(account)
             for name, text in (reports or {}).items():
                 (folder / f"{name}.xml").write_text(text)
-            return subprocess.run([sys.executable, COUNT_TESTS, folder / "junit", folder, *programs], check=True,
+            options = []
+            if printed is not None:
+                (folder / "printed").write_text(printed)
+                options = ["--printed", folder / "printed"]
+            return subprocess.run([sys.executable, COUNT_TESTS, *options, folder / "junit", folder, *programs], check=True,
                                   capture_output=True, text=True).stdout.splitlines()
 
     def test_one_a_test_of_ctest(self):
@@ -63,6 +67,15 @@ class CountTests(unittest.TestCase):
 
     def test_a_program_that_was_not_run_has_failed(self):
         self.assertEqual(self.counted(junit(b="run"), ["a"], {"a": report("completed")}), ["a: was not run", "1 1"])
+
+    def test_a_test_that_passed_when_repeated_is_named_and_has_passed(self):
+        printed = ("1/3 Test #1: a.one ....   Passed    0.01 sec\n2/3 Test #2: b.two ....***Failed    0.01 sec\n"
+                   "    Test #2: b.two ....***Timeout   0.01 sec\n    Test #2: b.two ....   Passed    0.01 sec\n"
+                   "3/3 Test #3: c ....***Failed    0.01 sec\n")
+        account = junit(**{"a.one": "run", "b.two": "run", "c": "fail"})
+        self.assertEqual(self.counted(account, printed=printed),
+                         ["c: fail", "b.two: failed, and passed when it was repeated", "2 1"])
+        self.assertEqual(self.counted(junit(a="run"), printed=""), ["1 0"])
 
     def test_a_run_of_nothing_has_failed(self):
         self.assertEqual(self.counted(junit()), ["no test was run", "0 1"])
