@@ -3,7 +3,7 @@
 
 with-can --private -- faults.py [--master NAME] [--fault NAME] [--patience SECONDS]
 
-Needs axisd, axisctl, candump, node with the npm packages canopen and socketcan, and python3-can. A master that has not ended by
+Needs axisd, axisctl, candump, cansend, node with the npm packages canopen and socketcan, and python3-can. A master that has not ended by
 itself after PATIENCE (10 s) is said to wait, and ended.
 """
 
@@ -40,7 +40,7 @@ FAULTS = [
     Fault('none', '', ''),
     Fault('dies in motion', 'node.reset --while operation-enabled --event tpdo --after 40 --delay-ms 200', r' 705 .* 00$'),
     Fault('SDO abort in the boot sequence', 'sdo.abort --code 0x08000022 --after 1 --times 1', r' 585 .* 80 '),
-    Fault('SDO answer after the time-out', 'sdo.late --delay-ms 1200 --after 1 --times 1', r' 585 .* 43 18 10 01| 605 .* 80 08 10'),
+    Fault('SDO answer after the time-out', 'sdo.late --delay-ms 3300 --after 1 --times 1', r' 585 .* 43 18 10 01| 605 .* 80 08 10'),
     Fault('reboots in configuration', 'node.reset --event sdo-response --after 4 --delay-ms 300', r' 705 .* 00$'),
     Fault('frozen feedback', 'drive.frozen --while operation-enabled --event tpdo --after 40', ''),
 ]
@@ -86,6 +86,12 @@ class Bench:
         with open(self.dump, encoding='ascii') as file:
             return file.read()
 
+    def all_frames(self):
+        """The lines of candump when it has written down what has been on the bus until now."""
+        subprocess.run(['cansend', 'vcan0', '7FF#'], env=self.environment, stdin=subprocess.DEVNULL, check=True)
+        until(lambda: ' 7FF ' in self.frames())
+        return [line for line in self.frames().splitlines() if ' 7FF ' not in line]
+
     def ask(self, *words):
         """What axisctl answers."""
         run = subprocess.run(['axisctl', '--socket', self.socket, '--json', *words], stdin=subprocess.DEVNULL, capture_output=True,
@@ -97,7 +103,7 @@ class Bench:
 
 def until(holds):
     """Waits until HOLDS, which comes at once but on a machine that has other things to do."""
-    end = time.monotonic() + 20
+    end = time.monotonic() + 60
     while not holds():
         if time.monotonic() > end:
             raise SystemExit('faults.py: bus and drive do not get ready')
@@ -124,7 +130,7 @@ def lead(name, command, fault, patience):
         lines = [f'## {fault.name}: {name}', f'axisctl inject add {fault.words}: hits {hits}' if fault.words else 'no fault', f'{name} {end}']
         lines += ['  | ' + line for line in told(said)]
         lines += [f'  the drive is left in {axis["state"]} at {axis["speed_rpm"]:.0f} rpm']
-        lines += ['  ' + line for line in around(bench.frames().splitlines()[before:], fault.seen)]
+        lines += ['  ' + line for line in around(bench.all_frames()[before:], fault.seen)]
         return lines
 
 

@@ -9,7 +9,8 @@ RPM_3000 = 209_715_200  # increments/s
 STATE = 0x6F  # the bits of the statusword that tell the state
 PATIENCE = 5  # s, for what the drive has to do
 HEARTBEAT = 0.1  # s
-LOST = 1  # s without one
+LOST = 2  # s without one
+ANSWER = 1.5  # s, for an SDO answer
 
 
 class Drive:
@@ -39,7 +40,7 @@ class Drive:
         """The answer to a request of eight bytes, which is sent up to three times."""
         for _ in range(3):
             self.send(0x600 + NODE, request)
-            end = time.monotonic() + 0.5
+            end = time.monotonic() + ANSWER
             while (left := end - time.monotonic()) > 0:
                 message = self.hear(left)
                 if message and message.arbitration_id == 0x580 + NODE:

@@ -36,10 +36,13 @@ class Candump:
         self.process.wait()
         self.process.stdout.close()
 
+    def send(self, *frames):
+        for frame in frames:
+            subprocess.run(['cansend', *frame.split(':')] if ':' in frame else ['cansend', 'can0', frame], check=True)
+
     def heard(self, frames, most=None):
         """Sends FRAMES and one more; what comes until that has come, or MOST frames have."""
-        for frame in [*frames, LAST]:
-            subprocess.run(['cansend', *frame.split(':')] if ':' in frame else ['cansend', 'can0', frame], check=True)
+        self.send(*frames, LAST)
         seen = []
         while LAST not in seen and len(seen) != most:
             line = self.process.stdout.readline()
@@ -47,8 +50,13 @@ class Candump:
             seen.append(line.split()[2])
         return [frame for frame in seen if frame != LAST]
 
+    def next_at(self):
+        """The next frame, behind the time (s) at which it passed the hub."""
+        time_text, _, frame = self.process.stdout.readline().split()[:3]
+        return float(time_text.strip('()')), frame
+
     def next(self):
-        return self.process.stdout.readline().split()[2]
+        return self.next_at()[1]
 
 
 class Bus:
@@ -120,9 +128,14 @@ def test_frames(bus, dump):
 
 
 def test_delay(bus, dump):
-    bus.inject('bus.delay id=185 delay_ms=200')
+    bus.inject('bus.delay id=185 delay_ms=3600000')
     assert dump.heard(['185#01', '186#']) == ['186#']
-    assert dump.next() == '185#01'
+    bus.take_back()
+    bus.inject('bus.delay id=185 delay_ms=200')
+    dump.send('186#', '185#02')
+    (before, first), (late, second) = dump.next_at(), dump.next_at()
+    assert (first, second) == ('186#', '185#02'), (first, second)
+    assert late - before >= 0.2, f'{late - before} s'
     bus.take_back()
 
 

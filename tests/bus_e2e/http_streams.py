@@ -4,6 +4,7 @@ import json
 import select
 import subprocess
 import sys
+import time
 
 import http_client
 import programs
@@ -52,20 +53,28 @@ def check_events(folder, gateway, unit):
     monitor.wait()
 
 
+def read_values(folder, signals):
+    read = json.loads(folder.output_of('axisctl', '--json', 'signal', 'read', *signals))
+    return [each['value'] for each in read['signals']]
+
+
 def check_samples(folder, gateway, unit):
     """Samples are what the signals are."""
     signals = ['1/speed', 'dc_voltage']
     with gateway.stream(f'{unit}/samples?signals={",".join(signals)}&period_ms=20') as stream:
         assert stream.expect('signals')['signals'] == signals
         samples = [stream.expect('sample') for _ in range(5)]
-    read = json.loads(folder.output_of('axisctl', '--json', 'signal', 'read', *signals))
-    assert samples[-1]['values'] == [each['value'] for each in read['signals']], (samples, read)
+        deadline = time.monotonic() + programs.PATIENCE
+        # When the unit has come to rest, they are the same.
+        while samples[-1]['values'] != (values_read := read_values(folder, signals)):
+            assert time.monotonic() < deadline, (samples, values_read)
+            samples.append(stream.expect('sample'))
     assert all(later['t'] > earlier['t'] for earlier, later in zip(samples, samples[1:])), samples
     assert gateway.code('GET', f'{unit}/samples?signals=1/dance&period_ms=20') == (404, 'not-found')
     assert gateway.code('GET', f'{unit}/samples?signals=1/speed') == (400, 'bad-parameter')
 
 
-def check_coming_and_going(folder, gateway, unit):
+def check_coming_and_going(folder, gateway, unit, daemon):
     """A daemon that ends and comes back is there again, and viewers are told."""
     with gateway.stream('/api/v1/events') as events, \
             gateway.stream(f'{unit}/samples?signals=1/speed&period_ms=20') as samples:
@@ -75,6 +84,7 @@ def check_coming_and_going(folder, gateway, unit):
         samples.expect('ended')
         assert events.expect('units')['units'] == []
         assert gateway.code('GET', unit) == (503, 'no-daemon')
+        assert daemon.process.wait(programs.PATIENCE) == 0  # its names are free again
         programs.start_unit(folder)
         assert events.expect('units')['units']
         assert gateway.request('GET', unit)[2]['nmt_state'] == 'Pre-operational'
@@ -84,12 +94,12 @@ def check_coming_and_going(folder, gateway, unit):
 
 def main():
     with programs.Folder(sys.argv[1]) as folder:
-        programs.start_unit(folder)
+        daemon = programs.start_unit(folder)
         gateway = http_client.Gateway(folder)
         unit = gateway.unit()
         check_events(folder, gateway, unit)
         check_samples(folder, gateway, unit)
-        check_coming_and_going(folder, gateway, unit)
+        check_coming_and_going(folder, gateway, unit, daemon)
         assert gateway.program.end() == 0
 
 

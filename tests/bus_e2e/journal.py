@@ -13,6 +13,7 @@ import sys
 import time
 
 import programs
+from control_client import ControlClient
 
 JOURNAL = '/run/systemd/journal/socket'
 FLOOD = 100
@@ -75,9 +76,10 @@ def main():
         journal.expect(MESSAGE='is gone', PRIORITY='6', UNIT=name, AXIS='1', FAULT='F07860')
         subprocess.run(['cansend', 'vcan0', '705#7F'], check=True, timeout=programs.PATIENCE)
         journal.expect(MESSAGE='duplicate node-ID', PRIORITY='4', UNIT=name, COB_ID='705')
+        client = ControlClient(control, programs.PATIENCE)
         for _ in range(FLOOD):
-            axisctl('fault', 'inject', '1', '7861')
-            axisctl('fault', 'ack', '1')
+            client.call('fault.inject', axis=1, number=7861)
+            client.call('fault.ack', axis=1)
         flood = [entry for entry in journal.drain() if entry.get('FAULT') == 'F07861']
         assert 0 < len(flood) < FLOOD, f'{len(flood)} entries'
         axisctl('quit')

@@ -81,4 +81,16 @@ def drive(master):
     master.send(0x300 + NODE, '0F000000800C')  # 3000 rpm
     master.receive(0x280 + NODE, lambda data: struct.unpack('<Hi', data)[1] > 100_000_000)
     master.send(0x200 + NODE, '0600')
-    master.receive(0x280 + NODE, lambda data: struct.unpack('<Hi', data)[1] < 1_000_000)
+    wait_for_rest(master)
+
+
+def wait_for_rest(master):
+    """Until nothing changes any more: of a network that loses frames, the last TPDO need not have come."""
+    deadline = time.monotonic() + 2 * PATIENCE
+    while True:
+        while master.bus.recv(1) is not None:
+            assert time.monotonic() < deadline, 'the unit does not come to rest'
+        velocity = int.from_bytes(master.upload(0x606C), 'little', signed=True)
+        if abs(velocity) < 1_000_000:
+            return
+        assert time.monotonic() < deadline, f'{velocity} increments/s'

@@ -31,7 +31,7 @@ def main():
     bin_folder, script = sys.argv[1:]
     environment = {**os.environ, 'PATH': f'{bin_folder}:/usr/bin:{os.environ["PATH"]}'}
     run = subprocess.run([sys.executable, script, '--patience', str(PATIENCE)], env=environment, stdin=subprocess.DEVNULL,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=160, check=False)
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=340, check=False)
     print(run.stdout)
     assert run.returncode == 0, f'exit status {run.returncode}'
     said = dict(part.split('\n', 1) for part in re.split(r'^## ', run.stdout, flags=re.MULTILINE)[1:])

@@ -18,7 +18,8 @@ NODE = 5
 # What the test sends; everything else on the bus is the unit's.
 OF_MASTER = {0x000, 0x200 + NODE, 0x300 + NODE, 0x600 + NODE}
 SDO_RESPONSE = 0x580 + NODE
-CONTROLWORDS = '0600', '0700', '0F00'
+CONTROLWORDS = ('0600', 'Ready to switch on'), ('0700', 'Switched on'), ('0F00', 'Operation enabled')
+PROBE = 0x7FF
 
 
 def samples_of(text):
@@ -34,15 +35,15 @@ def samples_of(text):
 
 
 def frames_in(log):
+    """Identifiers and data of the frames, without the probes."""
     with open(log, encoding='ascii') as file:
         found = re.findall(r' ([0-9A-F]{3})#([0-9A-F]*)$', file.read(), re.MULTILINE)
-    return [(int(identifier, 16), bytes.fromhex(data)) for identifier, data in found]
+    return [(int(identifier, 16), bytes.fromhex(data)) for identifier, data in found if int(identifier, 16) != PROBE]
 
 
 def send(*frames):
     for frame in frames:
         subprocess.run(['cansend', 'vcan0', frame], check=True, timeout=programs.PATIENCE)
-        time.sleep(0.02)  # the unit looks at its process data every 4 ms
 
 
 def expected(frames, unit):
@@ -68,8 +69,8 @@ def main():
             candump = subprocess.Popen(['candump', '-L', 'vcan0'], stdout=file)
         folder.programs.append(candump)
         while not os.path.getsize(log):  # it listens when it has shown a frame
-            send('7FF#00')
-        probes = len(frames_in(log))
+            send(f'{PROBE:03X}#00')
+            time.sleep(0.02)
         unit = folder.start('axisd', '--interface', f'unix:{os.environ["CAN_BUS"]}', '--node-id', str(NODE), '--control', control,
                             '--state-directory', folder.path('state'))
         unit.expect(f'ready: node {NODE} on')
@@ -95,10 +96,16 @@ def main():
                 assert time.monotonic() < deadline, f'{what}: expected and shown: {missing}'
                 time.sleep(0.1)
 
-        name = re.search(r'axisd_up\{unit="([^"]+)"\}', '\n'.join(wait_for(lambda: {}, 'start')))[1]
+        deadline = time.monotonic() + programs.PATIENCE
+        while not (found := re.search(r'axisd_up\{unit="([^"]+)"\}', '\n'.join(metrics()))):
+            assert time.monotonic() < deadline, 'the gateway has not found the unit'
+        name = found[1]
         axis = f'{{unit="{name}",axis="1",name="X"'
         send('605#4000100000000000', '605#40F0FF0000000000', '605#40F0FF0000000000', '605#2B41600001000000', '000#0105')
-        send(*(f'205#{word}' for word in CONTROLWORDS), '305#0F000000800C')
+        for word, state in CONTROLWORDS:
+            send(f'205#{word}')
+            wait_for(lambda state=state: {f'axisd_axis_state{axis},state="{state}"}}': 1}, state)
+        send('305#0F0000002000')  # 30 rpm
         wait_for(lambda: {f'axisd_axis_state{axis},state="Operation enabled"}}': 1,
                           f'axisd_nmt_state{{unit="{name}",state="Operational"}}': 1}, 'on')
         for _ in range(3):
@@ -115,7 +122,7 @@ def main():
         assert turns == shown[f'axisd_cycle_duration_seconds_bucket{{unit="{name}",le="+Inf"}}'] > 0
         folder.output_of('axisctl', '--socket', control, 'fault', 'ack', '1')
         # Motor and bus come to rest; then all that has been sent has been seen.
-        final = wait_for(lambda: expected(frames_in(log)[probes:], name), 'frames')
+        final = wait_for(lambda: expected(frames_in(log), name), 'frames')
         results = {re.search('result="([^"]+)"', key)[1]: value for key, value in final.items() if key.startswith('axisd_sdo')
                    and 'server="0"' in key}
         assert results == {'ok': 1, '0x06020000': 2, '0x06010002': 1}, results

@@ -95,7 +95,7 @@ def with_mbpoll(port, _folder):
         skip('no mbpoll')
 
     def mbpoll(*words):
-        return run(['mbpoll', '-m', 'tcp', '-p', str(port), '-0', '-1', '-q', *words[:-1], '127.0.0.1', *words[-1]])
+        return run(['mbpoll', '-m', 'tcp', '-o', '10', '-p', str(port), '-0', '-1', '-q', *words[:-1], '127.0.0.1', *words[-1]])
 
     answer = mbpoll('-r', str(40324 - FIRST), '-c', '1', [])
     assert answer.returncode == 0 and re.search(r'3000', answer.stdout), answer
@@ -111,7 +111,7 @@ def with_pymodbus(port, _folder):
         from pymodbus.client import ModbusTcpClient
     except ImportError as missing:
         skip(missing)
-    client = ModbusTcpClient('127.0.0.1', port=port)
+    client = ModbusTcpClient('127.0.0.1', port=port, timeout=programs.PATIENCE)
     assert client.connect()
     assert client.read_holding_registers(40324 - FIRST, 1, slave=17).registers == [3000]
     assert not client.write_register(40322 - FIRST, 700, slave=17).isError()

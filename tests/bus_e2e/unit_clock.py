@@ -12,6 +12,7 @@ import sys
 
 import programs
 
+TRIES = 5
 
 def now():
     """UTC, cut off to milliseconds as the unit and `date` have it."""
@@ -32,10 +33,14 @@ def main():
         unit.expect('ready: node 5 on')
         assert 'utc' not in axisctl('status')
         for method in 'simple', 'ping-snap':
-            before = now()
-            subprocess.run([script, 'vcan0', '5', method], check=True, timeout=programs.PATIENCE)
-            clock = axisctl('status')['utc']
-            after = now()
+            # A unit that stands still while the pauses of the script pass gets ping and snap at once.
+            for _ in range(TRIES):
+                before = now()
+                subprocess.run([script, 'vcan0', '5', method], check=True, timeout=programs.PATIENCE)
+                clock = axisctl('status')['utc']
+                after = now()
+                if clock['synchronised'] and clock['method'] == method:
+                    break
             assert clock['synchronised'], clock
             assert clock['method'] == method, clock
             time = datetime.datetime.fromisoformat(clock['time'].replace('Z', '+00:00'))

@@ -1,6 +1,7 @@
 """Each slave of canopen-zoo on a user-space bus of its own, before canopen-check: zoo.py BIN-FOLDER
 
-A wrong slave is found by each of the checks that the list names, and a right one by none of them.
+A wrong slave is found by each of the checks that the list names, and a right one by none of them. Both measure by the clock of a machine
+that may stand still meanwhile: what comes out otherwise is looked at again. tests/tools/canopen-check asserts it in simulated time.
 """
 
 import concurrent.futures
@@ -16,10 +17,11 @@ SIDE_BY_SIDE = 12  # they wait for times to pass, most of them
 NODE = '7'  # not that of the tests in simulated time
 # Without these a slave without boot-up messages is waited for longer than it takes to find that.
 LIMITS = ['--timeout', '2000', '--boot-limit', '4000']
+TRIES = 10
 
 
 def check(folder, slave, checks):
-    """Runs canopen-check on SLAVE with CHECKS; what they found: ids, and the whole output."""
+    """Runs canopen-check on SLAVE with CHECKS: which of them have found something, which have not been judged, and the whole output."""
     bus = f'unix:{folder.path(slave["name"] + ".bus")}'
     eds, report = folder.path(slave['name'] + '.eds'), folder.path(slave['name'] + '.json')
     program = programs.Program([os.path.join(folder.bin_folder, 'canopen-zoo'), '--run', slave['name'], '--interface', bus,
@@ -36,14 +38,20 @@ def check(folder, slave, checks):
     assert status == 0, f'{slave["name"]} ends with {status}'
     with open(report, encoding='utf-8') as file:
         results = json.load(file)['results']
-    assert {result['id'] for result in results} >= set(checks), f'{slave["name"]}: not all of {checks} in\n{run.stdout}'
-    return {result['id'] for result in results if result['findings']} & set(checks), run.stdout
+    judged = {result['id'] for result in results}
+    return {result['id'] for result in results if result['findings']} & set(checks), set(checks) - judged, run.stdout
 
 
 def judge(folder, slave, checks):
     """Nothing, or in which way the checks have found what they should not, or not what they should."""
-    found, output = check(folder, slave, checks)
-    return '' if found == set(slave['found_by']) else f'{slave["name"]}: found by {sorted(found)}\n{output}'
+    wrong = set(checks)
+    for _ in range(TRIES):
+        expected = wrong & set(slave['found_by'])
+        found, missing, output = check(folder, slave, sorted(wrong))
+        wrong = found ^ expected | missing
+        if not wrong:
+            return ''
+    return f'{slave["name"]}: found by {sorted(found)}, not judged by {sorted(missing)}\n{output}'
 
 
 def jobs(slaves):

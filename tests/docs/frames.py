@@ -10,7 +10,7 @@ import struct
 import time
 
 PATIENCE = 20  # s
-PAUSE = 0.05  # s between frames of one RPDO: the unit looks at them every 4 ms
+PAUSE = 0.05  # s between frames of one RPDO, from when the unit has the first: it looks at them every 4 ms
 NODE = 0x7F
 FUNCTION = 0x780
 TO_UNIT = {0x000, 0x080, 0x200, 0x300, 0x400, 0x500, 0x600}
@@ -42,6 +42,9 @@ class Dialogue:
             if identifier & FUNCTION in TO_UNIT and not (self.request and identifier & FUNCTION == SDO_ANSWER):
                 self.answered(place)
                 self.send(identifier, data)
+                if identifier & FUNCTION != SDO_REQUEST:
+                    self.statusword(place)  # the unit has what was sent before
+                    time.sleep(PAUSE)
                 word = int.from_bytes(data[:2], 'little')
                 if identifier & FUNCTION == CONTROLWORD and word in STATES:
                     self.wait_for(STATE_BITS, STATES[word], place)
@@ -57,8 +60,6 @@ class Dialogue:
         self.can.send(FRAME.pack(identifier, len(data), data))
         if identifier & FUNCTION == SDO_REQUEST:
             self.request, self.node = (identifier, data), identifier & NODE
-        else:
-            time.sleep(PAUSE)
 
     def expect(self, wanted, place):
         """The data of the next frame that is WANTED."""

@@ -122,6 +122,14 @@ def unit_has_ended(_, unit):
     assert unit.process.wait(programs.PATIENCE) == 0
 
 
+def make_sleep_patient(folder):
+    """What a page waits for by sleep is there then on a busy machine, too."""
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'patient_sleep.py')
+    with open(folder.path('bin/sleep'), 'w', encoding='utf-8') as file:
+        file.write(f'#!/bin/sh\nexec "{sys.executable}" "{script}" "$@"\n')
+    os.chmod(folder.path('bin/sleep'), 0o755)
+
+
 def make_tree(folder, source, bin_folder, blocks):
     """A folder that looks like the source tree to those who paste; what they write stays in it."""
     tree = folder.path('tree')
@@ -177,6 +185,7 @@ def run(name, bin_folder, source):
     with programs.Folder(bin_folder) as folder:
         os.mkdir(folder.path('bin'))
         os.symlink(sys.executable, folder.path('bin/python3'))  # that of the system, which has its packages
+        make_sleep_patient(folder)
         environment = {**folder.environment, 'PATH': f'{bin_folder}:{folder.path("bin")}:{os.environ["PATH"]}'}
         # As if they were installed.
         environment.update(PYTHONPATH=os.path.join(os.path.dirname(bin_folder), 'python'),

@@ -37,6 +37,7 @@ TEST_F(BusSlave, AnswersSdoRequestsAndTakesProcessDataInOperationalOnly) {
 TEST_F(BusSlave, AnswersASyncWithFourTpdosInOrder) {
   start({"--operational"});
   can.listen_to({0x281, 0x282, 0x283, 0x284, 0x285});
+  can.forget();  // heartbeats that came before
 
   can.send("080#");
   can.send("080#");
@@ -57,6 +58,7 @@ TEST_F(BusSlave, AnswersASyncWithSixtyFourTpdosInOrder) {
   std::vector<std::uint32_t> identifiers;
   for (std::uint32_t i = 0; i < kCount; ++i) identifiers.push_back(kFirst + i);
   can.listen_to(identifiers);
+  can.forget();  // heartbeats that came before
 
   can.send("080#");
 

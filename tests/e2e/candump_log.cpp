@@ -1,5 +1,6 @@
 #include "tests/e2e/candump_log.hpp"
 
+#include <chrono>
 #include <stdexcept>
 
 #include "tests/e2e/test_bus.hpp"
@@ -24,16 +25,19 @@ bool is_error_frame(const std::string& frame) {
 
 }  // namespace
 
-CandumpLog::CandumpLog() : candump_{{CANDUMP_PROGRAM, "-L", kTestInterface}, bus_environment()} {
+// A candump that stands still for a while has room for what comes meanwhile: -r.
+CandumpLog::CandumpLog() : candump_{{CANDUMP_PROGRAM, "-L", "-r", "1048576", kTestInterface}, bus_environment()} {
   // Frames before candump records are lost.
-  constexpr int kMostProbes = 100;
+  constexpr std::chrono::milliseconds kBetweenProbes{20};
   const std::string probe = "7FF#00";
-  for (int i = 0; i < kMostProbes && candump_.output().find(probe) == std::string::npos; ++i)
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  do {
     if (!cansend(probe))
       throw std::runtime_error{
           "cansend on vcan0; make the interface with scripts/vcan-setup.sh vcan0, or run the test in "
           "scripts/vcan-vm"};
-  if (!candump_.wait_for_output(probe)) throw std::runtime_error{"candump records nothing"};
+    if (std::chrono::steady_clock::now() > end) throw std::runtime_error{"candump records nothing"};
+  } while (!candump_.wait_for_output(probe, 0, kBetweenProbes));
 }
 
 testing::AssertionResult CandumpLog::send(const std::string& frame) {

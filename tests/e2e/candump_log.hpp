@@ -15,15 +15,13 @@ class CandumpLog {
   /// Starts to record; throws std::runtime_error that says how to get the interface.
   CandumpLog();
 
-  /// Sends @p frame with cansend; what is looked for next stands behind it, or behind the mark if it is an error
-  /// frame, which candump does not record.
+  /// Sends @p frame with cansend; what is looked for next stands behind it, unless it is an error frame, which
+  /// candump does not record.
   testing::AssertionResult send(const std::string& frame);
   /// Waits until @p frames stand in the record in that order, others between them, behind what was found last.
   testing::AssertionResult shows(std::initializer_list<std::string> frames);
   /// No frame has come under @p identifiers, such as "185", behind what was found last.
   testing::AssertionResult shows_none_of(std::initializer_list<std::string> identifiers);
-  /// Looks from now on behind all that has been recorded.
-  void mark() { from_ = candump_.output().size(); }
 
  private:
   Program candump_;

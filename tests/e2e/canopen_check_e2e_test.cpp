@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/e2e/conformance_run.hpp"
 #include "tests/e2e/daemon_process.hpp"
 
 /// canopen-check against axisd, and against what stands in its way.
@@ -19,29 +20,14 @@ std::string eds_of(int axes) {
   return kEdsFolder + (axes == 1 ? "/axisd.eds" : "/axisd-" + std::to_string(axes) + "-axes.eds");
 }
 
-/// Runs canopen-check on node 5 with @p words.
-fakes::Finished run_check(std::vector<std::string> words) {
-  std::vector<std::string> arguments{CANOPEN_CHECK_PROGRAM, "--interface", served_interface(), "--node", "5"};
-  arguments.insert(arguments.end(), words.begin(), words.end());
-  return fakes::run_program(arguments, bus_environment());
+/// canopen-check on node 5 with @p words.
+std::vector<std::string> command(const std::vector<std::string>& words) {
+  std::vector<std::string> command{CANOPEN_CHECK_PROGRAM, "--interface", served_interface(), "--node", "5"};
+  command.insert(command.end(), words.begin(), words.end());
+  return command;
 }
-
-/// The JSON report of a run, which has to end with @p status.
-json report_of(int status, std::vector<std::string> words) {
-  const fakes::TemporaryDirectory folder;
-  words.insert(words.end(), {"--json", folder.path("report.json")});
-  const fakes::Finished run = run_check(words);
-  EXPECT_EQ(run.status, status) << run.output << run.errors;
-  std::ifstream file{folder.path("report.json")};
-  return json::parse(file, nullptr, false);
-}
-
-/// The checks of @p report with that outcome.
-std::set<std::string> checks_with(const json& report, const char* outcome) {
-  std::set<std::string> ids;
-  for (const json& result : report.at("results"))
-    if (result.at("outcome") == outcome) ids.insert(result.at("id"));
-  return ids;
+fakes::Finished run_check(const std::vector<std::string>& words) {
+  return fakes::run_program(command(words), bus_environment());
 }
 
 /// The checks that the list of deviations of the unit names.
@@ -52,21 +38,24 @@ std::set<std::string> listed() {
   return ids;
 }
 
-/// Listed checks that ran in @p report.
-std::set<std::string> listed_and_run(const json& report) {
+/// Listed checks that ran.
+std::set<std::string> listed_and_run(const Outcomes& outcomes) {
   std::set<std::string> ids = listed();
-  for (const std::string& id : checks_with(report, "skipped")) ids.erase(id);
+  for (const std::string& id : checks_with(outcomes, "skipped")) ids.erase(id);
   return ids;
 }
+
+const std::set<std::string> kNone;
 
 class Conformance : public testing::TestWithParam<int> {};
 
 TEST_P(Conformance, HasTheListedDeviationsAndNoFinding) {
   DaemonProcess daemon{{.axes = GetParam()}};
   ASSERT_TRUE(daemon.is_ready());
-  const json report =
-      report_of(0, {"--eds", eds_of(GetParam()), "--deviations", kEdsFolder + "/axisd-deviations.json"});
-  EXPECT_EQ(checks_with(report, "deviation"), listed_and_run(report));
+  const Outcomes outcomes =
+      conformance(command({"--eds", eds_of(GetParam()), "--deviations", kEdsFolder + "/axisd-deviations.json"}));
+  EXPECT_EQ(checks_with(outcomes, "failed"), kNone);
+  EXPECT_EQ(checks_with(outcomes, "deviation"), listed_and_run(outcomes));
 }
 
 INSTANTIATE_TEST_SUITE_P(Axes, Conformance, testing::Values(1, 8));
@@ -74,24 +63,26 @@ INSTANTIATE_TEST_SUITE_P(Axes, Conformance, testing::Values(1, 8));
 TEST(ConformanceWithoutAList, FindsEveryListedDeviation) {
   DaemonProcess daemon;
   ASSERT_TRUE(daemon.is_ready());
-  const json report = report_of(1, {"--eds", eds_of(1)});
-  EXPECT_EQ(checks_with(report, "failed"), listed_and_run(report));
+  const Outcomes outcomes = conformance(command({"--eds", eds_of(1)}), listed());
+  EXPECT_EQ(checks_with(outcomes, "failed"), listed_and_run(outcomes));
 }
 
 TEST(ConformanceWithEverythingAllowed, HasTheListedDeviationsAndNoFinding) {
   DaemonProcess daemon{{.axes = 2}};
   ASSERT_TRUE(daemon.is_ready());
-  const json report = report_of(0, {"--eds", eds_of(2), "--deviations", kEdsFolder + "/axisd-deviations.json",
-                                    "--allow-store", "--allow-motion"});
-  EXPECT_EQ(checks_with(report, "deviation"), listed_and_run(report));
+  const Outcomes outcomes =
+      conformance(command({"--eds", eds_of(2), "--deviations", kEdsFolder + "/axisd-deviations.json",
+                           "--allow-store", "--allow-motion"}));
+  EXPECT_EQ(checks_with(outcomes, "failed"), kNone);
+  EXPECT_EQ(checks_with(outcomes, "deviation"), listed_and_run(outcomes));
 }
 
 TEST(ConformanceReadOnly, LeavesTheUnitAlone) {
   DaemonProcess daemon;
   ASSERT_TRUE(daemon.is_ready());
-  const json report =
-      report_of(0, {"--eds", eds_of(1), "--read-only", "--deviations", kEdsFolder + "/axisd-deviations.json"});
-  EXPECT_EQ(checks_with(report, "failed"), std::set<std::string>{});
+  const Outcomes outcomes = conformance(
+      command({"--eds", eds_of(1), "--read-only", "--deviations", kEdsFolder + "/axisd-deviations.json"}));
+  EXPECT_EQ(checks_with(outcomes, "failed"), kNone);
   EXPECT_EQ(daemon.status().at("nmt_state"), "Pre-operational");
 }
 
@@ -122,11 +113,11 @@ TEST(ConformanceTrouble, WithAnotherDevicesEdsWritesNothingAndSaysSo) {
 }
 
 TEST(ConformanceTrouble, WithANodeThatDisappearsEndsWithAReport) {
-  DaemonProcess daemon;
-  ASSERT_TRUE(daemon.is_ready());
   CanClient can{kTestInterface};
+  DaemonProcess daemon;
+  ASSERT_TRUE(can.wait_for("705#00")) << "of its start";
   Program check{{CANOPEN_CHECK_PROGRAM, "--interface", served_interface(), "--node", "5", "--eds", eds_of(1),
-                 "--only", "nmt,sdo", "--timeout", "100", "--boot-limit", "200"},
+                 "--only", "nmt,sdo", "--boot-limit", "2000"},
                 bus_environment()};
   ASSERT_TRUE(can.wait_for("705#00"));  // it has begun to reset the node
   EXPECT_EQ(daemon.end(SIGKILL), -SIGKILL);

@@ -29,7 +29,8 @@ struct DriveDialogue : testing::Test {
   BusSdoClient sdo;
   DaemonProcess daemon;
 
-  explicit DriveDialogue(int axes = 1) : daemon{{.axis = kBriskAxis, .axes = axes}} {}
+  explicit DriveDialogue(int axes = 1, const nlohmann::json& axis = kBriskAxis)
+      : daemon{{.axis = axis, .axes = axes}} {}
 
   void SetUp() override { ASSERT_TRUE(daemon.is_ready()); }
   /// The steps from power-on to Operation enabled, one frame and one answer each.
@@ -137,8 +138,15 @@ TEST_F(DriveDialogue, AFaultStopsItUntilItIsAcknowledgedAndOnComesAnew) {
   }
 }
 
-/// 6060h in RPDO 5 (312h) and 6061h in TPDO 5 (192h).
+/// 6060h in RPDO 5 (312h) and 6061h in TPDO 5 (192h). By its rated torque the motor comes to 4000 rpm, where the
+/// friction takes it all, and not to an overspeed, however long it is left alone.
 struct ModeDialogue : DriveDialogue {
+  ModeDialogue() : DriveDialogue{1, axis()} {}
+  static nlohmann::json axis() {
+    nlohmann::json axis = kBriskAxis;
+    axis["load"]["friction"]["viscous"] = 0.0127;
+    return axis;
+  }
   void SetUp() override {
     DriveDialogue::SetUp();
     ASSERT_NO_FATAL_FAILURE(write(0x1604, 1, 0x60600008, 4));

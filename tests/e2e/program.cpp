@@ -75,9 +75,13 @@ void Program::signal(int signal) const noexcept {
   if (!ended_) kill(id_, signal);
 }
 
-int Program::wait() {
+bool Program::ends_within(milliseconds patience) const {
   const os::Descriptor process{static_cast<int>(syscall(SYS_pidfd_open, id_, 0))};
-  if (!readable(process.get(), kPatience)) throw std::runtime_error{"the program goes on; it wrote:\n" + output()};
+  return readable(process.get(), patience);
+}
+
+int Program::wait() {
+  if (!ends_within(kPatience)) throw std::runtime_error{"the program goes on; it wrote:\n" + output()};
   int status = 0;
   waitpid(id_, &status, 0);
   ended_ = true;

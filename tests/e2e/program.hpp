@@ -12,8 +12,8 @@
 
 namespace e2e {
 
-/// How long a test waits for something that should come at once; software emulation is slow.
-inline constexpr std::chrono::seconds kPatience{10};
+/// How long a test waits for something that should come at once; software emulation and busy machines are slow.
+inline constexpr std::chrono::seconds kPatience{30};
 
 /// A program that runs beside the test, with its output and its errors in one text. It ends with the test.
 class Program {
@@ -29,6 +29,8 @@ class Program {
   pid_t id() const noexcept { return id_; }
   /// Sends @p signal.
   void signal(int signal) const noexcept;
+  /// Whether the program ends within @p patience; its exit status stays for wait().
+  bool ends_within(std::chrono::milliseconds patience) const;
   /// Waits until the program has ended: its exit status, or the negative number of the signal that ended it.
   /// Throws std::runtime_error if it goes on.
   int wait();

@@ -23,8 +23,14 @@ struct Stall : testing::TestWithParam<std::chrono::milliseconds> {
   /// Stops the daemon and waits until it stands.
   void stop() const { suspend(daemon); }
   void daemon_signal(int signal) const { daemon.program().signal(signal); }
+  /// Returns when the frame has passed the bus, so that it waits for the daemon.
+  testing::AssertionResult pass(const char* frame) {
+    can.send(frame);
+    return witness.wait_for(frame);
+  }
 
   CanClient can{kTestInterface};
+  CanClient witness{kTestInterface};
   mutable DaemonProcess daemon;
 };
 
@@ -39,10 +45,10 @@ TEST_P(Stall, TakesNoControlwordOfAStartAway) {
 
     stop();
     const auto begin = std::chrono::steady_clock::now();
-    can.send("205#0600");
+    ASSERT_TRUE(pass("205#0600"));
     for (const char* const controlword : {"205#0700", "205#0F00"}) {
       std::this_thread::sleep_for(kBetweenFrames);  // never less, or the unit would rightly miss one
-      can.send(controlword);
+      ASSERT_TRUE(pass(controlword));
     }
     std::this_thread::sleep_until(begin + GetParam());
     daemon_signal(SIGCONT);

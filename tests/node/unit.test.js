@@ -71,6 +71,7 @@ withUnit('is there without its boot-up', { inject: [{ kind: 'boot-up.missing' }]
 });
 
 withUnit('tells what it has awaited and what it saw', {}, async (unit) => {
+  if (unit.bus.frames.length === 0) await once(unit.bus, 'frame'); // its boot-up
   await assert.rejects(unit.wait({ state: 'operation-enabled', timeout: 10 }), (error) => error instanceof Timeout
     && /^state operation-enabled of axis 1 has not come within 10 ms; seen last: Switch on disabled; axis 1: /.test(error.message));
   await assert.rejects(unit.wait({ frame: 0x199, timeout: 10 }),

@@ -109,6 +109,21 @@ KEYS
     grep -oE '(axisd|axisctl|axisd\.json|axisd-http|canhub|with-can|canopen-check|canopen-zoo|edstool)\([158]\)' | sed 's/(.*//' | sort -u)
 }
 
+# The installed program knows the installed scenarios by their names, runs them with the installed programs, and says their schema.
+check_scenarios() {
+  local said listed name
+  install_all
+  cd "$work"
+  listed=$(env PATH=/usr/bin:/bin "$prefix/bin/axisctl" run --list)
+  for name in "$SOURCE_DIR"/scenarios/*.json; do
+    name=${name##*/}
+    grep -qE "^${name%.json}( |$)" <<<"$listed" || fail "${name%.json} is not in the list: $listed"
+  done
+  name=boot-up-missing
+  said=$(env PATH=/usr/bin:/bin "$prefix/bin/axisctl" run "$name") || fail "$name: $said"
+  "$prefix/bin/axisctl" run --schema | cmp - "$prefix/share/axisd/axisd-scenario.schema.json" || fail "another schema is installed"
+}
+
 # What tests of others are made of: each starts the unit that is installed beside it, and nothing of the tree.
 check_fixtures() {
   local said modules

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/e2e/can_client.hpp"
+#include "tests/e2e/conformance_run.hpp"
 #include "tests/e2e/program.hpp"
 #include "tests/e2e/test_bus.hpp"
 #include "tests/fakes/child_process.hpp"
@@ -43,10 +44,10 @@ TEST_F(ExampleSlave, StartsAgainAfterAReset) {
 }
 
 TEST_F(ExampleSlave, HasNoFindingOfCanopenCheck) {
-  const fakes::Finished check = fakes::run_program(
-      {CANOPEN_CHECK, "--interface", served_interface(), "--node", "9", "--eds", EXAMPLE_EDS, "--allow-store"},
-      bus_environment());
-  EXPECT_EQ(check.status, 0) << check.output << check.errors;
+  const Outcomes outcomes = conformance(
+      {CANOPEN_CHECK, "--interface", served_interface(), "--node", "9", "--eds", EXAMPLE_EDS, "--allow-store"});
+  EXPECT_FALSE(outcomes.empty());
+  EXPECT_EQ(checks_with(outcomes, "failed"), std::set<std::string>{});
 }
 
 TEST_F(ExampleSlave, IsNotAloneForCanopenCheckIfAnotherHasItsNodeId) {

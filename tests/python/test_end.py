@@ -21,16 +21,21 @@ starter.join()
 unit = units[0]
 unit.wait(frame=0x705)
 print(unit.pid, unit.bus.hub.pid, unit.folder, flush=True)
+sys.stdin.readline()
 {end}
 '''
 
 
 def begin(end):
-    """A process with a unit, which was started by a thread that has ended: its handle, the unit, the hub, and the folder."""
+    """A process with a unit, which was started by a thread that has ended: its handle, the unit, the hub, and the folder.
+
+    It goes on to `end` when the unit and the hub are watched."""
     process = subprocess.Popen([sys.executable, '-c', WAITS.format(end=end)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                stdin=subprocess.PIPE, text=True)
     unit, hub, folder = process.stdout.readline().split()
     programs = [os.pidfd_open(int(pid)) for pid in (unit, hub)]
+    process.stdin.write('\n')
+    process.stdin.flush()
     return process, programs, pathlib.Path(folder).parent
 
 

@@ -108,6 +108,7 @@ TEST_F(Drive, SaysWhatIsWrong) {
 }
 
 TEST_F(Drive, TellsWhatCameInstead) {
+  drive.wait_frame(0x705);
   const std::string message = message_of([&] {
     drive.bus().wait_for([](const auto& frame) { return frame.identifier() == 0x199; }, "a frame 199h",
                          std::chrono::milliseconds{10});

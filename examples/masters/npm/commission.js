@@ -11,10 +11,10 @@ const FOUND = { 316: 'Nm/A, torque constant', 342: 'x the motor inertia turn', 3
   356: 'mH, inductance', 1460: 'Nms/rad, speed controller', 1462: 'ms, its integral time' };
 
 const write = (index, data, dataType, subIndex = 0) =>
-  master.sdo.download({ serverId: NODE, index, subIndex, data, dataType, timeout: 1000 });
+  master.sdo.download({ serverId: NODE, index, subIndex, data, dataType, timeout: 5000 });
 const number = (parameter, value) => write(0x2000 + parameter, value, DataType.INTEGER16);
 const read = (parameter, dataType) =>
-  master.sdo.upload({ serverId: NODE, index: 0x2000 + parameter, dataType, timeout: 1000 });
+  master.sdo.upload({ serverId: NODE, index: 0x2000 + parameter, dataType, timeout: 5000 });
 const until = (holds) => new Promise((done) => {
   const look = () => holds() && (master.pdo.removeListener('pdo', look), done());
   master.pdo.on('pdo', look);

@@ -42,7 +42,7 @@ async function stopShortOf(target, way, stop) {
   await until(() => Math.abs(actualPosition.value - target) < way, 'the motion');
   await stop();
   await until(() => Math.abs(actualVelocity.value) < RPM, 'standstill');
-  expect(Math.abs(actualPosition.value - target) > way / 4, `a stop before ${target}`);
+  expect(Math.abs(actualPosition.value - target) > WINDOW, `a stop before ${target}`);
 }
 
 async function prepare() {

@@ -36,7 +36,7 @@ const until = (holds, what) => new Promise((done, fail) => {
 
 /** Parameter @p number of the axis. */
 const parameter = (number, value, dataType, index = 0) => master.sdo.download({ serverId: NODE,
-  index: 0x2000 + number, subIndex: index, data: value, dataType, timeout: 1000 });
+  index: 0x2000 + number, subIndex: index, data: value, dataType, timeout: 5000 });
 
 /** Sets and clears bits of the controlword, POS_STW1 or POS_STW2, and sends them. */
 async function command(word, { set = 0, clear = 0 }) {
@@ -52,7 +52,7 @@ async function setpoints(target, speed) {
 
 /** Opens the window to the parameters of the axis and makes the unit Operational. */
 async function begin() {
-  await master.sdo.download({ serverId: NODE, index: 0x41B6, data: AXIS, dataType: DataType.UNSIGNED16, timeout: 1000 });
+  await master.sdo.download({ serverId: NODE, index: 0x41B6, data: AXIS, dataType: DataType.UNSIGNED16, timeout: 5000 });
   master.nmt.startNode();
   master.nmt.startNode(NODE);
 }

@@ -4,7 +4,7 @@ const { NODE, unit, master, controlword, target, statusword, actual } = require(
 
 const RPM_3000 = 209715200;                               // increments/s
 
-const read = (name) => master.sdo.upload({ serverId: NODE, timeout: 1000,
+const read = (name) => master.sdo.upload({ serverId: NODE, timeout: 2000,
   index: unit.findEntry(name)[0].index, dataType: unit.findEntry(name)[0].dataType });
 const until = (holds) => new Promise((done) => master.pdo.on('pdo', () => holds() && done()));
 

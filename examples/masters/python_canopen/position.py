@@ -103,7 +103,7 @@ class Positioner:
         self.until(lambda: abs(self.position - target) < way, 'the motion')
         stop()
         self.until(lambda: abs(self.velocity) < RPM, 'standstill')
-        self.expect(abs(self.position - target) > way / 4, f'a stop before {target}')
+        self.expect(abs(self.position - target) > WINDOW, f'a stop before {target}')
 
 
 def prepare(axis):
