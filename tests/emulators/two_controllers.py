@@ -10,16 +10,19 @@ import sys
 from guest import EXAMPLES, Guest, write_script
 import programs
 
-# One asks the unit for its device type; the other one hears the question, and both hear the answer.
+# One asks the unit for its device type; the other one hears the question, and both hear the answer. The controllers share an
+# interrupt, and qemu takes it back when one of them has been served: the other's frame may wait for the next one.
 ASKING = r'''
 set -eu
 . ./$1
 for can in can0 can1; do ip link set $can up type can bitrate 500000; done
 candump -L any >log &
 until grep -qE '^ *any ' /proc/net/can/rcvlist_all; do sleep 0.1; done
-cansend can1 605#4000100000000000
-until [[ $(grep -c 585#430010009201FFFF log) == 2 ]]; do sleep 0.1; done
-grep -q 'can0 605#4000100000000000' log
+heard() { grep -q "$1" log; }
+until heard 'can0 605#4000100000000000' && heard 'can0 585#430010009201FFFF' && heard 'can1 585#430010009201FFFF'; do
+  cansend can1 605#4000100000000000
+  sleep 1
+done
 '''
 
 
