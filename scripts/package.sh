@@ -112,7 +112,7 @@ build_before() {
   local commit=$from
   [[ $commit ]] || commit=$(the_version_before)
   clone "$commit" "$place/source-before"
-  if [[ -e $place/source-before/packaging ]]; then
+  if grep -qs '"name": "package"' "$place/source-before/CMakePresets.json"; then
     make_packages "$place/source-before" "$place/before"
   else
     wrap_installation "$place/source-before" "$place/before"
