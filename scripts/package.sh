@@ -222,7 +222,7 @@ services() {
 for step in "${steps[@]}"; do
   case $step in
     build)
-      "$root/scripts/setup.sh" --demo
+      "$root/scripts/setup.sh" --build
       need_packages dpkg-dev
       check 'packages from a fresh clone' build_packages
       check 'packages of the version before' build_before ;;

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# setup.sh [--demo]: installs what building, testing and demonstrating need and what is missing of it (Debian 12).
+# setup.sh [--demo|--build]: installs what building, testing and demonstrating need and what is missing of it (Debian 12).
 # To be called or sourced. Of machines that have everything it changes nothing.
 #
 # --demo: what scripts/demo.sh needs: the packages of the build, and can-utils.
+# --build: the same, and npm for the page of axisd-http: what building all that is installed needs.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-demo=''
 case ${1:-} in
-  '') ;;
-  --demo) demo=yes ;;
-  *) echo "usage: setup.sh [--demo]" >&2; exit 2 ;;
+  '' | --build | --demo) ;;
+  *) echo "usage: setup.sh [--demo|--build]" >&2; exit 2 ;;
 esac
+purpose=${1:-}
 
 build_packages=(
   # to build
@@ -43,17 +43,20 @@ test_packages=(
   libxml2-utils
   # systemd-analyze, which checks the units
   systemd
+  # the page of axisd-http in a browser
+  chromium
 )
 # guests of the tests, and the virtual machine of scripts/vcan-vm where the kernel has no CAN
 machine_packages=(qemu-system-x86 busybox-static cpio)
 
 command -v dpkg-query >/dev/null || die "only Debian and its relatives are supported"
 need_packages "${build_packages[@]}"
-[[ $demo ]] || need_packages "${test_packages[@]}"
-if [[ ! $demo ]]; then
+[[ $purpose == --demo ]] || command -v npm >/dev/null || need_packages nodejs npm
+if [[ ! $purpose ]]; then
+  need_packages "${test_packages[@]}"
   need_packages "${machine_packages[@]}"
   # An image of Debian comes without package lists, and debian-guest.sh fetches a kernel by them.
   apt-cache show linux-image-amd64 &>/dev/null || update_package_lists
 fi
 # Who sources this decides whether the independent master is worth its time.
-[[ ${BASH_SOURCE[0]} != "$0" || $demo ]] || need_master || die "the npm packages of tests/e2e/master could not be installed"
+[[ ${BASH_SOURCE[0]} != "$0" || $purpose ]] || need_master || die "the npm packages of tests/e2e/master could not be installed"

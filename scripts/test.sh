@@ -4,8 +4,8 @@
 # In order: packages; form of the sources; the release build of everything but the unit tests; the end-to-end tests, for which
 # npm brings an independent master, on user-space buses. Then side by side:
 # - the end-to-end tests on a CAN interface (where the kernel has none: in one start of the virtual machine);
-# - the sanitizer build of what unit tests need, and these; the unit tests that cannot be in it and those of the package, in
-#   the release build; clang-tidy over what the last commit changed.
+# - the sanitizer build of what unit tests need, and these; the unit tests that cannot be in it, those of the page of axisd-http
+#   and those of the package, in the release build; clang-tidy over what the last commit changed.
 # What runs beside the rest is shown when it has ended, each part by itself. A failure does not keep the rest from running. A
 # test that was skipped counts as failed, for it has shown nothing. A test on a bus that failed and then passed when it was
 # repeated is named, and has passed.
@@ -98,7 +98,7 @@ beside() {
 # built has none.)
 every_test_has_a_run() {
   local others
-  others=$(ctest --test-dir build/release -N -LE '^(unit|optimised|package|bus|e2e|master)$' -E '_NOT_BUILT$') || return 1
+  others=$(ctest --test-dir build/release -N -LE '^(unit|optimised|package|web|bus|e2e|master)$' -E '_NOT_BUILT$') || return 1
   grep -q '^Total Tests: 0$' <<<"$others" || { echo "these tests are in no run of ${0##*/}:"; echo "$others"; return 1; }
 }
 
@@ -142,7 +142,7 @@ if check 'build asan' build asan unit_tests; then
   tests 'unit asan' --within asan env GTEST_BRIEF=1 ctest --preset asan -L '^unit$' -j "$jobs"
 fi
 if [[ ${released:-} ]]; then
-  tests 'unit release' ctest --preset release -L '^(optimised|package)$' -j "$jobs"
+  tests 'unit release' ctest --preset release -L '^(optimised|package|web)$' -j "$jobs"
   check 'clang-tidy' scripts/lint.sh --tidy-changed 120
 fi
 finish

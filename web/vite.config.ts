@@ -1,6 +1,25 @@
+import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 
 import { defineConfig, type Plugin } from "vite";
+
+/** Libraries of which the page is made; what each demands to be told is in its LICENSE. */
+const kLibraries = ["preact", "@preact/signals", "@preact/signals-core", "uplot"];
+
+function licenses(): string {
+  const textOf = (name: string) => readFileSync(new URL(`node_modules/${name}/LICENSE`, import.meta.url), "utf8");
+  return kLibraries.map((name) => `${name}\n\n${textOf(name)}`).join("\n----\n\n");
+}
+
+/** The licences of the libraries, beside the page. */
+function licensesBeside(): Plugin {
+  return {
+    name: "licenses",
+    generateBundle() {
+      this.emitFile({ type: "asset", fileName: "licenses.txt", source: licenses() });
+    },
+  };
+}
 
 /** The page as one file, for recorded sessions: `axisctl` puts the session in place of null. */
 function sessionPage(): Plugin {
@@ -24,7 +43,7 @@ function sessionPage(): Plugin {
         .replace(/<link rel="stylesheet"[^>]*>\s*/g, "")
         .replace(/<script type="module"[^>]*><\/script>\s*/g, "")
         .replace("</head>", () => `<style>${style}</style>\n</head>`)
-        .replace("</body>", () => `${session}\n<script type="module">${script}</script>\n</body>`);
+        .replace("</body>", () => `<script type="text/plain" id="licenses">${licenses()}</script>\n${session}\n<script type="module">${script}</script>\n</body>`);
       this.emitFile({ type: "asset", fileName: "session.html", source: html });
     },
   };
@@ -50,7 +69,7 @@ function compressed(): Plugin {
 
 export default defineConfig({
   base: "./",
-  plugins: [sessionPage(), compressed()],
+  plugins: [licensesBeside(), sessionPage(), compressed()],
   build: {
     target: "es2022",
     modulePreload: false,

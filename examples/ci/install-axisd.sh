@@ -7,7 +7,7 @@ prefix=${1:?a prefix is missing}
 sources=$(mktemp -d)
 git clone --quiet --depth 1 ${AXISD_REF:+--branch "$AXISD_REF"} "${AXISD_REPOSITORY:-https://github.com/OWNER/axisd}" "$sources"
 cd "$sources"
-scripts/setup.sh --demo
+scripts/setup.sh --build
 cmake --preset release -DAXISD_TESTS=OFF -DAXISD_BENCH=OFF
 cmake --build --preset release --target installed
 cmake --install build/release --prefix "$prefix"
