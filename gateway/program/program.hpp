@@ -31,6 +31,8 @@ class Program {
   Daemons daemons_;
   EventFeed event_feed_;
   SampleFeed sample_feed_;
+  PageFiles page_;
+  EdsFiles eds_;
   Api api_;
   HttpServer server_;
   axisd::EventSource beat_;
