@@ -41,6 +41,7 @@ void add_watch(CLI::App& app, Run& run);
 void add_monitor(CLI::App& app, Run& run);
 void add_trace(CLI::App& app, Run& run);
 void add_record(CLI::App& app, Run& run);
+void add_page(CLI::App& app, Run& run);
 void add_run(CLI::App& app, Run& run);
 
 /// A subcommand of @p app, or the one of that name that it has.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +9,7 @@
 #include "control/methods.hpp"
 #include "control/words.hpp"
 #include "tools/axisctl/commands/command.hpp"
+#include "tools/axisctl/connection/whole_answer.hpp"
 #include "tools/axisctl/print/printable.hpp"
 
 namespace axisctl {
@@ -41,40 +43,13 @@ CLI::App& group_of(CLI::App& app, const control::Method& method) {
   return group;
 }
 
-/// Puts what the lists of @p page hold behind those of @p result.
-void append(json& result, const json& page) {
-  for (const auto& item : page.items()) {
-    json& own = result[item.key()];
-    if (!own.is_array() || !item.value().is_array()) continue;
-    for (const json& element : item.value()) own.push_back(element);
-  }
-}
-
-/// The result of @p method; the pages of a long one together, unless a part was asked for.
-Expected<json> ask_whole(Session& session, const control::Method& method, json params) {
-  auto result = session.ask(method.name, params);
-  const bool has_pages = std::ranges::count(method.parameters, "from", &control::Parameter::key) == 1 &&
-                         !params.contains("from") && !params.contains("count");
-  if (!has_pages || !result || !result->is_object()) return result;
-  for (json next = result->value("next", json{}); next.is_number_unsigned();) {
-    params["from"] = next;
-    const auto page = session.ask(method.name, params);
-    if (!page) return page;
-    append(*result, *page);
-    const json before = std::move(next);
-    next = page->value("next", json{});
-    if (next.is_number_unsigned() && next <= before) break;
-  }
-  result->erase("next");
-  return result;
-}
-
 Expected<void> run_method(const control::Method& method, const AllWords& words, const Settings& settings) {
   const auto params = control::parse_words(method, words);
   if (!params) return fail(ExitStatus::Usage, params.error());
   auto session = Session::open(settings);
   if (!session) return tl::unexpected{session.error()};
-  auto result = ask_whole(*session, method, *params);
+  const Ask ask = [&session](std::string_view name, json given) { return session->ask(name, std::move(given)); };
+  auto result = ask_whole(ask, method.name, *params);
   if (!result) {
     result.error().message = control::in_words_of(method, result.error().message);
     return tl::unexpected{result.error()};

@@ -10,6 +10,7 @@
 #include "can/port/address.hpp"
 #include "os/regular_file.hpp"
 #include "tools/axisctl/commands/command.hpp"
+#include "tools/axisctl/page/files.hpp"
 #include "tools/axisctl/print/printable.hpp"
 #include "tools/axisctl/print/table.hpp"
 #include "tools/axisctl/scenario/language/schema.hpp"
@@ -37,7 +38,7 @@ struct RunWish {
 
 /// Where the scenarios of an installation are.
 std::filesystem::path installed_folder() {
-  return (std::filesystem::path{scenario::program_folder()} / "../share/axisd/scenarios").lexically_normal();
+  return installed("scenarios");
 }
 
 /// A file, or one of the installation by its name.

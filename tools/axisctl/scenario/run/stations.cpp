@@ -9,7 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "tools/axisctl/page/files.hpp"
+
 namespace scenario {
+
+using axisctl::program_folder;
+
 namespace {
 
 using nlohmann::json;
@@ -38,10 +43,6 @@ int end_of(Process& process) {
 }
 
 }  // namespace
-
-std::string program_folder() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
-}
 
 Stations::~Stations() {
   // Those that need the bus go first.

@@ -78,7 +78,4 @@ class Stations {
   std::vector<std::unique_ptr<Program>> programs_{};
 };
 
-/// Folder of this program: the others of the installation are there.
-[[nodiscard]] std::string program_folder();
-
 }  // namespace scenario
