@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "gateway/api/overview.hpp"
+#include "gateway/live/live_feeds.hpp"
+#include "gateway/live/recent_events.hpp"
 #include "gateway/routes/router.hpp"
 #include "gateway/security/access.hpp"
 #include "gateway/server/http_server.hpp"
@@ -18,6 +20,8 @@ struct Sources {
   Daemons& daemons;
   EventFeed& events;
   SampleFeed& samples;
+  LiveFeeds& live;
+  RecentEvents& recent;
 };
 
 /// Does what the route of a request says, if the request may have it.

@@ -8,6 +8,8 @@
 
 #include "gateway/base/error.hpp"
 #include "gateway/base/percent.hpp"
+#include "gateway/openapi/poll_schemas.hpp"
+#include "gateway/routes/own_parameters.hpp"
 
 namespace gateway {
 namespace {
@@ -55,18 +57,13 @@ json as_list(json schema) {
   return schema;
 }
 
-std::span<const control::Parameter> rows_of(const Route& route) {
-  const control::Method* const method = control::find_method(route.method);
-  return method == nullptr || route.kind == Kind::Axis ? std::span<const control::Parameter>{}
-                                                       : method->parameters;
-}
-
 /// The statuses of errors that @p route can have.
 std::vector<Status> statuses_of(const Route& route) {
   std::vector<Status> found{Status::BadRequest, Status::Forbidden, Status::MisdirectedRequest};
   if (route.is_write())
     found.insert(found.end(), {Status::Unauthorized, Status::ContentTooLarge, Status::UnsupportedMediaType});
-  if (route.kind == Kind::Call || route.kind == Kind::Axis || route.kind == Kind::Samples)
+  if (route.kind == Kind::Call || route.kind == Kind::Axis || route.kind == Kind::Samples ||
+      route.kind == Kind::Live)
     found.insert(found.end(),
                  {Status::NotFound, Status::Conflict, Status::UnprocessableContent, Status::TooManyRequests,
                   Status::NotImplemented, Status::BadGateway, Status::ServiceUnavailable, Status::GatewayTimeout});
@@ -124,7 +121,7 @@ json OperationWriter::schema_of(const Route& route, std::string_view key) const 
 }
 
 OrderedJson OperationWriter::parameter(const Route& route, const control::Parameter& row) const {
-  json schema = as_list(schema_of(route, row.key));
+  json schema = route.method.empty() ? own_schema(row) : as_list(schema_of(route, row.key));
   const std::string meaning = schema.value("description", "");
   schema.erase("description");
   if (row.key == "index" || schema.empty()) schema = {{"type", "string"}};
@@ -163,7 +160,7 @@ OrderedJson OperationWriter::parameters(const Route& route) const {
          {"description", "id of the last event before the connection was lost; what came since is not kept"},
          {"schema", text_schema()}});
   }
-  for (const control::Parameter& row : rows_of(route)) {
+  for (const control::Parameter& row : parameters_of(route)) {
     const ArgumentSource source = source_of(route, row.key);
     if (source == ArgumentSource::Path || source == ArgumentSource::Query) all.push_back(parameter(route, row));
   }
@@ -173,7 +170,7 @@ OrderedJson OperationWriter::parameters(const Route& route) const {
 OrderedJson OperationWriter::body(const Route& route) const {
   OrderedJson properties = OrderedJson::object();
   OrderedJson required = OrderedJson::array();
-  for (const control::Parameter& row : rows_of(route)) {
+  for (const control::Parameter& row : parameters_of(route)) {
     if (source_of(route, row.key) != ArgumentSource::Body) continue;
     properties[std::string{row.key}] = ordered(schema_of(route, row.key));
     if (row.absent.empty()) required.push_back(row.key);
@@ -200,6 +197,10 @@ OrderedJson OperationWriter::content(const Route& route) {
       return stream_of(reference("event"));
     case Kind::Samples:
       return stream_of(reference("sample"));
+    case Kind::Recent:
+      return {{"application/json", {{"schema", recent_schema(reference("event"))}}}};
+    case Kind::Live:
+      return {{"application/json", {{"schema", live_schema({{"type", "object"}}, {{"type", "object"}})}}}};
     case Kind::Metrics:
       return {{"text/plain", {{"schema", text_schema()}}}};
     case Kind::Document:

@@ -46,7 +46,9 @@ Program::Program(const Options& options, const axisd::Log& log)
       daemons_{events_, options.sockets, log},
       event_feed_{daemons_},
       sample_feed_{events_, daemons_},
-      api_{rules_of(options), {daemons_, event_feed_, sample_feed_}},
+      live_feeds_{events_, daemons_},
+      recent_events_{events_, daemons_, event_feed_},
+      api_{rules_of(options), {daemons_, event_feed_, sample_feed_, live_feeds_, recent_events_}},
       server_{events_, options.listen, api_} {
   api_.show(server_.counters());
   beat_ = events_.timer(
