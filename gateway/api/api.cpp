@@ -118,6 +118,7 @@ void Api::on_request(const std::shared_ptr<Exchange>& exchange) {
     case Kind::Call:
     case Kind::Axis:
     case Kind::Samples:
+    case Kind::Frames:
       return call(exchange, *match, *std::move(params));
     case Kind::Units:
       return answer_units(exchange, sources_.daemons);
@@ -131,9 +132,24 @@ void Api::on_request(const std::shared_ptr<Exchange>& exchange) {
       return answer_metrics(exchange, sources_.daemons, *counters_);
     case Kind::Document:
       return exchange->answer(Response{.body = std::string{openapi_document()}});
+    case Kind::Server:
+      return exchange->answer(server_page(rules_, request));
+    case Kind::Overview:
+      return all_units_.answer(exchange);
+    case Kind::Eds:
+      return send_eds(exchange, *match);
     case Kind::Start:
-      return exchange->answer(start_page(request));
+      return exchange->answer(start_page(request, sources_.page));
+    case Kind::Asset:
+      return exchange->answer(asset_of(request, match->value("name"), sources_.page));
   }
+}
+
+void Api::send_eds(const std::shared_ptr<Exchange>& exchange, const Match& match) const {
+  const std::string unit = unit_of(match);
+  const auto daemon = sources_.daemons.find(unit);
+  if (!daemon) return exchange->answer(daemon.error());
+  sources_.eds.answer(exchange, unit, **daemon);
 }
 
 void Api::call(const std::shared_ptr<Exchange>& exchange, const Match& match, json params) const {

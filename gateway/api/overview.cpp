@@ -8,8 +8,10 @@
 #include "gateway/api/own_metrics.hpp"
 #include "gateway/base/json_text.hpp"
 #include "gateway/metrics/exposition.hpp"
+#include "gateway/page/page_answer.hpp"
 #include "gateway/routes/routes.hpp"
 #include "text/number.hpp"
+#include "version/version.hpp"
 
 namespace gateway {
 namespace {
@@ -74,10 +76,28 @@ void answer_axis(const std::shared_ptr<Exchange>& exchange, const std::string& a
                         fmt::format("axis: expected an integer 1 to {}, got \"{}\"", axes.size(), axis), nullptr));
 }
 
-Response start_page(const Request& request) {
+Response server_page(const AccessRules& rules, const Request& request) {
+  return {.body = text_of({{"program", "axisd-http"},
+                           {"version", version::number()},
+                           {"read_only", rules.read_only},
+                           {"token", name_of(token_state(rules, request.header("authorization")))}})};
+}
+
+Response asset_of(const Request& request, std::string_view name, const PageFiles& page) {
+  const PageFile* const file = page.asset(name);
+  if (file != nullptr) return page_answer(request, *file, Keep::ForEver);
+  return response_of(refuse(Refused::NoSuchPath, "the page has no such file"));
+}
+
+Response start_page(const Request& request, const PageFiles& page) {
   const auto accepted = request.header("accept");
   const bool wants_page = std::ranges::any_of(
       accepted, [](const std::string& types) { return types.find("text/html") != std::string::npos; });
+  if (wants_page && page.start() != nullptr) {
+    Response response = page_answer(request, *page.start(), Keep::Asks);
+    response.headers.emplace_back("Vary", "Accept");
+    return response;
+  }
   json links = json::object();
   std::string items;
   for (const Route& route : routes()) {
@@ -86,7 +106,8 @@ Response start_page(const Request& request) {
     links[std::string{route.path}] = summary;
     items += fmt::format("<li><a href=\"{0}\">{0}</a> {1}\n", route.path, summary);
   }
-  if (!wants_page) return {.body = text_of({{"program", "axisd-http"}, {"resources", links}})};
+  if (!wants_page)
+    return {.body = text_of({{"program", "axisd-http"}, {"resources", links}}), .headers = {{"Vary", "Accept"}}};
   return {
       .body = fmt::format("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>axisd-http</title>\n"
                           "<h1>axisd-http</h1>\n<ul>\n{}</ul>\n",

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "gateway/page/page_files.hpp"
+#include "gateway/security/access.hpp"
 #include "gateway/server/counters.hpp"
 #include "gateway/server/exchange.hpp"
 #include "gateway/units/daemons.hpp"
@@ -17,7 +19,13 @@ void answer_metrics(const std::shared_ptr<Exchange>& exchange, const Daemons& da
 /// Answers @p exchange by the axis of the path out of the `status` of its unit.
 void answer_axis(const std::shared_ptr<Exchange>& exchange, const std::string& axis, const Answer& status);
 
-/// Names what there is: a page for people, or JSON for who asks for that.
-[[nodiscard]] Response start_page(const Request& request);
+/// Names what there is: @p page for a browser, or a list where there is no page; JSON for who asks for that.
+[[nodiscard]] Response start_page(const Request& request, const PageFiles& page);
+
+/// The file @p name of @p page.
+[[nodiscard]] Response asset_of(const Request& request, std::string_view name, const PageFiles& page);
+
+/// Tells what the gateway is, and what the token of @p request is to it.
+[[nodiscard]] Response server_page(const AccessRules& rules, const Request& request);
 
 }  // namespace gateway

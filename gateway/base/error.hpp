@@ -15,6 +15,7 @@ namespace gateway {
 enum class Status : unsigned {
   Ok = 200,
   NoContent = 204,
+  NotModified = 304,
   BadRequest = 400,
   Unauthorized = 401,
   Forbidden = 403,

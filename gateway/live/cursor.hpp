@@ -16,8 +16,8 @@ struct FeedPosition {
   bool operator==(const FeedPosition&) const = default;
 };
 
-/// How far in all feeds of an answer. As text "16 hexadecimal digits.decimal number", with '_' between feeds: it is
-/// in a URL as it stands.
+/// How far in all feeds of an answer. As text "16 hexadecimal digits.decimal number", with '_' between feeds: it
+/// is in a URL as it stands.
 using Cursor = std::vector<FeedPosition>;
 /// Most feeds of an answer.
 inline constexpr std::size_t kMostPositions = 2;

@@ -21,8 +21,8 @@ struct LiveRequest {
   std::optional<Cursor> after{};
 };
 
-/// What @p params, `signals`, `period_ms`, `frames` and `after`, ask for of @p unit; an error if that is nothing or
-/// `after` no cursor. Whether signals and period are any is for the daemon to say.
+/// What @p params, `signals`, `period_ms`, `frames` and `after`, ask for of @p unit; an error if that is nothing
+/// or `after` no cursor. Whether signals and period are any is for the daemon to say.
 [[nodiscard]] tl::expected<LiveRequest, Error> live_request(const std::string& unit, const nlohmann::json& params);
 
 /// A feed, and where its lines stand in the answer.
@@ -32,8 +32,8 @@ struct Positioned {
   const LineRing* lines = nullptr;
 };
 
-/// The lines of @p feeds since the cursor @p after, and the cursor of now. Of a feed in which the cursor is not, it
-/// begins now.
+/// The lines of @p feeds since the cursor @p after, and the cursor of now. Of a feed in which the cursor is not,
+/// it begins now.
 [[nodiscard]] Response live_answer(std::span<const Positioned> feeds, const std::optional<Cursor>& after);
 
 }  // namespace gateway

@@ -82,8 +82,9 @@ tl::expected<LiveFeeds::Feed*, Error> LiveFeeds::feed_of(What what, const json& 
 tl::expected<LiveFeeds::Feed*, Error> LiveFeeds::begin(What what, const json& params, const std::string& path) {
   const auto is_like_it = [&](const Feed& feed) { return feed.what == what && feed.client->path() == path; };
   if (static_cast<std::size_t>(std::ranges::count_if(feeds_, is_like_it)) >= kMostFeeds)
-    return tl::unexpected{refuse(Refused::TooMany, fmt::format("{} different feeds of {} are open at this daemon",
-                                                               kMostFeeds, kRows[static_cast<std::size_t>(what)].notice))};
+    return tl::unexpected{
+        refuse(Refused::TooMany, fmt::format("{} different feeds of {} are open at this daemon", kMostFeeds,
+                                             kRows[static_cast<std::size_t>(what)].notice))};
   auto opened = DaemonClient::open(events_, path, *this);
   if (!opened) return tl::unexpected{refuse(Refused::NoDaemon, opened.error())};
   DaemonClient& client = **opened;

@@ -36,8 +36,8 @@ class LiveFeeds final : private DaemonClient::Listener {
   LiveFeeds& operator=(const LiveFeeds&) = delete;
   ~LiveFeeds() override;
 
-  /// Answers @p exchange by what has come of @p unit since the cursor in @p params (`signals`, `period_ms`, `frames`,
-  /// `after`), or by the daemon's refusal; a feed that is not there yet begins.
+  /// Answers @p exchange by what has come of @p unit since the cursor in @p params (`signals`, `period_ms`,
+  /// `frames`, `after`), or by the daemon's refusal; a feed that is not there yet begins.
   void answer(const std::shared_ptr<Exchange>& exchange, const std::string& unit, const nlohmann::json& params);
   /// Ends what nobody asks for any more; it is called each second.
   void sweep();

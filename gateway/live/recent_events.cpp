@@ -57,7 +57,8 @@ Response RecentEvents::answer(const Query& query, const json& params) {
   if (!filter) return response_of(filter.error());
   const bool is_first = !params.contains(kAfter);
   if (!is_first && (!params[kAfter].is_number_integer() || params[kAfter] < 0))
-    return response_of(refuse(Refused::BadRequest, "after: expected `last` of an answer before, or the id of an event"));
+    return response_of(
+        refuse(Refused::BadRequest, "after: expected `last` of an answer before, or the id of an event"));
   asked_ = clock_();
   if (!is_keeping()) begin();
   const std::uint64_t last = feed_.last_id();
@@ -70,8 +71,8 @@ Response RecentEvents::answer(const Query& query, const json& params) {
   for (const Event& event : kept_)
     if (event.id > after && filter->takes(event.unit, event.kind))
       body.append(body.empty() ? "" : ",").append(event.text);
-  return {.body = fmt::format("{{\"last\":{},\"events\":[{}],\"lost\":{},\"restarted\":{},\"units\":{}}}\n", last, body,
-                              is_known && before_kept > after ? before_kept - after : 0,
+  return {.body = fmt::format("{{\"last\":{},\"events\":[{}],\"lost\":{},\"restarted\":{},\"units\":{}}}\n", last,
+                              body, is_known && before_kept > after ? before_kept - after : 0,
                               !is_first && !is_known, json_text(daemons_.units()))};
 }
 

@@ -4,6 +4,7 @@
 
 #include "gateway/base/error.hpp"
 #include "gateway/openapi/operations.hpp"
+#include "gateway/openapi/own_schemas.hpp"
 #include "gateway/openapi/writers.hpp"
 #include "gateway/routes/routes.hpp"
 
@@ -18,8 +19,10 @@ constexpr std::string_view kDescription =
     "since "
     "Last-Event-ID was not kept) and `cut-off` (this viewer reads too slowly, and the stream ends). A stream of "
     "samples "
-    "has `signals` (what was asked for), `sample` (schema `sample`), `ended` and `cut-off`. Comments come every "
-    "15 s.";
+    "has `signals` (what was asked for), `sample` (schema `sample`), or with batch_ms `samples` (schema "
+    "`samples`), "
+    "`ended` and `cut-off`; one of frames has `unit`, `frames` (schema `frames`), `ended` and `cut-off`. Comments "
+    "come every 15 s.";
 
 std::string number_of(Status status) {
   return std::to_string(static_cast<unsigned>(status));
@@ -34,28 +37,6 @@ std::map<std::string, std::map<std::string, std::string>> codes_by_status() {
     codes[number_of(row.status)][std::string{name.name}] = name.meaning;
   }
   return codes;
-}
-
-/// What GET /api/v1/units gives: the lists of all daemons, and what each counts of its clients. Both are in the
-/// result of @p units, the method of one daemon.
-OrderedJson units_schema(const nlohmann::json& units) {
-  const auto same = [&units](const char* key) {
-    return OrderedJson::parse(units.at("properties").at(key).dump());
-  };
-  OrderedJson daemon{
-      {"socket", {{"type", "string"}, {"description", "path of its control socket"}}},
-      {"units", {{"type", "array"}, {"items", {{"type", "string"}}}, {"description", "their names"}}}};
-  OrderedJson required = OrderedJson::array({"socket", "units"});
-  for (const char* const key : {"clients", "refused_clients", "cut_off_clients", "lost_events"}) {
-    daemon[key] = same(key);
-    required.push_back(key);
-  }
-  OrderedJson daemons{
-      {"type", "array"},
-      {"items", {{"type", "object"}, {"properties", std::move(daemon)}, {"required", std::move(required)}}}};
-  return {{"type", "object"},
-          {"properties", {{"units", same("units")}, {"daemons", std::move(daemons)}}},
-          {"required", {"units", "daemons"}}};
 }
 
 OrderedJson head(std::string_view version) {
@@ -119,6 +100,8 @@ std::string write_document(const nlohmann::json& schema, std::string_view versio
   }
   OrderedJson schemas = writer.schemas();
   schemas["units"] = units_schema(schema.at("$defs").at("result.units"));
+  schemas["server"] = server_schema();
+  schemas["overview"] = overview_schema(schema.at("$defs").at("result.status"));
   schemas["error"] = write_error_schema();
   document["components"]["schemas"] = std::move(schemas);
   document["components"]["responses"] = write_error_responses();

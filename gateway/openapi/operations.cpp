@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "gateway/base/content_type.hpp"
 #include "gateway/base/error.hpp"
 #include "gateway/base/percent.hpp"
 #include "gateway/openapi/poll_schemas.hpp"
@@ -57,23 +58,36 @@ json as_list(json schema) {
   return schema;
 }
 
+constexpr bool is_asked_of_daemon(Kind kind) noexcept {
+  constexpr std::array kKinds{Kind::Call, Kind::Axis, Kind::Samples, Kind::Frames, Kind::Live, Kind::Eds};
+  return std::ranges::find(kKinds, kind) != kKinds.end();
+}
+
 /// The statuses of errors that @p route can have.
 std::vector<Status> statuses_of(const Route& route) {
   std::vector<Status> found{Status::BadRequest, Status::Forbidden, Status::MisdirectedRequest};
   if (route.is_write())
     found.insert(found.end(), {Status::Unauthorized, Status::ContentTooLarge, Status::UnsupportedMediaType});
-  if (route.kind == Kind::Call || route.kind == Kind::Axis || route.kind == Kind::Samples ||
-      route.kind == Kind::Live)
+  if (is_asked_of_daemon(route.kind))
     found.insert(found.end(),
                  {Status::NotFound, Status::Conflict, Status::UnprocessableContent, Status::TooManyRequests,
                   Status::NotImplemented, Status::BadGateway, Status::ServiceUnavailable, Status::GatewayTimeout});
   if (route.kind == Kind::Events) found.push_back(Status::TooManyRequests);
+  if (route.kind == Kind::Asset) found.push_back(Status::NotFound);
   std::ranges::sort(found);
   return found;
 }
 
 OrderedJson text_schema() {
   return {{"type", "string"}};
+}
+
+/// What the files of the page are.
+OrderedJson asset_types() {
+  OrderedJson types = OrderedJson::object();
+  for (const ContentType& row : kContentTypes)
+    types[std::string{row.type.substr(0, row.type.find(';'))}] = {{"schema", OrderedJson::object()}};
+  return types;
 }
 
 /// Server-sent events, whose data are of @p schema.
@@ -97,6 +111,8 @@ OrderedJson OperationWriter::write(const Route& route) {
   if (OrderedJson all = parameters(route); !all.empty()) operation["parameters"] = std::move(all);
   if (OrderedJson own = body(route); !own.is_null()) operation["requestBody"] = std::move(own);
   operation["responses"]["200"] = {{"description", "done"}, {"content", content(route)}};
+  if (route.kind == Kind::Start || route.kind == Kind::Asset)
+    operation["responses"]["304"] = {{"description", "the copy that If-None-Match names is still the one"}};
   for (const Status status : statuses_of(route)) {
     const std::string number = std::to_string(static_cast<unsigned>(status));
     operation["responses"][number] = {{"$ref", "#/components/responses/" + number}};
@@ -109,6 +125,7 @@ std::string OperationWriter::identifier(const Route& route) {
   if (name.empty() || route.kind == Kind::Axis)
     name = segments_of(route.path).at(segments_of(route.path).size() - 1);
   if (route.kind == Kind::Axis) name = "axis";
+  if (route.kind == Kind::Asset) name = "asset";
   std::erase_if(name, [](char c) { return c == '{' || c == '}'; });
   if (name.empty()) name = "start";
   if (!identifiers_.insert(name).second) identifiers_.insert(name += '.' + lower(route.verb));
@@ -146,6 +163,7 @@ OrderedJson OperationWriter::parameters(const Route& route) const {
   }
   if (route.kind == Kind::Axis)
     all.push_back(path_parameter("axis", {{"type", "integer"}, {"minimum", 1}}, "axis of the unit, 1.."));
+  if (route.kind == Kind::Asset) all.push_back(path_parameter("name", text_schema(), "name of the file"));
   if (route.kind == Kind::Events) {
     all.push_back({{"name", kUnitFilter},
                    {"in", "query"},
@@ -197,6 +215,8 @@ OrderedJson OperationWriter::content(const Route& route) {
       return stream_of(reference("event"));
     case Kind::Samples:
       return stream_of(reference("sample"));
+    case Kind::Frames:
+      return stream_of(reference("frames"));
     case Kind::Recent:
       return {{"application/json", {{"schema", recent_schema(reference("event"))}}}};
     case Kind::Live:
@@ -205,6 +225,15 @@ OrderedJson OperationWriter::content(const Route& route) {
       return {{"text/plain", {{"schema", text_schema()}}}};
     case Kind::Document:
       return {{"application/json", {{"schema", {{"type", "object"}}}}}};
+    case Kind::Server:
+    case Kind::Overview:
+      return {{"application/json",
+               {{"schema",
+                 {{"$ref", std::string{kSchemas} + (route.kind == Kind::Server ? "server" : "overview")}}}}}};
+    case Kind::Eds:
+      return {{"text/plain", {{"schema", text_schema()}}}};
+    case Kind::Asset:
+      return asset_types();
     case Kind::Start:
       break;
   }

@@ -11,7 +11,8 @@ namespace {
 using nlohmann::json;
 
 json bounds_of(const control::Parameter& row) {
-  return {{"minimum", static_cast<std::int64_t>(row.range.low)}, {"maximum", static_cast<std::int64_t>(row.range.high)}};
+  return {{"minimum", static_cast<std::int64_t>(row.range.low)},
+          {"maximum", static_cast<std::int64_t>(row.range.high)}};
 }
 
 json list_of_texts(const control::Parameter& row) {
@@ -67,7 +68,8 @@ OrderedJson live_schema(OrderedJson samples, OrderedJson frames) {
 }
 
 OrderedJson recent_schema(OrderedJson event) {
-  OrderedJson number{{"type", "object"}, {"properties", {{"id", count("its number, that of the stream of events")}}}};
+  OrderedJson number{{"type", "object"},
+                     {"properties", {{"id", count("its number, that of the stream of events")}}}};
   number["required"] = OrderedJson::array({"id"});
   OrderedJson both{{"allOf", OrderedJson::array({std::move(event), std::move(number)})}};
   return object_of({{"last", count("for `after` of the next request")},

@@ -83,6 +83,8 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_option("--socket", options.sockets,
                  "control socket of a daemon, may be given several times (default: all daemons of this machine)")
       ->type_name("PATH");
+  app.add_option("--page", options.page, "folder of the web page (default: share/axisd/web beside the program)")
+      ->type_name("FOLDER");
   app.add_option("--log-level", words.level, "error, warning, notice, info or debug (default: info)")
       ->type_name("LEVEL");
   cli::add_completion(app, complete_levels);

@@ -25,6 +25,7 @@ struct Options {
   std::vector<std::string> allow_origins;  ///< in lower case: scheme://host[:port]
   std::string token_file;                  ///< empty: token_path()
   bool read_only = false;
+  std::string page;                  ///< folder of the web page; empty: that beside the program
   std::vector<std::string> sockets;  ///< of the only daemons; empty: those of the machine
   axisd::LogLevel log_level = axisd::LogLevel::Info;
 };

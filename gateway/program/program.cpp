@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <systemd/sd-daemon.h>
 
+#include "gateway/page/share_folder.hpp"
 #include "gateway/security/token.hpp"
 #include "service/clock.hpp"
 
@@ -30,6 +31,11 @@ AccessRules rules_of(const Options& options) {
   return rules;
 }
 
+/// Where the page lies.
+std::string page_place(const Options& options) {
+  return options.page.empty() ? (share_folder() / "web").string() : options.page;
+}
+
 /// Until @p when, rounded up, for poll(); negative: for ever.
 int milliseconds_until(canopen::TimePoint when) noexcept {
   constexpr canopen::Duration kLongest = std::chrono::hours{1};
@@ -48,9 +54,12 @@ Program::Program(const Options& options, const axisd::Log& log)
       sample_feed_{events_, daemons_},
       live_feeds_{events_, daemons_},
       recent_events_{events_, daemons_, event_feed_},
-      api_{rules_of(options), {daemons_, event_feed_, sample_feed_, live_feeds_, recent_events_}},
+      page_{page_place(options)},
+      eds_{share_folder() / "eds"},
+      api_{rules_of(options), {daemons_, event_feed_, sample_feed_, live_feeds_, recent_events_, page_, eds_}},
       server_{events_, options.listen, api_} {
   api_.show(server_.counters());
+  if (page_.start() == nullptr) log_.notice("{}: no page is there, browsers get a list", page_place(options));
   beat_ = events_.timer(
       [](sd_event_source*, std::uint64_t, void* self) noexcept {
         static_cast<Program*>(self)->beat();

@@ -33,6 +33,8 @@ class Program {
   SampleFeed sample_feed_;
   LiveFeeds live_feeds_;
   RecentEvents recent_events_;
+  PageFiles page_;
+  EdsFiles eds_;
   Api api_;
   HttpServer server_;
   axisd::EventSource beat_;

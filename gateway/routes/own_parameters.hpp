@@ -23,10 +23,11 @@ inline constexpr std::array kLiveParameters{
                        .form = control::Form::Switch,
                        .absent = "false",
                        .help = "whether the frames of the unit are wanted"},
-    control::Parameter{.key = "after",
-                       .form = control::Form::Text,
-                       .absent = "from now on",
-                       .help = "`cursor` of the answer before; without it nothing is told that has come until now"}};
+    control::Parameter{
+        .key = "after",
+        .form = control::Form::Text,
+        .absent = "from now on",
+        .help = "`cursor` of the answer before; without it nothing is told that has come until now"}};
 
 /// What the last events take.
 inline constexpr std::array kRecentParameters{

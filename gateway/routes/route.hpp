@@ -17,9 +17,14 @@ enum class Kind : std::uint8_t {
   Recent,    ///< the last events of all units
   Samples,   ///< a stream of the samples of one unit
   Live,      ///< samples and frames of one unit, for who asks again and again
+  Frames,    ///< a stream of the frames of one unit
   Metrics,   ///< Prometheus text
   Document,  ///< the OpenAPI file
-  Start      ///< what there is
+  Server,    ///< what the gateway is, and what the request may do
+  Overview,  ///< what all units do, the same for all who ask
+  Eds,       ///< the EDS of one unit
+  Start,     ///< the page, or what there is
+  Asset      ///< a file of the page
 };
 
 /// One row: what stands at a path. The parameters of the method come from the path where that names them, else

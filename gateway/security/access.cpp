@@ -1,6 +1,7 @@
 #include "gateway/security/access.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -48,17 +49,23 @@ Outcome check_origin(const AccessRules& rules, const Authority& host, const std:
                         shown(origins.front())));
 }
 
+/// The token in @p authorizations; nothing if it is not there as it should be.
+std::optional<std::string_view> token_in(const std::vector<std::string>& authorizations) noexcept {
+  if (authorizations.size() != 1) return std::nullopt;
+  const std::string_view given = authorizations.front();
+  const auto is_same_letter = [](char left, char right) { return (left | ' ') == right; };
+  const bool is_bearer = given.size() >= kBearer.size() &&
+                         std::ranges::equal(given.substr(0, kBearer.size()), kBearer, is_same_letter);
+  return is_bearer ? std::optional{given.substr(kBearer.size())} : std::nullopt;
+}
+
 Outcome check_token(const AccessRules& rules, const std::vector<std::string>& authorizations) {
   if (authorizations.empty())
     return no(Refused::TokenMissing,
               "a write needs the header Authorization: Bearer TOKEN, with the token of the file");
-  std::string_view given = authorizations.front();
-  const auto is_same_letter = [](char left, char right) { return (left | ' ') == right; };
-  if (authorizations.size() != 1 || given.size() < kBearer.size() ||
-      !std::ranges::equal(given.substr(0, kBearer.size()), kBearer, is_same_letter))
-    return no(Refused::TokenMissing, "Authorization: expected Bearer TOKEN, once");
-  given.remove_prefix(kBearer.size());
-  if (!rules.token.empty() && equal_in_constant_time(given, rules.token)) return {};
+  const auto token = token_in(authorizations);
+  if (!token) return no(Refused::TokenMissing, "Authorization: expected Bearer TOKEN, once");
+  if (!rules.token.empty() && equal_in_constant_time(*token, rules.token)) return {};
   return no(Refused::TokenWrong, "Authorization: the token is not that of this server");
 }
 
@@ -79,6 +86,18 @@ Outcome check_access(const AccessRules& rules, const Credentials& credentials) {
   if (!credentials.is_write) return {};
   if (rules.read_only) return no(Refused::ReadOnly, "this server only shows: it runs with --read-only");
   return check_token(rules, credentials.authorizations);
+}
+
+std::string_view name_of(TokenState state) noexcept {
+  constexpr std::array<std::string_view, 4> kNames{"none", "missing", "wrong", "right"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+TokenState token_state(const AccessRules& rules, const std::vector<std::string>& authorizations) noexcept {
+  if (rules.read_only || rules.token.empty()) return TokenState::None;
+  const auto token = token_in(authorizations);
+  if (!token) return TokenState::Missing;
+  return equal_in_constant_time(*token, rules.token) ? TokenState::Right : TokenState::Wrong;
 }
 
 std::optional<std::string> shared_origin(const AccessRules& rules, const Credentials& credentials) {

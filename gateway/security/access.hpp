@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,19 @@ struct AccessRules {
 
 /// Whether the request may be carried out, else why not.
 [[nodiscard]] tl::expected<void, Error> check_access(const AccessRules& rules, const Credentials& credentials);
+
+/// What the token of a request is.
+enum class TokenState : std::uint8_t {
+  None,     ///< the server has none, and refuses writes
+  Missing,  ///< the request brings none, or not as it should
+  Wrong,
+  Right
+};
+/// The name of @p state as the API has it: "none", "missing", "wrong", "right".
+[[nodiscard]] std::string_view name_of(TokenState state) noexcept;
+/// What the token in @p authorizations is, the headers of a request.
+[[nodiscard]] TokenState token_state(const AccessRules& rules,
+                                     const std::vector<std::string>& authorizations) noexcept;
 
 /// The origin that the answer names in Access-Control-Allow-Origin: that of the request if it is allowed by name.
 [[nodiscard]] std::optional<std::string> shared_origin(const AccessRules& rules, const Credentials& credentials);

@@ -32,7 +32,10 @@ struct Response {
   Status status = Status::Ok;
   std::string body{};
   std::string content_type{kJson};
-  std::vector<std::pair<std::string, std::string>> headers{};
+  std::vector<std::pair<std::string, std::string>> headers{};  ///< in place of those that every answer has
+  std::shared_ptr<const std::string> shared_body{};            ///< in place of `body`, where many get the same
+
+  [[nodiscard]] const std::string& text() const noexcept { return shared_body ? *shared_body : body; }
 };
 /// The answer that tells of @p error.
 [[nodiscard]] Response response_of(const Error& error);

@@ -1,5 +1,6 @@
 #include "gateway/server/http_server.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string_view>
@@ -30,6 +31,10 @@ constexpr std::array kHeaders{HeaderRow{"Cache-Control", "no-store"},
                               HeaderRow{"Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'"},
                               HeaderRow{"Referrer-Policy", "no-referrer"},
                               HeaderRow{"X-Content-Type-Options", "nosniff"}};
+
+bool has_header(const Response& response, std::string_view name) noexcept {
+  return std::ranges::any_of(response.headers, [name](const auto& header) { return header.first == name; });
+}
 
 }  // namespace
 
@@ -123,9 +128,11 @@ bool HttpServer::send(MHD_Connection& connection, Turn& turn) {
   MHD_Response* const built =
       exchange.stream_
           ? MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, kStreamBlock, &Callbacks::on_room, &turn, nullptr)
-          : MHD_create_response_from_buffer(response.body.size(), response.body.data(), MHD_RESPMEM_PERSISTENT);
+          : MHD_create_response_from_buffer(response.text().size(), const_cast<char*>(response.text().data()),
+                                            MHD_RESPMEM_PERSISTENT);
   if (built == nullptr) return false;
-  for (const HeaderRow& row : kHeaders) MHD_add_response_header(built, row[0], row[1]);
+  for (const HeaderRow& row : kHeaders)
+    if (!has_header(response, row[0])) MHD_add_response_header(built, row[0], row[1]);
   if (!response.content_type.empty())
     MHD_add_response_header(built, MHD_HTTP_HEADER_CONTENT_TYPE, response.content_type.c_str());
   for (const auto& list : {response.headers, exchange.headers_})

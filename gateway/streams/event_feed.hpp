@@ -38,8 +38,8 @@ class EventFeed final : private Daemons::Listener {
 
   /// Answers @p exchange by a stream of the events that @p query asks for: `unit` and `kinds`, each a list.
   void open(const std::shared_ptr<Exchange>& exchange, const Query& query);
-  /// Tells @p follower from now on, nullptr: nobody. Gives a number that lies between those of the events before and
-  /// behind.
+  /// Tells @p follower from now on, nullptr: nobody. Gives a number that lies between those of the events before
+  /// and behind.
   std::uint64_t follow(Follower* follower);
   /// The number of the last event.
   [[nodiscard]] std::uint64_t last_id() const noexcept { return last_id_; }

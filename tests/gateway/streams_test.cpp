@@ -31,8 +31,10 @@ class StreamsTest : public testing::Test {
   Daemons daemons{events, {folder.path("axisd.sock")}, log};
   EventFeed event_feed{daemons};
   SampleFeed sample_feed{events, daemons};
+  PageFiles page;
+  EdsFiles eds{folder.path("eds")};
   Api api{{.listen = {{"127.0.0.1", 0}}, .token = "0123456789abcdef0123456789abcdef"},
-          {daemons, event_feed, sample_feed}};
+          {daemons, event_feed, sample_feed, page, eds}};
   HttpServer server{events, {{"127.0.0.1", 0}}, api};
 };
 

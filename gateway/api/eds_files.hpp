@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "gateway/server/exchange.hpp"
+#include "gateway/units/daemons.hpp"
+
+namespace gateway {
+
+/// The EDS of units, one for each number of axes. A file is read when it is asked for the first time.
+class EdsFiles {
+ public:
+  /// Those in @p folder.
+  explicit EdsFiles(std::filesystem::path folder) : folder_{std::move(folder)} {}
+
+  /// Answers @p exchange by the EDS of @p unit, which @p daemon has, switched on or off. It is kept until then.
+  void answer(const std::shared_ptr<Exchange>& exchange, const std::string& unit, DaemonClient& daemon);
+
+ private:
+  [[nodiscard]] Response response_for(std::size_t axes);
+
+  std::filesystem::path folder_;
+  std::map<std::size_t, std::shared_ptr<const std::string>> texts_;  ///< by the number of axes
+};
+
+}  // namespace gateway
