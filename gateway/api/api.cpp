@@ -124,6 +124,10 @@ void Api::on_request(const std::shared_ptr<Exchange>& exchange) {
       return answer_units(exchange, sources_.daemons);
     case Kind::Events:
       return sources_.events.open(exchange, *query);
+    case Kind::Recent:
+      return exchange->answer(sources_.recent.answer(*query, *params));
+    case Kind::Live:
+      return sources_.live.answer(exchange, unit_of(*match), *params);
     case Kind::Metrics:
       return answer_metrics(exchange, sources_.daemons, *counters_);
     case Kind::Document:

@@ -6,6 +6,8 @@
 #include "gateway/api/all_units.hpp"
 #include "gateway/api/eds_files.hpp"
 #include "gateway/api/overview.hpp"
+#include "gateway/live/live_feeds.hpp"
+#include "gateway/live/recent_events.hpp"
 #include "gateway/page/page_files.hpp"
 #include "gateway/routes/router.hpp"
 #include "gateway/security/access.hpp"
@@ -21,6 +23,8 @@ struct Sources {
   Daemons& daemons;
   EventFeed& events;
   SampleFeed& samples;
+  LiveFeeds& live;
+  RecentEvents& recent;
   const PageFiles& page;
   EdsFiles& eds;
 };

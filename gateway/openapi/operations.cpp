@@ -9,6 +9,8 @@
 #include "gateway/base/content_type.hpp"
 #include "gateway/base/error.hpp"
 #include "gateway/base/percent.hpp"
+#include "gateway/openapi/poll_schemas.hpp"
+#include "gateway/routes/own_parameters.hpp"
 
 namespace gateway {
 namespace {
@@ -56,14 +58,8 @@ json as_list(json schema) {
   return schema;
 }
 
-std::span<const control::Parameter> rows_of(const Route& route) {
-  const control::Method* const method = control::find_method(route.method);
-  return method == nullptr || route.kind == Kind::Axis ? std::span<const control::Parameter>{}
-                                                       : method->parameters;
-}
-
 constexpr bool is_asked_of_daemon(Kind kind) noexcept {
-  constexpr std::array kKinds{Kind::Call, Kind::Axis, Kind::Samples, Kind::Frames, Kind::Eds};
+  constexpr std::array kKinds{Kind::Call, Kind::Axis, Kind::Samples, Kind::Frames, Kind::Live, Kind::Eds};
   return std::ranges::find(kKinds, kind) != kKinds.end();
 }
 
@@ -142,7 +138,7 @@ json OperationWriter::schema_of(const Route& route, std::string_view key) const 
 }
 
 OrderedJson OperationWriter::parameter(const Route& route, const control::Parameter& row) const {
-  json schema = as_list(schema_of(route, row.key));
+  json schema = route.method.empty() ? own_schema(row) : as_list(schema_of(route, row.key));
   const std::string meaning = schema.value("description", "");
   schema.erase("description");
   if (row.key == "index" || schema.empty()) schema = {{"type", "string"}};
@@ -182,7 +178,7 @@ OrderedJson OperationWriter::parameters(const Route& route) const {
          {"description", "id of the last event before the connection was lost; what came since is not kept"},
          {"schema", text_schema()}});
   }
-  for (const control::Parameter& row : rows_of(route)) {
+  for (const control::Parameter& row : parameters_of(route)) {
     const ArgumentSource source = source_of(route, row.key);
     if (source == ArgumentSource::Path || source == ArgumentSource::Query) all.push_back(parameter(route, row));
   }
@@ -192,7 +188,7 @@ OrderedJson OperationWriter::parameters(const Route& route) const {
 OrderedJson OperationWriter::body(const Route& route) const {
   OrderedJson properties = OrderedJson::object();
   OrderedJson required = OrderedJson::array();
-  for (const control::Parameter& row : rows_of(route)) {
+  for (const control::Parameter& row : parameters_of(route)) {
     if (source_of(route, row.key) != ArgumentSource::Body) continue;
     properties[std::string{row.key}] = ordered(schema_of(route, row.key));
     if (row.absent.empty()) required.push_back(row.key);
@@ -221,6 +217,10 @@ OrderedJson OperationWriter::content(const Route& route) {
       return stream_of(reference("sample"));
     case Kind::Frames:
       return stream_of(reference("frames"));
+    case Kind::Recent:
+      return {{"application/json", {{"schema", recent_schema(reference("event"))}}}};
+    case Kind::Live:
+      return {{"application/json", {{"schema", live_schema({{"type", "object"}}, {{"type", "object"}})}}}};
     case Kind::Metrics:
       return {{"text/plain", {{"schema", text_schema()}}}};
     case Kind::Document:

@@ -4,6 +4,7 @@
 
 #include "gateway/base/error.hpp"
 #include "gateway/openapi/writers.hpp"
+#include "gateway/routes/own_parameters.hpp"
 #include "gateway/routes/routes.hpp"
 
 namespace gateway {
@@ -20,9 +21,7 @@ std::string names_of(const Route& route, ArgumentSource source) {
     names.append(names.empty() ? "`" : ", `").append(name).append("`");
   };
   if (route.kind == Kind::Events && source == ArgumentSource::Query) add(kUnitFilter);
-  const control::Method* const method = control::find_method(route.method);
-  if (method == nullptr || route.kind == Kind::Axis) return names;
-  for (const control::Parameter& row : method->parameters)
+  for (const control::Parameter& row : parameters_of(route))
     if (source_of(route, row.key) == source) add(row.key);
   return names;
 }

@@ -52,9 +52,11 @@ Program::Program(const Options& options, const axisd::Log& log)
       daemons_{events_, options.sockets, log},
       event_feed_{daemons_},
       sample_feed_{events_, daemons_},
+      live_feeds_{events_, daemons_},
+      recent_events_{events_, daemons_, event_feed_},
       page_{page_place(options)},
       eds_{share_folder() / "eds"},
-      api_{rules_of(options), {daemons_, event_feed_, sample_feed_, page_, eds_}},
+      api_{rules_of(options), {daemons_, event_feed_, sample_feed_, live_feeds_, recent_events_, page_, eds_}},
       server_{events_, options.listen, api_} {
   api_.show(server_.counters());
   if (page_.start() == nullptr) log_.notice("{}: no page is there, browsers get a list", page_place(options));

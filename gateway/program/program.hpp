@@ -31,6 +31,8 @@ class Program {
   Daemons daemons_;
   EventFeed event_feed_;
   SampleFeed sample_feed_;
+  LiveFeeds live_feeds_;
+  RecentEvents recent_events_;
   PageFiles page_;
   EdsFiles eds_;
   Api api_;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 
 #include <fmt/format.h>
 
 #include "control/protocol.hpp"
 #include "gateway/base/percent.hpp"
+#include "gateway/routes/own_parameters.hpp"
 #include "text/number.hpp"
 
 namespace gateway {
@@ -25,11 +25,6 @@ tl::unexpected<Error> bad(std::string message) {
 
 std::string shown(std::string_view text) {
   return fmt::format("\"{}\"", text.substr(0, kQuotedValue));
-}
-
-std::span<const Parameter> parameters_of(const Route& route) {
-  const control::Method* const method = control::find_method(route.method);
-  return method == nullptr || route.kind == Kind::Axis ? std::span<const Parameter>{} : method->parameters;
 }
 
 /// The parameter of @p route called @p key that comes from @p source; nullptr if there is none.

@@ -14,7 +14,9 @@ enum class Kind : std::uint8_t {
   Units,     ///< a method asked of all daemons, the lists put together
   Axis,      ///< what `status` says of one axis
   Events,    ///< a stream of the events of all units
+  Recent,    ///< the last events of all units
   Samples,   ///< a stream of the samples of one unit
+  Live,      ///< samples and frames of one unit, for who asks again and again
   Frames,    ///< a stream of the frames of one unit
   Metrics,   ///< Prometheus text
   Document,  ///< the OpenAPI file

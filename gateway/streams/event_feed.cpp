@@ -1,13 +1,9 @@
 #include "gateway/streams/event_feed.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "control/methods.hpp"
 #include "gateway/base/json_text.hpp"
-#include "gateway/base/percent.hpp"
+#include "os/clock.hpp"
 
 namespace gateway {
 namespace {
@@ -19,36 +15,18 @@ std::string member(const json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
-bool is_kind(const std::string& name) {
-  return std::ranges::find(control::kEventKind, name) != control::kEventKind.end();
-}
-
-/// What the keys of @p query ask for, which the router knows; an error names a kind that there is not.
-tl::expected<EventFilter, Error> filter_of(const Query& query) {
-  EventFilter filter;
-  for (const auto& [key, text] : query)
-    for (std::string& item : list_of(text)) {
-      if (key == kUnitFilter) {
-        filter.units.insert(std::move(item));
-      } else if (is_kind(item)) {
-        filter.kinds.insert(std::move(item));
-      } else {
-        return tl::unexpected{refuse(
-            Refused::BadRequest,
-            fmt::format("kinds: expected some of {}, got \"{}\"", fmt::join(control::kEventKind, ", "), item))};
-      }
-    }
-  return filter;
-}
-
 }  // namespace
 
-EventFeed::EventFeed(Daemons& daemons) : daemons_{daemons} {
+/// Numbers by the clock: those of a gateway before were lower. A program that counts in doubles has them exactly.
+EventFeed::EventFeed(Daemons& daemons)
+    : daemons_{daemons},
+      last_id_{static_cast<std::uint64_t>(
+          std::chrono::duration_cast<std::chrono::microseconds>(os::wall_time()).count())} {
   daemons_.listen(this);
 }
 
 void EventFeed::open(const std::shared_ptr<Exchange>& exchange, const Query& query) {
-  auto filter = filter_of(query);
+  auto filter = event_filter(query);
   if (!filter) return exchange->answer(filter.error());
   if (viewers_.size() >= kMostViewers)
     return exchange->answer(refuse(Refused::TooMany, fmt::format("{} streams are open already", viewers_.size())));
@@ -57,15 +35,29 @@ void EventFeed::open(const std::shared_ptr<Exchange>& exchange, const Query& que
     stream->push(event_text("gap", json_text({{"last_event_id", last.front()},
                                               {"message", "what has happened meanwhile was not kept"}})));
   stream->push(units_text());
-  daemons_.want_events(true);
+  ask_daemons();
   exchange->stream(stream, [this, stream] {
     viewers_.remove(*stream);
-    if (viewers_.is_empty()) daemons_.want_events(false);
+    ask_daemons();
   });
 }
 
+std::uint64_t EventFeed::follow(Follower* follower) {
+  follower_ = follower;
+  ask_daemons();
+  return ++last_id_;
+}
+
+void EventFeed::ask_daemons() {
+  daemons_.want_events(!viewers_.is_empty() || follower_ != nullptr);
+}
+
 void EventFeed::on_event(const json& event) {
-  viewers_.tell(event_text("event", json_text(event), ++last_id_), member(event, "unit"), member(event, "kind"));
+  const std::string unit = member(event, "unit");
+  const std::string kind = member(event, "kind");
+  ++last_id_;
+  viewers_.tell(event_text("event", json_text(event), last_id_), unit, kind);
+  if (follower_ != nullptr) follower_->on_event({last_id_, unit, kind, event});
 }
 
 void EventFeed::on_units() {

@@ -3,14 +3,6 @@
 #include <utility>
 
 namespace gateway {
-namespace {
-
-bool wants(const std::set<std::string, std::less<>>& wanted, std::string_view name) {
-  return wanted.empty() || wanted.contains(name);
-}
-
-}  // namespace
-
 std::shared_ptr<EventStream> Viewers::add(EventFilter filter) {
   auto stream = std::make_shared<EventStream>();
   stream->push(stream_start());
@@ -28,7 +20,7 @@ void Viewers::tell(const EventText& text) {
 
 void Viewers::tell(const EventText& text, std::string_view unit, std::string_view kind) {
   for (const Viewer& viewer : all_)
-    if (wants(viewer.filter.units, unit) && wants(viewer.filter.kinds, kind)) viewer.stream->push(text);
+    if (viewer.filter.takes(unit, kind)) viewer.stream->push(text);
 }
 
 void Viewers::end(const EventText& text) {

@@ -2,18 +2,12 @@
 
 #include <list>
 #include <memory>
-#include <set>
-#include <string>
+#include <string_view>
 
 #include "gateway/server/event_stream.hpp"
+#include "gateway/streams/event_filter.hpp"
 
 namespace gateway {
-
-/// What a viewer wants of the events; an empty set: all.
-struct EventFilter {
-  std::set<std::string, std::less<>> units{};
-  std::set<std::string, std::less<>> kinds{};
-};
 
 /// The viewers of a stream, each with what it wants.
 class Viewers {

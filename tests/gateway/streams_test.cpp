@@ -31,10 +31,12 @@ class StreamsTest : public testing::Test {
   Daemons daemons{events, {folder.path("axisd.sock")}, log};
   EventFeed event_feed{daemons};
   SampleFeed sample_feed{events, daemons};
+  LiveFeeds live{events, daemons};
+  RecentEvents recent{events, daemons, event_feed};
   PageFiles page;
   EdsFiles eds{folder.path("eds")};
   Api api{{.listen = {{"127.0.0.1", 0}}, .token = "0123456789abcdef0123456789abcdef"},
-          {daemons, event_feed, sample_feed, page, eds}};
+          {daemons, event_feed, sample_feed, live, recent, page, eds}};
   HttpServer server{events, {{"127.0.0.1", 0}}, api};
 };
 
