@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "tools/axisctl/page/files.hpp"
+#include "tools/axisctl/scenario/run/capture.hpp"
 
 namespace scenario {
 
@@ -43,6 +44,13 @@ int end_of(Process& process) {
 }
 
 }  // namespace
+
+Stations::Stations(const Scenario& scenario, const Workshop& workshop, std::string bus, Recorded recorded)
+    : scenario_{scenario}, workshop_{workshop}, bus_{std::move(bus)}, recorded_{recorded} {
+  for (const UnitPlan& plan : scenario.units)
+    configurations_.push_back(recorded == Recorded::Yes ? with_recording(scenario, plan, Signals::All)
+                                                        : plan.config);
+}
 
 Stations::~Stations() {
   // Those that need the bus go first.
@@ -88,26 +96,37 @@ Done Stations::start_bus() {
   return {};
 }
 
-std::string Stations::write_configuration(const UnitPlan& plan) const {
+std::string Stations::write_configuration(const UnitPlan& plan, const json& config) const {
   std::string path = workshop_.path(plan.name + ".json");
-  std::ofstream{path} << plan.config.dump(2) << '\n';
+  std::ofstream{path} << config.dump(2) << '\n';
   return path;
 }
 
-Done Stations::check_units() const {
+Done Stations::check(const UnitPlan& plan, const json& config) const {
+  const std::string path = write_configuration(plan, config);
+  auto process = launch({.words = {program_folder() + "/axisd", "--check-config", "--config", path},
+                         .log = workshop_.path("check.log")});
+  if (!process) return tl::unexpected{process.error()};
+  const int status = end_of(*process);
+  workshop_.forget(process->identifier());
+  if (status == 0) return {};
+  std::string line = process->last_line();
+  if (const std::size_t at = line.find(path); at != std::string::npos) line = line.substr(at + path.size());
+  if (line.starts_with(": ")) line = line.substr(2);
+  const std::string place = line.starts_with("/inject") ? "" : "/config";
+  return tl::unexpected{fmt::format("{}{}{}", place, line.starts_with('/') ? "" : ": ", line)};
+}
+
+Done Stations::check_units() {
   for (std::size_t i = 0; i < scenario_.units.size(); ++i) {
-    const std::string path = write_configuration(scenario_.units[i]);
-    auto process = launch({.words = {program_folder() + "/axisd", "--check-config", "--config", path},
-                           .log = workshop_.path("check.log")});
-    if (!process) return tl::unexpected{process.error()};
-    const int status = end_of(*process);
-    workshop_.forget(process->identifier());
-    if (status == 0) continue;
-    std::string line = process->last_line();
-    if (const std::size_t at = line.find(path); at != std::string::npos) line = line.substr(at + path.size());
-    if (line.starts_with(": ")) line = line.substr(2);
-    const std::string place = line.starts_with("/inject") ? "" : "/config";
-    return tl::unexpected{fmt::format("/units/{}{}{}{}", i, place, line.starts_with('/') ? "" : ": ", line)};
+    const UnitPlan& plan = scenario_.units[i];
+    Done checked = check(plan, configurations_[i]);
+    if (!checked && recorded_ == Recorded::Yes) {
+      // A signal of a step may be one that the unit does not have.
+      configurations_[i] = with_recording(scenario_, plan, Signals::OfAxes);
+      checked = check(plan, configurations_[i]);
+    }
+    if (!checked) return tl::unexpected{fmt::format("/units/{}{}", i, checked.error())};
   }
   return {};
 }
@@ -123,11 +142,11 @@ void Stations::see_boot_up(const UnitPlan& plan, Bench& bench) {
   }
 }
 
-Done Stations::start_unit(const UnitPlan& plan, Bench& bench) {
+Done Stations::start_unit(const UnitPlan& plan, const json& config, Bench& bench) {
   const std::string socket = workshop_.path(plan.name + ".sock");
   auto process =
       launch({.words = {program_folder() + "/axisd", "--interface", bus_, "--control", socket, "--state-directory",
-                        workshop_.path(plan.name), "--config", write_configuration(plan)},
+                        workshop_.path(plan.name), "--config", write_configuration(plan, config)},
               .log = workshop_.path(plan.name + ".log")});
   if (!process) return tl::unexpected{process.error()};
   const canopen::TimePoint until = bench.now() + kStart;
@@ -153,8 +172,8 @@ Done Stations::start_unit(const UnitPlan& plan, Bench& bench) {
 }
 
 Done Stations::start_units(Bench& bench) {
-  for (const UnitPlan& plan : scenario_.units)
-    if (Done done = start_unit(plan, bench); !done) return done;
+  for (std::size_t i = 0; i < scenario_.units.size(); ++i)
+    if (Done done = start_unit(scenario_.units[i], configurations_[i], bench); !done) return done;
   return {};
 }
 
@@ -190,6 +209,12 @@ Unit& Stations::unit(const json& keys) {
   if (name == keys.end()) return *units_.front();
   return **std::ranges::find(units_, name->get<std::string>(),
                              [](const auto& unit) -> const std::string& { return unit->plan.name; });
+}
+
+Unit* Stations::find(const UnitPlan& plan) {
+  const auto unit = std::ranges::find(units_, plan.name,
+                                      [](const auto& there) -> const std::string& { return there->plan.name; });
+  return unit == units_.end() ? nullptr : unit->get();
 }
 
 Program& Stations::program(const std::string& name) {

@@ -30,12 +30,14 @@ struct Program {
   std::unique_ptr<Process> process{};  ///< none: not started yet
 };
 
+/// Whether units are recorded from their start on.
+enum class Recorded : std::uint8_t { No, Yes };
+
 /// Everything that takes part in a run: the hub of the bus, units and programs, as processes.
 class Stations {
  public:
   /// @p bus: address of a bus that is there; empty: a private one is served at the bit rate of @p scenario.
-  Stations(const Scenario& scenario, const Workshop& workshop, std::string bus)
-      : scenario_{scenario}, workshop_{workshop}, bus_{std::move(bus)} {}
+  Stations(const Scenario& scenario, const Workshop& workshop, std::string bus, Recorded recorded);
   ~Stations();
   Stations(const Stations&) = delete;
   Stations& operator=(const Stations&) = delete;
@@ -43,7 +45,7 @@ class Stations {
   /// Serves the bus if it is private. All errors here are one line.
   [[nodiscard]] tl::expected<void, std::string> start_bus();
   /// Asks axisd whether it takes the configurations of all units; "/units/0/config/axes: expected ...".
-  [[nodiscard]] tl::expected<void, std::string> check_units() const;
+  [[nodiscard]] tl::expected<void, std::string> check_units();
   /// Starts all units and waits on @p bench until they answer.
   [[nodiscard]] tl::expected<void, std::string> start_units(Bench& bench);
   /// Starts the programs that no step starts.
@@ -58,21 +60,28 @@ class Stations {
   [[nodiscard]] std::string bus_path() const { return workshop_.path("bus"); }
   /// The unit of that name; the only one if @p keys has none.
   [[nodiscard]] Unit& unit(const nlohmann::json& keys);
+  /// The unit of @p plan; nullptr if it has not come up.
+  [[nodiscard]] Unit* find(const UnitPlan& plan);
   [[nodiscard]] Program& program(const std::string& name);
   [[nodiscard]] std::vector<std::unique_ptr<Program>>& programs() noexcept { return programs_; }
   /// Why the run cannot go on: a unit or the hub has ended; nothing if all is well.
   [[nodiscard]] std::optional<std::string> find_lost();
 
  private:
-  [[nodiscard]] tl::expected<void, std::string> start_unit(const UnitPlan& plan, Bench& bench);
+  [[nodiscard]] tl::expected<void, std::string> start_unit(const UnitPlan& plan, const nlohmann::json& config,
+                                                           Bench& bench);
   /// Takes the boot-up message of a unit that has come up, so that no step sees it; it may be missing on purpose.
   static void see_boot_up(const UnitPlan& plan, Bench& bench);
   [[nodiscard]] tl::expected<Process, std::string> launch(const Command& command) const;
-  [[nodiscard]] std::string write_configuration(const UnitPlan& plan) const;
+  [[nodiscard]] std::string write_configuration(const UnitPlan& plan, const nlohmann::json& config) const;
+  /// What axisd says of @p config of @p plan.
+  [[nodiscard]] tl::expected<void, std::string> check(const UnitPlan& plan, const nlohmann::json& config) const;
 
   const Scenario& scenario_;
   const Workshop& workshop_;
   std::string bus_;
+  Recorded recorded_;
+  std::vector<nlohmann::json> configurations_{};  ///< of units, in their order
   std::unique_ptr<Process> hub_{};
   std::vector<std::unique_ptr<Unit>> units_{};
   std::vector<std::unique_ptr<Program>> programs_{};
