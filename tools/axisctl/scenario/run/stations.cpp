@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "tools/axisctl/page/files.hpp"
-#include "tools/axisctl/scenario/run/capture.hpp"
 
 namespace scenario {
 
@@ -26,6 +25,8 @@ constexpr std::chrono::seconds kStart{10};
 constexpr std::chrono::milliseconds kAskAgain{1};
 /// The boot-up message of a unit that has said over its control socket that it is there needs no longer.
 constexpr std::chrono::milliseconds kBootUp{200};
+/// What axisd says of a signal to be recorded that the unit does not have; it has sent nothing then.
+constexpr std::string_view kNoSuchSignal{"record: signals: "};
 
 std::string text_in(const std::string& path) {
   std::ostringstream text;
@@ -44,13 +45,6 @@ int end_of(Process& process) {
 }
 
 }  // namespace
-
-Stations::Stations(const Scenario& scenario, const Workshop& workshop, std::string bus, Recorded recorded)
-    : scenario_{scenario}, workshop_{workshop}, bus_{std::move(bus)}, recorded_{recorded} {
-  for (const UnitPlan& plan : scenario.units)
-    configurations_.push_back(recorded == Recorded::Yes ? with_recording(scenario, plan, Signals::All)
-                                                        : plan.config);
-}
 
 Stations::~Stations() {
   // Those that need the bus go first.
@@ -96,37 +90,27 @@ Done Stations::start_bus() {
   return {};
 }
 
-std::string Stations::write_configuration(const UnitPlan& plan, const json& config) const {
+std::string Stations::write_configuration(const UnitPlan& plan, Signals recorded) const {
   std::string path = workshop_.path(plan.name + ".json");
+  const json config = recorded_ == Recorded::Yes ? with_recording(scenario_, plan, recorded) : plan.config;
   std::ofstream{path} << config.dump(2) << '\n';
   return path;
 }
 
-Done Stations::check(const UnitPlan& plan, const json& config) const {
-  const std::string path = write_configuration(plan, config);
-  auto process = launch({.words = {program_folder() + "/axisd", "--check-config", "--config", path},
-                         .log = workshop_.path("check.log")});
-  if (!process) return tl::unexpected{process.error()};
-  const int status = end_of(*process);
-  workshop_.forget(process->identifier());
-  if (status == 0) return {};
-  std::string line = process->last_line();
-  if (const std::size_t at = line.find(path); at != std::string::npos) line = line.substr(at + path.size());
-  if (line.starts_with(": ")) line = line.substr(2);
-  const std::string place = line.starts_with("/inject") ? "" : "/config";
-  return tl::unexpected{fmt::format("{}{}{}", place, line.starts_with('/') ? "" : ": ", line)};
-}
-
-Done Stations::check_units() {
+Done Stations::check_units() const {
   for (std::size_t i = 0; i < scenario_.units.size(); ++i) {
-    const UnitPlan& plan = scenario_.units[i];
-    Done checked = check(plan, configurations_[i]);
-    if (!checked && recorded_ == Recorded::Yes) {
-      // A signal of a step may be one that the unit does not have.
-      configurations_[i] = with_recording(scenario_, plan, Signals::OfAxes);
-      checked = check(plan, configurations_[i]);
-    }
-    if (!checked) return tl::unexpected{fmt::format("/units/{}{}", i, checked.error())};
+    const std::string path = write_configuration(scenario_.units[i], Signals::All);
+    auto process = launch({.words = {program_folder() + "/axisd", "--check-config", "--config", path},
+                           .log = workshop_.path("check.log")});
+    if (!process) return tl::unexpected{process.error()};
+    const int status = end_of(*process);
+    workshop_.forget(process->identifier());
+    if (status == 0) continue;
+    std::string line = process->last_line();
+    if (const std::size_t at = line.find(path); at != std::string::npos) line = line.substr(at + path.size());
+    if (line.starts_with(": ")) line = line.substr(2);
+    const std::string place = line.starts_with("/inject") ? "" : "/config";
+    return tl::unexpected{fmt::format("/units/{}{}{}{}", i, place, line.starts_with('/') ? "" : ": ", line)};
   }
   return {};
 }
@@ -142,16 +126,22 @@ void Stations::see_boot_up(const UnitPlan& plan, Bench& bench) {
   }
 }
 
-Done Stations::start_unit(const UnitPlan& plan, const json& config, Bench& bench) {
+Done Stations::start_unit(const UnitPlan& plan, Signals recorded, Bench& bench) {
   const std::string socket = workshop_.path(plan.name + ".sock");
   auto process =
       launch({.words = {program_folder() + "/axisd", "--interface", bus_, "--control", socket, "--state-directory",
-                        workshop_.path(plan.name), "--config", write_configuration(plan, config)},
+                        workshop_.path(plan.name), "--config", write_configuration(plan, recorded)},
               .log = workshop_.path(plan.name + ".log")});
   if (!process) return tl::unexpected{process.error()};
   const canopen::TimePoint until = bench.now() + kStart;
   while (true) {
-    if (process->ended()) return tl::unexpected{fmt::format("unit {}: {}", plan.name, process->last_line())};
+    // A step may name a signal that the unit does not have: that is for the step to tell.
+    const bool has_ended = process->ended().has_value();
+    if (has_ended && recorded == Signals::All && process->last_line().find(kNoSuchSignal) != std::string::npos) {
+      workshop_.forget(process->identifier());
+      return start_unit(plan, Signals::OfAxes, bench);
+    }
+    if (has_ended) return tl::unexpected{fmt::format("unit {}: {}", plan.name, process->last_line())};
     if (bench.now() > until || bench.interrupted())
       return tl::unexpected{fmt::format("unit {}: it has not come up within {} s", plan.name, kStart.count())};
     auto client = std::filesystem::exists(socket) ? axisctl::Client::connect(socket)
@@ -172,8 +162,8 @@ Done Stations::start_unit(const UnitPlan& plan, const json& config, Bench& bench
 }
 
 Done Stations::start_units(Bench& bench) {
-  for (std::size_t i = 0; i < scenario_.units.size(); ++i)
-    if (Done done = start_unit(scenario_.units[i], configurations_[i], bench); !done) return done;
+  for (const UnitPlan& plan : scenario_.units)
+    if (Done done = start_unit(plan, Signals::All, bench); !done) return done;
   return {};
 }
 

@@ -13,6 +13,7 @@
 #include "tools/axisctl/scenario/reader/scenario.hpp"
 #include "tools/axisctl/scenario/run/bench.hpp"
 #include "tools/axisctl/scenario/run/process.hpp"
+#include "tools/axisctl/scenario/run/recording_plan.hpp"
 #include "tools/axisctl/scenario/run/workshop.hpp"
 
 namespace scenario {
@@ -37,7 +38,8 @@ enum class Recorded : std::uint8_t { No, Yes };
 class Stations {
  public:
   /// @p bus: address of a bus that is there; empty: a private one is served at the bit rate of @p scenario.
-  Stations(const Scenario& scenario, const Workshop& workshop, std::string bus, Recorded recorded);
+  Stations(const Scenario& scenario, const Workshop& workshop, std::string bus, Recorded recorded)
+      : scenario_{scenario}, workshop_{workshop}, bus_{std::move(bus)}, recorded_{recorded} {}
   ~Stations();
   Stations(const Stations&) = delete;
   Stations& operator=(const Stations&) = delete;
@@ -45,7 +47,7 @@ class Stations {
   /// Serves the bus if it is private. All errors here are one line.
   [[nodiscard]] tl::expected<void, std::string> start_bus();
   /// Asks axisd whether it takes the configurations of all units; "/units/0/config/axes: expected ...".
-  [[nodiscard]] tl::expected<void, std::string> check_units();
+  [[nodiscard]] tl::expected<void, std::string> check_units() const;
   /// Starts all units and waits on @p bench until they answer.
   [[nodiscard]] tl::expected<void, std::string> start_units(Bench& bench);
   /// Starts the programs that no step starts.
@@ -68,20 +70,17 @@ class Stations {
   [[nodiscard]] std::optional<std::string> find_lost();
 
  private:
-  [[nodiscard]] tl::expected<void, std::string> start_unit(const UnitPlan& plan, const nlohmann::json& config,
-                                                           Bench& bench);
+  [[nodiscard]] tl::expected<void, std::string> start_unit(const UnitPlan& plan, Signals recorded, Bench& bench);
   /// Takes the boot-up message of a unit that has come up, so that no step sees it; it may be missing on purpose.
   static void see_boot_up(const UnitPlan& plan, Bench& bench);
   [[nodiscard]] tl::expected<Process, std::string> launch(const Command& command) const;
-  [[nodiscard]] std::string write_configuration(const UnitPlan& plan, const nlohmann::json& config) const;
-  /// What axisd says of @p config of @p plan.
-  [[nodiscard]] tl::expected<void, std::string> check(const UnitPlan& plan, const nlohmann::json& config) const;
+  /// Writes what axisd is to read, with a recording of the signals @p recorded if units are recorded.
+  [[nodiscard]] std::string write_configuration(const UnitPlan& plan, Signals recorded) const;
 
   const Scenario& scenario_;
   const Workshop& workshop_;
   std::string bus_;
   Recorded recorded_;
-  std::vector<nlohmann::json> configurations_{};  ///< of units, in their order
   std::unique_ptr<Process> hub_{};
   std::vector<std::unique_ptr<Unit>> units_{};
   std::vector<std::unique_ptr<Program>> programs_{};
