@@ -51,9 +51,11 @@ std::string markdown_page(const Command& program) {
   std::string page = fmt::format("# {}: options and subcommands\n\n{}\n", program.name, program.help);
   visit_commands(program, [&](const std::string& path, const Command& command) {
     const bool is_program = path == program.name;
-    if (!is_program && !command.commands.empty()) return;
+    const std::string rows = rows_of(command);
+    // A group of subcommands is shown if it has options of its own.
+    if (!is_program && !command.commands.empty() && rows.empty()) return;
     if (!is_program) page += fmt::format("\n## {}\n\n{}.\n", usage_of(path, command), command.help);
-    page += rows_of(command);
+    page += rows;
     if (is_program && !program.footer.empty()) page += fmt::format("\n```\n{}\n```\n", program.footer);
   });
   return page;

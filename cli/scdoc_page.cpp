@@ -76,9 +76,11 @@ std::string scdoc_page(const Command& program) {
   std::string page = "# OPTIONS\n\n" + rows_of(program, 0);
   if (!program.commands.empty()) page += "# COMMANDS\n\n";
   visit_commands(program, [&](const std::string& path, const Command& command) {
-    if (path == program.name || !command.commands.empty()) return;
+    const std::string rows = rows_of(command, 1);
+    // A group of subcommands is shown if it has options of its own.
+    if (path == program.name || (!command.commands.empty() && rows.empty())) return;
     page += entry(0, head_of(path, command), scdoc_text(command.help) + ".");
-    page += rows_of(command, 1);
+    page += rows;
   });
   return page + statuses_of(program.footer);
 }

@@ -9,40 +9,21 @@ import os
 import re
 import struct
 import sys
-import zlib
 
+import html_pages
 import programs
+from html_pages import EVENT, END, FRAME, frame_of
 from master import BOOT_UP, NODE, Master, can
 
-FRAME, EVENT, END = 1, 2, 5
 PARAMETER = 9  # kind of an event
 BY_SDO, BY_CONTROL = 1, 2
 LINE = re.compile(r'\((\d+\.\d{6})\) can0 ([0-9A-F]{3})#([0-9A-F]*)')
 
 
 def records_of(path):
-    """Head and records (type, ns, content) of a recording, by docs/reference/recording.md and not by a program of the project."""
+    """Head and records of the recording at PATH."""
     with open(path, 'rb') as file:
-        content = file.read()
-    assert content[:8] == b'AXISREC\n'
-    version, zero, length = struct.unpack_from('<HHI', content, 8)
-    assert (version, zero) == (1, 0)
-    text = content[16:16 + length]
-    assert struct.unpack_from('<I', content, 16 + length) == (zlib.crc32(text),)
-    records, at = [], 16 + length + 4
-    while at < len(content):
-        kind, size, time = struct.unpack_from('<HHq', content, at)
-        record = content[at:at + 12 + size]
-        assert struct.unpack_from('<I', content, at + 12 + size) == (zlib.crc32(record),)
-        records.append((kind, time, record[12:]))
-        at += 12 + size + 4
-    return json.loads(text), records
-
-
-def frame_of(content):
-    """Identifier and data of the content of a frame record, as a log has them."""
-    _, length, identifier = struct.unpack_from('<BBI', content)
-    return f'{identifier:03X}', content[6:6 + length].hex().upper()
+        return html_pages.records_in(file.read())
 
 
 def writes_in(records):
@@ -78,7 +59,7 @@ def main():
         head, records = records_of(recording)
         assert head['node_id'] == NODE, head
         assert records[-1][0] == END, records[-1]
-        frames = [(time, *frame_of(content)) for kind, time, content in records if kind == FRAME]
+        frames = [(time, *frame_of(content)[1:]) for kind, time, content in records if kind == FRAME]
         assert [frame[1:] for frame in frames] == heard, (frames, heard)
         assert list(writes_in(records)) == [(BY_SDO, 8630, 2.0, 0.0), (BY_SDO, 1120, 5.0, 10.0),
                                             (BY_CONTROL, 1120, 2.5, 5.0)], list(writes_in(records))

@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "can/port/address.hpp"
 #include "tools/axisctl/commands/command.hpp"
 #include "tools/axisctl/page/files.hpp"
 #include "tools/axisctl/page/resources.hpp"
@@ -32,19 +31,6 @@ struct PageWish {
 
 void remark(const std::string& text) {
   std::cerr << "axisctl: " << printable(text) << '\n';
-}
-
-/// The bus of @p unit, "unix:/run/bus/5", as names of units have it.
-std::string unit_name(const std::string& unit) {
-  const std::size_t slash = unit.rfind('/');
-  if (slash == std::string::npos) return unit;
-  const auto address = bus::parse_address(unit.substr(0, slash));
-  return address ? bus::label(*address) + unit.substr(slash) : unit;
-}
-
-/// What the unit of @p ask is called: its status says it.
-std::string unit_name(const json& status) {
-  return unit_name(fmt::format("{}/{}", status.value("interface", ""), status.value("node_id", 0)));
 }
 
 Ask ask_of(Session& session) {
@@ -83,13 +69,13 @@ Expected<std::vector<PageUnit>> unit_of_bus(const Settings& settings, const Page
   auto recordings = read_halves(*file);
   if (!recordings) return tl::unexpected{recordings.error()};
   unit.recordings = *std::move(recordings);
-  unit.unit = unit_name(unit.recordings.back().unit());
+  unit.unit = unit.recordings.back().unit();
   return std::vector{std::move(unit)};
 }
 
 /// The unit of @p units that @p recording is of; a new one if there is none yet.
 PageUnit& unit_for(std::vector<PageUnit>& units, const Recording& recording) {
-  const std::string name = unit_name(recording.unit());
+  const std::string name = recording.unit();
   const auto found = std::ranges::find(units, name, &PageUnit::unit);
   return found != units.end() ? *found : units.emplace_back(PageUnit{.unit = name});
 }
@@ -99,7 +85,8 @@ void add_what_is_there(const Settings& settings, std::vector<PageUnit>& units) {
   auto session = Session::open(settings);
   const auto status = session ? session->ask("status") : tl::unexpected{session.error()};
   if (!status) return;
-  const auto unit = std::ranges::find(units, unit_name(*status), &PageUnit::unit);
+  const std::string name = unit_name(status->value("interface", ""), std::to_string(status->value("node_id", 0)));
+  const auto unit = std::ranges::find(units, name, &PageUnit::unit);
   if (unit != units.end()) add_snapshot(*unit, ask_of(*session));
 }
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -33,7 +34,8 @@ struct RunWish {
   std::string bus{};
   std::string junit{};
   std::optional<std::uint64_t> seed{};
-  bool list = false, schema = false, check = false, keep = false;
+  std::string html{}, blank{};
+  bool list = false, schema = false, check = false, keep = false, html_all = false;
 };
 
 /// Where the scenarios of an installation are.
@@ -48,6 +50,44 @@ std::string path_of(const std::string& word) {
   const std::filesystem::path installed = installed_folder() / (word + ".json");
   return std::filesystem::exists(installed, ignored) ? installed.string() : word;
 }
+
+/// Pages of scenarios in the folder that is wished for.
+class Pages {
+ public:
+  /// Makes the folder, and reads the page to fill in; without a folder there are no pages.
+  static Expected<Pages> open(const RunWish& wish) {
+    Pages pages{wish};
+    if (wish.html.empty()) return pages;
+    auto blank = read_template(wish.blank);
+    if (!blank) return tl::unexpected{blank.error()};
+    pages.blank_ = *std::move(blank);
+    std::error_code error;
+    std::filesystem::create_directories(wish.html, error);
+    if (error) return fail(ExitStatus::Failed, fmt::format("{}: {}", wish.html, error.message()));
+    return pages;
+  }
+  [[nodiscard]] scenario::Captured captured() const noexcept {
+    if (folder_.empty()) return scenario::Captured::None;
+    return is_all_ ? scenario::Captured::All : scenario::Captured::Failed;
+  }
+  /// Writes that of @p ran, if there is to be one. Scenarios of the same name get numbers.
+  Expected<void> write(Ran& ran) {
+    if (!ran.result.is_captured) return {};
+    const unsigned count = ++names_[ran.scenario.name];
+    const std::string name = count == 1 ? ran.scenario.name : fmt::format("{}-{}", ran.scenario.name, count);
+    const std::string path = fmt::format("{}/{}.html", folder_, name);
+    if (auto written = write_page(path, blank_, page_of(ran.scenario, ran.result)); !written) return written;
+    std::cerr << "axisctl: " << printable(path) << " shows what has happened\n";
+    return {};
+  }
+
+ private:
+  explicit Pages(const RunWish& wish) : folder_{wish.html}, is_all_{wish.html_all} {}
+
+  std::string folder_, blank_{};
+  bool is_all_ = false;
+  std::map<std::string, unsigned> names_{};
+};
 
 Expected<scenario::Scenario> read(const std::string& word, const RunWish& wish) {
   const std::string path = path_of(word);
@@ -133,17 +173,23 @@ Expected<void> run_scenarios(const Settings& settings, const RunWish& wish) {
     runs.push_back({.scenario = *std::move(scenario), .result = {}});
   }
   if (wish.check) return {};
+  auto pages = Pages::open(wish);
+  if (!pages) return tl::unexpected{pages.error()};
+  options.captured = pages->captured();
   scenario::take_signals();
+  Expected<void> pages_written{};
   std::size_t done = 0;
   for (Ran& ran : runs) {
     ran.result = scenario::run(ran.scenario, options);
     ++done;
     if (wish.keep) std::cerr << "axisctl: files are kept in " << ran.result.folder << '\n';
     if (!settings.json && !ran.result.bad_input) std::cout << text_of(ran.scenario, ran.result) << std::flush;
+    if (auto written = pages->write(ran); !written) pages_written = written;
     if (ran.result.interrupted || ran.result.bad_input) break;
   }
   runs.resize(done);
-  return conclude(settings, wish, runs);
+  const auto concluded = conclude(settings, wish, runs);
+  return pages_written ? concluded : pages_written;
 }
 
 }  // namespace
@@ -162,6 +208,13 @@ void add_run(CLI::App& app, Run& run) {
       ->type_name("IF");
   sub.add_flag("--keep", wish->keep, "Keep the files of the run: configurations, logs, state");
   sub.add_option("--junit", wish->junit, "Write a JUnit report to FILE")->type_name("FILE");
+  CLI::Option* const html =
+      sub.add_option("--html", wish->html, "Write a page for a browser to DIR for each scenario that fails")
+          ->type_name("DIR");
+  sub.add_flag("--html-all", wish->html_all, "And for those that pass")->needs(html);
+  sub.add_option("--template", wish->blank, "Page to fill in, that of the installation if not given")
+      ->needs(html)
+      ->type_name("FILE");
   sub.callback(
       [&run, wish] { run = [wish](const Settings& settings) { return run_scenarios(settings, *wish); }; });
 }

@@ -1,8 +1,12 @@
 #include "tools/axisctl/page/recording.hpp"
 
 #include <filesystem>
+#include <span>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "can/port/address.hpp"
 #include "os/regular_file.hpp"
 #include "record/reader.hpp"
 #include "record/show.hpp"
@@ -13,12 +17,26 @@ using nlohmann::json;
 
 std::string Recording::unit() const {
   const json unit = head.is_object() ? head.value("unit", json{}) : json{};
-  return unit.is_string() ? unit.get<std::string>() : "?";
+  if (!unit.is_string()) return "?";
+  const auto& text = unit.get_ref<const std::string&>();
+  const std::size_t slash = text.rfind('/');
+  return slash == std::string::npos ? text
+                                    : unit_name(text.substr(0, slash), std::string_view{text}.substr(slash + 1));
 }
 
 std::size_t Recording::axes() const {
   const json axes = head.is_object() ? head.value("axes", json{}) : json{};
   return axes.is_array() ? axes.size() : 0;
+}
+
+std::int64_t Recording::start() const {
+  const json start = head.is_object() ? head.value("wall_clock_ns", json{}) : json{};
+  return start.is_number_integer() ? start.get<std::int64_t>() : 0;
+}
+
+std::string unit_name(const std::string& interface, std::string_view node) {
+  const auto address = bus::parse_address(interface);
+  return fmt::format("{}/{}", address ? bus::label(*address) : interface, node);
 }
 
 Expected<Recording> read_recording(const std::string& path) {

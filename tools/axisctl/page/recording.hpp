@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -16,11 +19,16 @@ struct Recording {
   nlohmann::json head = nlohmann::json::object();
   std::string remark{};  ///< how it ends, with its path; empty: whole
 
-  /// The unit that was recorded, "vcan0/5"; "?" if the head does not say it.
+  /// The unit that was recorded, as unit_name() has it; "?" if the head does not say it.
   [[nodiscard]] std::string unit() const;
   /// How many axes that has; 0 if the head does not say it.
   [[nodiscard]] std::size_t axes() const;
+  /// When the unit was switched on (ns since 1970); 0 if the head does not say it.
+  [[nodiscard]] std::int64_t start() const;
 };
+
+/// What a unit is called that is at node-ID @p node of @p interface, a name or a URL: "vcan0/5".
+[[nodiscard]] std::string unit_name(const std::string& interface, std::string_view node);
 
 /// Reads the recording at @p path; one whose end is missing is taken. A failure if it cannot be read, or its head
 /// is wrong.

@@ -17,6 +17,10 @@ namespace scenario {
 /// The same for programs; docs/reference/scenarios.md says what is in it.
 [[nodiscard]] nlohmann::json json_of(const Scenario& scenario, const RunResult& result);
 
+/// Everything that was kept of a run, as a page: the report for programs has `t_s` of each step there, the time of
+/// the first unit. Takes the units of @p result.
+[[nodiscard]] axisctl::Page page_of(const Scenario& scenario, RunResult& result);
+
 /// A scenario with what came of it.
 struct Ran {
   Scenario scenario;

@@ -8,6 +8,7 @@
 
 #include "can/port/address.hpp"
 #include "tools/axisctl/scenario/run/actions.hpp"
+#include "tools/axisctl/scenario/run/capture.hpp"
 #include "tools/axisctl/scenario/run/fault_load.hpp"
 #include "tools/axisctl/scenario/run/watches.hpp"
 
@@ -169,6 +170,7 @@ tl::expected<void, std::string> run_on(Stations& stations, const Scenario& scena
   if (auto started = stations.start_units(bench); !started) return started;
   if (auto started = stations.start_programs(); !started) return started;
   Course course{context, result};
+  result.begin = std::chrono::system_clock::now().time_since_epoch() - (bench.now() - course.begin());
   result.passed = course.run();
   result.seconds = seconds_of(bench.now() - course.begin());
   take_notes(context, result);
@@ -187,11 +189,14 @@ RunResult run(const Scenario& scenario, const RunOptions& options) {
   }
   result.folder = workshop->folder();
   try {
-    Stations stations{scenario, *workshop, options.bus};
+    const bool is_recorded = options.captured != Captured::None;
+    Stations stations{scenario, *workshop, options.bus, is_recorded ? Recorded::Yes : Recorded::No};
     const auto checked = stations.check_units();
     result.bad_input = !checked;
     const auto ran = checked ? run_on(stations, scenario, result) : checked;
     if (!ran) result.problem = ran.error();
+    result.is_captured = checked && (options.captured == Captured::All || (is_recorded && !result.passed));
+    if (result.is_captured) result.units = capture(stations, scenario, *workshop);
   } catch (const bus::OpenError& error) {
     result.problem = error.what();
   }

@@ -1,18 +1,24 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "tools/axisctl/page/page.hpp"
 #include "tools/axisctl/scenario/reader/scenario.hpp"
 #include "tools/canopen-check/core/wire.hpp"
 
 namespace scenario {
 
+/// Of which scenarios everything is kept that a page shows.
+enum class Captured : std::uint8_t { None, Failed, All };
+
 /// How a run is done.
 struct RunOptions {
   std::string bus{};  ///< address of a bus that is there; empty: a private one
   bool keep = false;  ///< files of the run stay
+  Captured captured = Captured::None;
 };
 
 /// What came of a step.
@@ -38,6 +44,9 @@ struct RunResult {
   std::string folder{};                             ///< of the files of the run
   std::string bus{};
   double seconds = 0.0;
+  std::chrono::nanoseconds begin{};        ///< when the first step could begin, since 1970
+  bool is_captured = false;                ///< whether `units` is what a page shows
+  std::vector<axisctl::PageUnit> units{};  ///< what was recorded, and what they have told
 };
 
 /// Runs @p scenario from start to end; everything that it has started is gone afterwards.

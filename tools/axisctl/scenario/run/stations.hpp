@@ -13,6 +13,7 @@
 #include "tools/axisctl/scenario/reader/scenario.hpp"
 #include "tools/axisctl/scenario/run/bench.hpp"
 #include "tools/axisctl/scenario/run/process.hpp"
+#include "tools/axisctl/scenario/run/recording_plan.hpp"
 #include "tools/axisctl/scenario/run/workshop.hpp"
 
 namespace scenario {
@@ -30,12 +31,15 @@ struct Program {
   std::unique_ptr<Process> process{};  ///< none: not started yet
 };
 
+/// Whether units are recorded from their start on.
+enum class Recorded : std::uint8_t { No, Yes };
+
 /// Everything that takes part in a run: the hub of the bus, units and programs, as processes.
 class Stations {
  public:
   /// @p bus: address of a bus that is there; empty: a private one is served at the bit rate of @p scenario.
-  Stations(const Scenario& scenario, const Workshop& workshop, std::string bus)
-      : scenario_{scenario}, workshop_{workshop}, bus_{std::move(bus)} {}
+  Stations(const Scenario& scenario, const Workshop& workshop, std::string bus, Recorded recorded)
+      : scenario_{scenario}, workshop_{workshop}, bus_{std::move(bus)}, recorded_{recorded} {}
   ~Stations();
   Stations(const Stations&) = delete;
   Stations& operator=(const Stations&) = delete;
@@ -58,21 +62,25 @@ class Stations {
   [[nodiscard]] std::string bus_path() const { return workshop_.path("bus"); }
   /// The unit of that name; the only one if @p keys has none.
   [[nodiscard]] Unit& unit(const nlohmann::json& keys);
+  /// The unit of @p plan; nullptr if it has not come up.
+  [[nodiscard]] Unit* find(const UnitPlan& plan);
   [[nodiscard]] Program& program(const std::string& name);
   [[nodiscard]] std::vector<std::unique_ptr<Program>>& programs() noexcept { return programs_; }
   /// Why the run cannot go on: a unit or the hub has ended; nothing if all is well.
   [[nodiscard]] std::optional<std::string> find_lost();
 
  private:
-  [[nodiscard]] tl::expected<void, std::string> start_unit(const UnitPlan& plan, Bench& bench);
+  [[nodiscard]] tl::expected<void, std::string> start_unit(const UnitPlan& plan, Signals recorded, Bench& bench);
   /// Takes the boot-up message of a unit that has come up, so that no step sees it; it may be missing on purpose.
   static void see_boot_up(const UnitPlan& plan, Bench& bench);
   [[nodiscard]] tl::expected<Process, std::string> launch(const Command& command) const;
-  [[nodiscard]] std::string write_configuration(const UnitPlan& plan) const;
+  /// Writes what axisd is to read, with a recording of the signals @p recorded if units are recorded.
+  [[nodiscard]] std::string write_configuration(const UnitPlan& plan, Signals recorded) const;
 
   const Scenario& scenario_;
   const Workshop& workshop_;
   std::string bus_;
+  Recorded recorded_;
   std::unique_ptr<Process> hub_{};
   std::vector<std::unique_ptr<Unit>> units_{};
   std::vector<std::unique_ptr<Program>> programs_{};
