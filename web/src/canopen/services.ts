@@ -162,6 +162,8 @@ export class ServiceMap {
   readonly nodeId: number | undefined;
   private readonly own = new Map<number, Service>();
   private readonly known = new Map<number, Service>();
+  /** Lanes of the identifiers of 11 bits; 255: not looked for yet. */
+  private readonly lanes = new Uint8Array(0x800).fill(255);
 
   constructor(settings: ServiceSettings = {}) {
     this.nodeId = settings.nodeId;
@@ -181,7 +183,13 @@ export class ServiceMap {
   }
 
   /** Number of the lane of @param id, for FrameStore. */
-  laneOf = (id: number, isExtended: boolean): number => laneNumber(this.of(id, isExtended).lane);
+  laneOf = (id: number, isExtended: boolean): number => {
+    const known = isExtended ? undefined : this.lanes[id];
+    if (known !== undefined && known < kLaneCount) return known;
+    const lane = laneNumber(this.of(id, isExtended).lane);
+    if (!isExtended) this.lanes[id] = lane;
+    return lane;
+  };
 
   private add(cobId: number, made: Service): void {
     const found = identifierOf(cobId);
