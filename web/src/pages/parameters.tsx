@@ -1,4 +1,47 @@
-/** To be written. */
+import { useMemo, useState } from "preact/hooks";
+
+import { usePage } from "../app/context";
+import { useAddress } from "../parameters/address";
+import { DifferencesView } from "../parameters/differences_view";
+import { ListView } from "../parameters/list_view";
+import { parametersOf } from "../parameters/parameter_source";
+import { placesOf } from "../parameters/places";
+import { StorageBar } from "../parameters/storage_bar";
+import { Notice } from "../ui/notice";
+import { useResource } from "../ui/resource";
+
+/** Time between two looks at what drive objects there are (ms). */
+const kPeriod = 5000;
+
+/** The parameters of a unit: search, detail, wiring, writing, differences, saving. */
 export function Parameters(props: { unit: string }) {
-  return <h1>Parameters {props.unit}</h1>;
+  const { source } = usePage();
+  const { unit } = props;
+  const address = useAddress("parameters", unit);
+  const parameters = useMemo(() => parametersOf(source, unit), [source, unit]);
+  const places = useResource(() => placesOf(source, unit), [source, unit], source.isLive ? kPeriod : undefined);
+  const [turn, setTurn] = useState(0);
+  const isDifferences = address.query.get("view") === "differences";
+  return (
+    <div class="parameters">
+      <div class="parameters-head">
+        <h1>Parameters</h1>
+        <nav aria-label="Views of the parameters">
+          <a href={address.link({ view: undefined })} aria-current={isDifferences ? undefined : "page"}>
+            List
+          </a>
+          <a href={address.link({ view: "differences" })} aria-current={isDifferences ? "page" : undefined}>
+            Differences
+          </a>
+        </nav>
+        <StorageBar unit={unit} onDone={() => setTurn((before) => before + 1)} />
+      </div>
+      {places.error !== "" && <Notice kind="warning">{`${places.error}.`}</Notice>}
+      {isDifferences ? (
+        <DifferencesView unit={unit} source={parameters} address={address} turn={turn} />
+      ) : (
+        places.value !== undefined && <ListView unit={unit} source={parameters} places={places.value} address={address} />
+      )}
+    </div>
+  );
 }
