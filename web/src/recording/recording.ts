@@ -21,7 +21,7 @@ export interface RecordingHead {
   after_s?: number;
   wall_clock?: string;
   wall_clock_ns?: number;
-  signals: { signal: string; unit: string }[];
+  signals: { name: string; unit: string }[];
 }
 
 /** A file, as the scope shows it. Times are seconds since the start of the unit; of a candump log since its first frame. */
