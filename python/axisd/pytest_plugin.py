@@ -7,11 +7,12 @@ tests run side by side (`-n auto`).
 from __future__ import annotations
 
 import inspect
+import os
 from typing import Any, Iterator
 
 import pytest
 
-from . import report
+from . import pages, report
 from .bus import Bus
 from .errors import Error
 from .unit import Unit
@@ -23,16 +24,21 @@ _OF_THE_BUS = ('bit_rate',)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """--axisd-frames."""
-    parser.getgroup('axisd', 'simulated drive units').addoption(
+    """--axisd-frames, --axisd-html."""
+    group = parser.getgroup('axisd', 'simulated drive units')
+    group.addoption(
         '--axisd-frames', type=_count, default=report.frames_told, metavar='N',
         help='frames of each bus in the report of a test that fails (%(default)s)')
+    group.addoption('--axisd-html', metavar='FOLDER',
+                    help='record the units, and write a page for a browser to FOLDER for each one of a test that fails')
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """The marker, and the number of frames."""
+    """The marker, the number of frames, and the folder of pages."""
     config.addinivalue_line('markers', f'axisd({", ".join(_KEYS)}): the drive unit of the test, by keys of axisd.Unit')
     report.frames_told = config.getoption('--axisd-frames')
+    folder = config.getoption('--axisd-html')
+    pages.folder = os.path.abspath(folder) if folder else None
 
 
 def _count(text: str) -> int:
@@ -85,9 +91,10 @@ def drive(drive_unit: Unit) -> Unit:  # pylint: disable=redefined-outer-name
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_runtest_setup() -> None:
+def pytest_runtest_setup(item: pytest.Item) -> None:
     """What an earlier test has left is none of this one's."""
     report.begin()
+    pages.begin(item.nodeid)
 
 
 @pytest.hookimpl(hookwrapper=True)
@@ -97,3 +104,5 @@ def pytest_runtest_makereport() -> Iterator[None]:
     result = outcome.get_result()  # type: ignore[attr-defined]
     if result.failed and result.when != 'teardown':
         result.sections.extend(report.sections())
+    elif result.passed and result.when == 'call':
+        pages.remove_early()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import weakref
 from typing import TYPE_CHECKING, Any, Sequence
 
+from . import pages
 from .fault import describe
 from .frame import Frame
 
@@ -26,7 +27,7 @@ def note(thing: Bus | Unit) -> None:
 
 def keep(thing: Bus | Unit) -> None:
     """Keeps its report, as it is about to be closed by an exception."""
-    _kept.append(section(thing))
+    _kept.append(section(thing, early=True))
 
 
 def begin() -> None:
@@ -44,13 +45,15 @@ def sections() -> list[tuple[str, str]]:
     return list(found.items())
 
 
-def section(thing: Bus | Unit) -> tuple[str, str]:
-    """Title and text of a bus or a unit."""
+def section(thing: Bus | Unit, early: bool = False) -> tuple[str, str]:
+    """Title and text of a bus or a unit. early: the test goes on, and may yet pass."""
     try:
-        return thing.report_title(), thing.report()
+        text = thing.report()
     except Exception as error:  # pylint: disable=broad-except
         # The test has failed for another reason, which is to be seen.
-        return thing.report_title(), f'{type(error).__name__}: {error}'
+        text = f'{type(error).__name__}: {error}'
+    page = pages.write(thing, early) if hasattr(thing, 'control_path') else ''
+    return thing.report_title(), f'{text}\n{page}' if page else text
 
 
 def frame_lines(frames: Sequence[Frame], count: int) -> str:

@@ -9,7 +9,7 @@ import shutil
 import time
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
-from . import conditions, report
+from . import conditions, pages, report
 from .bus import Bus, Data, to_bytes
 from .control import Control, Event, Events
 from .errors import Ended, Error, Refused, Timeout
@@ -55,6 +55,7 @@ class Unit:  # pylint: disable=too-many-public-methods
         self._process = os.getpid()
         program = find('axisd')
         configuration = _configuration(axes, config, [to_fault(fault, {}, seed) for fault in inject])
+        pages.add_recording(configuration)
         self._owns_bus = not isinstance(bus, (Bus, Unit))
         self.bus = _bus(bus, bit_rate, timeout)  #: the bus that it is on
         try:

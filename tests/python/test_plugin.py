@@ -1,4 +1,10 @@
-"""The plug-in of pytest: what a test that fails shows, options, marker, and tests side by side."""
+"""The plug-in of pytest: what a test that fails shows and leaves, options, marker, and tests side by side."""
+
+import json
+import os
+import pathlib
+import re
+import shutil
 
 pytest_plugins = 'pytester'
 BESIDE = '-p', 'no:cacheprovider'
@@ -128,3 +134,53 @@ def test_a_failure_of_a_worker_shows_the_same(pytester):
     result.assert_outcomes(failed=1)
     consecutive(result, FRAMES)
     consecutive(result, UNIT)
+
+
+def programs_with_page(folder):
+    """A folder of programs that is an installation with a page to fill in."""
+    bin_folder, web = folder / 'bin', folder / 'share' / 'axisd' / 'web'
+    bin_folder.mkdir()
+    web.mkdir(parents=True)
+    source = pathlib.Path(os.environ['AXISD_BIN_DIR'])
+    for name in ('axisd', 'canhub', 'axisctl'):
+        shutil.copy(source / name, bin_folder)
+    (web / 'session.html').write_text('<script type="application/json" id="session">null</script>', encoding='ascii')
+    return str(bin_folder)
+
+
+def test_a_failure_leaves_a_page(pytester, monkeypatch):
+    monkeypatch.setenv('AXISD_BIN_DIR', programs_with_page(pytester.path))
+    pytester.makepyfile(FAILS + '''
+    import axisd
+
+    def test_passes(drive):
+        drive.call('record.status')
+        try:
+            with axisd.Unit(node_id=7):
+                raise ValueError
+        except ValueError:
+            pass
+
+    def test_closes():
+        with axisd.Unit(axes=5, node_id=9):
+            assert False
+    ''')
+    result = pytester.runpytest_subprocess(*BESIDE, '--axisd-html', 'new/pages')
+    result.assert_outcomes(failed=2, passed=1)
+    pages = pytester.path / 'new' / 'pages'
+    name = 'test_a_failure_leaves_a_page.py-test_'
+    assert sorted(path.name for path in pages.iterdir()) == [f'{name}closes-9.html', f'{name}reads-5.html']
+    result.stdout.re_match_lines_random([f'page: {pages}/{name}reads-5.html', f'page: {pages}/{name}closes-9.html'])
+    session = json.loads(re.search('>(.*)<', (pages / f'{name}closes-9.html').read_text(encoding='utf-8')).group(1))
+    assert session['title'] == 'test_a_failure_leaves_a_page.py::test_closes'
+    assert session['units'][0]['recordings'][0]['name'] == 'run.axrec' and session['units'][0]['resources']['']['node_id'] == 9
+
+
+def test_without_a_page_to_fill_in_the_report_says_so(pytester, monkeypatch):
+    folder = programs_with_page(pytester.path)
+    shutil.rmtree(pytester.path / 'share')
+    monkeypatch.setenv('AXISD_BIN_DIR', folder)
+    pytester.makepyfile(FAILS)
+    result = pytester.runpytest_subprocess(*BESIDE, '--axisd-html', 'pages')
+    result.assert_outcomes(failed=1)
+    result.stdout.re_match_lines_random([r'no page: axisctl: .*/session.html: cannot be read: .*', UNIT[1]])
