@@ -53,6 +53,7 @@ LiveFeeds::~LiveFeeds() {
 }
 
 void LiveFeeds::answer(const std::shared_ptr<Exchange>& exchange, const std::string& unit, const json& params) {
+  if (const auto daemon = daemons_.find(unit); !daemon) return exchange->answer(daemon.error());
   const auto wanted = live_request(unit, params);
   if (!wanted) return exchange->answer(wanted.error());
   Poll poll{exchange, wanted->after};

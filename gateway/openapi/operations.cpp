@@ -218,7 +218,7 @@ OrderedJson OperationWriter::content(const Route& route) {
     case Kind::Frames:
       return stream_of(reference("frames"));
     case Kind::Recent:
-      return {{"application/json", {{"schema", recent_schema(reference("event"))}}}};
+      return {{"application/json", {{"schema", recent_schema(definition("event"))}}}};
     case Kind::Live:
       return {{"application/json", {{"schema", live_schema({{"type", "object"}}, {{"type", "object"}})}}}};
     case Kind::Metrics:
@@ -243,6 +243,12 @@ OrderedJson OperationWriter::content(const Route& route) {
 OrderedJson OperationWriter::reference(const std::string& definition) {
   referred_.insert(definition);
   return {{"$ref", std::string{kSchemas} + definition}};
+}
+
+OrderedJson OperationWriter::definition(const std::string& name) {
+  json schema = definitions_.at(name);
+  lead_elsewhere(schema, referred_);
+  return ordered(schema);
 }
 
 OrderedJson OperationWriter::schemas() const {

@@ -25,6 +25,7 @@ class OperationWriter {
   OrderedJson body(const Route& route) const;
   OrderedJson content(const Route& route);
   OrderedJson reference(const std::string& definition);
+  OrderedJson definition(const std::string& name);
   nlohmann::json schema_of(const Route& route, std::string_view key) const;
   std::string identifier(const Route& route);
 

@@ -68,12 +68,10 @@ OrderedJson live_schema(OrderedJson samples, OrderedJson frames) {
 }
 
 OrderedJson recent_schema(OrderedJson event) {
-  OrderedJson number{{"type", "object"},
-                     {"properties", {{"id", count("its number, that of the stream of events")}}}};
-  number["required"] = OrderedJson::array({"id"});
-  OrderedJson both{{"allOf", OrderedJson::array({std::move(event), std::move(number)})}};
+  event["properties"]["id"] = count("its number, that of the stream of events");
+  event["required"].push_back("id");
   return object_of({{"last", count("for `after` of the next request")},
-                    {"events", list(std::move(both), "oldest first")},
+                    {"events", list(std::move(event), "oldest first")},
                     {"lost", count("events of any unit and kind that have come since and are no longer kept")},
                     {"restarted", flag("what has come since `after` is not known: all that are kept are told")},
                     {"units", list({{"type", "string"}}, "the units that there are now")}});

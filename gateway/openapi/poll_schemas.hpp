@@ -13,7 +13,7 @@ namespace gateway {
 /// What UNIT/live answers; @p samples and @p frames are the schemas of their items.
 [[nodiscard]] OrderedJson live_schema(OrderedJson samples, OrderedJson frames);
 
-/// What GET /api/v1/events/recent answers, with events of schema @p event.
+/// What GET /api/v1/events/recent answers, with events of schema @p event and an id.
 [[nodiscard]] OrderedJson recent_schema(OrderedJson event);
 
 }  // namespace gateway

@@ -41,6 +41,8 @@ REQUESTS = [
     ('parameter.record', {}, {}, {'request': '25010201100803B10000'}),
     ('pkw.exchange', {}, {}, {'do': 2, 'request': '1000008000000000'}),
     ('signal.list', {}, {'search': 'speed'}, None), ('signal.read', {}, {'signals': '1/speed,1/r0063'}, None),
+    ('live', {}, {'signals': '1/speed,1/torque', 'period_ms': 5, 'frames': True}, None), ('live', {}, {'frames': True}, None),
+    ('recent', {}, {'kinds': 'nmt,fault', 'after': 5}, None), ('recent', {}, {}, None),
     ('trace.start', {}, {}, {'signals': ['1/speed'], 'every': 'cycle', 'samples': 5}), ('trace.status', {}, {}, None),
     ('trace.stop', {}, {}, {}), ('trace.read', {}, {'part': 'samples'}, None),
     ('record.start', {}, {}, {'name': 'one'}), ('record.status', {}, {}, None), ('record.stop', {}, {}, None),
