@@ -5,7 +5,6 @@ The files of the page, the server, the overview, the EDS, frames and samples of 
 
 import concurrent.futures
 import gzip
-import os
 import pathlib
 import re
 import sys
@@ -156,7 +155,6 @@ def main():
         check_samples(gateway, unit)
         check_overview(gateway, unit)
         assert gateway.program.end() == 0
-        os.environ.update(folder.environment)
         bare = http_client.Gateway(folder, '--page', folder.path('nowhere'), '--read-only')
         assert b'<li><a href="/api/v1/units">' in raw(bare, '/', BROWSER)[2]
         assert bare.request('GET', '/api/v1/server')[2]['token'] == 'none'
