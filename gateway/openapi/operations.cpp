@@ -214,7 +214,7 @@ OrderedJson OperationWriter::content(const Route& route) {
     case Kind::Events:
       return stream_of(reference("event"));
     case Kind::Samples:
-      return stream_of(reference("sample"));
+      return stream_of({{"anyOf", {reference("sample"), reference("samples")}}});
     case Kind::Frames:
       return stream_of(reference("frames"));
     case Kind::Recent:

@@ -1,5 +1,6 @@
 #include "gateway/units/daemon_client.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <optional>
@@ -28,12 +29,14 @@ struct Notice {
   std::string_view text;
 };
 
-/// The notice in @p line, if it is written as the daemon writes one, `{"key":value}`; its value is not looked at.
+/// The notice in @p line, if it is written as the daemon writes one, `{"key":value}`, without control characters
+/// between its words; its value is not looked at further.
 std::optional<Notice> notice_in(std::string_view line) noexcept {
   constexpr std::string_view kBegin = "{\"";
   constexpr std::string_view kBetween = "\":";
   const std::size_t end = line.substr(0, kLongestKey).find(kBetween, kBegin.size());
   if (!line.starts_with(kBegin) || !line.ends_with('}') || end == std::string_view::npos) return std::nullopt;
+  if (std::ranges::any_of(line, [](char c) { return static_cast<unsigned char>(c) < ' '; })) return std::nullopt;
   const std::size_t value = end + kBetween.size();
   return Notice{line.substr(kBegin.size(), end - kBegin.size()), line.substr(value, line.size() - 1 - value)};
 }

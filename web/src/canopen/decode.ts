@@ -2,12 +2,12 @@ import type { FrameStore } from "../model/frame_store";
 import type { Pdo, UnitEvent } from "../source/types";
 import type { Content, Decoded } from "./decoded";
 import type { Eds } from "./eds";
-import { hexOf, objectText, type CanFrame } from "./frame";
+import { hexOf, type CanFrame } from "./frame";
 import { decodeEmergency, decodeHeartbeat, decodeNmt, decodeSync, decodeTime } from "./network";
 import { decodePdo, pdosOfEds } from "./pdo";
-import { SdoReader, type SdoStep } from "./sdo_reader";
-import { decodeStep, decodeTransfer, type ObjectNames } from "./sdo_words";
-import { transferAt } from "./sdo_transfer";
+import { SdoReader, type SdoStep } from "./sdo/reader";
+import { decodeStep, decodeTransfer, type ObjectNames } from "./sdo/words";
+import { transferAt } from "./sdo/transfer";
 import type { Service, ServiceKind, ServiceMap } from "./services";
 
 export type { Content, Decoded, DecodedRow } from "./decoded";
@@ -116,9 +116,4 @@ function rawContent(frame: CanFrame): Content {
   if (frame.isRemote) return { text: `remote request of ${frame.length} bytes`, rows: [] };
   const data = hexOf(frame.data, " ");
   return { text: data === "" ? "no data" : data, rows: [{ name: "Data", value: data === "" ? "none" : data }] };
-}
-
-/** An object in words: "6040h:00 Controlword". */
-export function objectName(eds: Eds | undefined, index: number, subIndex: number): string {
-  return `${objectText(index, subIndex)} ${eds?.nameOf(index, subIndex) ?? ""}`.trim();
 }

@@ -1,13 +1,13 @@
 import { decodeNmt } from "../canopen/network";
 import { changedBits, changeText, commandKind, commandOf, wordText, type BitRow } from "../canopen/words";
 import type { UnitEvent } from "../source/types";
-import { lastChange, type ControlwordChange } from "./controlword";
+import { lastChange, type ControlwordChange } from "./story/controlword";
 import { eventAt } from "./event_store";
-import { eventWords, timeText } from "./event_words";
+import { eventWords, timeText } from "./story/event_words";
 import type { FrameStore } from "./frame_store";
 import { laneNumber } from "../canopen/services";
-import { pointerOf, type Past, type Pointer } from "./past";
-import { kHappenings, moversOf, type Happening, type Mover } from "./transitions";
+import { pointerOf, type Past, type Pointer } from "./story/past";
+import { kHappenings, moversOf, type Happening, type Mover } from "./story/transitions";
 
 /** Why something has happened. */
 export interface Cause {
@@ -19,8 +19,8 @@ export interface Cause {
   controlword?: { before?: number | undefined; now: number; changed: BitRow[] };
 }
 
-export { storyOfFault, type FaultStory, type Step } from "./fault_story";
-export type { Past, Pointer } from "./past";
+export { storyOfFault, type FaultStory, type Step } from "./story/fault_story";
+export type { Past, Pointer } from "./story/past";
 
 const kCycle = 0.004;
 /** A controlword acts with the next cycle; events are seen at its end, and the sender may be late by one. */

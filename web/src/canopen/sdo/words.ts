@@ -1,11 +1,11 @@
-import type { Content, DecodedRow } from "./decoded";
-import type { Eds } from "./eds";
-import { hexOf, objectText, type CanFrame } from "./frame";
-import { objectWords, type Scaling } from "./object_words";
-import type { SdoStep, SdoTransfer } from "./sdo_reader";
-import type { TransferPlace } from "./sdo_transfer";
-import { typeName } from "./value";
-import { wordText } from "./words";
+import type { Content, DecodedRow } from "../decoded";
+import type { Eds } from "../eds";
+import { hexOf, objectText, type CanFrame } from "../frame";
+import { objectWords, type Scaling } from "../object_words";
+import type { SdoStep, SdoTransfer } from "./reader";
+import type { TransferPlace } from "./transfer";
+import { typeName } from "../value";
+import { wordText } from "../words";
 
 /** What objects are called, and how their values are read. */
 export interface ObjectNames {

@@ -1,4 +1,4 @@
-import type { Command } from "../canopen/words";
+import type { Command } from "../../canopen/words";
 
 /** What moves the sequence control beside the controlword (docs/reference/sequence-control.md). */
 export type Happening = "initialised" | "standstill" | "fault" | "acknowledged" | "measurement";

@@ -1,4 +1,4 @@
-import { wordText } from "./words";
+import { wordText } from "../words";
 
 /** SDO abort codes (CiA 301, 7.2.4.3.17) in the words of the unit. */
 const kTexts: readonly (readonly [number, string])[] = [

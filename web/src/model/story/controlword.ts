@@ -1,10 +1,10 @@
-import type { Decoder } from "../canopen/decode";
-import { identifierText, unsignedOf, type CanFrame } from "../canopen/frame";
-import { axisOfIndex, indexOfFirstAxis } from "../canopen/object_words";
-import { bytesAt, mappingOf } from "../canopen/pdo";
-import type { UnitEvent } from "../source/types";
-import { eventAt } from "./event_store";
-import type { FrameStore } from "./frame_store";
+import type { Decoder } from "../../canopen/decode";
+import { identifierText, unsignedOf, type CanFrame } from "../../canopen/frame";
+import { axisOfIndex, indexOfFirstAxis } from "../../canopen/object_words";
+import { bytesAt, mappingOf } from "../../canopen/pdo";
+import type { UnitEvent } from "../../source/types";
+import { eventAt } from "../event_store";
+import type { FrameStore } from "../frame_store";
 
 /** The controlword of an axis at a time, as something has brought it. */
 export interface ControlwordWrite {

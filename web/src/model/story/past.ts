@@ -1,6 +1,6 @@
-import type { Decoder } from "../canopen/decode";
-import type { UnitEvent } from "../source/types";
-import type { FrameStore } from "./frame_store";
+import type { Decoder } from "../../canopen/decode";
+import type { UnitEvent } from "../../source/types";
+import type { FrameStore } from "../frame_store";
 
 /** What is known about the time around an event. */
 export interface Past {

@@ -1,6 +1,6 @@
-import { laneNumber } from "../canopen/services";
-import type { UnitEvent } from "../source/types";
-import { eventAt } from "./event_store";
+import { laneNumber } from "../../canopen/services";
+import type { UnitEvent } from "../../source/types";
+import { eventAt } from "../event_store";
 import { eventWords } from "./event_words";
 import type { Past, Pointer } from "./past";
 
@@ -135,7 +135,7 @@ function emergencies(fault: UnitEvent, { frames, decoder }: Past, from: number, 
 
 function reactionOf(fault: UnitEvent, past: Past): Step[] {
   const [from, to] = [fault.t, endOf(fault, past)];
-  const frames = emergencies(fault, past, from, to);
+  const frames = emergencies(fault, past, from - kSameCycle, to);
   const steps = [...frames];
   for (let place = eventAt(past.events, from); place < past.events.length; ++place) {
     const event = past.events[place];

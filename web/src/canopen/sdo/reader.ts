@@ -1,6 +1,6 @@
 import { abortText } from "./abort_codes";
-import { hexOf, unsignedOf } from "./frame";
-import { wordText } from "./words";
+import { hexOf, unsignedOf } from "../frame";
+import { wordText } from "../words";
 
 /** A transfer of an object from a client to a server (download) or back (upload). */
 export interface SdoTransfer {

@@ -1,4 +1,4 @@
-import type { UnitEvent } from "../source/types";
+import type { UnitEvent } from "../../source/types";
 
 const kBy: Readonly<Record<string, string>> = {
   sdo: "over SDO",

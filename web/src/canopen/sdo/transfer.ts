@@ -1,6 +1,6 @@
-import type { FrameStore } from "../model/frame_store";
-import type { ServiceMap } from "./services";
-import { SdoReader, type SdoStep, type SdoTransfer } from "./sdo_reader";
+import type { FrameStore } from "../../model/frame_store";
+import type { ServiceMap } from "../services";
+import { SdoReader, type SdoStep, type SdoTransfer } from "./reader";
 
 /** A frame in its transfer. */
 export interface TransferPlace {
