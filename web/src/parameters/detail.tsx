@@ -88,20 +88,20 @@ function FactList(props: { entry: ParameterEntry; link: Props["link"] }) {
   const { entry } = props;
   const whole = parsedName(entry.parameter);
   const facts: [string, string][] = [
-    ["Range", rangeText(entry.minimum, entry.maximum)],
+    ["Range", quantity(rangeText(entry.minimum, entry.maximum) || undefined, entry.unit)],
     ["Factory value", entry.factory === undefined ? "" : quantity(entry.factory, entry.unit)],
     ["Saved value", savedText(entry)],
     ["From the configuration", entry.preset === undefined ? "" : quantity(entry.preset, entry.unit)],
     ["Access", `${entry.access}, ${entry.type}`],
     ["Can be written", whenWords(entry.when)],
-    ["Hexadecimal", entry.type.startsWith("U") ? `${Number(entry.value).toString(16).toUpperCase()}h` : ""],
+    ["Hexadecimal", entry.type.startsWith("U") && entry.bit === undefined ? `${Number(entry.value).toString(16).toUpperCase()}h` : ""],
     ["Index", entry.indices > 1 ? `${entry.index} of 0 to ${entry.indices - 1}` : ""],
     ["Drive object", String(entry.drive_object)],
   ];
   return (
     <dl class="facts">
       {facts
-        .filter(([, value]) => value !== "")
+        .filter(([, value]) => value !== "" && value !== "–")
         .map(([title, value]) => (
           <div key={title}>
             <dt>{title}</dt>

@@ -7,7 +7,8 @@ import { useResource } from "../ui/resource";
 import type { Address } from "./address";
 import { CsvButton } from "./csv_button";
 import { placeOf, placeWords, placedText } from "./names";
-import { parts, type ParameterSource, type Reference } from "./parameter_source";
+import { parts } from "./paged_list";
+import type { ParameterSource, Reference } from "./parameter_source";
 import { valueText } from "./value_text";
 
 interface All {

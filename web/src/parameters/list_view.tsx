@@ -1,14 +1,15 @@
 import { useEffect, useMemo } from "preact/hooks";
 
 import type { ParameterEntry, Place } from "../source/types";
-import { Notice } from "../ui/notice";
 import { useResource } from "../ui/resource";
 import type { Address } from "./address";
 import { CsvButton } from "./csv_button";
 import { Detail } from "./detail";
 import { filterOf } from "./filters";
+import { FoundLine } from "./found_line";
 import { parsedName, parsedPlace, parsedPlaced, placeWords, placedText, type PlacedName } from "./names";
-import { everything, ParameterList } from "./parameter_list";
+import { everything } from "./paged_list";
+import { parameterList, type ParameterList } from "./parameter_list";
 import type { ParameterSource, Wanted } from "./parameter_source";
 import { ParameterTable } from "./parameter_table";
 import { FilterField, PlaceField, SearchField } from "./toolbar";
@@ -67,23 +68,10 @@ function Elsewhere(props: Props & { wanted: Wanted }) {
 
 function Found(props: Props & { list: ParameterList; wanted: Wanted }) {
   const { list, wanted } = props;
-  const count = list.rows.value.length;
-  const progress = list.progress.value;
-  const words = progress === "asking" ? "Searching …" : `${count}${progress === "partial" ? " and more" : ""} found`;
-  const isNowhere = progress === "whole" && count === 0;
+  const isNowhere = list.progress.value === "whole" && list.rows.value.length === 0;
   return (
     <>
-      <p role="status" class="muted">
-        {words}
-      </p>
-      {list.error.value !== "" && (
-        <Notice kind="warning">
-          {`${list.error.value}. What is shown may be old. `}
-          <button type="button" onClick={() => void list.more()}>
-            Ask again
-          </button>
-        </Notice>
-      )}
+      <FoundLine list={list} />
       {isNowhere && wanted.text !== "" && <Elsewhere {...props} />}
     </>
   );
@@ -93,7 +81,7 @@ function Found(props: Props & { list: ParameterList; wanted: Wanted }) {
 export function ListView(props: Props) {
   const { address, source } = props;
   const wanted = wantedOf(address.query, props.places);
-  const list = useMemo(() => new ParameterList(source), [source]);
+  const list = useMemo(() => parameterList(source), [source]);
   useEffect(() => void list.ask(wanted), [list, wanted.place, wanted.text, wanted.filter]);
   const shown = shownOf(address.query, wanted);
   const link = (target: PlacedName): string => address.link({ show: placedText(target) });
@@ -112,7 +100,7 @@ export function ListView(props: Props) {
         <FilterField filter={wanted.filter} onFilter={(filter) => address.replace({ filter })} />
         <CsvButton
           name={`parameters-${props.unit.replace("/", "-")}-${wanted.place}-${wanted.filter}.csv`}
-          text={async (told) => parametersCsv(await everything(source, wanted, told))}
+          text={async (told) => parametersCsv(await everything((from) => source.part(wanted, from), told))}
         />
       </div>
       <Found {...props} list={list} wanted={wanted} />

@@ -2,7 +2,8 @@ import type { Query, Source } from "../source/source";
 import type { ParameterDifference, ParameterEntry, Place } from "../source/types";
 import { holds } from "./filters";
 import { placeOf } from "./names";
-import type { Differences, Elsewhere, ParameterSource, Part, Reference, Wanted } from "./parameter_source";
+import type { Part } from "./paged_list";
+import type { Differences, Elsewhere, ParameterSource, Reference, Wanted } from "./parameter_source";
 import { finds, searchedText } from "./search_text";
 
 /** So many parameters are read with one request. */

@@ -2,6 +2,7 @@ import type { Source } from "../source/source";
 import type { ParameterDifference, ParameterEntry, Place } from "../source/types";
 import type { Filter } from "./filters";
 import { LiveParameters } from "./live_parameters";
+import type { Part } from "./paged_list";
 import { RecordedParameters } from "./recorded_parameters";
 
 /** What is listed. */
@@ -10,14 +11,6 @@ export interface Wanted {
   /** Beginning of a number, or words of name and effect; empty: any. */
   text: string;
   filter: Filter;
-}
-
-/** A part of a list; the next one begins at `next`, which is absent with the last one. */
-export interface Part<T> {
-  entries: T[];
-  next?: number;
-  /** Values that were or will be looked at for the whole list. */
-  total: number;
 }
 
 export type Reference = "factory" | "stored";
@@ -49,14 +42,4 @@ export interface ParameterSource {
 /** The parameters of @param unit in @param source. */
 export function parametersOf(source: Source, unit: string): ParameterSource {
   return source.isLive ? new LiveParameters(source, unit) : new RecordedParameters(source, unit);
-}
-
-/** All parts that @param ask gives, one behind the other. */
-export async function* parts<P extends { next?: number }>(ask: (from: number) => Promise<P>): AsyncGenerator<P> {
-  let from: number | undefined = 0;
-  while (from !== undefined) {
-    const part: P = await ask(from);
-    yield part;
-    from = part.next;
-  }
 }

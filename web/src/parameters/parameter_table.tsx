@@ -1,14 +1,12 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useRef } from "preact/hooks";
 
-import { usePage } from "../app/context";
-import { poll } from "../model/poll";
 import type { ParameterEntry } from "../source/types";
 import type { ParameterList } from "./parameter_list";
-import { moveInRows, visibleNames } from "./row_keys";
+import { moveInRows } from "./row_keys";
+import { useRefresh } from "./use_refresh";
 import { rangeText, valueText } from "./value_text";
 
-/** Time between two looks at the rows that can be seen (ms). */
-const kPeriod = 1000;
+/** Rows that are read at each look. */
 const kMostRefreshed = 64;
 
 function Row(props: { entry: ParameterEntry; href: string; isShown: boolean }) {
@@ -35,23 +33,11 @@ function Row(props: { entry: ParameterEntry; href: string; isShown: boolean }) {
   );
 }
 
-/** Reads the rows again that can be seen in @param box. */
-function useRefresh(list: ParameterList, box: { current: HTMLElement | null }): void {
-  const { isLive } = usePage().source;
-  useEffect(() => {
-    if (!isLive) return undefined;
-    const look = async (): Promise<void> => {
-      if (box.current !== null && !document.hidden) await list.refresh(visibleNames(box.current, kMostRefreshed));
-    };
-    return poll(look, kPeriod);
-  }, [list, isLive]);
-}
-
 /** The rows of a list in a box of their own; those that can be seen are read again every second. */
 export function ParameterTable(props: { list: ParameterList; shown: string; link: (entry: ParameterEntry) => string; label: string }) {
   const { list } = props;
   const box = useRef<HTMLDivElement>(null);
-  useRefresh(list, box);
+  useRefresh(list, box, kMostRefreshed);
   const isPartial = list.progress.value === "partial";
   return (
     <div class="scroll parameter-box" ref={box} tabIndex={0} role="region" aria-label={props.label}>

@@ -2,7 +2,8 @@ import type { Source } from "../source/source";
 import type { ParameterDifference, ParameterEntry, Place } from "../source/types";
 import { holds } from "./filters";
 import { parsedName, placeOf, withoutBit } from "./names";
-import type { Differences, Elsewhere, ParameterSource, Part, Reference, Wanted } from "./parameter_source";
+import type { Part } from "./paged_list";
+import type { Differences, Elsewhere, ParameterSource, Reference, Wanted } from "./parameter_source";
 import { finds } from "./search_text";
 
 /** Entries of a part: the page need not show thousands at once. */

@@ -28,7 +28,6 @@ function Box(props: { node: Node; link: (target: PlacedName) => string }) {
   const y = top(node);
   const box = (
     <>
-      <title>{[node.title, node.name, node.value].filter((text) => text !== "").join(", ")}</title>
       <rect x={x} y={y} width={kWidth} height={kHeight} rx={5} />
       <text x={x + 10} y={y + 20} class="wiring-title">
         {cut(node.title)}
