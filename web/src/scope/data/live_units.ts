@@ -1,0 +1,40 @@
+import type { Source } from "../../source/source";
+import { LiveMaterial } from "./live_material";
+
+/** A unit that nobody looks at any more is listened to for so long (ms): whoever comes back finds what has happened. */
+const kPatience = 300_000;
+
+interface Listened {
+  material: LiveMaterial;
+  end: () => void;
+  timer?: ReturnType<typeof setTimeout>;
+}
+
+let present: Listened | undefined;
+
+function end(): void {
+  if (present === undefined) return;
+  clearTimeout(present.timer);
+  present.end();
+  present = undefined;
+}
+
+/** What comes of the unit called @param unit; another one is no longer listened to. */
+export function listenTo(unit: string, source: Source): LiveMaterial {
+  if (present?.material.unit !== unit) {
+    end();
+    const material = new LiveMaterial(unit, source);
+    present = { material, end: material.start() };
+  }
+  clearTimeout(present?.timer);
+  const { material } = present as Listened;
+  material.isWatched = true;
+  return material;
+}
+
+/** Nobody looks at @param material any more. */
+export function leave(material: LiveMaterial): void {
+  if (present?.material !== material) return;
+  material.isWatched = false;
+  present.timer = setTimeout(end, kPatience);
+}

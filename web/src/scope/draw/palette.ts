@@ -1,0 +1,41 @@
+/** Colours of the pictures, as the style has them. */
+export interface Palette {
+  back: string;
+  line: string;
+  text: string;
+  muted: string;
+  accent: string;
+  curves: string[];
+  tones: Record<string, { text: string; soft: string }>;
+}
+
+const kTones = ["off", "ready", "on", "run", "brake", "fault"] as const;
+
+/** Widths of the parts of a picture beside the curves (CSS pixels). */
+export const kFont = '12px system-ui, "Noto Sans", "DejaVu Sans", sans-serif';
+export const kSmallFont = '11px system-ui, "Noto Sans", "DejaVu Sans", sans-serif';
+
+/** The colours in the present theme, or those of @param scheme. */
+export function paletteOf(scheme?: "light" | "dark"): Palette {
+  const probe = document.createElement("span");
+  if (scheme !== undefined) probe.style.colorScheme = scheme;
+  document.body.append(probe);
+  const colour = (name: string): string => {
+    probe.style.color = `var(--${name})`;
+    return getComputedStyle(probe).color;
+  };
+  const palette: Palette = {
+    back: colour("surface"),
+    line: colour("line"),
+    text: colour("text"),
+    muted: colour("muted"),
+    accent: colour("accent"),
+    curves: Array.from({ length: 8 }, (_, i) => colour(`curve-${i + 1}`)),
+    tones: Object.fromEntries(kTones.map((tone) => [tone, { text: colour(tone), soft: colour(`${tone}-soft`) }])),
+  };
+  probe.remove();
+  return palette;
+}
+
+/** Dashes by which curves differ for who does not see their colours. */
+export const kDashes: readonly number[][] = [[], [7, 3], [2, 2], [9, 3, 2, 3], [], [7, 3], [2, 2], [9, 3, 2, 3]];

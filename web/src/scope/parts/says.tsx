@@ -1,0 +1,48 @@
+import { Notice } from "../../ui/notice";
+import { LiveMaterial } from "../data/live_material";
+import type { ScopeState } from "../data/scope_state";
+
+/** A count with thin spaces between thousands: 1 200. */
+export function grouped(count: number): string {
+  return String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, "\u2009");
+}
+
+function Absence(props: { live: LiveMaterial }) {
+  const { problem, heardAt } = props.live;
+  if (problem.value === "") return null;
+  const since = heardAt.value === 0 ? "" : ` Last answer at ${new Date(heardAt.value).toLocaleTimeString()}.`;
+  return <Notice kind="error">{`Nothing new comes of ${props.live.unit}: ${problem.value}.${since}`}</Notice>;
+}
+
+/** What has to be said of the picture: what is missing in it, and why. */
+export function Says(props: { state: ScopeState }) {
+  const { state } = props;
+  void state.model.readings.value;
+  const material = state.model.material.value;
+  const isEmpty = !material.isLive && material.name === "";
+  return (
+    <>
+      <p class="visually-hidden" role="status">
+        {state.told.value}
+      </p>
+      {material instanceof LiveMaterial && <Absence live={material} />}
+      {state.problem.value !== "" && <Notice kind="error">{state.problem.value}</Notice>}
+      {isEmpty && <Notice>Nothing is open. Open a recording (.axrec), a candump log, or a trace (CSV, JSON), or drop it here.</Notice>}
+      {!material.isLive && !isEmpty && (
+        <Notice>
+          {`Recorded: ${material.name}${material.unit === "" ? "" : ` of ${material.unit}`}${
+            material.startedAt === undefined ? "" : `, begun ${new Date((material.startedAt + material.extent().from) * 1000).toLocaleString()}`
+          }`}
+        </Notice>
+      )}
+      {material.remark !== "" && <Notice kind="warning">{material.remark}</Notice>}
+      {material.lost > 0 && (
+        <Notice kind="warning">
+          {material.isLive
+            ? `${grouped(material.lost)} frames and samples did not come in time and are not drawn.`
+            : `${grouped(material.lost)} records had no room in this recording.`}
+        </Notice>
+      )}
+    </>
+  );
+}
