@@ -100,9 +100,12 @@ export interface StateMachine {
   state: DriveState;
   states: DriveState[];
   transitions: {
-    number: number;
+    /** That of CiA 402; absent where it has none. */
+    number?: number;
     from: DriveState;
     to: DriveState;
+    /** The unit takes it without a command. */
+    by_itself?: boolean;
     is_open: boolean;
     conditions: { text: string; met: boolean; parameter?: string }[];
   }[];
@@ -120,7 +123,8 @@ export interface Identification {
     name: string;
     unit: string;
     value: number;
-    data_sheet: number | null;
-    deviation_percent: number | null;
+    /** Absent where the data sheet does not say it. */
+    data_sheet?: number | null;
+    deviation_percent?: number | null;
   }[];
 }
