@@ -20,6 +20,8 @@
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
 #include "daemon/watch/pdo_watch.hpp"
+#include "daemon/watch/streams/frame_stream.hpp"
+#include "daemon/watch/streams/sample_stream.hpp"
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
@@ -121,6 +123,9 @@ class Instance final : private device::Listener,
   injection::UnitFaults& faults() noexcept { return faults_; }
   /// What is kept of both in files.
   UnitRecording& recording() noexcept { return recording_; }
+  /// What of both goes to other threads.
+  FrameStream& frame_stream() noexcept { return frame_stream_; }
+  SampleStream& sample_stream() noexcept { return sample_stream_; }
   /// Counts the frames of each PDO while it is on.
   PdoWatch& pdo_watch() noexcept { return pdo_watch_; }
   /// Saves of the parameters that were begun and have ended since the start, and whether the last one was kept.
@@ -238,6 +243,8 @@ class Instance final : private device::Listener,
   EventWatch events_{device_, frames_};
   UnitRecording recording_;
   PdoWatch pdo_watch_{frames_};
+  FrameStream frame_stream_{frames_, started_};
+  SampleStream sample_stream_{frames_, device_, started_};
   Saves saves_{};
   UnitTrace trace_{device_, frames_, events_};
   std::vector<LoadTorque> load_torques_;

@@ -155,6 +155,10 @@ ControlServer::Client* ControlServer::find(ClientId id) noexcept {
   return found == clients_.end() ? nullptr : &*found;
 }
 
+bool ControlServer::has(ClientId id) const noexcept {
+  return std::ranges::find(clients_, id, &Client::id) != clients_.end();
+}
+
 /// False if the client is to be closed.
 bool ControlServer::serve(Client& client, std::uint32_t events) {
   if ((events & (EPOLLHUP | EPOLLERR)) != 0) return false;

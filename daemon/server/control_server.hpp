@@ -56,6 +56,8 @@ class ControlServer {
   std::size_t clients() const noexcept { return clients_.size(); }
   const Counters& counters() const noexcept { return counters_; }
 
+  /// Whether @p client is still there.
+  bool has(ClientId client) const noexcept;
   /// @p line, with its newline, answers the request of @p client that is under way, if that is still there.
   void answer(ClientId client, std::string_view line);
   /// @p line, with its newline, goes to @p client as well; one that has left too much unread is cut off.

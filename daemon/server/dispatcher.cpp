@@ -49,8 +49,8 @@ Dispatcher::Dispatcher(ServiceEvents& events, ControlSocket socket, Fleet& fleet
       mail_{events.watch(mailbox_.descriptor(), EPOLLIN, &Dispatcher::on_mail, this)},
       server_{events, std::move(socket), *this},
       subscriptions_{events, fleet, queue, server_,
-                     [this](ServedUnit& unit, const json& params, std::function<void(Outcome)> done) {
-                       call(unit, *find_handler("signal.read"), params, std::move(done));
+                     [this](ServedUnit& unit, UnitJob job, std::function<void(Outcome)> done) {
+                       run(unit, std::move(job), std::move(done));
                      }} {}
 
 int Dispatcher::on_mail(sd_event_source*, int, std::uint32_t, void* self) noexcept {
@@ -97,19 +97,20 @@ std::optional<Outcome> Dispatcher::carry_out(Asked& asked) {
 }
 
 std::optional<Outcome> Dispatcher::call_unit(const Asked& asked, ServedUnit& unit, const Handler& handler) {
-  call(unit, handler, asked.request.params, [this, asked](const Outcome& outcome) { answer(asked, outcome); });
+  run(
+      unit, [&handler, params = asked.request.params](const Call& call) { return handler.answer(call, params); },
+      [this, asked](const Outcome& outcome) { answer(asked, outcome); });
   return std::nullopt;
 }
 
 /// On the thread of the unit, whose outcome comes back as mail.
-void Dispatcher::call(ServedUnit& unit, const Handler& handler, const json& params,
-                      std::function<void(Outcome)> done) {
+void Dispatcher::run(ServedUnit& unit, UnitJob job, std::function<void(Outcome)> done) {
   Instance* const instance = unit.instance();
   if (instance == nullptr)
     return done(refuse(ErrorCode::Off, fmt::format("{} is switched off: switch it on (unit.on)", unit.name())));
   unit.loop().post(
-      [this, instance, &handler, params, done = std::move(done)] {
-        auto outcome = std::make_shared<Outcome>(handler.answer({*instance, read_clock()}, params));
+      [this, instance, job = std::move(job), done = std::move(done)] {
+        auto outcome = std::make_shared<Outcome>(job({*instance, read_clock()}));
         mailbox_.post([done, outcome] { done(std::move(*outcome)); });
       },
       instance);
@@ -152,7 +153,7 @@ std::optional<Outcome> Dispatcher::switch_unit_on(const Asked& asked, ServedUnit
     return refuse(ErrorCode::Refused, reason.what());
   }
   Instance* const instance = unit->instance();
-  instance->tell_events(subscriptions_.is_watched(*unit));
+  subscriptions_.take_up(*unit, *instance);
   unit->loop().post(
       [this, unit, instance, asked] {
         unit->loop().add(*instance);
@@ -183,6 +184,17 @@ std::optional<Outcome> Dispatcher::end_samples(const Asked& asked, ServedUnit*) 
   return json::object();
 }
 
+std::optional<Outcome> Dispatcher::subscribe_to_frames(const Asked& asked, ServedUnit* unit) {
+  subscriptions_.subscribe_to_frames(asked.client, *unit,
+                                     [this, asked](const Outcome& outcome) { answer(asked, outcome); });
+  return std::nullopt;
+}
+
+std::optional<Outcome> Dispatcher::end_frames(const Asked& asked, ServedUnit*) {
+  subscriptions_.end_frames(asked.client);
+  return json::object();
+}
+
 std::optional<Outcome> Dispatcher::quit(const Asked&, ServedUnit*) {
   on_quit_();
   return json::object();
@@ -197,6 +209,8 @@ const Dispatcher::ProgramHandler* Dispatcher::find_program_handler(std::string_v
       ProgramHandler{"events.unsubscribe", Needs::None, &Dispatcher::end_events},
       ProgramHandler{"samples.subscribe", Needs::One, &Dispatcher::subscribe_to_samples},
       ProgramHandler{"samples.unsubscribe", Needs::None, &Dispatcher::end_samples},
+      ProgramHandler{"frames.subscribe", Needs::One, &Dispatcher::subscribe_to_frames},
+      ProgramHandler{"frames.unsubscribe", Needs::None, &Dispatcher::end_frames},
       ProgramHandler{"quit", Needs::None, &Dispatcher::quit},
   };
   const auto* const row = std::ranges::find(kHandlers, method, &ProgramHandler::method);

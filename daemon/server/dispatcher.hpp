@@ -48,8 +48,7 @@ class Dispatcher final : private ControlServer::Requests {
   void on_client_gone(ClientId client) noexcept override { subscriptions_.forget(client); }
   std::optional<Outcome> carry_out(Asked& asked);
   std::optional<Outcome> call_unit(const Asked& asked, ServedUnit& unit, const Handler& handler);
-  void call(ServedUnit& unit, const Handler& handler, const nlohmann::json& params,
-            std::function<void(Outcome)> done);
+  void run(ServedUnit& unit, UnitJob job, std::function<void(Outcome)> done);
   void answer(const Asked& asked, const Outcome& outcome);
 
   std::optional<Outcome> list_units(const Asked& asked, ServedUnit* unit);
@@ -59,6 +58,8 @@ class Dispatcher final : private ControlServer::Requests {
   std::optional<Outcome> end_events(const Asked& asked, ServedUnit* unit);
   std::optional<Outcome> subscribe_to_samples(const Asked& asked, ServedUnit* unit);
   std::optional<Outcome> end_samples(const Asked& asked, ServedUnit* unit);
+  std::optional<Outcome> subscribe_to_frames(const Asked& asked, ServedUnit* unit);
+  std::optional<Outcome> end_frames(const Asked& asked, ServedUnit* unit);
   std::optional<Outcome> quit(const Asked& asked, ServedUnit* unit);
 
   static int on_mail(sd_event_source* source, int descriptor, std::uint32_t events, void* self) noexcept;

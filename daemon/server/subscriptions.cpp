@@ -7,6 +7,7 @@
 #include <sys/epoll.h>
 
 #include "control/protocol.hpp"
+#include "daemon/control/handlers.hpp"
 #include "record/event.hpp"
 
 namespace axisd {
@@ -36,12 +37,12 @@ tl::expected<Kinds, control::Error> kinds_of(const json& params) {
 }  // namespace
 
 Subscriptions::Subscriptions(ServiceEvents& events, Fleet& fleet, EventQueue& queue, ControlServer& server,
-                             Read read)
+                             RunUnitJob run)
     : events_{events},
       fleet_{fleet},
       queue_{queue},
       server_{server},
-      read_{std::move(read)},
+      run_{std::move(run)},
       source_{events.watch(queue.descriptor(), EPOLLIN, &Subscriptions::on_events, this)} {}
 
 Outcome Subscriptions::subscribe_to_events(ClientId client, ServedUnit* unit, const json& params) {
@@ -62,28 +63,64 @@ void Subscriptions::end_events(ClientId client) {
 
 void Subscriptions::subscribe_to_samples(ClientId client, ServedUnit& unit, const json& params,
                                          std::function<void(Outcome)> done) {
+  if (!params.contains("batch_ms")) return poll(client, unit, params, std::move(done));
+  batches_.subscribe(client, unit, params, [this, client, done = std::move(done)](Outcome outcome) {
+    if (outcome) polls_.remove_if([client](const Poll& poll) { return poll.client == client; });
+    keep(client);
+    done(std::move(outcome));
+  });
+}
+
+void Subscriptions::poll(ClientId client, ServedUnit& unit, const json& params,
+                         std::function<void(Outcome)> done) {
   const json signals{{"signals", params.at("signals")}};
   const std::chrono::milliseconds period{params.at("period_ms").get<std::int64_t>()};
-  read_(unit, signals, [this, client, &unit, signals, period, done = std::move(done)](Outcome first) {
-    if (!first) return done(std::move(first));
+  read(unit, signals, [this, client, &unit, signals, period, done = std::move(done)](Outcome first) {
+    if (!first || !server_.has(client)) return done(std::move(first));
     end_samples(client);
-    Samples& samples = samples_.emplace_back(Samples{this, client, &unit, signals, period, nullptr});
-    samples.timer = events_.timer(&Subscriptions::on_period, &samples);
-    ServiceEvents::start(samples.timer, samples.period);
+    Poll& poll = polls_.emplace_back(Poll{this, client, &unit, signals, period, nullptr});
+    poll.timer = events_.timer(&Subscriptions::on_period, &poll);
+    ServiceEvents::start(poll.timer, poll.period);
     keep(client);
     done(json::object());
     deliver_sample(client, first);
   });
 }
 
+void Subscriptions::read(ServedUnit& unit, const json& signals, std::function<void(Outcome)> done) {
+  static const Handler& handler = *find_handler("signal.read");
+  run_(
+      unit, [signals](const Call& call) { return handler.answer(call, signals); }, std::move(done));
+}
+
 void Subscriptions::end_samples(ClientId client) {
-  samples_.remove_if([client](const Samples& samples) { return samples.client == client; });
+  polls_.remove_if([client](const Poll& poll) { return poll.client == client; });
+  batches_.end(client);
+  keep(client);
+}
+
+void Subscriptions::subscribe_to_frames(ClientId client, ServedUnit& unit, std::function<void(Outcome)> done) {
+  frames_.subscribe(client, unit, [this, client, done = std::move(done)](Outcome outcome) {
+    keep(client);
+    done(std::move(outcome));
+  });
+}
+
+void Subscriptions::end_frames(ClientId client) {
+  frames_.end(client);
   keep(client);
 }
 
 void Subscriptions::forget(ClientId client) {
   end_samples(client);
+  end_frames(client);
   end_events(client);
+}
+
+void Subscriptions::take_up(const ServedUnit& unit, Instance& instance) {
+  instance.tell_events(is_watched(unit));
+  frames_.take_up(unit, instance);
+  batches_.take_up(unit, instance);
 }
 
 bool Subscriptions::is_watched(const ServedUnit& unit) const noexcept {
@@ -94,7 +131,7 @@ bool Subscriptions::is_watched(const ServedUnit& unit) const noexcept {
 /// Who has a subscription makes no room for others.
 void Subscriptions::keep(ClientId client) {
   const bool has_filter = std::ranges::find(filters_, client, &EventFilter::client) != filters_.end();
-  server_.keep(client, has_filter || samples_of(client) != nullptr);
+  server_.keep(client, has_filter || poll_of(client) != nullptr || frames_.has(client) || batches_.has(client));
 }
 
 /// A unit to which nobody listens any more tells nothing.
@@ -137,18 +174,18 @@ void Subscriptions::deliver(const EventQueue::Entry& entry) {
   for (const ClientId client : clients) server_.push(client, line);
 }
 
-Subscriptions::Samples* Subscriptions::samples_of(ClientId client) noexcept {
-  const auto found = std::ranges::find(samples_, client, &Samples::client);
-  return found == samples_.end() ? nullptr : &*found;
+Subscriptions::Poll* Subscriptions::poll_of(ClientId client) noexcept {
+  const auto found = std::ranges::find(polls_, client, &Poll::client);
+  return found == polls_.end() ? nullptr : &*found;
 }
 
 int Subscriptions::on_period(sd_event_source*, std::uint64_t, void* userdata) noexcept {
-  auto& samples = *static_cast<Samples*>(userdata);
-  ServiceEvents::start(samples.timer, samples.period);
-  if (std::exchange(samples.is_asked, true)) return 0;  // a unit that is late is not asked again
-  Subscriptions& self = *samples.owner;
-  self.read_(*samples.unit, samples.params, [&self, client = samples.client](const Outcome& outcome) {
-    if (Samples* const asked = self.samples_of(client)) {
+  auto& poll = *static_cast<Poll*>(userdata);
+  ServiceEvents::start(poll.timer, poll.period);
+  if (std::exchange(poll.is_asked, true)) return 0;  // a unit that is late is not asked again
+  Subscriptions& self = *poll.owner;
+  self.read(*poll.unit, poll.params, [&self, client = poll.client](const Outcome& outcome) {
+    if (Poll* const asked = self.poll_of(client)) {
       asked->is_asked = false;
       self.deliver_sample(client, outcome);
     }
@@ -158,11 +195,11 @@ int Subscriptions::on_period(sd_event_source*, std::uint64_t, void* userdata) no
 
 /// Nothing while the unit is switched off.
 void Subscriptions::deliver_sample(ClientId client, const Outcome& outcome) {
-  const Samples* const samples = samples_of(client);
-  if (!outcome || samples == nullptr) return;
+  const Poll* const poll = poll_of(client);
+  if (!outcome || poll == nullptr) return;
   json values = json::array();
   for (const json& signal : outcome->at("signals")) values.push_back(signal.at("value"));
-  server_.push(client, control::notice_line("sample", {{"unit", samples->unit->name()},
+  server_.push(client, control::notice_line("sample", {{"unit", poll->unit->name()},
                                                        {"t", outcome->at("t")},
                                                        {"values", std::move(values)}}));
 }

@@ -11,7 +11,7 @@ namespace axisd {
 template <class Listener>
 class Listeners {
  public:
-  static constexpr std::ptrdiff_t kMost = 4;
+  static constexpr std::ptrdiff_t kMost = 8;
 
   /// False if there is no place left; one that listens already counts once.
   [[nodiscard]] bool add(Listener& listener) noexcept {

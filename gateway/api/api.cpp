@@ -159,6 +159,7 @@ void Api::call(const std::shared_ptr<Exchange>& exchange, const Match& match, js
   const Route& route = *match.route;
   if (control::find_method(route.method)->scope == control::Scope::Unit) params["unit"] = unit;
   if (route.kind == Kind::Samples) return sources_.samples.open(exchange, params);
+  if (route.kind == Kind::Frames) return sources_.frames.open(exchange, params);
   if (route.kind == Kind::Call)
     return (*daemon)->ask(route.method, params,
                           [exchange](const Answer& answer) { answer_with(exchange, answer); });

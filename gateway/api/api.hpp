@@ -13,7 +13,7 @@
 #include "gateway/security/access.hpp"
 #include "gateway/server/http_server.hpp"
 #include "gateway/streams/event_feed.hpp"
-#include "gateway/streams/sample_feed.hpp"
+#include "gateway/streams/unit_feed.hpp"
 #include "gateway/units/daemons.hpp"
 
 namespace gateway {
@@ -22,7 +22,8 @@ namespace gateway {
 struct Sources {
   Daemons& daemons;
   EventFeed& events;
-  SampleFeed& samples;
+  UnitFeed& samples;
+  UnitFeed& frames;
   LiveFeeds& live;
   RecentEvents& recent;
   const PageFiles& page;

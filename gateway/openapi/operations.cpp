@@ -214,13 +214,13 @@ OrderedJson OperationWriter::content(const Route& route) {
     case Kind::Events:
       return stream_of(reference("event"));
     case Kind::Samples:
-      return stream_of(reference("sample"));
+      return stream_of({{"anyOf", {reference("sample"), reference("samples")}}});
     case Kind::Frames:
       return stream_of(reference("frames"));
     case Kind::Recent:
       return {{"application/json", {{"schema", recent_schema(definition("event"))}}}};
     case Kind::Live:
-      return {{"application/json", {{"schema", live_schema({{"type", "object"}}, {{"type", "object"}})}}}};
+      return {{"application/json", {{"schema", live_schema(reference("samples"), reference("frames"))}}}};
     case Kind::Metrics:
       return {{"text/plain", {{"schema", text_schema()}}}};
     case Kind::Document:

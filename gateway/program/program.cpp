@@ -51,12 +51,14 @@ Program::Program(const Options& options, const axisd::Log& log)
       events_{[this] { is_stopping_ = true; }},
       daemons_{events_, options.sockets, log},
       event_feed_{daemons_},
-      sample_feed_{events_, daemons_},
+      sample_feed_{events_, daemons_, kSampleFeed},
+      frame_feed_{events_, daemons_, kFrameFeed},
       live_feeds_{events_, daemons_},
       recent_events_{events_, daemons_, event_feed_},
       page_{page_place(options)},
       eds_{share_folder() / "eds"},
-      api_{rules_of(options), {daemons_, event_feed_, sample_feed_, live_feeds_, recent_events_, page_, eds_}},
+      api_{rules_of(options),
+           {daemons_, event_feed_, sample_feed_, frame_feed_, live_feeds_, recent_events_, page_, eds_}},
       server_{events_, options.listen, api_} {
   api_.show(server_.counters());
   if (page_.start() == nullptr) log_.notice("{}: no page is there, browsers get a list", page_place(options));
@@ -111,6 +113,7 @@ void Program::wait() {
 void Program::beat() {
   event_feed_.beat();
   sample_feed_.beat();
+  frame_feed_.beat();
   axisd::ServiceEvents::start(beat_, kHeartbeat);
 }
 

@@ -30,7 +30,8 @@ class Program {
   axisd::ServiceEvents events_;
   Daemons daemons_;
   EventFeed event_feed_;
-  SampleFeed sample_feed_;
+  UnitFeed sample_feed_;
+  UnitFeed frame_feed_;
   LiveFeeds live_feeds_;
   RecentEvents recent_events_;
   PageFiles page_;

@@ -16,7 +16,7 @@ import programs
 # What every method is asked for, in an order in which all can be answered.
 REQUESTS = [
     ('units', {}), ('status', {}), ('metrics', {}), ('explain', {}), ('explain', {'axis': 1}),
-    ('events.subscribe', {}), ('samples.subscribe', {'signals': ['1/speed'], 'period_ms': 50}),
+    ('events.subscribe', {}), ('frames.subscribe', {}), ('samples.subscribe', {'signals': ['1/speed'], 'period_ms': 50}),
     ('fault.inject', {'axis': 1, 'number': 7860, 'value': 3}), ('fault.list', {}), ('fault.list', {'axis': 1}),
     ('status', {}), ('fault.ack', {'axis': 1}), ('fault.buffer', {'axis': 1}), ('fault.clear', {'axis': 1}),
     ('inject.kinds', {}), ('inject.add', {'kind': 'heartbeat.late', 'delay_ms': 5, 'after': 3, 'until': '10 heartbeat'}),
@@ -38,7 +38,8 @@ REQUESTS = [
     ('if1.exchange', {'do': 2}), ('if1.exchange', {'do': 2, 'received': [1150, '0000']}),
     ('parameter.record', {'request': '25010201100803B10000'}), ('pkw.exchange', {'do': 2, 'request': '1000008000000000'}),
     ('store', {}), ('store.status', {}), ('restore', {'which': 'factory'}),
-    ('samples.unsubscribe', {}), ('events.unsubscribe', {}),
+    ('samples.subscribe', {'signals': ['1/speed', '1/r0063'], 'period_ms': 1, 'batch_ms': 20}),
+    ('samples.unsubscribe', {}), ('frames.unsubscribe', {}), ('events.unsubscribe', {}),
     ('unit.off', {}), ('units', {}), ('unit.on', {}), ('status', {}), ('quit', {}),
 ]
 # Those that this unit may refuse: the bus is not off, an input that it does not have.
@@ -114,6 +115,11 @@ class Conversation:
                 return answer
             self.notices.append(answer)
 
+    def wait_for(self, key):
+        """Reads notices until one with KEY has come."""
+        while not any(key in notice for notice in self.notices):
+            self.notices.append(json.loads(self.lines.readline()))
+
     def ask(self, method, params):
         request = {'id': 1, 'method': method, 'params': params}
         self.check('request.' + method, request)
@@ -143,10 +149,12 @@ def main():
             answer = talk.ask(method, params)
             assert 'error' not in answer or method in MAY_BE_REFUSED, (method, params, answer)
             assert answer.get('error', {}).get('code') != 'unknown-method', method
+            if 'batch_ms' in params:
+                talk.wait_for('samples')
         for notice in talk.notices:
             talk.check('notice', notice)
         kinds = {key for notice in talk.notices for key in notice}
-        assert kinds == {'event', 'sample'}, kinds
+        assert kinds == {'event', 'frames', 'sample', 'samples'}, kinds
 
 
 if __name__ == '__main__':

@@ -17,6 +17,7 @@ import programs
 # What every operation is asked for, in an order in which all can be answered: path, query, body.
 REQUESTS = [
     ('start', {}, {}, None), ('metrics', {}, {}, None), ('metrics.get', {}, {}, None), ('openapi.json', {}, {}, None), ('units', {}, {}, None),
+    ('server', {}, {}, None), ('overview', {}, {}, None), ('eds', {}, {}, None), ('asset', {'name': 'no.js'}, {}, None),
     ('status', {}, {}, None), ('axis', {'axis': 1}, {}, None), ('explain', {}, {}, None), ('explain', {}, {'axis': 1}, None),
     ('fault.inject', {'axis': 1}, {}, {'number': 7860, 'value': 3}), ('fault.list', {}, {}, None),
     ('status', {}, {}, None), ('fault.ack', {'axis': 1}, {}, None), ('fault.buffer', {'axis': 1}, {'kind': 'all'}, None),
@@ -49,9 +50,9 @@ REQUESTS = [
     ('store', {}, {}, None), ('store.status', {}, {}, None), ('restore', {}, {}, {'which': 'factory'}),
     ('unit.off', {}, {}, None), ('unit.on', {}, {}, None), ('quit', {}, {}, None),
 ]
-STREAMS = [('events.subscribe', {}, {'kinds': 'nmt,fault'}), ('samples.subscribe', {}, {'signals': '1/speed', 'period_ms': 50})]
+STREAMS = [('events.subscribe', {}, {'kinds': 'nmt,fault'}), ('frames.subscribe', {}, {}), ('samples.subscribe', {}, {'signals': '1/speed', 'period_ms': 50})]
 # Those that this unit may refuse.
-MAY_BE_REFUSED = {'input.analog', 'trace.read', 'restore', 'store', 'bus.restart'}
+MAY_BE_REFUSED = {'asset', 'input.analog', 'trace.read', 'restore', 'store', 'bus.restart'}
 REFUSED = [('bus.restart', {}, {}, None)]
 
 

@@ -30,13 +30,14 @@ class StreamsTest : public testing::Test {
   FakeDaemon unit{events, folder.path("axisd.sock"), answer_of_unit};
   Daemons daemons{events, {folder.path("axisd.sock")}, log};
   EventFeed event_feed{daemons};
-  SampleFeed sample_feed{events, daemons};
+  UnitFeed sample_feed{events, daemons, kSampleFeed};
+  UnitFeed frame_feed{events, daemons, kFrameFeed};
   LiveFeeds live{events, daemons};
   RecentEvents recent{events, daemons, event_feed};
   PageFiles page;
   EdsFiles eds{folder.path("eds")};
   Api api{{.listen = {{"127.0.0.1", 0}}, .token = "0123456789abcdef0123456789abcdef"},
-          {daemons, event_feed, sample_feed, live, recent, page, eds}};
+          {daemons, event_feed, sample_feed, frame_feed, live, recent, page, eds}};
   HttpServer server{events, {{"127.0.0.1", 0}}, api};
 };
 
@@ -86,6 +87,32 @@ TEST_F(StreamsTest, SamplesAreSubscribedToOnceForAll) {
     EXPECT_NE((*client)->read_until("[3]").find("event: sample"), std::string::npos);
 }
 
+TEST_F(StreamsTest, FramesGoToAllViewersAsTheyHaveCome) {
+  const auto one = get("/api/v1/units/vcan0/5/frames");
+  const auto two = get("/api/v1/units/vcan0/5/frames");
+  for (const auto* const client : {&one, &two}) (*client)->read_until("event: unit");
+  EXPECT_EQ(asked_for("frames.subscribe"), 1U);
+  const std::string text = R"({"unit":"vcan0/5","t":1.500000,"frames":["1.500000 R 205#0F00"],"lost":0})";
+  unit.tell("{\"frames\":" + text + "}\n");
+  for (const auto* const client : {&one, &two})
+    EXPECT_NE((*client)->read_until("\n\n").find("event: frames\ndata: " + text + "\n\n"), std::string::npos);
+}
+
+TEST_F(StreamsTest, BatchesOfSamplesAreEventsOfTheirOwn) {
+  const auto one = get("/api/v1/units/vcan0/5/samples?signals=1/speed&period_ms=1&batch_ms=50");
+  one->read_until("event: signals");
+  EXPECT_EQ(asked_for("\"batch_ms\":50"), 1U);
+  unit.tell("{\"samples\":{\"t\":[1],\"values\":[[2]],\"lost\":0}}\n");
+  EXPECT_NE(one->read_until("lost").find("event: samples"), std::string::npos);
+}
+
+TEST_F(StreamsTest, WhatHasControlCharactersIsNotHandedOn) {
+  const auto one = get("/api/v1/units/vcan0/5/frames");
+  one->read_until("event: unit");
+  unit.tell("{\"frames\":{\"t\":\"\rdata: 5\"}}\n");
+  EXPECT_EQ(one->read_until("event: ended").find("data: 5"), std::string::npos);
+}
+
 TEST_F(StreamsTest, ASubscriptionEndsWithItsLastViewer) {
   get(kSamples)->read_until("event: signals");
   EXPECT_EQ(unit.clients(), 2U);
@@ -100,7 +127,7 @@ TEST_F(StreamsTest, SoManyDifferentSubscriptionsAndNoMore) {
   const auto open = [this](std::size_t period) {
     return get("/api/v1/units/vcan0/5/samples?signals=1/speed&period_ms=" + std::to_string(period));
   };
-  for (std::size_t n = 1; n <= SampleFeed::kMostSubscriptions; ++n)
+  for (std::size_t n = 1; n <= UnitFeed::kMostSubscriptions; ++n)
     clients.emplace_back(open(n))->read_until("event: signals");
   EXPECT_NE(open(100)->read_until("too-many").find("HTTP/1.1 429"), std::string::npos);
 }

@@ -167,6 +167,49 @@ TEST_P(TwoUnits, TellWhatSignalsAreAgainAndAgain) {
             "not-found");
 }
 
+TEST_P(TwoUnits, TellSamplesInLinesOfSeveral) {
+  ASSERT_TRUE(manager.wait_for("READY=1"));
+  e2e::ControlClient client{assignment.control.path};
+  const json params{{"unit", "5"}, {"signals", {"1/speed", "dc_voltage"}}, {"period_ms", 1}, {"batch_ms", 20}};
+  EXPECT_EQ(client.ask({{"id", 1}, {"method", "samples.subscribe"}, {"params", params}}).at("result"),
+            json::object());
+  double before = -1.0;
+  for (int i = 0; i < 5; ++i) {
+    const json samples = json::parse(client.line()).at("samples");
+    ASSERT_EQ(samples.at("values").size(), 2U);
+    ASSERT_FALSE(samples.at("t").empty());
+    EXPECT_EQ(samples.at("values").at(1).size(), samples.at("t").size());
+    for (const double time : samples.at("t")) {
+      EXPECT_GT(time, before);
+      before = time;
+    }
+  }
+  EXPECT_EQ(ask("5", "samples.subscribe", {{"signals", {"1/no"}}, {"period_ms", 1}, {"batch_ms", 20}})
+                .at("error")
+                .at("code"),
+            "not-found");
+}
+
+TEST_P(TwoUnits, TellSamplesAndFramesAgainAfterTheUnitWasOff) {
+  ASSERT_TRUE(manager.wait_for("READY=1"));
+  e2e::ControlClient samples{assignment.control.path};
+  const json params{{"unit", "5"}, {"signals", {"1/speed"}}, {"period_ms", 1}, {"batch_ms", 20}};
+  samples.ask({{"id", 1}, {"method", "samples.subscribe"}, {"params", params}});
+  e2e::ControlClient frames{assignment.control.path};
+  frames.ask({{"id", 1}, {"method", "frames.subscribe"}, {"params", {{"unit", "5"}}}});
+  EXPECT_TRUE(ask("5", "unit.off").contains("result"));
+  EXPECT_TRUE(ask("5", "unit.on").contains("result"));
+  const auto is_boot_up = [](const std::string& text) { return text.ends_with(" S 705#00"); };
+  EXPECT_TRUE(is_boot_up(json::parse(frames.line()).at("frames").at("frames").at(0)));
+  double before = -1.0;
+  double time = 0.0;
+  while ((time = json::parse(samples.line()).at("samples").at("t").at(0)) > before) before = time;
+  EXPECT_LT(time, before);  // the unit has begun anew, and so has its time
+  EXPECT_EQ(frames.ask({{"id", 2}, {"method", "frames.unsubscribe"}}).at("result"), json::object());
+  EXPECT_EQ(ask("5", "unit.off").count("result"), 1U);
+  EXPECT_EQ(ask("5", "frames.subscribe").at("error").at("code"), "off");
+}
+
 TEST_P(TwoUnits, AnswerWhateverElseAClientAsks) {
   ASSERT_TRUE(manager.wait_for("READY=1"));
   for (const char* const line : {"nonsense", "[1]", R"({"method": 1})", R"({"method": "status", "params": []})",
