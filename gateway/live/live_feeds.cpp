@@ -24,6 +24,11 @@ struct Row {
 };
 constexpr std::array kRows{Row{"samples.subscribe", "samples"}, Row{"frames.subscribe", "frames"}};
 
+template <class What>
+constexpr const Row& row_of(What what) noexcept {
+  return kRows[static_cast<std::size_t>(what)];
+}
+
 /// Where the numbers of feeds begin: those of another gateway are others.
 std::uint64_t random_number() {
   std::random_device device;
@@ -83,16 +88,14 @@ tl::expected<LiveFeeds::Feed*, Error> LiveFeeds::feed_of(What what, const json& 
 tl::expected<LiveFeeds::Feed*, Error> LiveFeeds::begin(What what, const json& params, const std::string& path) {
   const auto is_like_it = [&](const Feed& feed) { return feed.what == what && feed.client->path() == path; };
   if (static_cast<std::size_t>(std::ranges::count_if(feeds_, is_like_it)) >= kMostFeeds)
-    return tl::unexpected{
-        refuse(Refused::TooMany, fmt::format("{} different feeds of {} are open at this daemon", kMostFeeds,
-                                             kRows[static_cast<std::size_t>(what)].notice))};
+    return tl::unexpected{refuse(Refused::TooMany, fmt::format("{} different feeds of {} are open at this daemon",
+                                                               kMostFeeds, row_of(what).notice))};
   auto opened = DaemonClient::open(events_, path, *this);
   if (!opened) return tl::unexpected{refuse(Refused::NoDaemon, opened.error())};
   DaemonClient& client = **opened;
   Feed& feed = feeds_.emplace_back(Feed{what, params, ++last_number_, *std::move(opened), clock_()});
   if (feeds_.size() == 1) axisd::ServiceEvents::start(sweep_, kPeriod);
-  client.ask(kRows[static_cast<std::size_t>(what)].method, params,
-             [this, &client](const Answer& answer) { take_answer(client, answer); });
+  client.ask(row_of(what).method, params, [this, &client](const Answer& answer) { take_answer(client, answer); });
   return &feed;
 }
 
@@ -119,20 +122,18 @@ bool LiveFeeds::settle(const Poll& poll) {
     if (feed->refusal) return poll.exchange->answer(*feed->refusal), true;
     if (!feed->is_granted) return false;
     feed->lines.forget(clock_());
-    found.push_back({number, kRows[static_cast<std::size_t>(feed->what)].notice, &feed->lines});
+    found.push_back({number, row_of(feed->what).notice, &feed->lines});
   }
   poll.exchange->answer(live_answer(found, poll.after));
   return true;
 }
 
-bool LiveFeeds::wants_text(std::string_view key) const {
-  return std::ranges::find(kRows, key, &Row::notice) != kRows.end();
-}
-
-void LiveFeeds::on_text(DaemonClient& client, std::string_view key, std::string_view text) {
+/// It is kept as it has come, but looked at: an answer is put together of such texts.
+bool LiveFeeds::on_notice_text(DaemonClient& client, std::string_view key, std::string_view value) {
   Feed* const feed = find(client);
-  if (feed != nullptr && key == kRows[static_cast<std::size_t>(feed->what)].notice)
-    feed->lines.push(text, clock_());
+  if (feed == nullptr || key != row_of(feed->what).notice || !json::accept(value)) return false;
+  feed->lines.push(value, clock_());
+  return true;
 }
 
 void LiveFeeds::on_notice(DaemonClient&, std::string_view, const json&) {}

@@ -63,8 +63,7 @@ class LiveFeeds final : private DaemonClient::Listener {
     std::vector<std::uint64_t> feeds{};  ///< numbers
   };
 
-  [[nodiscard]] bool wants_text(std::string_view key) const override;
-  void on_text(DaemonClient& client, std::string_view key, std::string_view text) override;
+  bool on_notice_text(DaemonClient& client, std::string_view key, std::string_view value) override;
   void on_notice(DaemonClient& client, std::string_view key, const nlohmann::json& value) override;
   void on_gone(DaemonClient& client, const std::string& why) override;
 

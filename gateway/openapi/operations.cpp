@@ -220,7 +220,7 @@ OrderedJson OperationWriter::content(const Route& route) {
     case Kind::Recent:
       return {{"application/json", {{"schema", recent_schema(definition("event"))}}}};
     case Kind::Live:
-      return {{"application/json", {{"schema", live_schema({{"type", "object"}}, {{"type", "object"}})}}}};
+      return {{"application/json", {{"schema", live_schema(reference("samples"), reference("frames"))}}}};
     case Kind::Metrics:
       return {{"text/plain", {{"schema", text_schema()}}}};
     case Kind::Document:

@@ -17,28 +17,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::int64_t kPatience = 10'000'000;  // µs
-constexpr std::size_t kLongestKey = 32;         // of a notice, with what is around it
 
 std::int64_t now() noexcept {
   return std::chrono::duration_cast<std::chrono::microseconds>(os::monotonic_time()).count();
-}
-
-/// Key and value of a line that nobody has asked for, as they stand.
-struct Notice {
-  std::string_view key;
-  std::string_view text;
-};
-
-/// The notice in @p line, if it is written as the daemon writes one, `{"key":value}`, without control characters
-/// between its words; its value is not looked at further.
-std::optional<Notice> notice_in(std::string_view line) noexcept {
-  constexpr std::string_view kBegin = "{\"";
-  constexpr std::string_view kBetween = "\":";
-  const std::size_t end = line.substr(0, kLongestKey).find(kBetween, kBegin.size());
-  if (!line.starts_with(kBegin) || !line.ends_with('}') || end == std::string_view::npos) return std::nullopt;
-  if (std::ranges::any_of(line, [](char c) { return static_cast<unsigned char>(c) < ' '; })) return std::nullopt;
-  const std::size_t value = end + kBetween.size();
-  return Notice{line.substr(kBegin.size(), end - kBegin.size()), line.substr(value, line.size() - 1 - value)};
 }
 
 /// The key of a line that nobody has asked for; empty if @p line is none.
@@ -89,11 +70,8 @@ void DaemonClient::give_up(const Error& why) {
 }
 
 bool DaemonClient::on_line(std::string_view line) {
-  if (const auto notice = notice_in(line); notice && listener_.wants_text(notice->key)) {
-    if (!json::accept(notice->text)) return false;
-    listener_.on_text(*this, notice->key, notice->text);
+  if (const auto notice = notice_text(line); notice && listener_.on_notice_text(*this, notice->key, notice->value))
     return true;
-  }
   if (!waiting_.empty()) {
     const int id = waiting_.front().id;
     auto answer = control::parse_answer(line, id);

@@ -32,10 +32,12 @@ class DaemonClient final : private LineConnection::Listener {
     virtual ~Listener() = default;
     /// The daemon tells @p value under @p key: "event", "sample".
     virtual void on_notice(DaemonClient& client, std::string_view key, const nlohmann::json& value) = 0;
-    /// Whether it wants what comes under @p key as text, by on_text(), and nothing made of it.
-    [[nodiscard]] virtual bool wants_text(std::string_view /*key*/) const { return false; }
-    /// The same as on_notice(), where wants_text() says so: @p text is JSON.
-    virtual void on_text(DaemonClient& /*client*/, std::string_view /*key*/, std::string_view /*text*/) {}
+    /// The same, as it came and before it is looked at: @p value is the text of an object in one line. False: it
+    /// is to be told by the other call.
+    virtual bool on_notice_text(DaemonClient& client, std::string_view key, std::string_view value) {
+      static_cast<void>(client), static_cast<void>(key), static_cast<void>(value);
+      return false;
+    }
     /// The connection has ended for the reason @p why; the client may be destroyed in the call.
     virtual void on_gone(DaemonClient& client, const std::string& why) = 0;
   };

@@ -71,13 +71,14 @@ class LiveTest : public testing::Test {
       std::make_unique<FakeDaemon>(events, folder.path("axisd.sock"), answer_of_statue);
   Daemons daemons{events, {folder.path("axisd.sock")}, log};
   EventFeed event_feed{daemons};
-  SampleFeed sample_feed{events, daemons};
+  UnitFeed sample_feed{events, daemons, kSampleFeed};
+  UnitFeed frame_feed{events, daemons, kFrameFeed};
   LiveFeeds live{events, daemons, [this] { return now; }};
   RecentEvents recent{events, daemons, event_feed, [this] { return now; }};
   PageFiles page;
   EdsFiles eds{folder.path("eds")};
   Api api{{.listen = {{"127.0.0.1", 0}}, .token = "0123456789abcdef0123456789abcdef"},
-          {daemons, event_feed, sample_feed, live, recent, page, eds}};
+          {daemons, event_feed, sample_feed, frame_feed, live, recent, page, eds}};
   HttpServer server{events, {{"127.0.0.1", 0}}, api};
 };
 
