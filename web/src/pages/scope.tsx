@@ -71,7 +71,7 @@ export function Scope(props: { unit: string }) {
       <Says state={state} />
       {isTracing && <TracePanel state={state} />}
       <div class="scope-columns">
-        <Stage state={state} onPicture={() => undefined} />
+        <Stage state={state} />
         <div class="scope-side">
           <SignalsPanel state={state} />
           <Detail state={state} />

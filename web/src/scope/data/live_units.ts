@@ -21,15 +21,16 @@ function end(): void {
 
 /** What comes of the unit called @param unit; another one is no longer listened to. */
 export function listenTo(unit: string, source: Source): LiveMaterial {
-  if (present?.material.unit !== unit) {
-    end();
-    const material = new LiveMaterial(unit, source);
-    present = { material, end: material.start() };
-  }
-  clearTimeout(present?.timer);
-  const { material } = present as Listened;
-  material.isWatched = true;
-  return material;
+  if (present?.material.unit !== unit) present = begin(unit, source);
+  clearTimeout(present.timer);
+  present.material.isWatched = true;
+  return present.material;
+}
+
+function begin(unit: string, source: Source): Listened {
+  end();
+  const material = new LiveMaterial(unit, source);
+  return { material, end: material.start() };
 }
 
 /** Nobody looks at @param material any more. */

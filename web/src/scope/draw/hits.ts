@@ -50,6 +50,8 @@ export function selectAtCursor(model: ScopeModel, picture: Picture | null): void
     const found = hit(model.material.peek(), row, field, xOf(field, cursor));
     if (found === null) continue;
     const isHere = found.kind === "frame" || Math.abs(xOf(field, found.event.t) - xOf(field, cursor)) <= kNear;
-    if (isHere) return model.select(found);
+    if (!isHere) continue;
+    model.select(found);
+    return;
   }
 }

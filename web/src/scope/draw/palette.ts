@@ -11,7 +11,7 @@ export interface Palette {
 
 const kTones = ["off", "ready", "on", "run", "brake", "fault"] as const;
 
-/** Widths of the parts of a picture beside the curves (CSS pixels). */
+/** Fonts of the pictures. */
 export const kFont = '12px system-ui, "Noto Sans", "DejaVu Sans", sans-serif';
 export const kSmallFont = '11px system-ui, "Noto Sans", "DejaVu Sans", sans-serif';
 
@@ -37,5 +37,5 @@ export function paletteOf(scheme?: "light" | "dark"): Palette {
   return palette;
 }
 
-/** Dashes by which curves differ for who does not see their colours. */
-export const kDashes: readonly number[][] = [[], [7, 3], [2, 2], [9, 3, 2, 3], [], [7, 3], [2, 2], [9, 3, 2, 3]];
+/** Dashes by which the curves of a lane differ for who does not see their colours. */
+export const kDashes: readonly number[][] = [[], [8, 3], [3, 3], [10, 3, 3, 3]];

@@ -19,6 +19,10 @@ export interface Places {
   b: HTMLElement;
 }
 
+/** Height of all curves, at least and at most, and what stays free below (CSS pixels). */
+const kLeastPlot = 150;
+const kMostPlot = 900;
+const kBelow = 14;
 /** Shortest time between two pictures (ms). */
 const kShortest = 30;
 /** Time between two looks of what stands beside the picture (ms). */
@@ -33,6 +37,7 @@ export class Picture {
   private palette: Palette = paletteOf();
   private width = 0;
   private plotHeight = 200;
+  private lowerHeight = 0;
   private isWanted = true;
   private built: unknown[] = [];
   private last = { at: 0, read: 0, to: NaN, version: -1, material: undefined as Material | undefined, decoder: undefined as unknown };
@@ -56,10 +61,13 @@ export class Picture {
     this.isWanted = true;
   }
 
-  /** Takes the size of the stage: @param plotHeight is for the curves. */
-  resize(width: number, plotHeight: number): void {
-    this.width = width;
-    this.plotHeight = plotHeight;
+  /** Takes the size of the stage; the curves get the height that the window leaves. */
+  measure(): void {
+    const { stage } = this.places;
+    this.width = stage.clientWidth;
+    const top = stage.getBoundingClientRect().top + scrollY;
+    const room = innerHeight - Math.min(top, innerHeight / 3) - kRulerHeight - this.lowerHeight - kBelow;
+    this.plotHeight = Math.round(Math.max(kLeastPlot, Math.min(room, kMostPlot)));
     this.want();
   }
 
@@ -107,6 +115,10 @@ export class Picture {
     this.drawCurves(material, field);
     const { bins, height } = this.lower.prepare(material, field);
     const lower = cleared(this.places.lower, this.width, height);
+    if (height !== this.lowerHeight) {
+      this.lowerHeight = height;
+      this.measure();
+    }
     if (lower !== null) this.lower.draw(lower, material, field, bins, this.model.selection.peek(), this.palette);
     this.placeLines(field);
   }

@@ -9,6 +9,9 @@ import { kDashes, kSmallFont, type Palette } from "./palette";
 /** Room at the right of the curves (CSS pixels). */
 export const kRight = 10;
 
+/** Width of the unit of measure beside the scale (CSS pixels). */
+const kLabel = 16;
+
 interface Drawn {
   lane: PlotLane;
   plot: uPlot;
@@ -77,7 +80,7 @@ export class Plot {
         { size: 0, ticks: { show: false }, values: () => [], splits: () => this.ticks, grid },
         lane.isBit ? bitAxis(lane, size.left, palette) : valueAxis(lane, size.left, palette),
       ],
-      series: [{}, ...lane.signals.map((number) => seriesOf(number, signals[number], lane.isBit, palette))],
+      series: [{}, ...lane.signals.map((number, i) => seriesOf(number, i, signals[number], lane.isBit, palette))],
     };
   }
 }
@@ -87,7 +90,7 @@ function extremes(rows: readonly (number | null)[][]): [number, number] {
   let max = -Infinity;
   for (const row of rows)
     for (const value of row) {
-      if (value === null || value === undefined) continue;
+      if (value === null) continue;
       if (value < min) min = value;
       if (value > max) max = value;
     }
@@ -96,11 +99,11 @@ function extremes(rows: readonly (number | null)[][]): [number, number] {
 
 function valueAxis(lane: PlotLane, size: number, palette: Palette): uPlot.Axis {
   return {
-    size,
+    size: size - kLabel,
     stroke: palette.muted,
     font: kSmallFont,
     label: lane.title === "" ? "no unit" : lane.title,
-    labelSize: 16,
+    labelSize: kLabel,
     labelFont: kSmallFont,
     space: 26,
     grid: { stroke: palette.line, width: 1 },
@@ -121,12 +124,12 @@ function bitAxis(lane: PlotLane, size: number, palette: Palette): uPlot.Axis {
   };
 }
 
-function seriesOf(number: number, head: SignalHead | undefined, isBit: boolean, palette: Palette): uPlot.Series {
+function seriesOf(number: number, inLane: number, head: SignalHead | undefined, isBit: boolean, palette: Palette): uPlot.Series {
   const series: uPlot.Series = {
     label: head?.signal ?? "",
     stroke: palette.curves[number % palette.curves.length] ?? palette.text,
     width: 1.5,
-    dash: [...(kDashes[number % kDashes.length] ?? [])],
+    dash: [...(kDashes[inLane % kDashes.length] ?? [])],
     points: { show: false },
     spanGaps: false,
     pxAlign: 0,

@@ -7,6 +7,7 @@ import { pastOf } from "../data/material";
 import type { ScopeState } from "../data/scope_state";
 import { differenceText } from "../view/scale";
 import { BitTable } from "./bit_table";
+import { useSlowTurn } from "./slow_turn";
 
 function instant(t: number): string {
   return `${t.toFixed(6)}\u2009s`;
@@ -162,6 +163,7 @@ function Steps(props: { state: ScopeState; title: string; steps: readonly Step[]
 
 function FaultDetail(props: { state: ScopeState; event: UnitEvent }) {
   const { state, event } = props;
+  useSlowTurn(state);
   const story = storyOfFault(event, pastOf(state.model.material.value));
   const last = story.reaction.at(-1)?.after ?? 0;
   const around = (): void => state.model.show({ from: event.t - 0.05, to: event.t + Math.min(5, Math.max(0.1, last * 1.1)) });

@@ -42,7 +42,10 @@ class Gestures {
 
   move = (event: PointerEvent): void => {
     const x = this.x(event);
-    if (this.pointers.size === 2) return this.pinch(event.pointerId, x);
+    if (this.pointers.size === 2) {
+      this.pinch(event.pointerId, x);
+      return;
+    }
     this.hover(x);
     const { drag } = this;
     if (drag === undefined || !this.pointers.has(event.pointerId)) return;
@@ -72,12 +75,10 @@ class Gestures {
   };
 
   wheel = (event: WheelEvent): void => {
-    if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
-      event.preventDefault();
-      return this.state.model.pan((event.deltaX || event.deltaY) * this.secondsPerPixel());
-    }
     event.preventDefault();
-    this.state.model.zoom(1.0015 ** event.deltaY, this.timeAt(this.x(event)));
+    if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY))
+      this.state.model.pan((event.deltaX || event.deltaY) * this.secondsPerPixel());
+    else this.state.model.zoom(1.0015 ** event.deltaY, this.timeAt(this.x(event)));
   };
 
   private click(event: PointerEvent): void {

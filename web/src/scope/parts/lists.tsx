@@ -1,38 +1,17 @@
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useMemo, useState } from "preact/hooks";
 
 import { frameText } from "../../canopen/frame";
 import { kLanes, laneNumber, type Lane } from "../../canopen/services";
 import { eventLook, eventWords, placeWords } from "../../overview/event_words";
 import type { UnitEvent } from "../../source/types";
 import type { ScopeState } from "../data/scope_state";
+import { useSlowTurn } from "./slow_turn";
 
 const kMostEvents = 200;
 const kMostFrames = 120;
-/** Time between two looks while the picture moves (ms). */
-const kPeriod = 500;
-
-/** Counts up twice a second while readings change, so that lists do not follow each picture. */
-function useSlowTurn(state: ScopeState): number {
-  const [turn, setTurn] = useState(0);
-  useEffect(() => {
-    let isDue = false;
-    const unsubscribe = state.model.readings.subscribe(() => {
-      isDue = true;
-    });
-    const timer = setInterval(() => {
-      if (isDue) setTurn((before) => before + 1);
-      isDue = false;
-    }, kPeriod);
-    return () => {
-      clearInterval(timer);
-      unsubscribe();
-    };
-  }, [state]);
-  return turn;
-}
-
 function EventList(props: { state: ScopeState }) {
   const { model } = props.state;
+  useSlowTurn(props.state);
   const { from, to } = model.range();
   const selection = model.selection.value;
   const inside = model.material.value.events().filter(({ t }) => t >= from && t <= to);
@@ -129,11 +108,6 @@ function FrameList(props: { state: ScopeState }) {
   );
 }
 
-function LiveEventList(props: { state: ScopeState }) {
-  useSlowTurn(props.state);
-  return <EventList state={props.state} />;
-}
-
 /** Events and frames as lists, for reading and for the keyboard. */
 export function Lists(props: { state: ScopeState }) {
   const [shown, setShown] = useState<"events" | "frames">("events");
@@ -147,7 +121,7 @@ export function Lists(props: { state: ScopeState }) {
           Frames
         </button>
       </div>
-      {shown === "events" ? <LiveEventList state={props.state} /> : <FrameList state={props.state} />}
+      {shown === "events" ? <EventList state={props.state} /> : <FrameList state={props.state} />}
     </section>
   );
 }

@@ -1,5 +1,8 @@
+import { useState } from "preact/hooks";
+
 import { Notice } from "../../ui/notice";
 import { LiveMaterial } from "../data/live_material";
+import { watchReadings } from "./slow_turn";
 import type { ScopeState } from "../data/scope_state";
 
 /** A count with thin spaces between thousands: 1 200. */
@@ -14,10 +17,32 @@ function Absence(props: { live: LiveMaterial }) {
   return <Notice kind="error">{`Nothing new comes of ${props.live.unit}: ${problem.value}.${since}`}</Notice>;
 }
 
+/** What did not come in time, until the user has seen it. */
+function Loss(props: { state: ScopeState }) {
+  const { model } = props.state;
+  watchReadings(model);
+  const material = model.material.value;
+  const [seen, setSeen] = useState(0);
+  const lost = material.lost - (material.isLive ? seen : 0);
+  if (lost <= 0) return null;
+  return (
+    <Notice kind="warning">
+      {material.isLive
+        ? `${grouped(lost)} frames and samples were not drawn in time: they are missing in the picture. `
+        : `${grouped(lost)} records had no room in this recording.`}
+      {material.isLive && (
+        <button type="button" class="scope-small" onClick={() => setSeen(material.lost)}>
+          I have seen it
+        </button>
+      )}
+    </Notice>
+  );
+}
+
 /** What has to be said of the picture: what is missing in it, and why. */
 export function Says(props: { state: ScopeState }) {
   const { state } = props;
-  void state.model.readings.value;
+  watchReadings(state.model);
   const material = state.model.material.value;
   const isEmpty = !material.isLive && material.name === "";
   return (
@@ -36,13 +61,7 @@ export function Says(props: { state: ScopeState }) {
         </Notice>
       )}
       {material.remark !== "" && <Notice kind="warning">{material.remark}</Notice>}
-      {material.lost > 0 && (
-        <Notice kind="warning">
-          {material.isLive
-            ? `${grouped(material.lost)} frames and samples did not come in time and are not drawn.`
-            : `${grouped(material.lost)} records had no room in this recording.`}
-        </Notice>
-      )}
+      <Loss state={state} />
     </>
   );
 }

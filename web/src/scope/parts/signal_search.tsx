@@ -33,7 +33,10 @@ export function SignalSearch(props: { state: ScopeState; isFull: boolean }) {
   useEffect(() => {
     const words = text.trim();
     const mine = ++turn.current;
-    if (words === "") return setFound(undefined);
+    if (words === "") {
+      setFound(undefined);
+      return undefined;
+    }
     const search = words.replace(/(\[\d+\])?(\.\d+)?$/, "");
     const timer = setTimeout(() => {
       state.page.source

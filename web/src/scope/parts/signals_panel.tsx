@@ -2,13 +2,18 @@ import type { SignalHead } from "../../model/sample_store";
 import { shown } from "../../ui/number";
 import type { ScopeState } from "../data/scope_state";
 import { LiveMaterial } from "../data/live_material";
+import { watchReadings } from "./slow_turn";
 import { differenceText, instantText } from "../view/scale";
+import { kDashes } from "../draw/palette";
+import { plotLanes } from "../view/layout";
 import { kMostSignals } from "../view/link";
 import { SignalSearch } from "./signal_search";
 
 interface Reading {
   head: SignalHead;
   number: number;
+  /** Which curve of its lane it is. */
+  inLane: number;
   values: (number | null)[];
 }
 
@@ -18,25 +23,27 @@ function readingsOf(state: ScopeState): Reading[] {
   const { samples } = model.material.value;
   const at = [model.cursor() ?? model.range().to, model.a.value, model.b.value];
   const columns = at.map((t) => (t === null ? [] : samples.valuesAt(t)));
-  return samples.signals.map((head, number) => ({ head, number, values: columns.map((column) => column[number] ?? null) }));
+  const lanes = plotLanes(samples.signals);
+  const inLane = (number: number): number => lanes.find((lane) => lane.signals.includes(number))?.signals.indexOf(number) ?? 0;
+  return samples.signals.map((head, number) => ({ head, number, inLane: inLane(number), values: columns.map((column) => column[number] ?? null) }));
 }
 
 /** A curve as it is drawn: its colour and its dashes. */
-function Swatch(props: { number: number }) {
-  return <span class={`scope-swatch scope-swatch-${props.number + 1}`} aria-hidden="true" />;
+function Swatch(props: { number: number; dash: number }) {
+  return <span class={`scope-swatch scope-swatch-${props.number + 1} scope-dash-${props.dash}`} aria-hidden="true" />;
 }
 
 function SignalRow(props: { state: ScopeState; reading: Reading; hasA: boolean; hasB: boolean }) {
-  const { head, number, values } = props.reading;
+  const { head, number, inLane, values } = props.reading;
   const [now = null, a = null, b = null] = values;
   const isLive = props.state.model.material.value.isLive;
   const remove = (): void => void props.state.choose(props.state.names.peek().filter((name) => name !== head.signal));
   return (
     <tr>
       <th scope="row">
-        <Swatch number={number} />
+        <Swatch number={number} dash={inLane % kDashes.length} />
         <code>{head.signal}</code>
-        {head.text !== undefined && head.text !== "" && <span class="scope-signal-text">{head.text}</span>}
+        {head.text !== undefined && head.text !== "" && <span class="scope-signal-text" title={head.text}>{head.text}</span>}
       </th>
       <td class="number">{shown(now, head.unit, 5)}</td>
       {props.hasA && <td class="number">{shown(a, "", 5)}</td>}
@@ -56,6 +63,7 @@ function SignalRow(props: { state: ScopeState; reading: Reading; hasA: boolean; 
 /** Instants of the cursors and what lies between A and B. */
 function Instants(props: { state: ScopeState }) {
   const { model } = props.state;
+  watchReadings(model);
   const step = model.window.value.span / 2000;
   const [a, b] = [model.a.value, model.b.value];
   const cursor = model.cursor();
@@ -75,7 +83,7 @@ function Instants(props: { state: ScopeState }) {
 /** The signals with their values, and the search for more. */
 export function SignalsPanel(props: { state: ScopeState }) {
   const { state } = props;
-  void state.model.readings.value;
+  watchReadings(state.model);
   const material = state.model.material.value;
   const [hasA, hasB] = [state.model.a.value !== null, state.model.b.value !== null];
   const refused = material instanceof LiveMaterial ? state.found.value.filter(({ problem }) => problem !== "") : [];

@@ -6,11 +6,8 @@ import { Picture } from "../draw/picture";
 import { keyAction } from "../view/keys";
 import { useGestures } from "./gestures";
 
-/** Least height of the curves (CSS pixels). */
-const kLeast = 150;
-
 /** The pictures over each other on one time, with the lines of the cursors over them. */
-export function Stage(props: { state: ScopeState; onPicture: (picture: Picture | null) => void }) {
+export function Stage(props: { state: ScopeState }) {
   const { model } = props.state;
   const stage = useRef<HTMLDivElement>(null);
   const ruler = useRef<HTMLCanvasElement>(null);
@@ -29,11 +26,11 @@ export function Stage(props: { state: ScopeState; onPicture: (picture: Picture |
     ];
     const made = new Picture(model, { stage: stageElement, ruler: rulerElement, plots: plotsElement, lower: lowerElement, cursor, a, b });
     picture.current = made;
-    props.onPicture(made);
     model.onChange = () => made.want();
-    const measure = (): void => made.resize(stageElement.clientWidth, curveHeight(stageElement));
+    const measure = (): void => made.measure();
     const watcher = new ResizeObserver(measure);
     watcher.observe(stageElement);
+    if (stageElement.parentElement?.parentElement) watcher.observe(stageElement.parentElement.parentElement);
     addEventListener("resize", measure);
     const dark = matchMedia("(prefers-color-scheme: dark)");
     const recolour = (): void => made.recolour();
@@ -47,7 +44,6 @@ export function Stage(props: { state: ScopeState; onPicture: (picture: Picture |
       unsubscribe();
       model.onChange = () => undefined;
       made.end();
-      props.onPicture(null);
     };
   }, [model]);
 
@@ -89,12 +85,4 @@ export function Stage(props: { state: ScopeState; onPicture: (picture: Picture |
       </p>
     </div>
   );
-}
-
-/** What the window leaves for the curves below the toolbar and above the lanes. */
-function curveHeight(stage: HTMLElement): number {
-  const top = stage.getBoundingClientRect().top + scrollY;
-  const lower = stage.lastElementChild === null ? 260 : 290;
-  const room = innerHeight - Math.min(top, 240) - lower;
-  return Math.max(kLeast, Math.min(room, 700));
 }

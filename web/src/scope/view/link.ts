@@ -90,7 +90,7 @@ export function readLink(query: URLSearchParams): { link: ScopeLink; wrong: stri
     if (found === undefined || value === undefined) wrong.push(`${word}=${text}`);
     else link[found[0]] = value;
   }
-  return { link: link as ScopeLink, wrong };
+  return { link: link, wrong };
 }
 
 /** The words of an address that says @param link. */

@@ -70,9 +70,8 @@ export class ScopeModel {
 
   setSpan(span: number): void {
     const window = this.window.peek();
-    if (window.follows) return this.setWindow({ ...window, span });
     const about = this.cursor() ?? this.range().to - window.span / 2;
-    this.setWindow(around(window, about, span));
+    this.setWindow(window.follows ? { ...window, span } : around(window, about, span));
   }
 
   show(range: Range): void {
