@@ -25,6 +25,8 @@ export type { Past, Pointer } from "./story/past";
 const kCycle = 0.004;
 /** A controlword acts with the next cycle; events are seen at its end, and the sender may be late by one. */
 const kCycles = 3;
+/** Frames have six decimals (s). */
+const kRounding = 1e-6;
 /** Least time that is looked back (s): a machine that is busy runs cycles late. */
 const kLeast = 0.02;
 const kHappeningKinds: readonly Mover[] = ["initialised", "standstill", "fault", "acknowledged", "measurement"];
@@ -48,8 +50,8 @@ function causeOfChange({ now, before }: ControlwordChange, event: UnitEvent): Ca
   const changed = before === undefined ? [] : changedBits(before.value, now.value);
   const was = before === undefined ? "" : `${wordText(before.value)} → `;
   const bits = changed.length === 0 ? "" : `: ${changed.map(changeText).join(", ")}`;
-  const when = timeText(Math.max(event.t - now.t, 0));
-  const text = `Controlword ${was}${wordText(now.value)} (${commandOf(now.value)}) in ${now.by}, ${when} before${bits}.`;
+  const when = now.t > event.t ? "in the same cycle" : `${timeText(event.t - now.t)} before`;
+  const text = `Controlword ${was}${wordText(now.value)} (${commandOf(now.value)}) in ${now.by}, ${when}${bits}.`;
   return { text, pointer: pointerOf(now), controlword: { before: before?.value, now: now.value, changed } };
 }
 
@@ -62,7 +64,27 @@ function fits(change: ControlwordChange, movers: readonly Mover[]): boolean {
   return movers.includes(command);
 }
 
-/** The newest event of @param kinds in [event.t - within, event.t] that @param wanted takes; none of those behind it. */
+/**
+ * The change of the controlword that has caused @param event. States of a trace have the time at which their step
+ * began: the frame may be later by a cycle.
+ */
+function changeFor(
+  event: UnitEvent,
+  past: Past,
+  axis: number,
+  cycles: number,
+  movers: readonly Mover[],
+): ControlwordChange | undefined {
+  const since = event.t - cycles - 2 * syncPeriod(past.frames, event.t);
+  for (const until of [event.t + kRounding, event.t + (past.cycleS ?? kCycle)]) {
+    const change = lastChange(past, axis, until, since);
+    const isInTime = change !== undefined && (change.now.isSynchronous || event.t - change.now.t <= cycles);
+    if (isInTime && fits(change, movers)) return change;
+  }
+  return undefined;
+}
+
+/** The newest event in [until - within, until] that @param wanted takes. */
 function newest(
   events: readonly UnitEvent[],
   until: number,
@@ -122,15 +144,14 @@ export function causeOfState(event: UnitEvent, past: Past): Cause {
   const movers = moversOf(String(event.before ?? ""), event.state ?? "");
   const axis = event.axis === "infeed" ? 0 : Number(event.axis ?? 0);
   const cycles = Math.max(kCycles * (past.cycleS ?? kCycle), kLeast);
-  const change = axis === 0 ? undefined : lastChange(past, axis, event.t, event.t - cycles - 2 * syncPeriod(past.frames, event.t));
-  const isInTime = change !== undefined && (change.now.isSynchronous || event.t - change.now.t <= cycles);
-  if (isInTime && fits(change, movers) && !movers.includes("fault")) return causeOfChange(change, event);
+  const change = axis === 0 ? undefined : changeFor(event, past, axis, cycles, movers);
+  if (change !== undefined && !movers.includes("fault")) return causeOfChange(change, event);
   if (movers.includes("fault")) {
     const fault = newest(past.events, event.t, cycles, (other) =>
       other.kind === "fault" && other.active !== false && sameDrive(other, event)) ?? following(past.events, event);
     if (fault !== undefined) return { text: `Fault ${eventWords(fault)}.`, pointer: { t: fault.t, event: fault } };
   }
-  if (isInTime && fits(change, movers)) return causeOfChange(change, event);
+  if (change !== undefined) return causeOfChange(change, event);
   const acted = newest(past.events, event.t, Math.max(cycles, 0.1), (other) => actsOnDrive(other, event));
   if (movers.includes("standstill")) return causeOfStandstill(event, past);
   if (acted !== undefined) return { text: `Just before: ${eventWords(acted)}.`, pointer: { t: acted.t, event: acted } };

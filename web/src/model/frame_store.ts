@@ -153,15 +153,23 @@ export class FrameStore {
     const size = kLaneCount * bins;
     const counts = into !== undefined && into.length >= size ? into : new Uint32Array(size);
     counts.fill(0);
-    const scale = bins / (to - from);
+    const width = (to - from) / bins;
     const [begin, end] = this.range(from, to);
-    for (let serial = begin; serial < end; ) {
-      const bin = this.binOf(serial, from, scale, bins);
-      const last = serial + kBlock - 1;
-      const isWhole = serial % kBlock === 0 && last < end && this.binOf(last, from, scale, bins) === bin;
-      if (isWhole) this.addBlock(serial, counts, bin, bins);
-      else this.addFrame(serial, counts, bin, bins);
-      serial += isWhole ? kBlock : 1;
+    const { t, lane, room } = this;
+    let bin = 0;
+    let limit = from + width;
+    for (let serial = begin, at = begin % room; serial < end; ) {
+      while (bin < bins - 1 && (t[at] ?? 0) >= limit) limit = from + (++bin + 1) * width;
+      const isWhole = at % kBlock === 0 && serial + kBlock <= end && ((t[at + kBlock - 1] ?? 0) < limit || bin === bins - 1);
+      if (isWhole) {
+        this.addBlock(at, counts, bin, bins);
+      } else {
+        const place = (lane[at] ?? 0) * bins + bin;
+        counts[place] = (counts[place] ?? 0) + 1;
+      }
+      const step = isWhole ? kBlock : 1;
+      serial += step;
+      at = at + step === room ? 0 : at + step;
     }
     return counts;
   }
@@ -188,20 +196,12 @@ export class FrameStore {
     return serial >= this.begin && serial < this.end;
   }
 
-  private binOf(serial: number, from: number, scale: number, bins: number): number {
-    return Math.min(Math.max(Math.floor(((this.t[serial % this.room] ?? 0) - from) * scale), 0), bins - 1);
-  }
-
-  private addFrame(serial: number, counts: Uint32Array, bin: number, bins: number): void {
-    const place = (this.lane[serial % this.room] ?? 0) * bins + bin;
-    counts[place] = (counts[place] ?? 0) + 1;
-  }
-
-  private addBlock(serial: number, counts: Uint32Array, bin: number, bins: number): void {
-    const block = ((serial % this.room) / kBlock) * kLaneCount;
+  /** Adds what was counted of the block at place @param at. */
+  private addBlock(at: number, counts: Uint32Array, bin: number, bins: number): void {
+    const block = (at / kBlock) * kLaneCount;
     for (let lane = 0; lane < kLaneCount; ++lane) {
-      const place = lane * bins + bin;
-      counts[place] = (counts[place] ?? 0) + (this.counts[block + lane] ?? 0);
+      const count = this.counts[block + lane] ?? 0;
+      if (count > 0) counts[lane * bins + bin] = (counts[lane * bins + bin] ?? 0) + count;
     }
   }
 

@@ -66,11 +66,18 @@ export class SampleBlocks {
 
   /** Lowest and highest value of @param row in [begin, end), in the order in which they come; NaN: none. The array is used again. */
   extremes(row: number, begin: number, end: number): readonly [number, number] {
+    const { room } = this;
+    const column = this.values[row] ?? this.t;
+    const lowest = this.lowest[row] ?? this.t;
+    const highest = this.highest[row] ?? this.t;
     let low = Infinity;
     let high = -Infinity;
     let lowAt = begin;
     let highAt = begin;
-    const take = (least: number, greatest: number, serial: number): void => {
+    for (let serial = begin, at = begin % room; serial < end; ) {
+      const isWhole = at % kBlock === 0 && serial + kBlock <= end;
+      const least = (isWhole ? lowest[at / kBlock] : column[at]) ?? NaN;
+      const greatest = (isWhole ? highest[at / kBlock] : least) ?? NaN;
       if (least < low) {
         low = least;
         lowAt = serial;
@@ -79,18 +86,9 @@ export class SampleBlocks {
         high = greatest;
         highAt = serial;
       }
-    };
-    const column = this.values[row] ?? this.t;
-    for (let serial = begin; serial < end; ) {
-      if (serial % kBlock === 0 && serial + kBlock <= end) {
-        const block = (serial % this.room) / kBlock;
-        take(this.lowest[row]?.[block] ?? NaN, this.highest[row]?.[block] ?? NaN, serial);
-        serial += kBlock;
-      } else {
-        const value = column[serial % this.room] ?? NaN;
-        take(value, value, serial);
-        ++serial;
-      }
+      const step = isWhole ? kBlock : 1;
+      serial += step;
+      at = at + step === room ? 0 : at + step;
     }
     const isLowFirst = lowAt <= highAt;
     this.pair[0] = low > high ? NaN : isLowFirst ? low : high;

@@ -2,6 +2,7 @@ import type { Decoder } from "../../canopen/decode";
 import { identifierText, unsignedOf, type CanFrame } from "../../canopen/frame";
 import { axisOfIndex, indexOfFirstAxis } from "../../canopen/object_words";
 import { bytesAt, mappingOf } from "../../canopen/pdo";
+import { laneNumber } from "../../canopen/services";
 import type { UnitEvent } from "../../source/types";
 import { eventAt } from "../event_store";
 import type { FrameStore } from "../frame_store";
@@ -79,8 +80,9 @@ export function* controlwordsBefore(
   let serial = frames.at(until);
   while (serial < frames.next && frames.timeOf(serial) <= until) ++serial;
   const lowest = Math.max(frames.first, serial - kMostLooked);
+  const lanes = [laneNumber("rpdo"), laneNumber("sdo")];
   for (--serial; serial >= lowest && frames.timeOf(serial) >= since; --serial) {
-    const frame = frames.frame(serial);
+    const frame = lanes.includes(frames.laneAt(serial)) ? frames.frame(serial) : undefined;
     const found = frame === undefined ? undefined : controlwordIn(frame, decoder, axis);
     if (frame === undefined || found === undefined) continue;
     for (; place >= 0 && (events[place]?.t ?? -Infinity) > frame.t; --place) {
@@ -110,10 +112,10 @@ export function lastChange(
 ): ControlwordChange | undefined {
   let now: ControlwordWrite | undefined;
   for (const written of controlwordsBefore(past, axis, until, -Infinity)) {
-    if (now !== undefined && written.value !== now.value) return now.t < since ? undefined : { now, before: written };
-    if (now === undefined && written.t < since) return undefined;
+    if (now !== undefined && written.value !== now.value) return { now, before: written };
+    if (written.t < since) return undefined;
     now = written;
   }
-  return now === undefined || now.t < since ? undefined : { now, before: undefined };
+  return now === undefined ? undefined : { now, before: undefined };
 }
 
