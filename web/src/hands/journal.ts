@@ -30,12 +30,12 @@ export class Journal {
     };
   }
 
-  /** Does @param work, and notes it as @param words. What it throws goes on. */
+  /** Does @param work, and notes it as @param words with the text that it ends with, if that is one. What it throws goes on. */
   async run<T>(words: string, work: () => Promise<T>): Promise<T> {
     const end = this.begin(words);
     try {
       const answer = await work();
-      end("done");
+      end("done", typeof answer === "string" ? answer : "");
       return answer;
     } catch (error) {
       end("refused", wordsOf(error));

@@ -15,6 +15,7 @@ import { panelPort } from "../hands/panel/panel_port";
 import { StopBar } from "../hands/panel/stop_bar";
 import { EncoderCard, LoadCard, SupplyCard } from "../hands/plant_cards";
 import type { AxisOverview } from "../source/types";
+import { AxisChoice, useAxis } from "../ui/axis_choice";
 
 /** Why nothing may be done, and the way to do something about it. */
 function Refused() {
@@ -32,21 +33,6 @@ function Refused() {
       )}
       {asksToken && <TokenDialog onClose={() => setAsksToken(false)} />}
     </div>
-  );
-}
-
-function AxisChoice(props: { axes: AxisOverview[]; axis: number; onChange: (axis: number) => void }) {
-  return (
-    <label class="field">
-      Axis
-      <select value={props.axis} onChange={(event) => props.onChange(Number(event.currentTarget.value))}>
-        {props.axes.map((axis) => (
-          <option key={axis.axis} value={axis.axis}>
-            {axis.axis} {axis.name}
-          </option>
-        ))}
-      </select>
-    </label>
   );
 }
 
@@ -96,13 +82,11 @@ export function Hands(props: { unit: string }) {
   const overview = units.find(props.unit);
   const axes = overview?.axes ?? [];
   const asked = Number(route.value.query.get("axis") ?? "0");
-  const [chosen, setChosen] = useState(asked);
-  useEffect(() => setChosen(asked), [asked]);
+  const [axis, setAxis] = useAxis(axes, asked);
   const journal = useMemo(() => new Journal(), []);
-  const axis = axes.find((each) => each.axis === chosen)?.axis ?? axes[0]?.axis ?? 1;
   const hand = useMemo(() => ({ source, unit: props.unit, axis, journal }), [source, props.unit, axis, journal]);
   const choose = (next: number): void => {
-    setChosen(next);
+    setAxis(next);
     replaceQuery(new URLSearchParams({ axis: String(next) }));
   };
   return (
