@@ -29,6 +29,28 @@ std::string notice_key(const json& line) {
   return key == "id" || key == "result" || key == "error" ? std::string{} : key;
 }
 
+/// A notice as text: {"KEY":{...}}.
+struct NoticeText {
+  std::string_view key;
+  std::string_view value;
+};
+
+/// What begins and ends as the daemon writes a notice, without a look at the middle, which is long. An answer does
+/// not: it has an `id`. What has control characters is for the parser to refuse.
+std::optional<NoticeText> notice_text(std::string_view line) noexcept {
+  constexpr std::string_view kBegin = "{\"";
+  constexpr std::string_view kMiddle = "\":{";
+  if (!line.starts_with(kBegin) || !line.ends_with("}}")) return std::nullopt;
+  const std::size_t end = line.find('"', kBegin.size());
+  if (end == std::string_view::npos || line.substr(end, kMiddle.size()) != kMiddle) return std::nullopt;
+  const std::string_view key = line.substr(kBegin.size(), end - kBegin.size());
+  const std::size_t value = end + kMiddle.size() - 1;
+  const bool is_plain = std::ranges::none_of(line, [](char c) { return static_cast<unsigned char>(c) < ' '; });
+  const bool is_answer = key == "id" || key == "result" || key == "error";
+  if (is_answer || !is_plain) return std::nullopt;
+  return NoticeText{key, line.substr(value, line.size() - value - 1)};
+}
+
 }  // namespace
 
 tl::expected<std::unique_ptr<DaemonClient>, std::string> DaemonClient::open(axisd::ServiceEvents& events,
