@@ -42,7 +42,7 @@ function StateBox(props: { state: DriveState; isHere: boolean; layout: Layout })
         ))}
       </text>
       {props.isHere && (
-        <text class="states-here-mark" x={x + width / 2 - 4} y={y - height / 2 - 6} text-anchor="end">
+        <text class="states-here-mark" x={x - width / 2 + 2} y={y - height / 2 - 7}>
           ● here
         </text>
       )}
