@@ -244,9 +244,10 @@ class Instance final : private device::Listener,
   UnitRecording recording_;
   PdoWatch pdo_watch_{frames_};
   FrameStream frame_stream_{frames_, started_};
-  SampleStream sample_stream_{frames_, device_, started_};
+  CycleTap cycles_{device_.runner()};
+  SampleStream sample_stream_{cycles_, device_, started_};
   Saves saves_{};
-  UnitTrace trace_{device_, frames_, events_};
+  UnitTrace trace_{device_, cycles_, frames_, events_};
   std::vector<LoadTorque> load_torques_;
   std::unique_ptr<ModbusDoor> modbus_;  ///< none: Modbus TCP is not served
   std::vector<RareSource> rare_sources_;

@@ -5,7 +5,6 @@
 
 #include "daemon/control/trace/trace_view.hpp"
 #include "daemon/server/stream_lines.hpp"
-#include "service/clock.hpp"
 
 namespace axisd {
 namespace {
@@ -24,7 +23,7 @@ SampleBuffer::Plan plan_of(const json& params) {
 }
 
 Outcome begun(const Call& call, const std::shared_ptr<SampleBuffer>& buffer) {
-  const auto outcome = call.instance.sample_stream().begin(buffer, call.now);
+  const auto outcome = call.instance.sample_stream().begin(buffer);
   if (!outcome) return tl::unexpected{error_of(outcome.error())};
   return json::object();
 }
@@ -75,7 +74,7 @@ bool SampleSubscriptions::has(ClientId client) const noexcept {
 /// Signals that there were are there again.
 void SampleSubscriptions::take_up(const ServedUnit& unit, Instance& instance) {
   for (const Feed& feed : feeds_)
-    if (feed.unit == &unit) static_cast<void>(instance.sample_stream().begin(feed.buffer, read_clock()));
+    if (feed.unit == &unit) static_cast<void>(instance.sample_stream().begin(feed.buffer));
 }
 
 int SampleSubscriptions::on_period(sd_event_source*, std::uint64_t, void* userdata) noexcept {

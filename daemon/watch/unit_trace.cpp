@@ -34,11 +34,12 @@ void UnitTrace::stop() noexcept {
 /// Without room for another listener a trace has no frames or no events.
 void UnitTrace::listen(bool wanted) noexcept {
   listens_ = wanted;
-  device_.runner().observe(wanted ? &tracer_ : nullptr);
   if (wanted) {
+    static_cast<void>(cycles_.add(tracer_));
     static_cast<void>(frames_.add(*this));
     static_cast<void>(events_.add(*this));
   } else {
+    cycles_.remove(tracer_);
     events_.remove(*this);
     frames_.remove(*this);
   }

@@ -5,6 +5,7 @@
 
 #include <tl/expected.hpp>
 
+#include "daemon/watch/cycle_tap.hpp"
 #include "daemon/watch/event_watch.hpp"
 #include "daemon/watch/frame_tap.hpp"
 #include "device/device.hpp"
@@ -16,8 +17,8 @@ namespace axisd {
 class UnitTrace final : private FrameListener, private EventListener {
  public:
   /// All arguments outlive this.
-  UnitTrace(device::Device& device, FrameTap& frames, EventWatch& events) noexcept
-      : device_{device}, frames_{frames}, events_{events}, tracer_{std::as_const(device).unit()} {}
+  UnitTrace(const device::Device& device, CycleTap& cycles, FrameTap& frames, EventWatch& events) noexcept
+      : device_{device}, cycles_{cycles}, frames_{frames}, events_{events}, tracer_{device.unit()} {}
   ~UnitTrace() override = default;
   UnitTrace(const UnitTrace&) = delete;
   UnitTrace& operator=(const UnitTrace&) = delete;
@@ -39,7 +40,8 @@ class UnitTrace final : private FrameListener, private EventListener {
   void on_frame(const canopen::Frame& frame, Direction direction, canopen::TimePoint time) noexcept override;
   void on_event(const UnitEvent& event) noexcept override;
 
-  device::Device& device_;
+  const device::Device& device_;
+  CycleTap& cycles_;
   FrameTap& frames_;
   EventWatch& events_;
   trace::Tracer tracer_;

@@ -5,23 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "device/bus/unit_time.hpp"
+#include "trace/settings.hpp"
+
 namespace axisd {
-namespace {
 
-/// The first time after @p now that is a number of @p periods behind @p begin.
-canopen::TimePoint next_on_grid(canopen::TimePoint begin, canopen::Duration period,
-                                canopen::TimePoint now) noexcept {
-  return begin + period * ((now - begin) / period + 1);
-}
+SampleStream::SampleStream(CycleTap& cycles, const device::Device& device, canopen::TimePoint started) noexcept
+    : cycles_{cycles}, device_{device}, started_{device::unit_time(started)} {}
 
-}  // namespace
-
-tl::expected<void, trace::Problem> SampleStream::begin(std::shared_ptr<SampleBuffer> buffer,
-                                                       canopen::TimePoint now) {
-  using Kind = trace::Problem::Kind;
-  const SampleBuffer::Plan& plan = buffer->plan();
-  Sampler sampler{.buffer = buffer, .signals = {}};
-  for (const std::string& name : plan.signals) {
+tl::expected<void, trace::Problem> SampleStream::begin(std::shared_ptr<SampleBuffer> buffer) {
+  Sampler sampler{.buffer = std::move(buffer), .signals = {}};
+  for (const std::string& name : sampler.buffer->plan().signals) {
     const auto signal = trace::find_signal(device_.unit(), name);
     if (!signal) {
       trace::Problem problem = signal.error();
@@ -30,45 +24,45 @@ tl::expected<void, trace::Problem> SampleStream::begin(std::shared_ptr<SampleBuf
     }
     sampler.signals.push_back(signal->reader);
   }
-  if (samplers_.size() == kMost || !tap_.add(*this))
-    return tl::unexpected{trace::Problem{Kind::TooMuch, "batch_ms",
+  if (samplers_.size() == kMost || !cycles_.add(*this))
+    return tl::unexpected{trace::Problem{trace::Problem::Kind::TooMuch, "batch_ms",
                                          fmt::format("at most {} subscriptions to samples of a unit", kMost)}};
-  sampler.due = next_on_grid(device::node_time(device_.runner().clock().last()), plan.period, now);
   samplers_.push_back(std::move(sampler));
-  look_for_earliest();
   return {};
 }
 
 void SampleStream::end(const SampleBuffer& buffer) noexcept {
   std::erase_if(samplers_, [&buffer](const Sampler& each) { return each.buffer.get() == &buffer; });
-  look_for_earliest();
-  if (samplers_.empty()) tap_.remove(*this);
+  if (samplers_.empty()) cycles_.remove(*this);
 }
 
-void SampleStream::on_handled(canopen::TimePoint now) noexcept {
-  if (now < due_) [[likely]]
-    return;
+void SampleStream::on_step(long step) noexcept {
+  steps_ = step;
+  take_due(begin_ + step * trace::kStep);
+}
+
+void SampleStream::on_cycle_end() noexcept {
+  const unit::TimePoint now = begin_ + (steps_ + 1) * trace::kStep;
   for (Sampler& sampler : samplers_)
-    if (sampler.due <= now) sampler.take(now, started_);
-  look_for_earliest();
+    if (!sampler.due) sampler.due = now;
+  take_due(now);
 }
 
-/// What was due while the unit was kept from running cannot be known any more.
-void SampleStream::Sampler::take(canopen::TimePoint now, canopen::TimePoint started) noexcept {
-  const canopen::Duration period = buffer->plan().period;
-  const auto missed = (now - due) / period;
+void SampleStream::take_due(unit::TimePoint now) noexcept {
+  for (Sampler& sampler : samplers_)
+    if (sampler.due && *sampler.due <= now) sampler.take(now, started_);
+}
+
+/// What was due in cycles that the unit has skipped is not known.
+void SampleStream::Sampler::take(unit::TimePoint now, unit::TimePoint started) noexcept {
+  const unit::Duration period = buffer->plan().period;
+  const auto missed = (now - *due) / period;
   if (missed > 0) buffer->miss(static_cast<std::uint64_t>(missed));
-  due += period * missed;
-  if (const std::span<double> values = buffer->next(due - started); !values.empty()) {
+  if (const std::span<double> values = buffer->next(now - started); !values.empty()) {
     std::ranges::transform(signals, values.begin(), [](const trace::Reader& signal) { return signal.value(); });
     buffer->publish();
   }
-  due += period;
-}
-
-void SampleStream::look_for_earliest() noexcept {
-  due_ = canopen::kNever;
-  for (const Sampler& sampler : samplers_) due_ = std::min(due_, sampler.due);
+  *due += period * (missed + 1);
 }
 
 }  // namespace axisd

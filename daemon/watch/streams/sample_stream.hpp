@@ -1,36 +1,35 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <tl/expected.hpp>
 
-#include "daemon/watch/frame_tap.hpp"
+#include "daemon/watch/cycle_tap.hpp"
 #include "daemon/watch/streams/sample_buffer.hpp"
 #include "device/device.hpp"
 #include "trace/signal/signal.hpp"
 
 namespace axisd {
 
-/// Takes samples of signals of a unit at times that are exact, and puts them into buffers from which another
-/// thread takes them. All periods begin with a cycle of the unit, so that those who want the same one, or
-/// multiples, cost no more wake-ups; a unit at rest is woken for them.
-class SampleStream final : private FrameListener {
+/// Takes samples of signals of a unit step by step, as a trace does, and puts them into buffers from which another
+/// thread takes them. So their times are exact, also where cycles are made up for late; a unit that is sampled
+/// does not rest.
+class SampleStream final : private unit::CycleObserver {
  public:
   /// Buffers that are filled at a time.
   static constexpr std::size_t kMost = 16;
 
-  /// @p tap and @p device outlive this; @p started is zero of the times.
-  SampleStream(FrameTap& tap, const device::Device& device, canopen::TimePoint started) noexcept
-      : tap_{tap}, device_{device}, started_{started} {}
+  /// @p cycles and @p device outlive this; @p started is zero of the times.
+  SampleStream(CycleTap& cycles, const device::Device& device, canopen::TimePoint started) noexcept;
   ~SampleStream() override = default;
   SampleStream(const SampleStream&) = delete;
   SampleStream& operator=(const SampleStream&) = delete;
 
-  /// Fills @p buffer from @p now on as its plan says. The problem is that the unit does not have one of the
-  /// signals, or that there are too many buffers.
-  [[nodiscard]] tl::expected<void, trace::Problem> begin(std::shared_ptr<SampleBuffer> buffer,
-                                                         canopen::TimePoint now);
+  /// Fills @p buffer as its plan says, from the end of the next cycle on. The problem is that the unit does not
+  /// have one of the signals, or that there are too many buffers.
+  [[nodiscard]] tl::expected<void, trace::Problem> begin(std::shared_ptr<SampleBuffer> buffer);
   /// Fills @p buffer no longer.
   void end(const SampleBuffer& buffer) noexcept;
 
@@ -39,21 +38,25 @@ class SampleStream final : private FrameListener {
   struct Sampler {
     std::shared_ptr<SampleBuffer> buffer;
     std::vector<trace::Reader> signals;
-    canopen::TimePoint due{};
+    std::optional<unit::TimePoint> due{};  ///< nothing: at the end of the next cycle
 
-    void take(canopen::TimePoint now, canopen::TimePoint started) noexcept;
+    void take(unit::TimePoint now, unit::TimePoint started) noexcept;
   };
 
-  void on_frame(const canopen::Frame&, Direction, canopen::TimePoint) noexcept override {}
-  void on_handled(canopen::TimePoint now) noexcept override;
-  canopen::TimePoint next_deadline() const noexcept override { return due_; }
-  void look_for_earliest() noexcept;
+  void on_cycle_begin(unit::TimePoint begin) noexcept override {
+    begin_ = begin;
+    steps_ = 0;
+  }
+  void on_step(long step) noexcept override;
+  void on_cycle_end() noexcept override;
+  void take_due(unit::TimePoint now) noexcept;
 
-  FrameTap& tap_;
+  CycleTap& cycles_;
   const device::Device& device_;
-  canopen::TimePoint started_;
+  unit::TimePoint started_;
   std::vector<Sampler> samplers_;
-  canopen::TimePoint due_ = canopen::kNever;  ///< the earliest of all
+  unit::TimePoint begin_{};  ///< of the cycle that runs
+  long steps_ = 0;           ///< that it has done
 };
 
 }  // namespace axisd
