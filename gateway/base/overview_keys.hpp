@@ -13,11 +13,11 @@ inline constexpr std::array<std::string_view, 5> kOverviewKeys{"node_id", "nmt_s
 /// Members of an object in `status`.
 struct OverviewPart {
   std::string_view key;
-  std::array<std::string_view, 5> members;  ///< empty ones at the end
+  std::array<std::string_view, 4> members;  ///< empty ones at the end
 };
 inline constexpr std::array kOverviewParts{
     OverviewPart{"leds", {"run", "error"}},
-    OverviewPart{"bus", {"state", "link", "received", "sent", "load_percent"}},
+    OverviewPart{"bus", {"state", "link", "received", "sent"}},
     OverviewPart{"control_unit", {"faults", "alarms"}},
     OverviewPart{"infeed", {"name", "state", "faults", "alarms"}},
 };

@@ -195,13 +195,13 @@ TEST_P(TwoUnits, TellSamplesAndFramesAgainAfterTheUnitWasOff) {
   e2e::ControlClient samples{assignment.control.path};
   const json params{{"unit", "5"}, {"signals", {"1/speed"}}, {"period_ms", 1}, {"batch_ms", 20}};
   samples.ask({{"id", 1}, {"method", "samples.subscribe"}, {"params", params}});
+  double before = json::parse(samples.line()).at("samples").at("t").at(0);
   e2e::ControlClient frames{assignment.control.path};
   frames.ask({{"id", 1}, {"method", "frames.subscribe"}, {"params", {{"unit", "5"}}}});
   EXPECT_TRUE(ask("5", "unit.off").contains("result"));
   EXPECT_TRUE(ask("5", "unit.on").contains("result"));
   const auto is_boot_up = [](const std::string& text) { return text.ends_with(" S 705#00"); };
   EXPECT_TRUE(is_boot_up(json::parse(frames.line()).at("frames").at("frames").at(0)));
-  double before = -1.0;
   double time = 0.0;
   while ((time = json::parse(samples.line()).at("samples").at("t").at(0)) > before) before = time;
   EXPECT_LT(time, before);  // the unit has begun anew, and so has its time
