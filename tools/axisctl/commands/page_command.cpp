@@ -96,20 +96,21 @@ Expected<std::vector<PageUnit>> units_of_files(const Settings& settings, const P
     auto recording = read_recording(path);
     if (!recording) return tl::unexpected{recording.error()};
     if (!recording->remark.empty()) remark(recording->remark);
-    unit_for(units, *recording).recordings.push_back(*std::move(recording));
+    PageUnit& unit = unit_for(units, *recording);
+    unit.recordings.push_back(*std::move(recording));
   }
   add_what_is_there(settings, units);
   return units;
 }
 
 Expected<void> run_page(const Settings& settings, const PageWish& wish) {
-  if (const auto folder = check_folder_of(wish.html); !folder) return folder;
+  if (auto folder = check_folder_of(wish.html); !folder) return folder;
   auto blank = read_template(wish.blank);
   if (!blank) return tl::unexpected{blank.error()};
   auto units = wish.from.empty() ? unit_of_bus(settings, wish) : units_of_files(settings, wish);
   if (!units) return tl::unexpected{units.error()};
   for (PageUnit& unit : *units)
-    if (const auto eds = add_eds(unit, wish.eds); !eds) return eds;
+    if (auto eds = add_eds(unit, wish.eds); !eds) return eds;
   Page page{.title = wish.title, .made_at = time_of_making(), .units = *std::move(units)};
   if (page.title.empty()) page.title = page.units.front().unit;
   return write_page(wish.html, *std::move(blank), page);

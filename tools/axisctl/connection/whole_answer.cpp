@@ -33,7 +33,7 @@ Expected<json> ask_whole(const Ask& ask, std::string_view method, json params) {
   if (!wants_all || !result || !result->is_object()) return result;
   for (json next = result->value("next", json{}); next.is_number_unsigned();) {
     params["from"] = next;
-    const auto page = ask(method, params);
+    auto page = ask(method, params);
     if (!page) return page;
     append(*result, *page);
     const json before = std::move(next);
