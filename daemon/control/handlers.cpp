@@ -27,6 +27,7 @@ constexpr auto kGroups = std::to_array<Group>({
     &trace_handlers,
     &if1_handlers,
     &acyclic_handlers,
+    &state_machine_handlers,
     &panel_handlers,
 });
 

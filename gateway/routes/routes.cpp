@@ -91,6 +91,7 @@ constexpr std::array kRoutes{
     Route{.verb = "PATCH", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/plant", .method = "plant.set"},
 
     Route{
+        .verb = "GET", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/state-machine", .method = "state.machine"},
     Route{.verb = "GET",
           .path = "/api/v1/units/{bus}/{node}/axes/{axis}/identification",
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/panel", .method = "panel.get"},

@@ -33,7 +33,7 @@ REQUESTS = [
     ('supply.get', {}, {}, None), ('supply.set', {}, {}, {'line_voltage_V': 390}),
     ('load.get', {'axis': 1}, {}, None), ('load.set', {'axis': 1}, {}, {'torque_Nm': 1.5}),
     ('encoder.get', {'axis': 1}, {}, None), ('encoder.fail', {'axis': 1}, {}, {'defect': 'none'}),
-    ('panel.get', {'axis': 1}, {}, None), ('panel.take', {'axis': 1}, {}, {'timeout_ms': 10000}),
+    ('state.machine', {'axis': 1}, {}, None), ('panel.get', {'axis': 1}, {}, None), ('panel.take', {'axis': 1}, {}, {'timeout_ms': 10000}),
     ('panel.set', {'axis': 1}, {}, {'on': False, 'speed_rpm': 0}), ('panel.release', {'axis': 1}, {}, None),
     ('plant.get', {'axis': 1}, {}, None), ('plant.set', {'axis': 1}, {}, {'ambient_C': 30}),
     ('input.list', {}, {}, None), ('input.set', {'input': 3}, {}, {'state': True}), ('output.list', {}, {}, None),

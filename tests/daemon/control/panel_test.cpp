@@ -96,5 +96,18 @@ TEST_F(APanel, IsExplainedInPlaceOfTheBus) {
   EXPECT_EQ(reasons[1], "ON is missing (by the operator panel): switch it on at the panel.");
 }
 
+TEST_F(APanel, StatesOfAnAxisAreShownWithWhatTheyNeed) {
+  const json machine = result_of("state.machine", kAxis);
+  EXPECT_EQ(machine.at("state"), "Switch on disabled");
+  EXPECT_EQ(machine.at("states").size(), 10U);
+  const auto way = std::ranges::find_if(machine.at("transitions"),
+                                        [](const json& transition) { return transition.value("number", 0) == 2; });
+  ASSERT_NE(way, machine.at("transitions").end());
+  EXPECT_EQ(way->at("to"), "Ready to switch on");
+  EXPECT_EQ(way->at("is_open"), false);
+  const json& off2 = way->at("conditions").at(1);
+  EXPECT_EQ(off2, (json{{"text", "OFF2 is not given (p0844 = r8890.1)"}, {"met", false}, {"parameter", "p0844"}}));
+}
+
 }  // namespace
 }  // namespace axisd
