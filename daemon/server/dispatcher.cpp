@@ -12,6 +12,7 @@
 
 #include "control/methods.hpp"
 #include "control/request_check.hpp"
+#include "daemon/control/events/carry_out.hpp"
 #include "daemon/control/handlers.hpp"
 #include "service/clock.hpp"
 
@@ -109,7 +110,7 @@ void Dispatcher::call(ServedUnit& unit, const Handler& handler, const json& para
     return done(refuse(ErrorCode::Off, fmt::format("{} is switched off: switch it on (unit.on)", unit.name())));
   unit.loop().post(
       [this, instance, &handler, params, done = std::move(done)] {
-        auto outcome = std::make_shared<Outcome>(handler.answer({*instance, read_clock()}, params));
+        auto outcome = std::make_shared<Outcome>(carry_out(handler, {*instance, read_clock()}, params));
         mailbox_.post([done, outcome] { done(std::move(*outcome)); });
       },
       instance);
