@@ -29,6 +29,7 @@ constexpr auto kGroups = std::to_array<Group>({
     &acyclic_handlers,
     &state_machine_handlers,
     &panel_handlers,
+    &identification_handlers,
 });
 
 }  // namespace

@@ -94,6 +94,7 @@ constexpr std::array kRoutes{
         .verb = "GET", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/state-machine", .method = "state.machine"},
     Route{.verb = "GET",
           .path = "/api/v1/units/{bus}/{node}/axes/{axis}/identification",
+          .method = "identification.get"},
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/panel", .method = "panel.get"},
     Route{.verb = "POST", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/panel", .method = "panel.take"},
     Route{.verb = "PUT", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/panel", .method = "panel.set"},

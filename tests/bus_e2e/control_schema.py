@@ -23,7 +23,7 @@ REQUESTS = [
     ('inject.add', {'kind': 'sdo.abort', 'code': '0x08000000', 'times': 1}), ('inject.list', {}), ('inject.remove', {'id': 1}), ('inject.remove', {}),
     ('load.set', {'axis': 1, 'torque_Nm': 1.5}), ('load.get', {'axis': 1}), ('supply.set', {'line_voltage_V': 390}),
     ('supply.get', {}), ('encoder.fail', {'axis': 1, 'defect': 'none'}), ('encoder.get', {'axis': 1}),
-    ('state.machine', {'axis': 1}), ('panel.get', {'axis': 1}),
+    ('state.machine', {'axis': 1}), ('identification.get', {'axis': 1}), ('panel.get', {'axis': 1}),
     ('panel.take', {'axis': 1, 'timeout_ms': 10000}), ('panel.set', {'axis': 1, 'on': False, 'speed_rpm': 0}),
     ('panel.release', {'axis': 1}), ('panel.get', {'axis': 1}),
     ('plant.get', {'axis': 1}), ('plant.set', {'axis': 1, 'ambient_C': 30}),

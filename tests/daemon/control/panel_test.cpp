@@ -109,5 +109,14 @@ TEST_F(APanel, StatesOfAnAxisAreShownWithWhatTheyNeed) {
   EXPECT_EQ(off2, (json{{"text", "OFF2 is not given (p0844 = r8890.1)"}, {"met", false}, {"parameter", "p0844"}}));
 }
 
+TEST_F(APanel, MeasurementsAreShownWithTheirSelection) {
+  EXPECT_EQ(result_of("identification.get", kAxis).at("phase"), "idle");
+  result_of("parameter.write", {{"parameter", "1/p1910"}, {"value", 1}});
+  const json told = result_of("identification.get", kAxis);
+  EXPECT_EQ(told.at("phase"), "waiting");
+  EXPECT_EQ(told.at("selected"), "standstill (p1910)");
+  EXPECT_EQ(told.at("results"), json::array());
+}
+
 }  // namespace
 }  // namespace axisd
