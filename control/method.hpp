@@ -59,6 +59,13 @@ enum class Scope : std::uint8_t {
   Program  ///< the daemon, for all of its units
 };
 
+/// Whether a method changes something in the unit that no other event tells of, so that it is one itself.
+enum class Acts : std::uint8_t {
+  No,      ///< it looks, or its effect has events of its own
+  Always,  ///< each time it succeeds
+  With     ///< with the parameter Method::acts_with
+};
+
 /// One method: what can be asked of a daemon over its control socket, and the subcommand of axisctl that asks it.
 struct Method {
   std::string_view name;  ///< on the socket
@@ -70,6 +77,8 @@ struct Method {
   std::span<const std::string_view> keys{};     ///< members of the result and below, in the order of its schema
   std::span<const std::string_view> columns{};  ///< what a table of the result shows; empty: all
   std::span<const std::string_view> brief{};    ///< the same where it is to be brief
+  Acts acts = Acts::No;
+  std::string_view acts_with{};
 };
 
 /// What the subcommands of a group have in common.

@@ -170,6 +170,18 @@ class Device final {
   void fail_encoder(std::size_t axis, motor::EncoderDefect defect, canopen::TimePoint now) noexcept {
     runner_.fail_encoder(axis, defect, unit_time(now));
   }
+  /// An operator panel takes the control of @p axis (1..axes), commands it and gives the control back: see
+  /// unit::Runner.
+  [[nodiscard]] std::optional<drive::PanelRefusal> take_control(std::size_t axis, double timeout,
+                                                                canopen::TimePoint now) noexcept {
+    return runner_.take_control(axis, timeout, unit_time(now));
+  }
+  [[nodiscard]] bool command_by_panel(std::size_t axis, bool on, double speed, canopen::TimePoint now) noexcept {
+    return runner_.command_by_panel(axis, on, speed, unit_time(now));
+  }
+  [[nodiscard]] bool give_control_back(std::size_t axis, canopen::TimePoint now) noexcept {
+    return runner_.give_control_back(axis, unit_time(now));
+  }
   /// Sets the line voltage of the supply (V rms between lines, not negative; 0 = mains failure).
   void set_line_voltage(double voltage, canopen::TimePoint now) noexcept {
     runner_.set_line_voltage(voltage, unit_time(now));

@@ -117,7 +117,9 @@ constexpr std::array kReasons{
 std::vector<std::string> explain(const Device& device, std::size_t number, std::vector<std::string> commanding) {
   const Picture picture{device, number};
   std::vector<std::string> bus = std::move(commanding);
-  const bool is_led_by_the_bus = bus.empty();
+  const bool by_hand = picture.axis().block<drive::OperatorPanel>().is_active();
+  if (by_hand) bus.clear();
+  const bool is_led_by_the_bus = bus.empty() && !by_hand;
   for (const Reason& reason : kReasons)
     if (is_led_by_the_bus && reason.holds(picture)) bus.push_back(reason.text(picture));
   if (const drive::Infeed* const infeed = device.unit().infeed())

@@ -95,6 +95,11 @@ class DriveUnit final : private Surroundings {
   void cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept;
   /// Puts what is to be sent into the process data again, as it is now.
   void send_process_data() noexcept;
+  /// An operator panel that will not be silent for longer than @p timeout (s) takes the control of @p axis
+  /// (0..axes-1), or why it cannot.
+  [[nodiscard]] std::optional<PanelRefusal> take_control(std::size_t axis, double timeout) noexcept;
+  /// Why it could not now.
+  [[nodiscard]] std::optional<PanelRefusal> panel_refusal(std::size_t axis) noexcept;
   /// What a cycle does to process data, without moving the axes.
   void exchange_process_data() noexcept;
   /// Sources of interconnections are found anew before the next cycle: what they are relative to has changed.

@@ -57,6 +57,19 @@ void DriveUnit::follow_unit_inputs() noexcept {
   if (external.acknowledges()) control_unit_.acknowledge();
 }
 
+std::optional<PanelRefusal> DriveUnit::panel_refusal(std::size_t axis) noexcept {
+  // p0806 may have been written since the last cycle.
+  wiring_->connect();
+  wiring_->take(axes_[axis], kBlock<OperatorPanel>);
+  return axes_[axis].block<OperatorPanel>().refusal(axes_[axis].actual().pulses_enabled);
+}
+
+std::optional<PanelRefusal> DriveUnit::take_control(std::size_t axis, double timeout) noexcept {
+  const std::optional<PanelRefusal> refusal = panel_refusal(axis);
+  if (!refusal) axes_[axis].block<OperatorPanel>().take(timeout);
+  return refusal;
+}
+
 void DriveUnit::run_infeed(double duration) noexcept {
   if (!infeed_) return;
   wiring_->take(*infeed_, kBlock<InfeedInputs>);

@@ -80,6 +80,12 @@ void add_emergency(json& line, const Event& event) {
   line["data"] = data;
 }
 
+void add_action(json& line, const Event& event) {
+  line["method"] = event.text;
+  line["text"] = event.note.text();
+  add_origin(line, event);
+}
+
 /// What further members the lines of each kind have, in the order of the kinds.
 using AddMembers = void (*)(json& line, const Event& event);
 constexpr std::array<AddMembers, kEventKinds> kMembers{
@@ -97,9 +103,18 @@ constexpr std::array<AddMembers, kEventKinds> kMembers{
     &add_refusal,
     [](json& line, const Event& event) { line["done"] = event.active; },
     [](json&, const Event&) {},
+    &add_action,
 };
 
 }  // namespace
+
+Note::Note(std::string_view text) noexcept {
+  std::size_t size = std::min(text.size(), kLongest);
+  const auto goes_on = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
+  while (size > 0 && size < text.size() && goes_on(size)) --size;
+  std::ranges::copy(text.substr(0, size), bytes_.begin());
+  size_ = static_cast<std::uint8_t>(size);
+}
 
 std::optional<EventKind> kind_named(std::string_view name) noexcept {
   const auto* const row = std::ranges::find(kEventRows, name, &EventRow::name);

@@ -28,14 +28,30 @@ enum class EventKind : std::uint8_t {
   Refusal = 11,
   Store = 12,
   Restore = 13,
+  Control = 14,
 };
-inline constexpr std::size_t kEventKinds = 14;
+inline constexpr std::size_t kEventKinds = 15;
 
 /// Who has caused it.
 enum class Origin : std::uint8_t {
   Unit = 0,    ///< the unit itself
   Sdo = 1,     ///< a client of an SDO server
   Control = 2  ///< a client of the control socket
+};
+
+/// A short text that an event has itself; what is longer is cut.
+class Note {
+ public:
+  static constexpr std::size_t kLongest = 95;  ///< bytes
+
+  constexpr Note() noexcept = default;
+  /// Cut between two letters of UTF-8.
+  explicit Note(std::string_view text) noexcept;
+  std::string_view text() const noexcept { return {bytes_.data(), size_}; }
+
+ private:
+  std::array<char, kLongest> bytes_{};
+  std::uint8_t size_ = 0;
 };
 
 /// Something that has happened in a unit. It is a value: nothing is allocated for it. Which members count depends
@@ -54,8 +70,9 @@ struct Event {
   std::optional<double> value{};
   std::optional<double> before{};      ///< the value before a write
   std::array<std::uint8_t, 8> data{};  ///< of an emergency message
-  std::string_view text{};             ///< state, or name of a message
+  std::string_view text{};             ///< state, name of a message, or method of the control socket
   std::string_view text_before{};      ///< the state before
+  Note note{};                         ///< parameters of the method, in short
 };
 
 /// A kind of events: its name for subscriptions and JSON, and what it says.
@@ -80,6 +97,7 @@ inline constexpr std::array kEventRows{
     EventRow{EventKind::Refusal, "refusal", "an SDO client was refused a write"},
     EventRow{EventKind::Store, "store", "the parameters were saved, or could not be"},
     EventRow{EventKind::Restore, "restore", "the parameters are those of a new unit"},
+    EventRow{EventKind::Control, "control", "a client of the control socket has acted on the unit"},
 };
 static_assert([] {
   for (std::size_t i = 0; i < kEventRows.size(); ++i)

@@ -75,7 +75,8 @@ RecordBytes event_record(const Event& event, Moment at) noexcept {
   record.add_real(event.before.value_or(0.0));
   record.add(event.data);
   record.add_text(event.text.substr(0, kLongestText));
-  record.add_text(event.text_before.substr(0, kLongestText));
+  const std::string_view second = event.kind == EventKind::Control ? event.note.text() : event.text_before;
+  record.add_text(second.substr(0, kLongestText));
   return record;
 }
 

@@ -87,6 +87,7 @@ std::optional<Content> event_in(Payload& payload) {
   for (std::uint8_t& byte : event.data) byte = payload.as<std::uint8_t>();
   event.text = payload.text();
   event.text_before = payload.text();
+  if (event.kind == EventKind::Control) event.note = Note{std::exchange(event.text_before, {})};
   return event;
 }
 

@@ -199,6 +199,23 @@ void Runner::set_load_torque(std::size_t axis, double torque, TimePoint now, mot
   wake(mask_of(axis));
 }
 
+std::optional<drive::PanelRefusal> Runner::take_control(std::size_t axis, double timeout, TimePoint now) noexcept {
+  tell_time(now);
+  const std::optional<drive::PanelRefusal> refusal = unit_.take_control(axis - 1, timeout);
+  if (!refusal) wake(mask_of(axis));
+  return refusal;
+}
+
+bool Runner::command_by_panel(std::size_t axis, bool on, double speed, TimePoint now) noexcept {
+  tell_time(now);
+  return unit_.axes()[axis - 1].block<drive::OperatorPanel>().command(on, speed);
+}
+
+bool Runner::give_control_back(std::size_t axis, TimePoint now) noexcept {
+  tell_time(now);
+  return unit_.axes()[axis - 1].block<drive::OperatorPanel>().give_back();
+}
+
 bool Runner::is_moving() const noexcept {
   return !clock_.is_resting() && std::ranges::any_of(unit_.axes(), [](const drive::Axis& axis) {
     return axis.actual().pulses_enabled || std::abs(axis.actual().speed) > 0.0;

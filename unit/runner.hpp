@@ -143,6 +143,14 @@ class Runner final : private drive::AccessListener {
   bool acknowledge(std::size_t axis, TimePoint now) noexcept;
   /// The same for every drive object.
   void acknowledge() noexcept;
+  /// An operator panel that will not be silent for longer than @p timeout (s) takes the control of @p axis
+  /// (1..axes), or why it cannot.
+  [[nodiscard]] std::optional<drive::PanelRefusal> take_control(std::size_t axis, double timeout,
+                                                                TimePoint now) noexcept;
+  /// It gives ON or OFF1 and a speed setpoint (rad/s); false if none leads the axis.
+  [[nodiscard]] bool command_by_panel(std::size_t axis, bool on, double speed, TimePoint now) noexcept;
+  /// It gives OFF1, and the control back at standstill; false if none has it.
+  [[nodiscard]] bool give_control_back(std::size_t axis, TimePoint now) noexcept;
   /// Sets the load torque of @p axis (1..axes; N·m; a constant one positive against positive rotation, friction
   /// not negative).
   void set_load_torque(std::size_t axis, double torque, TimePoint now, motor::LoadTorqueType type) noexcept;

@@ -19,6 +19,11 @@ class Fields {
   Fields(const Json& object, std::string place, std::span<const std::string_view> known);
 
   bool has(std::string_view key) const { return object_.contains(key); }
+  /// Whether @p key is there and a text.
+  bool is_text(std::string_view key) const {
+    const Json* const value = find(key);
+    return value != nullptr && value->is_string();
+  }
   /// A text that is not empty; @p otherwise if the key is not there.
   std::string_view text(std::string_view key, std::string_view otherwise) const;
   std::string_view text(std::string_view key) const;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kFileKeys{"group",       "summary", "order",  "commands",
                                                     "definitions", "notices", "methods"};
-constexpr std::array<std::string_view, 9> kMethodKeys{"name",   "scope",       "command", "summary", "params",
-                                                      "result", "result_text", "columns", "brief"};
+constexpr std::array<std::string_view, 10> kMethodKeys{"name",   "scope",       "command", "summary", "params",
+                                                       "result", "result_text", "columns", "brief",   "acts"};
 constexpr double kLast = 1000.0;
 
 /// One file, with what its texts are kept in.
@@ -27,6 +27,7 @@ struct Reader {
   void read_file(const Json& document);
   MethodText read_method(const Json& object, const std::string& place);
   void read_parameters(const Fields& fields, MethodText& method);
+  static void read_acts(const Fields& fields, Method& method);
   std::span<const std::string_view> read_texts(const Fields& fields, std::string_view key);
   void add_group(std::string_view name, std::string_view summary);
   void merge(Json& all, const Fields& fields, std::string_view key) const;
@@ -60,6 +61,18 @@ std::span<const std::string_view> Reader::read_texts(const Fields& fields, std::
   return own;
 }
 
+/// true, or the parameter that makes it act.
+void Reader::read_acts(const Fields& fields, Method& method) {
+  if (!fields.is_text("acts")) {
+    method.acts = fields.flag("acts", false) ? Acts::Always : Acts::No;
+    return;
+  }
+  method.acts = Acts::With;
+  method.acts_with = fields.text("acts");
+  if (std::ranges::count(method.parameters, method.acts_with, &Parameter::key) == 0)
+    fields.refuse("acts", "true, or one of the parameters");
+}
+
 MethodText Reader::read_method(const Json& object, const std::string& place) {
   const Fields fields{object, place, kMethodKeys};
   MethodText method{};
@@ -78,6 +91,7 @@ MethodText Reader::read_method(const Json& object, const std::string& place) {
   method.row.columns = read_texts(fields, "columns");
   method.row.brief = read_texts(fields, "brief");
   read_parameters(fields, method);
+  read_acts(fields, method.row);
   return method;
 }
 

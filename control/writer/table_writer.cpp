@@ -113,6 +113,11 @@ std::string TableWriter::parameters(const Method& method) {
   return array;
 }
 
+std::string_view name_of(Acts acts) {
+  constexpr std::array<std::string_view, 3> kNames{"No", "Always", "With"};
+  return kNames[static_cast<std::size_t>(acts)];
+}
+
 /// "drive-state" as the name of a constant: kDriveState.
 std::string constant_of(std::string_view definition) {
   std::string name{"k"};
@@ -148,10 +153,11 @@ std::string write_table(const ProtocolText& text) {
     for (const auto& [row, meanings, result_text, result] : chapter.methods)
       methods += fmt::format(
           "    Method{{.name = {}, .scope = Scope::{}, .group = {}, .command = {}, .summary = {},\n"
-          "           .parameters = {}, .keys = {}, .columns = {}, .brief = {}}},\n",
+          "           .parameters = {}, .keys = {}, .columns = {}, .brief = {},\n"
+          "           .acts = Acts::{}, .acts_with = {}}},\n",
           quoted(row.name), row.scope == Scope::Unit ? "Unit" : "Program", quoted(row.group), quoted(row.command),
           quoted(row.summary), writer.parameters(row), writer.texts(row.keys), writer.texts(row.columns),
-          writer.texts(row.brief));
+          writer.texts(row.brief), name_of(row.acts), quoted(row.acts_with));
   std::string groups;
   for (const Group& group : text.groups)
     groups += fmt::format("    Group{{{}, {}}},\n", quoted(group.name), quoted(group.summary));

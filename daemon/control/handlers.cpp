@@ -8,13 +8,28 @@ namespace {
 
 using Group = std::span<const Handler> (*)() noexcept;
 constexpr auto kGroups = std::to_array<Group>({
-    &unit_handlers,     &fault_handlers,         &inject_handlers,
-    &message_handlers,  &plant_handlers,         &record_handlers,
-    &terminal_handlers, &parameter_handlers,     &parameter_list_handlers,
-    &object_handlers,   &terminal_list_handlers, &plant_state_handlers,
-    &pdo_handlers,      &nmt_handlers,           &storage_handlers,
-    &signal_handlers,   &trace_handlers,         &if1_handlers,
+    &unit_handlers,
+    &fault_handlers,
+    &inject_handlers,
+    &message_handlers,
+    &plant_handlers,
+    &record_handlers,
+    &terminal_handlers,
+    &parameter_handlers,
+    &parameter_list_handlers,
+    &object_handlers,
+    &terminal_list_handlers,
+    &plant_state_handlers,
+    &pdo_handlers,
+    &nmt_handlers,
+    &storage_handlers,
+    &signal_handlers,
+    &trace_handlers,
+    &if1_handlers,
     &acyclic_handlers,
+    &state_machine_handlers,
+    &panel_handlers,
+    &identification_handlers,
 });
 
 }  // namespace

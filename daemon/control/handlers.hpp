@@ -27,6 +27,9 @@ std::span<const Handler> signal_handlers() noexcept;
 std::span<const Handler> trace_handlers() noexcept;
 std::span<const Handler> if1_handlers() noexcept;
 std::span<const Handler> acyclic_handlers() noexcept;
+std::span<const Handler> state_machine_handlers() noexcept;
+std::span<const Handler> panel_handlers() noexcept;
+std::span<const Handler> identification_handlers() noexcept;
 
 /// The handler of @p method among those of all groups; nullptr if it has none.
 const Handler* find_handler(std::string_view method) noexcept;

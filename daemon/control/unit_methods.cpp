@@ -36,7 +36,8 @@ json bus_reasons_of(const Instance& instance) {
 
 json reasons_of(const Instance& instance, std::size_t axis) {
   const std::vector<std::string> if1 = profidrive::reasons(instance.if1(), instance.device().axis(axis).number());
-  json reasons = if1.empty() ? bus_reasons_of(instance) : json::array();
+  const bool by_hand = instance.device().axis(axis).block<drive::OperatorPanel>().is_active();
+  json reasons = if1.empty() && !by_hand ? bus_reasons_of(instance) : json::array();
   for (const std::string& reason : device::explain(instance.device(), axis, if1)) reasons.push_back(reason);
   return reasons;
 }

@@ -12,6 +12,7 @@
 
 #include "control/methods.hpp"
 #include "control/request_check.hpp"
+#include "daemon/control/events/carry_out.hpp"
 #include "daemon/control/handlers.hpp"
 #include "service/clock.hpp"
 
@@ -98,7 +99,10 @@ std::optional<Outcome> Dispatcher::carry_out(Asked& asked) {
 
 std::optional<Outcome> Dispatcher::call_unit(const Asked& asked, ServedUnit& unit, const Handler& handler) {
   run(
-      unit, [&handler, params = asked.request.params](const Call& call) { return handler.answer(call, params); },
+      unit,
+      [&handler, params = asked.request.params](const Call& call) {
+        return axisd::carry_out(handler, call, params);
+      },
       [this, asked](const Outcome& outcome) { answer(asked, outcome); });
   return std::nullopt;
 }

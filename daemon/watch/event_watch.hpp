@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "can/port/port.hpp"
@@ -39,6 +40,14 @@ class EventWatch final : private FrameListener {
   /// What is on or off, up or down, done or failed.
   void on_change(record::EventKind kind, bool active, canopen::TimePoint now) noexcept {
     tell({.time = now, .kind = kind, .active = active});
+  }
+  /// A client of the control socket has carried @p method out, a text that lasts, with the parameters @p text.
+  void on_action(std::string_view method, std::string_view text, canopen::TimePoint now) noexcept {
+    tell({.time = now,
+          .kind = record::EventKind::Control,
+          .origin = record::Origin::Control,
+          .text = method,
+          .note = record::Note{text}});
   }
   /// The parameter @p at has @p value, in its own unit, by somebody beside the bus.
   void on_parameter_written(const device::ParameterWindow::Target& at, double value, std::optional<double> before,

@@ -61,7 +61,7 @@ double Axis::load_place() const noexcept {
 
 bool Axis::is_quiescent() const noexcept {
   return settled_ && !block<SequenceControl>().pulses_enabled() && train_.rests() && !causes_.any_present() &&
-         !waits_for_power() && !block<SpeedMessages>().awaits_target() &&
+         !waits_for_power() && !block<SpeedMessages>().awaits_target() && !block<OperatorPanel>().is_active() &&
          (!positions() || block<Positioner>().is_settled());
 }
 

@@ -204,6 +204,7 @@ class Axis final : public DriveObject {
   struct Schedule;
   template <Phase kPhase>
   void run() noexcept;
+  void follow_panel() noexcept;
   void stand_by() noexcept {}  ///< of a block that does nothing but is asked by another
   void choose_mode() noexcept;
   void follow_jog_bits() noexcept;

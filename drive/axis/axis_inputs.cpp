@@ -50,6 +50,7 @@ void Axis::command(const Setpoints& setpoints) noexcept {
                                      .enable_operation = bit(3),
                                      .halt = named(ControlwordBit::Halt)};
   block<ExternalMessages>().inputs = {.acknowledge_1 = bit(7)};
+  block<OperatorPanel>().inputs = {};
   block<SpeedControl>().inputs = {};
   block<Jog>().inputs = {};
   block<SetpointChannel>().inputs = {.vl_enable_ramp = named(ControlwordBit::EnableRamp),

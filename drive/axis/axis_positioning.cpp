@@ -107,7 +107,7 @@ bool Axis::is_position_control_possible() const noexcept {
   const auto& control = block<SpeedControl>();
   return block<ActualPosition>().position_valid() && block<SequenceControl>().operates() &&
          control.settings.control_mode == kSpeedControlWithEncoder && !control.torque_control() && !jogs() &&
-         !block<Identification>().leads() && !brake_opens();
+         !block<OperatorPanel>().is_active() && !block<Identification>().leads() && !brake_opens();
 }
 
 void Axis::control_position() noexcept {
@@ -115,8 +115,8 @@ void Axis::control_position() noexcept {
   const auto& sequence = block<SequenceControl>();
   const auto& positioner = block<Positioner>();
   auto& control = block<PositionControl>();
-  const bool reacts =
-      sequence.state() == State::FaultReactionActive || sequence.inputs.has_off2() || sequence.inputs.has_off3();
+  const bool reacts = sequence.state() == State::FaultReactionActive || sequence.effective().has_off2() ||
+                      sequence.effective().has_off3();
   control.run({.is_possible = is_position_control_possible(),
                .requests_tracking = reacts,
                .modulo_range = positioner.modulo_range(),

@@ -78,6 +78,7 @@ struct Axis::Turn {
 struct Axis::Schedule {
   // clang-format off
   static constexpr std::array kTurns{
+      Turn{Phase::Sequence, kPlace<OperatorPanel>,    &Axis::follow_panel},
       Turn{Phase::Sequence, kPlace<ExternalMessages>, &Axis::stand_by},
       Turn{Phase::Sequence, kPlace<SpeedControl>,     &Axis::choose_mode},
       Turn{Phase::Sequence, kPlace<Jog>,              &Axis::follow_jog_bits, function_module::kSetpointChannel},

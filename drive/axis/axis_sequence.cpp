@@ -64,6 +64,7 @@ void Axis::follow(const Verdict& verdict) noexcept {
 }
 
 void Axis::lose_connection() noexcept {
+  if (block<OperatorPanel>().is_active()) return;
   const std::optional<Event> command = block<SequenceControl>().lose_connection();
   if (!command) return;
   apply(*command);
@@ -117,6 +118,7 @@ void Axis::power_off() noexcept {
   if (block<Identification>().leads()) stop_measurement();
   block<Identification>().reset();
   block<SequenceControl>().power_off();
+  block<OperatorPanel>().power_off();
   perform(Action::InhibitPulses);
   controlword_ = 0;
   block<ExternalMessages>().power_off();

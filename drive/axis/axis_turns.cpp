@@ -10,9 +10,17 @@
 namespace drive {
 namespace {
 
+constexpr std::uint16_t kOnIsPresent = 7200;
 constexpr std::uint16_t kTorqueControlImpossible = 7430;
 
 }  // namespace
+
+void Axis::follow_panel() noexcept {
+  auto& panel = block<OperatorPanel>();
+  auto& sequence = block<SequenceControl>();
+  if (panel.begin_cycle(duration_, sequence.pulses_enabled())) sequence.withhold_on();
+  block<SpeedControl>().lead_speed(panel.is_active());
+}
 
 void Axis::choose_mode() noexcept {
   if (!block<SpeedControl>().begin_cycle() && block<SequenceControl>().pulses_enabled())
@@ -27,8 +35,13 @@ void Axis::follow_jog_bits() noexcept {
 void Axis::control_sequence() noexcept {
   auto& sequence = block<SequenceControl>();
   const bool acknowledges = block<ExternalMessages>().acknowledges();
-  sequence.begin_cycle();
+  auto& panel = block<OperatorPanel>();
+  sequence.begin_cycle(panel.is_active() ? std::optional{panel.gives_on()} : std::nullopt);
   if (apply(Event::Initialised)) return;
+  if (panel.awaits_off1()) {
+    if (!sequence.withholds_on()) panel.see_off1();
+    follow({kOnIsPresent, panel.awaits_off1(), 0});
+  }
   const auto tell = [this](std::uint16_t number, bool present, bool) { follow({number, present, 0}); };
   sequence.follow_messages(tell);
   block<ExternalMessages>().follow(tell);
@@ -39,7 +52,7 @@ void Axis::control_sequence() noexcept {
       return;  // Switch on disabled is seen for a cycle, whatever the word says
   }
   const bool link = block<PowerUnit>().has_link();
-  sequence.follow_jog(block<Jog>().wants(), block<Jog>().wanted());
+  sequence.follow_jog(block<Jog>().wants() && !panel.is_active(), block<Jog>().wanted());
   apply(sequence.command(link));
   if (const auto missing = sequence.await_power(link, duration_)) static_cast<void>(raise(*missing));
   if (!is_braking(sequence.state())) return;
@@ -52,7 +65,9 @@ void Axis::lead_setpoint() noexcept {
   const auto& sequence = block<SequenceControl>();
   auto& channel = block<SetpointChannel>();
   channel.inputs.speed_setpoint_2 = block<SpeedSetpoint2>().inputs.speed;
-  channel.begin_cycle(block<SpeedControl>().has_ramp_bits());
+  const auto& panel = block<OperatorPanel>();
+  channel.begin_cycle(block<SpeedControl>().has_ramp_bits(),
+                      panel.is_active() ? std::optional{panel.speed()} : std::nullopt);
   channel.choose(sequence.jogs() ? std::optional{block<Jog>().setpoint()} : std::nullopt);
   if (!sequence.operates() || block<Identification>().leads())
     channel.follow_zero();
@@ -182,10 +197,11 @@ void Axis::refresh_status() noexcept {
   actual_.pulses_enabled = sequence.pulses_enabled();
   actual_.speed_demand = block<SetpointChannel>().total();
   actual_.mode = block<SpeedControl>().mode();
-  actual_.statusword = statusword(sequence.state(), {.no_off2 = !sequence.inputs.has_off2(),
-                                                     .no_off3 = !sequence.inputs.has_off3(),
+  actual_.statusword = statusword(sequence.state(), {.no_off2 = !sequence.effective().has_off2(),
+                                                     .no_off3 = !sequence.effective().has_off3(),
                                                      .fault = !messages().faults().empty(),
                                                      .alarm = !messages().alarms().empty(),
+                                                     .remote = !block<OperatorPanel>().is_active(),
                                                      .target_reached = speed.target_reached(),
                                                      .torque_limit_reached = is_at_torque_limit(),
                                                      .speed_zero = speed.is_zero(actual_.speed),

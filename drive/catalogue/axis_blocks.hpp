@@ -11,6 +11,7 @@
 #include "drive/measurement/measurement.hpp"
 #include "drive/motor_model/motor_model.hpp"
 #include "drive/motor_monitoring/motor_monitoring.hpp"
+#include "drive/operator_panel/operator_panel.hpp"
 #include "drive/parameter/block.hpp"
 #include "drive/positioning/actual_position/actual_position.hpp"
 #include "drive/positioning/control/position_control.hpp"
@@ -27,7 +28,8 @@ namespace drive {
 
 /// The function blocks of an axis. Parameters, wiring and causes of messages follow from this list; its turn in a
 /// cycle a block has in the table of axis_schedule.cpp.
-using AxisBlocks = std::tuple<SequenceControl,   //
+using AxisBlocks = std::tuple<OperatorPanel,     //
+                              SequenceControl,   //
                               ExternalMessages,  //
                               SpeedControl,      //
                               Jog,               //

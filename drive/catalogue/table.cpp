@@ -31,6 +31,7 @@
 #include "drive/measurement/measurement_rows.hpp"
 #include "drive/motor_model/motor_model_rows.hpp"
 #include "drive/motor_monitoring/motor_monitoring_rows.hpp"
+#include "drive/operator_panel/operator_panel_rows.hpp"
 #include "drive/positioning/actual_position/actual_position_rows.hpp"
 #include "drive/positioning/control/position_control_rows.hpp"
 #include "drive/positioning/positioner/positioner_rows.hpp"

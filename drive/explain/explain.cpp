@@ -61,6 +61,15 @@ std::string order_for(const DriveObject& object, std::uint16_t input, bool wante
   return fmt::format("make {} {}", source_text(object, input, source), wanted ? 1 : 0);
 }
 
+std::string commanded_by(const Axis& axis, std::uint16_t input) {
+  return axis.block<OperatorPanel>().is_active() ? "by the operator panel" : wiring_of(axis, input);
+}
+
+std::string order_to(const Axis& axis, std::uint16_t input, bool wanted) {
+  if (!axis.block<OperatorPanel>().is_active()) return order_for(axis, input, wanted);
+  return fmt::format("switch it {} at the panel", wanted ? "on" : "off");
+}
+
 bool load_drives(const Picture& picture) noexcept {
   return std::abs(picture.axis.actual().speed) > kSlowest && picture.axis.drive_train().energies().load < 0.0;
 }
@@ -149,7 +158,8 @@ std::string motion_sentence(const Picture& picture) {
   const std::string limit = !picture.axis.is_at_torque_limit() ? ""
                             : load_drives(picture)             ? "; the load drives it against its torque limit"
                                                                : "; it is at its torque limit";
-  return fmt::format("It turns at {} rpm ({}{}{}).", plain(rpm), what, limit, positioning_text(picture));
+  const char* const leader = picture.axis.block<OperatorPanel>().is_active() ? "; an operator panel leads it" : "";
+  return fmt::format("It turns at {} rpm ({}{}{}{}).", plain(rpm), what, limit, positioning_text(picture), leader);
 }
 
 std::string measurement_sentence(const Axis& axis) {

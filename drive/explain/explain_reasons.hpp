@@ -61,6 +61,10 @@ bool load_drives(const Picture& picture) noexcept;
 std::string wiring_of(const DriveObject& object, std::uint16_t input);
 /// What makes the binector input @p input be @p wanted, as an order.
 std::string order_for(const DriveObject& object, std::uint16_t input, bool wanted);
+/// The same of @p axis, or that an operator panel gives what that input is for.
+std::string commanded_by(const Axis& axis, std::uint16_t input);
+/// What makes the commanded input be @p wanted, as an order.
+std::string order_to(const Axis& axis, std::uint16_t input, bool wanted);
 /// A number with at most three decimals and without superfluous zeros.
 std::string plain(double number);
 

@@ -22,11 +22,11 @@ std::string off_sentence(P p, const char* name, const std::array<std::uint16_t, 
 }
 
 bool has_off2(P p) noexcept {
-  return p.sequence().inputs.has_off2();
+  return p.sequence().effective().has_off2();
 }
 
 bool has_off3(P p) noexcept {
-  return p.sequence().inputs.has_off3();
+  return p.sequence().effective().has_off3();
 }
 
 bool always(P) noexcept {
@@ -61,23 +61,34 @@ constexpr std::array kReasons{
            }},
     Reason{180, in(SwitchOnDisabled), has_off2,
            [](P p) {
-             return off_sentence(p, "OFF2", {844, 845}, p.sequence().inputs.no_off2);
+             return off_sentence(p, "OFF2", {844, 845}, p.sequence().effective().no_off2);
            }},
     Reason{190, in(SwitchOnDisabled), has_off3,
            [](P p) {
-             return off_sentence(p, "OFF3", {848, 849}, p.sequence().inputs.no_off3);
+             return off_sentence(p, "OFF3", {848, 849}, p.sequence().effective().no_off3);
            }},
     Reason{200, in(SwitchOnDisabled), [](P p) { return p.sequence().is_on() && !has_off2(p) && !has_off3(p); },
            [](P p) {
-             return fmt::format("ON ({}) is still set and needs an edge: send 0006h first, then 000Fh.",
-                                wiring_of(p.axis, 840));
+             const bool panel = p.axis.block<OperatorPanel>().is_active();
+             return fmt::format("ON ({}) is still set and needs an edge: {}.", commanded_by(p.axis, 840),
+                                panel ? "switch it off and on at the panel" : "send 0006h first, then 000Fh");
            }},
-    Reason{210, in(ReadyToSwitchOn), [](P p) { return !p.sequence().is_on(); },
+    Reason{
+        205, in(ReadyToSwitchOn), [](P p) { return p.sequence().withholds_on(); },
+        [](P p) {
+          return fmt::format(
+              "ON ({}) is still there from before the connection was lost or an operator panel led (A07200), and "
+              "needs an edge: send 0006h first, then 000Fh.",
+              wiring_of(p.axis, 840));
+        }},
+    Reason{210, in(ReadyToSwitchOn), [](P p) { return !p.sequence().is_on() && !p.sequence().withholds_on(); },
            [](P p) {
-             return fmt::format("ON is missing ({}): {}, together with operation enable 000Fh.",
-                                wiring_of(p.axis, 840), order_for(p.axis, 840, true));
+             const bool panel = p.axis.block<OperatorPanel>().is_active();
+             return fmt::format("ON is missing ({}): {}{}.", commanded_by(p.axis, 840),
+                                order_to(p.axis, 840, true),
+                                panel ? "" : ", together with operation enable 000Fh");
            }},
-    Reason{220, in(SwitchedOn), [](P p) { return !p.sequence().inputs.enable_operation; },
+    Reason{220, in(SwitchedOn), [](P p) { return !p.sequence().effective().enable_operation; },
            [](P p) {
              return fmt::format("The operation enable is missing ({}): {}.", wiring_of(p.axis, 852),
                                 order_for(p.axis, 852, true));
@@ -86,7 +97,7 @@ constexpr std::array kReasons{
            [](P) -> std::string {
              return "A halt keeps the pulses off (bit 8 of the controlword with p8791 = 0): clear bit 8.";
            }},
-    Reason{240, in(SwitchedOn), [](P p) { return !p.sequence().inputs.infeed_operates; },
+    Reason{240, in(SwitchedOn), [](P p) { return !p.sequence().effective().infeed_operates; },
            [](P p) {
              return fmt::format("The infeed does not operate ({}, r0002 = 23): {} before p0857 ends in F07840.",
                                 wiring_of(p.axis, 864), order_for(p.axis, 864, true));

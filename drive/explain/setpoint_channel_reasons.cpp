@@ -86,7 +86,9 @@ constexpr std::array kReasons{
            [](P p) { return ramp_leads(p) && !has_both_jogs(p) && !has_setpoint(p) && p.axis.jogs(); },
            [](P) -> std::string { return "The jog speed is 0: write p1058 and p1059."; }},
     Reason{580, kOperation, [](P p) { return ramp_leads(p) && !has_setpoint(p) && !p.axis.jogs(); },
-           [](P p) {
+           [](P p) -> std::string {
+             if (p.axis.block<OperatorPanel>().is_active())
+               return "The speed setpoint of the operator panel is 0: give one there.";
              const bool channel = p.axis.has_setpoint_channel();
              const std::string wiring =
                  (channel ? wiring_of(p.axis, 1070) + ", " : std::string{}) + wiring_of(p.axis, 1155);

@@ -99,6 +99,11 @@ std::uint16_t Identification::progress() const noexcept {
   return motor::measurement_step::kNone;
 }
 
+double Identification::share() const noexcept {
+  if (phase_ != Phase::Running) return 0.0;
+  return due() == Part::Standstill ? standstill_.share() : rotating_.share();
+}
+
 void Identification::finish() noexcept {
   phase_ = Phase::Idle;
   if (due() == Part::Standstill) {

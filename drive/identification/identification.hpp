@@ -93,6 +93,8 @@ class Identification {
   std::uint16_t fault_value() const noexcept;
   /// r0047: what runs is about to do; what is selected; 0.
   std::uint16_t progress() const noexcept;
+  /// The share of its steps that the measurement that runs has behind it, 0 to 1; 0 while none runs.
+  double share() const noexcept;
   /// Gives the measurement up without a result; it stays selected.
   void stop() noexcept { phase_ = Phase::Idle; }
   /// The measurement that runs is done: keeps its result and takes its selection back.

@@ -53,9 +53,10 @@ std::optional<Event> event_of(Reaction reaction) noexcept {
   return row != kReactionEvents.end() ? std::optional{row->event} : std::nullopt;
 }
 
-void SequenceControl::begin_cycle() noexcept {
-  on_withheld_ = on_withheld_ && inputs.on && !inputs.has_off2() && !inputs.has_off3();
-  on_ = inputs.on && !on_withheld_;
+void SequenceControl::begin_cycle(std::optional<bool> panel_on) noexcept {
+  in_ = panel_on ? Inputs{.on = *panel_on, .infeed_operates = inputs.infeed_operates} : inputs;
+  on_withheld_ = on_withheld_ && in_.on && !in_.has_off2() && !in_.has_off3();
+  on_ = in_.on && !on_withheld_;
 }
 
 void SequenceControl::follow_jog(bool jog, bool jogged) noexcept {
@@ -76,8 +77,8 @@ Event SequenceControl::command(bool link) const noexcept {
   if (is_inhibited()) return command_of(0);
   const bool halted = halts() && settings.halt_option == kHaltWithPulsesOff;
   const bool waits = !pulses_enabled() && !has_power(link);
-  const std::array bits{on_ || jogging_, !inputs.has_off2(), !inputs.has_off3(),
-                        inputs.enable_operation && !halted && !waits};
+  const std::array bits{on_ || jogging_, !in_.has_off2(), !in_.has_off3(),
+                        in_.enable_operation && !halted && !waits};
   unsigned word = 0;
   for (std::size_t i = 0; i < bits.size(); ++i) word |= static_cast<unsigned>(bits[i]) << i;
   return command_of(static_cast<std::uint16_t>(word));
@@ -87,7 +88,7 @@ std::optional<std::uint16_t> SequenceControl::await_power(bool link, double dura
   const double before = std::exchange(power_missing_, waits_for_power(link) ? power_missing_ + duration : 0.0);
   const double limit = settings.power_monitoring_time;
   if (elapsed(before, limit) || !elapsed(power_missing_, limit)) return std::nullopt;
-  return inputs.infeed_operates ? kPowerUnitNotReady : kInfeedMissing;
+  return in_.infeed_operates ? kPowerUnitNotReady : kInfeedMissing;
 }
 
 bool SequenceControl::brakes_to_standstill(double duration, double speed, double setpoint,
@@ -105,7 +106,7 @@ std::optional<Event> SequenceControl::lose_connection() noexcept {
   const std::optional<Event> command = abort_row(settings).command;
   // Where nothing runs, OFF1 must not lift the inhibit; after OFF2 and OFF3 there is one, which ON alone does not.
   if (!command || state_ == State::SwitchOnDisabled) return std::nullopt;
-  on_withheld_ = inputs.on && *command == Event::Shutdown;
+  on_withheld_ = in_.on && *command == Event::Shutdown;
   jogging_ = false;
   return command;
 }
@@ -116,7 +117,7 @@ Reaction SequenceControl::abort_reaction() const noexcept {
 
 void SequenceControl::power_off() noexcept {
   state_ = State::SwitchOnDisabled;
-  inputs = {};
+  in_ = inputs = {};
   on_ = false;
   on_withheld_ = false;
 }

@@ -56,14 +56,17 @@ class SequenceControl {
       InputMessage<Inputs>{7841, &Inputs::infeed_operates, Pulses::On},
   };
 
-  /// A cycle begins with the inputs as they are.
-  void begin_cycle() noexcept;
+  /// A cycle begins with the inputs as they are, which act as effective() has them: an operator panel that leads
+  /// gives ON or OFF1, as @p panel_on says, and every enable.
+  void begin_cycle(std::optional<bool> panel_on = std::nullopt) noexcept;
+  /// The inputs as they act.
+  const Inputs& effective() const noexcept { return in_; }
   /// Calls @p tell(number, present, before) for each message that an input brings now or brought in the last
   /// cycle.
   template <class Tell>
   void follow_messages(const Tell& tell) noexcept {
     messages_.follow(
-        kMessages, inputs, [this] { return pulses_enabled(); }, tell);
+        kMessages, in_, [this] { return pulses_enabled(); }, tell);
   }
   /// With ON = 0, the rising edge of a jog bit is ON and its 0 is OFF1: @p jog is either of them, @p jogged what
   /// it was in the last cycle.
@@ -82,6 +85,10 @@ class SequenceControl {
   /// What the loss of the connection commands where there is no fault of it (p8641), if anything. The ON that was
   /// there needs an edge.
   std::optional<Event> lose_connection() noexcept;
+  /// Another leads the axis from now on: the ON that is there needs an edge.
+  void withhold_on() noexcept { on_withheld_ = inputs.on; }
+  /// ON is there and needs an edge.
+  bool withholds_on() const noexcept { return on_withheld_; }
   /// What F08700 does by p8641.
   Reaction abort_reaction() const noexcept;
   /// Power-off: Switch on disabled, no input has come yet.
@@ -97,11 +104,11 @@ class SequenceControl {
   /// Switched on by p1055 or p1056, and still so.
   bool jogs() const noexcept { return jogging_; }
   /// Whether the infeed operates and @p link, the DC link, has its voltage.
-  bool has_power(bool link) const noexcept { return inputs.infeed_operates && link; }
+  bool has_power(bool link) const noexcept { return in_.infeed_operates && link; }
   /// Whether it is switched on and waits for the infeed or the DC link.
   bool waits_for_power(bool link) const noexcept { return state_ == State::SwitchedOn && !has_power(link); }
   /// Whether the controlword asks for a halt that p8791 provides.
-  bool halts() const noexcept { return inputs.halt && settings.halt_option >= 0; }
+  bool halts() const noexcept { return in_.halt && settings.halt_option >= 0; }
   /// Whether p0009 or p0010 inhibit switching on.
   bool is_inhibited() const noexcept { return inhibited_ || settings.commissioning != 0; }
   /// Whether @p speed and @p setpoint (rad/s) are below p1226.
@@ -114,10 +121,11 @@ class SequenceControl {
   Inputs inputs{};
 
  private:
+  Inputs in_{};
   State state_ = State::NotReadyToSwitchOn;
   bool on_ = false;
   bool jogging_ = false;
-  bool on_withheld_ = false;    // after OFF1 by lose_connection(), until ON goes
+  bool on_withheld_ = false;    // after a change of who leads, until ON goes
   bool inhibited_ = false;      // by the unit
   double power_missing_ = 0.0;  // s, since ON
   StandstillMonitor standstill_;

@@ -185,6 +185,10 @@ const Transition* find_transition(State state, Event event) noexcept {
   return kLookup[index(state)][index(event)];
 }
 
+std::span<const Transition> transitions() noexcept {
+  return kTransitions;
+}
+
 bool pulses_enabled_in(State state) noexcept {
   return kStates[index(state)].pulses;
 }

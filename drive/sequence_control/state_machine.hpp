@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace drive {
@@ -71,6 +72,9 @@ Event command_of(std::uint16_t controlword) noexcept;
 
 /// The row for @p event in @p state, or nullptr: the event then changes nothing.
 const Transition* find_transition(State state, Event event) noexcept;
+
+/// All rows of the table.
+std::span<const Transition> transitions() noexcept;
 
 /// Whether the motor is on power in @p state.
 bool pulses_enabled_in(State state) noexcept;

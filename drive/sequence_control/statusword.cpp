@@ -41,7 +41,7 @@ std::uint16_t statusword(State state, const StatusSignals& signals) noexcept {
   const std::array bits{
       Bit{signals.fault, 3},           Bit{signals.no_off2, 4},
       Bit{signals.no_off3, 5},         Bit{signals.alarm, 7},
-      Bit{signals.free_bit_8, 8},      Bit{true, 9},  // control requested: this unit always listens to its master
+      Bit{signals.free_bit_8, 8},      Bit{signals.remote, 9},
       Bit{signals.target_reached, 10}, Bit{signals.torque_limit_reached, 11},
       Bit{signals.speed_zero, 12},     Bit{signals.free_bit_14, 14},
       Bit{signals.free_bit_15, 15},

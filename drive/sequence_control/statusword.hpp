@@ -12,6 +12,7 @@ struct StatusSignals {
   bool no_off3 = false;               ///< bit 5
   bool fault = false;                 ///< bit 3, also for a fault without a reaction
   bool alarm = false;                 ///< bit 7
+  bool remote = true;                 ///< bit 9, control requested: no operator panel leads
   bool target_reached = false;        ///< bit 10, r2197.7
   bool torque_limit_reached = false;  ///< bit 11, r1407.7
   bool speed_zero = false;            ///< bit 12, r2199.0

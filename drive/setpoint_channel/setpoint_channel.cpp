@@ -41,14 +41,25 @@ void SetpointChannel::limit() noexcept {
   backward_ = std::clamp(backward, -maximum_, 0.0);
 }
 
-void SetpointChannel::begin_cycle(bool velocity_mode) noexcept {
+void SetpointChannel::begin_cycle(bool velocity_mode, std::optional<double> panel) noexcept {
   in_ = inputs;
+  panel_ = panel;
   if (velocity_mode) {
     in_.enable_ramp &= inputs.vl_enable_ramp;
     in_.continue_ramp &= inputs.vl_unlock_ramp;
     in_.enable_setpoint &= inputs.vl_reference_ramp;
   }
   if (!extended_) leave_module_out();
+  if (panel_) follow_panel(*panel_);
+}
+
+/// Limits, inversion, inhibited directions and the times of the ramp stay.
+void SetpointChannel::follow_panel(double speed) noexcept {
+  in_.enable_ramp = in_.continue_ramp = in_.enable_setpoint = true;
+  in_.set_ramp = false;
+  in_.supplementary_setpoint = in_.speed_setpoint_2 = 0.0;
+  in_.main_setpoint = extended_ ? speed : 0.0;
+  in_.speed_setpoint_1 = extended_ ? 0.0 : speed;
 }
 
 /// Without extended setpoint channel there is no ramp-function generator, but limits and the

@@ -101,14 +101,20 @@ class SetpointChannel {
   /// without rounded ends.
   void configure(double motor_maximum_speed, bool extended = true) noexcept;
   /// A cycle begins with the inputs as they are, which act as effective() has them; in @p velocity_mode bits 4 to
-  /// 6 of the controlword are enables.
-  void begin_cycle(bool velocity_mode = false) noexcept;
+  /// 6 of the controlword are enables. An operator panel that leads gives @p panel (rad/s) as the only setpoint,
+  /// and the enables of the ramp.
+  void begin_cycle(bool velocity_mode = false, std::optional<double> panel = std::nullopt) noexcept;
   /// The inputs as they act, without those that the function module in force does not have.
   const Inputs& effective() const noexcept { return in_; }
-  /// The setpoint that comes in: p1070, or p1155 where there is no extended setpoint channel.
-  double incoming() const noexcept { return extended_ ? inputs.main_setpoint : inputs.speed_setpoint_1; }
+  /// The setpoint that comes in: p1070, or p1155 where there is no extended setpoint channel; that of a panel.
+  double incoming() const noexcept {
+    return panel_ ? *panel_ : extended_ ? inputs.main_setpoint : inputs.speed_setpoint_1;
+  }
   /// Power-off: no input has come yet.
-  void power_off() noexcept { in_ = inputs = {}; }
+  void power_off() noexcept {
+    in_ = inputs = {};
+    panel_.reset();
+  }
 
   /// The pulses come on: the ramp goes on from @p speed.
   void start(double speed) noexcept;
@@ -180,6 +186,7 @@ class SetpointChannel {
   void lead_ramp() noexcept;
   void limit() noexcept;
   void leave_module_out() noexcept;
+  void follow_panel(double speed) noexcept;
 
   // Follows from the parameters.
   std::array<RampSlopes, kRampCount> slopes_{};
@@ -187,6 +194,7 @@ class SetpointChannel {
   bool extended_ = true;
 
   Inputs in_{};
+  std::optional<double> panel_;  // setpoint of an operator panel that leads
   Ramp ramp_ = Ramp::Setpoint;
   bool moves_ = true;
   double forward_ = 0.0;

@@ -56,8 +56,11 @@ class SpeedControl {
   /// Power-off: no input has come yet.
   void power_off() noexcept { inputs = {}; }
 
+  /// An operator panel leads the speed whatever the mode of operation, or no longer.
+  void lead_speed(bool leads) noexcept { speed_led_ = leads; }
+
   /// Whether the torque setpoint leads (r1407.2).
-  bool torque_control() const noexcept { return mode_.torque_control(settings.control_mode); }
+  bool torque_control() const noexcept { return !speed_led_ && mode_.torque_control(settings.control_mode); }
   /// Whether bits 4 to 6 of the controlword are enables of the ramp.
   bool has_ramp_bits() const noexcept { return mode_.has_ramp_bits(settings.control_mode); }
   /// The mode whose setpoint leads while the speed does.
@@ -80,6 +83,7 @@ class SpeedControl {
 
  private:
   OperatingMode mode_;
+  bool speed_led_ = false;
 };
 
 }  // namespace drive

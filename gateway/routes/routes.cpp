@@ -119,6 +119,16 @@ constexpr std::array kRoutes{
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/plant", .method = "plant.get"},
     Route{.verb = "PATCH", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/plant", .method = "plant.set"},
 
+    Route{
+        .verb = "GET", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/state-machine", .method = "state.machine"},
+    Route{.verb = "GET",
+          .path = "/api/v1/units/{bus}/{node}/axes/{axis}/identification",
+          .method = "identification.get"},
+    Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/panel", .method = "panel.get"},
+    Route{.verb = "POST", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/panel", .method = "panel.take"},
+    Route{.verb = "PUT", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/panel", .method = "panel.set"},
+    Route{.verb = "DELETE", .path = "/api/v1/units/{bus}/{node}/axes/{axis}/panel", .method = "panel.release"},
+
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/terminals/inputs", .method = "input.list"},
     Route{.verb = "PUT", .path = "/api/v1/units/{bus}/{node}/terminals/inputs/{input}", .method = "input.set"},
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/terminals/outputs", .method = "output.list"},

@@ -20,7 +20,7 @@ COMPARISONS: dict[str, Callable[[float, float], bool]] = {
     'lt': operator.lt, 'le': operator.le, 'eq': operator.eq, 'ne': operator.ne, 'ge': operator.ge, 'gt': operator.gt}
 #: Kinds of events, as in docs/reference/control.md.
 EVENTS = ('power', 'boot-up', 'nmt', 'link', 'bus', 'drive-state', 'fault', 'alarm', 'emcy', 'parameter', 'object', 'refusal', 'store',
-          'restore')
+          'restore', 'control')
 _TOLD_EVENTS = 5
 _SAMPLE_MS = 5  # between two looks at a value
 _OBJECT = re.compile(r'(0x)?[0-9A-Fa-f]{4}h?(:[0-9A-Fa-f]{1,2}h?)?')

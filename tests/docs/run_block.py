@@ -42,6 +42,7 @@ class Blocks:
 BLOCKS = {
     'turn': Blocks('README.md', ['candump vcan0 & sleep'], unit=True, check='reached_speed'),
     'disturb': Blocks('docs/how-to/disturb.md', ['PATH=$PATH:build/release/bin'], unit=True, check='unit_has_ended'),
+    'panel': Blocks('docs/how-to/panel.md', ['axisctl panel show 1'], unit=True),
     'without_can': Blocks('README.md', ['axisd --interface unix:']),
     'ci_bus': Blocks('docs/how-to/ci.md', ['with-can -- candump vcan0 &']),
     'ci_python': Blocks('docs/how-to/ci.md', ['with-can -- pytest-3 examples/ci/test_drive.py']),

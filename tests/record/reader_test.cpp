@@ -53,6 +53,30 @@ class ARecording : public testing::Test {
   std::string content;
 };
 
+TEST(AnEvent, OfAClientKeepsItsMethodAndItsParametersInShort) {
+  const Event act{
+      .kind = EventKind::Control, .origin = Origin::Control, .text = "load.set", .note = Note{"axis 1"}};
+  const fakes::TemporaryDirectory folder;
+  Segments files{plan_in(folder.path("recordings"))};
+  ASSERT_EQ(files.open(), 0);
+  ASSERT_EQ(files.write(event_record(act, 1ms).bytes()), 0);
+  ASSERT_EQ(files.close(EndReason::Stopped, 2ms), 0);
+  const std::string content = content_of_file(files.where());
+  const Recorded read = read_all(content);
+  ASSERT_EQ(read.records.size(), 2U);
+  const auto& event = std::get<Event>(read.records[0].content);
+  EXPECT_EQ(json_of(event, {}),
+            (nlohmann::json{
+                {"t", 0.0}, {"kind", "control"}, {"method", "load.set"}, {"text", "axis 1"}, {"by", "control"}}));
+}
+
+TEST(ANote, IsCutBetweenLetters) {
+  EXPECT_EQ(Note{std::string(200, 'x')}.text(), std::string(Note::kLongest, 'x'));
+  EXPECT_EQ(Note{std::string(Note::kLongest - 1, 'x') + "µ"}.text(), std::string(Note::kLongest - 1, 'x'));
+  EXPECT_EQ(Note{"µ"}.text(), "µ");
+  EXPECT_EQ(Note{}.text(), "");
+}
+
 TEST_F(ARecording, HoldsWhatWasWritten) {
   const Recorded read = read_all(content);
 

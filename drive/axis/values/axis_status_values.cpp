@@ -114,7 +114,7 @@ double controlword(const Axis& axis, std::size_t) noexcept {
 
 double missing_enables(const Axis& axis, std::size_t) noexcept {
   const SequenceControl& sequence = sequence_of(axis);
-  const SequenceControl::Inputs& inputs = sequence.inputs;
+  const SequenceControl::Inputs& inputs = sequence.effective();
   const SetpointChannel::Inputs& channel = channel_inputs_of(axis);
   const bool pulses = axis.actual().pulses_enabled;
   const auto off3 = static_cast<Reactions>(bit_of(Reaction::Off3) | bit_of(Reaction::Stop2));
@@ -133,7 +133,7 @@ double control_status(const Axis& axis, std::size_t) noexcept {
 }
 
 double sequence_control(const Axis& axis, std::size_t) noexcept {
-  const SequenceControl::Inputs& inputs = sequence_of(axis).inputs;
+  const SequenceControl::Inputs& inputs = sequence_of(axis).effective();
   const SetpointChannel::Inputs& channel = channel_inputs_of(axis);
   const Jog::Inputs& jog = axis.block<Jog>().inputs;
   return word(std::array{Bit{0, sequence_of(axis).is_on()}, Bit{1, !inputs.has_off2()}, Bit{2, !inputs.has_off3()},

@@ -104,6 +104,10 @@ void RotatingMeasurement::go_on(const Observation& seen) noexcept {
   begin_step(row_ + 1);
 }
 
+double RotatingMeasurement::share() const noexcept {
+  return static_cast<double>(row_) / static_cast<double>(kSequence.size());
+}
+
 void RotatingMeasurement::fail() noexcept {
   state_ = MeasurementState::Failed;
   flux_share_ = 1.0;

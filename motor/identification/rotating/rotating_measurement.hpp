@@ -43,6 +43,8 @@ class RotatingMeasurement {
   MeasurementState state() const noexcept { return state_; }
   /// Of measurement_step, what it does, or what it failed at: the value of F07985.
   std::uint16_t progress() const noexcept { return progress_; }
+  /// The share of its steps that it has behind it, 0 to 1.
+  double share() const noexcept;
   /// Complete in the state Done.
   const RotatingResult& result() const noexcept { return found_.result; }
 

@@ -104,6 +104,10 @@ void StandstillMeasurement::start(const StandstillTask& task) noexcept {
   begin_test();
 }
 
+double StandstillMeasurement::share() const noexcept {
+  return static_cast<double>(row_) / static_cast<double>(plan_for(bench_.task).size());
+}
+
 void StandstillMeasurement::begin_test() noexcept {
   const PlanRow& row = plan_for(bench_.task)[row_];
   progress_ = row.progress;

@@ -35,6 +35,8 @@ class StandstillMeasurement final : public Excitation {
   MeasurementState state() const noexcept { return state_; }
   /// Of measurement_step, what it does.
   std::uint16_t progress() const noexcept { return progress_; }
+  /// The share of its steps that it has behind it, 0 to 1.
+  double share() const noexcept;
   /// Why the state is Failed.
   StandstillFault fault() const noexcept { return bench_.fault; }
   /// Complete in the state Done.

@@ -4,6 +4,7 @@
 
 #include <poll.h>
 
+#include "daemon/control/events/carry_out.hpp"
 #include "daemon/control/handlers.hpp"
 #include "service/clock.hpp"
 #include "tests/fakes/candump.hpp"
@@ -40,7 +41,7 @@ void ControlledUnit::switch_on(const Configuration& configuration) {
 Outcome ControlledUnit::ask(std::string_view method, const json& params) {
   const Handler* const handler = find_handler(method);
   if (handler == nullptr) return refuse(control::ErrorCode::UnknownMethod, std::string{method});
-  return handler->answer({*instance_, now_}, params);
+  return carry_out(*handler, {*instance_, now_}, params);
 }
 
 nlohmann::json ControlledUnit::result_of(std::string_view method, const json& params) {

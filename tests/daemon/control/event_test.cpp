@@ -77,24 +77,58 @@ TEST_F(EventsOfAUnit, TellOfAFaultItsEmergencyAndItsAcknowledgement) {
   result_of("fault.inject", {{"axis", 1}, {"number", 7900}, {"value", 3}});
   run(10ms);
   const Told come = told();
-  ASSERT_EQ(come.size(), 3U);
-  EXPECT_EQ(come[0].at("kind"), "emcy");
-  EXPECT_EQ(come[0].at("data").get<std::string>().size(), 16U);
-  EXPECT_EQ(come[1], (json{{"kind", "fault"},
+  ASSERT_EQ(come.size(), 4U);
+  EXPECT_EQ(come[0], (json{{"kind", "control"},
+                           {"method", "fault.inject"},
+                           {"text", "axis 1, number 7900, value 3"},
+                           {"by", "control"}}));
+  EXPECT_EQ(come[1].at("kind"), "emcy");
+  EXPECT_EQ(come[1].at("data").get<std::string>().size(), 16U);
+  EXPECT_EQ(come[2], (json{{"kind", "fault"},
                            {"drive_object", 2},
                            {"axis", 1},
                            {"number", 7900},
                            {"name", "F07900"},
-                           {"text", come[1].at("text")},
+                           {"text", come[2].at("text")},
                            {"value", 3},
                            {"active", true}}));
-  EXPECT_EQ(come[2].at("state"), "Fault");
+  EXPECT_EQ(come[3].at("state"), "Fault");
 
   result_of("fault.ack", {{"axis", 1}});
   run(10ms);
   const Told gone = told("fault");
   ASSERT_EQ(gone.size(), 1U);
   EXPECT_EQ(gone[0].at("active"), false);
+}
+
+TEST_F(EventsOfAUnit, TellWhatAClientOfTheSocketHasDone) {
+  result_of("load.set", {{"axis", 1}, {"torque_Nm", 1.5}});
+  EXPECT_EQ(
+      told("control"),
+      (Told{{{"kind", "control"}, {"method", "load.set"}, {"text", "axis 1, torque_Nm 1.5"}, {"by", "control"}}}));
+  result_of("load.get", {{"axis", 1}});
+  result_of("if1.exchange", {{"do", 2}});
+  static_cast<void>(error_of("panel.set", {{"axis", 1}, {"on", true}, {"speed_rpm", 1}}));
+  EXPECT_TRUE(told("control").empty()) << "looks and refusals";
+  result_of("if1.exchange", {{"do", 2}, {"received", {0}}});
+  EXPECT_EQ(told("control").size(), 1U);
+}
+
+TEST_F(EventsOfAUnit, CutTheTextOfALongRequest) {
+  static_cast<void>(
+      ask("inject.add", {{"kind", "heartbeat.late"}, {"delay_ms", 5}, {"until", std::string(200, 'x')}}));
+  told();
+  result_of("inject.add", {{"kind", "heartbeat.late"},
+                           {"delay_ms", 5},
+                           {"after", 3},
+                           {"until", "10 heartbeat"},
+                           {"axis", 1},
+                           {"probability", 0.5},
+                           {"seed", 123456789},
+                           {"from", 1.5}});
+  const Told done = told("control");
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_LE(done[0].at("text").get<std::string>().size(), 95U);
 }
 
 TEST_F(EventsOfAUnit, TellWhichSdoServerHasWrittenAParameter) {

@@ -12,21 +12,37 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kMethods{
-    "parameter.read", "parameter.write", "parameter.list", "parameter.search", "parameter.diff", "object.read",
-    "object.write",   "object.list",     "fault.list",     "fault.buffer",     "fault.clear",    "input.list",
-    "output.list",    "input.analog",    "load.get",       "plant.get",        "plant.set",      "supply.get",
-    "encoder.get",    "pdo.list",        "nmt.get",        "store.status",     "restore"};
-constexpr std::array kKeys{"axis",       "parameter",
-                           "parameters", "value",
-                           "filter",     "from",
-                           "count",      "text",
-                           "against",    "index",
-                           "sub_index",  "kind",
-                           "voltage_V",  "direction",
-                           "all",        "watch",
-                           "which",      "load_inertia_kgm2",
-                           "ambient_C",  "coulomb_friction_Nm"};
+constexpr std::array kMethods{"parameter.read", "parameter.write", "parameter.list", "parameter.search",
+                              "parameter.diff", "object.read",     "object.write",   "object.list",
+                              "fault.list",     "fault.buffer",    "fault.clear",    "input.list",
+                              "output.list",    "input.analog",    "load.get",       "plant.get",
+                              "plant.set",      "supply.get",      "panel.get",      "panel.take",
+                              "panel.set",      "panel.release",   "state.machine",  "identification.get",
+                              "encoder.get",    "pdo.list",        "nmt.get",        "store.status",
+                              "restore"};
+constexpr std::array kKeys{"axis",
+                           "parameter",
+                           "parameters",
+                           "value",
+                           "filter",
+                           "from",
+                           "count",
+                           "text",
+                           "against",
+                           "index",
+                           "sub_index",
+                           "kind",
+                           "voltage_V",
+                           "direction",
+                           "all",
+                           "watch",
+                           "which",
+                           "load_inertia_kgm2",
+                           "on",
+                           "speed_rpm",
+                           "timeout_ms",
+                           "ambient_C",
+                           "coulomb_friction_Nm"};
 const std::vector<json>& scalars() {
   static const std::vector<json> kScalars{nullptr,
                                           true,

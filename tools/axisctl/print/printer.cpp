@@ -112,7 +112,8 @@ struct Printer {
   std::string_view method;
   void (*print)(std::ostream& out, const json& result, Style style);
 };
-constexpr std::array kPrinters{Printer{"status", print_status}, Printer{"explain", print_explanation}};
+constexpr std::array kPrinters{Printer{"status", print_status}, Printer{"explain", print_explanation},
+                               Printer{"state.machine", print_state_machine}};
 
 /// A beginning of a state, and the colour it is shown in (ECMA-48).
 struct StateColour {

@@ -24,6 +24,9 @@ void print_result(std::ostream& out, const control::Method& method, const nlohma
 /// Prints the result of status as aligned lines, or one line an axis.
 void print_status(std::ostream& out, const nlohmann::json& result, Style style);
 
+/// Prints the present state and the ways out of it, with what they need unless it is to be brief.
+void print_state_machine(std::ostream& out, const nlohmann::json& result, Style style);
+
 /// @p value in one line.
 [[nodiscard]] std::string text_of(const nlohmann::json& value);
 /// @p state of a drive in its colour.

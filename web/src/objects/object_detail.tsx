@@ -1,7 +1,7 @@
 import { usePage } from "../app/context";
 import { linkTo } from "../app/route";
-import { quantity, rangeText, valueText } from "../parameters/value_text";
-import { WriteField } from "../parameters/write_field";
+import { quantity, rangeText, valueText } from "../parameters/text/value_text";
+import { WriteField } from "../parameters/shared/write_field";
 import { wordsOf } from "../source/refusal";
 import type { ObjectEntry } from "../source/types";
 import { Notice } from "../ui/notice";

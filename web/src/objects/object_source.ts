@@ -1,7 +1,7 @@
 import { Refusal, wordsOf } from "../source/refusal";
 import type { Source } from "../source/source";
 import type { ObjectEntry } from "../source/types";
-import { PagedList, type Part } from "../parameters/paged_list";
+import { PagedList, type Part } from "../parameters/shared/paged_list";
 import { findsObject, nameOf, objectHolds, objectPath, searchedObject, type ObjectFilter, type ObjectName } from "./object_text";
 
 /** What is listed. */

@@ -1,8 +1,8 @@
 import { useRef } from "preact/hooks";
 
-import { moveInRows } from "../parameters/row_keys";
-import { useRefresh } from "../parameters/use_refresh";
-import { rangeText, valueText } from "../parameters/value_text";
+import { moveInRows } from "../parameters/shared/row_keys";
+import { useRefresh } from "../parameters/shared/use_refresh";
+import { rangeText, valueText } from "../parameters/text/value_text";
 import { parentName, type Eds } from "./eds";
 import type { ObjectList, ObjectRow } from "./object_source";
 import { hexText } from "./object_text";

@@ -1,5 +1,5 @@
 import type { ObjectEntry } from "../source/types";
-import { valueText } from "../parameters/value_text";
+import { valueText } from "../parameters/text/value_text";
 import { csvField } from "../ui/download";
 
 /** An object of the dictionary: index and sub-index. */

@@ -14,11 +14,11 @@ import {
   parsedObject,
   type ObjectName,
 } from "../objects/object_text";
-import { useAddress, type Address } from "../parameters/address";
-import { CsvButton } from "../parameters/csv_button";
-import { FoundLine } from "../parameters/found_line";
-import { everything } from "../parameters/paged_list";
-import { SearchField } from "../parameters/toolbar";
+import { useAddress, type Address } from "../parameters/shared/address";
+import { CsvButton } from "../parameters/shared/csv_button";
+import { FoundLine } from "../parameters/shared/found_line";
+import { everything } from "../parameters/shared/paged_list";
+import { SearchField } from "../parameters/shared/search_field";
 import { useResource } from "../ui/resource";
 
 const kNoEds: Eds = new Map();
@@ -90,6 +90,8 @@ export function Objects(props: { unit: string }) {
   useEffect(() => void list.ask(wanted), [list, wanted.text, wanted.filter]);
   const shown = shownOf(address.query);
   const names = eds.value ?? kNoEds;
+  const rows = list.rows.value;
+  const hasValues = source.isLive || rows.length === 0 || rows.some((row) => row.value !== undefined);
   return (
     <div class="parameters">
       <div class="parameters-head">
@@ -97,6 +99,7 @@ export function Objects(props: { unit: string }) {
       </div>
       <Tools unit={unit} objects={objects} wanted={wanted} eds={names} address={address} />
       <FoundLine list={list} />
+      {!hasValues && <p class="muted">The values of the objects were not recorded.</p>}
       {eds.error !== "" && <p class="muted">{edsRemark(eds.error)}</p>}
       <div class={shown === undefined ? "parameter-split" : "parameter-split parameter-split-shown"}>
         <ObjectTable

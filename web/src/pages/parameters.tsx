@@ -1,11 +1,11 @@
 import { useMemo, useState } from "preact/hooks";
 
 import { usePage } from "../app/context";
-import { useAddress } from "../parameters/address";
+import { useAddress } from "../parameters/shared/address";
 import { DifferencesView } from "../parameters/differences_view";
 import { ListView } from "../parameters/list_view";
-import { parametersOf } from "../parameters/parameter_source";
-import { placesOf } from "../parameters/places";
+import { parametersOf } from "../parameters/data/parameter_source";
+import { placesOf } from "../parameters/data/places";
 import { StorageBar } from "../parameters/storage_bar";
 import { Notice } from "../ui/notice";
 import { useResource } from "../ui/resource";
@@ -36,7 +36,7 @@ export function Parameters(props: { unit: string }) {
         </nav>
         <StorageBar unit={unit} onDone={() => setTurn((before) => before + 1)} />
       </div>
-      {places.error !== "" && <Notice kind="warning">{`${places.error}.`}</Notice>}
+      {places.error !== "" && places.value === undefined && <Notice kind="warning">{`${places.error}.`}</Notice>}
       {isDifferences ? (
         <DifferencesView unit={unit} source={parameters} address={address} turn={turn} />
       ) : (

@@ -1,4 +1,4 @@
-import { useAddress, type Address } from "../parameters/address";
+import { useAddress, type Address } from "../parameters/shared/address";
 import { usePage } from "../app/context";
 import { PdoCard } from "../process_data/pdo_card";
 import { pdosOf, type Pdos, type WantedPdos } from "../process_data/pdo_source";

@@ -1,15 +1,16 @@
 import { useMemo } from "preact/hooks";
 
+import { usePage } from "../app/context";
 import type { ParameterDifference } from "../source/types";
 import { csvField } from "../ui/download";
 import { Notice } from "../ui/notice";
 import { useResource } from "../ui/resource";
-import type { Address } from "./address";
-import { CsvButton } from "./csv_button";
-import { placeOf, placeWords, placedText } from "./names";
-import { parts } from "./paged_list";
-import type { ParameterSource, Reference } from "./parameter_source";
-import { valueText } from "./value_text";
+import type { Address } from "./shared/address";
+import { CsvButton } from "./shared/csv_button";
+import { placeOf, placeWords, placedText } from "./text/names";
+import { parts } from "./shared/paged_list";
+import type { ParameterSource, Reference } from "./data/parameter_source";
+import { valueText } from "./text/value_text";
 
 interface All {
   entries: ParameterDifference[];
@@ -84,6 +85,7 @@ function linkOf(address: Address, entry: ParameterDifference): string {
 /** What differs in all drive objects, from a new unit or from what is saved. */
 export function DifferencesView(props: { unit: string; source: ParameterSource; address: Address; turn: number }) {
   const { source, address } = props;
+  const { isLive } = usePage().source;
   const chosen = kReferences.find(({ against }) => against === address.query.get("against")) ?? kReferences[0];
   const against = chosen?.against ?? "factory";
   const key = useMemo(() => `${against} ${props.turn}`, [against, props.turn]);
@@ -91,7 +93,7 @@ export function DifferencesView(props: { unit: string; source: ParameterSource; 
   const present = all.value?.key === key ? all.value : undefined;
   return (
     <>
-      <div class="row">
+      <div class="row parameter-tools">
         <label class="field">
           Compared with
           <select value={against} onChange={(event) => address.replace({ against: event.currentTarget.value })}>
@@ -102,9 +104,11 @@ export function DifferencesView(props: { unit: string; source: ParameterSource; 
             ))}
           </select>
         </label>
-        <button type="button" onClick={all.again}>
-          Compare again
-        </button>
+        {isLive && (
+          <button type="button" onClick={all.again}>
+            Compare again
+          </button>
+        )}
         <CsvButton
           name={`differences-${props.unit.replace("/", "-")}-${against}.csv`}
           text={async () => differencesCsv((await allOf(source, against)).entries, against)}

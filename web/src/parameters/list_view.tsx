@@ -1,19 +1,20 @@
-import { useEffect, useMemo } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 
 import type { ParameterEntry, Place } from "../source/types";
 import { useResource } from "../ui/resource";
-import type { Address } from "./address";
-import { CsvButton } from "./csv_button";
-import { Detail } from "./detail";
-import { filterOf } from "./filters";
-import { FoundLine } from "./found_line";
-import { parsedName, parsedPlace, parsedPlaced, placeWords, placedText, type PlacedName } from "./names";
-import { everything } from "./paged_list";
-import { parameterList, type ParameterList } from "./parameter_list";
-import type { ParameterSource, Wanted } from "./parameter_source";
+import type { Address } from "./shared/address";
+import { CsvButton } from "./shared/csv_button";
+import { Detail } from "./detail/detail";
+import { filterOf } from "./text/filters";
+import { FoundLine } from "./shared/found_line";
+import { parsedName, parsedPlace, parsedPlaced, placeWords, placedText, type PlacedName } from "./text/names";
+import { everything } from "./shared/paged_list";
+import { parameterList, type ParameterList } from "./data/parameter_list";
+import type { ParameterSource, Wanted } from "./data/parameter_source";
 import { ParameterTable } from "./parameter_table";
-import { FilterField, PlaceField, SearchField } from "./toolbar";
-import { parametersCsv } from "./value_text";
+import { SearchField } from "./shared/search_field";
+import { FilterField, PlaceField } from "./toolbar";
+import { parametersCsv } from "./text/value_text";
 
 interface Props {
   unit: string;
@@ -31,12 +32,13 @@ function wantedOf(query: URLSearchParams, places: readonly Place[]): Wanted {
   };
 }
 
-/** What is shown in detail: what the address says, or what was searched for by its whole name. */
-function shownOf(query: URLSearchParams, wanted: Wanted): PlacedName | undefined {
-  const named = parsedPlaced(query.get("show"));
-  if (named !== undefined || query.get("show") === "none") return named;
-  const text = wanted.text.trim().toLowerCase();
-  return parsedName(text) !== undefined && /\d{4}/.test(text) ? { place: wanted.place, name: text } : undefined;
+/** What is shown in detail: what the address says, or what was searched for by its whole name and found. */
+function shownOf(query: URLSearchParams, wanted: Wanted, list: ParameterList): PlacedName | undefined {
+  if (query.has("show")) return parsedPlaced(query.get("show"));
+  const name = wanted.text.trim().toLowerCase();
+  const base = /\d{4}/.test(name) ? parsedName(name)?.base : undefined;
+  const isFound = base !== undefined && list.rows.value.some((row) => parsedName(row.parameter)?.base === base);
+  return isFound ? { place: wanted.place, name } : undefined;
 }
 
 /** Where it is that was not found here. */
@@ -83,7 +85,11 @@ export function ListView(props: Props) {
   const wanted = wantedOf(address.query, props.places);
   const list = useMemo(() => parameterList(source), [source]);
   useEffect(() => void list.ask(wanted), [list, wanted.place, wanted.text, wanted.filter]);
-  const shown = shownOf(address.query, wanted);
+  const shown = shownOf(address.query, wanted, list);
+  const isLater = useRef(false);
+  useEffect(() => {
+    isLater.current = true;
+  }, []);
   const link = (target: PlacedName): string => address.link({ show: placedText(target) });
   const linkOf = (entry: ParameterEntry): string => link({ place: wanted.place, name: entry.parameter });
   const isListed = shown?.place === wanted.place;
@@ -118,6 +124,7 @@ export function ListView(props: Props) {
             source={source}
             shown={shown}
             link={link}
+            takesFocus={isLater.current && address.query.has("show")}
             close={address.link({ show: "none" })}
             onWritten={(name) => void list.refresh([name])}
           />

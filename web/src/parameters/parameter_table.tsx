@@ -1,10 +1,10 @@
 import { useRef } from "preact/hooks";
 
 import type { ParameterEntry } from "../source/types";
-import type { ParameterList } from "./parameter_list";
-import { moveInRows } from "./row_keys";
-import { useRefresh } from "./use_refresh";
-import { rangeText, valueText } from "./value_text";
+import type { ParameterList } from "./data/parameter_list";
+import { moveInRows } from "./shared/row_keys";
+import { useRefresh } from "./shared/use_refresh";
+import { rangeText, valueText } from "./text/value_text";
 
 /** Rows that are read at each look. */
 const kMostRefreshed = 64;

@@ -2,7 +2,7 @@ import { useRef, useState } from "preact/hooks";
 
 import { usePage } from "../app/context";
 import { useResource } from "../ui/resource";
-import { refusalLines } from "./refusal_text";
+import { refusalLines } from "./text/refusal_text";
 
 interface Storage {
   file: string;

@@ -1,6 +1,6 @@
 import type { Pdo } from "../source/types";
 import { linkTo } from "../app/route";
-import { valueText } from "../parameters/value_text";
+import { valueText } from "../parameters/text/value_text";
 import { ByteDrawing } from "./byte_drawing";
 import { bytesOf, fieldsOf, hexOf, positionText, rawOf, type Field } from "./layout";
 import { ageText, identifierText, rateText, stateWords, transmissionWords } from "./words";

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 
 import { usePage } from "../app/context";
-import { refusalLines } from "../parameters/refusal_text";
+import { refusalLines } from "../parameters/text/refusal_text";
 import { duration } from "../ui/number";
 import type { Pdos } from "./pdo_source";
 

@@ -1,5 +1,5 @@
 import type { Pdo } from "../source/types";
-import { fixed } from "../ui/number";
+import { duration, fixed } from "../ui/number";
 
 /** When a PDO is sent or acts, in words, by its transmission type (CiA 301). */
 export function transmissionWords(direction: Pdo["direction"], type: number): string {
@@ -55,5 +55,5 @@ export function ageText(pdo: Pdo): string {
   if (pdo.frames === undefined) return "not counted";
   if (pdo.age_s === undefined) return "no frame yet";
   if (pdo.age_s < 1) return `${Math.round(pdo.age_s * 1000)}\u2009ms ago`;
-  return `${pdo.age_s.toFixed(1)}\u2009s ago`;
+  return `${duration(Math.round(10 * pdo.age_s) / 10)} ago`;
 }

@@ -10,15 +10,12 @@ namespace drive::rows {
 namespace until {
 inline constexpr std::string_view kCommandDataSets = "command data sets, of which there is one";
 inline constexpr std::string_view kDriveDataSets = "drive data sets, of which there is one";
-inline constexpr std::string_view kMasterControl = "master control by an operator panel";
 inline constexpr std::string_view kParking = "an axis that is parked";
 }  // namespace until
 
-/// Data sets, master control and parking: an axis has one data set of each kind and one master.
+/// Data sets and parking: an axis has one data set of each kind.
 // clang-format off
 inline constexpr std::array kDataSetRows{
-    Row{806, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{until::kMasterControl}, Output::No, "BI: inhibit master control", ""},
-    Row{807, 1, kAxes, U8, Unit::None, kWhole, 0.0, When::ReadOnly, Fixed{0.0, until::kMasterControl}, Output::Both, "BO: master control active", "0 automatic, 1 by hand"},
     Row{810, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{until::kCommandDataSets}, Output::No, "BI: command data set selection CDS bit 0", ""},
     Row{811, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{until::kCommandDataSets}, Output::No, "BI: command data set selection CDS bit 1", ""},
     Row{820, 1, kAxes, BinectorInput, Unit::None, kWhole, 0.0, When::Always, Stored{until::kDriveDataSets}, Output::No, "BI: drive data set selection DDS bit 0", ""},

@@ -25,11 +25,17 @@ export function exportCandump(state: ScopeState): void {
   const { from, to } = state.model.range();
   const [begin, end] = material.frames.range(from, to);
   if (begin >= end) throw new Refusal("nothing", "There are no frames in this window to export.");
-  const bus = material.unit.split("/")[0]?.replace(/[^\w.-]/g, "-") || "can0";
+  const bus = busName(material.unit);
   download(fileName(state, "log"), candumpOfFrames(material.frames, from, to, bus, material.startedAt ?? wallClock(state)));
+}
+
+/** The bus of @param unit if an interface of the kernel can be called so, else can0. */
+export function busName(unit: string): string {
+  const name = unit.split("/")[0] ?? "";
+  return /^[\w.-]{1,15}$/.test(name) ? name : "can0";
 }
 
 /** Time zero of a unit that lives (seconds since 1970), as well as the page knows it. */
 function wallClock(state: ScopeState): number {
-  return state.live === undefined ? 0 : Date.now() / 1000 - state.live.clock.at(Infinity);
+  return state.live === undefined ? 0 : Date.now() / 1000 - state.live.clock.latest;
 }

@@ -2,16 +2,21 @@ import { effect, signal } from "@preact/signals";
 
 import type { Page } from "../../app/context";
 import { wordsOf } from "../../source/refusal";
+import type { UnitEvent } from "../../source/types";
 import { readLink, writeLink, type ScopeLink } from "../view/link";
 import { ScopeModel } from "../view/scope_model";
 import type { LiveMaterial } from "./live_material";
 import { leave, listenTo } from "./live_units";
 import type { Material } from "./material";
+import { bufferedFault } from "./buffered_fault";
 import { findFault, materialOf, openMaterial, stepMarks } from "./recordings";
 import { emptyMaterial } from "./recorded_material";
 import { SignalHeads, usualSignals, type FoundSignal } from "./signal_heads";
 import { openFile } from "../../recording/open_file";
 import { readResult } from "./trace_result";
+
+/** How long a fault that is wanted is waited for (ms): events of before come with the first answers. */
+const kPatience = 2500;
 
 /** What the scope of a unit works with, from its opening until it is left. */
 export class ScopeState {
@@ -136,10 +141,22 @@ export class ScopeState {
   }
 
   private async openLinked(link: ScopeLink): Promise<void> {
-    if (link.result !== undefined && this.live !== undefined) return this.openResult(link.result);
+    if (this.live !== undefined) {
+      if (link.result !== undefined) return this.openResult(link.result);
+      if (!this.model.material.peek().isLive) this.open(undefined);
+      return undefined;
+    }
     const own = this.page.source.recordings.filter((each) => each.unit === this.unit || this.unit === "");
-    const name = link.recording ?? own.at(-1)?.name;
-    if (name !== undefined) await this.openRecording(name);
+    const names = link.recording === undefined ? own.map(({ name }) => name).reverse() : [link.recording];
+    for (const name of names) {
+      await this.openRecording(name);
+      if (link.fault === undefined || this.findWanted(link.fault) !== undefined) return undefined;
+    }
+    return undefined;
+  }
+
+  private findWanted({ place, number }: Required<ScopeLink>["fault"]): UnitEvent | undefined {
+    return findFault(this.model.material.peek().events(), place, number);
   }
 
   private look(link: ScopeLink): void {
@@ -151,24 +168,37 @@ export class ScopeState {
     model.b.value = link.b ?? null;
     this.wanted = link.fault;
     this.seek();
+    if (this.wanted !== undefined) setTimeout(() => void this.showBuffered(), kPatience);
     model.onChange();
   }
 
   /** Shows the fault that is wanted, as soon as it is known. */
   private seek(): void {
     if (this.wanted === undefined) return;
-    const { place, number } = this.wanted;
-    const event = findFault(this.model.material.peek().events(), place, number);
+    const event = this.findWanted(this.wanted);
     if (event === undefined) return;
     this.wanted = undefined;
-    this.showEvent(event.t);
-    this.model.select({ kind: "event", event });
+    this.showEvent(event);
   }
 
-  /** Brings @param t into the middle of a window in which its surroundings are seen. */
-  private showEvent(t: number): void {
-    this.model.show({ from: t - 1, to: t + 1 });
+  /** Of a fault that came before anything was heard of the unit there is what its fault buffer says. */
+  private async showBuffered(): Promise<void> {
+    if (this.wanted === undefined) return;
+    const { place, number } = this.wanted;
+    this.wanted = undefined;
+    try {
+      this.showEvent(await bufferedFault(this.page.source, this.unit, place, number));
+      this.problem.value = "It came before this page began to listen: what led to it is not known here.";
+    } catch (error) {
+      this.problem.value = wordsOf(error);
+    }
+  }
+
+  /** Chooses @param event, in the middle of a window in which its surroundings are seen. */
+  private showEvent(event: UnitEvent): void {
+    this.model.show({ from: event.t - 1, to: event.t + 1 });
     this.model.setCursor(0.5);
+    this.model.select({ kind: "event", event });
   }
 
   private follow(live: LiveMaterial): void {

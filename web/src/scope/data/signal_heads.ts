@@ -66,7 +66,7 @@ export class SignalHeads {
 /** What is shown of a unit at first: speed, its setpoint and torque of the first axis, and the DC link. */
 export async function usualSignals(source: Source, unit: string): Promise<string[]> {
   const status = await source.get<Status>(unit, "").catch(() => undefined);
-  const axis = status?.axes?.[0]?.axis;
+  const axis = status?.axes[0]?.axis;
   if (axis === undefined) return [];
   return [`${axis}/speed`, `${axis}/speed_setpoint`, `${axis}/torque`, "0/dc_voltage"];
 }

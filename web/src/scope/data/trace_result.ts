@@ -32,6 +32,6 @@ export async function readResult(source: Source, unit: string, result: number, t
     whole[part] = items;
   }
   const bytes = new TextEncoder().encode(JSON.stringify(whole));
-  const recording = openFile(`trace ${result} of ${unit}.json`, bytes);
-  return recording.unit === "" ? { ...recording, unit } : recording;
+  const recording = openFile(`trace ${result}`, bytes);
+  return { ...recording, name: `trace ${result}`, unit: recording.unit === "" ? unit : recording.unit };
 }

@@ -15,10 +15,20 @@ const kTones = ["off", "ready", "on", "run", "brake", "fault"] as const;
 export const kFont = '12px system-ui, "Noto Sans", "DejaVu Sans", sans-serif';
 export const kSmallFont = '11px system-ui, "Noto Sans", "DejaVu Sans", sans-serif';
 
-/** The colours in the present theme, or those of @param scheme. */
-export function paletteOf(scheme?: "light" | "dark"): Palette {
+/** The colours of the light theme, whichever is shown. */
+export function lightPalette(): Palette {
+  const { dataset } = document.documentElement;
+  const before = dataset["theme"];
+  dataset["theme"] = "light";
+  const palette = paletteOf();
+  if (before === undefined) delete dataset["theme"];
+  else dataset["theme"] = before;
+  return palette;
+}
+
+/** The colours in the present theme. */
+export function paletteOf(): Palette {
   const probe = document.createElement("span");
-  if (scheme !== undefined) probe.style.colorScheme = scheme;
   document.body.append(probe);
   const colour = (name: string): string => {
     probe.style.color = `var(--${name})`;

@@ -66,7 +66,8 @@ export class Picture {
     const { stage } = this.places;
     this.width = stage.clientWidth;
     const top = stage.getBoundingClientRect().top + scrollY;
-    const room = innerHeight - Math.min(top, innerHeight / 3) - kRulerHeight - this.lowerHeight - kBelow;
+    const others = this.rulerHeight() + this.lowerHeight + kBelow;
+    const room = innerHeight - Math.min(top, innerHeight / 3) - others;
     this.plotHeight = Math.round(Math.max(kLeastPlot, Math.min(room, kMostPlot)));
     this.want();
   }
@@ -82,6 +83,10 @@ export class Picture {
   field(): TimeField {
     const left = this.width < 600 ? 66 : 96;
     return { left, width: Math.max(50, this.width - left - kRight), ...this.model.range() };
+  }
+
+  private rulerHeight(): number {
+    return kRulerHeight + (this.model.material.peek().marks.length > 0 ? kMarksHeight : 0);
   }
 
   private turn(at: number): void {
@@ -110,7 +115,8 @@ export class Picture {
 
   private draw(material: Material, field: TimeField): void {
     if (material !== this.last.material || material.decoder !== this.last.decoder) this.lower.forget();
-    const ruler = cleared(this.places.ruler, this.width, kRulerHeight + (material.marks.length > 0 ? kMarksHeight : 0));
+    if (material !== this.last.material) this.measure();
+    const ruler = cleared(this.places.ruler, this.width, this.rulerHeight());
     if (ruler !== null) drawRuler(ruler, field, material.marks, this.palette);
     this.drawCurves(material, field);
     const { bins, height } = this.lower.prepare(material, field);

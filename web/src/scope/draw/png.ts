@@ -4,7 +4,7 @@ import { fileName } from "../data/exports";
 import type { ScopeState } from "../data/scope_state";
 import { instantText } from "../view/scale";
 import { LowerPicture } from "./lower_picture";
-import { kFont, paletteOf, type Palette } from "./palette";
+import { kFont, lightPalette, type Palette } from "./palette";
 import { kRight, Plot } from "./plot";
 import { drawRuler, kMarksHeight, kRulerHeight, rulerTicks } from "./ruler";
 import { xOf, type TimeField } from "./time_field";
@@ -79,7 +79,7 @@ function drawLines(context: CanvasRenderingContext2D, state: ScopeState, field: 
 /** Hands the picture to the user, on a light ground whatever the theme. */
 export async function exportPng(state: ScopeState): Promise<void> {
   const material = state.model.material.peek();
-  const palette = paletteOf("light");
+  const palette = lightPalette();
   const field: TimeField = { left: kLeft, width: kWidth - kLeft - kRight, ...state.model.range() };
   const lower = new LowerPicture();
   const { bins, height } = lower.prepare(material, field);

@@ -33,32 +33,21 @@ function PointerButton(props: { state: ScopeState; pointer: Pointer }) {
 function Rows(props: { rows: readonly DecodedRow[] }) {
   if (props.rows.length === 0) return null;
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label="What the frame says">
-      <table>
-        <thead>
-          <tr>
-            <th scope="col">What</th>
-            <th scope="col">Value</th>
-            <th scope="col">Raw</th>
-          </tr>
-        </thead>
-        <tbody>
-          {props.rows.map((row, i) => (
-            <tr key={i}>
-              <th scope="row">
-                {row.name}
-                {row.object !== undefined && <code class="scope-object"> {row.object}</code>}
-              </th>
-              <td>
-                {row.value}
-                {row.bits !== undefined && <BitTable bits={row.bits} />}
-              </td>
-              <td class="mono">{row.raw ?? ""}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
+    <dl class="scope-rows">
+      {props.rows.map((row, i) => (
+        <div key={i}>
+          <dt>
+            {row.name} {row.object !== undefined && <code>{row.object}</code>} {row.raw !== undefined && <code>{row.raw}</code>}
+          </dt>
+          <dd>{row.value}</dd>
+          {row.bits !== undefined && (
+            <dd>
+              <BitTable bits={row.bits} />
+            </dd>
+          )}
+        </div>
+      ))}
+    </dl>
   );
 }
 
@@ -212,7 +201,7 @@ export function Detail(props: { state: ScopeState }) {
   const selection = state.model.selection.value;
   const isMessage = selection?.kind === "event" && (selection.event.kind === "fault" || selection.event.kind === "alarm");
   return (
-    <section class="card scope-detail" aria-label="What was chosen" aria-live="polite">
+    <section class="card scope-detail" aria-label="What was chosen" aria-live="polite" tabIndex={0}>
       {selection === null && (
         <p class="muted">Click on a frame, a state or an event, or choose one in the list: what it is and why it came stands here.</p>
       )}

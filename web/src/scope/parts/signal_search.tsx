@@ -64,11 +64,11 @@ export function SignalSearch(props: { state: ScopeState; isFull: boolean }) {
   return (
     <div class="scope-search">
       <label class="field">
-        Add a signal: number or words, with index and bit if wanted
+        <span class="visually-hidden">Add a signal: number or words, with index and bit if wanted</span>
         <input
           type="search"
           value={text}
-          placeholder="speed, r0063, r0899.2, 2/torque"
+          placeholder="Add a signal: speed, r0063, r0899.2"
           onInput={(event) => setText(event.currentTarget.value)}
           onKeyDown={(event) => event.key === "Enter" && found?.signals[0] !== undefined && add(found.signals[0])}
         />

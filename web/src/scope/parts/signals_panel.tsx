@@ -21,7 +21,8 @@ interface Reading {
 function readingsOf(state: ScopeState): Reading[] {
   const { model } = state;
   const { samples } = model.material.value;
-  const at = [model.cursor() ?? model.range().to, model.a.value, model.b.value];
+  const edge = Math.min(model.range().to, model.end());
+  const at = [model.cursor() ?? (samples.size > 0 ? Math.min(edge, samples.to) : edge), model.a.value, model.b.value];
   const columns = at.map((t) => (t === null ? [] : samples.valuesAt(t)));
   const lanes = plotLanes(samples.signals);
   const inLane = (number: number): number => lanes.find((lane) => lane.signals.includes(number))?.signals.indexOf(number) ?? 0;
@@ -42,7 +43,7 @@ function SignalRow(props: { state: ScopeState; reading: Reading; hasA: boolean; 
     <tr>
       <th scope="row">
         <Swatch number={number} dash={inLane % kDashes.length} />
-        <code>{head.signal}</code>
+        <code title={head.text ?? ""}>{head.signal}</code>{" "}
         {head.text !== undefined && head.text !== "" && <span class="scope-signal-text" title={head.text}>{head.text}</span>}
       </th>
       <td class="number">{shown(now, head.unit, 5)}</td>

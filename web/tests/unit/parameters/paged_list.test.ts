@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { everything, PagedList, type Part } from "../../../src/parameters/paged_list";
+import { everything, PagedList, type Part } from "../../../src/parameters/shared/paged_list";
 
 interface Row {
   key: string;

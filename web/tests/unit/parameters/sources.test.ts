@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
-import { LiveParameters } from "../../../src/parameters/live_parameters";
-import { entryNamed, RecordedParameters } from "../../../src/parameters/recorded_parameters";
+import { LiveParameters } from "../../../src/parameters/data/live_parameters";
+import { entryNamed, RecordedParameters } from "../../../src/parameters/data/recorded_parameters";
 import { RecordedSource } from "../../../src/source/recorded_source";
 import type { Query, Source } from "../../../src/source/source";
 import { entry, kInput, kWord } from "./samples";

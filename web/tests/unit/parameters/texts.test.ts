@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
 
-import { suggestionsOf } from "../../../src/parameters/bico";
-import { filterOf, holds } from "../../../src/parameters/filters";
-import { parsedName, parsedPlaced, placedText, placeWords, withoutBit } from "../../../src/parameters/names";
-import { refusalLines } from "../../../src/parameters/refusal_text";
-import { finds, searchedText } from "../../../src/parameters/search_text";
-import { bitsOf, parametersCsv, rangeText, valueText, whenWords } from "../../../src/parameters/value_text";
+import { suggestionsOf } from "../../../src/parameters/detail/bico";
+import { filterOf, holds } from "../../../src/parameters/text/filters";
+import { parsedName, parsedPlaced, placedText, placeWords, withoutBit } from "../../../src/parameters/text/names";
+import { refusalLines } from "../../../src/parameters/text/refusal_text";
+import { finds, searchedText } from "../../../src/parameters/text/search_text";
+import { bitsOf, parametersCsv, rangeText, valueText, whenWords } from "../../../src/parameters/text/value_text";
 import { Refusal } from "../../../src/source/refusal";
 import { entry, kInput, kWord } from "./samples";
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { bitRows, keyOf, neighboursOf, wiringOf } from "../../../src/parameters/wiring";
+import { bitRows, keyOf, neighboursOf, wiringOf } from "../../../src/parameters/detail/wiring";
 import { entry, kInput, kWord } from "./samples";
 
 const kNone = new Map();
