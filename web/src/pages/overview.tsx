@@ -4,6 +4,7 @@ import { usePage } from "../app/context";
 import { EventList } from "../overview/event_list";
 import { FrameRates } from "../overview/frame_rates";
 import { kOpenCards, ManyUnits } from "../overview/many_units";
+import { useRecordedEvents } from "../overview/recorded_events";
 import { UnitCard } from "../overview/unit_card";
 import { VerdictCard } from "../overview/verdict_card";
 import { Notice } from "../ui/notice";
@@ -26,6 +27,7 @@ function Summary() {
 /** All units: what they do, why an axis does not turn, what changed last. */
 export function Overview() {
   const { units, source } = usePage();
+  useRecordedEvents();
   const all = units.all.value;
   const rates = useRef(new FrameRates());
   const rate = useMemo(() => rates.current.update(all), [all]);

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 
 import { replaceQuery, route, usePage } from "../app/context";
+import { useRecordedEvents } from "../overview/recorded_events";
 import type { StateMachine } from "../source/types";
 import { Conditions } from "../states/conditions";
 import { edgesOf, edgeWords, visitsOf, type Edge } from "../states/edges";
@@ -49,10 +50,10 @@ function Machine(props: { machine: StateMachine; unit: string }) {
   const { machine, unit } = props;
   const { events, source } = usePage();
   const layout = useLayout();
+  const visits = visitsOf(events.all.value, unit, machine.axis, kVisits);
   const [looked, setLooked] = useState("");
   const [chosen, setChosen] = useState("");
   const edges = useMemo(() => edgesOf(machine), [machine]);
-  const visits = visitsOf(events.all.value, unit, machine.axis, kVisits);
   const fallback = edges.find((edge) => edge.isOpen) ?? edges.find((edge) => edge.from === machine.state);
   const edge = edges.find((each) => each.key === (looked || chosen)) ?? fallback;
   return (
@@ -76,7 +77,8 @@ function Machine(props: { machine: StateMachine; unit: string }) {
 
 /** The state machine of an axis: where it is, which ways are open, what each of them needs. */
 export function States(props: { unit: string }) {
-  const { source, units } = usePage();
+  const { source, units, events } = usePage();
+  useRecordedEvents();
   const asked = Number(route.value.query.get("axis") ?? "0");
   const axes = units.find(props.unit)?.axes ?? [];
   const [axis, setAxis] = useAxis(axes, asked);
@@ -94,7 +96,11 @@ export function States(props: { unit: string }) {
         <span role="status">{machine.value !== undefined && <StateChip state={machine.value.state} />}</span>
       </div>
       {machine.error !== "" && <Notice kind="warning">{`No answer about the state machine: ${machine.error}`}</Notice>}
-      {machine.value !== undefined && <Machine machine={machine.value} unit={props.unit} />}
+      {machine.value === undefined ? (
+        <VisitList unit={props.unit} visits={visitsOf(events.all.value, props.unit, axis, kVisits)} isLive={source.isLive} />
+      ) : (
+        <Machine machine={machine.value} unit={props.unit} />
+      )}
     </>
   );
 }
