@@ -73,9 +73,11 @@ export function Scope(props: { unit: string }) {
       <div class="scope-columns">
         <Stage state={state} />
         <div class="scope-side">
-          <SignalsPanel state={state} />
-          <Detail state={state} />
-          <Lists state={state} />
+          <div class="scope-side-inner">
+            <SignalsPanel state={state} />
+            <Detail state={state} />
+            <Lists state={state} />
+          </div>
         </div>
       </div>
     </div>

@@ -15,10 +15,14 @@ export async function knowledgeOf(source: Source, unit: string): Promise<Knowled
   return { nodeId: Number.isInteger(node) ? node : undefined, eds, pdos };
 }
 
-/** The material of @param recording; @param unit is taken if the file names none. */
+/** The material of @param recording; what its unit does not tell any more, @param unit tells: its EDS, and all if the file names none. */
 export async function materialOf(source: Source, recording: Recording, unit: string, steps: readonly Mark[] = []): Promise<RecordedMaterial> {
-  const named = recording.unit === "" ? unit : recording.unit;
-  return new RecordedMaterial(recording, await knowledgeOf(source, named), steps);
+  const isOther = recording.unit !== "" && recording.unit !== unit;
+  const all = await source.overview().catch(() => []);
+  const isThere = all.some((each) => each.unit === recording.unit);
+  if (!isOther || isThere) return new RecordedMaterial(recording, await knowledgeOf(source, isOther ? recording.unit : unit), steps);
+  const { eds } = await knowledgeOf(source, unit);
+  return new RecordedMaterial(recording, { eds }, steps);
 }
 
 /** Opens the file called @param name: a Refusal says what is wrong with it. */

@@ -154,6 +154,8 @@ function FaultDetail(props: { state: ScopeState; event: UnitEvent }) {
   const { state, event } = props;
   useSlowTurn(state);
   const story = storyOfFault(event, pastOf(state.model.material.value));
+  const { from } = state.model.material.value.extent();
+  const isBefore = state.model.material.value.isLive && from > event.t;
   const last = story.reaction.at(-1)?.after ?? 0;
   const around = (): void => state.model.show({ from: event.t - 0.05, to: event.t + Math.min(5, Math.max(0.1, last * 1.1)) });
   const place = placeWords(event);
@@ -166,6 +168,7 @@ function FaultDetail(props: { state: ScopeState; event: UnitEvent }) {
         {story.value === "" ? "" : `, ${story.value}`}
         {event.active === false ? ", has gone" : ""}
       </p>
+      {isBefore && <p class="muted">{`Frames and signals of that time are not known: this page has listened since ${instant(from)}.`}</p>}
       <Steps state={state} title="What has led to it" steps={story.causes} none="Nothing that was recorded before it explains it." />
       <Steps state={state} title="What the unit did" steps={story.reaction} none="Nothing has followed yet." />
       <div class="buttons">
