@@ -16,6 +16,8 @@ import { presentRun } from "./present_run";
 
 /** Time from an answer to the next question (ms). */
 const kPeriod = 100;
+/** How long a remark stays (ms). */
+const kRemark = 15_000;
 /** What is kept (s). */
 const kKept = 600;
 
@@ -169,6 +171,7 @@ export class LiveMaterial implements Material {
     const first = Math.min(...news.frames.map(({ t }) => t), ...news.samples.map(({ t }) => t[0] ?? Infinity));
     if (!(first < this.extent().to - 0.5)) return;
     this.remark = "The unit was started anew: its time counts from zero again.";
+    void later(kRemark).then(() => (this.remark = ""));
     this.frames.clear();
     this.samples.clear();
     this.clock.reset();

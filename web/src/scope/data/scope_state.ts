@@ -104,7 +104,7 @@ export class ScopeState {
     const { source } = this.page;
     const file = source.recordings.find((each) => each.name === name && (each.unit === this.unit || this.unit === ""));
     if (file === undefined) throw new Error(`the session has no recording called ${name} of this unit`);
-    const recording = openFile(file.name, file.bytes);
+    const recording = { ...openFile(file.name, file.bytes), unit: file.unit };
     const steps = stepMarks(source.verdict?.report, recording.from);
     this.open(await materialOf(source, recording, file.unit, steps), { recording: name });
   }

@@ -20,21 +20,25 @@ export function drawFrames(context: CanvasRenderingContext2D, row: Row, field: T
   const begin = lane * bins.count;
   let most = 1;
   for (let i = 0; i < bins.count; ++i) most = Math.max(most, bins.counts[begin + i] ?? 0);
-  const scale = most > 1 ? 1 / Math.log2(1 + most) : 1;
   context.fillStyle = palette.tones[kTones[kLanes[lane]?.lane ?? "other"] ?? "off"]?.text ?? palette.text;
   const bottom = row.top + row.height;
   const width = field.width / Math.round((field.to - field.from) / bins.length);
   const offset = xOf(field, bins.from);
-  context.beginPath();
+  const placeOf = (bin: number): number => Math.min(field.left + field.width, Math.max(field.left, Math.round(offset + bin * width)));
   for (let i = 0; i < bins.count; ++i) {
     const count = bins.counts[begin + i] ?? 0;
     if (count === 0) continue;
-    const x = offset + i * width;
-    if (x < field.left - 1 || x > field.left + field.width) continue;
-    const height = row.height * (most > 1 ? 0.35 + 0.65 * Math.log2(1 + count) * scale : 0.8);
-    context.rect(x, bottom - height, Math.max(1, width), height);
+    const height = heightOf(count, most, row.height);
+    const left = placeOf(i);
+    while (i + 1 < bins.count && heightOf(bins.counts[begin + i + 1] ?? 0, most, row.height) === height) ++i;
+    context.fillRect(left, bottom - height, Math.max(1, placeOf(i + 1) - left), height);
   }
-  context.fill();
+}
+
+/** Height of a tick that stands for @param count frames, of which there are @param most at the busiest place. */
+function heightOf(count: number, most: number, height: number): number {
+  if (count === 0) return 0;
+  return Math.round(height * (most > 1 ? 0.35 + (0.65 * Math.log2(1 + count)) / Math.log2(1 + most) : 0.8));
 }
 
 /** Names of the rows in the gutter, and how many frames there are. */

@@ -25,7 +25,7 @@ function PointerButton(props: { state: ScopeState; pointer: Pointer }) {
   if (pointer.frame === undefined && pointer.event === undefined) return null;
   return (
     <button type="button" class="scope-small" onClick={() => follow(props.state, pointer)}>
-      Show this {pointer.frame === undefined ? "event" : "frame"}
+      {pointer.frame === undefined ? "Show event" : "Show frame"}
     </button>
   );
 }
@@ -168,14 +168,14 @@ function FaultDetail(props: { state: ScopeState; event: UnitEvent }) {
         {story.value === "" ? "" : `, ${story.value}`}
         {event.active === false ? ", has gone" : ""}
       </p>
-      {isBefore && <p class="muted">{`Frames and signals of that time are not known: this page has listened since ${instant(from)}.`}</p>}
-      <Steps state={state} title="What has led to it" steps={story.causes} none="Nothing that was recorded before it explains it." />
-      <Steps state={state} title="What the unit did" steps={story.reaction} none="Nothing has followed yet." />
       <div class="buttons">
         <button type="button" onClick={around}>
           Show all frames around it
         </button>
       </div>
+      {isBefore && <p class="muted">{`Frames and signals of that time are not known: this page has listened since ${instant(from)}.`}</p>}
+      <Steps state={state} title="What has led to it" steps={story.causes} none="Nothing that was recorded before it explains it." />
+      <Steps state={state} title="What the unit did" steps={story.reaction} none="Nothing has followed yet." />
     </>
   );
 }

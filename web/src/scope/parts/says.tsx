@@ -1,5 +1,6 @@
 import { useState } from "preact/hooks";
 
+import { usePage } from "../../app/context";
 import { Notice } from "../../ui/notice";
 import { LiveMaterial } from "../data/live_material";
 import { watchReadings } from "./slow_turn";
@@ -10,8 +11,13 @@ export function grouped(count: number): string {
   return String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, "\u2009");
 }
 
+/** Why nothing new comes; that the gateway is gone is said over every page. */
 function Absence(props: { live: LiveMaterial }) {
+  const { units } = usePage();
   const { problem, heardAt } = props.live;
+  if (units.absence.value !== "") return null;
+  const unit = units.find(props.live.unit);
+  if (problem.value === "" && unit?.on === false) return <Notice kind="warning">{unit.error ?? `${unit.unit} is switched off.`}</Notice>;
   if (problem.value === "") return null;
   const since = heardAt.value === 0 ? "" : ` Last answer at ${new Date(heardAt.value).toLocaleTimeString()}.`;
   return <Notice kind="error">{`Nothing new comes of ${props.live.unit}: ${problem.value}.${since}`}</Notice>;

@@ -93,12 +93,12 @@ export function SignalsPanel(props: { state: ScopeState }) {
     <section class="card scope-signals" aria-label="Signals">
       <Instants state={state} />
       {readings.length > 0 && (
-        <div class="scroll" tabIndex={0} role="region" aria-label="Values of the signals">
+        <div class={`scroll ${hasA || hasB ? "scope-marked" : ""}`} tabIndex={0} role="region" aria-label="Values of the signals">
           <table>
             <thead>
               <tr>
                 <th scope="col">Signal</th>
-                <th scope="col" class="number">{state.model.cursorShare.value === null ? "At the right edge" : "At the cursor"}</th>
+                <th scope="col" class="number">{state.model.cursorShare.value === null ? "Right edge" : "Cursor"}</th>
                 {hasA && <th scope="col" class="number">A</th>}
                 {hasB && <th scope="col" class="number">B</th>}
                 {hasA && hasB && <th scope="col" class="number">B−A</th>}

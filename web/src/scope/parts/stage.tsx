@@ -3,8 +3,8 @@ import { useEffect, useRef } from "preact/hooks";
 import { theme } from "../../app/theme";
 import type { ScopeState } from "../data/scope_state";
 import { Picture } from "../draw/picture";
-import { keyAction } from "../view/keys";
 import { useGestures } from "./gestures";
+import { keyAction } from "./keys";
 
 /** The pictures over each other on one time, with the lines of the cursors over them. */
 export function Stage(props: { state: ScopeState }) {
