@@ -65,7 +65,7 @@ function showFaults(axis: AxisOverview): Shown {
   const names = [...axis.faults, ...axis.alarms].map((message) => `${message.number} ${message.text}`).join(", ");
   const look = axis.faults.length > 0 ? "tone-fault" : axis.alarms.length > 0 ? "tone-brake" : "tone-off";
   const text = axis.faults.length > 0 ? `F${axis.faults.length}` : axis.alarms.length > 0 ? `A${axis.alarms.length}` : "–";
-  return { text, look, words: names === "" ? "no fault" : names, value: axis.faults.length * 100 + axis.alarms.length };
+  return { text, look, words: names === "" ? "no fault" : `${text}, ${names}`, value: axis.faults.length * 100 + axis.alarms.length };
 }
 
 const kCold = 20;
@@ -74,7 +74,7 @@ const kHot = 120;
 function showLoad(unit: UnitOverview): Shown {
   const load = unit.bus?.load_percent;
   if (load === undefined) return { text: "–", look: "heat-0", words: "load of the bus unknown", value: -1 };
-  return heat(load, 100, `${Math.round(load)}`, `load of the bus ${fixed(load, 1, "%")}`);
+  return heat(load, 100, fixed(load, 0), `load of the bus ${fixed(load, 0, "%")}`);
 }
 
 /** An axis that has no figures is never asked for them. */
@@ -89,13 +89,13 @@ export const kMeasures: Record<MeasureName, Measure> = {
     title: "Speed",
     isOfUnit: false,
     scaleOf: (_, axis) => Math.abs(axis?.speed_rpm ?? 0),
-    show: ofAxis((axis, scale) => heat(axis.speed_rpm, scale, fixed(axis.speed_rpm, 0), fixed(axis.speed_rpm, 1, "rpm"))),
+    show: ofAxis((axis, scale) => heat(axis.speed_rpm, scale, fixed(axis.speed_rpm, 0), fixed(axis.speed_rpm, 0, "rpm"))),
   },
   torque: {
     title: "Torque",
     isOfUnit: false,
     scaleOf: (_, axis) => Math.abs(axis?.torque_Nm ?? 0),
-    show: ofAxis((axis, scale) => heat(axis.torque_Nm, scale, fixed(axis.torque_Nm, 1), fixed(axis.torque_Nm, 2, "N·m"))),
+    show: ofAxis((axis, scale) => heat(axis.torque_Nm, scale, fixed(axis.torque_Nm, 1), fixed(axis.torque_Nm, 1, "N·m"))),
   },
   load: { title: "Load of the bus", isOfUnit: true, scaleOf: () => 0, show: showLoad },
   temperature: {
@@ -104,7 +104,7 @@ export const kMeasures: Record<MeasureName, Measure> = {
     scaleOf: () => 0,
     show: ofAxis((axis) => {
       const value = axis.motor_temperature_C;
-      return { ...heat(value - kCold, kHot - kCold, fixed(value, 0), fixed(value, 1, "°C")), value };
+      return { ...heat(value - kCold, kHot - kCold, fixed(value, 0), fixed(value, 0, "°C")), value };
     }),
   },
   faults: { title: "Faults", isOfUnit: false, scaleOf: () => 0, show: ofAxis(showFaults) },

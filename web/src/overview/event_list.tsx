@@ -1,9 +1,9 @@
-import { useState } from "preact/hooks";
+import { useMemo, useState } from "preact/hooks";
 
 import { usePage } from "../app/context";
 import type { UnitEvent } from "../source/types";
 import { duration } from "../ui/number";
-import { eventLook, eventWords, originWords, placeWords } from "./event_words";
+import { eventLook, eventWords, originWords, placeWords, withoutRepeats } from "./event_words";
 
 /** Most events that are shown. */
 const kMost = 100;
@@ -40,7 +40,8 @@ export function EventList() {
   const { events, units, source } = usePage();
   const [choice, setChoice] = useState(0);
   const kinds: readonly string[] | undefined = kChoices[choice]?.kinds;
-  const all = events.all.value.filter((event) => kinds === undefined || kinds.includes(event.kind));
+  const told = useMemo(() => withoutRepeats(events.all.value), [events.all.value]);
+  const all = told.filter((event) => kinds === undefined || kinds.includes(event.kind));
   const newest = all.slice(-kMost).reverse();
   return (
     <section class="card overview-events" aria-labelledby="events-title">

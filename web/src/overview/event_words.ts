@@ -87,3 +87,15 @@ export function originWords(event: UnitEvent): string {
   const server = origin === "sdo" && event.server !== undefined && event.server > 0 ? ` ${event.server + 1}` : "";
   return `${kOrigins[origin] ?? origin}${server}`;
 }
+
+/** @param events without those of the control socket that only say again what was said last: renewals of an operator panel. */
+export function withoutRepeats(events: readonly UnitEvent[]): UnitEvent[] {
+  const last = new Map<string, string>();
+  return events.filter((event) => {
+    if (event.kind !== "control") return true;
+    const words = `${event.method ?? ""} ${event.text ?? ""}`;
+    const isRepeat = last.get(event.unit ?? "") === words;
+    last.set(event.unit ?? "", words);
+    return !isRepeat;
+  });
+}

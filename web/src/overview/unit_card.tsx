@@ -27,9 +27,10 @@ function BusFigures(props: { unit: UnitOverview; rate: number | undefined }) {
 
 /** What the axes do; asks why they do not turn whenever something has changed that this depends on. */
 function UnitBody(props: { unit: UnitOverview; rate: number | undefined }) {
-  const { source } = usePage();
+  const { source, units } = usePage();
   const { unit } = props;
-  const explained = useResource(() => source.get<Explanation>(unit.unit, "explain"), [source, unit.unit, stateKey(unit)]);
+  const isAnswering = units.absence.value === "";
+  const explained = useResource(() => source.get<Explanation>(unit.unit, "explain"), [source, unit.unit, stateKey(unit), isAnswering]);
   const reasonsOf = (axis: number): string[] | undefined =>
     explained.value?.axes?.find((each) => each.axis === axis)?.reasons ?? (unit.axes?.length === 1 ? explained.value?.reasons : undefined);
   return (

@@ -78,7 +78,11 @@ function AxisHands(props: { hand: Hand; axis: AxisOverview | undefined }) {
 
 /** Everything that acts on a unit by hand. */
 export function Hands(props: { unit: string }) {
-  const { units, source } = usePage();
+  const { units, source, permission } = usePage();
+  const isAnswering = units.absence.value === "";
+  useEffect(() => {
+    if (isAnswering) void permission.ask();
+  }, [isAnswering, permission]);
   const overview = units.find(props.unit);
   const axes = overview?.axes ?? [];
   const asked = Number(route.value.query.get("axis") ?? "0");

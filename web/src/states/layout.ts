@@ -18,6 +18,20 @@ export interface Layout {
   detours: Record<string, { side: "left" | "right"; reach: number }>;
 }
 
+/** How far along its curve the number of an edge stands, where not in the middle. */
+const kLabelShares: Record<string, number> = {
+  "STOP2>Switch on disabled": 0.28,
+  "Operation enabled>Fault": 0.78,
+  "Operation enabled>Quick stop active": 0.66,
+  "Quick stop active>Switch on disabled": 0.4,
+};
+
+/** The point of a quadratic curve at @param share of it. */
+function pointAt(share: number, start: Point, control: Point, end: Point): Point {
+  const [a, b, c] = [(1 - share) ** 2, 2 * share * (1 - share), share ** 2];
+  return { x: a * start.x + b * control.x + c * end.x, y: a * start.y + b * control.y + c * end.y };
+}
+
 /** States without pulses on the left, as in CiA 402; those that brake in the middle; faults on the right. */
 export const kWide: Layout = {
   width: 960,
@@ -103,7 +117,7 @@ function detour(layout: Layout, from: Point, to: Point, { side, reach }: { side:
   };
 }
 
-function bow(layout: Layout, from: Point, to: Point): Curve {
+function bow(layout: Layout, from: Point, to: Point, labelShare: number): Curve {
   const length = Math.hypot(to.x - from.x, to.y - from.y);
   const aside = { x: (-(to.y - from.y) / length) * layout.bow, y: ((to.x - from.x) / length) * layout.bow };
   const control = { x: (from.x + to.x) / 2 + aside.x * 2, y: (from.y + to.y) / 2 + aside.y * 2 };
@@ -111,13 +125,13 @@ function bow(layout: Layout, from: Point, to: Point): Curve {
   const nearEnd = { x: to.x + aside.x, y: to.y + aside.y };
   const start = borderPoint(layout.box, from, { x: nearStart.x + (control.x - nearStart.x) / 2, y: nearStart.y + (control.y - nearStart.y) / 2 });
   const end = borderPoint(layout.box, to, { x: nearEnd.x + (control.x - nearEnd.x) / 2, y: nearEnd.y + (control.y - nearEnd.y) / 2 });
-  const label = { x: (start.x + 2 * control.x + end.x) / 4, y: (start.y + 2 * control.y + end.y) / 4 };
-  return { path: `M ${written(start)} Q ${written(control, end)}`, label };
+  return { path: `M ${written(start)} Q ${written(control, end)}`, label: pointAt(labelShare, start, control, end) };
 }
 
 /** The curve from one state to another. */
 export function curveOf(layout: Layout, from: DriveState, to: DriveState): Curve {
-  const around = layout.detours[`${from}>${to}`];
+  const key = `${from}>${to}`;
+  const around = layout.detours[key];
   const [start, end] = [layout.places[from], layout.places[to]];
-  return around === undefined ? bow(layout, start, end) : detour(layout, start, end, around);
+  return around === undefined ? bow(layout, start, end, kLabelShares[key] ?? 0.5) : detour(layout, start, end, around);
 }

@@ -78,12 +78,12 @@ function EdgeLine(props: { edge: Edge; picture: PictureProps; trail: number }) {
       <path class="states-reach" d={curve.path} />
       <path class="states-line" d={curve.path} marker-end={`url(#states-${isShown ? "shown" : look})`} />
       {isNumbered && (
-        <>
+        <g>
           <circle cx={curve.label.x} cy={curve.label.y} r={11} />
           <text class="states-number" x={curve.label.x} y={curve.label.y} text-anchor="middle" dominant-baseline="central">
             {edge.numbers}
           </text>
-        </>
+        </g>
       )}
     </g>
   );
@@ -102,18 +102,17 @@ function Markers() {
   );
 }
 
-/** What is in front: lines of elsewhere, of here, those that are open, what is shown. */
-function rankOf(edge: Edge, props: PictureProps): number {
-  if (edge.key === props.shown) return 3;
+/** What is in front: lines of elsewhere, of here, those that are open. What is shown keeps its place, as it has the focus. */
+function rankOf(edge: Edge, state: string): number {
   if (edge.isOpen) return 2;
-  return edge.from === props.machine.state ? 1 : 0;
+  return edge.from === state ? 1 : 0;
 }
 
 /** The state machine as a drawing: where the axis is, and which ways are open. */
 export function Picture(props: PictureProps) {
   const { layout, machine, edges } = props;
   const known = edges.filter((edge) => edge.from in layout.places && edge.to in layout.places);
-  const sorted = [...known].sort((a, b) => rankOf(a, props) - rankOf(b, props));
+  const sorted = [...known].sort((a, b) => rankOf(a, machine.state) - rankOf(b, machine.state));
   const trail = props.visits.slice(0, kTrail).map((visit) => `${visit.before}>${visit.state}`);
   return (
     <svg class="states-picture" viewBox={`0 0 ${layout.width} ${layout.height}`} role="group" aria-label="State machine">

@@ -1,5 +1,6 @@
 import { useState } from "preact/hooks";
 
+import { usePage } from "../../app/context";
 import type { InjectedFault, InjectKind } from "../../source/types";
 import { useResource } from "../../ui/resource";
 import { Notice } from "../../ui/notice";
@@ -86,7 +87,9 @@ function Form(props: { hand: Hand; kinds: InjectKind[]; onDone: () => void }) {
 /** Faults on the wire: what can be injected, and what is. */
 export function WireCard(props: { hand: Hand }) {
   const { source, unit } = props.hand;
-  const kinds = useResource(() => source.get<{ kinds: InjectKind[] }>(unit, "injected/kinds"), [source, unit]);
+  const { units } = usePage();
+  const isAnswering = units.absence.value === "";
+  const kinds = useResource(() => source.get<{ kinds: InjectKind[] }>(unit, "injected/kinds"), [source, unit, isAnswering]);
   const list = useResource(() => source.get<{ faults: InjectedFault[] }>(unit, "injected"), [source, unit], source.isLive ? 1000 : undefined);
   return (
     <Card title="Faults on the wire" wide>

@@ -133,7 +133,7 @@ export function PanelCard(props: { hand: Hand; link: PanelLink; values: Values }
       <Meters values={values} speedEnd={Math.max(highest, speed === 0 ? 0 : scaleEnd(speed))} torqueEnd={scaleEnd(torque)} />
       <div aria-live="polite">
         {link.trouble.value !== "" && <Notice kind="error">{link.trouble.value}</Notice>}
-        {link.isHeld.value && <Notice>This page has the master control. It says so several times a second: when it does not, the axis stops.</Notice>}
+        {link.isHeld.value && link.trouble.value === "" && <Notice>This page has the master control. It says so several times a second: when it does not, the axis stops.</Notice>}
       </div>
       {!link.isHeld.value && <Holder hand={hand} />}
       <Taking hand={hand} link={link} action={action} />

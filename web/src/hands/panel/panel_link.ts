@@ -63,13 +63,13 @@ export class PanelLink {
     else void this.renew();
   }
 
-  /** Commands at once, whatever is still under way, and from then on. Resolved with what the axis does. */
+  /** Commands at once, whatever is still under way, and from then on. Resolved with what the axis did then. */
   async order(command: PanelCommand): Promise<string> {
     if (!this.isHeld.value) throw new Refusal("not-held", "this page has not taken the master control");
     this.command.value = command;
     const problem = await this.send();
     if (problem !== "") throw new Refusal("panel", problem);
-    return this.panel.value?.state ?? "";
+    return `the axis was in ${this.panel.value?.state ?? "?"}`;
   }
 
   /** Switches off (OFF1) at once, whatever is still under way. */

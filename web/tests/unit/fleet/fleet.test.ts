@@ -37,7 +37,7 @@ describe("cells", () => {
   });
   it("name faults, and lead to the first", () => {
     const cell = cellsOf("faults", kUnits)[2];
-    expect([cell?.text, cell?.words, cell?.fault]).toEqual(["F1", "7900 Motor blocked", 7900]);
+    expect([cell?.text, cell?.words, cell?.fault]).toEqual(["F1", "F1, 7900 Motor blocked", 7900]);
   });
   it("have text and words for every measure", () => {
     for (const name of Object.keys(kMeasures) as MeasureName[])

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { eventLook, eventWords, originWords, placeWords } from "../../../src/overview/event_words";
+import { eventLook, eventWords, originWords, placeWords, withoutRepeats } from "../../../src/overview/event_words";
 import type { UnitEvent } from "../../../src/source/types";
 
 function event(members: Partial<UnitEvent> & { kind: UnitEvent["kind"] }): UnitEvent {
@@ -46,5 +46,14 @@ describe("look of an event", () => {
   it("has the tone of the state that was reached, and is quiet for what has gone", () => {
     expect(eventLook(event({ kind: "drive-state", state: "Fault" })).tone).toBe("fault");
     expect(eventLook(event({ kind: "alarm", active: false })).tone).toBe("off");
+  });
+});
+
+describe("repeats", () => {
+  it("of an operator panel that renews its command are told once", () => {
+    const set = (t: number, text: string): UnitEvent => ({ t, kind: "control", unit: "vcan0/5", method: "panel.set", text });
+    const state = event({ kind: "drive-state", state: "Switched on" });
+    const events = [set(1, "on false"), set(2, "on false"), state, set(3, "on true"), set(4, "on true"), set(5, "on false")];
+    expect(withoutRepeats(events).map((each) => each.t)).toEqual([1, 1, 3, 5]);
   });
 });
