@@ -63,7 +63,7 @@ enum class Scope : std::uint8_t {
 enum class Acts : std::uint8_t {
   No,      ///< it looks, or its effect has events of its own
   Always,  ///< each time it succeeds
-  With     ///< with the parameter Method::acts_with
+  Change   ///< when it has other parameters than the last time: it may be repeated to renew what it does
 };
 
 /// One method: what can be asked of a daemon over its control socket, and the subcommand of axisctl that asks it.
@@ -78,7 +78,6 @@ struct Method {
   std::span<const std::string_view> columns{};  ///< what a table of the result shows; empty: all
   std::span<const std::string_view> brief{};    ///< the same where it is to be brief
   Acts acts = Acts::No;
-  std::string_view acts_with{};
 };
 
 /// What the subcommands of a group have in common.

@@ -61,16 +61,14 @@ std::span<const std::string_view> Reader::read_texts(const Fields& fields, std::
   return own;
 }
 
-/// true, or the parameter that makes it act.
+/// true, or "change".
 void Reader::read_acts(const Fields& fields, Method& method) {
   if (!fields.is_text("acts")) {
     method.acts = fields.flag("acts", false) ? Acts::Always : Acts::No;
     return;
   }
-  method.acts = Acts::With;
-  method.acts_with = fields.text("acts");
-  if (std::ranges::count(method.parameters, method.acts_with, &Parameter::key) == 0)
-    fields.refuse("acts", "true, or one of the parameters");
+  method.acts = Acts::Change;
+  if (fields.text("acts") != "change") fields.refuse("acts", "true, or \"change\"");
 }
 
 MethodText Reader::read_method(const Json& object, const std::string& place) {

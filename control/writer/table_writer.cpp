@@ -114,7 +114,7 @@ std::string TableWriter::parameters(const Method& method) {
 }
 
 std::string_view name_of(Acts acts) {
-  constexpr std::array<std::string_view, 3> kNames{"No", "Always", "With"};
+  constexpr std::array<std::string_view, 3> kNames{"No", "Always", "Change"};
   return kNames[static_cast<std::size_t>(acts)];
 }
 
@@ -154,10 +154,10 @@ std::string write_table(const ProtocolText& text) {
       methods += fmt::format(
           "    Method{{.name = {}, .scope = Scope::{}, .group = {}, .command = {}, .summary = {},\n"
           "           .parameters = {}, .keys = {}, .columns = {}, .brief = {},\n"
-          "           .acts = Acts::{}, .acts_with = {}}},\n",
+          "           .acts = Acts::{}}},\n",
           quoted(row.name), row.scope == Scope::Unit ? "Unit" : "Program", quoted(row.group), quoted(row.command),
           quoted(row.summary), writer.parameters(row), writer.texts(row.keys), writer.texts(row.columns),
-          writer.texts(row.brief), name_of(row.acts), quoted(row.acts_with));
+          writer.texts(row.brief), name_of(row.acts));
   std::string groups;
   for (const Group& group : text.groups)
     groups += fmt::format("    Group{{{}, {}}},\n", quoted(group.name), quoted(group.summary));

@@ -1,5 +1,6 @@
 #include "daemon/watch/event_watch.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "libcanopen/base/cob_id.hpp"
@@ -33,6 +34,15 @@ void EventWatch::remove(EventListener& listener) noexcept {
 void EventWatch::tell(UnitEvent event) noexcept {
   event.axis = axis_of(event.object);
   for (EventListener* const listener : listeners_.all()) listener->on_event(event);
+}
+
+bool EventWatch::is_other_command(std::string_view method, unsigned axis, std::string_view text) {
+  if (!past_) return true;
+  const auto is_it = [&](const Command& last) { return last.method == method && last.axis == axis; };
+  const auto found = std::ranges::find_if(past_->commands, is_it);
+  if (found != past_->commands.end()) return std::exchange(found->text, std::string{text}) != text;
+  past_->commands.push_back({method, axis, std::string{text}});
+  return true;
 }
 
 void EventWatch::on_nmt_state(canopen::NmtState from, canopen::NmtState to, canopen::TimePoint now) noexcept {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,8 @@ class EventWatch final : private FrameListener {
   void on_change(record::EventKind kind, bool active, canopen::TimePoint now) noexcept {
     tell({.time = now, .kind = kind, .active = active});
   }
+  /// Whether @p text, of @p method for @p axis, is another one than at the last call; remembers it. Allocates.
+  [[nodiscard]] bool is_other_command(std::string_view method, unsigned axis, std::string_view text);
   /// A client of the control socket has carried @p method out, a text that lasts, with the parameters @p text.
   void on_action(std::string_view method, std::string_view text, canopen::TimePoint now) noexcept {
     tell({.time = now,
@@ -62,11 +65,18 @@ class EventWatch final : private FrameListener {
     std::uint8_t object = 0;
     std::optional<drive::State> state{};
   };
+  /// What a client of the control socket has commanded last.
+  struct Command {
+    std::string_view method{};
+    unsigned axis = 0;
+    std::string text{};
+  };
   /// What is there only while somebody listens.
   struct Past {
     WriteWatch writes;
     ActiveMessages messages;
     std::vector<Seen> objects{};
+    std::vector<Command> commands{};
     bus::ErrorState bus = bus::ErrorState::Active;
   };
 

@@ -21,7 +21,9 @@ std::vector<std::string> read_lines(const std::filesystem::path& path) {
 std::vector<SourceFile> read_folder(const std::filesystem::path& root, std::string_view folder) {
   std::vector<SourceFile> files;
   if (!std::filesystem::is_directory(root / folder)) return files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator{root / folder}) {
+  for (std::filesystem::recursive_directory_iterator at{root / folder}, end; at != end; ++at) {
+    const std::filesystem::directory_entry& entry = *at;
+    if (entry.path().filename() == "node_modules") at.disable_recursion_pending();
     const bool source = std::ranges::count(kExtensions, entry.path().extension().string()) == 1;
     if (!entry.is_regular_file() || !source) continue;
     files.push_back({entry.path().lexically_relative(root).generic_string(), read_lines(entry.path())});

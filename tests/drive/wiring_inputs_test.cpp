@@ -77,7 +77,7 @@ const std::vector<ValueInput> kValueInputs{
 const std::set<std::uint16_t> kOtherInputs{480,  738,  739,  740,  741,  742,  743,  744,  745,  1542,
                                            1552, 1554, 2045, 2051, 2061, 2080, 2081, 2082, 2083, 2084,
                                            2099, 2102, 2151, 3104, 3116, 8746, 8748, 8785, 8786, 8787,
-                                           8851, 8861, 8880, 8881, 8882, 8883, 8884, 8899};
+                                           8851, 8861, 8880, 8881, 8882, 8883, 8884, 8899, 806};
 /// Inputs of position control and the positioner, which have tests of their own.
 bool is_of_positioner(std::uint16_t number) {
   return number == 1545 || (number >= 2508 && number <= 2663) || number == 2730;

@@ -226,7 +226,7 @@ TEST_F(Axisctl, SaysWhatAnUnknownSubcommandIsLikelyMeantToBe) {
   EXPECT_EQ(run({"fault", "injct", "1", "7860"}).errors,
             "axisctl: unknown subcommand injct, did you mean inject?\n");
   EXPECT_TRUE(run({"dance"}).errors.starts_with(
-      "axisctl: unknown subcommand dance, expected one of: status, explain, fault, "));
+      "axisctl: unknown subcommand dance, expected one of: status, explain, state, "));
   EXPECT_EQ(run({"bus", "start"}).errors.substr(0, 47), "axisctl: unknown subcommand start, did you mean");
   EXPECT_TRUE(
       run({"fault", "quit"}).errors.starts_with("axisctl: unknown subcommand quit, expected one of: inject, ack"));

@@ -10,12 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-bool acts(const control::Method& method, const json& params) {
-  if (method.acts != control::Acts::With) return method.acts == control::Acts::Always;
-  const auto decisive = params.find(method.acts_with);
-  return decisive != params.end() && !decisive->is_null();
-}
-
 /// "axis 1, torque_Nm 1.5".
 std::string text_of(const json& params) {
   std::string text;
@@ -33,8 +27,10 @@ Outcome carry_out(const Handler& handler, const Call& call, const json& params) 
   Outcome outcome = handler.answer(call, params);
   const control::Method* const method = control::find_method(handler.method);
   EventWatch& events = call.instance.events();
-  if (outcome && events.is_watched() && method != nullptr && acts(*method, params))
-    events.on_action(method->name, text_of(params), call.now);
+  if (!outcome || method == nullptr || method->acts == control::Acts::No || !events.is_watched()) return outcome;
+  const std::string text = text_of(params);
+  if (method->acts == control::Acts::Always || events.is_other_command(method->name, params.value("axis", 0U), text))
+    events.on_action(method->name, text, call.now);
   return outcome;
 }
 

@@ -78,12 +78,12 @@ TEST_F(EventsOfAUnit, TellOfAFaultItsEmergencyAndItsAcknowledgement) {
   run(10ms);
   const Told come = told();
   ASSERT_EQ(come.size(), 4U);
-  EXPECT_EQ(come[0], (json{{"kind", "control"},
+  EXPECT_EQ(come[1], (json{{"kind", "control"},
                            {"method", "fault.inject"},
                            {"text", "axis 1, number 7900, value 3"},
                            {"by", "control"}}));
-  EXPECT_EQ(come[1].at("kind"), "emcy");
-  EXPECT_EQ(come[1].at("data").get<std::string>().size(), 16U);
+  EXPECT_EQ(come[0].at("kind"), "emcy");
+  EXPECT_EQ(come[0].at("data").get<std::string>().size(), 16U);
   EXPECT_EQ(come[2], (json{{"kind", "fault"},
                            {"drive_object", 2},
                            {"axis", 1},
@@ -110,8 +110,16 @@ TEST_F(EventsOfAUnit, TellWhatAClientOfTheSocketHasDone) {
   result_of("if1.exchange", {{"do", 2}});
   static_cast<void>(error_of("panel.set", {{"axis", 1}, {"on", true}, {"speed_rpm", 1}}));
   EXPECT_TRUE(told("control").empty()) << "looks and refusals";
-  result_of("if1.exchange", {{"do", 2}, {"received", {0}}});
-  EXPECT_EQ(told("control").size(), 1U);
+}
+
+TEST_F(EventsOfAUnit, TellACommandThatIsRenewedOnce) {
+  result_of("panel.take", {{"axis", 1}});
+  for (int i = 0; i < 3; ++i) result_of("panel.set", {{"axis", 1}, {"on", false}, {"speed_rpm", 0}});
+  result_of("panel.set", {{"axis", 1}, {"on", false}, {"speed_rpm", 10}});
+  const Told done = told("control");
+  ASSERT_EQ(done.size(), 3U);
+  EXPECT_EQ(done[0].at("method"), "panel.take");
+  EXPECT_EQ(done[2].at("method"), "panel.set");
 }
 
 TEST_F(EventsOfAUnit, CutTheTextOfALongRequest) {
@@ -121,11 +129,13 @@ TEST_F(EventsOfAUnit, CutTheTextOfALongRequest) {
   result_of("inject.add", {{"kind", "heartbeat.late"},
                            {"delay_ms", 5},
                            {"after", 3},
+                           {"every", 2},
+                           {"for_ms", 60000},
                            {"until", "10 heartbeat"},
-                           {"axis", 1},
+                           {"while", "operational"},
                            {"probability", 0.5},
                            {"seed", 123456789},
-                           {"from", 1.5}});
+                           {"times", 4000000000}});
   const Told done = told("control");
   ASSERT_EQ(done.size(), 1U);
   EXPECT_LE(done[0].at("text").get<std::string>().size(), 95U);
