@@ -104,7 +104,8 @@ def check_other_names(folder):
     gateway = http_client.Gateway(folder, '--allow-host', 'Drive.Lab', '--allow-origin', 'http://localhost:3000')
     assert gateway.code('GET', '/', headers={'Host': 'drive.lab'}) == (200, None)
     status, headers, _ = gateway.request('GET', '/', headers={'Origin': 'http://localhost:3000'})
-    assert (status, headers['Access-Control-Allow-Origin'], headers['Vary']) == (200, 'http://localhost:3000', 'Origin')
+    assert (status, headers['Access-Control-Allow-Origin']) == (200, 'http://localhost:3000'), headers
+    assert 'Origin' in headers.get_all('Vary'), headers  # beside Accept, as a browser gets the page here
     status, headers, _ = gateway.request('OPTIONS', '/api/v1/units', headers={'Origin': 'http://localhost:3000'})
     assert status == 204 and 'Authorization' in headers['Access-Control-Allow-Headers'], headers
     assert gateway.program.end() == 0
