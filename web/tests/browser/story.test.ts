@@ -60,10 +60,15 @@ test("a fault is put in by hand, and its cause found by three clicks from the ov
 
 test("a frame is decoded by the EDS", async () => {
   const { page } = bench;
+  await bench.show("#/scope?signals=1/speed");
   await page.getByRole("button", { name: "Frames", exact: true }).click();
-  bench.cansend("605#4041600000000000");
-  await page.getByRole("button", { name: /SDO/ }).first().waitFor();
-  await page.getByRole("button", { name: /SDO/ }).first().click();
+  await page.getByLabel("Service").selectOption("SDO");
+  const request = page.getByRole("button", { name: /605#4041600000000000/ }).first();
+  for (let tries = 0; tries < 20 && !(await request.isVisible()); ++tries) {
+    bench.cansend("605#4041600000000000"); // until the page listens
+    await request.waitFor({ timeout: 1000 }).catch(() => undefined);
+  }
+  await request.click();
   await page.getByLabel("What was chosen").getByText(/Statusword/).first().waitFor();
 });
 
