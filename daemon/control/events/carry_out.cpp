@@ -29,7 +29,8 @@ Outcome carry_out(const Handler& handler, const Call& call, const json& params) 
   EventWatch& events = call.instance.events();
   if (!outcome || method == nullptr || method->acts == control::Acts::No || !events.is_watched()) return outcome;
   const std::string text = text_of(params);
-  if (method->acts == control::Acts::Always || events.is_other_command(method->name, params.value("axis", 0U), text))
+  if (method->acts == control::Acts::Always ||
+      events.is_other_command(method->name, params.value("axis", 0U), text))
     events.on_action(method->name, text, call.now);
   return outcome;
 }

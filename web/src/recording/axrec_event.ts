@@ -150,5 +150,5 @@ function rawEvent(bytes: Uint8Array): RawEvent | undefined {
 export function eventIn(bytes: Uint8Array, t: number, unit: string): UnitEvent | undefined {
   const raw = rawEvent(bytes);
   if (raw === undefined) return undefined;
-  return { t, unit, kind: raw.kind, ...kMembers[raw.kind](raw) } as UnitEvent;
+  return { t, unit, kind: raw.kind, ...kMembers[raw.kind](raw) };
 }

@@ -47,7 +47,7 @@ class Program {
   /** Ends it by @param signal and waits until it has ended. */
   end(signal: NodeJS.Signals = "SIGTERM"): Promise<void> {
     return new Promise((done) => {
-      if (this.process.exitCode !== null || this.process.signalCode !== null) return done();
+      if (this.process.exitCode !== null || this.process.signalCode !== null) { done(); return; }
       this.process.once("exit", () => done());
       this.process.kill(signal);
     });
@@ -180,7 +180,7 @@ export function openChromium(): Promise<Browser> {
   return chromium.launch({
     executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-dev-shm-usage"],
-    env: environment as Record<string, string>,
+    env: environment,
     timeout: 2 * kPatience,
   });
 }

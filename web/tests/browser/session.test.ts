@@ -57,8 +57,9 @@ test("the verdict and its steps stand first", async () => {
 test("the scope has signals, frames and events of the run", async () => {
   await pages.getByRole("link", { name: "Scope", exact: true }).click();
   await page.getByText(/1\/speed/).first().waitFor();
-  await page.getByText("TPDO", { exact: true }).first().waitFor();
   await page.getByText(/F07860/).first().waitFor();
+  await page.getByRole("button", { name: "Frames", exact: true }).click();
+  await page.getByRole("button", { name: /TPDO/ }).first().waitFor();
 });
 
 test("every page has what was recorded, or says that it was not", async () => {

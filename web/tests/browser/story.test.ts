@@ -61,6 +61,7 @@ test("a fault is put in by hand, and its cause found by three clicks from the ov
 test("a frame is decoded by the EDS", async () => {
   const { page } = bench;
   await bench.show("#/scope?signals=1/speed");
+  await page.reload();
   await page.getByRole("button", { name: "Frames", exact: true }).click();
   await page.getByLabel("Service").selectOption("SDO");
   const request = page.getByRole("button", { name: /605#4041600000000000/ }).first();
