@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::chrono::seconds kPeriod{1};
+constexpr std::chrono::seconds kLookPeriod{1};
 constexpr const char* kAfter = "after";
 
 }  // namespace
@@ -34,12 +34,12 @@ RecentEvents::~RecentEvents() {
 
 void RecentEvents::begin() {
   first_ = feed_.follow(this);
-  axisd::ServiceEvents::start(sweep_, kPeriod);
+  axisd::ServiceEvents::start(sweep_, kLookPeriod);
 }
 
 void RecentEvents::sweep() {
   if (!is_keeping()) return;
-  if (clock_() - asked_ <= kPatience) return axisd::ServiceEvents::start(sweep_, kPeriod);
+  if (clock_() - asked_ <= kPatience) return axisd::ServiceEvents::start(sweep_, kLookPeriod);
   feed_.follow(nullptr);
   kept_.clear();
   first_ = 0;
