@@ -113,13 +113,7 @@ def check_frames(folder, gateway, unit):
     """The frames of the unit are those that candump sees, in both directions."""
     reader = Reader(gateway, unit, 'frames=true')
     reader.begin()
-    log = folder.path('candump.log')
-    with open(log, 'wb') as file:
-        candump = subprocess.Popen(['candump', '-L', 'vcan0'], stdout=file)
-    folder.programs.append(candump)
-    while not os.path.getsize(log):  # it listens when it has shown a frame
-        send(f'{PROBE:03X}#00')
-        time.sleep(0.02)
+    log = folder.candump(PROBE)
     requests = [f'605#{0x40:02X}{index & 0xFF:02X}{index >> 8:02X}{sub:02X}00000000'
                 for index, sub in ((0x1000, 0), (0x1018, 0), (0x1018, 1), (0x6041, 0), (0x7FFF, 0))] * 8
     send(*requests, '000#0105', '000#8005', '605#4000100000000000')

@@ -63,14 +63,8 @@ def expected(frames, unit):
 def main():
     bin_folder = sys.argv[1]
     with programs.Folder(bin_folder) as folder:
-        log = folder.path('candump.log')
+        log = folder.candump(PROBE)
         control = folder.path('control.sock')
-        with open(log, 'wb') as file:
-            candump = subprocess.Popen(['candump', '-L', 'vcan0'], stdout=file)
-        folder.programs.append(candump)
-        while not os.path.getsize(log):  # it listens when it has shown a frame
-            send(f'{PROBE:03X}#00')
-            time.sleep(0.02)
         unit = folder.start('axisd', '--interface', f'unix:{os.environ["CAN_BUS"]}', '--node-id', str(NODE), '--control', control,
                             '--state-directory', folder.path('state'))
         unit.expect(f'ready: node {NODE} on')

@@ -69,6 +69,16 @@ class Folder:
         self.programs.append(program)
         return program
 
+    def candump(self, probe):
+        """candump on vcan0, which listens: it has shown a frame of the identifier PROBE; the file of its log."""
+        log = self.path('candump.log')
+        with open(log, 'wb') as file:
+            self.programs.append(subprocess.Popen(['candump', '-L', 'vcan0'], stdout=file))
+        while not os.path.getsize(log):
+            subprocess.run(['cansend', 'vcan0', f'{probe:03X}#00'], check=True, timeout=PATIENCE)
+            time.sleep(0.02)
+        return log
+
     def output_of(self, name, *options):
         """Runs a program that ends by itself; its standard output."""
         return subprocess.run([os.path.join(self.bin_folder, name), *options], env=self.environment, check=True,

@@ -7,7 +7,7 @@ import type { UnitEvent } from "../source/types";
 import { axrecHead, isAxrec, readAxrec } from "./axrec";
 import { isCandumpLog, readCandumpLog } from "./candump_log";
 import type { Recording } from "./recording";
-import { isTraceCsv, readTraceCsv, readTraceJson, traceOf, type Trace, type TraceResult } from "./trace_file";
+import { isTraceCsv, readTraceCsv, readTraceJson, type Trace } from "./trace_file";
 
 /** What is told of a unit whose file does not say it. */
 export interface OpenSettings {
@@ -100,11 +100,6 @@ function ofTrace(name: string, format: Recording["format"], trace: Trace, unit: 
     lost: trace.lost,
     remark: trace.lost === 0 ? "" : `${trace.lost} frames had no room in the trace`,
   };
-}
-
-/** A result of trace.read, put together out of its pages, as a recording. */
-export function recordingOfTrace(name: string, unit: string, result: TraceResult, settings: OpenSettings = {}): Recording {
-  return ofTrace(name, "trace-json", traceOf(result, unit), unit, settings);
 }
 
 /** The recording in @param bytes, whatever it is: .axrec, candump log, CSV or JSON of a trace. A Refusal says what is wrong and where. */
