@@ -25,11 +25,17 @@ class CANOPEN_EXPORT Application {
   virtual void before_rpdo(std::uint16_t number) noexcept { (void)number; }
   /// The values of RPDO @p number (0 for 1400h) have just been stored.
   virtual void on_rpdo(std::uint16_t number) noexcept { (void)number; }
+  /// An SDO client has written @p entry of the dictionary: a value is stored, a command is carried out, the data
+  /// of a DOMAIN are complete. The answer has not been sent yet.
+  virtual void on_sdo_written(const Entry& entry) noexcept { (void)entry; }
   /// The owner of @p entry, the application or a service, has refused @p value with @p code: an SDO client has
   /// written it to this number, and access, length and limits were right. The abort has not been sent yet.
   virtual void on_write_refused(const Entry& entry, std::int64_t value, AbortCode code) noexcept {
     (void)entry, (void)value, (void)code;
   }
+  /// A SYNC has come in Operational, with SyncOrder::ReceiveFirst: the synchronous RPDOs that waited for it, if
+  /// any, are all stored and told. What is in the dictionary when this returns is what synchronous TPDOs show.
+  virtual void on_synchronous_rpdos() noexcept {}
   /// A SYNC has come and the TPDOs that belong to it are out; @p counter is 0 if it carries none.
   virtual void on_sync(std::uint8_t counter) noexcept { (void)counter; }
   /// The identifiers that the node listens to have changed: see Node::subscriptions().

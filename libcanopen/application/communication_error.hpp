@@ -6,8 +6,8 @@
 
 namespace canopen {
 
-/// Errors of the communication that CiA 301 names. The services of a node detect some, the owner of the bus
-/// others.
+/// Errors of the communication that CiA 301 names, and the missing SYNC of CiA 402. The services of a node detect
+/// some, the owner of the bus others.
 enum class CommunicationError : std::uint8_t {
   CanOverrun,       ///< received frames were lost
   ErrorPassive,     ///< the CAN controller is error passive
@@ -18,6 +18,7 @@ enum class CommunicationError : std::uint8_t {
   RpdoTooLong,      ///< a frame had more bytes than are mapped; detail likewise
   SyncLength,       ///< SYNC with or without counter against 1019h; detail: its length
   RpdoTimeout,      ///< an RPDO missed its deadline; detail: number of the RPDO
+  SyncTimeout,      ///< SYNC is missing (Policy::sync_supervision)
 };
 
 /// Sub-index of 1029h for errors of the communication; those of the device profile follow it.
@@ -26,7 +27,7 @@ inline constexpr std::uint8_t kCommunicationErrorClass = 1;
 /// What CiA 301 says of one CommunicationError.
 struct CommunicationErrorRow {
   CommunicationError error;
-  std::uint16_t emcy_code;      ///< CiA 301, table "emergency error codes"
+  std::uint16_t emcy_code;      ///< CiA 301, table "emergency error codes"; 8700h: CiA 402
   std::uint8_t error_register;  ///< bits of 1001h
   bool changes_nmt_state;       ///< 1029h:01 applies (CiA 301, 7.5.2.32)
 };
@@ -40,6 +41,7 @@ inline constexpr std::array kCommunicationErrors{
     CommunicationErrorRow{CommunicationError::RpdoTooLong, 0x8220, 0x11, false},
     CommunicationErrorRow{CommunicationError::SyncLength, 0x8240, 0x11, false},
     CommunicationErrorRow{CommunicationError::RpdoTimeout, 0x8250, 0x11, false},
+    CommunicationErrorRow{CommunicationError::SyncTimeout, 0x8700, 0x11, false},
 };
 
 /// The row of @p error.

@@ -23,6 +23,13 @@ enum class ErrorKeeping : std::uint8_t {
   Owner,    ///< the application, with its own layout of 1003h, through Node::send_emcy()
 };
 
+/// What happens first at a SYNC.
+enum class SyncOrder : std::uint8_t {
+  TransmitFirst,  ///< TPDOs show what was before the SYNC; then each synchronous RPDO is stored and told
+  ReceiveFirst,   ///< all synchronous RPDOs are stored, then each is told, then
+                 ///< Application::on_synchronous_rpdos(); TPDOs show what has become of it
+};
+
 /// Transmission types from `first` to `last`.
 struct TypeRange {
   std::uint8_t first, last;
@@ -46,6 +53,11 @@ struct Policy {
   bool predefined_sdo_identifiers = false;  ///< true: servers beyond the first may listen to 601h..67Fh and answer
                                             ///< under 581h..5FFh, those of their own node-ID excepted
   Duration sdo_timeout = std::chrono::seconds{10};  ///< above 0: silence that aborts a half-finished transfer
+
+  SyncOrder sync_order = SyncOrder::TransmitFirst;
+  bool sync_of_any_length = false;  ///< true: a SYNC of a wrong length (1019h) is reported and counts all the same
+  bool sync_supervision = false;  ///< true: in Operational, from the first SYNC on, a silence of one and a half of
+                                  ///< 1006h is CommunicationError::SyncTimeout until the next SYNC
 
   bool pdo_changes_in_operational = true;  ///< false: PDO parameters are refused with DeviceState in Operational
   bool count_follows_entries = false;  ///< true: sub-index 0 of a mapping counts its entries; when 0 was written

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "libcanopen/emcy/emcy_producer.hpp"
 #include "libcanopen/emcy/error_keeper.hpp"
 #include "libcanopen/nmt/duplicate_watch.hpp"
@@ -13,6 +15,7 @@
 #include "libcanopen/sdo/servers.hpp"
 #include "libcanopen/storage/storage_objects.hpp"
 #include "libcanopen/sync/sync_consumer.hpp"
+#include "libcanopen/sync/sync_watch.hpp"
 #include "libcanopen/time/time_consumer.hpp"
 
 namespace canopen {
@@ -34,8 +37,11 @@ struct StandardServices {
         transmit{context},
         error_behaviour{context.dictionary},
         storage{context} {
-    sync.tell(transmit);  // TPDOs show what was before the RPDOs of the same SYNC
-    sync.tell(receive);
+    if (context.policy.sync_supervision) sync.tell(sync_watch.emplace(context));
+    const bool receives_first = context.policy.sync_order == SyncOrder::ReceiveFirst;
+    if (receives_first) sync.tell(receive);
+    sync.tell(transmit);
+    if (!receives_first) sync.tell(receive);
   }
 
   NmtSlave nmt;
@@ -50,6 +56,7 @@ struct StandardServices {
   HeartbeatConsumer heartbeats;
   ReceivePdos receive;
   TransmitPdos transmit;
+  std::optional<SyncWatch> sync_watch;  ///< if the policy wants it
   // Owners of objects, which need no more than the dictionary.
   ErrorBehaviour error_behaviour;
   StorageObjects storage;

@@ -153,6 +153,7 @@ void ReceivePdos::latch(std::size_t position, std::uint64_t payload) noexcept {
 void ReceivePdos::on_sync(std::uint8_t, Duration window) noexcept {
   if (context_.state != NmtState::Operational) return;
   window_end_ = window.count() != 0 ? context_.now + window : kNever;
+  if (context_.policy.sync_order == SyncOrder::ReceiveFirst) return apply_together();
   if (!waiting_.empty()) apply_waiting();
 }
 
@@ -164,6 +165,20 @@ void ReceivePdos::apply_waiting() noexcept {
     apply(pdo, pdo.latched);
   }
   waiting_.clear();
+}
+
+/// Stores all that waits before the application learns of any. What it does then may leave Operational.
+void ReceivePdos::apply_together() noexcept {
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {  // NOLINT(modernize-loop-convert)
+    Incoming& pdo = incoming_[waiting_[i]];
+    pdo.waits = false;
+    context_.application.before_rpdo(pdo.number);
+    pdo.plan.unpack(pdo.latched, image_);
+  }
+  for (std::size_t i = 0; i < waiting_.size(); ++i)  // NOLINT(modernize-loop-convert)
+    context_.application.on_rpdo(incoming_[waiting_[i]].number);
+  waiting_.clear();
+  if (context_.state == NmtState::Operational) context_.application.on_synchronous_rpdos();
 }
 
 void ReceivePdos::on_pdo_changed(std::size_t position) noexcept {

@@ -67,6 +67,7 @@ class ReceivePdos final : public Service, public SyncListener, public PdoParamet
   void watch(std::size_t position) noexcept;
   void latch(std::size_t position, std::uint64_t payload) noexcept;
   void apply_waiting() noexcept;
+  void apply_together() noexcept;
   void end_timeout(Incoming& pdo) noexcept;
   void load_settings(std::size_t position) noexcept;
   static void choose_path(Incoming& pdo) noexcept;

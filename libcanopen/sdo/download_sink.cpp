@@ -14,15 +14,30 @@ std::uint64_t capacity_of(const Entry& entry) noexcept {
   return entry.size != 0 ? entry.size : entry.description->capacity;
 }
 
-}  // namespace
-
-void tell_refusal(Context& context, const Entry& entry, std::span<const std::uint8_t> bytes,
-                  AbortCode code) noexcept {
-  if (entry.size == 0 || bytes.size() != entry.size) return;
+/// The number in @p bytes, as many as @p entry has.
+std::int64_t number_in(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
   std::array<std::uint8_t, sizeof(std::uint64_t)> word{};
   std::copy(bytes.begin(), bytes.end(), word.begin());
-  const std::int64_t value = number_in(entry, load<std::uint64_t>(word.data()));
-  if (Dictionary::check(entry, value)) context.application.on_write_refused(entry, value, code);
+  const auto bits = load<std::uint64_t>(word.data());
+  return entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
+}
+
+Result<void> write_number(Context& context, const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
+  if (bytes.size() != entry.size) return refuse(AbortCode::LengthMismatch);
+  const std::int64_t value = number_in(entry, bytes);
+  auto written = context.dictionary.write(entry, value);
+  const bool by_owner = !written && Dictionary::check(entry, value);
+  if (by_owner) context.application.on_write_refused(entry, value, written.error());
+  return written;
+}
+
+}  // namespace
+
+Result<void> write_value(Context& context, const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
+  auto written =
+      entry.size != 0 ? write_number(context, entry, bytes) : context.dictionary.write_text(entry, bytes);
+  if (written) context.application.on_sdo_written(entry);
+  return written;
 }
 
 Result<void> DownloadSink::open(const Entry& entry, std::optional<std::uint32_t> size) noexcept {
@@ -87,14 +102,15 @@ Result<void> DownloadSink::commit(Context& context) noexcept {
     if (auto taken = flush(); !taken) return taken;
     entry_ = nullptr;  // the owner may reset the node, which cancels what is not complete
     auto counts = entry.domain->end_write(entry, given_);
-    if (!counts) entry.domain->cancel_write(entry);
+    if (counts) {
+      context.application.on_sdo_written(entry);
+    } else {
+      entry.domain->cancel_write(entry);
+    }
     return counts;
   }
   entry_ = nullptr;  // the write may take the server away, and the transfer with it
-  if (entry.size == 0) return context.dictionary.write_text(entry, window_.first(held_));
-  auto written = write_number(context.dictionary, entry, load<std::uint64_t>(window_.data()), held_);
-  if (!written) tell_refusal(context, entry, window_.first(held_), written.error());
-  return written;
+  return write_value(context, entry, window_.first(held_));
 }
 
 Result<void> DownloadSink::commit_viewed(SdoView& view) noexcept {

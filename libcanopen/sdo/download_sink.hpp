@@ -13,7 +13,7 @@ namespace canopen::sdo {
 /// DomainOwner they are given on whenever the window is full, each byte once and in order.
 class DownloadSink {
  public:
-  /// Gathers the bytes in @p window, which holds the longest value; eight more bytes behind it must be readable.
+  /// Gathers the bytes in @p window, which holds the longest value.
   explicit DownloadSink(std::span<std::uint8_t> window) noexcept : window_{window} {}
 
   /// Begins a value of @p entry with @p size bytes if that is said. LengthMismatch if that is none of the entry's
@@ -50,23 +50,8 @@ constexpr bool is_plain(const Entry& entry) noexcept {
   return entry.size != 0 && !entry.limited && entry.write_owner == nullptr;
 }
 
-/// The number of @p entry in the lowest bytes of @p word, with anything above them.
-inline std::int64_t number_in(const Entry& entry, std::uint64_t word) noexcept {
-  const std::uint64_t bits = word & byte_mask(entry.size);
-  return entry.is_signed ? sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
-}
-
-/// Writes the number in the lowest bytes of @p word, of which @p size count, with anything above them.
-/// LengthMismatch, and what the dictionary refuses.
-inline Result<void> write_number(Dictionary& dictionary, const Entry& entry, std::uint64_t word,
-                                 std::size_t size) noexcept {
-  if (size != entry.size) return refuse(AbortCode::LengthMismatch);
-  return dictionary.write(entry, number_in(entry, word));
-}
-
-/// Tells the application that write_number() was refused with @p code, if it was the owner of @p entry who
-/// refused.
-void tell_refusal(Context& context, const Entry& entry, std::span<const std::uint8_t> bytes,
-                  AbortCode code) noexcept;
+/// Writes @p bytes to a number or a string and tells the application of it, or that the owner of a number has
+/// refused. LengthMismatch, and what the dictionary refuses.
+Result<void> write_value(Context& context, const Entry& entry, std::span<const std::uint8_t> bytes) noexcept;
 
 }  // namespace canopen::sdo

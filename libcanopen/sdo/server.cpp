@@ -102,8 +102,11 @@ void SdoServer::initiate_download(const Frame& frame) noexcept {
   if (!command.is_expedited()) return initiate_segmented_download(*entry, frame);
   const unsigned size = command.has_size() ? command.expedited_size() : expedited_size(*entry);
   if (!sdo::is_plain(*entry) || size != entry->size) return download_expedited(*entry, frame, size);
+  Frame answer = answer_;  // as below
   context_.dictionary.set(*entry, load<std::uint32_t>(&frame.data[4]));
-  send(sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0));
+  context_.application.on_sdo_written(*entry);
+  store(answer.data.data(), sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0));
+  deliver(answer);
 }
 
 void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::size_t size) noexcept {
@@ -112,7 +115,6 @@ void SdoServer::download_expedited(const Entry& entry, const Frame& frame, std::
   const std::span bytes{&frame.data[4], size};
   context_.answer_deferred = false;
   const auto written = write_expedited(entry, bytes);
-  if (!written) sdo::tell_refusal(context_, entry, bytes, written.error());
   const std::uint64_t done = sdo::response_bytes(command_byte(Response::InitiateDownload), at, 0);
   if (written && context_.answer_deferred) return defer(at, done, load<std::uint64_t>(frame.data.data()));
   store(answer.data.data(), written ? done : abort_answer(at, written.error()));
@@ -144,10 +146,7 @@ void SdoServer::on_awaited_frame(const Frame& frame) noexcept {
 }
 
 Result<void> SdoServer::write_expedited(const Entry& entry, std::span<const std::uint8_t> bytes) noexcept {
-  if (entry.size != 0) {
-    return sdo::write_number(context_.dictionary, entry, load<std::uint32_t>(bytes.data()), bytes.size());
-  }
-  if (entry.domain == nullptr) return context_.dictionary.write_text(entry, bytes);
+  if (entry.domain == nullptr) return sdo::write_value(context_, entry, bytes);
   if (auto opened = open_sink(entry, static_cast<std::uint32_t>(bytes.size())); !opened) return opened;
   auto written = sink_.append(bytes);
   if (written) written = sink_.commit(context_);

@@ -47,9 +47,14 @@ void SyncConsumer::set_overflow(std::int64_t value) noexcept {
 }
 
 void SyncConsumer::on_frame(const Frame& frame, std::size_t) noexcept {
-  if (frame.length < shortest_ || frame.length > longest_) return on_wrong_length(frame.length);
-  if (wrong_length_) recover();
-  const std::uint8_t counter = frame.length == 1 ? frame.data[0] : std::uint8_t{0};
+  if (frame.length < shortest_ || frame.length > longest_) {
+    on_wrong_length(frame.length);
+    if (!context_.policy.sync_of_any_length) return;
+  } else if (wrong_length_) {
+    recover();
+  }
+  const bool has_counter = frame.length != 0 && longest_ != 0;
+  const std::uint8_t counter = has_counter ? frame.data[0] : std::uint8_t{0};
   for (SyncListener* const listener : listeners_) listener->on_sync(counter, window_);
   context_.application.on_sync(counter);
 }

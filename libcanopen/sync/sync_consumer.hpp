@@ -20,7 +20,8 @@ class SyncConsumer final : public Service, public EntryOwner {
 
   void list_identifiers(IdentifierList& list) const noexcept override;
   void reload(Reload how) noexcept override;
-  /// A SYNC, unless it has the wrong length, which is reported once (CiA 301, 7.5.2.22).
+  /// A SYNC, unless it has the wrong length, which is reported once (CiA 301, 7.5.2.22) and counts only if the
+  /// policy says so.
   void on_frame(const Frame& frame, std::size_t slot) noexcept override;
 
   Result<void> write(const Entry& entry, std::int64_t value) override;

@@ -83,6 +83,7 @@ TEST_F(ErrorBehaviour, AppliesToTheErrorsThatCia301NamesOnly) {
       {CommunicationError::RpdoTooLong, NmtState::Operational},
       {CommunicationError::SyncLength, NmtState::Operational},
       {CommunicationError::RpdoTimeout, NmtState::Operational},
+      {CommunicationError::SyncTimeout, NmtState::Operational},
   };
   start();
 

@@ -69,6 +69,41 @@ TEST_F(OwnerOfANode, HearsNothingOfWritesThatNobodyElseRefuses) {
   EXPECT_EQ(application.refused, Lines{});
 }
 
+TEST_F(OwnerOfANode, HearsOfEveryEntryThatAClientHasWritten) {
+  SdoClient client{*node, bus};
+  writes_u16(0x2014, 0, 7);           // a plain number
+  writes_u32(0x1400, 1, 0x80000205);  // that of a service
+  writes_u8(0x2001, 0, 20);           // with limits
+  client.download({0x2023, 0}, {'n', 'e', 'w'});
+  client.download({0x201E, 0}, {1, 2, 3, 4, 5, 6, 7, 8});
+  client.block_download({0x2023, 0}, {'n', 'e', 'w', 'e', 'r'});
+  EXPECT_EQ(application.written, (Lines{"2014:00", "1400:01", "2001:00", "2023:00", "201E:00", "2023:00"}));
+}
+
+TEST_F(OwnerOfANode, HearsOfItWhenTheValueIsThereAndBeforeTheAnswer) {
+  application.reaction = [this](const std::string& what) {
+    if (what != "2014:00") return;
+    EXPECT_EQ(value_of(0x2014), 7);
+    EXPECT_TRUE(bus.sent.empty());
+    store_value(0x2014, 0, 8);
+  };
+  EXPECT_EQ(writes_u16(0x2014, 0, 7), 0U);
+  EXPECT_EQ(value_of(0x2014), 8);
+}
+
+TEST_F(OwnerOfANode, HearsOfNoWriteThatIsRefusedOrItsOwn) {
+  SdoClient client{*node, bus};
+  writes_u32(0x1400, 1, 0x211);
+  writes_u32(0x1018, 1, 1);
+  writes_u8(0x1600, 0, 5);
+  writes_u8(0x2014, 0, 5);
+  client.block_download({0x1400, 1}, {0x11, 0x02, 0, 0});
+  client.download({0x2023, 0}, SdoClient::Bytes(21));
+  owner_writes(0x2014, 0, 1);
+  says("205#0F00");
+  EXPECT_EQ(application.written, Lines{});
+}
+
 TEST_F(OwnerOfANode, CountsThePdosWhoseCobIdIsValid) {
   EXPECT_EQ(node->valid_pdos(Direction::Receive), 3U);
   EXPECT_EQ(node->valid_pdos(Direction::Transmit), 3U);

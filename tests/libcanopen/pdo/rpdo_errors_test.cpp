@@ -213,4 +213,11 @@ TEST_F(RpdoErrorsKeptByTheLibrary, AreSentAsEmergencies) {
   EXPECT_EQ(says("305#0F00"), Lines{});
 }
 
+TEST_F(RpdoErrorsKeptByTheLibrary, AreSentWhenADeadlineIsMissed) {
+  ASSERT_EQ(writes_u16(0x1400, 5, 20), 0U);
+  says("205#0F00");
+  EXPECT_EQ(passes(30ms), (Lines{"20ms 085#5082110100000000"}));
+  EXPECT_EQ(says("205#0F00"), (Lines{"085#0000000000000000"}));
+}
+
 }  // namespace

@@ -249,4 +249,16 @@ TEST_F(SdoDomain, ForgetsAWriteThatIsSilentRestartedOrReset) {
   EXPECT_EQ(client.download(kDomain, {1}), Outcome{Bytes{1}});
 }
 
+TEST_F(SdoDomain, TellsTheApplicationOnceWhenItIsWritten) {
+  client.download(kDomain, some_bytes(3000));
+  EXPECT_EQ(application.written, (Lines{"2100:00"}));
+  client.block_download(kDomain, some_bytes(3000));
+  EXPECT_EQ(says("605#2300210001020304"), (Lines{"585#6000210000000000"}));
+  EXPECT_EQ(application.written, (Lines{"2100:00", "2100:00", "2100:00"}));
+
+  domain.refuse_end = AbortCode::HardwareError;
+  client.download(kDomain, some_bytes(3000));
+  EXPECT_EQ(application.written.size(), 3U) << "refused";
+}
+
 }  // namespace
