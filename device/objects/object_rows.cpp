@@ -4,30 +4,20 @@
 #include <stdexcept>
 
 #include "device/objects/object_index.hpp"
+#include "eds/catalogue/axis_rows.hpp"
 #include "generated/object_table.hpp"
 
 namespace device {
 namespace {
 
 using canopen::EntryDescription;
-using generated::OtherInitial;
 
 static_assert(drive::kMostAxes == generated::kMostAxes);
 
-/// Gives @p row, still under its index on axis 1, the initial value that @p others has for it.
-void take_initial(EntryDescription& row, std::span<const OtherInitial> others) noexcept {
-  const auto other = std::ranges::find_if(
-      others, [&](const OtherInitial& o) { return o.index == row.index && o.sub_index == row.sub_index; });
-  if (other == others.end()) return;
-  row.initial = other->initial;
-  row.node_relative = false;
-}
-
 EntryDescription on_axis(EntryDescription row, std::size_t axis, drive::ObjectKind kind) noexcept {
-  row.initial = eds::initial_on_axis(generated::kAxisOffsets, row.index, row.sub_index, row.initial, axis);
-  if (axis > 1) take_initial(row, generated::kOtherAxesInitials);
-  if (kind == drive::ObjectKind::Vector) take_initial(row, generated::kVectorInitials);
-  row.index = static_cast<std::uint16_t>(row.index + axis_offset(row.index, axis));
+  eds::begin_on_axis(row, generated::kAxisOffsets, axis, generated::kOtherAxesInitials);
+  if (kind == drive::ObjectKind::Vector) eds::take_initial(row, generated::kVectorInitials);
+  eds::move_to_axis(row, generated::kAxisOffsets, axis);
   return row;
 }
 
@@ -38,7 +28,7 @@ void add_module(std::vector<EntryDescription>& rows, EntryDescription row,
   if (row.sub_index == 0) {
     row.initial = static_cast<std::int64_t>(axes.size());
   } else if (axes[row.sub_index - 1U] == drive::ObjectKind::Vector) {
-    take_initial(row, generated::kVectorInitials);
+    eds::take_initial(row, generated::kVectorInitials);
   }
   rows.push_back(row);
 }

@@ -35,6 +35,15 @@ void fit(Entry& entry, unsigned axis, DriveType type) {
   if (type == DriveType::Vector && entry.vector) entry.initial = *entry.vector;
 }
 
+/// An object that the unit has once, as it is with so many axes.
+Object unit_object(const Object& object, std::span<const DriveType> axes) {
+  if (object.index == kModuleList) return module_list(object, axes);
+  Object result = object;
+  for (Entry& entry : result.entries)
+    if (axes.size() > 1 && entry.several_axes) entry.initial = *entry.several_axes;
+  return result;
+}
+
 }  // namespace
 
 std::vector<Object> axis_objects(const Catalogue& catalogue, unsigned axis, DriveType type) {
@@ -67,8 +76,7 @@ Object module_list(const Object& object, std::span<const DriveType> axes) {
 std::vector<Object> unit_objects(const Catalogue& catalogue, std::span<const DriveType> axes) {
   std::vector<Object> objects;
   for (const Object& object : catalogue.objects)
-    if (object.scope == Scope::Unit)
-      objects.push_back(object.index == kModuleList ? module_list(object, axes) : object);
+    if (object.scope == Scope::Unit) objects.push_back(unit_object(object, axes));
   for (unsigned axis = 1; axis <= axes.size(); ++axis)
     std::ranges::move(axis_objects(catalogue, axis, axes[axis - 1]), std::back_inserter(objects));
   std::ranges::sort(objects, {}, &Object::index);

@@ -18,8 +18,15 @@ namespace eds {
 /// Axes that a unit has at most.
 inline constexpr unsigned kMostAxes = 8;
 
-/// What every EDS says of its making and of the product, except what object 1018h says.
+/// Data types that CiA 306 asks of in DummyUsage.
+inline constexpr std::uint16_t kFirstDummy = 0x0001;
+inline constexpr std::uint16_t kLastDummy = 0x0007;
+
+/// What every EDS says of its making and of the product, except what object 1018h says, and the words of the
+/// reference page.
 struct Header {
+  std::string device;              ///< what the page calls the device: "the unit"
+  std::string page_title;          ///< of the reference page
   std::int64_t file_version = 0;   ///< 0..255
   std::int64_t file_revision = 0;  ///< 0..255
   std::string created_time;        ///< hh:mm and AM or PM
@@ -28,6 +35,8 @@ struct Header {
   std::string vendor_name;
   std::string product_name;
   std::string order_code;
+  bool lss_supported = false;
+  std::vector<std::uint16_t> dummies;  ///< data types (kFirstDummy..kLastDummy) that RPDOs may map as dummies
   std::vector<std::string> comments;
 };
 
@@ -50,6 +59,8 @@ struct Entry {
   Number initial;                    ///< value after power-on; for strings only `text` counts; none for parameters
   std::optional<Number> other_axes;  ///< `initial` on axes 2 to 8, where it is not that of axis 1
   std::optional<Number> vector;      ///< `initial` on a vector axis, where it is not that of a servo axis
+  std::optional<Number> several_axes;  ///< `initial` where there are several axes, where it is not that of one
+  std::string start;  ///< what the device starts with where that is no constant: "measured"; else empty
   std::optional<Number> low;
   std::optional<Number> high;
   std::optional<std::uint32_t> object_flags;  ///< CiA 306, ObjFlags

@@ -10,9 +10,9 @@
 namespace eds {
 namespace {
 
-constexpr std::array<std::string_view, 10> kHeaderKeys{
-    "notes",      "file_version", "file_revision", "created_time", "created_date",
-    "created_by", "vendor_name",  "product_name",  "order_code",   "comments"};
+constexpr std::array<std::string_view, 14> kHeaderKeys{
+    "notes",      "device",      "page_title",   "file_version", "file_revision", "created_time", "created_date",
+    "created_by", "vendor_name", "product_name", "order_code",   "lss_supported", "dummies",      "comments"};
 constexpr std::array<std::string_view, 4> kFileKeys{"name", "content", "axes", "description"};
 constexpr std::array<std::string_view, 3> kOffsetKeys{"first", "last", "offset"};
 constexpr std::int64_t kHighestVersion = 255;
@@ -27,6 +27,18 @@ std::string text_like(const JsonFields& fields, std::string_view key, std::strin
   };
   if (!std::ranges::equal(text, pattern, fits)) fields.fail(key, expected);
   return text;
+}
+
+std::vector<std::uint16_t> read_dummies(const JsonFields& fields) {
+  std::vector<std::uint16_t> dummies;
+  for (const std::string& text : fields.texts("dummies")) {
+    const auto type = parse_hexadecimal(text, 4);
+    const bool known = type && *type >= kFirstDummy && *type <= kLastDummy;
+    if (!known || (!dummies.empty() && *type <= dummies.back()))
+      fields.fail("dummies", fmt::format("data types {:04X} to {:04X}, ascending", kFirstDummy, kLastDummy));
+    dummies.push_back(static_cast<std::uint16_t>(*type));
+  }
+  return dummies;
 }
 
 EdsFile read_file_row(const JsonFields& fields) {
@@ -56,7 +68,9 @@ AxisOffset read_offset_row(const JsonFields& fields) {
 Header read_header(const nlohmann::json& json) {
   const JsonFields fields{json, "header", kHeaderKeys};
   if (fields.has("notes")) static_cast<void>(fields.texts("notes"));
-  return {.file_version = fields.integer("file_version", kHighestVersion),
+  return {.device = fields.text("device"),
+          .page_title = fields.text("page_title"),
+          .file_version = fields.integer("file_version", kHighestVersion),
           .file_revision = fields.integer("file_revision", kHighestVersion),
           .created_time = text_like(fields, "created_time", "dd:ddAM", "a time as 10:00AM"),
           .created_date = text_like(fields, "created_date", "dd-dd-dddd", "a date as 12-31-2026"),
@@ -64,6 +78,8 @@ Header read_header(const nlohmann::json& json) {
           .vendor_name = fields.text("vendor_name"),
           .product_name = fields.text("product_name"),
           .order_code = fields.text("order_code"),
+          .lss_supported = fields.boolean("lss_supported"),
+          .dummies = read_dummies(fields),
           .comments = fields.texts("comments")};
 }
 

@@ -12,9 +12,9 @@
 namespace eds {
 namespace {
 
-constexpr std::array<std::string_view, 18> kVariableKeys{
-    "index",  "sub", "object", "type",   "access",    "pdo",  "default", "value", "other_axes",
-    "vector", "low", "high",   "limits", "obj_flags", "unit", "scope",   "name",  "does"};
+constexpr std::array<std::string_view, 20> kVariableKeys{
+    "index",  "sub",          "object", "type", "access", "pdo",       "default", "value", "start", "other_axes",
+    "vector", "several_axes", "low",    "high", "limits", "obj_flags", "unit",    "scope", "name",  "does"};
 constexpr std::array<std::string_view, 5> kHeadKeys{"index", "object", "scope", "name", "does"};
 constexpr std::int64_t kHighestFlags =
     3;  // CiA 306 defines bit 0 (refuse write on download) and bit 1 (refuse read on scan)
@@ -69,12 +69,20 @@ Number read_number(const JsonFields& fields, std::string_view key, canopen::Data
   return *std::move(number);
 }
 
+/// What no constant tells, begins as 0 or as an empty text until the device has it.
+void read_start(const JsonFields& fields, Entry& entry) {
+  if (entry.default_stated || fields.has("value")) fields.fail("start", "nothing beside \"default\" or \"value\"");
+  entry.start = fields.text("start");
+  if (!is_text(entry)) entry.initial.text = "0";
+}
+
 void read_initial(const JsonFields& fields, RowKind kind, Entry& entry) {
   entry.default_stated = fields.has("default");
   if (entry.default_stated && fields.has("value")) fields.fail("value", "nothing beside \"default\"");
-  if (kind == RowKind::Parameter && fields.has("value"))
-    fields.fail("value", "\"default\" or nothing for a parameter");
+  for (const std::string_view key : {"value", "start"})
+    if (kind == RowKind::Parameter && fields.has(key)) fields.fail(key, "\"default\" or nothing for a parameter");
   if (kind == RowKind::Parameter && !entry.default_stated) return;
+  if (fields.has("start")) return read_start(fields, entry);
   const std::string_view key = entry.default_stated ? "default" : "value";
   entry.initial = is_text(entry) ? Number{.text = fields.text(key)} : read_number(fields, key, entry.type);
 }
@@ -95,6 +103,11 @@ void read_limit(const JsonFields& fields, std::string_view key, const Entry& ent
   if (limit->node_relative && written) fields.fail(key, "a limit without $NODEID in a writable entry");
 }
 
+std::string_view key_of_initial(const Entry& entry) noexcept {
+  if (!entry.start.empty()) return "start";
+  return entry.default_stated ? "default" : "value";
+}
+
 void read_limits(const JsonFields& fields, Entry& entry) {
   read_limit(fields, "low", entry, entry.low);
   read_limit(fields, "high", entry, entry.high);
@@ -103,9 +116,10 @@ void read_limits(const JsonFields& fields, Entry& entry) {
     if (entry.low && !ordered(*entry.low, value)) fields.fail(key, "at least \"low\"");
     if (entry.high && !ordered(value, *entry.high)) fields.fail(key, "at most \"high\"");
   };
-  if (!entry.initial.text.empty()) check(entry.default_stated ? "default" : "value", entry.initial);
+  if (!entry.initial.text.empty()) check(key_of_initial(entry), entry.initial);
   if (entry.other_axes) check("other_axes", *entry.other_axes);
   if (entry.vector) check("vector", *entry.vector);
+  if (entry.several_axes) check("several_axes", *entry.several_axes);
   if (!fields.has("limits")) return;
   entry.limit_check = fields.word("limits", kLimitChecks);
   if (!entry.low && !entry.high) fields.fail("limits", R"("low" or "high" beside it)");
@@ -129,6 +143,7 @@ Entry read_entry(const JsonFields& fields, RowKind kind) {
   read_initial(fields, kind, entry);
   entry.other_axes = read_variant(fields, "other_axes", entry);
   entry.vector = read_variant(fields, "vector", entry);
+  entry.several_axes = read_variant(fields, "several_axes", entry);
   if (fields.has("unit")) entry.unit = fields.text("unit");
   read_limits(fields, entry);
   if (fields.has("obj_flags"))
@@ -157,6 +172,8 @@ CatalogueRow parse_row(const nlohmann::json& json, std::size_t number, RowKind k
   const auto [first, last] = read_sub(fields);
   row.entry = read_entry(fields, kind);
   if (row.entry->other_axes && row.scope != Scope::Axis) fields.fail("other_axes", "it in the scope axis only");
+  if (row.entry->several_axes && row.scope != Scope::Unit)
+    fields.fail("several_axes", "it in the scope unit only");
   row.entry->sub_index = first;
   row.last_sub = last;
   return row;

@@ -16,7 +16,6 @@ namespace eds {
 namespace {
 
 constexpr std::array kBaudRates{10, 20, 50, 125, 250, 500, 800, 1000};  // kbit/s
-constexpr int kLastDummy = 7;                                           // data types 0001h to 0007h
 
 /// What one EDS describes.
 struct Content {
@@ -94,12 +93,13 @@ void write_device_info(Lines& lines, const Header& header, const Content& conten
   lines.add("GroupMessaging", 0);
   lines.add("NrOfRXPDO", content.rpdos);
   lines.add("NrOfTXPDO", content.tpdos);
-  lines.add("LSS_Supported", 0);
+  lines.add("LSS_Supported", header.lss_supported ? 1 : 0);
 }
 
-void write_dummies(Lines& lines) {
+void write_dummies(Lines& lines, std::span<const std::uint16_t> dummies) {
   lines.section("DummyUsage");
-  for (int type = 1; type <= kLastDummy; ++type) lines.add(fmt::format("Dummy{:04X}", type), 0);
+  for (std::uint16_t type = kFirstDummy; type <= kLastDummy; ++type)
+    lines.add(fmt::format("Dummy{:04X}", type), std::ranges::count(dummies, type));
 }
 
 void write_comments(Lines& lines, const std::vector<std::string>& comments) {
@@ -130,7 +130,7 @@ std::string write_eds(const Catalogue& catalogue, const EdsFile& file) {
   Lines lines;
   write_file_info(lines, catalogue.header, file);
   write_device_info(lines, catalogue.header, content);
-  write_dummies(lines);
+  write_dummies(lines, catalogue.header.dummies);
   write_comments(lines, catalogue.header.comments);
   for (const ObjectList& list : kObjectLists) write_list(lines, content.objects, list);
   write_supported_modules(lines, catalogue, file, content);

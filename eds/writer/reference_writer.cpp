@@ -1,8 +1,15 @@
 #include "eds/writer/reference_writer.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "eds/sheet/object_lists.hpp"
 
 namespace eds {
 namespace {
@@ -20,14 +27,13 @@ constexpr std::array kGroups{
     Group{0x5800, "Free process data"},          Group{0x6000, "Drive profile"},
 };
 
-constexpr std::string_view kHead = R"(# Objects
+constexpr std::string_view kHead = R"(# {title}
 
-Every object of the unit. This page is generated from `eds/catalogue.json`, as are the dictionary that the unit serves
+Every object of {device}. This page is generated from `{source}`, as are the dictionary that {device} serves
 and the EDS files, so that they agree.
 
-Numbers of index and sub-index are hexadecimal. A default in parentheses is what the unit starts with where the
-EDS states none. `$NODEID` stands for the node-ID. For COB-IDs the limits are those of the EDS; an identifier with
-bit 31 set is accepted beyond them. The last column says what an object does in the simulation.
+Numbers of index and sub-index are hexadecimal. A default in parentheses is what {device} starts with where the
+EDS states none. `$NODEID` stands for the node-ID.{cob_ids} The last column says what an object does in the simulation.
 
 Objects of an axis are given for axis 1.
 Axis n has them (n - 1) times the offset higher:
@@ -36,11 +42,20 @@ Axis n has them (n - 1) times the offset higher:
 |---|---|
 )";
 
+constexpr std::string_view kCobIds = R"( For COB-IDs the limits are those of the EDS; an identifier with
+bit 31 set is accepted beyond them.)";
+
+/// Other defaults than that of axis 1; a column each, where an entry has one.
+struct Variant {
+  std::string_view title;
+  std::optional<Number> Entry::*value;
+};
+constexpr std::array kVariants{Variant{"Axes 2 to 8", &Entry::other_axes}, Variant{"Vector axis", &Entry::vector},
+                               Variant{"Several axes", &Entry::several_axes}};
+
 constexpr std::string_view kVariantHead = R"(
 Entries whose default depends on the axis; mapping entries of every axis name its own objects:
 
-| Index | Sub | Name | Axis 1, servo | Axes 2 to 8 | Vector axis |
-|---|---|---|---|---|---|
 )";
 
 constexpr std::string_view kTableHead =
@@ -70,6 +85,7 @@ const Group& group_of(std::uint16_t index) {
 }
 
 std::string default_of(const Entry& entry) {
+  if (!entry.start.empty()) return "(" + entry.start + ")";
   return entry.default_stated || entry.initial.text.empty() ? entry.initial.text : "(" + entry.initial.text + ")";
 }
 
@@ -123,21 +139,71 @@ std::string offset_lines(const Catalogue& catalogue) {
   return text;
 }
 
+bool any_entry(const Catalogue& catalogue, const auto& holds) {
+  return std::ranges::any_of(catalogue.objects, [&](const Object& object) {
+    return std::ranges::any_of(object.entries, [&](const Entry& entry) { return holds(object, entry); });
+  });
+}
+
+std::string head(const Catalogue& catalogue, std::string_view source) {
+  const bool owned = any_entry(catalogue, [](const Object& object, const Entry& entry) {
+    return entry.limit_check == canopen::LimitCheck::Owner &&
+           find_cob_id(object.index, entry.sub_index) != nullptr;
+  });
+  return fmt::format(kHead, fmt::arg("title", catalogue.header.page_title),
+                     fmt::arg("device", catalogue.header.device), fmt::arg("source", source),
+                     fmt::arg("cob_ids", owned ? kCobIds : ""));
+}
+
+/// The variants that entries have.
+std::vector<Variant> variants_of(const Catalogue& catalogue) {
+  std::vector<Variant> variants;
+  std::ranges::copy_if(kVariants, std::back_inserter(variants), [&](const Variant& variant) {
+    return any_entry(catalogue,
+                     [&](const Object&, const Entry& entry) { return (entry.*variant.value).has_value(); });
+  });
+  return variants;
+}
+
+std::string variant_head(std::span<const Variant> variants) {
+  const bool of_types =
+      std::ranges::any_of(variants, [](const Variant& variant) { return variant.value == &Entry::vector; });
+  std::string head = fmt::format("| Index | Sub | Name | {} |", of_types ? "Axis 1, servo" : "Default");
+  std::string rule = "|---|---|---|---|";
+  for (const Variant& variant : variants) {
+    head += fmt::format(" {} |", variant.title);
+    rule += "---|";
+  }
+  return fmt::format("{}{}\n{}\n", kVariantHead, head, rule);
+}
+
 std::string variant_lines(const Catalogue& catalogue) {
-  std::string text;
+  const std::vector<Variant> variants = variants_of(catalogue);
+  std::string text = variant_head(variants);
   for (const Object& object : catalogue.objects)
-    for (const Entry& entry : object.entries)
-      if (entry.other_axes || entry.vector)
-        text += fmt::format("| {:04X} | {:02X} | {} | {} | {} | {} |\n", object.index, entry.sub_index, entry.name,
-                            entry.initial.text, text_of(entry.other_axes), text_of(entry.vector));
+    for (const Entry& entry : object.entries) {
+      if (std::ranges::none_of(variants, [&](const Variant& v) { return (entry.*v.value).has_value(); })) continue;
+      text += fmt::format("| {:04X} | {:02X} | {} | {} |", object.index, entry.sub_index, entry.name,
+                          entry.initial.text);
+      for (const Variant& variant : variants) text += fmt::format(" {} |", text_of(entry.*variant.value));
+      text += "\n";
+    }
+  return text;
+}
+
+std::string parameter_lines(const Catalogue& catalogue) {
+  if (catalogue.parameters.empty()) return {};
+  std::string text{kParameterHead};
+  for (const Object& object : catalogue.parameters)
+    text += entry_lines(
+        object, [&](const Entry& entry) { return parameter_cells(object, entry); }, "");
   return text;
 }
 
 }  // namespace
 
-std::string write_reference(const Catalogue& catalogue) {
-  std::string page =
-      std::string{kHead} + offset_lines(catalogue) + std::string{kVariantHead} + variant_lines(catalogue);
+std::string write_reference(const Catalogue& catalogue, std::string_view source) {
+  std::string page = head(catalogue, source) + offset_lines(catalogue) + variant_lines(catalogue);
   const Group* current = nullptr;
   for (const Object& object : catalogue.objects) {
     const Group& group = group_of(object.index);
@@ -145,11 +211,7 @@ std::string write_reference(const Catalogue& catalogue) {
     current = &group;
     page += object_lines(object);
   }
-  page += kParameterHead;
-  for (const Object& object : catalogue.parameters)
-    page += entry_lines(
-        object, [&](const Entry& entry) { return parameter_cells(object, entry); }, "");
-  return page;
+  return page + parameter_lines(catalogue);
 }
 
 }  // namespace eds

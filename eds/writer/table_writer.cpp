@@ -18,9 +18,9 @@ constexpr std::string_view kHead = R"(// Generated from the object catalogue, do
 
 #include "libcanopen/od/entry_description.hpp"
 
-namespace device::generated {
+)";
 
-using canopen::Access;
+constexpr std::string_view kTypes = R"(using canopen::Access;
 using canopen::DataType;
 using canopen::LimitCheck;
 
@@ -40,8 +40,6 @@ constexpr std::string_view kOffsetsHead = R"(// Generated from the object catalo
 
 #include "eds/catalogue/axis_rule.hpp"
 
-namespace device::generated {
-
 )";
 
 constexpr std::string_view kTail = R"(
@@ -54,8 +52,6 @@ static_assert(std::ranges::adjacent_find(kUnitTable, std::ranges::greater_equal{
                   std::ranges::adjacent_find(kAxisTable, std::ranges::greater_equal{}, kObjectTableKey) ==
                       kAxisTable.end(),
               "lookup needs ascending rows");
-
-}  // namespace device::generated
 )";
 
 /// The rows of one array under construction.
@@ -72,6 +68,15 @@ struct Rows {
 std::string array_of(std::string_view comment, std::string_view type, std::string_view name, const Rows& rows) {
   return fmt::format("/// {}\ninline constexpr std::array<{}, {}> {}{{{{\n{}}}}};\n\n", comment, type, rows.count,
                      name, rows.text);
+}
+
+/// The array of the rows of what is not in every catalogue; nothing where there are none.
+std::string array_if_any(std::string_view comment, std::string_view name, const Rows& rows) {
+  return rows.count == 0 ? "" : array_of(comment, "OtherInitial", name, rows);
+}
+
+std::string in_namespace(std::string_view name, const std::string& text) {
+  return fmt::format("namespace {0} {{\n\n{1}\n}}  // namespace {0}\n", name, text);
 }
 
 std::string quoted(std::string_view text) {
@@ -137,26 +142,30 @@ Rows offset_rows(const Catalogue& catalogue) {
 
 }  // namespace
 
-std::string write_table(const Catalogue& catalogue) {
+std::string write_table(const Catalogue& catalogue, std::string_view name_space) {
   constexpr std::string_view kEntry = "canopen::EntryDescription";
-  return std::string{kHead} +
-         array_of("The entries that a unit has once, ascending by index and sub-index.", kEntry, "kUnitTable",
-                  entry_rows(catalogue, Scope::Unit)) +
-         array_of("The entries of axis 1 as a servo axis, ascending likewise.", kEntry, "kAxisTable",
-                  entry_rows(catalogue, Scope::Axis)) +
-         array_of("Initial values of axes 2 to 8 that are not those of axis 1, under its indices.", "OtherInitial",
-                  "kOtherAxesInitials", other_rows(catalogue, &Entry::other_axes)) +
-         array_of("Initial values of vector axes that are not those of servo axes, under the indices of axis 1.",
-                  "OtherInitial", "kVectorInitials", other_rows(catalogue, &Entry::vector)) +
-         std::string{kTail};
+  const std::string text =
+      std::string{kTypes} +
+      array_of("The entries that a unit has once, ascending by index and sub-index.", kEntry, "kUnitTable",
+               entry_rows(catalogue, Scope::Unit)) +
+      array_of("The entries of axis 1 as a servo axis, ascending likewise.", kEntry, "kAxisTable",
+               entry_rows(catalogue, Scope::Axis)) +
+      array_if_any("Initial values of axes 2 to 8 that are not those of axis 1, under its indices.",
+                   "kOtherAxesInitials", other_rows(catalogue, &Entry::other_axes)) +
+      array_if_any("Initial values of vector axes that are not those of servo axes, under the indices of axis 1.",
+                   "kVectorInitials", other_rows(catalogue, &Entry::vector)) +
+      array_if_any("Initial values that are not those of a unit with one axis, where there are several.",
+                   "kSeveralAxesInitials", other_rows(catalogue, &Entry::several_axes)) +
+      std::string{kTail};
+  return std::string{kHead} + in_namespace(name_space, text);
 }
 
-std::string write_offsets(const Catalogue& catalogue) {
-  return std::string{kOffsetsHead} +
-         array_of("Where the other axes have their objects.", "eds::AxisOffset", "kAxisOffsets",
-                  offset_rows(catalogue)) +
-         fmt::format("/// Axes that a unit has at most.\ninline constexpr unsigned kMostAxes = {};\n", kMostAxes) +
-         "\n}  // namespace device::generated\n";
+std::string write_offsets(const Catalogue& catalogue, std::string_view name_space) {
+  const std::string text =
+      array_of("Where the other axes have their objects.", "eds::AxisOffset", "kAxisOffsets",
+               offset_rows(catalogue)) +
+      fmt::format("/// Axes that a unit has at most.\ninline constexpr unsigned kMostAxes = {};\n", kMostAxes);
+  return std::string{kOffsetsHead} + in_namespace(name_space, text);
 }
 
 }  // namespace eds

@@ -17,10 +17,13 @@ namespace {
 
 using eds_test::Fact;
 
-constexpr std::uint32_t kNoObject = 0x06020000, kNoSubIndex = 0x06090011, kReadOnly = 0x06010002;
+constexpr std::uint32_t kNoObject = 0x06020000, kNoSubIndex = 0x06090011, kReadOnly = 0x06010002,
+                        kWriteOnly = 0x06010001;
 constexpr std::uint32_t kInvalidValue = 0x06090030, kTooHigh = 0x06090031, kTooLow = 0x06090032;
 constexpr std::int64_t kNodeId = 5;
 constexpr std::uint16_t kModuleList = 0x1027;
+constexpr std::uint16_t kDeviceType = 0x1000;
+constexpr std::int64_t kSeveralDevices = 0xFFFF0192;  // 1000h, each in its 67FFh
 constexpr unsigned kWindowObject = 0x41B6;  // p8630, always shown
 
 /// Size in bytes and sign of the integers.
@@ -38,6 +41,18 @@ struct Stride {
 };
 constexpr std::array kStrides{Stride{0x1000, 1}, Stride{0x1400, 0x40}, Stride{0x5800, 0x80},
                               Stride{0x6000, 0x800}};
+
+/// Where what is known of a device stands, how many entries that are, and what is not the same on axes 2 to 8.
+struct DeviceRow {
+  const char* facts;
+  unsigned of_the_device, of_an_axis;
+  std::uint32_t other_cob_id;  ///< of their PDOs, beside bit 31 and bit 30
+};
+constexpr std::array kDevices{DeviceRow{"objects.csv", 115, 237, 0x6DF},
+                              DeviceRow{"cia402-objects.csv", 50, 401, 0}};
+const DeviceRow& row_of(SweptDevice device) {
+  return kDevices.at(static_cast<std::size_t>(device));
+}
 
 unsigned on_axis(unsigned index, unsigned axis) {
   unsigned stride = 0;
@@ -67,9 +82,9 @@ bool is_mapping(const Expected& e) {
   return (is_in(e.index, 0x1600, 0x17FF) || is_in(e.index, 0x1A00, 0x1BFF)) && e.sub_index != 0;
 }
 
-std::vector<Expected> entries_of(unsigned axes) {
+std::vector<Expected> entries_of(unsigned axes, SweptDevice device) {
   std::vector<Expected> entries;
-  for (const Fact& fact : eds_test::read_facts()) {
+  for (const Fact& fact : eds_test::read_facts(row_of(device).facts)) {
     if (eds_test::is_head(fact) || (fact.at("scope") != "unit" && fact.at("scope") != "axis")) continue;
     const unsigned index = eds_test::index_of(fact);
     const unsigned copies = fact.at("scope") == "axis" ? axes : 1;
@@ -83,8 +98,10 @@ std::vector<Expected> entries_of(unsigned axes) {
 }
 
 /// The default as the EDS states it for axis 1, on the axis of @p e; nothing for strings.
-std::optional<std::int64_t> default_of(const Expected& e) {
-  if (e.axis > 1 && is_cob_id_of_pdo(e)) return e.index < 0x1800 ? 0x800006DF : 0xC00006DF;
+std::optional<std::int64_t> default_of(const Expected& e, unsigned axes, SweptDevice device) {
+  if (e.axis > 1 && is_cob_id_of_pdo(e))
+    return (e.index < 0x1800 ? 0x80000000 : 0xC0000000) | row_of(device).other_cob_id;
+  if (device == SweptDevice::Cia402 && axes > 1 && e.index == kDeviceType) return kSeveralDevices;
   const auto value = eds_test::number(e.fact.at("default"), kNodeId);
   if (!value || *value == 0 || !is_mapping(e)) return value;
   const auto mapped = static_cast<unsigned>(*value >> 16);
@@ -111,6 +128,11 @@ struct Counts {
 struct Checks {
   void check_value(const Expected& e) {
     const Upload upload = client.upload(e.index, e.sub_index);
+    if (e.fact.at("access") == "wo") {
+      EXPECT_EQ(upload.abort_code, kWriteOnly);
+      ++counts.entries;
+      return;
+    }
     ASSERT_EQ(upload.abort_code, 0U);
     ++counts.entries;
     const auto type = kTypes.find(e.fact.at("type"));
@@ -125,7 +147,7 @@ struct Checks {
     if (is_text) {
       EXPECT_EQ(upload.text(), e.fact.at("default"));
     } else {
-      EXPECT_EQ(upload.number(), masked(*default_of(e), type->second.size));
+      EXPECT_EQ(upload.number(), masked(*default_of(e, axes, device), type->second.size));
     }
   }
 
@@ -159,13 +181,16 @@ struct Checks {
   }
 
   SdoClient& client;
+  unsigned axes;
+  SweptDevice device;
   Counts counts{};
 };
 
 /// The objects of a unit with @p axes axes and the last sub-index of each.
-std::map<unsigned, unsigned> last_sub_indices(unsigned axes) {
-  std::map<unsigned, unsigned> last_sub{{kModuleList, axes}};
-  for (const Expected& e : entries_of(axes))
+std::map<unsigned, unsigned> last_sub_indices(unsigned axes, SweptDevice device) {
+  std::map<unsigned, unsigned> last_sub;
+  if (device == SweptDevice::Unit) last_sub.emplace(kModuleList, axes);
+  for (const Expected& e : entries_of(axes, device))
     last_sub[e.index] = std::max<unsigned>(last_sub[e.index], e.sub_index);
   return last_sub;
 }
@@ -173,9 +198,10 @@ std::map<unsigned, unsigned> last_sub_indices(unsigned axes) {
 }  // namespace
 
 void ObjectSweep::find_every_entry() {
-  const std::vector<Expected> entries = entries_of(axes_);
-  ASSERT_EQ(entries.size(), 115U + 237U * axes_);
-  Checks checks{client_};
+  const std::vector<Expected> entries = entries_of(axes_, device_);
+  const DeviceRow& known = row_of(device_);
+  ASSERT_EQ(entries.size(), known.of_the_device + known.of_an_axis * axes_);
+  Checks checks{client_, axes_, device_};
 
   for (const auto check : {&Checks::check_value, &Checks::check_access, &Checks::check_limits})
     for (const Expected& e : entries) {
@@ -190,7 +216,7 @@ void ObjectSweep::find_every_entry() {
 }
 
 void ObjectSweep::find_nothing_else(bool parameters) {
-  const std::map<unsigned, unsigned> last_sub = last_sub_indices(axes_);
+  const std::map<unsigned, unsigned> last_sub = last_sub_indices(axes_, device_);
   unsigned objects = 0, subs = 0;
   for (unsigned index = 0x1000; index <= 0x9FFF; ++index) {
     const auto known = last_sub.find(index);

@@ -4,12 +4,19 @@
 
 namespace sdo_test {
 
-/// Every object of a new unit over SDO against the facts of the real one (tests/eds/data/objects.csv), without a
-/// word of the catalogue in between. Each function prints how much it has compared.
+/// The devices whose objects are known.
+enum class SweptDevice : std::uint8_t {
+  Unit,    ///< the drive unit, by the facts of the real one (tests/eds/data/objects.csv)
+  Cia402,  ///< a CiA 402 device (tests/eds/data/cia402-objects.csv)
+};
+
+/// Every object of a new device over SDO against what is known of it, without a word of the catalogue in between.
+/// Each function prints how much it has compared.
 class ObjectSweep {
  public:
   /// Node 5 with @p axes servo axes (1..8) behind @p client, Pre-operational.
-  ObjectSweep(SdoClient& client, unsigned axes) : client_{client}, axes_{axes} {}
+  ObjectSweep(SdoClient& client, unsigned axes, SweptDevice device = SweptDevice::Unit)
+      : client_{client}, axes_{axes}, device_{device} {}
 
   /// Every entry is there, with its size, default value, access and limits; the values that it writes are legal
   /// ones or must be refused.
@@ -23,6 +30,7 @@ class ObjectSweep {
  private:
   SdoClient& client_;
   unsigned axes_;
+  SweptDevice device_;
 };
 
 }  // namespace sdo_test

@@ -47,6 +47,20 @@ TEST(CatalogueAxes, StartWithTheValuesOfTheirPlaceAndType) {
   EXPECT_EQ(find_entry(axis_objects(read, 1, DriveType::Vector), 0x6000, 0)->initial.value, 3);
 }
 
+TEST(CatalogueAxes, ChangeWhatTheUnitHasOnceWhereThereAreSeveral) {
+  const Catalogue read = parse_catalogue(catalogue(
+      R"({"index": "1019", "sub": "00", "object": "VAR", "type": "UNSIGNED8", "access": "ro", "pdo": false,
+                    "default": "1", "several_axes": "2", "scope": "unit", "name": "N", "does": "d"})"));
+
+  const auto value_of = [&](std::size_t axes) {
+    return find_entry(unit_objects(read, std::vector<DriveType>(axes, DriveType::Servo)), 0x1019, 0)
+        ->initial.value;
+  };
+  EXPECT_EQ(value_of(1), 1);
+  EXPECT_EQ(value_of(2), 2);
+  EXPECT_EQ(value_of(8), 2);
+}
+
 TEST(CatalogueAxes, StandBetweenTheObjectsOfTheUnitByIndex) {
   const Catalogue read = parse_catalogue(catalogue(kMapping));
 
@@ -160,6 +174,8 @@ const Case kBroken[] = {
      catalogue(rows({R"({"index": "1019", "sub": "00", "object": "VAR", "type": "UNSIGNED8", "access": "ro", )"s +
                      R"("scope": "unit", "name": "N", "does": "d", "other_axes": "1")" + kPlain + "}"})),
      "row 6 (1019:00): field \"other_axes\": expected it in the scope axis only, got \"1\""},
+    {"SeveralAxesOfAnAxis", catalogue(variable(kPlain + R"(, "several_axes": "1")")),
+     "row 6 (6000:00): field \"several_axes\": expected it in the scope unit only, got \"1\""},
     {"OtherAxesAboveTheLimit", catalogue(variable(kPlain + R"(, "high": "5", "other_axes": "6")")),
      "row 6 (6000:00): field \"other_axes\": expected at most \"high\", got \"6\""},
     {"VectorNotRepresentable", catalogue(variable(kPlain + R"(, "vector": "256")")),

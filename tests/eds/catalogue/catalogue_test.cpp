@@ -39,6 +39,16 @@ TEST(Catalogue, ExpandsARangeOfSubIndices) {
   EXPECT_EQ(find_entry(read.objects, 0x1019, 0), nullptr);
 }
 
+TEST(Catalogue, LetsAnEntryBeginWithWhatIsNoConstant) {
+  const Catalogue read = parse_catalogue(catalogue(variable(R"(, "pdo": false, "start": "measured")")));
+
+  const Entry* const entry = find_entry(read.objects, 0x6000, 0);
+  ASSERT_NE(entry, nullptr);
+  EXPECT_EQ(entry->start, "measured");
+  EXPECT_EQ(entry->initial.value, 0);
+  EXPECT_FALSE(entry->default_stated);
+}
+
 TEST(Catalogue, WritesEachSubIndexOfARangeAsItsOwnSection) {
   const Catalogue read = parse_catalogue(catalogue(""));
   const std::string text = write_eds(read, read.files.front());
@@ -69,7 +79,7 @@ const std::string kPlain = R"(, "pdo": false, "default": "0")";
 const Case kBrokenRows[] = {
     {"UnknownField", variable(kPlain + R"(, "colour": 1)"),
      kRow + "unknown field \"colour\": expected one of index, sub, object, type, access, pdo, default, value, "
-            "other_axes, vector, low, high, limits, obj_flags, unit, scope, name, does"},
+            "start, other_axes, vector, several_axes, low, high, limits, obj_flags, unit, scope, name, does"},
     {"FieldOfAVariableInARecord", head("6000", "RECORD").insert(1, R"("type": "UNSIGNED8", )"),
      "row 6 (6000): unknown field \"type\": expected one of index, object, scope, name, does"},
     {"RowIsNoObject", "5", "row 6: expected an object, got 5"},
@@ -109,6 +119,10 @@ const Case kBrokenRows[] = {
      kRow + "field \"value\": expected a number as text, 0 to 255, got nothing"},
     {"DefaultAndValue", variable(kPlain + R"(, "value": "1")"),
      kRow + "field \"value\": expected nothing beside \"default\", got \"1\""},
+    {"StartBesideADefault", variable(kPlain + R"(, "start": "measured")"),
+     kRow + "field \"start\": expected nothing beside \"default\" or \"value\", got \"measured\""},
+    {"StartBelowLow", variable(R"(, "pdo": false, "start": "measured", "low": "1")"),
+     kRow + "field \"start\": expected at least \"low\", got \"measured\""},
     {"LowAboveHigh", variable(R"(, "pdo": false, "default": "3", "low": "5", "high": "4")"),
      kRow + "field \"low\": expected at most \"high\", got \"5\""},
     {"DefaultBelowLow", variable(R"(, "pdo": false, "default": "3", "low": "5")"),
@@ -220,6 +234,10 @@ TEST(Catalogue, RefusesAHeaderThatAnEdsCannotCarry) {
             "header: field \"created_time\": expected a time as 10:00AM, got \"10:00\"");
   EXPECT_EQ(message_of(with_header("\"file_version\": 1", "\"file_version\": 256")),
             "header: field \"file_version\": expected an integer 0 to 255, got 256");
+  EXPECT_EQ(message_of(with_header("\"dummies\": []", R"("dummies": ["0005", "0008"])")),
+            "header: field \"dummies\": expected data types 0001 to 0007, ascending, got [\"0005\",\"0008\"]");
+  EXPECT_EQ(message_of(with_header("\"dummies\": []", R"("dummies": ["0005", "0005"])")),
+            "header: field \"dummies\": expected data types 0001 to 0007, ascending, got [\"0005\",\"0005\"]");
   EXPECT_EQ(message_of(with_header("[\"c\"]", "[1]")),
             "header: field \"comments\": expected a list of texts of printable ASCII, got [1]");
 }

@@ -11,7 +11,8 @@ namespace eds {
 /// A header.
 inline const std::string kHeader =
     R"({"file_version": 1, "file_revision": 0, "created_time": "10:00AM", "created_date": "12-31-2026",
-  "created_by": "b", "vendor_name": "v", "product_name": "p", "order_code": "o", "comments": ["c"]})";
+  "created_by": "b", "vendor_name": "v", "product_name": "p", "order_code": "o", "lss_supported": false,
+  "dummies": [], "device": "the unit", "page_title": "Objects", "comments": ["c"]})";
 
 /// What every catalogue must have; five rows.
 inline const std::string kMandatory = R"(

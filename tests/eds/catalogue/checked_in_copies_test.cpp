@@ -20,14 +20,15 @@ std::string generated(const std::string& name) {
 }
 
 TEST(CheckedInCopies, EdsFilesAreWhatTheCatalogueGives) {
-  for (const char* name :
-       {"axisd.eds", "axisd-unit.eds", "axisd-control-unit.eds", "axisd-servo.eds", "axisd-vector.eds"})
+  for (const char* name : {"axisd.eds", "axisd-unit.eds", "axisd-control-unit.eds", "axisd-servo.eds",
+                           "axisd-vector.eds", "axisd-cia402.eds"})
     EXPECT_TRUE(in_source(std::string{"eds/"} + name) == generated(name)) << name << ": " << kHowToRefresh;
 }
 
-TEST(CheckedInCopies, ReferencePageIsWhatTheCatalogueGives) {
-  EXPECT_TRUE(in_source("docs/reference/objects.md") == read_file(GENERATED_OBJECTS_PAGE))
-      << "docs/reference/objects.md: " << kHowToRefresh;
+TEST(CheckedInCopies, ReferencePagesAreWhatTheCataloguesGive) {
+  for (const std::string name : {"objects.md", "objects-cia402.md"})
+    EXPECT_TRUE(in_source("docs/reference/" + name) == read_file(GENERATED_PAGES_FOLDER "/" + name))
+        << name << ": " << kHowToRefresh;
 }
 
 TEST(CheckedInCopies, GenerationGivesTheSameBytesEveryTime) {
@@ -36,6 +37,10 @@ TEST(CheckedInCopies, GenerationGivesTheSameBytesEveryTime) {
 
   for (const eds::EdsFile& file : catalogue.files)
     EXPECT_TRUE(eds::write_eds(catalogue, file) == generated(file.name)) << file.name;
+
+  const eds::Catalogue cia402 = eds::parse_catalogue(in_source("eds/catalogue-cia402.json"));
+  for (const eds::EdsFile& file : cia402.files)
+    EXPECT_TRUE(eds::write_eds(cia402, file) == generated(file.name)) << file.name;
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include "tests/eds/rules/eds_reader.hpp"
 #include "tests/eds/rules/objects_csv.hpp"
 
-/// The facts of the real unit (data/objects.csv) against the EDS files, without a word of the catalogue in
-/// between.
+/// The facts of the real unit and of the CiA 402 device (data/) against the EDS files, without a word of the
+/// catalogues in between.
 namespace eds_test {
 namespace {
 
@@ -20,22 +20,25 @@ const std::map<std::string, std::int64_t> kTypes{{"INTEGER8", 2},  {"INTEGER16",
                                                  {"REAL32", 8},    {"VISIBLE_STRING", 9}};
 const std::map<std::string, std::int64_t> kObjects{{"VAR", 7}, {"ARRAY", 8}, {"RECORD", 9}};
 
-/// An EDS and the scopes of the facts that it holds.
+/// An EDS, and the scopes of the facts of a file that it holds.
 struct File {
   const char* name;
   std::vector<std::string> scopes;
+  const char* facts = "objects.csv";
 };
 const File kUnit{"axisd.eds", {"unit", "axis"}};
+const File kCia402{"axisd-cia402.eds", {"unit", "axis"}, "cia402-objects.csv"};
 const File kFiles[] = {kUnit,
                        {"axisd-control-unit.eds", {"cu-parameter"}},
                        {"axisd-servo.eds", {"servo-parameter"}},
-                       {"axisd-vector.eds", {"vector-parameter"}}};
+                       {"axisd-vector.eds", {"vector-parameter"}},
+                       kCia402};
 void PrintTo(const File& file, std::ostream* out) {
   *out << file.name;
 }
 
 std::vector<Fact> facts_of(const File& file) {
-  std::vector<Fact> facts = read_facts();
+  std::vector<Fact> facts = read_facts(file.facts);
   std::erase_if(facts, [&](const Fact& fact) { return std::ranges::count(file.scopes, fact.at("scope")) == 0; });
   return facts;
 }
@@ -88,14 +91,22 @@ TEST_P(FactsOfTheUnit, AreWhatTheEdsSays) {
   }
 }
 
+/// Sections of objects and of their entries.
+std::size_t count_sections(const EdsFile& file) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(file, [](const auto& section) { return section.second.contains("ObjectType"); }));
+}
+
 // Those of the drive objects list more parameters than the vendor's: see served_parameters_test.cpp.
 TEST(FactsOfTheWholeUnit, CoverEveryObjectAndEntryOfTheEds) {
   constexpr std::size_t kModules = 1;  // entries of the module list, which the facts do not list
-  const auto sections = std::ranges::count_if(generated_eds(kUnit.name), [](const auto& section) {
-    return section.second.find("ObjectType") != section.second.end();
-  });
 
-  EXPECT_EQ(static_cast<std::size_t>(sections), facts_of(kUnit).size() + kModules);
+  EXPECT_EQ(count_sections(generated_eds(kUnit.name)), facts_of(kUnit).size() + kModules);
+}
+
+TEST(FactsOfTheCia402Device, AreAllThatTheEdsHas) {
+  EXPECT_EQ(facts_of(kCia402).size(), 507U);
+  EXPECT_EQ(count_sections(generated_eds(kCia402.name)), facts_of(kCia402).size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Eds, FactsOfTheUnit, testing::ValuesIn(kFiles), [](const auto& file) {

@@ -25,7 +25,11 @@ INSTANTIATE_TEST_SUITE_P(Generated, EveryEds,
                          testing::Values("axisd.eds", "axisd-2-axes.eds", "axisd-3-axes.eds", "axisd-4-axes.eds",
                                          "axisd-5-axes.eds", "axisd-6-axes.eds", "axisd-7-axes.eds",
                                          "axisd-8-axes.eds", "axisd-unit.eds", "axisd-control-unit.eds",
-                                         "axisd-servo.eds", "axisd-vector.eds"),
+                                         "axisd-servo.eds", "axisd-vector.eds", "axisd-cia402.eds",
+                                         "axisd-cia402-2-axes.eds", "axisd-cia402-3-axes.eds",
+                                         "axisd-cia402-4-axes.eds", "axisd-cia402-5-axes.eds",
+                                         "axisd-cia402-6-axes.eds", "axisd-cia402-7-axes.eds",
+                                         "axisd-cia402-8-axes.eds"),
                          [](const auto& file) {
                            std::string name = file.param;
                            std::erase_if(name, [](char c) { return c == '-' || c == '.'; });

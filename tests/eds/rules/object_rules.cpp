@@ -19,6 +19,13 @@ const std::set<std::string> kEntryKeys{"ParameterName", "ObjectType",   "DataTyp
                                        "AccessType",    "DefaultValue", "PDOMapping", "ObjFlags"};
 const std::set<std::string> kHeadKeys{"ParameterName", "ObjectType", "SubNumber"};
 
+constexpr unsigned kCompatibilityEntry = 4;
+
+/// CiA 301 lets the communication parameters of PDOs do without their compatibility entry.
+bool may_lack_entry(unsigned index) {
+  return (index >= 0x1400 && index < 0x1600) || (index >= 0x1800 && index < 0x1A00);
+}
+
 bool is_parameter(unsigned index) {
   return index >= 0x2000 && index <= 0x470F;
 }
@@ -84,7 +91,10 @@ void check_subs(unsigned index, const std::string& name, const ObjectSections& o
   const bool is_array = value_of(head, "ObjectType") == "0x8";
   const unsigned first_equal = is_parameter(index) ? 0 : 1;
   const unsigned last = object.subs.rbegin()->first;
-  if (last + 1 != object.subs.size()) breaches.push_back(name + ": a gap between the sub-indices");
+  const bool lacks_entry =
+      may_lack_entry(index) && last > kCompatibilityEntry && !object.subs.contains(kCompatibilityEntry);
+  if (last + 1 != object.subs.size() + (lacks_entry ? 1 : 0))
+    breaches.push_back(name + ": a gap between the sub-indices");
   for (const auto& [sub, entry] : object.subs)
     if (is_array && sub > first_equal && type_of(*entry) != type_of(*object.subs.rbegin()->second))
       breaches.push_back(name + ": an array of two types");

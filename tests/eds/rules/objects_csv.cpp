@@ -25,8 +25,8 @@ std::vector<std::string> split(std::string line) {
 
 }  // namespace
 
-std::vector<Fact> read_facts() {
-  std::istringstream text{read_file(std::string{SOURCE_FOLDER} + "/tests/eds/data/objects.csv")};
+std::vector<Fact> read_facts(const std::string& file) {
+  std::istringstream text{read_file(std::string{SOURCE_FOLDER} + "/tests/eds/data/" + file)};
   std::string line;
   std::getline(text, line);
   EXPECT_EQ(line, kColumns);

@@ -7,11 +7,12 @@
 
 namespace eds_test {
 
-/// One row of data/objects.csv, what is known of the real unit: cells by the names of the columns.
+/// One row of data/objects.csv, what is known of the real unit, or of data/cia402-objects.csv, what a CiA 402
+/// device has to be: cells by the names of the columns.
 using Fact = std::map<std::string, std::string>;
 
-/// Every row, in order; a test fails where the file has other columns.
-std::vector<Fact> read_facts();
+/// Every row of @p file in data/, in order; a test fails where it has other columns.
+std::vector<Fact> read_facts(const std::string& file = "objects.csv");
 
 /// Index and, in rows of entries, sub-index of @p fact.
 std::uint16_t index_of(const Fact& fact);
