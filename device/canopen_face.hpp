@@ -1,15 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "device/bus/bus_follow_ups.hpp"
 #include "device/bus/communication.hpp"
-#include "device/bus/indicator_leds.hpp"
 #include "device/bus/node_address.hpp"
 #include "device/bus/reception.hpp"
 #include "device/bus/unit_time.hpp"
+#include "device/bus_face.hpp"
 #include "device/objects/configuration.hpp"
 #include "device/objects/error_objects.hpp"
 #include "device/objects/unit_objects.hpp"
@@ -18,38 +22,13 @@
 #include "device/process_data/axis_objects.hpp"
 #include "device/process_data/unit_process_data.hpp"
 #include "libcanopen/node/node.hpp"
-#include "unit/face.hpp"
 #include "unit/runner.hpp"
 
 namespace device {
 
-/// What the node tells the program around it. Called from within the functions of CanopenFace.
-class BusListener {
- public:
-  virtual ~BusListener() = default;
-  /// The identifiers to be received have changed: see CanopenFace::subscriptions().
-  virtual void on_subscriptions_changed() noexcept = 0;
-  /// Another station has sent @p identifier, which belongs to this node-ID.
-  virtual void on_foreign_frame(std::uint32_t identifier) noexcept = 0;
-  /// Life guarding was asked for and stays off (see device::Configuration::remote_frames).
-  virtual void on_life_guarding_withheld() noexcept {}
-  /// When the RPDO that wakes the resting unit at @p now has come from the bus: @p now, or earlier if the program
-  /// was kept from running.
-  virtual canopen::TimePoint frame_arrival(canopen::TimePoint now) noexcept { return now; }
-  /// p8608 asks for the controller to be restarted from bus-off. True if the bus can be used now, false if it
-  /// cannot yet: CanopenFace::on_bus_state() tells when.
-  virtual bool on_bus_restart() noexcept { return true; }
-  /// The NMT state has changed.
-  virtual void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept {
-    static_cast<void>(from), static_cast<void>(to);
-  }
-  /// A save of the parameters is over; @p kept: with success.
-  virtual void on_saved(bool kept) noexcept { static_cast<void>(kept); }
-};
-
 /// The drive unit as a CANopen node: control unit and axes behind the objects of CiA 301 and CiA 402. It is fed
 /// frames, and time that the runner has been told, and hands its frames to a sink.
-class CanopenFace final : public unit::Face,
+class CanopenFace final : public BusFace,
                           private canopen::Application,
                           private canopen::EntryOwner,
                           private AlarmListener,
@@ -62,52 +41,44 @@ class CanopenFace final : public unit::Face,
   CanopenFace(const CanopenFace&) = delete;
   CanopenFace& operator=(const CanopenFace&) = delete;
 
-  // The time is that of the runner.
-  /// The unit is on, or the bus is back: sends the boot-up message and starts the communication afresh. If the
-  /// node was Operational, that is leaving Operational.
-  void start() noexcept;
-  /// A frame from the bus; SDO requests are answered within the call, but saves: see Face::on_stored().
-  void on_frame(const canopen::Frame& frame) noexcept {
+  // BusFace
+  void start() noexcept override;
+  void on_frame(const canopen::Frame& frame) noexcept override {
     if (communication_.is_bus_off()) return serve_off_the_bus(frame);
     serve(frame);
   }
-  /// Handles what is due of what is missing or lost, before the cycles that are due, and of the node, after them.
-  void before_cycles() noexcept;
-  void after_cycles() noexcept;
-  /// When they are wanted next.
-  canopen::TimePoint next_deadline() const noexcept {
+  void before_cycles() noexcept override;
+  void after_cycles() noexcept override;
+  canopen::TimePoint next_deadline() const noexcept override {
     return std::min({node_.next_deadline(), reception_.next_deadline(), communication_.restart_at()});
   }
-
-  /// The CAN controller is in error state @p state now. While the bus is off the unit sends nothing and hears
-  /// nothing but SDO requests, which it answers: p8608 ends that also where no controller does.
-  void on_bus_state(BusState state) noexcept;
-  /// p8608[0] = 1; false if the bus is not off.
-  bool restart_bus() noexcept;
-  /// Frames that had arrived were lost before on_frame(): A08751.
-  void on_frames_lost() noexcept { reception_.on_frames_lost(); }
-
-  /// From now on frames go to @p sink, which outlives this.
-  void send_to(canopen::FrameSink& sink) noexcept { communication_.send_to(sink); }
-
-  const canopen::Node& node() const noexcept { return node_; }
-  /// Before somebody beside the bus changes anything: the services of the node are told the time.
-  void tell_time() noexcept { node_.on_time(now()); }
-  /// Somebody beside the bus writes the number, or the text, @p entry of dictionary(), as a master over SDO does;
-  /// what it leads to is carried out at once. A save that this begins goes on.
-  canopen::Result<void> write_object(const canopen::Entry& entry, std::int64_t value) noexcept;
-  canopen::Result<void> write_object(const canopen::Entry& entry, std::span<const std::uint8_t> text) noexcept;
-
-  const canopen::Dictionary& dictionary() const noexcept { return objects_.dictionary; }
-  canopen::Dictionary& objects() noexcept { return objects_.dictionary; }
-  /// What the parameters of the drive objects are on the SDO servers.
-  const ParameterWindow& window() const noexcept { return window_; }
-  /// What must be received (see canopen::Node::subscriptions()).
-  std::span<const canopen::Subscription> subscriptions() const noexcept { return node_.subscriptions(); }
-  /// What the LEDs of the CANopen board show.
-  IndicatorLeds leds() const noexcept;
-  /// Frames of asynchronous RPDOs whose values were overwritten before a cycle has taken them.
-  std::uint64_t lost_telegrams() const noexcept { return reception_.lost_telegrams(); }
+  /// p8608 ends bus-off also where no controller does.
+  void on_bus_state(BusState state) noexcept override;
+  /// p8608[0] = 1.
+  bool restart_bus() noexcept override;
+  /// A08751.
+  void on_frames_lost() noexcept override { reception_.on_frames_lost(); }
+  void send_to(canopen::FrameSink& sink) noexcept override { communication_.send_to(sink); }
+  const canopen::Node& node() const noexcept override { return node_; }
+  void tell_time() noexcept override { node_.on_time(now()); }
+  canopen::Result<void> write_object(const canopen::Entry& entry, std::int64_t value) noexcept override;
+  canopen::Result<void> write_object(const canopen::Entry& entry,
+                                     std::span<const std::uint8_t> text) noexcept override;
+  const canopen::Dictionary& dictionary() const noexcept override { return objects_.dictionary; }
+  canopen::Dictionary& objects() noexcept override { return objects_.dictionary; }
+  const ParameterWindow* window() const noexcept override { return &window_; }
+  std::span<const canopen::Subscription> subscriptions() const noexcept override { return node_.subscriptions(); }
+  IndicatorLeds leds() const noexcept override;
+  std::uint64_t lost_telegrams() const noexcept override { return reception_.lost_telegrams(); }
+  /// What drive::explain() says, and behind the faults what the node and its process data have to do with it; an
+  /// axis that is commanded over SDO is not told of RPDOs.
+  std::vector<std::string> explain(std::size_t number, std::vector<std::string> commanding) const override;
+  tl::expected<void, drive::image_format::Error> load(std::span<const std::byte> image) noexcept override {
+    return runner_.load_parameters(image);
+  }
+  std::optional<drive::Refusal> restore() noexcept override { return runner_.restore(unit::ParameterGroup::All); }
+  bool is_saving() const noexcept override { return runner_.is_saving(); }
+  bool is_stored() const noexcept override { return runner_.has_saved_parameters(); }
 
  private:
   // unit::Face

@@ -6,7 +6,6 @@
 #include "daemon/instance/instance.hpp"
 #include "daemon/instance/metrics.hpp"
 #include "daemon/instance/status.hpp"
-#include "device/explain.hpp"
 #include "profidrive/interface/reasons.hpp"
 
 namespace axisd {
@@ -38,7 +37,7 @@ json reasons_of(const Instance& instance, std::size_t axis) {
   const std::vector<std::string> if1 = profidrive::reasons(instance.if1(), instance.device().axis(axis).number());
   const bool by_hand = instance.device().axis(axis).block<drive::OperatorPanel>().is_active();
   json reasons = if1.empty() && !by_hand ? bus_reasons_of(instance) : json::array();
-  for (const std::string& reason : device::explain(instance.device(), axis, if1)) reasons.push_back(reason);
+  for (const std::string& reason : instance.device().explain(axis, if1)) reasons.push_back(reason);
   return reasons;
 }
 

@@ -61,7 +61,7 @@ void WriteWatch::begin(std::size_t server, const canopen::Frame& frame) noexcept
   }
   download = {.phase = Phase::Initiated, .at = canopen::sdo::address_in(frame)};
   download.parameter =
-      device_.window().parameter_at(static_cast<std::uint8_t>(server), download.at.index, download.at.sub_index);
+      device_.parameter_at(static_cast<std::uint8_t>(server), download.at.index, download.at.sub_index);
   download.before = value_of(download);
   if (request == Request::BlockDownload) {
     download.phase = Phase::Block;

@@ -6,15 +6,13 @@
 
 #include "device/bus/bus_follow_ups.hpp"
 #include "device/bus/bus_outlet.hpp"
+#include "device/bus/bus_state.hpp"
 #include "drive/drive_unit.hpp"
 #include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/node/node.hpp"
 #include "unit/unit_parameters.hpp"
 
 namespace device {
-
-/// Error state of the CAN controller (ISO 11898-1), as far as the unit tells it apart.
-enum class BusState : std::uint8_t { Active, Passive, Off };
 
 /// What the unit makes of NMT and of errors of the bus: the parameters p8608, p8684 and p8685, the faults F08700
 /// and F08702 and the alarms A08751 and A08752.

@@ -1,6 +1,4 @@
 // What the node and its process data have to do with an axis that does not turn.
-#include "device/explain.hpp"
-
 #include <gtest/gtest.h>
 
 #include "tests/device/test_unit.hpp"
@@ -10,7 +8,7 @@ namespace {
 
 std::string told(const TestUnit& unit, std::size_t axis = 1) {
   std::string lines;
-  for (const std::string& sentence : explain(unit.device, axis)) lines += sentence + "\n";
+  for (const std::string& sentence : unit.device.explain(axis)) lines += sentence + "\n";
   return lines;
 }
 
@@ -42,7 +40,7 @@ TEST(ExplainUnit, IsContentWithAnAxisThatTurns) {
   TestUnit unit;
   unit.turn_at(600.0, 2s);
 
-  const std::vector<std::string> sentences = explain(unit.device, 1);
+  const std::vector<std::string> sentences = unit.device.explain(1);
 
   ASSERT_EQ(sentences.size(), 1U);
   EXPECT_EQ(sentences.front().rfind("It turns at ", 0), 0U) << sentences.front();

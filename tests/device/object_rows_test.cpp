@@ -2,26 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "tests/eds/rules/eds_reader.hpp"
+#include "tests/eds/rules/served_rows.hpp"
 
 /// The dictionary of one to eight axes against the EDS files of as many.
 namespace device {
 namespace {
 
-using canopen::Access;
 using canopen::EntryDescription;
 using eds_test::EdsFile;
-using eds_test::Section;
-
-const std::map<std::string, Access> kAccesses{{"ro", Access::ReadOnly},        {"wo", Access::WriteOnly},
-                                              {"rw", Access::ReadWrite},       {"rwr", Access::ReadWriteRead},
-                                              {"rww", Access::ReadWriteWrite}, {"const", Access::Constant}};
 
 std::vector<EntryDescription> rows_of(std::size_t axes) {
   return object_rows(std::vector<drive::ObjectKind>(axes, drive::ObjectKind::Servo));
@@ -35,48 +28,14 @@ const EdsFile& eds_of(std::size_t axes) {
   return eds_test::generated_eds(axes == 1 ? "axisd.eds" : "axisd-" + std::to_string(axes) + "-axes.eds");
 }
 
-void expect_same_limit(const Section& entry, std::string_view key, const std::optional<std::int64_t>& limit) {
-  const auto stated = entry.find(key);
-  const bool fixed = stated != entry.end() && !stated->second.starts_with("$NODEID");
-  ASSERT_EQ(limit.has_value(), fixed) << key;
-  if (fixed) {
-    EXPECT_EQ(limit, eds_test::number(stated->second)) << key;
-  }
-}
-
-void expect_same_initial(const Section& entry, const EntryDescription& row) {
-  const auto stated = entry.find("DefaultValue");
-  if (stated == entry.end()) return;
-  if (canopen::size_of(row.type) == 0) {
-    EXPECT_EQ(row.text, stated->second);
-  } else {
-    EXPECT_EQ(row.initial + (row.node_relative ? 5 : 0), eds_test::number(stated->second, 5));
-  }
-}
-
 class ObjectRows : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(ObjectRows, SayOfEveryEntryWhatTheEdsSays) {
-  for (const EntryDescription& row : rows_of(GetParam())) {
-    SCOPED_TRACE(testing::Message() << std::hex << row.index << ":" << int{row.sub_index});
-    const Section* const entry = eds_test::find_entry(eds_of(GetParam()), row.index, row.sub_index);
-    ASSERT_NE(entry, nullptr);
-    EXPECT_EQ(static_cast<int>(row.type), eds_test::number_at(*entry, "DataType"));
-    EXPECT_EQ(row.access, kAccesses.at(entry->at("AccessType")));
-    EXPECT_EQ(row.pdo_mappable, entry->at("PDOMapping") == "1");
-    EXPECT_EQ(row.name, entry->at("ParameterName"));
-    expect_same_limit(*entry, "LowLimit", row.low);
-    expect_same_limit(*entry, "HighLimit", row.high);
-    expect_same_initial(*entry, row);
-  }
+  eds_test::expect_rows_in_eds(rows_of(GetParam()), eds_of(GetParam()));
 }
 
 TEST_P(ObjectRows, HoldEveryEntryOfTheEds) {
-  const auto entries = std::ranges::count_if(eds_of(GetParam()), [](const auto& section) {
-    return section.second.find("DataType") != section.second.end();
-  });
-
-  EXPECT_EQ(static_cast<std::size_t>(entries), rows_of(GetParam()).size());
+  EXPECT_EQ(eds_test::count_entries(eds_of(GetParam())), rows_of(GetParam()).size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Axes, ObjectRows, testing::Range<std::size_t>(1, 9));

@@ -49,7 +49,7 @@ Taken<Meaning> meaning_of(const Call& call, const json& params) {
   if (!address) return tl::unexpected{address.error()};
   device::Device& device = call.instance.device();
   Meaning meaning{.address = *address};
-  if (const auto wanted = device.window().parameter_at(kDefaultServer, address->index, address->sub_index)) {
+  if (const auto wanted = device.parameter_at(kDefaultServer, address->index, address->sub_index)) {
     const auto target = target_of(device.runner().unit(), *wanted, *address);
     if (!target) return tl::unexpected{target.error()};
     meaning.parameter = *target;

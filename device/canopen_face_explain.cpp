@@ -1,11 +1,11 @@
-#include "device/explain.hpp"
-
+// Why an axis does not turn.
 #include <array>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "device/canopen_face.hpp"
 #include "device/objects/object_index.hpp"
 #include "device/pdo/pdo_objects.hpp"
 #include "drive/explain/explain.hpp"
@@ -25,15 +25,15 @@ constexpr std::uint16_t kOnSource = 840;
 
 /// The axis and the unit as they are between two cycles.
 struct Picture {
-  const Device& device;
+  const drive::DriveUnit& unit;
+  const canopen::Node& node;
   std::size_t number;
 
-  const drive::Axis& axis() const noexcept { return device.axis(number); }
+  const drive::Axis& axis() const noexcept { return unit.axes()[number - 1]; }
   /// 6040h of the axis.
   std::uint32_t controlword_index() const noexcept { return object::on_axis(object::kControlword, number); }
   std::uint32_t parameter(std::uint16_t parameter, std::size_t index) const noexcept {
-    return device.unit()
-        .read(axis().number(), parameter, index)
+    return unit.read(axis().number(), parameter, index)
         .map(drive::decode)
         .map([](double value) { return static_cast<std::uint32_t>(value); })
         .value_or(0);
@@ -70,7 +70,7 @@ bool is_on_connected(P p) {
 }
 
 bool is_operational(P p) noexcept {
-  return p.device.node().state() == canopen::NmtState::Operational;
+  return p.node.state() == canopen::NmtState::Operational;
 }
 /// Whether the axis is commanded by controlwords that no RPDO can have brought.
 bool is_led_over_sdo(P p) {
@@ -85,7 +85,7 @@ constexpr std::array kReasons{
     Reason{[](P p) { return !is_operational(p) && !is_led_over_sdo(p); },
            [](P p) {
              return fmt::format("The node is {}, so that no PDO is received: send the NMT command start (01h).",
-                                canopen::name_of(p.device.node().state()));
+                                canopen::name_of(p.node.state()));
            }},
     Reason{[](P p) { return !way_of_the_controlword(p).mapped && !is_led_over_sdo(p); },
            [](P p) {
@@ -114,15 +114,16 @@ constexpr std::array kReasons{
 
 }  // namespace
 
-std::vector<std::string> explain(const Device& device, std::size_t number, std::vector<std::string> commanding) {
-  const Picture picture{device, number};
+std::vector<std::string> CanopenFace::explain(std::size_t number, std::vector<std::string> commanding) const {
+  const drive::DriveUnit& unit = runner_.unit();
+  const Picture picture{unit, node_, number};
   std::vector<std::string> bus = std::move(commanding);
   const bool by_hand = picture.axis().block<drive::OperatorPanel>().is_active();
   if (by_hand) bus.clear();
   const bool is_led_by_the_bus = bus.empty() && !by_hand;
   for (const Reason& reason : kReasons)
     if (is_led_by_the_bus && reason.holds(picture)) bus.push_back(reason.text(picture));
-  if (const drive::Infeed* const infeed = device.unit().infeed())
+  if (const drive::Infeed* const infeed = unit.infeed())
     for (std::string& sentence : drive::explain(*infeed)) bus.push_back(std::move(sentence));
   return drive::explain(picture.axis(), bus);
 }
