@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drive {
 namespace {
@@ -42,6 +43,16 @@ void TrapezoidProfile::place(double position) noexcept {
   target_ = position;
   stretch_ = {};
   rest(Phase::Idle);
+}
+
+void TrapezoidProfile::place(double position, double velocity) noexcept {
+  place(position);
+  limits_ = {};
+  if (!(std::abs(velocity) > 0.0)) return;
+  velocity_ = velocity;
+  target_ = std::copysign(std::numeric_limits<double>::infinity(), velocity);
+  braking_distance_ = 0.0;
+  start(Phase::Cruising, 0.0, 0.0);
 }
 
 void TrapezoidProfile::move_to(double target, const MotionLimits& limits,

@@ -41,6 +41,8 @@ class TrapezoidProfile {
 
   /// At rest at @p position (LU, finite), without target.
   void place(double position) noexcept;
+  /// At @p position (LU, finite), going on with @p velocity (LU/s, finite) until the next order.
+  void place(double position, double velocity) noexcept;
   /// From the present position and velocity to @p target (LU, infinite = without end). A faster motion falls to
   /// the new velocity; a target that lies behind, or nearer than the deceleration allows, makes it brake to rest
   /// and reverse. Velocity 0 brakes to rest and holds, until move_to() comes again. Every finite target has its

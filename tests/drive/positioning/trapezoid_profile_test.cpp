@@ -189,6 +189,25 @@ TEST(TrapezoidProfile, BrakesToRestWhereverThatIs) {
   EXPECT_FALSE(profile.has_passed_braking_point());
 }
 
+TEST(TrapezoidProfile, GoesOnFromWhereAnotherMotionLeftIt) {
+  TrapezoidProfile profile;
+  profile.place(0.25, -1000.0);
+  EXPECT_FALSE(profile.stands());
+  profile.advance(0.1);
+  EXPECT_DOUBLE_EQ(profile.position(), -99.75);
+  EXPECT_EQ(profile.velocity(), -1000.0);
+
+  profile.move_to(-500.0, kLimits);
+  EXPECT_NEAR(time_to_rest(profile), 0.30025 + 0.2, 1e-12);
+  EXPECT_EQ(profile.position(), -500.0);
+  profile.place(3.0, 500.0);
+  profile.brake(5000.0);
+  EXPECT_NEAR(time_to_rest(profile), 0.1, 1e-12);
+  EXPECT_DOUBLE_EQ(profile.position(), 28.0);
+  profile.place(7.0, 0.0);
+  EXPECT_TRUE(profile.stands());
+}
+
 TEST(TrapezoidProfile, KeepsTheLargerDecelerationOnlyWhereTheNewOneWouldReverse) {
   TrapezoidProfile profile = placed(0.0);
   profile.move_to(kEndless, kLimits);
