@@ -6,14 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "daemon/configuration/axis/load_reader.hpp"
+#include "daemon/configuration/axis/mechanics_reader.hpp"
+#include "daemon/configuration/axis/motor_file.hpp"
+#include "daemon/configuration/axis/plant_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "daemon/configuration/inject_reader.hpp"
-#include "daemon/configuration/json_reader.hpp"
-#include "daemon/configuration/load_reader.hpp"
-#include "daemon/configuration/mechanics_reader.hpp"
 #include "daemon/configuration/modbus_reader.hpp"
-#include "daemon/configuration/motor_file.hpp"
 #include "daemon/configuration/parameter_reader.hpp"
-#include "daemon/configuration/plant_reader.hpp"
+#include "daemon/configuration/profile/profile_reader.hpp"
 #include "daemon/configuration/record_reader.hpp"
 #include "daemon/configuration/supply_reader.hpp"
 #include "daemon/configuration/trace_reader.hpp"
@@ -58,7 +59,7 @@ drive::PositionerWiring read_positioner_wiring(const JsonReader& json, bool posi
 /// What is said of @p axis, over its defaults, except its parameters.
 AxisConfiguration read_axis(const JsonReader& json, AxisConfiguration axis, const MotorSource& motors) {
   json.expect_object({"name", "type", "motor", "encoder", "load", "plant", "power_unit", "setpoint_channel",
-                      "positioner", "positioner_wiring", "switches", "parameters"});
+                      "positioner", "positioner_wiring", "switches", "homing_distance", "parameters"});
   if (json.has("name")) axis.name = json.at("name").text();
   if (json.has("type")) axis.kind = read_axis_type(json.at("type"));
   if (json.has("motor")) axis.machine = read_motor(json.at("motor"), motors);
@@ -87,7 +88,7 @@ std::optional<InfeedConfiguration> read_infeed(const JsonReader& json) {
   return infeed;
 }
 
-std::vector<AxisConfiguration> read_axes(const JsonReader& json, const MotorSource& motors) {
+std::vector<AxisConfiguration> read_axes(const JsonReader& json, const MotorSource& motors, bool is_cia402) {
   json.expect_array(1, drive::kMostAxes);
   std::vector<AxisConfiguration> axes;
   FedInputs fed;
@@ -98,7 +99,10 @@ std::vector<AxisConfiguration> read_axes(const JsonReader& json, const MotorSour
       const JsonReader& named = json.at(i).has("name") ? json.at(i).at("name") : json.at(i);
       named.fail(fmt::format("a name that /axes/{} does not have", same - axes.begin()));
     }
-    if (json.at(i).has("switches")) axis.switches = read_switches(json.at(i).at("switches"), fed);
+    if (is_cia402)
+      axis.cia402 = read_cia402_axis(json.at(i));
+    else if (json.at(i).has("switches"))
+      axis.switches = read_switches(json.at(i).at("switches"), fed);
     axes.push_back(std::move(axis));
   }
   return axes;
@@ -120,9 +124,9 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> kKeysOfUnit{"interface", "node_id", "axes",      "parameters",
-                                                       "supply",    "infeed",  "sdo_block", "f08701",
-                                                       "record",    "trace",   "modbus",    "inject"};
+constexpr std::array<std::string_view, 15> kKeysOfUnit{
+    "interface", "profile", "node_id", "axes",   "parameters", "supply", "infeed",          "sdo_block",
+    "f08701",    "record",  "trace",   "modbus", "inject",     "serial", "missed_setpoints"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
@@ -144,12 +148,13 @@ std::string read_control_group(const JsonReader& json) {
 /// What is said of one unit but its node-ID.
 Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
   Configuration configuration;
+  configuration.cia402 = read_profile(json);
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
   if (json.has("infeed")) configuration.infeed = read_infeed(json.at("infeed"));
-  if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors);
+  if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors, configuration.cia402.has_value());
   if (json.has("record")) configuration.record = read_record(json.at("record"));
   if (json.has("trace")) configuration.trace = read_trace(json.at("trace"));
   if (json.has("modbus")) configuration.modbus = read_modbus(json.at("modbus"));
@@ -158,8 +163,13 @@ Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
   return configuration;
 }
 
-int read_node_id(const JsonReader& json) {
-  return json.integer(kAddressSwitchOff, kHighestNodeId);
+int read_node_id(const JsonReader& json, const Configuration& unit) {
+  if (!unit.cia402) return json.integer(kAddressSwitchOff, kHighestNodeId);
+  if (json.value() == Cia402Settings::kUnconfigured) return Cia402Settings::kUnconfigured;
+  if (!json.value().is_number_integer() || json.value() < 1 || json.value() > kHighestNodeId)
+    json.fail(fmt::format("an integer 1 to {}, or {} for a node without node-ID", kHighestNodeId,
+                          Cia402Settings::kUnconfigured));
+  return json.integer(1, kHighestNodeId);
 }
 
 /// One unit, or as many alike as node_id has room for.
@@ -169,7 +179,7 @@ std::vector<Configuration> read_entry(const JsonReader& json, const MotorSource&
   if (!json.has("node_id")) return units;
   const JsonReader node = json.at("node_id");
   if (!node.is_object()) {
-    units.front().node_id = read_node_id(node);
+    units.front().node_id = read_node_id(node, units.front());
     return units;
   }
   node.expect_object({"from", "to"});
@@ -221,7 +231,8 @@ UnitsConfiguration parse_configuration(std::string_view text, const std::string&
                                    .threads = 1,
                                    .is_list = false,
                                    .control_group = read_control_group(json)};
-  if (json.has("node_id")) configuration.units.front().node_id = read_node_id(json.at("node_id"));
+  if (json.has("node_id"))
+    configuration.units.front().node_id = read_node_id(json.at("node_id"), configuration.units.front());
   return configuration;
 }
 

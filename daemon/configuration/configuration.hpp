@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "can/port/address.hpp"
+#include "daemon/configuration/base/configuration_error.hpp"
+#include "daemon/configuration/settings/cia402_settings.hpp"
 #include "daemon/configuration/settings/modbus_settings.hpp"
 #include "daemon/configuration/settings/motor_source.hpp"
 #include "daemon/configuration/settings/record_settings.hpp"
@@ -23,11 +24,6 @@
 #include "trace/settings.hpp"
 
 namespace axisd {
-
-/// The configuration cannot be used; the message names file, key path and what was expected, in one line.
-struct ConfigurationError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Position of the address switch in which p8620 is the node-ID.
 inline constexpr int kAddressSwitchOff = 0;
@@ -55,6 +51,7 @@ struct AxisConfiguration {
   bool positioner = false;       ///< p0108.3 and p0108.4, the basic positioner
   std::optional<drive::PositionerWiring> positioner_wiring{};  ///< below the parameters
   std::vector<ParameterValue> parameters;                      ///< laid over the state of a new axis
+  Cia402AxisSettings cia402{};                                 ///< with the profile cia402
 };
 
 /// The infeed as a drive object.
@@ -69,17 +66,19 @@ std::vector<AxisConfiguration> default_axes(std::size_t count);
 /// The whole unit: defaults, then the file, then the command line.
 struct Configuration {
   bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
-  int node_id = 2;                                               ///< the address switch, 0..127
-  std::vector<AxisConfiguration> axes = default_axes(1);         ///< 1..drive::kMostAxes
-  std::vector<ParameterValue> parameters;                        ///< key "parameters", of the control unit
-  std::optional<InfeedConfiguration> infeed;  ///< key "infeed"; none: the axes begin at drive object 2
-  motor::SupplyData supply{};                 ///< key "supply"
-  bool sdo_block = false;                     ///< key "sdo_block"
-  bool fault_on_leaving_operational = true;   ///< key "f08701"
-  std::optional<trace::Settings> trace{};     ///< key "trace": begins with the unit
-  std::optional<RecordSettings> record{};     ///< key "record": begins with the unit
-  std::optional<ModbusSettings> modbus{};     ///< key "modbus"; none: Modbus TCP is not served
-  std::vector<injection::Fault> inject{};     ///< key "inject": loaded when the unit begins
+  /// The address switch, 0..127; with the profile cia402 the node-ID, 1..127, or Cia402Settings::kUnconfigured.
+  int node_id = 2;
+  std::optional<Cia402Settings> cia402{};                 ///< key "profile"; none: that of the drive unit, s120
+  std::vector<AxisConfiguration> axes = default_axes(1);  ///< 1..drive::kMostAxes
+  std::vector<ParameterValue> parameters;                 ///< key "parameters", of the control unit
+  std::optional<InfeedConfiguration> infeed;              ///< key "infeed"; none: the axes begin at drive object 2
+  motor::SupplyData supply{};                             ///< key "supply"
+  bool sdo_block = false;                                 ///< key "sdo_block"
+  bool fault_on_leaving_operational = true;               ///< key "f08701"
+  std::optional<trace::Settings> trace{};                 ///< key "trace": begins with the unit
+  std::optional<RecordSettings> record{};                 ///< key "record": begins with the unit
+  std::optional<ModbusSettings> modbus{};                 ///< key "modbus"; none: Modbus TCP is not served
+  std::vector<injection::Fault> inject{};                 ///< key "inject": loaded when the unit begins
 };
 
 /// The name of the unit that @p unit describes, as "vcan0/5": bus::label() and address switch.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "injection/language/fault.hpp"
 
 namespace axisd {

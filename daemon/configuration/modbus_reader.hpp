@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "daemon/configuration/settings/modbus_settings.hpp"
 
 namespace axisd {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "daemon/configuration/base/json_reader.hpp"
 #include "daemon/configuration/configuration.hpp"
-#include "daemon/configuration/json_reader.hpp"
 
 namespace axisd {
 

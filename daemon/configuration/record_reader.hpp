@@ -1,6 +1,6 @@
 #pragma once
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "daemon/configuration/settings/record_settings.hpp"
 
 namespace axisd {

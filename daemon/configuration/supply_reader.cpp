@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "daemon/configuration/quantity_keys.hpp"
+#include "daemon/configuration/base/quantity_keys.hpp"
 
 namespace axisd {
 namespace {

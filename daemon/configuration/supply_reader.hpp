@@ -1,6 +1,6 @@
 #pragma once
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/supply_data.hpp"
 

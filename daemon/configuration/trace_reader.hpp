@@ -1,6 +1,6 @@
 #pragma once
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "trace/settings.hpp"
 
 namespace axisd {

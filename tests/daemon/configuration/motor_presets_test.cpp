@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "daemon/configuration/motor_file.hpp"
+#include "daemon/configuration/axis/motor_file.hpp"
 #include "motor/validation/validation.hpp"
 #include "tests/daemon/configuration/parse.hpp"
 #include "tests/fakes/temporary_directory.hpp"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "motor/validation/validation.hpp"
 
 namespace axisd {

@@ -1,10 +1,10 @@
-#include "daemon/configuration/load_reader.hpp"
+#include "daemon/configuration/axis/load_reader.hpp"
 
 #include <array>
 #include <limits>
 #include <numbers>
 
-#include "daemon/configuration/quantity_keys.hpp"
+#include "daemon/configuration/base/quantity_keys.hpp"
 
 namespace axisd {
 namespace {

@@ -1,4 +1,4 @@
-#include "daemon/configuration/plant_reader.hpp"
+#include "daemon/configuration/axis/plant_reader.hpp"
 
 #include <array>
 #include <optional>

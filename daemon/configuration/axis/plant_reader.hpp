@@ -1,6 +1,6 @@
 #pragma once
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "motor/data/load.hpp"
 #include "motor/data/plant_deviation.hpp"
 

@@ -1,4 +1,4 @@
-#include "daemon/configuration/mechanics_reader.hpp"
+#include "daemon/configuration/axis/mechanics_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +55,8 @@ void read_gear(const JsonReader& json, LoadMechanics& mechanics) {
 }
 
 drive::TravelSwitch read_switch(const JsonReader& json) {
-  json.expect_object({"input", "from", "to", "inverted"});
+  json.expect_object({"input", "role", "from", "to", "inverted"});
+  if (json.has("role")) json.at("role").fail(R"(a unit with "profile": "cia402")");
   for (const char* const key : {"input", "from", "to"})
     if (!json.has(key)) json.fail(fmt::format("the key {}", key));
   drive::TravelSwitch row;

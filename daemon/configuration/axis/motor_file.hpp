@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "daemon/configuration/quantity_keys.hpp"
+#include "daemon/configuration/base/quantity_keys.hpp"
 #include "daemon/configuration/settings/motor_source.hpp"
 #include "motor/data/machine_data.hpp"
 

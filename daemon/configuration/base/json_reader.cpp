@@ -1,4 +1,4 @@
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "daemon/configuration/configuration.hpp"
+#include "daemon/configuration/base/configuration_error.hpp"
 #include "json/strict.hpp"
 
 namespace axisd {
@@ -75,9 +75,13 @@ bool JsonReader::boolean() const {
 }
 
 int JsonReader::integer(int low, int high) const {
+  return static_cast<int>(whole_number(low, high));
+}
+
+std::int64_t JsonReader::whole_number(std::int64_t low, std::int64_t high) const {
   const bool fits = value_.is_number_integer() && value_ >= low && value_ <= high;
   if (!fits) fail(fmt::format("an integer {} to {}", low, high));
-  return value_.get<int>();
+  return value_.get<std::int64_t>();
 }
 
 double JsonReader::number(double low, double high) const {

@@ -1,4 +1,4 @@
-#include "daemon/configuration/motor_file.hpp"
+#include "daemon/configuration/axis/motor_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -45,6 +46,7 @@ class JsonReader {
   std::string text() const;
   bool boolean() const;
   int integer(int low, int high) const;
+  std::int64_t whole_number(std::int64_t low, std::int64_t high) const;
   double number(double low, double high) const;
 
   /// Throws ConfigurationError: this value is not @p expected.

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "drive/base/load_mechanics.hpp"
 
 namespace axisd {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "daemon/configuration/json_reader.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "drive/base/load_mechanics.hpp"
 #include "motor/data/load.hpp"
 #include "motor/data/machine_data.hpp"
