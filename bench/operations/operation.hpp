@@ -40,7 +40,7 @@ std::unique_ptr<Operation> make() {
   return std::make_unique<Repeated<Work>>();
 }
 
-/// The operations of the library, of the physics, of one axis and of the whole unit.
+/// The operations of the library, of the physics, of one axis of the whole unit and of a CiA 402 device.
 std::vector<OperationRow> library_operations();
 std::vector<OperationRow> library_pdo_operations();
 std::vector<OperationRow> plant_operations();
@@ -48,6 +48,7 @@ std::vector<OperationRow> drive_train_operations();
 std::vector<OperationRow> axis_operations();
 std::vector<OperationRow> positioning_operations();
 std::vector<OperationRow> device_operations();
+std::vector<OperationRow> cia402_operations();
 
 /// All operations in the order of the printed table.
 std::vector<OperationRow> operations();

@@ -1,7 +1,10 @@
 #include "daemon/instance/device_setup.hpp"
 
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "cia402/face.hpp"
 #include "daemon/instance/unit_memory.hpp"
 #include "device/process_data/positioner_wiring.hpp"
 
@@ -16,17 +19,20 @@ std::vector<device::ParameterPreset> presets_of(const std::vector<ParameterValue
   return presets;
 }
 
+drive::AxisConfiguration drive_of(const AxisConfiguration& axis) {
+  return {.machine = axis.machine,
+          .load = axis.load,
+          .kind = axis.kind,
+          .inverter = axis.inverter,
+          .deviation = axis.deviation,
+          .setpoint_channel = axis.setpoint_channel,
+          .mechanics = axis.mechanics,
+          .switches = axis.switches,
+          .positioner = axis.positioner};
+}
+
 device::AxisSetup setup_of(const AxisConfiguration& axis) {
-  return {.drive = {.machine = axis.machine,
-                    .load = axis.load,
-                    .kind = axis.kind,
-                    .inverter = axis.inverter,
-                    .deviation = axis.deviation,
-                    .setpoint_channel = axis.setpoint_channel,
-                    .mechanics = axis.mechanics,
-                    .switches = axis.switches,
-                    .positioner = axis.positioner},
-          .presets = presets_of(axis.parameters)};
+  return {.drive = drive_of(axis), .presets = presets_of(axis.parameters)};
 }
 
 /// The ready wirings that @p axes of @p unit ask for.
@@ -61,6 +67,42 @@ device::Configuration device_configuration(const Configuration& configuration, c
     result.node_id = device::address_without_switch(result, UnitMemory::saved_parameters(folder, log));
   wire_positioners(configuration.axes, result);
   return result;
+}
+
+namespace {
+
+cia402::Configuration cia402_configuration(const Configuration& configuration, const bus::Port& port) {
+  cia402::Configuration result{.node_id = static_cast<std::uint8_t>(configuration.node_id),
+                               .serial = configuration.cia402->serial,
+                               .axes = {},
+                               .supply = configuration.supply,
+                               .remote_frames = port.carries_remote_frames()};
+  for (const AxisConfiguration& axis : configuration.axes) {
+    result.axes.push_back({.drive = drive_of(axis),
+                           .switches = axis.cia402.switches,
+                           .homing_distance = axis.cia402.homing_distance,
+                           .missed_setpoints = configuration.cia402->missed_setpoints});
+    result.axes.back().drive.setpoint_channel = false;
+  }
+  return result;
+}
+
+}  // namespace
+
+DevicePlan device_plan(const Configuration& configuration, const DeviceSite& site,
+                       const std::filesystem::path& folder, const Log& log) {
+  if (configuration.cia402) {
+    cia402::Configuration device = cia402_configuration(configuration, site.port);
+    unit::Configuration unit = cia402::unit_configuration(device);
+    return {std::move(unit), [device = std::move(device), site](unit::Runner& runner) {
+              return std::make_unique<cia402::Face>(device, runner, site.sink, site.listener, site.listener);
+            }};
+  }
+  device::Configuration device = device_configuration(configuration, site.port, folder, log);
+  unit::Configuration unit = device::unit_configuration(device);
+  return {std::move(unit), [device = std::move(device), site](unit::Runner& runner) {
+            return std::make_unique<device::CanopenFace>(device, runner, site.sink, site.listener);
+          }};
 }
 
 }  // namespace axisd

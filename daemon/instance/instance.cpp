@@ -49,7 +49,7 @@ Instance::Instance(const Configuration& configuration, bus::Connection connectio
       started_{read_clock()},
       connection_{std::move(connection)},
       bus_{*connection_.port, *this},
-      device_{device_configuration(configuration, *connection_.port, folder, log), bus_.queue(), *this},
+      device_{device_plan(configuration, {*connection_.port, bus_.queue(), *this}, folder, log), *this},
       memory_{folder, device_, log},
       reports_{configuration, device_, log},
       recording_{{configuration, device_, frames_, events_, folder, started_}},
