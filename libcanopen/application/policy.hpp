@@ -27,7 +27,7 @@ enum class ErrorKeeping : std::uint8_t {
 enum class SyncOrder : std::uint8_t {
   TransmitFirst,  ///< TPDOs show what was before the SYNC; then each synchronous RPDO is stored and told
   ReceiveFirst,   ///< all synchronous RPDOs are stored, then each is told, then
-                 ///< Application::on_synchronous_rpdos(); TPDOs show what has become of it
+                  ///< Application::on_synchronous_rpdos(); TPDOs show what has become of it
 };
 
 /// Transmission types from `first` to `last`.

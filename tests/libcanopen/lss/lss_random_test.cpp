@@ -149,18 +149,19 @@ class LssModel : public LssTest {
     if (below(8) == 0) scanned_ = 0;
     Bytes bytes{0x51};
     put(bytes, below(8) != 0 ? kIdentity[scanned_] : static_cast<std::uint32_t>(random()));
-    const unsigned current = scanned_;
+    const unsigned present = scanned_;
     const bool all = below(3) == 0;
     if (all) scanned_ = (scanned_ + 1) % 4;
-    bytes[5] = static_cast<std::uint8_t>(current == 0 && below(6) == 0 ? 0x80 : all ? 0 : below(36));
-    bytes[6] = static_cast<std::uint8_t>(below(16) != 0 ? current : below(6));
+    bytes[5] = static_cast<std::uint8_t>(present == 0 && below(6) == 0 ? 0x80 : all ? 0 : below(36));
+    bytes[6] = static_cast<std::uint8_t>(below(16) != 0 ? present : below(6));
     bytes[7] = static_cast<std::uint8_t>(below(16) != 0 ? scanned_ : below(6));
     return bytes;
   }
   Bytes request() {
     static constexpr std::uint8_t kIds[] = {0, 1, 5, 127, 128, 254, 255, 255};
     static constexpr std::uint8_t kOthers[] = {0x13, 0x15, 0x17, 0x4C, 0x5A, 0x5B, 0x5C, 0x5D, 0x5E};
-    switch (below(8)) {
+    if (below(2) == 0) return next_part();  // or hardly a sequence would come to its end
+    switch (below(6)) {
       case 0:
         return any();
       case 1:
@@ -170,10 +171,8 @@ class LssModel : public LssTest {
       case 3:
       case 4:
         return scan();
-      case 5:
-        return {kOthers[below(9)], static_cast<std::uint8_t>(below(4) / 3), static_cast<std::uint8_t>(below(11))};
       default:
-        return next_part();
+        return {kOthers[below(9)], static_cast<std::uint8_t>(below(4) / 3), static_cast<std::uint8_t>(below(11))};
     }
   }
   void step() {
@@ -221,7 +220,7 @@ TEST_F(LssModel, AnswersAsTheNodeDoesWhateverTheMasterSends) {
 
   for (const unsigned command :
        {0x00U, 0x11U, 0x13U, 0x17U, 0x44U, 0x4FU, 0x50U, 0x5AU, 0x5BU, 0x5CU, 0x5DU, 0x5EU})
-    EXPECT_GT(seen[command], 5) << std::hex << command;
+    EXPECT_GT(seen[command], 100) << std::hex << command;
 }
 
 }  // namespace

@@ -112,6 +112,12 @@ TEST_F(LssUnconfigured, DoesNotBootOnAModeThatDoesNotExist) {
   EXPECT_EQ(node->state(), NmtState::Unconfigured);
 }
 
+TEST_F(LssUnconfigured, DoesNotBootWhenItHasBeenWaitingAllTheTime) {
+  node->set_node_id(7);
+  EXPECT_EQ(asks("0400"), Lines{});
+  EXPECT_EQ(node->state(), NmtState::Unconfigured);
+}
+
 TEST_F(LssUnconfigured, MayBeConfiguredAgainAndAgain) {
   for (const char* const id : {"01", "7F", "10"}) {
     select();
@@ -144,7 +150,7 @@ using LssConfigured = LssTest;
 TEST_F(LssConfigured, LosesItsHeartbeatWithItsNodeId) {
   start();
   ASSERT_EQ(writes_u16(0x1017, 0, 20), 0U);
-  passes(1ms);  // the first heartbeat
+  passes(0ms);
   select();
   asks("11FF");
   says("000#8205");

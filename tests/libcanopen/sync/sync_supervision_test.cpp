@@ -16,6 +16,12 @@ class SyncSupervision : public PdoTest {
     ASSERT_EQ(writes_u32(0x1006, 0, 10'000), 0U);
     application.errors.clear();
   }
+  /// The application has stored @p period for after a reset.
+  void is_stored(std::int64_t period) {
+    application.reaction = [this, period](const std::string& what) {
+      if (what == "reset 130") store_value(0x1006, 0, period);
+    };
+  }
   /// What came and went since the last of these calls.
   Lines errors() { return std::exchange(application.errors, {}); }
 };
@@ -71,6 +77,19 @@ TEST_F(SyncSupervision, RestsOutsideOperational) {
   EXPECT_EQ(errors(), (Lines{"8700 0 over"}));
 }
 
+TEST_F(SyncSupervision, BeginsAnewWithOperational) {
+  says("080#");
+  operate();
+  passes(20ms);
+  EXPECT_EQ(errors(), Lines{}) << "that one came before";
+
+  says("080#");
+  says("000#8005");
+  operate();
+  passes(20ms);
+  EXPECT_EQ(errors(), Lines{}) << "so did that one";
+}
+
 TEST_F(SyncSupervision, IsOffWithAPeriodOf0) {
   ASSERT_EQ(writes_u32(0x1006, 0, 0), 0U);
   operate();
@@ -107,11 +126,8 @@ TEST_F(SyncSupervision, KnowsTheLongestPeriodToo) {
 }
 
 TEST_F(SyncSupervision, TakesTheStoredPeriodWithAReset) {
-  application.reaction = [this](const std::string& what) {
-    if (what == "reset 130") store_value(0x1006, 0, 2000);
-  };
+  is_stored(2000);
   says("000#8205");
-  application.reaction = nullptr;
   operate();
   says("080#");
   passes(3ms);
@@ -119,6 +135,7 @@ TEST_F(SyncSupervision, TakesTheStoredPeriodWithAReset) {
 }
 
 TEST_F(SyncSupervision, EndsWithAReset) {
+  is_stored(10'000);
   operate();
   says("080#");
   passes(15ms);
