@@ -87,7 +87,8 @@ double JerkProfile::passing_speed() const noexcept {
 
 /// Whether the acceleration leads beyond the highest velocity before it is taken back.
 bool JerkProfile::exceeds_velocity() const noexcept {
-  const JerkState present{0.0, velocity(), acceleration()};
+  const JerkState present = state();
+  if (!(present.velocity * present.acceleration > 0.0)) return false;
   return std::abs(velocity_without_acceleration(present, limits_.jerk)) > limits_.velocity * (1.0 + kSameVelocity);
 }
 
@@ -204,18 +205,25 @@ void JerkProfile::next_segment() noexcept {
   ++index_;
 }
 
+/// Goes on for @p time (s) within the plan; what is left of it at the end of the plan.
+double JerkProfile::run(double time) noexcept {
+  while (index_ < count_) {
+    const double rest = segments_[index_].duration - elapsed_;
+    if (rest > time) {
+      elapsed_ += time;
+      return 0.0;
+    }
+    time -= rest;
+    next_segment();
+  }
+  return time;
+}
+
 ProfileAdvance JerkProfile::advance(double dt) noexcept {
   double left = dt;
   while (!stands()) {
-    while (index_ < count_) {
-      const double rest = segments_[index_].duration - elapsed_;
-      if (rest > left) {
-        elapsed_ += left;
-        return {};
-      }
-      left -= rest;
-      next_segment();
-    }
+    left = run(left);
+    if (index_ < count_) return {};
     const ProfileEvent event = finish();
     if (event != ProfileEvent::None) return {left, event};
   }

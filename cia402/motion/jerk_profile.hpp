@@ -61,6 +61,7 @@ class JerkProfile {
   void append(const JerkRamp& ramp) noexcept;
   void cut_at(double ahead) noexcept;
   void next_segment() noexcept;
+  double run(double time) noexcept;
   ProfileEvent finish() noexcept;
   ProfileEvent arrive() noexcept;
   ProfileEvent pass() noexcept;

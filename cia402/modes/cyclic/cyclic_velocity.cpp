@@ -8,8 +8,8 @@
 namespace cia402 {
 namespace {
 
-/// The velocity at the end of a cycle from which @p deceleration leads to rest within @p room, which counts from its
-/// beginning with @p velocity.
+/// The velocity at the end of a cycle from which @p deceleration leads to rest within @p room, which counts from
+/// its beginning with @p velocity.
 double highest_velocity(double room, double velocity, double deceleration) noexcept {
   const double left = room - 0.5 * kCycle * velocity;
   if (!(left > 0.0)) return 0.0;

@@ -23,9 +23,9 @@ void ProfilePosition::enter(const Motion& present) noexcept {
 }
 
 void ProfilePosition::resume(const Motion& present) noexcept {
-  profile_.place(present.position);
-  is_entering_ = false;
+  profile_.place(present.position, present.velocity);
   is_planned_ = !places_.running();
+  is_entering_ = is_planned_ && !profile_.stands();
   if (is_planned_) target_ = {.position = present.position};
 }
 

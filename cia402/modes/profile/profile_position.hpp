@@ -21,7 +21,7 @@ class ProfilePosition {
  public:
   /// A motion brakes with 6084h and is held, and there is no set-point.
   void enter(const Motion& present) noexcept;
-  /// The interrupted positioning goes on from @p present, where the axis stands.
+  /// The interrupted positioning goes on from @p present, be it at rest or not.
   void resume(const Motion& present) noexcept;
   /// Both places are cleared.
   void leave() noexcept { places_.clear(); }

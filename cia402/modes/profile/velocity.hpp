@@ -38,7 +38,7 @@ class Velocity {
   Demand cycle(std::uint16_t word, const VelocitySettings& settings, const Limits& limits,
                const Actual& actual) noexcept;
   /// This mode has no bits of its own.
-  ModeBits bits() const noexcept { return {}; }
+  static ModeBits bits() noexcept { return {}; }
 
  private:
   VelocityLead lead_{};

@@ -80,8 +80,8 @@ TEST(CyclicPosition, FollowsSetPointsAtAllInstantsAsTheRuleSays) {
   RandomNumbers random;
   for (int run = 0; run < 200; ++run) {
     PositionRig rig;
-    rig.limits.velocity = 1e12;  // which no line needs
     rig.settings.period = std::chrono::microseconds{random.whole(1000, 30'000)};
+    rig.limits.velocity = 1e12;
     std::vector<std::pair<TimeNs, double>> set_points{{TimeNs{}, 0.0}};
     for (int i = 0; i < 100; ++i) {
       const TimeNs time = set_points.back().first + TimeNs{random.whole(0, 20'000'000)};

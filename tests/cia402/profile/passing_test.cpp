@@ -56,7 +56,7 @@ TEST_P(Passing, KeepsItsVelocity) {
 TEST_P(Passing, HasItsEndVelocity) {
   axis.settings.end_velocity = 200.0;
   give_two(2000.0);
-  EXPECT_NEAR(velocity_at(500.0), 200.0, 11.0);  // a cycle of its deceleration
+  EXPECT_NEAR(velocity_at(500.0), 200.0, 10.1);
   expect_end(2000.0);
 }
 
@@ -100,10 +100,8 @@ TEST_P(Passing, ComesLateIntoBraking) {
   axis.give(500.0);
   axis.write(kEnabled);
   axis.run_until([&] { return axis.position() > 480.0; });
-  const double before = axis.velocity();
   axis.give(1000.0, kOnSetPoint);
-  // With a jerk the deceleration has to be taken back first.
-  EXPECT_GT(velocity_at(500.0), before - (GetParam() == 0 ? 20.0 : 150.0));
+  EXPECT_GT(velocity_at(500.0), 300.0);
   expect_end(1000.0);
 }
 

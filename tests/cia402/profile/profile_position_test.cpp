@@ -150,43 +150,6 @@ TEST(ProfilePosition, DropsTheWaitingOneForOneThatChangesImmediately) {
   EXPECT_EQ(axis.position(), 100.0);
 }
 
-TEST(ProfilePosition, AddsWaysToWhatTheOptionsSay) {
-  PositionedAxis axis;
-  axis.give(100.0, kRelative);
-  axis.run_until_reached();
-  EXPECT_EQ(axis.position(), 100.0);
-  axis.give(1000.0);
-  axis.write(kEnabled);
-  axis.run(200);  // at 250
-  axis.give(500.0, kRelative | kImmediately);
-  axis.run(1);
-  EXPECT_EQ(axis.mode.target(), 1500.0);
-  const double demand = axis.position();
-  axis.settings.option_code = 1;
-  axis.give(500.0, kRelative | kImmediately);
-  axis.run(1);
-  EXPECT_DOUBLE_EQ(axis.mode.target(), demand + 500.0);
-  axis.settings.option_code = 2;
-  axis.give(500.0, kRelative | kImmediately);
-  axis.demand = axis.mode.cycle(axis.settings, axis.limits, {.position = 77.0});
-  EXPECT_DOUBLE_EQ(axis.mode.target(), 577.0);
-}
-
-TEST(ProfilePosition, AddsUpWaysThatComeInOneCycle) {
-  PositionedAxis axis;
-  axis.run(1);
-  for (int i = 0; i < 3; ++i) axis.give(100.0, kRelative | kImmediately);
-  axis.run_until_reached();
-  EXPECT_EQ(axis.position(), 300.0);
-  axis.give(100.0, kRelative);
-  axis.write(kEnabled);
-  axis.give(50.0, kRelative);
-  axis.run_until_reached();
-  axis.run(2);
-  axis.run_until_reached();
-  EXPECT_EQ(axis.position(), 450.0);
-}
-
 TEST(ProfilePosition, KeepsItsSetPointsOverAHalt) {
   PositionedAxis axis;
   axis.give(500.0);
@@ -220,6 +183,50 @@ TEST(ProfilePosition, TakesNoSetPointInAHalt) {
   axis.mode.resume(axis.demand.motion);
   axis.run_until_reached();
   EXPECT_EQ(axis.position(), 500.0);
+}
+
+TEST(ProfilePosition, EndsTheAcknowledgementInAHalt) {
+  PositionedAxis axis;
+  axis.give(500.0);
+  axis.run(100);
+  axis.write(kEnabled | kNewSetPoint | kHalt);
+  EXPECT_TRUE(axis.acknowledges());
+  axis.write(kEnabled | kHalt);
+  EXPECT_FALSE(axis.acknowledges());
+}
+
+TEST(ProfilePosition, HoldsWhereItIsReleasedFromAHaltAtRest) {
+  PositionedAxis axis;
+  axis.give(500.0);
+  axis.write(kEnabled);
+  axis.run_until_reached();
+  axis.demand.motion.position = 490.0;
+  axis.halt_and_release();
+  axis.run(100);
+  EXPECT_EQ(axis.position(), 490.0);
+}
+
+TEST(ProfilePosition, GoesOnFromAHaltThatIsReleasedWhileItBrakes) {
+  PositionedAxis axis;
+  axis.give(500.0);
+  axis.write(kEnabled);
+  axis.run(200);
+  axis.demand.motion = {.position = 180.0, .velocity = 700.0};
+  axis.mode.resume(axis.demand.motion);
+  axis.cycle();
+  EXPECT_DOUBLE_EQ(axis.velocity(), 710.0);
+  axis.run_until_reached();
+  EXPECT_EQ(axis.position(), 500.0);
+  axis.mode.resume({.position = 500.0, .velocity = 100.0});
+  axis.run(20);
+  EXPECT_EQ(axis.position(), 501.0);
+  EXPECT_EQ(axis.velocity(), 0.0);
+}
+
+TEST(ProfilePosition, ReportsAFollowingErrorThatWasFoundOutside) {
+  const PositionedAxis axis;
+  EXPECT_FALSE(axis.mode.bits(false).bit_13);
+  EXPECT_TRUE(axis.mode.bits(true).bit_13);
 }
 
 }  // namespace

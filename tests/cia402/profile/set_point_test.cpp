@@ -1,6 +1,5 @@
-#include "cia402/modes/profile/profile_position.hpp"
-
-#include <cmath>
+// What a set-point of profile position is made of, and within what limits it leads.
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
@@ -9,28 +8,44 @@
 namespace cia402 {
 namespace {
 
-TEST(ProfilePosition, EndsTheAcknowledgementInAHalt) {
+TEST(SetPoint, AddsWaysToWhatTheOptionsSay) {
   PositionedAxis axis;
-  axis.give(500.0);
-  axis.run(100);
-  axis.write(kEnabled | kNewSetPoint | kHalt);
-  EXPECT_TRUE(axis.acknowledges());
-  axis.write(kEnabled | kHalt);
-  EXPECT_FALSE(axis.acknowledges());
-}
-
-TEST(ProfilePosition, HoldsWhereItIsReleasedFromAHaltAtRest) {
-  PositionedAxis axis;
-  axis.give(500.0);
-  axis.write(kEnabled);
+  axis.give(100.0, kRelative);
   axis.run_until_reached();
-  axis.demand.motion.position = 490.0;
-  axis.halt_and_release();
-  axis.run(100);
-  EXPECT_EQ(axis.position(), 490.0);
+  EXPECT_EQ(axis.position(), 100.0);
+  axis.give(1000.0);
+  axis.write(kEnabled);
+  axis.run(200);  // at 250
+  axis.give(500.0, kRelative | kImmediately);
+  axis.run(1);
+  EXPECT_EQ(axis.mode.target(), 1500.0);
+  const double demand = axis.position();
+  axis.settings.option_code = 1;
+  axis.give(500.0, kRelative | kImmediately);
+  axis.run(1);
+  EXPECT_DOUBLE_EQ(axis.mode.target(), demand + 500.0);
+  axis.settings.option_code = 2;
+  axis.give(500.0, kRelative | kImmediately);
+  axis.demand = axis.mode.cycle(axis.settings, axis.limits, {.position = 77.0});
+  EXPECT_DOUBLE_EQ(axis.mode.target(), 577.0);
 }
 
-TEST(ProfilePosition, AcknowledgesUntilReachedIfItIsTo) {
+TEST(SetPoint, AddsUpWaysThatComeInOneCycle) {
+  PositionedAxis axis;
+  axis.run(1);
+  for (int i = 0; i < 3; ++i) axis.give(100.0, kRelative | kImmediately);
+  axis.run_until_reached();
+  EXPECT_EQ(axis.position(), 300.0);
+  axis.give(100.0, kRelative);
+  axis.write(kEnabled);
+  axis.give(50.0, kRelative);
+  axis.run_until_reached();
+  axis.run(2);
+  axis.run_until_reached();
+  EXPECT_EQ(axis.position(), 450.0);
+}
+
+TEST(SetPoint, AcknowledgesUntilReachedIfItIsTo) {
   PositionedAxis axis;
   axis.settings.option_code = 1U << 4U;
   axis.give(500.0);
@@ -62,7 +77,7 @@ TEST(ProfilePosition, AcknowledgesUntilReachedIfItIsTo) {
   EXPECT_EQ(axis.position(), 300.0);
 }
 
-TEST(ProfilePosition, ClipsItsTargetAtASoftwareLimit) {
+TEST(SetPoint, ClipsItsTargetAtASoftwareLimit) {
   PositionedAxis axis;
   axis.limits.software = Span{-50.0, 400.0};
   axis.give(500.0);
@@ -80,7 +95,7 @@ TEST(ProfilePosition, ClipsItsTargetAtASoftwareLimit) {
   EXPECT_EQ(axis.position(), -50.0);
 }
 
-TEST(ProfilePosition, KeepsTheCapsOfTheAxis) {
+TEST(SetPoint, KeepsTheCapsOfTheAxis) {
   PositionedAxis axis;
   axis.limits = {.velocity = 400.0, .acceleration = 2000.0, .deceleration = 1000.0};
   axis.give(1000.0);
@@ -96,13 +111,7 @@ TEST(ProfilePosition, KeepsTheCapsOfTheAxis) {
   EXPECT_FALSE(axis.demand.is_limited);
 }
 
-TEST(ProfilePosition, ReportsAFollowingErrorThatWasFoundOutside) {
-  const PositionedAxis axis;
-  EXPECT_FALSE(axis.mode.bits(false).bit_13);
-  EXPECT_TRUE(axis.mode.bits(true).bit_13);
-}
-
-TEST(ProfilePosition, HoldsOnTheWayWithoutVelocity) {
+TEST(SetPoint, HoldsOnTheWayWithoutVelocity) {
   PositionedAxis axis;
   axis.settings.velocity = 0.0;
   axis.give(500.0);
@@ -115,7 +124,7 @@ TEST(ProfilePosition, HoldsOnTheWayWithoutVelocity) {
   EXPECT_EQ(axis.position(), 500.0);
 }
 
-TEST(ProfilePosition, GoesToWhereItStands) {
+TEST(SetPoint, GoesToWhereItStands) {
   for (const std::int16_t profile : {std::int16_t{0}, std::int16_t{3}}) {
     PositionedAxis axis{7.0};
     axis.settings.motion_profile = profile;
