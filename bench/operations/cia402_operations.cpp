@@ -13,6 +13,7 @@ using canopen::Frame;
 
 constexpr std::uint16_t kStride = 0x800;
 constexpr std::uint32_t kSynchronousPositionMode = 8;
+constexpr std::uint32_t kInvalid = 0x80000000;
 constexpr std::uint32_t kCosine = 20000;  // units
 
 /// A CiA 402 device on a counting bus, with a clock that the measurement moves.
@@ -48,22 +49,39 @@ struct Cia402Device final : device::Listener {
     for (std::size_t axis = 0; axis < axes; ++axis) {
       const auto rpdo = static_cast<std::uint16_t>(0x1402 + 0x40 * axis);
       const auto tpdo = static_cast<std::uint16_t>(0x1802 + 0x40 * axis);
+      download({rpdo, 1}, kInvalid, 4);
+      map_set_points(axis);
       download({rpdo, 1}, set_points(axis), 4);
       download({rpdo, 2}, type, 1);
-      download({tpdo, 1}, static_cast<std::uint32_t>(0x40000400 + axis * 2), 4);
+      download({tpdo, 1}, kInvalid, 4);
+      map_position(axis);
+      download({tpdo, 1}, static_cast<std::uint32_t>(0x40000190 + axis), 4);
       download({tpdo, 2}, type, 1);
       download({of_axis(0x60C2, axis), 1}, 1, 1);
       download({of_axis(0x6060, axis), 0}, kSynchronousPositionMode, 1);
     }
     device.on_frame({.id = 0x000, .length = 2, .data = {0x01, kNodeId}}, now);
     for (const std::uint32_t word : {0x06U, 0x07U, 0x0FU})
-      for (std::size_t axis = 0; axis < axes; ++axis) download({of_axis(0x6040, axis), 0}, word, 2);
+      for (std::size_t axis = 0; axis < axes; ++axis)  // TPDOs follow the answer
+        device.on_frame(sdo_request(kNodeId, expedited_download(2), {of_axis(0x6040, axis), 0}, word), now);
     pass(std::chrono::milliseconds{20});
   }
   static std::uint16_t of_axis(unsigned index, std::size_t axis) {
     return static_cast<std::uint16_t>(index + kStride * axis);
   }
-  static std::uint32_t set_points(std::size_t axis) { return static_cast<std::uint32_t>(0x300 + axis * 2); }
+  static std::uint32_t set_points(std::size_t axis) { return static_cast<std::uint32_t>(0x210 + axis); }
+  /// Controlword and target position.
+  void map_set_points(std::size_t axis) { map(0x1602, axis, 0x60400010, 0x607A0020); }
+  /// Statusword and actual position.
+  void map_position(std::size_t axis) { map(0x1A02, axis, 0x60410010, 0x60640020); }
+  void map(unsigned record, std::size_t axis, std::uint32_t first, std::uint32_t second) {
+    const auto index = static_cast<std::uint16_t>(record + 0x40 * axis);
+    const auto on_axis = static_cast<std::uint32_t>(kStride * axis) << 16;
+    download({index, 0}, 0, 1);
+    download({index, 1}, first + on_axis, 4);
+    download({index, 2}, second + on_axis, 4);
+    download({index, 0}, 2, 1);
+  }
 
   canopen::TimePoint now{std::chrono::hours{1}};
   CountingSink sink;
