@@ -150,6 +150,24 @@ bool Face::on_fault_reset(std::size_t axis) noexcept {
   return true;
 }
 
+bool Face::acknowledge(std::size_t axis) noexcept {
+  if (axis == 0) return runner_.acknowledge(axis, runner_.now());
+  tell_time();
+  Axis& own = axes_[axis - 1].axis();
+  if (own.state() == State::Fault) {
+    own.reset_fault();
+    node_.on_values_changed(now());
+  } else {
+    runner_.acknowledge(axis, runner_.now());
+  }
+  return own.state() != State::Fault && own.state() != State::FaultReactionActive;
+}
+
+bool Face::spoil(std::size_t number, const device::AxisDefect& defect) noexcept {
+  if (axes_[number - 1].axis().spoil(defect)) wake_for(number - 1);
+  return true;
+}
+
 /// Faults of the drives that are new, each as the fault of its axis.
 void Face::show_messages(bool) noexcept {
   std::uint32_t newest = seen_sequence_;

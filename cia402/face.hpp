@@ -65,6 +65,11 @@ class Face final : public device::BusFace,
   bool is_saving() const noexcept override { return is_saving_; }
   bool is_stored() const noexcept override { return image_.is_saved(); }
   std::vector<std::string> explain(std::size_t number, std::vector<std::string> commanding) const override;
+  device::AxisView view(std::size_t number) const noexcept override;
+  std::vector<drive::TransitionView> state_machine(std::size_t number) const override;
+  /// Of an axis also as the edge of bit 7 of its controlword does.
+  bool acknowledge(std::size_t axis) noexcept override;
+  bool spoil(std::size_t number, const device::AxisDefect& defect) noexcept override;
 
   /// Axis @p number (1..axes).
   const Axis& axis(std::size_t number) const noexcept { return axes_[number - 1].axis(); }

@@ -78,6 +78,7 @@ struct Method {
   std::span<const std::string_view> columns{};  ///< what a table of the result shows; empty: all
   std::span<const std::string_view> brief{};    ///< the same where it is to be brief
   Acts acts = Acts::No;
+  bool of_parameters = false;  ///< a device without parameters (profile cia402) refuses it
 };
 
 /// What the subcommands of a group have in common.

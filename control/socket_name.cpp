@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 
 #include <sys/socket.h>
 #include <unistd.h>
@@ -14,6 +16,16 @@ namespace {
 constexpr std::string_view kPrefix = "axisd-";
 constexpr std::string_view kSuffix = ".sock";
 constexpr int kHighestNode = 127;
+constexpr std::string_view kUnconfigured = "unconfigured";
+
+/// Whether @p text is a decimal number 0 to @p most, without a sign.
+template <class Number>
+bool is_number(std::string_view text, Number most = std::numeric_limits<Number>::max()) noexcept {
+  Number number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && rest == end && text.front() != '-' && number <= most;
+}
 
 std::string_view environment(const char* name) noexcept {
   const char* value = std::getenv(name);
@@ -30,10 +42,20 @@ std::string runtime_directory() {
   return ::geteuid() == 0 ? "/run" : "/tmp";
 }
 
-std::string default_socket_path(std::string_view label, int node) {
+std::string default_socket_path(std::string_view label, std::string_view station) {
   std::string path = runtime_directory();
-  path.append("/").append(kPrefix).append(label).append("-").append(std::to_string(node)).append(kSuffix);
+  path.append("/").append(kPrefix).append(label).append("-").append(station).append(kSuffix);
   return path;
+}
+
+bool is_unconfigured(std::string_view station) noexcept {
+  if (!station.starts_with(kUnconfigured)) return false;
+  station.remove_prefix(kUnconfigured.size());
+  return station.empty() || (station.front() == '-' && is_number<std::uint32_t>(station.substr(1)));
+}
+
+bool is_station(std::string_view text) noexcept {
+  return is_unconfigured(text) || is_number<int>(text, kHighestNode);
 }
 
 std::string common_socket_path() {
@@ -45,13 +67,14 @@ std::optional<SocketName> parse_socket_name(std::string_view file_name) noexcept
   if (file_name.size() <= kPrefix.size() + kSuffix.size()) return std::nullopt;
   const std::string_view middle =
       file_name.substr(kPrefix.size(), file_name.size() - kPrefix.size() - kSuffix.size());
+  // A serial number is behind a dash of its own.
   const std::size_t dash = middle.rfind('-');
-  if (dash == std::string_view::npos || dash == 0) return std::nullopt;
-  int node = 0;
-  const char* const end = middle.data() + middle.size();
-  const auto [rest, error] = std::from_chars(middle.data() + dash + 1, end, node);
-  if (error != std::errc{} || rest != end || node < 0 || node > kHighestNode) return std::nullopt;
-  return SocketName{middle.substr(0, dash), node};
+  for (const std::size_t before : {middle.rfind('-', dash - 1), dash}) {
+    if (before == std::string_view::npos || before == 0) continue;
+    const std::string_view station = middle.substr(before + 1);
+    if (is_station(station)) return SocketName{middle.substr(0, before), station};
+  }
+  return std::nullopt;
 }
 
 tl::expected<sockaddr_un, std::string> socket_address(std::string_view path) {

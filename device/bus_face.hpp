@@ -9,8 +9,11 @@
 
 #include <tl/expected.hpp>
 
+#include "device/bus/axis_defect.hpp"
+#include "device/bus/axis_view.hpp"
 #include "device/bus/bus_state.hpp"
 #include "device/bus/indicator_leds.hpp"
+#include "drive/explain/views/state_machine_view.hpp"
 #include "drive/images/image_format.hpp"
 #include "drive/object/drive_object.hpp"
 #include "libcanopen/node/node.hpp"
@@ -103,6 +106,18 @@ class BusFace : public unit::Face {
   /// Why axis @p number (1..axes) does not turn, for people, between cycles: it allocates. @p commanding: what is
   /// said instead of an axis that something else than the bus commands.
   virtual std::vector<std::string> explain(std::size_t number, std::vector<std::string> commanding) const = 0;
+  /// Axis @p number (1..axes) as it is now.
+  virtual AxisView view(std::size_t number) const noexcept = 0;
+  /// What the transitions of axis @p number (1..axes) need. For people: it allocates.
+  virtual std::vector<drive::TransitionView> state_machine(std::size_t number) const = 0;
+  /// Acknowledges the faults of @p axis (0..axes; 0: the control unit) for somebody beside the bus; true if no
+  /// fault is left.
+  virtual bool acknowledge(std::size_t axis) noexcept = 0;
+  /// Axis @p number (1..axes) has @p defect from now on; false if the words of this face do not come to the axis
+  /// at once, so that they can be changed on their way.
+  virtual bool spoil(std::size_t number, const AxisDefect& defect) noexcept {
+    return static_cast<void>(number), static_cast<void>(defect), false;
+  }
 };
 
 }  // namespace device

@@ -73,6 +73,11 @@ class CanopenFace final : public BusFace,
   /// What drive::explain() says, and behind the faults what the node and its process data have to do with it; an
   /// axis that is commanded over SDO is not told of RPDOs.
   std::vector<std::string> explain(std::size_t number, std::vector<std::string> commanding) const override;
+  AxisView view(std::size_t number) const noexcept override;
+  std::vector<drive::TransitionView> state_machine(std::size_t number) const override {
+    return drive::state_machine(runner_.unit().axes()[number - 1]);
+  }
+  bool acknowledge(std::size_t axis) noexcept override { return runner_.acknowledge(axis, runner_.now()); }
   tl::expected<void, drive::image_format::Error> load(std::span<const std::byte> image) noexcept override {
     return runner_.load_parameters(image);
   }

@@ -128,4 +128,12 @@ std::vector<std::string> CanopenFace::explain(std::size_t number, std::vector<st
   return drive::explain(picture.axis(), bus);
 }
 
+AxisView CanopenFace::view(std::size_t number) const noexcept {
+  const drive::Axis& axis = runner_.unit().axes()[number - 1];
+  return {.state = axis.actual().state,
+          .controlword = axis.process_data().controlword,
+          .statusword = axis.actual().statusword,
+          .position = axis.actual().encoder_position};
+}
+
 }  // namespace device

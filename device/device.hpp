@@ -64,6 +64,8 @@ class Device final {
   /// The face to its bus, and its dictionary, for who stands between that and the drive.
   ::unit::Face& canopen_face() noexcept { return *face_; }
   canopen::Dictionary& objects() noexcept { return face_->objects(); }
+  /// See BusFace::spoil().
+  bool spoil(std::size_t number, const AxisDefect& defect) noexcept { return face_->spoil(number, defect); }
   /// What a further face works with.
   ::unit::Runner& runner() noexcept { return runner_; }
   const ::unit::Runner& runner() const noexcept { return runner_; }
@@ -176,7 +178,8 @@ class Device final {
   /// Acknowledges the faults of @p axis (0..axes) and takes back the alarms that raise() brought; true if no fault
   /// is left.
   bool acknowledge(std::size_t axis, canopen::TimePoint now) noexcept {
-    return runner_.acknowledge(axis, unit_time(now));
+    runner_.set_now(unit_time(now));
+    return face_->acknowledge(axis);
   }
   /// Sets the load torque of @p axis (1..axes; N·m; a constant one positive against positive rotation, friction
   /// not negative).
@@ -253,6 +256,11 @@ class Device final {
                                                       std::uint8_t sub_index) const noexcept {
     const ParameterWindow* const window = face_->window();
     return window != nullptr ? window->parameter_at(server, index, sub_index) : std::nullopt;
+  }
+  /// Axis @p number (1..axes) as masters see it, and what its transitions need.
+  AxisView view(std::size_t number) const noexcept { return face_->view(number); }
+  std::vector<drive::TransitionView> state_machine(std::size_t number) const {
+    return face_->state_machine(number);
   }
   const drive::DriveUnit& unit() const noexcept { return runner_.unit(); }
   /// Axis @p number (1..axes).

@@ -1,6 +1,7 @@
 #include "cia402/axis/axis.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "cia402/axis/mode_settings.hpp"
 
@@ -112,14 +113,29 @@ void Axis::take_mode() noexcept {
 }
 
 void Axis::take_controlword() noexcept {
+  if (defect_.ignores_controlword) return;
   const std::uint16_t former = word_;
-  word_ = values_.controlword.get();
+  word_ = static_cast<std::uint16_t>((values_.controlword.get() & ~unsigned{defect_.controlword_cleared}) |
+                                     defect_.controlword_set);
   const bool resets = state() == State::Fault && (word_ & ~former & kFaultReset) != 0;
   const bool can_reset = !resets || listener_.on_fault_reset(number_);
   carry_out(state_.controlword(word_, option_codes_of(values_), can_reset));
   if (state() != State::OperationEnabled) return;
   modes_.controlword(word_, former, context());
   follow_halt();
+}
+
+bool Axis::spoil(const device::AxisDefect& defect) noexcept {
+  if (std::exchange(defect_, defect) == defect) return false;
+  take_controlword();
+  show_status();
+  return true;
+}
+
+void Axis::reset_fault() noexcept {
+  if (state() != State::Fault || !listener_.on_fault_reset(number_)) return;
+  carry_out(state_.command(Event::FaultReset, option_codes_of(values_)));
+  show_status();
 }
 
 /// What has to be done besides being in another state. Enabling from Quick stop active goes on with what was

@@ -18,6 +18,7 @@
 #include "cia402/probe/touch_probe.hpp"
 #include "cia402/setup/configuration.hpp"
 #include "cia402/state/state_machine.hpp"
+#include "device/bus/axis_defect.hpp"
 
 namespace cia402 {
 
@@ -51,6 +52,10 @@ class Axis {
   void lose_connection(bool only_late = false) noexcept;
   /// A fault. @p can_brake: the drive holds its pulses for that.
   void fault(ErrorCode error, bool can_brake) noexcept;
+  /// As a rise of bit 7 of the controlword in Fault.
+  void reset_fault() noexcept;
+  /// Its words have @p defect from now on; false if they have it already.
+  bool spoil(const device::AxisDefect& defect) noexcept;
   /// The unit is switched on: every state begins anew, the motor being at @p drive.
   void power_on(const DriveState& drive) noexcept;
 
@@ -118,6 +123,7 @@ class Axis {
   Power power_ = Power::Off;
   Stop stop_ = Stop::None;
   std::uint16_t word_ = 0;  ///< 6040h as it acted last
+  device::AxisDefect defect_{};
   ActingSet with_sync_ = 0;
   bool remote_ = false;
   bool has_following_error_ = false;

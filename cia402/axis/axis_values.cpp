@@ -27,13 +27,15 @@ void Axis::show_status() noexcept {
     if (is_cyclic(mode)) bits.bit_12 = false;
   }
   if ((stop_ == Stop::LimitSwitch || at_limit_switch_) && is_cyclic(mode)) bits.bit_12 = false;
-  values_.statusword.set(statusword(state(), {.has_voltage = drive_.has_voltage,
-                                              .has_warning = drive_.has_alarm,
-                                              .is_remote = remote_,
-                                              .is_limited = is_limited_,
-                                              .is_homed = modes_.homing().is_homed(),
-                                              .mode = bits,
-                                              .keeps_mode_bits = mode == Mode::Homing}));
+  const unsigned word = statusword(state(), {.has_voltage = drive_.has_voltage,
+                                             .has_warning = drive_.has_alarm,
+                                             .is_remote = remote_,
+                                             .is_limited = is_limited_,
+                                             .is_homed = modes_.homing().is_homed(),
+                                             .mode = bits,
+                                             .keeps_mode_bits = mode == Mode::Homing});
+  values_.statusword.set(
+      static_cast<std::uint16_t>((word & ~unsigned{defect_.statusword_cleared}) | defect_.statusword_set));
 }
 
 /// A position as 6064h shows it: whole, within 607Bh.

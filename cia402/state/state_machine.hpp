@@ -31,7 +31,7 @@ class StateMachine {
  public:
   /// A write of 6040h. @p can_reset: no cause of a fault is left.
   Outcome controlword(std::uint16_t word, const OptionCodes& codes, bool can_reset = true) noexcept;
-  /// A command that comes from elsewhere (6007h): Event::Shutdown to Event::QuickStop.
+  /// A command that comes from elsewhere (6007h, an operator): Event::Shutdown to Event::FaultReset.
   Outcome command(Event command, const OptionCodes& codes) noexcept { return happen(command, codes); }
 
   /// Transition 1.

@@ -68,7 +68,7 @@ std::vector<SocketFile> socket_files() {
       const auto unit = parse_socket_name(name);
       if ((!unit && name != kSocketOfMany) || !is_trusted(entry.path())) continue;
       files.push_back({entry.path().string(),
-                       unit ? std::optional{UnitName{std::string{unit->label}, unit->node}} : std::nullopt});
+                       unit ? std::optional{UnitName{std::string{unit->label}, std::string{unit->station}}} : std::nullopt});
     }
   std::ranges::sort(files, {}, &SocketFile::path);
   const auto repeated = std::ranges::unique(files, {}, &SocketFile::path);

@@ -6,10 +6,10 @@
 
 namespace control {
 
-/// The bus and the address switch of the one unit of a daemon.
+/// The bus and the station (control/socket_name.hpp) of the one unit of a daemon.
 struct UnitName {
   std::string label;
-  int node = 0;
+  std::string station;
 };
 
 /// A control socket in a runtime folder.

@@ -108,7 +108,9 @@ std::string errors_text() {
 std::string write_page(const ProtocolText& text) {
   std::string page = "## Methods\n";
   for (const Chapter& chapter : text.chapters) {
-    page += fmt::format("\n### {}\n\n{}.\n\n{}", chapter.group, chapter.summary, table_of(chapter));
+    const bool of_parameters = !chapter.methods.empty() && chapter.methods.front().row.of_parameters;
+    page += fmt::format("\n### {}\n\n{}.{}\n\n{}", chapter.group, chapter.summary,
+                        of_parameters ? " A device of profile cia402 refuses it." : "", table_of(chapter));
     for (const MethodText& method : chapter.methods) {
       const auto rows = method.result == nullptr ? std::vector<ResultRow>{} : rows_of(text, *method.result);
       if (!rows.empty()) page += fmt::format("\n`{}` gives\n\n{}", method.row.name, table_of(rows));

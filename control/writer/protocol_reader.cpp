@@ -13,8 +13,8 @@
 namespace control {
 namespace {
 
-constexpr std::array<std::string_view, 7> kFileKeys{"group",       "summary", "order",  "commands",
-                                                    "definitions", "notices", "methods"};
+constexpr std::array<std::string_view, 8> kFileKeys{"group",       "summary", "order",   "commands",
+                                                    "definitions", "notices", "methods", "of_parameters"};
 constexpr std::array<std::string_view, 10> kMethodKeys{"name",   "scope",       "command", "summary", "params",
                                                        "result", "result_text", "columns", "brief",   "acts"};
 constexpr double kLast = 1000.0;
@@ -116,6 +116,7 @@ void Reader::read_file(const Json& document) {
   std::size_t number = 0;
   for (const Json& object : fields.list("methods"))
     chapter.methods.push_back(read_method(object, fields.place("methods") + "/" + std::to_string(number++)));
+  for (MethodText& method : chapter.methods) method.row.of_parameters = fields.flag("of_parameters", false);
   for (const MethodText& method : chapter.methods)
     if (!method.row.group.empty()) add_group(method.row.group, chapter.summary);
   text.chapters.push_back(std::move(chapter));

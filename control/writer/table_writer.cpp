@@ -154,10 +154,10 @@ std::string write_table(const ProtocolText& text) {
       methods += fmt::format(
           "    Method{{.name = {}, .scope = Scope::{}, .group = {}, .command = {}, .summary = {},\n"
           "           .parameters = {}, .keys = {}, .columns = {}, .brief = {},\n"
-          "           .acts = Acts::{}}},\n",
+          "           .acts = Acts::{}, .of_parameters = {}}},\n",
           quoted(row.name), row.scope == Scope::Unit ? "Unit" : "Program", quoted(row.group), quoted(row.command),
           quoted(row.summary), writer.parameters(row), writer.texts(row.keys), writer.texts(row.columns),
-          writer.texts(row.brief), name_of(row.acts));
+          writer.texts(row.brief), name_of(row.acts), row.of_parameters);
   std::string groups;
   for (const Group& group : text.groups)
     groups += fmt::format("    Group{{{}, {}}},\n", quoted(group.name), quoted(group.summary));

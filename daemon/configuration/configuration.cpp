@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -88,6 +89,13 @@ std::optional<InfeedConfiguration> read_infeed(const JsonReader& json) {
   return infeed;
 }
 
+/// What profile cia402 has beside what both have.
+void read_cia402(const JsonReader& json, AxisConfiguration& axis) {
+  if (axis.machine.encoder.type == motor::EncoderType::None)
+    (json.has("encoder") ? json.at("encoder") : json).fail("an axis with an encoder, which profile cia402 needs");
+  axis.cia402 = read_cia402_axis(json);
+}
+
 std::vector<AxisConfiguration> read_axes(const JsonReader& json, const MotorSource& motors, bool is_cia402) {
   json.expect_array(1, drive::kMostAxes);
   std::vector<AxisConfiguration> axes;
@@ -100,7 +108,7 @@ std::vector<AxisConfiguration> read_axes(const JsonReader& json, const MotorSour
       named.fail(fmt::format("a name that /axes/{} does not have", same - axes.begin()));
     }
     if (is_cia402)
-      axis.cia402 = read_cia402_axis(json.at(i));
+      read_cia402(json.at(i), axis);
     else if (json.at(i).has("switches"))
       axis.switches = read_switches(json.at(i).at("switches"), fed);
     axes.push_back(std::move(axis));
@@ -130,6 +138,8 @@ constexpr std::array<std::string_view, 15> kKeysOfUnit{
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
+/// That of a device to which none is given.
+constexpr std::uint32_t kFirstSerial = Cia402Settings{}.serial;
 
 /// The keys of a file that describes one unit.
 std::vector<std::string_view> keys_of_file() {
@@ -145,10 +155,10 @@ std::string read_control_group(const JsonReader& json) {
   return group;
 }
 
-/// What is said of one unit but its node-ID.
-Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
+/// What is said of one unit but its node-ID; @p profile in place of the key of that name.
+Configuration read_unit(const JsonReader& json, const MotorSource& motors, std::optional<Profile> profile) {
   Configuration configuration;
-  configuration.cia402 = read_profile(json);
+  configuration.cia402 = read_profile(json, profile);
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
@@ -164,31 +174,47 @@ Configuration read_unit(const JsonReader& json, const MotorSource& motors) {
 }
 
 int read_node_id(const JsonReader& json, const Configuration& unit) {
-  if (!unit.cia402) return json.integer(kAddressSwitchOff, kHighestNodeId);
-  if (json.value() == Cia402Settings::kUnconfigured) return Cia402Settings::kUnconfigured;
-  if (!json.value().is_number_integer() || json.value() < 1 || json.value() > kHighestNodeId)
-    json.fail(fmt::format("an integer 1 to {}, or {} for a node without node-ID", kHighestNodeId,
-                          Cia402Settings::kUnconfigured));
-  return json.integer(1, kHighestNodeId);
+  return unit.cia402 ? read_cia402_node_id(json) : json.integer(kAddressSwitchOff, kHighestNodeId);
+}
+
+/// As many units alike as the node-IDs of @p entry; devices of profile cia402 have serial numbers one after the
+/// other.
+std::vector<Configuration> units_from(const JsonReader& entry, const Configuration& unit) {
+  const JsonReader node = entry.at("node_id");
+  node.expect_object({"from", "to"});
+  if (!node.has("from") || !node.has("to")) node.fail("an integer 0 to 127, or an object with from and to");
+  const int first = node.at("from").integer(1, kHighestNodeId);
+  const int last = node.at("to").integer(first, kHighestNodeId);
+  const auto last_serial = std::numeric_limits<std::uint32_t>::max() - static_cast<std::uint32_t>(last - first);
+  if (unit.cia402 && unit.cia402->serial > last_serial)
+    entry.at("serial").fail(fmt::format("an integer 0 to {} for the first of the units", last_serial));
+  std::vector<Configuration> units(static_cast<std::size_t>(last - first) + 1, unit);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    units[i].node_id = first + static_cast<int>(i);
+    if (unit.cia402) units[i].cia402->serial += static_cast<std::uint32_t>(i);
+  }
+  return units;
 }
 
 /// One unit, or as many alike as node_id has room for.
 std::vector<Configuration> read_entry(const JsonReader& json, const MotorSource& motors) {
   json.expect_object(kKeysOfUnit);
-  std::vector<Configuration> units{read_unit(json, motors)};
-  if (!json.has("node_id")) return units;
+  Configuration unit = read_unit(json, motors, std::nullopt);
+  if (!json.has("node_id")) return {std::move(unit)};
   const JsonReader node = json.at("node_id");
-  if (!node.is_object()) {
-    units.front().node_id = read_node_id(node, units.front());
-    return units;
-  }
-  node.expect_object({"from", "to"});
-  if (!node.has("from") || !node.has("to")) node.fail("an integer 0 to 127, or an object with from and to");
-  const int first = node.at("from").integer(1, kHighestNodeId);
-  const int last = node.at("to").integer(first, kHighestNodeId);
-  units.resize(static_cast<std::size_t>(last - first) + 1, units.front());
-  for (std::size_t i = 0; i < units.size(); ++i) units[i].node_id = first + static_cast<int>(i);
-  return units;
+  if (node.is_object()) return units_from(json, unit);
+  unit.node_id = read_node_id(node, unit);
+  return {std::move(unit)};
+}
+
+/// @p unit of @p entry has the name of /units/@p known.
+[[noreturn]] void fail_by_name(const JsonReader& entry, const Configuration& unit, std::size_t known) {
+  const bool is_unconfigured = unit.node_id == Cia402Settings::kUnconfigured;
+  const char* const key = is_unconfigured ? "serial" : "node_id";
+  (entry.has(key) ? entry.at(key) : entry)
+      .fail(fmt::format("a {} that /units/{}{} does not have on {}",
+                        is_unconfigured ? "serial number" : "node-ID", known,
+                        is_unconfigured ? ", without node-ID too," : "", unit.address.text));
 }
 
 UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors) {
@@ -202,11 +228,8 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (Configuration& unit : read_entry(list.at(i), motors)) {
       const auto [known, is_new] = taken.emplace(name_of(unit), i);
-      const JsonReader entry = list.at(i);
-      if (!is_new)
-        (entry.has("node_id") ? entry.at("node_id") : entry)
-            .fail(fmt::format("a node-ID that /units/{} does not have on {}", known->second, unit.address.text));
-      if (unit.modbus) places.take(entry, i, *unit.modbus);
+      if (!is_new) fail_by_name(list.at(i), unit, known->second);
+      if (unit.modbus) places.take(list.at(i), i, *unit.modbus);
       configuration.units.push_back(std::move(unit));
     }
   }
@@ -219,15 +242,22 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
 
 }  // namespace
 
-std::string name_of(const Configuration& unit) {
-  return fmt::format("{}/{}", bus::label(unit.address), unit.node_id);
+std::string station_of(const Configuration& unit) {
+  if (unit.node_id != Cia402Settings::kUnconfigured) return std::to_string(unit.node_id);
+  const std::uint32_t serial = unit.cia402 ? unit.cia402->serial : kFirstSerial;
+  return serial == kFirstSerial ? "unconfigured" : fmt::format("unconfigured-{}", serial);
 }
 
-UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors) {
+std::string name_of(const Configuration& unit) {
+  return fmt::format("{}/{}", bus::label(unit.address), station_of(unit));
+}
+
+UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors,
+                                       std::optional<Profile> profile) {
   const JsonReader json = JsonReader::parse(text, file);
   if (json.has("units")) return read_units(json, motors);
   json.expect_object(keys_of_file());
-  UnitsConfiguration configuration{.units = {read_unit(json, motors)},
+  UnitsConfiguration configuration{.units = {read_unit(json, motors, profile)},
                                    .threads = 1,
                                    .is_list = false,
                                    .control_group = read_control_group(json)};

@@ -11,6 +11,7 @@
 #include "daemon/configuration/settings/cia402_settings.hpp"
 #include "daemon/configuration/settings/modbus_settings.hpp"
 #include "daemon/configuration/settings/motor_source.hpp"
+#include "daemon/configuration/settings/profile.hpp"
 #include "daemon/configuration/settings/record_settings.hpp"
 #include "drive/base/load_mechanics.hpp"
 #include "drive/base/object_kind.hpp"
@@ -79,9 +80,15 @@ struct Configuration {
   std::optional<RecordSettings> record{};                 ///< key "record": begins with the unit
   std::optional<ModbusSettings> modbus{};                 ///< key "modbus"; none: Modbus TCP is not served
   std::vector<injection::Fault> inject{};                 ///< key "inject": loaded when the unit begins
+
+  Profile profile() const noexcept { return cia402 ? Profile::Cia402 : Profile::Unit; }
 };
 
-/// The name of the unit that @p unit describes, as "vcan0/5": bus::label() and address switch.
+/// What tells @p unit from the others of its bus, in the names of files and sockets too: the address switch, as "5".
+/// A device without node-ID is "unconfigured", behind that its serial number unless that is 1, and stays so whatever
+/// LSS gives it.
+std::string station_of(const Configuration& unit);
+/// The name of the unit that @p unit describes, as "vcan0/5": bus::label() and station_of().
 std::string name_of(const Configuration& unit);
 
 /// What one program serves.
@@ -92,8 +99,9 @@ struct UnitsConfiguration {
   std::string control_group{};  ///< key "control_group": whose members may use the control socket; empty: none
 };
 
-/// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; throws
-/// ConfigurationError.
-UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors);
+/// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; a unit that
+/// is not in a list has @p profile, whatever is said there. Throws ConfigurationError.
+UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors,
+                                       std::optional<Profile> profile = std::nullopt);
 
 }  // namespace axisd

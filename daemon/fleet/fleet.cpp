@@ -22,11 +22,13 @@ std::string names_of(const std::vector<ServedUnit*>& units) {
   return names;
 }
 
-/// By the name of the unit, the bus as it was configured, or the node-ID alone.
+/// By the name of the unit, the bus as it was configured, or what stands behind it alone; 255 is any unit without
+/// node-ID.
 bool is_meant(const ServedUnit& unit, std::string_view name) {
   const Configuration& configuration = unit.configuration();
-  return name.empty() || name == unit.name() || name == std::to_string(configuration.node_id) ||
-         name == fmt::format("{}/{}", configuration.address.text, configuration.node_id);
+  const std::string station = station_of(configuration);
+  return name.empty() || name == unit.name() || name == station || name == std::to_string(configuration.node_id) ||
+         name == fmt::format("{}/{}", configuration.address.text, station);
 }
 
 }  // namespace

@@ -16,12 +16,12 @@
 namespace axisd {
 namespace {
 
-std::string in_use(const bus::Address& address, int node_id) {
-  return fmt::format("{}: node {} is served by another axisd", address.text, node_id);
+std::string in_use(const bus::Address& address, const std::string& station) {
+  return fmt::format("{}: node {} is served by another axisd", address.text, station);
 }
 
-std::string lock_of(const bus::Address& address, int node_id) {
-  return fmt::format("axisd/{}/{}", bus::label(address), node_id);
+std::string lock_of(const bus::Address& address, const std::string& station) {
+  return fmt::format("axisd/{}/{}", bus::label(address), station);
 }
 
 /// Throws for the present errno, which is @p taken if another instance holds the lock on @p what.
@@ -97,17 +97,19 @@ std::filesystem::path state_root(const std::string& given) {
   throw InstanceError{"no place for the state: give --state-directory or set HOME"};
 }
 
-InstanceLock::InstanceLock(const std::filesystem::path& root, const bus::Address& address, int node_id)
-    : directory_{root / fmt::format("{}-{}", bus::label(address), node_id)} {
+InstanceLock::InstanceLock(const std::filesystem::path& root, const bus::Address& address,
+                           const std::string& station)
+    : directory_{root / fmt::format("{}-{}", bus::label(address), station)} {
   if (const int error = create_folders(directory_))
     throw InstanceError{fmt::format("{}: cannot be created: {}", directory_.string(), std::strerror(error))};
-  const std::string busy = in_use(address, node_id);
+  const std::string busy = in_use(address, station);
   folder_ = lock_folder(directory_, busy);
-  name_ = lock_name(lock_of(address, node_id), busy);
+  name_ = lock_name(lock_of(address, station), busy);
 }
 
 void InstanceLock::serve(const bus::Address& address, int node_id) {
-  served_name_ = lock_name(lock_of(address, node_id), in_use(address, node_id));
+  const std::string station = std::to_string(node_id);
+  served_name_ = lock_name(lock_of(address, station), in_use(address, station));
 }
 
 }  // namespace axisd

@@ -17,14 +17,14 @@ std::filesystem::path state_root(const std::string& given);
 ///
 /// Two locks: the state subfolder LABEL-NODE (bus::label()) guards the files, and a name in the abstract socket
 /// space, which belongs to the same network namespace as an interface of the kernel, guards the node against an
-/// instance that keeps its state elsewhere. NODE is the address switch; where that is 0, the node that p8620 names
-/// is guarded too.
+/// instance that keeps its state elsewhere. NODE is station_of() the unit; where that is address switch 0, the node
+/// that p8620 names is guarded too.
 class InstanceLock {
  public:
   /// Creates the subfolder of @p root and takes both locks; throws InstanceError.
-  InstanceLock(const std::filesystem::path& root, const bus::Address& address, int node_id);
+  InstanceLock(const std::filesystem::path& root, const bus::Address& address, const std::string& station);
 
-  /// Takes the lock on the node that the unit serves where that is not @p node_id of the constructor, which was
+  /// Takes the lock on the node that the unit serves where that is not @p station of the constructor, which was
   /// the address switch; throws InstanceError.
   void serve(const bus::Address& address, int node_id);
 

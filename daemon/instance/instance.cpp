@@ -37,6 +37,10 @@ std::vector<Instance::LoadTorque> load_torques(const Configuration& configuratio
 
 }  // namespace
 
+std::string node_text(std::uint8_t node_id) {
+  return node_id != canopen::kNoNodeId ? fmt::format("node {}", node_id) : "the node without node-ID";
+}
+
 Instance::Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
                    InstanceListener& listener)
     : Instance{configuration, bus::open(configuration.address), folder, log, listener} {}
@@ -109,12 +113,13 @@ void Instance::power_off() noexcept {
 }
 
 void Instance::tell_ready() noexcept {
-  // The boot-up frame has to be out, if no fault is there that may keep it.
+  // The boot-up frame has to be out, if the node has one and no fault is there that may keep it.
   const bus::TransmitQueue& queue = std::as_const(bus_).queue();
-  const bool has_sent = queue.counters().sent != sent_before_boot_up_ || !faults_.is_empty();
+  const bool is_silent = !faults_.is_empty() || device_.node_id() == canopen::kNoNodeId;
+  const bool has_sent = queue.counters().sent != sent_before_boot_up_ || is_silent;
   if (!bus_.is_open() || queue.waiting() != 0 || !has_sent) return;
   ready_told_ = true;
-  log_.info("ready: node {} on {}", device_.node_id(), bus_name());
+  log_.info("ready: {} on {}", node_text(device_.node_id()), bus_name());
   listener_.on_condition(*this, Condition::Ready);
 }
 

@@ -34,6 +34,9 @@ namespace axisd {
 
 class Instance;
 
+/// The node @p node_id as people call it: "node 5", or "the node without node-ID".
+std::string node_text(std::uint8_t node_id);
+
 /// What an instance tells of itself.
 enum class Condition : std::uint8_t {
   Ready,    ///< its boot-up frame is out, for the first time
@@ -101,6 +104,8 @@ class Instance final : private device::Listener,
   /// Its process data beside the CAN bus.
   profidrive::Interface& if1() noexcept { return if1_; }
   const profidrive::Interface& if1() const noexcept { return if1_; }
+  /// Whether masters and operators see parameters: not with profile cia402.
+  bool has_parameters() const noexcept { return configuration().profile() == Profile::Unit; }
   const Configuration& configuration() const noexcept { return configuration_; }
   const UnitMemory& memory() const noexcept { return memory_; }
   /// The server of Modbus TCP; nullptr if the configuration has none.

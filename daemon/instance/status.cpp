@@ -63,16 +63,27 @@ json if1_status(const profidrive::Interface& if1, const drive::Axis& axis) {
           {"sent", fmt::format("0x{:04X}", if1.sent(axis.number())[0])}};
 }
 
+/// What a CiA 402 axis has beside.
+void add_profile(const device::ProfileView& view, json& status) {
+  status["mode"] = view.mode;
+  status["homed"] = view.is_homed;
+  status["position_units"] = view.position;
+  status["error_code"] = fmt::format("0x{:04X}", view.error_code);
+  status["digital_inputs"] = fmt::format("0x{:08X}", view.inputs);
+  status["digital_outputs"] = fmt::format("0x{:08X}", view.outputs);
+}
+
 json axis_status(const Instance& instance, std::size_t number) {
   const device::Device& device = instance.device();
   const drive::Axis& axis = device.axis(number);
   const drive::ActualValues& actual = axis.actual();
+  const device::AxisView view = device.view(number);
   json status{{"axis", number},
               {"name", instance.configuration().axes[number - 1].name},
               {"type", axis.kind() == drive::ObjectKind::Vector ? "vector" : "servo"},
-              {"state", name_of(actual.state)},
-              {"statusword", fmt::format("0x{:04X}", actual.statusword)},
-              {"controlword", fmt::format("0x{:04X}", axis.process_data().controlword)},
+              {"state", name_of(view.state)},
+              {"statusword", fmt::format("0x{:04X}", view.statusword)},
+              {"controlword", fmt::format("0x{:04X}", view.controlword)},
               {"speed_rpm", actual.speed / motor::kRpm},
               {"setpoint_rpm", target_velocity(axis) / motor::kRpm},
               {"torque_Nm", actual.torque},
@@ -80,9 +91,10 @@ json axis_status(const Instance& instance, std::size_t number) {
               {"load_friction_Nm", instance.load_torque(number).friction},
               {"current_A", axis.signals().current / std::numbers::sqrt2},
               {"motor_temperature_C", axis.signals().winding_temperature},
-              {"position", actual.encoder_position},
+              {"position", view.position},
               {"faults", messages(axis.messages().faults())},
               {"alarms", messages(axis.messages().alarms())}};
+  if (view.profile) add_profile(*view.profile, status);
   if (axis.positions()) status["positioner"] = positioner_status(axis);
   if (json if1 = if1_status(instance.if1(), axis); !if1.is_null()) status["if1"] = std::move(if1);
   return status;
@@ -165,6 +177,7 @@ json status_of(const Instance& instance) {
   json status{
       {"version", version::number()},
       {"interface", instance.configuration().address.text},
+      {"profile", name_of(instance.configuration().profile())},
       {"node_id", instance.device().node_id()},
       {"nmt_state", canopen::name_of(instance.device().node().state())},
       {"uptime_s", instance.uptime_s()},

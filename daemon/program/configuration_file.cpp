@@ -33,13 +33,21 @@ void resize_axes(std::vector<AxisConfiguration>& axes, int count) {
   axes.resize(static_cast<std::size_t>(count));
 }
 
+/// Throws ConfigurationError for a node-ID that no unit of this profile has.
+void override_node_id(Configuration& configuration, int node_id) {
+  configuration.node_id = node_id;
+  const bool is_cia402 = configuration.profile() == Profile::Cia402;
+  if (is_cia402 && node_id == Cia402Settings::kUnconfigured) return;
+  const int lowest = is_cia402 ? kAddressSwitchOff + 1 : kAddressSwitchOff;
+  if (node_id >= lowest && node_id <= kHighestNodeId) return;
+  const std::string expected = is_cia402 ? std::string{kCia402NodeIds}
+                                         : fmt::format("an integer {} to {}", kAddressSwitchOff, kHighestNodeId);
+  throw ConfigurationError{fmt::format("--node-id: expected {}, got {}", expected, node_id)};
+}
+
 void override_with(Configuration& configuration, const Options& options) {
   if (options.interface) override_address(configuration, *options.interface);
-  if (options.node_id) configuration.node_id = *options.node_id;
-  if (configuration.node_id < kAddressSwitchOff || configuration.node_id > kHighestNodeId) {
-    throw ConfigurationError{fmt::format("--node-id: expected an integer {} to {}, got {}", kAddressSwitchOff,
-                                         kHighestNodeId, configuration.node_id)};
-  }
+  if (options.node_id) override_node_id(configuration, *options.node_id);
   if (!options.axes) return;
   resize_axes(configuration.axes, *options.axes);
   if (const auto refused = refused_parameter(configuration))
@@ -50,6 +58,7 @@ void override_with(Configuration& configuration, const Options& options) {
 /// An option that says something of one unit, if there is any.
 const char* option_of_one_unit(const Options& options) {
   if (options.interface) return "--interface";
+  if (options.profile) return "--profile";
   if (options.node_id) return "--node-id";
   return options.axes ? "--axes" : nullptr;
 }
@@ -67,7 +76,9 @@ UnitsConfiguration load_configuration(const Options& options) {
   if (!options.config_file.empty()) {
     const auto text = read_text_file(options.config_file);
     if (!text) throw ConfigurationError{text.error()};
-    configuration = parse_configuration(*text, options.config_file, MotorFolders{});
+    configuration = parse_configuration(*text, options.config_file, MotorFolders{}, options.profile);
+  } else if (options.profile == Profile::Cia402) {
+    configuration.units.front().cia402 = Cia402Settings{};
   }
   if (configuration.is_list) {
     if (const char* const option = option_of_one_unit(options))

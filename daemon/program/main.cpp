@@ -21,7 +21,7 @@ namespace {
 std::string default_control_path(const axisd::UnitsConfiguration& configuration) {
   if (configuration.is_list) return control::common_socket_path();
   const axisd::Configuration& unit = configuration.units.front();
-  return control::default_socket_path(bus::label(unit.address), unit.node_id);
+  return control::default_socket_path(bus::label(unit.address), axisd::station_of(unit));
 }
 
 std::string control_path(const axisd::Options& options, const axisd::UnitsConfiguration& configuration) {

@@ -26,7 +26,7 @@ void Notification::tell(const Instance& instance, Condition condition, bool is_n
   } else if (condition == Condition::Off) {
     sd_notify(0, "STATUS=switched off");
   } else {
-    sd_notifyf(0, "%sSTATUS=node %d on %s", ready, int{instance.device().node_id()}, bus);
+    sd_notifyf(0, "%sSTATUS=%s on %s", ready, node_text(instance.device().node_id()).c_str(), bus);
   }
 }
 

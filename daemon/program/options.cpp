@@ -32,17 +32,24 @@ int integer_of(const char* option, const std::string& text, const char* expected
   throw UsageError{std::string{option} + ": expected an integer " + expected + ", got \"" + text + '"'};
 }
 
+Profile profile_of(const std::string& name) {
+  if (const auto profile = profile_named(name)) return *profile;
+  throw UsageError{"--profile: expected s120 or cia402, got \"" + name + '"'};
+}
+
 /// What options hold as text until it is judged.
 struct Words {
   std::string level = "info";
+  std::optional<std::string> profile{};
   std::optional<std::string> node_id{};
   std::optional<std::string> axes{};
 };
 
-void complete_levels(cli::Command& program) {
+void complete(cli::Command& program) {
   std::array<std::string_view, kLogLevels.size()> names{};
   std::ranges::transform(kLogLevels, names.begin(), &LogLevelRow::name);
   cli::offer_choices(program, "--log-level", names);
+  cli::offer_choices(program, "--profile", kProfileNames);
 }
 
 void add_options(CLI::App& app, Options& options, Words& words) {
@@ -54,7 +61,11 @@ void add_options(CLI::App& app, Options& options, Words& words) {
                  "socketcand://HOST:PORT/NAME (default: vcan0)")
       ->type_name("IF")
       ->take_last();
-  app.add_option("--node-id", words.node_id, "node-ID, 1 to 127, or 0 for that of p8620 (default: 2)")
+  app.add_option("--profile", words.profile,
+                 "device that masters see: s120, the drive unit, or cia402, a CiA 402 axis (default: s120)")
+      ->type_name("PROFILE");
+  app.add_option("--node-id", words.node_id,
+                 "node-ID, 1 to 127, or 0 for that of p8620, or with cia402 255 for none, which LSS gives (default: 2)")
       ->type_name("N");
   app.add_option("--axes", words.axes, "number of axes, 1 to 8 (default: those of the configuration file, else 1)")
       ->type_name("N");
@@ -66,7 +77,7 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_flag("--check-config", options.check_config, "check the configuration and exit");
   app.add_option("--log-level", words.level, "error, warning, notice, info or debug (default: info)")
       ->type_name("LEVEL");
-  cli::add_completion(app, complete_levels);
+  cli::add_completion(app, complete);
 }
 
 }  // namespace
@@ -85,6 +96,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
     throw UsageError{std::string{error.what()} + " (see axisd --help)"};
   }
   options.log_level = log_level_of(given.level);
+  if (given.profile) options.profile = profile_of(*given.profile);
   if (given.node_id) options.node_id = integer_of("--node-id", *given.node_id, "0 to 127");
   if (given.axes) options.axes = integer_of("--axes", *given.axes, "1 to 8");
   return options;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "daemon/configuration/settings/profile.hpp"
 #include "service/log.hpp"
 
 namespace axisd {
@@ -17,6 +18,7 @@ inline constexpr int kUsage = 2;
 struct Options {
   std::string config_file;
   std::optional<std::string> interface;
+  std::optional<Profile> profile;
   std::optional<int> node_id;
   std::optional<int> axes;
   std::string state_directory;

@@ -123,7 +123,7 @@ std::uint8_t EventWatch::axis_of(std::uint8_t object) const noexcept {
 /// The control unit has none.
 std::optional<drive::State> EventWatch::state_of(std::uint8_t object) const noexcept {
   const drive::DriveUnit& unit = device_.unit();
-  if (const std::uint8_t axis = axis_of(object)) return device_.axis(axis).actual().state;
+  if (const std::uint8_t axis = axis_of(object)) return device_.view(axis).state;
   if (unit.infeed() != nullptr && unit.infeed()->number() == object) return unit.infeed()->state();
   return std::nullopt;
 }

@@ -13,6 +13,8 @@ namespace object = device::object;
 
 /// r8750: the objects that the received words carry.
 constexpr std::uint16_t kReceivedObjects = 8750;
+/// Of the first axis (CiA 301).
+constexpr std::uint16_t kFirstProfileObject = 0x6000;
 
 bool is(const Loaded& loaded, std::string_view kind) noexcept {
   return loaded.was_hit && loaded.fault.kind->name == kind;
@@ -35,8 +37,11 @@ DriveFaults::DriveFaults(device::Device& device, const std::vector<Loaded>& load
     const auto add = [&](std::uint16_t index) {
       if (const canopen::Entry* const entry = dictionary_.lookup(index, 0)) axes_[i].shown.push_back(entry);
     };
-    for (const device::SentObject& sent : device::kSentObjects)
-      if (sent.index != object::kStatusword) add(object::on_axis(sent.index, i + 1));
+    if (device_.spoil(i + 1, {}))
+      add_actual_values(i);
+    else
+      for (const device::SentObject& sent : device::kSentObjects)
+        if (sent.index != object::kStatusword) add(object::on_axis(sent.index, i + 1));
     for (std::uint16_t n = 0; n < object::kFreeWords; ++n)
       add(static_cast<std::uint16_t>(object::free_on_axis(object::kTransmitWords, i + 1) + n));
     for (std::uint16_t n = 0; n < object::kFreeDoubleWords; ++n)
@@ -45,12 +50,24 @@ DriveFaults::DriveFaults(device::Device& device, const std::vector<Loaded>& load
   }
 }
 
+/// All that an axis shows in PDOs, but its statusword and what it echoes.
+void DriveFaults::add_actual_values(std::size_t axis) {
+  const std::uint16_t first = object::on_axis(kFirstProfileObject, axis + 1);
+  const std::uint16_t statusword = object::on_axis(object::kStatusword, axis + 1);
+  for (const canopen::Entry& entry : dictionary_.entries()) {
+    const bool is_of_axis = entry.index >= first && entry.index < object::on_axis(kFirstProfileObject, axis + 2);
+    if (is_of_axis && entry.transmit_mappable && !entry.writable && entry.index != statusword)
+      axes_[axis].shown.push_back(&entry);
+  }
+}
+
 void DriveFaults::put_in(bool in) noexcept {
   if (in == is_in_) return;
   is_in_ = in;
-  for (Axis& axis : axes_) {
-    axis.controlword.reset();
-    axis.is_frozen = false;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    axes_[i].controlword.reset();
+    axes_[i].is_frozen = false;
+    device_.spoil(i + 1, {});
   }
   device_.runner().replace(in ? inner_ : *this, in ? static_cast<unit::Face&>(*this) : inner_);
 }
@@ -76,7 +93,27 @@ unit::AxisMask DriveFaults::waiting() const noexcept {
 void DriveFaults::bring() noexcept {
   inner_.bring();
   listener_.on_cycle();
-  for (std::size_t i = 0; i < axes_.size(); ++i) change_controlword(i);
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (!device_.spoil(i + 1, defect_of(i))) change_controlword(i);
+}
+
+/// All that is wrong with the words of @p axis.
+device::AxisDefect DriveFaults::defect_of(std::size_t axis) const noexcept {
+  device::AxisDefect defect{};
+  for (const Loaded& loaded : loaded_) {
+    if (!is_of(loaded, axis)) continue;
+    if (is(loaded, "drive.ignores-controlword")) defect.ignores_controlword = true;
+    if (is(loaded, "drive.never")) {
+      const Hindrance hindrance = hindrance_of(loaded.value(Argument::DriveState).value_or(0));
+      defect.controlword_cleared |= hindrance.cleared;
+      defect.controlword_set |= hindrance.set;
+    }
+    if (is(loaded, "drive.status-bit")) {
+      const auto bit = static_cast<std::uint16_t>(1U << loaded.value(Argument::Bit).value_or(0));
+      (loaded.value(Argument::Value).value_or(0) != 0 ? defect.statusword_set : defect.statusword_cleared) |= bit;
+    }
+  }
+  return defect;
 }
 
 void DriveFaults::change_controlword(std::size_t axis) noexcept {

@@ -52,6 +52,8 @@ class DriveFaults final : public unit::Face {
     bool is_frozen = false;
   };
 
+  void add_actual_values(std::size_t axis);
+  device::AxisDefect defect_of(std::size_t axis) const noexcept;
   void change_controlword(std::size_t axis) noexcept;
   void set_controlword(std::size_t axis, std::uint16_t controlword) noexcept;
   void freeze(Axis& axis) noexcept;

@@ -5,9 +5,6 @@
 namespace canopen {
 namespace {
 
-constexpr std::uint32_t kSave = 0x65766173;  // "save", the first letter in the lowest byte
-constexpr std::uint32_t kLoad = 0x64616F6C;  // "load"
-
 constexpr bool takes_signature(const Entry& entry) noexcept {
   return (entry.index == object::kStoreParameters || entry.index == object::kRestoreParameters) &&
          entry.sub_index != 0 && entry.writable && entry.size != 0;
@@ -24,7 +21,7 @@ StorageObjects::StorageObjects(Context& context) : context_{context} {
 
 Result<void> StorageObjects::write(const Entry& entry, std::int64_t value) {
   const bool stores = entry.index == object::kStoreParameters;
-  if (static_cast<std::uint32_t>(value) != (stores ? kSave : kLoad)) return refuse(AbortCode::CannotTransfer);
+  if (static_cast<std::uint32_t>(value) != (stores ? kSaveSignature : kLoadSignature)) return refuse(AbortCode::CannotTransfer);
   return stores ? context_.application.on_store(entry.sub_index)
                 : context_.application.on_restore(entry.sub_index);
 }

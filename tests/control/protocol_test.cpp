@@ -23,20 +23,20 @@ TEST_F(ControlSocketPath, LiesInTheRuntimeDirectoryOfTheService) {
   ::setenv("RUNTIME_DIRECTORY", "/run/axisd", 1);
   ::setenv("XDG_RUNTIME_DIR", "/run/user/1000", 1);
 
-  EXPECT_EQ(control::default_socket_path("can0", 127), "/run/axisd/axisd-can0-127.sock");
+  EXPECT_EQ(control::default_socket_path("can0", "127"), "/run/axisd/axisd-can0-127.sock");
 }
 
 TEST_F(ControlSocketPath, LiesInTheFirstOfSeveralRuntimeDirectories) {
   ::setenv("RUNTIME_DIRECTORY", "/run/axisd:/run/other", 1);
 
-  EXPECT_EQ(control::default_socket_path("vcan0", 2), "/run/axisd/axisd-vcan0-2.sock");
+  EXPECT_EQ(control::default_socket_path("vcan0", "2"), "/run/axisd/axisd-vcan0-2.sock");
 }
 
 TEST_F(ControlSocketPath, LiesInTheRuntimeDirectoryOfTheUserOtherwise) {
   ::setenv("RUNTIME_DIRECTORY", "", 1);
   ::setenv("XDG_RUNTIME_DIR", "/run/user/1000", 1);
 
-  EXPECT_EQ(control::default_socket_path("vcan0", 2), "/run/user/1000/axisd-vcan0-2.sock");
+  EXPECT_EQ(control::default_socket_path("vcan0", "2"), "/run/user/1000/axisd-vcan0-2.sock");
 }
 
 TEST_F(ControlSocketPath, LiesInRunOrTmpWithoutEnvironment) {
@@ -47,18 +47,41 @@ TEST(ControlSocketName, IsRecognised) {
   const auto name = control::parse_socket_name("axisd-vcan0-2.sock");
   ASSERT_TRUE(name);
   EXPECT_EQ(name->label, "vcan0");
-  EXPECT_EQ(name->node, 2);
+  EXPECT_EQ(name->station, "2");
   const auto with_dash = control::parse_socket_name("axisd-my-can-127.sock");
   ASSERT_TRUE(with_dash);
   EXPECT_EQ(with_dash->label, "my-can");
-  EXPECT_EQ(with_dash->node, 127);
+  EXPECT_EQ(with_dash->station, "127");
   const auto switched_off = control::parse_socket_name("axisd-vcan0-0.sock");
   ASSERT_TRUE(switched_off);
-  EXPECT_EQ(switched_off->node, 0);
+  EXPECT_EQ(switched_off->station, "0");
+  const auto unconfigured = control::parse_socket_name("axisd-my-can-unconfigured.sock");
+  ASSERT_TRUE(unconfigured);
+  EXPECT_EQ(unconfigured->label, "my-can");
+  EXPECT_EQ(unconfigured->station, "unconfigured");
+  const auto with_serial = control::parse_socket_name("axisd-my-can-unconfigured-4294967295.sock");
+  ASSERT_TRUE(with_serial);
+  EXPECT_EQ(with_serial->label, "my-can");
+  EXPECT_EQ(with_serial->station, "unconfigured-4294967295");
   for (const char* other :
-       {"axisd-vcan0.sock", "axisd--2.sock", "axisd-vcan0-.sock", "axisd-vcan0-x.sock", "axisd-vcan0-128.sock",
+       {"axisd-unconfigured.sock", "axisd-vcan0-unconfigured-.sock", "axisd-vcan0-unconfigured-x.sock",
+        "axisd-vcan0-unconfigured-4294967296.sock", "axisd-vcan0-configured.sock", "axisd-vcan0-255.sock",
+        "axisd-vcan0.sock", "axisd--2.sock", "axisd-vcan0-.sock", "axisd-vcan0-x.sock", "axisd-vcan0-128.sock",
         "axisd-vcan0-2x.sock", "axisd-vcan0-2.lock", "axisd.sock", "axisd-.sock", "xaxisd-vcan0-2.sock", ""})
     EXPECT_FALSE(control::parse_socket_name(other)) << other;
+}
+
+TEST(ControlSocketName, SaysWhichUnitsHaveNoNodeId) {
+  for (const char* station : {"unconfigured", "unconfigured-0", "unconfigured-7"}) {
+    EXPECT_TRUE(control::is_unconfigured(station)) << station;
+    EXPECT_TRUE(control::is_station(station)) << station;
+  }
+  for (const char* station : {"0", "5", "127"}) {
+    EXPECT_FALSE(control::is_unconfigured(station)) << station;
+    EXPECT_TRUE(control::is_station(station)) << station;
+  }
+  for (const char* other : {"", "-1", "128", "255", "5x", "unconfigured-", "unconfigured7", "unconfigured--1", "x"})
+    EXPECT_FALSE(control::is_station(other)) << other;
 }
 
 TEST(ControlSocketAddress, HoldsUpTo107Bytes) {

@@ -108,6 +108,36 @@ TEST_F(Axisctl, TakesTheUnitThatIsNamed) {
   }
 }
 
+TEST_F(Axisctl, FindsUnitsWithoutNodeId) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"--unit", "can7/unconfigured-7", "quit"},
+           {"--unit", "unconfigured-7", "quit"},
+           {"--interface", "can7", "--node-id", "255", "quit"}}) {
+    ControlServer wanted{folder.path("axisd-can7-unconfigured-7.sock"), kDone};
+    ControlServer another{folder.path("axisd-vcan0-unconfigured.sock"), kDone};
+
+    EXPECT_EQ(run(words).status, 0) << words[1];
+    EXPECT_NE(wanted.request(), "") << words[1];
+    EXPECT_EQ(another.request(), "") << words[1];
+    std::filesystem::remove(folder.path("axisd-can7-unconfigured-7.sock"));
+    std::filesystem::remove(folder.path("axisd-vcan0-unconfigured.sock"));
+  }
+}
+
+TEST_F(Axisctl, ListsTheUnitsWithoutNodeIdOfABus) {
+  ControlServer first{folder.path("axisd-can7-unconfigured-7.sock"), kDone};
+  ControlServer second{folder.path("axisd-can7-unconfigured.sock"), kDone};
+  ControlServer another{folder.path("axisd-can7-5.sock"), kDone};
+
+  EXPECT_EQ(run({"--node-id", "255", "quit"}).errors,
+            "axisctl: several units fit; choose one with --unit, --socket, or --interface and --node-id:\n  " +
+                folder.path("axisd-can7-unconfigured-7.sock") + "\n  " +
+                folder.path("axisd-can7-unconfigured.sock") + "\n");
+  EXPECT_EQ(run({"--unit", "can8/unconfigured", "quit"}).errors,
+            "axisctl: no daemon on can8 without node-ID runs: it would have its control socket in " + folder.path("") +
+                "\n");
+}
+
 TEST_F(Axisctl, NamesTheUnitToADaemonOfMany) {
   ControlServer server{folder.path("axisd.sock"), kDone};
 

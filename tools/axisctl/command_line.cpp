@@ -52,8 +52,8 @@ void CommandLine::add_options() {
                   "Interface of the unit, a name or a URL as it was told; may be left out if there is one")
       ->type_name("IF");
   app_.add_option("--node-id", address.node,
-                  "Node-ID of the unit as it was told, 0 where p8620 gives it; the same")
-      ->check(CLI::Range(0, kHighestNode))
+                  "Node-ID of the unit as it was told, 0 where p8620 gives it, 255 where LSS does; the same")
+      ->check(CLI::Range(0, kHighestNode) | CLI::IsMember({std::string{kAnyUnconfigured}}))
       ->type_name("N");
   app_.add_flag("--json", invocation_.settings.json, "Print the result as one line of JSON");
   app_.add_flag("-b,--brief", invocation_.brief, "Print one line an axis or thing, without heads");

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "can/port/address.hpp"
-#include "text/number.hpp"
+#include "control/socket_name.hpp"
 #include "tools/axisctl/command_line.hpp"
 #include "tools/axisctl/print/printable.hpp"
 
@@ -13,8 +13,6 @@ using axisctl::ExitStatus;
 using axisctl::Expected;
 using axisctl::Failure;
 using axisctl::Invocation;
-
-constexpr int kHighestNode = 127;
 
 int status_of(ExitStatus status) {
   return static_cast<int>(status);
@@ -60,12 +58,11 @@ Expected<void> complete(Invocation& invocation) {
   if (address.label || address.node)
     return fail(ExitStatus::Usage, "--unit goes with neither --interface nor --node-id");
   const std::size_t slash = invocation.unit->rfind('/');
-  const auto node =
-      text::integer<int>(std::string_view{*invocation.unit}.substr(slash == std::string::npos ? 0 : slash + 1));
-  if (!node || *node < 0 || *node > kHighestNode)
+  const std::string node = invocation.unit->substr(slash == std::string::npos ? 0 : slash + 1);
+  if (!control::is_station(node))
     return fail(ExitStatus::Usage, "--unit: expected NODE or BUS/NODE, got \"" + *invocation.unit + '"');
   address.names_unit = true;
-  address.node = *node;
+  address.node = node;
   if (slash == std::string::npos) return {};
   const auto label = label_of("--unit", invocation.unit->substr(0, slash));
   if (!label) return tl::unexpected{label.error()};

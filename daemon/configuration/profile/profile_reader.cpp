@@ -11,33 +11,31 @@
 namespace axisd {
 namespace {
 
-/// Which device a key is of, where it is not one of both.
+/// A key that units of one profile have.
 struct KeyRow {
   std::string_view key;
-  bool is_cia402;
+  Profile profile;
 };
-constexpr std::array kKeysOfUnit{KeyRow{"parameters", false}, KeyRow{"infeed", false},
-                                 KeyRow{"f08701", false},     KeyRow{"modbus", false},
-                                 KeyRow{"serial", true},      KeyRow{"missed_setpoints", true}};
-constexpr std::array kKeysOfAxis{KeyRow{"setpoint_channel", false}, KeyRow{"positioner", false},
-                                 KeyRow{"positioner_wiring", false}, KeyRow{"parameters", false},
-                                 KeyRow{"homing_distance", true}};
+constexpr std::array kKeysOfUnit{
+    KeyRow{"parameters", Profile::Unit}, KeyRow{"infeed", Profile::Unit},   KeyRow{"sdo_block", Profile::Unit},
+    KeyRow{"f08701", Profile::Unit},     KeyRow{"modbus", Profile::Unit},   KeyRow{"serial", Profile::Cia402},
+    KeyRow{"missed_setpoints", Profile::Cia402}};
+constexpr std::array kKeysOfAxis{KeyRow{"setpoint_channel", Profile::Unit}, KeyRow{"positioner", Profile::Unit},
+                                 KeyRow{"positioner_wiring", Profile::Unit}, KeyRow{"parameters", Profile::Unit},
+                                 KeyRow{"homing_distance", Profile::Cia402}};
 
-constexpr std::string_view kUnit = "s120";
-constexpr std::string_view kCia402 = "cia402";
-
-void refuse_others(const JsonReader& json, std::span<const KeyRow> rows, bool is_cia402) {
+void refuse_others(const JsonReader& json, std::span<const KeyRow> rows, Profile profile) {
   for (const KeyRow& row : rows)
-    if (row.is_cia402 != is_cia402 && json.has(std::string{row.key}))
+    if (row.profile != profile && json.has(std::string{row.key}))
       json.at(std::string{row.key})
-          .fail(fmt::format(R"(a unit with "profile": "{}")", row.is_cia402 ? kCia402 : kUnit));
+          .fail(fmt::format(R"(a unit with "profile": "{}")", name_of(row.profile)));
 }
 
-bool is_cia402(const JsonReader& unit) {
-  if (!unit.has("profile")) return false;
-  const std::string name = unit.at("profile").text();
-  if (name != kUnit && name != kCia402) unit.at("profile").fail("s120 or cia402");
-  return name == kCia402;
+Profile profile_in(const JsonReader& unit) {
+  if (!unit.has("profile")) return Profile::Unit;
+  const auto profile = profile_named(unit.at("profile").text());
+  if (!profile) unit.at("profile").fail("s120 or cia402");
+  return *profile;
 }
 
 struct RoleRow {
@@ -52,16 +50,19 @@ constexpr std::array kRoles{RoleRow{"negative", cia402::Signal::NegativeLimit},
 constexpr double kFarthest = 1e9;         // load revolutions
 constexpr double kShortestSearch = 1e-3;  // likewise
 constexpr int kMostMissed = 1000;
+constexpr int kLowestNodeId = 1;
+constexpr int kHighestNodeId = 127;
 
 }  // namespace
 
-std::optional<Cia402Settings> read_profile(const JsonReader& unit) {
-  const bool cia402 = is_cia402(unit);
-  refuse_others(unit, kKeysOfUnit, cia402);
+std::optional<Cia402Settings> read_profile(const JsonReader& unit, std::optional<Profile> profile) {
+  const Profile in_file = profile_in(unit);
+  const Profile chosen = profile.value_or(in_file);
+  refuse_others(unit, kKeysOfUnit, chosen);
   if (unit.has("axes") && unit.at("axes").is_array())
     for (std::size_t i = 0; i < unit.at("axes").size(); ++i)
-      refuse_others(unit.at("axes").at(i), kKeysOfAxis, cia402);
-  if (!cia402) return std::nullopt;
+      refuse_others(unit.at("axes").at(i), kKeysOfAxis, chosen);
+  if (chosen == Profile::Unit) return std::nullopt;
   Cia402Settings settings;
   if (unit.has("serial"))
     settings.serial =
@@ -69,6 +70,13 @@ std::optional<Cia402Settings> read_profile(const JsonReader& unit) {
   if (unit.has("missed_setpoints"))
     settings.missed_setpoints = static_cast<std::uint32_t>(unit.at("missed_setpoints").integer(0, kMostMissed));
   return settings;
+}
+
+int read_cia402_node_id(const JsonReader& json) {
+  if (json.value() == Cia402Settings::kUnconfigured) return Cia402Settings::kUnconfigured;
+  if (!json.value().is_number_integer() || json.value() < kLowestNodeId || json.value() > kHighestNodeId)
+    json.fail(std::string{kCia402NodeIds});
+  return json.integer(kLowestNodeId, kHighestNodeId);
 }
 
 Cia402AxisSettings read_cia402_axis(const JsonReader& axis) {

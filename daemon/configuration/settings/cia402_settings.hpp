@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "cia402/inputs/travel_switches.hpp"
 
 namespace axisd {
+
+/// What the node-ID of a device of profile cia402 may be, for messages.
+inline constexpr std::string_view kCia402NodeIds = "an integer 1 to 127, or 255 for a node without node-ID";
 
 /// What a device of profile cia402 is told beside what both profiles have.
 struct Cia402Settings {

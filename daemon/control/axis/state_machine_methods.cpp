@@ -1,10 +1,11 @@
 // The states of an axis, and what each way from one to another needs.
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "daemon/control/handlers.hpp"
 #include "daemon/control/place.hpp"
 #include "daemon/instance/instance.hpp"
-#include "drive/explain/views/state_machine_view.hpp"
 
 namespace axisd {
 namespace {
@@ -29,19 +30,28 @@ json transition_json(const drive::TransitionView& view) {
   return told;
 }
 
+/// Those that a transition leads from or to.
+json states_of(const std::vector<drive::TransitionView>& views) {
+  json states = json::array();
+  for (std::size_t i = 0; i < drive::kStateCount; ++i) {
+    const auto state = static_cast<drive::State>(i);
+    const auto has_it = [&](const drive::TransitionView& view) { return view.from == state || view.to == state; };
+    if (std::ranges::any_of(views, has_it)) states.push_back(drive::name_of(state));
+  }
+  return states;
+}
+
 Outcome show_state_machine(const Call& call, const json& params) {
   const auto axis = required_axis(call.instance, params);
   if (!axis) return tl::unexpected{axis.error()};
   call.instance.device().tell_time(call.now);
-  const drive::Axis& of = call.instance.device().axis(*axis);
-  json states = json::array();
-  for (std::size_t i = 0; i < drive::kStateCount; ++i)
-    states.push_back(drive::name_of(static_cast<drive::State>(i)));
+  const device::Device& device = call.instance.device();
+  const std::vector<drive::TransitionView> views = device.state_machine(*axis);
   json transitions = json::array();
-  for (const drive::TransitionView& view : drive::state_machine(of)) transitions.push_back(transition_json(view));
+  for (const drive::TransitionView& view : views) transitions.push_back(transition_json(view));
   return json{{"axis", *axis},
-              {"state", drive::name_of(of.actual().state)},
-              {"states", std::move(states)},
+              {"state", drive::name_of(device.view(*axis).state)},
+              {"states", states_of(views)},
               {"transitions", std::move(transitions)}};
 }
 

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include "control/methods.hpp"
 #include "daemon/instance/instance.hpp"
 
@@ -24,8 +26,12 @@ std::string text_of(const json& params) {
 }  // namespace
 
 Outcome carry_out(const Handler& handler, const Call& call, const json& params) {
-  Outcome outcome = handler.answer(call, params);
   const control::Method* const method = control::find_method(handler.method);
+  if (method != nullptr && method->of_parameters && !call.instance.has_parameters())
+    return refuse(control::ErrorCode::Refused,
+                  fmt::format("{}: this device has no parameters: its profile is {}, see object.read",
+                              handler.method, name_of(call.instance.configuration().profile())));
+  Outcome outcome = handler.answer(call, params);
   EventWatch& events = call.instance.events();
   if (!outcome || method == nullptr || method->acts == control::Acts::No || !events.is_watched()) return outcome;
   const std::string text = text_of(params);

@@ -4,6 +4,8 @@
 #include "daemon/control/handlers.hpp"
 #include "daemon/control/parameters/parameter_write.hpp"
 #include "daemon/instance/instance.hpp"
+#include "libcanopen/base/object_index.hpp"
+#include "libcanopen/storage/storage_objects.hpp"
 
 namespace axisd {
 namespace {
@@ -32,8 +34,19 @@ Taken<void> command(const Call& call, std::string_view name) {
   return write_and_tell(call, *target, 1.0);
 }
 
+/// Saves all that the device can save.
+Taken<void> begin_save(const Call& call) {
+  if (call.instance.has_parameters()) return command(call, kSaveAll);
+  device::Device& device = call.instance.device();
+  if (!device.is_on()) return tl::unexpected{unit_is_off()};
+  const canopen::Entry* const entry = device.dictionary().lookup(canopen::object::kStoreParameters, 1);
+  const auto written = device.write_object(*entry, std::int64_t{canopen::kSaveSignature}, call.now);
+  if (!written) return tl::unexpected{control::Error{ErrorCode::Refused, "by 1010h", {}}};
+  return {};
+}
+
 Outcome store(const Call& call, const json&) {
-  const auto begun = command(call, kSaveAll);
+  const auto begun = begin_save(call);
   if (begun) return status_of_storage(call.instance);
   control::Error error = begun.error();
   if (error.code == ErrorCode::Refused)
@@ -55,6 +68,9 @@ Outcome restore(const Call& call, const json& params) {
   if (!device.is_on()) return tl::unexpected{unit_is_off()};
   if (device.is_saving()) return refuse(ErrorCode::Busy, "parameters are being saved: try again");
   if (kChoices[*which] == "stored") {
+    if (!call.instance.has_parameters())
+      return refuse(ErrorCode::Refused,
+                    "a device of this profile takes over what is stored when it is switched on, or reset by NMT");
     const auto done = command(call, kReset);
     return done ? Outcome{json::object()} : tl::unexpected{done.error()};
   }

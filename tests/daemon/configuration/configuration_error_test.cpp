@@ -7,11 +7,6 @@
 namespace axisd {
 namespace {
 
-/// The message that the command line @p words earns.
-std::string refusal_of(const std::vector<std::string>& words) {
-  return message_of([&] { configuration_of(words); });
-}
-
 class BadFiles : public testing::TestWithParam<BadFile> {};
 
 TEST_P(BadFiles, AreRefusedWithFilePlaceAndExpectation) {
@@ -63,11 +58,10 @@ const std::string kForms =
 INSTANTIATE_TEST_SUITE_P(
     Unit, BadFiles,
     testing::Values(
-        BadFile{
-            R"({"nodeid": 5})",
-            "node.json: /nodeid: unknown key, expected one of: interface, profile, node_id, axes, parameters, "
-            "supply, "
-            "infeed, sdo_block, f08701, record, trace, modbus, inject, serial, missed_setpoints, control_group"},
+        BadFile{R"({"nodeid": 5})",
+                "node.json: /nodeid: unknown key, expected one of: interface, profile, node_id, axes, parameters, "
+                "supply, infeed, sdo_block, f08701, record, trace, modbus, inject, serial, missed_setpoints, "
+                "control_group"},
         BadFile{R"({"interface": 0})", "node.json: /interface: expected a string, got 0"},
         BadFile{R"({"interface": ""})", "node.json: /interface: expected " + kForms + ", got \"\""},
         BadFile{R"({"interface": "a-rather-long-name"})",
@@ -118,8 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [1]})", "node.json: /axes/0: expected an object, got 1"},
         BadFile{R"({"axes": [{"speed": 1}]})",
                 "node.json: /axes/0/speed: unknown key, expected one of: name, type, motor, encoder, load, "
-                "plant, power_unit, setpoint_channel, positioner, positioner_wiring, switches, homing_distance, "
-                "parameters"},
+                "plant, power_unit, setpoint_channel, positioner, positioner_wiring, switches, parameters"},
         BadFile{R"({"axes": [{"setpoint_channel": 0}]})",
                 "node.json: /axes/0/setpoint_channel: expected true or false, got 0"},
         BadFile{R"({"axes": [{"type": "vector", "setpoint_channel": false}]})",
@@ -273,21 +266,35 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /axes/0/encoder/type: expected none, incremental or absolute, got \"resolver\""}));
 
 TEST(ConfigurationFile, ThatDoesNotExistIsNamed) {
-  EXPECT_EQ(refusal_of({"--config", "/nowhere/node.json"}),
+  EXPECT_EQ(message_of([] {
+              configuration_of({"--config", "/nowhere/node.json"});
+            }),
             "/nowhere/node.json: cannot be read: No such file or directory");
 }
 
 TEST(ConfigurationFile, ThatIsAFolderIsNamed) {
   const fakes::TemporaryDirectory folder;
 
-  EXPECT_EQ(refusal_of({"--config", folder.path()}), folder.path() + ": cannot be read: Is a directory");
+  EXPECT_EQ(message_of([&] {
+              configuration_of({"--config", folder.path()});
+            }),
+            folder.path() + ": cannot be read: Is a directory");
 }
 
 TEST(CommandLineValues, OutOfRangeAreRefused) {
-  EXPECT_EQ(refusal_of({"--node-id", "-1"}), "--node-id: expected an integer 0 to 127, got -1");
-  EXPECT_EQ(refusal_of({"--node-id", "128"}), "--node-id: expected an integer 0 to 127, got 128");
-  EXPECT_EQ(refusal_of({"--axes", "9"}), "--axes: expected an integer 1 to 8, got 9");
-  EXPECT_EQ(refusal_of({"--interface", "with space"}), "--interface: expected " + kForms + ", got \"with space\"");
+  EXPECT_EQ(message_of([] {
+              configuration_of({"--node-id", "-1"});
+            }),
+            "--node-id: expected an integer 0 to 127, got -1");
+  EXPECT_EQ(message_of([] {
+              configuration_of({"--node-id", "128"});
+            }),
+            "--node-id: expected an integer 0 to 127, got 128");
+  EXPECT_EQ(message_of([] { configuration_of({"--axes", "9"}); }), "--axes: expected an integer 1 to 8, got 9");
+  EXPECT_EQ(message_of([] {
+              configuration_of({"--interface", "with space"});
+            }),
+            "--interface: expected " + kForms + ", got \"with space\"");
 }
 
 }  // namespace

@@ -105,24 +105,26 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"({"control_group": 7})", "units.json: /control_group: expected a string, got 7"},
         Refused{R"({"units": [{}], "threads": 0})", "units.json: /threads: expected an integer 1 to 64, got 0"}));
 
-class OptionBesideUnits : public testing::TestWithParam<const char*> {};
+class OptionBesideUnits : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(OptionBesideUnits, IsAUsageError) {
   fakes::TemporaryDirectory folder;
   const std::string file = folder.path("units.json");
   std::ofstream{file} << R"({"units": [{}]})";
-  const std::array<const char*, 5> words{"axisd", "--config", file.c_str(), GetParam(), "3"};
+  const auto [option, value] = GetParam();
+  const std::array<const char*, 5> words{"axisd", "--config", file.c_str(), option, value};
   const Options options = parse_command_line(words.size(), words.data()).value();
 
   try {
     static_cast<void>(load_configuration(options));
     FAIL() << "accepted";
   } catch (const UsageError& error) {
-    EXPECT_EQ(error.what(), std::string{GetParam()} + ": expected nothing beside the units of " + file);
+    EXPECT_EQ(error.what(), std::string{option} + ": expected nothing beside the units of " + file);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfOneUnit, OptionBesideUnits, testing::Values("--interface", "--node-id", "--axes"));
+INSTANTIATE_TEST_SUITE_P(OfOneUnit, OptionBesideUnits, testing::Values(std::pair{"--interface", "can3"}, std::pair{"--node-id", "3"}, std::pair{"--axes", "3"},
+                                         std::pair{"--profile", "cia402"}));
 
 }  // namespace
 }  // namespace axisd

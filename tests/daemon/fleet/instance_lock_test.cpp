@@ -29,23 +29,23 @@ bus::Address address() {
   return bus::parse_address(interface()).value();
 }
 
-std::string refusal(const std::filesystem::path& root, int node_id) {
+std::string refusal(const std::filesystem::path& root, const std::string& station) {
   try {
-    const InstanceLock lock{root, address(), node_id};
+    const InstanceLock lock{root, address(), station};
   } catch (const InstanceError& error) {
     return error.what();
   }
   return "granted";
 }
 
-std::string in_use(int node_id) {
-  return fmt::format("{}: node {} is served by another axisd", interface(), node_id);
+std::string in_use(const std::string& station) {
+  return fmt::format("{}: node {} is served by another axisd", interface(), station);
 }
 
 TEST(InstanceLock, CreatesTheFolderOfItsInstance) {
   const fakes::TemporaryDirectory root;
 
-  const InstanceLock lock{root.path("state"), address(), 5};
+  const InstanceLock lock{root.path("state"), address(), "5"};
 
   EXPECT_EQ(lock.directory(), root.path("state") + "/" + interface() + "-5");
   EXPECT_TRUE(std::filesystem::is_directory(lock.directory()));
@@ -55,7 +55,7 @@ TEST(InstanceLock, CreatesFoldersForItsUserAlone) {
   const fakes::TemporaryDirectory root;
   const mode_t before = ::umask(0);
 
-  const InstanceLock lock{root.path("state/axisd"), address(), 5};
+  const InstanceLock lock{root.path("state/axisd"), address(), "5"};
 
   ::umask(before);
   for (const std::filesystem::path& made : {std::filesystem::path{root.path("state")}, lock.directory()}) {
@@ -65,17 +65,17 @@ TEST(InstanceLock, CreatesFoldersForItsUserAlone) {
 
 TEST(InstanceLock, RefusesASecondInstance) {
   const fakes::TemporaryDirectory root;
-  const InstanceLock lock{root.path(), address(), 5};
+  const InstanceLock lock{root.path(), address(), "5"};
 
-  EXPECT_EQ(refusal(root.path(), 5), in_use(5));
+  EXPECT_EQ(refusal(root.path(), "5"), in_use("5"));
 }
 
 TEST(InstanceLock, RefusesASecondInstanceThatKeepsItsStateElsewhere) {
   const fakes::TemporaryDirectory root;
   const fakes::TemporaryDirectory elsewhere;
-  const InstanceLock lock{root.path(), address(), 5};
+  const InstanceLock lock{root.path(), address(), "5"};
 
-  EXPECT_EQ(refusal(elsewhere.path(), 5), in_use(5));
+  EXPECT_EQ(refusal(elsewhere.path(), "5"), in_use("5"));
 }
 
 /// Takes the abstract name of node 5 as @p user until its end.
@@ -109,56 +109,65 @@ TEST(InstanceLock, IsNotBlockedByAStrangerWhoTakesItsName) {
   constexpr uid_t kStranger = 1001;
   const Taken taken{kStranger};
 
-  EXPECT_EQ(refusal(root.path(), 5), "granted");
+  EXPECT_EQ(refusal(root.path(), "5"), "granted");
 }
 
 TEST(InstanceLock, LeavesOtherNodesAlone) {
   const fakes::TemporaryDirectory root;
-  const InstanceLock lock{root.path(), address(), 5};
+  const InstanceLock lock{root.path(), address(), "5"};
 
-  EXPECT_EQ(refusal(root.path(), 6), "granted");
+  EXPECT_EQ(refusal(root.path(), "6"), "granted");
+}
+
+TEST(InstanceLock, TellsNodesWithoutNodeIdApart) {
+  const fakes::TemporaryDirectory root;
+  const InstanceLock lock{root.path(), address(), "unconfigured"};
+
+  EXPECT_EQ(lock.directory(), root.path(interface() + "-unconfigured"));
+  EXPECT_EQ(refusal(root.path(), "unconfigured"), in_use("unconfigured"));
+  EXPECT_EQ(refusal(root.path(), "unconfigured-7"), "granted");
 }
 
 TEST(InstanceLock, OfAnAddressSwitchAtZeroGuardsTheNodeThatIsServedToo) {
   const fakes::TemporaryDirectory root;
-  InstanceLock lock{root.path(), address(), 0};
+  InstanceLock lock{root.path(), address(), "0"};
   EXPECT_EQ(lock.directory(), root.path() + "/" + interface() + "-0");
   lock.serve(address(), 7);
 
-  EXPECT_EQ(refusal(root.path(), 0), in_use(0));
-  EXPECT_EQ(refusal(root.path(), 7), in_use(7));
-  EXPECT_EQ(refusal(root.path(), 8), "granted");
-  const InstanceLock other{root.path(), address(), 9};
+  EXPECT_EQ(refusal(root.path(), "0"), in_use("0"));
+  EXPECT_EQ(refusal(root.path(), "7"), in_use("7"));
+  EXPECT_EQ(refusal(root.path(), "8"), "granted");
+  const InstanceLock other{root.path(), address(), "9"};
   EXPECT_THROW(lock.serve(address(), 9), InstanceError);
 }
 
 TEST(InstanceLock, EndsWithTheInstance) {
   const fakes::TemporaryDirectory root;
   std::optional<InstanceLock> lock;
-  lock.emplace(root.path(), address(), 5);
+  lock.emplace(root.path(), address(), "5");
 
   lock.reset();
 
-  EXPECT_EQ(refusal(root.path(), 5), "granted");
+  EXPECT_EQ(refusal(root.path(), "5"), "granted");
 }
 
 TEST(InstanceLock, IsNotHeldByARefusedInstance) {
   const fakes::TemporaryDirectory root;
   const fakes::TemporaryDirectory elsewhere;
   std::optional<InstanceLock> lock;
-  lock.emplace(root.path(), address(), 5);
-  ASSERT_EQ(refusal(elsewhere.path(), 5), in_use(5));
+  lock.emplace(root.path(), address(), "5");
+  ASSERT_EQ(refusal(elsewhere.path(), "5"), in_use("5"));
 
   lock.reset();
 
-  EXPECT_EQ(refusal(elsewhere.path(), 5), "granted");
+  EXPECT_EQ(refusal(elsewhere.path(), "5"), "granted");
 }
 
 TEST(InstanceLock, NamesAFolderThatCannotBeCreated) {
   const fakes::TemporaryDirectory root;
   std::ofstream{root.path("file")} << "no folder";
 
-  EXPECT_EQ(refusal(root.path("file"), 5),
+  EXPECT_EQ(refusal(root.path("file"), "5"),
             root.path("file") + "/" + interface() + "-5: cannot be created: Not a directory");
 }
 

@@ -40,7 +40,7 @@ TEST_F(Program, ListsEveryOptionInItsHelp) {
 
   EXPECT_EQ(finished.status, 0);
   EXPECT_EQ(finished.errors, "");
-  for (const char* const option : {"--config", "--interface", "--node-id", "--axes", "--state-directory",
+  for (const char* const option : {"--config", "--interface", "--profile", "--node-id", "--axes", "--state-directory",
                                    "--control", "--check-config", "--log-level", "--version", "--help"})
     EXPECT_NE(finished.output.find(option), std::string::npos) << option;
 }
@@ -48,6 +48,7 @@ TEST_F(Program, ListsEveryOptionInItsHelp) {
 TEST_F(Program, RefusesACommandLineItDoesNotUnderstand) {
   expect_refusal({"--bogus"}, 2, "The following argument was not expected: --bogus (see axisd --help)");
   expect_refusal({"vcan0"}, 2, "The following argument was not expected: vcan0 (see axisd --help)");
+  expect_refusal({"--profile", "402"}, 2, "--profile: expected s120 or cia402, got \"402\"");
   expect_refusal({"--node-id", "five"}, 2, "--node-id: expected an integer 0 to 127, got \"five\"");
 }
 

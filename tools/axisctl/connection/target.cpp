@@ -19,8 +19,10 @@ namespace {
 
 using nlohmann::json;
 
-bool fits(const Address& address, std::string_view label, int node) {
-  return address.label.value_or(std::string{label}) == label && address.node.value_or(node) == node;
+bool fits(const Address& address, std::string_view label, std::string_view station) {
+  const bool is_on_bus = !address.label || *address.label == label;
+  const bool is_any = address.node == kAnyUnconfigured && control::is_unconfigured(station);
+  return is_on_bus && (!address.node || *address.node == station || is_any);
 }
 
 /// Whether nobody listens at @p path any more. A socket of another type is refused before the daemon notices.
@@ -33,9 +35,10 @@ bool is_left_behind(const std::string& path) {
 }
 
 std::string text_of(const Address& address) {
-  if (!address.label) return fmt::format("with node-ID {}", *address.node);
+  std::string text = address.label ? fmt::format("on {} ", *address.label) : "";
   if (!address.node) return fmt::format("on {}", *address.label);
-  return fmt::format("on {} with node-ID {}", *address.label, *address.node);
+  const bool is_unconfigured = address.node == kAnyUnconfigured || control::is_unconfigured(*address.node);
+  return text + (is_unconfigured ? "without node-ID" : "with node-ID " + *address.node);
 }
 
 /// The units of the daemon at @p path that @p address means, where one socket serves many.
@@ -46,9 +49,9 @@ std::vector<Target> units_of(const std::string& path, const Address& address) {
   for (const json& unit : result->value("units", json::array())) {
     const std::string name = unit.is_object() ? unit.value("unit", "") : "";
     const std::size_t slash = name.rfind('/');
-    const json node = unit.is_object() ? unit.value("node_id", json{}) : json{};
-    if (slash == std::string::npos || !node.is_number_integer()) continue;
-    if (fits(address, std::string_view{name}.substr(0, slash), node.get<int>())) found.push_back({path, name});
+    if (slash == std::string::npos) continue;
+    const std::string_view whole{name};
+    if (fits(address, whole.substr(0, slash), whole.substr(slash + 1))) found.push_back({path, name});
   }
   return found;
 }
@@ -58,7 +61,7 @@ std::vector<Target> candidates(const Address& address) {
   std::vector<Target> found;
   const bool says_nothing = !address.label && !address.node;
   for (const control::SocketFile& file : control::socket_files()) {
-    if (file.name && fits(address, file.name->label, file.name->node)) found.push_back({file.path});
+    if (file.name && fits(address, file.name->label, file.name->station)) found.push_back({file.path});
     if (file.name) continue;
     if (says_nothing) {
       found.push_back({file.path});
@@ -79,7 +82,7 @@ Expected<Target> choose_target(const Address& address) {
   const bool says_all = address.label && address.node;
   if (address.socket) {
     if (!address.names_unit) return Target{*address.socket};
-    const std::string node = address.node ? std::to_string(*address.node) : "";
+    const std::string node = address.node.value_or("");
     return Target{*address.socket, address.label ? *address.label + "/" + node : node};
   }
   std::vector<Target> found = candidates(address);
@@ -92,7 +95,8 @@ Expected<Target> choose_target(const Address& address) {
     for (const Target& target : found) several.choices.push_back(text_of(target));
     return tl::unexpected{std::move(several)};
   }
-  if (says_all && !address.names_unit) return Target{control::default_socket_path(*address.label, *address.node)};
+  if (says_all && !address.names_unit)
+    return Target{control::default_socket_path(*address.label, *address.node)};
   if (address.label || address.node)
     return fail(ExitStatus::NotReachable, fmt::format("no daemon {} runs: it would have its control socket in {}",
                                                       text_of(address), control::runtime_directory()));

@@ -2,17 +2,21 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/axisctl/connection/failure.hpp"
 
 namespace axisctl {
 
+/// For a node-ID: any unit without one.
+inline constexpr std::string_view kAnyUnconfigured = "255";
+
 /// What the command line says of the unit to talk to.
 struct Address {
   std::optional<std::string> socket{};  ///< path of the control socket; label and node are then of no account
   std::optional<std::string> label{};   ///< bus::label() of the interface
-  std::optional<int> node{};            ///< the address switch: the node-ID, 1..127, or 0
+  std::optional<std::string> node{};    ///< its station (control/socket_name.hpp), or kAnyUnconfigured
   bool names_unit = false;              ///< given by --unit: none is made up for what is left out
 };
 
