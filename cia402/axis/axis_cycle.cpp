@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::int16_t kSoftwareZeroSource = 6;  // 60D0h
 constexpr std::uint32_t kNoWindow = 0xFFFFFFFF;
+constexpr std::uint32_t kBrakeOutput = 1;  // 60FEh
 
 /// From this share of the speed cap on torque control gives way to speed control.
 constexpr double kNearCap = 0.9;
@@ -134,7 +135,10 @@ void Axis::watch() noexcept {
 DriveCommand Axis::command_of(const Demand& demand) noexcept {
   const Span limits = torque_limits_of(values_, scaling_);
   DriveCommand command{
-      .power = state_.is_powered() ? Power::On : power_, .upper_torque = limits.high, .lower_torque = limits.low};
+      .power = state_.is_powered() ? Power::On : power_,
+      .holds_brake = (values_.physical_outputs.get() & values_.output_mask.get() & kBrakeOutput) != 0,
+      .upper_torque = limits.high,
+      .lower_torque = limits.low};
   if (!state_.is_powered() || !drive_.follows) {
     control_.start(actual_.position);
     return command;

@@ -72,6 +72,7 @@ void DriveLink::set(std::size_t place, double share) noexcept {
 void DriveLink::bring(const DriveCommand& command) noexcept {
   const drive::References& references = axis_.references();
   auto& words = axis_.process_data().received;
+  axis_.block<drive::HoldingBrake>().hold(command.holds_brake);
   const bool rises = command.power == Power::On && last_ == Power::Off;
   last_ = rises ? Power::Stop : command.power;
   words[kControlword] = controlword_of(last_);

@@ -21,6 +21,7 @@ struct DriveCommand {
   Power power = Power::Off;
   bool torque_control = false;
   bool acknowledges = false;   ///< faults
+  bool holds_brake = false;    ///< the holding brake stays closed, whatever the drive does
   double speed = 0.0;          ///< setpoint (rad/s)
   double torque = 0.0;         ///< setpoint of torque control (N·m)
   double torque_offset = 0.0;  ///< added to the setpoint that the speed controller gives (N·m)

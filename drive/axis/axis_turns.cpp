@@ -112,7 +112,7 @@ void Axis::lead_brake() noexcept {
   const auto& sequence = block<SequenceControl>();
   auto& brake = block<HoldingBrake>();
   const bool open = sequence.pulses_enabled() && !(is_braking(sequence.state()) && stands());
-  train_.set_brake(!open);
+  train_.set_brake(!open || brake.is_held_closed());
   brake.lead(open, duration_);
   if (brake.is_opening()) block<SetpointChannel>().wait();  // the setpoint waits for the brake
 }

@@ -30,6 +30,9 @@ class HoldingBrake {
   void lead(bool open, double duration) noexcept {
     opening_ = open ? std::max(0.0, opening_ - duration) : settings.opening_time;
   }
+  /// Somebody beside the sequence control holds it @p closed; without that the sequence control leads it.
+  void hold(bool closed) noexcept { held_closed_ = closed; }
+  bool is_held_closed() const noexcept { return held_closed_; }
   /// Time until it is open (s).
   double opening() const noexcept { return opening_; }
   bool is_opening() const noexcept { return opening_ > 0.0; }
@@ -41,6 +44,7 @@ class HoldingBrake {
 
  private:
   double opening_ = 0.0;  // s
+  bool held_closed_ = false;
 };
 
 }  // namespace drive

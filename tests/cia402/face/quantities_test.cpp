@@ -126,5 +126,22 @@ TEST(TouchProbe, KeepsTheExactPositionOfAnEdge) {
   EXPECT_EQ(device.read(0x60D5), 1);
 }
 
+TEST(DigitalOutputs, KeepTheBrakeClosedWhereTheMaskHasIt) {
+  Configuration configuration{.node_id = 5};
+  configuration.axes.front().drive.load.brake.torque = 100.0;
+  TestDevice device{configuration};
+  device.enable(Mode::ProfileVelocity);
+  device.write(0x60FE, 1, 1);
+  device.write(0x60FF, 200000);
+  device.passes(1s);
+  EXPECT_NEAR(static_cast<double>(device.velocity()), 200000.0, 1000.0) << "the mask leaves it to the drive";
+  device.write(0x60FE, 2, 1);
+  device.passes(1s);
+  EXPECT_NEAR(static_cast<double>(device.velocity()), 0.0, 100.0);
+  device.write(0x60FE, 1, 0);
+  device.passes(1s);
+  EXPECT_NEAR(static_cast<double>(device.velocity()), 200000.0, 1000.0);
+}
+
 }  // namespace
 }  // namespace cia402
