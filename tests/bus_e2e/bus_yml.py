@@ -10,16 +10,10 @@ import sys
 import time
 
 import programs
+from bus_file import configure, slaves_of
 from eds_file import Eds
 from master import NODE, Abort, Master, can
 
-try:
-    import yaml
-except ImportError as missing:
-    sys.exit(f'{missing}: install python3-yaml (scripts/setup.sh)')
-
-INVALID = 0x80000000
-RPDO, TPDO = 0x1400, 0x1800
 PERIOD = 0.01  # s
 NO_OBJECT = 0x06020000
 TARGET = 10.0  # rad/s
@@ -27,64 +21,6 @@ HELD = 20  # frames in which a position would have passed TARGET
 PROFILE_VELOCITY = 3
 HALT = 0x0100  # the driver sets it until it has a target
 STATES = ((0x06, 0x21), (0x07, 0x23), (0x0F, 0x27))
-
-
-def slave_of(bus):
-    """The only slave of a bus.yml of either form."""
-    nodes = bus.get('nodes') or {name: node for name, node in bus.items() if name not in ('master', 'options')}
-    (slave,) = nodes.values()
-    return slave
-
-
-def auto_cob_id(communication, number):
-    return (0x180 if communication == TPDO else 0x200) + 0x100 * (number - 1) + NODE
-
-
-def mapping_writes(eds, index, mapping):
-    assert len(mapping) <= 4, f'{index:04X}h: the unit takes four entries, not {len(mapping)}'
-    yield index, 0, 0
-    bits = 0
-    for number, entry in enumerate(mapping, 1):
-        mapped = entry['index'], entry['sub_index']
-        assert eds.is_mappable(*mapped), f'{mapped[0]:04X}h:{mapped[1]:02X} cannot be mapped'
-        bits += eds.bits(*mapped)
-        yield index, number, mapped[0] << 16 | mapped[1] << 8 | eds.bits(*mapped)
-    assert bits <= 64, f'{index:04X}h: {bits} bits'
-    yield index, 0, len(mapping)
-
-
-def pdo_writes(eds, communication, number, pdo):
-    """(index, sub-index, value) of one PDO, as dcfgen orders them."""
-    index = communication + number - 1
-    assert pdo.get('cob_id', 'auto') == 'auto'
-    cob_id = auto_cob_id(communication, number)
-    yield index, 1, cob_id | INVALID
-    if 'transmission' in pdo and pdo['transmission'] != eds.default(index, 2):
-        yield index, 2, pdo['transmission']
-    if 'mapping' in pdo:
-        yield from mapping_writes(eds, index + 0x200, pdo['mapping'])
-    if pdo['enabled']:
-        yield index, 1, cob_id
-
-
-def writes_of(eds, slave):
-    yield 0x1017, 0, slave['heartbeat_producer']
-    for key, communication in (('rpdo', RPDO), ('tpdo', TPDO)):
-        for number, pdo in slave[key].items():
-            yield from pdo_writes(eds, communication, number, pdo)
-    for entry in slave.get('sdo', []):
-        yield entry['index'], entry['sub_index'], entry['value']
-
-
-def configure(master, eds, slave):
-    count = 0
-    for index, sub_index, value in writes_of(eds, slave):
-        try:
-            master.write(index, sub_index, eds.packed(index, sub_index, value))
-        except Abort as abort:
-            raise AssertionError(f'{index:04X}h:{sub_index:02X} = {value:X}h: {abort.args[0]:08X}h') from abort
-        count += 1
-    return count
 
 
 def command(master, controlword, mode):
@@ -133,8 +69,7 @@ def position_is_missing(master):
 
 def main():
     bin_folder, eds_path, bus_path = sys.argv[1:]
-    with open(bus_path, encoding='ascii') as file:
-        slave = slave_of(yaml.safe_load(file))
+    (slave,) = slaves_of(bus_path).values()
     assert slave['node_id'] == NODE
     per_radian = 4194304 / (2 * math.pi)
     to_device = slave.get('scale_vel_to_dev', per_radian)

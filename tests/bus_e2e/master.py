@@ -21,10 +21,11 @@ class Abort(Exception):
 
 
 class Master:
-    """Sends frames and waits for those of node 5."""
+    """Sends frames and waits for those of a node."""
 
-    def __init__(self, bus):
+    def __init__(self, bus, node=NODE):
         self.bus = bus
+        self.node = node
 
     def send(self, identifier, data):
         self.bus.send(can.Message(arbitration_id=identifier, is_extended_id=False, data=bytes.fromhex(data)))
@@ -52,19 +53,19 @@ class Master:
 
     def write(self, index, sub_index, data):
         """Expedited SDO download of one to four bytes."""
-        self.send(0x600 + NODE, (struct.pack('<BHB', 0x23 | (4 - len(data)) << 2, index, sub_index)
+        self.send(0x600 + self.node, (struct.pack('<BHB', 0x23 | (4 - len(data)) << 2, index, sub_index)
                                  + data.ljust(4, b'\0')).hex())
         self._sdo_answer(index, sub_index)
 
     def upload(self, index, sub_index=0):
         """Expedited SDO upload; one to four bytes."""
-        self.send(0x600 + NODE, struct.pack('<BHB4x', 0x40, index, sub_index).hex())
+        self.send(0x600 + self.node, struct.pack('<BHB4x', 0x40, index, sub_index).hex())
         answer = self._sdo_answer(index, sub_index)
         assert answer[0] & 0xF3 == 0x43, answer.hex()
         return bytes(answer[4:8 - (answer[0] >> 2 & 3)])
 
     def _sdo_answer(self, index, sub_index):
-        answer = self.receive(0x580 + NODE)
+        answer = self.receive(0x580 + self.node)
         assert answer[1:4] == struct.pack('<HB', index, sub_index), answer.hex()
         if answer[0] == 0x80:
             raise Abort(struct.unpack('<I', answer[4:])[0])
