@@ -9,7 +9,7 @@ import time
 
 import cia402_unit as unit
 import programs
-from cia402_unit import ACKNOWLEDGED, ATTAINED, ENABLED, ERROR, HOMING, NO_MODE, PROFILE_POSITION, REACHED, REVOLUTION
+from cia402_unit import ACKNOWLEDGED, ATTAINED, DISABLED, ENABLED, ERROR, HOMING, NO_MODE, PROFILE_POSITION, REACHED, REVOLUTION
 from master import NODE
 
 INDEX_POSITIVE, PRESENT = 34, 35
@@ -23,7 +23,6 @@ class Node402:
 
     def __init__(self, master):
         self.master = master
-        self.last = 0  # controlword
 
     def read_pdos(self):
         """pdo.read(): each PDO of the EDS, over SDO."""
@@ -64,11 +63,12 @@ class Node402:
         self.master.send(RPDO, controlword.to_bytes(2, 'little').hex())
 
     def select(self, mode):
-        """op_mode: RPDO 2 carries the last controlword as well."""
+        """op_mode: RPDO 2 has a controlword of its own, which is 0; the axis has to be enabled again."""
         supported = self.master.get(0x6502)
         assert mode == NO_MODE or supported >> (mode - 1) & 1, f'{supported:X}h'
-        self.master.send(RPDO + 0x100, self.last.to_bytes(2, 'little').hex() + f'{mode:02x}')
+        self.master.send(RPDO + 0x100, f'0000{mode:02x}')
         assert self.master.get(0x6061) == mode
+        assert unit.is_in(DISABLED, self.check_statusword())
         while self.master.bus.latest[TPDO + 0x100][2] != mode:
             self.master.receive(TPDO + 0x100)
 
@@ -78,8 +78,7 @@ class Node402:
         while (state := self.state) != ENABLED:
             assert time.monotonic() < deadline, f'{state:02X}h'
             assert state in TRANSITIONS, f'no way on from {state:02X}h'
-            self.last = TRANSITIONS[state]
-            self.control(self.last)
+            self.control(TRANSITIONS[state])
             assert not self.check_statusword() & 0x08, 'fault'
             self.master.until(lambda now, former=state: now & 0x6F != former, f'a way on from {state:02X}h')
 
@@ -87,8 +86,7 @@ class Node402:
         """homing(): 001Fh, then 6041h & 3400h has to be one of three until it is over; the positions of the motor meanwhile."""
         self.select(HOMING)
         self.switch_to_enabled()
-        self.last = 0x1F
-        self.control(self.last)
+        self.control(0x1F)
         seen = set()
         deadline = time.monotonic() + 30 + programs.PATIENCE
         while (status := self.check_statusword() & HOMING_MASK) not in (ATTAINED, ATTAINED | REACHED):
@@ -121,20 +119,20 @@ def home(node):
     master.until(lambda now: now & HOMING_MASK == ATTAINED | REACHED, 'rest behind the index')
     node.control(0x0F)
     assert master.get(0x6041) & HOMING_MASK == ATTAINED | REACHED
-    node.last = 0x0F
     node.select(NO_MODE)
     node.select(HOMING)
+    node.switch_to_enabled()
     assert node.check_statusword() & HOMING_MASK == ATTAINED | REACHED  # is_homed() after another mode
     master.put(0x6098, PRESENT)
     node.homing()
     assert abs(master.get(0x6064)) < REVOLUTION // 100
-    node.last = 0x0F
-    node.control(node.last)
+    node.control(0x0F)
 
 
 def position(node):
     master = node.master
     node.select(PROFILE_POSITION)
+    node.switch_to_enabled()
     master.put(0x6081, 20 * REVOLUTION)
     master.put(0x6083, 200 * REVOLUTION)
     master.put(0x6084, 200 * REVOLUTION)

@@ -144,10 +144,11 @@ class Cia402Master(Master):
 
 
 def start_unit(folder, axes=(), **unit):
-    """axisd with the profile cia402 as node 5, ready on the bus of with-can; UNIT adds to its configuration."""
+    """axisd with the profile cia402 as node 5, ready on the bus of with-can or on vcan0; UNIT adds to its configuration."""
     with open(folder.path('axisd.json'), 'w', encoding='ascii') as file:
         json.dump({'profile': 'cia402', 'axes': list(axes) or [{}], **unit}, file)
-    daemon = folder.start('axisd', '--interface', f'unix:{os.environ["CAN_BUS"]}', '--node-id', str(NODE),
+    interface = f'unix:{os.environ["CAN_BUS"]}' if 'CAN_BUS' in os.environ else 'vcan0'
+    daemon = folder.start('axisd', '--interface', interface, '--node-id', str(NODE),
                           '--config', folder.path('axisd.json'), '--state-directory', folder.path('state'),
                           '--control', folder.path('control.sock'))
     daemon.expect(f'ready: node {NODE} on')
