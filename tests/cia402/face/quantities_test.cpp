@@ -136,7 +136,7 @@ TEST(DigitalOutputs, KeepTheBrakeClosedWhereTheMaskHasIt) {
   device.passes(1s);
   EXPECT_NEAR(static_cast<double>(device.velocity()), 200000.0, 1000.0) << "the mask leaves it to the drive";
   device.write(0x60FE, 2, 1);
-  device.passes(1s);
+  device.passes(300ms);
   EXPECT_NEAR(static_cast<double>(device.velocity()), 0.0, 100.0);
   device.write(0x60FE, 1, 0);
   device.passes(1s);
