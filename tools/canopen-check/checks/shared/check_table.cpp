@@ -36,6 +36,12 @@ constexpr std::array kTables{device_checks,
                              storage_checks,
                              lss_checks,
                              drive_checks,
+                             drive_mode_checks,
+                             drive_state_checks,
+                             drive_stop_checks,
+                             drive_positioning_checks,
+                             drive_homing_checks,
+                             drive_limit_checks,
                              robustness_checks};
 
 }  // namespace

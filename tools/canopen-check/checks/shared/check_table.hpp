@@ -39,6 +39,12 @@ namespace conformance {
 [[nodiscard]] std::span<const Check> storage_checks() noexcept;
 [[nodiscard]] std::span<const Check> lss_checks() noexcept;
 [[nodiscard]] std::span<const Check> drive_checks() noexcept;
+[[nodiscard]] std::span<const Check> drive_mode_checks() noexcept;
+[[nodiscard]] std::span<const Check> drive_state_checks() noexcept;
+[[nodiscard]] std::span<const Check> drive_stop_checks() noexcept;
+[[nodiscard]] std::span<const Check> drive_positioning_checks() noexcept;
+[[nodiscard]] std::span<const Check> drive_homing_checks() noexcept;
+[[nodiscard]] std::span<const Check> drive_limit_checks() noexcept;
 [[nodiscard]] std::span<const Check> robustness_checks() noexcept;
 
 /// Every check that needs the node, in the order in which they run.

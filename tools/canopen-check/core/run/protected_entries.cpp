@@ -12,11 +12,17 @@ namespace {
 constexpr std::array<std::uint16_t, 10> kMotion{0x6040, 0x6042, 0x6060, 0x6071, 0x6074,
                                                 0x607A, 0x60B0, 0x60B1, 0x60B2, 0x60FF};
 
-bool moves(std::uint16_t index) noexcept {
-  if (index < kFirstAxis || index >= kEndOfAxes) return false;
-  const auto of_first = static_cast<std::uint16_t>(kFirstAxis + (index - kFirstAxis) % kAxisDistance);
-  return std::ranges::find(kMotion, of_first) != kMotion.end();
+/// The object of the first axis for one of any axis; 0 for others.
+std::uint16_t of_first_axis(std::uint16_t index) noexcept {
+  if (index < kFirstAxis || index >= kEndOfAxes) return 0;
+  return static_cast<std::uint16_t>(kFirstAxis + (index - kFirstAxis) % kAxisDistance);
 }
+
+bool moves(std::uint16_t index) noexcept {
+  return std::ranges::find(kMotion, of_first_axis(index)) != kMotion.end();
+}
+
+constexpr std::uint16_t kControlword = 0x6040;
 
 /// Objects whose writing is an order, not a value.
 struct Order {
@@ -36,6 +42,7 @@ const char* write_refusal(const EntryFacts& entry, const Settings& settings) noe
       (entry.index == object::kStoreParameters || entry.index == object::kRestoreParameters))
     return "it needs --allow-store";
   if (!settings.allow_motion && moves(entry.index)) return "it needs --allow-motion";
+  if (of_first_axis(entry.index) == kControlword) return "it is a command to the drive";
   const auto order = std::ranges::find_if(
       kOrders, [&](const Order& row) { return entry.index >= row.first && entry.index <= row.last; });
   return order == kOrders.end() ? nullptr : order->refusal;

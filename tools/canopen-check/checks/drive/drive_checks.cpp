@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/canopen-check/checks/drive/axis.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/stored_values.hpp"
 #include "tools/canopen-check/core/run/context.hpp"
@@ -12,38 +13,9 @@ namespace conformance {
 namespace {
 
 constexpr std::uint16_t kAxes = 8;
-constexpr std::uint16_t kControlword = 0x6040, kStatusword = 0x6041, kMode = 0x6060, kModeDisplay = 0x6061,
-                        kSupportedModes = 0x6502;
-
-/// Offsets of the axes that have @p object; without any the check is skipped.
-std::vector<std::uint16_t> axes_with(Context& context, std::uint16_t object) {
-  std::vector<std::uint16_t> offsets;
-  for (std::uint16_t axis = 0; axis < kAxes; ++axis) {
-    const auto offset = static_cast<std::uint16_t>(axis * kAxisDistance);
-    const auto index = static_cast<std::uint16_t>(object + offset);
-    if (context.eds().empty() ? axis == 0 && context.read(index).done() : context.eds().has(index))
-      offsets.push_back(offset);
-  }
-  if (offsets.empty()) context.skip(fmt::format("object {:04X}h is not there: no drive", object));
-  return offsets;
-}
 
 std::uint16_t at(std::uint16_t object, std::uint16_t offset) noexcept {
   return static_cast<std::uint16_t>(object + offset);
-}
-
-/// A state of the state machine: the statusword masked.
-struct DriveState {
-  std::uint16_t mask, bits;
-  const char* name;
-};
-constexpr DriveState kDisabled{0x4F, 0x40, "Switch on disabled"}, kReady{0x6F, 0x21, "Ready to switch on"},
-    kSwitchedOn{0x6F, 0x23, "Switched on"};
-constexpr std::uint16_t kShutdown = 0x0006, kSwitchOn = 0x0007, kDisableVoltage = 0x0000, kFaultReset = 0x0080,
-                        kFaultBit = 0x0008;
-
-bool is_in(std::uint64_t statusword, const DriveState& state) noexcept {
-  return (statusword & state.mask) == state.bits;
 }
 
 /// A drive of CiA 402 says so, and one of several axes names none of them.
@@ -149,91 +121,15 @@ void boots_without_power(Context& context) {
     const auto word = context.number(at(kStatusword, offset));
     const bool fault = word && (*word & kFaultBit) != 0;
     if (fault) context.note(fmt::format("{:04X}h: a fault after the boot-up", at(kStatusword, offset)));
-    if (word && !fault && !is_in(*word, kDisabled) && !is_in(*word, kNotReady))
+    if (word && !fault && !kSwitchOnDisabled.is(*word) && !kNotReady.is(*word))
       context.fail(at(kStatusword, offset), 0, "Switch on disabled, xx40h or xx50h",
                    fmt::format("{:04X}h", *word));
-  }
-}
-
-void refuses_unsupported_modes(Context& context) {
-  constexpr std::uint64_t kModeBits = 10;
-  for (const std::uint16_t offset : axes_with(context, kSupportedModes)) {
-    const auto modes = context.number(at(kSupportedModes, offset));
-    const auto before = context.number(at(kModeDisplay, offset));
-    if (!modes || !before) return;
-    std::uint64_t mode = 1;
-    while (mode <= kModeBits && (*modes >> (mode - 1) & 1U) != 0) ++mode;
-    context.step();
-    const SdoAnswer answer = context.write_number(at(kMode, offset), 0, mode);
-    context.session().pass(std::chrono::milliseconds{50});
-    if (answer.done()) {
-      if (const auto now = context.number(at(kModeDisplay, offset)); now && *now == mode)
-        context.fail(at(kMode, offset), 0, fmt::format("mode {}, which 6502h does not have, is refused", mode),
-                     "6061h shows it");
-      else
-        context.note(
-            fmt::format("{:04X}h takes mode {}, which does not come into force", at(kMode, offset), mode));
-      continue;
-    }
-    context.expect_abort(answer, {0x06090030, 0x06090031, 0x06090032}, at(kMode, offset), 0,
-                         fmt::format("the unsupported mode {}", mode));
-  }
-}
-
-/// One command, and the state that it has to lead to from the one before.
-struct Transition {
-  std::uint16_t command;
-  const DriveState* state;
-  const char* text;
-};
-/// Enable operation is never commanded, not even where it must have no effect.
-constexpr std::array kTransitions{Transition{kDisableVoltage, &kDisabled, "Disable voltage"},
-                                  Transition{kSwitchOn, &kDisabled, "Switch on in Switch on disabled"},
-                                  Transition{kShutdown, &kReady, "Shutdown"},
-                                  Transition{kSwitchOn, &kSwitchedOn, "Switch on"},
-                                  Transition{kShutdown, &kReady, "Shutdown in Switched on"},
-                                  Transition{kDisableVoltage, &kDisabled, "Disable voltage"}};
-
-/// Writes @p command and waits for @p state: the last statusword.
-std::uint64_t command(Context& context, std::uint16_t offset, std::uint16_t command, const DriveState& state) {
-  constexpr int kAttempts = 40;
-  (void)context.write_number(at(kControlword, offset), 0, command);
-  std::uint64_t word = 0;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    context.session().pass(std::chrono::milliseconds{10});
-    word = context.read(at(kStatusword, offset)).number();
-    if (attempt > 0 && is_in(word, state)) break;
-  }
-  return word;
-}
-
-void follows_the_state_machine(Context& context) {
-  for (const std::uint16_t offset : axes_with(context, kControlword)) {
-    (void)command(context, offset, kDisableVoltage, kDisabled);
-    if ((command(context, offset, kFaultReset, kDisabled) & kFaultBit) != 0) {
-      context.note(fmt::format("{:04X}h: a fault that cannot be reset", at(kStatusword, offset)));
-      continue;
-    }
-    for (const Transition& transition : kTransitions) {
-      context.step();
-      const std::uint64_t word = command(context, offset, transition.command, *transition.state);
-      if (is_in(word, *transition.state)) continue;
-      context.fail(at(kStatusword, offset), 0, fmt::format("{} after {}", transition.state->name, transition.text),
-                   fmt::format("{:04X}h", word));
-      break;
-    }
-    (void)command(context, offset, kDisableVoltage, kDisabled);
   }
 }
 
 constexpr auto row(std::string_view id, std::string_view name, std::string_view clause, Mode mode,
                    void (*run)(Context&)) {
   return Check{.id = id, .name = name, .clause = clause, .group = Group::Drive, .mode = mode, .run = run};
-}
-
-constexpr auto moving(Check check) {
-  check.moves = true;
-  return check;
 }
 
 constexpr std::array kChecks{
@@ -247,10 +143,6 @@ constexpr std::array kChecks{
         Mode::ReadOnly, has_generic_pdos),
     row("drive.boot-state", "A drive boots into Switch on disabled", "CiA 402-2 6041h", Mode::Full,
         boots_without_power),
-    moving(row("drive.unsupported-mode", "A mode that is not supported is refused or does not come into force",
-               "CiA 402-2 6060h", Mode::Full, refuses_unsupported_modes)),
-    moving(row("drive.state-machine", "The state machine follows its commands up to Switched on",
-               "CiA 402-2 6040h", Mode::Full, follows_the_state_machine)),
 };
 
 }  // namespace
