@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kDescription =
     "Tests a CANopen slave against CiA 301 and its EDS. What is written is read before and restored afterwards; a "
-    "drive is\nnever enabled.";
+    "drive is\nenabled with --allow-motion only.";
 constexpr std::array kExitRows{
     cli::ExitRow{kClean, "no check failed; known deviations are no failure"},
     cli::ExitRow{kFound,
@@ -63,7 +63,7 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   modes->require_option(0, 1);
   app.add_flag("--allow-store", options.settings.allow_store, "may store and load parameters (1010h, 1011h)");
   app.add_flag("--allow-motion", options.settings.allow_motion,
-               "may write controlword, mode and setpoints; never enables the drive");
+               "may enable and move a drive of CiA 402: up to half a revolution, slowly");
   app.add_flag("--no-reset", words.no_reset,
                "sends no NMT command that resets the node; checks that need one are skipped");
   app.add_option("--timeout", words.timeout, "how long an SDO answer may take (default: 1000)")

@@ -29,6 +29,10 @@ std::vector<WrongSlave> residents() {
       {.name = "RightWithLss",
        .what = "Nothing is wrong; it has those services of LSS that need no reset.",
        .defect = right_lss(),
+       .found_by = {}},
+      {.name = "RightDrive",
+       .what = "Nothing is wrong; it is a drive of CiA 402 that positions, turns and homes.",
+       .defect = {.drive = DriveFlaws{}},
        .found_by = {}}};
   std::vector<WrongSlave> wrong = wrong_slaves();
   std::move(wrong.begin(), wrong.end(), std::back_inserter(all));
@@ -51,7 +55,7 @@ tl::expected<WrongSlave, std::string> find_resident(std::string_view name) {
 }
 
 std::string eds_of(const WrongSlave& slave) {
-  std::string text = eds_of(right_objects());
+  std::string text = eds_of(objects_of(slave.defect));
   slave.defect.eds(text);
   return text;
 }

@@ -42,5 +42,30 @@ TEST(RightSlave, SkipsOnlyWhatItDoesNotOffer) {
         << id << ": " << reason;
 }
 
+TEST(RightDrive, HasAnEdsWithoutAFinding) {
+  const eds::Findings findings = eds::lint(eds_of(objects_of({.drive = DriveFlaws{}})), "right.eds");
+  for (const eds::Finding& finding : findings.all()) ADD_FAILURE() << eds::to_text(finding);
+}
+
+TEST(RightDrive, HasNoFinding) {
+  EXPECT_EQ(findings_of(run_checks({.drive = DriveFlaws{}})), "");
+}
+
+TEST(RightDrive, HasEveryCheckOfDrives) {
+  const conformance::RunReport report = run_checks({.drive = DriveFlaws{}}, "drive.");
+  EXPECT_TRUE(skipped(report).empty()) << skipped(report).begin()->first << ": "
+                                       << skipped(report).begin()->second;
+  EXPECT_EQ(report.count(conformance::Outcome::Passed), report.results.size());
+}
+
+TEST(RightDrive, StandsStillWithoutAllowMotion) {
+  conformance::Settings settings = full_settings();
+  settings.allow_motion = false;
+  const conformance::RunReport report = run_checks({.drive = DriveFlaws{}}, "drive.", settings);
+  EXPECT_EQ(findings_of(report), "");
+  for (const conformance::CheckResult& result : report.results)
+    EXPECT_EQ(result.outcome == conformance::Outcome::Skipped, result.check->moves) << result.check->id;
+}
+
 }  // namespace
 }  // namespace conformance_test

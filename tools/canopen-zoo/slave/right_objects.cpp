@@ -218,7 +218,8 @@ std::string describe(const EntryDescription& row, bool has_default = true) {
 }
 
 bool is_array(std::uint16_t index) {
-  return index == 0x1003 || index == 0x1010 || index == 0x1011 || index == 0x1016 || index == 0x1029;
+  return index == 0x1003 || index == 0x1010 || index == 0x1011 || index == 0x1016 || index == 0x1029 ||
+         index == 0x607D || index == 0x608F;
 }
 
 /// The sections of one object.

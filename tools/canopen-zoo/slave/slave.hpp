@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "libcanopen/base/cob_id.hpp"
 #include "libcanopen/node/node.hpp"
+#include "tools/canopen-zoo/drive/drive.hpp"
 #include "tools/canopen-zoo/slave/document.hpp"
 #include "tools/canopen-zoo/slave/right_objects.hpp"
 #include "tools/canopen-zoo/slave/station.hpp"
@@ -35,9 +37,14 @@ struct Defect {
   std::function<void(Slave&)> after_reset = [](auto&) {};
   /// True if "save" and "load" are confirmed, but nothing is done.
   bool forgets_to_store = false, forgets_to_restore = false;
+  /// Makes it a drive, which is right but for these.
+  std::optional<DriveFlaws> drive{};
 };
 
-/// A CANopen slave over right_objects(), with storage in memory: every RPDO advances kCounter, and kMirror follows
+/// The dictionary of a right slave, or of a right drive where @p defect makes it one.
+[[nodiscard]] std::vector<canopen::EntryDescription> objects_of(const Defect& defect);
+
+/// A CANopen slave over objects_of(), with storage in memory: every RPDO advances kCounter, and kMirror follows
 /// kStep.
 class Slave final : public Station, private canopen::FrameSink, private canopen::Application {
  public:
@@ -65,6 +72,7 @@ class Slave final : public Station, private canopen::FrameSink, private canopen:
   void send(const canopen::Frame& frame, canopen::Delivery delivery) override;
   void on_rpdo(std::uint16_t number) noexcept override;
   void on_reset(canopen::NmtCommand command) noexcept override;
+  void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   canopen::Result<void> on_store(std::uint8_t sub_index) noexcept override;
   canopen::Result<void> on_restore(std::uint8_t sub_index) noexcept override;
 
@@ -72,6 +80,7 @@ class Slave final : public Station, private canopen::FrameSink, private canopen:
   std::vector<canopen::EntryDescription> table_;
   canopen::Dictionary dictionary_;
   Document document_;
+  std::optional<Drive> drive_{};
   canopen::Node node_;
   canopen::TimePoint now_;
   std::vector<canopen::Frame> frames_;

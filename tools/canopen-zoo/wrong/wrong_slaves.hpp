@@ -36,6 +36,7 @@ struct WrongSlave {
 [[nodiscard]] std::vector<WrongSlave> wrong_robustness_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_lss_slaves();
 [[nodiscard]] std::vector<WrongSlave> wrong_storage_slaves();
+[[nodiscard]] std::vector<WrongSlave> wrong_drive_slaves();
 
 /// A slave that does everything right, LSS too.
 [[nodiscard]] Defect right_lss();

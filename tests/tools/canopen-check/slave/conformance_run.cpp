@@ -17,7 +17,7 @@ conformance::RunReport run_checks(const Defect& defect, std::string_view only,
   Slave slave{defect};
   SimulatedWire wire;
   wire.add(slave);
-  std::string text = eds_of(right_objects());
+  std::string text = eds_of(objects_of(defect));
   defect.eds(text);
   eds::Findings findings{"right.eds"};
   const eds::Document document = eds::read_document(text, findings);
