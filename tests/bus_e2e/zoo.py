@@ -29,7 +29,7 @@ def check(folder, slave, checks):
     try:
         program.expect(f'ready: node {NODE} on ')
         run = subprocess.run([os.path.join(folder.bin_folder, 'canopen-check'), '--interface', bus, '--node', NODE,
-                              '--eds', eds, '--json', report, '--allow-store', '--only', ','.join(checks), *LIMITS],
+                              '--eds', eds, '--json', report, '--allow-store', '--allow-motion', '--only', ','.join(checks), *LIMITS],
                              env=folder.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                              timeout=6 * programs.PATIENCE)
         status = program.end()

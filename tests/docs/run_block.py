@@ -74,6 +74,7 @@ BLOCKS = {
     'http': Blocks('docs/reference/http.md', ['axisd-http & sleep 2'], unit=True),
     'if1': Blocks('docs/reference/interfaces.md', ['axisctl set 1/p0922', 'axisctl ds47', 'axisctl pkw'], unit=True),
     'zoo': Blocks('docs/reference/zoo.md', ['canopen-zoo --run NeverToggles --interface unix: --node 5 &',
+                                            'canopen-zoo --run NeverAcknowledges',
                                             'canopen-zoo --run NeverToggles --interface unix: --node 5 --eds']),
     'lint': Blocks('docs/reference/eds-checks.md', ['edstool lint --severity error'],
                    copies={'device.eds': 'eds/axisd.eds', 'known.txt': 'tests/docs/known.txt'}),

@@ -139,16 +139,22 @@ bool Axis::enter(DriveMode mode) {
          skip(fmt::format("{:04X}h does not come to mode {}", at(kModeDisplay), wanted));
 }
 
-bool Axis::disable() {
+bool Axis::switch_off() {
   command(kDisableVoltage);
-  if (await(kStatePatience, [&] { return kSwitchOnDisabled.is(status()) || kFault.is(status()); }) &&
-      kSwitchOnDisabled.is(status()))
-    return true;
+  (void)await(kStatePatience, [&] {
+    const std::uint16_t word = status();
+    return kSwitchOnDisabled.is(word) || kFault.is(word);
+  });
+  if (kSwitchOnDisabled.is(status())) return true;
   command(kFaultReset);
   const bool done = reaches(kSwitchOnDisabled);
   command(kDisableVoltage);
-  return done || skip(fmt::format("{:04X}h: the drive does not come to Switch on disabled but is in {}",
-                                  at(kStatusword), state_in(status())));
+  return done;
+}
+
+bool Axis::disable() {
+  return switch_off() || skip(fmt::format("{:04X}h: the drive does not come to {} but is in {}", at(kStatusword),
+                                          kSwitchOnDisabled.name, state_in(status())));
 }
 
 bool Axis::enable() {
@@ -174,8 +180,8 @@ void Axis::rest() {
                           static_cast<std::uint64_t>(std::abs(value(kVelocity))) <= slow);
     });
   }
-  command(kDisableVoltage);
-  (void)reaches(kSwitchOnDisabled);
+  if (!switch_off() && !skipped_)
+    context_->note(fmt::format("{:04X}h: the drive is left in {}", at(kStatusword), state_in(status())));
   context_->session().clean_up(false);
 }
 

@@ -115,6 +115,8 @@ class Axis {
   void rest();
 
  private:
+  bool switch_off();
+
   Context* context_;
   std::uint16_t offset_;
   std::optional<std::string> skipped_;
