@@ -110,6 +110,8 @@ void Face::on_synchronous_rpdos() noexcept {
 }
 
 void Face::on_sdo_written(const canopen::Entry& entry) noexcept {
+  const bool is_of_rpdo = entry.index >= object::kRpdoParameter && entry.index < object::kTpdoParameter;
+  if (is_of_rpdo && node_.state() == canopen::NmtState::Operational) follow_rpdos();
   if (entry.index == object::kVerifyConfiguration || !ObjectImage::is_kept(entry)) return;
   for (const std::uint8_t sub_index : {std::uint8_t{1}, std::uint8_t{2}})
     if (const canopen::Entry* const date = objects_.dictionary.lookup(object::kVerifyConfiguration, sub_index))

@@ -113,6 +113,7 @@ class Face final : public device::BusFace,
   bool rests(std::size_t axis) const noexcept;
   void lose_connection(bool only_late = false) noexcept;
   void power_on_axes() noexcept;
+  void follow_rpdos() noexcept;
   void forget_errors(std::size_t axis) noexcept;
   canopen::Result<void> keep(std::span<const std::byte> image) noexcept;
 

@@ -48,14 +48,18 @@ void Face::power_on_axes() noexcept {
 void Face::on_nmt_state(NmtState from, NmtState to) noexcept {
   listener_.on_nmt_state(from, to);
   runner_.tell_time();
-  const bool is_operational = to == NmtState::Operational;
-  if (is_operational) rpdo_actions_.compile(objects_.dictionary, node_.receive_pdos());
   pending_ = {};
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    axes_[i].axis().set_remote(is_operational, is_operational ? rpdo_actions_.with_sync(i) : ActingSet{0});
-  if (from != NmtState::Operational || is_operational) return;
+  if (to == NmtState::Operational) return follow_rpdos();
+  for (AxisObjects& axis : axes_) axis.axis().set_remote(false, ActingSet{0});
+  if (from != NmtState::Operational) return;
   runner_.on_operation_left();
   if (to != NmtState::Initialising) lose_connection();
+}
+
+/// In Operational: what RPDOs bring from now on.
+void Face::follow_rpdos() noexcept {
+  rpdo_actions_.compile(objects_.dictionary, node_.receive_pdos());
+  for (std::size_t i = 0; i < axes_.size(); ++i) axes_[i].axis().set_remote(true, rpdo_actions_.with_sync(i));
 }
 
 /// A master that has led the axes is gone (6007h).

@@ -69,11 +69,7 @@ canopen::EntryDescription* find(std::vector<canopen::EntryDescription>& rows, st
 }  // namespace
 
 DeviceObjects::DeviceObjects(const Configuration& configuration)
-    : rows{rows_of(configuration)}, dictionary{rows, configuration.node_id} {
-  for (const canopen::Entry& entry : dictionary.entries())
-    if (entry.index == object::kErrorField && entry.sub_index != 0)
-      dictionary.own_read(entry.index, entry.sub_index, as_stored_);
-}
+    : rows{rows_of(configuration)}, dictionary{rows, configuration.node_id} {}
 
 std::vector<canopen::EntryDescription> DeviceObjects::rows_of(const Configuration& configuration) {
   std::vector<canopen::EntryDescription> rows = object_rows(configuration.axes.size());

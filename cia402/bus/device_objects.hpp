@@ -15,7 +15,6 @@ struct DeviceObjects {
   canopen::Dictionary dictionary;
 
  private:
-  canopen::EntryOwner as_stored_{};  ///< of 1003h: an entry without error reads 0
   static std::vector<canopen::EntryDescription> rows_of(const Configuration& configuration);
 };
 

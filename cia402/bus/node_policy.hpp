@@ -6,7 +6,7 @@
 
 namespace cia402 {
 
-/// No remote frame ever asks for a TPDO.
+/// Those that a remote frame alone makes frames of, 252 and 253, do not exist.
 inline constexpr std::array kTpdoTypes{canopen::TypeRange{0, 240}, canopen::TypeRange{254, 255}};
 inline constexpr std::uint8_t kDummyTypes = 0xE0;  ///< 0005h to 0007h
 
@@ -18,8 +18,6 @@ inline canopen::Policy node_policy(bool remote_frames) noexcept {
           .sync_order = canopen::SyncOrder::ReceiveFirst,
           .sync_of_any_length = true,
           .sync_supervision = true,
-          .pdo_changes_in_operational = false,
-          .tpdo_requests = false,
           .dummy_types = kDummyTypes,
           .tpdo_types = kTpdoTypes};
 }

@@ -20,7 +20,7 @@ using AxisActions = std::array<ActingSet, drive::kMostAxes>;
 /// What each RPDO of a node brings, compiled from its mapping.
 class RpdoActions {
  public:
-  /// Of the @p pdos of @p dictionary as they are now; they change in Pre-operational only.
+  /// Of the @p pdos of @p dictionary as they are now.
   void compile(const canopen::Dictionary& dictionary, std::span<const canopen::PdoSettings> pdos) noexcept;
   /// Room for @p pdos PDOs.
   explicit RpdoActions(std::size_t pdos) : rows_(pdos) {}
