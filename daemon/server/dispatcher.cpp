@@ -126,6 +126,7 @@ std::optional<Outcome> Dispatcher::list_units(const Asked&, ServedUnit*) {
     units.push_back({{"unit", unit.name()},
                      {"interface", unit.configuration().address.text},
                      {"node_id", unit.configuration().node_id},
+                     {"profile", name_of(unit.configuration().profile())},
                      {"axes", unit.configuration().axes.size()},
                      {"on", unit.instance() != nullptr}});
   return json{{"units", std::move(units)},

@@ -4,13 +4,20 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "gateway/server/exchange.hpp"
 #include "gateway/units/daemons.hpp"
 
 namespace gateway {
 
-/// The EDS of units, one for each number of axes. A file is read when it is asked for the first time.
+/// Of what kind a unit is, as far as its EDS depends on it.
+struct UnitKind {
+  std::string profile{};  ///< as `units` tells it: "s120", "cia402"
+  std::size_t axes = 0;
+};
+
+/// The EDS of units, one for each profile and number of axes. A file is read when it is asked for the first time.
 class EdsFiles {
  public:
   /// Those in @p folder.
@@ -20,10 +27,10 @@ class EdsFiles {
   void answer(const std::shared_ptr<Exchange>& exchange, const std::string& unit, DaemonClient& daemon);
 
  private:
-  [[nodiscard]] Response response_for(std::size_t axes);
+  [[nodiscard]] Response response_for(const UnitKind& kind);
 
   std::filesystem::path folder_;
-  std::map<std::size_t, std::shared_ptr<const std::string>> texts_;  ///< by the number of axes
+  std::map<std::string, std::shared_ptr<const std::string>> texts_;  ///< by the name of the file
 };
 
 }  // namespace gateway

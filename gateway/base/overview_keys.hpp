@@ -7,8 +7,8 @@
 namespace gateway {
 
 /// What the overview takes over of the `status` of a unit.
-inline constexpr std::array<std::string_view, 5> kOverviewKeys{"node_id", "nmt_state", "uptime_s", "dc_link_V",
-                                                               "skipped_cycles"};
+inline constexpr std::array<std::string_view, 6> kOverviewKeys{"node_id",  "profile",   "nmt_state",
+                                                               "uptime_s", "dc_link_V", "skipped_cycles"};
 
 /// Members of an object in `status`.
 struct OverviewPart {
@@ -23,9 +23,9 @@ inline constexpr std::array kOverviewParts{
 };
 
 /// Members of each of its `axes`.
-inline constexpr std::array<std::string_view, 12> kOverviewAxis{
-    "axis",         "name",      "type",      "state",    "speed_rpm",
-    "setpoint_rpm", "torque_Nm", "current_A", "position", "motor_temperature_C",
-    "faults",       "alarms"};
+inline constexpr std::array<std::string_view, 14> kOverviewAxis{
+    "axis",      "name",         "type",      "state",     "mode",     "homed",
+    "speed_rpm", "setpoint_rpm", "torque_Nm", "current_A", "position", "motor_temperature_C",
+    "faults",    "alarms"};
 
 }  // namespace gateway

@@ -11,17 +11,23 @@ namespace {
 using nlohmann::json;
 
 TEST(Overview, TakesOverWhatItTells) {
-  const json status{
-      {"node_id", 5},
-      {"version", "1.0"},
-      {"uptime_s", 7.5},
-      {"leds", {{"run", "on"}, {"error", "off"}}},
-      {"bus", {{"link", "up"}, {"queued", 3}}},
-      {"axes", {{{"axis", 1}, {"speed_rpm", 100}, {"statusword", "0x0000"}, {"faults", json::array()}}}}};
+  const json status{{"node_id", 5},
+                    {"profile", "cia402"},
+                    {"version", "1.0"},
+                    {"uptime_s", 7.5},
+                    {"leds", {{"run", "on"}, {"error", "off"}}},
+                    {"bus", {{"link", "up"}, {"queued", 3}}},
+                    {"axes",
+                     {{{"axis", 1},
+                       {"mode", "homing"},
+                       {"homed", true},
+                       {"speed_rpm", 100},
+                       {"statusword", "0x0000"},
+                       {"faults", json::array()}}}}};
   EXPECT_EQ(overview_of("vcan0/5", status),
-            json::parse(R"({"unit": "vcan0/5", "on": true, "node_id": 5, "uptime_s": 7.5,
+            json::parse(R"({"unit": "vcan0/5", "on": true, "node_id": 5, "profile": "cia402", "uptime_s": 7.5,
                             "leds": {"run": "on", "error": "off"}, "bus": {"link": "up"},
-                            "axes": [{"axis": 1, "speed_rpm": 100, "faults": []}]})"));
+                            "axes": [{"axis": 1, "mode": "homing", "homed": true, "speed_rpm": 100, "faults": []}]})"));
 }
 
 TEST(Overview, TellsWhyNothingIsKnownOfAUnit) {

@@ -113,6 +113,19 @@ TEST(APage, HasWhatThereIsOfAUnit) {
   EXPECT_TRUE(value.at("report").contains("steps"));
 }
 
+TEST(APage, KnowsTheProfileOfAUnitByWhatItTellsElseByItsRecording) {
+  PageUnit unit{.unit = "vcan0/5"};
+  EXPECT_EQ(axisctl::profile_of(unit), "s120");
+  unit.recordings.push_back({.name = "run.axrec", .head = {{"axes", json::array()}}});
+  EXPECT_EQ(axisctl::profile_of(unit), "s120");
+  unit.recordings.push_back({.name = "late.axrec", .head = {{"profile", "cia402"}}});
+  EXPECT_EQ(axisctl::profile_of(unit), "cia402");
+  unit.resources = {{"", {{"node_id", 5}}}};
+  EXPECT_EQ(axisctl::profile_of(unit), "cia402");
+  unit.resources = {{"", {{"profile", "s120"}}}};
+  EXPECT_EQ(axisctl::profile_of(unit), "s120");
+}
+
 TEST(ASnapshot, HasLongListsInOnePiece) {
   FakeUnit unit;
   const auto snapshot = axisctl::take_snapshot(unit.ask());

@@ -45,9 +45,12 @@ void add_snapshot(PageUnit& unit, const Ask& ask) {
 
 Expected<void> add_eds(PageUnit& unit, const std::string& path) {
   const std::size_t axes = unit.recordings.empty() ? 0 : unit.recordings.back().axes();
-  auto eds = read_eds(path, axes);
+  const std::string profile = profile_of(unit);
+  auto eds = read_eds(path, profile, axes);
   if (!eds) return tl::unexpected{eds.error()};
-  if (eds->empty()) remark(fmt::format("no EDS of a unit with {} axes is installed: the page has none", axes));
+  if (eds->empty())
+    remark(
+        fmt::format("no EDS of a unit of profile {} with {} axes is installed: the page has none", profile, axes));
   unit.eds = *std::move(eds);
   return {};
 }

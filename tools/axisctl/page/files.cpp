@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "control/eds_file.hpp"
 #include "os/descriptor.hpp"
 #include "os/regular_file.hpp"
 
@@ -59,10 +60,9 @@ Expected<std::string> read_template(const std::string& path) {
   return page;
 }
 
-Expected<std::string> read_eds(const std::string& path, std::size_t axes) {
+Expected<std::string> read_eds(const std::string& path, std::string_view profile, std::size_t axes) {
   if (!path.empty()) return read_input(path);
-  const std::string name = axes == 1 ? "eds/axisd.eds" : fmt::format("eds/axisd-{}-axes.eds", axes);
-  const std::filesystem::path file = installed(name);
+  const std::filesystem::path file = installed("eds/" + control::eds_file_name(profile, axes));
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return std::string{};
   return read_input(file.string());

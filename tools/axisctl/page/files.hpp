@@ -17,9 +17,9 @@ namespace axisctl {
 
 /// The page without what it shows: that at @p path, the installed one if it is empty.
 [[nodiscard]] Expected<std::string> read_template(const std::string& path);
-/// The EDS at @p path; if it is empty, the installed one of a unit with so many @p axes, or nothing if there is
-/// none.
-[[nodiscard]] Expected<std::string> read_eds(const std::string& path, std::size_t axes);
+/// The EDS at @p path; if it is empty, the installed one of a unit of @p profile with so many @p axes, or nothing
+/// if there is none.
+[[nodiscard]] Expected<std::string> read_eds(const std::string& path, std::string_view profile, std::size_t axes);
 
 /// Largest page (bytes): more than browsers like.
 inline constexpr std::size_t kLargestPage = 64'000'000;

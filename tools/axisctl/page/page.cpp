@@ -6,6 +6,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "control/eds_file.hpp"
 #include "tools/axisctl/page/base64.hpp"
 #include "version/version.hpp"
 
@@ -29,6 +30,14 @@ json json_of(const PageUnit& unit) {
 }
 
 }  // namespace
+
+std::string profile_of(const PageUnit& unit) {
+  const json status = unit.resources.value("", json::object());
+  const json told = status.is_object() ? status.value("profile", json{}) : json{};
+  if (told.is_string()) return told.get<std::string>();
+  const std::string recorded = unit.recordings.empty() ? "" : unit.recordings.back().profile();
+  return recorded.empty() ? std::string{control::kProfileS120} : recorded;
+}
 
 json json_of(const Page& page) {
   json units = json::array();

@@ -20,6 +20,8 @@ struct PageUnit {
   std::string eds{};                                    ///< text; empty: none
   std::vector<Recording> recordings{};                  ///< the oldest first
 };
+/// The profile of @p unit, as it tells it itself, else its newest recording; "s120" if neither does.
+[[nodiscard]] std::string profile_of(const PageUnit& unit);
 
 /// What came of a scenario.
 struct PageVerdict {

@@ -29,6 +29,11 @@ std::size_t Recording::axes() const {
   return axes.is_array() ? axes.size() : 0;
 }
 
+std::string Recording::profile() const {
+  const json profile = head.is_object() ? head.value("profile", json{}) : json{};
+  return profile.is_string() ? profile.get<std::string>() : "";
+}
+
 std::int64_t Recording::start() const {
   const json start = head.is_object() ? head.value("wall_clock_ns", json{}) : json{};
   return start.is_number_integer() ? start.get<std::int64_t>() : 0;

@@ -23,6 +23,8 @@ struct Recording {
   [[nodiscard]] std::string unit() const;
   /// How many axes that has; 0 if the head does not say it.
   [[nodiscard]] std::size_t axes() const;
+  /// Its profile; empty if the head does not say it.
+  [[nodiscard]] std::string profile() const;
   /// When the unit was switched on (ns since 1970); 0 if the head does not say it.
   [[nodiscard]] std::int64_t start() const;
 };

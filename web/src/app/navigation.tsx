@@ -1,9 +1,11 @@
 import { useState } from "preact/hooks";
 
 import { route, usePage } from "./context";
+import { hasParameters } from "../model/profile";
 import { kPages, linkTo, type PageName } from "./route";
 import { nextTheme, theme } from "./theme";
 import { TokenDialog } from "./token_dialog";
+import { useProfile } from "./use_profile";
 
 /** The unit that is looked at, chosen from all there are. */
 function UnitChoice() {
@@ -32,6 +34,8 @@ export function Navigation() {
   const { units, permission, source } = usePage();
   const [asksToken, setAsksToken] = useState(false);
   const unit = route.value.unit || (units.all.value[0]?.unit ?? "");
+  const profile = useProfile(unit) ?? "s120";
+  const pages = kPages.filter(({ page }) => page !== "parameters" || page === route.value.page || hasParameters(profile));
   return (
     <header class="head">
       <a class="skip" href="#content" onClick={(event) => skip(event)}>
@@ -40,7 +44,7 @@ export function Navigation() {
       <span class="brand">axisd</span>
       <nav aria-label="Pages">
         <ul>
-          {kPages.map(({ page, title, needsUnit }) => (
+          {pages.map(({ page, title, needsUnit }) => (
             <li key={page}>
               <a href={linkTo(page, needsUnit ? unit : "")} aria-current={route.value.page === page ? "page" : undefined}>
                 {title}

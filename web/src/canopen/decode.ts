@@ -1,9 +1,10 @@
 import type { FrameStore } from "../model/frame_store";
+import type { Profile } from "../model/profile";
 import type { Pdo, UnitEvent } from "../source/types";
 import type { Content, Decoded } from "./decoded";
 import type { Eds } from "./eds";
 import { hexOf, type CanFrame } from "./frame";
-import { decodeEmergency, decodeHeartbeat, decodeNmt, decodeSync, decodeTime } from "./network";
+import { decodeAxisEmergency, decodeEmergency, decodeHeartbeat, decodeNmt, decodeSync, decodeTime } from "./network";
 import { decodePdo, pdosOfEds } from "./pdo";
 import { SdoReader, type SdoStep } from "./sdo/reader";
 import { decodeStep, decodeTransfer, type ObjectNames } from "./sdo/words";
@@ -25,6 +26,8 @@ export interface DecoderSettings {
   events?: (() => readonly UnitEvent[]) | undefined;
   /** Increments a revolution of velocities and positions; 4 194 304 if not given. */
   increments?: number | undefined;
+  /** Of the unit; "s120" if not given. */
+  profile?: Profile | undefined;
 }
 
 /** Says what frames mean. */
@@ -36,7 +39,7 @@ export class Decoder {
     const { eds, services } = settings;
     const ofEds = eds === undefined || services.nodeId === undefined ? [] : pdosOfEds(eds, services.nodeId);
     this.pdos = settings.pdos ?? ofEds;
-    this.names = { eds, scaling: { increments: settings.increments ?? kIncrements } };
+    this.names = { eds, scaling: { increments: settings.increments ?? kIncrements, profile: settings.profile } };
   }
 
   /** What @param frame says by itself. */
@@ -84,7 +87,8 @@ export class Decoder {
     nmt: decodeNmt,
     sync: decodeSync,
     time: decodeTime,
-    emcy: (frame) => decodeEmergency(frame, (number, object) => this.messageOf(number, object)),
+    emcy: (frame) =>
+      this.settings.profile === "cia402" ? decodeAxisEmergency(frame) : decodeEmergency(frame, (number, object) => this.messageOf(number, object)),
     rpdo: rawContent,
     tpdo: rawContent,
     "sdo-request": (frame) => this.sdoAlone(frame, true),

@@ -27,19 +27,28 @@ const kEmergencies: Readonly<Record<number, string>> = {
   0x2100: "current, device input side",
   0x2200: "current inside the device",
   0x2300: "current, device output side",
+  0x2310: "continuous overcurrent",
+  0x2312: "continuous overcurrent, phase",
+  0x2340: "short circuit, device output side",
   0x3000: "voltage",
   0x3100: "mains voltage",
   0x3200: "voltage inside the device",
+  0x3210: "DC link overvoltage",
+  0x3220: "DC link undervoltage",
   0x3300: "output voltage",
   0x4000: "temperature",
   0x4100: "ambient temperature",
   0x4200: "device temperature",
+  0x4210: "excess temperature of the device",
+  0x4310: "excess temperature of the drive",
   0x5000: "device hardware",
   0x6000: "device software",
   0x6100: "internal software",
   0x6200: "user software",
   0x6300: "data set",
   0x7000: "additional modules",
+  0x7121: "motor blocked",
+  0x7305: "incremental sensor 1 fault",
   0x8000: "monitoring",
   0x8100: "communication",
   0x8110: "CAN overrun (objects lost)",
@@ -53,6 +62,10 @@ const kEmergencies: Readonly<Record<number, string>> = {
   0x8230: "DAM MPDO not processed, destination object not available",
   0x8240: "unexpected SYNC data length",
   0x8250: "RPDO timeout",
+  0x8400: "velocity speed controller",
+  0x8500: "position controller",
+  0x8611: "following error",
+  0x8700: "synchronisation controller",
   0x9000: "external error",
   0xf000: "additional functions",
   0xff00: "device specific",
@@ -124,15 +137,11 @@ function registerBits(register: number): BitRow[] {
   return kRegister.map((name, bit) => ({ bit: String(bit), name, value: (register >> bit) & 1 }));
 }
 
-/** EMCY of a SINAMICS: code, register, number of the fault or alarm, number of the drive object. */
-export function decodeEmergency({ data }: CanFrame, texts: MessageTexts): Content {
-  if (data.length !== 8) return { text: `${data.length} bytes`, rows: [], remark: "an emergency message has 8 bytes" };
-  const [code, register, number] = [unsignedOf(data, 0, 2), data[2] ?? 0, unsignedOf(data, 3, 2)];
-  const object = data[5] ?? 0;
-  const meaning = emergencyText(code);
+/** Error code and error register of an emergency message. */
+function emergencyRows(code: number, register: number): Content["rows"] {
   const set = registerBits(register).filter((bit) => bit.value === 1);
-  const rows: Content["rows"] = [
-    { name: "Error code", value: meaning, raw: wordText(code) },
+  return [
+    { name: "Error code", value: emergencyText(code), raw: wordText(code) },
     {
       name: "Error register",
       value: set.length === 0 ? "nothing set" : set.map((bit) => bit.name).join(", "),
@@ -141,7 +150,30 @@ export function decodeEmergency({ data }: CanFrame, texts: MessageTexts): Conten
       bits: registerBits(register),
     },
   ];
-  if (code === 0) return { text: register === 0 ? "no error is left" : "an error has gone, others are left", rows };
+}
+
+function goneText(register: number): string {
+  return register === 0 ? "no error is left" : "an error has gone, others are left";
+}
+
+/** EMCY of a CiA 402 device: code, register, and the axis if it is one of an axis. */
+export function decodeAxisEmergency({ data }: CanFrame): Content {
+  if (data.length !== 8) return { text: `${data.length} bytes`, rows: [], remark: "an emergency message has 8 bytes" };
+  const [code, register, axis] = [unsignedOf(data, 0, 2), data[2] ?? 0, unsignedOf(data, 3, 2)];
+  const rows = emergencyRows(code, register);
+  if (axis > 0) rows.push({ name: "Axis", value: String(axis), raw: wordText(axis) });
+  if (code === 0) return { text: goneText(register), rows };
+  return { text: `${wordText(code)} ${emergencyText(code)}${axis > 0 ? `: axis ${axis}` : ""}`, rows };
+}
+
+/** EMCY of a SINAMICS: code, register, number of the fault or alarm, number of the drive object. */
+export function decodeEmergency({ data }: CanFrame, texts: MessageTexts): Content {
+  if (data.length !== 8) return { text: `${data.length} bytes`, rows: [], remark: "an emergency message has 8 bytes" };
+  const [code, register, number] = [unsignedOf(data, 0, 2), data[2] ?? 0, unsignedOf(data, 3, 2)];
+  const object = data[5] ?? 0;
+  const meaning = emergencyText(code);
+  const rows = emergencyRows(code, register);
+  if (code === 0) return { text: goneText(register), rows };
   const known = texts(number, object);
   const message = known === undefined ? `F/A${String(number).padStart(5, "0")}` : `${known.name} ${known.text}`;
   rows.push({ name: "Message", value: message, raw: wordText(number) });

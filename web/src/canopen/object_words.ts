@@ -1,3 +1,4 @@
+import type { Profile } from "../model/profile";
 import { objectText, signedOf, unsignedOf } from "./frame";
 import { valueText } from "./value";
 import { commandOf, controlwordBits, stateOf, statuswordBits, wordText, type BitRow } from "./words";
@@ -9,6 +10,8 @@ const kThin = "\u2009";
 export interface Scaling {
   /** Increments a revolution of velocities and positions. */
   increments: number;
+  /** "s120" if not given. An axis of CiA 402 has position units, which its objects 608Fh to 6092h make. */
+  profile?: Profile | undefined;
 }
 
 type Words = (data: Uint8Array, scaling: Scaling) => { value: string; bits?: BitRow[] };
@@ -32,6 +35,7 @@ const kPosition: Words = (data, { increments }) => {
 };
 const kPerMille: Words = (data) => ({ value: `${signedOf(data)}${kThin}‰ of the rated value` });
 const kRpm: Words = (data) => ({ value: `${signedOf(data)}${kThin}rpm` });
+const kRpmUnsigned: Words = (data) => ({ value: `${unsignedOf(data)}${kThin}rpm` });
 const kMilliseconds: Words = (data) => ({ value: `${unsignedOf(data)}${kThin}ms` });
 
 /** Modes of operation (CiA 402, 10.3.2). */
@@ -51,13 +55,28 @@ const kMode: Words = (data) => {
   const mode = signedOf(data);
   return { value: `${mode}: ${kModes[mode] ?? (mode < 0 ? "of the manufacturer" : "reserved")}` };
 };
-const kControlword: Words = (data) => {
+const kControlword: Words = (data, { profile }) => {
   const word = unsignedOf(data);
-  return { value: `${wordText(word)}: ${commandOf(word)}`, bits: controlwordBits(word) };
+  return { value: `${wordText(word)}: ${commandOf(word, profile)}`, bits: controlwordBits(word, profile) };
 };
-const kStatusword: Words = (data) => {
+const kStatusword: Words = (data, { profile }) => {
   const word = unsignedOf(data);
-  return { value: `${wordText(word)}: ${stateOf(word)}`, bits: statuswordBits(word) };
+  return { value: `${wordText(word)}: ${stateOf(word)}`, bits: statuswordBits(word, profile) };
+};
+/** A signed number in a unit; in position units nothing more can be said without the objects that make them. */
+function signedIn(unit: string): Words {
+  return (data) => ({ value: `${signedOf(data)}${kThin}${unit}` });
+}
+const kUnits = signedIn("units");
+const kUnitsPerSecond = signedIn("units/s");
+const kUnsignedUnits: Words = (data) => ({ value: `${unsignedOf(data)}${kThin}units` });
+const kUnsignedUnitsPerSecond: Words = (data) => ({ value: `${unsignedOf(data)}${kThin}units/s` });
+const kUnitsPerSecond2: Words = (data) => ({ value: `${unsignedOf(data)}${kThin}units/s²` });
+const kIncrements: Words = signedIn("inc");
+const kWindow: Words = (data, scaling) => (unsignedOf(data) === 0xffffffff ? { value: "off" } : kUnsignedUnits(data, scaling));
+const kHomingMethod: Words = (data) => {
+  const method = signedOf(data);
+  return { value: method === 0 ? "0: none" : `method ${method}` };
 };
 const kMapping: Words = (data) => {
   const entry = unsignedOf(data);
@@ -98,6 +117,45 @@ const kOfAxes: Readonly<Record<number, Words>> = {
   0x60ff: kVelocity,
 };
 
+/** Those that an axis of CiA 402 has in other units, or alone. */
+const kOfCia402Axes: Readonly<Record<number, Words>> = {
+  0x6062: kUnits,
+  0x6063: kIncrements,
+  0x6064: kUnits,
+  0x6065: kWindow,
+  0x6066: kMilliseconds,
+  0x6067: kWindow,
+  0x6068: kMilliseconds,
+  0x6069: kIncrements,
+  0x606b: kUnitsPerSecond,
+  0x606c: kUnitsPerSecond,
+  0x6073: kPerMille,
+  0x6078: kPerMille,
+  0x607a: kUnits,
+  0x607c: kUnits,
+  0x607f: kUnsignedUnitsPerSecond,
+  0x6080: kRpmUnsigned,
+  0x6081: kUnsignedUnitsPerSecond,
+  0x6082: kUnsignedUnitsPerSecond,
+  0x6083: kUnitsPerSecond2,
+  0x6084: kUnitsPerSecond2,
+  0x6085: kUnitsPerSecond2,
+  0x6098: kHomingMethod,
+  0x609a: kUnitsPerSecond2,
+  0x60b0: kUnits,
+  0x60b1: kUnitsPerSecond,
+  0x60b2: kPerMille,
+  0x60ba: kUnits,
+  0x60bb: kUnits,
+  0x60bc: kUnits,
+  0x60bd: kUnits,
+  0x60c5: kUnitsPerSecond2,
+  0x60c6: kUnitsPerSecond2,
+  0x60f4: kUnits,
+  0x60fc: kIncrements,
+  0x60ff: kUnitsPerSecond,
+};
+
 /** Objects of CiA 301: from index to index, sub-indices, how they are read. */
 const kOfCommunication: readonly { from: number; to: number; sub: readonly [number, number]; words: Words }[] = [
   { from: 0x1005, to: 0x1005, sub: [0, 0], words: kCobId },
@@ -126,8 +184,9 @@ export function axisOfIndex(index: number): number {
   return index < kFirstProfile || index >= kProfileEnd ? 0 : 1 + Math.floor((index - kFirstProfile) / kOfAnAxis);
 }
 
-function wordsFor(index: number, subIndex: number): Words | undefined {
-  const own = kOfAxes[indexOfFirstAxis(index)];
+function wordsFor(index: number, subIndex: number, profile: Profile | undefined): Words | undefined {
+  const first = indexOfFirstAxis(index);
+  const own = (profile === "cia402" ? kOfCia402Axes[first] : undefined) ?? kOfAxes[first];
   if (own !== undefined && subIndex === 0) return own;
   const row = kOfCommunication.find((range) => index >= range.from && index <= range.to);
   return row !== undefined && subIndex >= row.sub[0] && subIndex <= row.sub[1] ? row.words : undefined;
@@ -141,7 +200,7 @@ export function objectWords(
   dataType: number,
   scaling: Scaling,
 ): { value: string; bits?: BitRow[] } {
-  const words = wordsFor(index, subIndex);
+  const words = wordsFor(index, subIndex, scaling.profile);
   if (words === undefined || data.length === 0 || data.length > 4) return { value: valueText(data, dataType) };
   return words(data, scaling);
 }

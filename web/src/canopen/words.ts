@@ -1,3 +1,5 @@
+import type { Profile } from "../model/profile";
+
 /** A bit of a word, or several that are one value. */
 export interface BitRow {
   /** "0", "11..14". */
@@ -22,9 +24,14 @@ export function commandKind(controlword: number): Command {
   return kCommands.find((row) => (controlword & row.mask) === row.value)?.command ?? "disable-voltage";
 }
 
+/** @param text as a device of @param profile has it: only the drive unit speaks of OFF1 to OFF3 and its parameters. */
+function ofProfile(text: string, profile: Profile): string {
+  return profile === "s120" ? text : text.replace(/ \([^)]*(OFF\d|r8890\.\d+|p878\d)\)$/, "");
+}
+
 /** What a controlword commands (CiA 402, 8.4.1): "Enable operation", "Shutdown (OFF1), fault reset". */
-export function commandOf(controlword: number): string {
-  const text = kCommands.find((row) => (controlword & row.mask) === row.value)?.text ?? "";
+export function commandOf(controlword: number, profile: Profile = "s120"): string {
+  const text = ofProfile(kCommands.find((row) => (controlword & row.mask) === row.value)?.text ?? "", profile);
   const more = [(controlword & 0x80) === 0 ? "" : "fault reset", (controlword & 0x100) === 0 ? "" : "halt"];
   return [text, ...more.filter((word) => word !== "")].join(", ");
 }
@@ -87,23 +94,32 @@ const kStatusword = [
   "of the manufacturer (p8787)",
 ];
 
-function bitsOf(names: readonly string[], word: number): BitRow[] {
-  return names.map((name, bit) => ({ bit: String(bit), name, value: (word >> bit) & 1 }));
+/** Bits of 6041h that an axis of CiA 402 names otherwise. */
+const kStatuswordCia402: Readonly<Record<number, string>> = {
+  12: "of the mode: set-point acknowledge, speed 0, homing attained, drive follows the command value",
+  13: "of the mode: following error, maximum slippage, homing error",
+  14: "reserved",
+  15: "Homed",
+};
+
+function bitsOf(names: readonly string[], word: number, profile: Profile): BitRow[] {
+  return names.map((name, bit) => ({ bit: String(bit), name: ofProfile(name, profile), value: (word >> bit) & 1 }));
 }
 
 /** Bits of a controlword, all of them. */
-export function controlwordBits(controlword: number): BitRow[] {
-  return bitsOf(kControlword, controlword);
+export function controlwordBits(controlword: number, profile: Profile = "s120"): BitRow[] {
+  return bitsOf(kControlword, controlword, profile);
 }
 
 /** Bits of a statusword, all of them. */
-export function statuswordBits(statusword: number): BitRow[] {
-  return bitsOf(kStatusword, statusword);
+export function statuswordBits(statusword: number, profile: Profile = "s120"): BitRow[] {
+  const names = profile === "s120" ? kStatusword : kStatusword.map((name, bit) => kStatuswordCia402[bit] ?? name);
+  return bitsOf(names, statusword, profile);
 }
 
 /** The bits of two controlwords that differ, with their new values. */
-export function changedBits(before: number, now: number): BitRow[] {
-  return controlwordBits(now).filter((_, bit) => (((before ^ now) >> bit) & 1) === 1);
+export function changedBits(before: number, now: number, profile: Profile = "s120"): BitRow[] {
+  return controlwordBits(now, profile).filter((_, bit) => (((before ^ now) >> bit) & 1) === 1);
 }
 
 /** A changed bit in words: "bit 3 Enable operation: 0 → 1". */

@@ -20,8 +20,8 @@ export function byName(a: string, b: string): number {
 export function unitsWith(text: string, units: readonly UnitOverview[]): UnitOverview[] {
   const words = text.toLowerCase().split(/\s+/).filter((word) => word !== "");
   const all = (unit: UnitOverview): string => {
-    const axes = (unit.axes ?? []).map((axis) => `${axis.name} ${axis.type} ${axis.state}`);
-    return [unit.unit, unit.nmt_state ?? "", unit.error ?? "", ...axes].join(" ").toLowerCase();
+    const axes = (unit.axes ?? []).map((axis) => `${axis.name} ${axis.type} ${axis.state} ${axis.mode ?? ""}`);
+    return [unit.unit, unit.profile ?? "", unit.nmt_state ?? "", unit.error ?? "", ...axes].join(" ").toLowerCase();
   };
   const fitting = words.length === 0 ? [...units] : units.filter((unit) => words.every((word) => all(unit).includes(word)));
   return fitting.sort((a, b) => byName(a.unit, b.unit));

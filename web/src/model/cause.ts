@@ -29,7 +29,7 @@ const kCycles = 3;
 const kRounding = 1e-6;
 /** Least time that is looked back (s): a machine that is busy runs cycles late. */
 const kLeast = 0.02;
-const kHappeningKinds: readonly Mover[] = ["initialised", "standstill", "fault", "acknowledged", "measurement"];
+const kHappeningKinds: readonly Mover[] = ["initialised", "standstill", "fault", "acknowledged", "measurement", "voltage-lost"];
 
 function isHappening(mover: Mover): mover is Happening {
   return kHappeningKinds.includes(mover);
@@ -46,12 +46,13 @@ function syncPeriod(frames: FrameStore, t: number): number {
   return times.length < 2 ? 0 : (times[0] ?? 0) - (times[1] ?? 0);
 }
 
-function causeOfChange({ now, before }: ControlwordChange, event: UnitEvent): Cause {
-  const changed = before === undefined ? [] : changedBits(before.value, now.value);
+function causeOfChange({ now, before }: ControlwordChange, event: UnitEvent, { decoder }: Past): Cause {
+  const { profile } = decoder.settings;
+  const changed = before === undefined ? [] : changedBits(before.value, now.value, profile);
   const was = before === undefined ? "" : `${wordText(before.value)} → `;
   const bits = changed.length === 0 ? "" : `: ${changed.map(changeText).join(", ")}`;
   const when = now.t > event.t ? "in the same cycle" : `${timeText(event.t - now.t)} before`;
-  const text = `Controlword ${was}${wordText(now.value)} (${commandOf(now.value)}) in ${now.by}, ${when}${bits}.`;
+  const text = `Controlword ${was}${wordText(now.value)} (${commandOf(now.value, profile)}) in ${now.by}, ${when}${bits}.`;
   return { text, pointer: pointerOf(now), controlword: { before: before?.value, now: now.value, changed } };
 }
 
@@ -107,7 +108,7 @@ function sameDrive(event: UnitEvent, other: UnitEvent): boolean {
 function actsOnDrive(event: UnitEvent, of: UnitEvent): boolean {
   const kind: string = event.kind;
   if (!sameDrive(event, of)) return false;
-  if (kind === "control") return /^(panel|fault|input|if1|pkw|ds47|unit)\./.test(event.method ?? "");
+  if (kind === "control") return /^(panel|fault|input|if1|pkw|ds47|supply|unit)\./.test(event.method ?? "");
   return kind === "parameter" || (kind === "nmt" && event.state !== "Operational");
 }
 
@@ -141,17 +142,17 @@ function causeOfNmt(event: UnitEvent, past: Past): Cause {
 /** Why the drive state (or NMT state) changed with @param event. */
 export function causeOfState(event: UnitEvent, past: Past): Cause {
   if (event.kind === "nmt") return causeOfNmt(event, past);
-  const movers = moversOf(String(event.before ?? ""), event.state ?? "");
+  const movers = moversOf(String(event.before ?? ""), event.state ?? "", past.decoder.settings.profile);
   const axis = event.axis === "infeed" ? 0 : Number(event.axis ?? 0);
   const cycles = Math.max(kCycles * (past.cycleS ?? kCycle), kLeast);
   const change = axis === 0 ? undefined : changeFor(event, past, axis, cycles, movers);
-  if (change !== undefined && !movers.includes("fault")) return causeOfChange(change, event);
+  if (change !== undefined && !movers.includes("fault")) return causeOfChange(change, event, past);
   if (movers.includes("fault")) {
     const fault = newest(past.events, event.t, cycles, (other) =>
       other.kind === "fault" && other.active !== false && sameDrive(other, event)) ?? following(past.events, event);
     if (fault !== undefined) return { text: `Fault ${eventWords(fault)}.`, pointer: { t: fault.t, event: fault } };
   }
-  if (change !== undefined) return causeOfChange(change, event);
+  if (change !== undefined) return causeOfChange(change, event, past);
   const acted = newest(past.events, event.t, Math.max(cycles, 0.1), (other) => actsOnDrive(other, event));
   if (movers.includes("standstill")) return causeOfStandstill(event, past);
   if (acted !== undefined) return { text: `Just before: ${eventWords(acted)}.`, pointer: { t: acted.t, event: acted } };

@@ -1,5 +1,7 @@
 import { usePage } from "../app/context";
 import { linkTo } from "../app/route";
+import { useProfile } from "../app/use_profile";
+import { hasParameters } from "../model/profile";
 import { quantity, rangeText, valueText } from "../parameters/text/value_text";
 import { WriteField } from "../parameters/shared/write_field";
 import { wordsOf } from "../source/refusal";
@@ -80,6 +82,7 @@ function Write(props: Props & { entry: ObjectEntry }) {
 
 function Facts(props: { unit: string; eds: Eds; entry: ObjectEntry }) {
   const { entry, eds } = props;
+  const profile = useProfile(props.unit) ?? "s120";
   const facts: [string, string][] = [
     ["Hexadecimal", hexText(entry.value, entry.type)],
     ["Type", entry.type],
@@ -98,7 +101,7 @@ function Facts(props: { unit: string; eds: Eds; entry: ObjectEntry }) {
             <dd>{value}</dd>
           </div>
         ))}
-      {entry.parameter !== undefined && (
+      {entry.parameter !== undefined && hasParameters(profile) && (
         <div>
           <dt>Parameter</dt>
           <dd>

@@ -1,4 +1,5 @@
 import { linkTo } from "../app/route";
+import { hasParameters, type Profile } from "../model/profile";
 import type { AxisOverview } from "../source/types";
 import { fixed, shown } from "../ui/number";
 import { StateChip } from "../ui/state_chip";
@@ -14,7 +15,7 @@ function Figure(props: { name: string; text: string }) {
 }
 
 /** What an axis does, and why it does not turn. */
-export function AxisBlock(props: { unit: string; axis: AxisOverview; reasons: string[] | undefined }) {
+export function AxisBlock(props: { unit: string; profile: Profile; axis: AxisOverview; reasons: string[] | undefined }) {
   const { unit, axis } = props;
   const query = { axis: axis.axis };
   return (
@@ -26,6 +27,8 @@ export function AxisBlock(props: { unit: string; axis: AxisOverview; reasons: st
         <StateChip state={axis.state} />
       </div>
       <dl class="overview-figures">
+        {axis.mode !== undefined && <Figure name="Mode" text={axis.mode} />}
+        {axis.homed !== undefined && <Figure name="Homed" text={axis.homed ? "yes" : "no"} />}
         <Figure name="Speed" text={fixed(axis.speed_rpm, 1, "rpm")} />
         <Figure name="Setpoint" text={fixed(axis.setpoint_rpm, 1, "rpm")} />
         <Figure name="Torque" text={fixed(axis.torque_Nm, 2, "N·m")} />
@@ -44,7 +47,11 @@ export function AxisBlock(props: { unit: string; axis: AxisOverview; reasons: st
       <p class="overview-links">
         <a href={linkTo("states", unit, query)}>State machine</a>
         <a href={linkTo("scope", unit, query)}>Scope</a>
-        <a href={linkTo("parameters", unit, { place: axis.axis })}>Parameters</a>
+        {hasParameters(props.profile) ? (
+          <a href={linkTo("parameters", unit, { place: axis.axis })}>Parameters</a>
+        ) : (
+          <a href={linkTo("objects", unit)}>Objects</a>
+        )}
         <a href={linkTo("hands", unit, query)}>Hands</a>
       </p>
     </section>

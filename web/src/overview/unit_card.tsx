@@ -1,5 +1,6 @@
 import { usePage } from "../app/context";
 import { linkTo } from "../app/route";
+import { profileOf } from "../model/profile";
 import type { Explanation, UnitOverview } from "../source/types";
 import { Notice } from "../ui/notice";
 import { duration, fixed } from "../ui/number";
@@ -39,7 +40,7 @@ function UnitBody(props: { unit: UnitOverview; rate: number | undefined }) {
       <FaultChips unit={unit.unit} place={0} faults={unit.control_unit?.faults ?? []} alarms={unit.control_unit?.alarms ?? []} />
       <div class="overview-axes">
         {(unit.axes ?? []).map((axis) => (
-          <AxisBlock key={axis.axis} unit={unit.unit} axis={axis} reasons={reasonsOf(axis.axis)} />
+          <AxisBlock key={axis.axis} unit={unit.unit} profile={profileOf(unit)} axis={axis} reasons={reasonsOf(axis.axis)} />
         ))}
       </div>
       {explained.error !== "" && <Notice kind="warning">{`Why it does not turn is not known: ${explained.error}`}</Notice>}
@@ -65,7 +66,7 @@ function UnitHead(props: { unit: UnitOverview }) {
           {unit.leds !== undefined && <Led name="RUN" colour="green" pattern={unit.leds.run} />}
           {unit.leds !== undefined && <Led name="ERR" colour="red" pattern={unit.leds.error} />}
           <span class="muted">
-            node {unit.node_id}, up {duration(Math.floor(unit.uptime_s ?? 0))}
+            {profileOf(unit) === "cia402" && "CiA 402, "}node {unit.node_id}, up {duration(Math.floor(unit.uptime_s ?? 0))}
           </span>
         </span>
       )}

@@ -2,6 +2,8 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 
 import { replaceQuery, route, usePage } from "../app/context";
 import { TokenDialog } from "../app/token_dialog";
+import { useProfile } from "../app/use_profile";
+import { ControlwordCard } from "../hands/controlword_card";
 import { FaultsCard } from "../hands/faults/faults_card";
 import { WireCard } from "../hands/faults/wire_card";
 import type { Hand } from "../hands/action";
@@ -36,7 +38,32 @@ function Refused() {
   );
 }
 
-/** What acts on one axis; the control goes back with it. */
+/** What every unit has: faults, machine and supply, the wire. */
+function SharedCards(props: { hand: Hand }) {
+  const { hand } = props;
+  return (
+    <>
+      <JournalList journal={hand.journal} />
+      <FaultsCard hand={hand} />
+      <LoadCard hand={hand} />
+      <SupplyCard hand={hand} />
+      <EncoderCard hand={hand} />
+      <WireCard hand={hand} />
+    </>
+  );
+}
+
+/** What acts on one axis of CiA 402. */
+function Cia402Hands(props: { hand: Hand; axis: AxisOverview | undefined }) {
+  return (
+    <div class="hands-cards hands-cards-whole">
+      <ControlwordCard hand={props.hand} axis={props.axis} />
+      <SharedCards hand={props.hand} />
+    </div>
+  );
+}
+
+/** What acts on one axis of the drive unit; the control goes back with it. */
 function AxisHands(props: { hand: Hand; axis: AxisOverview | undefined }) {
   const { hand, axis } = props;
   const { permission } = usePage();
@@ -63,12 +90,7 @@ function AxisHands(props: { hand: Hand; axis: AxisOverview | undefined }) {
     <>
       <div class="hands-cards">
         <PanelCard hand={hand} link={link} values={values} />
-        <JournalList journal={hand.journal} />
-        <FaultsCard hand={hand} />
-        <LoadCard hand={hand} />
-        <SupplyCard hand={hand} />
-        <EncoderCard hand={hand} />
-        <WireCard hand={hand} />
+        <SharedCards hand={hand} />
         <IdentificationCard hand={hand} />
       </div>
       <StopBar link={link} axis={hand.axis} state={link.panel.value?.active === true ? link.panel.value.state : (axis?.state ?? "")} values={values} stop={stop} />
@@ -84,6 +106,7 @@ export function Hands(props: { unit: string }) {
     if (isAnswering) void permission.ask();
   }, [isAnswering, permission]);
   const overview = units.find(props.unit);
+  const profile = useProfile(props.unit);
   const axes = overview?.axes ?? [];
   const asked = Number(route.value.query.get("axis") ?? "0");
   const [axis, setAxis] = useAxis(axes, asked);
@@ -101,7 +124,8 @@ export function Hands(props: { unit: string }) {
         <span class="muted">NMT state: {overview?.nmt_state ?? "unknown"}</span>
       </div>
       <Refused />
-      <AxisHands key={axis} hand={hand} axis={axes.find((each) => each.axis === axis)} />
+      {profile === "s120" && <AxisHands key={axis} hand={hand} axis={axes.find((each) => each.axis === axis)} />}
+      {profile === "cia402" && <Cia402Hands key={axis} hand={hand} axis={axes.find((each) => each.axis === axis)} />}
     </>
   );
 }

@@ -1,11 +1,14 @@
 import { useMemo, useState } from "preact/hooks";
 
 import { usePage } from "../app/context";
+import { useProfile } from "../app/use_profile";
+import { hasParameters } from "../model/profile";
 import { useAddress } from "../parameters/shared/address";
 import { DifferencesView } from "../parameters/differences_view";
 import { ListView } from "../parameters/list_view";
 import { parametersOf } from "../parameters/data/parameter_source";
 import { placesOf } from "../parameters/data/places";
+import { NoParameters } from "../parameters/no_parameters";
 import { StorageBar } from "../parameters/storage_bar";
 import { Notice } from "../ui/notice";
 import { useResource } from "../ui/resource";
@@ -13,8 +16,8 @@ import { useResource } from "../ui/resource";
 /** Time between two looks at what drive objects there are (ms). */
 const kPeriod = 5000;
 
-/** The parameters of a unit: search, detail, wiring, writing, differences, saving. */
-export function Parameters(props: { unit: string }) {
+/** The parameters of a unit that has some. */
+function OwnParameters(props: { unit: string }) {
   const { source } = usePage();
   const { unit } = props;
   const address = useAddress("parameters", unit);
@@ -44,4 +47,11 @@ export function Parameters(props: { unit: string }) {
       )}
     </div>
   );
+}
+
+/** The parameters of a unit: search, detail, wiring, writing, differences, saving; or that it has none. */
+export function Parameters(props: { unit: string }) {
+  const profile = useProfile(props.unit);
+  if (profile === undefined) return <h1>Parameters</h1>;
+  return hasParameters(profile) ? <OwnParameters unit={props.unit} /> : <NoParameters unit={props.unit} />;
 }

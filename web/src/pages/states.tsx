@@ -1,11 +1,13 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 
 import { replaceQuery, route, usePage } from "../app/context";
+import { useProfile } from "../app/use_profile";
+import { hasParameters } from "../model/profile";
 import { useRecordedEvents } from "../overview/recorded_events";
 import type { StateMachine } from "../source/types";
-import { Conditions } from "../states/conditions";
+import { Conditions, type AxisPlace } from "../states/conditions";
 import { edgesOf, edgeWords, visitsOf, type Edge } from "../states/edges";
-import { kNarrow, kWide, type Layout } from "../states/layout";
+import { layoutOf, type Layout } from "../states/layout";
 import { Picture } from "../states/picture";
 import { TransitionList } from "../states/transition_list";
 import { VisitList } from "../states/visit_list";
@@ -19,8 +21,8 @@ const kPeriod = 500;
 /** So many changes of the state are listed. */
 const kVisits = 12;
 
-/** The drawing that fits the window. */
-function useLayout(): Layout {
+/** The drawing that fits the window and the states of @param machine. */
+function useLayout(machine: StateMachine): Layout {
   const media = useMemo(() => matchMedia("(max-width: 700px)"), []);
   const [isNarrow, setIsNarrow] = useState(media.matches);
   useEffect(() => {
@@ -28,11 +30,11 @@ function useLayout(): Layout {
     media.addEventListener("change", look);
     return () => media.removeEventListener("change", look);
   }, [media]);
-  return isNarrow ? kNarrow : kWide;
+  return layoutOf(machine.states, isNarrow);
 }
 
 /** What the transition needs that is looked at. */
-function Needed(props: { machine: StateMachine; edge: Edge | undefined; unit: string }) {
+function Needed(props: { machine: StateMachine; edge: Edge | undefined; place: AxisPlace }) {
   const { machine, edge } = props;
   return (
     <section class="card" aria-labelledby="states-needs">
@@ -40,7 +42,7 @@ function Needed(props: { machine: StateMachine; edge: Edge | undefined; unit: st
       {edge === undefined ? (
         <p class="muted">Choose a transition in the picture, or in the list: its conditions are shown here.</p>
       ) : (
-        <Conditions edge={edge} state={machine.state} place={{ unit: props.unit, axis: machine.axis }} />
+        <Conditions edge={edge} state={machine.state} place={props.place} />
       )}
     </section>
   );
@@ -49,7 +51,8 @@ function Needed(props: { machine: StateMachine; edge: Edge | undefined; unit: st
 function Machine(props: { machine: StateMachine; unit: string }) {
   const { machine, unit } = props;
   const { events, source } = usePage();
-  const layout = useLayout();
+  const layout = useLayout(machine);
+  const place = { unit, axis: machine.axis, hasParameters: hasParameters(useProfile(unit) ?? "s120") };
   const visits = visitsOf(events.all.value, unit, machine.axis, kVisits);
   const [looked, setLooked] = useState("");
   const [chosen, setChosen] = useState("");
@@ -66,11 +69,11 @@ function Machine(props: { machine: StateMachine; unit: string }) {
           </p>
         </div>
         <div class="states-side">
-          <Needed machine={machine} edge={edge} unit={unit} />
+          <Needed machine={machine} edge={edge} place={place} />
           <VisitList unit={unit} visits={visits} isLive={source.isLive} />
         </div>
       </div>
-      <TransitionList machine={machine} edges={edges} place={{ unit, axis: machine.axis }} />
+      <TransitionList machine={machine} edges={edges} place={place} />
     </>
   );
 }

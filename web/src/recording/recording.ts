@@ -13,6 +13,7 @@ export interface RecordingHead {
   unit: string;
   interface?: string;
   node_id?: number;
+  profile?: string;
   axes?: { axis: number; name: string; type: string }[];
   cycle_s?: number;
   every_s?: number;

@@ -30,6 +30,10 @@ export interface AxisOverview {
   name: string;
   type: string;
   state: DriveState;
+  /** Of an axis of CiA 402: "no mode", "profile position", ... */
+  mode?: string;
+  /** Of an axis of CiA 402: whether its home position is known. */
+  homed?: boolean;
   speed_rpm: number;
   setpoint_rpm: number;
   torque_Nm: number;
@@ -47,6 +51,8 @@ export interface UnitOverview {
   /** Why there is nothing more. */
   error?: string;
   node_id?: number;
+  /** "cia402"; absent or "s120": the drive unit. */
+  profile?: string;
   nmt_state?: NmtState;
   uptime_s?: number;
   leds?: { run: string; error: string };

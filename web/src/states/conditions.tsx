@@ -5,6 +5,8 @@ import { opennessWords, type Edge, type Transition } from "./edges";
 export interface AxisPlace {
   unit: string;
   axis: number;
+  /** Whether there are parameters to lead to. */
+  hasParameters: boolean;
 }
 
 function Condition(props: { condition: Transition["conditions"][number]; place: AxisPlace }) {
@@ -17,7 +19,7 @@ function Condition(props: { condition: Transition["conditions"][number]; place: 
       <span>
         <span class="visually-hidden">{condition.met ? "met: " : "not met: "}</span>
         {condition.text}{" "}
-        {condition.parameter !== undefined && condition.parameter !== "" && (
+        {place.hasParameters && condition.parameter !== undefined && condition.parameter !== "" && (
           <a class="mono" href={linkTo("parameters", place.unit, { place: place.axis, text: condition.parameter })}>
             {condition.parameter}
           </a>

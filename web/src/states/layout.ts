@@ -82,6 +82,36 @@ export const kNarrow: Layout = {
   },
 };
 
+/** The machine of CiA 402 alone: Quick stop active has the middle for itself, and two edges lead past the state between. */
+export const kWideCia402: Layout = {
+  ...kWide,
+  places: { ...kWide.places, "Quick stop active": { x: 500, y: 390 } },
+  detours: {
+    "Operation enabled>Switch on disabled": { side: "left", reach: 130 },
+    "Switched on>Switch on disabled": { side: "left", reach: 80 },
+    "Ready to switch on>Operation enabled": { side: "left", reach: 45 },
+    "Operation enabled>Ready to switch on": { side: "right", reach: 60 },
+  },
+};
+
+/** The same for a phone. */
+export const kNarrowCia402: Layout = {
+  ...kNarrow,
+  places: { ...kNarrow.places, "Quick stop active": { x: 286, y: 400 } },
+  detours: {
+    "Operation enabled>Switch on disabled": { side: "left", reach: 44 },
+    "Switched on>Switch on disabled": { side: "left", reach: 32 },
+    "Ready to switch on>Operation enabled": { side: "left", reach: 18 },
+    "Operation enabled>Ready to switch on": { side: "right", reach: 24 },
+  },
+};
+
+/** The drawing for a machine with @param states; only that of the drive unit knows OFF1. */
+export function layoutOf(states: readonly DriveState[], isNarrow: boolean): Layout {
+  if (states.includes("OFF1 braking")) return isNarrow ? kNarrow : kWide;
+  return isNarrow ? kNarrowCia402 : kWideCia402;
+}
+
 /** An edge as it is drawn. */
 export interface Curve {
   /** Of an SVG path. */

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "control/eds_file.hpp"
 #include "tools/axisctl/page/files.hpp"
 #include "tools/axisctl/page/resources.hpp"
 #include "tools/axisctl/page/unit_recorder.hpp"
@@ -50,7 +51,8 @@ std::vector<axisctl::PageUnit> capture(Stations& stations, const Scenario& scena
     if (Unit* const there = stations.find(plan)) unit.resources = ask_all(*there);
     unit.recordings = recordings_in(workshop.path(plan.name));
     const json axes = plan.config.value("axes", json{});
-    if (auto eds = axisctl::read_eds("", axes.is_array() ? axes.size() : 1)) unit.eds = *std::move(eds);
+    const std::string profile = plan.config.value("profile", std::string{control::kProfileS120});
+    if (auto eds = axisctl::read_eds("", profile, axes.is_array() ? axes.size() : 1)) unit.eds = *std::move(eds);
     units.push_back(std::move(unit));
   }
   return units;

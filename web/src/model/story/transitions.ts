@@ -1,11 +1,14 @@
 import type { Command } from "../../canopen/words";
+import type { Profile } from "../profile";
 
 /** What moves the sequence control beside the controlword (docs/reference/sequence-control.md). */
-export type Happening = "initialised" | "standstill" | "fault" | "acknowledged" | "measurement";
+export type Happening = "initialised" | "standstill" | "fault" | "acknowledged" | "measurement" | "voltage-lost";
 export type Mover = Command | Happening;
 
-/** What can lead from a state to another. */
-const kMovers: Readonly<Record<string, Readonly<Record<string, readonly Mover[]>>>> = {
+type Table = Readonly<Record<string, Readonly<Record<string, readonly Mover[]>>>>;
+
+/** What can lead from a state of the drive unit to another. */
+const kMovers: Table = {
   "Not ready to switch on": { "Switch on disabled": ["initialised"], Fault: ["fault"] },
   "Switch on disabled": { "Ready to switch on": ["shutdown"], Fault: ["fault"] },
   "Ready to switch on": {
@@ -53,9 +56,43 @@ const kMovers: Readonly<Record<string, Readonly<Record<string, readonly Mover[]>
   Fault: { "Switch on disabled": ["acknowledged"] },
 };
 
-/** What can have led from @param before to @param now; empty: the machine has no such transition. */
-export function moversOf(before: string, now: string): readonly Mover[] {
-  return kMovers[before]?.[now] ?? [];
+/** The same of an axis of CiA 402. */
+const kMoversCia402: Table = {
+  "Not ready to switch on": { "Switch on disabled": ["initialised"], Fault: ["fault"] },
+  "Switch on disabled": { "Ready to switch on": ["shutdown"], Fault: ["fault"] },
+  "Ready to switch on": {
+    "Switched on": ["switch-on"],
+    "Operation enabled": ["enable-operation"],
+    "Switch on disabled": ["disable-voltage", "quick-stop"],
+    Fault: ["fault"],
+  },
+  "Switched on": {
+    "Ready to switch on": ["shutdown"],
+    "Operation enabled": ["enable-operation"],
+    "Switch on disabled": ["disable-voltage", "quick-stop", "voltage-lost"],
+    Fault: ["fault"],
+  },
+  "Operation enabled": {
+    "Ready to switch on": ["shutdown"],
+    "Switched on": ["switch-on"],
+    "Switch on disabled": ["disable-voltage", "voltage-lost"],
+    "Quick stop active": ["quick-stop"],
+    "Fault reaction active": ["fault"],
+    Fault: ["fault"],
+  },
+  "Quick stop active": {
+    "Operation enabled": ["enable-operation"],
+    "Switch on disabled": ["standstill", "disable-voltage", "voltage-lost"],
+    "Fault reaction active": ["fault"],
+    Fault: ["fault"],
+  },
+  "Fault reaction active": { Fault: ["standstill", "voltage-lost"] },
+  Fault: { "Switch on disabled": ["acknowledged"] },
+};
+
+/** What can have led from @param before to @param now; empty: the machine of @param profile has no such transition. */
+export function moversOf(before: string, now: string, profile: Profile = "s120"): readonly Mover[] {
+  return (profile === "cia402" ? kMoversCia402 : kMovers)[before]?.[now] ?? [];
 }
 
 /** Sentences of what happens by itself. */
@@ -65,4 +102,5 @@ export const kHappenings: Readonly<Record<Happening, string>> = {
   fault: "A fault has come.",
   acknowledged: "The fault was acknowledged.",
   measurement: "The measurement of the motor has ended.",
+  "voltage-lost": "The DC link has lost its voltage.",
 };

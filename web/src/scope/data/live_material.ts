@@ -5,6 +5,7 @@ import { parseEds, type Eds } from "../../canopen/eds";
 import { ServiceMap } from "../../canopen/services";
 import { FrameStore } from "../../model/frame_store";
 import { poll } from "../../model/poll";
+import { profileAt } from "../../model/profile";
 import { SampleStore, type SignalHead } from "../../model/sample_store";
 import { timelineOf, type KnownStates, type Timeline } from "../../model/timeline";
 import { Refusal, wordsOf } from "../../source/refusal";
@@ -126,7 +127,8 @@ export class LiveMaterial implements Material {
     const nodeId = Number(this.unit.split("/").at(-1));
     this.services = new ServiceMap({ nodeId, pdos, eds });
     this.frames.relane(this.services.laneOf);
-    this.decoder = new Decoder({ services: this.services, eds, pdos, events: () => this.ran });
+    const profile = await profileAt(this.source, this.unit);
+    this.decoder = new Decoder({ services: this.services, eds, pdos, profile, events: () => this.ran });
     ++this.version;
   }
 

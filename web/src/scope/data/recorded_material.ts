@@ -3,6 +3,7 @@ import type { Eds } from "../../canopen/eds";
 import { ServiceMap } from "../../canopen/services";
 import { FrameStore } from "../../model/frame_store";
 import { SampleStore } from "../../model/sample_store";
+import { profileOf, type Profile } from "../../model/profile";
 import { timelineOf, type Timeline } from "../../model/timeline";
 import type { Recording } from "../../recording/recording";
 import type { Pdo, UnitEvent } from "../../source/types";
@@ -13,6 +14,7 @@ export interface Knowledge {
   nodeId?: number | undefined;
   eds?: Eds | undefined;
   pdos?: readonly Pdo[] | undefined;
+  profile?: Profile | undefined;
 }
 
 /** A file that was opened, a recording of the session, or a result of the unit's trace. */
@@ -47,7 +49,9 @@ export class RecordedMaterial implements Material {
     const nodeId = recording.head?.node_id ?? knowledge.nodeId;
     const services = new ServiceMap({ nodeId, pdos: knowledge.pdos, eds: knowledge.eds });
     this.frames.relane(services.laneOf);
-    this.decoder = new Decoder({ services, eds: knowledge.eds, pdos: knowledge.pdos, events: () => recording.events });
+    const { eds, pdos } = knowledge;
+    const profile = knowledge.profile ?? profileOf(recording.head);
+    this.decoder = new Decoder({ services, eds, pdos, profile, events: () => recording.events });
     this.states = timelineOf(recording.events);
   }
 

@@ -1,4 +1,5 @@
 import { parseEds } from "../../canopen/eds";
+import { profileAt } from "../../model/profile";
 import { openFile } from "../../recording/open_file";
 import type { Source } from "../../source/source";
 import type { Pdo, UnitEvent } from "../../source/types";
@@ -12,7 +13,7 @@ export async function knowledgeOf(source: Source, unit: string): Promise<Knowled
   const eds = await source.eds(unit).then((text) => parseEds(text, unit)).catch(() => undefined);
   const pdos = await source.all<Pdo>(unit, "pdos", "pdos", { all: true }).catch(() => undefined);
   const node = Number(unit.split("/").at(-1));
-  return { nodeId: Number.isInteger(node) ? node : undefined, eds, pdos };
+  return { nodeId: Number.isInteger(node) ? node : undefined, eds, pdos, profile: await profileAt(source, unit) };
 }
 
 /** The material of @param recording; what its unit does not tell any more, @param unit tells: its EDS, and all if the file names none. */

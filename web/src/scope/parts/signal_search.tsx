@@ -1,5 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
+import { useProfile } from "../../app/use_profile";
+import { hasParameters } from "../../model/profile";
 import { wordsOf } from "../../source/refusal";
 import type { SignalEntry } from "../../source/types";
 import type { ScopeState } from "../data/scope_state";
@@ -29,6 +31,7 @@ export function SignalSearch(props: { state: ScopeState; isFull: boolean }) {
   const [found, setFound] = useState<Found | undefined>(undefined);
   const [error, setError] = useState("");
   const turn = useRef(0);
+  const isOfParameters = hasParameters(useProfile(state.unit) ?? "s120");
 
   useEffect(() => {
     const words = text.trim();
@@ -64,11 +67,11 @@ export function SignalSearch(props: { state: ScopeState; isFull: boolean }) {
   return (
     <div class="scope-search">
       <label class="field">
-        <span class="visually-hidden">Add a signal: number or words, with index and bit if wanted</span>
+        <span class="visually-hidden">{isOfParameters ? "Add a signal: number or words, with index and bit if wanted" : "Add a signal: words"}</span>
         <input
           type="search"
           value={text}
-          placeholder="Add a signal: speed, r0063, r0899.2"
+          placeholder={isOfParameters ? "Add a signal: speed, r0063, r0899.2" : "Add a signal: speed, torque"}
           onInput={(event) => setText(event.currentTarget.value)}
           onKeyDown={(event) => event.key === "Enter" && found?.signals[0] !== undefined && add(found.signals[0])}
         />

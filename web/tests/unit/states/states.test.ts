@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 
 import { edgesOf, edgeWords, opennessWords, visitsOf, type Transition } from "../../../src/states/edges";
-import { borderPoint, curveOf, kNarrow, kWide } from "../../../src/states/layout";
-import type { StateMachine, UnitEvent } from "../../../src/source/types";
+import { borderPoint, curveOf, kNarrow, kNarrowCia402, kWide, kWideCia402, layoutOf } from "../../../src/states/layout";
+import type { DriveState, StateMachine, UnitEvent } from "../../../src/source/types";
 import { kStateLooks } from "../../../src/ui/state_words";
 
 const kOff1 = { text: "OFF1 is given (p0840 = r8890.0)", met: false, parameter: "p0840" };
@@ -57,7 +57,7 @@ describe("visits", () => {
   });
 });
 
-describe.each([["wide", kWide], ["narrow", kNarrow]])("%s layout", (_, layout) => {
+describe.each([["wide", kWide], ["narrow", kNarrow], ["wide CiA 402", kWideCia402], ["narrow CiA 402", kNarrowCia402]])("%s layout", (_, layout) => {
   const places = Object.entries(layout.places);
   it("has a place inside for every state, and no two overlap", () => {
     expect(Object.keys(layout.places).sort()).toEqual(Object.keys(kStateLooks).sort());
@@ -80,6 +80,14 @@ describe.each([["wide", kWide], ["narrow", kNarrow]])("%s layout", (_, layout) =
       expect(label.x).toBeGreaterThan(11);
       expect(label.x).toBeLessThan(layout.width - 11);
     }
+  });
+});
+
+describe("the layout", () => {
+  it("is that of the machine and of the window", () => {
+    const plain: DriveState[] = ["Switch on disabled", "Operation enabled", "Fault"];
+    expect([layoutOf(plain, false), layoutOf(plain, true)]).toEqual([kWideCia402, kNarrowCia402]);
+    expect([layoutOf([...plain, "OFF1 braking"], false), layoutOf([...plain, "OFF1 braking"], true)]).toEqual([kWide, kNarrow]);
   });
 });
 
