@@ -121,6 +121,7 @@ std::string UnitRecording::head(const RecordSettings& settings, nanoseconds wall
             {"unit", fmt::format("{}/{}", unit_.configuration.address.text, unit_.device.node_id())},
             {"interface", interface_of(unit_.configuration.address)},
             {"node_id", unit_.device.node_id()},
+            {"profile", name_of(unit_.configuration.profile())},
             {"axes", axes_of(unit_.configuration)},
             {"cycle_s", std::chrono::duration<double>{unit_.device.cycle()}.count()},
             {"wall_clock", fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:09}Z", calendar(wall_clock), below_second.count())},
