@@ -67,8 +67,9 @@ std::vector<SocketFile> socket_files() {
       const std::string name = entry.path().filename().string();
       const auto unit = parse_socket_name(name);
       if ((!unit && name != kSocketOfMany) || !is_trusted(entry.path())) continue;
-      files.push_back({entry.path().string(),
-                       unit ? std::optional{UnitName{std::string{unit->label}, std::string{unit->station}}} : std::nullopt});
+      files.push_back(
+          {entry.path().string(),
+           unit ? std::optional{UnitName{std::string{unit->label}, std::string{unit->station}}} : std::nullopt});
     }
   std::ranges::sort(files, {}, &SocketFile::path);
   const auto repeated = std::ranges::unique(files, {}, &SocketFile::path);

@@ -212,9 +212,8 @@ std::vector<Configuration> read_entry(const JsonReader& json, const MotorSource&
   const bool is_unconfigured = unit.node_id == Cia402Settings::kUnconfigured;
   const char* const key = is_unconfigured ? "serial" : "node_id";
   (entry.has(key) ? entry.at(key) : entry)
-      .fail(fmt::format("a {} that /units/{}{} does not have on {}",
-                        is_unconfigured ? "serial number" : "node-ID", known,
-                        is_unconfigured ? ", without node-ID too," : "", unit.address.text));
+      .fail(fmt::format("a {} that /units/{}{} does not have on {}", is_unconfigured ? "serial number" : "node-ID",
+                        known, is_unconfigured ? ", without node-ID too," : "", unit.address.text));
 }
 
 UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors) {

@@ -84,9 +84,9 @@ struct Configuration {
   Profile profile() const noexcept { return cia402 ? Profile::Cia402 : Profile::Unit; }
 };
 
-/// What tells @p unit from the others of its bus, in the names of files and sockets too: the address switch, as "5".
-/// A device without node-ID is "unconfigured", behind that its serial number unless that is 1, and stays so whatever
-/// LSS gives it.
+/// What tells @p unit from the others of its bus, in the names of files and sockets too: the address switch, as
+/// "5". A device without node-ID is "unconfigured", behind that its serial number unless that is 1, and stays so
+/// whatever LSS gives it.
 std::string station_of(const Configuration& unit);
 /// The name of the unit that @p unit describes, as "vcan0/5": bus::label() and station_of().
 std::string name_of(const Configuration& unit);
@@ -99,8 +99,8 @@ struct UnitsConfiguration {
   std::string control_group{};  ///< key "control_group": whose members may use the control socket; empty: none
 };
 
-/// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; a unit that
-/// is not in a list has @p profile, whatever is said there. Throws ConfigurationError.
+/// Reads @p text, the content of configuration file @p file, with the motors that it names from @p motors; a unit
+/// that is not in a list has @p profile, whatever is said there. Throws ConfigurationError.
 UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors,
                                        std::optional<Profile> profile = std::nullopt);
 

@@ -17,8 +17,8 @@ std::filesystem::path state_root(const std::string& given);
 ///
 /// Two locks: the state subfolder LABEL-NODE (bus::label()) guards the files, and a name in the abstract socket
 /// space, which belongs to the same network namespace as an interface of the kernel, guards the node against an
-/// instance that keeps its state elsewhere. NODE is station_of() the unit; where that is address switch 0, the node
-/// that p8620 names is guarded too.
+/// instance that keeps its state elsewhere. NODE is station_of() the unit; where that is address switch 0, the
+/// node that p8620 names is guarded too.
 class InstanceLock {
  public:
   /// Creates the subfolder of @p root and takes both locks; throws InstanceError.

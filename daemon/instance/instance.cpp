@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "daemon/base/node_text.hpp"
 #include "daemon/instance/device_setup.hpp"
 #include "service/clock.hpp"
 
@@ -36,10 +37,6 @@ std::vector<Instance::LoadTorque> load_torques(const Configuration& configuratio
 }
 
 }  // namespace
-
-std::string node_text(std::uint8_t node_id) {
-  return node_id != canopen::kNoNodeId ? fmt::format("node {}", node_id) : "the node without node-ID";
-}
 
 Instance::Instance(const Configuration& configuration, const std::filesystem::path& folder, const Log& log,
                    InstanceListener& listener)

@@ -34,9 +34,6 @@ namespace axisd {
 
 class Instance;
 
-/// The node @p node_id as people call it: "node 5", or "the node without node-ID".
-std::string node_text(std::uint8_t node_id);
-
 /// What an instance tells of itself.
 enum class Condition : std::uint8_t {
   Ready,    ///< its boot-up frame is out, for the first time

@@ -2,6 +2,8 @@
 
 #include <systemd/sd-daemon.h>
 
+#include "daemon/base/node_text.hpp"
+
 namespace axisd {
 
 void Notification::on_condition(const Instance& instance, Condition condition) noexcept {

@@ -64,8 +64,9 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_option("--profile", words.profile,
                  "device that masters see: s120, the drive unit, or cia402, a CiA 402 axis (default: s120)")
       ->type_name("PROFILE");
-  app.add_option("--node-id", words.node_id,
-                 "node-ID, 1 to 127, or 0 for that of p8620, or with cia402 255 for none, which LSS gives (default: 2)")
+  app.add_option(
+         "--node-id", words.node_id,
+         "node-ID, 1 to 127, or 0 for that of p8620, or with cia402 255 for none, which LSS gives (default: 2)")
       ->type_name("N");
   app.add_option("--axes", words.axes, "number of axes, 1 to 8 (default: those of the configuration file, else 1)")
       ->type_name("N");

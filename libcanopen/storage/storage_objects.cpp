@@ -21,7 +21,8 @@ StorageObjects::StorageObjects(Context& context) : context_{context} {
 
 Result<void> StorageObjects::write(const Entry& entry, std::int64_t value) {
   const bool stores = entry.index == object::kStoreParameters;
-  if (static_cast<std::uint32_t>(value) != (stores ? kSaveSignature : kLoadSignature)) return refuse(AbortCode::CannotTransfer);
+  if (static_cast<std::uint32_t>(value) != (stores ? kSaveSignature : kLoadSignature))
+    return refuse(AbortCode::CannotTransfer);
   return stores ? context_.application.on_store(entry.sub_index)
                 : context_.application.on_restore(entry.sub_index);
 }

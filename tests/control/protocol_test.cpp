@@ -80,7 +80,8 @@ TEST(ControlSocketName, SaysWhichUnitsHaveNoNodeId) {
     EXPECT_FALSE(control::is_unconfigured(station)) << station;
     EXPECT_TRUE(control::is_station(station)) << station;
   }
-  for (const char* other : {"", "-1", "128", "255", "5x", "unconfigured-", "unconfigured7", "unconfigured--1", "x"})
+  for (const char* other :
+       {"", "-1", "128", "255", "5x", "unconfigured-", "unconfigured7", "unconfigured--1", "x"})
     EXPECT_FALSE(control::is_station(other)) << other;
 }
 

@@ -24,7 +24,7 @@ constexpr std::int64_t kNodeId = 5;
 constexpr std::uint16_t kModuleList = 0x1027;
 constexpr std::uint16_t kDeviceType = 0x1000;
 constexpr std::int64_t kSeveralDevices = 0xFFFF0192;  // 1000h, each in its 67FFh
-constexpr unsigned kWindowObject = 0x41B6;  // p8630, always shown
+constexpr unsigned kWindowObject = 0x41B6;            // p8630, always shown
 
 /// Size in bytes and sign of the integers.
 struct Type {

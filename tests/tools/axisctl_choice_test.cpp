@@ -109,10 +109,10 @@ TEST_F(Axisctl, TakesTheUnitThatIsNamed) {
 }
 
 TEST_F(Axisctl, FindsUnitsWithoutNodeId) {
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"--unit", "can7/unconfigured-7", "quit"},
-           {"--unit", "unconfigured-7", "quit"},
-           {"--interface", "can7", "--node-id", "255", "quit"}}) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"--unit", "can7/unconfigured-7", "quit"},
+                                             {"--unit", "unconfigured-7", "quit"},
+                                             {"--interface", "can7", "--node-id", "255", "quit"}}) {
     ControlServer wanted{folder.path("axisd-can7-unconfigured-7.sock"), kDone};
     ControlServer another{folder.path("axisd-vcan0-unconfigured.sock"), kDone};
 
@@ -134,8 +134,8 @@ TEST_F(Axisctl, ListsTheUnitsWithoutNodeIdOfABus) {
                 folder.path("axisd-can7-unconfigured-7.sock") + "\n  " +
                 folder.path("axisd-can7-unconfigured.sock") + "\n");
   EXPECT_EQ(run({"--unit", "can8/unconfigured", "quit"}).errors,
-            "axisctl: no daemon on can8 without node-ID runs: it would have its control socket in " + folder.path("") +
-                "\n");
+            "axisctl: no daemon on can8 without node-ID runs: it would have its control socket in " +
+                folder.path("") + "\n");
 }
 
 TEST_F(Axisctl, NamesTheUnitToADaemonOfMany) {

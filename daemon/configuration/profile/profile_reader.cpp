@@ -16,10 +16,13 @@ struct KeyRow {
   std::string_view key;
   Profile profile;
 };
-constexpr std::array kKeysOfUnit{
-    KeyRow{"parameters", Profile::Unit}, KeyRow{"infeed", Profile::Unit},   KeyRow{"sdo_block", Profile::Unit},
-    KeyRow{"f08701", Profile::Unit},     KeyRow{"modbus", Profile::Unit},   KeyRow{"serial", Profile::Cia402},
-    KeyRow{"missed_setpoints", Profile::Cia402}};
+constexpr std::array kKeysOfUnit{KeyRow{"parameters", Profile::Unit},
+                                 KeyRow{"infeed", Profile::Unit},
+                                 KeyRow{"sdo_block", Profile::Unit},
+                                 KeyRow{"f08701", Profile::Unit},
+                                 KeyRow{"modbus", Profile::Unit},
+                                 KeyRow{"serial", Profile::Cia402},
+                                 KeyRow{"missed_setpoints", Profile::Cia402}};
 constexpr std::array kKeysOfAxis{KeyRow{"setpoint_channel", Profile::Unit}, KeyRow{"positioner", Profile::Unit},
                                  KeyRow{"positioner_wiring", Profile::Unit}, KeyRow{"parameters", Profile::Unit},
                                  KeyRow{"homing_distance", Profile::Cia402}};
@@ -27,8 +30,7 @@ constexpr std::array kKeysOfAxis{KeyRow{"setpoint_channel", Profile::Unit}, KeyR
 void refuse_others(const JsonReader& json, std::span<const KeyRow> rows, Profile profile) {
   for (const KeyRow& row : rows)
     if (row.profile != profile && json.has(std::string{row.key}))
-      json.at(std::string{row.key})
-          .fail(fmt::format(R"(a unit with "profile": "{}")", name_of(row.profile)));
+      json.at(std::string{row.key}).fail(fmt::format(R"(a unit with "profile": "{}")", name_of(row.profile)));
 }
 
 Profile profile_in(const JsonReader& unit) {

@@ -8,8 +8,8 @@
 
 namespace axisd {
 
-/// What the object @p unit of a file says of the profile cia402; nothing where its profile is s120. @p profile is in
-/// place of what the file says. Keys of the other profile are refused. Throws ConfigurationError.
+/// What the object @p unit of a file says of the profile cia402; nothing where its profile is s120. @p profile is
+/// in place of what the file says. Keys of the other profile are refused. Throws ConfigurationError.
 std::optional<Cia402Settings> read_profile(const JsonReader& unit, std::optional<Profile> profile);
 
 /// The node-ID of a device of profile cia402, from the value @p json. Throws ConfigurationError.

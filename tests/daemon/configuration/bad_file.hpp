@@ -8,6 +8,11 @@
 
 namespace axisd {
 
+/// What the key "interface" and the option of that name take.
+inline const std::string kForms =
+    "a name of 1 to 15 characters without spaces, unix:PATH, udp-multicast://GROUP:PORT[?interface=NAME] or "
+    "socketcand://HOST:PORT/NAME";
+
 /// The message of the ConfigurationError that @p read throws.
 template <class Read>
 std::string message_of(const Read& read) {

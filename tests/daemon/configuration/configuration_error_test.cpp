@@ -50,11 +50,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /axes/0/positioner_wiring: expected mdi, blocks, telegram-110 or telegram-111, got "
                 "\"epos\""}));
 
-/// What the key "interface" and the option of that name take.
-const std::string kForms =
-    "a name of 1 to 15 characters without spaces, unix:PATH, udp-multicast://GROUP:PORT[?interface=NAME] or "
-    "socketcand://HOST:PORT/NAME";
-
 INSTANTIATE_TEST_SUITE_P(
     Unit, BadFiles,
     testing::Values(

@@ -75,7 +75,8 @@ TEST(UnitName, HasTheNodeIdOrThatThereIsNone) {
   EXPECT_EQ(name(R"("profile": "cia402", "node_id": 5, "serial": 7)"), "vcan0/5");
   EXPECT_EQ(name(R"("profile": "cia402", "node_id": 255)"), "vcan0/unconfigured");
   EXPECT_EQ(name(R"("profile": "cia402", "node_id": 255, "serial": 1)"), "vcan0/unconfigured");
-  EXPECT_EQ(name(R"("profile": "cia402", "node_id": 255, "serial": 7, "interface": "can1")"), "can1/unconfigured-7");
+  EXPECT_EQ(name(R"("profile": "cia402", "node_id": 255, "serial": 7, "interface": "can1")"),
+            "can1/unconfigured-7");
   EXPECT_EQ(name(R"("profile": "cia402", "node_id": 255, "serial": 0)"), "vcan0/unconfigured-0");
 }
 
@@ -138,8 +139,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"home\""},
         BadFile{R"({"profile": "cia402", "axes": [{"switches": [{"role": "home", "from": 2, "to": 2}]}]})",
                 "node.json: /axes/0/switches/0/to: expected a number above 2, where the switch begins, got 2"},
-        BadFile{R"({"profile": "cia402", "axes": [{"switches": [{"role": "home", "from": -1e10, "to": 2}]}]})",
-                "node.json: /axes/0/switches/0/from: expected a number -1000000000 to 1000000000, got -10000000000.0"},
+        BadFile{
+            R"({"profile": "cia402", "axes": [{"switches": [{"role": "home", "from": -1e10, "to": 2}]}]})",
+            "node.json: /axes/0/switches/0/from: expected a number -1000000000 to 1000000000, got -10000000000.0"},
         BadFile{R"({"profile": "cia402", "axes": [{"switches": [{"role": "home", "from": 1, "to": 2,
                                                                "inverted": 1}]}]})",
                 "node.json: /axes/0/switches/0/inverted: expected true or false, got 1"},
@@ -178,13 +180,15 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Lists, BadProfiles,
     testing::Values(
-        BadFile{R"({"units": [{"profile": "cia402", "node_id": 255}, {"profile": "cia402", "node_id": 255}]})",
-                "node.json: /units/1: expected a serial number that /units/0, without node-ID too, does not have on "
-                "vcan0, got {\"node_id\":255,\"profile\":\"cia402\"}"},
-        BadFile{R"({"units": [{"profile": "cia402", "node_id": 255, "serial": 3},
+        BadFile{
+            R"({"units": [{"profile": "cia402", "node_id": 255}, {"profile": "cia402", "node_id": 255}]})",
+            "node.json: /units/1: expected a serial number that /units/0, without node-ID too, does not have on "
+            "vcan0, got {\"node_id\":255,\"profile\":\"cia402\"}"},
+        BadFile{
+            R"({"units": [{"profile": "cia402", "node_id": 255, "serial": 3},
                               {"profile": "cia402", "node_id": 255, "serial": 3}]})",
-                "node.json: /units/1/serial: expected a serial number that /units/0, without node-ID too, does not "
-                "have on vcan0, got 3"},
+            "node.json: /units/1/serial: expected a serial number that /units/0, without node-ID too, does not "
+            "have on vcan0, got 3"},
         BadFile{R"({"units": [{"profile": "cia402", "node_id": 5}, {"node_id": 5}]})",
                 "node.json: /units/1/node_id: expected a node-ID that /units/0 does not have on vcan0, got 5"},
         BadFile{R"({"units": [{"profile": "cia402", "serial": 4294967290, "node_id": {"from": 1, "to": 9}}]})",
@@ -214,16 +218,22 @@ TEST_F(ProfileOption, IsInPlaceOfTheKey) {
 TEST_F(ProfileOption, LeavesNoRoomForKeysOfTheOther) {
   const std::string name = file(R"({"parameters": {"p8848": 1}})");
 
-  EXPECT_EQ(message_of([&] { configuration_of({"--profile", "cia402", "--config", name}); }),
+  EXPECT_EQ(message_of([&] {
+              configuration_of({"--profile", "cia402", "--config", name});
+            }),
             name + ": /parameters: expected a unit with \"profile\": \"s120\", got {\"p8848\":1}");
 }
 
 TEST_F(ProfileOption, SaysWhichNodeIdsThereAre) {
   EXPECT_EQ(station_of(configuration_of({"--profile", "cia402", "--node-id", "255"})), "unconfigured");
   EXPECT_EQ(configuration_of({"--profile", "cia402", "--node-id", "127"}).node_id, 127);
-  EXPECT_EQ(message_of([] { configuration_of({"--profile", "cia402", "--node-id", "0"}); }),
+  EXPECT_EQ(message_of([] {
+              configuration_of({"--profile", "cia402", "--node-id", "0"});
+            }),
             "--node-id: expected an integer 1 to 127, or 255 for a node without node-ID, got 0");
-  EXPECT_EQ(message_of([] { configuration_of({"--node-id", "255"}); }),
+  EXPECT_EQ(message_of([] {
+              configuration_of({"--node-id", "255"});
+            }),
             "--node-id: expected an integer 0 to 127, got 255");
 }
 

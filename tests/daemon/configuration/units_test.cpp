@@ -123,8 +123,9 @@ TEST_P(OptionBesideUnits, IsAUsageError) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfOneUnit, OptionBesideUnits, testing::Values(std::pair{"--interface", "can3"}, std::pair{"--node-id", "3"}, std::pair{"--axes", "3"},
-                                         std::pair{"--profile", "cia402"}));
+INSTANTIATE_TEST_SUITE_P(OfOneUnit, OptionBesideUnits,
+                         testing::Values(std::pair{"--interface", "can3"}, std::pair{"--node-id", "3"},
+                                         std::pair{"--axes", "3"}, std::pair{"--profile", "cia402"}));
 
 }  // namespace
 }  // namespace axisd

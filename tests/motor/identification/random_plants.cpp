@@ -6,8 +6,8 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "daemon/configuration/base/json_reader.hpp"
 #include "daemon/configuration/axis/motor_file.hpp"
+#include "daemon/configuration/base/json_reader.hpp"
 #include "daemon/program/motor_folders.hpp"
 
 namespace identification {

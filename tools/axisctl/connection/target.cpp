@@ -95,8 +95,7 @@ Expected<Target> choose_target(const Address& address) {
     for (const Target& target : found) several.choices.push_back(text_of(target));
     return tl::unexpected{std::move(several)};
   }
-  if (says_all && !address.names_unit)
-    return Target{control::default_socket_path(*address.label, *address.node)};
+  if (says_all && !address.names_unit) return Target{control::default_socket_path(*address.label, *address.node)};
   if (address.label || address.node)
     return fail(ExitStatus::NotReachable, fmt::format("no daemon {} runs: it would have its control socket in {}",
                                                       text_of(address), control::runtime_directory()));
