@@ -28,8 +28,9 @@ ENABLE, HALT, CYCLIC_POSITION = 0x0F, 0x100, 8
 FAULT, FOLLOWS = 1 << 3, 1 << 12
 REVOLUTION = 65536  # position units, as delivered
 SPIN = 150e-6  # s before a deadline that are not slept, for a sleep ends late
-PATIENCE = 5  # s
-REST = 50  # periods with the last set-point
+PATIENCE = 20  # s
+REST = 50  # periods with the last set-point, again and again until all axes are there
+NEAR = 64  # position units
 BEHIND = 20  # SYNCs that may be without an answer: receive buffers of a system are small
 
 
@@ -86,6 +87,7 @@ class Axis:
         self.start = 0
         self.answers = 0  # TPDOs that came with SYNC
         self.error = self.distance = 0  # the largest ones, position units
+        self.present = 0  # the last distance
         self.losses = 0  # how often bit 12 of 6041h fell
         self.statusword = 0
 
@@ -120,7 +122,8 @@ class Axis:
         position, error = ANSWER.unpack(data)
         self.answers += 1
         self.error = max(self.error, abs(error))
-        self.distance = max(self.distance, abs(position - self.start - set_point))
+        self.present = abs(position - self.start - set_point)
+        self.distance = max(self.distance, self.present)
 
     def take_statusword(self, data):
         word, = struct.unpack_from('<H', data)
@@ -150,8 +153,14 @@ class Cycle:
         self.by_identifier = {0x280 + axis.place: axis for axis in axes}
         self.of_statusword = {0x180 + axis.place: axis for axis in axes}
         self.set_points = [0]  # of each SYNC; before the first one the axis held its start
-        self.skipped = 0  # periods without SYNC, because the master was late
-        self.latest = 0.0  # s, the longest that a SYNC was late
+        self.skipped, self.latest = 0, 0.0  # periods without SYNC; s, the longest that one was late
+        self.due = None  # when the next SYNC is
+        self.resting = self.frames([0] * REST)  # made now: later there is no time
+        self.halting = self.frames([0], ENABLE | HALT)
+
+    def frames(self, table, controlword=ENABLE):
+        """RPDOs of all axes for each place of the table."""
+        return list(zip(*(axis.frames(table, controlword) for axis in self.axes)))
 
     @property
     def syncs(self):
@@ -180,16 +189,15 @@ class Cycle:
             self.receive()
 
     def wait_until(self, due):
-        if (left := due - SPIN - time.monotonic()) > 0:
-            time.sleep(left)
+        time.sleep(max(0, due - SPIN - time.monotonic()))
         while (now := time.monotonic()) < due:
             pass
         return now
 
-    def run(self, frames, table, rounds):
+    def run(self, frames, table, rounds=1):
         """All rounds through the table; @p frames has the RPDOs of all axes for each place."""
         send = self.node.socket.send
-        due = time.monotonic() + 10 * self.period
+        due = self.due or time.monotonic() + 10 * self.period
         for _ in range(rounds):
             for place, frames_of_place in zip(table, frames):
                 for frame in frames_of_place:
@@ -204,6 +212,16 @@ class Cycle:
                 due += self.period
                 self.receive()
                 self.wait_for_answers()
+        self.due = due
+
+    def settle(self):
+        """The first place of the way until all axes are there."""
+        end = time.monotonic() + PATIENCE
+        self.run(self.resting, [0] * REST)
+        while any(axis.present > NEAR for axis in self.axes):
+            if time.monotonic() > end:
+                raise Failed('not all axes are back')
+            self.run(self.resting, [0] * REST)
 
     def finish(self):
         """Until the last answers have come."""
@@ -232,14 +250,10 @@ def report(cycle, seconds, pid, used):
 
 def arguments():
     parser = argparse.ArgumentParser()
-    parser.add_argument('--channel', default='vcan0')
-    parser.add_argument('--node', type=int, default=5)
-    parser.add_argument('--axes', type=int, default=1)
-    parser.add_argument('--seconds', type=float, default=10)
-    parser.add_argument('--period', type=int, default=1, help='ms')
+    for name, default, what in (('--channel', 'vcan0', None), ('--node', 5, None), ('--axes', 1, None), ('--seconds', 10.0, None),
+                                ('--period', 1, 'ms'), ('--way', 5.0, 'revolutions'), ('--time', 1.0, 's for the way')):
+        parser.add_argument(name, type=type(default), default=default, help=what)
     parser.add_argument('--motion', choices=('sin2', 'trapezoid'), default='sin2')
-    parser.add_argument('--way', type=float, default=5, help='revolutions')
-    parser.add_argument('--time', type=float, default=1, help='s for the way')
     parser.add_argument('--pid', type=int, help='of axisd, to tell what processor time it takes')
     return parser.parse_args()
 
@@ -256,14 +270,14 @@ def follow(node, options):
     table = places(options.motion, options.way * REVOLUTION, round(options.time / period))
     rounds = max(1, round(options.seconds / period / len(table)))
     cycle = Cycle(node, axes, period)
+    frames = cycle.frames(table)
     gc.disable()  # it would stop the master for some ms
     began, used = time.monotonic(), options.pid and processor_time(options.pid)
     try:
-        cycle.run(list(zip(*(axis.frames(table) for axis in axes))), table, rounds)
+        cycle.run(frames, table, rounds)
+        cycle.settle()
+        cycle.run(cycle.halting, [0])  # with halt no set-point is missed any more
         seconds, used = time.monotonic() - began, options.pid and processor_time(options.pid) - used
-        cycle.run(list(zip(*(axis.frames([0] * REST) for axis in axes))), [0] * REST, 1)
-        # With halt no set-point is missed any more.
-        cycle.run(list(zip(*(axis.frames([0], ENABLE | HALT) for axis in axes))), [0], 1)
         cycle.finish()
     except Failed:
         report(cycle, time.monotonic() - began, None, None)

@@ -1,6 +1,6 @@
 'use strict';
-// Node 5 with "profile": "cia402": a master of vcan0, the PDOs that the program sends and takes, and what it waits for. The EDS is
-// the first argument of the program, if there is one. Needs the npm packages canopen and socketcan.
+// Node 5 with "profile": "cia402": a master of vcan0, the PDOs that the program sends and takes, and what it waits for. The EDS
+// is the first argument of the program, if there is one. Needs the npm packages canopen and socketcan.
 const { Device, Eds } = require('canopen');
 const can = require('socketcan');
 

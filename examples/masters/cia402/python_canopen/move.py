@@ -26,15 +26,16 @@ def until(node, holds, what):
 
 
 def map_pdos(node):
-    """Controlword and mode in one RPDO: BaseNode402 writes 6060h by the first one that has it, with all else that is mapped there,
-    and in RPDO 2 as delivered that is a controlword of 0."""
+    """Controlword and mode in one RPDO: BaseNode402 writes 6060h by the first one that has it, with all else that is mapped
+    there, and in RPDO 2 as delivered that is a controlword of 0."""
     node.rpdo.read()
     node.rpdo[2].enabled = False
     node.rpdo[1].clear()
     node.rpdo[1].add_variable('Controlword')
     node.rpdo[1].add_variable('Modes of operation')
     node.rpdo[1].enabled = True
-    node.rpdo.save()
+    node.rpdo[2].save()
+    node.rpdo[1].save()
 
 
 def home(node):
