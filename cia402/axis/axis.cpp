@@ -74,6 +74,7 @@ void Axis::scale() noexcept {
   actual_.position = place_.at(static_cast<double>(drive_.increments) + drive_.fraction, scaling_);
   demand_ = {.motion = at_rest()};
   control_.start(actual_.position);
+  show_position(drive_);
 }
 
 ModeContext Axis::context() const noexcept {

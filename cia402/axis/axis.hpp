@@ -46,6 +46,8 @@ class Axis {
   void act(ActingSet what, TimeNs instant) noexcept;
   /// Objects that others are relative to have other values (6091h, 6092h, 607Eh).
   void scale() noexcept;
+  /// Shows the position anew, whose range (607Bh) is another one.
+  void show_range() noexcept { show_position(drive_); }
   /// Whether the node is Operational (6041h bit 9), and set-points of @p with_sync come with SYNC.
   void set_remote(bool remote, ActingSet with_sync) noexcept;
   /// A connection is lost: 6007h acts; where RPDOs are @p only_late it does not disable the voltage.

@@ -144,16 +144,17 @@ DriveCommand Axis::command_of(const Demand& demand) noexcept {
     return command;
   }
   command.torque_offset = demand.torque_offset;
+  const double next_position = actual_.position + actual_.velocity * kCycle;  // where position control would begin
   switch (demand.lead) {
     case Lead::Position:
       command.speed = scaling_.motor_speed(control_.run(demand, actual_.position));
       break;
     case Lead::Velocity:
-      control_.start(actual_.position);
+      control_.start(next_position);
       command.speed = scaling_.motor_speed(demand.motion.velocity + demand.velocity_offset);
       break;
     case Lead::Torque:
-      control_.start(actual_.position);
+      control_.start(next_position);
       lead_torque(std::clamp(demand.motion.torque + demand.torque_offset, limits.low, limits.high), command);
       break;
   }

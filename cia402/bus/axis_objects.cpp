@@ -68,7 +68,8 @@ AxisObjects::AxisObjects(std::size_t number, canopen::Dictionary& dictionary, co
     if (entry.index < object::kFirstProfileObject || !entry.writable || object::axis_of(entry.index) != number)
       continue;
     const std::uint16_t first = object::index_on_first_axis(entry.index);
-    if (acting_of(first) != 0 || std::ranges::find(kRules, first, &Rule::index) != kRules.end())
+    const bool is_ruled = std::ranges::find(kRules, first, &Rule::index) != kRules.end();
+    if (acting_of(first) != 0 || is_ruled || first == object::kPositionRangeLimit)
       dictionary.own_write(entry.index, entry.sub_index, *this);
   }
 }
@@ -81,6 +82,7 @@ canopen::Result<void> AxisObjects::write(const canopen::Entry& entry, std::int64
     if (const auto code = rule->objection(axis_, value)) return canopen::refuse(*code);
   dictionary_.set(entry, value);
   if (std::ranges::find(kScales, first) != kScales.end()) axis_.scale();
+  if (first == object::kPositionRangeLimit) axis_.show_range();
   if (const ActingSet acting = acting_of(first); acting != 0) writes_.on_acting(number_ - 1, acting);
   return {};
 }

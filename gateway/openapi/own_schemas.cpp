@@ -34,7 +34,11 @@ OrderedJson part_of(const nlohmann::json& object, std::string_view place, const 
 
 OrderedJson units_schema(const nlohmann::json& units) {
   const auto same = [&units](const char* key) {
-    return OrderedJson::parse(units.at("properties").at(key).dump());
+    constexpr std::string_view kDefinitions = "#/$defs/";
+    std::string text = units.at("properties").at(key).dump();
+    for (std::size_t at = text.find(kDefinitions); at != std::string::npos; at = text.find(kDefinitions))
+      text.replace(at, kDefinitions.size(), "#/components/schemas/");
+    return OrderedJson::parse(text);
   };
   OrderedJson daemon{
       {"socket", {{"type", "string"}, {"description", "path of its control socket"}}},

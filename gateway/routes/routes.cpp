@@ -61,7 +61,7 @@ constexpr std::array kRoutes{
           .path = "/api/v1/units/{bus}/{node}/eds",
           .method = "",
           .kind = Kind::Eds,
-          .summary = "Read the EDS of a unit with so many axes"},
+          .summary = "Read the EDS of a unit of this profile with so many axes"},
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/explain", .method = "explain"},
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/metrics", .method = "metrics"},
     Route{.verb = "POST", .path = "/api/v1/units/{bus}/{node}/power/on", .method = "unit.on"},

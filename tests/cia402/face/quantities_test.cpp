@@ -126,6 +126,22 @@ TEST(TouchProbe, KeepsTheExactPositionOfAnEdge) {
   EXPECT_EQ(device.read(0x60D5), 1);
 }
 
+TEST(Position, IsShownAnewAtRestInOtherUnits) {
+  TestDevice device;
+  device.enable(Mode::ProfilePosition);
+  device.write(0x607A, 3 * kRevolution);
+  device.write(0x6040, 0x1F);
+  ASSERT_TRUE(device.reaches(0x0400, 0x0400, 5s));
+  device.write(0x6040, 0);
+  device.passes(2s);
+  EXPECT_NEAR(static_cast<double>(device.position()), 3.0 * kRevolution, 2.0);
+  ASSERT_EQ(device.write(0x607B, 2, kRevolution - 1), 0U);
+  EXPECT_LT(device.position(), kRevolution);
+  ASSERT_EQ(device.write(0x607B, 2, 0x7FFFFFFF), 0U);
+  ASSERT_EQ(device.write(0x6092, 1, 3600), 0U);
+  EXPECT_NEAR(static_cast<double>(device.position()), 3.0 * 3600, 1.0);
+}
+
 TEST(DigitalOutputs, KeepTheBrakeClosedWhereTheMaskHasIt) {
   Configuration configuration{.node_id = 5};
   configuration.axes.front().drive.load.brake.torque = 100.0;

@@ -67,7 +67,7 @@ test("hands enable the axis by controlword and turn it by a velocity", async () 
     await card.getByRole("button", { name: order, exact: true }).click();
     await card.getByText(state, { exact: true }).waitFor();
   }
-  bench.axisctl("object", "write", "60FF", "0", "655360"); // 10 revolutions a second
+  bench.axisctl("object", "write", "60FF:00", "655360"); // 10 revolutions a second
   bench.axisctl("wait", "value", "1/speed", "ge", "590", "--timeout", "30");
   for (const name of ["Operator panel", "Motor data identification", "Stop"])
     assert.equal(await page.getByRole("region", { name, exact: true }).count(), 0, name);
