@@ -35,6 +35,7 @@ Drive::Drive(canopen::Dictionary& dictionary, const DriveFlaws& flaws, canopen::
   for (const Range& option : kOptions) dictionary.own_write(option.index, 0, *this);
   dictionary.own_write(0x6060, 0, *this);
   dictionary.own_write(0x6098, 0, *this);
+  boot();
 }
 
 canopen::Result<void> Drive::write(const canopen::Entry& entry, std::int64_t value) {

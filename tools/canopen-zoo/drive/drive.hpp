@@ -13,7 +13,7 @@ namespace zoo {
 /// ramp exactly. Time passes for it when it is told.
 class Drive final : private canopen::EntryOwner {
  public:
-  /// Owns some of the objects in @p dictionary, which outlives it.
+  /// Boots. Owns some of the objects in @p dictionary, which outlives it.
   Drive(canopen::Dictionary& dictionary, const DriveFlaws& flaws, canopen::TimePoint now);
 
   /// The objects have their initial values again, or stored ones.

@@ -104,8 +104,9 @@ void leaves_quick_stop(Axis& axis) {
   if (!axis.needs({kQuickStopOption}) || !axis.set(kQuickStopOption, kStay) || !axis.enable()) return;
   axis.context().step();
   axis.command(kQuickStop);
-  if (!axis.reaches(kQuickStopActive)) {
-    axis.fail(kStatusword, "Quick stop active after Quick stop, transition 11", state_in(axis.status()));
+  if (!axis.reaches(kQuickStopActive) || axis.await(kWatch, [&] { return !kQuickStopActive.is(axis.status()); })) {
+    axis.fail(kStatusword, "Quick stop active after Quick stop with 605Ah = 6, transition 11",
+              state_in(axis.status()));
     return;
   }
   axis.context().step();
