@@ -20,8 +20,7 @@ constexpr device::BusState bus_state_of(bus::ErrorState state) noexcept {
   return kStates[static_cast<std::size_t>(state)];
 }
 
-/// Cycles of different units begin a multiple of this apart, so that a thread that runs many wakes for several at
-/// once.
+/// Cycles of units begin a multiple of this apart, so that a thread that runs many wakes for several at once.
 constexpr canopen::Duration kGrid = std::chrono::microseconds{500};
 
 /// The last point of the grid up to @p now.
@@ -113,8 +112,8 @@ void Instance::tell_ready() noexcept {
   // The boot-up frame has to be out, if the node has one and no fault is there that may keep it.
   const bus::TransmitQueue& queue = std::as_const(bus_).queue();
   const bool is_silent = !faults_.is_empty() || device_.node_id() == canopen::kNoNodeId;
-  const bool has_sent = queue.counters().sent != sent_before_boot_up_ || is_silent;
-  if (!bus_.is_open() || queue.waiting() != 0 || !has_sent) return;
+  const bool has_spoken = queue.counters().sent != sent_before_boot_up_;
+  if (!bus_.is_open() || queue.waiting() != 0 || !(has_spoken || is_silent)) return;
   ready_told_ = true;
   log_.info("ready: {} on {}", node_text(device_.node_id()), bus_name());
   listener_.on_condition(*this, Condition::Ready);

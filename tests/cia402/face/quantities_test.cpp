@@ -134,12 +134,12 @@ TEST(Position, IsShownAnewAtRestInOtherUnits) {
   ASSERT_TRUE(device.reaches(0x0400, 0x0400, 5s));
   device.write(0x6040, 0);
   device.passes(2s);
-  EXPECT_NEAR(static_cast<double>(device.position()), 3.0 * kRevolution, 2.0);
+  EXPECT_NEAR(static_cast<double>(device.position()), 3.0 * kRevolution, 100.0) << "where it has coasted to";
   ASSERT_EQ(device.write(0x607B, 2, kRevolution - 1), 0U);
   EXPECT_LT(device.position(), kRevolution);
   ASSERT_EQ(device.write(0x607B, 2, 0x7FFFFFFF), 0U);
   ASSERT_EQ(device.write(0x6092, 1, 3600), 0U);
-  EXPECT_NEAR(static_cast<double>(device.position()), 3.0 * 3600, 1.0);
+  EXPECT_NEAR(static_cast<double>(device.position()), 3.0 * 3600, 6.0);
 }
 
 TEST(DigitalOutputs, KeepTheBrakeClosedWhereTheMaskHasIt) {

@@ -107,7 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"axes": [1]})", "node.json: /axes/0: expected an object, got 1"},
         BadFile{R"({"axes": [{"speed": 1}]})",
                 "node.json: /axes/0/speed: unknown key, expected one of: name, type, motor, encoder, load, "
-                "plant, power_unit, setpoint_channel, positioner, positioner_wiring, switches, parameters"},
+                "plant, power_unit, setpoint_channel, positioner, positioner_wiring, switches, homing_distance, "
+                "parameters"},
         BadFile{R"({"axes": [{"setpoint_channel": 0}]})",
                 "node.json: /axes/0/setpoint_channel: expected true or false, got 0"},
         BadFile{R"({"axes": [{"type": "vector", "setpoint_channel": false}]})",

@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"switches": [{"input": 0, "from": 1}]})",
                 "node.json: /axes/0/switches/0: expected the key to, got {\"from\":1,\"input\":0}"},
         BadFile{R"({"switches": [{"input": 0, "from": 1, "to": 2, "at": 3}]})",
-                "node.json: /axes/0/switches/0/at: unknown key, expected one of: input, from, to, inverted"},
+                "node.json: /axes/0/switches/0/at: unknown key, expected one of: input, role, from, to, inverted"},
         BadFile{R"({"switches": [{"input": 8, "from": 1, "to": 2}]})",
                 "node.json: /axes/0/switches/0/input: expected an integer 0 to 7, got 8"},
         BadFile{R"({"switches": [{"input": 0, "from": 2, "to": 2}]})",

@@ -146,9 +146,10 @@ INSTANTIATE_TEST_SUITE_P(
                                                                "inverted": 1}]}]})",
                 "node.json: /axes/0/switches/0/inverted: expected true or false, got 1"},
         BadFile{R"({"profile": "cia402", "axes": [{"switches": [{"input": 1, "from": 1, "to": 2}]}]})",
-                "node.json: /axes/0/switches/0/input: unknown key, expected one of: role, from, to, inverted"},
-        BadFile{R"({"axes": [{"switches": [{"role": "home", "from": 1, "to": 2}]}]})",
-                "node.json: /axes/0/switches/0/role: unknown key, expected one of: input, from, to, inverted"}));
+                "node.json: /axes/0/switches/0/input: expected a unit with \"profile\": \"s120\", got 1"},
+        BadFile{
+            R"({"axes": [{"switches": [{"role": "home", "from": 1, "to": 2}]}]})",
+            "node.json: /axes/0/switches/0/role: expected a unit with \"profile\": \"cia402\", got \"home\""}));
 
 INSTANTIATE_TEST_SUITE_P(
     KeysOfTheOtherProfile, BadProfiles,

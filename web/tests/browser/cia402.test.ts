@@ -49,8 +49,8 @@ test("there are no parameters, and the page says so", async () => {
 
 test("objects are named by the EDS of the profile", async () => {
   const { page } = bench;
-  const unit = ((await (await fetch(`${bench.url}/api/v1/units`)).json()) as { units: { unit: string }[] }).units[0]?.unit ?? "";
-  const eds = await (await fetch(`${bench.url}/api/v1/units/${unit}/eds`)).text();
+  const unit = ((await (await fetch(new URL("/api/v1/units", bench.url))).json()) as { units: { unit: string }[] }).units[0]?.unit ?? "";
+  const eds = await (await fetch(new URL(`/api/v1/units/${unit}/eds`, bench.url))).text();
   assert.equal(eds, readFileSync(join(kBin, "../share/axisd/eds/axisd-cia402.eds"), "utf8"));
   await bench.show("#/objects?text=6099");
   await page.getByText("Homing speeds", { exact: false }).first().waitFor();
