@@ -75,12 +75,16 @@ def sample(node):
 def objects(node, build, path=""):
     """Every object with keys: its path, node, how it is put into a configuration, and what it must have."""
     for other in alternatives(node):
-        if "properties" in other:
-            needed = {key: sample(other["properties"][key]) for key in other.get("required", [])}
+        choices = [choice.get("required", []) for choice in other.get("oneOf", [{}])]
+        for choice in choices if "properties" in other else []:
+            required = other.get("required", []) + choice
+            excluded = {key for keys in choices for key in keys} - set(choice)
+            needed = {key: sample(other["properties"][key]) for key in required}
             yield path or "/", other, build, needed
             for key, value in other["properties"].items():
                 inner = lambda x, key=key, build=build, needed=needed: build({**needed, key: x})
-                yield from objects(value, inner, f"{path}/{key}")
+                if key not in excluded:
+                    yield from objects(value, inner, f"{path}/{key}")
         if other.get("type") == "array" and "items" in other:
             yield from objects(other["items"], lambda x, build=build: build([x]), f"{path}/0")
 
@@ -91,6 +95,7 @@ VALUES = [
     (f"{path.rstrip('/')}/{key}", value, lambda x, key=key, build=build, needed=needed: build({**needed, key: x}))
     for path, node, build, needed in OBJECTS
     for key, value in node["properties"].items()
+    if not any(key in choice["required"] for choice in node.get("oneOf", [])) or key in needed
 ]
 
 
