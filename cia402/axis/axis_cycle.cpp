@@ -10,8 +10,7 @@ namespace cia402 {
 namespace {
 
 constexpr std::int16_t kSoftwareZeroSource = 6;  // 60D0h
-constexpr std::uint32_t kNoWindow = 0xFFFFFFFF;
-constexpr std::uint32_t kBrakeOutput = 1;  // 60FEh
+constexpr std::uint32_t kBrakeOutput = 1;        // 60FEh
 
 /// From this share of the speed cap on torque control gives way to speed control.
 constexpr double kNearCap = 0.9;

@@ -8,8 +8,6 @@
 namespace cia402 {
 namespace {
 
-constexpr std::uint32_t kNoWindow = 0xFFFFFFFF;
-
 /// 607Dh, where it is in force: its limits in order, and not both at the ends of their type.
 std::optional<Span> software_limits(const AxisValues& values) noexcept {
   return range_in_force(values.software_limit_minimum.get(), values.software_limit_maximum.get());

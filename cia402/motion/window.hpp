@@ -5,6 +5,9 @@
 
 namespace cia402 {
 
+/// The value of a window that is not watched (6065h, 6067h; CiA 402-2).
+inline constexpr std::uint32_t kNoWindow = 0xFFFFFFFF;
+
 /// Whether something has been so for a time, in cycles of 1 ms.
 class Window {
  public:

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "cia402/base/word_bits.hpp"
 #include "cia402/motion/position_range.hpp"
 
 namespace cia402 {
@@ -66,7 +67,7 @@ double unlimited_target(const SetPoint& set_point, const SetPointOrigin& origin,
 
 SetPoint make_set_point(std::uint16_t word, const ProfilePositionSettings& settings) noexcept {
   const unsigned options = settings.option_code;
-  const bool is_relative = (word & ProfilePositionBits::kRelative) != 0;
+  const bool is_relative = has(word, ProfilePositionBits::kRelative);
   return {.base = is_relative ? kBases[options & kTwoBits] : SetPoint::Base::Axis,
           .route = kRoutes[options >> kRouteShift & kTwoBits],
           .response = kResponses[options >> kResponseShift & kTwoBits],
@@ -76,7 +77,7 @@ SetPoint make_set_point(std::uint16_t word, const ProfilePositionSettings& setti
                      .acceleration = settings.acceleration,
                      .deceleration = settings.deceleration,
                      .jerk = settings.motion_profile != 0 ? settings.jerk : 0.0},
-          .changes_on_set_point = (word & ProfilePositionBits::kChangeOnSetPoint) != 0};
+          .changes_on_set_point = has(word, ProfilePositionBits::kChangeOnSetPoint)};
 }
 
 ProfileLimits capped(const ProfileLimits& wanted, const Limits& limits) noexcept {

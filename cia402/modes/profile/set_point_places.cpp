@@ -1,13 +1,8 @@
 #include "cia402/modes/profile/set_point_places.hpp"
 
+#include "cia402/base/word_bits.hpp"
+
 namespace cia402 {
-namespace {
-
-constexpr bool has(std::uint16_t word, std::uint16_t bit) noexcept {
-  return (word & bit) != 0;
-}
-
-}  // namespace
 
 bool SetPointPlaces::takes(std::uint16_t word, std::uint16_t former) const noexcept {
   using Bits = ProfilePositionBits;

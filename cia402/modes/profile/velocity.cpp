@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cia402/base/word_bits.hpp"
+
 namespace cia402 {
 namespace {
-
-constexpr bool has(std::uint16_t word, std::uint16_t bit) noexcept {
-  return (word & bit) != 0;
-}
 
 /// 6042h between the amounts of 6046h, with its sign; 0 counts as positive.
 double bounded(const VelocitySettings& settings) noexcept {

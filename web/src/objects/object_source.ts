@@ -1,3 +1,4 @@
+import type { Profile } from "../model/profile";
 import { Refusal, wordsOf } from "../source/refusal";
 import type { Source } from "../source/source";
 import type { ObjectEntry } from "../source/types";
@@ -20,11 +21,15 @@ interface Page {
   total: number;
 }
 
+/** 1003h: as many entries hold something as :00 counts. The drive unit has blocks of its own there, all of them readable. */
+const kErrorField = 0x1003;
+
 /** The objects of a unit, alive or recorded. All promises are rejected with a Refusal. */
 export class Objects {
   constructor(
     private readonly source: Source,
     private readonly unit: string,
+    private readonly profile: Profile = "s120",
   ) {}
 
   /** A part of what is wanted, without values unless they were recorded. */
@@ -51,8 +56,10 @@ export class Objects {
   async readAll(rows: readonly ObjectRow[], told: (share: number) => void = () => undefined): Promise<ObjectRow[]> {
     if (!this.source.isLive) return [...rows];
     const read: ObjectRow[] = [];
+    const errors = await this.errorsAmong(rows);
     for (const row of rows) {
-      read.push(await this.readRow(row));
+      const isEmpty = row.index === kErrorField && row.sub_index > errors;
+      read.push(isEmpty ? { ...row, said: "no error" } : await this.readRow(row));
       told(read.length / rows.length);
     }
     return read;
@@ -61,6 +68,12 @@ export class Objects {
   /** Writes @param text. */
   async write(name: ObjectName, text: string): Promise<void> {
     await this.source.act("PUT", this.unit, objectPath(name), { value: text }, { sub_index: name.sub });
+  }
+
+  /** How many entries of 1003h can be read; none of them is asked for when it is empty. */
+  private async errorsAmong(rows: readonly ObjectRow[]): Promise<number> {
+    const isAsked = this.profile === "cia402" && rows.some((row) => row.index === kErrorField && row.sub_index > 0);
+    return isAsked ? Number((await this.read({ index: kErrorField, sub: 0 })).value) : Infinity;
   }
 
   private async readRow(row: ObjectRow): Promise<ObjectRow> {

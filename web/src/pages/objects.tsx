@@ -1,6 +1,7 @@
 import { useEffect, useMemo } from "preact/hooks";
 
 import { usePage } from "../app/context";
+import { useProfile } from "../app/use_profile";
 import { parsedEds, parentName, type Eds } from "../objects/eds";
 import { ObjectDetail, edsRemark } from "../objects/object_detail";
 import { objectList, Objects as ObjectsOf, type ObjectList, type WantedObjects } from "../objects/object_source";
@@ -83,7 +84,8 @@ export function Objects(props: { unit: string }) {
   const { source } = usePage();
   const { unit } = props;
   const address = useAddress("objects", unit);
-  const objects = useMemo(() => new ObjectsOf(source, unit), [source, unit]);
+  const profile = useProfile(unit) ?? "s120";
+  const objects = useMemo(() => new ObjectsOf(source, unit, profile), [source, unit, profile]);
   const list = useMemo(() => objectList(objects), [objects]);
   const eds = useResource(async () => parsedEds(await source.eds(unit)), [source, unit]);
   const wanted: WantedObjects = { text: address.query.get("text") ?? "", filter: objectFilterOf(address.query.get("filter")) };

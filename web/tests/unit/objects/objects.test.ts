@@ -51,6 +51,22 @@ describe("objects", () => {
     expect(rows.map((row) => row.said ?? row.value)).toEqual(["cannot be read", 5]);
   });
 
+  it("are not asked for empty entries of the error field", async () => {
+    const asked: number[] = [];
+    const get = (_: string, __: string, query: { sub_index: number }): Promise<unknown> => {
+      asked.push(query.sub_index);
+      return Promise.resolve(object({ index: 0x1003, sub_index: query.sub_index, value: query.sub_index === 0 ? 1 : 0x18700 }));
+    };
+    const entries = [0, 1, 2].map((sub_index) => object({ index: 0x1003, sub_index }));
+    const source = { isLive: true, get } as unknown as Source;
+    const rows = await new Objects(source, "vcan0/5", "cia402").readAll(entries);
+    expect(rows.map((row) => row.said ?? row.value)).toEqual([1, 0x18700, "no error"]);
+    expect(asked).toEqual([0, 0, 1]);
+    asked.length = 0;
+    await new Objects(source, "vcan0/5").readAll(entries);
+    expect(asked).toEqual([0, 1, 2]);
+  });
+
   it("are given up when nobody answers", async () => {
     const get = (): Promise<unknown> => Promise.reject(new Refusal("no-gateway", "gone"));
     const objects = new Objects({ isLive: true, get } as unknown as Source, "vcan0/5");
