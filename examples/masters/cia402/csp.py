@@ -29,7 +29,7 @@ FAULT, FOLLOWS = 1 << 3, 1 << 12
 REVOLUTION = 65536  # position units, as delivered
 SPIN = 150e-6  # s before a deadline that are not slept, for a sleep ends late
 PATIENCE = 20  # s
-REST = 50  # periods with the last set-point, again and again until all axes are there
+REST = 50  # periods with the last set-point, again and again until all axes were there for as long
 NEAR = 64  # position units
 BEHIND = 20  # SYNCs that may be without an answer: receive buffers of a system are small
 
@@ -87,7 +87,7 @@ class Axis:
         self.start = 0
         self.answers = 0  # TPDOs that came with SYNC
         self.error = self.distance = 0  # the largest ones, position units
-        self.present = 0  # the last distance
+        self.near = 0  # answers in a row, the last one among them, that were near the set-point
         self.losses = 0  # how often bit 12 of 6041h fell
         self.statusword = 0
 
@@ -122,8 +122,9 @@ class Axis:
         position, error = ANSWER.unpack(data)
         self.answers += 1
         self.error = max(self.error, abs(error))
-        self.present = abs(position - self.start - set_point)
-        self.distance = max(self.distance, self.present)
+        distance = abs(position - self.start - set_point)
+        self.distance = max(self.distance, distance)
+        self.near = self.near + 1 if distance <= NEAR else 0
 
     def take_statusword(self, data):
         word, = struct.unpack_from('<H', data)
@@ -215,10 +216,10 @@ class Cycle:
         self.due = due
 
     def settle(self):
-        """The first place of the way until all axes are there."""
+        """The first place of the way until all axes stand there: one that overshoots only passes."""
         end = time.monotonic() + PATIENCE
         self.run(self.resting, [0] * REST)
-        while any(axis.present > NEAR for axis in self.axes):
+        while any(axis.near < REST for axis in self.axes):
             if time.monotonic() > end:
                 raise Failed('not all axes are back')
             self.run(self.resting, [0] * REST)
