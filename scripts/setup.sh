@@ -21,6 +21,8 @@ build_packages=(
   libsystemd-dev nlohmann-json3-dev libexpected-dev libcli11-dev libfmt-dev libeigen3-dev
   # HTTP of axisd-http
   libmicrohttpd-dev
+  # buses over several hosts
+  libnats-dev
   # man pages
   scdoc
   # candump and cansend
@@ -33,6 +35,8 @@ test_packages=(
   iproute2 kmod util-linux
   # masters of the tests
   python3-can python3-msgpack python3-pytest python3-pytest-xdist python3-yaml
+  # the server that joins the hubs of several hosts
+  nats-server
   # clients of Modbus TCP, and who decodes what they send
   mbpoll python3-pymodbus python3-serial-asyncio tshark
   # holds the schema of configurations against their reader

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -27,10 +26,9 @@ Bridge::Bridge(Medium& medium, bus::Connection connection, std::string name, Not
     : medium_{medium},
       connection_{std::move(connection)},
       queue_{*connection_.port, kQueue, 0},
-      name_{std::move(name)},
-      notice_{std::move(notice)} {
+      notices_{std::move(name), std::move(notice)} {
   if (!ready_.add(connection_.port->descriptor(), EPOLLIN) || !ready_.add(connection_.link->descriptor(), EPOLLIN))
-    throw std::system_error{errno, std::generic_category(), name_ + ": cannot be watched"};
+    throw std::system_error{errno, std::generic_category(), notices_.name() + ": cannot be watched"};
   connection_.port->carry_marks();
   medium_.attach(*this);
 }
@@ -48,11 +46,11 @@ void Bridge::on_readable(canopen::TimePoint now) noexcept {
 void Bridge::follow_link(canopen::TimePoint now) noexcept {
   const auto state = connection_.link->read();
   if (!state) return;
-  tell(kLinkNames[static_cast<std::size_t>(*state)], now);
+  notices_.tell(kLinkNames[static_cast<std::size_t>(*state)], now);
   if (*state != bus::LinkState::Up)
     queue_.discard();
   else if (!connection_.port->reopen())
-    tell("cannot be opened again", now);
+    notices_.tell("cannot be opened again", now);
 }
 
 void Bridge::read_frames(canopen::TimePoint now) noexcept {
@@ -64,7 +62,7 @@ void Bridge::read_frames(canopen::TimePoint now) noexcept {
         put_on_medium(frame, now);
         break;
       case bus::Received::Error:
-        tell(bus::name_of(received.state), now);
+        notices_.tell(bus::name_of(received.state), now);
         break;
       case bus::Received::Down:  // what follows from it is the link's to say
         queue_.discard();
@@ -78,7 +76,7 @@ void Bridge::read_frames(canopen::TimePoint now) noexcept {
 void Bridge::put_on_medium(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
   const bus::Mark mark = connection_.port->mark();
   if (!medium_.is_new(mark)) {
-    if (returned_++ == 0) tell("frames come back: bridges make a ring; each frame passes once", now);
+    if (returned_++ == 0) notices_.tell("frames come back: bridges make a ring; each frame passes once", now);
     return;
   }
   Passage passage;
@@ -95,7 +93,8 @@ void Bridge::put_on_medium(const canopen::Frame& frame, canopen::TimePoint now) 
 void Bridge::on_room() noexcept {
   if (!refused_ || !medium_.send(*refused_, medium_.now())) return;
   refused_.reset();
-  if (!ready_.add(connection_.port->descriptor(), EPOLLIN)) tell("cannot be watched any more", medium_.now());
+  if (!ready_.add(connection_.port->descriptor(), EPOLLIN))
+    notices_.tell("cannot be watched any more", medium_.now());
 }
 
 void Bridge::receive(const Passage& passage) noexcept {
@@ -106,13 +105,13 @@ void Bridge::receive(const Passage& passage) noexcept {
 
 Identity Bridge::identity() const noexcept {
   Identity who;
-  name_.copy(who.name.data(), who.name.size() - 1);
+  notices_.name().copy(who.name.data(), who.name.size() - 1);
   return who;
 }
 
 bool Bridge::statistics(userbus::MemberStatistics& row) const noexcept {
   row = {};
-  name_.copy(row.name, sizeof row.name - 1);
+  notices_.name().copy(row.name, sizeof row.name - 1);
   const bus::TransmitQueue::Counters& counters = queue_.counters();
   row.sent = brought_;
   row.received = counters.sent;
@@ -123,23 +122,7 @@ bool Bridge::statistics(userbus::MemberStatistics& row) const noexcept {
 
 void Bridge::on_time(canopen::TimePoint now) noexcept {
   queue_.retry(now);
-  try {
-    tell_left_out(now);
-  } catch (const std::exception&) {  // as below
-  }
-}
-
-void Bridge::tell_left_out(canopen::TimePoint now) {
-  if (const std::uint64_t count = notices_.take_left_out(now); count != 0)
-    notice_(name_ + ": ... " + std::to_string(count) + " more messages left out");
-}
-
-void Bridge::tell(std::string_view what, canopen::TimePoint now) noexcept {
-  try {
-    tell_left_out(now);
-    if (notices_.judge(now) != bus::MessageLimit::Verdict::LeaveOut) notice_(name_ + ": " + std::string{what});
-  } catch (const std::exception&) {  // no memory for a line: the frames are more important
-  }
+  notices_.on_time(now);
 }
 
 }  // namespace hub

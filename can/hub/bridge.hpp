@@ -1,16 +1,14 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "can/connection/connection.hpp"
-#include "can/connection/message_limit.hpp"
 #include "can/connection/transmit_queue.hpp"
 #include "can/hub/medium/medium.hpp"
 #include "can/hub/medium/source.hpp"
+#include "can/hub/notices.hpp"
 #include "os/pollable.hpp"
 
 namespace hub {
@@ -20,15 +18,12 @@ namespace hub {
 /// Between hubs frames carry marks, so that each passes once, whatever ring the bridges make.
 class Bridge final : public Source, public Participant {
  public:
-  /// Takes one line about the bridge: its link went down or up, the error state of its controller has changed.
-  /// bus::MessageLimit decides how many there are.
-  using Notice = std::function<void(std::string_view line)>;
-
   /// Frames that wait here while the other bus has no room; more are lost and counted.
   static constexpr std::size_t kQueue = 1024;
 
-  /// Takes part in @p medium until its end. @p name, a URL or the name of an interface, stands in notices and
-  /// statistics. std::system_error if the kernel gives no descriptor.
+  /// Takes part in @p medium until its end. @p name, a URL or the name of an interface, stands in statistics and
+  /// in what @p notice gets: its link went down or up, the error state of its controller has changed.
+  /// std::system_error if the kernel gives no descriptor.
   Bridge(Medium& medium, bus::Connection connection, std::string name, Notice notice);
   Bridge(const Bridge&) = delete;
   Bridge& operator=(const Bridge&) = delete;
@@ -50,16 +45,12 @@ class Bridge final : public Source, public Participant {
   void follow_link(canopen::TimePoint now) noexcept;
   void read_frames(canopen::TimePoint now) noexcept;
   void put_on_medium(const canopen::Frame& frame, canopen::TimePoint now) noexcept;
-  void tell(std::string_view what, canopen::TimePoint now) noexcept;
-  void tell_left_out(canopen::TimePoint now);
 
   Medium& medium_;
   bus::Connection connection_;
   os::Pollable ready_;  ///< of port and link
   bus::TransmitQueue queue_;
-  std::string name_;
-  Notice notice_;
-  bus::MessageLimit notices_;
+  Notices notices_;
   std::optional<Passage> refused_;  ///< waits for room on the medium; meanwhile the port is not read
   std::uint64_t brought_ = 0;       ///< frames of the other bus
   std::uint64_t returned_ = 0;      ///< those that had been here before

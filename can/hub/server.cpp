@@ -91,6 +91,14 @@ void Server::remove(Source& source) noexcept {
   std::erase(core_.sources, &source);
 }
 
+void Server::set_link(bool up, TimePoint now) noexcept {
+  if (up)
+    for (const auto& member : core_.members) member->drain(now);
+  core_.medium.set_up(up);
+  core_.link_page.set_up(up);
+  for (const auto& member : core_.members) member->tell_link(up);
+}
+
 void Server::run() noexcept {
   while (!stopped_) {
     timer_.wake_at(next_deadline());

@@ -36,6 +36,11 @@ class Server final : public SourceList, private Watch {
   /// The names of the bus, likewise.
   Interfaces& interfaces() noexcept { return core_.interfaces; }
 
+  /// The wire goes on beyond this hub from now on, and is cut: to be called before a trunk is made.
+  void lengthen() { core_.link_page.create(); }
+  /// The wire is whole or cut: members are told. What they have sent while it was cut is lost.
+  void set_link(bool up, canopen::TimePoint now) noexcept;
+
   /// What is wrong with the wire, likewise.
   faults::Faults& faults() noexcept { return core_.faults; }
 

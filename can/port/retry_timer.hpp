@@ -19,7 +19,7 @@ class RetryTimer {
   /// Rings again, later than the last time.
   void start_later() noexcept;
   /// Rings after @p patience: the time that one attempt may take.
-  void limit(std::chrono::milliseconds patience) noexcept { timer_.ring_after(patience); }
+  void limit(std::chrono::nanoseconds patience) noexcept { timer_.ring_after(patience); }
   /// Does not ring.
   void stop() noexcept { timer_.stop(); }
   /// True, once, if it has rung.

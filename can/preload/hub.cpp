@@ -122,6 +122,11 @@ userbus::Answer ask(int descriptor, userbus::Operation operation, int value, voi
   return userbus::ask(descriptor, operation, value, nullptr, 0, reply, room);
 }
 
+userbus::Answer ask_for_descriptor(int descriptor, userbus::Operation operation, int& passed) noexcept {
+  const NotCancelled not_cancelled;
+  return userbus::ask(descriptor, operation, 0, nullptr, 0, nullptr, 0, &passed);
+}
+
 userbus::Answer ask_about(int descriptor, userbus::Operation operation, const char* text, size_t size) noexcept {
   const NotCancelled not_cancelled;
   return userbus::ask(descriptor, operation, 0, text, size, nullptr, 0);

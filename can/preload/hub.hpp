@@ -22,6 +22,9 @@ int tell(int descriptor, userbus::Operation operation, int value, const void* pa
 userbus::Answer ask(int descriptor, userbus::Operation operation, int value = 0, void* reply = nullptr,
                     size_t room = 0) noexcept;
 
+/// Asks for a descriptor, which becomes the caller's: stored at @p passed, -1 if none came.
+userbus::Answer ask_for_descriptor(int descriptor, userbus::Operation operation, int& passed) noexcept;
+
 /// Asks by a text of @p size bytes, for a value.
 userbus::Answer ask_about(int descriptor, userbus::Operation operation, const char* text, size_t size) noexcept;
 

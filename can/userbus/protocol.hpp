@@ -41,15 +41,25 @@ inline constexpr const char* kKindNames[] = {"raw", "bcm", "port", "down"};
 struct Trailer {
   int32_t
       interface_index;  ///< which interface the receiver sees it on; to the hub: where to send it, 0 = as bound
-  uint32_t flags;    ///< MSG_DONTROUTE: sent on this machine; MSG_CONFIRM: sent by this very socket; for bridges
-                     ///< from kOriginShift on the number that the frame got from hub `origin`
-  int64_t time_ns;   ///< end of the frame on the bus, CLOCK_REALTIME
-  uint32_t dropped;  ///< messages this member has lost so far because it did not read
-  uint32_t origin;   ///< for bridges: the hub on which the frame came up, 0 = that of the receiver; else 0
+  uint32_t flags;       ///< MSG_DONTROUTE: sent on this machine; MSG_CONFIRM: sent by this very socket; kLinkDown,
+                        ///< kLinkUp: the message is no frame but tells of the bus's link; for bridges
+                        ///< from kOriginShift on the number that the frame got from hub `origin`
+  int64_t time_ns;      ///< end of the frame on the bus, CLOCK_REALTIME
+  uint32_t dropped;     ///< messages this member has lost so far because it did not read
+  uint32_t origin;      ///< for bridges: the hub on which the frame came up, 0 = that of the receiver; else 0
 };
 /// First bit of the number of a frame in Trailer::flags.
 inline constexpr unsigned kOriginShift = 12;
 static_assert(sizeof(Trailer) == 24);
+
+/// In Trailer::flags of a message whose frame is CAN_ERR_FLAG with 8 bytes of zero: the bus is cut from the rest
+/// of it, what is sent is lost until it is whole again.
+inline constexpr uint32_t kLinkDown = 1;
+/// Likewise: the bus is whole again. Told to members of kind Port only.
+inline constexpr uint32_t kLinkUp = 2;
+/// Size of the memory that Operation::Link passes (bytes): a uint32_t at its beginning is 1 while the bus is
+/// whole, else 0.
+inline constexpr size_t kLinkPageSize = 4096;
 
 /// A frame as the hub sends it.
 struct FrameMessage {
@@ -80,6 +90,9 @@ enum class Operation : uint32_t {
                ///< MemberStatistics a member, as many as fit in a message
   Inject,      ///< the faults of the bus; payload: JSON, {"method": ..., "params": ...}; reply payload: JSON, the
                ///< result; with EINVAL {"message": ...}, and nothing from a hub without faults
+  Link,  ///< whether the bus goes on beyond this hub: with the reply comes a descriptor of kLinkPageSize bytes
+         ///< of memory to be mapped for reading; reply value: 1 = the bus is whole, 0 = it is cut; EOPNOTSUPP
+         ///< from a hub whose bus ends with it
 };
 
 /// Options of a member that are numbers.

@@ -7,29 +7,14 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "can/userbus/ancillary.hpp"
+
 namespace userbus {
 
 namespace {
 
 constexpr Answer failed(int error) noexcept {
   return {.error = error, .value = 0, .size = 0};
-}
-
-/// Control data of one descriptor.
-union Ancillary {
-  cmsghdr header;
-  char room[CMSG_SPACE(sizeof(int))];
-};
-
-void carry(msghdr& message, Ancillary& ancillary, int descriptor) noexcept {
-  memset(&ancillary, 0, sizeof ancillary);
-  message.msg_control = ancillary.room;
-  message.msg_controllen = sizeof ancillary.room;
-  cmsghdr* const header = CMSG_FIRSTHDR(&message);
-  header->cmsg_level = SOL_SOCKET;
-  header->cmsg_type = SCM_RIGHTS;
-  header->cmsg_len = CMSG_LEN(sizeof descriptor);
-  memcpy(CMSG_DATA(header), &descriptor, sizeof descriptor);
 }
 
 /// Waits until @p descriptor is ready for @p events, whatever signals come meanwhile.
@@ -72,13 +57,16 @@ int post(int descriptor, Operation operation, int value, const void* payload, si
   return -1;
 }
 
-Answer take_reply(int descriptor, void* reply, size_t room) noexcept {
+Answer take_reply(int descriptor, void* reply, size_t room, int* passed) noexcept {
   Reply header{};
   iovec parts[]{{&header, sizeof header}, {reply, room}};
   msghdr message{};
   message.msg_iov = parts;
   message.msg_iovlen = 2;
-  const ssize_t size = recvmsg(descriptor, &message, MSG_DONTWAIT);
+  Ancillary ancillary{};
+  if (passed != nullptr) receive_with(message, ancillary);
+  const ssize_t size = recvmsg(descriptor, &message, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
+  if (passed != nullptr) *passed = size < 0 ? -1 : carried(message);
   if (size < 0 && errno == EAGAIN) return failed(EAGAIN);
   if (size < static_cast<ssize_t>(sizeof header)) return failed(ENETDOWN);  // closed without a reply
   if ((message.msg_flags & MSG_TRUNC) != 0) return failed(EMSGSIZE);
@@ -87,13 +75,14 @@ Answer take_reply(int descriptor, void* reply, size_t room) noexcept {
 
 // NOLINTNEXTLINE(readability-function-size): two buffers, and libc only: no span
 Answer ask(int descriptor, Operation operation, int value, const void* payload, size_t size, void* reply,
-           size_t room) noexcept {
+           size_t room, int* passed) noexcept {
   int answering = -1;
   while ((answering = post(descriptor, operation, value, payload, size)) < 0) {
     if (errno != EAGAIN) return failed(errno);
     if (!wait_for(descriptor, POLLOUT)) return failed(ETIMEDOUT);  // frames of this member go first
   }
-  const Answer answer = wait_for(answering, POLLIN) ? take_reply(answering, reply, room) : failed(ETIMEDOUT);
+  const Answer answer =
+      wait_for(answering, POLLIN) ? take_reply(answering, reply, room, passed) : failed(ETIMEDOUT);
   close(answering);
   return answer;
 }

@@ -13,7 +13,7 @@ namespace architecture {
 /// An item that ends with a slash allows what lies below it; kSystem allows headers of Linux and of the C library.
 struct Layer {
   std::string_view folder;
-  std::array<std::string_view, 24> allowed;  ///< empty items allow nothing
+  std::array<std::string_view, 25> allowed;  ///< empty items allow nothing
 };
 
 /// Headers of Linux and of the C library: in angle brackets, ended by .h, of no library that is named in a layer.
@@ -105,6 +105,7 @@ inline constexpr std::array kLayers{
     Layer{"can/hub",
           {"libcanopen/base/", "os/", "can/userbus/", "can/port/", "can/connection/", "injection/language/",
            "injection/kinds/", "injection/json/", "nlohmann/", "fmt/", kSystem}},
+    Layer{"can/nats", {"can/hub/trunk/", "os/", "text/", "nats/", "fmt/", kSystem}},
     Layer{"record",
           {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "checksum/", "os/", "text/", "fmt/",
            "nlohmann/", kSystem}},
@@ -176,6 +177,7 @@ inline constexpr std::array kLayers{
            "can/port/",
            "can/connection/",
            "can/hub/",
+           "can/nats/",
            "text/",
            "control/",
            "record/",

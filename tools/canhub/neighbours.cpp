@@ -1,9 +1,14 @@
 #include "tools/canhub/neighbours.hpp"
 
+#include <array>
 #include <iostream>
 #include <utility>
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include "can/connection/connection.hpp"
+#include "can/nats/nats_stream.hpp"
 
 namespace canhub {
 
@@ -11,6 +16,14 @@ namespace {
 
 void print_notice(std::string_view line) {
   std::cerr << "canhub: " << line << std::endl;
+}
+
+/// Who this hub is for others: host and process.
+std::string name_of_hub() {
+  constexpr std::size_t kLongest = 48;
+  std::array<char, kLongest + 1> host{};
+  gethostname(host.data(), kLongest);
+  return fmt::format("{} (canhub {})", host.data(), getpid());
 }
 
 }  // namespace
@@ -22,7 +35,17 @@ Neighbours::Neighbours(hub::Server& server, const Options& options) : server_{se
   if (!options.socketcand.empty())
     sources_.push_back(
         std::make_unique<hub::SocketcandServer>(server.medium(), server.interfaces(), options.socketcand));
+  if (options.join) join(*options.join);
   for (const auto& source : sources_) server_.add(*source);
+}
+
+void Neighbours::join(const nats::Bus& bus) {
+  server_.lengthen();
+  const auto on_link = [this](bool up, canopen::TimePoint now) { server_.set_link(up, now); };
+  sources_.push_back(std::make_unique<hub::trunk::Trunk>(
+      server_.medium(), std::make_unique<nats::NatsStream>(bus),
+      hub::trunk::Trunk::Settings{.url = bus.server.url + "/" + bus.name, .name = name_of_hub()}, on_link,
+      print_notice));
 }
 
 Neighbours::~Neighbours() {

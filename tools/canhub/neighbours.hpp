@@ -6,12 +6,13 @@
 #include "can/hub/bridge.hpp"
 #include "can/hub/server.hpp"
 #include "can/hub/socketcand/socketcand_server.hpp"
+#include "can/hub/trunk/trunk.hpp"
 #include "tools/canhub/options.hpp"
 
 namespace canhub {
 
-/// What takes part in a hub's bus beside its members: bridges to other buses and the clients of socketcand. Lines
-/// about them go to standard error.
+/// What takes part in a hub's bus beside its members: bridges to other buses, the clients of socketcand, the hubs
+/// of other hosts. Lines about them go to standard error.
 class Neighbours {
  public:
   /// Opens what @p options name; bus::OpenError, hub::SocketcandServer::ListenError or std::system_error.
@@ -21,6 +22,8 @@ class Neighbours {
   ~Neighbours();
 
  private:
+  void join(const nats::Bus& bus);
+
   hub::Server& server_;
   std::vector<std::unique_ptr<hub::Source>> sources_;
 };

@@ -75,6 +75,52 @@ bus::Address bridge_of(const std::string& text, const userbus::Path& path) {
   return *std::move(address);
 }
 
+/// What the command line says of the bus of several hosts.
+struct JoinOptions {
+  std::optional<std::string> url;
+  nats::Server security;
+  bool plain = false;
+
+  [[nodiscard]] bool has_security() const {
+    return plain || !security.credentials.empty() || !security.certificates.empty() ||
+           !security.certificate.empty() || !security.key.empty();
+  }
+};
+
+void add_join_options(CLI::App& app, JoinOptions& join) {
+  app.add_option("--join", join.url,
+                 "the bus of several hosts that this one becomes a part of, over a NATS server")
+      ->type_name("URL");
+  app.add_option("--credentials", join.security.credentials, "with --join: file with the user's JWT and key")
+      ->type_name("FILE");
+  app.add_option("--tls-ca", join.security.certificates, "with --join tls://: file with the certificates to trust")
+      ->type_name("FILE");
+  app.add_option("--tls-cert", join.security.certificate,
+                 "with --join tls://: file with the hub's own certificate")
+      ->type_name("FILE");
+  app.add_option("--tls-key", join.security.key, "with --join tls://: file with its key")->type_name("FILE");
+  app.add_flag("--plain", join.plain, "with --join nats://: speak to another host without TLS");
+}
+
+std::optional<nats::Bus> bus_of(const JoinOptions& join) {
+  if (!join.url) {
+    if (join.has_security()) throw UsageError{"--credentials, --tls-... and --plain go with --join"};
+    return std::nullopt;
+  }
+  auto bus = nats::parse_bus(*join.url);
+  if (!bus) throw UsageError{fmt::format("--join: {}, got \"{}\"", bus.error(), *join.url)};
+  if (join.security.certificate.empty() != join.security.key.empty())
+    throw UsageError{"--tls-cert and --tls-key go with each other"};
+  if (bus->is_open_to_others() && !join.plain)
+    throw UsageError{fmt::format(
+        "--join: {} is another host, and everybody on the way can read and write there: tls://, or --plain",
+        bus->host)};
+  const std::string url = bus->server.url;
+  bus->server = join.security;
+  bus->server.url = url;
+  return *std::move(bus);
+}
+
 }  // namespace
 
 std::optional<Options> parse_command_line(int count, const char* const* words) {
@@ -84,6 +130,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   std::optional<std::string> bit_rate;
   std::vector<std::string> bridges;
   std::optional<std::string> take_back;
+  JoinOptions join;
   app.footer(cli::exit_footer(kExitRows));
   app.set_version_flag("--version", version::line("canhub"));
   app.add_option(
@@ -98,6 +145,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   app.add_option("--bridge", bridges, "another bus to be joined with this one; may be given several times")
       ->type_name("URL");
   app.add_option("--socketcand", options.socketcand, "serve clients of socketcand too")->type_name("HOST:PORT");
+  add_join_options(app, join);
   app.add_flag("--status", options.status, "print what a running hub knows of its members, and exit");
   app.add_option("--with", options.with,
                  "a fault that the bus has from the start, in words or JSON; may be given several times")
@@ -124,15 +172,17 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   if (bit_rate) options.bit_rate = bit_rate_of(*bit_rate);
   if (take_back) options.take_back = take_back_of(*take_back);
   if (options.is_about_faults() && (bit_rate || options.on_demand || options.status || !bridges.empty() ||
-                                    !options.socketcand.empty() || !options.with.empty()))
+                                    !options.socketcand.empty() || !options.with.empty() || join.url))
     throw UsageError{
         "--inject, --injected and --take-back speak to a running hub: beside --path and --json they go with "
         "each other only"};
   if (options.json && !options.injected) throw UsageError{"--json goes with --injected"};
   if (options.on_demand && !options.with.empty())
     throw UsageError{"--on-demand does not go with --with, whose faults nobody would see refused"};
-  if (options.on_demand && (!bridges.empty() || !options.socketcand.empty()))
-    throw UsageError{"--on-demand goes with neither --bridge nor --socketcand, whose failure nobody would see"};
+  if (options.on_demand && (!bridges.empty() || !options.socketcand.empty() || join.url))
+    throw UsageError{
+        "--on-demand goes with none of --bridge, --socketcand and --join, whose failure nobody would see"};
+  options.join = bus_of(join);
   for (const std::string& bridge : bridges) options.bridges.push_back(bridge_of(bridge, options.path));
   return options;
 }

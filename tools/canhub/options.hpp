@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "can/nats/bus.hpp"
 #include "can/port/address.hpp"
 #include "can/userbus/path.hpp"
 
@@ -22,7 +23,8 @@ struct Options {
   std::optional<std::uint32_t> bit_rate;  ///< bit/s; 0 = frames take no time
   bool on_demand = false;
   std::vector<bus::Address> bridges;
-  std::string socketcand;  ///< HOST:PORT, empty = none
+  std::string socketcand;         ///< HOST:PORT, empty = none
+  std::optional<nats::Bus> join;  ///< the bus of several hosts that this one is a part of
   bool status = false;
   std::vector<std::string> with;    ///< faults to begin with, as they were written
   std::vector<std::string> inject;  ///< faults for a hub that runs

@@ -41,6 +41,7 @@ void Medium::detach(Participant& participant) noexcept {
     if (current_.sender == &participant) left_ = station->left;
     interference_->on_detach(participant);
   }
+  if (carrier_ != nullptr) carrier_->on_detach(participant);
   station->participant = nullptr;
   if (current_.sender == &participant) current_.sender = nullptr;
   someone_left_ = true;
@@ -55,6 +56,10 @@ void Medium::withdraw(Participant& participant) noexcept {
 
 bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
   tell(now);
+  if (!up_) {
+    ++lost_;
+    return true;
+  }
   if (!advancing_) advance();
   Station& station = *passage.sender->station_;
   if (station.full()) {
@@ -69,7 +74,8 @@ bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
 }
 
 canopen::TimePoint Medium::next_deadline() const noexcept {
-  const canopen::TimePoint own = on_wire_ ? end_of_frame() : waiting_ > 0 ? now_ : canopen::kNever;
+  canopen::TimePoint own = on_wire_ ? end_of_frame() : waiting_ > 0 ? now_ : canopen::kNever;
+  if (carrier_ != nullptr) own = canopen::kNever;
   return interference_ == nullptr ? own : std::min(own, interference_->next_deadline());
 }
 
@@ -90,7 +96,9 @@ void Medium::tell(canopen::TimePoint now) noexcept {
 
 void Medium::advance() noexcept {
   advancing_ = true;
-  if (bit_rate_ == 0)
+  if (carrier_ != nullptr)
+    advance_with_carrier();
+  else if (bit_rate_ == 0)
     advance_without_rate();
   else
     advance_with_rate();
@@ -117,6 +125,44 @@ void Medium::advance_with_rate() noexcept {
     if (waiting_ == 0) return;
     begin(std::max(end_of_frame(), earliest()->first().arrival));
   }
+}
+
+void Medium::advance_with_carrier() noexcept {
+  while (waiting_ > 0 && carrier_->has_room()) {
+    take(*earliest());
+    carrier_->take(current_, now_);
+  }
+}
+
+void Medium::pass(const Passage& passage, canopen::TimePoint now) noexcept {
+  tell(now);
+  advancing_ = true;
+  current_ = passage;
+  if (interference_ != nullptr && passage.sender == nullptr) left_ = carrier_->identity();
+  deliver(passage.time_ns);
+  advance();
+}
+
+void Medium::go_on(canopen::TimePoint now) noexcept {
+  tell(now);
+  if (!advancing_) advance();
+}
+
+void Medium::set_up(bool up) noexcept {
+  up_ = up;
+  if (!up) lose_waiting();
+}
+
+/// Who was refused sends what it had kept, which is lost too.
+void Medium::lose_waiting() noexcept {
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    Station& station = *stations_[i];
+    lost_ += station.count();
+    waiting_ -= station.count();
+    station.clear();
+    if (std::exchange(station.refused, false) && station.participant != nullptr) station.participant->on_room();
+  }
+  if (someone_left_) forget_those_who_left();
 }
 
 /// Who has the lowest arbitration field of those whose first frame was there at @p start; of equal ones that which

@@ -8,6 +8,7 @@
 
 #include <linux/can.h>
 
+#include "can/hub/medium/carrier.hpp"
 #include "can/hub/medium/interference.hpp"
 #include "can/hub/medium/origins.hpp"
 #include "can/port/port.hpp"
@@ -64,6 +65,9 @@ class Participant {
 /// participants wins. Then the medium has a time line of its own: a frame begins where the one before ended, or
 /// when it was handed over to an idle bus, however late on_time() is called.
 ///
+/// With a Carrier the wire is longer than this hub: a frame passes when the carrier brings it back, whatever the
+/// bit rate, and while the wire is cut what is sent is lost and counted.
+///
 /// A frame that is sent from within receive() passes when the present one has reached all. Nothing but attach()
 /// allocates.
 class Medium {
@@ -108,6 +112,22 @@ class Medium {
   /// or passes at once. Only within Interference::on_time().
   void set_bit_rate(std::uint32_t bit_rate) noexcept;
 
+  /// Frames go with @p carrier from now on; before anybody sends, and nullptr when it ends.
+  void set_carrier(Carrier* carrier) noexcept { carrier_ = carrier; }
+  /// The wire is whole (@p up), as it is at first, or cut: then what waits and what is sent is lost. Not from
+  /// within receive().
+  void set_up(bool up) noexcept;
+  [[nodiscard]] bool is_up() const noexcept { return up_; }
+  /// The carrier has brought @p passage, whose sender is attached or nullptr: everybody hears it. Not from within
+  /// receive().
+  void pass(const Passage& passage, canopen::TimePoint now) noexcept;
+  /// The carrier has room again.
+  void go_on(canopen::TimePoint now) noexcept;
+  /// Frames that were lost because the wire was cut, those that the carrier had taken not counted.
+  [[nodiscard]] std::uint64_t lost() const noexcept { return lost_; }
+  /// This hub among those that frames pass through, as marks name it.
+  [[nodiscard]] std::uint32_t number_of_hub() const noexcept { return origins_.self(); }
+
   /// The latest time that was told.
   [[nodiscard]] canopen::TimePoint now() const noexcept { return now_; }
   [[nodiscard]] std::uint32_t bit_rate() const noexcept { return bit_rate_; }
@@ -122,6 +142,8 @@ class Medium {
   void advance() noexcept;
   void advance_without_rate() noexcept;
   void advance_with_rate() noexcept;
+  void advance_with_carrier() noexcept;
+  void lose_waiting() noexcept;
   [[nodiscard]] Station* winner(canopen::TimePoint start) const noexcept;
   [[nodiscard]] Station* earliest() const noexcept;
   void take(Station& station) noexcept;
@@ -145,6 +167,9 @@ class Medium {
   bool someone_left_ = false;
   Identity left_;  ///< who has sent current_, if that has left and there is an interference
   Interference* interference_ = nullptr;
+  Carrier* carrier_ = nullptr;
+  bool up_ = true;
+  std::uint64_t lost_ = 0;
 
   // The end of the frame on the wire, or of the last one, is busy_bits_ bit times after busy_since_.
   canopen::TimePoint busy_since_ = canopen::TimePoint::min();

@@ -24,6 +24,8 @@ class Origins {
   /// With a number that no other hub has.
   Origins() noexcept;
 
+  /// The number of this hub.
+  [[nodiscard]] std::uint32_t self() const noexcept { return self_; }
   /// A mark for a frame that comes up here.
   [[nodiscard]] bus::Mark make() noexcept;
   /// True once for each mark; false for those of this hub, which come back. A frame without a mark is always new.

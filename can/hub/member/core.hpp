@@ -10,6 +10,7 @@
 #include "can/hub/medium/medium.hpp"
 #include "can/hub/medium/source.hpp"
 #include "can/hub/member/inbox.hpp"
+#include "can/hub/member/link_page.hpp"
 
 namespace hub {
 
@@ -28,6 +29,7 @@ struct Core {
   Interfaces interfaces;
   Inbox inbox;
   Closer closer;
+  LinkPage link_page;
   std::vector<std::unique_ptr<Member>> members;
   bool anyone_departed = false;  ///< some member may be destroyed
   std::vector<Source*> sources;

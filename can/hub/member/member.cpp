@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include <linux/can/error.h>
+
 #include "can/hub/member/requests.hpp"
 
 namespace hub {
@@ -39,6 +41,27 @@ void Member::bind(int interface_index) noexcept {
   core_.interfaces.hold(interface_index);
   core_.interfaces.release(interface_index_);
   interface_index_ = interface_index;
+  if (!core_.medium.is_up()) tell_link(false);
+}
+
+void Member::tell_link(bool up) noexcept {
+  if (interface_index_ < 0 || (up && kind_ != userbus::Kind::Port)) return;
+  userbus::FrameMessage message{};
+  message.frame.can_id = CAN_ERR_FLAG;
+  message.frame.can_dlc = CAN_ERR_DLC;
+  message.trailer.interface_index = interface_index_;
+  message.trailer.flags = up ? userbus::kLinkUp : userbus::kLinkDown;
+  message.trailer.dropped = dropped();
+  deliver(std::as_bytes(std::span{&message, 1}));
+}
+
+void Member::drain(canopen::TimePoint now) noexcept {
+  constexpr int kMost = 1024;  // turns: a program that sends on and on must not hold the hub
+  for (int i = 0; i < kMost; ++i) {
+    const std::size_t most = may_read();
+    if (most == 0 || !read(most, now)) break;
+  }
+  go_on();
 }
 
 bool Member::begin() noexcept {
@@ -53,13 +76,14 @@ void Member::on_events(std::uint32_t events, canopen::TimePoint now) noexcept {
   go_on();
 }
 
-void Member::read(std::size_t most, canopen::TimePoint now) noexcept {
+/// False if there was nothing.
+bool Member::read(std::size_t most, canopen::TimePoint now) noexcept {
   const int count = core_.inbox.receive(socket_.get(), most);
   if (count < 0) {
     // a program that leaves messages unread resets the connection; what it had sent before is still there
     const bool again = errno == EAGAIN || errno == EINTR || errno == ECONNRESET;
     if (!again) phase_ = Phase::ReadOut;
-    return;
+    return false;
   }
   bool last_is_empty = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
@@ -68,6 +92,7 @@ void Member::read(std::size_t most, canopen::TimePoint now) noexcept {
     if (!last_is_empty) take(std::move(message), now);
   }
   if (phase_ == Phase::Closed && last_is_empty) phase_ = Phase::ReadOut;
+  return !last_is_empty;
 }
 
 void Member::take(Inbox::Message message, canopen::TimePoint now) noexcept {

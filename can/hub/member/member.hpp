@@ -46,6 +46,11 @@ class Member : public Watch {
   /// Who it is on the medium.
   [[nodiscard]] Identity who() const noexcept;
 
+  /// Tells the program that the bus is cut, or whole again.
+  void tell_link(bool up) noexcept;
+  /// Reads what the program has sent until now, and no more than a socket holds.
+  void drain(canopen::TimePoint now) noexcept;
+
   /// Filters of a raw socket; errno, 0 = done.
   virtual int set_filters(std::span<const can_filter> filters) noexcept;
   [[nodiscard]] virtual std::span<const can_filter> filters() const noexcept { return {}; }
@@ -84,7 +89,7 @@ class Member : public Watch {
   /// True if no frame of this member waits for the bus.
   [[nodiscard]] virtual bool is_done() const noexcept { return true; }
 
-  void read(std::size_t most, canopen::TimePoint now) noexcept;
+  bool read(std::size_t most, canopen::TimePoint now) noexcept;
   void take(Inbox::Message message, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frame_message(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
   void update_watch() noexcept;

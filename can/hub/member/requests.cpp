@@ -10,6 +10,7 @@
 #include <sys/socket.h>
 
 #include "can/hub/faults/answer.hpp"
+#include "can/userbus/ancillary.hpp"
 
 namespace hub {
 
@@ -50,6 +51,7 @@ struct Call {
 struct Result {
   int error = 0;
   int value = 0;
+  int descriptor = -1;  ///< that goes with the reply; the hub's own
 };
 
 /// The payload as one @p T; false if it has another size.
@@ -152,13 +154,20 @@ Result inject(const Call& call) noexcept {
   }
 }
 
+Result link(const Call& call) noexcept {
+  const Core& core = call.asking.core;
+  const int page = core.link_page.descriptor();
+  if (page < 0) return {.error = EOPNOTSUPP};
+  return {.value = core.medium.is_up() ? 1 : 0, .descriptor = page};
+}
+
 using Handler = Result (*)(const Call&) noexcept;
 
 /// By Operation.
-constexpr std::array<Handler, 12> kHandlers{hello,       bind,         read_state,      set_option,
-                                            set_filters, read_filters, interface_index, interface_name,
-                                            interfaces,  broadcast,    statistics,      inject};
-static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Inject) + 1);
+constexpr std::array<Handler, 13> kHandlers{
+    hello,          bind,       read_state, set_option, set_filters, read_filters, interface_index,
+    interface_name, interfaces, broadcast,  statistics, inject,      link};
+static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Link) + 1);
 
 Result handle(Operation operation, const Call& call) noexcept {
   const auto number = static_cast<std::size_t>(operation);
@@ -172,6 +181,8 @@ void send_reply(int descriptor, const Result& result, std::span<std::byte> paylo
   msghdr message{};
   message.msg_iov = parts.data();
   message.msg_iovlen = parts.size();
+  userbus::Ancillary ancillary{};
+  if (result.descriptor >= 0) userbus::carry(message, ancillary, result.descriptor);
   sendmsg(descriptor, &message, MSG_DONTWAIT | MSG_NOSIGNAL);
 }
 

@@ -96,7 +96,10 @@ void UserBus::carry_marks() noexcept {
 }
 
 bool UserBus::try_again() noexcept {
-  if (is_member()) return false;
+  if (is_member()) {
+    entry_.stop_ringing();
+    return std::exchange(is_mended_, false);
+  }
   const UserBusEntry::Progress progress = entry_.advance(wishes());
   if (progress == UserBusEntry::Progress::Waiting) return false;
   if (progress == UserBusEntry::Progress::Member && come_in()) return true;
@@ -107,10 +110,22 @@ bool UserBus::try_again() noexcept {
 bool UserBus::reopen() noexcept {
   constexpr int kMost = 1 << 20;  // a bus that never stops must not hold the caller
   userbus::FrameMessage message{};
-  for (int i = 0; i<kMost&& ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT)> 0; ++i) {
+  for (int i = 0; i < kMost; ++i) {
+    const ssize_t size = ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT);
+    if (size <= 0) break;
+    if (size == sizeof message) static_cast<void>(note_link(message.trailer.flags));
   }
   error_state_ = ErrorState::Active;
-  return is_member();
+  return is_up();
+}
+
+/// What a message with @p flags tells of the bus; false if it is a frame.
+bool UserBus::note_link(std::uint32_t flags) noexcept {
+  if ((flags & (userbus::kLinkDown | userbus::kLinkUp)) == 0) return false;
+  is_cut_ = (flags & userbus::kLinkDown) != 0;
+  is_mended_ = !is_cut_;
+  if (is_mended_) entry_.ring();
+  return true;
 }
 
 SendStatus UserBus::send(const canopen::Frame& frame) noexcept {
@@ -126,6 +141,7 @@ SendStatus UserBus::send_marked(const canopen::Frame& frame, const Mark& mark) n
 }
 
 SendStatus UserBus::send(const void* message, std::size_t size) noexcept {
+  if (is_cut_) return SendStatus::Down;
   if (is_unapplied_ && is_member()) {
     apply();
     if (is_unapplied_) return SendStatus::Full;
@@ -145,6 +161,10 @@ Received UserBus::receive(canopen::Frame& frame) noexcept {
     if (size < 0) break;
     if (size != sizeof message) continue;
     dropped_ = message.trailer.dropped;
+    if (note_link(message.trailer.flags)) {
+      if (is_cut_) return {Received::Down, std::exchange(error_state_, ErrorState::Active)};
+      continue;
+    }
     arrival_ = std::chrono::nanoseconds{message.trailer.time_ns};
     mark_ = {.hub = message.trailer.origin, .number = message.trailer.flags >> userbus::kOriginShift};
     if ((message.frame.can_id & CAN_ERR_FLAG) == 0) {
@@ -162,6 +182,8 @@ Received UserBus::hub_lost() noexcept {
   if (!is_member()) return {Received::Nothing, error_state_};  // told before
   pollable_.remove(socket_.get());
   socket_ = os::Descriptor{};
+  is_cut_ = false;
+  is_mended_ = false;
   is_unapplied_ = false;  // the next one is told all
   dropped_before_ += std::exchange(dropped_, 0);
   entry_.try_later(/*first=*/true);

@@ -47,9 +47,12 @@ class UserBus final : public Port {
 
   /// True until the hub is found to be gone.
   [[nodiscard]] bool is_member() const noexcept { return static_cast<bool>(socket_); }
+  /// True while the hub is there and its bus is not cut.
+  [[nodiscard]] bool is_up() const noexcept { return is_member() && !is_cut_; }
   /// Polls readable when try_again() is due.
   [[nodiscard]] int retry_descriptor() const noexcept { return entry_.descriptor(); }
-  /// Goes on with joining once more, with the same filters. True if it has become a member again.
+  /// Goes on with joining once more, with the same filters. True if it has become a member again, or if the hub
+  /// has told that its bus is whole again.
   [[nodiscard]] bool try_again() noexcept;
 
  private:
@@ -58,12 +61,15 @@ class UserBus final : public Port {
   void apply() noexcept;
   SendStatus send(const void* message, std::size_t size) noexcept;
   Received hub_lost() noexcept;
+  [[nodiscard]] bool note_link(std::uint32_t flags) noexcept;
 
   UserBusEntry entry_;
   os::Descriptor socket_;
   os::Pollable pollable_;  ///< stands for the socket while there is one
   FilterList filters_;
   bool is_bridge_ = false;
+  bool is_cut_ = false;        ///< the hub's bus is
+  bool is_mended_ = false;     ///< it was, and is not any more: the link has not told yet
   bool is_unapplied_ = false;  ///< the hub has not been told the filters, or that this is a bridge
   Mark mark_;
   ErrorState error_state_ = ErrorState::Active;
@@ -81,7 +87,7 @@ class UserBusLink final : public Link {
   [[nodiscard]] int descriptor() const noexcept override { return port_.retry_descriptor(); }
   [[nodiscard]] std::optional<LinkState> read() noexcept override;
   [[nodiscard]] LinkState state() const noexcept override {
-    return port_.is_member() ? LinkState::Up : LinkState::Down;
+    return port_.is_up() ? LinkState::Up : LinkState::Down;
   }
 
  private:

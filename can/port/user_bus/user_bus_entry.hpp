@@ -38,6 +38,9 @@ class UserBusEntry {
 
   /// Tries once more in a while, longer each time; after @p first in the shortest time.
   void try_later(bool first) noexcept;
+  /// Has descriptor() poll readable now, without anything to be tried: stop_ringing() ends it.
+  void ring() noexcept { timer_.limit(std::chrono::nanoseconds{1}); }
+  void stop_ringing() noexcept { timer_.stop(); }
   /// Polls readable when advance() is to be called.
   [[nodiscard]] int descriptor() const noexcept { return pollable_.descriptor(); }
   /// Begins now.

@@ -20,6 +20,23 @@ using userbus::Trailer;
 /// What recv(2)'s flags mean for a CAN socket; the rest would mean something else to the kernel's socket below.
 constexpr int kKeptFlags = MSG_DONTWAIT | MSG_PEEK;
 
+/// Whether the message of @p size bytes at @p data tells that the bus is cut.
+bool tells_cut(const void* data, ssize_t size) noexcept {
+  Trailer trailer{};
+  memcpy(&trailer, static_cast<const char*>(data) + size - sizeof trailer, sizeof trailer);
+  return (trailer.flags & userbus::kLinkDown) != 0;
+}
+
+/// Takes the next message away, which was looked at only.
+void drop_message(int descriptor) noexcept {
+  char byte = 0;
+  iovec part{&byte, sizeof byte};
+  msghdr message{};
+  message.msg_iov = &part;
+  message.msg_iovlen = 1;
+  next().recvmsg(descriptor, &message, MSG_DONTWAIT);
+}
+
 /// Reads a message of the hub, trailer included, into @p room bytes at @p data. -1 with errno.
 ssize_t read_message(int descriptor, const Name& name, void* data, size_t room, int flags) noexcept {
   iovec part{data, room};
@@ -28,7 +45,12 @@ ssize_t read_message(int descriptor, const Name& name, void* data, size_t room, 
     message.msg_iov = &part;
     message.msg_iovlen = 1;
     const ssize_t size = next().recvmsg(descriptor, &message, flags & kKeptFlags);
-    if (size >= static_cast<ssize_t>(sizeof(Trailer))) return size;
+    if (size >= static_cast<ssize_t>(sizeof(Trailer))) {
+      if (!tells_cut(data, size)) return size;
+      if ((flags & MSG_PEEK) != 0) drop_message(descriptor);
+      errno = ENETDOWN;
+      return -1;
+    }
     if (size < 0 && errno == ECONNRESET) continue;  // the hub has gone: first what it left
     if (size < 0) return -1;
     if (size > 0) continue;  // not of our hub

@@ -91,7 +91,8 @@ ssize_t send_frame(int descriptor, const Name& name, const Parts& parts, int fla
   if (size_of(parts) != sizeof frame) return failed(EINVAL);
   gather(parts, &frame, sizeof frame);
   if (frame.can_dlc > CAN_MAX_DLEN) return failed(EINVAL);
-  return send_to_hub(descriptor, frame, index, (flags & MSG_DONTWAIT) == 0 && !state.has_bit_rate);
+  if (state.is_cut()) return failed(ENETDOWN);
+  return send_to_hub(descriptor, frame, index, (flags & MSG_DONTWAIT) == 0 && !state.has_queue());
 }
 
 ssize_t send_broadcast(int descriptor, const Name& name, const Parts& parts, const Destination& to) noexcept {

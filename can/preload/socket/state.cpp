@@ -16,6 +16,7 @@ struct Memory {
   std::atomic<uint32_t> change;  ///< the last one when the hub was asked
   std::atomic<int32_t> interface_index;
   std::atomic<uint32_t> stamps;
+  std::atomic<LinkWord*> link;
   std::atomic<bool> has_bit_rate;
   std::atomic<bool> counts_dropped;
   std::atomic<bool> busy;          ///< somebody is writing
@@ -38,6 +39,7 @@ bool remember(const Memory& memory, uint64_t number, SocketState& state) noexcep
   if (memory.number != number || memory.change != changes) return false;
   state.interface_index = memory.interface_index;
   state.has_bit_rate = memory.has_bit_rate;
+  state.link = memory.link;
   state.counts_dropped = memory.counts_dropped;
   state.stamps = Stamps{memory.stamps};
   return memory.number == number;
@@ -50,6 +52,7 @@ void keep(Memory& memory, uint64_t number, const SocketState& state, uint32_t ch
   memory.change = change;
   memory.interface_index = state.interface_index;
   memory.has_bit_rate = state.has_bit_rate;
+  memory.link = state.link;
   memory.counts_dropped = state.counts_dropped;
   memory.stamps = state.stamps.value();
   memory.number = number;
@@ -69,6 +72,7 @@ bool ask_hub(int descriptor, SocketState& state) noexcept {
   }
   state.interface_index = answer.interface_index;
   state.has_bit_rate = answer.bit_rate != 0;
+  state.link = link_of(descriptor);
   state.counts_dropped = option(answer, userbus::OptionName::CountDropped) != 0;
   state.stamps = Stamps{option(answer, userbus::OptionName::Timestamps)};
   return true;

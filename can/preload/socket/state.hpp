@@ -1,5 +1,6 @@
 #pragma once
 
+#include "can/preload/socket/link.hpp"
 #include "can/preload/socket/stamps.hpp"
 #include "can/userbus/name.hpp"
 
@@ -9,8 +10,14 @@ namespace preload {
 struct SocketState {
   int32_t interface_index = -1;  ///< that it is bound to; 0 = all, -1 = not bound
   bool has_bit_rate = false;     ///< frames take time on the bus, and its queue can be full
+  LinkWord* link = nullptr;      ///< whether the bus is whole; nullptr: it ends with its hub
   bool counts_dropped = false;   ///< SO_RXQ_OVFL
   Stamps stamps = Stamps{};      ///< SO_TIMESTAMP…
+
+  /// Whether nothing can be sent at present.
+  [[nodiscard]] bool is_cut() const noexcept { return link != nullptr && link->load() == 0; }
+  /// Whether what is sent waits for the bus, in a queue that can be full.
+  [[nodiscard]] bool has_queue() const noexcept { return has_bit_rate || link != nullptr; }
 };
 
 /// The state of CAN socket @p name at @p descriptor: as remembered, else as the hub tells. False with errno.

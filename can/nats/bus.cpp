@@ -1,0 +1,63 @@
+#include "can/nats/bus.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "text/number.hpp"
+
+namespace nats {
+
+namespace {
+
+constexpr std::string_view kForm = "nats://HOST[:PORT]/NAME or tls://HOST[:PORT]/NAME";
+constexpr std::string_view kUsualPort = "4222";
+constexpr std::size_t kLongestName = 32;
+
+bool is_name(std::string_view text) noexcept {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+  return !text.empty() && text.size() <= kLongestName &&
+         text.find_first_not_of(kLetters) == std::string_view::npos;
+}
+
+}  // namespace
+
+bool Bus::is_open_to_others() const {
+  const bool is_near = host == "localhost" || host.starts_with("127.") || host == "::1";
+  return !is_near && !server.url.starts_with("tls://");
+}
+
+tl::expected<Bus, std::string> parse_bus(std::string_view text) {
+  const auto wrong = [](std::string_view expected) {
+    return tl::unexpected{fmt::format("expected {}", expected)};
+  };
+  const std::size_t host_at = text.find("://") + 3;
+  const std::string_view scheme = text.substr(0, text.find("://"));
+  if (host_at < 3 || (scheme != "nats" && scheme != "tls")) return wrong(kForm);
+  const std::size_t slash = text.find('/', host_at);
+  if (slash == std::string_view::npos) return wrong(kForm);
+  const std::string_view place = text.substr(host_at, slash - host_at);
+  const std::string_view name = text.substr(slash + 1);
+  if (!is_name(name))
+    return wrong(fmt::format("a name of 1 to {} letters, digits, '-' and '_' behind the slash", kLongestName));
+  if (place.find('@') != std::string_view::npos) return wrong("no user in the URL: --credentials names a file");
+  const bool in_brackets = place.starts_with('[');
+  const std::size_t end_of_host = in_brackets ? place.find(']') + 1 : std::min(place.find(':'), place.size());
+  if (in_brackets && end_of_host == 0) return wrong("a ] behind the host");
+  const std::string_view rest = place.substr(end_of_host);
+  const std::string_view port = rest.empty() ? kUsualPort : rest.substr(1);
+  const auto number = text::integer<std::uint16_t>(port);
+  if ((!rest.empty() && rest[0] != ':') || !number || *number == 0)
+    return wrong("a port 1 to 65535 behind the host");
+  const std::string_view host = in_brackets ? place.substr(1, end_of_host - 2) : place.substr(0, end_of_host);
+  if (host.empty()) return wrong(kForm);
+  Bus bus;
+  bus.server.url = fmt::format("{}://{}:{}", scheme, place.substr(0, end_of_host), port);
+  bus.host = host;
+  bus.name = name;
+  return bus;
+}
+
+}  // namespace nats

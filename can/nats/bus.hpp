@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "can/nats/server.hpp"
+
+namespace nats {
+
+/// A bus that hubs join over a server.
+struct Bus {
+  Server server;
+  std::string host;  ///< name or address of the server, an IPv6 address without its brackets
+  std::string name;  ///< of the bus: letters, digits, '-' and '_'
+
+  /// Name of its stream on the server.
+  [[nodiscard]] std::string stream() const { return "CAN_" + name; }
+  /// The subject that the stream keeps.
+  [[nodiscard]] std::string subject() const { return "can." + name + ".wire"; }
+  /// Whether what is sent can be read on the way: the server is on another host, and TLS is not asked for.
+  [[nodiscard]] bool is_open_to_others() const;
+};
+
+/// Reads `nats://HOST[:PORT]/NAME` or `tls://HOST[:PORT]/NAME`; the port is 4222 if none is given. The error says
+/// what was expected.
+[[nodiscard]] tl::expected<Bus, std::string> parse_bus(std::string_view text);
+
+}  // namespace nats

@@ -1,0 +1,138 @@
+#include "can/nats/join.hpp"
+
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace nats {
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+constexpr const char* kClient = "canhub";
+/// Messages older than this are forgotten: nobody asks for them, recordings have streams of their own.
+constexpr nanoseconds kAge = std::chrono::seconds{30};
+/// Messages that are looked through for one that comes twice: none does, and less is not allowed.
+constexpr nanoseconds kDuplicates = milliseconds{100};
+/// A consumer that nobody listens to is removed by the server.
+constexpr nanoseconds kInactive = std::chrono::seconds{5};
+
+/// Messages and bytes that may wait in a subscription: losing one in silence is worse than any memory.
+constexpr int kNoLimit = std::numeric_limits<int>::max();
+
+natsStatus attach(void** user_data, void* loop, natsConnection*, natsSock socket) {
+  *user_data = loop;
+  static_cast<Membership*>(loop)->socket = socket;
+  return NATS_OK;
+}
+
+natsStatus want_read(void*, bool) {
+  return NATS_OK;
+}
+
+natsStatus want_write(void* user_data, bool add) {
+  static_cast<Membership*>(user_data)->wants_to_write = add;
+  return NATS_OK;
+}
+
+natsStatus detach(void*) {
+  return NATS_OK;
+}
+
+std::string with_code(natsStatus status, jsErrCode code) {
+  return code == 0 ? text_of(status)
+                   : fmt::format("{} (JetStream error {})", text_of(status), static_cast<int>(code));
+}
+
+/// Two hubs that make the stream at the same moment collide in the server: the second attempt finds it.
+tl::expected<void, std::string> make_stream(jsCtx* js, const Bus& bus) {
+  const std::string name = bus.stream();
+  const std::string subject = bus.subject();
+  const char* subjects[] = {subject.c_str()};
+  jsStreamConfig config;
+  jsStreamConfig_Init(&config);
+  config.Name = name.c_str();
+  config.Subjects = subjects;
+  config.SubjectsLen = 1;
+  config.Storage = js_FileStorage;
+  config.MaxAge = kAge.count();
+  config.Duplicates = kDuplicates.count();
+  config.NoAck = true;
+  natsStatus status = NATS_OK;
+  jsErrCode code{};
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    jsStreamInfo* info = nullptr;
+    status = js_GetStreamInfo(&info, js, name.c_str(), nullptr, &code);
+    if (status == NATS_NOT_FOUND) status = js_AddStream(&info, js, &config, nullptr, &code);
+    const StreamInfo made{info};
+    if (status == NATS_OK) return {};
+  }
+  return tl::unexpected{fmt::format("stream {}: {}", name, with_code(status, code))};
+}
+
+tl::expected<void, std::string> make_consumer(jsCtx* js, const Bus& bus, const std::string& inbox) {
+  jsConsumerConfig config;
+  jsConsumerConfig_Init(&config);
+  config.DeliverSubject = inbox.c_str();
+  config.DeliverPolicy = js_DeliverNew;
+  config.AckPolicy = js_AckNone;
+  config.MemoryStorage = true;
+  config.Replicas = 1;
+  config.InactiveThreshold = kInactive.count();
+  jsConsumerInfo* info = nullptr;
+  jsErrCode code{};
+  const natsStatus status = js_AddConsumer(&info, js, bus.stream().c_str(), &config, nullptr, &code);
+  const ConsumerInfo made{info};
+  if (status != NATS_OK)
+    return tl::unexpected{fmt::format("consumer of stream {}: {}", bus.stream(), with_code(status, code))};
+  return {};
+}
+
+/// Stream and consumer are made over a connection of the library's own threads, which ends with it.
+tl::expected<void, std::string> set_up(const Bus& bus, const std::string& inbox, milliseconds patience) {
+  auto options = options_for(bus.server, kClient, patience);
+  if (!options) return tl::unexpected{options.error()};
+  const auto connection = connect(*options);
+  if (!connection) return tl::unexpected{connection.error()};
+  jsOptions js_options;
+  jsOptions_Init(&js_options);
+  js_options.Wait = patience.count();
+  jsCtx* made = nullptr;
+  if (const natsStatus status = natsConnection_JetStream(&made, connection->get(), &js_options); status != NATS_OK)
+    return tl::unexpected{text_of(status)};
+  const JetStream js{made};
+  return make_stream(made, bus).and_then([&] { return make_consumer(made, bus, inbox); });
+}
+
+}  // namespace
+
+Membership::~Membership() {
+  subscription.reset();
+  if (connection) natsConnection_Close(connection.get());
+}
+
+tl::expected<std::unique_ptr<Membership>, std::string> join(const Bus& bus, milliseconds patience) {
+  auto member = std::make_unique<Membership>();
+  auto options = options_for(bus.server, kClient, patience);
+  if (!options) return tl::unexpected{options.error()};
+  natsOptions_SetEventLoop(options->get(), member.get(), attach, want_read, want_write, detach);
+  auto connection = connect(*options);
+  if (!connection) return tl::unexpected{connection.error()};
+  member->connection = *std::move(connection);
+  natsInbox* inbox = nullptr;
+  natsSubscription* subscription = nullptr;
+  natsStatus status = natsInbox_Create(&inbox);
+  const std::unique_ptr<natsInbox, Destroyer<natsInbox_Destroy>> subject{inbox};
+  if (status == NATS_OK) status = natsConnection_SubscribeSync(&subscription, member->connection.get(), inbox);
+  member->subscription.reset(subscription);
+  if (status == NATS_OK) status = natsSubscription_SetPendingLimits(subscription, kNoLimit, kNoLimit);
+  if (status != NATS_OK) return tl::unexpected{text_of(status)};
+  natsConnection_ProcessWriteEvent(member->connection.get());
+  if (auto done = set_up(bus, inbox, patience); !done) return tl::unexpected{done.error()};
+  return member;
+}
+
+}  // namespace nats

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "can/nats/nats_handles.hpp"
+
+namespace nats {
+
+/// Where a NATS server is, and as whom it is spoken to.
+struct Server {
+  std::string url;           ///< "nats://HOST:PORT" or "tls://HOST:PORT"
+  std::string credentials;   ///< file with user JWT and key, empty = none
+  std::string certificates;  ///< file with the certificates that are trusted, empty = the system's
+  std::string certificate;   ///< file with the own certificate, empty = none
+  std::string key;           ///< file with its key
+};
+
+/// Options for a connection to @p server that never reconnects by itself, so that nothing is sent late; @p
+/// patience is the time to connect in. The error is one line.
+[[nodiscard]] tl::expected<Options, std::string> options_for(const Server& server, const std::string& client,
+                                                             std::chrono::milliseconds patience);
+
+/// Connects with @p options; the error is one line.
+[[nodiscard]] tl::expected<Connection, std::string> connect(const Options& options);
+
+/// What the library says to @p status and what it said last in this thread.
+[[nodiscard]] std::string text_of(natsStatus status);
+
+}  // namespace nats
