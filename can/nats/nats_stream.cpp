@@ -56,7 +56,7 @@ bool read_place(std::string_view subject, hub::trunk::Stream::Message& message) 
 NatsStream::NatsStream(Bus bus) : bus_{std::move(bus)}, bell_{eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)} {
   if (!bell_ || !ready_.add(bell_.get(), EPOLLIN, kBell))
     throw std::system_error{errno, std::generic_category(), bus_.server.url};
-  thread_ = std::jthread{[this](std::stop_token stop) { connect(std::move(stop)); }};
+  thread_ = std::jthread{[this](const std::stop_token& stop) { connect(stop); }};
 }
 
 NatsStream::~NatsStream() {
@@ -66,18 +66,10 @@ NatsStream::~NatsStream() {
   thread_.join();
 }
 
-void NatsStream::connect(std::stop_token stop) {
+void NatsStream::connect(const std::stop_token& stop) {
   pthread_setname_np(pthread_self(), "nats-connect");
   milliseconds patience = kFirstPatience;
-  while (!stop.stop_requested()) {
-    std::unique_ptr<Membership> old;
-    {
-      std::unique_lock lock{mutex_};
-      wanted_.wait(lock, stop, [this] { return is_wanted_; });
-      old = std::move(given_up_);
-    }
-    old.reset();
-    if (stop.stop_requested()) return;
+  while (is_wanted(stop)) {
     const auto begin = std::chrono::steady_clock::now();
     auto member = join(bus_, patience);
     if (member) {
@@ -94,9 +86,19 @@ void NatsStream::connect(std::stop_token stop) {
   nats_ReleaseThreadMemory();
 }
 
-void NatsStream::wait(std::stop_token stop, milliseconds time) {
+/// Waits until a connection is wanted and closes the one before; false at the end.
+bool NatsStream::is_wanted(const std::stop_token& stop) {
+  std::unique_ptr<Membership> old;
   std::unique_lock lock{mutex_};
-  wanted_.wait_for(lock, std::move(stop), time, [] { return false; });
+  wanted_.wait(lock, stop, [this] { return is_wanted_; });
+  old = std::move(given_up_);
+  lock.unlock();
+  return !stop.stop_requested();
+}
+
+void NatsStream::wait(const std::stop_token& stop, milliseconds time) {
+  std::unique_lock lock{mutex_};
+  wanted_.wait_for(lock, stop, time, [] { return false; });
 }
 
 void NatsStream::hand_over(std::unique_ptr<Membership> member) {

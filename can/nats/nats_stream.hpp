@@ -34,8 +34,9 @@ class NatsStream final : public hub::trunk::Stream {
   [[nodiscard]] std::string take_problem() override;
 
  private:
-  void connect(std::stop_token stop);
-  void wait(std::stop_token stop, std::chrono::milliseconds time);
+  void connect(const std::stop_token& stop);
+  [[nodiscard]] bool is_wanted(const std::stop_token& stop);
+  void wait(const std::stop_token& stop, std::chrono::milliseconds time);
   void hand_over(std::unique_ptr<Membership> member);
   void report(const std::string& problem);
   void ring() noexcept;

@@ -54,7 +54,7 @@ TEST(BashCompletion, OffersOptionsOfTheSubcommandAndOfThoseAbove) {
   EXPECT_EQ(offered({"axisctl", "wait", "ready", "--t"}), "--timeout\n");
   EXPECT_EQ(offered({"axisctl", "wait", "ready", "--j"}), "--json\n");
   EXPECT_EQ(offered({"axisctl", "--t"}), "\n");
-  EXPECT_EQ(offered({"canhub", "--p"}), "--path\n");
+  EXPECT_EQ(offered({"canhub", "--pa"}), "--path\n");
   EXPECT_EQ(offered({"canopen-check", "--dev"}), "--deviations\n");
   EXPECT_EQ(offered({"with-can", "--p"}), "--private\n");
   EXPECT_EQ(offered({"axisd", "--check"}), "--check-config\n");

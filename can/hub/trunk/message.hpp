@@ -66,7 +66,7 @@ class Writer {
   void put(std::uint64_t value, std::size_t bytes) noexcept;
 
   Header header_;
-  std::array<std::byte, kLongestMessage> bytes_;
+  std::array<std::byte, kLongestMessage> bytes_{};
   std::size_t size_ = 0;
 };
 
