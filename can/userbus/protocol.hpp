@@ -90,9 +90,10 @@ enum class Operation : uint32_t {
                ///< MemberStatistics a member, as many as fit in a message
   Inject,      ///< the faults of the bus; payload: JSON, {"method": ..., "params": ...}; reply payload: JSON, the
                ///< result; with EINVAL {"message": ...}, and nothing from a hub without faults
-  Link,  ///< whether the bus goes on beyond this hub: with the reply comes a descriptor of kLinkPageSize bytes
-         ///< of memory to be mapped for reading; reply value: 1 = the bus is whole, 0 = it is cut; EOPNOTSUPP
-         ///< from a hub whose bus ends with it
+  Link,   ///< whether the bus goes on beyond this hub: with the reply comes a descriptor of kLinkPageSize bytes
+          ///< of memory to be mapped for reading; reply value: 1 = the bus is whole, 0 = it is cut; EOPNOTSUPP
+          ///< from a hub whose bus ends with it
+  Trunk,  ///< what is known of the way to other hosts; reply payload: JSON; EOPNOTSUPP likewise
 };
 
 /// Options of a member that are numbers.

@@ -105,6 +105,10 @@ def run():
         wait_until(lambda: host.frames()[-1][2].strip() == "66", "the frame behind the return")
     # Those with 33 and 55 that were sent before the cut showed may not have passed on one host and be missing on another.
     assert [line[2] for line in a.frames()] == [line[2] for line in b.frames()], (a.frames(), b.frames())
+    status = subprocess.run([str(programs / "canhub"), "--status", "--path", str(a.path)], capture_output=True, text=True,
+                            check=True).stdout
+    assert re.search(r"^nats://127\.0\.0\.1:4222/lab: whole, cut 2 times$", status, re.MULTILINE), status
+    assert re.search(rf"^\S+ \(canhub {b.hub.pid}\) +yes +\d+ +0$", status, re.MULTILINE), status
     print("one bus over two hubs, before and after the server stood still and died")
 
 

@@ -121,6 +121,37 @@ std::optional<nats::Bus> bus_of(const JoinOptions& join) {
   return *std::move(bus);
 }
 
+void add_fault_options(CLI::App& app, Options& options, std::optional<std::string>& take_back) {
+  app.add_option("--with", options.with,
+                 "a fault that the bus has from the start, in words or JSON; may be given several times")
+      ->type_name("FAULT");
+  app.add_option("--inject", options.inject,
+                 "give a running hub a fault, \"bus.drop id=185 after=10 times=1\" or JSON, print its number, and "
+                 "exit; may "
+                 "be given several times")
+      ->type_name("FAULT");
+  app.add_flag("--injected", options.injected,
+               "print the faults of a running hub and what they have hit, and exit");
+  app.add_option("--take-back", take_back, "take back fault ID of a running hub, or all, and exit")
+      ->type_name("ID");
+  app.add_flag("--json", options.json, "print --injected as JSON");
+}
+
+/// Refuses what does not go together; @p has_neighbours: the bus is to be joined with others.
+void check(const Options& options, bool has_neighbours) {
+  if (options.is_about_faults() &&
+      (options.bit_rate || options.on_demand || options.status || has_neighbours || !options.with.empty()))
+    throw UsageError{
+        "--inject, --injected and --take-back speak to a running hub: beside --path and --json they go with "
+        "each other only"};
+  if (options.json && !options.injected) throw UsageError{"--json goes with --injected"};
+  if (options.on_demand && !options.with.empty())
+    throw UsageError{"--on-demand does not go with --with, whose faults nobody would see refused"};
+  if (options.on_demand && has_neighbours)
+    throw UsageError{
+        "--on-demand goes with none of --bridge, --socketcand and --join, whose failure nobody would see"};
+}
+
 }  // namespace
 
 std::optional<Options> parse_command_line(int count, const char* const* words) {
@@ -147,19 +178,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   app.add_option("--socketcand", options.socketcand, "serve clients of socketcand too")->type_name("HOST:PORT");
   add_join_options(app, join);
   app.add_flag("--status", options.status, "print what a running hub knows of its members, and exit");
-  app.add_option("--with", options.with,
-                 "a fault that the bus has from the start, in words or JSON; may be given several times")
-      ->type_name("FAULT");
-  app.add_option("--inject", options.inject,
-                 "give a running hub a fault, \"bus.drop id=185 after=10 times=1\" or JSON, print its number, and "
-                 "exit; may "
-                 "be given several times")
-      ->type_name("FAULT");
-  app.add_flag("--injected", options.injected,
-               "print the faults of a running hub and what they have hit, and exit");
-  app.add_option("--take-back", take_back, "take back fault ID of a running hub, or all, and exit")
-      ->type_name("ID");
-  app.add_flag("--json", options.json, "print --injected as JSON");
+  add_fault_options(app, options, take_back);
   cli::add_completion(app);
   try {
     app.parse(count, words);
@@ -171,17 +190,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   options.path = path_of(path);
   if (bit_rate) options.bit_rate = bit_rate_of(*bit_rate);
   if (take_back) options.take_back = take_back_of(*take_back);
-  if (options.is_about_faults() && (bit_rate || options.on_demand || options.status || !bridges.empty() ||
-                                    !options.socketcand.empty() || !options.with.empty() || join.url))
-    throw UsageError{
-        "--inject, --injected and --take-back speak to a running hub: beside --path and --json they go with "
-        "each other only"};
-  if (options.json && !options.injected) throw UsageError{"--json goes with --injected"};
-  if (options.on_demand && !options.with.empty())
-    throw UsageError{"--on-demand does not go with --with, whose faults nobody would see refused"};
-  if (options.on_demand && (!bridges.empty() || !options.socketcand.empty() || join.url))
-    throw UsageError{
-        "--on-demand goes with none of --bridge, --socketcand and --join, whose failure nobody would see"};
+  check(options, !bridges.empty() || !options.socketcand.empty() || join.url.has_value());
   options.join = bus_of(join);
   for (const std::string& bridge : bridges) options.bridges.push_back(bridge_of(bridge, options.path));
   return options;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -48,6 +49,32 @@ bool read_statistics(int member, userbus::BusStatistics& bus, std::vector<Member
   return true;
 }
 
+/// What is known of the way to other hosts; nothing if the bus ends with its hub.
+void print_trunk(int member, std::ostream& out) {
+  std::string text(userbus::kLongestMessage, '\0');
+  const userbus::Answer answer = userbus::ask(member, Operation::Trunk, 0, nullptr, 0, text.data(), text.size());
+  if (answer.error != 0) return;
+  const auto trunk = nlohmann::json::parse(text.substr(0, answer.size), nullptr, /*allow_exceptions=*/false);
+  if (!trunk.is_object()) return;
+  const auto count = [&](const char* name) { return trunk.value(name, std::uint64_t{0}); };
+  const auto milliseconds = [&](const char* name) {
+    constexpr double kNanosecondsOfMillisecond = 1e6;
+    return trunk["back_after_ns"].value(name, 0.0) / kNanosecondsOfMillisecond;
+  };
+  out << fmt::format("\n{}: {}, cut {} times\n", trunk.value("url", ""),
+                     trunk.value("up", false) ? "whole" : "cut", count("cuts"));
+  out << fmt::format(
+      "frames: {} sent, {} received, {} under way; back after {:.3f} ms (median), {:.3f} ms (99 %)\n",
+      count("sent"), count("received"), count("under_way"), milliseconds("median"), milliseconds("p99"));
+  out << fmt::format("lost: {} under way and {} sent while it was cut, {} of others missed, {} of others late\n",
+                     count("dropped"), count("lost"), count("missed"), count("late"));
+  out << fmt::format("{:<48} {:<8} {:>10} {:>10}\n", "hub", "on bus", "received", "missed");
+  for (const auto& hub : trunk["hubs"])
+    out << fmt::format("{:<48} {:<8} {:>10} {:>10}\n", hub.value("name", ""),
+                       hub.value("present", false) ? "yes" : "no", hub.value("received", std::uint64_t{0}),
+                       hub.value("missed", std::uint64_t{0}));
+}
+
 }  // namespace
 
 bool print_status(const userbus::Path& path, std::ostream& out, std::ostream& errors) {
@@ -69,6 +96,7 @@ bool print_status(const userbus::Path& path, std::ostream& out, std::ostream& er
     out << fmt::format(kRow, row.name, row.process, interface_of(member.get(), row.interface_index), row.sent,
                        row.received, row.dropped, row.refused);
   }
+  print_trunk(member.get(), out);
   return true;
 }
 

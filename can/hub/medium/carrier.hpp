@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include "libcanopen/base/time.hpp"
 
 namespace hub {
@@ -23,6 +26,8 @@ class Carrier {
   virtual void take(const Passage& passage, canopen::TimePoint now) noexcept = 0;
   /// @p participant leaves: what is under way of it passes without a sender.
   virtual void on_detach(const Participant& participant) noexcept = 0;
+  /// What has become of frames, and who else is on the bus: JSON, at most @p room bytes.
+  [[nodiscard]] virtual std::string report(std::size_t room) const = 0;
   /// As whom an Interference knows who has sent what comes from other hosts.
   [[nodiscard]] virtual Identity identity() const noexcept = 0;
 };

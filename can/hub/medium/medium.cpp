@@ -155,12 +155,11 @@ void Medium::set_up(bool up) noexcept {
 
 /// Who was refused sends what it had kept, which is lost too.
 void Medium::lose_waiting() noexcept {
-  for (std::size_t i = 0; i < stations_.size(); ++i) {
-    Station& station = *stations_[i];
-    lost_ += station.count();
-    waiting_ -= station.count();
-    station.clear();
-    if (std::exchange(station.refused, false) && station.participant != nullptr) station.participant->on_room();
+  for (const auto& station : stations_) {
+    lost_ += station->count();
+    waiting_ -= station->count();
+    station->clear();
+    if (std::exchange(station->refused, false) && station->participant != nullptr) station->participant->on_room();
   }
   if (someone_left_) forget_those_who_left();
 }

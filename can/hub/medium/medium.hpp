@@ -114,6 +114,7 @@ class Medium {
 
   /// Frames go with @p carrier from now on; before anybody sends, and nullptr when it ends.
   void set_carrier(Carrier* carrier) noexcept { carrier_ = carrier; }
+  [[nodiscard]] const Carrier* carrier() const noexcept { return carrier_; }
   /// The wire is whole (@p up), as it is at first, or cut: then what waits and what is sent is lost. Not from
   /// within receive().
   void set_up(bool up) noexcept;

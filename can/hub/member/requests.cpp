@@ -21,6 +21,8 @@ using userbus::Operation;
 /// The payload of a reply while it is written.
 class Payload {
  public:
+  static constexpr std::size_t kRoom = userbus::kLongestMessage - sizeof(userbus::Reply);
+
   /// False if there is no room for it.
   template <class T>
   bool add(const T& value) noexcept {
@@ -36,7 +38,7 @@ class Payload {
   [[nodiscard]] std::span<std::byte> bytes() noexcept { return std::span{bytes_}.first(size_); }
 
  private:
-  std::array<std::byte, userbus::kLongestMessage - sizeof(userbus::Reply)> bytes_{};
+  std::array<std::byte, kRoom> bytes_{};
   std::size_t size_ = 0;
 };
 
@@ -161,13 +163,24 @@ Result link(const Call& call) noexcept {
   return {.value = core.medium.is_up() ? 1 : 0, .descriptor = page};
 }
 
+Result trunk(const Call& call) noexcept {
+  const Carrier* const carrier = call.asking.core.medium.carrier();
+  if (carrier == nullptr) return {.error = EOPNOTSUPP};
+  try {
+    const std::string text = carrier->report(Payload::kRoom);
+    return {.error = call.reply.append(std::as_bytes(std::span{text})) ? 0 : EMSGSIZE};
+  } catch (const std::exception&) {
+    return {.error = ENOMEM};
+  }
+}
+
 using Handler = Result (*)(const Call&) noexcept;
 
 /// By Operation.
-constexpr std::array<Handler, 13> kHandlers{
+constexpr std::array<Handler, 14> kHandlers{
     hello,          bind,       read_state, set_option, set_filters, read_filters, interface_index,
-    interface_name, interfaces, broadcast,  statistics, inject,      link};
-static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Link) + 1);
+    interface_name, interfaces, broadcast,  statistics, inject,      link,         trunk};
+static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Trunk) + 1);
 
 Result handle(Operation operation, const Call& call) noexcept {
   const auto number = static_cast<std::size_t>(operation);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "can/hub/loop/clock.hpp"
 
@@ -13,6 +14,15 @@ namespace hub::trunk {
 namespace {
 
 using canopen::TimePoint;
+
+std::int64_t median(const Latency& latency) noexcept {
+  constexpr double kHalf = 0.5;
+  return latency.quantile(kHalf).count();
+}
+std::int64_t nearly_all(const Latency& latency) noexcept {
+  constexpr double kNearlyAll = 0.99;
+  return latency.quantile(kNearlyAll).count();
+}
 
 /// Messages that are taken before members have their turn.
 constexpr int kBatch = 64;
@@ -236,6 +246,35 @@ Identity Trunk::identity() const noexcept {
   Identity who;
   settings_.url.copy(who.name.data(), who.name.size() - 1);
   return who;
+}
+
+std::string Trunk::report(std::size_t room) const {
+  nlohmann::json whole = {
+      {"url", settings_.url},
+      {"up", phase_ == Phase::Up},
+      {"sent", figures_.sent},
+      {"received", figures_.received},
+      {"under_way", under_way_.count()},
+      {"dropped", figures_.dropped},
+      {"lost", medium_.lost()},
+      {"missed", hubs_.missed()},
+      {"late", figures_.stale},
+      {"repeated", hubs_.repeated()},
+      {"malformed", figures_.malformed},
+      {"cuts", figures_.cuts},
+      {"back_after_ns", {{"median", median(latency_)}, {"p99", nearly_all(latency_)}}},
+      {"hubs", nlohmann::json::array()},
+  };
+  for (const Neighbour& hub : hubs_.all()) {
+    if (hub.hub == 0) continue;
+    nlohmann::json row = {
+        {"name", hub.text()}, {"present", hub.is_present}, {"received", hub.received}, {"missed", hub.missed}};
+    whole["hubs"].push_back(std::move(row));
+    if (whole.dump().size() <= room) continue;
+    whole["hubs"].erase(whole["hubs"].size() - 1);
+    break;
+  }
+  return whole.dump();
 }
 
 bool Trunk::statistics(userbus::MemberStatistics& row) const noexcept {

@@ -69,6 +69,7 @@ class Trunk final : public Source, public Carrier {
   void take(const Passage& passage, canopen::TimePoint now) noexcept override;
   void on_detach(const Participant& participant) noexcept override { under_way_.forget(participant); }
   [[nodiscard]] Identity identity() const noexcept override;
+  [[nodiscard]] std::string report(std::size_t room) const override;
 
   [[nodiscard]] bool is_up() const noexcept { return phase_ == Phase::Up; }
   [[nodiscard]] const Figures& figures() const noexcept { return figures_; }

@@ -13,10 +13,10 @@ namespace {
 /// signal handler: who finds a memory being written does without.
 struct Memory {
   std::atomic<uint64_t> number;  ///< the socket's, from its name; 0 = the rest means nothing
+  std::atomic<LinkWord*> link;
   std::atomic<uint32_t> change;  ///< the last one when the hub was asked
   std::atomic<int32_t> interface_index;
   std::atomic<uint32_t> stamps;
-  std::atomic<LinkWord*> link;
   std::atomic<bool> has_bit_rate;
   std::atomic<bool> counts_dropped;
   std::atomic<bool> busy;          ///< somebody is writing
