@@ -3,10 +3,10 @@
 #include <list>
 #include <thread>
 
-#include "daemon/base/mailbox.hpp"
 #include "daemon/instance/instance.hpp"
 #include "daemon/loop/event_loop.hpp"
 #include "service/log.hpp"
+#include "service/mailbox.hpp"
 
 namespace axisd {
 

@@ -5,11 +5,11 @@
 #include <string_view>
 
 #include "control/protocol.hpp"
-#include "daemon/base/mailbox.hpp"
 #include "daemon/control/handler.hpp"
 #include "daemon/fleet/fleet.hpp"
 #include "daemon/server/control_server.hpp"
 #include "daemon/server/subscriptions.hpp"
+#include "service/mailbox.hpp"
 
 namespace control {
 struct Method;

@@ -1,4 +1,4 @@
-#include "daemon/base/mailbox.hpp"
+#include "service/mailbox.hpp"
 
 #include <cerrno>
 #include <system_error>

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "can/nats/server.hpp"
+#include "farm/link/key_value.hpp"
+#include "farm/link/object_store.hpp"
+#include "service/service_events.hpp"
+
+namespace farm {
+
+/// A message that has come. The texts live until the call ends.
+struct Message {
+  std::string_view subject;
+  std::string_view reply;  ///< empty: nobody waits for an answer
+  std::string_view data;
+};
+
+/// Why a request has no answer.
+enum class NoReply : std::uint8_t {
+  Down,     ///< there is no connection, or it was lost before the answer came
+  Nobody,   ///< nobody listens at the subject
+  TooLate,  ///< no answer in time
+  TooMuch,  ///< as many requests wait as may
+};
+[[nodiscard]] std::string_view text_of(NoReply why) noexcept;
+
+/// A connection to a NATS server that is made again whenever it is lost, for a program whose thread runs sd-event:
+/// that thread is never kept waiting, neither by a server that is slow nor by one that stands still. All calls and
+/// all callbacks belong to it.
+///
+/// What is published while there is no connection is dropped, and nothing is sent a second time: who speaks to
+/// units wants no old message to arrive.
+class Link {
+ public:
+  using OnMessage = std::function<void(const Message&)>;
+  using Reply = tl::expected<std::string, NoReply>;
+  using OnReply = std::function<void(Reply)>;
+
+  /// Who is told how the connection is.
+  class Listener {
+   public:
+    virtual ~Listener() = default;
+    /// Messages come and go; subscriptions have been made again before.
+    virtual void on_up() = 0;
+    /// They do no longer, or the first attempt has failed; @p why is one line. Once until on_up().
+    virtual void on_down(const std::string& why) = 0;
+  };
+
+  /// Most requests that wait for an answer.
+  static constexpr std::size_t kMostRequests = 1024;
+  /// Most that may wait to be sent (bytes); what is more is dropped.
+  static constexpr std::size_t kMostUnsent = 4UL * 1024 * 1024;
+  /// Without a sign of the server for so long the connection is given up.
+  static constexpr std::chrono::milliseconds kPatience{1000};
+
+  /// Begins to connect to @p server, which sees it under the name @p client; @p events and @p listener outlive it.
+  /// Throws std::system_error if the kernel gives no descriptor or thread.
+  Link(axisd::ServiceEvents& events, nats::Server server, std::string client, Listener& listener);
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  /// Whoever waits is told NoReply::Down.
+  ~Link();
+
+  [[nodiscard]] bool is_up() const noexcept;
+
+  /// Sends @p data to @p subject; nothing happens while there is no connection.
+  void publish(std::string_view subject, std::string_view data);
+  /// Hands every message of @p subject, which may have wildcards, to @p on_message, until unsubscribe(), over
+  /// all connections.
+  void subscribe(const std::string& subject, OnMessage on_message);
+  void unsubscribe(const std::string& subject);
+  /// Asks whoever listens at @p subject; @p on_reply is told once, at once if it cannot be asked.
+  void request(std::string_view subject, std::string_view data, std::chrono::milliseconds patience,
+               OnReply on_reply);
+
+  /// Has @p job done with the key-value buckets and object stores of the server, on a thread of its own, one job
+  /// after the other; @p then is told afterwards, here. The job may wait for the server, as long as the calls in it
+  /// do (2 s each at most); it throws nothing and touches nothing that others use. It fails with "no connection" if
+  /// there is none.
+  template <class Result>
+  void run(std::function<tl::expected<Result, std::string>(Storage&)> job,
+           std::function<void(tl::expected<Result, std::string>)> then) {
+    auto result = std::make_shared<tl::expected<Result, std::string>>(tl::unexpected{std::string{"no connection"}});
+    run_job(
+        [job = std::move(job), result](Storage* storage) {
+          if (storage != nullptr) *result = job(*storage);
+        },
+        [then = std::move(then), result] { then(std::move(*result)); });
+  }
+  /// Tells every change of the keys of @p bucket that @p pattern names (">": all) to @p on_entry, those that are
+  /// there first; @p on_all is told when these have been told, after every connection anew. The bucket is made if
+  /// there is none. Never ends.
+  void watch(const std::string& bucket, const std::string& pattern, std::function<void(const Entry&)> on_entry,
+             std::function<void()> on_all);
+
+ private:
+  using Job = std::function<void(Storage*)>;
+  void run_job(Job job, std::function<void()> then);
+
+  class Worker;
+  std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace farm
