@@ -1,6 +1,9 @@
 #include "can/nats/server.hpp"
 
+#include <array>
+#include <fstream>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -13,15 +16,43 @@ namespace {
 /// an int must hold.
 constexpr int kMostPending = std::numeric_limits<int>::max() / 1024;
 
-natsStatus set_security(natsOptions* options, const Server& server) {
+/// What a file of credentials begins with: enough for a user and a password.
+constexpr std::size_t kLongestUser = 1024;
+
+struct User {
+  std::string name;
+  std::string password;
+};
+
+/// The user that @p file names in its first line, "NAME:PASSWORD"; nothing in it: it holds something else.
+tl::expected<std::optional<User>, std::string> read_user(const std::string& file) {
+  std::ifstream stream{file};
+  std::array<char, kLongestUser> bytes{};
+  stream.read(bytes.data(), bytes.size());
+  if (!stream.is_open() || stream.bad() || stream.gcount() == 0)
+    return tl::unexpected{fmt::format("{}: no credentials can be read there", file)};
+  const std::string_view content{bytes.data(), static_cast<std::size_t>(stream.gcount())};
+  const std::string_view line = content.substr(0, content.find_first_of("\r\n"));
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos || colon == 0) return std::nullopt;
+  return User{std::string{line.substr(0, colon)}, std::string{line.substr(colon + 1)}};
+}
+
+tl::expected<natsStatus, std::string> set_user(natsOptions* options, const std::string& credentials) {
+  if (credentials.empty()) return NATS_OK;
+  const auto user = read_user(credentials);
+  if (!user) return tl::unexpected{user.error()};
+  if (*user) return natsOptions_SetUserInfo(options, (*user)->name.c_str(), (*user)->password.c_str());
+  return natsOptions_SetUserCredentialsFromFiles(options, credentials.c_str(), nullptr);
+}
+
+natsStatus set_certificates(natsOptions* options, const Server& server) {
   natsStatus status = NATS_OK;
   if (server.url.starts_with("tls://")) status = natsOptions_SetSecure(options, true);
   if (status == NATS_OK && !server.certificates.empty())
     status = natsOptions_LoadCATrustedCertificates(options, server.certificates.c_str());
   if (status == NATS_OK && !server.certificate.empty())
     status = natsOptions_LoadCertificatesChain(options, server.certificate.c_str(), server.key.c_str());
-  if (status == NATS_OK && !server.credentials.empty())
-    status = natsOptions_SetUserCredentialsFromFiles(options, server.credentials.c_str(), nullptr);
   return status;
 }
 
@@ -50,8 +81,11 @@ tl::expected<Options, std::string> options_for(const Server& server, const std::
   if (status == NATS_OK) status = natsOptions_SetAllowReconnect(made, false);
   if (status == NATS_OK) status = natsOptions_SetSendAsap(made, true);
   if (status == NATS_OK) status = natsOptions_SetMaxPendingMsgs(made, kMostPending);
-  if (status == NATS_OK) status = set_security(made, server);
+  if (status == NATS_OK) status = set_certificates(made, server);
   if (status != NATS_OK) return tl::unexpected{text_of(status)};
+  const auto user = set_user(made, server.credentials);
+  if (!user) return tl::unexpected{user.error()};
+  if (*user != NATS_OK) return tl::unexpected{fmt::format("{}: {}", server.credentials, text_of(*user))};
   return options;
 }
 

@@ -12,7 +12,7 @@ namespace nats {
 /// Where a NATS server is, and as whom it is spoken to.
 struct Server {
   std::string url;           ///< "nats://HOST:PORT" or "tls://HOST:PORT"
-  std::string credentials;   ///< file with user JWT and key, empty = none
+  std::string credentials;   ///< file with user JWT and key, or a line NAME:PASSWORD; empty = none
   std::string certificates;  ///< file with the certificates that are trusted, empty = the system's
   std::string certificate;   ///< file with the own certificate, empty = none
   std::string key;           ///< file with its key
