@@ -24,17 +24,19 @@ struct User {
   std::string password;
 };
 
-/// The user that @p file names in its first line, "NAME:PASSWORD"; nothing in it: it holds something else.
+/// The user that @p file names in its first line, "NAME:PASSWORD"; nothing in it: it holds a user's JWT and key.
 tl::expected<std::optional<User>, std::string> read_user(const std::string& file) {
   std::ifstream stream{file};
   std::array<char, kLongestUser> bytes{};
   stream.read(bytes.data(), bytes.size());
-  if (!stream.is_open() || stream.bad() || stream.gcount() == 0)
-    return tl::unexpected{fmt::format("{}: no credentials can be read there", file)};
+  const auto wrong = [&file](std::string_view what) { return tl::unexpected{fmt::format("{}: {}", file, what)}; };
+  if (!stream.is_open() || stream.bad() || stream.gcount() == 0) return wrong("no credentials can be read there");
   const std::string_view content{bytes.data(), static_cast<std::size_t>(stream.gcount())};
+  if (content.find("-----BEGIN NATS USER JWT-----") != std::string_view::npos) return std::nullopt;
   const std::string_view line = content.substr(0, content.find_first_of("\r\n"));
   const std::size_t colon = line.find(':');
-  if (colon == std::string_view::npos || colon == 0) return std::nullopt;
+  if (colon == std::string_view::npos || colon == 0)
+    return wrong("expected a line NAME:PASSWORD, or a user's JWT and key");
   return User{std::string{line.substr(0, colon)}, std::string{line.substr(colon + 1)}};
 }
 
