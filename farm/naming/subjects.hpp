@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,11 +26,12 @@ namespace farm {
 /// Doors and agents that hear a message here tell at once who they are.
 [[nodiscard]] std::string who_subject(std::string_view farm);
 
-/// Key-value bucket of the units that are wanted, of where they are, and of the buses; object store of what they
-/// keep.
+/// Key-value bucket of the units that are wanted, of where they are, of the buses and of the hosts; object store
+/// of what the units keep.
 [[nodiscard]] std::string units_bucket(std::string_view farm);
 [[nodiscard]] std::string places_bucket(std::string_view farm);
 [[nodiscard]] std::string buses_bucket(std::string_view farm);
+[[nodiscard]] std::string hosts_bucket(std::string_view farm);
 [[nodiscard]] std::string state_bucket(std::string_view farm);
 /// Name of the object with the file @p file of @p unit.
 [[nodiscard]] std::string state_object(const UnitName& unit, std::string_view file);

@@ -168,6 +168,8 @@ inline constexpr std::array kLayers{
           {"gateway/", "service/", "cli/", "version/", "control/", "os/", "libcanopen/base/time.hpp", "CLI/",
            "fmt/", "nlohmann/", "systemd/", kSystem}},
     Layer{"gateway/metrics", {"fmt/", "nlohmann/"}},
+    Layer{"farm/naming", {"can/nats/server.hpp", "control/socket_name.hpp", "text/", "fmt/"}},
+    Layer{"farm/documents", {"farm/naming/", "json/", "nlohmann/", "fmt/"}},
     Layer{"tools",
           {"libcanopen/",
            "eds/",

@@ -1,0 +1,47 @@
+#include "farm/naming/unit_name.hpp"
+
+#include <algorithm>
+
+#include "control/socket_name.hpp"
+
+namespace farm {
+namespace {
+
+constexpr std::size_t kLongestName = 32;
+constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+
+/// BUS and NODE on both sides of the last @p between.
+std::optional<UnitName> split(std::string_view text, char between) {
+  const std::size_t at = text.rfind(between);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view bus = text.substr(0, at);
+  const std::string_view node = text.substr(at + 1);
+  if (!is_name(bus) || !control::is_station(node)) return std::nullopt;
+  return UnitName{std::string{bus}, std::string{node}};
+}
+
+}  // namespace
+
+bool is_name(std::string_view text) noexcept {
+  return !text.empty() && text.size() <= kLongestName &&
+         text.find_first_not_of(kLetters) == std::string_view::npos;
+}
+
+std::optional<UnitName> parse_unit_name(std::string_view text) {
+  return split(text, '/');
+}
+
+std::optional<UnitName> parse_unit_key(std::string_view key) {
+  return split(key, '.');
+}
+
+std::optional<UnitName> unit_name_of_daemon(std::string_view label_and_station) {
+  const std::size_t slash = label_and_station.rfind('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  std::string bus{label_and_station.substr(0, std::min(slash, kLongestName))};
+  std::ranges::replace_if(
+      bus, [](char c) { return kLetters.find(c) == std::string_view::npos; }, '_');
+  return split(bus.append(label_and_station.substr(slash)), '/');
+}
+
+}  // namespace farm
