@@ -18,10 +18,15 @@ bool is_ignored(int signal) noexcept {
 
 }  // namespace
 
-ServiceEvents::ServiceEvents(std::function<void()> on_stop) : on_stop_{std::move(on_stop)} {
+ServiceEvents::ServiceEvents() {
   sd_event* event = nullptr;
   require(sd_event_new(&event), "cannot create an event loop");
   event_.reset(event);
+  dispatch();
+}
+
+ServiceEvents::ServiceEvents(std::function<void()> on_stop) : ServiceEvents{} {
+  on_stop_ = std::move(on_stop);
   for (const int signal : {SIGTERM, SIGINT}) catch_signal(signal);
   if (!is_ignored(SIGHUP)) catch_signal(SIGHUP);
   dispatch();

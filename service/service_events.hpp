@@ -24,6 +24,8 @@ class ServiceEvents {
   /// Takes over SIGTERM, SIGINT and, unless it is ignored (nohup), SIGHUP for this process. @p on_stop is called
   /// when the process shall end. Throws std::system_error.
   explicit ServiceEvents(std::function<void()> on_stop);
+  /// Of a thread beside that one: signals are none of its business. Throws std::system_error.
+  ServiceEvents();
 
   /// Readable when dispatch() has something to do.
   int descriptor() const noexcept;

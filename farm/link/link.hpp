@@ -13,39 +13,17 @@
 
 #include "can/nats/server.hpp"
 #include "farm/link/key_value.hpp"
+#include "farm/link/messages.hpp"
 #include "farm/link/object_store.hpp"
 #include "service/service_events.hpp"
 
 namespace farm {
 
-/// A message that has come. The texts live until the call ends.
-struct Message {
-  std::string_view subject;
-  std::string_view reply;  ///< empty: nobody waits for an answer
-  std::string_view data;
-};
-
-/// Why a request has no answer.
-enum class NoReply : std::uint8_t {
-  Down,     ///< there is no connection, or it was lost before the answer came
-  Nobody,   ///< nobody listens at the subject
-  TooLate,  ///< no answer in time
-  TooMuch,  ///< as many requests wait as may
-};
-[[nodiscard]] std::string_view text_of(NoReply why) noexcept;
-
 /// A connection to a NATS server that is made again whenever it is lost, for a program whose thread runs sd-event:
 /// that thread is never kept waiting, neither by a server that is slow nor by one that stands still. All calls and
 /// all callbacks belong to it.
-///
-/// What is published while there is no connection is dropped, and nothing is sent a second time: who speaks to
-/// units wants no old message to arrive.
-class Link {
+class Link final : public Messages {
  public:
-  using OnMessage = std::function<void(const Message&)>;
-  using Reply = tl::expected<std::string, NoReply>;
-  using OnReply = std::function<void(Reply)>;
-
   /// Who is told how the connection is.
   class Listener {
    public:
@@ -69,28 +47,25 @@ class Link {
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
   /// Whoever waits is told NoReply::Down.
-  ~Link();
+  ~Link() override;
 
-  [[nodiscard]] bool is_up() const noexcept;
+  [[nodiscard]] bool is_up() const noexcept override;
 
-  /// Sends @p data to @p subject; nothing happens while there is no connection.
-  void publish(std::string_view subject, std::string_view data);
-  /// Hands every message of @p subject, which may have wildcards, to @p on_message, until unsubscribe(), over
-  /// all connections.
-  void subscribe(const std::string& subject, OnMessage on_message);
-  void unsubscribe(const std::string& subject);
-  /// Asks whoever listens at @p subject; @p on_reply is told once, at once if it cannot be asked.
+  void publish(std::string_view subject, std::string_view data) override;
+  void subscribe(const std::string& subject, OnMessage on_message) override;
+  void unsubscribe(const std::string& subject) override;
   void request(std::string_view subject, std::string_view data, std::chrono::milliseconds patience,
-               OnReply on_reply);
+               OnReply on_reply) override;
 
   /// Has @p job done with the key-value buckets and object stores of the server, on a thread of its own, one job
-  /// after the other; @p then is told afterwards, here. The job may wait for the server, as long as the calls in it
-  /// do (2 s each at most); it throws nothing and touches nothing that others use. It fails with "no connection" if
-  /// there is none.
+  /// after the other; @p then is told afterwards, here. The job may wait for the server, as long as the calls in
+  /// it do (2 s each at most); it throws nothing and touches nothing that others use. It fails with "no
+  /// connection" if there is none.
   template <class Result>
   void run(std::function<tl::expected<Result, std::string>(Storage&)> job,
            std::function<void(tl::expected<Result, std::string>)> then) {
-    auto result = std::make_shared<tl::expected<Result, std::string>>(tl::unexpected{std::string{"no connection"}});
+    auto result =
+        std::make_shared<tl::expected<Result, std::string>>(tl::unexpected{std::string{"no connection"}});
     run_job(
         [job = std::move(job), result](Storage* storage) {
           if (storage != nullptr) *result = job(*storage);
