@@ -23,25 +23,6 @@ constexpr nanoseconds kInactive = std::chrono::seconds{5};
 /// Messages and bytes that may wait in a subscription: losing one in silence is worse than any memory.
 constexpr int kNoLimit = std::numeric_limits<int>::max();
 
-natsStatus attach(void** user_data, void* loop, natsConnection*, natsSock socket) {
-  *user_data = loop;
-  static_cast<Membership*>(loop)->socket = socket;
-  return NATS_OK;
-}
-
-natsStatus want_read(void*, bool) {
-  return NATS_OK;
-}
-
-natsStatus want_write(void* user_data, bool add) {
-  static_cast<Membership*>(user_data)->wants_to_write = add;
-  return NATS_OK;
-}
-
-natsStatus detach(void*) {
-  return NATS_OK;
-}
-
 std::string with_code(natsStatus status, jsErrCode code) {
   return code == 0 ? text_of(status)
                    : fmt::format("{} (JetStream error {})", text_of(status), static_cast<int>(code));
@@ -109,28 +90,21 @@ tl::expected<void, std::string> set_up(const Bus& bus, const std::string& inbox,
 
 }  // namespace
 
-Membership::~Membership() {
-  subscription.reset();
-  if (connection) natsConnection_Close(connection.get());
-}
-
 tl::expected<std::unique_ptr<Membership>, std::string> join(const Bus& bus, milliseconds patience) {
   auto member = std::make_unique<Membership>();
-  auto options = options_for(bus.server, kClient, patience);
-  if (!options) return tl::unexpected{options.error()};
-  natsOptions_SetEventLoop(options->get(), member.get(), attach, want_read, want_write, detach);
-  auto connection = connect(*options);
-  if (!connection) return tl::unexpected{connection.error()};
-  member->connection = *std::move(connection);
+  auto polled = connect_polled(bus.server, kClient, patience);
+  if (!polled) return tl::unexpected{polled.error()};
+  member->polled = *std::move(polled);
+  natsConnection* const connection = member->polled->connection.get();
   natsInbox* inbox = nullptr;
   natsSubscription* subscription = nullptr;
   natsStatus status = natsInbox_Create(&inbox);
   const std::unique_ptr<natsInbox, Destroyer<natsInbox_Destroy>> subject{inbox};
-  if (status == NATS_OK) status = natsConnection_SubscribeSync(&subscription, member->connection.get(), inbox);
+  if (status == NATS_OK) status = natsConnection_SubscribeSync(&subscription, connection, inbox);
   member->subscription.reset(subscription);
   if (status == NATS_OK) status = natsSubscription_SetPendingLimits(subscription, kNoLimit, kNoLimit);
   if (status != NATS_OK) return tl::unexpected{text_of(status)};
-  natsConnection_ProcessWriteEvent(member->connection.get());
+  natsConnection_ProcessWriteEvent(connection);
   if (auto done = set_up(bus, inbox, patience); !done) return tl::unexpected{done.error()};
   return member;
 }

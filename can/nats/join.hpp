@@ -7,21 +7,14 @@
 #include <tl/expected.hpp>
 
 #include "can/nats/bus.hpp"
+#include "can/nats/polled_connection.hpp"
 
 namespace nats {
 
-/// A connection to the stream of one bus, whose socket is served by whoever polls it.
+/// A connection to the stream of one bus.
 struct Membership {
-  Connection connection;
-  Subscription subscription;  ///< before which the connection must not end
-  int socket = -1;
-  bool wants_to_write = false;  ///< there is more than the socket took
-
-  Membership() = default;
-  Membership(const Membership&) = delete;
-  Membership& operator=(const Membership&) = delete;
-  /// Closes.
-  ~Membership();
+  std::unique_ptr<PolledConnection> polled;
+  Subscription subscription;  ///< ends before the connection
 };
 
 /// Makes the stream of @p bus if there is none, and joins it: what the stream takes in from now on comes to the

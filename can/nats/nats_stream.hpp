@@ -1,15 +1,11 @@
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 
 #include "can/hub/trunk/stream.hpp"
+#include "can/nats/connector.hpp"
 #include "can/nats/join.hpp"
-#include "os/descriptor.hpp"
 #include "os/pollable.hpp"
 
 namespace nats {
@@ -24,7 +20,6 @@ class NatsStream final : public hub::trunk::Stream {
   explicit NatsStream(Bus bus);
   NatsStream(const NatsStream&) = delete;
   NatsStream& operator=(const NatsStream&) = delete;
-  ~NatsStream() override;
 
   [[nodiscard]] int descriptor() const noexcept override { return ready_.descriptor(); }
   [[nodiscard]] State advance() noexcept override;
@@ -34,31 +29,17 @@ class NatsStream final : public hub::trunk::Stream {
   [[nodiscard]] std::string take_problem() override;
 
  private:
-  void connect(const std::stop_token& stop);
-  [[nodiscard]] bool is_wanted(const std::stop_token& stop);
-  void wait(const std::stop_token& stop, std::chrono::milliseconds time);
-  void hand_over(std::unique_ptr<Membership> member);
-  void report(const std::string& problem);
-  void ring() noexcept;
+  [[nodiscard]] natsConnection* connection() const noexcept { return member_->polled->connection.get(); }
   void accept() noexcept;
   void serve_socket() noexcept;
   void write() noexcept;
 
   Bus bus_;
-  os::Descriptor bell_;  ///< the thread has something
-  os::Pollable ready_;   ///< of the bell, and of the socket
+  os::Pollable ready_;  ///< of the connector, and of the socket
   std::unique_ptr<Membership> member_;
   bool is_written_later_ = false;  ///< the socket is watched for room
   nats::Message message_;          ///< that receive() gave last
-
-  std::mutex mutex_;  ///< of what the thread shares: the rest of the members
-  std::condition_variable_any wanted_;
-  bool is_wanted_ = true;                 ///< a connection shall be made
-  std::unique_ptr<Membership> made_;      ///< one that was
-  std::unique_ptr<Membership> given_up_;  ///< to be closed by the thread
-  std::string problem_;
-  std::string told_;  ///< the last one that was told
-  std::jthread thread_;
+  Connector<Membership> connector_;
 };
 
 }  // namespace nats

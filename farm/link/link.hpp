@@ -12,9 +12,9 @@
 #include <tl/expected.hpp>
 
 #include "can/nats/server.hpp"
-#include "farm/link/key_value.hpp"
+#include "farm/storage/key_value.hpp"
 #include "farm/link/messages.hpp"
-#include "farm/link/object_store.hpp"
+#include "farm/storage/object_store.hpp"
 #include "service/service_events.hpp"
 
 namespace farm {

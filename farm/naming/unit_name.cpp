@@ -38,10 +38,14 @@ std::optional<UnitName> parse_unit_key(std::string_view key) {
 std::optional<UnitName> unit_name_of_daemon(std::string_view label_and_station) {
   const std::size_t slash = label_and_station.rfind('/');
   if (slash == std::string_view::npos) return std::nullopt;
-  std::string bus{label_and_station.substr(0, std::min(slash, kLongestName))};
+  return split(name_from(label_and_station.substr(0, slash)).append(label_and_station.substr(slash)), '/');
+}
+
+std::string name_from(std::string_view text) {
+  std::string name{text.substr(0, kLongestName)};
   std::ranges::replace_if(
-      bus, [](char c) { return kLetters.find(c) == std::string_view::npos; }, '_');
-  return split(bus.append(label_and_station.substr(slash)), '/');
+      name, [](char c) { return kLetters.find(c) == std::string_view::npos; }, '_');
+  return name;
 }
 
 }  // namespace farm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,12 +20,15 @@ struct UnitName {
 
 /// Whether @p text can be the name of a farm, of a bus or of a host: 1 to 32 letters, digits, '-' and '_'.
 [[nodiscard]] bool is_name(std::string_view text) noexcept;
+/// A name made of @p text, such as that of a machine: what a name may not have becomes '_', and what is too long
+/// is cut. Empty only if @p text is.
+[[nodiscard]] std::string name_from(std::string_view text);
 /// Reads "BUS/NODE".
 [[nodiscard]] std::optional<UnitName> parse_unit_name(std::string_view text);
 /// Reads "BUS.NODE".
 [[nodiscard]] std::optional<UnitName> parse_unit_key(std::string_view key);
-/// A unit of a daemon that was not started for a farm: what its bus has in its label (bus::label()) and a name may
-/// not have becomes '_', and what is too long is cut.
+/// A unit of a daemon that was not started for a farm: the label of its bus (bus::label()) as name_from() makes a
+/// name of it.
 [[nodiscard]] std::optional<UnitName> unit_name_of_daemon(std::string_view label_and_station);
 
 }  // namespace farm

@@ -26,6 +26,8 @@ class KeyValue {
   KeyValue& operator=(const KeyValue&) = delete;
   virtual ~KeyValue() = default;
 
+  /// Makes the bucket if there is none. The other calls do so, too.
+  [[nodiscard]] virtual tl::expected<void, std::string> make(const std::string& bucket) = 0;
   /// Nothing in it: there is no such key.
   [[nodiscard]] virtual tl::expected<std::optional<Entry>, std::string> get(const std::string& bucket,
                                                                             const std::string& key) = 0;
@@ -37,9 +39,9 @@ class KeyValue {
                                                                      std::string_view value) = 0;
   /// Writes if the key has @p revision, 0: if there is none; the new revision, or nothing if somebody was faster.
   [[nodiscard]] virtual tl::expected<std::optional<std::uint64_t>, std::string> update(const std::string& bucket,
-                                                                                      const std::string& key,
-                                                                                      std::string_view value,
-                                                                                      std::uint64_t revision) = 0;
+                                                                                       const std::string& key,
+                                                                                       std::string_view value,
+                                                                                       std::uint64_t revision) = 0;
   [[nodiscard]] virtual tl::expected<void, std::string> remove(const std::string& bucket,
                                                                const std::string& key) = 0;
 };
