@@ -21,8 +21,8 @@ build_packages=(
   libsystemd-dev nlohmann-json3-dev libexpected-dev libcli11-dev libfmt-dev libeigen3-dev
   # HTTP of axisd-http
   libmicrohttpd-dev
-  # buses over several hosts
-  libnats-dev
+  # buses over several hosts, and farms
+  libnats-dev libssl-dev
   # man pages
   scdoc
   # candump and cansend
@@ -49,6 +49,8 @@ test_packages=(
   systemd
   # the page of axisd-http in a browser
   chromium
+  # certificates, and the driver of units for labgrid
+  openssl python3-labgrid
 )
 # guests of the tests, and the virtual machine of scripts/vcan-vm where the kernel has no CAN
 machine_packages=(qemu-system-x86 busybox-static cpio)
