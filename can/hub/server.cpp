@@ -100,9 +100,11 @@ void Server::set_link(bool up, TimePoint now) noexcept {
 }
 
 void Server::run() noexcept {
-  while (!stopped_) {
-    timer_.wake_at(next_deadline());
-    const TimePoint now = core_.poll.turn();
+  for (TimePoint now = monotonic_now(); !stopped_;) {
+    const TimePoint next = next_deadline();
+    const bool is_due = next <= now;
+    if (!is_due) timer_.wake_at(next);
+    now = core_.poll.turn(is_due);
     on_time(now);
     if (core_.anyone_departed) sweep(now);
     end_if_lonely(now);

@@ -39,8 +39,9 @@ void Poll::remove(int descriptor, const Watch& watch) noexcept {
       events_[static_cast<std::size_t>(i)].data.ptr = nullptr;
 }
 
-canopen::TimePoint Poll::turn() noexcept {
-  found_ = epoll_wait(descriptor_.get(), events_.data(), kEvents, -1);
+canopen::TimePoint Poll::turn(bool is_urgent) noexcept {
+  constexpr int kForEver = -1;
+  found_ = epoll_wait(descriptor_.get(), events_.data(), kEvents, is_urgent ? 0 : kForEver);
   const canopen::TimePoint now = monotonic_now();
   for (int i = 0; i < found_; ++i) {
     const epoll_event& event = events_[static_cast<std::size_t>(i)];

@@ -36,8 +36,9 @@ class Poll {
   /// Nothing is told to @p watch any more, not even what this turn has found already.
   void remove(int descriptor, const Watch& watch) noexcept;
 
-  /// Waits until something happens, tells it, and returns the time at which the wait ended.
-  canopen::TimePoint turn() noexcept;
+  /// Waits until something happens, or does not wait at all (@p is_urgent), tells what there is, and returns the
+  /// time at which the wait ended.
+  canopen::TimePoint turn(bool is_urgent = false) noexcept;
 
  private:
   /// Of one turn; few, so that timers are looked at often when all members send at once.
