@@ -24,7 +24,7 @@ class Pollable {
   /// (EPOLLIN, EPOLLOUT). False if the kernel refuses. A descriptor that is closed is forgotten.
   [[nodiscard]] bool add(int descriptor, unsigned events, std::uint64_t name = 0) noexcept;
   /// From now on @p events of @p descriptor count; it is ready all the same when it fails or hangs up.
-  [[nodiscard]] bool change(int descriptor, unsigned events, std::uint64_t name) noexcept;
+  [[nodiscard]] bool change(int descriptor, unsigned events, std::uint64_t name = 0) noexcept;
   /// One that is ready, each in its turn; none if none is.
   [[nodiscard]] std::optional<Ready> take() noexcept;
   /// Stands for @p descriptor no longer.

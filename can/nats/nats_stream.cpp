@@ -13,7 +13,11 @@ namespace nats {
 
 namespace {
 
-enum Ready : std::uint64_t { kConnector, kSocket };
+/// Messages that are destroyed together: the library leaves that to a thread, which the first of them wakes.
+constexpr std::size_t kAtOnce = 256;
+
+/// What is heard of the connector while there is a connection.
+constexpr unsigned kNothing = 0;
 
 }  // namespace
 
@@ -21,43 +25,35 @@ NatsStream::NatsStream(Bus bus)
     : bus_{std::move(bus)}, connector_{[this](std::chrono::milliseconds patience) {
         return join(bus_, patience);
       }} {
-  if (!ready_.add(connector_.descriptor(), EPOLLIN, kConnector))
+  if (!ready_.add(connector_.descriptor(), EPOLLIN))
     throw std::system_error{errno, std::generic_category(), bus_.server.url};
+  received_.reserve(kAtOnce);
 }
 
 NatsStream::State NatsStream::advance() noexcept {
-  while (const auto ready = ready_.take()) {
-    if (ready->name == kConnector) {
-      accept();
-    } else {
-      serve_socket();
-      break;  // messages first
-    }
-  }
+  if (!member_) accept();
   if (!member_) return State::Opening;
+  natsConnection_ProcessReadEvent(connection());
+  if (member_->polled->wants_to_write) flush();
   return natsConnection_IsClosed(connection()) ? State::Lost : State::Open;
 }
 
+/// The socket stands alone in what is polled then: whatever makes that ready is on the socket, and it need not be
+/// asked.
 void NatsStream::accept() noexcept {
-  auto made = connector_.take();
-  if (!made) return;
-  member_ = std::move(made);
-  is_written_later_ = false;
-  if (!ready_.add(member_->polled->socket, EPOLLIN, kSocket)) natsConnection_Close(connection());
-}
-
-void NatsStream::serve_socket() noexcept {
+  member_ = connector_.take();
   if (!member_) return;
-  natsConnection_ProcessReadEvent(connection());
-  if (member_->polled->wants_to_write) write();
+  is_written_later_ = false;
+  if (!ready_.add(member_->polled->socket, EPOLLIN) || !ready_.change(connector_.descriptor(), kNothing))
+    natsConnection_Close(connection());
 }
 
 bool NatsStream::receive(Message& message) noexcept {
   for (;;) {
-    message_.reset();
+    if (received_.size() == kAtOnce) received_.clear();
     natsMsg* next = nullptr;
     if (!member_ || natsSubscription_NextMsg(&next, member_->subscription.get(), 0) != NATS_OK) return false;
-    message_.reset(next);
+    received_.emplace_back(next);
     const char* const reply = natsMsg_GetReply(next);
     const auto place = parse_delivery(reply != nullptr ? reply : "");
     if (!place) continue;  // of the server to its client, not of the stream
@@ -72,20 +68,21 @@ bool NatsStream::receive(Message& message) noexcept {
 void NatsStream::publish(std::span<const std::byte> bytes) noexcept {
   if (!member_) return;
   natsConnection_Publish(connection(), bus_.subject().c_str(), bytes.data(), static_cast<int>(bytes.size()));
-  write();
 }
 
-void NatsStream::write() noexcept {
+void NatsStream::flush() noexcept {
+  if (!member_) return;
   const PolledConnection& polled = *member_->polled;
   natsConnection_ProcessWriteEvent(connection());
   if (std::exchange(is_written_later_, polled.wants_to_write) == polled.wants_to_write) return;
   const unsigned wanted = is_written_later_ ? EPOLLIN | EPOLLOUT : EPOLLIN;
-  if (!ready_.change(polled.socket, wanted, kSocket)) natsConnection_Close(connection());
+  if (!ready_.change(polled.socket, wanted)) natsConnection_Close(connection());
 }
 
 void NatsStream::reopen() noexcept {
-  message_.reset();
+  received_.clear();
   if (member_) ready_.remove(member_->polled->socket);
+  [[maybe_unused]] const bool is_heard = ready_.change(connector_.descriptor(), EPOLLIN);
   connector_.again(std::move(member_));
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "can/hub/trunk/stream.hpp"
 #include "can/nats/connector.hpp"
@@ -25,20 +26,19 @@ class NatsStream final : public hub::trunk::Stream {
   [[nodiscard]] State advance() noexcept override;
   [[nodiscard]] bool receive(Message& message) noexcept override;
   void publish(std::span<const std::byte> bytes) noexcept override;
+  void flush() noexcept override;
   void reopen() noexcept override;
   [[nodiscard]] std::string take_problem() override;
 
  private:
   [[nodiscard]] natsConnection* connection() const noexcept { return member_->polled->connection.get(); }
   void accept() noexcept;
-  void serve_socket() noexcept;
-  void write() noexcept;
 
   Bus bus_;
-  os::Pollable ready_;  ///< of the connector, and of the socket
+  os::Pollable ready_;  ///< of the socket, or of the connector while there is none
   std::unique_ptr<Membership> member_;
-  bool is_written_later_ = false;  ///< the socket is watched for room
-  nats::Message message_;          ///< that receive() gave last
+  bool is_written_later_ = false;        ///< the socket is watched for room
+  std::vector<nats::Message> received_;  ///< the last one is what receive() gave last
   Connector<Membership> connector_;
 };
 

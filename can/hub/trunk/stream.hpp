@@ -34,8 +34,11 @@ class Stream {
   [[nodiscard]] virtual State advance() noexcept = 0;
   /// Takes the next message that has come in; false if there is none. Only while Open.
   [[nodiscard]] virtual bool receive(Message& message) noexcept = 0;
-  /// Sends @p bytes to the stream; what becomes of them shows when they come back. Only while Open.
+  /// Takes @p bytes for the stream, which go with flush() at the latest; what becomes of them shows when they come
+  /// back. Only while Open.
   virtual void publish(std::span<const std::byte> bytes) noexcept = 0;
+  /// Sends what publish() has taken.
+  virtual void flush() noexcept = 0;
   /// Gives up the connection with all that is under way in both directions, and makes a new one.
   virtual void reopen() noexcept = 0;
   /// One line that says why it is not open, as far as that is known; empty if there is nothing new to say.

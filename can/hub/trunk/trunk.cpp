@@ -89,6 +89,8 @@ void Trunk::cut(std::string_view reason, TimePoint now) noexcept {
     writer_.begin({});
     on_link_(false, now);
   }
+  is_unsent_ = false;
+  has_more_ = false;
   stream_->reopen();
 }
 
@@ -193,7 +195,7 @@ void Trunk::take(const Passage& passage, TimePoint now) noexcept {
   }
   const bool is_begun = writer_.frames() > 0;
   if (is_begun && (writer_.header().origin != passage.mark.hub || writer_.frames() >= settings_.frames_a_message))
-    flush();
+    finish_message();
   if (writer_.frames() == 0) writer_.begin(header(Kind::Frames, passage.mark.hub));
   writer_.add({passage.frame, passage.mark.number});
   under_way_.push({passage, counter_++, monotonic_now()});
@@ -208,10 +210,19 @@ Header Trunk::header(Kind kind, std::uint32_t origin) const noexcept {
           .seen = seen_};
 }
 
-void Trunk::flush() noexcept {
+void Trunk::publish(std::span<const std::byte> message) noexcept {
+  stream_->publish(message);
+  is_unsent_ = true;
+}
+
+void Trunk::finish_message() noexcept {
   if (writer_.frames() == 0) return;
-  stream_->publish(writer_.finish());
+  publish(writer_.finish());
   writer_.begin({});
+}
+
+void Trunk::flush() noexcept {
+  if (std::exchange(is_unsent_, false)) stream_->flush();
 }
 
 void Trunk::beat(TimePoint now) noexcept {
@@ -219,11 +230,11 @@ void Trunk::beat(TimePoint now) noexcept {
   Writer writer;
   writer.begin(header(Kind::Beat, medium_.number_of_hub()));
   writer.add_name(settings_.name);
-  stream_->publish(writer.finish());
+  publish(writer.finish());
 }
 
 TimePoint Trunk::next_deadline() const noexcept {
-  if (writer_.frames() > 0 || has_more_) return TimePoint::min();
+  if (writer_.frames() > 0 || is_unsent_ || has_more_) return TimePoint::min();
   if (phase_ == Phase::Closed) return notices_.due();
   return std::min({next_beat_, heard_ + kPatience + canopen::Duration{1}, notices_.due()});
 }
@@ -233,11 +244,13 @@ void Trunk::on_time(TimePoint now) noexcept {
   if (phase_ == Phase::Closed) return;
   if (stood_still(now)) return cut("this hub was kept from running", now);
   if (has_more_) read(now);
+  finish_message();
   flush();
   if (phase_ == Phase::Closed) return;
   if (now - heard_ > kPatience) return cut("nothing has come for 500 ms", now);
   if (now < next_beat_) return;
   beat(now);
+  flush();
   while (const Neighbour* const gone = hubs_.take_gone(now))
     notices_.tell(fmt::format("{} is on the bus no more", gone->text()), now);
 }

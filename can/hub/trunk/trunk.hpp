@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -97,6 +98,8 @@ class Trunk final : public Source, public Carrier {
   void pass(const Reader& reader, std::size_t number, std::int64_t time_ns, canopen::TimePoint now) noexcept;
   void tell_news(const Hubs::Outcome& outcome, canopen::TimePoint now) noexcept;
   [[nodiscard]] Header header(Kind kind, std::uint32_t origin) const noexcept;
+  void publish(std::span<const std::byte> message) noexcept;
+  void finish_message() noexcept;
   void flush() noexcept;
   void beat(canopen::TimePoint now) noexcept;
 
@@ -113,8 +116,9 @@ class Trunk final : public Source, public Carrier {
   canopen::TimePoint heard_{};   ///< when it came
   canopen::TimePoint looked_{};  ///< when the hub was last seen to run
   canopen::TimePoint next_beat_{};
-  bool has_more_ = false;  ///< messages that have come in and were not taken yet
-  Writer writer_;          ///< frames that are sent at the end of the turn
+  bool has_more_ = false;   ///< messages that have come in and were not taken yet
+  Writer writer_;           ///< frames that are sent at the end of the turn
+  bool is_unsent_ = false;  ///< the stream has taken a message that it has not sent yet
   UnderWay under_way_;
   Hubs hubs_;
   Figures figures_;

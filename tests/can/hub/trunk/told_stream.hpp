@@ -72,8 +72,8 @@ class Stream final : public hub::trunk::Stream {
   }
   void publish(std::span<const std::byte> bytes) noexcept override {
     line_.asked.emplace_back(bytes.begin(), bytes.end());
-    server_.serve(line_);
   }
+  void flush() noexcept override { server_.serve(line_); }
   void reopen() noexcept override {
     ++line_.opened;
     line_.is_open = false;
