@@ -1,6 +1,6 @@
 #include "can/hub/trunk/message.hpp"
 
-#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -9,10 +9,12 @@ namespace hub::trunk {
 
 namespace {
 
-constexpr unsigned kBitsOfByte = 8;
-constexpr std::size_t kIdentifierSize = 4;
-constexpr std::size_t kNumberSize = 3;
+static_assert(std::endian::native == std::endian::little, "numbers lie in memory as they are sent");
+
+// Where the parts of a frame lie; length and number share four bytes.
+constexpr std::size_t kLengthAt = 4;
 constexpr std::size_t kDataAt = 8;
+constexpr unsigned kBitsOfLength = 8;
 
 }  // namespace
 
@@ -20,23 +22,21 @@ void Writer::begin(const Header& header) noexcept {
   header_ = header;
   header_.count = 0;
   size_ = 0;
-  put(kVersion, 1);
-  put(static_cast<std::uint8_t>(header.kind), 1);
-  put(0, sizeof header.count);  // finish() writes it
-  put(header.hub, sizeof header.hub);
-  put(header.epoch, sizeof header.epoch);
-  put(header.origin, sizeof header.origin);
-  put(header.counter, sizeof header.counter);
-  put(static_cast<std::uint64_t>(header.seen), sizeof header.seen);
-  put(0, kHeaderSize - size_);
+  put(kVersion);
+  put(header.kind);
+  put(header_.count);  // finish() writes it
+  put(header.hub);
+  put(header.epoch);
+  put(header.origin);
+  put(header.counter);
+  put(header.seen);
+  put(std::uint64_t{0});
 }
 
 void Writer::add(const MarkedFrame& frame) noexcept {
-  put(frame.frame.can_id, kIdentifierSize);
-  put(frame.frame.can_dlc, 1);
-  put(frame.number, kNumberSize);
-  std::memcpy(&bytes_[size_], frame.frame.data, sizeof frame.frame.data);
-  size_ += sizeof frame.frame.data;
+  put(frame.frame.can_id);
+  put(frame.frame.can_dlc | frame.number << kBitsOfLength);
+  put(std::to_array(frame.frame.data));
   ++header_.count;
 }
 
@@ -50,16 +50,15 @@ void Writer::add_name(std::string_view name) noexcept {
 std::span<const std::byte> Writer::finish() noexcept {
   constexpr std::size_t kCountAt = 2;
   const std::size_t size = std::exchange(size_, kCountAt);
-  put(header_.count, sizeof header_.count);
+  put(header_.count);
   size_ = size;
   return std::span{bytes_}.first(size_);
 }
 
-void Writer::put(std::uint64_t value, std::size_t bytes) noexcept {
-  for (std::size_t i = 0; i < bytes; ++i) {
-    bytes_[size_++] = static_cast<std::byte>(value);
-    value >>= kBitsOfByte;
-  }
+template <class Number>
+void Writer::put(Number value) noexcept {
+  std::memcpy(&bytes_[size_], &value, sizeof value);
+  size_ += sizeof value;
 }
 
 std::optional<Reader> Reader::read(std::span<const std::byte> bytes, std::string_view& problem) noexcept {
@@ -78,7 +77,7 @@ void Reader::read_header() noexcept {
   std::size_t at = 1;
   const auto next = [&](auto& field) {
     using Field = std::remove_reference_t<decltype(field)>;
-    field = static_cast<Field>(get(at, sizeof field));
+    field = get<Field>(at);
     at += sizeof field;
   };
   next(header_.kind);
@@ -99,16 +98,17 @@ std::string_view Reader::fault() const noexcept {
   if (header_.count == 0 || header_.count > kMostFrames || rest != header_.count * kFrameSize)
     return "does not have the frames that it counts";
   for (std::size_t i = 0; i < header_.count; ++i)
-    if (frame(i).frame.can_dlc > CAN_MAX_DLEN) return "has a frame of more than 8 bytes";
+    if (get<std::uint8_t>(kHeaderSize + i * kFrameSize + kLengthAt) > CAN_MAX_DLEN)
+      return "has a frame of more than 8 bytes";
   return "";
 }
 
 MarkedFrame Reader::frame(std::size_t number) const noexcept {
   const std::size_t at = kHeaderSize + number * kFrameSize;
   MarkedFrame marked;
-  marked.frame.can_id = static_cast<canid_t>(get(at, kIdentifierSize));
-  marked.frame.can_dlc = static_cast<std::uint8_t>(get(at + kIdentifierSize, 1));
-  marked.number = static_cast<std::uint32_t>(get(at + kIdentifierSize + 1, kNumberSize));
+  marked.frame.can_id = get<canid_t>(at);
+  marked.frame.can_dlc = get<std::uint8_t>(at + kLengthAt);
+  marked.number = get<std::uint32_t>(at + kLengthAt) >> kBitsOfLength;
   std::memcpy(marked.frame.data, &bytes_[at + kDataAt], sizeof marked.frame.data);
   return marked;
 }
@@ -118,10 +118,10 @@ std::string_view Reader::name() const noexcept {
           header_.kind == Kind::Beat ? header_.count : 0U};
 }
 
-std::uint64_t Reader::get(std::size_t at, std::size_t bytes) const noexcept {
-  std::uint64_t value = 0;
-  for (std::size_t i = bytes; i > 0; --i)
-    value = value << kBitsOfByte | static_cast<std::uint8_t>(bytes_[at + i - 1]);
+template <class Number>
+Number Reader::get(std::size_t at) const noexcept {
+  Number value{};
+  std::memcpy(&value, &bytes_[at], sizeof value);
   return value;
 }
 

@@ -63,7 +63,8 @@ class Writer {
   [[nodiscard]] std::span<const std::byte> finish() noexcept;
 
  private:
-  void put(std::uint64_t value, std::size_t bytes) noexcept;
+  template <class Number>
+  void put(Number value) noexcept;
 
   Header header_;
   std::array<std::byte, kLongestMessage> bytes_{};
@@ -87,7 +88,8 @@ class Reader {
 
  private:
   explicit Reader(std::span<const std::byte> bytes) noexcept : bytes_{bytes} {}
-  [[nodiscard]] std::uint64_t get(std::size_t at, std::size_t bytes) const noexcept;
+  template <class Number>
+  [[nodiscard]] Number get(std::size_t at) const noexcept;
   void read_header() noexcept;
   [[nodiscard]] std::string_view fault() const noexcept;
 
