@@ -24,6 +24,9 @@ constexpr can_filter same_function(std::uint32_t identifier) noexcept {
   return {.can_id = identifier, .can_mask = 0x780U | CAN_EFF_FLAG | CAN_RTR_FLAG};
 }
 
+/// Lets all data frames pass.
+inline constexpr can_filter kEverything{.can_id = 0, .can_mask = 0};
+
 /// A blocking raw CAN socket with room for a burst; throws std::system_error if it cannot be had.
 class RawSocket {
  public:
@@ -48,12 +51,24 @@ class RawSocket {
   RawSocket& operator=(const RawSocket&) = delete;
 
   int descriptor() const noexcept { return descriptor_; }
+  /// From now on the socket receives what it has sent itself.
+  void hear_own() const {
+    const int on = 1;
+    require(::setsockopt(descriptor_, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, &on, sizeof on) == 0, "own messages");
+  }
   /// Waits until a frame has come or @p frame has gone; false if not.
   bool receive(can_frame& frame) const noexcept {
     return ::read(descriptor_, &frame, sizeof frame) == sizeof frame;
   }
   bool send(const can_frame& frame) const noexcept {
     return ::write(descriptor_, &frame, sizeof frame) == sizeof frame;
+  }
+  /// The same without waiting.
+  bool receive_now(can_frame& frame) const noexcept {
+    return ::recv(descriptor_, &frame, sizeof frame, MSG_DONTWAIT) == sizeof frame;
+  }
+  bool send_now(const can_frame& frame) const noexcept {
+    return ::send(descriptor_, &frame, sizeof frame, MSG_DONTWAIT) == sizeof frame;
   }
 
  private:
