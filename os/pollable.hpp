@@ -17,11 +17,11 @@ class Pollable {
   /// One of the descriptors that is ready.
   struct Ready {
     std::uint64_t name;    ///< as add() was told
-    std::uint32_t events;  ///< EPOLLIN, EPOLLOUT, EPOLLERR, EPOLLHUP
+    std::uint32_t events;  ///< EPOLLIN, EPOLLOUT, EPOLLRDHUP, EPOLLERR, EPOLLHUP
   };
 
   /// Stands for @p descriptor beside those it stands for already; it is ready while that has one of @p events
-  /// (EPOLLIN, EPOLLOUT). False if the kernel refuses. A descriptor that is closed is forgotten.
+  /// (EPOLLIN, EPOLLOUT, EPOLLRDHUP). False if the kernel refuses. A descriptor that is closed is forgotten.
   [[nodiscard]] bool add(int descriptor, unsigned events, std::uint64_t name = 0) noexcept;
   /// From now on @p events of @p descriptor count; it is ready all the same when it fails or hangs up.
   [[nodiscard]] bool change(int descriptor, unsigned events, std::uint64_t name = 0) noexcept;

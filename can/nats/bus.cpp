@@ -26,7 +26,7 @@ bool is_name(std::string_view text) noexcept {
 
 bool Bus::is_open_to_others() const {
   const bool is_near = host == "localhost" || host.starts_with("127.") || host == "::1";
-  return !is_near && !server.url.starts_with("tls://");
+  return !is_near && !server.has_tls();
 }
 
 tl::expected<Bus, std::string> parse_bus(std::string_view text) {
@@ -56,6 +56,7 @@ tl::expected<Bus, std::string> parse_bus(std::string_view text) {
   Bus bus;
   bus.server.url = fmt::format("{}://{}:{}", scheme, place.substr(0, end_of_host), port);
   bus.host = host;
+  bus.port = port;
   bus.name = name;
   return bus;
 }

@@ -13,6 +13,7 @@ namespace nats {
 struct Bus {
   Server server;
   std::string host;  ///< name or address of the server, an IPv6 address without its brackets
+  std::string port;
   std::string name;  ///< of the bus: letters, digits, '-' and '_'
 
   /// Name of its stream on the server.

@@ -1,6 +1,9 @@
 #include "can/nats/join.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,6 +31,17 @@ std::string with_code(natsStatus status, jsErrCode code) {
                    : fmt::format("{} (JetStream error {})", text_of(status), static_cast<int>(code));
 }
 
+/// A stream of that name that was there already may be another one.
+tl::expected<void, std::string> check_stream(const jsStreamInfo& stream, const std::string& subject) {
+  const jsStreamConfig& config = *stream.Config;
+  const std::span subjects{config.Subjects, static_cast<std::size_t>(config.SubjectsLen)};
+  if (std::ranges::find(subjects, subject, [](const char* each) { return std::string_view{each}; }) !=
+      subjects.end())
+    return {};
+  return tl::unexpected{fmt::format("stream {} is there and is no bus: expected the subject {}, found {}",
+                                    config.Name, subject, fmt::join(subjects, ", "))};
+}
+
 /// Two hubs that make the stream at the same moment collide in the server: the second attempt finds it.
 tl::expected<void, std::string> make_stream(jsCtx* js, const Bus& bus) {
   const std::string name = bus.stream();
@@ -49,7 +63,7 @@ tl::expected<void, std::string> make_stream(jsCtx* js, const Bus& bus) {
     status = js_GetStreamInfo(&info, js, name.c_str(), nullptr, &code);
     if (status == NATS_NOT_FOUND) status = js_AddStream(&info, js, &config, nullptr, &code);
     const StreamInfo made{info};
-    if (status == NATS_OK) return {};
+    if (status == NATS_OK) return check_stream(*info, subject);
   }
   return tl::unexpected{fmt::format("stream {}: {}", name, with_code(status, code))};
 }

@@ -8,10 +8,16 @@
 #include <sys/epoll.h>
 
 #include "can/nats/delivery.hpp"
+#include "can/nats/reach.hpp"
 
 namespace nats {
 
 namespace {
+
+/// For a server to be reached: one that is further away could not keep a bus together.
+constexpr std::chrono::milliseconds kReach{300};
+/// For each answer of a server that was: one that stands still gives it when it goes on.
+constexpr std::chrono::milliseconds kAnswer{2000};
 
 /// Messages that are destroyed together: the library leaves that to a thread, which the first of them wakes.
 constexpr std::size_t kAtOnce = 256;
@@ -22,8 +28,8 @@ constexpr unsigned kNothing = 0;
 }  // namespace
 
 NatsStream::NatsStream(Bus bus)
-    : bus_{std::move(bus)}, connector_{[this](std::chrono::milliseconds patience) {
-        return join(bus_, patience);
+    : bus_{std::move(bus)}, connector_{[this](std::chrono::milliseconds) {
+        return reach(bus_.host, bus_.port, kReach).and_then([this] { return join(bus_, kAnswer); });
       }} {
   if (!ready_.add(connector_.descriptor(), EPOLLIN))
     throw std::system_error{errno, std::generic_category(), bus_.server.url};
@@ -33,9 +39,15 @@ NatsStream::NatsStream(Bus bus)
 NatsStream::State NatsStream::advance() noexcept {
   if (!member_) accept();
   if (!member_) return State::Opening;
-  natsConnection_ProcessReadEvent(connection());
+  if (may_read()) natsConnection_ProcessReadEvent(connection());
   if (member_->polled->wants_to_write) flush();
   return natsConnection_IsClosed(connection()) ? State::Lost : State::Open;
+}
+
+bool NatsStream::may_read() noexcept {
+  if (!bus_.server.has_tls()) return true;
+  const auto ready = ready_.take();
+  return records_.is_whole(member_->polled->socket, ready ? ready->events : kNothing);
 }
 
 /// The socket stands alone in what is polled then: whatever makes that ready is on the socket, and it need not be
@@ -44,7 +56,9 @@ void NatsStream::accept() noexcept {
   member_ = connector_.take();
   if (!member_) return;
   is_written_later_ = false;
-  if (!ready_.add(member_->polled->socket, EPOLLIN) || !ready_.change(connector_.descriptor(), kNothing))
+  records_ = {};
+  if (!ready_.add(member_->polled->socket, EPOLLIN | EPOLLRDHUP) ||
+      !ready_.change(connector_.descriptor(), kNothing))
     natsConnection_Close(connection());
 }
 
@@ -75,7 +89,7 @@ void NatsStream::flush() noexcept {
   const PolledConnection& polled = *member_->polled;
   natsConnection_ProcessWriteEvent(connection());
   if (std::exchange(is_written_later_, polled.wants_to_write) == polled.wants_to_write) return;
-  const unsigned wanted = is_written_later_ ? EPOLLIN | EPOLLOUT : EPOLLIN;
+  const unsigned wanted = EPOLLIN | EPOLLRDHUP | (is_written_later_ ? EPOLLOUT : 0U);
   if (!ready_.change(polled.socket, wanted)) natsConnection_Close(connection());
 }
 

@@ -7,6 +7,7 @@
 #include "can/hub/trunk/stream.hpp"
 #include "can/nats/connector.hpp"
 #include "can/nats/join.hpp"
+#include "can/nats/tls_records.hpp"
 #include "os/pollable.hpp"
 
 namespace nats {
@@ -33,11 +34,14 @@ class NatsStream final : public hub::trunk::Stream {
  private:
   [[nodiscard]] natsConnection* connection() const noexcept { return member_->polled->connection.get(); }
   void accept() noexcept;
+  /// Whether the library can be let read without waiting.
+  [[nodiscard]] bool may_read() noexcept;
 
   Bus bus_;
   os::Pollable ready_;  ///< of the socket, or of the connector while there is none
   std::unique_ptr<Membership> member_;
-  bool is_written_later_ = false;        ///< the socket is watched for room
+  bool is_written_later_ = false;  ///< the socket is watched for room
+  TlsRecords records_;
   std::vector<nats::Message> received_;  ///< the last one is what receive() gave last
   Connector<Membership> connector_;
 };

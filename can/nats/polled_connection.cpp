@@ -31,10 +31,23 @@ natsStatus detach(void*) {
   return NATS_OK;
 }
 
+/// With TLS the library waits for room in the socket: there is enough for all that is ever under way.
+void make_room(int socket) noexcept {
+  constexpr int kBytes = 1 << 18;
+  ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &kBytes, sizeof kBytes);
+}
+
 }  // namespace
 
+/// The library would wait half a second for an answer of the server that nobody reads any more, and send what it
+/// still has: so it is shown the end of the connection first.
 PolledConnection::~PolledConnection() {
-  if (connection) natsConnection_Close(connection.get());
+  if (!connection) return;
+  constexpr int kMost = 1024;  // reads: what has come in still stands in front of the end
+  shutdown(socket, SHUT_RDWR);
+  for (int i = 0; i < kMost && !natsConnection_IsClosed(connection.get()); ++i)
+    natsConnection_ProcessReadEvent(connection.get());
+  natsConnection_Close(connection.get());
 }
 
 void PolledConnection::drop_unsent() const noexcept {
@@ -56,6 +69,7 @@ tl::expected<std::unique_ptr<PolledConnection>, std::string> connect_polled(cons
   auto connection = connect(*options);
   if (!connection) return tl::unexpected{connection.error()};
   polled->connection = *std::move(connection);
+  if (server.has_tls()) make_room(polled->socket);
   return polled;
 }
 

@@ -50,7 +50,7 @@ tl::expected<natsStatus, std::string> set_user(natsOptions* options, const std::
 
 natsStatus set_certificates(natsOptions* options, const Server& server) {
   natsStatus status = NATS_OK;
-  if (server.url.starts_with("tls://")) status = natsOptions_SetSecure(options, true);
+  if (server.has_tls()) status = natsOptions_SetSecure(options, true);
   if (status == NATS_OK && !server.certificates.empty())
     status = natsOptions_LoadCATrustedCertificates(options, server.certificates.c_str());
   if (status == NATS_OK && !server.certificate.empty())
@@ -61,6 +61,8 @@ natsStatus set_certificates(natsOptions* options, const Server& server) {
 }  // namespace
 
 std::string text_of(natsStatus status) {
+  if (status == NATS_TIMEOUT) return "no answer in time";
+  if (status == NATS_NO_RESPONDERS) return "the server has no JetStream";
   natsStatus last = NATS_OK;
   const char* const detail = nats_GetLastError(&last);
   const std::string_view text = natsStatus_GetText(status);

@@ -16,6 +16,8 @@ struct Server {
   std::string certificates;  ///< file with the certificates that are trusted, empty = the system's
   std::string certificate;   ///< file with the own certificate, empty = none
   std::string key;           ///< file with its key
+
+  [[nodiscard]] bool has_tls() const { return url.starts_with("tls://"); }
 };
 
 /// Options for a connection to @p server that never reconnects by itself, so that nothing is sent late; @p
