@@ -42,13 +42,12 @@ void Poll::remove(int descriptor, const Watch& watch) noexcept {
 canopen::TimePoint Poll::turn(bool is_urgent) noexcept {
   constexpr int kForEver = -1;
   found_ = epoll_wait(descriptor_.get(), events_.data(), kEvents, is_urgent ? 0 : kForEver);
-  const canopen::TimePoint now = monotonic_now();
   for (int i = 0; i < found_; ++i) {
     const epoll_event& event = events_[static_cast<std::size_t>(i)];
-    if (event.data.ptr != nullptr) static_cast<Watch*>(event.data.ptr)->on_events(event.events, now);
+    if (event.data.ptr != nullptr) static_cast<Watch*>(event.data.ptr)->on_events(event.events, monotonic_now());
   }
   found_ = 0;
-  return now;
+  return monotonic_now();
 }
 
 }  // namespace hub

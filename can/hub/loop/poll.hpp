@@ -18,7 +18,8 @@ class Watch {
   Watch& operator=(const Watch&) = delete;
   virtual ~Watch() = default;
 
-  /// @p events as epoll(7) has them; @p now is the time at which the wait ended.
+  /// @p events as epoll(7) has them; @p now is the time of the call: the hub may have been stopped since the wait
+  /// ended.
   virtual void on_events(std::uint32_t events, canopen::TimePoint now) noexcept = 0;
 };
 
@@ -37,7 +38,7 @@ class Poll {
   void remove(int descriptor, const Watch& watch) noexcept;
 
   /// Waits until something happens, or does not wait at all (@p is_urgent), tells what there is, and returns the
-  /// time at which the wait ended.
+  /// time at the end.
   canopen::TimePoint turn(bool is_urgent = false) noexcept;
 
  private:

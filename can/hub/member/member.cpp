@@ -52,7 +52,17 @@ void Member::tell_link(bool up) noexcept {
   message.trailer.interface_index = interface_index_;
   message.trailer.flags = up ? userbus::kLinkUp : userbus::kLinkDown;
   message.trailer.dropped = dropped();
-  deliver(std::as_bytes(std::span{&message, 1}));
+  const bool was_empty = outbox_.empty();
+  if (!outbox_.offer(std::as_bytes(std::span{&message, 1}))) is_cut_untold_ = true;
+  if (was_empty && !outbox_.empty()) update_watch();
+}
+
+/// A program that did not read learns of a cut behind what was kept for it, and then that it is over.
+void Member::flush() noexcept {
+  outbox_.flush();
+  if (!std::exchange(is_cut_untold_, false)) return;
+  tell_link(false);
+  if (core_.medium.is_up()) tell_link(true);
 }
 
 void Member::drain(canopen::TimePoint now) noexcept {
@@ -70,7 +80,7 @@ bool Member::begin() noexcept {
 }
 
 void Member::on_events(std::uint32_t events, canopen::TimePoint now) noexcept {
-  if ((events & EPOLLOUT) != 0) outbox_.flush();
+  if ((events & EPOLLOUT) != 0) flush();
   if (phase_ == Phase::Open && (events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0) phase_ = Phase::Closed;
   if (const std::size_t most = may_read(); most > 0) read(most, now);
   go_on();

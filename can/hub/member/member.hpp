@@ -46,7 +46,8 @@ class Member : public Watch {
   /// Who it is on the medium.
   [[nodiscard]] Identity who() const noexcept;
 
-  /// Tells the program that the bus is cut, or whole again.
+  /// Tells the program that the bus is cut, or whole again; if it has not read and there is no room, as soon as
+  /// there is.
   void tell_link(bool up) noexcept;
   /// Reads what the program has sent until now, and no more than a socket holds.
   void drain(canopen::TimePoint now) noexcept;
@@ -89,6 +90,7 @@ class Member : public Watch {
   /// True if no frame of this member waits for the bus.
   [[nodiscard]] virtual bool is_done() const noexcept { return true; }
 
+  void flush() noexcept;
   bool read(std::size_t most, canopen::TimePoint now) noexcept;
   void take(Inbox::Message message, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frame_message(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
@@ -101,6 +103,7 @@ class Member : public Watch {
   Phase phase_ = Phase::Open;
   int interface_index_ = -1;
   bool is_bridge_ = false;
+  bool is_cut_untold_ = false;  // there was no room to tell that the bus is cut, or whole again
   std::array<std::uint32_t, userbus::kOptionCount> options_{};
   std::uint32_t watched_ = 0;  // events; 0 = the socket is not watched
   pid_t process_ = 0;

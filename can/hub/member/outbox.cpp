@@ -10,11 +10,14 @@
 namespace hub {
 
 void Outbox::send(std::span<const std::byte> message) noexcept {
+  if (!offer(message)) ++dropped_;
+}
+
+bool Outbox::offer(std::span<const std::byte> message) noexcept {
   const Outcome outcome = empty() ? write(message) : Outcome::Full;
-  if (outcome == Outcome::Sent || (outcome == Outcome::Full && keep(message)))
-    ++taken_;
-  else
-    ++dropped_;
+  const bool taken = outcome == Outcome::Sent || (outcome == Outcome::Full && keep(message));
+  if (taken) ++taken_;
+  return taken;
 }
 
 void Outbox::flush() noexcept {

@@ -19,8 +19,10 @@ class Outbox {
   /// Sends to @p descriptor, which must outlive this.
   explicit Outbox(int descriptor) noexcept : descriptor_{descriptor} {}
 
-  /// Takes @p message (at most userbus::kLongestMessage bytes).
+  /// Takes @p message (at most userbus::kLongestMessage bytes); one for which there is no room counts as lost.
   void send(std::span<const std::byte> message) noexcept;
+  /// Takes @p message likewise if there is room; false if there is none.
+  [[nodiscard]] bool offer(std::span<const std::byte> message) noexcept;
   /// Puts what waits into the socket, as far as that has room.
   void flush() noexcept;
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
+#include <semaphore>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -23,6 +25,7 @@ class RunningHub {
       : owner_{take(path())},
         server_{owner_.listener(), {.bit_rate = bit_rate, .on_demand = false}},
         end_{server_},
+        link_{server_},
         thread_{[this] { server_.run(); }} {}
   RunningHub(const RunningHub&) = delete;
   RunningHub& operator=(const RunningHub&) = delete;
@@ -32,8 +35,37 @@ class RunningHub {
   }
 
   [[nodiscard]] std::string path() const { return folder_.path("bus"); }
+  /// The wire goes on beyond the hub, and is cut or whole from now on; members have been told.
+  void set_link(bool up) { link_.set(up); }
 
  private:
+  /// Cuts the wire from another thread.
+  class Link final : public hub::Source {
+   public:
+    explicit Link(hub::Server& server) : server_{server}, descriptor_{eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)} {
+      server_.add(*this);
+    }
+    ~Link() override { server_.remove(*this); }
+    [[nodiscard]] int descriptor() const noexcept override { return descriptor_.get(); }
+    void on_readable(canopen::TimePoint now) noexcept override {
+      eventfd_t asked = 0;
+      eventfd_read(descriptor_.get(), &asked);
+      server_.set_link(up_, now);
+      done_.release();
+    }
+    void set(bool up) {
+      up_ = up;
+      eventfd_write(descriptor_.get(), 1);
+      done_.acquire();
+    }
+
+   private:
+    hub::Server& server_;
+    os::Descriptor descriptor_;
+    std::atomic<bool> up_{true};
+    std::binary_semaphore done_{0};
+  };
+
   /// Ends the loop from another thread.
   class End final : public hub::Source {
    public:
@@ -60,6 +92,7 @@ class RunningHub {
   hub::PathOwner owner_;
   hub::Server server_;
   End end_;
+  Link link_;
   std::thread thread_;
 };
 
