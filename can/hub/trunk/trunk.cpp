@@ -5,24 +5,15 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "can/hub/loop/clock.hpp"
+#include "can/hub/trunk/report.hpp"
 
 namespace hub::trunk {
 
 namespace {
 
 using canopen::TimePoint;
-
-std::int64_t median(const Latency& latency) noexcept {
-  constexpr double kHalf = 0.5;
-  return latency.quantile(kHalf).count();
-}
-std::int64_t nearly_all(const Latency& latency) noexcept {
-  constexpr double kNearlyAll = 0.99;
-  return latency.quantile(kNearlyAll).count();
-}
 
 /// Messages that are taken before members have their turn.
 constexpr int kBatch = 64;
@@ -68,6 +59,7 @@ void Trunk::join(TimePoint now) noexcept {
   phase_ = Phase::Joining;
   sequence_ = 0;
   seen_ = 0;
+  returned_seen_ = 0;
   heard_ = now;
   looked_ = now;
   hubs_.forgive(now);
@@ -76,6 +68,7 @@ void Trunk::join(TimePoint now) noexcept {
 
 void Trunk::come_up(TimePoint now) noexcept {
   phase_ = Phase::Up;
+  is_failure_told_ = false;
   notices_.tell(epoch_ == 1 ? "joined" : "joined again", now);
   on_link_(true, now);
 }
@@ -108,7 +101,6 @@ void Trunk::take_message(const Stream::Message& message, TimePoint now) noexcept
   const std::uint64_t before = std::exchange(sequence_, message.sequence);
   if (before != 0 && message.sequence != before + 1)
     return cut(fmt::format("the stream went from message {} to {}", before, message.sequence), now);
-  heard_ = now;
   seen_ = message.time_ns;
   std::string_view problem;
   const auto reader = Reader::read(message.bytes, problem);
@@ -125,8 +117,14 @@ void Trunk::take_message(const Stream::Message& message, TimePoint now) noexcept
 }
 
 void Trunk::take_own(const Reader& reader, const Stream::Message& message, bool is_stale, TimePoint now) noexcept {
-  if (reader.header().epoch != epoch_) return take_older(reader, is_stale);
+  if (reader.header().epoch != epoch_) return;  // counted when the wire was cut
+  if (has_been_here(reader)) {
+    figures_.repeated += reader.frames();
+    return;
+  }
+  returned_seen_ = reader.header().seen;
   if (is_stale) return cut("messages reach the stream too late", now);
+  heard_ = now;
   if (phase_ == Phase::Joining) come_up(now);
   const TimePoint clock = monotonic_now();
   for (std::size_t i = 0; i < reader.frames(); ++i) {
@@ -141,11 +139,12 @@ void Trunk::take_own(const Reader& reader, const Stream::Message& message, bool 
   }
 }
 
-/// What was under way when the wire was cut has passed for the others if it came in before this hub's return.
-void Trunk::take_older(const Reader& reader, bool is_stale) noexcept {
-  if (is_stale || phase_ != Phase::Joining) return;
-  figures_.dropped -= reader.frames();
-  figures_.sent += reader.frames();
+/// Somebody else sends what this hub has sent before.
+bool Trunk::has_been_here(const Reader& reader) const noexcept {
+  const Header& header = reader.header();
+  if (header.kind == Kind::Beat) return header.seen < returned_seen_;
+  const std::uint64_t next = under_way_.empty() ? counter_ : under_way_.first().counter;
+  return header.counter + reader.frames() <= next;
 }
 
 void Trunk::take_foreign(const Reader& reader, const Stream::Message& message, bool is_stale,
@@ -160,26 +159,27 @@ void Trunk::take_foreign(const Reader& reader, const Stream::Message& message, b
   } else if (phase_ != Phase::Up) {
     hubs_.miss(outcome.hub, fresh);
   } else {
-    outcome.hub.received += fresh;
-    figures_.received += fresh;
-    for (std::size_t i = outcome.repeated; i < reader.frames(); ++i) {
-      if (medium_.is_new({.hub = reader.header().origin, .number = reader.frame(i).number}))
-        pass(reader, i, message.time_ns, now);
-      else
-        ++figures_.returned;
-    }
+    for (std::size_t i = outcome.repeated; i < reader.frames(); ++i)
+      if (pass(reader, i, message.time_ns, now)) ++outcome.hub.received;
   }
 }
 
-void Trunk::pass(const Reader& reader, std::size_t number, std::int64_t time_ns, TimePoint now) noexcept {
+/// False if it is not for the members of this hub.
+bool Trunk::pass(const Reader& reader, std::size_t number, std::int64_t time_ns, TimePoint now) noexcept {
   const MarkedFrame marked = reader.frame(number);
-  if ((marked.frame.can_id & CAN_ERR_FLAG) != 0) return;  // those of a hub stay on it
+  if ((marked.frame.can_id & CAN_ERR_FLAG) != 0) return false;  // those of a hub stay on it
+  if (!medium_.is_new({.hub = reader.header().origin, .number = marked.number})) {
+    ++figures_.returned;
+    return false;
+  }
+  ++figures_.received;
   Passage passage;
   passage.frame = marked.frame;
   passage.local = false;
   passage.time_ns = time_ns;
   passage.mark = {.hub = reader.header().origin, .number = marked.number};
   medium_.pass(passage, now);
+  return true;
 }
 
 void Trunk::tell_news(const Hubs::Outcome& outcome, TimePoint now) noexcept {
@@ -247,12 +247,19 @@ void Trunk::on_time(TimePoint now) noexcept {
   finish_message();
   flush();
   if (phase_ == Phase::Closed) return;
-  if (now - heard_ > kPatience) return cut("nothing has come for 500 ms", now);
+  if (now - heard_ > kPatience) return miss_own(now);
   if (now < next_beat_) return;
   beat(now);
   flush();
   while (const Neighbour* const gone = hubs_.take_gone(now))
     notices_.tell(fmt::format("{} is on the bus no more", gone->text()), now);
+}
+
+/// The way there and back is broken somewhere, even if others are heard.
+void Trunk::miss_own(TimePoint now) noexcept {
+  if (phase_ == Phase::Joining && !std::exchange(is_failure_told_, true))
+    notices_.tell("nothing that this hub sends comes back: the server is full, or does not let it publish", now);
+  cut("nothing has come back for 500 ms", now);
 }
 
 Identity Trunk::identity() const noexcept {
@@ -262,32 +269,7 @@ Identity Trunk::identity() const noexcept {
 }
 
 std::string Trunk::report(std::size_t room) const {
-  nlohmann::json whole = {
-      {"url", settings_.url},
-      {"up", phase_ == Phase::Up},
-      {"sent", figures_.sent},
-      {"received", figures_.received},
-      {"under_way", under_way_.count()},
-      {"dropped", figures_.dropped},
-      {"lost", medium_.lost()},
-      {"missed", hubs_.missed()},
-      {"late", figures_.stale},
-      {"repeated", hubs_.repeated()},
-      {"malformed", figures_.malformed},
-      {"cuts", figures_.cuts},
-      {"back_after_ns", {{"median", median(latency_)}, {"p99", nearly_all(latency_)}}},
-      {"hubs", nlohmann::json::array()},
-  };
-  for (const Neighbour& hub : hubs_.all()) {
-    if (hub.hub == 0) continue;
-    nlohmann::json row = {
-        {"name", hub.text()}, {"present", hub.is_present}, {"received", hub.received}, {"missed", hub.missed}};
-    whole["hubs"].push_back(std::move(row));
-    if (whole.dump().size() <= room) continue;
-    whole["hubs"].erase(whole["hubs"].size() - 1);
-    break;
-  }
-  return whole.dump();
+  return report_of(*this, medium_.lost(), room);
 }
 
 bool Trunk::statistics(userbus::MemberStatistics& row) const noexcept {

@@ -28,6 +28,7 @@ class Server {
     std::deque<Kept> given;
     bool is_open = false;
     bool is_lost = false;
+    bool is_held = false;  ///< nothing that is published reaches the server
     unsigned opened = 0;
   };
 
@@ -36,7 +37,7 @@ class Server {
 
   /// Takes in what @p line has published and gives it to all.
   void serve(Line& line) {
-    if (is_stopped) return;
+    if (is_stopped || line.is_held) return;
     for (; !line.asked.empty(); line.asked.pop_front()) put(line.asked.front());
   }
   void put(const std::vector<std::byte>& bytes) {

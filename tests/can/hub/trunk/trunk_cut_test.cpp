@@ -28,7 +28,7 @@ TEST_F(TrunkCutTest, IsCutWhenNothingComesBackForHalfASecond) {
   EXPECT_EQ(a.links, (std::vector{false, true, false}));
   EXPECT_EQ(a.trunk.figures().dropped, 1U);
   EXPECT_EQ(a.trunk.figures().cuts, 1U);
-  EXPECT_THAT(a.notices, Contains(HasSubstr("cut: nothing has come for 500 ms; 1 frames were under way")));
+  EXPECT_THAT(a.notices, Contains(HasSubstr("cut: nothing has come back for 500 ms; 1 frames were under way")));
 }
 
 TEST_F(TrunkCutTest, SendsNothingLateAfterTheServerStoodStill) {
@@ -92,7 +92,7 @@ TEST_F(TrunkCutTest, NobodyLetsPassWhatComesBehindTheReturnOfItsHub) {
   EXPECT_EQ(b.trunk.hubs().missed(), 1U);
 }
 
-TEST_F(TrunkCutTest, CountsAsSentWhatHasPassedForOthersAfterTheCut) {
+TEST_F(TrunkCutTest, CountsAsDroppedWhatPassesForOthersAlone) {
   join_all();
   server.is_stopped = true;
   a.send("123#01");
@@ -107,8 +107,34 @@ TEST_F(TrunkCutTest, CountsAsSentWhatHasPassedForOthersAfterTheCut) {
   turn_all();
 
   EXPECT_EQ(b.member.seen, Texts{"123#01"});
-  EXPECT_EQ(a.trunk.figures().dropped, 0U);
-  EXPECT_EQ(a.trunk.figures().sent, 1U);
+  EXPECT_EQ(a.member.seen, Texts{});
+  EXPECT_EQ(a.trunk.figures().dropped, 1U);
+  EXPECT_EQ(a.trunk.figures().sent, 0U);
+}
+
+TEST_F(TrunkCutTest, IsCutWhenOnlyItsOwnMessagesDoNotComeBack) {
+  join_all();
+  a.line.is_held = true;
+  a.send("123#01");
+
+  pass_time(Trunk::kPatience + 150ms);  // b is heard all the time
+
+  EXPECT_EQ(a.links, (std::vector{false, true, false}));
+  EXPECT_EQ(a.trunk.figures().dropped, 1U);
+  EXPECT_EQ(b.links, (std::vector{false, true}));
+}
+
+TEST_F(TrunkCutTest, SaysOnceThatNothingComesBackFromAServerThatIsFull) {
+  a.line.is_held = true;
+  for (int i = 0; i < 5; ++i) {
+    a.open();
+    pass_time(Trunk::kPatience + 100ms);
+  }
+
+  EXPECT_EQ(a.line.opened, 5U);
+  EXPECT_EQ(a.notices,
+            Texts{"nats://told/bus: nothing that this hub sends comes back: the server is full, or does "
+                  "not let it publish"});
 }
 
 TEST_F(TrunkCutTest, CountsWhatItHasMissedOfOthers) {

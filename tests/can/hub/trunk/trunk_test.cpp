@@ -68,6 +68,7 @@ TEST_F(TrunkTest, KeepsErrorFramesOnTheirHost) {
 
   EXPECT_EQ(a.member.seen.size(), 1U);
   EXPECT_EQ(b.member.seen, Texts{});
+  EXPECT_EQ(b.trunk.figures().received, 0U);
 }
 
 TEST_F(TrunkTest, IsFullWhenTooManyFramesAreUnderWay) {
@@ -105,10 +106,16 @@ TEST_F(TrunkTest, GivesAFrameNoSecondTime) {
   turn_all();
 
   server.put(message);
-  b.turn();
+  turn_all();
+  server.now += Trunk::kPatience;
+  server.put(message);  // by now it is late as well
+  turn_all();
 
   EXPECT_EQ(b.member.seen, Texts{"123#01"});
-  EXPECT_EQ(b.trunk.hubs().repeated(), 1U);
+  EXPECT_EQ(b.trunk.hubs().repeated(), 2U);
+  EXPECT_EQ(a.member.seen, Texts{"123#01"});
+  EXPECT_EQ(a.trunk.figures().repeated, 2U);
+  EXPECT_TRUE(a.trunk.is_up());
 }
 
 TEST_F(TrunkTest, TellsWhoHasLeft) {
