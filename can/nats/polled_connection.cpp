@@ -42,7 +42,7 @@ void make_room(int socket) noexcept {
 /// The library would wait half a second for an answer of the server that nobody reads any more, and send what it
 /// still has: so it is shown the end of the connection first.
 PolledConnection::~PolledConnection() {
-  if (!connection) return;
+  if (!connection || natsConnection_IsClosed(connection.get())) return;  // its number may be another one's
   constexpr int kMost = 1024;  // reads: what has come in still stands in front of the end
   shutdown(socket, SHUT_RDWR);
   for (int i = 0; i < kMost && !natsConnection_IsClosed(connection.get()); ++i)
