@@ -1,5 +1,3 @@
-#include <csignal>
-
 #include "tests/farm/link/link_fixture.hpp"
 
 namespace farm {
@@ -43,9 +41,9 @@ TEST_F(ConnectionTest, ComesBackWhenTheServerWasKilled) {
 TEST_F(ConnectionTest, GivesUpAServerThatStandsStillAndComesBack) {
   wait_until_up(link_);
   const std::size_t before = ear_.reasons.size();
-  server_.send(SIGSTOP);
+  server_.stop();
   wait_until([&] { return !link_.is_up(); });
-  server_.send(SIGCONT);
+  server_.go_on();
   wait_until_up(link_);
 
   ASSERT_EQ(ear_.reasons.size(), before + 1);
@@ -74,13 +72,13 @@ TEST_F(ConnectionTest, SendsNothingLater) {
   std::vector<std::string> heard;
   link_.subscribe("a", [&heard](const Message& message) { heard.emplace_back(message.data); });
   wait_until_up(link_);
-  server_.send(SIGSTOP);
+  server_.stop();
   while (link_.is_up()) {
     link_.publish("a", std::string(65536, 'x'));
     wait_for(1ms);
   }
   link_.publish("a", "while it is down");
-  server_.send(SIGCONT);
+  server_.go_on();
   wait_until_up(link_);
   link_.publish("a", "new");
   wait_until([&heard] { return !heard.empty() && heard.back() == "new"; });

@@ -69,13 +69,18 @@ void ServerProcess::start() {
 
 void ServerProcess::kill() {
   if (process_ < 0) return;
-  send(SIGKILL);
+  ::kill(process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
   process_ = -1;
 }
 
-void ServerProcess::send(int signal) const {
-  ::kill(process_, signal);
+void ServerProcess::stop() const {
+  ::kill(process_, SIGSTOP);
+  ::waitpid(process_, nullptr, WUNTRACED);
+}
+
+void ServerProcess::go_on() const {
+  ::kill(process_, SIGCONT);
 }
 
 void LinkTest::wait_until(const std::function<bool()>& is_done) {

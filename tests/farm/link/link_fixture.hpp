@@ -25,7 +25,9 @@ class ServerProcess {
   [[nodiscard]] nats::Server address() const;
   void start();
   void kill();
-  void send(int signal) const;
+  /// Has it stand still until go_on().
+  void stop() const;
+  void go_on() const;
 
  private:
   fakes::TemporaryDirectory folder_;

@@ -1,5 +1,3 @@
-#include <csignal>
-
 #include "tests/farm/link/link_fixture.hpp"
 
 namespace farm {

@@ -1,5 +1,3 @@
-#include <csignal>
-
 #include "tests/farm/link/link_fixture.hpp"
 
 namespace farm {
@@ -104,9 +102,9 @@ TEST_F(StorageTest, FailsAtOnceWithoutAConnection) {
 
 TEST_F(StorageTest, FailsWhileTheServerStandsStill) {
   put("a.1", "value");
-  server_.send(SIGSTOP);
+  server_.stop();
   const auto all = run<std::vector<Entry>>(link_, [](Storage& storage) { return storage.keys.all("test"); });
-  server_.send(SIGCONT);
+  server_.go_on();
 
   EXPECT_FALSE(all.has_value());
 }
@@ -167,9 +165,9 @@ TEST_F(WatchTest, TellsAllAnewWhenTheServerHasStoodStill) {
   put("a.1", "one");
   wait_until_told(2);
   told_.clear();
-  server_.send(SIGSTOP);
+  server_.stop();
   wait_until([this] { return !link_.is_up(); });
-  server_.send(SIGCONT);
+  server_.go_on();
   wait_until_told(2);
 
   EXPECT_EQ(told_, (Told{"a.1=one", "all"}));

@@ -43,5 +43,11 @@ TEST(Name, HasOneTo32LettersDigitsDashesAndUnderscores) {
   EXPECT_FALSE(is_name(std::string(33, 'x')));
 }
 
+TEST(Name, IsMadeOfThatOfAMachine) {
+  EXPECT_EQ(name_from("host.example"), "host_example");
+  EXPECT_EQ(name_from(std::string(33, 'x')), std::string(32, 'x'));
+  EXPECT_EQ(name_from(""), "");
+}
+
 }  // namespace
 }  // namespace farm
