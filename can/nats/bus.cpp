@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "text/name.hpp"
 #include "text/number.hpp"
 
 namespace nats {
@@ -14,13 +15,6 @@ namespace {
 
 constexpr std::string_view kForm = "nats://HOST[:PORT]/NAME or tls://HOST[:PORT]/NAME";
 constexpr std::string_view kUsualPort = "4222";
-constexpr std::size_t kLongestName = 32;
-
-bool is_name(std::string_view text) noexcept {
-  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
-  return !text.empty() && text.size() <= kLongestName &&
-         text.find_first_not_of(kLetters) == std::string_view::npos;
-}
 
 }  // namespace
 
@@ -29,19 +23,18 @@ bool Bus::is_open_to_others() const {
   return !is_near && !server.has_tls();
 }
 
-tl::expected<Bus, std::string> parse_bus(std::string_view text) {
+tl::expected<Bus, std::string> parse_bus(std::string_view url) {
   const auto wrong = [](std::string_view expected) {
     return tl::unexpected{fmt::format("expected {}", expected)};
   };
-  const std::size_t host_at = text.find("://") + 3;
-  const std::string_view scheme = text.substr(0, text.find("://"));
+  const std::size_t host_at = url.find("://") + 3;
+  const std::string_view scheme = url.substr(0, url.find("://"));
   if (host_at < 3 || (scheme != "nats" && scheme != "tls")) return wrong(kForm);
-  const std::size_t slash = text.find('/', host_at);
+  const std::size_t slash = url.find('/', host_at);
   if (slash == std::string_view::npos) return wrong(kForm);
-  const std::string_view place = text.substr(host_at, slash - host_at);
-  const std::string_view name = text.substr(slash + 1);
-  if (!is_name(name))
-    return wrong(fmt::format("a name of 1 to {} letters, digits, '-' and '_' behind the slash", kLongestName));
+  const std::string_view place = url.substr(host_at, slash - host_at);
+  const std::string_view name = url.substr(slash + 1);
+  if (!text::is_name(name)) return wrong(fmt::format("a name of {} behind the slash", text::kNameForm));
   if (place.find('@') != std::string_view::npos) return wrong("no user in the URL: --credentials names a file");
   const bool in_brackets = place.starts_with('[');
   const std::size_t end_of_host = in_brackets ? place.find(']') + 1 : std::min(place.find(':'), place.size());

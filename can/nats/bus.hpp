@@ -26,6 +26,6 @@ struct Bus {
 
 /// Reads `nats://HOST[:PORT]/NAME` or `tls://HOST[:PORT]/NAME`; the port is 4222 if none is given. The error says
 /// what was expected.
-[[nodiscard]] tl::expected<Bus, std::string> parse_bus(std::string_view text);
+[[nodiscard]] tl::expected<Bus, std::string> parse_bus(std::string_view url);
 
 }  // namespace nats

@@ -20,6 +20,7 @@
 #include "daemon/configuration/supply_reader.hpp"
 #include "daemon/configuration/trace_reader.hpp"
 #include "drive/drive_unit.hpp"
+#include "text/name.hpp"
 
 namespace axisd {
 namespace {
@@ -122,6 +123,12 @@ bus::Address read_address(const JsonReader& json) {
   return *std::move(address);
 }
 
+std::string read_bus(const JsonReader& json) {
+  std::string name = json.text();
+  if (!text::is_name(name)) json.fail(fmt::format("a name of {}", text::kNameForm));
+  return name;
+}
+
 }  // namespace
 
 std::vector<AxisConfiguration> default_axes(std::size_t count) {
@@ -132,9 +139,9 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 namespace {
 
-constexpr std::array<std::string_view, 15> kKeysOfUnit{
-    "interface", "profile", "node_id", "axes",   "parameters", "supply", "infeed",          "sdo_block",
-    "f08701",    "record",  "trace",   "modbus", "inject",     "serial", "missed_setpoints"};
+constexpr std::array<std::string_view, 16> kKeysOfUnit{
+    "interface", "bus",    "profile", "node_id", "axes",   "parameters", "supply", "infeed",
+    "sdo_block", "f08701", "record",  "trace",   "modbus", "inject",     "serial", "missed_setpoints"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
@@ -160,6 +167,7 @@ Configuration read_unit(const JsonReader& json, const MotorSource& motors, std::
   Configuration configuration;
   configuration.cia402 = read_profile(json, profile);
   if (json.has("interface")) configuration.address = read_address(json.at("interface"));
+  if (json.has("bus")) configuration.bus = read_bus(json.at("bus"));
   if (json.has("sdo_block")) configuration.sdo_block = json.at("sdo_block").boolean();
   if (json.has("f08701")) configuration.fault_on_leaving_operational = json.at("f08701").boolean();
   if (json.has("supply")) configuration.supply = read_supply(json.at("supply"));
@@ -207,14 +215,34 @@ std::vector<Configuration> read_entry(const JsonReader& json, const MotorSource&
   return {std::move(unit)};
 }
 
-/// @p unit of @p entry has the name of /units/@p known.
-[[noreturn]] void fail_by_name(const JsonReader& entry, const Configuration& unit, std::size_t known) {
+/// Which entry has which unit, by a name.
+using Taken = std::map<std::string, std::size_t>;
+
+/// Takes @p name for @p unit of entry @p place, unless another unit on the bus that is called @p bus has it.
+void take_name(Taken& taken, std::string name, const Configuration& unit, const JsonReader& entry,
+               std::size_t place, const std::string& bus) {
+  const auto [known, is_new] = taken.emplace(std::move(name), place);
+  if (is_new) return;
   const bool is_unconfigured = unit.node_id == Cia402Settings::kUnconfigured;
   const char* const key = is_unconfigured ? "serial" : "node_id";
   (entry.has(key) ? entry.at(key) : entry)
       .fail(fmt::format("a {} that /units/{}{} does not have on {}", is_unconfigured ? "serial number" : "node-ID",
-                        known, is_unconfigured ? ", without node-ID too," : "", unit.address.text));
+                        known->second, is_unconfigured ? ", without node-ID too," : "", bus));
 }
+
+/// No two units are on one bus with one node-ID, or are called the same.
+class TakenNames {
+ public:
+  void take(const Configuration& unit, const JsonReader& entry, std::size_t place) {
+    const std::string& address = unit.address.text;
+    take_name(on_buses_, bus::label(unit.address) + '/' + station_of(unit), unit, entry, place, address);
+    take_name(names_, name_of(unit), unit, entry, place, unit.bus.empty() ? address : unit.bus);
+  }
+
+ private:
+  Taken on_buses_;
+  Taken names_;
+};
 
 UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors) {
   json.expect_object({"units", "threads", "control_group"});
@@ -222,12 +250,11 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
   list.expect_array(1, kMostUnits);
   UnitsConfiguration configuration{
       .units = {}, .threads = 1, .is_list = true, .control_group = read_control_group(json)};
-  std::map<std::string, std::size_t> taken;
+  TakenNames names;
   ModbusPlaces places;
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (Configuration& unit : read_entry(list.at(i), motors)) {
-      const auto [known, is_new] = taken.emplace(name_of(unit), i);
-      if (!is_new) fail_by_name(list.at(i), unit, known->second);
+      names.take(unit, list.at(i), i);
       if (unit.modbus) places.take(list.at(i), i, *unit.modbus);
       configuration.units.push_back(std::move(unit));
     }
@@ -247,8 +274,16 @@ std::string station_of(const Configuration& unit) {
   return serial == kFirstSerial ? "unconfigured" : fmt::format("unconfigured-{}", serial);
 }
 
+std::string bus_of(const Configuration& unit) {
+  return unit.bus.empty() ? bus::label(unit.address) : unit.bus;
+}
+
 std::string name_of(const Configuration& unit) {
-  return fmt::format("{}/{}", bus::label(unit.address), station_of(unit));
+  return fmt::format("{}/{}", bus_of(unit), station_of(unit));
+}
+
+std::string folder_of(const Configuration& unit) {
+  return fmt::format("{}-{}", bus_of(unit), station_of(unit));
 }
 
 UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors,

@@ -67,6 +67,7 @@ std::vector<AxisConfiguration> default_axes(std::size_t count);
 /// The whole unit: defaults, then the file, then the command line.
 struct Configuration {
   bus::Address address{"vcan0", bus::KernelInterface{"vcan0"}};  ///< key "interface"
+  std::string bus{};  ///< key "bus", the name of the bus: text::is_name(); empty: bus::label()
   /// The address switch, 0..127; with the profile cia402 the node-ID, 1..127, or Cia402Settings::kUnconfigured.
   int node_id = 2;
   std::optional<Cia402Settings> cia402{};                 ///< key "profile"; none: that of the drive unit, s120
@@ -88,8 +89,12 @@ struct Configuration {
 /// "5". A device without node-ID is "unconfigured", behind that its serial number unless that is 1, and stays so
 /// whatever LSS gives it.
 std::string station_of(const Configuration& unit);
-/// The name of the unit that @p unit describes, as "vcan0/5": bus::label() and station_of().
+/// The name of the bus of @p unit in names of units, files and sockets: what it is given, or bus::label().
+std::string bus_of(const Configuration& unit);
+/// The name of the unit that @p unit describes, as "vcan0/5": bus_of() and station_of().
 std::string name_of(const Configuration& unit);
+/// The folder in which it keeps its state, below the one for all units: "vcan0-5".
+std::string folder_of(const Configuration& unit);
 
 /// What one program serves.
 struct UnitsConfiguration {

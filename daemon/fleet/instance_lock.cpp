@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -97,14 +98,13 @@ std::filesystem::path state_root(const std::string& given) {
   throw InstanceError{"no place for the state: give --state-directory or set HOME"};
 }
 
-InstanceLock::InstanceLock(const std::filesystem::path& root, const bus::Address& address,
+InstanceLock::InstanceLock(std::filesystem::path directory, const bus::Address& address,
                            const std::string& station)
-    : directory_{root / fmt::format("{}-{}", bus::label(address), station)} {
+    : directory_{std::move(directory)} {
   if (const int error = create_folders(directory_))
     throw InstanceError{fmt::format("{}: cannot be created: {}", directory_.string(), std::strerror(error))};
-  const std::string busy = in_use(address, station);
-  folder_ = lock_folder(directory_, busy);
-  name_ = lock_name(lock_of(address, station), busy);
+  name_ = lock_name(lock_of(address, station), in_use(address, station));
+  folder_ = lock_folder(directory_, fmt::format("{}: is in use by another axisd", directory_.string()));
 }
 
 void InstanceLock::serve(const bus::Address& address, int node_id) {

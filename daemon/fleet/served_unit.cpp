@@ -11,7 +11,7 @@ ServedUnit::ServedUnit(const Configuration& configuration, const std::filesystem
       log_{std::move(log)},
       loop_{loop},
       listener_{listener},
-      lock_{state_root, configuration.address, station_of(configuration)} {
+      lock_{state_root / folder_of(configuration), configuration.address, station_of(configuration)} {
   switch_on();
 }
 

@@ -8,6 +8,7 @@
 #include "daemon/program/motor_folders.hpp"
 #include "drive/drive_unit.hpp"
 #include "os/regular_file.hpp"
+#include "text/name.hpp"
 
 namespace axisd {
 namespace {
@@ -20,6 +21,12 @@ void override_address(Configuration& configuration, const std::string& text) {
   if (!address)
     throw ConfigurationError{fmt::format("--interface: expected {}, got \"{}\"", address.error(), text)};
   configuration.address = *std::move(address);
+}
+
+void override_bus(Configuration& configuration, const std::string& name) {
+  if (!text::is_name(name))
+    throw ConfigurationError{fmt::format("--bus: expected a name of {}, got \"{}\"", text::kNameForm, name)};
+  configuration.bus = name;
 }
 
 /// Takes the last axes away, or adds default ones whose names are free.
@@ -47,6 +54,7 @@ void override_node_id(Configuration& configuration, int node_id) {
 
 void override_with(Configuration& configuration, const Options& options) {
   if (options.interface) override_address(configuration, *options.interface);
+  if (options.bus) override_bus(configuration, *options.bus);
   if (options.node_id) override_node_id(configuration, *options.node_id);
   if (!options.axes) return;
   resize_axes(configuration.axes, *options.axes);
@@ -58,6 +66,7 @@ void override_with(Configuration& configuration, const Options& options) {
 /// An option that says something of one unit, if there is any.
 const char* option_of_one_unit(const Options& options) {
   if (options.interface) return "--interface";
+  if (options.bus) return "--bus";
   if (options.profile) return "--profile";
   if (options.node_id) return "--node-id";
   return options.axes ? "--axes" : nullptr;

@@ -9,7 +9,6 @@
 #include <grp.h>
 #include <sys/resource.h>
 
-#include "can/port/address.hpp"
 #include "control/socket_name.hpp"
 #include "daemon/program/configuration_file.hpp"
 #include "daemon/program/options.hpp"
@@ -21,7 +20,7 @@ namespace {
 std::string default_control_path(const axisd::UnitsConfiguration& configuration) {
   if (configuration.is_list) return control::common_socket_path();
   const axisd::Configuration& unit = configuration.units.front();
-  return control::default_socket_path(bus::label(unit.address), axisd::station_of(unit));
+  return control::default_socket_path(axisd::bus_of(unit), axisd::station_of(unit));
 }
 
 std::string control_path(const axisd::Options& options, const axisd::UnitsConfiguration& configuration) {

@@ -61,6 +61,10 @@ void add_options(CLI::App& app, Options& options, Words& words) {
                  "socketcand://HOST:PORT/NAME (default: vcan0)")
       ->type_name("IF")
       ->take_last();
+  app.add_option(
+         "--bus", options.bus,
+         "name of the bus in that of the unit, and of its state and control socket (default: made of --interface)")
+      ->type_name("NAME");
   app.add_option("--profile", words.profile,
                  "device that masters see: s120, the drive unit, or cia402, a CiA 402 axis (default: s120)")
       ->type_name("PROFILE");

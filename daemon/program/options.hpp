@@ -18,6 +18,7 @@ inline constexpr int kUsage = 2;
 struct Options {
   std::string config_file;
   std::optional<std::string> interface;
+  std::optional<std::string> bus;
   std::optional<Profile> profile;
   std::optional<int> node_id;
   std::optional<int> axes;

@@ -3,12 +3,10 @@
 #include <algorithm>
 
 #include "control/socket_name.hpp"
+#include "text/name.hpp"
 
 namespace farm {
 namespace {
-
-constexpr std::size_t kLongestName = 32;
-constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
 
 /// BUS and NODE on both sides of the last @p between.
 std::optional<UnitName> split(std::string_view text, char between) {
@@ -22,9 +20,8 @@ std::optional<UnitName> split(std::string_view text, char between) {
 
 }  // namespace
 
-bool is_name(std::string_view text) noexcept {
-  return !text.empty() && text.size() <= kLongestName &&
-         text.find_first_not_of(kLetters) == std::string_view::npos;
+bool is_name(std::string_view words) noexcept {
+  return text::is_name(words);
 }
 
 std::optional<UnitName> parse_unit_name(std::string_view text) {
@@ -41,10 +38,10 @@ std::optional<UnitName> unit_name_of_daemon(std::string_view label_and_station) 
   return split(name_from(label_and_station.substr(0, slash)).append(label_and_station.substr(slash)), '/');
 }
 
-std::string name_from(std::string_view text) {
-  std::string name{text.substr(0, kLongestName)};
+std::string name_from(std::string_view words) {
+  std::string name{words.substr(0, text::kLongestName)};
   std::ranges::replace_if(
-      name, [](char c) { return kLetters.find(c) == std::string_view::npos; }, '_');
+      name, [](char c) { return !text::is_of_name(c); }, '_');
   return name;
 }
 

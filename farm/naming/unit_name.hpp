@@ -18,11 +18,11 @@ struct UnitName {
   friend auto operator<=>(const UnitName&, const UnitName&) = default;
 };
 
-/// Whether @p text can be the name of a farm, of a bus or of a host: 1 to 32 letters, digits, '-' and '_'.
-[[nodiscard]] bool is_name(std::string_view text) noexcept;
-/// A name made of @p text, such as that of a machine: what a name may not have becomes '_', and what is too long
-/// is cut. Empty only if @p text is.
-[[nodiscard]] std::string name_from(std::string_view text);
+/// Whether @p words can be the name of a farm, of a bus or of a host: 1 to 32 letters, digits, '-' and '_'.
+[[nodiscard]] bool is_name(std::string_view words) noexcept;
+/// A name made of @p words, such as that of a machine: what a name may not have becomes '_', and what is too long
+/// is cut. Empty only if @p words is.
+[[nodiscard]] std::string name_from(std::string_view words);
 /// Reads "BUS/NODE".
 [[nodiscard]] std::optional<UnitName> parse_unit_name(std::string_view text);
 /// Reads "BUS.NODE".

@@ -168,7 +168,7 @@ inline constexpr std::array kLayers{
           {"gateway/", "service/", "cli/", "version/", "control/", "os/", "libcanopen/base/time.hpp", "CLI/",
            "fmt/", "nlohmann/", "systemd/", kSystem}},
     Layer{"gateway/metrics", {"fmt/", "nlohmann/"}},
-    Layer{"farm/naming", {"can/nats/bus.hpp", "can/nats/server.hpp", "control/socket_name.hpp", "fmt/"}},
+    Layer{"farm/naming", {"can/nats/bus.hpp", "can/nats/server.hpp", "control/socket_name.hpp", "text/", "fmt/"}},
     Layer{"farm/documents", {"farm/naming/", "json/", "nlohmann/", "fmt/"}},
     Layer{"farm/storage",
           {"can/nats/", "service/mailbox.hpp", "os/", "nats/", "openssl/", "nlohmann/", "fmt/", kSystem}},

@@ -54,9 +54,12 @@ INSTANTIATE_TEST_SUITE_P(
     Unit, BadFiles,
     testing::Values(
         BadFile{R"({"nodeid": 5})",
-                "node.json: /nodeid: unknown key, expected one of: interface, profile, node_id, axes, parameters, "
-                "supply, infeed, sdo_block, f08701, record, trace, modbus, inject, serial, missed_setpoints, "
+                "node.json: /nodeid: unknown key, expected one of: interface, bus, profile, node_id, axes, "
+                "parameters, supply, infeed, sdo_block, f08701, record, trace, modbus, inject, serial, "
+                "missed_setpoints, "
                 "control_group"},
+        BadFile{R"({"bus": "line.1"})",
+                "node.json: /bus: expected a name of 1 to 32 letters, digits, '-' and '_', got \"line.1\""},
         BadFile{R"({"interface": 0})", "node.json: /interface: expected a string, got 0"},
         BadFile{R"({"interface": ""})", "node.json: /interface: expected " + kForms + ", got \"\""},
         BadFile{R"({"interface": "a-rather-long-name"})",

@@ -54,6 +54,13 @@ TEST(Configuration, TakesEveryKeyOfTheUnit) {
   EXPECT_EQ(configuration.parameters[1].value, 1.0);
 }
 
+TEST(Configuration, CallsTheBusAsItIsTold) {
+  EXPECT_EQ(name_of(parse(R"({"interface": "can1"})")), "can1/2");
+  EXPECT_EQ(name_of(parse(R"({"interface": "can1", "bus": "line1"})")), "line1/2");
+  EXPECT_EQ(name_of(configuration_of({"--interface", "unix:/tmp/bus", "--bus", "line1"})), "line1/2");
+  EXPECT_THROW(configuration_of({"--bus", ""}), ConfigurationError);
+}
+
 TEST(Configuration, TakesEveryKeyOfARecording) {
   const Configuration configuration =
       parse(R"({"record": {"name": "night", "max_MB": 20, "signals": ["1/r0063"], "every_s": 0.5, "on_fault": true,

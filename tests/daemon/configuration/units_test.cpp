@@ -45,6 +45,17 @@ TEST(ListOfUnits, HasAUnitForEachNodeIdOfARange) {
   EXPECT_EQ(list.units.back().axes.size(), 3U);
 }
 
+TEST(ListOfUnits, NamesTheUnitsByTheNamesOfTheirBuses) {
+  const UnitsConfiguration list = read(R"({"units": [{"bus": "line1", "node_id": {"from": 5, "to": 6}},
+      {"interface": "unix:/tmp/bus", "bus": "line-2"}, {"interface": "can1"}]})");
+
+  EXPECT_EQ(name_of(list.units[1]), "line1/6");
+  EXPECT_EQ(name_of(list.units[2]), "line-2/2");
+  EXPECT_EQ(folder_of(list.units[2]), "line-2-2");
+  EXPECT_EQ(name_of(list.units[3]), "can1/2");
+  EXPECT_EQ(bus_of(list.units[3]), "can1");
+}
+
 TEST(ListOfUnits, MayServeModbusAtDifferentPlaces) {
   const UnitsConfiguration list = read(R"({"units": [
       {"node_id": 1, "modbus": true}, {"node_id": 2, "modbus": {"port": 503}}, {"node_id": 3, "modbus": false},
@@ -79,6 +90,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "units.json: /units/2/node_id: expected a node-ID that /units/0 does not have on vcan0, got 5"},
         Refused{R"({"units": [{"node_id": {"from": 2, "to": 9}}, {}]})",
                 "units.json: /units/1: expected a node-ID that /units/0 does not have on vcan0, got {}"},
+        Refused{R"({"units": [{"node_id": 5, "bus": "a"}, {"node_id": 5, "bus": "b"}]})",
+                "units.json: /units/1/node_id: expected a node-ID that /units/0 does not have on vcan0, got 5"},
+        Refused{R"({"units": [{"interface": "can1", "node_id": 5, "bus": "a"}, {"node_id": 5, "bus": "a"}]})",
+                "units.json: /units/1/node_id: expected a node-ID that /units/0 does not have on a, got 5"},
+        Refused{R"({"units": [{"interface": "can1"}, {"bus": "can1"}]})",
+                "units.json: /units/1: expected a node-ID that /units/0 does not have on can1, got "
+                "{\"bus\":\"can1\"}"},
         Refused{R"({"units": [{"node_id": {"from": 9, "to": 2}}]})",
                 "units.json: /units/0/node_id/to: expected an integer 9 to 127, got 2"},
         Refused{R"({"units": [{"modbus": true}, {"node_id": 3, "modbus": {"address": "127.0.0.2"}},
@@ -96,10 +114,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"({"units": []})", "units.json: /units: expected an array of 1 to 1024, got []"},
         Refused{R"({"units": [{}], "node_id": 5})",
                 "units.json: /node_id: unknown key, expected one of: units, threads, control_group"},
-        Refused{R"({"units": [{"control_group": "axisd"}]})",
-                "units.json: /units/0/control_group: unknown key, expected one of: interface, profile, node_id, "
-                "axes, parameters, supply, infeed, sdo_block, f08701, record, trace, modbus, inject, serial, "
-                "missed_setpoints"},
+        Refused{
+            R"({"units": [{"control_group": "axisd"}]})",
+            "units.json: /units/0/control_group: unknown key, expected one of: interface, bus, profile, "
+            "node_id, axes, parameters, supply, infeed, sdo_block, f08701, record, trace, modbus, inject, serial, "
+            "missed_setpoints"},
         Refused{R"({"units": [{}], "control_group": ""})",
                 "units.json: /control_group: expected the name of a group, got \"\""},
         Refused{R"({"control_group": 7})", "units.json: /control_group: expected a string, got 7"},
@@ -124,8 +143,9 @@ TEST_P(OptionBesideUnits, IsAUsageError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfOneUnit, OptionBesideUnits,
-                         testing::Values(std::pair{"--interface", "can3"}, std::pair{"--node-id", "3"},
-                                         std::pair{"--axes", "3"}, std::pair{"--profile", "cia402"}));
+                         testing::Values(std::pair{"--interface", "can3"}, std::pair{"--bus", "line1"},
+                                         std::pair{"--node-id", "3"}, std::pair{"--axes", "3"},
+                                         std::pair{"--profile", "cia402"}));
 
 }  // namespace
 }  // namespace axisd

@@ -29,9 +29,13 @@ bus::Address address() {
   return bus::parse_address(interface()).value();
 }
 
+std::string folder(const std::string& station) {
+  return interface() + '-' + station;
+}
+
 std::string refusal(const std::filesystem::path& root, const std::string& station) {
   try {
-    const InstanceLock lock{root, address(), station};
+    const InstanceLock lock{root / folder(station), address(), station};
   } catch (const InstanceError& error) {
     return error.what();
   }
@@ -45,7 +49,7 @@ std::string in_use(const std::string& station) {
 TEST(InstanceLock, CreatesTheFolderOfItsInstance) {
   const fakes::TemporaryDirectory root;
 
-  const InstanceLock lock{root.path("state"), address(), "5"};
+  const InstanceLock lock{root.path("state/" + folder("5")), address(), "5"};
 
   EXPECT_EQ(lock.directory(), root.path("state") + "/" + interface() + "-5");
   EXPECT_TRUE(std::filesystem::is_directory(lock.directory()));
@@ -55,7 +59,7 @@ TEST(InstanceLock, CreatesFoldersForItsUserAlone) {
   const fakes::TemporaryDirectory root;
   const mode_t before = ::umask(0);
 
-  const InstanceLock lock{root.path("state/axisd"), address(), "5"};
+  const InstanceLock lock{root.path("state/axisd/" + folder("5")), address(), "5"};
 
   ::umask(before);
   for (const std::filesystem::path& made : {std::filesystem::path{root.path("state")}, lock.directory()}) {
@@ -65,7 +69,7 @@ TEST(InstanceLock, CreatesFoldersForItsUserAlone) {
 
 TEST(InstanceLock, RefusesASecondInstance) {
   const fakes::TemporaryDirectory root;
-  const InstanceLock lock{root.path(), address(), "5"};
+  const InstanceLock lock{root.path(folder("5")), address(), "5"};
 
   EXPECT_EQ(refusal(root.path(), "5"), in_use("5"));
 }
@@ -73,7 +77,7 @@ TEST(InstanceLock, RefusesASecondInstance) {
 TEST(InstanceLock, RefusesASecondInstanceThatKeepsItsStateElsewhere) {
   const fakes::TemporaryDirectory root;
   const fakes::TemporaryDirectory elsewhere;
-  const InstanceLock lock{root.path(), address(), "5"};
+  const InstanceLock lock{root.path(folder("5")), address(), "5"};
 
   EXPECT_EQ(refusal(elsewhere.path(), "5"), in_use("5"));
 }
@@ -112,16 +116,28 @@ TEST(InstanceLock, IsNotBlockedByAStrangerWhoTakesItsName) {
   EXPECT_EQ(refusal(root.path(), "5"), "granted");
 }
 
+TEST(InstanceLock, RefusesAnInstanceOfAnotherBusInTheSameFolder) {
+  const fakes::TemporaryDirectory root;
+  const InstanceLock lock{root.path("line1-5"), address(), "5"};
+
+  try {
+    const InstanceLock other{root.path("line1-5"), bus::parse_address("x" + interface()).value(), "5"};
+    FAIL() << "granted";
+  } catch (const InstanceError& error) {
+    EXPECT_EQ(error.what(), root.path("line1-5") + ": is in use by another axisd");
+  }
+}
+
 TEST(InstanceLock, LeavesOtherNodesAlone) {
   const fakes::TemporaryDirectory root;
-  const InstanceLock lock{root.path(), address(), "5"};
+  const InstanceLock lock{root.path(folder("5")), address(), "5"};
 
   EXPECT_EQ(refusal(root.path(), "6"), "granted");
 }
 
 TEST(InstanceLock, TellsNodesWithoutNodeIdApart) {
   const fakes::TemporaryDirectory root;
-  const InstanceLock lock{root.path(), address(), "unconfigured"};
+  const InstanceLock lock{root.path(folder("unconfigured")), address(), "unconfigured"};
 
   EXPECT_EQ(lock.directory(), root.path(interface() + "-unconfigured"));
   EXPECT_EQ(refusal(root.path(), "unconfigured"), in_use("unconfigured"));
@@ -130,21 +146,21 @@ TEST(InstanceLock, TellsNodesWithoutNodeIdApart) {
 
 TEST(InstanceLock, OfAnAddressSwitchAtZeroGuardsTheNodeThatIsServedToo) {
   const fakes::TemporaryDirectory root;
-  InstanceLock lock{root.path(), address(), "0"};
+  InstanceLock lock{root.path(folder("0")), address(), "0"};
   EXPECT_EQ(lock.directory(), root.path() + "/" + interface() + "-0");
   lock.serve(address(), 7);
 
   EXPECT_EQ(refusal(root.path(), "0"), in_use("0"));
   EXPECT_EQ(refusal(root.path(), "7"), in_use("7"));
   EXPECT_EQ(refusal(root.path(), "8"), "granted");
-  const InstanceLock other{root.path(), address(), "9"};
+  const InstanceLock other{root.path(folder("9")), address(), "9"};
   EXPECT_THROW(lock.serve(address(), 9), InstanceError);
 }
 
 TEST(InstanceLock, EndsWithTheInstance) {
   const fakes::TemporaryDirectory root;
   std::optional<InstanceLock> lock;
-  lock.emplace(root.path(), address(), "5");
+  lock.emplace(root.path(folder("5")), address(), "5");
 
   lock.reset();
 
@@ -155,7 +171,7 @@ TEST(InstanceLock, IsNotHeldByARefusedInstance) {
   const fakes::TemporaryDirectory root;
   const fakes::TemporaryDirectory elsewhere;
   std::optional<InstanceLock> lock;
-  lock.emplace(root.path(), address(), "5");
+  lock.emplace(root.path(folder("5")), address(), "5");
   ASSERT_EQ(refusal(elsewhere.path(), "5"), in_use("5"));
 
   lock.reset();

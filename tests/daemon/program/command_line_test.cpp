@@ -41,7 +41,7 @@ TEST_F(Program, ListsEveryOptionInItsHelp) {
   EXPECT_EQ(finished.status, 0);
   EXPECT_EQ(finished.errors, "");
   for (const char* const option :
-       {"--config", "--interface", "--profile", "--node-id", "--axes", "--state-directory", "--control",
+       {"--config", "--interface", "--bus", "--profile", "--node-id", "--axes", "--state-directory", "--control",
         "--check-config", "--log-level", "--version", "--help"})
     EXPECT_NE(finished.output.find(option), std::string::npos) << option;
 }
