@@ -18,11 +18,6 @@ constexpr std::string_view kUsualPort = "4222";
 
 }  // namespace
 
-bool Bus::is_open_to_others() const {
-  const bool is_near = host == "localhost" || host.starts_with("127.") || host == "::1";
-  return !is_near && !server.has_tls();
-}
-
 tl::expected<Bus, std::string> parse_bus(std::string_view url) {
   const auto wrong = [](std::string_view expected) {
     return tl::unexpected{fmt::format("expected {}", expected)};

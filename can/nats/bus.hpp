@@ -20,8 +20,6 @@ struct Bus {
   [[nodiscard]] std::string stream() const { return "CAN_" + name; }
   /// The subject that the stream keeps.
   [[nodiscard]] std::string subject() const { return "can." + name + ".wire"; }
-  /// Whether what is sent can be read on the way: the server is on another host, and TLS is not asked for.
-  [[nodiscard]] bool is_open_to_others() const;
 };
 
 /// Reads `nats://HOST[:PORT]/NAME` or `tls://HOST[:PORT]/NAME`; the port is 4222 if none is given. The error says

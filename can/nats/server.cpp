@@ -4,7 +4,6 @@
 #include <fstream>
 #include <limits>
 #include <optional>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -59,6 +58,11 @@ natsStatus set_certificates(natsOptions* options, const Server& server) {
 }
 
 }  // namespace
+
+bool is_open_to_others(const Server& server, std::string_view host) noexcept {
+  const bool is_near = host == "localhost" || host.starts_with("127.") || host == "::1";
+  return !is_near && !server.url.starts_with("tls://");
+}
 
 std::string text_of(natsStatus status) {
   if (status == NATS_TIMEOUT) return "no answer in time";

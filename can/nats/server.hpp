@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -19,6 +20,10 @@ struct Server {
 
   [[nodiscard]] bool has_tls() const { return url.starts_with("tls://"); }
 };
+
+/// Whether what is sent to @p server, whose URL leads to @p host, can be read on the way: that is another host,
+/// and TLS is not asked for.
+[[nodiscard]] bool is_open_to_others(const Server& server, std::string_view host) noexcept;
 
 /// Options for a connection to @p server that never reconnects by itself, so that nothing is sent late; @p
 /// patience is the time to connect in. The error is one line.

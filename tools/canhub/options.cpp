@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "can/nats_options/nats_options.hpp"
 #include "can/userbus/bit_rate.hpp"
 #include "can/userbus/protocol.hpp"
 #include "cli/completion.hpp"
@@ -78,46 +79,25 @@ bus::Address bridge_of(const std::string& text, const userbus::Path& path) {
 /// What the command line says of the bus of several hosts.
 struct JoinOptions {
   std::optional<std::string> url;
-  nats::Server security;
-  bool plain = false;
-
-  [[nodiscard]] bool has_security() const {
-    return plain || !security.credentials.empty() || !security.certificates.empty() ||
-           !security.certificate.empty() || !security.key.empty();
-  }
+  nats::ServerOptions server;
 };
 
 void add_join_options(CLI::App& app, JoinOptions& join) {
   app.add_option("--join", join.url,
                  "the bus of several hosts that this one becomes a part of, over a NATS server")
       ->type_name("URL");
-  app.add_option("--credentials", join.security.credentials, "with --join: file with the user's JWT and key")
-      ->type_name("FILE");
-  app.add_option("--tls-ca", join.security.certificates, "with --join tls://: file with the certificates to trust")
-      ->type_name("FILE");
-  app.add_option("--tls-cert", join.security.certificate,
-                 "with --join tls://: file with the hub's own certificate")
-      ->type_name("FILE");
-  app.add_option("--tls-key", join.security.key, "with --join tls://: file with its key")->type_name("FILE");
-  app.add_flag("--plain", join.plain, "with --join nats://: speak to another host without TLS");
+  nats::add_server_options(app, join.server, "--join");
 }
 
 std::optional<nats::Bus> bus_of(const JoinOptions& join) {
   if (!join.url) {
-    if (join.has_security()) throw UsageError{"--credentials, --tls-... and --plain go with --join"};
+    if (join.server.are_given()) throw UsageError{"--credentials, --tls-... and --plain go with --join"};
     return std::nullopt;
   }
   auto bus = nats::parse_bus(*join.url);
   if (!bus) throw UsageError{fmt::format("--join: {}, got \"{}\"", bus.error(), *join.url)};
-  if (join.security.certificate.empty() != join.security.key.empty())
-    throw UsageError{"--tls-cert and --tls-key go with each other"};
-  if (bus->is_open_to_others() && !join.plain)
-    throw UsageError{fmt::format(
-        "--join: {} is another host, and everybody on the way can read and write there: tls://, or --plain",
-        bus->host)};
-  const std::string url = bus->server.url;
-  bus->server = join.security;
-  bus->server.url = url;
+  if (auto done = nats::secure(bus->server, bus->host, join.server, "--join"); !done)
+    throw UsageError{done.error()};
   return *std::move(bus);
 }
 
