@@ -24,6 +24,7 @@ enum class ErrorCode : std::uint8_t {
   Off,
   Busy,
   Overflow,
+  Unreachable,
 };
 
 /// The `code` of an error on the control socket.
@@ -46,6 +47,8 @@ inline constexpr std::array kErrorNames{
     ErrorName{ErrorCode::Off, "off", "the unit is switched off"},
     ErrorName{ErrorCode::Busy, "busy", "something that is under way has to end first"},
     ErrorName{ErrorCode::Overflow, "overflow", "too many, or too long"},
+    ErrorName{ErrorCode::Unreachable, "unreachable",
+              "of a farm: its server, the host of the unit or the unit does not answer"},
 };
 static_assert(std::ranges::is_sorted(kErrorNames, {}, &ErrorName::code));
 

@@ -149,4 +149,14 @@ Outcome check(const Method& method, const json& params, std::size_t axes) {
   return {};
 }
 
+tl::expected<std::string, std::string> take_unit(json& params) {
+  const auto unit = params.find("unit");
+  if (unit == params.end()) return {};
+  const json value = *unit;
+  params.erase(unit);
+  if (value.is_string() && !value.get_ref<const std::string&>().empty()) return value.get<std::string>();
+  if (value.is_number_integer()) return value.dump();
+  return tl::unexpected{fmt::format("unit: expected a node-ID or BUS/NODE, got {}", shown(&value))};
+}
+
 }  // namespace control

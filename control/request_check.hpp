@@ -15,4 +15,8 @@ namespace control {
 [[nodiscard]] tl::expected<void, std::string> check(const Method& method, const nlohmann::json& params,
                                                     std::size_t axes);
 
+/// The unit that @p params name, as text, which is taken out of them; empty if they name none. Else in one line
+/// what is wrong with it.
+[[nodiscard]] tl::expected<std::string, std::string> take_unit(nlohmann::json& params);
+
 }  // namespace control

@@ -6,12 +6,14 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <sys/epoll.h>
 
 #include "control/methods.hpp"
 #include "control/request_check.hpp"
+#include "control/units_page.hpp"
 #include "daemon/control/events/carry_out.hpp"
 #include "daemon/control/handlers.hpp"
 #include "service/clock.hpp"
@@ -29,16 +31,13 @@ std::string names_of_methods() {
   return names;
 }
 
-/// The unit that @p params name, as text; it is taken out of them.
-tl::expected<std::string, control::Error> take_unit(json& params) {
-  const auto unit = params.find("unit");
-  if (unit == params.end()) return {};
-  const json value = *unit;
-  params.erase(unit);
-  if (value.is_string() && !value.get_ref<const std::string&>().empty()) return value.get<std::string>();
-  if (value.is_number_integer()) return value.dump();
-  return refuse(ErrorCode::BadParameter,
-                fmt::format("unit: expected a node-ID or BUS/NODE, got {}", value.dump()));
+json entry_of(const ServedUnit& unit) {
+  return {{"unit", unit.name()},
+          {"interface", unit.configuration().address.text},
+          {"node_id", unit.configuration().node_id},
+          {"profile", name_of(unit.configuration().profile())},
+          {"axes", unit.configuration().axes.size()},
+          {"on", unit.instance() != nullptr}};
 }
 
 }  // namespace
@@ -83,8 +82,8 @@ std::optional<Outcome> Dispatcher::carry_out(Asked& asked) {
                   fmt::format("method: expected one of {}, got \"{}\"", names_of_methods(), request.method));
   const ProgramHandler* const program = find_program_handler(method->name);
   const Handler* const handler = find_handler(method->name);
-  const auto name = take_unit(request.params);
-  if (!name) return tl::unexpected{name.error()};
+  const auto name = control::take_unit(request.params);
+  if (!name) return refuse(ErrorCode::BadParameter, name.error());
   const Needs needs = program == nullptr ? Needs::One : program->unit;
   tl::expected<ServedUnit*, control::Error> unit = nullptr;
   if (needs == Needs::One || (needs == Needs::OneOrAll && !name->empty())) unit = fleet_.find(*name);
@@ -120,20 +119,16 @@ void Dispatcher::run(ServedUnit& unit, UnitJob job, std::function<void(Outcome)>
       instance);
 }
 
-std::optional<Outcome> Dispatcher::list_units(const Asked&, ServedUnit*) {
-  json units = json::array();
-  for (const ServedUnit& unit : fleet_.units())
-    units.push_back({{"unit", unit.name()},
-                     {"interface", unit.configuration().address.text},
-                     {"node_id", unit.configuration().node_id},
-                     {"profile", name_of(unit.configuration().profile())},
-                     {"axes", unit.configuration().axes.size()},
-                     {"on", unit.instance() != nullptr}});
-  return json{{"units", std::move(units)},
-              {"clients", server_.clients()},
-              {"refused_clients", server_.counters().refused},
-              {"cut_off_clients", server_.counters().cut_off},
-              {"lost_events", subscriptions_.lost_events()}};
+std::optional<Outcome> Dispatcher::list_units(const Asked& asked, ServedUnit*) {
+  std::vector<const ServedUnit*> units;
+  for (const ServedUnit& unit : fleet_.units()) units.push_back(&unit);
+  json result = control::units_page(asked.request.params.value("from", std::size_t{0}), units.size(),
+                                    [&units](std::size_t at) { return entry_of(*units[at]); });
+  result.update({{"clients", server_.clients()},
+                 {"refused_clients", server_.counters().refused},
+                 {"cut_off_clients", server_.counters().cut_off},
+                 {"lost_events", subscriptions_.lost_events()}});
+  return result;
 }
 
 std::optional<Outcome> Dispatcher::switch_unit_off(const Asked& asked, ServedUnit* unit) {

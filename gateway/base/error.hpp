@@ -100,6 +100,7 @@ inline constexpr std::array kControlStatus{
     ControlStatus{control::ErrorCode::Off, Status::Conflict},
     ControlStatus{control::ErrorCode::Busy, Status::ServiceUnavailable},
     ControlStatus{control::ErrorCode::Overflow, Status::ServiceUnavailable},
+    ControlStatus{control::ErrorCode::Unreachable, Status::ServiceUnavailable},
 };
 static_assert(kControlStatus.size() == control::kErrorNames.size());
 

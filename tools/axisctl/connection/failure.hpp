@@ -68,6 +68,7 @@ inline constexpr std::array kCodeRows{
     CodeRow{control::ErrorCode::Off, ExitStatus::Off},
     CodeRow{control::ErrorCode::Busy, ExitStatus::Busy},
     CodeRow{control::ErrorCode::Overflow, ExitStatus::Busy},
+    CodeRow{control::ErrorCode::Unreachable, ExitStatus::NotReachable},
 };
 static_assert(kCodeRows.size() == control::kErrorNames.size() &&
               std::ranges::is_sorted(kCodeRows, {}, &CodeRow::code));
