@@ -36,6 +36,7 @@ TEST(BashCompletion, OffersSubcommandsOfTheProtocolAndThoseThatAreMore) {
   EXPECT_EQ(offered({"axisctl", "fault", "in"}), "inject\n");
   EXPECT_EQ(offered({"axisctl", "sup"}), "supply\n");
   EXPECT_EQ(offered({"axisctl", "wai"}), "wait\n");
+  EXPECT_EQ(offered({"axisctl", "fleet", "un"}), "undrain\n");
   EXPECT_EQ(offered({"axisctl", "wait", ""}), "ready nmt state fault no-fault value\n");
   EXPECT_EQ(offered({"edstool", ""}), "lint show diff flatten dcf c++\n");
 }
@@ -51,9 +52,10 @@ TEST(BashCompletion, OffersWhatAWordMayBe) {
 }
 
 TEST(BashCompletion, OffersOptionsOfTheSubcommandAndOfThoseAbove) {
-  EXPECT_EQ(offered({"axisctl", "wait", "ready", "--t"}), "--timeout\n");
+  EXPECT_EQ(offered({"axisctl", "wait", "ready", "--ti"}), "--timeout\n");
   EXPECT_EQ(offered({"axisctl", "wait", "ready", "--j"}), "--json\n");
-  EXPECT_EQ(offered({"axisctl", "--t"}), "\n");
+  EXPECT_EQ(offered({"axisctl", "--ti"}), "\n");
+  EXPECT_EQ(offered({"axisctl", "--fa"}), "--farm\n");
   EXPECT_EQ(offered({"canhub", "--pa"}), "--path\n");
   EXPECT_EQ(offered({"canopen-check", "--dev"}), "--deviations\n");
   EXPECT_EQ(offered({"with-can", "--p"}), "--private\n");

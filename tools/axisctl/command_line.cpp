@@ -55,6 +55,7 @@ void CommandLine::add_options() {
                   "Node-ID of the unit as it was told, 0 where p8620 gives it, 255 where LSS does; the same")
       ->check(CLI::Range(0, kHighestNode) | CLI::IsMember({std::string{kAnyUnconfigured}}))
       ->type_name("N");
+  add_farm_options(app_, invocation_.farm);
   app_.add_flag("--json", invocation_.settings.json, "Print the result as one line of JSON");
   app_.add_flag("-b,--brief", invocation_.brief, "Print one line an axis or thing, without heads");
   std::vector<cli::ExitRow> rows;

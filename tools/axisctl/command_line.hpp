@@ -8,12 +8,14 @@
 
 #include "control/method.hpp"
 #include "tools/axisctl/commands/command.hpp"
+#include "tools/axisctl/farm_option.hpp"
 
 namespace axisctl {
 
 /// What the command line asks for.
 struct Invocation {
   Settings settings{};
+  FarmOption farm{};
   std::optional<std::string> interface {};
   std::optional<std::string> unit{};
   bool brief = false;

@@ -4,6 +4,7 @@
 
 #include "can/port/address.hpp"
 #include "control/socket_name.hpp"
+#include "farm/naming/unit_name.hpp"
 #include "tools/axisctl/command_line.hpp"
 #include "tools/axisctl/print/printable.hpp"
 
@@ -39,7 +40,11 @@ int report(const Failure& failure, bool as_json) {
   return status;
 }
 
-Expected<std::string> label_of(const std::string& option, const std::string& interface) {
+/// The name of the bus @p interface in control sockets; in a farm it is one.
+Expected<std::string> label_of(const std::string& option, const std::string& interface, bool in_farm) {
+  if (in_farm && farm::is_name(interface)) return interface;
+  if (in_farm)
+    return fail(ExitStatus::Usage, option + ": expected the name of a bus of the farm, got \"" + interface + '"');
   const auto address = bus::parse_address(interface);
   if (address) return bus::label(*address);
   return fail(ExitStatus::Usage, option + ": expected " + address.error() + ", got \"" + interface + '"');
@@ -48,9 +53,10 @@ Expected<std::string> label_of(const std::string& option, const std::string& int
 /// The interface and node that the options name.
 Expected<void> complete(Invocation& invocation) {
   axisctl::Address& address = invocation.settings.address;
+  const bool in_farm = invocation.settings.farm != nullptr;
   invocation.settings.style = axisctl::style_of_output(invocation.brief);
   if (invocation.interface) {
-    const auto label = label_of("--interface", *invocation.interface);
+    const auto label = label_of("--interface", *invocation.interface, in_farm);
     if (!label) return tl::unexpected{label.error()};
     address.label = *label;
   }
@@ -64,13 +70,16 @@ Expected<void> complete(Invocation& invocation) {
   address.names_unit = true;
   address.node = node;
   if (slash == std::string::npos) return {};
-  const auto label = label_of("--unit", invocation.unit->substr(0, slash));
+  const auto label = label_of("--unit", invocation.unit->substr(0, slash), in_farm);
   if (!label) return tl::unexpected{label.error()};
   address.label = *label;
   return {};
 }
 
 int run(Invocation& invocation) {
+  const auto farm = axisctl::open_farm(invocation.farm, invocation.settings.address.socket);
+  if (!farm) return report(farm.error(), invocation.settings.json);
+  invocation.settings.farm = farm->get();
   if (const auto completed = complete(invocation); !completed)
     return report(completed.error(), invocation.settings.json);
   const auto done = invocation.run(invocation.settings);

@@ -13,6 +13,9 @@
 namespace CLI {
 class App;
 }
+namespace farm {
+class MirrorThread;
+}
 
 namespace axisctl {
 
@@ -21,6 +24,7 @@ struct Settings {
   Address address;
   bool json = false;  ///< for programs
   Style style{};
+  farm::MirrorThread* farm = nullptr;  ///< whose units are meant; nullptr: those of this machine
 };
 
 /// What the chosen subcommand does.
@@ -43,6 +47,7 @@ void add_trace(CLI::App& app, Run& run);
 void add_record(CLI::App& app, Run& run);
 void add_page(CLI::App& app, Run& run);
 void add_run(CLI::App& app, Run& run);
+void add_fleet(CLI::App& app, Run& run);
 
 /// A subcommand of @p app, or the one of that name that it has.
 CLI::App& subcommand(CLI::App& app, std::string_view name, std::string_view summary);
@@ -51,6 +56,8 @@ CLI::App& subcommand(CLI::App& app, std::string_view name, std::string_view summ
 class Session {
  public:
   [[nodiscard]] static Expected<Session> open(const Settings& settings);
+  /// The same; of a farm of which no unit is named, to all its units.
+  [[nodiscard]] static Expected<Session> open_to_all(const Settings& settings);
 
   /// Asks for @p method of the unit.
   [[nodiscard]] Expected<nlohmann::json> ask(std::string_view method,
@@ -63,6 +70,11 @@ class Session {
   Client client_;
   std::string unit_;
 };
+
+/// A connection to the farm of @p settings, which has one.
+[[nodiscard]] Expected<Client> connect_to_farm(const Settings& settings);
+/// Refuses what @p what does if @p settings have a farm, for the reason @p why.
+Expected<void> expect_no_farm(const Settings& settings, std::string_view what, std::string_view why);
 
 /// Writes @p line and a newline to standard output, at once. A failure if it cannot be written.
 Expected<void> print_line(std::string_view line);

@@ -5,8 +5,8 @@
 namespace axisctl {
 
 std::span<const AddCommand> commands() noexcept {
-  static constexpr std::array<AddCommand, 8> kCommands{&add_units, &add_wait,   &add_watch, &add_monitor,
-                                                       &add_trace, &add_record, &add_page,  &add_run};
+  static constexpr std::array<AddCommand, 9> kCommands{
+      &add_units, &add_wait, &add_watch, &add_monitor, &add_trace, &add_record, &add_page, &add_run, &add_fleet};
   return kCommands;
 }
 

@@ -18,6 +18,8 @@ namespace {
 using nlohmann::json;
 using AllWords = std::vector<control::Words>;
 
+constexpr std::string_view kRecordedThere = "the files are written on the host of the unit";
+
 /// A word or an option of @p app for @p parameter, whose words go to @p words.
 void add_argument(CLI::App& app, const control::Parameter& parameter, control::Words& words) {
   const std::string help{parameter.help};
@@ -44,6 +46,9 @@ CLI::App& group_of(CLI::App& app, const control::Method& method) {
 }
 
 Expected<void> run_method(const control::Method& method, const AllWords& words, const Settings& settings) {
+  if (method.group == "record")
+    if (auto done = expect_no_farm(settings, "record " + std::string{method.command}, kRecordedThere); !done)
+      return done;
   const auto params = control::parse_words(method, words);
   if (!params) return fail(ExitStatus::Usage, params.error());
   auto session = Session::open(settings);

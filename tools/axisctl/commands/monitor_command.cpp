@@ -32,7 +32,7 @@ std::string line_of(json event) {
 }
 
 Expected<void> run_monitor(const Settings& settings, const Monitor& monitor) {
-  auto session = Session::open(settings);
+  auto session = Session::open_to_all(settings);
   if (!session) return tl::unexpected{session.error()};
   json params = json::object();
   if (!monitor.kinds.empty()) params["kinds"] = monitor.kinds;

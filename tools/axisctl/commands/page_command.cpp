@@ -107,6 +107,10 @@ Expected<std::vector<PageUnit>> units_of_files(const Settings& settings, const P
 }
 
 Expected<void> run_page(const Settings& settings, const PageWish& wish) {
+  if (wish.from.empty())
+    if (auto done = expect_no_farm(settings, "record --html", "the recording is written on the host of the unit");
+        !done)
+      return done;
   if (auto folder = check_folder_of(wish.html); !folder) return folder;
   auto blank = read_template(wish.blank);
   if (!blank) return tl::unexpected{blank.error()};

@@ -157,6 +157,10 @@ Expected<void> conclude(const Settings& settings, const RunWish& wish, const std
 Expected<void> run_scenarios(const Settings& settings, const RunWish& wish) {
   if (wish.schema) return print_line(scenario::schema().dump(2));
   if (wish.list) return list_installed(settings);
+  if (!wish.check)
+    if (auto done = expect_no_farm(settings, "run", "a scenario has units and a bus of its own, on this machine");
+        !done)
+      return done;
   if (wish.files.empty()) return fail(ExitStatus::Usage, "SCENARIO: expected a file or a name; see --list");
   scenario::RunOptions options{.keep = wish.keep};
   if (!wish.bus.empty()) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <deque>
 #include <system_error>
 #include <utility>
 
@@ -22,6 +23,8 @@ using nlohmann::json;
 // A daemon that is alive answers within a turn of its event loop.
 constexpr std::chrono::seconds kPatience{10};
 constexpr std::chrono::seconds kForEver{0};
+/// Requests that are sent before the answer to the first one is read.
+constexpr std::size_t kMostAtATime = 64;
 
 std::string reason() {
   return std::generic_category().message(errno);
@@ -68,7 +71,7 @@ bool Client::send_all(std::string_view rest) {
 
 Expected<std::string> Client::read_line() {
   const auto failed = [this](ExitStatus status, std::string_view what) {
-    return fail(status, fmt::format("{}: {}", path_, what));
+    return fail(status, fmt::format("{}: {}", name_, what));
   };
   std::array<char, 4096> part{};
   while (true) {
@@ -92,12 +95,15 @@ Expected<std::string> Client::read_line() {
   }
 }
 
-Expected<json> Client::ask(const Call& call) {
+Expected<int> Client::send(const Call& call) {
   wait_at_most(kPatience);
   const int id = ++last_id_;
   // A daemon that closes the connection before it has read the request may have said why.
-  if (!send_all(control::request_line(id, call.method, call.params)) && errno != EPIPE)
-    return fail(ExitStatus::Failed, fmt::format("{}: {}", path_, reason()));
+  if (send_all(control::request_line(id, call.method, call.params)) || errno == EPIPE) return id;
+  return fail(ExitStatus::Failed, fmt::format("{}: {}", name_, reason()));
+}
+
+Expected<json> Client::answer_to(int id) {
   while (true) {
     const auto line = read_line();
     if (!line) return tl::unexpected{line.error()};
@@ -114,15 +120,30 @@ Expected<json> Client::ask(const Call& call) {
   }
 }
 
+Expected<json> Client::ask(const Call& call) {
+  return send(call).and_then([this](int id) { return answer_to(id); });
+}
+
+std::vector<Expected<json>> Client::ask_all(std::span<const Call> calls) {
+  std::vector<Expected<json>> results;
+  std::deque<Expected<int>> asked;
+  for (std::size_t next = 0; results.size() < calls.size();) {
+    while (next < calls.size() && asked.size() < kMostAtATime) asked.push_back(send(calls[next++]));
+    results.push_back(asked.front().and_then([this](int id) { return answer_to(id); }));
+    asked.pop_front();
+  }
+  return results;
+}
+
 Expected<std::optional<json>> Client::next_notice() {
   wait_at_most(kForEver);
   const auto line = read_line();
   if (!line && line.error().status == ExitStatus::CutOff) return std::nullopt;
   if (!line) return tl::unexpected{line.error()};
   json notice = control::parse_line(*line);
-  if (!notice.is_object()) return fail(ExitStatus::NotUnderstood, path_ + ": expected an object a line");
+  if (!notice.is_object()) return fail(ExitStatus::NotUnderstood, name_ + ": expected an object a line");
   if (const auto error = notice.find("error"); error != notice.end() && error->is_object())
-    return fail(ExitStatus::CutOff, fmt::format("{}: {}", path_, error->value("message", "the daemon gives up")));
+    return fail(ExitStatus::CutOff, fmt::format("{}: {}", name_, error->value("message", "the daemon gives up")));
   return notice;
 }
 

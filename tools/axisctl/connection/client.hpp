@@ -2,8 +2,10 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -23,21 +25,28 @@ class Client {
  public:
   /// Connects to the daemon at socket @p path.
   [[nodiscard]] static Expected<Client> connect(const std::string& path);
+  /// Speaks to what is at the other end of @p socket, a stream; @p name is what messages call it.
+  Client(std::string name, os::Descriptor socket) : name_{std::move(name)}, socket_{std::move(socket)} {}
 
+  /// How messages call the daemon: the path of its socket.
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
   /// The result of @p call. Notices that come before it are left out.
   [[nodiscard]] Expected<nlohmann::json> ask(const Call& call);
+  /// The results of @p calls, in their order, many asked at a time.
+  [[nodiscard]] std::vector<Expected<nlohmann::json>> ask_all(std::span<const Call> calls);
   /// The next line that the daemon sends unasked; nothing once it has closed the connection.
   [[nodiscard]] Expected<std::optional<nlohmann::json>> next_notice();
 
  private:
-  Client(std::string path, os::Descriptor socket) : path_{std::move(path)}, socket_{std::move(socket)} {}
-
   bool send_all(std::string_view rest);
+  /// Asks; the number of the request.
+  Expected<int> send(const Call& call);
+  Expected<nlohmann::json> answer_to(int id);
   /// One line without its newline.
   Expected<std::string> read_line();
   void wait_at_most(std::chrono::seconds time);
 
-  std::string path_;
+  std::string name_;
   os::Descriptor socket_;
   std::string input_{};
   int last_id_ = 0;

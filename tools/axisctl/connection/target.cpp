@@ -12,6 +12,7 @@
 #include "control/socket_name.hpp"
 #include "os/descriptor.hpp"
 #include "tools/axisctl/connection/client.hpp"
+#include "tools/axisctl/connection/whole_answer.hpp"
 
 namespace axisctl {
 
@@ -23,6 +24,14 @@ bool fits(const Address& address, std::string_view label, std::string_view stati
   const bool is_on_bus = !address.label || *address.label == label;
   const bool is_any = address.node == kAnyUnconfigured && control::is_unconfigured(station);
   return is_on_bus && (!address.node || *address.node == station || is_any);
+}
+
+/// Whether @p unit, of a list of units, can be meant.
+bool fits(const Address& address, const json& unit) {
+  const std::string name = unit.value("unit", "");
+  const std::size_t slash = name.rfind('/');
+  const std::string_view whole{name};
+  return slash != std::string::npos && fits(address, whole.substr(0, slash), whole.substr(slash + 1));
 }
 
 /// Whether nobody listens at @p path any more. A socket of another type is refused before the daemon notices.
@@ -44,15 +53,11 @@ std::string text_of(const Address& address) {
 /// The units of the daemon at @p path that @p address means, where one socket serves many.
 std::vector<Target> units_of(const std::string& path, const Address& address) {
   std::vector<Target> found;
-  const auto result = ask(path, {"units"});
-  if (!result || !result->is_object()) return found;
-  for (const json& unit : result->value("units", json::array())) {
-    const std::string name = unit.is_object() ? unit.value("unit", "") : "";
-    const std::size_t slash = name.rfind('/');
-    if (slash == std::string::npos) continue;
-    const std::string_view whole{name};
-    if (fits(address, whole.substr(0, slash), whole.substr(slash + 1))) found.push_back({path, name});
-  }
+  auto client = Client::connect(path);
+  const auto units = client.and_then(list_units);
+  if (!units) return found;
+  for (const json& unit : *units)
+    if (fits(address, unit)) found.push_back({path, unit.value("unit", "")});
   return found;
 }
 
@@ -100,6 +105,43 @@ Expected<Target> choose_target(const Address& address) {
     return fail(ExitStatus::NotReachable, fmt::format("no daemon {} runs: it would have its control socket in {}",
                                                       text_of(address), control::runtime_directory()));
   return Target{control::default_socket_path(control::kDefaultInterface, control::kDefaultNode)};
+}
+
+Expected<json> list_units(Client& client) {
+  const auto ask = [&client](std::string_view method, json params) {
+    return client.ask({method, std::move(params)});
+  };
+  auto result = ask_whole(ask, "units", json::object());
+  if (!result) return result;
+  json units = result->is_object() ? result->value("units", json::array()) : json::array();
+  if (!units.is_array()) return fail(ExitStatus::NotUnderstood, client.name() + ": expected a list of units");
+  std::erase_if(units.get_ref<json::array_t&>(), [](const json& unit) { return !unit.is_object(); });
+  return units;
+}
+
+Expected<std::string> choose_unit(Client& farm, const Address& address) {
+  const auto none = [&] {
+    const bool says_nothing = !address.label && !address.node;
+    return fail(ExitStatus::NotReachable, fmt::format("{}: the farm has no unit{}", farm.name(),
+                                                      says_nothing ? "" : ' ' + text_of(address)));
+  };
+  if (address.label && address.node && address.node != kAnyUnconfigured) {
+    std::string name = *address.label + '/' + *address.node;
+    const auto known = farm.ask({"units", {{"unit", name}}});
+    if (known) return name;
+    if (known.error().status != status_of(control::ErrorCode::UnknownUnit)) return tl::unexpected{known.error()};
+    return none();
+  }
+  auto units = list_units(farm);
+  if (!units) return tl::unexpected{units.error()};
+  std::erase_if(units->get_ref<json::array_t&>(), [&](const json& unit) { return !fits(address, unit); });
+  if (units->empty()) return none();
+  if (units->size() == 1) return units->front().value("unit", "");
+  Failure several{.status = ExitStatus::Usage,
+                  .message = "several units fit; choose one with --unit, or --interface and --node-id:"};
+  for (const json& unit : *units)
+    several.choices.push_back(fmt::format("{} (host {})", unit.value("unit", ""), unit.value("host", "")));
+  return tl::unexpected{std::move(several)};
 }
 
 std::vector<std::string> served_sockets() {

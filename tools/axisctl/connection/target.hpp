@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/axisctl/connection/client.hpp"
 #include "tools/axisctl/connection/failure.hpp"
 
 namespace axisctl {
@@ -28,6 +29,12 @@ struct Target {
 
 /// The unit that @p address means: the only one of the machine that fits what it says.
 [[nodiscard]] Expected<Target> choose_target(const Address& address);
+
+/// The unit of @p farm, a connection to a farm, that @p address means: the only one that fits what it says.
+[[nodiscard]] Expected<std::string> choose_unit(Client& farm, const Address& address);
+
+/// All units of the daemon that @p client speaks to, as `units` gives them.
+[[nodiscard]] Expected<nlohmann::json> list_units(Client& client);
 
 /// Paths of the control sockets in the runtime folders that somebody serves.
 [[nodiscard]] std::vector<std::string> served_sockets();
