@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "control/eds_file.hpp"
+#include "gateway/units/unit_list.hpp"
 #include "os/regular_file.hpp"
 
 namespace gateway {
@@ -46,7 +47,7 @@ Response EdsFiles::response_for(const UnitKind& kind) {
 }
 
 void EdsFiles::answer(const std::shared_ptr<Exchange>& exchange, const std::string& unit, DaemonClient& daemon) {
-  daemon.ask("units", json::object(), [this, exchange, unit](const Answer& units) {
+  ask_for_units(daemon, [this, exchange, unit](const Answer& units) {
     exchange->answer(units ? response_for(kind_of(*units, unit)) : response_of(units.error()));
   });
 }

@@ -10,6 +10,7 @@
 #include "gateway/metrics/exposition.hpp"
 #include "gateway/page/page_answer.hpp"
 #include "gateway/routes/routes.hpp"
+#include "gateway/units/unit_list.hpp"
 #include "text/number.hpp"
 #include "version/version.hpp"
 
@@ -45,17 +46,20 @@ void answer_units(const std::shared_ptr<Exchange>& exchange, const Daemons& daem
     }
     exchange->answer(Response{.body = text_of(result)});
   });
-  for (DaemonClient* const client : daemons.clients()) client->ask("units", json::object(), gathering->place());
+  for (DaemonClient* const client : daemons.clients()) ask_for_units(*client, gathering->place());
 }
 
 /// Two answers a unit, in the order of the names.
 void answer_metrics(const std::shared_ptr<Exchange>& exchange, const Daemons& daemons, const Counters& counters) {
   const std::vector<std::string> names = daemons.units();
+  std::vector<std::string> hosts;
+  for (const std::string& name : names) hosts.push_back(daemons.host_of(name));
   const std::string own = own_metrics(counters, daemons.clients().size(), names.size());
-  const auto gathering = Gathering::make([exchange, names, own](Gathering::Answers answers) {
+  const auto gathering = Gathering::make([exchange, names, hosts, own](Gathering::Answers answers) {
     std::vector<UnitSample> units;
     for (std::size_t at = 0; at < names.size(); ++at)
-      units.push_back({names[at], answers[2 * at].value_or(nullptr), answers[2 * at + 1].value_or(nullptr)});
+      units.push_back(
+          {names[at], answers[2 * at].value_or(nullptr), answers[2 * at + 1].value_or(nullptr), hosts[at]});
     exchange->answer(Response{.body = exposition(units) + own, .content_type = kExpositionType});
   });
   for (const std::string& name : names)

@@ -90,7 +90,7 @@ tl::expected<LiveFeeds::Feed*, Error> LiveFeeds::begin(What what, const json& pa
   if (static_cast<std::size_t>(std::ranges::count_if(feeds_, is_like_it)) >= kMostFeeds)
     return tl::unexpected{refuse(Refused::TooMany, fmt::format("{} different feeds of {} are open at this daemon",
                                                                kMostFeeds, row_of(what).notice))};
-  auto opened = DaemonClient::open(events_, path, *this);
+  auto opened = daemons_.connect(path, *this);
   if (!opened) return tl::unexpected{refuse(Refused::NoDaemon, opened.error())};
   DaemonClient& client = **opened;
   Feed& feed = feeds_.emplace_back(Feed{what, params, ++last_number_, *std::move(opened), clock_()});

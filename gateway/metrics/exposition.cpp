@@ -114,11 +114,12 @@ void add_up(Samples& samples, const UnitSample& sample) {
 
 void add_info(Samples& samples, const UnitSample& sample) {
   if (!answers(sample)) return;
-  samples.add({{"unit", sample.unit},
-               {"interface", text_of(at(sample.status, "/interface"))},
-               {"node_id", text_of(at(sample.status, "/node_id"))},
-               {"version", text_of(at(sample.status, "/version"))}},
-              1);
+  Labels labels{{"unit", sample.unit},
+                {"interface", text_of(at(sample.status, "/interface"))},
+                {"node_id", text_of(at(sample.status, "/node_id"))},
+                {"version", text_of(at(sample.status, "/version"))}};
+  if (!sample.host.empty()) labels.emplace_back("host", sample.host);
+  samples.add(labels, 1);
 }
 
 void add_nmt_state(Samples& samples, const UnitSample& sample) {

@@ -12,6 +12,7 @@ struct UnitSample {
   std::string unit;                  ///< its name, "vcan0/5"
   nlohmann::json status = nullptr;   ///< result of the control method `status`; null: no answer
   nlohmann::json metrics = nullptr;  ///< result of `metrics`
+  std::string host{};                ///< of a farm: where it is; else empty
 };
 
 /// Media type of what exposition() gives.

@@ -41,7 +41,7 @@ OrderedJson units_schema(const nlohmann::json& units) {
     return OrderedJson::parse(text);
   };
   OrderedJson daemon{
-      {"socket", {{"type", "string"}, {"description", "path of its control socket"}}},
+      {"socket", {{"type", "string"}, {"description", "path of its control socket, or the URL of the farm"}}},
       {"units", {{"type", "array"}, {"items", {{"type", "string"}}}, {"description", "their names"}}}};
   OrderedJson required = OrderedJson::array({"socket", "units"});
   for (const char* const key : {"clients", "refused_clients", "cut_off_clients", "lost_events"}) {
@@ -74,7 +74,8 @@ OrderedJson overview_schema(const nlohmann::json& status) {
       {"properties",
        {{"unit", {{"type", "string"}}},
         {"on", {{"type", "boolean"}, {"description", "it is switched on, and its daemon has answered"}}},
-        {"error", {{"type", "string"}, {"description", "why nothing is known of it; absent if it is off"}}}}},
+        {"error", {{"type", "string"}, {"description", "why nothing is known of it; absent if it is off"}}},
+        {"host", {{"type", "string"}, {"description", "of a farm: where it is"}}}}},
       {"required", {"unit", "on"}}};
   const OrderedJson plain = part_of(status, kStatus, kOverviewKeys);
   unit["properties"].update(plain["properties"]);

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "can/nats_options/nats_options.hpp"
 #include "cli/completion.hpp"
 #include "cli/exit_status.hpp"
 #include "control/socket_name.hpp"
@@ -19,7 +20,8 @@ namespace {
 using axisd::LogLevel;
 
 constexpr const char* kDescription =
-    "Serves the units of all axisd of this machine over HTTP: REST, server-sent events and metrics.";
+    "Serves the units of all axisd of this machine, or of a farm, over HTTP: REST, server-sent events and "
+    "metrics.";
 constexpr std::array kExitRows{
     cli::ExitRow{kDone, "ended by SIGTERM or SIGINT"},
     cli::ExitRow{kFailure, "failed: an address is taken, the token file cannot be read"},
@@ -60,6 +62,8 @@ struct Words {
   std::vector<std::string> hosts;
   std::vector<std::string> origins;
   std::string level = "info";
+  std::optional<std::string> farm;
+  nats::ServerOptions server;
 };
 
 void add_options(CLI::App& app, Options& options, Words& words) {
@@ -83,11 +87,29 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_option("--socket", options.sockets,
                  "control socket of a daemon, may be given several times (default: all daemons of this machine)")
       ->type_name("PATH");
+  app.add_option(
+         "--farm", words.farm,
+         "farm whose units are served in place of those of this machine, nats://HOST[:PORT]/FARM or tls://")
+      ->type_name("URL");
+  nats::add_server_options(app, words.server, "--farm");
   app.add_option("--page", options.page, "folder of the web page (default: share/axisd/web beside the program)")
       ->type_name("FOLDER");
   app.add_option("--log-level", words.level, "error, warning, notice, info or debug (default: info)")
       ->type_name("LEVEL");
   cli::add_completion(app, complete_levels);
+}
+
+std::optional<farm::FarmUrl> farm_of(const Words& given, const Options& options) {
+  if (!given.farm) {
+    if (given.server.are_given()) throw UsageError{"--credentials, --tls-... and --plain go with --farm"};
+    return std::nullopt;
+  }
+  if (!options.sockets.empty()) throw UsageError{"--farm does not go with --socket"};
+  auto farm = farm::parse_farm_url(*given.farm);
+  if (!farm) throw UsageError{fmt::format("--farm: {}, got \"{}\"", farm.error(), *given.farm)};
+  if (const auto secured = nats::secure(farm->server, farm->host, given.server, "--farm"); !secured)
+    throw UsageError{secured.error()};
+  return *std::move(farm);
 }
 
 }  // namespace
@@ -112,6 +134,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   for (const std::string& path : options.sockets)
     if (const auto address = control::socket_address(path); !address)
       throw UsageError{"--socket: " + address.error()};
+  options.farm = farm_of(given, options);
   options.log_level = log_level_of(given.level);
   return options;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "farm/naming/farm_url.hpp"
 #include "gateway/security/authority.hpp"
 #include "service/log.hpp"
 
@@ -25,8 +26,9 @@ struct Options {
   std::vector<std::string> allow_origins;  ///< in lower case: scheme://host[:port]
   std::string token_file;                  ///< empty: token_path()
   bool read_only = false;
-  std::string page;                  ///< folder of the web page; empty: that beside the program
-  std::vector<std::string> sockets;  ///< of the only daemons; empty: those of the machine
+  std::string page;                   ///< folder of the web page; empty: that beside the program
+  std::vector<std::string> sockets;   ///< of the only daemons; empty: those of the machine
+  std::optional<farm::FarmUrl> farm;  ///< whose units are served in place of those of the machine
   axisd::LogLevel log_level = axisd::LogLevel::Info;
 };
 

@@ -7,6 +7,7 @@
 #include <systemd/sd-daemon.h>
 
 #include "gateway/page/share_folder.hpp"
+#include "gateway/program/farm_reach.hpp"
 #include "gateway/security/token.hpp"
 #include "service/clock.hpp"
 
@@ -31,6 +32,11 @@ AccessRules rules_of(const Options& options) {
   return rules;
 }
 
+std::unique_ptr<Reach> reach_of(const Options& options) {
+  if (options.farm) return std::make_unique<FarmReach>(*options.farm);
+  return std::make_unique<SocketReach>(options.sockets);
+}
+
 /// Where the page lies.
 std::string page_place(const Options& options) {
   return options.page.empty() ? (share_folder() / "web").string() : options.page;
@@ -49,7 +55,7 @@ int milliseconds_until(canopen::TimePoint when) noexcept {
 Program::Program(const Options& options, const axisd::Log& log)
     : log_{log},
       events_{[this] { is_stopping_ = true; }},
-      daemons_{events_, options.sockets, log},
+      daemons_{events_, reach_of(options), log},
       event_feed_{daemons_},
       sample_feed_{events_, daemons_, kSampleFeed},
       frame_feed_{events_, daemons_, kFrameFeed},

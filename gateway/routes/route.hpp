@@ -37,7 +37,7 @@ struct Route {
   std::string_view ends_with{};  ///< the method that takes back what `method` has begun
   std::array<std::string_view, 2>
       in_query{};              ///< parameters of a PUT, POST, PATCH or DELETE that say what is meant
-  std::string_view without{};  ///< the parameter that another route of the method has
+  std::string_view without{};  ///< the parameter that another route of the method has, or that is asked for here
   std::string_view alias{};    ///< parameter that {alias_of} of the path stands for
   std::string_view alias_of{};
   std::string_view summary{};  ///< one line; empty: that of the method

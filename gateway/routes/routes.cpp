@@ -49,6 +49,7 @@ constexpr std::array kRoutes{
           .path = "/api/v1/units",
           .method = "units",
           .kind = Kind::Units,
+          .without = "from",
           .summary = "List the units of all daemons"},
 
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}", .method = "status"},

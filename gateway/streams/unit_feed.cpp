@@ -55,7 +55,7 @@ tl::expected<UnitFeed::Subscription*, Error> UnitFeed::subscribe(const json& par
     return tl::unexpected{
         refuse(Refused::TooMany,
                fmt::format("{} different streams of this kind are open at this daemon", kMostSubscriptions))};
-  auto client = DaemonClient::open(events_, path, *this);
+  auto client = daemons_.connect(path, *this);
   if (!client) return tl::unexpected{refuse(Refused::NoDaemon, client.error())};
   return &all_.emplace_back(Subscription{params, *std::move(client)});
 }

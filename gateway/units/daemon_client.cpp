@@ -29,6 +29,16 @@ std::string notice_key(const json& line) {
   return key == "id" || key == "result" || key == "error" ? std::string{} : key;
 }
 
+/// Why the connection ends with @p line, which is neither an answer nor a notice: the daemon says it, or that is
+/// why.
+std::string last_word(const json& line) {
+  const json error = line.is_object() && line.value("id", json{}).is_null() ? line.value("error", json{}) : json{};
+  const json message = error.is_object() ? error.value("message", json{}) : json{};
+  return message.is_string() && !message.get_ref<const std::string&>().empty()
+             ? message.get<std::string>()
+             : "the daemon sent what is no line of the protocol";
+}
+
 /// A notice as text: {"KEY":{...}}.
 struct NoticeText {
   std::string_view key;
@@ -53,15 +63,11 @@ std::optional<NoticeText> notice_text(std::string_view line) noexcept {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<DaemonClient>, std::string> DaemonClient::open(axisd::ServiceEvents& events,
-                                                                            const std::string& path,
-                                                                            Listener& listener) {
-  std::unique_ptr<DaemonClient> made{new DaemonClient{path, listener}};
-  auto connection = LineConnection::open(events, path, *made);
-  if (!connection) return tl::unexpected{std::move(connection.error())};
-  made->connection_ = *std::move(connection);
-  return made;
-}
+DaemonClient::DaemonClient(axisd::ServiceEvents& events, std::string path, os::Descriptor socket,
+                           Listener& listener)
+    : path_{std::move(path)},
+      listener_{listener},
+      connection_{std::make_unique<LineConnection>(events, std::move(socket), *this)} {}
 
 DaemonClient::~DaemonClient() {
   give_up(refuse(Refused::NoDaemon, fmt::format("{}: the connection to the daemon has ended", path_)));
@@ -91,30 +97,34 @@ void DaemonClient::give_up(const Error& why) {
   for (Waiting& waiting : std::exchange(waiting_, {})) waiting.on_answer(tl::unexpected{why});
 }
 
-bool DaemonClient::on_line(std::string_view line) {
+std::string DaemonClient::on_line(std::string_view line) {
   if (const auto notice = notice_text(line); notice && listener_.on_notice_text(*this, notice->key, notice->value))
-    return true;
-  if (!waiting_.empty()) {
-    const int id = waiting_.front().id;
-    auto answer = control::parse_answer(line, id);
-    if (answer) return take_answer(*std::move(answer)), true;
-    if (answer.error().is_answer) {
-      if (control::parse_line(line).value("id", json{}) != id) return false;
-      control::AnswerError& error = answer.error();
-      return take_answer(tl::unexpected{
-                 refused_by_daemon(error.code, std::move(error.message), std::move(error.details))}),
-             true;
-    }
-  }
+    return {};
   const json object = control::parse_line(line);
+  if (const auto waiting = waiting_for(object); waiting != waiting_.end()) {
+    auto answer = control::parse_answer(line, waiting->id);
+    if (answer) return take_answer(waiting, *std::move(answer)), std::string{};
+    control::AnswerError& error = answer.error();
+    if (error.is_answer)
+      return take_answer(waiting, tl::unexpected{refused_by_daemon(error.code, std::move(error.message),
+                                                                   std::move(error.details))}),
+             std::string{};
+  }
   const std::string key = notice_key(object);
-  if (!key.empty()) listener_.on_notice(*this, key, object.front());
-  return !key.empty();
+  if (key.empty()) return last_word(object);
+  listener_.on_notice(*this, key, object.front());
+  return {};
 }
 
-void DaemonClient::take_answer(Answer answer) {
-  const OnAnswer on_answer = std::move(waiting_.front().on_answer);
-  waiting_.pop_front();
+/// Answers come in the order of the requests, or, from a farm, as they come.
+std::deque<DaemonClient::Waiting>::iterator DaemonClient::waiting_for(const json& answer) {
+  const json id = answer.is_object() ? answer.value("id", json{}) : json{};
+  return std::ranges::find_if(waiting_, [&id](const Waiting& waiting) { return id == waiting.id; });
+}
+
+void DaemonClient::take_answer(std::deque<Waiting>::iterator waiting, Answer answer) {
+  const OnAnswer on_answer = std::move(waiting->on_answer);
+  waiting_.erase(waiting);
   on_answer(std::move(answer));
 }
 

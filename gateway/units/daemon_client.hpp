@@ -24,7 +24,7 @@ using OnAnswer = std::function<void(Answer)>;
 class DaemonClient final : private LineConnection::Listener {
  public:
   /// Most requests that wait for an answer.
-  static constexpr std::size_t kMostWaiting = 1024;
+  static constexpr std::size_t kMostWaiting = 4096;
 
   /// Who hears.
   class Listener {
@@ -42,10 +42,10 @@ class DaemonClient final : private LineConnection::Listener {
     virtual void on_gone(DaemonClient& client, const std::string& why) = 0;
   };
 
-  /// Connects to the daemon at socket @p path; an error is one line. @p events and @p listener outlive it.
-  [[nodiscard]] static tl::expected<std::unique_ptr<DaemonClient>, std::string> open(axisd::ServiceEvents& events,
-                                                                                     const std::string& path,
-                                                                                     Listener& listener);
+  /// Speaks to the daemon at the other end of @p socket, a stream that does not block; @p path is what it is
+  /// called.
+  /// @p events and @p listener outlive it. Throws std::system_error.
+  DaemonClient(axisd::ServiceEvents& events, std::string path, os::Descriptor socket, Listener& listener);
   DaemonClient(const DaemonClient&) = delete;
   DaemonClient& operator=(const DaemonClient&) = delete;
   /// Whoever waits is told that there is no daemon.
@@ -66,10 +66,10 @@ class DaemonClient final : private LineConnection::Listener {
     OnAnswer on_answer;
   };
 
-  DaemonClient(std::string path, Listener& listener) : path_{std::move(path)}, listener_{listener} {}
-  bool on_line(std::string_view line) override;
+  std::string on_line(std::string_view line) override;
   void on_closed(const std::string& why) override;
-  void take_answer(Answer answer);
+  std::deque<Waiting>::iterator waiting_for(const nlohmann::json& answer);
+  void take_answer(std::deque<Waiting>::iterator waiting, Answer answer);
 
   std::string path_;
   Listener& listener_;

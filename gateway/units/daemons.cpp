@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "control/discovery/socket_files.hpp"
+#include "gateway/units/unit_list.hpp"
 
 namespace gateway {
 namespace {
@@ -24,6 +24,15 @@ std::vector<std::string> names_in(const json& result) {
   return names;
 }
 
+/// The hosts of units of a farm, by the units.
+std::map<std::string, std::string, std::less<>> hosts_in(const json& result) {
+  std::map<std::string, std::string, std::less<>> hosts;
+  for (const json& unit : result.value("units", json::array()))
+    if (unit.is_object() && unit.value("host", json{}).is_string())
+      hosts[unit.value("unit", "")] = unit["host"].get<std::string>();
+  return hosts;
+}
+
 std::string text_of(const std::vector<std::string>& units) {
   if (units.empty()) return "no unit";
   return units.size() == 1 ? units.front() : fmt::format("{} and {} more units", units.front(), units.size() - 1);
@@ -31,8 +40,8 @@ std::string text_of(const std::vector<std::string>& units) {
 
 }  // namespace
 
-Daemons::Daemons(axisd::ServiceEvents& events, std::vector<std::string> paths, const axisd::Log& log)
-    : events_{events}, paths_{std::move(paths)}, log_{log} {
+Daemons::Daemons(axisd::ServiceEvents& events, std::unique_ptr<Reach> reach, const axisd::Log& log)
+    : events_{events}, reach_{std::move(reach)}, log_{log} {
   timer_ = events_.timer(
       [](sd_event_source*, std::uint64_t, void* self) noexcept {
         static_cast<Daemons*>(self)->look();
@@ -54,9 +63,9 @@ void Daemons::look() {
     client.give_up(refuse(Refused::SilentDaemon, fmt::format("{}: the daemon does not answer", client.path())));
     forget(client, "no answer within 10 s");
   }
-  if (paths_.empty())
-    for (const control::SocketFile& file : control::socket_files()) reach(file.path);
-  for (const std::string& path : paths_) reach(path);
+  if (reach_->do_units_change())
+    for (Daemon& daemon : daemons_) ask_for_units(daemon);
+  for (const std::string& path : reach_->places()) reach(path);
   axisd::ServiceEvents::start(timer_, kPeriod);
 }
 
@@ -64,15 +73,22 @@ void Daemons::look() {
 void Daemons::reach(const std::string& path) {
   const auto is_there = [&path](const Daemon& daemon) { return daemon.client->path() == path; };
   if (std::ranges::any_of(daemons_, is_there)) return;
-  auto opened = DaemonClient::open(events_, path, *this);
+  auto opened = connect(path, *this);
   if (!opened) {
-    if (!paths_.empty()) complain(opened.error());
+    if (reach_->are_named()) complain(opened.error());
     return;
   }
-  DaemonClient& client = *daemons_.emplace_back(Daemon{*std::move(opened)}).client;
-  complaints_.clear();
-  client.ask("units", json::object(), [this, &client](const Answer& answer) { take_units(client, answer); });
-  if (wants_events_) subscribe(client);
+  Daemon& daemon = daemons_.emplace_back(Daemon{*std::move(opened)});
+  if (!reach_->do_units_change()) complaints_.clear();
+  ask_for_units(daemon);
+  if (wants_events_) subscribe(*daemon.client);
+}
+
+tl::expected<std::unique_ptr<DaemonClient>, std::string> Daemons::connect(const std::string& path,
+                                                                          DaemonClient::Listener& listener) {
+  auto socket = reach_->connect(path);
+  if (!socket) return tl::unexpected{std::move(socket.error())};
+  return std::make_unique<DaemonClient>(events_, path, *std::move(socket), listener);
 }
 
 /// Once for each reason, until another daemon has come.
@@ -80,19 +96,41 @@ void Daemons::complain(const std::string& why) {
   if (complaints_.insert(why).second) log_.notice("{}", why);
 }
 
+void Daemons::ask_for_units(Daemon& daemon) {
+  if (std::exchange(daemon.is_asked, true)) return;
+  DaemonClient& client = *daemon.client;
+  gateway::ask_for_units(client, [this, &client](const Answer& answer) { take_units(client, answer); });
+}
+
+/// A farm whose server is away has no answer; what was subscribed to before is so no more when it is back.
 void Daemons::take_units(DaemonClient& client, const Answer& answer) {
-  if (!answer) return;
-  const auto daemon = std::ranges::find(daemons_, &client, [](const Daemon& each) { return each.client.get(); });
+  const auto daemon = find(client);
   if (daemon == daemons_.end()) return;
-  daemon->units = names_in(*answer);
-  daemon->is_known = true;
-  for (const std::string& unit : daemon->units)
-    if (const auto first = find(unit); first && *first != &client)
-      log_.warning("{}: has a unit {} as {} has, which is reached under this name", client.path(), unit,
-                   (*first)->path());
-  for (const std::string& unit : daemon->units)
+  daemon->is_asked = false;
+  if (!answer) {
+    if (reach_->do_units_change()) complain(answer.error().message);
+    daemon->is_lost = true;
+    return;
+  }
+  if (std::exchange(daemon->is_lost, false)) {
+    complaints_.clear();
+    if (wants_events_) subscribe(client);
+  }
+  std::vector<std::string> names = names_in(*answer);
+  daemon->hosts = hosts_in(*answer);
+  if (std::exchange(daemon->is_known, true) && names == daemon->units) return;
+  daemon->units = std::move(names);
+  tell_of_units(*daemon);
+}
+
+void Daemons::tell_of_units(const Daemon& daemon) {
+  const std::string& path = daemon.client->path();
+  for (const std::string& unit : daemon.units)
+    if (const auto first = find(unit); first && *first != daemon.client.get())
+      log_.warning("{}: has a unit {} as {} has, which is reached under this name", path, unit, (*first)->path());
+  for (const std::string& unit : daemon.units)
     if (known_.size() < kMostKnown) known_.insert(unit);
-  log_.info("{}: {}", client.path(), text_of(daemon->units));
+  log_.info("{}: {}", path, text_of(daemon.units));
   if (listener_ != nullptr) listener_->on_units();
 }
 
@@ -115,6 +153,16 @@ tl::expected<DaemonClient*, Error> Daemons::find(std::string_view unit) const {
   return tl::unexpected{refused_by_daemon(control::ErrorCode::UnknownUnit,
                                           fmt::format("no unit is called {}; GET /api/v1/units lists them", unit),
                                           nullptr)};
+}
+
+std::list<Daemons::Daemon>::iterator Daemons::find(const DaemonClient& client) noexcept {
+  return std::ranges::find(daemons_, &client, [](const Daemon& each) { return each.client.get(); });
+}
+
+std::string Daemons::host_of(std::string_view unit) const {
+  for (const Daemon& daemon : daemons_)
+    if (const auto host = daemon.hosts.find(unit); host != daemon.hosts.end()) return host->second;
+  return {};
 }
 
 std::vector<DaemonClient*> Daemons::clients() const {
@@ -144,7 +192,7 @@ void Daemons::on_gone(DaemonClient& client, const std::string& why) {
 }
 
 void Daemons::forget(DaemonClient& client, const std::string& why) {
-  const auto daemon = std::ranges::find(daemons_, &client, [](const Daemon& each) { return each.client.get(); });
+  const auto daemon = find(client);
   if (daemon == daemons_.end()) return;
   log_.info("{}: {}: {}", client.path(), text_of(daemon->units), why);
   daemons_.erase(daemon);

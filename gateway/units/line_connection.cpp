@@ -3,14 +3,13 @@
 #include <array>
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <sys/epoll.h>
 #include <sys/socket.h>
 
-#include "control/discovery/server_trust.hpp"
 #include "control/protocol.hpp"
-#include "control/socket_name.hpp"
 
 namespace gateway {
 namespace {
@@ -23,20 +22,9 @@ std::string reason() {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<LineConnection>, std::string> LineConnection::open(axisd::ServiceEvents& events,
-                                                                                const std::string& path,
-                                                                                Listener& listener) {
-  const auto address = control::socket_address(path);
-  if (!address) return tl::unexpected{address.error()};
-  os::Descriptor socket{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
-  // A Unix socket is connected at once, or its queue is full: then it is tried again later.
-  if (!socket || ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0)
-    return tl::unexpected{fmt::format("{}: no daemon answers here ({})", path, reason())};
-  if (const auto trusted = control::check_server(socket.get(), path); !trusted)
-    return tl::unexpected{trusted.error()};
-  std::unique_ptr<LineConnection> made{new LineConnection{std::move(socket), listener}};
-  made->source_ = events.watch(made->socket_.get(), EPOLLIN, &LineConnection::on_ready, made.get());
-  return made;
+LineConnection::LineConnection(axisd::ServiceEvents& events, os::Descriptor socket, Listener& listener)
+    : socket_{std::move(socket)}, listener_{listener} {
+  source_ = events.watch(socket_.get(), EPOLLIN, &LineConnection::on_ready, this);
 }
 
 bool LineConnection::send(std::string_view line) {
@@ -71,8 +59,8 @@ std::string LineConnection::read() {
   input_.append(block.data(), static_cast<std::size_t>(size));
   std::size_t begin = 0;
   for (std::size_t end = input_.find('\n'); end != std::string::npos; end = input_.find('\n', begin)) {
-    if (!listener_.on_line(std::string_view{input_}.substr(begin, end - begin)))
-      return "the daemon sent what is no line of the protocol";
+    if (std::string why = listener_.on_line(std::string_view{input_}.substr(begin, end - begin)); !why.empty())
+      return why;
     begin = end + 1;
   }
   input_.erase(0, begin);

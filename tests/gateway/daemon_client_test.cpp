@@ -37,7 +37,7 @@ class DaemonsTest : public testing::Test, public Daemons::Listener {
   axisd::Log log{axisd::LogLevel::Error};
   std::list<std::string> seen;
   int changes = 0;
-  Daemons daemons{events, {path}, log};
+  Daemons daemons{events, std::make_unique<SocketReach>(std::vector{path}), log};
 };
 
 TEST_F(DaemonsTest, AnswersComeToThoseWhoHaveAsked) {
@@ -126,6 +126,99 @@ TEST_F(DaemonsTest, EventsAreAskedForWhileSomebodyWantsThem) {
   EXPECT_EQ(seen.front(), R"({"kind":"nmt","t":1})");
   daemons.want_events(false);
   wait_until(events, [&] { return asked_for("events.unsubscribe"); });
+}
+
+TEST_F(DaemonsTest, ADaemonMayAnswerInAnotherOrder) {
+  std::vector<std::string> lines;
+  const auto unit = daemon([&lines](const std::string& line) -> std::string {
+    if (line.find("\"units\"") != std::string::npos) return answer_of_unit(line);
+    lines.push_back(line);
+    if (lines.size() < 2) return "";
+    return answer_of_unit(lines[1]) + answer_of_unit(lines[0]);
+  });
+  look_for_unit();
+  std::vector<std::string> told;
+  for (const char* const method : {"status", "nmt.get"})
+    (*daemons.find("vcan0/5"))->ask(method, json::object(), [&told](const Answer& answer) {
+      told.push_back(answer->at("method").get<std::string>());
+    });
+  wait_until(events, [&told] { return told.size() == 2; });
+  EXPECT_EQ(told, (std::vector<std::string>{"nmt.get", "status"}));
+}
+
+TEST_F(DaemonsTest, TheLastWordOfADaemonIsWhyTheConnectionHasEnded) {
+  const auto unit = daemon([](const std::string& line) -> std::string {
+    if (line.find("\"units\"") != std::string::npos) return answer_of_unit(line);
+    return "{\"id\":null,\"error\":{\"code\":\"unreachable\",\"message\":\"the server is gone\"}}\n";
+  });
+  look_for_unit();
+  std::string why;
+  (*daemons.find("vcan0/5"))->ask("status", json::object(), [&why](const Answer& answer) {
+    why = answer.error().message;
+  });
+  wait_until(events, [&why] { return !why.empty(); });
+  EXPECT_EQ(why, path + ": the server is gone");
+}
+
+TEST_F(DaemonsTest, ALongListOfUnitsComesInPages) {
+  const auto unit = daemon([](const std::string& line) -> std::string {
+    const json request = json::parse(line);
+    const int from = request.value("/params/from"_json_pointer, 0);
+    json result{{"units", {{{"unit", "line1/" + std::to_string(from)}}}}};
+    if (from < 2) result["next"] = from + 1;
+    return json{{"id", request["id"]}, {"result", result}}.dump() + '\n';
+  });
+  look_for_unit();
+  EXPECT_EQ(daemons.units(), (std::vector<std::string>{"line1/0", "line1/1", "line1/2"}));
+}
+
+/// A daemon whose units come and go, as those of a farm do.
+struct FarmTest : DaemonsTest {
+  class ChangingReach : public SocketReach {
+   public:
+    using SocketReach::SocketReach;
+    bool do_units_change() const noexcept override { return true; }
+  };
+  std::string answer_to(const std::string& line) const {
+    const json request = json::parse(line);
+    json answer{{"id", request["id"]}};
+    if (request["method"] != "units")
+      answer["result"] = json::object();
+    else if (hosts.empty())
+      answer["error"] = {{"code", "unreachable"}, {"message", "the server is gone"}};
+    else
+      for (const auto& [name, host] : hosts) answer["result"]["units"].push_back({{"unit", name}, {"host", host}});
+    return answer.dump() + '\n';
+  }
+
+  std::map<std::string, std::string> hosts{{"line1/5", "a"}};
+  std::unique_ptr<FakeDaemon> server = daemon([this](const std::string& line) { return answer_to(line); });
+  Daemons farm{events, std::make_unique<ChangingReach>(std::vector{path}), log};
+};
+
+TEST_F(FarmTest, UnitsComeAndMoveAndGo) {
+  wait_until(events, [this] { return farm.units() == std::vector<std::string>{"line1/5"}; });
+  EXPECT_EQ(farm.host_of("line1/5"), "a");
+  hosts = {{"line1/5", "b"}, {"line1/6", "b"}};
+  wait_until(events, [this] { return farm.units().size() == 2; });
+  EXPECT_EQ(farm.host_of("line1/5"), "b");
+  hosts = {{"line1/6", "b"}};
+  wait_until(events, [this] { return farm.units() == std::vector<std::string>{"line1/6"}; });
+  EXPECT_EQ(farm.host_of("line1/5"), "");
+}
+
+TEST_F(FarmTest, EventsAreAskedForAgainWhenTheServerIsBack) {
+  farm.want_events(true);
+  const auto asked = [this] {
+    return std::ranges::count_if(
+        server->lines, [](const std::string& line) { return line.find("events.subscribe") != std::string::npos; });
+  };
+  wait_until(events, [&] { return farm.units().size() == 1 && asked() == 1; });
+  hosts.clear();
+  const std::size_t before = server->lines.size();
+  wait_until(events, [&] { return server->lines.size() > before + 1; });
+  hosts = {{"line1/5", "a"}};
+  wait_until(events, [&] { return asked() == 2; });
 }
 
 }  // namespace

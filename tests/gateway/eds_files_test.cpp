@@ -48,7 +48,7 @@ class EdsFilesTest : public testing::Test, public HttpServer::Requests {
   axisd::ServiceEvents events{[] {}};
   axisd::Log log{axisd::LogLevel::Error};
   FakeDaemon daemon{events, folder.path("axisd.sock"), answer_of_units};
-  Daemons daemons{events, {folder.path("axisd.sock")}, log};
+  Daemons daemons{events, std::make_unique<SocketReach>(std::vector{folder.path("axisd.sock")}), log};
   EdsFiles eds{folder.path("")};
   HttpServer server{events, {{"127.0.0.1", 0}}, *this};
 };

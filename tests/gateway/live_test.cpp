@@ -69,7 +69,7 @@ class LiveTest : public testing::Test {
   axisd::Log log{axisd::LogLevel::Error};
   std::unique_ptr<FakeDaemon> unit =
       std::make_unique<FakeDaemon>(events, folder.path("axisd.sock"), answer_of_statue);
-  Daemons daemons{events, {folder.path("axisd.sock")}, log};
+  Daemons daemons{events, std::make_unique<SocketReach>(std::vector{folder.path("axisd.sock")}), log};
   EventFeed event_feed{daemons};
   UnitFeed sample_feed{events, daemons, kSampleFeed};
   UnitFeed frame_feed{events, daemons, kFrameFeed};

@@ -52,7 +52,7 @@ class OverviewTest : public testing::Test {
   axisd::ServiceEvents events{[] {}};
   axisd::Log log{axisd::LogLevel::Error};
   FakeDaemon unit{events, folder.path("axisd.sock"), answer_of_unit};
-  Daemons daemons{events, {folder.path("axisd.sock")}, log};
+  Daemons daemons{events, std::make_unique<SocketReach>(std::vector{folder.path("axisd.sock")}), log};
 };
 
 TEST_F(OverviewTest, IsAskedForOnceForAllWhoAskAtATime) {

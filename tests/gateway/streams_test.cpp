@@ -28,7 +28,7 @@ class StreamsTest : public testing::Test {
   axisd::ServiceEvents events{[] {}};
   axisd::Log log{axisd::LogLevel::Error};
   FakeDaemon unit{events, folder.path("axisd.sock"), answer_of_unit};
-  Daemons daemons{events, {folder.path("axisd.sock")}, log};
+  Daemons daemons{events, std::make_unique<SocketReach>(std::vector{folder.path("axisd.sock")}), log};
   EventFeed event_feed{daemons};
   UnitFeed sample_feed{events, daemons, kSampleFeed};
   UnitFeed frame_feed{events, daemons, kFrameFeed};

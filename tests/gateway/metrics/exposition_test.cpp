@@ -57,6 +57,14 @@ TEST_P(Exposition, HasASampleOf) {
   EXPECT_TRUE(has_line(exposition(units), GetParam())) << exposition(units);
 }
 
+TEST(ExpositionOfAFarm, SaysOnWhichHostAUnitIs) {
+  UnitSample unit = unit_at_work();
+  unit.host = "a";
+
+  EXPECT_TRUE(has_line(exposition(std::vector{unit}),
+                       R"(axisd_unit_info{unit="vcan0/5",interface="vcan0",node_id="5",version="1",host="a"} 1)"));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     What, Exposition,
     testing::Values(

@@ -60,6 +60,7 @@ function UnitHead(props: { unit: UnitOverview }) {
       <h2>
         <a href={linkTo("scope", unit.unit)}>{unit.unit}</a>
       </h2>
+      {unit.host !== undefined && <span class="muted">on host {unit.host}</span>}
       {unit.on && (
         <span class="overview-node">
           <span class="chip tone-ready">{unit.nmt_state ?? "NMT state unknown"}</span>
