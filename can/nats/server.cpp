@@ -1,10 +1,12 @@
 #include "can/nats/server.hpp"
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <optional>
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
 namespace nats {
@@ -17,6 +19,14 @@ constexpr int kMostPending = std::numeric_limits<int>::max() / 1024;
 
 /// What a file of credentials begins with: enough for a user and a password.
 constexpr std::size_t kLongestUser = 1024;
+
+bool is_on_this_machine(const std::string& host) noexcept {
+  constexpr std::uint32_t kLoopbackNet = 127;
+  constexpr unsigned kBitsBehind = 24;
+  if (host == "localhost" || host == "::1") return true;
+  in_addr address{};
+  return inet_pton(AF_INET, host.c_str(), &address) == 1 && ntohl(address.s_addr) >> kBitsBehind == kLoopbackNet;
+}
 
 struct User {
   std::string name;
@@ -59,9 +69,8 @@ natsStatus set_certificates(natsOptions* options, const Server& server) {
 
 }  // namespace
 
-bool is_open_to_others(const Server& server, std::string_view host) noexcept {
-  const bool is_near = host == "localhost" || host.starts_with("127.") || host == "::1";
-  return !is_near && !server.url.starts_with("tls://");
+bool is_open_to_others(const Server& server, std::string_view host) {
+  return !is_on_this_machine(std::string{host}) && !server.has_tls();
 }
 
 std::string text_of(natsStatus status) {

@@ -23,7 +23,7 @@ struct Server {
 
 /// Whether what is sent to @p server, whose URL leads to @p host, can be read on the way: that is another host,
 /// and TLS is not asked for.
-[[nodiscard]] bool is_open_to_others(const Server& server, std::string_view host) noexcept;
+[[nodiscard]] bool is_open_to_others(const Server& server, std::string_view host);
 
 /// Options for a connection to @p server that never reconnects by itself, so that nothing is sent late; @p
 /// patience is the time to connect in. The error is one line.
