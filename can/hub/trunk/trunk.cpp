@@ -109,7 +109,7 @@ void Trunk::take_message(const Stream::Message& message, TimePoint now) noexcept
     return notices_.tell(fmt::format("message {} {}", message.sequence, problem), now);
   }
   const Header& header = reader->header();
-  const bool is_stale = header.seen != 0 && message.time_ns - header.seen > kPatience.count();
+  const bool is_stale = is_late(header, message.time_ns);
   if (header.hub == medium_.number_of_hub())
     take_own(*reader, message, is_stale, now);
   else

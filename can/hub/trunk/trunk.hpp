@@ -14,6 +14,7 @@
 #include "can/hub/notices.hpp"
 #include "can/hub/trunk/hubs.hpp"
 #include "can/hub/trunk/latency.hpp"
+#include "can/hub/trunk/lateness.hpp"
 #include "can/hub/trunk/message.hpp"
 #include "can/hub/trunk/stream.hpp"
 #include "can/hub/trunk/under_way.hpp"
@@ -46,7 +47,7 @@ struct Figures {
 class Trunk final : public Source, public Carrier {
  public:
   static constexpr canopen::Duration kBeat = std::chrono::milliseconds{100};
-  static constexpr canopen::Duration kPatience = std::chrono::milliseconds{500};
+  static constexpr canopen::Duration kPatience = kMostLateness;
   /// Frames under way; with more the medium is full.
   static constexpr std::size_t kMostUnderWay = UnderWay::kMost;
 
