@@ -38,7 +38,9 @@ debian_package(can-userbus SECTION utils
 Where the kernel has no CAN, as in containers and on hosted runners, canhub
 serves a bus at a Unix socket, and with-can runs programs that were written
 for SocketCAN on it, such as can-utils and python-can. No privilege is needed.
-A hub bridges to SocketCAN, UDP multicast and socketcand.")
+A hub bridges to SocketCAN, UDP multicast and socketcand, and joins the hubs of
+other hosts over a NATS server. canrec records such a bus, and plays recordings
+and logs of candump.")
 
 debian_package(canopen-tools SECTION utils
   SUGGESTS axisd axisd-doc

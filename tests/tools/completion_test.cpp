@@ -15,7 +15,7 @@ namespace {
 
 using fakes::Finished;
 
-constexpr const char* kPrograms[] = {"axisctl",       "axisd",       "axisd-http", "canhub",
+constexpr const char* kPrograms[] = {"axisctl",       "axisd",       "axisd-http", "canhub",  "canrec",
                                      "canopen-check", "canopen-zoo", "edstool",    "with-can"};
 
 /// What a real bash offers for the last of @p words, the first of which is the program; with blanks between.
@@ -38,6 +38,7 @@ TEST(BashCompletion, OffersSubcommandsOfTheProtocolAndThoseThatAreMore) {
   EXPECT_EQ(offered({"axisctl", "wai"}), "wait\n");
   EXPECT_EQ(offered({"axisctl", "fleet", "un"}), "undrain\n");
   EXPECT_EQ(offered({"axisctl", "wait", ""}), "ready nmt state fault no-fault value\n");
+  EXPECT_EQ(offered({"canrec", ""}), "record stop list remove export import play\n");
   EXPECT_EQ(offered({"edstool", ""}), "lint show diff flatten dcf c++\n");
 }
 
