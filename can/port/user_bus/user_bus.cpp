@@ -69,7 +69,28 @@ bool UserBus::come_in() noexcept {
     return false;
   }
   if (is_unapplied_) apply();  // it may have changed behind the step that tells it
+  look_at_link();
   return true;
+}
+
+/// What the hub says first to a member of a bus that is cut is that it is.
+void UserBus::look_at_link() noexcept {
+  userbus::FrameMessage message{};
+  const ssize_t size = ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT | MSG_PEEK);
+  if (size != sizeof message || (message.trailer.flags & userbus::kLinkDown) == 0) return;
+  ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT);
+  static_cast<void>(note_link(userbus::kLinkDown));
+}
+
+/// Takes what comes while the bus is cut, up to that it is whole again: nobody may be receiving then.
+void UserBus::read_link() noexcept {
+  userbus::FrameMessage message{};
+  for (int i = 0; is_cut_ && i < kSkippedMessages; ++i) {
+    const ssize_t size = ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT);
+    if (size == 0 || (size < 0 && means_no_hub(errno))) return static_cast<void>(hub_lost());
+    if (size < 0) return;
+    if (size == sizeof message) static_cast<void>(note_link(message.trailer.flags));
+  }
 }
 
 /// Tells the hub what has changed. If it has no room at present, the next frame tells it, before it goes.
@@ -98,11 +119,13 @@ void UserBus::carry_marks() noexcept {
 bool UserBus::try_again() noexcept {
   if (is_member()) {
     entry_.stop_ringing();
+    if (is_cut_) read_link();
+    if (is_mended_) entry_.stop_ringing();
     return std::exchange(is_mended_, false);
   }
   const UserBusEntry::Progress progress = entry_.advance(wishes());
   if (progress == UserBusEntry::Progress::Waiting) return false;
-  if (progress == UserBusEntry::Progress::Member && come_in()) return true;
+  if (progress == UserBusEntry::Progress::Member && come_in()) return is_up();
   entry_.try_later(/*first=*/false);
   return false;
 }
@@ -124,7 +147,12 @@ bool UserBus::note_link(std::uint32_t flags) noexcept {
   if ((flags & (userbus::kLinkDown | userbus::kLinkUp)) == 0) return false;
   is_cut_ = (flags & userbus::kLinkDown) != 0;
   is_mended_ = !is_cut_;
-  if (is_mended_) entry_.ring();
+  if (is_mended_) {
+    entry_.watch_no_longer(socket_.get());
+    entry_.ring();
+  } else {
+    entry_.watch(socket_.get());
+  }
   return true;
 }
 

@@ -62,6 +62,8 @@ class UserBus final : public Port {
   SendStatus send(const void* message, std::size_t size) noexcept;
   Received hub_lost() noexcept;
   [[nodiscard]] bool note_link(std::uint32_t flags) noexcept;
+  void look_at_link() noexcept;
+  void read_link() noexcept;
 
   UserBusEntry entry_;
   os::Descriptor socket_;

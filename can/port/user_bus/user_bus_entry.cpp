@@ -29,6 +29,10 @@ void UserBusEntry::try_later(bool first) noexcept {
     timer_.start_later();
 }
 
+void UserBusEntry::watch(int descriptor) noexcept {
+  if (!pollable_.add(descriptor, EPOLLIN) && errno != EEXIST) ring();  // no memory: it is looked at once more
+}
+
 UserBusEntry::Progress UserBusEntry::begin(const Wishes& wishes) noexcept {
   attempts_ = 0;
   return connect(wishes);

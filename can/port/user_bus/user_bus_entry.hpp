@@ -41,6 +41,9 @@ class UserBusEntry {
   /// Has descriptor() poll readable now, without anything to be tried: stop_ringing() ends it.
   void ring() noexcept { timer_.limit(std::chrono::nanoseconds{1}); }
   void stop_ringing() noexcept { timer_.stop(); }
+  /// Has descriptor() poll readable too while @p descriptor does; one that is closed is forgotten.
+  void watch(int descriptor) noexcept;
+  void watch_no_longer(int descriptor) noexcept { pollable_.remove(descriptor); }
   /// Polls readable when advance() is to be called.
   [[nodiscard]] int descriptor() const noexcept { return pollable_.descriptor(); }
   /// Begins now.

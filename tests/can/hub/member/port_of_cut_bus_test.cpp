@@ -1,0 +1,89 @@
+// A port on a bus whose wire goes on beyond the hub, and is cut.
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include "can/port/user_bus/user_bus.hpp"
+#include "tests/can/hub/running_hub.hpp"
+
+namespace {
+
+using bus::LinkState;
+using bus::Received;
+
+bool is_readable(int descriptor) {
+  pollfd wanted{descriptor, POLLIN, 0};
+  return poll(&wanted, 1, 0) == 1;
+}
+
+/// What the port receives next.
+Received::Kind next(bus::Port& port) {
+  canopen::Frame frame;
+  return port.receive(frame).kind;
+}
+
+class PortOfACutBus : public testing::Test {
+ protected:
+  hub_test::RunningHub hub_;
+  bus::UserBus port_{hub_.path()};
+  bus::UserBusLink link_{port_};
+};
+
+TEST_F(PortOfACutBus, TellsThatItIsWholeAgainThoughNobodyReceives) {
+  for (int i = 0; i < 3; ++i) {
+    hub_.set_link(false);
+    EXPECT_EQ(next(port_), Received::Down);
+    EXPECT_EQ(link_.state(), LinkState::Down);
+    EXPECT_FALSE(is_readable(link_.descriptor()));
+
+    hub_.set_link(true);
+    ASSERT_TRUE(is_readable(link_.descriptor()));
+    EXPECT_EQ(link_.read(), LinkState::Up);
+    EXPECT_EQ(link_.state(), LinkState::Up);
+    EXPECT_FALSE(is_readable(link_.descriptor()));
+    EXPECT_TRUE(port_.reopen());
+  }
+}
+
+TEST_F(PortOfACutBus, TellsTheSameToWhoReceives) {
+  hub_.set_link(false);
+  ASSERT_EQ(next(port_), Received::Down);
+
+  hub_.set_link(true);
+  EXPECT_EQ(next(port_), Received::Nothing);
+
+  ASSERT_TRUE(is_readable(link_.descriptor()));
+  EXPECT_EQ(link_.read(), LinkState::Up);
+  EXPECT_FALSE(is_readable(link_.descriptor()));
+}
+
+TEST_F(PortOfACutBus, KnowsThatItIsCutWhenItComesIn) {
+  hub_.set_link(false);
+  bus::UserBus late{hub_.path()};
+  bus::UserBusLink link{late};
+  EXPECT_EQ(link.state(), LinkState::Down);
+  EXPECT_EQ(late.send({}), bus::SendStatus::Down);
+
+  hub_.set_link(true);
+
+  ASSERT_TRUE(is_readable(link.descriptor()));
+  EXPECT_EQ(link.read(), LinkState::Up);
+  EXPECT_TRUE(late.reopen());
+}
+
+TEST(PortOfABusThatIsCut, NoticesThatItsHubHasGone) {
+  std::optional<hub_test::RunningHub> hub{std::in_place};
+  bus::UserBus port{hub->path()};
+  bus::UserBusLink link{port};
+  hub->set_link(false);
+  ASSERT_EQ(next(port), Received::Down);
+
+  hub.reset();
+
+  ASSERT_TRUE(is_readable(link.descriptor()));
+  EXPECT_EQ(link.read(), std::nullopt);
+  EXPECT_FALSE(port.is_member());
+}
+
+}  // namespace
