@@ -146,10 +146,10 @@ class Host:
         wait_until(lambda: self.status().raw_sockets > before, "candump listens")
         return Dump(file)
 
-    def run(self, *words):
+    def run(self, *words, patience=3 * PATIENCE):
         """A program on its bus that ends by itself."""
         return subprocess.run([str(word) for word in (*self.words, self.bench.program("with-can"), *words)], env=self.environment,
-                              capture_output=True, text=True, timeout=3 * PATIENCE)
+                              capture_output=True, text=True, timeout=patience)
 
     def send(self, frame):
         """False: the network is down."""

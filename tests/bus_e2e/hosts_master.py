@@ -3,6 +3,7 @@
 To be run by with-can. It reads words from standard input, one a line, and answers each with a line of JSON: {"error": ...} if
 something is not as it should be, else what was found.
 boot NODE...        waits for the boot-up of those, none of which has been told yet
+anew                waits until all units, which were Operational, have booted; of those that did it unheard the heartbeat tells
 times COUNT         how long COUNT expedited uploads of each node take (s)
 start               maps PDOs, heartbeat, start, and each axis to Operation enabled, turning
 stop                each axis to rest
@@ -24,9 +25,10 @@ HEARTBEAT, MISSING = 0.1, 0.5  # s: producer, consumer
 FRAME = struct.Struct("=IB3x8s")
 FULL_SPEED = 209715200  # increments/s: 3000 rpm
 INVALID = 1 << 31
-SHUTDOWN, SWITCH_ON, ENABLE = 0x06, 0x07, 0x0F
+BOOT_UP, PRE_OPERATIONAL = b"\0", b"\x7f"
+RESET, SHUTDOWN, SWITCH_ON, ENABLE = 0x80, 0x06, 0x07, 0x0F
 READY, SWITCHED_ON, ENABLED = 0x21, 0x23, 0x27
-STATE = 0x6F
+STATE, FAULT = 0x6F, 0x08
 RPDO, TPDO = 0x200, 0x180
 
 
@@ -121,9 +123,14 @@ class Master:
     def boot(self, *numbers):
         """Boot-up is a heartbeat of 0; the units send no other one before they are told to."""
         for number in map(int, numbers):
-            self.bus.wait(lambda number=number: self.bus.last.get(0x700 + number) == b"\0", f"the boot-up of node {number}")
+            self.bus.wait(lambda number=number: self.bus.last.get(0x700 + number) == BOOT_UP, f"the boot-up of node {number}")
             del self.bus.last[0x700 + number]
         return sorted(map(int, numbers))
+
+    def anew(self):
+        for node in self.nodes.values():
+            self.bus.wait(lambda node=node: self.bus.last.get(0x700 + node.number) in (BOOT_UP, PRE_OPERATIONAL), f"node {node.number} anew")
+        return sorted(self.nodes)
 
     def times(self, count):
         times = []
@@ -142,6 +149,8 @@ class Master:
             node.set(0x1800, 5, 20, 2)  # event timer (ms): the velocity changes without an event
             node.set(0x1017, 0, int(1000 * HEARTBEAT), 2)
             self.bus.send(0x000, [0x01, node.number])
+        # Who was in Operational before has a fault now: the master has left it.
+        self._command(lambda node: node.state() and not node.state() & FAULT, "no fault", RESET)
         for controlword, state in ((SHUTDOWN, READY), (SWITCH_ON, SWITCHED_ON), (ENABLE, ENABLED)):
             self._command(lambda node: node.state() == state, f"the state {state:02X}h", controlword)
         self._command(lambda node: abs(node.velocity() - FULL_SPEED) < FULL_SPEED / 100, "3000 rpm", ENABLE, FULL_SPEED)
@@ -155,7 +164,10 @@ class Master:
         for node in self.nodes.values():
             node.command(*command)
         for node in self.nodes.values():
-            self.bus.wait(lambda node=node: condition(node), f"{what} of node {node.number}")
+            try:
+                self.bus.wait(lambda node=node: condition(node), what)
+            except AssertionError as error:
+                raise AssertionError(f"{error} of node {node.number}: {node.state():02X}h, {node.velocity()} increments/s") from error
 
     def lost(self, *numbers):
         wanted = set(map(int, numbers))
