@@ -14,6 +14,8 @@ tl::expected<AgentBeat, std::string> parse_agent_beat(std::string_view subject, 
   if (beat.host.empty()) fields.fail("host", "a name", nullptr);
   beat.instance = fields.number("instance", 1, kGreatestNumber);
   beat.version = fields.text("version");
+  beat.since = fields.text("since");
+  beat.buses = fields.names("buses");
   beat.capacity = static_cast<std::uint32_t>(fields.number("capacity", 1, kGreatestCapacity));
   beat.units = static_cast<std::uint32_t>(fields.number("units", 0, std::numeric_limits<std::uint32_t>::max(), 0));
   beat.draining = fields.flag("draining", false);
@@ -22,10 +24,12 @@ tl::expected<AgentBeat, std::string> parse_agent_beat(std::string_view subject, 
 }
 
 std::string text_of(const AgentBeat& beat) {
-  return nlohmann::json{{"host", beat.host},         {"instance", beat.instance}, {"version", beat.version},
-                        {"capacity", beat.capacity}, {"units", beat.units},       {"draining", beat.draining},
-                        {"sent_ms", beat.sent_ms}}
-      .dump();
+  nlohmann::json document{{"host", beat.host},         {"instance", beat.instance}, {"version", beat.version},
+                          {"capacity", beat.capacity}, {"units", beat.units},       {"draining", beat.draining},
+                          {"sent_ms", beat.sent_ms}};
+  if (!beat.since.empty()) document["since"] = beat.since;
+  if (!beat.buses.empty()) document["buses"] = beat.buses;
+  return document.dump();
 }
 
 }  // namespace farm

@@ -16,7 +16,7 @@ struct DoorUnit {
   UnitName name;
   bool is_on = true;
   std::uint32_t axes = 1;
-  std::string profile;
+  std::string profile{};
   std::uint32_t node_id = 0;
 
   friend bool operator==(const DoorUnit&, const DoorUnit&) = default;
@@ -24,10 +24,10 @@ struct DoorUnit {
 
 /// What the door of a host tells: which units are reached there; in parts if there are many.
 struct DoorBeat {
-  std::string host;
+  std::string host{};
   std::uint64_t instance = 0;  ///< tells it from others that use the name of the host
-  std::string version;         ///< of the program
-  std::vector<DoorUnit> units;
+  std::string version{};       ///< of the program
+  std::vector<DoorUnit> units{};
   std::uint32_t part = 1;  ///< 1..parts
   std::uint32_t parts = 1;
 

@@ -10,6 +10,8 @@ TEST(AgentBeat, IsReadAsItIsWritten) {
   const AgentBeat beat{.host = "a",
                        .instance = 9'007'199'254'740'991,
                        .version = "0.3.0",
+                       .since = "2026-11-25T19:54:04Z",
+                       .buses = {"line1", "line2"},
                        .capacity = 128,
                        .units = 100,
                        .draining = true,
