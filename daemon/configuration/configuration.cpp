@@ -145,8 +145,6 @@ constexpr std::array<std::string_view, 16> kKeysOfUnit{
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
-/// That of a device to which none is given.
-constexpr std::uint32_t kFirstSerial = Cia402Settings{}.serial;
 
 /// The keys of a file that describes one unit.
 std::vector<std::string_view> keys_of_file() {
@@ -267,24 +265,6 @@ UnitsConfiguration read_units(const JsonReader& json, const MotorSource& motors)
 }
 
 }  // namespace
-
-std::string station_of(const Configuration& unit) {
-  if (unit.node_id != Cia402Settings::kUnconfigured) return std::to_string(unit.node_id);
-  const std::uint32_t serial = unit.cia402 ? unit.cia402->serial : kFirstSerial;
-  return serial == kFirstSerial ? "unconfigured" : fmt::format("unconfigured-{}", serial);
-}
-
-std::string bus_of(const Configuration& unit) {
-  return unit.bus.empty() ? bus::label(unit.address) : unit.bus;
-}
-
-std::string name_of(const Configuration& unit) {
-  return fmt::format("{}/{}", bus_of(unit), station_of(unit));
-}
-
-std::string folder_of(const Configuration& unit) {
-  return fmt::format("{}-{}", bus_of(unit), station_of(unit));
-}
 
 UnitsConfiguration parse_configuration(std::string_view text, const std::string& file, const MotorSource& motors,
                                        std::optional<Profile> profile) {

@@ -12,8 +12,8 @@
 #include <tl/expected.hpp>
 
 #include "can/nats/server.hpp"
-#include "farm/storage/key_value.hpp"
 #include "farm/link/messages.hpp"
+#include "farm/storage/key_value.hpp"
 #include "farm/storage/object_store.hpp"
 #include "service/service_events.hpp"
 

@@ -67,7 +67,8 @@ DaemonClient::DaemonClient(axisd::ServiceEvents& events, std::string path, os::D
                            Listener& listener)
     : path_{std::move(path)},
       listener_{listener},
-      connection_{std::make_unique<LineConnection>(events, std::move(socket), *this)} {}
+      connection_{std::make_unique<LineConnection>(events, std::move(socket),
+                                                   static_cast<LineConnection::Listener&>(*this))} {}
 
 DaemonClient::~DaemonClient() {
   give_up(refuse(Refused::NoDaemon, fmt::format("{}: the connection to the daemon has ended", path_)));

@@ -11,8 +11,8 @@
 
 #include "farm/documents/place.hpp"
 #include "farm/documents/wanted_unit.hpp"
-#include "farm/storage/object_store.hpp"
 #include "farm/naming/unit_name.hpp"
+#include "farm/storage/object_store.hpp"
 #include "tools/axisctl/fleet/wanted_fleet.hpp"
 
 /// What the server of a farm keeps of its fleet, and changes of it. All errors are one line.

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "text/name.hpp"
 #include "tools/canrec/commands/command.hpp"
 #include "tools/canrec/commands/limits.hpp"
 #include "tools/canrec/server/store.hpp"
@@ -45,8 +46,9 @@ Expected<void> record(const RecordWords& words, const nats::ServerOptions& optio
   if (!url) return tl::unexpected{url.error()};
   const auto limits = limits_of(words);
   if (!limits) return tl::unexpected{limits.error()};
-  if (!nats::is_name(words.name))
-    return fail(Status::Usage, fmt::format("RECORDING: expected {}, got \"{}\"", nats::kNameRule, words.name));
+  if (!text::is_name(words.name))
+    return fail(Status::Usage,
+                fmt::format("RECORDING: expected a name of {}, got \"{}\"", text::kNameForm, words.name));
   auto store = Store::open(url->server);
   if (!store) return tl::unexpected{store.error()};
   if (auto done = store->begin(url->name, words.name, *limits); !done) return done;
