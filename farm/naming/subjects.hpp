@@ -17,7 +17,7 @@ namespace farm {
 [[nodiscard]] std::string all_events_subject(std::string_view farm);
 [[nodiscard]] std::string all_statuses_subject(std::string_view farm);
 
-/// What the door of a host (axisd-nats) tells: who is there; and its agent.
+/// What the door of a host tells: who is there; and its agent.
 [[nodiscard]] std::string door_subject(std::string_view farm, std::string_view host);
 [[nodiscard]] std::string agent_subject(std::string_view farm, std::string_view host);
 /// The same of all hosts.
