@@ -1,145 +1,179 @@
 #!/usr/bin/env python3
-"""What many units of one axis in one program cost, on a bus in user space.
+"""What many units in one program cost, on buses in user space.
 
-usage: fleet_cost.py BIN [--units N] [--threads N] [--seconds S]
+usage: fleet_cost.py BIN [--units N] [--axes M] [--buses B] [--threads T] [--seconds S] [--sync MS] [--default-pdos] [--curve]
 
-BIN is the folder of axisd and with-can. Prints the time to the last boot-up message, the memory of a further unit, and the
-share of one processor with all units Operational and a SYNC every 100 ms, first with the axes off, then with all of them
-turning; beside it the share of the hub. A share is CPU time over wall-clock time, so the machine should be quiet.
+BIN is the folder of axisd. Prints a Markdown table: seconds to the last boot-up message, and the processor time until then;
+memory; the share of one processor of axisd and of the hubs with all units Operational and a SYNC every 100 ms that every unit
+answers with its statuswords, first with the axes off, then with all of them turning; frames a second and how much of 1 Mbit/s
+they would take on each bus; cycles skipped while all turned. Then what a further unit and a further axis take of memory.
+--curve does that for 1 to 127 units of 1 and of 8 axes on one bus. A share is CPU time over wall-clock time, with what skipped
+cycles would have cost: it survives other programs on the machine.
 """
 import argparse
-import json
-import os
 import pathlib
-import re
-import socket
-import struct
-import subprocess
 import sys
 import tempfile
+import threading
 import time
 
-SYNC_PERIOD = 0.1
-PACE = 16  # frames between two pauses: a unit looks at its process data every 4 ms
+from fleet.bus_master import BusMaster
+from fleet.daemon import Daemon, memory
+from fleet.wire import mean_bits
+
+BIT_RATE = 1_000_000
+MOST_NODES = 127
+CURVE = [(units, axes) for axes in (1, 8) for units in (1, 8, 32, 64, 127)]
+CYCLE = 0.004  # s, p8848 of a new unit
+RAMPS = 8.0  # s, until all have the speed that was asked for
+TURNS = 100  # rpm
+HEAD = ("units", "axes", "buses", "threads", "boot-up (s)", "its CPU (s)", "RSS (MB)", "PSS (MB)", "off: axisd (%)",
+        "off: hubs (%)", "turning: axisd (%)", "turning: hubs (%)", "frames/s", "bus load (%)", "skipped")
 
 
-def master(units, stages):
-    """The master, on a CAN socket: NMT start, SYNC, and the way to Operation enabled when it is told to."""
-    can = socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
-    can.bind(("vcan0",))
-    can.setsockopt(socket.SOL_CAN_RAW, socket.CAN_RAW_FILTER, b"")
+class Sync(threading.Thread):
+    """SYNC on all buses, every `period` seconds."""
 
-    def send(identifier, data):
-        can.send(struct.pack("=IB3x8s", identifier, len(data), data))
+    def __init__(self, masters, period):
+        super().__init__(daemon=True)
+        self.masters, self.period, self.has_ended = masters, period, threading.Event()
 
-    def send_to_all(identifier, data_of):
-        for node in range(1, units + 1):
-            send(identifier + node, data_of(node))
-            if node % PACE == 0:
-                time.sleep(0.01)
-        time.sleep(0.1)
-
-    send(0x000, b"\x01\x00")
-    for stage in stages:
-        if stage == "turn":
-            for word in (b"\x06\x00", b"\x07\x00", b"\x0f\x00"):
-                send_to_all(0x200, lambda _, word=word: word)
-            send_to_all(0x300, lambda node: b"\x0f\x00" + struct.pack("<i", 70_000_000 + node * 100_000))
-        print(stage, flush=True)
+    def run(self):
         due = time.monotonic()
-        while not os.path.exists(os.path.join(os.environ["STAGES"], stage)):
-            send(0x080, b"")
-            due += SYNC_PERIOD
-            time.sleep(max(0.0, due - time.monotonic()))
+        while not self.has_ended.wait(max(0.0, due - time.monotonic())):
+            for master in self.masters:
+                master.sync()
+            due += self.period
+
+    def end(self):
+        self.has_ended.set()
+        self.join()
 
 
-def ask(path, requests):
-    with socket.socket(socket.AF_UNIX) as control:
-        control.connect(path)
-        lines = control.makefile("rw")
-        for number, request in enumerate(requests):
-            lines.write(json.dumps({"id": number, **request}) + "\n")
-            lines.flush()
-            yield json.loads(lines.readline())["result"]
+def skipped_cycles(statuses):
+    return sum(unit["skipped_cycles"] for unit in statuses)
 
 
-def cpu_seconds(process):
-    fields = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+def share(daemon, masters, seconds):
+    """Percents of axisd and of the hubs, frames a second and cycles skipped, over `seconds`. What skipped cycles would have
+    cost is added: a machine that is busy otherwise shows what a quiet one would."""
+    def now():
+        return time.monotonic(), *daemon.cpu(), sum(master.statistics()[0] for master in masters)
+
+    units = daemon.statuses()
+    before = now()
+    time.sleep(seconds)
+    elapsed, axisd, hubs, frames = (after - then for after, then in zip(now(), before))
+    skipped = skipped_cycles(daemon.statuses()) - skipped_cycles(units)
+    done = max(0.01, 1 - skipped * CYCLE / (elapsed * len(units)))
+    return 100 * axisd / elapsed / done, 100 * hubs / elapsed, frames / elapsed, skipped
 
 
-def resident_kilobytes(process):
-    return int(re.search(r"VmRSS:\s+(\d+)", pathlib.Path(f"/proc/{process}/status").read_text())[1])
+def enable(masters, period):
+    """Leads all axes to Operation enabled and gives them their speeds."""
+    for word in (0x06, 0x07, 0x0F):
+        for master in masters:
+            master.command(word)
+        time.sleep(3 * period + 0.1)
+    for master in masters:
+        master.set_speeds()
 
 
-def hub_of(bus):
-    for entry in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
-        words = entry.read_bytes().split(b"\0")
-        if words[0].endswith(b"canhub") and str(bus).encode() in words:
-            return int(entry.parent.name)
-    return None
+def counts_of(units, buses):
+    """How many units each bus has."""
+    return [units // buses + (number < units % buses) for number in range(buses)]
 
 
-def start(binaries, folder, units, threads):
-    """axisd with so many units; the process, its control socket and the seconds to the last boot-up message."""
-    configuration = folder / "units.json"
-    entry = {"interface": f"unix:{folder}/bus", "node_id": {"from": 1, "to": units}}
-    configuration.write_text(json.dumps({"threads": threads, "units": [entry]}))
-    begun = time.monotonic()
-    process = subprocess.Popen([binaries / "axisd", "--config", configuration, "--state-directory", folder / "state"],
-                               env={**os.environ, "XDG_RUNTIME_DIR": str(folder)}, stderr=subprocess.PIPE, text=True)
-    ready = 0
-    while ready < units:
-        line = process.stderr.readline()
-        if not line:
-            sys.exit("axisd has ended")
-        ready += "ready:" in line
-    return process, str(folder / "axisd.sock"), time.monotonic() - begun
+def check(statuses, axes, masters):
+    """Says if not all units are Operational, not all axes turn or frames were lost."""
+    operational = sum(unit["nmt_state"] == "Operational" for unit in statuses)
+    turning = sum(abs(axis["speed_rpm"]) > TURNS for unit in statuses for axis in unit["axes"])
+    lost = sum(unit["bus"]["dropped"] for unit in statuses) + sum(master.statistics()[1] for master in masters)
+    if (operational, turning, lost) != (len(statuses), len(statuses) * axes, 0):
+        print(f"{operational} of {len(statuses)} units Operational, {turning} of {len(statuses) * axes} axes turn, "
+              f"{lost} frames lost", file=sys.stderr)
 
 
-def measure(binaries, units, threads, seconds):
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        alone, _, _ = start(binaries, folder, 1, 1)
-        one = resident_kilobytes(alone.pid)
-        alone.terminate()
-        alone.wait()
-        process, control, booted = start(binaries, folder, units, threads)
-        print(f"last boot-up after {booted:.2f} s; {resident_kilobytes(process.pid) / 1024:.1f} MB, "
-              f"{(resident_kilobytes(process.pid) - one) / 1024 / max(1, units - 1):.2f} MB a further unit")
-        hub = hub_of(folder / "bus")
-        bus_master = subprocess.Popen([binaries / "with-can", "--bus", folder / "bus", "--", sys.executable, __file__,
-                                       "--master", str(units)], env={**os.environ, "STAGES": name},
-                                      stdout=subprocess.PIPE, text=True)
-        for stage in ("idle", "turn"):
-            bus_master.stdout.readline()
-            time.sleep(8 if stage == "turn" else 1)  # ramps
-            before, begun = (cpu_seconds(process.pid), cpu_seconds(hub)), time.monotonic()
-            time.sleep(seconds)
-            elapsed = time.monotonic() - begun
-            shares = [100 * (now - then) / elapsed for now, then in zip((cpu_seconds(process.pid), cpu_seconds(hub)), before)]
-            found = list(ask(control, [{"method": "status", "params": {"unit": str(n)}} for n in range(1, units + 1)]))
-            turning = sum(abs(unit["axes"][0]["speed_rpm"]) > 100 for unit in found)
-            print(f"{sum(unit['nmt_state'] == 'Operational' for unit in found)} units Operational, {turning} turning: "
-                  f"axisd {shares[0]:.1f} %, hub {shares[1]:.1f} % of a processor; "
-                  f"{sum(unit['skipped_cycles'] for unit in found)} cycles skipped, "
-                  f"{sum(unit['bus']['dropped'] for unit in found)} frames lost")
-            (folder / stage).touch()
-        bus_master.wait()
-        process.terminate()
-        process.wait()
+def measure(words, units, axes):
+    """A row of the table, and RSS and PSS after the boot-up (MB)."""
+    counts, period = counts_of(units, words.buses), words.sync / 1000
+    with tempfile.TemporaryDirectory() as name, \
+            Daemon(words.binaries.resolve(), pathlib.Path(name), counts, axes, words.threads) as daemon:
+        held = memory(daemon.process.pid)
+        masters = [BusMaster(bus, count, axes) for bus, count in zip(daemon.buses, counts)]
+        for master in masters:
+            if not words.default_pdos:
+                master.map_all()
+            master.start()
+        sync = Sync(masters, period)
+        sync.start()
+        off = share(daemon, masters, words.seconds)
+        enable(masters, period)
+        time.sleep(RAMPS)
+        turning = share(daemon, masters, words.seconds)
+        sample = [frame for master in masters for frame in master.sample(2 * period)]
+        sync.end()
+        statuses = daemon.statuses()
+        check(statuses, axes, masters)
+        load = 100 * turning[2] / words.buses * mean_bits(sample) / BIT_RATE
+        return (units, axes, words.buses, words.threads, f"{daemon.booted:.2f}", f"{daemon.boot_cpu:.2f}",
+                *(f"{part:.1f}" for part in (*held, *off[:2], *turning[:2])), f"{turning[2]:.0f}", f"{load:.1f}",
+                turning[3]), held
 
 
-def main():
-    if sys.argv[1:2] == ["--master"]:
-        return master(int(sys.argv[2]), ["idle", "turn"])
+def memory_of(words, units, axes):
+    """RSS and PSS of the program with so many units that have booted (MB)."""
+    with tempfile.TemporaryDirectory() as name, \
+            Daemon(words.binaries.resolve(), pathlib.Path(name), counts_of(units, words.buses), axes, words.threads) as daemon:
+        return memory(daemon.process.pid)
+
+
+def print_further(words, held):
+    """What a further unit and a further axis take of memory."""
+    if words.units == words.buses:
+        return
+    one = memory_of(words, words.buses, words.axes)
+    unit = [(all_of - few) / (words.units - words.buses) for all_of, few in zip(held, one)]
+    print(f"\na further unit of {words.axes}: {unit[0]:.2f} MB RSS, {unit[1]:.2f} MB PSS")
+    if words.axes > 1:
+        single = memory_of(words, words.units, 1)
+        axis = [(all_of - few) / (words.units * (words.axes - 1)) for all_of, few in zip(held, single)]
+        print(f"a further axis: {axis[0]:.3f} MB RSS, {axis[1]:.3f} MB PSS")
+
+
+def print_row(cells):
+    print("| " + " | ".join(str(cell) for cell in cells) + " |", flush=True)
+
+
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("binaries", type=pathlib.Path)
     parser.add_argument("--units", type=int, default=127)
+    parser.add_argument("--axes", type=int, default=1, choices=range(1, 9), metavar="1..8")
+    parser.add_argument("--buses", type=int, default=1)
     parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--seconds", type=float, default=10.0)
+    parser.add_argument("--seconds", type=float, default=10.0, help="of each share")
+    parser.add_argument("--sync", type=float, default=100.0, metavar="MS")
+    parser.add_argument("--default-pdos", action="store_true",
+                        help="PDOs as in a new unit: event-driven TPDOs in every cycle of 4 ms that changes them")
+    parser.add_argument("--curve", action="store_true", help="1 to 127 units of 1 and of 8 axes")
     words = parser.parse_args()
-    measure(words.binaries.resolve(), words.units, words.threads, words.seconds)
+    if not words.buses <= words.units <= words.buses * MOST_NODES:
+        parser.error(f"--units: expected {words.buses} to {words.buses * MOST_NODES} on {words.buses} buses")
+    return words
+
+
+def main():
+    words = arguments()
+    print_row(HEAD)
+    print_row("---:" for _ in HEAD)
+    if words.curve:
+        for units, axes in CURVE:
+            print_row(measure(words, units, axes)[0])
+        return
+    row, held = measure(words, words.units, words.axes)
+    print_row(row)
+    print_further(words, held)
 
 
 if __name__ == "__main__":
