@@ -15,6 +15,7 @@ from small_farm import PATIENCE, URL, Farm, wait_until
 
 
 def check_units(farm):
+    wait_until(lambda: len(farm.json("units")["units"]) == 2, "both hosts have told what they have")
     units = {unit["unit"]: unit for unit in farm.json("units")["units"]}
     assert {name: unit["host"] for name, unit in units.items()} == {"line1/5": "a", "line1/6": "b"}, units
     assert units["line1/5"]["interface"] == "line1" and units["line1/5"]["nmt_state"] == "Pre-operational", units
