@@ -40,7 +40,7 @@ CLI::App& subcommand(CLI::App& app, const std::string& name, const std::string& 
 [[nodiscard]] Expected<nats::Url> read_url(std::string_view text, std::string_view what,
                                            const nats::ServerOptions& options);
 
-/// "12 of 34" for people: a line to standard error that begins with the name of the program.
+/// Writes @p line, behind the name of the program, to standard error.
 void tell(std::string_view line);
 
 }  // namespace canrec

@@ -18,7 +18,7 @@ using std::chrono::steady_clock;
 constexpr const char* kClient = "canrec";
 /// Between two questions to the server.
 constexpr milliseconds kPause{20};
-/// A server passes over all messages that the bus has ever had before a recording begins (0.2 s a million).
+/// A server passes over all messages that the bus has ever had before a recording begins (0.15 s a million).
 constexpr std::chrono::seconds kLongestBegin{30};
 
 std::string silence() {
