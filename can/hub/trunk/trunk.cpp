@@ -190,6 +190,7 @@ void Trunk::tell_news(const Hubs::Outcome& outcome, TimePoint now) noexcept {
 
 void Trunk::take(const Passage& passage, TimePoint now) noexcept {
   if (stood_still(now)) {
+    ++counter_;  // the others miss it
     ++figures_.dropped;
     return cut("this hub was kept from running", now);
   }

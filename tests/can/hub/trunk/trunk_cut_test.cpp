@@ -179,6 +179,9 @@ TEST_F(TrunkCutTest, IsCutWhenItStoodStillItself) {
   EXPECT_THAT(a.notices, Contains(HasSubstr("cut: this hub was kept from running")));
   a.turn();
   EXPECT_TRUE(a.line.asked.empty());
+
+  join_all();
+  EXPECT_EQ(b.trunk.hubs().missed(), 1U);
 }
 
 }  // namespace
