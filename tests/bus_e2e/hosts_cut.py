@@ -83,6 +83,7 @@ class Lab:
     def trouble(self, name, stations, begin, end, notices=True):
         """Does BEGIN, and END a while later; members of STATIONS are told of a cut, with NOTICES meanwhile, else then."""
         print(f"{name} ...", flush=True)
+        wait_until(lambda: self.is_back(self.logs(), 0), "no host is cut, as of a machine that stood still")
         before, began = self.cuts(), time.time_ns()
         affected = [log for station in stations for log in station.logs]
         begin()
@@ -188,8 +189,8 @@ class Lab:
         time.sleep(SLOW)
         self.slow.send_signal(signal.SIGCONT)
         log = next(log for log in self.a.logs if log.process == self.slow.pid)
-        wait_until(lambda: self.cuts() and log.seen[-1].time > time.time_ns() - SECOND // 10 and log.seen[-1].dropped > 0,
-                   "the slow reader is told what it has lost")
+        wait_until(lambda: self.cuts() and log.seen[-1].dropped > 0 and log.seen[-1].time - log.seen[-1].stamp < SECOND,
+                   "the slow reader has read what waited, and is told what it has lost")
         self.calm(f"listener of a stopped for {SLOW} s", before)
 
 
