@@ -118,12 +118,12 @@ class Lab:
         print("server killed and begun anew: all units have booted", flush=True)
 
     def check(self, eds):
-        """canopen-check of unit 8, behind whose identifiers nobody is, from the host of the master. It measures by the clock: what fails is looked at again."""
+        """canopen-check of the last unit, behind which identifiers are free, from the host of the master. It measures by the clock: what fails is looked at again."""
         known = ["--deviations", pathlib.Path(eds).with_name("axisd-deviations.json")]
         options = ["--only", CHECKED]
         for _ in range(TRIES):
             begin, report = time.monotonic(), self.bench.folder / "report.json"
-            output = self.c.run(self.bench.program("canopen-check"), "--interface", f"unix:{self.c.path}", "--node", 8, "--eds", eds,
+            output = self.c.run(self.bench.program("canopen-check"), "--interface", f"unix:{self.c.path}", "--node", UNITS, "--eds", eds,
                                 "--json", report, *known, *options, patience=10 * PATIENCE).stdout
             results = json.loads(report.read_text())["results"]
             wrong = [result["id"] for result in results if result["outcome"] not in ("passed", "skipped", "deviation")]

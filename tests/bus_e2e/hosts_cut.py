@@ -187,6 +187,7 @@ class Lab:
         before = self.cuts()
         self.slow.send_signal(signal.SIGSTOP)
         time.sleep(SLOW)
+        wait_until(lambda: self.a.host.status().members[self.slow.pid][2] > 0, "the hub has no more room for what it does not read", 60)
         self.slow.send_signal(signal.SIGCONT)
         log = next(log for log in self.a.logs if log.process == self.slow.pid)
         wait_until(lambda: self.cuts() and log.seen[-1].dropped > 0 and log.seen[-1].time - log.seen[-1].stamp < SECOND,
