@@ -69,7 +69,7 @@ Faults::~Faults() {
 tl::expected<std::uint32_t, std::string> Faults::inject(const nlohmann::json& said, TimePoint now) {
   auto fault = read(said);
   if (!fault) return tl::unexpected{fault.error().message()};
-  if (const auto problem = find_problem(*fault, medium_.bit_rate())) return tl::unexpected{problem->message()};
+  if (const auto problem = find_problem(*fault, medium_)) return tl::unexpected{problem->message()};
   if (faults_.size() >= kMost)
     return tl::unexpected{fmt::format("expected {} faults at most, take some of them back first", kMost)};
   faults_.reserve(kMost);

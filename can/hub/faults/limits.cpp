@@ -38,7 +38,7 @@ std::optional<Problem> problem_of_when(const injection::When& when) {
 
 }  // namespace
 
-std::optional<Problem> find_problem(const Fault& fault, std::uint32_t bit_rate) {
+std::optional<Problem> find_problem(const Fault& fault, const Medium& medium) {
   if (auto problem = problem_of_when(fault.when)) return problem;
   if (fault.value(Argument::Mask) && !fault.value(Argument::Id))
     return Problem{"mask", "an id beside it", fmt::format("\"0x{:X}\"", *fault.value(Argument::Mask))};
@@ -46,7 +46,9 @@ std::optional<Problem> find_problem(const Fault& fault, std::uint32_t bit_rate) 
     const auto wrong = Side::find_wrong(fault.texts[*members]);
     if (wrong) return Problem{"members", std::string{Side::kRule}, in_quotes(*wrong)};
   }
-  if (bit_rate == 0 && effect_of(fault).needs_bit_rate(fault)) {
+  if (fault.value(Argument::BitRate) && medium.carrier() != nullptr)
+    return Problem{"", "a bus of one host for another bit rate", "one over several"};
+  if (medium.bit_rate() == 0 && effect_of(fault).needs_bit_rate(fault)) {
     if (fault.value(Argument::Percent))
       return Problem{"", "a bus with a bit rate for a share of its time", "one without"};
     return Problem{"period_us", "a time: a bus without a bit rate takes any number of frames at once", {}};

@@ -1,15 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
+#include "can/hub/medium/medium.hpp"
 #include "injection/json/fault_json.hpp"
 #include "injection/language/fault.hpp"
 
 namespace hub::faults {
 
-/// What a bus cannot do of @p fault, one of injection::bus_kinds(): a bus has no state and sees frames alone, and
-/// at @p bit_rate 0 frames take no time.
-std::optional<injection::Problem> find_problem(const injection::Fault& fault, std::uint32_t bit_rate);
+/// What the bus of @p medium cannot do of @p fault, one of injection::bus_kinds(): a bus has no state and sees
+/// frames alone, at bit rate 0 frames take no time, and the bit rate of a bus over several hosts is not that of
+/// one hub.
+std::optional<injection::Problem> find_problem(const injection::Fault& fault, const Medium& medium);
 
 }  // namespace hub::faults

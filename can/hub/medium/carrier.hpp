@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "libcanopen/base/time.hpp"
@@ -20,9 +21,10 @@ class Carrier {
   Carrier& operator=(const Carrier&) = delete;
   virtual ~Carrier() = default;
 
-  /// False while as many frames are under way as may be: Medium::go_on() tells when that has changed.
-  [[nodiscard]] virtual bool has_room() const noexcept = 0;
-  /// Takes @p passage along; only while has_room().
+  /// False while as many frames are under way as may be, of all or of station @p number: Medium::go_on() tells
+  /// when that has changed.
+  [[nodiscard]] virtual bool has_room(std::uint32_t number) const noexcept = 0;
+  /// Takes @p passage along; only while its station has_room().
   virtual void take(const Passage& passage, canopen::TimePoint now) noexcept = 0;
   /// @p participant leaves: what is under way of it passes without a sender.
   virtual void on_detach(const Participant& participant) noexcept = 0;

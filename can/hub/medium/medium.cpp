@@ -11,25 +11,18 @@ namespace hub {
 
 namespace {
 
-constexpr std::uint64_t kNanosecondsOfSecond = 1'000'000'000;
-
 std::int64_t real_time() noexcept {
   return std::chrono::nanoseconds{std::chrono::system_clock::now().time_since_epoch()}.count();
 }
 
-/// What makes a time of CLOCK_MONOTONIC one of CLOCK_REALTIME (ns).
-std::int64_t real_minus_monotonic() noexcept {
-  return real_time() - std::chrono::nanoseconds{std::chrono::steady_clock::now().time_since_epoch()}.count();
-}
-
 }  // namespace
 
-Medium::Medium(std::uint32_t bit_rate) : bit_rate_{bit_rate} {}
+Medium::Medium(std::uint32_t bit_rate) : line_{bit_rate} {}
 
 Medium::~Medium() = default;
 
 void Medium::attach(Participant& participant) {
-  stations_.push_back(std::make_unique<Station>(participant));
+  stations_.push_back(std::make_unique<Station>(participant, ++attached_));
   participant.station_ = stations_.back().get();
 }
 
@@ -50,8 +43,8 @@ void Medium::detach(Participant& participant) noexcept {
 
 void Medium::withdraw(Participant& participant) noexcept {
   Station& station = *participant.station_;
-  waiting_ -= station.count();
-  station.clear();
+  waiting_ -= station.frames.count();
+  station.frames.clear();
 }
 
 bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
@@ -62,19 +55,21 @@ bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
   }
   if (!advancing_) advance();
   Station& station = *passage.sender->station_;
-  if (station.full()) {
+  if (station.frames.full()) {
     station.refused = true;
     return false;
   }
-  station.push({passage, now_, handed_over_++, arbitration_field(passage.frame)});
-  if (passage.mark.hub == 0) station.last().passage.mark = origins_.make();
+  station.frames.push({passage, now_, handed_over_++, arbitration_field(passage.frame)});
+  Passage& kept = station.frames.last().content;
+  kept.station = station.number;
+  if (passage.mark.hub == 0) kept.mark = origins_.make();
   ++waiting_;
   if (!advancing_) advance();
   return true;
 }
 
 canopen::TimePoint Medium::next_deadline() const noexcept {
-  canopen::TimePoint own = on_wire_ ? end_of_frame() : waiting_ > 0 ? now_ : canopen::kNever;
+  canopen::TimePoint own = on_wire_ ? line_.end() : waiting_ > 0 ? now_ : canopen::kNever;
   if (carrier_ != nullptr) own = canopen::kNever;
   return interference_ == nullptr ? own : std::min(own, interference_->next_deadline());
 }
@@ -98,7 +93,7 @@ void Medium::advance() noexcept {
   advancing_ = true;
   if (carrier_ != nullptr)
     advance_with_carrier();
-  else if (bit_rate_ == 0)
+  else if (line_.bit_rate() == 0)
     advance_without_rate();
   else
     advance_with_rate();
@@ -108,7 +103,7 @@ void Medium::advance() noexcept {
 
 void Medium::advance_without_rate() noexcept {
   for (unsigned frames = 0; waiting_ > 0 && frames < kFramesOfTurn; ++frames) {
-    take(*earliest());
+    take(*earliest_of(stations_));
     deliver(real_time());
   }
 }
@@ -116,20 +111,20 @@ void Medium::advance_without_rate() noexcept {
 void Medium::advance_with_rate() noexcept {
   for (;;) {
     if (on_wire_) {
-      const canopen::TimePoint end = end_of_frame();
-      if (end > now_) return;
+      if (line_.end() > now_) return;
       on_wire_ = false;
-      deliver(end.time_since_epoch().count() + to_real_time_);
+      deliver(line_.real_end());
       continue;  // a frame that is repeated is on the wire again
     }
     if (waiting_ == 0) return;
-    begin(std::max(end_of_frame(), earliest()->first().arrival));
+    begin(std::max(line_.end(), earliest_of(stations_)->frames.first().arrival));
   }
 }
 
 void Medium::advance_with_carrier() noexcept {
-  while (waiting_ > 0 && carrier_->has_room()) {
-    take(*earliest());
+  const auto may_send = [this](const Station& station) { return carrier_->has_room(station.number); };
+  while (Station* const next = waiting_ > 0 ? earliest_of(stations_, may_send) : nullptr) {
+    take(*next);
     carrier_->take(current_, now_);
   }
 }
@@ -156,63 +151,29 @@ void Medium::set_up(bool up) noexcept {
 /// Who was refused sends what it had kept, which is lost too.
 void Medium::lose_waiting() noexcept {
   for (const auto& station : stations_) {
-    lost_ += station->count();
-    waiting_ -= station->count();
-    station->clear();
+    lost_ += station->frames.count();
+    waiting_ -= station->frames.count();
+    station->frames.clear();
     if (std::exchange(station->refused, false) && station->participant != nullptr) station->participant->on_room();
   }
   if (someone_left_) forget_those_who_left();
 }
 
-/// Who has the lowest arbitration field of those whose first frame was there at @p start; of equal ones that which
-/// was handed over first.
-Station* Medium::winner(canopen::TimePoint start) const noexcept {
-  Station* best = nullptr;
-  for (const auto& station : stations_) {
-    if (station->empty() || station->first().arrival > start) continue;
-    const Station::Waiting& candidate = station->first();
-    if (best == nullptr ||
-        std::pair{candidate.priority, candidate.number} < std::pair{best->first().priority, best->first().number})
-      best = station.get();
-  }
-  return best;
-}
-
-/// Whose first frame was handed over before those of the others; nullptr if none waits.
-Station* Medium::earliest() const noexcept {
-  Station* best = nullptr;
-  for (const auto& station : stations_)
-    if (!station->empty() && (best == nullptr || station->first().number < best->first().number))
-      best = station.get();
-  return best;
-}
-
 /// Makes the first frame of @p station the present one.
 void Medium::take(Station& station) noexcept {
-  current_ = station.first().passage;
+  current_ = station.frames.first().content;
   current_.sender = station.participant;
   if (station.participant == nullptr) left_ = station.left;
-  station.pop();
+  station.frames.pop();
   --waiting_;
   if (std::exchange(station.refused, false) && station.participant != nullptr) station.participant->on_room();
 }
 
 /// Puts the frame that wins the arbitration at @p start on the wire.
 void Medium::begin(canopen::TimePoint start) noexcept {
-  if (start > end_of_frame()) {
-    busy_since_ = start;
-    busy_bits_ = 0;
-    to_real_time_ = real_minus_monotonic();
-  }
   on_wire_ = true;
-  take(*winner(start));
-  occupy(current_.frame);
-}
-
-/// The bus is busy for so much longer.
-void Medium::occupy(const can_frame& frame) noexcept {
-  busy_bits_ += bits_on_wire(frame);
-  for (; busy_bits_ >= bit_rate_; busy_bits_ -= bit_rate_) busy_since_ += std::chrono::seconds{1};
+  take(*winner_of(stations_, start));
+  line_.begin(current_.frame, start);
 }
 
 void Medium::deliver(std::int64_t time_ns) noexcept {
@@ -226,7 +187,7 @@ void Medium::deliver(std::int64_t time_ns) noexcept {
 }
 
 void Medium::interfere() noexcept {
-  const canopen::TimePoint end = bit_rate_ == 0 ? now_ : end_of_frame();
+  const canopen::TimePoint end = takes_time() ? line_.end() : now_;
   interference_->on_end(current_, current_.sender == nullptr ? left_ : current_.sender->identity(), end);
 }
 
@@ -240,29 +201,21 @@ void Medium::hand_out(const Passage& passage, const Audience& audience) noexcept
 
 void Medium::repeat() noexcept {
   current_.mark = origins_.make();
-  if (bit_rate_ == 0) return deliver(real_time());
+  if (!takes_time()) return deliver(real_time());
   on_wire_ = true;
-  occupy(current_.frame);
+  line_.occupy(current_.frame);
 }
 
 void Medium::set_bit_rate(std::uint32_t bit_rate) noexcept {
-  if (bit_rate_ != 0) {
-    busy_since_ = end_of_frame();
-    busy_bits_ = 0;
-  }
-  bit_rate_ = bit_rate;
-  if (bit_rate_ == 0 && std::exchange(on_wire_, false)) deliver(real_time());
+  line_.set_bit_rate(bit_rate);
+  if (bit_rate == 0 && std::exchange(on_wire_, false)) deliver(real_time());
 }
 
 void Medium::forget_those_who_left() noexcept {
   std::erase_if(stations_,
-                [](const auto& station) { return station->participant == nullptr && station->empty(); });
+                [](const auto& station) { return station->participant == nullptr && station->frames.empty(); });
   someone_left_ = std::any_of(stations_.begin(), stations_.end(),
                               [](const auto& station) { return station->participant == nullptr; });
-}
-
-canopen::TimePoint Medium::end_of_frame() const noexcept {
-  return busy_since_ + canopen::Duration{busy_bits_ * kNanosecondsOfSecond / bit_rate_};
 }
 
 }  // namespace hub

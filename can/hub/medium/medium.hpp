@@ -11,13 +11,15 @@
 #include "can/hub/medium/carrier.hpp"
 #include "can/hub/medium/interference.hpp"
 #include "can/hub/medium/origins.hpp"
+#include "can/hub/medium/time_line.hpp"
+#include "can/hub/medium/waiting.hpp"
 #include "can/port/port.hpp"
 #include "libcanopen/base/time.hpp"
 
 namespace hub {
 
 class Participant;
-class Station;
+struct Station;
 
 /// A frame that has passed over the medium, as every participant sees it.
 struct Passage {
@@ -26,6 +28,7 @@ struct Passage {
   int interface_index = 0;        ///< the sender's name for the bus, 0 = none (a bridge)
   bool loopback = true;           ///< false: for bridges only (CAN_RAW_LOOPBACK 0)
   bool local = true;              ///< false: it came over a bridge, from outside this machine's bus
+  std::uint32_t station = 0;      ///< number of the sender among all that this medium has had; send() fills it in
   std::int64_t time_ns = 0;       ///< its end on the bus, CLOCK_REALTIME
   bus::Mark mark{};               ///< where it came up; send() gives it to a frame that has none
 };
@@ -65,15 +68,16 @@ class Participant {
 /// participants wins. Then the medium has a time line of its own: a frame begins where the one before ended, or
 /// when it was handed over to an idle bus, however late on_time() is called.
 ///
-/// With a Carrier the wire is longer than this hub: a frame passes when the carrier brings it back, whatever the
-/// bit rate, and while the wire is cut what is sent is lost and counted.
+/// With a Carrier the wire is longer than this hub: a frame passes when the carrier brings it back, and if the bus
+/// has a bit rate, then its time and the arbitration are those of the carrier. While the wire is cut what is sent
+/// is lost and counted.
 ///
 /// A frame that is sent from within receive() passes when the present one has reached all. Nothing but attach()
 /// allocates.
 class Medium {
  public:
   /// Frames of one participant that may wait for the bus.
-  static constexpr std::size_t kQueue = 16;
+  static constexpr std::size_t kQueue = kMostWaiting;
 
   /// @p bit_rate in bit/s; 0: frames take no time.
   explicit Medium(std::uint32_t bit_rate = 0);
@@ -131,7 +135,7 @@ class Medium {
 
   /// The latest time that was told.
   [[nodiscard]] canopen::TimePoint now() const noexcept { return now_; }
-  [[nodiscard]] std::uint32_t bit_rate() const noexcept { return bit_rate_; }
+  [[nodiscard]] std::uint32_t bit_rate() const noexcept { return line_.bit_rate(); }
   /// Frames that have passed.
   [[nodiscard]] std::uint64_t passed() const noexcept { return passed_; }
 
@@ -145,20 +149,19 @@ class Medium {
   void advance_with_rate() noexcept;
   void advance_with_carrier() noexcept;
   void lose_waiting() noexcept;
-  [[nodiscard]] Station* winner(canopen::TimePoint start) const noexcept;
-  [[nodiscard]] Station* earliest() const noexcept;
   void take(Station& station) noexcept;
   void begin(canopen::TimePoint start) noexcept;
-  void occupy(const can_frame& frame) noexcept;
   void deliver(std::int64_t time_ns) noexcept;
   void interfere() noexcept;
   void forget_those_who_left() noexcept;
-  [[nodiscard]] canopen::TimePoint end_of_frame() const noexcept;
+  /// Whether frames take time here, and not on the way that a carrier takes them.
+  [[nodiscard]] bool takes_time() const noexcept { return line_.bit_rate() != 0 && carrier_ == nullptr; }
 
-  std::uint32_t bit_rate_;
+  TimeLine line_;
   Origins origins_;
   std::uint64_t passed_ = 0;
   std::uint64_t handed_over_ = 0;
+  std::uint32_t attached_ = 0;
   std::vector<std::unique_ptr<Station>> stations_;
   std::size_t waiting_ = 0;  ///< frames of all stations
   canopen::TimePoint now_{};
@@ -171,11 +174,6 @@ class Medium {
   Carrier* carrier_ = nullptr;
   bool up_ = true;
   std::uint64_t lost_ = 0;
-
-  // The end of the frame on the wire, or of the last one, is busy_bits_ bit times after busy_since_.
-  canopen::TimePoint busy_since_ = canopen::TimePoint::min();
-  std::uint64_t busy_bits_ = 0;
-  std::int64_t to_real_time_ = 0;  ///< CLOCK_REALTIME minus the told time (ns)
 };
 
 }  // namespace hub

@@ -5,6 +5,15 @@
 
 namespace hub::trunk {
 
+namespace {
+
+/// With a bit rate frames of a hub may be in the stream already when it says how many have passed.
+bool is_rough(const Header& header) noexcept {
+  return is_beat(header.kind) && header.bit_rate() != 0;
+}
+
+}  // namespace
+
 bool Hubs::is_outdated(const Header& header) const noexcept {
   const auto known = std::ranges::find(hubs_, header.hub, &Neighbour::hub);
   return known != hubs_.end() && header.epoch < known->epoch;
@@ -15,7 +24,6 @@ Hubs::Outcome Hubs::note(const Header& header, std::size_t frames, canopen::Time
   Outcome outcome{.hub = hub};
   if (hub.hub == 0) {
     hub.hub = header.hub;
-    hub.next = header.counter;
     outcome.news = News::Joined;
   } else if (!hub.is_present || hub.epoch != header.epoch) {
     outcome.news = News::Returned;
@@ -23,6 +31,10 @@ Hubs::Outcome Hubs::note(const Header& header, std::size_t frames, canopen::Time
   hub.epoch = header.epoch;
   hub.heard = now;
   hub.is_present = true;
+  if (hub.next == 0) {
+    if (is_rough(header)) return outcome;
+    hub.next = header.counter;
+  }
   if (header.counter > hub.next) {
     hub.missed += header.counter - hub.next;
     missed_ += header.counter - hub.next;

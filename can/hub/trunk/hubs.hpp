@@ -15,7 +15,7 @@ namespace hub::trunk {
 struct Neighbour {
   std::uint32_t hub = 0;  ///< 0: the place is free
   std::uint32_t epoch = 0;
-  std::uint64_t next = 0;      ///< number of the frame that is expected next
+  std::uint64_t next = 0;      ///< number of the frame that is expected next; 0 = not known yet
   std::uint64_t received = 0;  ///< frames of it that have passed here
   std::uint64_t missed = 0;    ///< frames of it that have not
   canopen::TimePoint heard{};  ///< when its last message came

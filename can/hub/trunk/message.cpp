@@ -30,7 +30,8 @@ void Writer::begin(const Header& header) noexcept {
   put(header.origin);
   put(header.counter);
   put(header.seen);
-  put(std::uint64_t{0});
+  put(header.term);
+  put(header.detail);
 }
 
 void Writer::add(const MarkedFrame& frame) noexcept {
@@ -38,6 +39,11 @@ void Writer::add(const MarkedFrame& frame) noexcept {
   put(frame.frame.can_dlc | frame.number << kBitsOfLength);
   put(std::to_array(frame.frame.data));
   ++header_.count;
+}
+
+void Writer::add_granted(const MarkedFrame& frame, std::int64_t end) noexcept {
+  put(end);
+  add(frame);
 }
 
 void Writer::add_name(std::string_view name) noexcept {
@@ -87,24 +93,37 @@ void Reader::read_header() noexcept {
   next(header_.origin);
   next(header_.counter);
   next(header_.seen);
+  next(header_.term);
+  next(header_.detail);
 }
 
 std::string_view Reader::fault() const noexcept {
   const std::size_t rest = bytes_.size() - kHeaderSize;
   if (header_.hub == 0) return "comes from no hub";
-  if (header_.kind == Kind::Beat)
+  if (header_.kind > Kind::Lost) return "is of a kind that is unknown";
+  if (is_of_arbiter(header_.kind) && header_.term == 0) return "comes from no arbiter";
+  if (is_beat(header_.kind))
     return header_.count <= kLongestName && rest == header_.count ? "" : "has no name of its length";
-  if (header_.kind != Kind::Frames) return "is of a kind that is unknown";
-  if (header_.count == 0 || header_.count > kMostFrames || rest != header_.count * kFrameSize)
+  if (header_.kind == Kind::Lost) return header_.count == 0 && rest == 0 ? "" : "has more than it says";
+  return fault_of_frames();
+}
+
+std::string_view Reader::fault_of_frames() const noexcept {
+  const std::size_t most = header_.kind == Kind::Granted ? 1 : kMostFrames;
+  if (header_.count == 0 || header_.count > most || bytes_.size() != frames_at() + header_.count * kFrameSize)
     return "does not have the frames that it counts";
   for (std::size_t i = 0; i < header_.count; ++i)
-    if (get<std::uint8_t>(kHeaderSize + i * kFrameSize + kLengthAt) > CAN_MAX_DLEN)
+    if (get<std::uint8_t>(frames_at() + i * kFrameSize + kLengthAt) > CAN_MAX_DLEN)
       return "has a frame of more than 8 bytes";
   return "";
 }
 
+std::size_t Reader::frames_at() const noexcept {
+  return header_.kind == Kind::Granted ? kHeaderSize + kTimeSize : kHeaderSize;
+}
+
 MarkedFrame Reader::frame(std::size_t number) const noexcept {
-  const std::size_t at = kHeaderSize + number * kFrameSize;
+  const std::size_t at = frames_at() + number * kFrameSize;
   MarkedFrame marked;
   marked.frame.can_id = get<canid_t>(at);
   marked.frame.can_dlc = get<std::uint8_t>(at + kLengthAt);
@@ -113,9 +132,12 @@ MarkedFrame Reader::frame(std::size_t number) const noexcept {
   return marked;
 }
 
+std::int64_t Reader::time(std::int64_t taken_in) const noexcept {
+  return header_.kind == Kind::Granted ? get<std::int64_t>(kHeaderSize) : taken_in;
+}
+
 std::string_view Reader::name() const noexcept {
-  return {reinterpret_cast<const char*>(bytes_.data()) + kHeaderSize,
-          header_.kind == Kind::Beat ? header_.count : 0U};
+  return {reinterpret_cast<const char*>(bytes_.data()) + kHeaderSize, is_beat(header_.kind) ? header_.count : 0U};
 }
 
 template <class Number>

@@ -43,6 +43,15 @@ class Stream {
   virtual void reopen() noexcept = 0;
   /// One line that says why it is not open, as far as that is known; empty if there is nothing new to say.
   [[nodiscard]] virtual std::string take_problem() = 0;
+
+  // What hubs of a bus with a bit rate ask of its arbiter goes beside the stream, of each hub in its order.
+
+  /// Takes @p bytes, a request, for who listens, which go with flush() at the latest. Only while Open.
+  virtual void ask([[maybe_unused]] std::span<const std::byte> bytes) noexcept {}
+  /// Requests of all hubs, this one's included, come here from now on, or do so no more. Only while Open.
+  virtual void listen([[maybe_unused]] bool on) noexcept {}
+  /// Takes the next request that has come in, its `bytes`; false if there is none. Only while Open.
+  [[nodiscard]] virtual bool receive_request([[maybe_unused]] Message& message) noexcept { return false; }
 };
 
 }  // namespace hub::trunk

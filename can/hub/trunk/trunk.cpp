@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "can/hub/loop/clock.hpp"
-#include "can/hub/trunk/report.hpp"
 
 namespace hub::trunk {
 
@@ -20,12 +19,22 @@ constexpr int kBatch = 64;
 
 }  // namespace
 
-Trunk::Trunk(Medium& medium, std::unique_ptr<Stream> stream, Settings settings, OnLink on_link, Notice notice)
+Trunk::Trunk(Medium& medium, std::unique_ptr<Stream> stream, Settings settings, OnLink on_link, Notice notice,
+             std::unique_ptr<Lease> lease)
     : medium_{medium},
       stream_{std::move(stream)},
       settings_{std::move(settings)},
       on_link_{std::move(on_link)},
-      notices_{settings_.url, std::move(notice)} {
+      notices_{settings_.url, std::move(notice)},
+      outgoing_{*stream_,
+                {.hub = medium.number_of_hub(),
+                 .name = settings_.name,
+                 .bit_rate = settings_.bit_rate,
+                 .frames_a_message = settings_.frames_a_message}},
+      incoming_{medium, notices_, figures_} {
+  if (settings_.bit_rate != 0)
+    arbitration_ = std::make_unique<Arbitration>(*stream_, std::move(lease), notices_, medium.number_of_hub(),
+                                                 settings_.bit_rate);
   medium_.set_carrier(this);
   on_link_(false, monotonic_now());
 }
@@ -43,7 +52,7 @@ void Trunk::on_readable(TimePoint now) noexcept {
   }
   if (state == Stream::State::Lost) return cut("the connection is lost", now);
   if (state != Stream::State::Open) return;
-  if (phase_ == Phase::Closed) join(now);
+  if (phase_ == Phase::Closed) open(now);
   read(now);
 }
 
@@ -54,37 +63,55 @@ bool Trunk::stood_still(TimePoint now) noexcept {
   return phase_ != Phase::Closed && now - before > kPatience;
 }
 
-void Trunk::join(TimePoint now) noexcept {
-  ++epoch_;
-  phase_ = Phase::Joining;
+void Trunk::open(TimePoint now) noexcept {
   sequence_ = 0;
-  seen_ = 0;
-  returned_seen_ = 0;
+  outgoing_.see(0);
   heard_ = now;
   looked_ = now;
-  hubs_.forgive(now);
+  incoming_.forgive(now);
+  if (arbitration_) arbitration_->begin(now);
+  join(now);
+}
+
+void Trunk::join(TimePoint now) noexcept {
+  outgoing_.join();
+  phase_ = Phase::Joining;
+  joined_at_ = 0;
   beat(now);
 }
 
 void Trunk::come_up(TimePoint now) noexcept {
   phase_ = Phase::Up;
   is_failure_told_ = false;
-  notices_.tell(epoch_ == 1 ? "joined" : "joined again", now);
+  outgoing_.begin(arbitration_ ? arbitration_->term() : 0);
+  notices_.tell(std::exchange(was_up_, true) ? "joined again" : "joined", now);
   on_link_(true, now);
+  if (arbitration_) beat(now);  // from now on the arbiter knows this hub
+}
+
+/// What is under way is lost.
+void Trunk::drop(std::string_view reason, TimePoint now) noexcept {
+  if (phase_ != Phase::Up) return;
+  ++figures_.cuts;
+  const std::size_t dropped = outgoing_.drop();
+  figures_.dropped += dropped;
+  notices_.tell(fmt::format("cut: {}; {} frames were under way", reason, dropped), now);
+  on_link_(false, now);
 }
 
 void Trunk::cut(std::string_view reason, TimePoint now) noexcept {
-  if (std::exchange(phase_, Phase::Closed) == Phase::Up) {
-    ++figures_.cuts;
-    notices_.tell(fmt::format("cut: {}; {} frames were under way", reason, under_way_.count()), now);
-    figures_.dropped += under_way_.count();
-    under_way_.clear();
-    writer_.begin({});
-    on_link_(false, now);
-  }
-  is_unsent_ = false;
+  drop(reason, now);
+  outgoing_.drop();
+  phase_ = Phase::Closed;
   has_more_ = false;
+  if (arbitration_) arbitration_->step_down(false);
   stream_->reopen();
+}
+
+/// Cut from the others, but not from the stream.
+void Trunk::part(std::string_view reason, TimePoint now) noexcept {
+  drop(reason, now);
+  join(now);
 }
 
 void Trunk::read(TimePoint now) noexcept {
@@ -95,13 +122,14 @@ void Trunk::read(TimePoint now) noexcept {
     if (has_more_) take_message(message, now);
   }
   if (phase_ == Phase::Up) medium_.go_on(now);
+  if (arbitration_) arbitrate(now);
 }
 
 void Trunk::take_message(const Stream::Message& message, TimePoint now) noexcept {
   const std::uint64_t before = std::exchange(sequence_, message.sequence);
   if (before != 0 && message.sequence != before + 1)
     return cut(fmt::format("the stream went from message {} to {}", before, message.sequence), now);
-  seen_ = message.time_ns;
+  outgoing_.see(message.time_ns);
   std::string_view problem;
   const auto reader = Reader::read(message.bytes, problem);
   if (!reader) {
@@ -110,134 +138,133 @@ void Trunk::take_message(const Stream::Message& message, TimePoint now) noexcept
   }
   const Header& header = reader->header();
   const bool is_stale = is_late(header, message.time_ns);
+  const bool is_of_this_bus = header.is_of_bus_at(settings_.bit_rate);
+  if (!is_of_this_bus && !is_stale) meet_other_bus(*reader, now);
+  if (!is_of_this_bus || phase_ == Phase::Refused) return;
+  if (is_of_arbiter(header.kind) && !is_obeyed(*reader, is_stale, now)) return;
   if (header.hub == medium_.number_of_hub())
     take_own(*reader, message, is_stale, now);
   else
     take_foreign(*reader, message, is_stale, now);
+  if (header.kind == Kind::ArbiterBeat) follow(header, now);
+}
+
+/// Whoever was on the bus before goes on, and says at once that he is there; the other one does not join. A hub
+/// without a bit rate is on the bus as soon as it says that it is there, one with a bit rate when it obeys an
+/// arbiter.
+void Trunk::meet_other_bus(const Reader& reader, TimePoint now) noexcept {
+  const Header& header = reader.header();
+  if (!is_beat(header.kind)) return;
+  const bool is_on_bus = phase_ == Phase::Up && arbitration_;
+  if (is_on_bus && header.term == 0) return beat(now);
+  if (is_on_bus && header.term > arbitration_->term()) return;
+  if (header.term != 0 || header.bit_rate() == 0) refuse(reader, now);
+}
+
+void Trunk::refuse(const Reader& reader, TimePoint now) noexcept {
+  refused_until_ = now + kRefusal;
+  if (phase_ == Phase::Refused) return;
+  const std::string reason =
+      fmt::format("{} has the bus {}, this hub is to have it {}", reader.name(),
+                  text_of_bit_rate(reader.header().bit_rate()), text_of_bit_rate(settings_.bit_rate));
+  if (phase_ != Phase::Up) notices_.tell("not joined: " + reason, now);
+  drop(reason, now);
+  phase_ = Phase::Refused;
+  if (arbitration_) arbitration_->step_down(true);
+}
+
+bool Trunk::is_obeyed(const Reader& reader, bool is_stale, TimePoint now) noexcept {
+  using Verdict = Arbitration::Verdict;
+  const Verdict verdict = arbitration_->judge(reader.header(), is_stale, now);
+  if (verdict == Verdict::Obey) return true;
+  if (verdict == Verdict::Begin) {
+    const bool is_here = reader.header().hub == medium_.number_of_hub();
+    notices_.tell(fmt::format("{} is the arbiter", is_here ? "this hub" : reader.name()), now);
+    if (phase_ == Phase::Up) part("there is another arbiter", now);
+    return true;
+  }
+  if (verdict == Verdict::End && phase_ == Phase::Up) part("the arbiter was cut itself", now);
+  figures_.stale += reader.frames();
+  return false;
+}
+
+/// The arbiter has heard that this hub has joined: whoever was the arbiter before has been heard of then.
+void Trunk::follow(const Header& header, TimePoint now) noexcept {
+  if (phase_ == Phase::Joining && joined_at_ != 0 && header.seen >= joined_at_) come_up(now);
 }
 
 void Trunk::take_own(const Reader& reader, const Stream::Message& message, bool is_stale, TimePoint now) noexcept {
-  if (reader.header().epoch != epoch_) return;  // counted when the wire was cut
-  if (has_been_here(reader)) {
+  const Header& header = reader.header();
+  if (header.epoch != outgoing_.epoch()) return;  // counted when the wire was cut
+  if (header.kind == Kind::Lost) return part("the arbiter has lost frames of this hub", now);
+  if (outgoing_.is_repeated(reader)) {
     figures_.repeated += reader.frames();
     return;
   }
-  returned_seen_ = reader.header().seen;
-  if (is_stale) return cut("messages reach the stream too late", now);
-  heard_ = now;
-  if (phase_ == Phase::Joining) come_up(now);
-  const TimePoint clock = monotonic_now();
-  for (std::size_t i = 0; i < reader.frames(); ++i) {
-    if (under_way_.empty() || under_way_.first().counter != reader.header().counter + i)
-      return cut("frames have come back in another order", now);
-    Passage passage = under_way_.first().passage;
-    passage.time_ns = message.time_ns;
-    latency_.add(clock - under_way_.first().taken);
-    under_way_.pop();
-    ++figures_.sent;
-    medium_.pass(passage, now);
+  if (header.kind != Kind::Granted) {  // this hub has sent it: the way there and back is whole
+    outgoing_.note_return(header);
+    if (is_stale) return cut("messages reach the stream too late", now);
+    heard_ = now;
   }
-}
-
-/// Somebody else sends what this hub has sent before.
-bool Trunk::has_been_here(const Reader& reader) const noexcept {
-  const Header& header = reader.header();
-  if (header.kind == Kind::Beat) return header.seen < returned_seen_;
-  const std::uint64_t next = under_way_.empty() ? counter_ : under_way_.first().counter;
-  return header.counter + reader.frames() <= next;
+  if (phase_ == Phase::Joining && joined_at_ == 0) {
+    joined_at_ = message.time_ns;
+    arbitration_ ? answer(header, now) : come_up(now);
+  }
+  for (std::size_t i = 0; i < reader.frames(); ++i) {
+    auto passage = outgoing_.take_back(reader, i);
+    if (!passage) return cut("frames have come back in another order", now);
+    passage->time_ns = reader.time(message.time_ns);
+    ++figures_.sent;
+    medium_.pass(*passage, now);
+  }
 }
 
 void Trunk::take_foreign(const Reader& reader, const Stream::Message& message, bool is_stale,
                          TimePoint now) noexcept {
-  if (hubs_.is_outdated(reader.header())) return;
-  const Hubs::Outcome outcome = hubs_.note(reader.header(), reader.frames(), now);
-  if (reader.header().kind == Kind::Beat) reader.name().copy(outcome.hub.name.data(), kLongestName);
-  if (reader.header().kind == Kind::Beat || outcome.news == Hubs::News::Returned) tell_news(outcome, now);
-  const std::size_t fresh = reader.frames() - outcome.repeated;
-  if (is_stale) {
-    figures_.stale += fresh;
-  } else if (phase_ != Phase::Up) {
-    hubs_.miss(outcome.hub, fresh);
-  } else {
-    for (std::size_t i = outcome.repeated; i < reader.frames(); ++i)
-      if (pass(reader, i, message.time_ns, now)) ++outcome.hub.received;
-  }
+  using Gate = Incoming::Gate;
+  if (reader.header().kind == Kind::Lost) return;
+  const Gate gate = is_stale ? Gate::Stale : phase_ == Phase::Up ? Gate::Open : Gate::Closed;
+  const bool is_anew = incoming_.take(reader, reader.time(message.time_ns), gate, now);
+  if (is_anew && arbitration_) answer(reader.header(), now);
 }
 
-/// False if it is not for the members of this hub.
-bool Trunk::pass(const Reader& reader, std::size_t number, std::int64_t time_ns, TimePoint now) noexcept {
-  const MarkedFrame marked = reader.frame(number);
-  if ((marked.frame.can_id & CAN_ERR_FLAG) != 0) return false;  // those of a hub stay on it
-  if (!medium_.is_new({.hub = reader.header().origin, .number = marked.number})) {
-    ++figures_.returned;
-    return false;
-  }
-  ++figures_.received;
-  Passage passage;
-  passage.frame = marked.frame;
-  passage.local = false;
-  passage.time_ns = time_ns;
-  passage.mark = {.hub = reader.header().origin, .number = marked.number};
-  medium_.pass(passage, now);
-  return true;
-}
-
-void Trunk::tell_news(const Hubs::Outcome& outcome, TimePoint now) noexcept {
-  if (outcome.news == Hubs::News::Joined) notices_.tell(fmt::format("{} is on the bus", outcome.hub.text()), now);
-  if (outcome.news == Hubs::News::Returned)
-    notices_.tell(fmt::format("{} is on the bus again", outcome.hub.text()), now);
+/// A hub that has joined waits until it hears that the arbiter knows that.
+void Trunk::answer(const Header& header, TimePoint now) noexcept {
+  if (!arbitration_->is_arbiter()) return;
+  arbitration_->on_beat(header);
+  beat(now);
 }
 
 void Trunk::take(const Passage& passage, TimePoint now) noexcept {
   if (stood_still(now)) {
-    ++counter_;  // the others miss it
+    outgoing_.skip();
     ++figures_.dropped;
     return cut("this hub was kept from running", now);
   }
-  const bool is_begun = writer_.frames() > 0;
-  if (is_begun && (writer_.header().origin != passage.mark.hub || writer_.frames() >= settings_.frames_a_message))
-    finish_message();
-  if (writer_.frames() == 0) writer_.begin(header(Kind::Frames, passage.mark.hub));
-  writer_.add({passage.frame, passage.mark.number});
-  under_way_.push({passage, counter_++, monotonic_now()});
-}
-
-Header Trunk::header(Kind kind, std::uint32_t origin) const noexcept {
-  return {.kind = kind,
-          .hub = medium_.number_of_hub(),
-          .epoch = epoch_,
-          .origin = origin,
-          .counter = counter_,
-          .seen = seen_};
-}
-
-void Trunk::publish(std::span<const std::byte> message) noexcept {
-  stream_->publish(message);
-  is_unsent_ = true;
-}
-
-void Trunk::finish_message() noexcept {
-  if (writer_.frames() == 0) return;
-  publish(writer_.finish());
-  writer_.begin({});
-}
-
-void Trunk::flush() noexcept {
-  if (std::exchange(is_unsent_, false)) stream_->flush();
+  outgoing_.take(passage);
 }
 
 void Trunk::beat(TimePoint now) noexcept {
   next_beat_ = now + kBeat;
-  Writer writer;
-  writer.begin(header(Kind::Beat, medium_.number_of_hub()));
-  writer.add_name(settings_.name);
-  publish(writer.finish());
+  outgoing_.beat(arbitration_ && arbitration_->is_arbiter() ? arbitration_->term() : 0);
+}
+
+void Trunk::arbitrate(TimePoint now) noexcept {
+  if (phase_ != Phase::Joining && phase_ != Phase::Up) return;
+  arbitration_->turn(outgoing_.seen(), now);
+  if (phase_ == Phase::Up && now > arbitration_->quiet_at()) part("no arbiter has been heard for 500 ms", now);
+  if (phase_ == Phase::Joining && joined_at_ != 0 && arbitration_->seek(now)) beat(now);
 }
 
 TimePoint Trunk::next_deadline() const noexcept {
-  if (writer_.frames() > 0 || is_unsent_ || has_more_) return TimePoint::min();
+  if (outgoing_.is_waiting() || has_more_) return TimePoint::min();
   if (phase_ == Phase::Closed) return notices_.due();
-  return std::min({next_beat_, heard_ + kPatience + canopen::Duration{1}, notices_.due()});
+  if (phase_ == Phase::Refused) return std::min(refused_until_, notices_.due());
+  const TimePoint next = std::min({next_beat_, heard_ + kPatience + canopen::Duration{1}, notices_.due()});
+  if (!arbitration_) return next;
+  const TimePoint quiet_at =
+      phase_ == Phase::Up ? arbitration_->quiet_at() + canopen::Duration{1} : canopen::kNever;
+  return std::min({next, quiet_at, arbitration_->next_deadline(phase_ == Phase::Joining && joined_at_ != 0)});
 }
 
 void Trunk::on_time(TimePoint now) noexcept {
@@ -245,15 +272,18 @@ void Trunk::on_time(TimePoint now) noexcept {
   if (phase_ == Phase::Closed) return;
   if (stood_still(now)) return cut("this hub was kept from running", now);
   if (has_more_) read(now);
-  finish_message();
-  flush();
+  outgoing_.flush();
   if (phase_ == Phase::Closed) return;
+  if (phase_ == Phase::Refused) {
+    if (now >= refused_until_) cut("", now);
+    return;
+  }
   if (now - heard_ > kPatience) return miss_own(now);
+  if (arbitration_) arbitrate(now);
   if (now < next_beat_) return;
   beat(now);
-  flush();
-  while (const Neighbour* const gone = hubs_.take_gone(now))
-    notices_.tell(fmt::format("{} is on the bus no more", gone->text()), now);
+  outgoing_.flush();
+  incoming_.tell_gone(now);
 }
 
 /// The way there and back is broken somewhere, even if others are heard.
@@ -261,26 +291,6 @@ void Trunk::miss_own(TimePoint now) noexcept {
   if (phase_ == Phase::Joining && !std::exchange(is_failure_told_, true))
     notices_.tell("nothing that this hub sends comes back: the server is full, or does not let it publish", now);
   cut("nothing has come back for 500 ms", now);
-}
-
-Identity Trunk::identity() const noexcept {
-  Identity who;
-  settings_.url.copy(who.name.data(), who.name.size() - 1);
-  return who;
-}
-
-std::string Trunk::report(std::size_t room) const {
-  return report_of(*this, medium_.lost(), room);
-}
-
-bool Trunk::statistics(userbus::MemberStatistics& row) const noexcept {
-  row = {};
-  settings_.url.copy(row.name, sizeof row.name - 1);
-  row.sent = figures_.received;
-  row.received = figures_.sent;
-  row.dropped = figures_.dropped + hubs_.missed();
-  row.refused = figures_.malformed;
-  return true;
 }
 
 }  // namespace hub::trunk

@@ -54,13 +54,49 @@ TEST(TrunkMessage, HasTheNameOfABeat) {
   EXPECT_EQ(reader->frames(), 0U);
 }
 
-TEST(TrunkMessage, IsReadOrRefusedWhateverBytesCome) {
+TEST(TrunkMessage, HasTheFrameThatIsGrantedAndItsTime) {
+  Writer writer;
+  writer.begin({.kind = Kind::Granted, .hub = 1, .counter = 7, .term = 0x01020304, .detail = 0x05060708});
+  writer.add_granted({told::wire("123#01"), 2}, -5);
+  const auto bytes = copy(writer.finish());
+  std::string_view problem;
+
+  const auto reader = Reader::read(bytes, problem);
+
+  ASSERT_TRUE(reader) << problem;
+  EXPECT_EQ(bytes.size(), hub::trunk::kHeaderSize + hub::trunk::kTimeSize + hub::trunk::kFrameSize);
+  EXPECT_EQ(reader->header().term, 0x01020304U);
+  EXPECT_EQ(reader->header().station(), 0x05060708U);
+  ASSERT_EQ(reader->frames(), 1U);
+  EXPECT_EQ(told::text_of(reader->frame(0).frame), "123#01");
+  EXPECT_EQ(reader->frame(0).number, 2U);
+  EXPECT_EQ(reader->time(9), -5);
+}
+
+TEST(TrunkMessage, OfAnArbiterHasATerm) {
+  for (const Kind kind : {Kind::ArbiterBeat, Kind::Lost}) {
+    Writer writer;
+    std::string_view problem;
+    writer.begin({.kind = kind, .hub = 1, .term = 1});
+    EXPECT_TRUE(Reader::read(copy(writer.finish()), problem)) << problem;
+    writer.begin({.kind = kind, .hub = 1});
+    EXPECT_FALSE(Reader::read(copy(writer.finish()), problem));
+    EXPECT_EQ(problem, "comes from no arbiter");
+  }
+}
+
+/// A message of each form that has frames.
+class TrunkMessageOfAnyBytes : public testing::TestWithParam<Kind> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, TrunkMessageOfAnyBytes, testing::Values(Kind::Frames, Kind::Granted));
+
+TEST_P(TrunkMessageOfAnyBytes, IsReadOrRefused) {
   const unsigned seed = told::seed();
   SCOPED_TRACE(seed);
   std::mt19937 random{seed};
   Writer writer;
-  writer.begin({.hub = 1});
-  for (int i = 0; i < 3; ++i) writer.add({told::wire("123#01"), 1});
+  writer.begin({.kind = GetParam(), .hub = 1, .term = 1});
+  if (GetParam() == Kind::Granted) writer.add_granted({told::wire("123#01"), 1}, 1);
+  for (int i = 0; GetParam() == Kind::Frames && i < 3; ++i) writer.add({told::wire("123#01"), 1});
   const auto good = copy(writer.finish());
   unsigned refused = 0;
 

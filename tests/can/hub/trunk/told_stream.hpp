@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,9 @@ class Server {
   struct Line {
     std::deque<std::vector<std::byte>> asked;  ///< published, and not taken in yet
     std::deque<Kept> given;
+    std::deque<std::vector<std::byte>> requested;  ///< likewise, beside the stream
+    std::deque<std::vector<std::byte>> requests;   ///< of all, while it listens
+    bool listens = false;
     bool is_open = false;
     bool is_lost = false;
     bool is_held = false;  ///< nothing that is published reaches the server
@@ -34,11 +38,17 @@ class Server {
 
   canopen::TimePoint now = kStart;
   bool is_stopped = false;
+  hub::trunk::Lease::Entry lease;
 
   /// Takes in what @p line has published and gives it to all.
   void serve(Line& line) {
     if (is_stopped || line.is_held) return;
+    for (; !line.requested.empty(); line.requested.pop_front()) request(line.requested.front());
     for (; !line.asked.empty(); line.asked.pop_front()) put(line.asked.front());
+  }
+  void request(const std::vector<std::byte>& bytes) {
+    for (Line* const each : lines)
+      if (each->is_open && each->listens) each->requests.push_back(bytes);
   }
   void put(const std::vector<std::byte>& bytes) {
     ++sequence_;
@@ -79,27 +89,65 @@ class Stream final : public hub::trunk::Stream {
     ++line_.opened;
     line_.is_open = false;
     line_.is_lost = false;
+    line_.listens = false;
     line_.given.clear();  // what was published stays on its way
+    line_.requests.clear();
   }
   [[nodiscard]] std::string take_problem() override { return {}; }
+  void ask(std::span<const std::byte> bytes) noexcept override {
+    line_.requested.emplace_back(bytes.begin(), bytes.end());
+  }
+  void listen(bool on) noexcept override { line_.listens = on; }
+  [[nodiscard]] bool receive_request(Message& message) noexcept override {
+    if (line_.requests.empty()) return false;
+    last_request_ = line_.requests.front();
+    line_.requests.pop_front();
+    message = {.bytes = last_request_};
+    return true;
+  }
 
  private:
   Server& server_;
   Server::Line& line_;
   Server::Kept last_;
+  std::vector<std::byte> last_request_;
+};
+
+/// The lease that the server keeps, as hub @p hub sees it.
+class Lease final : public hub::trunk::Lease {
+ public:
+  Lease(Server& server, std::uint32_t hub) : server_{server}, hub_{hub} {}
+
+  void look() noexcept override { is_asked_ = true; }
+  void take(std::uint64_t revision, std::uint32_t term) noexcept override {
+    is_asked_ = true;
+    if (server_.lease.revision == revision) server_.lease = {.revision = revision + 1, .term = term, .hub = hub_};
+  }
+  [[nodiscard]] std::optional<Entry> take_answer() noexcept override {
+    if (server_.is_stopped || !std::exchange(is_asked_, false)) return std::nullopt;
+    return server_.lease;
+  }
+  [[nodiscard]] std::string take_problem() override { return {}; }
+
+ private:
+  Server& server_;
+  std::uint32_t hub_;
+  bool is_asked_ = false;
 };
 
 /// A host: a medium with a listener, joined to the others by a server.
 struct Host {
-  explicit Host(Server& server, std::string name)
-      : trunk{medium,
+  Host(Server& server, std::string name, std::uint32_t bit_rate = 0)
+      : medium{bit_rate},
+        trunk{medium,
               std::make_unique<Stream>(server, line),
-              {.url = "nats://told/bus", .name = std::move(name)},
+              {.url = "nats://told/bus", .name = std::move(name), .bit_rate = bit_rate},
               [this](bool up, canopen::TimePoint) {
                 medium.set_up(up);
                 links.push_back(up);
               },
-              [this](std::string_view text) { notices.emplace_back(text); }},
+              [this](std::string_view text) { notices.emplace_back(text); },
+              std::make_unique<Lease>(server, medium.number_of_hub())},
         server_{server} {
     medium.attach(member);
   }
@@ -118,7 +166,9 @@ struct Host {
     if (trunk.next_deadline() <= server_.now) trunk.on_time(server_.now);
     server_.serve(line);
   }
-  void send(std::string_view text) { medium.send(passage(member, text), server_.now); }
+  void send(std::string_view text) { send(member, text); }
+  void send(Listener& sender, std::string_view text) { medium.send(passage(sender, text), server_.now); }
+  [[nodiscard]] bool is_arbiter() const { return trunk.arbitration()->is_arbiter(); }
 
   hub::Medium medium;
   Listener member;
