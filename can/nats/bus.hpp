@@ -20,6 +20,10 @@ struct Bus {
   [[nodiscard]] std::string stream() const { return "CAN_" + name; }
   /// The subject that the stream keeps.
   [[nodiscard]] std::string subject() const { return "can." + name + ".wire"; }
+  /// The subject of what is asked of its arbiter.
+  [[nodiscard]] std::string requests() const { return "can." + name + ".tx"; }
+  /// The key-value bucket with the lease of its arbiter.
+  [[nodiscard]] std::string bucket() const { return "CAN_" + name; }
 };
 
 /// Reads `nats://HOST[:PORT]/NAME` or `tls://HOST[:PORT]/NAME`; the port is 4222 if none is given. The error says

@@ -1,7 +1,6 @@
 #include "can/nats/join.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -22,9 +21,6 @@ constexpr nanoseconds kAge = std::chrono::seconds{30};
 constexpr nanoseconds kDuplicates = milliseconds{100};
 /// A consumer that nobody listens to is removed by the server.
 constexpr nanoseconds kInactive = std::chrono::seconds{5};
-
-/// Messages and bytes that may wait in a subscription: losing one in silence is worse than any memory.
-constexpr int kNoLimit = std::numeric_limits<int>::max();
 
 std::string with_code(natsStatus status, jsErrCode code) {
   return code == 0 ? text_of(status)

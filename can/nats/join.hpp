@@ -15,6 +15,7 @@ namespace nats {
 struct Membership {
   std::unique_ptr<PolledConnection> polled;
   Subscription subscription;  ///< ends before the connection
+  Subscription requests;      ///< likewise; of an arbiter
 };
 
 /// Makes the stream of @p bus if there is none, and joins it: what the stream takes in from now on comes to the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include <nats/nats.h>
@@ -14,6 +15,9 @@ struct Destroyer {
     kDestroy(object);
   }
 };
+
+/// Messages and bytes that may wait in a subscription: losing one in silence is worse than any memory.
+inline constexpr int kNoLimit = std::numeric_limits<int>::max();
 
 using Options = std::unique_ptr<natsOptions, Destroyer<natsOptions_Destroy>>;
 using Connection = std::unique_ptr<natsConnection, Destroyer<natsConnection_Destroy>>;

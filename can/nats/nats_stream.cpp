@@ -25,6 +25,11 @@ constexpr std::size_t kAtOnce = 256;
 /// What is heard of the connector while there is a connection.
 constexpr unsigned kNothing = 0;
 
+std::span<const std::byte> bytes_of(natsMsg* message) noexcept {
+  return std::as_bytes(
+      std::span{natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))});
+}
+
 }  // namespace
 
 NatsStream::NatsStream(Bus bus)
@@ -63,25 +68,57 @@ void NatsStream::accept() noexcept {
 }
 
 bool NatsStream::receive(Message& message) noexcept {
-  for (;;) {
-    if (received_.size() == kAtOnce) received_.clear();
-    natsMsg* next = nullptr;
-    if (!member_ || natsSubscription_NextMsg(&next, member_->subscription.get(), 0) != NATS_OK) return false;
-    received_.emplace_back(next);
+  while (member_) {
+    natsMsg* const next = next_of(member_->subscription);
+    if (next == nullptr) return false;
     const char* const reply = natsMsg_GetReply(next);
     const auto place = parse_delivery(reply != nullptr ? reply : "");
     if (!place) continue;  // of the server to its client, not of the stream
     message.sequence = place->sequence;
     message.time_ns = place->time_ns;
-    message.bytes =
-        std::as_bytes(std::span{natsMsg_GetData(next), static_cast<std::size_t>(natsMsg_GetDataLength(next))});
+    message.bytes = bytes_of(next);
     return true;
   }
+  return false;
+}
+
+natsMsg* NatsStream::next_of(const Subscription& subscription) noexcept {
+  if (received_.size() == kAtOnce) received_.clear();
+  natsMsg* next = nullptr;
+  if (!subscription || natsSubscription_NextMsg(&next, subscription.get(), 0) != NATS_OK) return nullptr;
+  received_.emplace_back(next);
+  return next;
 }
 
 void NatsStream::publish(std::span<const std::byte> bytes) noexcept {
+  publish(bus_.subject(), bytes);
+}
+
+void NatsStream::ask(std::span<const std::byte> bytes) noexcept {
+  publish(bus_.requests(), bytes);
+}
+
+void NatsStream::publish(const std::string& subject, std::span<const std::byte> bytes) noexcept {
   if (!member_) return;
-  natsConnection_Publish(connection(), bus_.subject().c_str(), bytes.data(), static_cast<int>(bytes.size()));
+  natsConnection_Publish(connection(), subject.c_str(), bytes.data(), static_cast<int>(bytes.size()));
+}
+
+/// Without a subscription requests are lost, and who asks is told by nobody: so the connection is given up then.
+void NatsStream::listen(bool on) noexcept {
+  if (!member_) return;
+  natsSubscription* subscription = nullptr;
+  natsStatus status = NATS_OK;
+  if (on) status = natsConnection_SubscribeSync(&subscription, connection(), bus_.requests().c_str());
+  member_->requests.reset(subscription);
+  if (subscription != nullptr) status = natsSubscription_SetPendingLimits(subscription, kNoLimit, kNoLimit);
+  if (status != NATS_OK) natsConnection_Close(connection());
+}
+
+bool NatsStream::receive_request(Message& message) noexcept {
+  natsMsg* const next = member_ ? next_of(member_->requests) : nullptr;
+  if (next == nullptr) return false;
+  message = {.bytes = bytes_of(next)};
+  return true;
 }
 
 void NatsStream::flush() noexcept {

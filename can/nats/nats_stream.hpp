@@ -30,19 +30,25 @@ class NatsStream final : public hub::trunk::Stream {
   void flush() noexcept override;
   void reopen() noexcept override;
   [[nodiscard]] std::string take_problem() override;
+  void ask(std::span<const std::byte> bytes) noexcept override;
+  void listen(bool on) noexcept override;
+  [[nodiscard]] bool receive_request(Message& message) noexcept override;
 
  private:
   [[nodiscard]] natsConnection* connection() const noexcept { return member_->polled->connection.get(); }
   void accept() noexcept;
   /// Whether the library can be let read without waiting.
   [[nodiscard]] bool may_read() noexcept;
+  void publish(const std::string& subject, std::span<const std::byte> bytes) noexcept;
+  /// The next message of @p subscription, kept for a while; nullptr if there is none.
+  [[nodiscard]] natsMsg* next_of(const Subscription& subscription) noexcept;
 
   Bus bus_;
   os::Pollable ready_;  ///< of the socket, or of the connector while there is none
   std::unique_ptr<Membership> member_;
   bool is_written_later_ = false;  ///< the socket is watched for room
   TlsRecords records_;
-  std::vector<nats::Message> received_;  ///< the last one is what receive() gave last
+  std::vector<nats::Message> received_;  ///< the last ones are what receive() gave last
   Connector<Membership> connector_;
 };
 

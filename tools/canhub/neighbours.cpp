@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "can/connection/connection.hpp"
+#include "can/nats/lease/nats_lease.hpp"
 #include "can/nats/nats_stream.hpp"
 
 namespace canhub {
@@ -35,17 +36,24 @@ Neighbours::Neighbours(hub::Server& server, const Options& options) : server_{se
   if (!options.socketcand.empty())
     sources_.push_back(
         std::make_unique<hub::SocketcandServer>(server.medium(), server.interfaces(), options.socketcand));
-  if (options.join) join(*options.join);
+  if (options.join) join(*options.join, options.bit_rate.value_or(0));
   for (const auto& source : sources_) server_.add(*source);
 }
 
-void Neighbours::join(const nats::Bus& bus) {
+void Neighbours::join(const nats::Bus& bus, std::uint32_t bit_rate) {
   server_.lengthen();
+  hub::trunk::Trunk::Settings settings{
+      .url = bus.server.url + "/" + bus.name, .name = name_of_hub(), .bit_rate = bit_rate};
+  auto stream = std::make_unique<nats::NatsStream>(bus);
+  std::unique_ptr<nats::NatsLease> lease;
+  if (bit_rate != 0) {
+    const std::uint32_t hub = server_.medium().number_of_hub();
+    lease = std::make_unique<nats::NatsLease>(
+        bus, nats::NatsLease::Holder{.hub = hub, .name = settings.name, .bit_rate = bit_rate});
+  }
   const auto on_link = [this](bool up, canopen::TimePoint now) { server_.set_link(up, now); };
-  sources_.push_back(std::make_unique<hub::trunk::Trunk>(
-      server_.medium(), std::make_unique<nats::NatsStream>(bus),
-      hub::trunk::Trunk::Settings{.url = bus.server.url + "/" + bus.name, .name = name_of_hub()}, on_link,
-      print_notice));
+  sources_.push_back(std::make_unique<hub::trunk::Trunk>(server_.medium(), std::move(stream), std::move(settings),
+                                                         on_link, print_notice, std::move(lease)));
 }
 
 Neighbours::~Neighbours() {

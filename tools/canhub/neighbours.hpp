@@ -22,7 +22,7 @@ class Neighbours {
   ~Neighbours();
 
  private:
-  void join(const nats::Bus& bus);
+  void join(const nats::Bus& bus, std::uint32_t bit_rate);
 
   hub::Server& server_;
   std::vector<std::unique_ptr<hub::Source>> sources_;

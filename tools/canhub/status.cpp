@@ -49,6 +49,15 @@ bool read_statistics(int member, userbus::BusStatistics& bus, std::vector<Member
   return true;
 }
 
+/// Who decides which frame is next; nothing on a bus without a bit rate.
+void print_arbiter(const nlohmann::json& arbitration, std::ostream& out) {
+  if (!arbitration.is_object()) return;
+  const std::string name = arbitration.value("arbiter", "");
+  const std::string arbiter = arbitration.value("is_here", false) ? "this hub" : name.empty() ? "none" : name;
+  out << fmt::format("arbiter at {} bit/s: {}, term {}\n", arbitration.value("bit_rate", 0U), arbiter,
+                     arbitration.value("term", 0U));
+}
+
 /// What is known of the way to other hosts; nothing if the bus ends with its hub.
 void print_trunk(int member, std::ostream& out) {
   std::string text(userbus::kLongestMessage, '\0');
@@ -63,6 +72,7 @@ void print_trunk(int member, std::ostream& out) {
   };
   out << fmt::format("\n{}: {}, cut {} times\n", trunk.value("url", ""),
                      trunk.value("up", false) ? "whole" : "cut", count("cuts"));
+  print_arbiter(trunk["arbitration"], out);
   out << fmt::format(
       "frames: {} sent, {} received, {} under way; back after {:.3f} ms (median), {:.3f} ms (99 %)\n",
       count("sent"), count("received"), count("under_way"), milliseconds("median"), milliseconds("p99"));
