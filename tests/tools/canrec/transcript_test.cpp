@@ -35,6 +35,18 @@ class TranscriptTest : public testing::Test {
     writer.add_name("a hub");
     take(writer, at);
   }
+  /// A frame that the arbiter of @p term lets pass, which ended at @p end.
+  void grant(std::uint32_t term, std::uint64_t counter, const char* frame, std::chrono::nanoseconds end) {
+    Writer writer;
+    writer.begin({.kind = Kind::Granted, .hub = 1, .origin = 1, .counter = counter, .term = term});
+    writer.add_granted({told::wire(frame), static_cast<std::uint32_t>(counter)}, (kStart + end).count());
+    take(writer, end + 1ms);
+  }
+  void arbiter(std::uint32_t term, std::chrono::nanoseconds at) {
+    Writer writer;
+    writer.begin({.kind = Kind::ArbiterBeat, .hub = 9, .counter = 1, .term = term, .detail = 125000});
+    take(writer, at);
+  }
   /// All that have passed, as text.
   std::string passed() const {
     std::string text;
@@ -61,6 +73,27 @@ TEST_F(TranscriptTest, HasTheFramesOfAllHubsInOrder) {
   EXPECT_EQ(passed_[1].at, kStart + 1ms);
   EXPECT_EQ(passed_[2].at, kStart + 2ms);
   EXPECT_EQ(transcript_.text(), "4 frames, none missed");
+}
+
+TEST_F(TranscriptTest, HasWhatTheArbiterLetsPassAndItsTime) {
+  grant(7, 4, "123#11", 3ms);  // whose term that is has not been said yet
+  arbiter(7, 5ms);
+  grant(7, 5, "124#22", 6ms);
+
+  EXPECT_EQ(passed(), "123#11 124#22 ");
+  EXPECT_EQ(passed_[1].at, kStart + 6ms);
+  EXPECT_EQ(transcript_.text(), "2 frames, none missed");
+}
+
+TEST_F(TranscriptTest, LeavesOutWhatComesFromAnArbiterThatIsItNoMore) {
+  arbiter(7, 0ms);
+  grant(7, 4, "001#", 1ms);
+  arbiter(8, 3ms);
+  grant(7, 5, "002#", 4ms);
+  grant(8, 5, "003#", 6ms);
+
+  EXPECT_EQ(passed(), "001# 003# ");
+  EXPECT_EQ(transcript_.text(), "2 frames, none missed; 1 late");
 }
 
 TEST_F(TranscriptTest, CountsNumbersThatAreLeftOut) {

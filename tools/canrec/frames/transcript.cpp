@@ -22,7 +22,7 @@ void Transcript::take(const Message& message, std::vector<TimedFrame>& frames) {
   }
   const auto& header = reader->header();
   const bool is_late = hub::trunk::is_late(header, message.at.count());
-  if (hubs_.is_outdated(header)) {
+  if (is_overruled(header, is_late) || hubs_.is_outdated(header)) {
     figures_.late += reader->frames();
     return;
   }
@@ -31,6 +31,7 @@ void Transcript::take(const Message& message, std::vector<TimedFrame>& frames) {
   figures_.missed = hubs_.missed();
   if (hubs_.missed() != missed) ++figures_.gaps;
   figures_.repeated += outcome.repeated;
+  const std::chrono::nanoseconds at{reader->time(message.at.count())};
   for (std::size_t i = outcome.repeated; i < reader->frames(); ++i) {
     const hub::trunk::MarkedFrame marked = reader->frame(i);
     if (is_late) {
@@ -39,9 +40,18 @@ void Transcript::take(const Message& message, std::vector<TimedFrame>& frames) {
       ++figures_.repeated;
     } else {
       ++figures_.frames;
-      frames.push_back({message.log_time.value_or(message.at), marked.frame});
+      frames.push_back({message.log_time.value_or(at), marked.frame});
     }
   }
+}
+
+/// Whose term it is shows within 100 ms; until then whoever lets frames pass is believed.
+bool Transcript::is_overruled(const hub::trunk::Header& header, bool is_late) noexcept {
+  using Verdict = hub::trunk::Terms::Verdict;
+  if (!is_of_arbiter(header.kind)) return false;
+  const bool is_known = terms_.term() != 0;
+  const Verdict verdict = terms_.judge(header, is_late);
+  return verdict == Verdict::End || (verdict == Verdict::Ignore && is_known);
 }
 
 std::string Transcript::text() const {

@@ -9,6 +9,7 @@
 
 #include "can/hub/medium/origins.hpp"
 #include "can/hub/trunk/hubs.hpp"
+#include "can/hub/trunk/terms.hpp"
 #include "tools/canrec/frames/frame_source.hpp"
 
 namespace canrec {
@@ -29,7 +30,7 @@ class Transcript {
     std::uint64_t frames = 0;     ///< that have passed
     std::uint64_t missed = 0;     ///< numbers of frames that were left out
     std::uint64_t gaps = 0;       ///< places where some were
-    std::uint64_t late = 0;       ///< frames that came too late to pass
+    std::uint64_t late = 0;       ///< frames that came too late to pass, or from an arbiter that was it no more
     std::uint64_t repeated = 0;   ///< frames that had passed before
     std::uint64_t malformed = 0;  ///< messages that are none of a hub
   };
@@ -42,7 +43,11 @@ class Transcript {
   [[nodiscard]] std::string text() const;
 
  private:
+  /// Whether @p header comes from an arbiter who is none, or none any more.
+  [[nodiscard]] bool is_overruled(const hub::trunk::Header& header, bool is_late) noexcept;
+
   hub::trunk::Hubs hubs_;
+  hub::trunk::Terms terms_;
   hub::Origins origins_;
   Figures figures_;
 };
