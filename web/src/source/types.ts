@@ -47,6 +47,8 @@ export interface AxisOverview {
 /** What the overview says of a unit. */
 export interface UnitOverview {
   unit: string;
+  /** Of a farm: where it is. */
+  host?: string;
   on: boolean;
   /** Why there is nothing more. */
   error?: string;
