@@ -14,7 +14,7 @@ using canopen::TimePoint;
 namespace {
 
 /// Requests that are taken before members have their turn.
-constexpr int kBatch = 64;
+constexpr int kRequestsATurn = 64;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void Arbitration::turn(std::int64_t seen, TimePoint now) noexcept {
   if (!is_arbiter()) return;
   Stream::Message message;
   has_more_ = true;
-  for (int i = 0; i < kBatch && has_more_; ++i) {
+  for (int i = 0; i < kRequestsATurn && has_more_; ++i) {
     has_more_ = stream_.receive_request(message);
     if (has_more_) take_request(message.bytes, seen, now);
   }

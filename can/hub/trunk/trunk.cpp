@@ -15,7 +15,7 @@ namespace {
 using canopen::TimePoint;
 
 /// Messages that are taken before members have their turn.
-constexpr int kBatch = 64;
+constexpr int kMessagesATurn = 64;
 
 }  // namespace
 
@@ -117,7 +117,7 @@ void Trunk::part(std::string_view reason, TimePoint now) noexcept {
 void Trunk::read(TimePoint now) noexcept {
   Stream::Message message;
   has_more_ = true;
-  for (int i = 0; i < kBatch && has_more_; ++i) {
+  for (int i = 0; i < kMessagesATurn && has_more_; ++i) {
     has_more_ = phase_ != Phase::Closed && stream_->receive(message);
     if (has_more_) take_message(message, now);
   }
