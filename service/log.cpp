@@ -67,7 +67,9 @@ void Log::Writer::tell_left_out(canopen::TimePoint now) {
   tell_kinds(now);
 }
 
+/// Many units have many kinds, of which nothing is left out as a rule.
 void Log::Writer::tell_kinds(canopen::TimePoint now) {
+  if (now < due()) return;
   for (Kind& kind : kinds_)
     if (const std::uint64_t count = kind.limit.take_left_out(now); count != 0)
       put(kind.level, fmt::format("... {} more left out like \"{}\"", count, kind.example), kind.unit, {});

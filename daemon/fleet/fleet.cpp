@@ -34,13 +34,16 @@ bool is_meant(const ServedUnit& unit, std::string_view name) {
 }  // namespace
 
 Fleet::Fleet(std::span<const Configuration> configurations, std::size_t threads,
-             const std::filesystem::path& state_root, const Log& log, InstanceListener& listener) {
+             const std::filesystem::path& state_root, const Log& log, InstanceListener& listener)
+    : configurations_{configurations} {
   for (std::size_t i = 0; i < std::clamp(threads, std::size_t{1}, configurations.size()); ++i)
     loops_.emplace_back(log);
   auto loop = loops_.begin();
   for (const Configuration& configuration : configurations) {
     const auto prefix = configurations.size() > 1 ? Log::Prefix::Name : Log::Prefix::None;
     units_.emplace_back(configuration, state_root, Log{log, name_of(configuration), prefix}, *loop, listener);
+    places_.push_back(&units_.back());
+    names_.emplace(units_.back().name(), &units_.back());
     if (++loop == loops_.end()) loop = loops_.begin();
   }
   for (ServedUnit& unit : units_) unit.loop().add(*unit.instance());
@@ -53,12 +56,17 @@ void Fleet::start() {
 void Fleet::stop() noexcept {
   for (UnitLoop& loop : loops_) loop.stop();
   for (ServedUnit& unit : units_) {
-    if (unit.instance() != nullptr) unit.loop().remove(unit.begin_to_switch_off());
-    unit.switch_off();
+    if (unit.instance() == nullptr) continue;
+    Instance& instance = unit.begin_to_switch_off();
+    unit.loop().remove(instance);
+    instance.begin_power_off();
   }
+  for (ServedUnit& unit : units_) unit.switch_off();
 }
 
+/// The whole name is what programs take, again and again; of the other forms people are asked to choose.
 tl::expected<ServedUnit*, control::Error> Fleet::find(std::string_view name) {
+  if (const auto named = names_.find(name); named != names_.end()) return named->second;
   std::vector<ServedUnit*> meant;
   for (ServedUnit& unit : units_)
     if (is_meant(unit, name)) meant.push_back(&unit);

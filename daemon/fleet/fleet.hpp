@@ -4,6 +4,7 @@
 #include <list>
 #include <span>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -32,10 +33,17 @@ class Fleet {
   std::list<UnitLoop>& loops() noexcept { return loops_; }
   /// The unit that is meant by @p name: its name, "BUS/NODE", or its node-ID alone, or nothing where there is one.
   tl::expected<ServedUnit*, control::Error> find(std::string_view name);
+  /// The unit of @p configuration, which is one of those of the constructor.
+  ServedUnit& unit_of(const Configuration& configuration) noexcept {
+    return *places_[static_cast<std::size_t>(&configuration - configurations_.data())];
+  }
 
  private:
+  std::span<const Configuration> configurations_;
   std::list<UnitLoop> loops_;
   std::list<ServedUnit> units_;
+  std::vector<ServedUnit*> places_;                          ///< in the order of the configurations
+  std::unordered_map<std::string_view, ServedUnit*> names_;  ///< by the whole name
 };
 
 }  // namespace axisd

@@ -101,9 +101,14 @@ void Instance::look_around() noexcept {
   if (const auto failure = recording_.take_failure()) log_.error("recording: {}; it has ended", *failure);
 }
 
-void Instance::power_off() noexcept {
+void Instance::begin_power_off() noexcept {
   tell(record::EventKind::Power, false);
   recording_.end();
+  memory_.begin_power_off();
+}
+
+void Instance::power_off() noexcept {
+  if (!memory_.has_begun_power_off()) begin_power_off();
   memory_.power_off();
   listener_.on_condition(*this, Condition::Off);
 }

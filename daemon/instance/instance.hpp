@@ -88,6 +88,8 @@ class Instance final : private device::Listener,
   void start() noexcept;
   /// What something else than a turn may have changed without telling.
   void look_around() noexcept;
+  /// The beginning of power_off(), for several units whose states the disk is to take at once.
+  void begin_power_off() noexcept;
   /// Power-off: the drives coast, and what survives is on the disk.
   void power_off() noexcept;
 

@@ -178,12 +178,18 @@ void UnitMemory::on_retained_written(const tl::expected<void, WriteFailure>& out
   if (device_.message_changes() != changes_kept_) schedule_.on_faults(now);
 }
 
-void UnitMemory::power_off() noexcept {
+void UnitMemory::begin_power_off() noexcept {
+  is_powering_off_ = true;
   writer_.finish();
   take_ended();
   if (!may_write(retained_)) return;
-  const auto written = retained_.file.write(device_.retained(read_clock()), Durability::OnDisk);
-  if (!written) retained_.file.report(written.error());
+  writer_.begin(StateWriter::Place::Retained, retained_.file, device_.retained(read_clock()), Durability::OnDisk);
+}
+
+void UnitMemory::power_off() noexcept {
+  if (!is_powering_off_) begin_power_off();
+  writer_.finish();
+  take_ended();
 }
 
 }  // namespace axisd

@@ -51,6 +51,9 @@ class UnitMemory {
   void on_time(canopen::TimePoint now) noexcept;
   /// The unit may have changed: plans the next write.
   void look_at_unit() noexcept;
+  /// The unit is being switched off: what survives begins to be written. Of many units the disk has all at once.
+  void begin_power_off() noexcept;
+  bool has_begun_power_off() const noexcept { return is_powering_off_; }
   /// The unit is switched off: what has begun ends, and what survives is on the disk.
   void power_off() noexcept;
 
@@ -88,6 +91,7 @@ class UnitMemory {
   std::uint32_t changes_seen_ = 0;  ///< of faults and alarms
   std::uint32_t changes_kept_ = 0;  ///< when the write began
   bool faults_raised_ = false;
+  bool is_powering_off_ = false;
 };
 
 }  // namespace axisd

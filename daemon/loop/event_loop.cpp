@@ -74,12 +74,16 @@ void EventLoop::give_turns() noexcept {
 }
 
 /// What their cycles have led to goes out when all are over: the hub of a bus, or another program, wakes once.
+/// Those that have no turn within kLongestTurn are the first ones of the next one.
 void EventLoop::give_turns_to_many() noexcept {
-  for (std::size_t i = 0; i < buses_.size(); ++i) {
+  for (std::size_t looked_at = 0; looked_at < buses_.size(); ++looked_at) {
+    const std::size_t i = next_++ % buses_.size();
     if (due_[i] > now_ && !ports_.is_readable(i)) continue;
     buses_[i]->turn_and_hold(now_, ports_.is_readable(i));
     turned_.push_back(i);
+    if (read_clock() - now_ >= kLongestTurn) break;
   }
+  next_ %= buses_.size();
   for (const std::size_t i : turned_) {
     buses_[i]->release();
     refresh(i);
@@ -89,8 +93,10 @@ void EventLoop::give_turns_to_many() noexcept {
 
 /// Which of the others is readable would be one system call more. The clock tells it nearly always: a timer whose
 /// time has come is taken for the cause, and what is still readable once the timer is set anew is something rare.
+/// Of many buses the timer rings in nearly every turn, and beside their turns the call is nothing.
 void EventLoop::look_after_others() noexcept {
-  if (!rare_waits_ && wake_up_.has_rung(now_) && ++rings_in_a_row_ < kMostRings) return;
+  const bool is_timer = buses_.size() <= PortWatch::kFew && wake_up_.has_rung(now_);
+  if (!rare_waits_ && is_timer && ++rings_in_a_row_ < kMostRings) return;
   rings_in_a_row_ = 0;
   rare_waits_ = service_.on_rare_event();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <vector>
 
 #include "daemon/instance/bus_turn.hpp"
@@ -31,6 +32,10 @@ class Service {
 /// for everything rare. A request that comes alone costs that, read and send. What is rare gets one event a turn.
 class EventLoop {
  public:
+  /// When no further one of many buses begins its part of a turn: what is rare, whatever the load, waits no longer
+  /// than that and one bus.
+  static constexpr canopen::Duration kLongestTurn = std::chrono::milliseconds{2};
+
   /// @p service outlives it. Throws std::system_error.
   explicit EventLoop(Service& service);
 
@@ -55,6 +60,7 @@ class EventLoop {
 
   Service& service_;
   std::vector<BusTurn*> buses_;
+  std::size_t next_ = 0;                 ///< place of the one of many that is looked at first
   std::vector<std::size_t> turned_;      ///< places of those that have their turn
   std::vector<canopen::TimePoint> due_;  ///< when each bus wants its next turn, as of the last one
   os::Pollable others_;                  ///< over the timer and what is watched

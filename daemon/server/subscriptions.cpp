@@ -56,7 +56,8 @@ Outcome Subscriptions::subscribe_to_events(ClientId client, ServedUnit* unit, co
 }
 
 void Subscriptions::end_events(ClientId client) {
-  filters_.remove_if([client](const EventFilter& filter) { return filter.client == client; });
+  const auto ended = filters_.remove_if([client](const EventFilter& filter) { return filter.client == client; });
+  if (ended == 0) return;
   keep(client);
   watch_units();
 }
@@ -137,10 +138,9 @@ void Subscriptions::keep(ClientId client) {
 /// A unit to which nobody listens any more tells nothing.
 void Subscriptions::watch_units() {
   for (ServedUnit& unit : fleet_.units()) {
-    const bool was_watched = std::ranges::find(watched_, &unit) != watched_.end();
     const bool wanted = is_watched(unit);
-    if (was_watched == wanted) continue;
-    wanted ? watched_.push_back(&unit) : static_cast<void>(std::erase(watched_, &unit));
+    if (watched_.contains(&unit) == wanted) continue;
+    wanted ? static_cast<void>(watched_.insert(&unit)) : static_cast<void>(watched_.erase(&unit));
     Instance* const instance = unit.instance();
     if (instance != nullptr) unit.loop().post([instance, wanted] { instance->tell_events(wanted); });
   }
@@ -157,11 +157,9 @@ void Subscriptions::deliver_events() {
 }
 
 void Subscriptions::deliver(const EventQueue::Entry& entry) {
-  const auto unit = std::ranges::find_if(
-      fleet_.units(), [&](const ServedUnit& known) { return &known.configuration() == entry.unit; });
-  if (unit == fleet_.units().end()) return;
+  const ServedUnit& unit = fleet_.unit_of(*entry.unit);
   const auto wants = [&](const EventFilter& filter) {
-    return (filter.unit == nullptr || filter.unit == &*unit) &&
+    return (filter.unit == nullptr || filter.unit == &unit) &&
            filter.kinds.test(static_cast<std::size_t>(entry.event.kind));
   };
   std::vector<ClientId> clients;  // one that is cut off leaves the list
@@ -169,7 +167,7 @@ void Subscriptions::deliver(const EventQueue::Entry& entry) {
     if (wants(filter)) clients.push_back(filter.client);
   if (clients.empty()) return;
   json event = record::json_of(entry.event, entry.started);
-  event["unit"] = unit->name();
+  event["unit"] = unit.name();
   const std::string line = control::notice_line("event", event);
   for (const ClientId client : clients) server_.push(client, line);
 }

@@ -5,6 +5,8 @@
 #include <list>
 #include <optional>
 #include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "daemon/control/handler.hpp"
 #include "daemon/fleet/fleet.hpp"
@@ -83,7 +85,7 @@ class Subscriptions {
   std::list<EventFilter> filters_;
   std::list<Poll> polls_;
   std::vector<EventQueue::Entry> taken_;
-  std::vector<const ServedUnit*> watched_;
+  std::unordered_set<const ServedUnit*> watched_;
   std::uint64_t lost_ = 0;
 };
 

@@ -1,9 +1,13 @@
 #include "daemon/instance/unit_memory.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -11,6 +15,7 @@
 
 #include "service/clock.hpp"
 #include "tests/fakes/candump.hpp"
+#include "tests/fakes/flush_hook.hpp"
 #include "tests/fakes/temporary_directory.hpp"
 #include "tests/fakes/vector_bus.hpp"
 
@@ -157,6 +162,35 @@ TEST_F(UnitMemoryTest, SetsAsideWhatIsDamaged) {
   EXPECT_EQ(unit->memory_.parameters_text(), "set aside: wrong checksum");
   EXPECT_EQ(unit->answer(kSave), kSaved);
   EXPECT_EQ(names(), (Lines{"parameters.bin", "parameters.bin.bad", "retained.bin"}));
+}
+
+/// Lets no flush of the disk end before so many have begun as are to be under way together.
+struct FlushTogether {
+  explicit FlushTogether(int wanted) : missing{wanted} {}
+  int flush() {
+    std::unique_lock lock{mutex};
+    if (--missing <= 0) all_there.notify_all();
+    return all_there.wait_for(lock, std::chrono::seconds{20}, [this] { return missing <= 0; }) ? 0 : EIO;
+  }
+
+  int missing;
+  std::mutex mutex;
+  std::condition_variable all_there;
+};
+
+TEST(UnitMemories, AreFlushedTogetherWhenManyUnitsAreSwitchedOff) {
+  const fakes::TemporaryDirectory one, other;
+  Unit first{one.path(), 1}, second{other.path(), 1};
+  FlushTogether disk{2};
+  const fakes::FlushHook hook{[&disk](int) { return disk.flush(); }};
+
+  first.memory_.begin_power_off();
+  second.memory_.begin_power_off();
+  first.memory_.power_off();
+  second.memory_.power_off();
+
+  EXPECT_EQ(first.memory_.retained_text(), "in use");
+  EXPECT_EQ(second.memory_.retained_text(), "in use");
 }
 
 }  // namespace

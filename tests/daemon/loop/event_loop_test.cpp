@@ -1,6 +1,7 @@
 #include "daemon/loop/event_loop.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -18,7 +19,7 @@ namespace {
 using Events = std::vector<std::string>;
 
 /// Notes what it is told, in order.
-struct RecordingStation final : Station, Service {
+struct RecordingStation : Station, Service {
   void on_frame(const canopen::Frame&, canopen::TimePoint) noexcept override {
     events.emplace_back("frame");
     if (told_frame) told_frame();
@@ -27,6 +28,7 @@ struct RecordingStation final : Station, Service {
   void on_time(canopen::TimePoint) noexcept override {
     events.emplace_back("time");
     deadline = next;
+    if (told_time) told_time();
   }
   bool on_rare_event() noexcept override {
     if (rare_events == 0) return false;
@@ -43,7 +45,13 @@ struct RecordingStation final : Station, Service {
   canopen::TimePoint deadline_of_a_frame = canopen::kNever;
   int rare_events = 0;  ///< that wait
   std::function<void()> told_frame;
+  std::function<void()> told_time;
   Events events;
+};
+
+/// One whose deadline has come.
+struct DueStation : RecordingStation {
+  DueStation() { deadline = canopen::TimePoint{}; }
 };
 
 class EventLoopTest : public testing::Test {
@@ -171,6 +179,56 @@ TEST_F(EventLoopTest, GivesEveryBusItsTurnAndWhatIsRareOneEventForAllOfThem) {
 
   EXPECT_EQ(station.events, (Events{"frame", "rare"}));
   EXPECT_EQ(other.events, (Events{"frame", "time"}));
+}
+
+/// Buses beside that of the fixture, more than are polled; each has a cycle that is due.
+struct ManyBuses {
+  explicit ManyBuses(EventLoop& loop) {
+    for (BusTurn& bus : buses) loop.add(bus);
+  }
+  /// How many have been told the time, from the first one on; none behind one that has not.
+  std::size_t told() const {
+    const auto is_told = [](const RecordingStation& station) { return station.events == Events{"time"}; };
+    const auto first_without = std::ranges::find_if_not(stations, is_told);
+    EXPECT_TRUE(std::none_of(first_without, stations.end(), is_told));
+    return static_cast<std::size_t>(first_without - stations.begin());
+  }
+
+  fakes::FakePort port;
+  std::array<DueStation, PortWatch::kFew> stations;
+  std::array<BusTurn, PortWatch::kFew> buses{
+      {{port, stations[0]}, {port, stations[1]}, {port, stations[2]}, {port, stations[3]}}};
+};
+
+TEST_F(EventLoopTest, LooksAfterWhatIsRareInEveryTurnOfManyBusesWhoseTimerRings) {
+  port.polled = -1;
+  loop.turn();  // nobody has looked after what is rare before
+  ManyBuses many{loop};
+  const os::Descriptor rare{::eventfd(1, EFD_CLOEXEC)};
+  loop.watch(rare.get());
+  station.rare_events = 1;
+
+  loop.turn();
+
+  EXPECT_EQ(station.events, Events{"rare"});
+  EXPECT_EQ(many.told(), 4U);
+}
+
+TEST_F(EventLoopTest, EndsALongTurnOfManyBusesAndGoesOnWithTheNextOne) {
+  port.polled = -1;
+  loop.turn();
+  ManyBuses many{loop};
+  for (RecordingStation& slow : many.stations) {
+    slow.told_time = [] {
+      const canopen::TimePoint begin = read_clock();
+      while (read_clock() - begin < EventLoop::kLongestTurn) continue;
+    };
+  }
+
+  for (std::size_t told = 1; told <= many.stations.size(); ++told) {
+    loop.turn();
+    EXPECT_EQ(many.told(), told);
+  }
 }
 
 TEST_F(EventLoopTest, WakesForTheBusWhoseDeadlineIsNext) {
