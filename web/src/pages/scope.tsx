@@ -14,17 +14,21 @@ import { TracePanel } from "../scope/parts/trace_panel";
 /** Time after the last change until the address says it (ms). */
 const kPause = 500;
 
-/** Goes where the address says, and lets the address say where one is. */
+/** Goes where the address says, and lets the address say where one is; one that was not followed yet is left as it is. */
 function useAddress(state: State): void {
   const { query } = route.value;
-  useEffect(() => void state.begin(query), [state, query]);
+  const [followed, setFollowed] = useState<URLSearchParams>();
+  useEffect(() => void state.begin(query).then(() => setFollowed(query)), [state, query]);
   const address = state.address().toString();
+  const isFollowed = followed === query;
   useEffect(() => {
+    if (!isFollowed) return undefined;
+    const { hash } = location;
     const timer = setTimeout(() => {
-      if (location.hash.startsWith("#/scope")) replaceQuery(new URLSearchParams(address));
+      if (location.hash === hash) replaceQuery(new URLSearchParams(address));
     }, kPause);
     return () => clearTimeout(timer);
-  }, [address]);
+  }, [address, isFollowed]);
 }
 
 /** Files that are dropped onto the page are opened. */

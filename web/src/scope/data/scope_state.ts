@@ -32,6 +32,7 @@ export class ScopeState {
   /** What a screen reader is told. */
   readonly told = signal("");
   /** A fault that is wanted and has not been found yet. */
+  private query: URLSearchParams | undefined;
   private wanted: ScopeLink["fault"];
   private opened: Pick<ScopeLink, "result" | "recording"> = {};
   private readonly ends: (() => void)[] = [];
@@ -50,6 +51,7 @@ export class ScopeState {
   /** Goes to what @param query says; what it does not say is as usual. */
   async begin(query: URLSearchParams): Promise<void> {
     const { link, wrong } = readLink(query);
+    this.query = query;
     this.problem.value = wrong.length === 0 ? "" : `The address says what the scope does not know: ${wrong.join(", ")}.`;
     try {
       if (this.live !== undefined) {
@@ -62,7 +64,7 @@ export class ScopeState {
     } catch (error) {
       this.problem.value = wordsOf(error);
     }
-    this.look(link);
+    if (this.query === query) this.look(link);
   }
 
   /** Shows the live signals called @param names. */
