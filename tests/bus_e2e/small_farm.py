@@ -3,7 +3,6 @@ import json
 import os
 import pathlib
 import subprocess
-import sys
 import tempfile
 import time
 
@@ -11,7 +10,6 @@ import programs
 
 PATIENCE = programs.PATIENCE
 URL = "nats://127.0.0.1:4222/lab"
-HERE = pathlib.Path(__file__).parent
 
 
 def wait_until(condition, what):
@@ -33,11 +31,11 @@ class Farm:
         self.units, self.doors = {}, {}
         for host, node in (("a", 5), ("b", 6)):
             control = folder.path(f"{host}.sock")
-            unit = folder.start("axisd", "--interface", f"unix:{self.bus}", "--node-id", str(node), "--control", control,
-                                "--state-directory", folder.path(host))
+            unit = folder.start("axisd", "--interface", f"unix:{self.bus}", "--bus", "line1", "--node-id", str(node), "--control",
+                                control, "--state-directory", folder.path(host))
             unit.expect(f"ready: node {node} on")
             self.units[host] = unit
-            self.start_door(host, f"line1/{node}={control}")
+            self.start_door(host)
 
     def __enter__(self):
         return self
@@ -46,9 +44,9 @@ class Farm:
         self.stop_server()
         subprocess.run(["rm", "-rf", self.store], check=True)
 
-    def start_door(self, host, unit):
-        self.doors[host] = subprocess.Popen([sys.executable, HERE / "fake_door.py", "4222", "lab", host, unit])
-        self.folder.programs.append(self.doors[host])
+    def start_door(self, host, *options):
+        self.doors[host] = self.folder.start("axisd-nats", "--farm", URL, "--host", host, "--socket", self.folder.path(f"{host}.sock"),
+                                             *options)
 
     def start_server(self, *options):
         config = self.folder.path("server.conf")
