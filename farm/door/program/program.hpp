@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "farm/door/door.hpp"
 #include "farm/door/program/options.hpp"
+#include "farm/door/service/door.hpp"
 #include "farm/link/link.hpp"
 
 namespace farm {

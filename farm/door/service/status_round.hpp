@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "farm/door/roster.hpp"
+#include "farm/door/service/roster.hpp"
 #include "farm/link/messages.hpp"
 #include "gateway/units/daemons.hpp"
 

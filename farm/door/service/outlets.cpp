@@ -1,4 +1,4 @@
-#include "farm/door/outlets.hpp"
+#include "farm/door/service/outlets.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,14 +33,13 @@ bool Outlets::is_subject(std::string_view subject) noexcept {
 }
 
 void Outlets::subscribe(const Source& source, const std::string& subject, std::string_view method,
-                           const json& params, gateway::OnAnswer on_answer) {
+                        const json& params, gateway::OnAnswer on_answer) {
   if (find(source.unit, subject) == nullptr)
     if (const auto opened = open(source, subject); !opened) return on_answer(tl::unexpected{opened.error()});
   static_cast<void>(ask(source.unit, subject, method, params, std::move(on_answer)));
 }
 
-tl::expected<Outlets::Outlet*, gateway::Error> Outlets::open(const Source& source,
-                                                                     const std::string& subject) {
+tl::expected<Outlets::Outlet*, gateway::Error> Outlets::open(const Source& source, const std::string& subject) {
   const auto is_there = [&source](const Outlet& each) { return each.source.path == source.path; };
   if (static_cast<std::size_t>(std::ranges::count_if(all_, is_there)) >= kMostOfDaemon)
     return tl::unexpected{gateway::refuse(
@@ -51,7 +50,7 @@ tl::expected<Outlets::Outlet*, gateway::Error> Outlets::open(const Source& sourc
 }
 
 bool Outlets::ask(const UnitName& unit, std::string_view subject, std::string_view method, const json& params,
-                     gateway::OnAnswer on_answer) {
+                  gateway::OnAnswer on_answer) {
   Outlet* const outlet = find(unit, subject);
   if (outlet == nullptr) return false;
   outlet->heard = os::monotonic_time();

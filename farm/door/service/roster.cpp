@@ -1,4 +1,4 @@
-#include "farm/door/roster.hpp"
+#include "farm/door/service/roster.hpp"
 
 #include <optional>
 #include <utility>

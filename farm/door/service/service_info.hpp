@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "farm/door/roster.hpp"
-#include "farm/door/rpc.hpp"
+#include "farm/door/service/roster.hpp"
+#include "farm/door/service/rpc.hpp"
 
 namespace farm {
 

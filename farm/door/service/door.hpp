@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "farm/door/outlets.hpp"
-#include "farm/door/host_claim.hpp"
-#include "farm/door/roster.hpp"
-#include "farm/door/rpc.hpp"
-#include "farm/door/service_info.hpp"
-#include "farm/door/status_round.hpp"
+#include "farm/door/service/host_claim.hpp"
+#include "farm/door/service/outlets.hpp"
+#include "farm/door/service/roster.hpp"
+#include "farm/door/service/rpc.hpp"
+#include "farm/door/service/service_info.hpp"
+#include "farm/door/service/status_round.hpp"
 #include "farm/link/messages.hpp"
 #include "gateway/units/daemons.hpp"
 #include "service/log.hpp"
@@ -71,7 +71,7 @@ class Door final : private gateway::Daemons::Listener {
   Outlets outlets_;
   Rpc rpc_;
   StatusRound statuses_;
-  std::set<UnitName> served_;  ///< units whose requests come here
+  std::set<UnitName> served_;    ///< units whose requests come here
   std::set<std::string> asked_;  ///< daemons, by their paths, that owe a list of their units
   bool is_told_taken_ = false;
   std::size_t steps_ = 0;     ///< of kSteps a second

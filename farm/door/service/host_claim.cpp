@@ -1,4 +1,4 @@
-#include "farm/door/host_claim.hpp"
+#include "farm/door/service/host_claim.hpp"
 
 namespace farm {
 

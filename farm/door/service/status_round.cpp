@@ -1,4 +1,4 @@
-#include "farm/door/status_round.hpp"
+#include "farm/door/service/status_round.hpp"
 
 #include "farm/naming/subjects.hpp"
 

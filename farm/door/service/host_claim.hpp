@@ -6,9 +6,9 @@
 
 namespace farm {
 
-/// Which of several doors that use one name of a host has it. Who comes while another one has it waits until that is
-/// gone; of two that have it, as they came at once or could not hear each other, the one with the lower number keeps
-/// it. Time is told.
+/// Which of several doors that use one name of a host has it. Who comes while another one has it waits until that
+/// is gone; of two that have it, as they came at once or could not hear each other, the one with the lower number
+/// keeps it. Time is told.
 class HostClaim {
  public:
   using Time = std::chrono::nanoseconds;  ///< since any zero

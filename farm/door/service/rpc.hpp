@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "control/protocol.hpp"
-#include "farm/door/outlets.hpp"
-#include "farm/door/roster.hpp"
+#include "farm/door/service/outlets.hpp"
+#include "farm/door/service/roster.hpp"
 #include "farm/link/messages.hpp"
 #include "gateway/units/daemons.hpp"
 

@@ -1,4 +1,4 @@
-#include "farm/door/service_info.hpp"
+#include "farm/door/service/service_info.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "farm/door/door.hpp"
+#include "farm/door/service/door.hpp"
 
 #include <chrono>
 #include <random>
@@ -7,6 +7,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "farm/documents/numbers.hpp"
 #include "farm/naming/subjects.hpp"
 #include "gateway/units/unit_list.hpp"
 #include "os/clock.hpp"
@@ -26,12 +27,10 @@ constexpr std::size_t kStepsOfBeat = StatusRound::kSteps / 4;
 constexpr std::size_t kStepsToListen = StatusRound::kSteps;
 /// Units that are told in one message.
 constexpr std::size_t kUnitsOfPart = 400;
-/// Numbers of doors fit into those of JSON.
-constexpr std::uint64_t kGreatestInstance = (std::uint64_t{1} << 53) - 1;
 
 std::uint64_t new_instance() {
   std::random_device device;
-  return std::uniform_int_distribution<std::uint64_t>{1, kGreatestInstance}(device);
+  return std::uniform_int_distribution<std::uint64_t>{1, kGreatestNumber}(device);
 }
 
 std::string present() {

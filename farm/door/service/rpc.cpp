@@ -1,11 +1,11 @@
-#include "farm/door/rpc.hpp"
+#include "farm/door/service/rpc.hpp"
 
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "farm/door/access.hpp"
-#include "farm/door/answers.hpp"
+#include "farm/door/service/access.hpp"
+#include "farm/door/service/answers.hpp"
 #include "os/clock.hpp"
 
 namespace farm {
@@ -77,8 +77,8 @@ void Rpc::serve_outlet(const Asked& asked, const control::Request& request) {
     const std::string& name = parts_.roster.find(asked.unit)->name;
     const auto daemon = parts_.daemons.find(name);
     if (!daemon) return answer(asked, tl::unexpected{daemon.error()});
-    return outlets.subscribe({asked.unit, name, (*daemon)->path()}, asked.deliver, request.method,
-                                request.params, on_answer);
+    return outlets.subscribe({asked.unit, name, (*daemon)->path()}, asked.deliver, request.method, request.params,
+                             on_answer);
   }
   if (is_subscription(request.method) &&
       outlets.ask(asked.unit, asked.deliver, request.method, request.params, on_answer))

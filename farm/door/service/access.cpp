@@ -1,4 +1,4 @@
-#include "farm/door/access.hpp"
+#include "farm/door/service/access.hpp"
 
 #include <algorithm>
 

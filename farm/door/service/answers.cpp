@@ -1,4 +1,4 @@
-#include "farm/door/answers.hpp"
+#include "farm/door/service/answers.hpp"
 
 #include <algorithm>
 #include <array>
