@@ -2,7 +2,7 @@
 debian_package(axisd SECTION utils
   DEPENDS passwd
   RECOMMENDS "can-userbus (= ${full_version})" iproute2
-  SUGGESTS axisd-doc axisd-http canopen-tools can-utils
+  SUGGESTS axisd-doc axisd-fleet axisd-http canopen-tools can-utils
   DESCRIPTION "simulated CANopen drive unit on a CAN bus
 A daemon that behaves on CAN as a Siemens SINAMICS S120 drive unit (CU320-2
 with CBC10) does: object dictionary, state machine, parameters, faults and
@@ -88,6 +88,17 @@ debian_package(axisd-doc ALL SECTION doc
 Pages on the simulated drive unit, its objects, parameters and interfaces, the
 bus in user space, the tools, and the library for CANopen slaves; and the
 examples: masters, a CANopen slave, recipes for continuous integration.")
+
+debian_package(axisd-fleet SECTION utils
+  DEPENDS passwd
+  RECOMMENDS axisd
+  SUGGESTS axisd-doc nats-server
+  DESCRIPTION "simulated CANopen drive units of many hosts
+The units of axisd on a machine as units of a farm: axisctl, the HTTP gateway
+and any client of NATS reach them over a NATS server, and are told what they
+do.
+.
+This package has axisd-nats, which a host has for that, and its service.")
 
 if(TARGET axisd-http)
   debian_package(axisd-http SECTION utils
