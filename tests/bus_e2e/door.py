@@ -214,6 +214,11 @@ def check_second(farm):
 def check_server(farm):
     """Whatever the server does, SIGTERM ends a door at once."""
     farm.server.send_signal(signal.SIGSTOP)
+    farm.doors["a"].expect(r"nats://127\.0\.0\.1:4222: ")
+    farm.server.send_signal(signal.SIGCONT)
+    farm.doors["a"].expect("connected")
+    farm.output("--unit", "line1/5", "wait", "ready", "--timeout", "20")
+    farm.server.send_signal(signal.SIGSTOP)
     farm.start_door("c")
     farm.doors["c"].expect(r"nats://127\.0\.0\.1:4222: ")
     for host in ("a", "c"):

@@ -1,5 +1,6 @@
 #include "farm/door/service/door.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 #include <utility>
@@ -25,6 +26,9 @@ constexpr std::chrono::microseconds kStep =
 constexpr std::size_t kStepsOfBeat = StatusRound::kSteps / 4;
 /// Before a door opens it listens for so long whether another one has the name: four of its beats.
 constexpr std::size_t kStepsToListen = StatusRound::kSteps;
+/// And until it knows the units: one that opens without them says that they are gone. A daemon that stands still
+/// keeps the others waiting for no longer than this.
+constexpr std::size_t kStepsToKnow = 5 * StatusRound::kSteps;
 /// Units that are told in one message.
 constexpr std::size_t kUnitsOfPart = 400;
 
@@ -68,7 +72,7 @@ Door::~Door() {
 }
 
 void Door::on_up() {
-  steps_up_ = claim_.has() ? kStepsToListen : 0;
+  steps_up_ = 0;
   beat();
 }
 
@@ -137,7 +141,13 @@ void Door::look_at_claim() {
     parts_.log.warning("another door on the farm {} is called {}, too: this one opens when that is gone",
                        settings_.farm, settings_.host);
   if (claim_.has() && !is_free) return close();
-  if (!claim_.has() && is_free && steps_up_ >= kStepsToListen) open();
+  if (!claim_.has() && is_free && is_ready()) open();
+}
+
+bool Door::is_ready() const {
+  const auto is_known = [this](const gateway::DaemonClient* daemon) { return roster_.knows(daemon->path()); };
+  if (!parts_.messages.is_up() || steps_up_ < kStepsToListen) return false;
+  return steps_up_ >= kStepsToKnow || std::ranges::all_of(parts_.daemons.clients(), is_known);
 }
 
 void Door::open() {

@@ -56,6 +56,7 @@ class Door final : private gateway::Daemons::Listener {
   /// Whether the name of the host is its own.
   void hear_door(const Message& message);
   void look_at_claim();
+  [[nodiscard]] bool is_ready() const;
   void open();
   void close();
   /// The time.
@@ -75,7 +76,7 @@ class Door final : private gateway::Daemons::Listener {
   std::set<std::string> asked_;  ///< daemons, by their paths, that owe a list of their units
   bool is_told_taken_ = false;
   std::size_t steps_ = 0;     ///< of kSteps a second
-  std::size_t steps_up_ = 0;  ///< with a connection, until it is known whether the name is free
+  std::size_t steps_up_ = 0;  ///< with a connection
   axisd::EventSource timer_;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };

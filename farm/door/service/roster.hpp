@@ -29,6 +29,9 @@ class Roster {
   /// Daemons at @p paths are there, and no others. Whether units have gone by it.
   bool keep(const std::set<std::string>& paths);
 
+  /// Whether the daemon at @p path has answered.
+  [[nodiscard]] bool knows(const std::string& path) const { return told_.contains(path); }
+
   /// By their names in the farm. Of two that would be called the same the one of the first path counts.
   [[nodiscard]] const std::map<UnitName, Reached>& units() const noexcept { return units_; }
   /// nullptr: it is not reached here.

@@ -108,6 +108,11 @@ TEST_F(DoorTest, WaitsWhileAnotherOneHasItsName) {
   EXPECT_FALSE(is_served());
   EXPECT_TRUE(told(kBeats).empty());
 
+  messages.up = false;  // which says nothing of the other one
+  wait([&, before = looks()] { return looks() >= before + 4; });
+  EXPECT_FALSE(is_served());
+  messages.up = true;
+  door->on_up();
   wait([this] { return is_served(); });
   messages.come(kBeats, beat_of(kGreatestNumber));
   EXPECT_TRUE(is_served());
