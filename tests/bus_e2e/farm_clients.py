@@ -201,6 +201,9 @@ def check_credentials(farm):
     assert farm.refused(5, "uthorization", "units").count("\n") == 1
     pathlib.Path(password).write_text("me:right\n", encoding="ascii")
     assert farm.json("--credentials", password, "units") == {"units": []}
+    farm.doors["a"].end()
+    farm.start_door("a", "--credentials", password)
+    farm.output("--credentials", password, "--unit", "line1/5", "wait", "ready", "--timeout", "20")
     print("who is not let in is told so")
 
 

@@ -153,7 +153,7 @@ bool Door::is_ready() const {
 void Door::open() {
   claim_.take();
   is_told_taken_ = false;
-  parts_.messages.subscribe(who_subject(settings_.farm), [this](const Message&) { beat(); });
+  parts_.messages.subscribe(who_subject(settings_.farm), [this](const Message&) { hear_who(); });
   for (const ServiceQuestion question : kServiceQuestions)
     for (const std::string& subject : service_subjects(question, service_.id))
       parts_.messages.subscribe(subject, [this, question](const Message& message) {
@@ -181,10 +181,16 @@ void Door::step() {
   if (parts_.messages.is_up()) ++steps_up_;
   look_at_claim();
   if (claim_.has() && parts_.messages.is_up()) statuses_.step();
-  if (steps_ % kStepsOfBeat == 0) beat();
+  if (std::exchange(asked_who_, Asked::Never) == Asked::Again || steps_ % kStepsOfBeat == 0) beat();
   if (steps_ % StatusRound::kSteps != 0) return;
   ask_for_units();
   outlets_.sweep();
+}
+
+/// At once, but no more often than every step: whoever asks without end gets no flood of lists.
+void Door::hear_who() {
+  if (asked_who_ == Asked::Never) beat();
+  asked_who_ = asked_who_ == Asked::Never ? Asked::Once : Asked::Again;
 }
 
 void Door::beat() {
