@@ -1,0 +1,99 @@
+#include "farm/agent/process/program_start.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace farm::agent {
+namespace {
+
+constexpr std::array<std::string_view, 6> kOwnVariables{"NOTIFY_SOCKET", "WATCHDOG_PID", "WATCHDOG_USEC",
+                                                        "LISTEN_FDS",    "LISTEN_PID",   "LD_PRELOAD"};
+
+/// What a session with nothing of this process is made of, for posix_spawn(3).
+class Conditions {
+ public:
+  explicit Conditions(const ProgramStart& start) noexcept {
+    posix_spawn_file_actions_init(&actions);
+    if (start.output >= 0) posix_spawn_file_actions_adddup2(&actions, start.output, STDERR_FILENO);
+    const int first_closed = start.kept >= 0 ? STDERR_FILENO + 2 : STDERR_FILENO + 1;
+    if (start.kept >= 0) posix_spawn_file_actions_adddup2(&actions, start.kept, STDERR_FILENO + 1);
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO})
+      posix_spawn_file_actions_addopen(&actions, standard, "/dev/null", O_RDWR, 0);
+    posix_spawn_file_actions_addclosefrom_np(&actions, first_closed);
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+    sigset_t signals;
+    sigfillset(&signals);
+    posix_spawnattr_setsigdefault(&attributes, &signals);
+    sigemptyset(&signals);
+    posix_spawnattr_setsigmask(&attributes, &signals);
+  }
+  Conditions(const Conditions&) = delete;
+  Conditions& operator=(const Conditions&) = delete;
+  ~Conditions() {
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+  }
+
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+};
+
+std::string_view name_of(std::string_view variable) noexcept {
+  return variable.substr(0, variable.find('='));
+}
+
+/// Ended by a null pointer; the texts are those of @p start and of the environment.
+std::vector<char*> environment_of(const ProgramStart& start) {
+  std::vector<char*> variables;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const auto is_same = [&](const std::string& other) { return name_of(other) == name_of(*entry); };
+    const bool is_own = std::ranges::find(kOwnVariables, name_of(*entry)) != kOwnVariables.end();
+    if (!is_own && std::ranges::none_of(start.variables, is_same)) variables.push_back(*entry);
+  }
+  for (const std::string& variable : start.variables) variables.push_back(const_cast<char*>(variable.c_str()));
+  variables.push_back(nullptr);
+  return variables;
+}
+
+}  // namespace
+
+tl::expected<ProcessHandle, std::string> start_program(const ProgramStart& start) {
+  const Conditions conditions{start};
+  const std::vector<char*> variables = environment_of(start);
+  std::vector<char*> words;
+  for (const std::string& word : start.words) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  pid_t number = 0;
+  const int error = posix_spawn(&number, words.front(), &conditions.actions, &conditions.attributes, words.data(),
+                                variables.data());
+  if (error != 0)
+    return tl::unexpected{fmt::format("{}: cannot be started: {}", start.words.front(), std::strerror(error))};
+  return find_process(number);
+}
+
+tl::expected<ProcessHandle, std::string> find_process(pid_t number) {
+  os::Descriptor descriptor{static_cast<int>(::syscall(SYS_pidfd_open, number, 0))};
+  if (!descriptor) return tl::unexpected{fmt::format("process {}: {}", number, std::strerror(errno))};
+  return ProcessHandle{number, std::move(descriptor)};
+}
+
+std::string program_beside(const std::string& name) {
+  std::error_code error;
+  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);
+  return (own.parent_path() / name).string();
+}
+
+}  // namespace farm::agent
