@@ -92,8 +92,12 @@ def check_lost_agent(fleet):
 
 
 def check_requests(fleet, units, count):
-    answered = sum("result" in (fleet.ask(units[number % len(units)], "status") or {}) for number in range(count))
-    assert answered == count, (answered, count)
+    """Some at the same time, as several clients have them."""
+    together = 20
+    for begin in range(0, count, together):
+        asked = [units[number % len(units)] for number in range(begin, begin + together)]
+        refused = [answer for answer in fleet.ask_all(asked, "status") if "result" not in answer]
+        assert not refused, refused
     print(f"{count} requests, all answered")
 
 

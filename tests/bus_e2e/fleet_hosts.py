@@ -24,7 +24,7 @@ class Fleet:
         self.bench = bench
         self.server = Server(bench)
         wait_until(self.connect, "the server serves")
-        self.hosts = {}
+        self.hosts, self.asked = {}, 0
 
     def connect(self):
         try:
@@ -65,6 +65,14 @@ class Fleet:
         request = json.dumps({"id": 1, "method": method, "params": params})
         data = self.client.request(f"axisd.lab.{unit}.rpc", request.encode()).data
         return json.loads(data) if data else None
+
+    def ask_all(self, units, method):
+        """What UNITS answer, asked at the same time."""
+        self.client.sub("answers.>") if not self.asked else None
+        self.asked += len(units)
+        for number, unit in enumerate(units):
+            self.client.pub(f"axisd.lab.{unit}.rpc", json.dumps({"id": number, "method": method}).encode(), f"answers.{number}")
+        return [json.loads(self.client.next().data or "{}") for _ in units]
 
     def answers(self, unit):
         """Whether UNIT is reached at the host that its place says, and runs as it is wanted."""
