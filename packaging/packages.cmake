@@ -91,14 +91,16 @@ examples: masters, a CANopen slave, recipes for continuous integration.")
 
 debian_package(axisd-fleet SECTION utils
   DEPENDS passwd
-  RECOMMENDS axisd
+  RECOMMENDS "axisd (= ${full_version})" "can-userbus (= ${full_version})"
   SUGGESTS axisd-doc nats-server
   DESCRIPTION "simulated CANopen drive units of many hosts
 The units of axisd on a machine as units of a farm: axisctl, the HTTP gateway
 and any client of NATS reach them over a NATS server, and are told what they
 do.
 .
-This package has axisd-nats, which a host has for that, and its service.")
+This package has what a host of a farm has for that: axisd-nats, by which its
+units are reached, axisd-agent, which starts the units that are wanted, and
+their services.")
 
 if(TARGET axisd-http)
   debian_package(axisd-http SECTION utils

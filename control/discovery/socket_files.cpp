@@ -44,9 +44,13 @@ std::vector<fs::path> folders() {
        at = own.find(':', at) == std::string::npos ? own.size() : own.find(':', at) + 1)
     found.emplace_back(own.substr(at, own.find(':', at) - at));
   if (!found.empty()) return found;
-  if (const std::string user = environment("XDG_RUNTIME_DIR"); !user.empty()) found.emplace_back(user);
+  std::vector<fs::path> above{kFoldersOfServices.begin(), kFoldersOfServices.end()};
+  if (const std::string user = environment("XDG_RUNTIME_DIR"); !user.empty()) {
+    found.emplace_back(user);
+    above.push_back(found.back() / "axisd");
+  }
   found.insert(found.end(), {"/run", "/tmp"});
-  for (const std::string_view folder : kFoldersOfServices)
+  for (const fs::path& folder : above)
     for (const fs::directory_entry& entry : entries_of(folder)) found.push_back(entry.path());
   return found;
 }

@@ -19,8 +19,8 @@ struct SocketFile {
 };
 
 /// The control sockets of the machine in the order of their paths: those in $RUNTIME_DIRECTORY where that is set,
-/// else those in $XDG_RUNTIME_DIR, /run, the folders of the services below it and /tmp, as far as somebody has put
-/// them there whom this user may trust.
+/// else those in $XDG_RUNTIME_DIR and the folders in its folder axisd, in /run and the folders of the services
+/// below it, and in /tmp, as far as somebody has put them there whom this user may trust.
 [[nodiscard]] std::vector<SocketFile> socket_files();
 
 }  // namespace control

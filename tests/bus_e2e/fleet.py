@@ -63,29 +63,39 @@ def saved(fleet, unit):
 
 
 def check_lost_host(fleet, options):
-    lost = fleet.units_of("a")
+    lost, others = fleet.units_of("a"), {name: fleet.hosts[name].running() for name in "bc"}
     save(fleet, lost[0], 7.5)
     fleet.hosts["a"].kill()
     seconds = fleet.await_units(lost, options.patience)
-    hosts = {fleet.place(unit)["host"] for unit in lost}
+    hosts = {place["host"] for place in fleet.places(lost).values()}
     assert "a" not in hosts, hosts
     assert saved(fleet, lost[0]) == 7.5, saved(fleet, lost[0])
+    assert all({**fleet.hosts[name].running(), **running} == fleet.hosts[name].running() for name, running in others.items())
     assert not options.gates or seconds <= 5, seconds
     print(f"{len(lost)} units of a lost host run on {sorted(hosts)} after {seconds:.1f} s, with what was saved")
     fleet.hosts["a"].start_agent()
     fleet.hosts["a"].start_door()
 
 
+def start_next_agent(fleet, host, *options):
+    """Waits until it has the units of the one before."""
+    def instances():
+        return {place["instance"] for place in fleet.places(list(host.running())).values()}
+
+    before = instances()
+    host.start_agent(*options)
+    wait_until(lambda: not before & instances(), "the next agent has them")
+
+
 def check_lost_agent(fleet):
     host = fleet.hosts["b"]
-    before, instances = host.running(), {fleet.place(unit)["instance"] for unit in host.running()}
+    before = host.running()
     host.agent.kill()
     host.agent.wait()
     time.sleep(LONGER_THAN_PATIENCE)
     assert host.running() == before, "units run on without an agent"
-    assert all("result" in fleet.ask(unit, "status") for unit in before), "and are reached"
-    host.start_agent()
-    wait_until(lambda: not instances & {fleet.place(unit)["instance"] for unit in before}, "the next agent has them")
+    assert not fleet.silent(list(before)), "and are reached"
+    start_next_agent(fleet, host)
     fleet.await_units(before)
     assert host.running() == before and sorted(host.processes("axisd")) == sorted(before.values()), "the same, none twice"
     print(f"{len(before)} units run on without their agent, and the next one has them")
@@ -96,7 +106,7 @@ def check_requests(fleet, units, count):
     together = 20
     for begin in range(0, count, together):
         asked = [units[number % len(units)] for number in range(begin, begin + together)]
-        refused = [answer for answer in fleet.ask_all(asked, "status") if "result" not in answer]
+        refused = [answer for answer in fleet.ask_all(asked, "status") if "result" not in (answer or {})]
         assert not refused, refused
     print(f"{count} requests, all answered")
 
@@ -139,10 +149,10 @@ def check_drain(fleet, units, options):
     host = fleet.hosts["b"]
     host.agent.kill()
     host.agent.wait()
-    host.start_agent("--drain-on-stop")
-    fleet.await_units(units, options.patience)
+    start_next_agent(fleet, host, "--drain-on-stop")
     host.agent.terminate()
-    assert host.agent.wait(2 * PATIENCE) == 0, "an agent has given its units away"
+    status = host.agent.wait(2 * PATIENCE)
+    assert status == 0, f"an agent has given its units away, not {status}"
     assert not host.processes("axisd") and not host.processes("canhub"), "nothing is left"
     fleet.await_units(units, options.patience)
     host.start_agent()

@@ -24,13 +24,14 @@ class Fleet:
         self.bench = bench
         self.server = Server(bench)
         wait_until(self.connect, "the server serves")
-        self.hosts, self.asked = {}, 0
+        self.hosts = {}
 
     def connect(self):
         try:
             self.client = nats_client.Client(("127.0.0.1", 4222), no_responders=True)
         except OSError:
             return False
+        self.asked = 0  # requests of request_all(), over this connection
         return True
 
     def add(self, name, *options):
@@ -51,47 +52,56 @@ class Fleet:
             return self.client.request(subject, headers={"KV-Operation": "DEL"})
         return self.client.request(subject, text.encode())
 
+    def request_all(self, requests):
+        """The answers to REQUESTS, (subject, data) each, that are asked at the same time; b"" where nobody listens."""
+        if not self.asked:
+            self.client.sub("answers.*")
+        answers = {f"answers.{self.asked + number}": None for number, _ in enumerate(requests)}
+        self.asked += len(requests)
+        for (subject, data), reply in zip(requests, answers):
+            self.client.pub(subject, json.dumps(data).encode(), reply)
+        for _ in answers:
+            answer = self.client.next()
+            answers[answer.subject] = answer.data
+        return list(answers.values())
+
+    def places(self, units):
+        """What lies in the bucket of places for each of UNITS, {} if that is nothing."""
+        def content(answer):
+            return json.loads(base64.b64decode(json.loads(answer).get("message", {}).get("data", "")) or "{}")
+
+        subject = "$JS.API.STREAM.MSG.GET.KV_axisd_lab_places"
+        answers = self.request_all([(subject, {"last_by_subj": f"$KV.axisd_lab_places.{unit}"}) for unit in units])
+        return {unit: content(answer) for unit, answer in zip(units, answers)}
+
     def place(self, unit):
-        """What lies in the bucket of places for UNIT; nothing if that is nothing."""
-        try:
-            found = self.client.ask_jetstream("STREAM.MSG.GET.KV_axisd_lab_places",
-                                              last_by_subj=f"$KV.axisd_lab_places.{unit}")
-        except nats_client.Refused:
-            return {}
-        return json.loads(base64.b64decode(found["message"].get("data", "")) or "{}")
+        return self.places([unit])[unit]
+
+    def ask_all(self, units, method, **params):
+        """The answers of UNITS to METHOD; None of those for which nobody answers."""
+        answers = self.request_all([(f"axisd.lab.{unit}.rpc", {"id": 1, "method": method, "params": params}) for unit in units])
+        return [json.loads(answer) if answer else None for answer in answers]
 
     def ask(self, unit, method, **params):
-        """The answer of UNIT to METHOD; None if nobody answers for it."""
-        request = json.dumps({"id": 1, "method": method, "params": params})
-        data = self.client.request(f"axisd.lab.{unit}.rpc", request.encode()).data
-        return json.loads(data) if data else None
+        return self.ask_all([unit], method, **params)[0]
 
-    def ask_all(self, units, method):
-        """What UNITS answer, asked at the same time."""
-        self.client.sub("answers.>") if not self.asked else None
-        self.asked += len(units)
-        for number, unit in enumerate(units):
-            self.client.pub(f"axisd.lab.{unit}.rpc", json.dumps({"id": number, "method": method}).encode(), f"answers.{number}")
-        return [json.loads(self.client.next().data or "{}") for _ in units]
-
-    def answers(self, unit):
-        """Whether UNIT is reached at the host that its place says, and runs as it is wanted."""
-        place = self.place(unit)
-        if not place.get("host") or "problem" in place:
-            return False
-        return unit in self.hosts[place["host"]].running() and "result" in (self.ask(unit, "status") or {})
+    def silent(self, units):
+        """Those of UNITS that are not reached, or do not run as they are wanted."""
+        placed = [unit for unit, place in self.places(units).items() if place.get("host") and "problem" not in place]
+        reached = {unit for unit, answer in zip(placed, self.ask_all(placed, "status")) if "result" in (answer or {})}
+        return [unit for unit in units if unit not in reached]
 
     def await_units(self, units, seconds=PATIENCE):
         """Waits until all UNITS answer; how long that was (s)."""
         begin, missing = time.monotonic(), list(units)
-        while missing := [unit for unit in missing if not self.answers(unit)]:
-            assert time.monotonic() < begin + seconds, ("do not answer", {unit: self.place(unit) for unit in missing[:5]})
+        while missing := self.silent(missing):
+            assert time.monotonic() < begin + seconds, ("do not answer", list(self.places(missing).items())[:5])
             time.sleep(0.05)
         return time.monotonic() - begin
 
     def units_of(self, host):
         """Those whose place is HOST."""
-        return [unit for unit in self.hosts[host].running() if self.place(unit).get("host") == host]
+        return [unit for unit, place in self.places(list(self.hosts[host].running())).items() if place.get("host") == host]
 
     def await_problem(self, unit, text):
         wait_until(lambda: text in self.place(unit).get("problem", ""), f"{unit}: {text}: {self.place(unit)}")
@@ -123,14 +133,15 @@ class Host:
         return self.log.read_text(encoding="utf-8").count(text)
 
     def processes(self, program):
-        """The numbers of those of PROGRAM that this host has, whoever has started them."""
+        """The numbers of those of PROGRAM that serve on this host, whoever has started them."""
         found = []
         for entry in pathlib.Path("/proc").iterdir():
             try:
                 words = (entry / "cmdline").read_bytes().split(b"\0") if entry.name.isdigit() else [b""]
             except OSError:
                 continue
-            if words[0].endswith(b"/" + program.encode()) and any(word.startswith(bytes(self.run) + b"/") for word in words):
+            is_here = any(word.startswith(bytes(self.run) + b"/") for word in words) and b"--check-config" not in words
+            if is_here and words[0].endswith(b"/" + program.encode()):
                 found.append(int(entry.name))
         return found
 

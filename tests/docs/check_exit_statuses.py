@@ -58,7 +58,7 @@ def main():
 
 def is_installed(name, source):
     """Whether the program is for users: a folder of its own says so."""
-    return name in ('axisd', 'axisd-http', 'axisd-nats') or os.path.isdir(os.path.join(source, 'tools', name))
+    return name in ('axisd', 'axisd-http', 'axisd-nats', 'axisd-agent') or os.path.isdir(os.path.join(source, 'tools', name))
 
 
 def ends_with_usage(path, name):
