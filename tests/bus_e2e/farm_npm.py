@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import programs
-from small_farm import Farm
+from small_farm import Farm, wait_until
 
 bin_folder, script, modules = sys.argv[1:4]
 if not pathlib.Path(modules, "@nats-io/transport-node").exists():
@@ -21,10 +21,11 @@ def run(folder, *words):
                           capture_output=True, text=True, timeout=60, check=False)
 
 
-with programs.Folder(bin_folder) as test_folder, Farm(test_folder):
+with programs.Folder(bin_folder) as test_folder, Farm(test_folder) as farm:
     # Beside its packages, as one who has just installed them has it.
     shutil.copy(script, test_folder.path("status.mjs"))
     pathlib.Path(test_folder.path("node_modules")).symlink_to(modules)
+    wait_until(lambda: len(farm.json("units")["units"]) == 2, "both hosts have told what they have")
     done = run(test_folder, "line1/5")
     assert done.stdout.splitlines()[:1] == ["line1/5: node 5, Pre-operational"], done
     done = run(test_folder, "line1/6", "load.set", '{"axis": 1, "torque_Nm": 2}')
