@@ -7,6 +7,7 @@ usage: fleet.py PROGRAMS [--units N] [--gates]
 
 import argparse
 import json
+import os
 import signal
 import subprocess
 import time
@@ -101,6 +102,29 @@ def check_lost_agent(fleet):
     print(f"{len(before)} units run on without their agent, and the next one has them")
 
 
+def check_ends(fleet, units):
+    """A unit and a hub that are killed are started again; a bus that gets a bit rate has hubs with it."""
+    unit = units[1]
+    host = fleet.hosts[fleet.place(unit)["host"]]
+    os.kill(host.running()[unit], signal.SIGKILL)
+    wait_until(lambda: fleet.place(unit).get("restarts") == 1, "the agent has seen that its unit has ended")
+    fleet.await_units([unit])
+
+    def hubs(*words):
+        return [hub for hub in host.processes("canhub") if set(words) <= host.words_of(hub)]
+
+    def is_on_bus():
+        return fleet.ask(unit, "status")["result"]["bus"]["link"] == "up"
+
+    path = str(host.run / unit.split(".")[0] / "can-bus")
+    hub = hubs(path)
+    os.kill(hub[0], signal.SIGKILL)
+    wait_until(lambda: hubs(path) and hubs(path) != hub and is_on_bus(), "the hub is started again, and the unit is on its bus")
+    fleet.put("axisd_lab_buses", unit.split(".")[0], {"bitrate": 500000})
+    wait_until(lambda: hubs(path, "--bitrate", "500000") and is_on_bus(), "the bus has a bit rate")
+    print("what ends is started again, and a bus gets a bit rate")
+
+
 def check_requests(fleet, units, count):
     """Some at the same time, as several clients have them."""
     together = 20
@@ -153,7 +177,8 @@ def check_drain(fleet, units, options):
     host.agent.terminate()
     status = host.agent.wait(2 * PATIENCE)
     assert status == 0, f"an agent has given its units away, not {status}"
-    assert not host.processes("axisd") and not host.processes("canhub"), "nothing is left"
+    left = [host.words_of(process) for process in host.processes("axisd") + host.processes("canhub")]
+    assert not left, left
     fleet.await_units(units, options.patience)
     host.start_agent()
     print("hosts give their units away")
@@ -178,6 +203,7 @@ def run(bench, options):
             fleet.add(name)
         check_start(fleet, units, options)
         check_change(fleet, units[0])
+        check_ends(fleet, units)
         check_requests(fleet, units, 10000 if options.gates else 500)
         check_lost_host(fleet, options)
         check_lost_agent(fleet)

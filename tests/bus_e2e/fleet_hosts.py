@@ -47,10 +47,13 @@ class Fleet:
 
     def want(self, unit, document):
         """UNIT, "line1.5", is wanted as DOCUMENT says, a text or an object; None: it is wanted no more."""
-        subject, text = f"$KV.axisd_lab_units.{unit}", document if isinstance(document, str) else json.dumps(document)
         if document is None:
-            return self.client.request(subject, headers={"KV-Operation": "DEL"})
-        return self.client.request(subject, text.encode())
+            return self.client.request(f"$KV.axisd_lab_units.{unit}", headers={"KV-Operation": "DEL"})
+        return self.put("axisd_lab_units", unit, document)
+
+    def put(self, bucket, key, document):
+        text = document if isinstance(document, str) else json.dumps(document)
+        return self.client.request(f"$KV.{bucket}.{key}", text.encode())
 
     def request_all(self, requests):
         """The answers to REQUESTS, (subject, data) each, that are asked at the same time; b"" where nobody listens."""
@@ -134,16 +137,21 @@ class Host:
 
     def processes(self, program):
         """The numbers of those of PROGRAM that serve on this host, whoever has started them."""
-        found = []
-        for entry in pathlib.Path("/proc").iterdir():
-            try:
-                words = (entry / "cmdline").read_bytes().split(b"\0") if entry.name.isdigit() else [b""]
-            except OSError:
-                continue
-            is_here = any(word.startswith(bytes(self.run) + b"/") for word in words) and b"--check-config" not in words
-            if is_here and words[0].endswith(b"/" + program.encode()):
-                found.append(int(entry.name))
+        found, path = [], str(self.bench.program(program))
+        for number in (int(entry.name) for entry in pathlib.Path("/proc").iterdir() if entry.name.isdigit()):
+            words = self.words_of(number)
+            is_here = any(word.startswith(f"{self.run}/") for word in words) and "--check-config" not in words
+            if is_here and path in words:
+                found.append(number)
         return found
+
+    @staticmethod
+    def words_of(number):
+        """The words that process NUMBER was started with; none if it is no more."""
+        try:
+            return set(pathlib.Path(f"/proc/{number}/cmdline").read_text().split("\0"))
+        except OSError:
+            return set()
 
     def running(self):
         """The process of each unit here, by its control socket."""

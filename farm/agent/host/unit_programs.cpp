@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 /// For so long others wait for a unit that does not say that it is on its bus.
 constexpr std::chrono::seconds kPatience{5};
+/// A unit whose hub is away waits for the next one, and starts none itself, which would be on no bus of a farm.
+constexpr const char* kNoHub = "CAN_HUB=/nonexistent";
 
 }  // namespace
 
@@ -109,7 +111,7 @@ tl::expected<ProcessHandle, std::string> UnitPrograms::spawn(Unit& unit) {
   const std::string path = folders_.configuration(name);
   if (auto written = replace_file(path, *content); !written) return tl::unexpected{std::move(written.error())};
   unit.ready = std::make_unique<ReadyMessage>(events_, path + ".ready", [this, name] { on_ready(name); });
-  return start_program({.words = command_.words(folders_, name), .variables = {unit.ready->variable()}});
+  return start_program({.words = command_.words(folders_, name), .variables = {unit.ready->variable(), kNoHub}});
 }
 
 void UnitPrograms::hold(Unit& unit, ProcessHandle process) {

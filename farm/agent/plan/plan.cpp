@@ -132,7 +132,9 @@ void Plan::tell_condition(const Situation& at, std::optional<std::uint64_t> riva
   told_rival_ = rival;
 }
 
+/// Which bit rates buses have is known when all has been told.
 void Plan::advance_hubs(TimePoint now) {
+  if (!ledger_.is_complete()) return;
   std::map<std::string, std::uint32_t> wanted;
   std::set<std::string> in_use;
   for (const auto& [unit, record] : ledger_.units()) {
