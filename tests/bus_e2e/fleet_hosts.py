@@ -15,6 +15,7 @@ import nats_client
 from hosts import PATIENCE, Server, wait_until
 
 URL = "nats://127.0.0.1:4222/lab"
+ANSWER_PATIENCE = 5  # s; a request to a unit that is just being started again may get none
 
 
 class Fleet:
@@ -56,22 +57,25 @@ class Fleet:
         return self.client.request(f"$KV.{bucket}.{key}", text.encode())
 
     def request_all(self, requests):
-        """The answers to REQUESTS, (subject, data) each, that are asked at the same time; b"" where nobody listens."""
+        """The answers to REQUESTS, (subject, data) each, that are asked at the same time; b"" where nobody listens, or answers in time."""
         if not self.asked:
             self.client.sub("answers.*")
         answers = {f"answers.{self.asked + number}": None for number, _ in enumerate(requests)}
         self.asked += len(requests)
         for (subject, data), reply in zip(requests, answers):
             self.client.pub(subject, json.dumps(data).encode(), reply)
-        for _ in answers:
-            answer = self.client.next()
-            answers[answer.subject] = answer.data
-        return list(answers.values())
+        try:
+            for _ in answers:
+                answer = self.client.next(ANSWER_PATIENCE)
+                answers[answer.subject] = answer.data
+        except TimeoutError:
+            self.connect()  # what comes late is nobody's
+        return [answer or b"" for answer in answers.values()]
 
     def places(self, units):
         """What lies in the bucket of places for each of UNITS, {} if that is nothing."""
         def content(answer):
-            return json.loads(base64.b64decode(json.loads(answer).get("message", {}).get("data", "")) or "{}")
+            return json.loads(base64.b64decode(json.loads(answer or "{}").get("message", {}).get("data", "")) or "{}")
 
         subject = "$JS.API.STREAM.MSG.GET.KV_axisd_lab_places"
         answers = self.request_all([(subject, {"last_by_subj": f"$KV.axisd_lab_places.{unit}"}) for unit in units])
@@ -90,16 +94,16 @@ class Fleet:
 
     def silent(self, units):
         """Those of UNITS that are not reached, or do not run as they are wanted."""
-        placed = [unit for unit, place in self.places(units).items() if place.get("host") and "problem" not in place]
-        reached = {unit for unit, answer in zip(placed, self.ask_all(placed, "status")) if "result" in (answer or {})}
-        return [unit for unit in units if unit not in reached]
+        reached = [unit for unit, answer in zip(units, self.ask_all(units, "status")) if "result" in (answer or {})]
+        good = {unit for unit, place in self.places(reached).items() if place.get("host") and "problem" not in place}
+        return [unit for unit in units if unit not in good]
 
     def await_units(self, units, seconds=PATIENCE):
         """Waits until all UNITS answer; how long that was (s)."""
         begin, missing = time.monotonic(), list(units)
         while missing := self.silent(missing):
             assert time.monotonic() < begin + seconds, ("do not answer", list(self.places(missing).items())[:5])
-            time.sleep(0.05)
+            time.sleep(0.1)
         return time.monotonic() - begin
 
     def units_of(self, host):
