@@ -195,6 +195,22 @@ def check_server(fleet, units, options):
     print("units are stopped without a server, and start again with it")
 
 
+def check_forgetful_server(fleet, units, options):
+    """A server that comes back without what it had is told it again: documents, places, and what units have saved."""
+    save(fleet, units[0], 6.5)
+    fleet.server.kill()
+    fleet.server.forget()
+    fleet.server.begin()
+    wait_until(fleet.connect, "the server serves again")
+    fleet.await_units(units, options.patience)
+    wanted = {row["unit"] for row in json.loads(fleet.axisctl("--json", "fleet", "list"))["units"]}
+    assert wanted == {unit.replace(".", "/") for unit in units}, wanted
+    file = fleet.bench.folder / "saved.bin"
+    wait_until(lambda: fleet.is_kept(units[0], file), "what was saved lies on the server again")
+    assert saved(fleet, units[0]) == 6.5, saved(fleet, units[0])
+    print("a server without its memory is told what it had")
+
+
 def run(bench, options):
     units = [name_of(number) for number in range(options.units)]
     fleet = Fleet(bench)
@@ -210,6 +226,7 @@ def run(bench, options):
         check_mistakes(fleet)
         check_drain(fleet, units, options)
         check_server(fleet, units, options)
+        check_forgetful_server(fleet, units, options)
     finally:
         fleet.end()
 

@@ -46,6 +46,11 @@ class Fleet:
         assert done.returncode == 0, (words, done)
         return done.stdout
 
+    def is_kept(self, unit, file):
+        """Whether what UNIT has saved lies on the server; it is copied into FILE."""
+        words = [self.bench.program("axisctl"), "--farm", URL, "fleet", "state", "export", unit.replace(".", "/"), file]
+        return subprocess.run(words, capture_output=True).returncode == 0
+
     def want(self, unit, document):
         """UNIT, "line1.5", is wanted as DOCUMENT says, a text or an object; None: it is wanted no more."""
         if document is None:
