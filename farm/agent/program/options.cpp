@@ -158,7 +158,8 @@ void add_options(CLI::App& app, Options& options, Words& words) {
       ->type_name("DIR");
   app.add_option("--control-group", options.control_group,
                  "group whose members may use the control sockets of the units (default: none)")
-      ->type_name("GROUP");
+      ->type_name("GROUP")
+      ->take_last();
   app.add_flag("--drain-on-stop", options.drain_on_stop,
                "give all units away before ending (default: they go on without an agent)");
   nats::add_server_options(app, words.security);
