@@ -46,10 +46,10 @@ void Rpc::take(const UnitName& unit, const Message& message) {
   }
   asked.id = std::move(request->id);
   asked.deliver = deliver_of(message.data);
-  carry_out(std::move(asked), *std::move(request));
+  carry_out(asked, *std::move(request));
 }
 
-void Rpc::carry_out(Asked asked, control::Request request) {
+void Rpc::carry_out(const Asked& asked, control::Request request) {
   const Reached* const reached = parts_.roster.find(asked.unit);
   if (reached == nullptr)
     return answer(asked, tl::unexpected{gateway::refuse(gateway::Refused::NoDaemon,

@@ -49,9 +49,9 @@ class Rpc {
  private:
   struct Asked;
 
-  void answer(const Asked& asked, const gateway::Answer& answer) const;
+  void answer(const Asked& asked, const gateway::Answer& told) const;
   void refuse(const Asked& asked, control::ErrorCode code, std::string message) const;
-  void carry_out(Asked asked, control::Request request);
+  void carry_out(const Asked& asked, control::Request request);
   void serve_outlet(const Asked& asked, const control::Request& request);
   void forward(const Asked& asked, const Reached& reached, control::Request& request);
   [[nodiscard]] nlohmann::json unit_list(const Reached& reached) const;
