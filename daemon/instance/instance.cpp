@@ -182,11 +182,6 @@ device::Keeping Instance::on_store(std::span<const std::byte> image) noexcept {
   return keeping;
 }
 
-void Instance::on_restore() noexcept {
-  tell(record::EventKind::Restore, true);
-  memory_.on_restore();
-}
-
 std::optional<drive::UtcTime> Instance::host_time() noexcept {
   const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(os::wall_time()).count();
   return time >= 0 ? std::optional{static_cast<drive::UtcTime>(time)} : std::nullopt;
@@ -241,10 +236,6 @@ void Instance::begin_recording() noexcept {
 
 void Instance::on_tap(bool is_open) noexcept {
   has_listeners_ = is_open;
-  connect();
-}
-
-void Instance::on_loaded(bool) noexcept {
   connect();
 }
 

@@ -187,7 +187,10 @@ class Instance final : private device::Listener,
     saves_ = {saves_.ended + 1, kept};
     tell(record::EventKind::Store, kept);
   }
-  void on_restore() noexcept override;
+  void on_restore() noexcept override {
+    tell(record::EventKind::Restore, true);
+    memory_.on_restore();
+  }
   std::optional<drive::UtcTime> host_time() noexcept override;
   void on_nmt_state(canopen::NmtState from, canopen::NmtState to) noexcept override;
   canopen::TimePoint frame_arrival(canopen::TimePoint) noexcept override { return bus_.frame_arrival(); }
@@ -217,7 +220,7 @@ class Instance final : private device::Listener,
   void take(const canopen::Frame& frame, canopen::TimePoint now) noexcept override { on_frame(frame, now); }
   void power_cycle(canopen::TimePoint now) noexcept override { device_.power_cycle(now); }
   void set_bus_state(device::BusState state, canopen::TimePoint now) noexcept override;
-  void on_loaded(bool any) noexcept override;
+  void on_loaded(bool) noexcept override { connect(); }
 
   void on_write(const drive::FoundParameter& parameter, double before, double value) noexcept override;
   void tell(record::EventKind kind, bool active) noexcept;

@@ -93,11 +93,11 @@ TEST_F(Axisctl, ChoosesByInterfaceAndNodeWithTheDefaultForTheOther) {
 }
 
 TEST_F(Axisctl, TakesTheUnitThatIsNamed) {
-  for (const auto& [file, unit] :
-       std::vector<std::pair<std::string, std::string>>{{"axisd-can7-5.sock", "5"},
-                                                        {"axisd-can7-5.sock", "can7/5"},
-                                                        {"axisd-unix-bus-bd35932a-5.sock", "unix:/tmp/bus/5"},
-                                                        {"axisd-unix-bus-bd35932a-5.sock", "unix-bus-bd35932a/5"}}) {
+  for (const auto& [file, unit] : std::vector<std::pair<std::string, std::string>>{
+           {"axisd-can7-5.sock", "5"},
+           {"axisd-can7-5.sock", "can7/5"},
+           {"axisd-unix-bus-bd35932a-5.sock", "unix:/tmp/bus/5"},
+           {"axisd-unix-bus-bd35932a-5.sock", "unix-bus-bd35932a/5"}}) {
     ControlServer wanted{folder.path(file), kDone};
     ControlServer another{folder.path("axisd-vcan0-2.sock"), kDone};
 

@@ -40,8 +40,8 @@ int report(const Failure& failure, bool as_json) {
   return status;
 }
 
-/// The name of the bus @p interface in control sockets; in a farm it is one. As part of @p option --unit it may be one
-/// that `units` has shown.
+/// The name of the bus @p interface in control sockets; in a farm it is one. As part of @p option --unit it may be
+/// one that `units` has shown.
 Expected<std::string> label_of(const std::string& option, const std::string& interface, bool in_farm) {
   if (in_farm && farm::is_name(interface)) return interface;
   if (in_farm)
