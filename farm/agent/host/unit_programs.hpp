@@ -39,7 +39,7 @@ class UnitPrograms {
   /// Tells of those that run since an agent before.
   void find();
   void start(UnitStart start);
-  void stop(const UnitName& unit);
+  void stop(const UnitName& name);
 
  private:
   /// A unit that was to be started and has not ended.

@@ -55,27 +55,34 @@ std::string_view name_of(std::string_view variable) noexcept {
   return variable.substr(0, variable.find('='));
 }
 
-/// Ended by a null pointer; the texts are those of @p start and of the environment.
-std::vector<char*> environment_of(const ProgramStart& start) {
-  std::vector<char*> variables;
+/// The environment that the program is to have.
+std::vector<std::string> variables_of(const ProgramStart& start) {
+  std::vector<std::string> variables = start.variables;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const auto is_same = [&](const std::string& other) { return name_of(other) == name_of(*entry); };
     const bool is_own = std::ranges::find(kOwnVariables, name_of(*entry)) != kOwnVariables.end();
-    if (!is_own && std::ranges::none_of(start.variables, is_same)) variables.push_back(*entry);
+    if (!is_own && std::ranges::none_of(start.variables, is_same)) variables.emplace_back(*entry);
   }
-  for (const std::string& variable : start.variables) variables.push_back(const_cast<char*>(variable.c_str()));
-  variables.push_back(nullptr);
   return variables;
+}
+
+/// @p texts as the kernel wants them, ended by a null pointer.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
 }
 
 }  // namespace
 
 tl::expected<ProcessHandle, std::string> start_program(const ProgramStart& start) {
   const Conditions conditions{start};
-  const std::vector<char*> variables = environment_of(start);
-  std::vector<char*> words;
-  for (const std::string& word : start.words) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
+  std::vector<std::string> texts = variables_of(start);
+  std::vector<std::string> arguments = start.words;
+  const std::vector<char*> variables = pointers_to(texts);
+  const std::vector<char*> words = pointers_to(arguments);
   pid_t number = 0;
   const int error = posix_spawn(&number, words.front(), &conditions.actions, &conditions.attributes, words.data(),
                                 variables.data());

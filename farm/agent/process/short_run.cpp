@@ -49,9 +49,8 @@ ShortRun::ShortRun(axisd::ServiceEvents& events, const std::vector<std::string>&
 }
 
 void ShortRun::finish(const ProcessEnd& end) {
-  const ProcessEnd copy = end;
   const OnEnd tell = std::move(on_end_);
-  tell(copy, content_of(output_.get()));
+  tell(end, content_of(output_.get()));
 }
 
 }  // namespace farm::agent

@@ -43,7 +43,7 @@ void WatchedProcess::end() {
   axisd::ServiceEvents::start(patience_, kPatience);
 }
 
-void WatchedProcess::send(int signal) noexcept {
+void WatchedProcess::send(int signal) const noexcept {
   ::syscall(SYS_pidfd_send_signal, process_.descriptor.get(), signal, nullptr, 0);
 }
 

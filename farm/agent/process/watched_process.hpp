@@ -32,7 +32,7 @@ class WatchedProcess {
   void end();
 
  private:
-  void send(int signal) noexcept;
+  void send(int signal) const noexcept;
   [[nodiscard]] ProcessEnd reap() const;
 
   axisd::ServiceEvents& events_;

@@ -62,8 +62,7 @@ void Agent::watch(Bucket bucket, const std::string& name) {
       });
 }
 
-/// Beats change nothing at once as a rule: the plan says itself when silence will mean something. The first of a
-/// host may.
+/// What is no beat is nobody's.
 void Agent::listen() {
   link_.subscribe(all_agents_subject(farm_), [this](const Message& message) {
     if (const auto beat = parse_agent_beat(message.subject, message.data)) plan_.hear(*beat, read_clock());
