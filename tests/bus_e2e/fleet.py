@@ -2,7 +2,8 @@
 
 usage: fleet.py PROGRAMS [--units N] [--gates]
 
---gates: 300 units and 10000 requests, and the units of a host that is lost answer elsewhere within 5 s.
+--gates: 300 units and 10000 requests, and the units of a host that is lost answer elsewhere within 5 s; on a machine that does nothing
+else, and has more than two processors for the three hosts.
 """
 
 import argparse
