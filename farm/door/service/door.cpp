@@ -93,7 +93,8 @@ void Door::on_units() {
   std::set<std::string> paths;
   for (const gateway::DaemonClient* const daemon : parts_.daemons.clients()) paths.insert(daemon->path());
   if (roster_.keep(paths)) follow_units();
-  ask_for_units();
+  for (gateway::DaemonClient* const daemon : parts_.daemons.clients())
+    if (!roster_.knows(daemon->path())) ask_for_units(*daemon);
 }
 
 void Door::ask_for_units() {
@@ -125,7 +126,7 @@ void Door::follow_units() {
     if (served_.insert(name).second)
       parts_.messages.subscribe(rpc_subject(settings_.farm, name),
                                 [this, unit = name](const Message& message) { rpc_.take(unit, message); });
-  beat();
+  beat_soon();
 }
 
 void Door::hear_door(const Message& message) {
@@ -153,7 +154,7 @@ bool Door::is_ready() const {
 void Door::open() {
   claim_.take();
   is_told_taken_ = false;
-  parts_.messages.subscribe(who_subject(settings_.farm), [this](const Message&) { hear_who(); });
+  parts_.messages.subscribe(who_subject(settings_.farm), [this](const Message&) { beat_soon(); });
   for (const ServiceQuestion question : kServiceQuestions)
     for (const std::string& subject : service_subjects(question, service_.id))
       parts_.messages.subscribe(subject, [this, question](const Message& message) {
@@ -181,16 +182,17 @@ void Door::step() {
   if (parts_.messages.is_up()) ++steps_up_;
   look_at_claim();
   if (claim_.has() && parts_.messages.is_up()) statuses_.step();
-  if (std::exchange(asked_who_, Asked::Never) == Asked::Again || steps_ % kStepsOfBeat == 0) beat();
+  if (std::exchange(wanted_, Wanted::Never) == Wanted::Again || steps_ % kStepsOfBeat == 0) beat();
   if (steps_ % StatusRound::kSteps != 0) return;
   ask_for_units();
   outlets_.sweep();
 }
 
-/// At once, but no more often than every step: whoever asks without end gets no flood of lists.
-void Door::hear_who() {
-  if (asked_who_ == Asked::Never) beat();
-  asked_who_ = asked_who_ == Asked::Never ? Asked::Once : Asked::Again;
+/// At once, but no more often than every step: neither who asks without end nor hundreds of daemons that come together
+/// bring a flood of lists.
+void Door::beat_soon() {
+  if (wanted_ == Wanted::Never) beat();
+  wanted_ = wanted_ == Wanted::Never ? Wanted::Once : Wanted::Again;
 }
 
 void Door::beat() {

@@ -61,7 +61,7 @@ class Door final : private gateway::Daemons::Listener {
   void close();
   /// The time.
   void step();
-  void hear_who();
+  void beat_soon();
   void beat();
 
   Parts parts_;
@@ -76,9 +76,9 @@ class Door final : private gateway::Daemons::Listener {
   std::set<UnitName> served_;    ///< units whose requests come here
   std::set<std::string> asked_;  ///< daemons, by their paths, that owe a list of their units
   bool is_told_taken_ = false;
-  /// How often it was asked who is there, since the last step.
-  enum class Asked : std::uint8_t { Never, Once, Again };
-  Asked asked_who_ = Asked::Never;
+  /// How often a beat was wanted since the last step.
+  enum class Wanted : std::uint8_t { Never, Once, Again };
+  Wanted wanted_ = Wanted::Never;
   std::size_t steps_ = 0;     ///< of kSteps a second
   std::size_t steps_up_ = 0;  ///< with a connection
   axisd::EventSource timer_;
