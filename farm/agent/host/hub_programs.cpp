@@ -19,7 +19,7 @@ using nlohmann::json;
 
 /// How often it is looked whether a hub that was started serves its path.
 constexpr std::chrono::milliseconds kLook{10};
-constexpr std::size_t kLongestNote = std::size_t{64} << 10;
+constexpr std::size_t kLongestHubNote = std::size_t{64} << 10;
 
 /// What a hub was started with, kept for the next agent.
 struct HubNote {
@@ -34,7 +34,7 @@ std::string text_of(const HubNote& note) {
 
 /// One that cannot be read is that of no hub of ours.
 HubNote read_note(const std::string& path) {
-  const auto text = os::read_regular_file(path, kLongestNote);
+  const auto text = os::read_regular_file(path, kLongestHubNote);
   const json document = json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
   if (!document.is_object() || !document.contains("bitrate") || !document["bitrate"].is_number_unsigned() ||
       !document.contains("words") || !document["words"].is_array())

@@ -14,7 +14,7 @@ namespace farm::agent {
 namespace {
 
 /// A unit writes what it keeps to the disk before it ends.
-constexpr std::chrono::seconds kPatience{3};
+constexpr std::chrono::seconds kLongestStop{3};
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void WatchedProcess::end() {
         return 0;
       },
       this);
-  axisd::ServiceEvents::start(patience_, kPatience);
+  axisd::ServiceEvents::start(patience_, kLongestStop);
 }
 
 void WatchedProcess::send(int signal) const noexcept {
