@@ -188,8 +188,8 @@ void Door::step() {
   outlets_.sweep();
 }
 
-/// At once, but no more often than every step: neither who asks without end nor hundreds of daemons that come together
-/// bring a flood of lists.
+/// At once, but no more often than every step: neither who asks without end nor hundreds of daemons that come
+/// together bring a flood of lists.
 void Door::beat_soon() {
   if (wanted_ == Wanted::Never) beat();
   wanted_ = wanted_ == Wanted::Never ? Wanted::Once : Wanted::Again;
