@@ -29,7 +29,6 @@ ServiceEvents::ServiceEvents(std::function<void()> on_stop) : ServiceEvents{} {
   on_stop_ = std::move(on_stop);
   for (const int signal : {SIGTERM, SIGINT}) catch_signal(signal);
   if (!is_ignored(SIGHUP)) catch_signal(SIGHUP);
-  dispatch();
 }
 
 void ServiceEvents::catch_signal(int signal) {

@@ -174,10 +174,18 @@ TEST_F(DaemonsTest, ALongListOfUnitsComesInPages) {
 
 /// A daemon whose units come and go, as those of a farm do.
 struct FarmTest : DaemonsTest {
-  class ChangingReach : public SocketReach {
+  class ChangingReach final : public Reach {
    public:
-    using SocketReach::SocketReach;
+    explicit ChangingReach(std::vector<std::string> paths) : sockets_{std::move(paths)} {}
+    std::vector<std::string> places() const override { return sockets_.places(); }
+    bool are_named() const noexcept override { return sockets_.are_named(); }
     bool do_units_change() const noexcept override { return true; }
+    tl::expected<os::Descriptor, std::string> connect(const std::string& place) override {
+      return sockets_.connect(place);
+    }
+
+   private:
+    SocketReach sockets_;
   };
   std::string answer_to(const std::string& line) const {
     const json request = json::parse(line);
