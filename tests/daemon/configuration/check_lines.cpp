@@ -1,5 +1,5 @@
 // A configuration a line of standard input; for each the verdict of the reader, a line too: "accepted", or its
-// message.
+// message. It answers before it reads the next one.
 #include <iostream>
 #include <string>
 
@@ -11,9 +11,9 @@ int main() {
   for (std::string line; std::getline(std::cin, line);) {
     try {
       static_cast<void>(axisd::parse_configuration(line, "node.json", motors));
-      std::cout << "accepted\n";
+      std::cout << "accepted" << std::endl;
     } catch (const axisd::ConfigurationError& error) {
-      std::cout << error.what() << '\n';
+      std::cout << error.what() << std::endl;
     }
   }
 }

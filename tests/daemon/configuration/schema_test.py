@@ -99,11 +99,22 @@ VALUES = [
 ]
 
 
+READER = subprocess.Popen([CHECK_LINES], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+def tearDownModule():
+    READER.stdin.close()
+    assert READER.wait() == 0, READER.returncode
+
+
 def answers(configurations):
     """What the reader says of each."""
-    lines = "".join(json.dumps(c) + "\n" for c in configurations)
-    said = subprocess.run([CHECK_LINES], input=lines, capture_output=True, text=True, check=True).stdout.splitlines()
-    assert len(said) == len(configurations)
+    said = []
+    for configuration in configurations:
+        READER.stdin.write(json.dumps(configuration) + "\n")
+        READER.stdin.flush()
+        said.append(READER.stdout.readline().rstrip("\n"))
+        assert said[-1], configuration
     return said
 
 
