@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -14,7 +15,7 @@ namespace nats {
 struct PolledConnection {
   Connection connection;
   int socket = -1;
-  bool wants_to_write = false;  ///< there is more than the socket took
+  std::atomic<bool> wants_to_write = false;  ///< there is more than the socket took
 
   PolledConnection() = default;
   PolledConnection(const PolledConnection&) = delete;

@@ -14,13 +14,13 @@ class Arrivals {
  public:
   struct Arrival {
     std::uint64_t subscription;
-    nats::Message message;
+    nats::Message message;  ///< null: the last one has come
   };
 
   /// Throws std::system_error if the kernel gives no descriptor.
   Arrivals();
 
-  /// Any thread: @p message has come for @p subscription.
+  /// Any thread: @p message has come for @p subscription, or none comes any more.
   void put(std::uint64_t subscription, nats::Message message);
   /// Readable while there are some.
   [[nodiscard]] int descriptor() const noexcept { return waiting_.get(); }

@@ -19,8 +19,9 @@ void on_message(natsConnection*, natsSubscription*, natsMsg* message, void* chan
   arrivals->put(id, nats::Message{message});
 }
 
-void on_complete(void* channel) noexcept {
-  delete static_cast<Channel*>(channel);
+void on_complete(void* given) noexcept {
+  const std::unique_ptr<const Channel> channel{static_cast<Channel*>(given)};
+  channel->arrivals->put(channel->id, nullptr);
 }
 
 /// Messages and bytes that may wait in a subscription: losing one in silence is worse than any memory.

@@ -39,6 +39,11 @@ class Contact {
   /// Messages of @p subject arrive as those of subscription @p id until what it gives is destroyed; nullptr: the
   /// server does not have it.
   [[nodiscard]] nats::Subscription subscribe(std::uint64_t id, const std::string& subject);
+  /// Ends @p subscription: what is on its way to it still arrives, and after that nothing once (a null message).
+  /// False if that cannot be waited for.
+  [[nodiscard]] static bool drain(const nats::Subscription& subscription) noexcept {
+    return natsSubscription_Drain(subscription.get()) == NATS_OK;
+  }
   /// Hands @p data over to be written; false if @p most bytes would wait, or the server takes no such message.
   [[nodiscard]] bool publish(const std::string& subject, const std::string& reply, std::string_view data,
                              std::size_t most);

@@ -89,14 +89,17 @@ void Session::serve_arrivals(std::uint32_t) {
   is_taking_ = true;
   for (const Arrivals::Arrival& arrival : contact->arrivals().take()) {
     if (contact_.get() != contact) break;
-    beats_ = 0;
-    if (arrival.subscription == kBeatSubscription)
-      on_beat();
-    else
-      listener_.on_message(arrival.subscription, arrival.message.get());
+    if (arrival.message) beats_ = 0;
+    tell(arrival);
   }
   is_taking_ = false;
   if (contact_) write();
+}
+
+void Session::tell(const Arrivals::Arrival& arrival) {
+  if (!arrival.message) return listener_.on_end(arrival.subscription);
+  if (arrival.subscription == kBeatSubscription) return on_beat();
+  listener_.on_message(arrival.subscription, arrival.message.get());
 }
 
 bool Session::publish(const std::string& subject, const std::string& reply, std::string_view data) {
@@ -110,6 +113,12 @@ nats::Subscription Session::subscribe(std::uint64_t id, const std::string& subje
   nats::Subscription made = contact_->subscribe(id, subject);
   if (!is_taking_) write();
   return made;
+}
+
+bool Session::drain(const nats::Subscription& subscription) {
+  if (!contact_ || !subscription || !Contact::drain(subscription)) return false;
+  if (!is_taking_) write();
+  return true;
 }
 
 /// A connection that fails here is given up when its socket is looked at.

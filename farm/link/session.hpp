@@ -29,6 +29,8 @@ class Session {
     virtual void on_down(const std::string& why) = 0;
     /// @p message has come for the subscription @p id.
     virtual void on_message(std::uint64_t id, natsMsg* message) = 0;
+    /// The last one has come for it.
+    virtual void on_end(std::uint64_t id) = 0;
     /// A kBeat has passed while it is up.
     virtual void on_tick() = 0;
   };
@@ -51,6 +53,8 @@ class Session {
   bool publish(const std::string& subject, const std::string& reply, std::string_view data);
   /// Of the present connection; nullptr: there is none. @p id is above 0.
   [[nodiscard]] nats::Subscription subscribe(std::uint64_t id, const std::string& subject);
+  /// Ends @p subscription when all has come that is on its way; false if it may end at once.
+  [[nodiscard]] bool drain(const nats::Subscription& subscription);
 
  private:
   using Handler = void (Session::*)(std::uint32_t events);
@@ -60,6 +64,7 @@ class Session {
   void accept(std::uint32_t events);
   void serve_socket(std::uint32_t events);
   void serve_arrivals(std::uint32_t events);
+  void tell(const Arrivals::Arrival& arrival);
   void write();
   void look_after();
   void on_beat();

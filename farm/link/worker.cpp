@@ -56,6 +56,7 @@ Link::Worker::Worker(axisd::ServiceEvents& events, const nats::Server& server, c
 Link::Worker::~Worker() {
   inbox_subscription_.reset();
   subscriptions_.clear();
+  drained_.clear();
   for (Watched& watched : watches_) watched.subscription.reset();
   requests_.end(NoReply::Down);
 }
@@ -71,8 +72,13 @@ void Link::Worker::subscribe(const std::string& subject, OnMessage on_message) {
                         session_.subscribe(id, subject)};
 }
 
+/// A request that was sent before has its answer: it is on its way here, or in the library.
 void Link::Worker::unsubscribe(const std::string& subject) {
-  std::erase_if(subscriptions_, [&subject](const auto& each) { return each.second.subject == subject; });
+  const auto found =
+      std::ranges::find_if(subscriptions_, [&](const auto& each) { return each.second.subject == subject; });
+  if (found == subscriptions_.end()) return;
+  auto ended = subscriptions_.extract(found);
+  if (session_.drain(ended.mapped().subscription)) drained_.insert(std::move(ended));
 }
 
 void Link::Worker::request(std::string_view subject, std::string_view data, std::chrono::milliseconds patience,
@@ -116,6 +122,7 @@ void Link::Worker::on_down(const std::string& why) {
   jobs_.set_up(false);
   inbox_subscription_.reset();
   for (auto& [id, subscribed] : subscriptions_) subscribed.subscription.reset();
+  drained_.clear();
   requests_.end(NoReply::Down);
   listener_.on_down(why);
 }
@@ -124,8 +131,10 @@ void Link::Worker::on_message(std::uint64_t id, natsMsg* message) {
   if (id == kInbox) return take_answer(message);
   if (Watch* const watch = watch_of(id)) return watch->on_message(message);
   const auto found = subscriptions_.find(id);
-  if (found == subscriptions_.end()) return;
-  const auto on_message = found->second.on_message;  // lives on if it unsubscribes
+  const auto drained = drained_.find(id);
+  if (found == subscriptions_.end() && drained == drained_.end()) return;
+  const auto on_message =  // lives on if it unsubscribes
+      (found != subscriptions_.end() ? found : drained)->second.on_message;
   (*on_message)({natsMsg_GetSubject(message), view_of(natsMsg_GetReply(message)), data_of_message(message)});
 }
 

@@ -51,6 +51,7 @@ class Link::Worker final : private Session::Listener {
   void on_up() override;
   void on_down(const std::string& why) override;
   void on_message(std::uint64_t id, natsMsg* message) override;
+  void on_end(std::uint64_t id) override { drained_.erase(id); }
   void on_tick() override;
 
   void take_answer(natsMsg* message);
@@ -63,6 +64,7 @@ class Link::Worker final : private Session::Listener {
   std::string inbox_;  ///< in front of a dot and a token
   nats::Subscription inbox_subscription_;
   std::map<std::uint64_t, Subscribed> subscriptions_;  ///< by their numbers for the session
+  std::map<std::uint64_t, Subscribed> drained_;        ///< that are no more, but for what is on its way to them
   std::uint64_t last_id_;
   Requests requests_;
   axisd::EventSource request_timer_;

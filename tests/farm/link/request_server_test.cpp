@@ -77,6 +77,26 @@ TEST_F(RequestTest, IsRefusedWhileTooManyWait) {
   EXPECT_EQ(last, "too many requests wait for an answer");
 }
 
+TEST_F(RequestTest, IsAnsweredThoughItsSubscriptionEndsWhileItIsOnItsWay) {
+  Ear ear;
+  Link client{events_, server_.address(), "client", ear};
+  wait_until_up(client);
+  for (int round = 0; round < 20; ++round) {
+    link_.subscribe("a", [this](const Message& message) { link_.publish(message.reply, "answer"); });
+    EXPECT_EQ(ask("a"), "answer") << "the server knows of it";
+    constexpr int kRequests = 100;
+    std::vector<std::string> told;
+    for (int i = 0; i < kRequests; ++i)
+      client.request("a", "", 20s, [&told](const Link::Reply& reply) {
+        told.push_back(reply ? *reply : std::string{text_of(reply.error())});
+      });
+    link_.unsubscribe("a");
+    wait_until([&told] { return told.size() == kRequests; });
+
+    for (const std::string& each : told) EXPECT_TRUE(each == "answer" || each == "nobody answers there") << each;
+  }
+}
+
 TEST_F(RequestTest, ThousandsAreAnsweredEachByItsOwn) {
   link_.subscribe("a", [this](const Message& message) { link_.publish(message.reply, message.data); });
   constexpr int kMany = 10'000;
