@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What a bus of several hosts carries over a NATS server, beside the floor: a sequencer over TCP that does nothing else.
 
-usage: several_hosts.py BIN [--quick] [--runs N] [--only TEXT]
+usage: several_hosts.py BIN [--quick] [--runs N] [--only TEXT] [--storage KIND]
 
 BIN is the folder of sequencer, trunk_hub, trunk_member and with-can. Three network namespaces with a hub and a member each, joined by
 a bridge, where the server is; nothing leaves this program's own network. The same code of the hub runs over both servers, alternately,
@@ -10,6 +10,7 @@ passed; ends with 1 if one is not.
 
 --quick  one run of some seconds, with fewer frames: for a busy machine
 --only   the measurements whose name has TEXT in it; then without gates of others
+--storage  memory: the stream was made before, so that the server keeps it in its memory; else the hubs make it: file
 """
 import argparse
 import collections
@@ -27,7 +28,8 @@ import time
 HOSTS = ("a", "b", "c")
 SERVER = "10.0.0.254"
 PATIENCE = 120  # s, for everything that a busy machine may delay
-ATTEMPTS = 3
+ATTEMPTS = 10
+AGE = 5  # s, of a stream in memory
 TICKS = os.sysconf("SC_CLK_TCK")
 
 Measure = collections.namedtuple("Measure", "name members batch rate count quick")
@@ -138,13 +140,31 @@ class Process:
         self.process.wait()
 
 
+def make_stream_in_memory():
+    """The stream of the bus as an operator makes it beforehand, who wants it in the memory of the server, and short."""
+    config = {"name": "CAN_bench", "subjects": ["can.bench.wire"], "storage": "memory", "max_age": AGE * 10**9, "no_ack": True,
+              "retention": "limits", "max_consumers": -1, "max_msgs": -1, "max_bytes": -1, "discard": "old", "num_replicas": 1,
+              "duplicate_window": 10**8}
+    text = json.dumps(config)
+    with socket.create_connection((SERVER, 4222), PATIENCE) as server:
+        server.sendall(f'CONNECT {{"verbose":false}}\r\nSUB answer 1\r\n'
+                       f"PUB $JS.API.STREAM.CREATE.CAN_bench answer {len(text)}\r\n{text}\r\n".encode())
+        heard = b""
+        while b"MSG answer" not in heard or not heard.endswith(b"}\r\n"):
+            heard += server.recv(65536)
+    if b'"error"' in heard:
+        sys.exit(f"the stream was refused: {heard.decode()}")
+
+
 class Bus:
     """A server, and a hub with a member on each host."""
 
-    def __init__(self, programs, engine, measure, count, stack):
+    def __init__(self, programs, engine, measure, count, storage, stack):
         self.measure, self.stack, self.count = measure, stack, count
         self.folder = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory(dir="/dev/shm")))
         url = self.start_server(programs, engine)
+        if engine == "NATS" and storage == "memory":
+            make_stream_in_memory()
         of_hubs = 0 if measure.members else count
         self.hubs = [self.start(f"hub-{host}", [programs / "trunk_hub", url, self.folder / host, measure.batch, len(HOSTS), number,
                                                 of_hubs], host) for number, host in enumerate(HOSTS)]
@@ -179,19 +199,17 @@ class Bus:
             process.before = process.processor_time()
         for process in senders:
             process.go()
-        try:
-            for process in senders:
-                wait_until(lambda process=process: process.has("heard" if self.members else "complete"), "all frames have passed")
-        except Disturbed:
-            self.print_cuts()
-            raise
+        for process in senders:
+            wait_until(lambda process=process: self.has_passed(process), "all frames have passed")
         return self.result()
 
-    def print_cuts(self):
+    def has_passed(self, sender):
+        """Whether all frames have come back to SENDER; what was cut does not count, and never ends."""
         for hub in self.hubs:
             for line in hub.log.read_text(encoding="utf-8").splitlines():
                 if "cut:" in line:
-                    print(line, file=sys.stderr)
+                    raise Disturbed(line)
+        return sender.has("heard" if self.members else "complete")
 
     def result(self):
         frames = self.count * len(HOSTS)
@@ -212,26 +230,27 @@ class Bus:
                       hashes=len({tally["hash"] for tally in tallies}), hub=times[0], server=times[1], member=times[2])
 
 
-def measure_once(programs, engine, measure, frames):
+def measure_once(programs, engine, measure, frames, storage):
     """A run that counts: one in which the bus was cut, as it is when the machine has no time for a hub, does not."""
     for attempt in range(ATTEMPTS):
         try:
             with contextlib.ExitStack() as stack:
-                return Bus(programs, engine, measure, frames // len(HOSTS), stack).run()
+                return Bus(programs, engine, measure, frames // len(HOSTS), storage, stack).run()
         except Disturbed as reason:
             print(f"{engine}, {measure.name}: {reason}", file=sys.stderr)
             if attempt == ATTEMPTS - 1:
                 sys.exit("too often: is the machine too busy?")
 
 
-def measure_all(programs, measures, runs, is_quick):
+def measure_all(programs, measures, runs, is_quick, storage):
     """By measurement and engine, a Result whose fields are lists: the median first, then all values."""
     found = collections.defaultdict(list)
     for number in range(runs):
         for measure in measures:
             for engine in ENGINES:
                 print(f"run {number + 1} of {runs}: {measure.name}, {engine}", file=sys.stderr)
-                found[measure.name, engine].append(measure_once(programs, engine, measure, measure.quick if is_quick else measure.count))
+                frames = measure.quick if is_quick else measure.count
+                found[measure.name, engine].append(measure_once(programs, engine, measure, frames, storage))
     return {key: Result(*([statistics.median(values), *values] for values in zip(*results))) for key, results in found.items()}
 
 
@@ -281,6 +300,7 @@ def main():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--runs", type=int)
     parser.add_argument("--only", default="")
+    parser.add_argument("--storage", choices=("file", "memory"), default="file")
     arguments = parser.parse_args()
     if os.environ.get("SEVERAL_HOSTS_NETWORK") != "own":
         user = [] if os.getuid() == 0 else ["--map-root-user"]
@@ -289,7 +309,7 @@ def main():
     build_network()
     measures = [measure for measure in MEASURES if arguments.only in measure.name]
     runs = arguments.runs or (1 if arguments.quick else 3)
-    found = measure_all(arguments.bin.resolve(), measures, runs, arguments.quick)
+    found = measure_all(arguments.bin.resolve(), measures, runs, arguments.quick, arguments.storage)
     print_speed(measures, found)
     print_cost(measures, found)
     sys.exit(0 if judge(found) else 1)
