@@ -176,7 +176,7 @@ make_root() {
   as_root touch "$folder/etc/resolv.conf"
   in_root "$folder" apt-get update -qq
   # What is installed later is fetched now: only into the cache, and without what the trial is about.
-  in_root "$folder" bash -c 'apt-get install -qq -y --download-only --no-install-recommends /packages/*.deb systemd-sysv udev dbus'
+  in_root "$folder" bash -c 'apt-get install -qq -y --download-only --no-install-recommends /packages/*.deb systemd-sysv udev dbus nats-server'
   as_root rm -rf "$folder/packages"
 }
 

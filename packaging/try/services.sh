@@ -66,6 +66,10 @@ if [[ -e /usr/bin/axisd-http ]]; then
   ls -l /var/lib/private/axisd-http
   [[ $(stat -c %a /var/lib/private/axisd-http/token) == 600 ]] || fail "the token can be read by others"
 fi
+if [[ -e /usr/bin/axisd-agent ]]; then
+  # shellcheck source=packaging/try/farm.sh
+  . "${0%/*}/farm.sh"
+fi
 # One goes, the other stays with its folders.
 systemctl stop axisd.service
 expect_active axisd@vcan0

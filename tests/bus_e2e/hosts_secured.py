@@ -1,9 +1,10 @@
-"""Hubs and a server with TLS, users and an account each for two farms: who is let in, and what is said to the others.
+"""Hubs, doors, agents and a server with TLS, users and an account each for two farms: who is let in, and what is said to the others.
 
 usage: hosts_secured.py PROGRAMS SOURCES
 """
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -119,12 +120,58 @@ def another_name_is_refused():
     Host(user("lab-host:change-me-host\n", "a"), authority=others / "ca.crt", host="localhost:4333").says("SSL")
 
 
+def on_farm(name, credentials, authority=certificates / "ca.crt"):
+    """The options by which a program is told of the farm NAME."""
+    return ("--farm", f"tls://localhost/{name}", "--tls-ca", authority, "--credentials", credentials)
+
+
+def axisctl(*words):
+    return subprocess.run([str(word) for word in (programs / "axisctl", *words)], capture_output=True, text=True, check=False)
+
+
+def start_host_of_farm(options):
+    """An agent and a door, with nothing of this machine in common but the programs."""
+    runtime = folder / "run"
+    runtime.mkdir()
+    environment = dict(os.environ, XDG_RUNTIME_DIR=str(runtime), XDG_STATE_HOME=str(folder / "state"))
+    for name in ("axisd-agent", "axisd-nats"):
+        start(programs / name, *options, "--host", "a", env=environment, stderr=(folder / f"{name}.log").open("w"))
+
+
+def end_what_agents_started():
+    """Units and hubs go on without their agent; all of them were told of the folder."""
+    for process in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            if str(folder) in (process / "cmdline").read_text() and process.name != str(os.getpid()):
+                os.kill(int(process.name), signal.SIGKILL)
+        except OSError:  # has ended
+            pass
+
+
+def a_farm_is_reached_by_its_users_alone():
+    """A unit that an agent runs, through the door of its host, over TLS."""
+    host = user("lab-host:change-me-host", "host")
+    start_host_of_farm(on_farm("lab", host))
+    unit = (*on_farm("lab", host), "--unit", "cell/5")
+    units = folder / "units.json"
+    units.write_text('{"units": [{"bus": "cell", "node_id": 5}]}')
+    wait_until(lambda: axisctl(*on_farm("lab", host), "fleet", "apply", units).returncode == 0, "a unit is wanted", 60)
+    wait_until(lambda: axisctl(*unit, "set", "1/p1120", "2.5").returncode == 0, "a parameter is set", 60)
+    assert "2.5" in axisctl(*unit, "get", "1/p1120").stdout
+    plant = axisctl(*on_farm("plant", user("plant-host:change-me-plant", "plant")), "--unit", "cell/5", "status")
+    assert plant.returncode == 5 and len(plant.stderr.splitlines()) == 1, plant
+    for reason, options in (("uthorization", on_farm("lab", user("lab-host:guessed", "wrong"))), ("SSL", on_farm("lab", host, others / "ca.crt"))):
+        refused = axisctl(*options, "--unit", "cell/5", "status")
+        assert refused.returncode == 5 and reason in refused.stderr and len(refused.stderr.splitlines()) == 1, refused
+
+
 try:
     make_certificates()
     start_server()
     frames_pass_within_an_account()
     others_are_refused()
     another_name_is_refused()
+    a_farm_is_reached_by_its_users_alone()
     print("TLS, users and accounts: who may is on the bus, who may not is told why")
 except BaseException:
     for name in sorted(folder.glob("*.log")):
@@ -134,4 +181,5 @@ finally:
     for process in processes:
         process.kill()
         process.wait()
+    end_what_agents_started()
     subprocess.run(["rm", "-rf", folder], check=True)
