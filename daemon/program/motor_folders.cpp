@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "daemon/program/configuration_file.hpp"
+#include "os/own_program.hpp"
 
 namespace axisd {
 namespace {
@@ -18,9 +19,7 @@ std::vector<std::filesystem::path> preset_folders() {
     folders.emplace_back(std::filesystem::path{config} / "axisd/motors");
   else if (home != nullptr && *home != '\0')
     folders.emplace_back(std::filesystem::path{home} / ".config/axisd/motors");
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::filesystem::path folder = program.parent_path();
+  const std::filesystem::path folder = os::program_folder();
   folders.push_back(folder / "../share/axisd/motors");
   folders.push_back(folder / "../../share/axisd/motors");  // of a test program
   return folders;

@@ -1,14 +1,13 @@
 #include "daemon/program/options.hpp"
 
-#include <algorithm>
 #include <array>
 #include <iostream>
-#include <string_view>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/completion.hpp"
 #include "cli/exit_status.hpp"
+#include "service_options/log_level_option.hpp"
 #include "text/number.hpp"
 #include "version/version.hpp"
 
@@ -20,11 +19,6 @@ constexpr std::array kExitRows{
     cli::ExitRow{kFailure, "any other failure"},
     cli::ExitRow{kUsage, "wrong command line or configuration"},
 };
-
-LogLevel log_level_of(const std::string& name) {
-  if (const auto level = level_named(name)) return *level;
-  throw UsageError{std::string{"--log-level: expected "} + kLogLevelNames + ", got \"" + name + '"'};
-}
 
 /// The decimal number @p text; @p expected says which ones the option takes.
 int integer_of(const char* option, const std::string& text, const char* expected) {
@@ -39,16 +33,14 @@ Profile profile_of(const std::string& name) {
 
 /// What options hold as text until it is judged.
 struct Words {
-  std::string level = "info";
+  std::string level = kDefaultLogLevel;
   std::optional<std::string> profile{};
   std::optional<std::string> node_id{};
   std::optional<std::string> axes{};
 };
 
 void complete(cli::Command& program) {
-  std::array<std::string_view, kLogLevels.size()> names{};
-  std::ranges::transform(kLogLevels, names.begin(), &LogLevelRow::name);
-  cli::offer_choices(program, "--log-level", names);
+  offer_log_levels(program);
   cli::offer_choices(program, "--profile", kProfileNames);
 }
 
@@ -80,8 +72,7 @@ void add_options(CLI::App& app, Options& options, Words& words) {
                  "group whose members may use the control socket (default: none)")
       ->type_name("GROUP");
   app.add_flag("--check-config", options.check_config, "check the configuration and exit");
-  app.add_option("--log-level", words.level, "error, warning, notice, info or debug (default: info)")
-      ->type_name("LEVEL");
+  add_log_level(app, words.level);
   cli::add_completion(app, complete);
 }
 
@@ -100,7 +91,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   } catch (const CLI::ParseError& error) {
     throw UsageError{std::string{error.what()} + " (see axisd --help)"};
   }
-  options.log_level = log_level_of(given.level);
+  options.log_level = cli::valid(read_log_level(given.level));
   if (given.profile) options.profile = profile_of(*given.profile);
   if (given.node_id) options.node_id = integer_of("--node-id", *given.node_id, "0 to 127");
   if (given.axes) options.axes = integer_of("--axes", *given.axes, "1 to 8");

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
+#include "cli/usage_error.hpp"
 #include "daemon/configuration/settings/profile.hpp"
 #include "service/log.hpp"
 
@@ -29,10 +29,7 @@ struct Options {
   LogLevel log_level = LogLevel::Info;
 };
 
-/// The command line cannot be used; the message is one line.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using cli::UsageError;
 
 /// Parses the command line. Gives nothing if the answer was printed already (--help, --version); throws
 /// UsageError.

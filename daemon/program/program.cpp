@@ -1,24 +1,12 @@
 #include "daemon/program/program.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include <poll.h>
 
 #include "service/clock.hpp"
 
 namespace axisd {
-namespace {
-
-/// From now until @p when, rounded up; nothing to wait for is negative.
-int milliseconds_until(canopen::TimePoint when) noexcept {
-  constexpr canopen::Duration kLongest = std::chrono::hours{1};
-  if (when == canopen::kNever) return -1;
-  const canopen::Duration left = std::clamp(when - read_clock(), canopen::Duration{0}, kLongest);
-  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
-}
-
-}  // namespace
 
 /// The fleet before the signals are caught: whoever waits for a bus can be ended.
 Program::Program(const Assignment& assignment, const Log& log)

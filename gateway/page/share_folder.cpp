@@ -2,13 +2,14 @@
 
 #include <system_error>
 
+#include "os/own_program.hpp"
+
 namespace gateway {
 
 std::filesystem::path share_folder() {
   std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   for (const char* const beside : {"../share/axisd", "../../share/axisd"})  // the second one of a test program
-    if (auto folder = (program.parent_path() / beside).lexically_normal();
+    if (auto folder = (os::program_folder() / beside).lexically_normal();
         std::filesystem::is_directory(folder, error))
       return folder;
   return {};

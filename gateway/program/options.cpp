@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
-#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,12 +11,12 @@
 #include "cli/completion.hpp"
 #include "cli/exit_status.hpp"
 #include "control/socket_name.hpp"
+#include "farm/options/farm_option.hpp"
+#include "service_options/log_level_option.hpp"
 #include "version/version.hpp"
 
 namespace gateway {
 namespace {
-
-using axisd::LogLevel;
 
 constexpr const char* kDescription =
     "Serves the units of all axisd of this machine, or of a farm, over HTTP: REST, server-sent events and "
@@ -26,11 +25,6 @@ constexpr std::array kExitRows{
     cli::ExitRow{kDone, "ended by SIGTERM or SIGINT"},
     cli::ExitRow{kFailure, "failed: an address is taken, the token file cannot be read"},
     cli::ExitRow{kUsage, "wrong usage"}};
-
-LogLevel log_level_of(const std::string& name) {
-  if (const auto level = axisd::level_named(name)) return *level;
-  throw UsageError{fmt::format("--log-level: expected {}, got \"{}\"", axisd::kLogLevelNames, name)};
-}
 
 Authority listen_of(const std::string& text) {
   auto authority = parse_authority(text);
@@ -50,18 +44,12 @@ std::string origin_of(const std::string& text) {
   throw UsageError{fmt::format("--allow-origin: expected http://HOST[:PORT] or https://, got \"{}\"", text)};
 }
 
-void complete_levels(cli::Command& program) {
-  std::array<std::string_view, axisd::kLogLevels.size()> names{};
-  std::ranges::transform(axisd::kLogLevels, names.begin(), &axisd::LogLevelRow::name);
-  cli::offer_choices(program, "--log-level", names);
-}
-
 /// The words that stand behind options, as they were given.
 struct Words {
   std::vector<std::string> listen;
   std::vector<std::string> hosts;
   std::vector<std::string> origins;
-  std::string level = "info";
+  std::string level = axisd::kDefaultLogLevel;
   std::optional<std::string> farm;
   nats::ServerOptions server;
 };
@@ -94,9 +82,8 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   nats::add_server_options(app, words.server, "--farm");
   app.add_option("--page", options.page, "folder of the web page (default: share/axisd/web beside the program)")
       ->type_name("FOLDER");
-  app.add_option("--log-level", words.level, "error, warning, notice, info or debug (default: info)")
-      ->type_name("LEVEL");
-  cli::add_completion(app, complete_levels);
+  axisd::add_log_level(app, words.level);
+  cli::add_completion(app, axisd::offer_log_levels);
 }
 
 std::optional<farm::FarmUrl> farm_of(const Words& given, const Options& options) {
@@ -105,11 +92,7 @@ std::optional<farm::FarmUrl> farm_of(const Words& given, const Options& options)
     return std::nullopt;
   }
   if (!options.sockets.empty()) throw UsageError{"--farm does not go with --socket"};
-  auto farm = farm::parse_farm_url(*given.farm);
-  if (!farm) throw UsageError{fmt::format("--farm: {}, got \"{}\"", farm.error(), *given.farm)};
-  if (const auto secured = nats::secure(farm->server, farm->host, given.server, "--farm"); !secured)
-    throw UsageError{secured.error()};
-  return *std::move(farm);
+  return cli::valid(farm::read_farm(*given.farm, given.server));
 }
 
 }  // namespace
@@ -135,7 +118,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
     if (const auto address = control::socket_address(path); !address)
       throw UsageError{"--socket: " + address.error()};
   options.farm = farm_of(given, options);
-  options.log_level = log_level_of(given.level);
+  options.log_level = cli::valid(axisd::read_log_level(given.level));
   return options;
 }
 

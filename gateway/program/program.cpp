@@ -1,15 +1,12 @@
 #include "gateway/program/program.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
-#include <poll.h>
 #include <systemd/sd-daemon.h>
 
 #include "gateway/page/share_folder.hpp"
 #include "gateway/program/farm_reach.hpp"
 #include "gateway/security/token.hpp"
-#include "service/clock.hpp"
 
 namespace gateway {
 namespace {
@@ -42,19 +39,12 @@ std::string page_place(const Options& options) {
   return options.page.empty() ? (share_folder() / "web").string() : options.page;
 }
 
-/// Until @p when, rounded up, for poll(); negative: for ever.
-int milliseconds_until(canopen::TimePoint when) noexcept {
-  constexpr canopen::Duration kLongest = std::chrono::hours{1};
-  if (when == canopen::kNever) return -1;
-  const canopen::Duration left = std::clamp(when - axisd::read_clock(), canopen::Duration{0}, kLongest);
-  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
-}
-
 }  // namespace
 
 Program::Program(const Options& options, const axisd::Log& log)
     : log_{log},
       events_{[this] { is_stopping_ = true; }},
+      loop_{events_, log},
       daemons_{events_, reach_of(options), log},
       event_feed_{daemons_},
       sample_feed_{events_, daemons_, kSampleFeed},
@@ -75,16 +65,6 @@ Program::Program(const Options& options, const axisd::Log& log)
       },
       this);
   beat();
-  std::uint64_t period = 0;
-  if (sd_watchdog_enabled(0, &period) <= 0) return;
-  watchdog_period_ = std::chrono::microseconds{period} / 2;  // as sd_watchdog_enabled(3) recommends
-  watchdog_ = events_.timer(
-      [](sd_event_source*, std::uint64_t, void* self) noexcept {
-        static_cast<Program*>(self)->feed_watchdog();
-        return 0;
-      },
-      this);
-  feed_watchdog();
 }
 
 /// Who hears that it is ready asks for the units: those that are there are known by then, unless a daemon is slow.
@@ -97,7 +77,7 @@ void Program::run() {
       },
       &is_late);
   axisd::ServiceEvents::start(patience, kPatience);
-  while (!daemons_.are_known() && !is_late && !is_stopping_) wait();
+  while (!daemons_.are_known() && !is_late && !is_stopping_) loop_.turn();
   for (const Authority& address : server_.addresses()) {
     log_.info("ready: http://{}/", address.text());
     if (!is_loopback(address.host))
@@ -105,15 +85,8 @@ void Program::run() {
                   address.text());
   }
   sd_notify(0, "READY=1");
-  while (!is_stopping_) wait();
+  while (!is_stopping_) loop_.turn();
   sd_notify(0, "STOPPING=1");
-}
-
-void Program::wait() {
-  pollfd rare{events_.descriptor(), POLLIN, 0};
-  if (!more_) ::poll(&rare, 1, milliseconds_until(log_.due()));
-  more_ = events_.dispatch();
-  if (const canopen::TimePoint now = axisd::read_clock(); log_.due() <= now) log_.tell_left_out(now);
 }
 
 void Program::beat() {
@@ -121,11 +94,6 @@ void Program::beat() {
   sample_feed_.beat();
   frame_feed_.beat();
   axisd::ServiceEvents::start(beat_, kHeartbeat);
-}
-
-void Program::feed_watchdog() {
-  sd_notify(0, "WATCHDOG=1");
-  axisd::ServiceEvents::start(watchdog_, watchdog_period_);
 }
 
 }  // namespace gateway

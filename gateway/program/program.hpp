@@ -5,6 +5,7 @@
 #include "gateway/server/http_server.hpp"
 #include "service/log.hpp"
 #include "service/service_events.hpp"
+#include "service/service_loop.hpp"
 
 namespace gateway {
 
@@ -21,13 +22,12 @@ class Program {
   void run();
 
  private:
-  void wait();
   void beat();
-  void feed_watchdog();
 
   const axisd::Log& log_;
   bool is_stopping_ = false;
   axisd::ServiceEvents events_;
+  axisd::ServiceLoop loop_;
   Daemons daemons_;
   EventFeed event_feed_;
   UnitFeed sample_feed_;
@@ -39,9 +39,6 @@ class Program {
   Api api_;
   HttpServer server_;
   axisd::EventSource beat_;
-  axisd::EventSource watchdog_;
-  std::chrono::microseconds watchdog_period_{0};
-  bool more_ = false;  ///< events wait, whatever the descriptor says
 };
 
 }  // namespace gateway

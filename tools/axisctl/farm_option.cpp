@@ -3,9 +3,8 @@
 #include <cstdlib>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
-#include "farm/naming/farm_url.hpp"
+#include "farm/options/farm_option.hpp"
 
 namespace axisctl {
 namespace {
@@ -33,10 +32,8 @@ Expected<std::unique_ptr<farm::MirrorThread>> open_farm(const FarmOption& option
   }
   const std::string name = is_in_environment ? kVariable : "--farm";
   const std::string url = is_in_environment ? variable : *option.url;
-  auto farm = farm::parse_farm_url(url);
-  if (!farm) return fail(ExitStatus::Usage, fmt::format("{}: {}, got \"{}\"", name, farm.error(), url));
-  if (const auto secured = nats::secure(farm->server, farm->host, option.server, name); !secured)
-    return fail(ExitStatus::Usage, secured.error());
+  const auto farm = farm::read_farm(url, option.server, name);
+  if (!farm) return fail(ExitStatus::Usage, farm.error());
   return std::make_unique<farm::MirrorThread>(*farm, "axisctl");
 }
 

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "can/nats/bus.hpp"
 #include "can/port/address.hpp"
 #include "can/userbus/path.hpp"
+#include "cli/usage_error.hpp"
 
 namespace canhub {
 
@@ -36,10 +36,7 @@ struct Options {
   [[nodiscard]] bool is_about_faults() const noexcept { return !inject.empty() || injected || take_back; }
 };
 
-/// One line that says what is wrong with the command line.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using cli::UsageError;
 
 /// Reads the command line; nothing if it asked for help or version, which then is printed. UsageError.
 std::optional<Options> parse_command_line(int count, const char* const* words);

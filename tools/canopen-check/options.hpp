@@ -1,11 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "can/port/address.hpp"
+#include "cli/usage_error.hpp"
 #include "tools/canopen-check/core/run/context.hpp"
 
 namespace conformance {
@@ -16,10 +16,7 @@ inline constexpr int kFound = 1;       ///< a check failed, or could not be ende
 inline constexpr int kUsage = 2;       ///< wrong command line, or a file that cannot be used
 inline constexpr int kNotReached = 3;  ///< nothing was tested
 
-/// What is wrong with the command line or a file, in one line.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using cli::UsageError;
 
 /// What the command line asks for.
 struct Options {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "can/port/address.hpp"
+#include "cli/usage_error.hpp"
 #include "tools/canopen-zoo/list.hpp"
 #include "tools/canopen-zoo/wrong/wrong_slaves.hpp"
 
@@ -15,10 +15,7 @@ inline constexpr int kDone = 0;    ///< listed or written, or ended by a signal
 inline constexpr int kFailed = 1;  ///< the bus cannot be used
 inline constexpr int kUsage = 2;   ///< wrong command line, or a file that cannot be written
 
-/// What is wrong with the command line or a file, in one line.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using cli::UsageError;
 
 /// What the command line asks for.
 struct Options {

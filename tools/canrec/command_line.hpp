@@ -1,16 +1,13 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
+#include "cli/usage_error.hpp"
 #include "tools/canrec/commands/command.hpp"
 
 namespace canrec {
 
-/// What is wrong with the command line, in one line.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using cli::UsageError;
 
 /// What the command line asks for.
 struct Invocation {

@@ -2,11 +2,11 @@
 
 #include <functional>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "cli/usage_error.hpp"
 #include "eds/sheet/data_sheet.hpp"
 
 namespace CLI {
@@ -20,10 +20,7 @@ inline constexpr int kClean = 0;
 inline constexpr int kFound = 1;
 inline constexpr int kUsage = 2;
 
-/// One line that says what is wrong with the command line, or with a file that cannot be read or written.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using cli::UsageError;
 
 /// What the command line asks for.
 struct Invocation {

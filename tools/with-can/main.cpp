@@ -10,6 +10,7 @@
 
 #include "can/userbus/path.hpp"
 #include "can/userbus/start_hub.hpp"
+#include "os/own_program.hpp"
 #include "tools/with-can/command_line.hpp"
 #include "tools/with-can/elf_file.hpp"
 #include "tools/with-can/program_file.hpp"
@@ -91,7 +92,7 @@ int run(const CommandLine& line) {
   if (const with_can::Verdict verdict = with_can::judge_program(program.path); verdict.status != 0)
     return fail(verdict.status, verdict.message);
 
-  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::filesystem::path folder = os::program_folder();
   const std::string library = (folder / "../lib/axisd/libcan-preload.so").lexically_normal().string();
   if (const char* const trouble = trouble_with(library)) return fail(kFailure, library + ": " + trouble);
   ::setenv("CAN_BUS", bus.c_str(), 1);

@@ -3,8 +3,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +12,7 @@
 
 #include "can/port/wire.hpp"
 #include "can/userbus/request.hpp"
+#include "os/own_program.hpp"
 
 namespace bus {
 
@@ -27,8 +26,7 @@ constexpr int kSkippedMessages = 16;
 
 std::string hub_program() {
   if (const char* const named = std::getenv("CAN_HUB"); named != nullptr && *named != '\0') return named;
-  std::error_code none;
-  return std::filesystem::read_symlink("/proc/self/exe", none).replace_filename("canhub");
+  return os::program_folder() / "canhub";
 }
 
 userbus::Path path_of(const std::string& text) {

@@ -5,15 +5,15 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#include "os/own_program.hpp"
 
 namespace farm::agent {
 namespace {
@@ -98,9 +98,7 @@ tl::expected<ProcessHandle, std::string> find_process(pid_t number) {
 }
 
 std::string program_beside(const std::string& name) {
-  std::error_code error;
-  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);
-  return (own.parent_path() / name).string();
+  return (os::program_folder() / name).string();
 }
 
 }  // namespace farm::agent

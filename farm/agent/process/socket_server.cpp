@@ -8,8 +8,7 @@
 #include <sys/socket.h>
 
 #include "can/userbus/join.hpp"
-#include "control/discovery/server_trust.hpp"
-#include "control/socket_name.hpp"
+#include "control/discovery/trusted_server.hpp"
 
 namespace farm::agent {
 namespace {
@@ -31,14 +30,8 @@ tl::expected<ProcessHandle, std::string> peer_of(int socket, const std::string& 
 }  // namespace
 
 tl::expected<ProcessHandle, std::string> server_of_socket(const std::string& path) {
-  const auto address = control::socket_address(path);
-  if (!address) return tl::unexpected{address.error()};
-  const os::Descriptor socket{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
-  if (!socket || ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0)
-    return tl::unexpected{fmt::format("{}: {}", path, std::strerror(errno))};
-  if (auto trusted = control::check_server(socket.get(), path); !trusted)
-    return tl::unexpected{std::move(trusted.error())};
-  return peer_of(socket.get(), path);
+  return control::connect_to(path).and_then(
+      [&](const os::Descriptor& socket) { return peer_of(socket.get(), path); });
 }
 
 tl::expected<ProcessHandle, std::string> server_of_bus(const std::string& path) {

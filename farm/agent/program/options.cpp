@@ -1,8 +1,6 @@
 #include "farm/agent/program/options.hpp"
 
-#include <algorithm>
 #include <array>
-#include <climits>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -18,14 +16,15 @@
 #include "control/socket_name.hpp"
 #include "farm/documents/agent_beat.hpp"
 #include "farm/naming/unit_name.hpp"
+#include "farm/options/farm_option.hpp"
+#include "farm/options/host_option.hpp"
+#include "service_options/log_level_option.hpp"
 #include "text/name.hpp"
 #include "text/number.hpp"
 #include "version/version.hpp"
 
 namespace farm::agent {
 namespace {
-
-using axisd::LogLevel;
 
 constexpr const char* kDescription =
     "The agent of a host on a farm: starts, changes and stops there the units that are wanted.";
@@ -69,11 +68,6 @@ std::string folder_of(const std::string& given, Otherwise otherwise) {
   return std::filesystem::absolute(given.empty() ? otherwise() : given).lexically_normal().string();
 }
 
-LogLevel log_level_of(const std::string& name) {
-  if (const auto level = axisd::level_named(name)) return *level;
-  throw UsageError{fmt::format("--log-level: expected {}, got \"{}\"", axisd::kLogLevelNames, name)};
-}
-
 std::uint32_t capacity_of(const std::string& text) {
   const auto number = text::integer<std::uint32_t>(text);
   if (number && *number >= 1 && *number <= kGreatestCapacity) return *number;
@@ -86,12 +80,6 @@ std::string name_of(const char* option, const std::string& text) {
   throw UsageError{fmt::format("{}: expected a name of {}, got \"{}\"", option, text::kNameForm, text)};
 }
 
-std::string name_of_machine() {
-  std::array<char, HOST_NAME_MAX + 1> name{};
-  if (::gethostname(name.data(), name.size() - 1) != 0 || name[0] == '\0') return "host";
-  return name_from(name.data());
-}
-
 /// The words that stand behind options, as they were given.
 struct Words {
   std::string farm;
@@ -100,17 +88,13 @@ struct Words {
   std::vector<std::string> buses;
   std::string runtime;
   std::string state;
-  std::string level = "info";
+  std::string level = axisd::kDefaultLogLevel;
   nats::ServerOptions security;
 };
 
 FarmUrl farm_of(const Words& given) {
   if (given.farm.empty()) throw UsageError{"--farm: expected the URL of a farm (see axisd-agent --help)"};
-  auto url = parse_farm_url(given.farm);
-  if (!url) throw UsageError{fmt::format("--farm: {}, got \"{}\"", url.error(), given.farm)};
-  if (const auto secured = nats::secure(url->server, url->host, given.security, "--farm"); !secured)
-    throw UsageError{secured.error()};
-  return *std::move(url);
+  return cli::valid(read_farm(given.farm, given.security));
 }
 
 /// For programs that run in another folder.
@@ -127,19 +111,12 @@ std::vector<std::string> security_of(const nats::ServerOptions& given) {
   return words;
 }
 
-void complete_levels(cli::Command& program) {
-  std::array<std::string_view, axisd::kLogLevels.size()> names{};
-  std::ranges::transform(axisd::kLogLevels, names.begin(), &axisd::LogLevelRow::name);
-  cli::offer_choices(program, "--log-level", names);
-}
-
 void add_options(CLI::App& app, Options& options, Words& words) {
   app.footer(cli::exit_footer(kExitRows));
   app.set_version_flag("--version", version::line("axisd-agent"));
   app.add_option("--farm", words.farm, "NATS server and farm: nats://HOST[:PORT]/FARM or tls://HOST[:PORT]/FARM")
       ->type_name("URL");
-  app.add_option("--host", words.host, "name of this host on the farm (default: that of the machine)")
-      ->type_name("NAME");
+  add_host(app, words.host);
   app.add_option("--capacity", words.capacity,
                  fmt::format("units that are a fair share of this host; others get units in proportion to theirs "
                              "(default: {})",
@@ -163,9 +140,8 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_flag("--drain-on-stop", options.drain_on_stop,
                "give all units away before ending (default: they go on without an agent)");
   nats::add_server_options(app, words.security);
-  app.add_option("--log-level", words.level, "error, warning, notice, info or debug (default: info)")
-      ->type_name("LEVEL");
-  cli::add_completion(app, complete_levels);
+  axisd::add_log_level(app, words.level);
+  cli::add_completion(app, axisd::offer_log_levels);
 }
 
 }  // namespace
@@ -185,12 +161,12 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   }
   options.farm = farm_of(given);
   options.security = security_of(given.security);
-  options.host = given.host.empty() ? name_of_machine() : name_of("--host", given.host);
+  options.host = cli::valid(read_host(given.host));
   options.capacity = capacity_of(given.capacity);
   for (const std::string& bus : given.buses) options.buses.insert(name_of("--bus", bus));
   options.runtime = folder_of(given.runtime, default_runtime);
   options.state = folder_of(given.state, default_state);
-  options.log_level = log_level_of(given.level);
+  options.log_level = cli::valid(axisd::read_log_level(given.level));
   options.log_level_name = given.level;
   return options;
 }

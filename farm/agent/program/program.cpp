@@ -11,7 +11,6 @@
 #include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <systemd/sd-daemon.h>
@@ -77,14 +76,6 @@ os::Descriptor take_folders(const Options& options) {
   return lock;
 }
 
-/// Until @p when, rounded up, for poll(); negative: for ever.
-int milliseconds_until(canopen::TimePoint when) noexcept {
-  constexpr canopen::Duration kLongest = std::chrono::hours{1};
-  if (when == canopen::kNever) return -1;
-  const canopen::Duration left = std::clamp(when - axisd::read_clock(), canopen::Duration{0}, kLongest);
-  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
-}
-
 }  // namespace
 
 Program::Program(const Options& options, const axisd::Log& log)
@@ -92,18 +83,8 @@ Program::Program(const Options& options, const axisd::Log& log)
       drain_on_stop_{options.drain_on_stop},
       lock_{take_folders(options)},
       events_{[this] { ++stops_; }},
-      agent_{events_, assignment_of(options), log} {
-  std::uint64_t period = 0;
-  if (sd_watchdog_enabled(0, &period) <= 0) return;
-  watchdog_period_ = std::chrono::microseconds{period} / 2;  // as sd_watchdog_enabled(3) recommends
-  watchdog_ = events_.timer(
-      [](sd_event_source*, std::uint64_t, void* self) noexcept {
-        static_cast<Program*>(self)->feed_watchdog();
-        return 0;
-      },
-      this);
-  feed_watchdog();
-}
+      loop_{events_, log},
+      agent_{events_, assignment_of(options), log} {}
 
 bool Program::run() {
   sd_notify(0, "READY=1");
@@ -123,16 +104,7 @@ bool Program::drain() {
 }
 
 void Program::wait(canopen::TimePoint until) {
-  pollfd rare{events_.descriptor(), POLLIN, 0};
-  if (!more_) ::poll(&rare, 1, milliseconds_until(std::min({until, log_.due(), agent_.due()})));
-  more_ = events_.dispatch();
-  if (const canopen::TimePoint now = axisd::read_clock(); log_.due() <= now) log_.tell_left_out(now);
-  if (!more_) agent_.advance();
-}
-
-void Program::feed_watchdog() {
-  sd_notify(0, "WATCHDOG=1");
-  axisd::ServiceEvents::start(watchdog_, watchdog_period_);
+  if (loop_.turn(std::min(until, agent_.due()))) agent_.advance();
 }
 
 }  // namespace farm::agent

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <chrono>
-
 #include "farm/agent/program/agent.hpp"
 #include "farm/agent/program/options.hpp"
 #include "os/descriptor.hpp"
 #include "service/log.hpp"
 #include "service/service_events.hpp"
+#include "service/service_loop.hpp"
 
 namespace farm::agent {
 
@@ -25,17 +24,14 @@ class Program {
  private:
   [[nodiscard]] bool drain();
   void wait(canopen::TimePoint until);
-  void feed_watchdog();
 
   const axisd::Log& log_;
   const bool drain_on_stop_;
   unsigned stops_ = 0;  ///< how often it was asked to stop
   os::Descriptor lock_;
   axisd::ServiceEvents events_;
+  axisd::ServiceLoop loop_;
   Agent agent_;
-  axisd::EventSource watchdog_;
-  std::chrono::microseconds watchdog_period_{0};
-  bool more_ = false;  ///< events wait, whatever the descriptor says
 };
 
 }  // namespace farm::agent

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "cli/usage_error.hpp"
 #include "farm/naming/farm_url.hpp"
 #include "service/log.hpp"
 
@@ -24,10 +24,7 @@ struct Options {
   axisd::LogLevel log_level = axisd::LogLevel::Info;
 };
 
-/// The command line cannot be used; the message is one line.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using cli::UsageError;
 
 /// Reads the command line; nothing if it asked for help or version, which then is printed. Throws UsageError.
 [[nodiscard]] std::optional<Options> parse_command_line(int count, const char* const* words);

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <string>
 
 #include "farm/door/program/options.hpp"
 #include "farm/door/service/door.hpp"
 #include "farm/link/link.hpp"
+#include "service/service_events.hpp"
+#include "service/service_loop.hpp"
 
 namespace farm {
 
@@ -25,20 +26,15 @@ class Program final : private Link::Listener {
  private:
   void on_up() override;
   void on_down(const std::string& why) override;
-  void wait();
-  void watch();
-  void feed_watchdog();
 
   const axisd::Log& log_;
   std::string server_;
   bool is_stopping_ = false;
   axisd::ServiceEvents events_;
+  axisd::ServiceLoop loop_;
   gateway::Daemons daemons_;
   Link link_;
   std::unique_ptr<Door> door_;  ///< ends first, and asks nothing of the link after that
-  axisd::EventSource watchdog_;
-  std::chrono::microseconds watchdog_period_{0};
-  bool more_ = false;  ///< events wait, whatever the descriptor says
 };
 
 }  // namespace farm

@@ -8,11 +8,9 @@
 
 #include <fmt/format.h>
 #include <sys/socket.h>
-#include <sys/time.h>
 
-#include "control/discovery/server_trust.hpp"
+#include "control/discovery/trusted_server.hpp"
 #include "control/protocol.hpp"
-#include "control/socket_name.hpp"
 
 namespace axisctl {
 
@@ -39,24 +37,9 @@ bool is_notice(const std::string& line) {
 }  // namespace
 
 Expected<Client> Client::connect(const std::string& path) {
-  const auto address = control::socket_address(path);
-  if (!address) return fail(ExitStatus::NotReachable, address.error());
-  os::Descriptor socket{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)};
-  if (!socket) return fail(ExitStatus::Failed, "socket: " + reason());
-  Client client{path, std::move(socket)};
-  client.wait_at_most(kPatience);
-  const int descriptor = client.socket_.get();
-  if (::connect(descriptor, reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0)
-    return fail(ExitStatus::NotReachable, fmt::format("{}: no daemon answers here ({})", path, reason()));
-  if (const auto trusted = control::check_server(descriptor, path); !trusted)
-    return fail(ExitStatus::NotReachable, trusted.error());
-  return client;
-}
-
-void Client::wait_at_most(std::chrono::seconds time) {
-  const timeval patience{time.count(), 0};
-  ::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-  ::setsockopt(socket_.get(), SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+  auto socket = control::connect_to(path, kPatience);
+  if (!socket) return fail(ExitStatus::NotReachable, socket.error());
+  return Client{path, *std::move(socket)};
 }
 
 bool Client::send_all(std::string_view rest) {
@@ -96,7 +79,7 @@ Expected<std::string> Client::read_line() {
 }
 
 Expected<int> Client::send(const Call& call) {
-  wait_at_most(kPatience);
+  control::set_patience(socket_, kPatience);
   const int id = ++last_id_;
   // A daemon that closes the connection before it has read the request may have said why.
   if (send_all(control::request_line(id, call.method, call.params)) || errno == EPIPE) return id;
@@ -136,7 +119,7 @@ std::vector<Expected<json>> Client::ask_all(std::span<const Call> calls) {
 }
 
 Expected<std::optional<json>> Client::next_notice() {
-  wait_at_most(kForEver);
+  control::set_patience(socket_, kForEver);
   const auto line = read_line();
   if (!line && line.error().status == ExitStatus::CutOff) return std::nullopt;
   if (!line) return tl::unexpected{line.error()};

@@ -44,7 +44,6 @@ class Client {
   Expected<nlohmann::json> answer_to(int id);
   /// One line without its newline.
   Expected<std::string> read_line();
-  void wait_at_most(std::chrono::seconds time);
 
   std::string name_;
   os::Descriptor socket_;
