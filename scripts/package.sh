@@ -56,12 +56,12 @@ clone() {
   git clone -q --no-checkout "$root" "$2" && git -C "$2" checkout -q --detach "$1"
 }
 
-# the_version_before: the last commit with another version.
-the_version_before() {
+# versions_before: the last commits with another version, the last one first: one amid a change may not build.
+versions_before() {
   local change
   change=$(git -C "$root" log -1 --format=%H -G'^project\(axisd VERSION' -- CMakeLists.txt)
   [[ $change ]] || { echo "the commits do not reach back to another version: name one by --from" >&2; return 1; }
-  git -C "$root" rev-parse "$change^"
+  git -C "$root" rev-list --max-count=10 "$change^"
 }
 
 # make_packages FOLDER TARGET: builds the packages of the sources in FOLDER and moves them to TARGET.
@@ -108,16 +108,26 @@ CONTROL
   rm -rf "$files"
 }
 
-build_before() {
-  local commit=$from
-  [[ $commit ]] || commit=$(the_version_before)
-  clone "$commit" "$place/source-before"
+# make_before COMMIT: the packages of that version.
+make_before() {
+  clone "$1" "$place/source-before" || return
   if grep -qs '"name": "package"' "$place/source-before/CMakePresets.json"; then
     make_packages "$place/source-before" "$place/before"
   else
     wrap_installation "$place/source-before" "$place/before"
   fi
-  ls -l "$place"/before/*.deb
+}
+
+build_before() {
+  local commit
+  for commit in ${from:-$(versions_before)}; do
+    if make_before "$commit"; then
+      ls -l "$place"/before/*.deb
+      return
+    fi
+    echo "the version before: $commit cannot be built"
+  done
+  return 1
 }
 
 # ---- judge
