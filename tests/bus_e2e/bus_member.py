@@ -27,7 +27,8 @@ class Member:
     def __init__(self, log, sender, rate):
         self.log, self.sender, self.number = open(log, "w", buffering=1, encoding="ascii"), sender, 0
         self.period = 1 / rate if rate else None
-        self.more = 0
+        self.more = 0       # asked for by signals so far
+        self.more_sent = 0  # of them
         self.socket = socket.socket(socket.PF_CAN, socket.SOCK_RAW | socket.SOCK_NONBLOCK, socket.CAN_RAW)
         self.socket.setsockopt(socket.SOL_CAN_RAW, socket.CAN_RAW_RECV_OWN_MSGS, 1)
         self.socket.setsockopt(socket.SOL_SOCKET, SO_RXQ_OVFL, 1)
@@ -79,11 +80,12 @@ class Member:
                 for _ in range(ROOM):
                     if not self.read():
                         break
-            if self.period is not None and time.monotonic() >= due:
+            period = self.period  # a signal may end it in the next moment
+            if period is not None and time.monotonic() >= due:
                 self.send()
-                due = max(due + self.period, time.monotonic())
-            for _ in range(self.more):
-                self.more -= 1
+                due = max(due + period, time.monotonic())
+            while self.more_sent < self.more:
+                self.more_sent += 1
                 self.send()
 
 

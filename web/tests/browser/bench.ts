@@ -132,6 +132,12 @@ export class Bench {
     return join(this.folder, name);
   }
 
+  /** Waits until the gateway has told the page of a unit that answers. */
+  async untilUnitIsThere(): Promise<void> {
+    await this.page.waitForResponse(async (response) =>
+      response.url().includes("/api/v1/overview") && response.ok() && /"axes":\[\{/.test(await response.text()));
+  }
+
   /** Shows @param hash of the page. */
   async show(hash: string): Promise<void> {
     await this.page.goto(`${this.url}${hash}`);

@@ -20,12 +20,14 @@ test("a daemon that stops and comes back", async () => {
   await page.getByText(/cannot be reached|No answer|no unit|no-daemon|not/i).first().waitFor();
   await bench.startUnit(5, { axes: [{ name: "X" }] });
   await bench.show("#/overview");
+  await bench.untilUnitIsThere();
   await page.getByText("Axis 1").first().waitFor();
 });
 
 test("a gateway that is gone leaves the last picture, and is told from the moment it is back", async () => {
   const { page } = bench;
   await bench.show("#/overview");
+  await bench.untilUnitIsThere();
   await page.getByText("Axis 1").first().waitFor();
   await bench.gateway.end();
   await page.getByRole("alert").getByText(/No answer: axisd-http/).waitFor();
