@@ -40,6 +40,10 @@ void Link::unsubscribe(const std::string& subject) {
   worker_->unsubscribe(subject);
 }
 
+void Link::drain(const std::string& subject) {
+  worker_->drain(subject);
+}
+
 void Link::request(std::string_view subject, std::string_view data, std::chrono::milliseconds patience,
                    OnReply on_reply) {
   worker_->request(subject, data, patience, std::move(on_reply));

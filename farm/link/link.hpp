@@ -54,6 +54,7 @@ class Link final : public Messages {
   void publish(std::string_view subject, std::string_view data) override;
   void subscribe(const std::string& subject, OnMessage on_message) override;
   void unsubscribe(const std::string& subject) override;
+  void drain(const std::string& subject) override;
   void request(std::string_view subject, std::string_view data, std::chrono::milliseconds patience,
                OnReply on_reply) override;
 

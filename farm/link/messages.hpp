@@ -49,8 +49,9 @@ class Messages {
   /// Hands every message of @p subject, which may have wildcards, to @p on_message, until unsubscribe(), over
   /// all connections.
   virtual void subscribe(const std::string& subject, OnMessage on_message) = 0;
-  /// What is on its way is still handed to it: a request that was sent before is answered.
   virtual void unsubscribe(const std::string& subject) = 0;
+  /// The same, but what is on its way is still handed over: who answers requests leaves none without an answer.
+  virtual void drain(const std::string& subject) = 0;
   /// Asks whoever listens at @p subject; @p on_reply is told once, at once if it cannot be asked.
   virtual void request(std::string_view subject, std::string_view data, std::chrono::milliseconds patience,
                        OnReply on_reply) = 0;

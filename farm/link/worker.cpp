@@ -72,8 +72,12 @@ void Link::Worker::subscribe(const std::string& subject, OnMessage on_message) {
                         session_.subscribe(id, subject)};
 }
 
-/// A request that was sent before has its answer: it is on its way here, or in the library.
 void Link::Worker::unsubscribe(const std::string& subject) {
+  std::erase_if(subscriptions_, [&subject](const auto& each) { return each.second.subject == subject; });
+}
+
+/// What was sent before is on its way here, or in the library.
+void Link::Worker::drain(const std::string& subject) {
   const auto found =
       std::ranges::find_if(subscriptions_, [&](const auto& each) { return each.second.subject == subject; });
   if (found == subscriptions_.end()) return;

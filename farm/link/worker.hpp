@@ -29,6 +29,7 @@ class Link::Worker final : private Session::Listener {
   void publish(std::string_view subject, std::string_view data);
   void subscribe(const std::string& subject, OnMessage on_message);
   void unsubscribe(const std::string& subject);
+  void drain(const std::string& subject);
   void request(std::string_view subject, std::string_view data, std::chrono::milliseconds patience,
                OnReply on_reply);
   void run_job(Job job, std::function<void()> then);

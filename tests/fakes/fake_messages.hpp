@@ -34,6 +34,7 @@ class FakeMessages final : public farm::Messages {
     subscriptions[subject] = std::move(on_message);
   }
   void unsubscribe(const std::string& subject) override { subscriptions.erase(subject); }
+  void drain(const std::string& subject) override { unsubscribe(subject); }
   void request(std::string_view subject, std::string_view data, std::chrono::milliseconds patience,
                OnReply on_reply) override {
     if (!up) return on_reply(tl::unexpected{farm::NoReply::Down});

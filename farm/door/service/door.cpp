@@ -119,7 +119,7 @@ void Door::follow_units() {
   if (!claim_.has()) return;
   for (auto unit = served_.begin(); unit != served_.end();) {
     const bool is_there = roster_.find(*unit) != nullptr;
-    if (!is_there) parts_.messages.unsubscribe(rpc_subject(settings_.farm, *unit));
+    if (!is_there) parts_.messages.drain(rpc_subject(settings_.farm, *unit));
     unit = is_there ? std::next(unit) : served_.erase(unit);
   }
   for (const auto& [name, reached] : roster_.units())
@@ -171,8 +171,7 @@ void Door::close() {
   for (const ServiceQuestion question : kServiceQuestions)
     for (const std::string& subject : service_subjects(question, service_.id))
       parts_.messages.unsubscribe(subject);
-  for (const UnitName& unit : std::exchange(served_, {}))
-    parts_.messages.unsubscribe(rpc_subject(settings_.farm, unit));
+  for (const UnitName& unit : std::exchange(served_, {})) parts_.messages.drain(rpc_subject(settings_.farm, unit));
   outlets_.end_all();
 }
 

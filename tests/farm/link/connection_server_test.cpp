@@ -86,20 +86,18 @@ TEST_F(ConnectionTest, SendsNothingLater) {
   EXPECT_EQ(heard.size(), 1);
 }
 
-TEST_F(ConnectionTest, IsToldWhatWasSentBeforeUnsubscribingAndNothingElse) {
+TEST_F(ConnectionTest, IsToldNothingAfterUnsubscribing) {
   int heard = 0;
   wait_until_up(link_);
   link_.subscribe("a", [&](const Message&) {
-    if (++heard > 1) return;
+    ++heard;
     link_.unsubscribe("a");
-    link_.publish("a", "too late");
   });
-  constexpr int kBefore = 10;
-  for (int i = 0; i < kBefore; ++i) link_.publish("a", "");
-  wait_until([&heard] { return heard == kBefore; });
+  for (int i = 0; i < 10; ++i) link_.publish("a", "");
+  wait_until([&heard] { return heard > 0; });
   wait_for(300ms);
 
-  EXPECT_EQ(heard, kBefore);
+  EXPECT_EQ(heard, 1);
 }
 
 }  // namespace

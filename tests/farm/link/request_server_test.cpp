@@ -90,7 +90,7 @@ TEST_F(RequestTest, IsAnsweredThoughItsSubscriptionEndsWhileItIsOnItsWay) {
       client.request("a", "", 20s, [&told](const Link::Reply& reply) {
         told.push_back(reply ? *reply : std::string{text_of(reply.error())});
       });
-    link_.unsubscribe("a");
+    link_.drain("a");
     wait_until([&told] { return told.size() == kRequests; });
 
     for (const std::string& each : told) EXPECT_TRUE(each == "answer" || each == "nobody answers there") << each;
