@@ -19,7 +19,7 @@ std::string_view text_of(NoReply why) noexcept {
   return kTexts[static_cast<std::size_t>(why)];
 }
 
-Link::Link(axisd::ServiceEvents& events, nats::Server server, std::string client, Listener& listener)
+Link::Link(axisd::ServiceEvents& events, const nats::Server& server, const std::string& client, Listener& listener)
     : worker_{std::make_unique<Worker>(events, server, client, listener)} {}
 
 Link::~Link() = default;

@@ -43,7 +43,7 @@ class Link final : public Messages {
 
   /// Begins to connect to @p server, which sees it under the name @p client; @p events and @p listener outlive it.
   /// Throws std::system_error if the kernel gives no descriptor or thread.
-  Link(axisd::ServiceEvents& events, nats::Server server, std::string client, Listener& listener);
+  Link(axisd::ServiceEvents& events, const nats::Server& server, const std::string& client, Listener& listener);
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
   /// Whoever waits is told NoReply::Down.
