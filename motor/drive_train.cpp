@@ -8,9 +8,6 @@
 namespace motor {
 namespace {
 
-constexpr double kRms = 1.0 / std::numbers::sqrt2;  // of an amplitude
-constexpr int kWarmSteps = 80;                      // 10 ms: nothing warms noticeably faster
-
 /// The I²t model that a drive computes from the data sheet: one body with the motor's time constant.
 OverloadData model_of(const MachineData& machine) noexcept {
   const ThermalData& bodies = machine.thermal;
@@ -33,10 +30,10 @@ DriveTrain::DriveTrain(const MachineData& data_sheet, const MachineData& machine
       thermal_{machine.thermal},
       motor_model_{model_of(data_sheet)},
       current_sensor_{inverter.trip_current},
-      ideal_inverter_{power_unit_.is_ideal()} {
+      ideal_inverter_{power_unit_.inverter().is_ideal()} {
   encoder_.configure(kControlPeriod);
   configure();
-  warm(kControlPeriod, {.steps = 1});
+  warm_for(kControlPeriod, {.steps = 1.0});
 }
 
 void DriveTrain::tune(const ControlSettings& settings) noexcept {
@@ -98,7 +95,7 @@ void DriveTrain::start() noexcept {
 void DriveTrain::stop() noexcept {
   pulses_ = false;
   driven_ = false;
-  voltage_ = {};
+  state_.voltage = {};
   signals_.torque_setpoint = 0.0;
   signals_.torque = 0.0;
   signals_.torque_limit_reached = false;
@@ -137,18 +134,18 @@ SpaceVector DriveTrain::rotor_direction() const noexcept {
 [[gnu::always_inline]] inline Measurement DriveTrain::measure(double dc_voltage) noexcept {
   if (!sees_truth_) [[unlikely]]
     return sense(dc_voltage);
-  return {plant_.state().current, voltage_, plant_.direction(), encoder_.speed(), dc_voltage};
+  return {plant_.state().current, state_.voltage, plant_.direction(), encoder_.speed(), dc_voltage};
 }
 
 [[gnu::noinline]] Measurement DriveTrain::sense(double dc_voltage) noexcept {
   dc_voltage_ = dc_voltage;
   seen_current_ = sensors_used_ ? current_sensor_.read(plant_.state().current) : plant_.state().current;
-  return {seen_current_, voltage_, rotor_direction(), encoder_.speed(), dc_voltage};
+  return {seen_current_, state_.voltage, rotor_direction(), encoder_.speed(), dc_voltage};
 }
 
 Observation DriveTrain::observation() const noexcept {
   return {.current = sensors_used_ ? seen_current_ : plant_.state().current,
-          .voltage = voltage_,
+          .voltage = state_.voltage,
           .dc_voltage = dc_voltage_,
           .encoder_counts = signals_.encoder_counts,
           .speed = signals_.measured_speed,
@@ -167,42 +164,33 @@ Observation DriveTrain::observation() const noexcept {
 /// The inverter does not give all that it is asked for, and the control does not know.
 void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
   const SpaceVector before = plant_.state().current;
-  const SpaceVector drop = power_unit_.distortion(before, dc_voltage);
-  plant_.step(next_ - drop);
-  power_unit_.set_drop_losses(1.5 * dot(drop, 0.5 * (before + plant_.state().current)));
+  const SpaceVector drop = power_unit_.inverter().distortion(before, dc_voltage);
+  plant_.step(state_.next - drop);
+  power_unit_.inverter().set_drop_losses(1.5 * dot(drop, 0.5 * (before + plant_.state().current)));
 }
 
 /// One period of the machine with the voltage calculated in the period before, or with the pulses inhibited.
 [[gnu::always_inline]] inline void DriveTrain::move(double dc_voltage, bool pulses) noexcept {
   if (pulses) [[likely]] {
-    voltage_ = next_;
+    state_.voltage = state_.next;
     if (ideal_inverter_) [[likely]]
-      plant_.step(next_);
+      plant_.step(state_.next);
     else
       drive_with_drops(dc_voltage);
   } else {
-    voltage_ = {};
+    state_.voltage = {};
     plant_.coast(dc_voltage);
   }
-  const double square = norm(plant_.state().current);
-  signals_.current = std::sqrt(square);
-  signals_.voltage = length(voltage_);
-  inverter_losses_ = kControlPeriod * power_unit_.losses(kRms * signals_.current, pulses);
-  const PlantEnergies& energies = plant_.energies();
-  heat_.copper += energies.copper;
-  heat_.iron += energies.iron;
-  heat_.square_current += square;
-  if (++heat_.steps == kWarmSteps) warm();
+  state_.book(plant_.state(), plant_.energies(), pulses, power_unit_.inverter(), signals_);
+  if (state_.heat.steps == TrainState<double>::kWarmSteps) warm();
 }
 
 [[gnu::always_inline]] inline void DriveTrain::observe() noexcept {
   const PlantState& state = plant_.state();
   encoder_.move_to(state.revolutions, state.rotor_angle);
-  signals_.true_speed = state.speed;
-  signals_.true_torque = state.torque;
   if (with_encoder_ || !pulses_) signals_.measured_speed = encoder_.speed();
   signals_.encoder_counts = encoder_.counts();
-  signals_.power = plant_.energies().electrical * (1.0 / kControlPeriod);
+  sums_.add(signals_);
 }
 
 MOTOR_PROCESSOR_VARIANTS double DriveTrain::step(double dc_voltage, const DriveCommand& command) noexcept {
@@ -214,19 +202,19 @@ MOTOR_PROCESSOR_VARIANTS double DriveTrain::step(double dc_voltage, const DriveC
     if (!pulses_) start();
     const SpaceVector wanted = control(measure(dc_voltage), command);
     move(dc_voltage, driven_);
-    next_ = wanted;
+    state_.next = wanted;
     driven_ = true;
   }
   observe();
-  return plant_.energies().electrical + inverter_losses_;
+  return plant_.energies().electrical + state_.inverter_losses;
 }
 
 void DriveTrain::warm() noexcept {
-  warm(heat_.steps * kControlPeriod, heat_);
-  heat_ = {};
+  warm_for(state_.heat.steps * kControlPeriod, state_.heat);
+  state_.heat = {};
 }
 
-void DriveTrain::warm(double duration, const Heat& heat) noexcept {
+void DriveTrain::warm_for(double duration, const Heat& heat) noexcept {
   thermal_.step(duration, heat.copper / duration, heat.iron / duration);
   power_unit_.step(duration, 0.5 * heat.square_current / heat.steps);
   plant_.set_temperatures(thermal_.winding(), thermal_.frame());
@@ -241,13 +229,23 @@ void DriveTrain::warm(double duration, const Heat& heat) noexcept {
 
 void DriveTrain::rest(double duration) noexcept {
   if (duration <= 0.0) return;
-  warm(duration, {.steps = 1});
+  warm_for(duration, {.steps = 1.0});
 }
 
 void DriveTrain::inject(EncoderDefect defect) noexcept {
   encoder_.inject(defect);
   encoder_true_ = false;  // even a cured encoder has lost its place
   follow_sensors();
+}
+
+std::optional<LaneKind> DriveTrain::lane_kind(const DriveCommand& command) const noexcept {
+  const bool usual = command.pulses_enabled && pulses_ && driven_ && sees_truth_ && excitation_ == nullptr &&
+                     !encoder_.has_defect() && !plant_.awaits_brake();
+  if (!usual) return std::nullopt;
+  return LaneKind{.control = static_cast<std::uint8_t>(lead_),
+                  .machine = plant_.machine_kind(),
+                  .shaft = plant_.shaft_kind(),
+                  .with_encoder = with_encoder_};
 }
 
 bool DriveTrain::rests() const noexcept {

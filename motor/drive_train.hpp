@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "motor/control/control_settings.hpp"
 #include "motor/control/excitation.hpp"
 #include "motor/control/field/field_control.hpp"
+#include "motor/control/field/induction_field.hpp"
+#include "motor/control/field/synchronous_field.hpp"
 #include "motor/control/field/tuning.hpp"
 #include "motor/control/field/voltage_frequency.hpp"
 #include "motor/control/observation.hpp"
@@ -12,11 +15,13 @@
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/load.hpp"
 #include "motor/data/machine_data.hpp"
+#include "motor/lockstep/lane_group.hpp"
 #include "motor/plant/current_sensor.hpp"
 #include "motor/plant/encoder.hpp"
 #include "motor/plant/machine/thermal.hpp"
 #include "motor/plant/plant.hpp"
 #include "motor/plant/power_unit.hpp"
+#include "motor/train_state.hpp"
 
 namespace motor {
 
@@ -83,9 +88,21 @@ class DriveTrain {
   /// Where the energy of the last step went, behind the terminals (J).
   const PlantEnergies& energies() const noexcept { return plant_.energies(); }
   /// What the inverter has lost in the last step (J).
-  double inverter_losses() const noexcept { return inverter_losses_; }
+  double inverter_losses() const noexcept { return state_.inverter_losses; }
+  /// Of the steps since begin_sums().
+  const StepSums<double>& sums() const noexcept { return sums_; }
+  /// Begins them anew; the energies go on.
+  void begin_sums() noexcept { sums_ = {.drawn = sums_.drawn, .fed_back = sums_.fed_back}; }
+  /// Counts the energies on from @p drawn and @p fed_back (J, not negative).
+  void continue_energy(double drawn, double fed_back) noexcept {
+    sums_.drawn = drawn;
+    sums_.fed_back = fed_back;
+  }
   /// What machine and load have stored (J).
   StoredEnergy stored() const noexcept { return plant_.stored(); }
+  /// Of which kind it is among those that can be advanced side by side while @p command leads; none while something
+  /// happens to it that does not happen in most periods.
+  std::optional<LaneKind> lane_kind(const DriveCommand& command) const noexcept;
   /// Whether nothing but temperatures changes any more while the pulses are off.
   bool rests() const noexcept;
 
@@ -93,13 +110,9 @@ class DriveTrain {
   /// Which control leads.
   enum class Lead : std::uint8_t { Synchronous, Induction, VoltageFrequency, Excitation };
 
-  /// Sums since temperatures were last brought up to date.
-  struct Heat {
-    double copper = 0.0;          // J
-    double iron = 0.0;            // J
-    double square_current = 0.0;  // A² peak, sum of the steps
-    int steps = 0;
-  };
+  using Heat = TrainState<double>::Heat;
+  template <class Number>
+  friend class LaneTrain;
 
   void configure() noexcept;
   SpaceVector control(const Measurement& measured, const DriveCommand& command) noexcept;
@@ -113,7 +126,7 @@ class DriveTrain {
   void observe() noexcept;
   void drive_with_drops(double dc_voltage) noexcept;
   void warm() noexcept;
-  void warm(double duration, const Heat& heat) noexcept;
+  void warm_for(double duration, const Heat& heat) noexcept;
 
   MachineData believed_;
   ControlSettings settings_;
@@ -122,21 +135,19 @@ class DriveTrain {
   PowerUnit power_unit_;
   MotorThermal thermal_;
   OverloadModel motor_model_;  // what the drive believes of its temperature
-  FieldControl<SynchronousField> synchronous_;
-  FieldControl<InductionField> induction_;
-  VoltageFrequencyControl voltage_frequency_;
+  FieldControl<SynchronousField<double>> synchronous_;
+  FieldControl<InductionField<double>> induction_;
+  VoltageFrequencyControl<double> voltage_frequency_;
   Signals signals_{};
   CurrentSensor current_sensor_;
   Excitation* excitation_ = nullptr;
-  Heat heat_{};
-  SpaceVector voltage_{};       // of the last step, stator frame (V)
-  SpaceVector next_{};          // calculated, acts in the next step (V)
+  TrainState<double> state_{};
+  StepSums<double> sums_{};
   SpaceVector seen_current_{};  // last reading of the sensors (A)
   double dc_voltage_ = 0.0;     // at that time
-  double inverter_losses_ = 0.0;
   Lead lead_ = Lead::Synchronous;
   bool pulses_ = false;  // the controllers run
-  bool driven_ = false;  // the inverter gives next_
+  bool driven_ = false;  // the inverter gives what has been calculated
   bool encoder_true_ = true;
   bool sensors_used_ = false;
   bool sees_truth_ = true;  // neither sensors nor a wrong encoder stand between

@@ -55,7 +55,7 @@ Axis::Axis(const AxisConfiguration& configuration, std::uint8_t module, std::uin
 double Axis::load_place() const noexcept {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const motor::PlantState& plant = train_.plant_state();
-  const double motor = static_cast<double>(plant.revolutions) + (plant.rotor_angle - plant.twist) / kTurn;
+  const double motor = plant.revolutions + (plant.rotor_angle - plant.twist) / kTurn;
   return motor / context().axis.mechanics.ratio();
 }
 

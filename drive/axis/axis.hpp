@@ -7,6 +7,7 @@
 
 #include "drive/axis/actual_values.hpp"
 #include "drive/axis/axis_schedule.hpp"
+#include "drive/axis/axis_step.hpp"
 #include "drive/axis/setpoints.hpp"
 #include "drive/base/axis_configuration.hpp"
 #include "drive/base/function_modules.hpp"
@@ -16,6 +17,7 @@
 #include "drive/messages/cause_monitor.hpp"
 #include "drive/object/drive_object.hpp"
 #include "motor/drive_train.hpp"
+#include "motor/lockstep/lockstep.hpp"
 
 namespace drive {
 
@@ -58,6 +60,12 @@ class Axis final : public DriveObject {
   /// between kBeforeTheSteps and kAfterTheSteps come steps of motor::kControlPeriod with the link at @p dc_voltage
   /// (V), each of which returns the energy drawn from it (J, negative = fed back).
   double step(double dc_voltage) noexcept;
+  /// The same of several axes: the next @p count steps (1..kMostPlannedSteps) are planned in @p plan,
+  motor::AxisRun plan_steps(StepPlan& plan, std::size_t count) noexcept;
+  /// of which @p done have been made.
+  void take_steps(const StepPlan& plan, const motor::RunResult& done) noexcept;
+  /// Whether each step hangs on what came of the one before.
+  bool goes_step_by_step() const noexcept { return measured_; }
   /// The blocks whose inputs are taken before @p phase.
   static std::span<const BlockId> inputs_of(Phase phase) noexcept;
   /// What comes before the steps, and what after them, of an axis whose inputs nothing brings.
@@ -138,6 +146,7 @@ class Axis final : public DriveObject {
   const motor::DriveTrain& drive_train() const noexcept { return train_; }
   /// Counts the energies on from @p drawn and @p fed_back (J, not negative), those of a former life.
   void continue_energy(double drawn, double fed_back) noexcept {
+    train_.continue_energy(drawn, fed_back);
     block<PowerUnit>().continue_energy(drawn, fed_back);
   }
   /// Computes p0340's choice anew from the motor data: 1 everything, 2 the circuit, 4 the controllers, 5 the
@@ -222,8 +231,6 @@ class Axis final : public DriveObject {
   bool is_position_control_possible() const noexcept;
   void show_position_messages() noexcept;
   void plan_ramp() noexcept;
-  double measured_step(double dc_voltage) noexcept;
-  double move(double dc_voltage) noexcept;
   void measure() noexcept;
   void track_measurement() noexcept;
   void watch_speed() noexcept;

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "drive/axis/axis_step.hpp"
+#include "drive/axis/axis.hpp"
 
 namespace drive {
 namespace {

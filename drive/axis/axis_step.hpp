@@ -1,28 +1,22 @@
 #pragma once
 
-#include "drive/axis/axis.hpp"
+#include <array>
+#include <cstddef>
+#include <optional>
 
-// A step of 125 µs, to be compiled into the loops that make it.
+#include "drive/setpoint_channel/ramp_function_generator.hpp"
+#include "motor/lockstep/lane_group.hpp"
+
 namespace drive {
 
-inline double Axis::step(double dc_voltage) noexcept {
-  if (measured_) [[unlikely]]
-    return measured_step(dc_voltage);
-  if (command_.pulses_enabled) {
-    auto& channel = block<SetpointChannel>();
-    command_.speed_setpoint = channel.step(motor::kControlPeriod);
-    command_.acceleration_setpoint = channel.acceleration();
-  }
-  return move(dc_voltage);
-}
+/// Most steps of 125 µs that are planned at once: those of a cycle of 4 ms.
+inline constexpr std::size_t kMostPlannedSteps = 32;
 
-[[gnu::always_inline]] inline double Axis::move(double dc_voltage) noexcept {
-  const double drawn = train_.step(dc_voltage, command_);
-  const motor::Signals& seen = train_.signals();
-  block<Measurement>().add(seen);
-  if (!block<PowerUnit>().watch(dc_voltage, seen, train_.plant_state().current)) [[unlikely]]
-    command_.pulses_enabled = false;
-  return drawn;
-}
+/// Setpoints of an axis for some steps, and where its ramp was before them.
+struct StepPlan {
+  std::array<motor::SpeedStep, kMostPlannedSteps> setpoints;
+  std::size_t count = 0;  // of them
+  std::optional<RampFunctionGenerator> ramp_before{};  // none: it rests, and all setpoints are the same
+};
 
 }  // namespace drive

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "drive/axis/axis_step.hpp"
+#include "drive/axis/axis.hpp"
 #include "drive/sequence_control/statusword.hpp"
 
 namespace drive {
@@ -84,7 +84,7 @@ void Axis::begin_sums() noexcept {
   command_ = {.pulses_enabled = block<SequenceControl>().pulses_enabled()};
   measured_ = false;
   block<PowerUnit>().begin_cycle();
-  block<Measurement>().begin_cycle();
+  train_.begin_sums();
 }
 
 /// A halt in torque control takes the setpoint to zero, the rated torque in the time of the ramp or at once.
@@ -125,10 +125,47 @@ void Axis::plan_ramp() noexcept {
   if (command_.pulses_enabled && !measured_) block<SetpointChannel>().plan();
 }
 
-/// A step that a measurement leads.
-[[gnu::noinline]] double Axis::measured_step(double dc_voltage) noexcept {
-  step_measurement();
-  return move(dc_voltage);
+motor::AxisRun Axis::plan_steps(StepPlan& plan, std::size_t count) noexcept {
+  auto& channel = block<SetpointChannel>();
+  plan.ramp_before.reset();
+  motor::AxisRun run{.train = &train_, .trip_current = block<PowerUnit>().trip_current()};
+  if (measured_) {
+    step_measurement();
+  } else if (command_.pulses_enabled && channel.rests()) {
+    command_.speed_setpoint = channel.total();
+    command_.acceleration_setpoint = channel.acceleration();
+  } else if (command_.pulses_enabled) {
+    plan.ramp_before = channel.ramp();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double speed = channel.step(motor::kControlPeriod);
+      plan.setpoints[i] = {speed, channel.acceleration()};
+    }
+    plan.count = count;
+    run.setpoints = std::span{plan.setpoints}.first(count);
+  }
+  run.command = command_;
+  return run;
+}
+
+void Axis::take_steps(const StepPlan& plan, const motor::RunResult& done) noexcept {
+  auto& channel = block<SetpointChannel>();
+  if (plan.ramp_before && static_cast<std::size_t>(done.periods) < plan.count) [[unlikely]] {
+    channel.set_ramp(*plan.ramp_before);
+    for (long i = 0; i < done.periods; ++i) static_cast<void>(channel.step(motor::kControlPeriod));
+  }
+  if (!block<PowerUnit>().watch(done, train_)) command_.pulses_enabled = false;
+}
+
+double Axis::step(double dc_voltage) noexcept {
+  StepPlan plan;
+  motor::AxisRun run = plan_steps(plan, 1);
+  if (!run.setpoints.empty()) {
+    run.command.speed_setpoint = plan.setpoints[0].speed;
+    run.command.acceleration_setpoint = plan.setpoints[0].acceleration;
+  }
+  const double drawn = train_.step(dc_voltage, run.command);
+  take_steps(plan, {1, dc_voltage, dc_voltage, dc_voltage});
+  return drawn;
 }
 
 void Axis::measure() noexcept {

@@ -22,24 +22,17 @@ class Measurement {
   /// With an encoder of @p counts_to_speed radians an increment.
   explicit Measurement(double counts_to_speed) noexcept : counts_to_speed_{counts_to_speed} {}
 
-  void begin_cycle() noexcept { steps_ = torque_demands_ = torques_ = speeds_ = 0.0; }
-  /// A step of motor::kControlPeriod has ended with @p seen.
-  [[gnu::always_inline]] void add(const motor::Signals& seen) noexcept {
-    steps_ += 1.0;
-    torque_demands_ += seen.torque_setpoint;
-    torques_ += seen.torque;
-    speeds_ += seen.measured_speed;
-  }
   /// The cycle is over.
   void measure(const motor::DriveTrain& train) noexcept {
-    const double steps = std::max(1.0, steps_);
+    const motor::StepSums<double>& sums = train.sums();
+    const double steps = std::max(1.0, sums.steps);
     const std::int64_t counts = train.signals().encoder_counts;
     const auto moved = static_cast<double>(counts - counts_);
     const bool has_encoder = train.settings().mode == motor::ControlMode::Encoder;
     time_ = steps * motor::kControlPeriod;
-    speed_ = has_encoder ? moved * counts_to_speed_ / time_ : speeds_ / steps;
-    torque_demand_ = torque_demands_ / steps;
-    torque_ = torques_ / steps;
+    speed_ = has_encoder ? moved * counts_to_speed_ / time_ : sums.speed / steps;
+    torque_demand_ = sums.torque_setpoint / steps;
+    torque_ = sums.torque / steps;
     counts_ = counts;
   }
   /// What the encoder has found wrong until now.
@@ -64,10 +57,6 @@ class Measurement {
 
  private:
   double counts_to_speed_;
-  double steps_ = 0.0;
-  double torque_demands_ = 0.0;
-  double torques_ = 0.0;
-  double speeds_ = 0.0;
   double time_ = motor::kControlPeriod;
   double speed_ = 0.0;
   double torque_demand_ = 0.0;

@@ -8,6 +8,7 @@
 #include "drive/messages/cause.hpp"
 #include "motor/data/supply_data.hpp"
 #include "motor/drive_train.hpp"
+#include "motor/lockstep/lockstep.hpp"
 
 namespace drive {
 namespace explanation {
@@ -38,22 +39,19 @@ class PowerUnit {
     highest_dc_voltage_ = 0.0;
     lowest_dc_voltage_ = dc_voltage_;
   }
-  /// A step at @p dc_voltage (V) has ended with @p seen and, in the stator frame, @p current (A). False if the
-  /// pulses go off, without waiting for the end of the cycle.
-  [[gnu::always_inline]] bool watch(double dc_voltage, const motor::Signals& seen,
-                                    const motor::SpaceVector& current) noexcept {
-    const double energy = seen.power * motor::kControlPeriod;
-    if (energy > 0.0)
-      energy_drawn_ += energy;
-    else
-      energy_fed_back_ -= energy;
-    dc_voltage_ = dc_voltage;
-    highest_dc_voltage_ = std::max(highest_dc_voltage_, dc_voltage);
-    lowest_dc_voltage_ = std::min(lowest_dc_voltage_, dc_voltage);
-    peak_current_ = std::max(peak_current_, seen.current);
-    if (seen.current > trip_current_) [[unlikely]]
-      note_phases(current);
-    return !(dc_voltage > overvoltage_ || seen.current > trip_current_);
+  /// Steps of @p train have ended, with the link as @p link tells. False if the pulses go off, without waiting for the
+  /// end of the cycle.
+  bool watch(const motor::RunResult& link, const motor::DriveTrain& train) noexcept {
+    dc_voltage_ = link.last_dc_voltage;
+    highest_dc_voltage_ = std::max(highest_dc_voltage_, link.highest_dc_voltage);
+    lowest_dc_voltage_ = std::min(lowest_dc_voltage_, link.lowest_dc_voltage);
+    const motor::StepSums<double>& sums = train.sums();
+    peak_current_ = sums.peak_current;
+    energy_drawn_ = sums.drawn;
+    energy_fed_back_ = sums.fed_back;
+    const bool tripped = train.signals().current > trip_current_;
+    if (tripped) note_phases(train.plant_state().current);
+    return !(dc_voltage_ > overvoltage_ || tripped);
   }
   /// At the end of a cycle that ended with @p signals.
   void observe(const motor::Signals& signals) noexcept {

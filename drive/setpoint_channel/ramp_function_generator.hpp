@@ -47,6 +47,8 @@ class RampFunctionGenerator {
       plan();
     }
   }
+  /// Whether the output is where it goes to.
+  bool rests() const noexcept { return part_ >= count_; }
   /// Moves the output for @p dt (s).
   [[gnu::always_inline]] void advance_by(double dt) noexcept {
     if (part_ < count_) go_on(dt);

@@ -153,6 +153,11 @@ class SetpointChannel {
     if (moves_) ramp_generator_.advance_by(dt);
     return total();
   }
+  /// Whether further steps change nothing.
+  bool rests() const noexcept { return !moves_ || ramp_generator_.rests(); }
+  /// The ramp, to have it where it was again.
+  const RampFunctionGenerator& ramp() const noexcept { return ramp_generator_; }
+  void set_ramp(const RampFunctionGenerator& ramp) noexcept { ramp_generator_ = ramp; }
   /// The way ends, @p duration (s) later: r1149.
   void end_way(double duration) noexcept {
     mean_acceleration_ = (ramp_generator_.output() - output_before_) / duration;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "motor/math/number.hpp"
+
 namespace motor {
 
 /// Settings of the speed controller.
@@ -13,22 +15,28 @@ struct SpeedControllerGains {
 };
 
 /// Range the torque setpoint may take (N·m). Where the two cross, the lower one wins.
-struct TorqueLimits {
-  double upper = 0.0;
-  double lower = 0.0;
+template <class Number>
+struct TorqueLimitsOf {
+  Number upper = 0.0;
+  Number lower = 0.0;
 
-  constexpr double bound(double torque) const noexcept { return std::max(lower, std::min(upper, torque)); }
+  constexpr Number bound(const Number& torque) const noexcept {
+    return maximum<Number>(lower, minimum<Number>(upper, torque));
+  }
 };
+using TorqueLimits = TorqueLimitsOf<double>;
 
 /// Torque that is known beforehand (N·m).
+template <class Number>
 struct TorqueForward {
-  double acceleration = 0.0;  ///< precontrol: what the setpoint's slope needs
-  double additional = 0.0;    ///< for a load that is known from elsewhere
+  Number acceleration = 0.0;  ///< precontrol: what the setpoint's slope needs
+  Number additional = 0.0;    ///< for a load that is known from elsewhere
 };
 
 /// PI speed controller. A reference model, the shaft as the proportional part and the precontrol would lead it,
 /// feeds the integral part, so that a change of the setpoint leaves nothing to unwind and only loads are
 /// integrated; at a torque limit nothing is integrated at all.
+template <class Number = double>
 class SpeedController {
  public:
   /// Fixes @p gains for a shaft of @p inertia (kg·m²) and steps of @p period (s); the torque comes @p delay (s)
@@ -41,46 +49,44 @@ class SpeedController {
     model_lag_ = period / (period + delay);
   }
   /// Starts at @p speed (rad/s) with @p torque (N·m) as what the integral part gives.
-  void reset(double speed, double torque = 0.0) noexcept {
+  void reset(const Number& speed, const Number& torque = 0.0) noexcept {
     integral_torque_ = torque;
     reference_ = speed;
     delayed_ = speed;
-    limited_ = false;
+    limited_ = Flag<Number>{};
   }
   /// Torque setpoint (N·m) for a speed setpoint and a measured speed (rad/s).
-  double step(double setpoint, double measured, const TorqueLimits& limits,
-              const TorqueForward& forward = {}) noexcept {
-    const double wanted =
+  Number step(const Number& setpoint, const Number& measured, const TorqueLimitsOf<Number>& limits,
+              const TorqueForward<Number>& forward = {}) noexcept {
+    const Number wanted =
         proportional_ * (setpoint - measured) + integral_torque_ + forward.acceleration + forward.additional;
-    const double torque = limits.bound(wanted);
+    const Number torque = limits.bound(wanted);
     limited_ = torque < wanted || torque > wanted;
     follow(setpoint, measured, forward.acceleration);
     integral_torque_ = limits.bound(integral_torque_ + integral_ * (delayed_ - measured));
     return torque;
   }
   /// Whether the last step wanted more torque than the limits give (r1407.7).
-  bool limited() const noexcept { return limited_; }
+  Condition<Number> limited() const noexcept { return limited_.holds(); }
 
  private:
-  void follow(double setpoint, double measured, double acceleration_torque) noexcept {
-    if (limited_) {  // the model waits with the motor: nothing is left to integrate
-      reference_ = measured;
-      delayed_ = measured;
-      return;
-    }
-    reference_ += model_ * (setpoint - reference_) + model_rate_ * acceleration_torque;
-    delayed_ += model_lag_ * (reference_ - delayed_);
+  /// At a limit the model waits with the motor: nothing is left to integrate.
+  void follow(const Number& setpoint, const Number& measured, const Number& acceleration_torque) noexcept {
+    const Condition<Number> waits = limited_.holds();
+    reference_ = select<Number>(waits, measured,
+                                reference_ + (model_ * (setpoint - reference_) + model_rate_ * acceleration_torque));
+    delayed_ = select<Number>(waits, measured, delayed_ + model_lag_ * (reference_ - delayed_));
   }
 
-  double proportional_ = 0.0;     // N·m·s/rad
-  double integral_ = 0.0;         // N·m·s/rad a step
-  double model_ = 1.0;            // share of the deviation that the reference model covers in a step
-  double model_rate_ = 0.0;       // speed that a torque gives in a step (rad/s per N·m)
-  double model_lag_ = 1.0;        // share of the way to the model that its delayed image goes in a step
-  double integral_torque_ = 0.0;  // N·m
-  double reference_ = 0.0;        // rad/s
-  double delayed_ = 0.0;          // rad/s
-  bool limited_ = false;
+  Number proportional_ = 0.0;     // N·m·s/rad
+  Number integral_ = 0.0;         // N·m·s/rad a step
+  Number model_ = 1.0;            // share of the deviation that the reference model covers in a step
+  Number model_rate_ = 0.0;       // speed that a torque gives in a step (rad/s per N·m)
+  Number model_lag_ = 1.0;        // share of the way to the model that its delayed image goes in a step
+  Number integral_torque_ = 0.0;  // N·m
+  Number reference_ = 0.0;        // rad/s
+  Number delayed_ = 0.0;          // rad/s
+  Flag<Number> limited_{};
 };
 
 }  // namespace motor

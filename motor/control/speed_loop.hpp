@@ -9,6 +9,7 @@ namespace motor {
 
 /// From a command to the torque setpoint: smoothing of the measured speed, precontrol, speed controller or torque
 /// control, and all limits.
+template <class Number>
 class SpeedLoop {
  public:
   /// @p gains of the control mode in force; the torque comes @p delay (s) late.
@@ -19,41 +20,60 @@ class SpeedLoop {
     smoothing_ = kControlPeriod / (kControlPeriod + settings.speed_smoothing);
   }
   /// Starts at @p speed (rad/s) with @p torque (N·m).
-  void reset(double speed, double torque = 0.0) noexcept {
+  void reset(const Number& speed, const Number& torque = 0.0) noexcept {
     smoothed_ = speed;
     controller_.reset(speed, torque);
-    limiter_.follow(speed);
+    limiter_.follow(speed, Condition<Number>{true});
   }
   /// Torque setpoint (N·m) for @p command at the measured @p speed (rad/s); @p reachable is what current and
   /// voltage allow (N·m). Fills limits and their status in @p signals.
-  [[gnu::always_inline]] double step(const DriveCommand& command, double speed, double reachable,
-                                     double dc_voltage, Signals& signals) noexcept {
+  [[gnu::always_inline]] Number step(const DriveCommandOf<Number>& command, const Number& speed,
+                                     const Number& reachable, const Number& dc_voltage,
+                                     SignalsOf<Number>& signals) noexcept {
     smoothed_ += smoothing_ * (speed - smoothed_);
     signals.torque_limits = limiter_.limits(command.limits, reachable, speed, dc_voltage);
-    if (command.torque_control) return by_torque(command, signals);
-    const TorqueForward forward{precontrol_ * command.acceleration_setpoint, command.additional_torque};
-    signals.torque_setpoint = controller_.step(command.speed_setpoint, smoothed_, signals.torque_limits, forward);
-    signals.torque_limit_reached = controller_.limited();
+    if (all(command.torque_control)) return by_torque(command, signals);
+    const SpeedController<Number> before = controller_;
+    by_speed(command, signals);
+    if (any(command.torque_control)) [[unlikely]]
+      mix(command, before, signals);
     return signals.torque_setpoint;
   }
-  /// Power limits follow the speed; often enough every millisecond.
-  void follow() noexcept { limiter_.follow(smoothed_); }
+  /// Power limits follow the speed, where @p due; often enough every millisecond.
+  void follow(const Condition<Number>& due) noexcept { limiter_.follow(smoothed_, due); }
 
  private:
-  double by_torque(const DriveCommand& command, Signals& signals) noexcept {
-    const double wanted = command.torque_setpoint + command.additional_torque;
-    const double torque = signals.torque_limits.bound(wanted);
+  void by_speed(const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept {
+    const TorqueForward<Number> forward{precontrol_ * command.acceleration_setpoint, command.additional_torque};
+    signals.torque_setpoint = controller_.step(command.speed_setpoint, smoothed_, signals.torque_limits, forward);
+    signals.torque_limit_reached = controller_.limited();
+  }
+  Number by_torque(const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept {
+    const Number wanted = command.torque_setpoint + command.additional_torque;
+    const Number torque = signals.torque_limits.bound(wanted);
     signals.torque_setpoint = torque;
     signals.torque_limit_reached = torque < wanted || torque > wanted;
     controller_.reset(smoothed_, torque - command.additional_torque);
     return torque;
   }
+  /// Some of the lanes have torque control: they began with the speed controller as it was @p before.
+  void mix(const DriveCommandOf<Number>& command, const SpeedController<Number>& before,
+           SignalsOf<Number>& signals) noexcept {
+    const SpeedController<Number> controller = controller_;
+    const Number torque = signals.torque_setpoint;
+    const Condition<Number> limited = signals.torque_limit_reached;
+    controller_ = before;
+    by_torque(command, signals);
+    keep<Number>(command.torque_control, controller_, controller);
+    signals.torque_setpoint = select<Number>(command.torque_control, signals.torque_setpoint, torque);
+    signals.torque_limit_reached = select_condition(command.torque_control, signals.torque_limit_reached, limited);
+  }
 
-  SpeedController controller_;
-  TorqueLimiter limiter_;
-  double precontrol_ = 0.0;  // kg·m²
-  double smoothing_ = 1.0;
-  double smoothed_ = 0.0;  // rad/s
+  SpeedController<Number> controller_;
+  TorqueLimiter<Number> limiter_;
+  Number precontrol_ = 0.0;  // kg·m²
+  Number smoothing_ = 1.0;
+  Number smoothed_ = 0.0;  // rad/s
 };
 
 }  // namespace motor

@@ -1,22 +1,22 @@
 #pragma once
 
-#include <cstdint>
-
 #include "motor/math/space_vector.hpp"
 
 namespace motor {
 
 /// The true state of machine and load at the end of a step; what a drive knows of it comes through sensors.
-struct PlantState {
-  SpaceVector current{};         ///< of the stator, stator frame (A)
-  double rotor_angle = 0.0;      ///< mechanical, within one revolution, 0..2π (rad)
-  std::int64_t revolutions = 0;  ///< whole ones since the start, counted down backwards
-  double speed = 0.0;            ///< of the rotor (rad/s)
-  double load_speed = 0.0;       ///< of the load, the rotor's own with a rigid coupling (rad/s)
-  double twist = 0.0;            ///< rotor angle less load angle (rad)
-  double torque = 0.0;           ///< air gap, mean of the step (N·m)
-  double flux = 0.0;             ///< of rotor (induction) or magnets with i_d (synchronous) (V·s, peak)
+template <class Number>
+struct PlantStateOf {
+  SpaceVectorOf<Number> current{};  ///< of the stator, stator frame (A)
+  Number rotor_angle = 0.0;         ///< mechanical, within one revolution, 0..2π (rad)
+  Number revolutions = 0.0;         ///< whole ones since the start, counted down backwards
+  Number speed = 0.0;               ///< of the rotor (rad/s)
+  Number load_speed = 0.0;          ///< of the load, the rotor's own with a rigid coupling (rad/s)
+  Number twist = 0.0;               ///< rotor angle less load angle (rad)
+  Number torque = 0.0;              ///< air gap, mean of the step (N·m)
+  Number flux = 0.0;                ///< of rotor (induction) or magnets with i_d (synchronous) (V·s, peak)
 };
+using PlantState = PlantStateOf<double>;
 
 /// Flux linkages of an induction machine (V·s, peak, stator frame).
 struct MachineFluxes {
@@ -26,14 +26,15 @@ struct MachineFluxes {
 
 /// Where the energy of a step went (J); what comes in is positive in `electrical`, the others are positive when
 /// they take it.
-struct PlantEnergies {
-  double electrical = 0.0;  ///< at the terminals, from the inverter
-  double copper = 0.0;      ///< stator and rotor
-  double iron = 0.0;
-  double friction = 0.0;  ///< bearings, load, damping of the coupling, end stops, brake
-  double load = 0.0;      ///< done on what hangs on the shaft: weights, fans, profiles
+template <class Number>
+struct PlantEnergiesOf {
+  Number electrical = 0.0;  ///< at the terminals, from the inverter
+  Number copper = 0.0;      ///< stator and rotor
+  Number iron = 0.0;
+  Number friction = 0.0;  ///< bearings, load, damping of the coupling, end stops, brake
+  Number load = 0.0;      ///< done on what hangs on the shaft: weights, fans, profiles
 
-  PlantEnergies& operator+=(const PlantEnergies& more) noexcept {
+  PlantEnergiesOf& operator+=(const PlantEnergiesOf& more) noexcept {
     electrical += more.electrical;
     copper += more.copper;
     iron += more.iron;
@@ -42,6 +43,7 @@ struct PlantEnergies {
     return *this;
   }
 };
+using PlantEnergies = PlantEnergiesOf<double>;
 
 /// What a plant has stored (J).
 struct StoredEnergy {

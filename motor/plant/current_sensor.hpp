@@ -20,7 +20,7 @@ class CurrentSensor {
     const std::array<double, 3> phases = phase_values(true_current);
     const double u = convert(phases[0]);
     const double v = convert(phases[1]);
-    return vector_of({u, v, -u - v});
+    return vector_of<double>({u, v, -u - v});
   }
   /// Smallest difference that is seen (A).
   double resolution() const noexcept { return step_; }

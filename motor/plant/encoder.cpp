@@ -23,25 +23,36 @@ constexpr std::int64_t floor_divide(std::int64_t value, std::int64_t divisor) no
 Encoder::Encoder(const MachineData& machine) noexcept
     : data_{machine.encoder},
       per_revolution_{static_cast<std::int64_t>(increments_per_revolution(machine))},
-      per_radian_{increments_per_revolution(machine) / kTurn},
       tolerated_ripple_{kRipple * machine.rated_speed},
       start_{static_cast<std::int64_t>(
           std::floor(machine.encoder.start_position * increments_per_revolution(machine)))},
       position_{start_},
       base_position_{start_},
       mark_{floor_divide(start_, per_revolution_)},
-      sound_{machine.encoder.type != EncoderType::None} {}
+      sound_{machine.encoder.type != EncoderType::None} {
+  track_.per_revolution = static_cast<double>(per_revolution_);
+  track_.per_radian = increments_per_revolution(machine) / kTurn;
+  track_.past_mark = static_cast<double>(position_ - mark_ * per_revolution_);
+}
 
 void Encoder::configure(double period) noexcept {
-  speed_per_increment_ = 1.0 / (per_radian_ * period);
-  filter_time_ = std::clamp(period * (speed_per_increment_ / tolerated_ripple_ - 1.0), 0.0, kLongestFilter);
-  filter_gain_ = period / (period + filter_time_);
+  const double step = 1.0 / (track_.per_radian * period);
+  track_.speed_per_increment = step;
+  filter_time_ = std::clamp(period * (step / tolerated_ripple_ - 1.0), 0.0, kLongestFilter);
+  track_.filter_gain = period / (period + filter_time_);
+}
+
+void Encoder::count(double moved) noexcept {
+  const auto increments = static_cast<std::int64_t>(moved);
+  position_ += increments;
+  if (sound_) counts_ += increments;
+  if (track_.is_past_mark()) look_for_zero_mark();
 }
 
 void Encoder::turn(double angle) noexcept {
   const double sum = angle_ + angle;
   const double whole = std::floor(sum / kTurn);
-  revolutions_ += static_cast<std::int64_t>(whole);
+  revolutions_ += whole;
   angle_ = std::max(0.0, sum - whole * kTurn);
   move_to(revolutions_, angle_);
 }
@@ -74,6 +85,7 @@ std::int64_t Encoder::counts_at(std::int64_t position) const noexcept {
 void Encoder::look_for_zero_mark() noexcept {
   const std::int64_t before = mark_;
   mark_ = floor_divide(position_, per_revolution_);
+  track_.past_mark = static_cast<double>(position_ - mark_ * per_revolution_);
   if (defect_ == EncoderDefect::Loss || data_.type == EncoderType::None) return;
   const std::int64_t passed = std::max(before, mark_);  // the mark at the start of the upper revolution
   const std::int64_t counts = counts_at(passed * per_revolution_);

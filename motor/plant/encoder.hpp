@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "motor/data/machine_data.hpp"
+#include "motor/plant/encoder_track.hpp"
 
 namespace motor {
 
@@ -33,16 +34,16 @@ class Encoder {
   void configure(double period) noexcept;
   /// The shaft is at @p revolutions + @p angle (rad, 0..2π) from its place at power-on, one period after the last
   /// call.
-  void move_to(std::int64_t revolutions, double angle) noexcept {
-    position_ = start_ + revolutions * per_revolution_ + static_cast<std::int64_t>(angle * per_radian_);
-    const std::int64_t before = counts_;
-    counts_ = sound_ ? base_counts_ + (position_ - base_position_) : counts_at(position_);
-    const std::int64_t moved = counts_ - before;
-    speed_ += filter_gain_ * (static_cast<double>(moved) * speed_per_increment_ - speed_);
-    if (moved == 0 && std::abs(speed_) < kZeroSpeed) speed_ = 0.0;
-    const std::int64_t past_mark = position_ - mark_ * per_revolution_;
-    if (past_mark < 0 || past_mark >= per_revolution_) look_for_zero_mark();
+  void move_to(double revolutions, double angle) noexcept {
+    const auto moved = static_cast<std::int64_t>(track_.turn_to(revolutions, angle));
+    position_ += moved;
+    const std::int64_t counted = sound_ ? moved : counts_at(position_) - counts_;
+    counts_ += counted;
+    track_.follow(static_cast<double>(counted));
+    if (track_.is_past_mark()) look_for_zero_mark();
   }
+  /// The track has come past @p moved increments since this was last called, by itself.
+  void count(double moved) noexcept;
   /// Turns the shaft by @p angle (rad) within one period.
   void turn(double angle) noexcept;
   /// From now on the encoder has @p defect instead of the one before; what it has counted stays.
@@ -56,14 +57,19 @@ class Encoder {
   /// an absolute encoder.
   std::uint32_t absolute_position() const noexcept;
   /// Measured speed (rad/s), smoothed with filter_time().
-  double speed() const noexcept { return speed_; }
+  double speed() const noexcept { return track_.speed; }
   /// Time constant of the smoothing (s): just enough for the encoder's resolution, 0 for a very fine one.
   double filter_time() const noexcept { return filter_time_; }
+  /// Whether it counts what its track comes past; without an encoder nothing does.
+  bool counts_all() const noexcept { return sound_; }
+  /// Whether what it counts is neither all nor nothing.
+  bool has_defect() const noexcept { return defect_ != EncoderDefect::None; }
   const EncoderStatus& status() const noexcept { return status_; }
   EncoderDefect defect() const noexcept { return defect_; }
 
  private:
-  static constexpr double kZeroSpeed = 1e-6;  // rad/s, far below one increment a period
+  template <class Number>
+  friend class LaneTrain;
 
   std::int64_t seen(std::int64_t position) const noexcept;
   std::int64_t counts_at(std::int64_t position) const noexcept;
@@ -71,16 +77,14 @@ class Encoder {
 
   EncoderData data_;
   std::int64_t per_revolution_;  // increments
-  double per_radian_;
-  double tolerated_ripple_;  // rad/s
-  double speed_per_increment_ = 0.0;
-  double filter_time_ = 0.0;
-  double filter_gain_ = 1.0;
+  double tolerated_ripple_;      // rad/s
+  double filter_time_ = 0.0;     // s
+  EncoderTrack<double> track_;
 
   std::int64_t start_;     // increments past the zero of the disc at power-on
   std::int64_t position_;  // true increments past that zero
   double angle_ = 0.0;     // rad, for turn()
-  std::int64_t revolutions_ = 0;
+  double revolutions_ = 0.0;
 
   EncoderDefect defect_ = EncoderDefect::None;
   std::int64_t blind_ = 0;        // increments after each zero mark that give no pulses
@@ -90,7 +94,6 @@ class Encoder {
   std::int64_t mark_counts_ = 0;  // counts at the last mark
   bool mark_seen_ = false;
   std::int64_t counts_ = 0;
-  double speed_ = 0.0;
   EncoderStatus status_;
   bool sound_;  // there is an encoder, and it has no defect
 };

@@ -8,6 +8,16 @@
 
 namespace motor {
 
+namespace {
+
+/// Whether nothing but a constant torque hangs on it, and no wall is near.
+bool is_plain(const Load& load) noexcept {
+  const bool walls = std::isfinite(load.end_stops.lower) || std::isfinite(load.end_stops.upper);
+  return !(load.fan_coefficient > 0.0 || load.pendulum_torque != 0.0 || load.profile.count > 0 || walls);
+}
+
+}  // namespace
+
 Plant::Machine Plant::made_machine(const MachineData& machine) noexcept {
   if (machine.type == MachineType::Induction) return InductionMachine{machine};
   return SynchronousMachine{machine};
@@ -15,27 +25,26 @@ Plant::Machine Plant::made_machine(const MachineData& machine) noexcept {
 
 Plant::Shaft Plant::made_shaft(const MachineData& machine, const Load& load) noexcept {
   if (is_elastic(load)) return ElasticShaft{machine, load};
-  const RigidShaft<false> rigid{machine, load};
-  if (rigid.is_plain()) return RigidShaft<true>{machine, load};
-  return rigid;
+  if (is_plain(load)) return RigidShaft<true>{machine, load};
+  return RigidShaft<false>{machine, load};
 }
 
 Plant::Plant(const MachineData& machine, const Load& load, int substeps) noexcept
     : machine_{made_machine(machine)},
       shaft_{made_shaft(machine, load)},
-      substeps_{substeps > 0 ? substeps : needed_substeps(machine, load)},
-      pole_pairs_{static_cast<double>(machine.pole_pairs)},
-      bursting_speed_{bursting_speed(machine)},
-      whole_step_speed_{substeps_ == 1 ? followed_speed(1) : -1.0},
+      profile_{load.profile},
       brake_{load.brake} {
+  motion_.pole_pairs = machine.pole_pairs;
+  motion_.bursting_speed = bursting_speed(machine);
+  set_substeps(substeps > 0 ? substeps : needed_substeps(machine, load));
   apply_brake();
-  state_.flux = std::visit([](const auto& m) { return m.main_flux(); }, machine_);
+  motion_.state.flux = std::visit([](const auto& m) { return m.main_flux(); }, machine_);
 }
 
 StoredEnergy Plant::stored() const noexcept {
   return {.magnetic = std::visit([](const auto& machine) { return machine.stored(); }, machine_),
           .kinetic = std::visit([](const auto& shaft) { return shaft.kinetic(); }, shaft_),
-          .spring = std::visit([this](const auto& shaft) { return shaft.spring(angle()); }, shaft_)};
+          .spring = std::visit([this](const auto& shaft) { return shaft.spring(motion_.angle()); }, shaft_)};
 }
 
 MachineFluxes Plant::fluxes() const noexcept {
@@ -55,8 +64,12 @@ void Plant::set_load_torque(double torque, LoadTorqueType type) noexcept {
 
 void Plant::set_body(const MachineData& machine, const Load& load) noexcept {
   std::visit([&](auto& shaft) { shaft.set_body(machine, load); }, shaft_);
-  substeps_ = needed_substeps(machine, load);
-  whole_step_speed_ = substeps_ == 1 ? followed_speed(1) : -1.0;
+  set_substeps(needed_substeps(machine, load));
+}
+
+void Plant::set_substeps(int substeps) noexcept {
+  motion_.substeps = substeps;
+  motion_.whole_step_speed = substeps == 1 ? kElectricalStep / (motion_.pole_pairs * kControlPeriod) : -1.0;
 }
 
 void Plant::set_brake(bool closed) noexcept {
@@ -74,18 +87,18 @@ void Plant::apply_brake() noexcept {
 }
 
 void Plant::set_speed(double wanted) noexcept {
-  const double speed = std::clamp(wanted, -bursting_speed_, bursting_speed_);
+  const double speed = std::clamp(wanted, -motion_.bursting_speed, motion_.bursting_speed);
   std::visit([&](auto& shaft) { shaft.set_speed(speed); }, shaft_);
-  state_.speed = speed;
-  state_.load_speed = speed;
+  motion_.state.speed = speed;
+  motion_.state.load_speed = speed;
 }
 
 void Plant::set_fluxes(const MachineFluxes& fluxes) noexcept {
   auto* const machine = std::get_if<InductionMachine>(&machine_);
   if (machine == nullptr) return;
   machine->set_state({pair(fluxes.stator), pair(fluxes.rotor)});
-  state_.current = vector(machine->current(machine->state()));
-  state_.flux = machine->main_flux();
+  motion_.state.current = vector(machine->current(machine->state()));
+  motion_.state.flux = machine->main_flux();
 }
 
 double Plant::load_torque() const noexcept {
@@ -93,8 +106,9 @@ double Plant::load_torque() const noexcept {
 }
 
 bool Plant::rests() const noexcept {
-  const bool open = norm(state_.current) == 0.0 && brake_delay_ == 0 && norm(fluxes().rotor) == 0.0;
-  return open && std::visit([this](const auto& shaft) { return shaft.rests(angle()); }, shaft_);
+  const bool open = norm(motion_.state.current) == 0.0 && brake_delay_ == 0 && norm(fluxes().rotor) == 0.0;
+  return open && profile_.over() &&
+         std::visit([this](const auto& shaft) { return shaft.rests(motion_.angle()); }, shaft_);
 }
 
 }  // namespace motor

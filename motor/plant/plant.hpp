@@ -10,6 +10,7 @@
 #include "motor/math/space_vector.hpp"
 #include "motor/plant/machine/induction_machine.hpp"
 #include "motor/plant/machine/synchronous_machine.hpp"
+#include "motor/plant/plant_motion.hpp"
 #include "motor/plant/shaft/elastic_shaft.hpp"
 #include "motor/plant/shaft/rigid_shaft.hpp"
 
@@ -29,20 +30,20 @@ class Plant {
   void coast(double dc_voltage) noexcept;
 
   /// At the end of the last step.
-  const PlantState& state() const noexcept { return state_; }
+  const PlantState& state() const noexcept { return motion_.state; }
   /// Of the last step.
-  const PlantEnergies& energies() const noexcept { return energies_; }
+  const PlantEnergies& energies() const noexcept { return motion_.energies; }
   StoredEnergy stored() const noexcept;
   /// Cosine and sine of the electrical angle of the rotor at the end of the last step (synchronous machine).
-  SpaceVector direction() const noexcept { return direction_; }
+  SpaceVector direction() const noexcept { return motion_.direction; }
   /// Flux linkages of an induction machine in the stator frame (V·s); zero for a synchronous one.
   MachineFluxes fluxes() const noexcept;
   /// Whether the shaft would turn faster if it could.
-  bool is_held_back() const noexcept { return std::abs(state_.speed) >= bursting_speed_; }
+  bool is_held_back() const noexcept { return std::abs(motion_.state.speed) >= motion_.bursting_speed; }
   /// What hangs on the shaft, without friction (N·m, positive against positive rotation), in the last step.
   double load_torque() const noexcept;
   /// How many Runge-Kutta steps make a control period, unless the shaft turns faster than the machine should.
-  int substeps() const noexcept { return substeps_; }
+  int substeps() const noexcept { return static_cast<int>(motion_.substeps); }
 
   /// Winding and rotor (°C): for the resistances and the flux of the magnets.
   void set_temperatures(double winding, double rotor) noexcept;
@@ -58,64 +59,40 @@ class Plant {
   void set_speed(double wanted) noexcept;
   /// Magnetises an induction machine at once, whatever it was before.
   void set_fluxes(const MachineFluxes& fluxes) noexcept;
+  /// Whether a command of the brake has still to act.
+  bool awaits_brake() const noexcept { return brake_delay_ > 0; }
+  /// Which machine and which shaft, as numbers.
+  std::uint8_t machine_kind() const noexcept { return static_cast<std::uint8_t>(machine_.index()); }
+  std::uint8_t shaft_kind() const noexcept { return static_cast<std::uint8_t>(shaft_.index()); }
   /// Whether no current flows, everything stands, and nothing will change while the pulses are inhibited.
   bool rests() const noexcept;
 
  private:
+  template <class Number>
+  friend class LaneTrain;
+
   using Machine = std::variant<SynchronousMachine, InductionMachine>;
   using Shaft = std::variant<RigidShaft<true>, RigidShaft<false>, ElasticShaft>;
 
   static Machine made_machine(const MachineData& machine) noexcept;
   static Shaft made_shaft(const MachineData& machine, const Load& load) noexcept;
 
-  /// Of one step: where the energy went, and its share of the mean torque of the period.
-  struct Spent {
-    PlantEnergies energies{};
-    double torque = 0.0;
-
-    Spent& operator+=(const Spent& more) noexcept {
-      energies += more.energies;
-      torque += more.torque;
-      return *this;
-    }
-  };
-
   template <class M, class S>
   void drive(M& machine, S& shaft, SpaceVector voltage) noexcept;
   template <class M, class S>
-  Spent drive_part(M& machine, S& shaft, SpaceVector voltage, int part, double h) noexcept;
-  template <class M, class S>
-  Spent drive_parts(M& machine, S& shaft, SpaceVector voltage, int parts) noexcept;
-  template <class M, class S>
   void coast_down(M& machine, S& shaft, double limit) noexcept;
-  template <class Rates, class M, class S>
-  Spent advance(const Rates& sum, M& machine, S& shaft, double h) noexcept;
-  template <class S>
-  void begin(S& shaft, int part, double h, double torque) noexcept;
-  template <class M, class S>
-  void finish(const Spent& spent, const M& machine, const S& shaft) noexcept;
   void start_period() noexcept;
   void stand() noexcept;
-  void turn(const Motion& motion) noexcept;
-  void turn_direction(double angle) noexcept;
+  void set_substeps(int substeps) noexcept;
   void apply_brake() noexcept;
-  int needed(int parts) const noexcept;
-  double followed_speed(int parts) const noexcept;
-  double angle() const noexcept;
 
   Machine machine_;
   Shaft shaft_;
-  int substeps_;
-  double pole_pairs_;
-  double bursting_speed_;    // that nothing turns beyond (rad/s)
-  double whole_step_speed_;  // up to which one step makes a control period (rad/s), negative = never
+  ProfileTorque profile_;
+  PlantMotion<double> motion_;
   HoldingBrake brake_;
-  bool brake_closed_ = true;         // as commanded
-  int brake_delay_ = 0;              // steps until the command acts
-  std::int64_t steps_ = 0;           // since power-on
-  SpaceVector direction_{1.0, 0.0};  // of the d axis
-  PlantState state_{};
-  PlantEnergies energies_{};
+  bool brake_closed_ = true;  // as commanded
+  int brake_delay_ = 0;       // steps until the command acts
 };
 
 }  // namespace motor

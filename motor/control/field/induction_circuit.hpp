@@ -2,18 +2,21 @@
 
 #include "motor/data/machine_data.hpp"
 #include "motor/math/crossing.hpp"
+#include "motor/math/number.hpp"
 
 namespace motor {
 
 /// An induction machine as inverse-gamma circuit: the T circuit with its superfluous leakage removed, alike at the
 /// terminals.
-struct InductionCircuit {
-  double stator_resistance = 1.0;       ///< (Ω)
-  double rotor_resistance = 1.0;        ///< R_R (Ω)
-  double leakage = 1e-3;                ///< L_sgm (H)
-  double magnetising_inductance = 0.1;  ///< L_M without saturation (H)
-  double saturation_flux = 0.0;         ///< at which L_M has halved (V·s), 0 = none
+template <class Number>
+struct InductionCircuitOf {
+  Number stator_resistance = 1.0;       ///< (Ω)
+  Number rotor_resistance = 1.0;        ///< R_R (Ω)
+  Number leakage = 1e-3;                ///< L_sgm (H)
+  Number magnetising_inductance = 0.1;  ///< L_M without saturation (H)
+  Number saturation_flux = 0.0;         ///< at which L_M has halved (V·s), 0 = none
 };
+using InductionCircuit = InductionCircuitOf<double>;
 
 /// The circuit of @p machine at kDataTemperature.
 constexpr InductionCircuit induction_circuit(const MachineData& machine) noexcept {
@@ -24,11 +27,14 @@ constexpr InductionCircuit induction_circuit(const MachineData& machine) noexcep
 }
 
 /// Magnetising inductance (H) at rotor flux @p flux (V·s).
-constexpr double magnetising_inductance(const InductionCircuit& circuit, double flux) noexcept {
-  if (circuit.saturation_flux <= 0.0) return circuit.magnetising_inductance;
-  const double ratio = flux / circuit.saturation_flux;
-  const double cube = ratio * ratio * ratio;
-  return circuit.magnetising_inductance / (1.0 + cube * cube);
+template <class Number>
+Number magnetising_inductance(const InductionCircuitOf<Number>& circuit, const Number& flux) noexcept {
+  const Condition<Number> linear = circuit.saturation_flux <= 0.0;
+  if (all(linear)) return circuit.magnetising_inductance;
+  const Number ratio = flux / circuit.saturation_flux;
+  const Number cube = ratio * ratio * ratio;
+  return select<Number>(linear, circuit.magnetising_inductance,
+                        circuit.magnetising_inductance / (1.0 + cube * cube));
 }
 
 /// Rotor flux (V·s) at which @p current (A peak) along it lets it stand.

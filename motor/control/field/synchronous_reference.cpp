@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "motor/math/crossing.hpp"
+#include "motor/plant/machine/synchronous_machine.hpp"
 
 namespace motor {
 namespace {
@@ -38,7 +39,7 @@ void SynchronousReference::compute() noexcept {
 
 /// Most torque for a current: d part from the derivative of the torque along the circle.
 SpaceVector SynchronousReference::cheapest(double current) const noexcept {
-  if (!salient_) return {0.0, current};
+  if (!salient_.holds()) return {0.0, current};
   const double offset = 0.25 * magnet_flux_ / (q_inductance_ - d_inductance_);
   const double root = std::sqrt(offset * offset + 0.5 * current * current);
   const double d = offset - std::copysign(root, offset);
@@ -73,18 +74,6 @@ SpaceVector SynchronousReference::least_flux_per_torque(double limit) const noex
   const double cosine = 2.0 * reluctance / (magnets + root);
   const double sine = std::sqrt(1.0 - cosine * cosine);
   return {(limit * cosine - magnet_flux_) / d_inductance_, limit * sine / q_inductance_};
-}
-
-SpaceVector SynchronousReference::weakened(SpaceVector wanted, double limit) const noexcept {
-  const double across = std::min(std::abs(q_inductance_ * wanted.im), limit);
-  const double along = std::sqrt(limit * limit - across * across);
-  const double lowest = std::max(-current_limit_, -magnet_flux_ / d_inductance_);
-  const double d = std::clamp((along - magnet_flux_) / d_inductance_, lowest, wanted.re);
-  const double difference = d_inductance_ - q_inductance_;
-  const double ratio = salient_ ? (magnet_flux_ + difference * wanted.re) / (magnet_flux_ + difference * d) : 1.0;
-  const double room = std::sqrt(std::max(0.0, current_limit_ * current_limit_ - d * d));
-  const double q = std::min(std::abs(wanted.im) * ratio, room);
-  return {d, std::copysign(q, wanted.im)};
 }
 
 }  // namespace motor

@@ -40,8 +40,8 @@ CurrentControllerGains current_gains(const MachineData& machine) noexcept {
 double sensorless_delay(const MachineData& machine) noexcept {
   if (machine.type == MachineType::Induction) return kSensorlessDelay;
   const double frequency = machine.pole_pairs * kChangeover * machine.rated_speed;
-  const double share = SynchronousObserver::bandwidth_share(machine);
-  return std::max(kSensorlessDelay, kObserverLags / SynchronousObserver::bandwidth(share, frequency));
+  const double share = SynchronousObserver<double>::bandwidth_share(machine);
+  return std::max(kSensorlessDelay, kObserverLags / SynchronousObserver<double>::bandwidth(share, frequency));
 }
 
 /// A magnet machine gets the voltage it induces, so that it takes no more current than its torque needs.

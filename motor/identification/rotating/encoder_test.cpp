@@ -25,8 +25,8 @@ constexpr double kObserverTimes = 60.0;  // time constants of an observer in a r
 double shortest_ramp(const RotatingTask& task, double least_speed) noexcept {
   if (task.settings.mode == ControlMode::Encoder) return kShortestRamp;
   if (task.machine.type == MachineType::Induction) return kObservedRamp;
-  const double share = SynchronousObserver::bandwidth_share(task.machine);
-  const double bandwidth = SynchronousObserver::bandwidth(share, task.machine.pole_pairs * least_speed);
+  const double share = SynchronousObserver<double>::bandwidth_share(task.machine);
+  const double bandwidth = SynchronousObserver<double>::bandwidth(share, task.machine.pole_pairs * least_speed);
   return kObserverTimes / bandwidth;
 }
 

@@ -16,64 +16,69 @@ template <class Machine, bool Saturated = true>
 class HeldVoltage;
 
 /// The stator frame turns back, seen from the rotor.
-template <bool Saturated>
-class HeldVoltage<SynchronousMachine, Saturated> {
+template <class Number, bool Saturated>
+class HeldVoltage<SynchronousEquations<Number>, Saturated> {
  public:
-  using CircuitState = SynchronousMachine::CircuitState;
-  using Rate = SynchronousMachine::Rate;
+  using Machine = SynchronousEquations<Number>;
+  using CircuitState = typename Machine::CircuitState;
+  using Rate = typename Machine::Rate;
+  using Components = PairOf<Number>;
 
   /// @p voltage of the stator frame (V), with the rotor in @p direction at the start of the step.
-  HeldVoltage(const SynchronousMachine& machine, SpaceVector voltage, SpaceVector direction) noexcept
-      : machine_{machine}, voltage_{turned_back(pair(voltage), direction.re, direction.im)} {}
+  HeldVoltage(const Machine& machine, const SpaceVectorOf<Number>& voltage,
+              const SpaceVectorOf<Number>& direction) noexcept
+      : machine_{machine}, voltage_{turned_back<Number>(pair(voltage), direction.re, direction.im)} {}
 
   const CircuitState& state() const noexcept { return machine_.state(); }
   /// In stage @p Stage, with the rotor turned by @p angle (rad) since the start of the step.
   template <int Stage>
-  Rate rate(const CircuitState& y, double angle, double speed) noexcept {
-    return machine_.rate<Saturated>(y, voltage<Stage>(machine_.pole_pairs() * angle), speed);
+  Rate rate(const CircuitState& y, const Number& angle, const Number& speed) noexcept {
+    return machine_.template rate<Saturated>(y, voltage<Stage>(machine_.pole_pairs() * angle), speed);
   }
 
  private:
   /// One series a step: the stages differ from the first half step, or from twice it, by the acceleration only.
   template <int Stage>
-  Pair voltage(double angle) noexcept {
+  Components voltage(const Number& angle) noexcept {
     if constexpr (Stage == 0) return voltage_;
     if constexpr (Stage == 1) {
       half_angle_ = angle;
       half_turn_ = small_rotation(angle);
-      half_way_ = turned_back(voltage_, half_turn_[0], half_turn_[1]);
+      half_way_ = turned_back<Number>(voltage_, half_turn_[0], half_turn_[1]);
       return half_way_;
     }
-    if constexpr (Stage == 2) return turned_back_a_little(half_way_, angle - half_angle_);
-    return turned_back_a_little(turned_back(half_way_, half_turn_[0], half_turn_[1]), angle - 2.0 * half_angle_);
+    if constexpr (Stage == 2) return turned_back_a_little<Number>(half_way_, angle - half_angle_);
+    return turned_back_a_little<Number>(turned_back<Number>(half_way_, half_turn_[0], half_turn_[1]),
+                                        angle - 2.0 * half_angle_);
   }
 
-  const SynchronousMachine& machine_;
-  Pair voltage_;
-  Pair half_turn_{};
-  Pair half_way_{};
-  double half_angle_ = 0.0;
+  const Machine& machine_;
+  Components voltage_;
+  Components half_turn_{};
+  Components half_way_{};
+  Number half_angle_ = 0.0;
 };
 
 /// Constant in the frame of the machine.
-template <bool Saturated>
-class HeldVoltage<InductionMachine, Saturated> {
+template <class Number, bool Saturated>
+class HeldVoltage<InductionEquations<Number>, Saturated> {
  public:
-  using CircuitState = InductionMachine::CircuitState;
-  using Rate = InductionMachine::Rate;
+  using Machine = InductionEquations<Number>;
+  using CircuitState = typename Machine::CircuitState;
+  using Rate = typename Machine::Rate;
 
-  HeldVoltage(const InductionMachine& machine, SpaceVector voltage, SpaceVector) noexcept
+  HeldVoltage(const Machine& machine, const SpaceVectorOf<Number>& voltage, const SpaceVectorOf<Number>&) noexcept
       : machine_{machine}, voltage_{pair(voltage)} {}
 
   const CircuitState& state() const noexcept { return machine_.state(); }
   template <int Stage>
-  Rate rate(const CircuitState& y, double, double speed) const noexcept {
+  Rate rate(const CircuitState& y, const Number&, const Number& speed) const noexcept {
     return machine_.rate(y, voltage_, speed);
   }
 
  private:
-  const InductionMachine& machine_;
-  Pair voltage_;
+  const Machine& machine_;
+  PairOf<Number> voltage_;
 };
 
 /// A machine behind an inverter without pulses: the diodes hold the voltage against the current.

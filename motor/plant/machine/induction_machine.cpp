@@ -15,11 +15,11 @@ double per_sixth_power(double flux) noexcept {
 }  // namespace
 
 InductionMachine::InductionMachine(const MachineData& machine) noexcept
-    : signed_pole_pairs_{-static_cast<double>(machine.pole_pairs), static_cast<double>(machine.pole_pairs)},
-      pole_pairs_{static_cast<double>(machine.pole_pairs)},
-      torque_factor_{1.5 * pole_pairs_},
-      saturation_{per_sixth_power(machine.induction.saturation_flux)},
-      cold_stator_resistance_{machine.stator_resistance} {
+    : cold_stator_resistance_{machine.stator_resistance} {
+  pole_pairs_ = static_cast<double>(machine.pole_pairs);
+  signed_pole_pairs_ = Pair{-pole_pairs_, pole_pairs_};
+  torque_factor_ = 1.5 * pole_pairs_;
+  saturation_ = per_sixth_power(machine.induction.saturation_flux);
   const InductionData& t = machine.induction;
   const double k = t.magnetising_inductance / (t.magnetising_inductance + t.rotor_leakage);
   inverse_leakage_ = 1.0 / (t.stator_leakage + k * t.rotor_leakage);

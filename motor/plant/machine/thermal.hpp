@@ -1,8 +1,7 @@
 #pragma once
 
+#include <array>
 #include <cmath>
-
-#include <Eigen/Core>
 
 #include "motor/data/machine_data.hpp"
 
@@ -49,11 +48,10 @@ class MotorThermal {
 
  private:
   ThermalData data_;
-  Eigen::Matrix2d rates_;                                     // of the deviations of winding and frame (1/s)
-  double step_ = 0.0;                                         // s, for which transition_ holds
-  Eigen::Matrix2d transition_ = Eigen::Matrix2d::Identity();  // of these deviations over a step
-  double winding_;                                            // °C
-  double frame_;                                              // °C
+  double step_ = 0.0;                                       // s, for which transition_ holds
+  std::array<double, 4> transition_{1.0, 0.0, 0.0, 1.0};  // of the deviations of winding and frame over a step, by rows
+  double winding_;                                          // °C
+  double frame_;                                            // °C
 };
 
 /// Settings of an overload model.

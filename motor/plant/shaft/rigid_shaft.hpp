@@ -13,7 +13,7 @@
 namespace motor {
 
 /// Rotor and load as one mass. @p Plain: nothing hangs on it but a constant torque, and no wall is near.
-template <bool Plain>
+template <bool Plain, class Number = double>
 class RigidShaft {
  public:
   static constexpr bool kPlain = Plain;
@@ -21,26 +21,31 @@ class RigidShaft {
   struct Rate;
   /// Angle turned since the start of the step (rad), and speed (rad/s).
   struct ShaftState {
-    double angle = 0.0;
-    double speed = 0.0;
+    Number angle = 0.0;
+    Number speed = 0.0;
 
-    ShaftState moved(const Rate& rate, double h) const noexcept {
+    ShaftState moved(const Rate& rate, const Number& h) const noexcept {
       return {angle + h * rate.speed, speed + h * rate.acceleration};
     }
   };
   struct Rate {
-    double speed;         ///< (rad/s)
-    double acceleration;  ///< (rad/s²)
-    double load;          ///< power into the load (W), unless Plain
-    double damping;       ///< power lost in the end stops (W), unless Plain
+    Number speed;         ///< (rad/s)
+    Number acceleration;  ///< (rad/s²)
+    Number load;          ///< power into the load (W), unless Plain
+    Number damping;       ///< power lost in the end stops (W), unless Plain
 
     static Rate summed(const Rate& a, const Rate& b, const Rate& c, const Rate& d) noexcept {
       return {stage_sum(a.speed, b.speed, c.speed, d.speed),
               stage_sum(a.acceleration, b.acceleration, c.acceleration, d.acceleration),
               stage_sum(a.load, b.load, c.load, d.load), stage_sum(a.damping, b.damping, c.damping, d.damping)};
     }
+    friend Rate select(const Condition<Number>& condition, const Rate& a, const Rate& b) noexcept {
+      return {motor::select(condition, a.speed, b.speed), motor::select(condition, a.acceleration, b.acceleration),
+              motor::select(condition, a.load, b.load), motor::select(condition, a.damping, b.damping)};
+    }
   };
 
+  RigidShaft() = default;
   RigidShaft(const MachineData& machine, const Load& load) noexcept
       : inertia_{machine.inertia + load.inertia},
         inverse_inertia_{1.0 / inertia_},
@@ -54,23 +59,23 @@ class RigidShaft {
         load_{load},
         stops_{load.end_stops} {}
 
-  /// Whether nothing but a constant torque hangs on it.
-  bool is_plain() const noexcept { return !load_.varies() && !stops_.present(); }
   ShaftState state() const noexcept { return {0.0, speed_}; }
-  double speed() const noexcept { return speed_; }
+  Number speed() const noexcept { return speed_; }
   /// Whether anything on it stands, so that the torque at the start of a step counts.
-  bool stands() const noexcept { return speed_ == 0.0; }
-  double load_speed() const noexcept { return speed_; }
-  double twist() const noexcept { return 0.0; }
+  Condition<Number> stands() const noexcept { return speed_ == 0.0; }
+  Number load_speed() const noexcept { return speed_; }
+  Number twist() const noexcept { return 0.0; }
   /// What hangs on the load (N·m) where the last step began.
   double load_torque() const noexcept { return load_.at(speed_, 0.0, 0.0); }
   void set_speed(double speed) noexcept { speed_ = speed; }
   /// Whether anything turns faster than @p limit (rad/s) after a step in which the rotor made @p rotor.
-  bool is_beyond(const Motion& rotor, double limit) const noexcept { return std::abs(rotor.speed) > limit; }
+  Condition<Number> is_beyond(const MotionOf<Number>& rotor, const Number& limit) const noexcept {
+    return abs(rotor.speed) > limit;
+  }
   /// Takes away what turns faster than @p limit (rad/s); the energy that goes with it (J).
-  double slow_down(double limit) noexcept {
-    const double before = kinetic();
-    speed_ = std::clamp(speed_, -limit, limit);
+  Number slow_down(const Number& limit) noexcept {
+    const Number before = kinetic();
+    speed_ = bounded<Number>(speed_, -limit, limit);
     return before - kinetic();
   }
   /// Replaces constant load torque and friction torque (N·m).
@@ -96,20 +101,23 @@ class RigidShaft {
   }
 
   /// Decides for the coming step whether the mass holds fast against @p torque of the machine (N·m).
-  void begin(const StepStart& start, double torque) noexcept {
+  void begin(const StepStartOf<Number>& start, const Number& torque) noexcept {
     if constexpr (Plain) {
       // What has been decided for a mass that turns holds as long as it does.
-      if (friction_.excess <= 0.0 && speed_ * grip_.direction > 0.0) return;
+      const Condition<Number> holds = friction_.excess <= 0.0 && speed_ * grip_.direction > 0.0;
+      if (all(holds)) return;
+      const GripOf<Number> decided = decide(torque);
+      grip_ = select(holds, grip_, decided);
     } else {
-      load_.begin(start.time, start.angle);
+      load_.begin(start.profile, start.angle);
       start_angle_ = start.angle;
+      grip_ = decide(torque);
     }
-    grip_ = Grip::decide(friction_, hysteresis_, speed_, torque - outside(state(), 0.0).total());
-    active_inverse_ = grip_.stuck ? 0.0 : inverse_inertia_;
-    resistance_ = Plain ? grip_.torque + load_.constant() : grip_.torque;
+    active_inverse_ = select<Number>(grip_.stuck.holds(), 0.0, inverse_inertia_);
+    resistance_ = Plain ? Number{grip_.torque + load_.constant()} : grip_.torque;
   }
-  Rate rate(const ShaftState& z, double torque, double time) const noexcept {
-    const double free = torque - (resistance_ + drag_ * z.speed);
+  Rate rate(const ShaftState& z, const Number& torque, const Number& time) const noexcept {
+    const Number free = torque - (resistance_ + drag_ * z.speed);
     if constexpr (Plain) {
       return {z.speed, free * active_inverse_, 0.0, 0.0};
     } else {
@@ -119,29 +127,31 @@ class RigidShaft {
     }
   }
   /// Takes over the step of @p h (s) that was made with the summed rates @p sum, and says where its energy went.
-  [[gnu::always_inline]] Motion finish(const Rate& sum, double h, PlantEnergies& energies) noexcept {
-    const double weight = stage_weight(h);
-    const double angle = weight * sum.speed;
-    const double gain = weight * sum.acceleration;
-    const Motion motion =
+  [[gnu::always_inline]] MotionOf<Number> finish(const Rate& sum, const Number& h,
+                                                 PlantEnergiesOf<Number>& energies) noexcept {
+    const Number weight = stage_weight(h);
+    const Number angle = weight * sum.speed;
+    const Number gain = weight * sum.acceleration;
+    const MotionOf<Number> motion =
         settled(grip_, speed_, {speed_ + gain, angle, grip_.direction * angle}, inverse_inertia_, h);
     // Square of the speed over time, with the speed as a line: it changes by little in a step.
-    const double square = angle * (speed_ + 0.5 * gain) + h * (1.0 / 12.0) * gain * gain;
+    const Number square = angle * (speed_ + 0.5 * gain) + h * (1.0 / 12.0) * gain * gain;
     speed_ = motion.speed;
-    const double dry = grip_.torque * grip_.direction - hysteresis_;
-    energies.friction = dry * motion.path + viscous_ * square + (Plain ? 0.0 : weight * sum.damping);
+    const Number dry = grip_.torque * grip_.direction - hysteresis_;
+    energies.friction =
+        dry * motion.path + viscous_ * square + (Plain ? Number{0.0} : Number{weight * sum.damping});
     energies.iron = hysteresis_ * motion.path + eddy_current_drag_ * square;
-    energies.load = Plain ? load_.constant() * motion.angle : weight * sum.load;
+    energies.load = Plain ? Number{load_.constant() * motion.angle} : Number{weight * sum.load};
     return motion;
   }
-  double kinetic() const noexcept { return 0.5 * inertia_ * speed_ * speed_; }
+  Number kinetic() const noexcept { return 0.5 * inertia_ * speed_ * speed_; }
   /// Energy in the springs with the rotor at @p angle (rad since power-on).
   double spring(double angle) const noexcept { return stops_.stored(angle); }
-  /// Whether it stands, and stays so without torque of the machine, with the rotor at @p angle (rad since
-  /// power-on).
+  /// Whether it stands, and stays so without torque of the machine while the load stays as it is, with the rotor at
+  /// @p angle (rad since power-on).
   bool rests(double angle) const noexcept {
-    if (speed_ != 0.0 || !load_.settled()) return false;
-    LoadTorque here = load_;
+    if (speed_ != 0.0) return false;
+    LoadTorqueOf<Number> here = load_;
     here.turn_to(angle);
     return std::abs(here.at(0.0, 0.0, 0.0) + stops_.at(angle, 0.0).total) <= friction_.holding() + hysteresis_;
   }
@@ -154,34 +164,38 @@ class RigidShaft {
   }
   /// Torques from outside (N·m, against positive rotation).
   struct Outside {
-    double load = 0.0;
-    EndStopTorque::Push stop{};
+    Number load = 0.0;
+    typename EndStopTorqueOf<Number>::Push stop{};
 
-    double total() const noexcept { return Plain ? load : load + stop.total; }
+    Number total() const noexcept { return Plain ? load : Number{load + stop.total}; }
   };
-  Outside outside(const ShaftState& z, double time) const noexcept {
+  Outside outside(const ShaftState& z, const Number& time) const noexcept {
     if constexpr (Plain) return {load_.constant()};
-    return {load_.at(z.speed, z.angle, time),
-            stops_.present() ? stops_.at(start_angle_ + z.angle, z.speed) : EndStopTorque::Push{}};
+    Outside result{load_.at(z.speed, z.angle, time)};
+    if (stops_.present()) result.stop = stops_.at(start_angle_ + z.angle, z.speed);
+    return result;
+  }
+  GripOf<Number> decide(const Number& torque) const noexcept {
+    return GripOf<Number>::decide(friction_, hysteresis_, speed_, torque - outside(state(), 0.0).total());
   }
 
-  double inertia_;
-  double inverse_inertia_;
-  DryFriction friction_;
-  double own_friction_;  // of friction_.coulomb: bearings and load
-  double set_friction_;
-  double brake_ = 0.0;
-  double hysteresis_;
-  double viscous_;
-  double eddy_current_drag_;
-  double drag_;
-  LoadTorque load_;
-  EndStopTorque stops_;
-  double speed_ = 0.0;
-  double start_angle_ = 0.0;
-  Grip grip_{};
-  double resistance_ = 0.0;      // what is constant in a step (N·m)
-  double active_inverse_ = 0.0;  // 0 while the mass is stuck
+  Number inertia_ = 1.0;
+  Number inverse_inertia_ = 1.0;
+  DryFrictionOf<Number> friction_{};
+  Number own_friction_ = 0.0;  // of friction_.coulomb: bearings and load
+  Number set_friction_ = 0.0;
+  Number brake_ = 0.0;
+  Number hysteresis_ = 0.0;
+  Number viscous_ = 0.0;
+  Number eddy_current_drag_ = 0.0;
+  Number drag_ = 0.0;
+  LoadTorqueOf<Number> load_{};
+  EndStopTorqueOf<Number> stops_{};
+  Number speed_ = 0.0;
+  Number start_angle_ = 0.0;
+  GripOf<Number> grip_{};
+  Number resistance_ = 0.0;      // what is constant in a step (N·m)
+  Number active_inverse_ = 0.0;  // 0 while the mass is stuck
 };
 
 }  // namespace motor

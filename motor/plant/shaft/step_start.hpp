@@ -1,11 +1,15 @@
 #pragma once
 
+#include "motor/plant/shaft/load_torque.hpp"
+
 namespace motor {
 
 /// Where and when a step begins.
-struct StepStart {
-  double time = 0.0;   ///< since power-on (s)
-  double angle = 0.0;  ///< of the rotor since power-on (rad)
+template <class Number>
+struct StepStartOf {
+  TorqueLineOf<Number> profile{};  ///< of the load
+  Number angle = 0.0;              ///< of the rotor since power-on (rad)
 };
+using StepStart = StepStartOf<double>;
 
 }  // namespace motor

@@ -7,14 +7,14 @@ namespace {
 
 constexpr TorqueLimits kLimits{10.0, -5.0};
 
-SpeedController controller() {
-  SpeedController result;
+SpeedController<> controller() {
+  SpeedController<> result;
   result.configure({.proportional = 0.5, .integral_time = 0.02}, 0.002, 125e-6);
   return result;
 }
 
 TEST(SpeedController, StaysWithinBothTorqueLimitsAndSaysSo) {
-  SpeedController speed = controller();
+  SpeedController<> speed = controller();
 
   EXPECT_EQ(speed.step(1000.0, 0.0, kLimits), 10.0);
   EXPECT_TRUE(speed.limited());
@@ -25,14 +25,14 @@ TEST(SpeedController, StaysWithinBothTorqueLimitsAndSaysSo) {
 }
 
 TEST(SpeedController, IntegratesNothingWhileItIsLimited) {
-  SpeedController speed = controller();
+  SpeedController<> speed = controller();
   for (int i = 0; i < 8000; ++i) speed.step(1000.0, 0.0, kLimits);
 
   EXPECT_NEAR(speed.step(0.0, 0.0, kLimits), 0.0, 1e-9);
 }
 
 TEST(SpeedController, IntegratesALoadUntilTheSpeedIsRight) {
-  SpeedController speed = controller();
+  SpeedController<> speed = controller();
   speed.reset(100.0);
   double torque = 0.0;
 
@@ -43,7 +43,7 @@ TEST(SpeedController, IntegratesALoadUntilTheSpeedIsRight) {
 }
 
 TEST(SpeedController, FollowsALimitThatIsLoweredWhileItHoldsALoad) {
-  SpeedController speed = controller();
+  SpeedController<> speed = controller();
   speed.reset(100.0);
   for (int i = 0; i < 8000; ++i) speed.step(100.0, 99.0, kLimits);
 
@@ -52,13 +52,13 @@ TEST(SpeedController, FollowsALimitThatIsLoweredWhileItHoldsALoad) {
 }
 
 TEST(SpeedController, CrossedLimitsGiveTheLowerOne) {
-  SpeedController speed = controller();
+  SpeedController<> speed = controller();
 
   EXPECT_EQ(speed.step(1000.0, 0.0, {-3.0, -1.0}), -1.0);
 }
 
 TEST(SpeedController, IsEmptyAfterAReset) {
-  SpeedController speed = controller();
+  SpeedController<> speed = controller();
   speed.reset(100.0);
   for (int i = 0; i < 8000; ++i) speed.step(100.0, 99.0, kLimits);
   ASSERT_GT(speed.step(100.0, 100.0, kLimits), 5.0);

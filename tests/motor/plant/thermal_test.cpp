@@ -67,15 +67,15 @@ TEST(PowerUnit, LosesNothingWithThePulsesOff) {
 }
 
 TEST(PowerUnit, TakesItsDropsFromTheVoltageOfEachPhase) {
-  EXPECT_TRUE(PowerUnit{InverterData{}}.is_ideal());
+  EXPECT_TRUE(PowerUnit{InverterData{}}.inverter().is_ideal());
   const PowerUnit unit{{.dead_time = 1.5e-6, .forward_voltage = 0.8, .pulse_frequency = 8e3}};
-  EXPECT_FALSE(unit.is_ideal());
+  EXPECT_FALSE(unit.inverter().is_ideal());
 
   // Phase U against V and W: 2/3 (d + d/2 + d/2).
   const double drop = 1.5e-6 * 8e3 * 560.0 + 0.8;
-  EXPECT_NEAR(unit.distortion({5.0, 0.0}, 560.0).re, 4.0 / 3.0 * drop, 1e-12);
-  EXPECT_NEAR(unit.distortion({5.0, 0.0}, 560.0).im, 0.0, 1e-12);
-  EXPECT_EQ(unit.distortion({}, 560.0), SpaceVector{});
+  EXPECT_NEAR(unit.inverter().distortion({5.0, 0.0}, 560.0).re, 4.0 / 3.0 * drop, 1e-12);
+  EXPECT_NEAR(unit.inverter().distortion({5.0, 0.0}, 560.0).im, 0.0, 1e-12);
+  EXPECT_EQ(unit.inverter().distortion({}, 560.0), SpaceVector{});
 }
 
 TEST(PowerUnit, IsOverloadedSoonerTheHigherTheCurrent) {

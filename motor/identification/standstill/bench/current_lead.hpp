@@ -46,7 +46,7 @@ class CurrentLead {
   static constexpr double kIntegralTime = 4.0 / kBandwidth;
   static constexpr double kSmoothing = kControlPeriod * kBandwidth;  // of the setpoint, in a step
 
-  CurrentController controller_{};
+  CurrentController<double> controller_{};
   SpaceVector before_{};
   SpaceVector setpoint_{};
   int limited_steps_ = 0;

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "motor/control/signals.hpp"
+
+namespace motor {
+
+class DriveTrain;
+
+/// What leads an axis through one period.
+struct SpeedStep {
+  double speed;         ///< setpoint (rad/s)
+  double acceleration;  ///< its slope (rad/s²)
+};
+
+/// One axis of a run of several control periods.
+struct AxisRun {
+  DriveTrain* train = nullptr;
+  DriveCommand command{};                  ///< in every period, but for
+  std::span<const SpeedStep> setpoints{};  ///< speed and acceleration, where they are not always the same
+  double trip_current = 0.0;               ///< above which the run ends (A peak)
+};
+
+/// What axes have in common that are advanced side by side: which control leads which machine on which shaft.
+struct LaneKind {
+  std::uint8_t control = 0;
+  std::uint8_t machine = 0;
+  std::uint8_t shaft = 0;
+  bool with_encoder = false;
+
+  friend bool operator==(const LaneKind&, const LaneKind&) = default;
+};
+
+/// Axes of one kind, in lanes while it lives.
+class LaneGroup {
+ public:
+  LaneGroup() = default;
+  LaneGroup(const LaneGroup&) = delete;
+  LaneGroup& operator=(const LaneGroup&) = delete;
+
+  /// Period @p period of the run, with the DC link at @p dc_voltage (V). The energy that each of its axes has drawn goes
+  /// to its place in @p drawn (J). False if a current has tripped.
+  virtual bool step(std::size_t period, double dc_voltage, std::span<double> drawn) noexcept = 0;
+  /// The axes are again by themselves.
+  virtual void leave() noexcept = 0;
+
+ protected:
+  ~LaneGroup() = default;
+};
+
+/// How lanes are calculated on one kind of processor.
+struct LaneVariant {
+  const char* name;       ///< of its instructions
+  std::size_t lanes;      ///< most axes of a group
+  std::size_t size;       ///< of a group (bytes)
+  bool (*is_supported)() noexcept;  ///< by this processor
+  /// Puts those of @p axes that @p places tells (1 to @p lanes, all of @p kind) into lanes, at @p storage of @p size
+  /// bytes, aligned to 64.
+  LaneGroup* (*form)(void* storage, const LaneKind& kind, std::span<const AxisRun> axes,
+                     std::span<const std::uint8_t> places) noexcept;
+};
+
+/// Those that this program has, the widest first; the last one is supported everywhere.
+std::span<const LaneVariant* const> lane_variants() noexcept;
+/// The first of them that this processor supports.
+const LaneVariant& widest_variant() noexcept;
+
+}  // namespace motor
