@@ -182,6 +182,7 @@ void DriveTrain::drive_with_drops(double dc_voltage) noexcept {
     plant_.coast(dc_voltage);
   }
   state_.book(plant_.state(), plant_.energies(), pulses, power_unit_.inverter(), signals_);
+  signals_.voltage = length(state_.voltage);
   if (state_.heat.steps == TrainState<double>::kWarmSteps) warm();
 }
 

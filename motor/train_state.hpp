@@ -54,7 +54,6 @@ struct TrainState {
                                    SignalsOf<Number>& signals) noexcept {
     const Number square = norm(state.current);
     signals.current = sqrt(square);
-    signals.voltage = length(voltage);
     signals.true_speed = state.speed;
     signals.true_torque = state.torque;
     signals.power = energies.electrical * (1.0 / kControlPeriod);

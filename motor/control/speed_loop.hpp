@@ -32,33 +32,34 @@ class SpeedLoop {
                                      SignalsOf<Number>& signals) noexcept {
     smoothed_ += smoothing_ * (speed - smoothed_);
     signals.torque_limits = limiter_.limits(command.limits, reachable, speed, dc_voltage);
-    if (all(command.torque_control)) return by_torque(command, signals);
-    const SpeedController<Number> before = controller_;
-    by_speed(command, signals);
-    if (any(command.torque_control)) [[unlikely]]
-      mix(command, before, signals);
+    if (!any(command.torque_control)) [[likely]]
+      by_speed(command, signals);
+    else if (all(command.torque_control))
+      by_torque(command, signals);
+    else
+      by_either(command, signals);
     return signals.torque_setpoint;
   }
   /// Power limits follow the speed, where @p due; often enough every millisecond.
   void follow(const Condition<Number>& due) noexcept { limiter_.follow(smoothed_, due); }
 
  private:
-  void by_speed(const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept {
+  [[gnu::always_inline]] void by_speed(const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept {
     const TorqueForward<Number> forward{precontrol_ * command.acceleration_setpoint, command.additional_torque};
     signals.torque_setpoint = controller_.step(command.speed_setpoint, smoothed_, signals.torque_limits, forward);
     signals.torque_limit_reached = controller_.limited();
   }
-  Number by_torque(const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept {
+  void by_torque(const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept {
     const Number wanted = command.torque_setpoint + command.additional_torque;
     const Number torque = signals.torque_limits.bound(wanted);
     signals.torque_setpoint = torque;
     signals.torque_limit_reached = torque < wanted || torque > wanted;
     controller_.reset(smoothed_, torque - command.additional_torque);
-    return torque;
   }
-  /// Some of the lanes have torque control: they began with the speed controller as it was @p before.
-  void mix(const DriveCommandOf<Number>& command, const SpeedController<Number>& before,
-           SignalsOf<Number>& signals) noexcept {
+  /// Some of the lanes have torque control.
+  void by_either(const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept {
+    const SpeedController<Number> before = controller_;
+    by_speed(command, signals);
     const SpeedController<Number> controller = controller_;
     const Number torque = signals.torque_setpoint;
     const Condition<Number> limited = signals.torque_limit_reached;

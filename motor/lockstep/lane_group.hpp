@@ -42,9 +42,9 @@ class LaneGroup {
   LaneGroup(const LaneGroup&) = delete;
   LaneGroup& operator=(const LaneGroup&) = delete;
 
-  /// Period @p period of the run, with the DC link at @p dc_voltage (V). The energy that each of its axes has drawn goes
-  /// to its place in @p drawn (J). False if a current has tripped.
-  virtual bool step(std::size_t period, double dc_voltage, std::span<double> drawn) noexcept = 0;
+  /// Period @p period of the run, with the DC link at @p dc_voltage (V). The energies that its axes have drawn go to
+  /// @p drawn, one after the other, with room for as many as there are lanes (J). False if a current has tripped.
+  virtual bool step(std::size_t period, double dc_voltage, double* drawn) noexcept = 0;
   /// The axes are again by themselves.
   virtual void leave() noexcept = 0;
 

@@ -2,10 +2,15 @@
 // registers of which it shall be known under MOTOR_LANES_FORM and MOTOR_LANES_SUPPORTED.
 #include "motor/lockstep/lane_passage.hpp"
 #include "motor/lockstep/lane_step.hpp"
+#include "motor/lockstep/twin.hpp"
 
 namespace motor {
 
+#ifdef MOTOR_LANES_TWIN
+using NativeLanes = Twin<std::experimental::native_simd<double>>;
+#else
 using NativeLanes = std::experimental::native_simd<double>;
+#endif
 
 extern const LaneVariant MOTOR_LANES;
 const LaneVariant MOTOR_LANES{

@@ -5,77 +5,81 @@
 // How axes come into the lanes of a LaneTrain, what they do there by themselves, and how they leave.
 namespace motor {
 
-template <class Number>
-template <class Visitor>
-void LaneTrain<Number>::visit_machine(DriveTrain& train, Visitor visit) noexcept {
-  if (auto* const machine = std::get_if<SynchronousMachine>(&train.plant_.machine_))
-    return visit(machine_.template as<SynchronousEquations<Number>>(), *machine);
-  if (auto* const machine = std::get_if<InductionMachine>(&train.plant_.machine_))
-    visit(machine_.template as<InductionEquations<Number>>(), *machine);
-}
-
-template <class Number>
-template <class Visitor>
-void LaneTrain<Number>::visit_shaft(DriveTrain& train, Visitor visit) noexcept {
-  if (auto* const shaft = std::get_if<RigidShaft<true>>(&train.plant_.shaft_))
-    return visit(shaft_.template as<RigidShaft<true, Number>>(), *shaft);
-  if (auto* const shaft = std::get_if<RigidShaft<false>>(&train.plant_.shaft_))
-    return visit(shaft_.template as<RigidShaft<false, Number>>(), *shaft);
-  if (auto* const shaft = std::get_if<ElasticShaft>(&train.plant_.shaft_))
-    visit(shaft_.template as<ElasticShaftOf<Number>>(), *shaft);
-}
-
 /// Whether an object of one axis holds @p count numbers one after the other, as the same in lanes does.
 template <class Axis>
 constexpr bool holds(std::size_t count) noexcept {
   return sizeof(Axis) == count * sizeof(double) || sizeof(Axis) == (count + 1) * sizeof(double);
 }
 
-/// Numbers of @p Control before its curves.
-template <class Number, class Control>
-constexpr std::size_t control_numbers() noexcept {
-  constexpr std::size_t kAll = kNumbers<Number, Control>;
-  constexpr bool kHasCurves = std::is_same_v<Control, FieldControl<SynchronousField<Number>>>;
-  return kHasCurves ? kAll - 3 * kNumbers<Number, LaneCurves<Number>> : kAll;
+/// Where the numbers of @p object begin.
+template <class Axis>
+double* numbers_of(Axis& object) noexcept {
+  return reinterpret_cast<double*>(&object);
 }
 
+/// Calls @p visit with room for a machine in lanes and with what finds the same of a drive train.
 template <class Number>
-void LaneTrain<Number>::enter_control(std::size_t lane) noexcept {
-  DriveTrain& train = *trains_[lane];
-  if (static_cast<DriveTrain::Lead>(kind_.control) == DriveTrain::Lead::Synchronous) {
-    auto& control = control_.template as<SynchronousControl>();
-    enter<Number>(control, lane, train.synchronous_, control_numbers<Number, SynchronousControl>());
-    control.field().set_curves(lane, train.synchronous_.field());
-  } else if (static_cast<DriveTrain::Lead>(kind_.control) == DriveTrain::Lead::Induction) {
-    enter<Number>(control_.template as<InductionControl>(), lane, train.induction_);
-  } else {
-    enter<Number>(control_.template as<FrequencyControl>(), lane, train.voltage_frequency_);
+template <class Visitor>
+void LaneTrain<Number>::visit_machine(Visitor visit) noexcept {
+  if (kind_.machine == 0)
+    visit(machine_.template as<SynchronousEquations<Number>>(), [](DriveTrain& train) {
+      return numbers_of<SynchronousEquations<double>>(*std::get_if<SynchronousMachine>(&train.plant_.machine_));
+    });
+  else
+    visit(machine_.template as<InductionEquations<Number>>(), [](DriveTrain& train) {
+      return numbers_of<InductionEquations<double>>(*std::get_if<InductionMachine>(&train.plant_.machine_));
+    });
+}
+template <class Number>
+template <class Visitor>
+void LaneTrain<Number>::visit_shaft(Visitor visit) noexcept {
+  if (kind_.shaft == 0)
+    visit(shaft_.template as<RigidShaft<true, Number>>(),
+          [](DriveTrain& train) { return numbers_of(*std::get_if<RigidShaft<true>>(&train.plant_.shaft_)); });
+  else if (kind_.shaft == 1)
+    visit(shaft_.template as<RigidShaft<false, Number>>(),
+          [](DriveTrain& train) { return numbers_of(*std::get_if<RigidShaft<false>>(&train.plant_.shaft_)); });
+  else
+    visit(shaft_.template as<ElasticShaftOf<Number>>(),
+          [](DriveTrain& train) { return numbers_of(*std::get_if<ElasticShaft>(&train.plant_.shaft_)); });
+}
+/// The same with the control, and with how many of its numbers a step changes and how many there are before its curves.
+template <class Number>
+template <class Visitor>
+void LaneTrain<Number>::visit_control(Visitor visit) noexcept {
+  constexpr std::size_t kCurrents = kNumbers<Number, SynchronousCurrents<Number>>;
+  constexpr std::size_t kCurves = 3 * kNumbers<Number, LaneCurves<Number>>;
+  constexpr std::size_t kSynchronous = kNumbers<Number, SynchronousControl>;
+  switch (static_cast<DriveTrain::Lead>(kind_.control)) {
+    case DriveTrain::Lead::Synchronous:
+      return visit(control_.template as<SynchronousControl>(),
+                   [](DriveTrain& train) { return numbers_of(train.synchronous_); }, kSynchronous - kCurrents,
+                   kSynchronous - kCurves);
+    case DriveTrain::Lead::Induction:
+      return visit(control_.template as<InductionControl>(),
+                   [](DriveTrain& train) { return numbers_of(train.induction_); },
+                   kNumbers<Number, InductionControl>, kNumbers<Number, InductionControl>);
+    case DriveTrain::Lead::VoltageFrequency:
+    case DriveTrain::Lead::Excitation:
+      return visit(control_.template as<FrequencyControl>(),
+                   [](DriveTrain& train) { return numbers_of(train.voltage_frequency_); },
+                   kNumbers<Number, FrequencyControl>, kNumbers<Number, FrequencyControl>);
   }
 }
 
+/// What @p find finds of each drive train.
 template <class Number>
-void LaneTrain<Number>::leave_control(std::size_t lane) noexcept {
-  DriveTrain& train = *trains_[lane];
-  if (static_cast<DriveTrain::Lead>(kind_.control) == DriveTrain::Lead::Synchronous)
-    motor::leave<Number>(control_.template as<SynchronousControl>(), lane, train.synchronous_,
-                         control_numbers<Number, SynchronousControl>());
-  else if (static_cast<DriveTrain::Lead>(kind_.control) == DriveTrain::Lead::Induction)
-    motor::leave<Number>(control_.template as<InductionControl>(), lane, train.induction_);
-  else
-    motor::leave<Number>(control_.template as<FrequencyControl>(), lane, train.voltage_frequency_);
+template <class Find>
+LaneObjects<Number> LaneTrain<Number>::of_each(Find find) noexcept {
+  LaneObjects<Number> result;
+  for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) result[lane] = find(*trains_[lane]);
+  return result;
 }
 
+/// Calls @p visit with each part that all kinds have alike, and with what finds the same of a drive train.
 template <class Number>
-void LaneTrain<Number>::enter_lane(std::size_t lane) noexcept {
-  DriveTrain& train = *trains_[lane];
-  enter<Number>(state_, lane, train.state_);
-  enter<Number>(sums_, lane, train.sums_);
-  enter<Number>(inverter_, lane, train.power_unit_.inverter());
-  enter<Number>(encoder_, lane, train.encoder_.track_);
-  counting_[lane] = train.encoder_.counts_all() ? 1.0 : 0.0;
-  enter<Number>(plant_, lane, train.plant_.motion_);
-  profiles_.set(lane, train.plant_.profile_);
-  enter_control(lane);
+template <class Visitor>
+void LaneTrain<Number>::visit_common(Visitor visit) noexcept {
   static_assert(holds<TrainState<double>>(kNumbers<Number, TrainState<Number>>));
   static_assert(holds<StepSums<double>>(kNumbers<Number, StepSums<Number>>));
   static_assert(holds<InverterLosses<double>>(kNumbers<Number, InverterLosses<Number>>));
@@ -91,28 +95,54 @@ void LaneTrain<Number>::enter_lane(std::size_t lane) noexcept {
                 sizeof(double) * (kNumbers<Number, SynchronousControl> - kNumbers<Number, SynchronousCurrents<Number>>));
   static_assert(kNumbers<Number, SynchronousCurrents<Number>> - 3 * kNumbers<Number, LaneCurves<Number>> ==
                 (sizeof(SynchronousCurrents<double>) - 3 * sizeof(Curve)) / sizeof(double));
-  const auto enter_it = [lane](auto& in_lanes, const auto& axis) { enter<Number>(in_lanes, lane, axis); };
-  visit_machine(train, enter_it);
-  visit_shaft(train, enter_it);
-  signals_.measured_speed[lane] = train.signals_.measured_speed;
-  signals_.flux[lane] = train.signals_.flux;
-  signals_.magnetised[lane] = train.signals_.magnetised;
+  visit(state_, [](DriveTrain& train) { return numbers_of(train.state_); });
+  visit(sums_, [](DriveTrain& train) { return numbers_of(train.sums_); });
+  visit(inverter_, [](DriveTrain& train) { return numbers_of(train.power_unit_.inverter()); });
+  visit(encoder_, [](DriveTrain& train) { return numbers_of(train.encoder_.track_); });
+  visit(plant_, [](DriveTrain& train) { return numbers_of(train.plant_.motion_); });
 }
 
 template <class Number>
-void LaneTrain<Number>::leave_lane(std::size_t lane) noexcept {
-  DriveTrain& train = *trains_[lane];
-  motor::leave<Number>(state_, lane, train.state_);
-  motor::leave<Number>(sums_, lane, train.sums_);
-  motor::leave<Number>(inverter_, lane, train.power_unit_.inverter());
-  motor::leave<Number>(encoder_, lane, train.encoder_.track_);
-  train.encoder_.count(counted_[lane]);
-  motor::leave<Number>(plant_, lane, train.plant_.motion_);
-  leave_control(lane);
-  const auto leave_it = [lane](const auto& in_lanes, auto& axis) { motor::leave<Number>(in_lanes, lane, axis); };
-  visit_machine(train, leave_it);
-  visit_shaft(train, leave_it);
-  give_signals(lane);
+void LaneTrain<Number>::enter_trains() noexcept {
+  visit_common([this](auto& part, auto find) { enter_all<Number>(part, of_each(find)); });
+  visit_machine([this](auto& machine, auto find) { enter_all<Number>(machine, of_each(find)); });
+  visit_shaft([this](auto& shaft, auto find) { enter_all<Number>(shaft, of_each(find)); });
+  visit_control([this](auto& control, auto find, std::size_t, std::size_t count) {
+    enter_all<Number>(control, of_each(find), count);
+  });
+  for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
+    DriveTrain& train = *trains_[lane];
+    profiles_.set(lane, train.plant_.profile_);
+    if (static_cast<DriveTrain::Lead>(kind_.control) == DriveTrain::Lead::Synchronous)
+      control_.template as<SynchronousControl>().field().set_curves(lane, train.synchronous_.field());
+  }
+  counting_ = Number{[this](auto lane) { return trains_[lane]->encoder_.counts_all() ? 1.0 : 0.0; }};
+  signals_.measured_speed = Number{[this](auto lane) { return trains_[lane]->signals_.measured_speed; }};
+  signals_.flux = Number{[this](auto lane) { return trains_[lane]->signals_.flux; }};
+  signals_.magnetised = Number{[this](auto lane) { return trains_[lane]->signals_.magnetised ? 1.0 : 0.0; }} > 0.0;
+}
+
+template <class Number>
+void LaneTrain<Number>::leave() noexcept {
+  signals_.voltage = length(state_.voltage);
+  visit_machine([this](auto& machine, auto) {
+    visit_shaft([this, &machine](auto& shaft, auto) { plant_.show(machine, shaft); });
+  });
+  // The lanes beyond the last axis do what the first does: to be left like it is no harm.
+  visit_common([this](auto& part, auto find) { leave_all<Number>(part, of_each(find)); });
+  visit_machine([this](auto& machine, auto find) {
+    leave_all<Number>(machine, of_each(find), std::remove_reference_t<decltype(machine)>::kChanging);
+  });
+  visit_shaft([this](auto& shaft, auto find) {
+    leave_all<Number>(shaft, of_each(find), std::remove_reference_t<decltype(shaft)>::kChanging);
+  });
+  visit_control([this](auto& control, auto find, std::size_t changing, std::size_t) {
+    leave_all<Number>(control, of_each(find), changing);
+  });
+  for (std::size_t lane = 0; lane < count_; ++lane) {
+    trains_[lane]->encoder_.count(counted_[lane]);
+    give_signals(lane);
+  }
 }
 
 template <class Number>
@@ -141,17 +171,15 @@ void LaneTrain<Number>::give_signals(std::size_t lane) noexcept {
 
 template <class Number>
 void LaneTrain<Number>::take_commands(std::span<const AxisRun> axes) noexcept {
-  for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
-    const AxisRun& axis = axes[places_[lane]];
-    trip_current_[lane] = axis.trip_current;
-    command_.speed_setpoint[lane] = axis.command.speed_setpoint;
-    command_.acceleration_setpoint[lane] = axis.command.acceleration_setpoint;
-    command_.torque_control[lane] = axis.command.torque_control;
-    command_.torque_setpoint[lane] = axis.command.torque_setpoint;
-    command_.additional_torque[lane] = axis.command.additional_torque;
-    command_.limits.upper[lane] = axis.command.limits.upper;
-    command_.limits.lower[lane] = axis.command.limits.lower;
-  }
+  const auto command = [&](auto lane) -> const DriveCommand& { return axes[places_[lane]].command; };
+  trip_current_ = Number{[&](auto lane) { return axes[places_[lane]].trip_current; }};
+  command_.speed_setpoint = Number{[&](auto lane) { return command(lane).speed_setpoint; }};
+  command_.acceleration_setpoint = Number{[&](auto lane) { return command(lane).acceleration_setpoint; }};
+  command_.torque_control = Number{[&](auto lane) { return command(lane).torque_control ? 1.0 : 0.0; }} > 0.0;
+  command_.torque_setpoint = Number{[&](auto lane) { return command(lane).torque_setpoint; }};
+  command_.additional_torque = Number{[&](auto lane) { return command(lane).additional_torque; }};
+  command_.limits.upper = Number{[&](auto lane) { return command(lane).limits.upper; }};
+  command_.limits.lower = Number{[&](auto lane) { return command(lane).limits.lower; }};
 }
 
 /// Temperatures of the axes whose turn it is, and what depends on them.
@@ -160,29 +188,32 @@ void LaneTrain<Number>::warm() noexcept {
   for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
     if (state_.heat.steps[lane] < TrainState<Number>::kWarmSteps) continue;
     DriveTrain& train = *trains_[lane];
-    if (lane < count_) {
-      motor::leave<Number>(state_.heat, lane, train.state_.heat);
-      visit_machine(train, [lane](const auto& in_lanes, auto& axis) { motor::leave<Number>(in_lanes, lane, axis); });
-      train.warm();
-    }
-    enter<Number>(state_.heat, lane, train.state_.heat);
-    visit_machine(train, [lane](auto& in_lanes, const auto& axis) { enter<Number>(in_lanes, lane, axis); });
+    visit_machine([&](auto& machine, auto find) {
+      if (lane < count_) {
+        leave_one<Number>(state_.heat, lane, numbers_of(train.state_.heat));
+        leave_one<Number>(machine, lane, find(train));
+        train.warm();
+      }
+      enter_one<Number>(state_.heat, lane, numbers_of(train.state_.heat));
+      enter_one<Number>(machine, lane, find(train));
+    });
   }
 }
 
 /// The encoders that have come past a zero mark compare what they have counted.
 template <class Number>
 void LaneTrain<Number>::pass_marks() noexcept {
+  const Condition<Number> past = encoder_.is_past_mark();
   for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
-    if (!encoder_.is_past_mark()[lane]) continue;
+    if (!past[lane]) continue;
     DriveTrain& train = *trains_[lane];
     if (lane < count_) {
-      motor::leave<Number>(encoder_, lane, train.encoder_.track_);
+      leave_one<Number>(encoder_, lane, numbers_of(train.encoder_.track_));
       train.encoder_.count(counted_[lane]);
     }
-    enter<Number>(encoder_, lane, train.encoder_.track_);
-    counted_[lane] = 0.0;
+    enter_one<Number>(encoder_, lane, numbers_of(train.encoder_.track_));
   }
+  counted_ = select<Number>(past, 0.0, counted_);
 }
 
 }  // namespace motor

@@ -21,26 +21,26 @@ void LaneTrain<Number>::lead(std::size_t period) noexcept {
 
 template <class Number>
 SpaceVectorOf<Number> LaneTrain<Number>::control(const Number& dc_voltage) noexcept {
-  const MeasurementOf<Number> measured{plant_.state.current, state_.voltage, plant_.direction, encoder_.speed,
-                                       dc_voltage};
   switch (static_cast<DriveTrain::Lead>(kind_.control)) {
     case DriveTrain::Lead::Synchronous:
-      return kind_.with_encoder ? control_by<SynchronousControl, true>(measured)
-                                : control_by<SynchronousControl, false>(measured);
+      return kind_.with_encoder ? control_by<SynchronousControl, true>(dc_voltage)
+                                : control_by<SynchronousControl, false>(dc_voltage);
     case DriveTrain::Lead::Induction:
-      return kind_.with_encoder ? control_by<InductionControl, true>(measured)
-                                : control_by<InductionControl, false>(measured);
+      return kind_.with_encoder ? control_by<InductionControl, true>(dc_voltage)
+                                : control_by<InductionControl, false>(dc_voltage);
     case DriveTrain::Lead::VoltageFrequency:
     case DriveTrain::Lead::Excitation:
       break;
   }
-  return control_by<FrequencyControl, false>(measured);
+  return control_by<FrequencyControl, false>(dc_voltage);
 }
 
 template <class Number>
 template <class Control, bool WithEncoder>
 [[gnu::flatten, gnu::noinline]] SpaceVectorOf<Number> LaneTrain<Number>::control_by(
-    const MeasurementOf<Number>& measured) noexcept {
+    const Number& dc_voltage) noexcept {
+  const MeasurementOf<Number> measured{plant_.state.current, state_.voltage, plant_.direction, encoder_.speed,
+                                       dc_voltage};
   Control& control = control_.template as<Control>();
   if constexpr (std::is_same_v<Control, FrequencyControl>)
     return control.step(measured, command_, signals_);

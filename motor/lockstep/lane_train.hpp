@@ -32,25 +32,24 @@ class LaneTrain final : public LaneGroup {
       trains_[lane] = axis.train;
       setpoints_[lane] = axis.setpoints;
       led_ = led_ || !axis.setpoints.empty();
-      enter_lane(lane);
     }
+    enter_trains();
     take_commands(axes);
   }
 
-  bool step(std::size_t period, double dc_voltage, std::span<double> drawn) noexcept override {
-    if (led_) lead(period);
+  [[gnu::flatten]] bool step(std::size_t period, double dc_voltage, double* drawn) noexcept override {
+    if (led_) [[unlikely]]
+      lead(period);
     const Number link = dc_voltage;
     const SpaceVectorOf<Number> wanted = control(link);
     move(link);
     state_.next = wanted;
     observe();
-    const LaneArray<Number> energy = array<Number>(plant_.energies.electrical + state_.inverter_losses);
-    for (std::size_t lane = 0; lane < count_; ++lane) drawn[places_[lane]] = energy[lane];
+    const Number energy = plant_.energies.electrical + state_.inverter_losses;
+    energy.copy_to(drawn, std::experimental::element_aligned);
     return !any(signals_.current > trip_current_);
   }
-  void leave() noexcept override {
-    for (std::size_t lane = 0; lane < count_; ++lane) leave_lane(lane);
-  }
+  void leave() noexcept override;
 
  private:
   using SynchronousControl = FieldControl<SynchronousField<Number>>;
@@ -69,14 +68,21 @@ class LaneTrain final : public LaneGroup {
   };
 
   // How axes enter and leave (lane_passage.hpp).
-  void enter_lane(std::size_t lane) noexcept;
-  void leave_lane(std::size_t lane) noexcept;
-  void enter_control(std::size_t lane) noexcept;
-  void leave_control(std::size_t lane) noexcept;
+  void enter_trains() noexcept;
   void give_signals(std::size_t lane) noexcept;
   void take_commands(std::span<const AxisRun> axes) noexcept;
-  void warm() noexcept;
-  void pass_marks() noexcept;
+  [[gnu::noinline]] void warm() noexcept;
+  [[gnu::noinline]] void pass_marks() noexcept;
+  template <class Visitor>
+  void visit_common(Visitor visit) noexcept;
+  template <class Visitor>
+  void visit_machine(Visitor visit) noexcept;
+  template <class Visitor>
+  void visit_shaft(Visitor visit) noexcept;
+  template <class Visitor>
+  void visit_control(Visitor visit) noexcept;
+  template <class Find>
+  LaneObjects<Number> of_each(Find find) noexcept;
 
   // What happens in a period (lane_step.hpp).
   void lead(std::size_t period) noexcept;
@@ -84,16 +90,10 @@ class LaneTrain final : public LaneGroup {
   void move(const Number& dc_voltage) noexcept;
   void observe() noexcept;
   template <class Control, bool WithEncoder>
-  SpaceVectorOf<Number> control_by(const MeasurementOf<Number>& measured) noexcept;
+  SpaceVectorOf<Number> control_by(const Number& dc_voltage) noexcept;
   void turn(const SpaceVectorOf<Number>& voltage) noexcept;
   template <class Machine, class Shaft>
   void turn_shaft(const SpaceVectorOf<Number>& voltage) noexcept;
-
-  /// Calls @p visit with the machine and the shaft of a drive train and room for theirs in lanes.
-  template <class Visitor>
-  void visit_machine(DriveTrain& train, Visitor visit) noexcept;
-  template <class Visitor>
-  void visit_shaft(DriveTrain& train, Visitor visit) noexcept;
 
   LaneKind kind_;
   std::size_t count_;  // of the lanes that are axes; the others do what the first does

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstring>
 #include <experimental/simd>
+#include <utility>
 
 #include "motor/math/curve.hpp"
 #include "motor/math/number.hpp"
@@ -43,14 +44,10 @@ class LaneCurves {
     const Number place = Curve::place_of<Number>(argument, lanes<Number>(scale_));
     const Number whole = floor(place);
     const LaneArray<Number> index = array(whole);
-    LaneArray<Number> left;
-    LaneArray<Number> right;
-    for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
-      const double* const here = values_[lane] + static_cast<int>(index[lane]);
-      left[lane] = here[0];
-      right[lane] = here[1];
-    }
-    return Curve::between<Number>(lanes<Number>(left), lanes<Number>(right), place - whole);
+    const auto value = [&](auto lane, int next) { return values_[lane][static_cast<int>(index[lane]) + next]; };
+    const Number left{[&](auto lane) { return value(lane, 0); }};
+    const Number right{[&](auto lane) { return value(lane, 1); }};
+    return Curve::between<Number>(left, right, place - whole);
   }
 
  private:
@@ -79,27 +76,50 @@ class LaneProfiles {
   std::array<ProfileTorque*, kLanes<Number>> profiles_;
 };
 
+/// Where an object of each axis begins.
+template <class Number>
+using LaneObjects = std::array<double*, kLanes<Number>>;
+
 /// Numbers that an object in lanes holds one after the other, as the object of one axis does.
 template <class Number, class InLanes>
 inline constexpr std::size_t kNumbers = sizeof(InLanes) / sizeof(Number);
 
-/// In @p lane, the first @p count numbers of @p in_lanes become those of @p axis.
-template <class Number, class InLanes, class Axis>
-void enter(InLanes& in_lanes, std::size_t lane, const Axis& axis,
-           std::size_t count = kNumbers<Number, InLanes>) noexcept {
+/// In @p lane, the first @p count numbers of @p in_lanes become those of @p axis,
+template <class Number, class InLanes>
+void enter_one(InLanes& in_lanes, std::size_t lane, const double* axis,
+               std::size_t count = kNumbers<Number, InLanes>) noexcept {
   auto* const to = reinterpret_cast<std::byte*>(&in_lanes) + lane * sizeof(double);
-  const auto* const from = reinterpret_cast<const std::byte*>(&axis);
-  for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(to + i * sizeof(Number), from + i * sizeof(double), sizeof(double));
+  for (std::size_t i = 0; i < count; ++i) std::memcpy(to + i * sizeof(Number), axis + i, sizeof(double));
 }
-/// And those of @p axis what is in @p lane.
-template <class Number, class InLanes, class Axis>
-void leave(const InLanes& in_lanes, std::size_t lane, Axis& axis,
-           std::size_t count = kNumbers<Number, InLanes>) noexcept {
+/// and those of @p axis what is in @p lane.
+template <class Number, class InLanes>
+void leave_one(const InLanes& in_lanes, std::size_t lane, double* axis,
+               std::size_t count = kNumbers<Number, InLanes>) noexcept {
   const auto* const from = reinterpret_cast<const std::byte*>(&in_lanes) + lane * sizeof(double);
-  auto* const to = reinterpret_cast<std::byte*>(&axis);
-  for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(to + i * sizeof(double), from + i * sizeof(Number), sizeof(double));
+  for (std::size_t i = 0; i < count; ++i) std::memcpy(axis + i, from + i * sizeof(Number), sizeof(double));
+}
+/// The same in all lanes at once.
+template <class Number, class InLanes>
+void enter_all(InLanes& in_lanes, const LaneObjects<Number>& axes,
+               std::size_t count = kNumbers<Number, InLanes>) noexcept {
+  auto* const to = reinterpret_cast<std::byte*>(&in_lanes);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Number values{[&](auto lane) { return axes[lane][i]; }};
+    std::memcpy(to + i * sizeof(Number), &values, sizeof(Number));
+  }
+}
+template <class Number, class InLanes>
+void leave_all(const InLanes& in_lanes, const LaneObjects<Number>& axes,
+               std::size_t count = kNumbers<Number, InLanes>) noexcept {
+  const auto* const from = reinterpret_cast<const std::byte*>(&in_lanes);
+  for (std::size_t i = 0; i < count; ++i) {
+    Number values;
+    std::memcpy(&values, from + i * sizeof(Number), sizeof(Number));
+    [&]<std::size_t... kLane>(std::index_sequence<kLane...>) {
+      ((axes[kLane][i] = values[kLane]), ...);
+    }
+    (std::make_index_sequence<kLanes<Number>>{});
+  }
 }
 
 }  // namespace motor

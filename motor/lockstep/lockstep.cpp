@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "motor/data/control_period.hpp"
@@ -13,8 +14,9 @@ namespace {
 
 /// A run of fewer periods is not worth the way into lanes and back.
 constexpr long kFewestPeriods = 4;
-/// Largest group of lanes (bytes).
+/// Largest group of lanes (bytes), and most lanes of one.
 constexpr std::size_t kGroupSize = 32768;
+constexpr std::size_t kMostLanes = 8;
 
 /// The axes of a run: in groups of one kind, or each by itself.
 class Lineup {
@@ -27,22 +29,28 @@ class Lineup {
       if (taken_[i]) continue;
       const Places alike = alike_from(i, kinds, variant.lanes);
       if (alike.count < 2 || variant.size > kGroupSize)
-        single_[singles_++] = static_cast<std::uint8_t>(i);
+        leave_alone(i);
       else
         form(alike, *kinds[i], variant);
     }
   }
   /// Period @p period with the link at @p dc_voltage (V); false if a current has tripped.
-  bool step(std::size_t period, double dc_voltage, std::span<double> drawn) noexcept {
+  bool step(std::size_t period, double dc_voltage) noexcept {
     bool sound = true;
-    for (std::size_t i = 0; i < groups_; ++i) sound = group_[i]->step(period, dc_voltage, drawn) && sound;
+    for (std::size_t i = 0; i < groups_; ++i)
+      sound = group_[i]->step(period, dc_voltage, drawn_.data() + first_[i]) && sound;
     for (std::size_t i = 0; i < singles_; ++i) {
-      const std::size_t place = single_[i];
-      const AxisRun& axis = axes_[place];
-      drawn[place] = axis.train->step(dc_voltage, command(axis, period));
+      const AxisRun& axis = axes_[single_[i]];
+      drawn_[slot_[single_[i]]] = axis.train->step(dc_voltage, command(axis, period));
       sound = sound && !(axis.train->signals().current > axis.trip_current);
     }
     return sound;
+  }
+  /// Energy that all axes have drawn in that period (J), summed in their order.
+  double drawn() const noexcept {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < axes_.size(); ++i) sum += drawn_[slot_[i]];
+    return sum;
   }
   void leave() noexcept {
     for (std::size_t i = 0; i < groups_; ++i) group_[i]->leave();
@@ -71,9 +79,18 @@ class Lineup {
       if (!taken_[i] && kinds[i] == kinds[first]) result.place[result.count++] = static_cast<std::uint8_t>(i);
     return result;
   }
+  void leave_alone(std::size_t place) noexcept {
+    single_[singles_++] = static_cast<std::uint8_t>(place);
+    slot_[place] = slots_++;
+  }
   void form(const Places& alike, const LaneKind& kind, const LaneVariant& variant) noexcept {
     const std::span<const std::uint8_t> places{alike.place.data(), alike.count};
-    for (const std::uint8_t place : places) taken_[place] = true;
+    first_[groups_] = slots_;
+    for (const std::uint8_t place : places) {
+      taken_[place] = true;
+      slot_[place] = slots_++;
+    }
+    slots_ = first_[groups_] + variant.lanes;
     group_[groups_] = variant.form(room_[groups_].bytes.data(), kind, axes_, places);
     ++groups_;
   }
@@ -88,6 +105,11 @@ class Lineup {
   std::size_t singles_ = 0;
   std::array<LaneGroup*, kMostAxesInLockstep / 2> group_{};
   std::size_t groups_ = 0;
+  // Of energies: a group has one for each of its lanes.
+  std::array<std::size_t, kMostAxesInLockstep / 2> first_{};
+  std::array<std::size_t, kMostAxesInLockstep> slot_{};
+  std::size_t slots_ = 0;
+  std::array<double, kMostAxesInLockstep / 2 * kMostLanes> drawn_;
   std::array<Room, kMostAxesInLockstep / 2> room_;
 };
 
@@ -97,21 +119,20 @@ RunResult run(std::span<const AxisRun> axes, DcLink& link, long periods, double 
               const LaneVariant& variant) noexcept {
   const bool pulses = std::ranges::any_of(axes, [](const AxisRun& axis) { return axis.command.pulses_enabled; });
   Lineup lineup{axes, periods >= kFewestPeriods, variant};
-  std::array<double, kMostAxesInLockstep> drawn{};
-  RunResult result{.lowest_dc_voltage = link.voltage(), .highest_dc_voltage = link.voltage()};
-  for (bool sound = true; sound && result.periods < periods; ++result.periods) {
-    const double voltage = link.voltage();
-    sound = lineup.step(static_cast<std::size_t>(result.periods), voltage, drawn) &&
-            !(pulses && voltage > overvoltage);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < axes.size(); ++i) sum += drawn[i];
-    link.step(kControlPeriod, sum);
-    result.lowest_dc_voltage = std::min(result.lowest_dc_voltage, voltage);
-    result.highest_dc_voltage = std::max(result.highest_dc_voltage, voltage);
-    result.last_dc_voltage = voltage;
+  const double most = pulses ? overvoltage : std::numeric_limits<double>::infinity();
+  double voltage = link.voltage();
+  double lowest = voltage;
+  double highest = voltage;
+  long period = 0;
+  for (bool sound = true; sound && period < periods; ++period) {
+    voltage = link.voltage();
+    sound = lineup.step(static_cast<std::size_t>(period), voltage) && !(voltage > most);
+    link.step(kControlPeriod, lineup.drawn());
+    lowest = std::min(lowest, voltage);
+    highest = std::max(highest, voltage);
   }
   lineup.leave();
-  return result;
+  return {period, lowest, highest, voltage};
 }
 
 }  // namespace motor

@@ -43,6 +43,8 @@ template <class Number>
                                             const std::type_identity_t<Number>& b) noexcept {
   if constexpr (std::is_same_v<Number, double>) {
     return condition ? a : b;
+  } else if constexpr (requires { chosen(condition, a, b); }) {
+    return chosen(condition, a, b);
   } else {
     Number result = b;
     where(condition, result) = a;

@@ -56,7 +56,7 @@ bool DcLink::settled() const noexcept {
   return !chopper_on_ && std::abs(infeed_power()) <= kSettledDeviation * level_ * infeed_rate_;
 }
 
-void DcLink::step(double dt, double energy_drawn) noexcept {
+[[gnu::flatten]] void DcLink::step(double dt, double energy_drawn) noexcept {
   const double axes_power = energy_drawn / dt;
   energies_.axes += energy_drawn;
   if (data_.chopper_sampling > 0.0)

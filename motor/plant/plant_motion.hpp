@@ -71,7 +71,7 @@ class PlantMotion {
     const Condition<Number> whole = abs(state.speed) <= whole_step_speed;
     const Spent spent = all(whole) ? drive_part(machine, shaft, profile, voltage, 0.0, Number{kControlPeriod})
                                    : drive_parts(machine, shaft, profile, voltage, whole);
-    finish(spent, machine, shaft);
+    finish(spent, machine);
   }
   /// The parts of a step: it begins @p since (s) after the period,
   template <class S>
@@ -104,15 +104,19 @@ class PlantMotion {
     return spent;
   }
   /// and the period is over.
-  template <class M, class S>
-  [[gnu::always_inline]] void finish(const Spent& spent, const M& machine, const S& shaft) noexcept {
+  template <class M>
+  [[gnu::always_inline]] void finish(const Spent& spent, const M& machine) noexcept {
     pass();
     energies = spent.energies;
     state.torque = spent.torque;
-    state.load_speed = shaft.load_speed();
-    state.twist = shaft.twist();
     const SpaceVectorOf<Number> current = vector(machine.current(machine.state()));
     state.current = M::kTurnsWithRotor ? current * direction : current;
+  }
+  /// What only others want to know.
+  template <class M, class S>
+  [[gnu::always_inline]] void show(const M& machine, const S& shaft) noexcept {
+    state.load_speed = shaft.load_speed();
+    state.twist = shaft.twist();
     state.flux = machine.main_flux();
   }
   /// A period passes.

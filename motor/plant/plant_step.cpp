@@ -16,6 +16,7 @@ constexpr int kCoastingParts = 8;
 template <class M, class S>
 MOTOR_PROCESSOR_VARIANTS void Plant::drive(M& machine, S& shaft, SpaceVector voltage) noexcept {
   motion_.drive(machine, shaft, profile_, voltage);
+  motion_.show(machine, shaft);
 }
 
 template <class M, class S>
@@ -33,7 +34,8 @@ void Plant::coast_down(M& machine, S& shaft, double limit) noexcept {
     const auto sum = blocks ? runge_kutta(open, shaft, h) : runge_kutta(diodes, shaft, h);
     spent += motion_.advance(sum, machine, shaft, h);
   }
-  motion_.finish(spent, machine, shaft);
+  motion_.finish(spent, machine);
+  motion_.show(machine, shaft);
 }
 
 [[gnu::always_inline]] inline void Plant::start_period() noexcept {

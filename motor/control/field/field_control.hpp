@@ -41,8 +41,8 @@ class FieldControl {
     count(measured, signals);
     const FrameOf<Number> frame = field_.frame(measured);
     const SpaceVectorOf<Number> current = product(conjugate(frame.direction), measured.current);
-    const SpaceVectorOf<Number> voltage =
-        give(lead({measured.dc_voltage, frame, current}, measured.speed, command, signals), signals);
+    const Situation now{measured.dc_voltage, frame, current};
+    const SpaceVectorOf<Number> voltage = give(now, lead(now, measured.speed, command, signals), signals);
     field_.advance(current);
     return voltage;
   }
@@ -62,19 +62,18 @@ class FieldControl {
   };
   /// What the current controllers are to bring about, and the voltage that is known to be needed.
   struct Aim {
-    Situation now;
     SpaceVectorOf<Number> setpoint;  // A
     SpaceVectorOf<Number> forward;   // V
   };
 
-  Aim lead(const Situation& now, const Number& speed, const DriveCommandOf<Number>& command,
+  [[gnu::always_inline]] Aim lead(const Situation& now, const Number& speed, const DriveCommandOf<Number>& command,
            SignalsOf<Number>& signals) noexcept {
     const Number torque = torque_for(now, speed, command, signals);
     SpaceVectorOf<Number> setpoint = field_.currents(torque, now.frame.frequency);
     setpoint.re += surplus_;
     const FluxEffectOf<Number> effect = field_.effect(now.current, now.frame);
     signals.torque = effect.torque;
-    return {now, setpoint, effect.voltage};
+    return {setpoint, effect.voltage};
   }
   Number torque_for(const Situation& now, const Number& speed, const DriveCommandOf<Number>& command,
                     SignalsOf<Number>& signals) noexcept {
@@ -98,8 +97,7 @@ class FieldControl {
                              select<Number>(condition, seen.torque_limits.lower, 0.0)};
   }
   /// Voltage that leads to @p aim, turned to where the frame will be when it acts.
-  SpaceVectorOf<Number> give(const Aim& aim, SignalsOf<Number>& signals) noexcept {
-    const Situation& now = aim.now;
+  SpaceVectorOf<Number> give(const Situation& now, const Aim& aim, SignalsOf<Number>& signals) noexcept {
     const Number highest = VoltageReserve<Number>::highest(now.dc_voltage);
     const SpaceVectorOf<Number> voltage = controller_.step(aim.setpoint, now.current, aim.forward, highest);
     frequency_ = now.frame.frequency;
@@ -131,10 +129,12 @@ class FieldControl {
     signals.flux = select<Number>(due, field_.flux(), signals.flux);
   }
 
+  Situation fed_situation(const MeasurementOf<Number>& measured) const noexcept;
   Aim feed(const MeasurementOf<Number>& measured, const FrameOf<Number>& seen,
            const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept;
-  Aim lead_or_feed(const Condition<Number>& feeds, const Situation& now, const MeasurementOf<Number>& measured,
-                   const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept;
+  SpaceVectorOf<Number> lead_or_feed(const Condition<Number>& feeds, const Situation& now,
+                                     const MeasurementOf<Number>& measured, const DriveCommandOf<Number>& command,
+                                     SignalsOf<Number>& signals) noexcept;
   void turn_fed(const MeasurementOf<Number>& measured, const FrameOf<Number>& seen,
                 const DriveCommandOf<Number>& command) noexcept;
   void begin_feeding(const Condition<Number>& begins, const MeasurementOf<Number>& measured,

@@ -29,10 +29,16 @@ auto FieldControl<Field>::without_encoder(const MeasurementOf<Number>& measured,
   signals.measured_speed = select<Number>(goes_on, field_.speed(seen), signals.measured_speed);
   if (any(feeding_.holds())) turn_fed(measured, seen, command);
   const Condition<Number> feeds = feeding_.holds();
-  if (all(feeds)) return give(feed(measured, seen, command, signals), signals);
+  if (all(feeds)) return give(fed_situation(measured), feed(measured, seen, command, signals), signals);
   const Situation now{measured.dc_voltage, seen, measured.current * conjugate(seen.direction)};
-  if (!any(feeds)) return give(lead(now, signals.measured_speed, command, signals), signals);
-  return give(lead_or_feed(feeds, now, measured, command, signals), signals);
+  if (!any(feeds)) return give(now, lead(now, signals.measured_speed, command, signals), signals);
+  return lead_or_feed(feeds, now, measured, command, signals);
+}
+
+template <class Field>
+auto FieldControl<Field>::fed_situation(const MeasurementOf<Number>& measured) const noexcept -> Situation {
+  const FrameOf<Number>& frame = fed_.frame();
+  return {measured.dc_voltage, frame, measured.current * conjugate(frame.direction)};
 }
 
 /// Of the lanes some are fed.
@@ -40,7 +46,7 @@ template <class Field>
 auto FieldControl<Field>::lead_or_feed(const Condition<Number>& feeds, const Situation& now,
                                        const MeasurementOf<Number>& measured,
                                        const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept
-    -> Aim {
+    -> SpaceVectorOf<Number> {
   const SpeedLoop<Number> loop = loop_;
   const Field unled = field_;
   SignalsOf<Number> fed = signals;
@@ -56,13 +62,14 @@ auto FieldControl<Field>::lead_or_feed(const Condition<Number>& feeds, const Sit
   signals.torque_limit_reached = !feeds && signals.torque_limit_reached;
   signals.torque_limits = {select<Number>(feeds, fed.torque_limits.upper, signals.torque_limits.upper),
                            select<Number>(feeds, fed.torque_limits.lower, signals.torque_limits.lower)};
-  const Situation situation{
-      now.dc_voltage,
-      {select(feeds, feeding.now.frame.direction, now.frame.direction),
-       select<Number>(feeds, feeding.now.frame.frequency, now.frame.frequency)},
-      select(feeds, feeding.now.current, now.current)};
-  return {situation, select(feeds, feeding.setpoint, leading.setpoint),
-          select(feeds, feeding.forward, leading.forward)};
+  const Situation fed_now = fed_situation(measured);
+  const Situation either{now.dc_voltage,
+                         {select(feeds, fed_now.frame.direction, now.frame.direction),
+                          select<Number>(feeds, fed_now.frame.frequency, now.frame.frequency)},
+                         select(feeds, fed_now.current, now.current)};
+  return give(either,
+              {select(feeds, feeding.setpoint, leading.setpoint), select(feeds, feeding.forward, leading.forward)},
+              signals);
 }
 
 /// Turns the fed current on, until the observer sees where the machine is.
@@ -98,13 +105,12 @@ auto FieldControl<Field>::feed(const MeasurementOf<Number>& measured, const Fram
   const Number damping = sensorless::kDampingShare * fed_.amplitude();
   SpaceVectorOf<Number> setpoint = fed_.current();
   setpoint.im += bounded<Number>(field_.damping(frame), -damping, damping);
-  const SpaceVectorOf<Number> current = measured.current * conjugate(frame.direction);
   signals.measured_speed = frame.frequency / field_.pole_pairs();
   signals.torque = field_.torque(measured.current * conjugate(seen.direction));
   signals.torque_setpoint = signals.torque;
   signals.torque_limit_reached = Condition<Number>{false};
   signals.torque_limits = command.limits;
-  return {{measured.dc_voltage, frame, current}, setpoint, {}};
+  return {setpoint, {}};
 }
 
 /// The fed current leads the flux so far that it carries the torque of now.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "motor/math/pair.hpp"
 #include "motor/math/runge_kutta.hpp"
 
@@ -40,6 +42,8 @@ class InductionEquations {
     }
   };
 
+  /// Numbers that a step changes; they come first.
+  static constexpr std::size_t kChanging = 4;
   /// Its voltages and currents are those of the stator frame.
   static constexpr bool kTurnsWithRotor = false;
 

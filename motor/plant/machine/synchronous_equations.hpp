@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "motor/math/pair.hpp"
 #include "motor/math/runge_kutta.hpp"
 
@@ -36,6 +38,8 @@ class SynchronousEquations {
     }
   };
 
+  /// Numbers that a step changes; they come first.
+  static constexpr std::size_t kChanging = 2;
   /// Its voltages and currents are those of the rotor frame.
   static constexpr bool kTurnsWithRotor = true;
 

@@ -59,6 +59,8 @@ template <class Number>
 class ElasticShaftOf {
  public:
   static constexpr bool kPlain = false;
+  /// Numbers of which a step changes some.
+  static constexpr std::size_t kChanging = 44;
 
   struct Rate;
   /// Angles turned since the start of the step (rad), and speeds (rad/s).

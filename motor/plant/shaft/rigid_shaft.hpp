@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 #include "motor/data/load.hpp"
 #include "motor/data/machine_data.hpp"
@@ -17,6 +18,8 @@ template <bool Plain, class Number = double>
 class RigidShaft {
  public:
   static constexpr bool kPlain = Plain;
+  /// Numbers that a step changes; they come first.
+  static constexpr std::size_t kChanging = Plain ? 7 : 14;
 
   struct Rate;
   /// Angle turned since the start of the step (rad), and speed (rad/s).
@@ -47,7 +50,9 @@ class RigidShaft {
 
   RigidShaft() = default;
   RigidShaft(const MachineData& machine, const Load& load) noexcept
-      : inertia_{machine.inertia + load.inertia},
+      : load_{load},
+        stops_{load.end_stops},
+        inertia_{machine.inertia + load.inertia},
         inverse_inertia_{1.0 / inertia_},
         friction_{with_bearings(load_friction(load), machine)},
         own_friction_{friction_.coulomb},
@@ -55,9 +60,7 @@ class RigidShaft {
         hysteresis_{machine.hysteresis_torque},
         viscous_{machine.viscous_friction + load.viscous_friction},
         eddy_current_drag_{machine.eddy_current_drag},
-        drag_{viscous_ + eddy_current_drag_},
-        load_{load},
-        stops_{load.end_stops} {}
+        drag_{viscous_ + eddy_current_drag_} {}
 
   ShaftState state() const noexcept { return {0.0, speed_}; }
   Number speed() const noexcept { return speed_; }
@@ -101,13 +104,12 @@ class RigidShaft {
   }
 
   /// Decides for the coming step whether the mass holds fast against @p torque of the machine (N·m).
-  void begin(const StepStartOf<Number>& start, const Number& torque) noexcept {
+  [[gnu::always_inline]] void begin(const StepStartOf<Number>& start, const Number& torque) noexcept {
     if constexpr (Plain) {
       // What has been decided for a mass that turns holds as long as it does.
       const Condition<Number> holds = friction_.excess <= 0.0 && speed_ * grip_.direction > 0.0;
       if (all(holds)) return;
-      const GripOf<Number> decided = decide(torque);
-      grip_ = select(holds, grip_, decided);
+      grip_ = select(holds, grip_, decide(torque));
     } else {
       load_.begin(start.profile, start.angle);
       start_angle_ = start.angle;
@@ -116,7 +118,7 @@ class RigidShaft {
     active_inverse_ = select<Number>(grip_.stuck.holds(), 0.0, inverse_inertia_);
     resistance_ = Plain ? Number{grip_.torque + load_.constant()} : grip_.torque;
   }
-  Rate rate(const ShaftState& z, const Number& torque, const Number& time) const noexcept {
+  [[gnu::always_inline]] Rate rate(const ShaftState& z, const Number& torque, const Number& time) const noexcept {
     const Number free = torque - (resistance_ + drag_ * z.speed);
     if constexpr (Plain) {
       return {z.speed, free * active_inverse_, 0.0, 0.0};
@@ -179,6 +181,15 @@ class RigidShaft {
     return GripOf<Number>::decide(friction_, hysteresis_, speed_, torque - outside(state(), 0.0).total());
   }
 
+  // What a step changes;
+  Number speed_ = 0.0;
+  Number start_angle_ = 0.0;
+  GripOf<Number> grip_{};
+  Number resistance_ = 0.0;      // what is constant in a step (N·m)
+  Number active_inverse_ = 0.0;  // 0 while the mass is stuck
+  LoadTorqueOf<Number> load_{};
+  // and what it does not.
+  EndStopTorqueOf<Number> stops_{};
   Number inertia_ = 1.0;
   Number inverse_inertia_ = 1.0;
   DryFrictionOf<Number> friction_{};
@@ -189,13 +200,6 @@ class RigidShaft {
   Number viscous_ = 0.0;
   Number eddy_current_drag_ = 0.0;
   Number drag_ = 0.0;
-  LoadTorqueOf<Number> load_{};
-  EndStopTorqueOf<Number> stops_{};
-  Number speed_ = 0.0;
-  Number start_angle_ = 0.0;
-  GripOf<Number> grip_{};
-  Number resistance_ = 0.0;      // what is constant in a step (N·m)
-  Number active_inverse_ = 0.0;  // 0 while the mass is stuck
 };
 
 }  // namespace motor
