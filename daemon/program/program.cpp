@@ -4,6 +4,7 @@
 
 #include <poll.h>
 
+#include "os/clean_pages.hpp"
 #include "service/clock.hpp"
 
 namespace axisd {
@@ -22,6 +23,7 @@ Program::Program(const Assignment& assignment, const Log& log)
 
 void Program::run() {
   fleet_.start();
+  os::give_back_clean_pages();
   while (!stopping_) wait();
   Notification::on_stopping();
   fleet_.stop();
