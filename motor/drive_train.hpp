@@ -15,7 +15,7 @@
 #include "motor/data/inverter_data.hpp"
 #include "motor/data/load.hpp"
 #include "motor/data/machine_data.hpp"
-#include "motor/lockstep/lane_group.hpp"
+#include "motor/lane_kind.hpp"
 #include "motor/plant/current_sensor.hpp"
 #include "motor/plant/encoder.hpp"
 #include "motor/plant/machine/thermal.hpp"

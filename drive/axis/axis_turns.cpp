@@ -153,7 +153,9 @@ void Axis::take_steps(const StepPlan& plan, const motor::RunResult& done) noexce
     channel.set_ramp(*plan.ramp_before);
     for (long i = 0; i < done.periods; ++i) static_cast<void>(channel.step(motor::kControlPeriod));
   }
-  if (!block<PowerUnit>().watch(done, train_)) command_.pulses_enabled = false;
+  const bool sound =
+      block<PowerUnit>().watch(done, train_.sums(), train_.signals(), train_.plant_state().current);
+  if (!sound) command_.pulses_enabled = false;
 }
 
 double Axis::step(double dc_voltage) noexcept {

@@ -39,18 +39,18 @@ class PowerUnit {
     highest_dc_voltage_ = 0.0;
     lowest_dc_voltage_ = dc_voltage_;
   }
-  /// Steps of @p train have ended, with the link as @p link tells. False if the pulses go off, without waiting for the
-  /// end of the cycle.
-  bool watch(const motor::RunResult& link, const motor::DriveTrain& train) noexcept {
+  /// Steps have ended with the link as @p link tells, @p sums since the cycle began, the last of them with @p seen and, in
+  /// the stator frame, @p current (A). False if the pulses go off, without waiting for the end of the cycle.
+  bool watch(const motor::RunResult& link, const motor::StepSums<double>& sums, const motor::Signals& seen,
+             const motor::SpaceVector& current) noexcept {
     dc_voltage_ = link.last_dc_voltage;
     highest_dc_voltage_ = std::max(highest_dc_voltage_, link.highest_dc_voltage);
     lowest_dc_voltage_ = std::min(lowest_dc_voltage_, link.lowest_dc_voltage);
-    const motor::StepSums<double>& sums = train.sums();
     peak_current_ = sums.peak_current;
     energy_drawn_ = sums.drawn;
     energy_fed_back_ = sums.fed_back;
-    const bool tripped = train.signals().current > trip_current_;
-    if (tripped) note_phases(train.plant_state().current);
+    const bool tripped = seen.current > trip_current_;
+    if (tripped) note_phases(current);
     return !(dc_voltage_ > overvoltage_ || tripped);
   }
   /// At the end of a cycle that ended with @p signals.

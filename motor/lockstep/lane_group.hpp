@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "motor/control/signals.hpp"
+#include "motor/lane_kind.hpp"
 
 namespace motor {
 
@@ -23,16 +23,6 @@ struct AxisRun {
   DriveCommand command{};                  ///< in every period, but for
   std::span<const SpeedStep> setpoints{};  ///< speed and acceleration, where they are not always the same
   double trip_current = 0.0;               ///< above which the run ends (A peak)
-};
-
-/// What axes have in common that are advanced side by side: which control leads which machine on which shaft.
-struct LaneKind {
-  std::uint8_t control = 0;
-  std::uint8_t machine = 0;
-  std::uint8_t shaft = 0;
-  bool with_encoder = false;
-
-  friend bool operator==(const LaneKind&, const LaneKind&) = default;
 };
 
 /// Axes of one kind, in lanes while it lives.

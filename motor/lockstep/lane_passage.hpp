@@ -122,12 +122,19 @@ void LaneTrain<Number>::enter_trains() noexcept {
   signals_.magnetised = Number{[this](auto lane) { return trains_[lane]->signals_.magnetised ? 1.0 : 0.0; }} > 0.0;
 }
 
+/// What of the plants only others want to know, at the end of a step and before anything warms.
 template <class Number>
-void LaneTrain<Number>::leave() noexcept {
-  signals_.voltage = length(state_.voltage);
+void LaneTrain<Number>::show() noexcept {
   visit_machine([this](auto& machine, auto) {
     visit_shaft([this, &machine](auto& shaft, auto) { plant_.show(machine, shaft); });
   });
+  shown_ = true;
+}
+
+template <class Number>
+void LaneTrain<Number>::leave() noexcept {
+  signals_.voltage = length(state_.voltage);
+  if (!shown_) show();
   // The lanes beyond the last axis do what the first does: to be left like it is no harm.
   visit_common([this](auto& part, auto find) { leave_all<Number>(part, of_each(find)); });
   visit_machine([this](auto& machine, auto find) {
@@ -185,6 +192,7 @@ void LaneTrain<Number>::take_commands(std::span<const AxisRun> axes) noexcept {
 /// Temperatures of the axes whose turn it is, and what depends on them.
 template <class Number>
 void LaneTrain<Number>::warm() noexcept {
+  show();
   for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
     if (state_.heat.steps[lane] < TrainState<Number>::kWarmSteps) continue;
     DriveTrain& train = *trains_[lane];

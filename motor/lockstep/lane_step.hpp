@@ -54,6 +54,7 @@ template <class Control, bool WithEncoder>
 template <class Number>
 void LaneTrain<Number>::move(const Number& dc_voltage) noexcept {
   state_.voltage = state_.next;
+  shown_ = false;
   if (const Condition<Number> ideal = inverter_.is_ideal(); all(ideal)) [[likely]] {
     turn(state_.next);
   } else {

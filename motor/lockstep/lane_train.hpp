@@ -69,6 +69,7 @@ class LaneTrain final : public LaneGroup {
 
   // How axes enter and leave (lane_passage.hpp).
   void enter_trains() noexcept;
+  void show() noexcept;
   void give_signals(std::size_t lane) noexcept;
   void take_commands(std::span<const AxisRun> axes) noexcept;
   [[gnu::noinline]] void warm() noexcept;
@@ -98,6 +99,7 @@ class LaneTrain final : public LaneGroup {
   LaneKind kind_;
   std::size_t count_;  // of the lanes that are axes; the others do what the first does
   bool led_ = false;
+  bool shown_ = false;  // the plants, as they are now
   std::array<std::size_t, kLanes<Number>> places_;
   std::array<DriveTrain*, kLanes<Number>> trains_;
   std::array<std::span<const SpeedStep>, kLanes<Number>> setpoints_;

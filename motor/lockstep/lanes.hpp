@@ -102,21 +102,23 @@ void leave_one(const InLanes& in_lanes, std::size_t lane, double* axis,
 template <class Number, class InLanes>
 void enter_all(InLanes& in_lanes, const LaneObjects<Number>& axes,
                std::size_t count = kNumbers<Number, InLanes>) noexcept {
+  const LaneObjects<Number> from = axes;  // known to stay as it is, whatever is written
   auto* const to = reinterpret_cast<std::byte*>(&in_lanes);
   for (std::size_t i = 0; i < count; ++i) {
-    const Number values{[&](auto lane) { return axes[lane][i]; }};
+    const Number values{[&](auto lane) { return from[lane][i]; }};
     std::memcpy(to + i * sizeof(Number), &values, sizeof(Number));
   }
 }
 template <class Number, class InLanes>
 void leave_all(const InLanes& in_lanes, const LaneObjects<Number>& axes,
                std::size_t count = kNumbers<Number, InLanes>) noexcept {
+  const LaneObjects<Number> to = axes;
   const auto* const from = reinterpret_cast<const std::byte*>(&in_lanes);
   for (std::size_t i = 0; i < count; ++i) {
     Number values;
     std::memcpy(&values, from + i * sizeof(Number), sizeof(Number));
     [&]<std::size_t... kLane>(std::index_sequence<kLane...>) {
-      ((axes[kLane][i] = values[kLane]), ...);
+      ((to[kLane][i] = values[kLane]), ...);
     }
     (std::make_index_sequence<kLanes<Number>>{});
   }

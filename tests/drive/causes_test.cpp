@@ -44,7 +44,9 @@ class Causes : public testing::Test {
     PowerUnit& power_unit = std::get<PowerUnit>(blocks_);
     power_unit.rest(seen_.lowest_dc_voltage);
     power_unit.begin_cycle();
-    power_unit.watch(seen_.dc_voltage, signals, {});
+    const double link = seen_.dc_voltage;
+    power_unit.watch({.periods = 1, .lowest_dc_voltage = link, .highest_dc_voltage = link, .last_dc_voltage = link}, {},
+                     signals, {});
     power_unit.observe(signals);
     std::get<MotorMonitoring>(blocks_).observe(signals);
     std::get<SpeedMessages>(blocks_).run({.duration = duration,

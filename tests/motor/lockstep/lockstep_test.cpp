@@ -349,7 +349,7 @@ TEST(Lockstep, MixedKindsAreTheSameToTheLastBit) {
 TEST(Lockstep, HasVariantsForWhatThisProcessorCan) {
   EXPECT_TRUE(lane_variants().back()->is_supported());
   EXPECT_TRUE(widest_variant().is_supported());
-  EXPECT_EQ(lane_variants().back()->lanes, 2U);
+  EXPECT_GE(lane_variants().back()->lanes, 2U);
 }
 
 TEST(Lockstep, EndsAfterThePeriodInWhichACurrentTrips) {
