@@ -1,6 +1,6 @@
-// How much faster than real time axes of motor/ run on one core: axes_speed [AXES [SECONDS]]. They are advanced each by
-// itself and side by side in the lanes of every kind of processor that this one is, in turns within one run, over a common
-// DC link.
+// How much faster than real time axes of motor/ run on one core: axes_speed [AXES [SECONDS]]. They are advanced
+// each by itself and side by side in the lanes of every kind of processor that this one is, in turns within one
+// run, over a common DC link.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -17,8 +17,8 @@
 namespace {
 
 constexpr int kRuns = 10;
-constexpr long kCycle = 32;       // periods
-constexpr int kRunUp = 4000;      // periods
+constexpr long kCycle = 32;   // periods
+constexpr int kRunUp = 4000;  // periods
 constexpr double kOvervoltage = 820.0;
 
 /// Axes on one link.
@@ -91,8 +91,10 @@ int main(int argc, char** argv) {
     for (Row& row : rows) row.best = std::min(row.best, time_of(row.unit, cycles, row.variant));
   std::printf("%d axes, %d s simulated, best of %d runs in turns\n", axes, seconds, kRuns);
   for (const Row& row : rows)
-    std::printf("%-10s %.4f s, %5.0f times real time, %6.1f ns for an axis and period, %.2f times as fast as each by itself\n",
-                row.variant != nullptr ? row.variant->name : "scalar", row.best, seconds / row.best,
-                1e9 * row.best / (static_cast<double>(cycles * kCycle) * axes), rows.front().best / row.best);
+    std::printf(
+        "%-10s %.4f s, %5.0f times real time, %6.1f ns for an axis and period, %.2f times as fast as each by "
+        "itself\n",
+        row.variant != nullptr ? row.variant->name : "scalar", row.best, seconds / row.best,
+        1e9 * row.best / (static_cast<double>(cycles * kCycle) * axes), rows.front().best / row.best);
   return 0;
 }

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "drive/axis/axis_step.hpp"
-#include "motor/lockstep/lockstep.hpp"
 #include "drive/base/function_modules.hpp"
 #include "drive/wiring.hpp"
+#include "motor/lockstep/lockstep.hpp"
 
 namespace drive {
 namespace {
@@ -143,25 +143,6 @@ void DriveUnit::run_phase(Phase phase, const Running& running) noexcept {
 void DriveUnit::rest_others(const Running& running, double duration) noexcept {
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (!running.runs[i]) axes_[i].rest(duration, dc_link_.voltage());
-}
-
-/// Steps of a cycle, side by side on the DC link. At one place, for all of a step to be compiled into it.
-[[gnu::noinline]] void DriveUnit::run_steps(std::span<Axis* const> moved, long steps) noexcept {
-  const bool one_by_one = std::ranges::any_of(moved, [](const Axis* axis) { return axis->goes_step_by_step(); });
-  const long most = one_by_one ? 1 : static_cast<long>(kMostPlannedSteps);
-  const double overvoltage = moved.empty() ? 0.0 : moved.front()->block<PowerUnit>().overvoltage();
-  std::array<StepPlan, kMostAxes> plans;
-  std::array<motor::AxisRun, kMostAxes> runs;
-  for (long done = 0; done < steps;) {
-    const long count = std::min(steps - done, most);
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      runs[i] = moved[i]->plan_steps(plans[i], static_cast<std::size_t>(count));
-    const motor::RunResult result = motor::run(std::span{runs}.first(moved.size()), dc_link_, count, overvoltage);
-    for (std::size_t i = 0; i < moved.size(); ++i) moved[i]->take_steps(plans[i], result);
-    lowest_dc_voltage_ = std::min(lowest_dc_voltage_, result.lowest_dc_voltage);
-    done += result.periods;
-  }
-  lowest_dc_voltage_ = std::min(lowest_dc_voltage_, dc_link_.voltage());
 }
 
 /// What is made of bits, and what is put out.

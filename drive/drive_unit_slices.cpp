@@ -1,10 +1,14 @@
-// The slices of 1 ms: switches beside the ways of the loads, which feed the digital inputs of the unit, and
-// position control.
+// The steps of 125 µs, and the slices of 1 ms among them: switches beside the ways of the loads, which feed the
+// digital inputs of the unit, and position control.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
+#include "drive/axis/axis_step.hpp"
 #include "drive/drive_unit.hpp"
 #include "drive/wiring.hpp"
+#include "motor/lockstep/lockstep.hpp"
 
 namespace drive {
 
@@ -44,6 +48,25 @@ void DriveUnit::run_slice(const Running& running) noexcept {
     wiring_->take(*axis, kBlock<SpeedSetpoint2>);
     axis->follow_position();
   }
+}
+
+/// Steps of a cycle, side by side on the DC link. At one place, for all of a step to be compiled into it.
+void DriveUnit::run_steps(std::span<Axis* const> moved, long steps) noexcept {
+  const bool one_by_one = std::ranges::any_of(moved, [](const Axis* axis) { return axis->goes_step_by_step(); });
+  const long most = one_by_one ? 1 : static_cast<long>(kMostPlannedSteps);
+  const double overvoltage = moved.empty() ? 0.0 : moved.front()->block<PowerUnit>().overvoltage();
+  std::array<StepPlan, kMostAxes> plans;
+  std::array<motor::AxisRun, kMostAxes> runs;
+  for (long done = 0; done < steps;) {
+    const long count = std::min(steps - done, most);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      runs[i] = moved[i]->plan_steps(plans[i], static_cast<std::size_t>(count));
+    const motor::RunResult result = motor::run(std::span{runs}.first(moved.size()), dc_link_, count, overvoltage);
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i]->take_steps(plans[i], result);
+    lowest_dc_voltage_ = std::min(lowest_dc_voltage_, result.lowest_dc_voltage);
+    done += result.periods;
+  }
+  lowest_dc_voltage_ = std::min(lowest_dc_voltage_, dc_link_.voltage());
 }
 
 /// Where an axis has position control, or switches are beside its way, slices of 1 ms begin among the steps.

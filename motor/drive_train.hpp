@@ -100,8 +100,8 @@ class DriveTrain {
   }
   /// What machine and load have stored (J).
   StoredEnergy stored() const noexcept { return plant_.stored(); }
-  /// Of which kind it is among those that can be advanced side by side while @p command leads; none while something
-  /// happens to it that does not happen in most periods.
+  /// Of which kind it is among those that can be advanced side by side while @p command leads; none while
+  /// something happens to it that does not happen in most periods.
   std::optional<LaneKind> lane_kind(const DriveCommand& command) const noexcept;
   /// Whether nothing but temperatures changes any more while the pulses are off.
   bool rests() const noexcept;

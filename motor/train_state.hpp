@@ -37,7 +37,7 @@ struct StepSums {
 /// What lies between the control and the machine of an axis from one period to the next.
 template <class Number>
 struct TrainState {
-  static constexpr double kWarmSteps = 80.0;                  ///< 10 ms: nothing warms noticeably faster
+  static constexpr double kWarmSteps = 80.0;                 ///< 10 ms: nothing warms noticeably faster
   static constexpr double kRms = 1.0 / std::numbers::sqrt2;  ///< of an amplitude
 
   /// Sums since temperatures were last brought up to date.

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMostPlannedSteps = 32;
 /// Setpoints of an axis for some steps, and where its ramp was before them.
 struct StepPlan {
   std::array<motor::SpeedStep, kMostPlannedSteps> setpoints;
-  std::size_t count = 0;  // of them
+  std::size_t count = 0;                               // of them
   std::optional<RampFunctionGenerator> ramp_before{};  // none: it rests, and all setpoints are the same
 };
 

@@ -153,8 +153,7 @@ void Axis::take_steps(const StepPlan& plan, const motor::RunResult& done) noexce
     channel.set_ramp(*plan.ramp_before);
     for (long i = 0; i < done.periods; ++i) static_cast<void>(channel.step(motor::kControlPeriod));
   }
-  const bool sound =
-      block<PowerUnit>().watch(done, train_.sums(), train_.signals(), train_.plant_state().current);
+  const bool sound = block<PowerUnit>().watch(done, train_.sums(), train_.signals(), train_.plant_state().current);
   if (!sound) command_.pulses_enabled = false;
 }
 

@@ -39,8 +39,9 @@ class PowerUnit {
     highest_dc_voltage_ = 0.0;
     lowest_dc_voltage_ = dc_voltage_;
   }
-  /// Steps have ended with the link as @p link tells, @p sums since the cycle began, the last of them with @p seen and, in
-  /// the stator frame, @p current (A). False if the pulses go off, without waiting for the end of the cycle.
+  /// Steps have ended with the link as @p link tells, @p sums since the cycle began, the last of them with @p seen
+  /// and, in the stator frame, @p current (A). False if the pulses go off, without waiting for the end of the
+  /// cycle.
   bool watch(const motor::RunResult& link, const motor::StepSums<double>& sums, const motor::Signals& seen,
              const motor::SpaceVector& current) noexcept {
     dc_voltage_ = link.last_dc_voltage;

@@ -23,22 +23,23 @@ using DriveCommand = DriveCommandOf<double>;
 /// What can be seen of a drive train after a step. Currents and voltages are amplitudes of a phase.
 template <class Number>
 struct SignalsOf {
-  Number measured_speed = 0.0;     ///< from encoder or estimate, what the controller sees (rad/s)
-  Number true_speed = 0.0;         ///< of the shaft (rad/s)
-  Number torque_setpoint = 0.0;    ///< r0079 (N·m)
-  Number torque = 0.0;             ///< r0080, computed from currents with the data of the machine (N·m)
-  Number true_torque = 0.0;        ///< in the air gap, mean of the step (N·m)
+  Number measured_speed = 0.0;      ///< from encoder or estimate, what the controller sees (rad/s)
+  Number true_speed = 0.0;          ///< of the shaft (rad/s)
+  Number torque_setpoint = 0.0;     ///< r0079 (N·m)
+  Number torque = 0.0;              ///< r0080, computed from currents with the data of the machine (N·m)
+  Number true_torque = 0.0;         ///< in the air gap, mean of the step (N·m)
   std::int64_t encoder_counts = 0;  ///< increments since power-on
   Condition<Number> torque_limit_reached{false};  ///< r1407.7
-  TorqueLimitsOf<Number> torque_limits{};  ///< effective after current, power and voltage limits, r1538, r1539 (N·m)
-  Number d_current = 0.0;                  ///< along the flux (A peak)
-  Number q_current = 0.0;                  ///< across the flux, makes the torque (A peak)
-  Number d_current_setpoint = 0.0;         ///< r0075 (A peak)
-  Number q_current_setpoint = 0.0;         ///< r0077 (A peak)
-  Number current = 0.0;                    ///< r0027·sqrt(2) (A peak)
-  Number voltage = 0.0;                    ///< at the terminals, r0025 (V peak of a phase)
-  Number frequency = 0.0;                  ///< of the voltage, r0024 (electrical rad/s)
-  Number power = 0.0;                      ///< at the terminals, mean of the step, r0032 (W)
+  TorqueLimitsOf<Number>
+      torque_limits{};              ///< effective after current, power and voltage limits, r1538, r1539 (N·m)
+  Number d_current = 0.0;           ///< along the flux (A peak)
+  Number q_current = 0.0;           ///< across the flux, makes the torque (A peak)
+  Number d_current_setpoint = 0.0;  ///< r0075 (A peak)
+  Number q_current_setpoint = 0.0;  ///< r0077 (A peak)
+  Number current = 0.0;             ///< r0027·sqrt(2) (A peak)
+  Number voltage = 0.0;             ///< at the terminals, r0025 (V peak of a phase)
+  Number frequency = 0.0;           ///< of the voltage, r0024 (electrical rad/s)
+  Number power = 0.0;               ///< at the terminals, mean of the step, r0032 (W)
   Condition<Number> voltage_limited{false};  ///< the DC link does not give what the current controllers want
   /// The flux is there; before, an induction machine gives no torque, r0056.4.
   Condition<Number> magnetised{false};

@@ -73,8 +73,8 @@ class SpeedController {
   /// At a limit the model waits with the motor: nothing is left to integrate.
   void follow(const Number& setpoint, const Number& measured, const Number& acceleration_torque) noexcept {
     const Condition<Number> waits = limited_.holds();
-    reference_ = select<Number>(waits, measured,
-                                reference_ + (model_ * (setpoint - reference_) + model_rate_ * acceleration_torque));
+    reference_ = select<Number>(
+        waits, measured, reference_ + (model_ * (setpoint - reference_) + model_rate_ * acceleration_torque));
     delayed_ = select<Number>(waits, measured, delayed_ + model_lag_ * (reference_ - delayed_));
   }
 

@@ -44,7 +44,8 @@ class SpeedLoop {
   void follow(const Condition<Number>& due) noexcept { limiter_.follow(smoothed_, due); }
 
  private:
-  [[gnu::always_inline]] void by_speed(const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept {
+  [[gnu::always_inline]] void by_speed(const DriveCommandOf<Number>& command,
+                                       SignalsOf<Number>& signals) noexcept {
     const TorqueForward<Number> forward{precontrol_ * command.acceleration_setpoint, command.additional_torque};
     signals.torque_setpoint = controller_.step(command.speed_setpoint, smoothed_, signals.torque_limits, forward);
     signals.torque_limit_reached = controller_.limited();

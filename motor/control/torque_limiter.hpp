@@ -27,7 +27,8 @@ class TorqueLimiter {
                                 const Number& speed, const Number& dc_voltage) const noexcept {
     TorqueLimitsOf<Number> result{minimum<Number>(commanded.upper, minimum<Number>(reachable, power_.upper)),
                                   maximum<Number>(commanded.lower, maximum<Number>(-reachable, power_.lower))};
-    if (const Condition<Number> high = dc_voltage > vdc_max_ - kBand; any(high)) shed(high, result, speed, dc_voltage);
+    if (const Condition<Number> high = dc_voltage > vdc_max_ - kBand; any(high))
+      shed(high, result, speed, dc_voltage);
     return result;
   }
 
@@ -39,10 +40,8 @@ class TorqueLimiter {
   void shed(const Condition<Number>& high, TorqueLimitsOf<Number>& limits, const Number& speed,
             const Number& dc_voltage) const noexcept {
     const Number share = bounded<Number>((vdc_max_ - dc_voltage) / kBand, 0.0, 1.0);
-    limits.lower =
-        select<Number>(high && speed > 0.0 && limits.lower < 0.0, limits.lower * share, limits.lower);
-    limits.upper =
-        select<Number>(high && speed < 0.0 && limits.upper > 0.0, limits.upper * share, limits.upper);
+    limits.lower = select<Number>(high && speed > 0.0 && limits.lower < 0.0, limits.lower * share, limits.lower);
+    limits.upper = select<Number>(high && speed < 0.0 && limits.upper > 0.0, limits.upper * share, limits.upper);
   }
 
   Number motoring_ = 0.0;      // W

@@ -1,5 +1,5 @@
-// A group of axes in lanes, for one kind of processor: this file is compiled for each, as MOTOR_LANES_NAME, with the
-// registers of which it shall be known under MOTOR_LANES_FORM and MOTOR_LANES_SUPPORTED.
+// A group of axes in lanes, for one kind of processor: this file is compiled for each, as MOTOR_LANES_NAME, with
+// the registers of which it shall be known under MOTOR_LANES_FORM and MOTOR_LANES_SUPPORTED.
 #include "motor/lockstep/lane_passage.hpp"
 #include "motor/lockstep/lane_step.hpp"
 #include "motor/lockstep/twin.hpp"
@@ -13,14 +13,13 @@ using NativeLanes = std::experimental::native_simd<double>;
 #endif
 
 extern const LaneVariant MOTOR_LANES;
-const LaneVariant MOTOR_LANES{
-    .name = MOTOR_LANES_NAME,
-    .lanes = kLanes<NativeLanes>,
-    .size = sizeof(LaneTrain<NativeLanes>),
-    .is_supported = []() noexcept -> bool { return MOTOR_LANES_SUPPORTED; },
-    .form = [](void* storage, const LaneKind& kind, std::span<const AxisRun> axes,
-               std::span<const std::uint8_t> places) noexcept -> LaneGroup* {
-      return new (storage) LaneTrain<NativeLanes>{kind, axes, places};
-    }};
+const LaneVariant MOTOR_LANES{.name = MOTOR_LANES_NAME,
+                              .lanes = kLanes<NativeLanes>,
+                              .size = sizeof(LaneTrain<NativeLanes>),
+                              .is_supported = []() noexcept -> bool { return MOTOR_LANES_SUPPORTED; },
+                              .form = [](void* storage, const LaneKind& kind, std::span<const AxisRun> axes,
+                                         std::span<const std::uint8_t> places) noexcept -> LaneGroup* {
+                                return new (storage) LaneTrain<NativeLanes>{kind, axes, places};
+                              }};
 
 }  // namespace motor

@@ -43,7 +43,8 @@ void LaneTrain<Number>::visit_shaft(Visitor visit) noexcept {
     visit(shaft_.template as<ElasticShaftOf<Number>>(),
           [](DriveTrain& train) { return numbers_of(*std::get_if<ElasticShaft>(&train.plant_.shaft_)); });
 }
-/// The same with the control, and with how many of its numbers a step changes and how many there are before its curves.
+/// The same with the control, and with how many of its numbers a step changes and how many there are before its
+/// curves.
 template <class Number>
 template <class Visitor>
 void LaneTrain<Number>::visit_control(Visitor visit) noexcept {
@@ -52,18 +53,20 @@ void LaneTrain<Number>::visit_control(Visitor visit) noexcept {
   constexpr std::size_t kSynchronous = kNumbers<Number, SynchronousControl>;
   switch (static_cast<DriveTrain::Lead>(kind_.control)) {
     case DriveTrain::Lead::Synchronous:
-      return visit(control_.template as<SynchronousControl>(),
-                   [](DriveTrain& train) { return numbers_of(train.synchronous_); }, kSynchronous - kCurrents,
-                   kSynchronous - kCurves);
+      return visit(
+          control_.template as<SynchronousControl>(),
+          [](DriveTrain& train) { return numbers_of(train.synchronous_); }, kSynchronous - kCurrents,
+          kSynchronous - kCurves);
     case DriveTrain::Lead::Induction:
-      return visit(control_.template as<InductionControl>(),
-                   [](DriveTrain& train) { return numbers_of(train.induction_); },
-                   kNumbers<Number, InductionControl>, kNumbers<Number, InductionControl>);
+      return visit(
+          control_.template as<InductionControl>(), [](DriveTrain& train) { return numbers_of(train.induction_); },
+          kNumbers<Number, InductionControl>, kNumbers<Number, InductionControl>);
     case DriveTrain::Lead::VoltageFrequency:
     case DriveTrain::Lead::Excitation:
-      return visit(control_.template as<FrequencyControl>(),
-                   [](DriveTrain& train) { return numbers_of(train.voltage_frequency_); },
-                   kNumbers<Number, FrequencyControl>, kNumbers<Number, FrequencyControl>);
+      return visit(
+          control_.template as<FrequencyControl>(),
+          [](DriveTrain& train) { return numbers_of(train.voltage_frequency_); },
+          kNumbers<Number, FrequencyControl>, kNumbers<Number, FrequencyControl>);
   }
 }
 
@@ -92,7 +95,8 @@ void LaneTrain<Number>::visit_common(Visitor visit) noexcept {
   static_assert(holds<FieldControl<InductionField<double>>>(kNumbers<Number, InductionControl>));
   static_assert(holds<VoltageFrequencyControl<double>>(kNumbers<Number, FrequencyControl>));
   static_assert(sizeof(FieldControl<SynchronousField<double>>) - sizeof(SynchronousReference) ==
-                sizeof(double) * (kNumbers<Number, SynchronousControl> - kNumbers<Number, SynchronousCurrents<Number>>));
+                sizeof(double) *
+                    (kNumbers<Number, SynchronousControl> - kNumbers<Number, SynchronousCurrents<Number>>));
   static_assert(kNumbers<Number, SynchronousCurrents<Number>> - 3 * kNumbers<Number, LaneCurves<Number>> ==
                 (sizeof(SynchronousCurrents<double>) - 3 * sizeof(Curve)) / sizeof(double));
   visit(state_, [](DriveTrain& train) { return numbers_of(train.state_); });

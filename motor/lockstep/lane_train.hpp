@@ -19,8 +19,9 @@
 
 namespace motor {
 
-/// The drive trains of some axes in lanes. Only what every step changes or needs is there; the rest stays with each
-/// drive train, which is asked where it counts: when temperatures are to be brought up to date, and at zero marks.
+/// The drive trains of some axes in lanes. Only what every step changes or needs is there; the rest stays with
+/// each drive train, which is asked where it counts: when temperatures are to be brought up to date, and at zero
+/// marks.
 template <class Number>
 class LaneTrain final : public LaneGroup {
  public:

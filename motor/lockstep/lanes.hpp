@@ -3,8 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <experimental/simd>
 #include <utility>
+
+#include <experimental/simd>
 
 #include "motor/math/curve.hpp"
 #include "motor/math/number.hpp"

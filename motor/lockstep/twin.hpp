@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+
 #include <experimental/simd>
 
 // Two registers of lanes as one number: where one calculation has to wait for its last result, the other goes on.
@@ -37,16 +38,18 @@ struct Twin {
   using Mask = TwinMask<Half>;
 
   Twin() = default;
-  Twin(double value) noexcept : first{value}, second{value} {}  // NOLINT(google-explicit-constructor): as of one number
+  Twin(double value) noexcept
+      : first{value}, second{value} {}  // NOLINT(google-explicit-constructor): as of one number
   Twin(const Half& a, const Half& b) noexcept : first{a}, second{b} {}
   template <class Flag>
   Twin(const double* from, Flag flag) noexcept : first{from, flag}, second{from + Half::size(), flag} {}
   /// @p value gives the number of each lane, which it is told as a constant.
   template <class Value>
-    requires requires(Value value) { value(std::integral_constant<std::size_t, 0>{}); }
+  requires requires(Value value) { value(std::integral_constant<std::size_t, 0>{}); }
   explicit Twin(Value value) noexcept
-      : first{[&](auto lane) { return value(lane); }},
-        second{[&](auto lane) { return value(std::integral_constant<std::size_t, Half::size() + lane>{}); }} {}
+      : first{[&](auto lane) { return value(lane); }}, second{[&](auto lane) {
+          return value(std::integral_constant<std::size_t, Half::size() + lane>{});
+        }} {}
 
   static constexpr std::size_t size() noexcept { return 2 * Half::size(); }
   template <class Flag>
@@ -74,10 +77,18 @@ struct Twin {
   Twin& operator*=(const Twin& b) noexcept { return *this = *this * b; }
   friend Mask operator<(const Twin& a, const Twin& b) noexcept { return {a.first < b.first, a.second < b.second}; }
   friend Mask operator>(const Twin& a, const Twin& b) noexcept { return {a.first > b.first, a.second > b.second}; }
-  friend Mask operator<=(const Twin& a, const Twin& b) noexcept { return {a.first <= b.first, a.second <= b.second}; }
-  friend Mask operator>=(const Twin& a, const Twin& b) noexcept { return {a.first >= b.first, a.second >= b.second}; }
-  friend Mask operator==(const Twin& a, const Twin& b) noexcept { return {a.first == b.first, a.second == b.second}; }
-  friend Mask operator!=(const Twin& a, const Twin& b) noexcept { return {a.first != b.first, a.second != b.second}; }
+  friend Mask operator<=(const Twin& a, const Twin& b) noexcept {
+    return {a.first <= b.first, a.second <= b.second};
+  }
+  friend Mask operator>=(const Twin& a, const Twin& b) noexcept {
+    return {a.first >= b.first, a.second >= b.second};
+  }
+  friend Mask operator==(const Twin& a, const Twin& b) noexcept {
+    return {a.first == b.first, a.second == b.second};
+  }
+  friend Mask operator!=(const Twin& a, const Twin& b) noexcept {
+    return {a.first != b.first, a.second != b.second};
+  }
 
   friend Twin abs(const Twin& a) noexcept { return {abs(a.first), abs(a.second)}; }
   friend Twin sqrt(const Twin& a) noexcept { return {sqrt(a.first), sqrt(a.second)}; }

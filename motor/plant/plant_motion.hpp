@@ -63,8 +63,8 @@ class PlantMotion {
     }
   };
 
-  /// Advances @p machine and @p shaft, behind which @p profile hangs, by a control period with @p voltage held in the
-  /// stator frame (V, peak).
+  /// Advances @p machine and @p shaft, behind which @p profile hangs, by a control period with @p voltage held in
+  /// the stator frame (V, peak).
   template <class M, class S>
   [[gnu::always_inline]] void drive(M& machine, S& shaft, ProfileOf<Number>& profile,
                                     const SpaceVectorOf<Number>& voltage) noexcept {
@@ -81,8 +81,8 @@ class PlantMotion {
     if constexpr (!S::kPlain) start = {profile.at(Number{steps * kControlPeriod + since}), angle()};
     shaft.begin(start, torque);
   }
-  /// is made of @p h (s) with the summed rates @p sum. No shaft turns faster than its rotor holds: the energy of what
-  /// goes beyond is lost as friction.
+  /// is made of @p h (s) with the summed rates @p sum. No shaft turns faster than its rotor holds: the energy of
+  /// what goes beyond is lost as friction.
   template <class Rates, class M, class S>
   [[gnu::always_inline]] Spent advance(const Rates& sum, M& machine, S& shaft, const Number& h) noexcept {
     const Number weight = stage_weight(h);
@@ -94,8 +94,8 @@ class PlantMotion {
     MotionOf<Number> motion = shaft.finish(sum.shaft, h, spent.energies);
     if (const Condition<Number> beyond = shaft.is_beyond(motion, bursting_speed); any(beyond)) [[unlikely]] {
       const Number most = bursting_speed * h;
-      spent.energies.friction =
-          select<Number>(beyond, spent.energies.friction + shaft.slow_down(bursting_speed), spent.energies.friction);
+      spent.energies.friction = select<Number>(beyond, spent.energies.friction + shaft.slow_down(bursting_speed),
+                                               spent.energies.friction);
       motion.speed = select<Number>(beyond, shaft.speed(), motion.speed);
       motion.angle = select<Number>(beyond, bounded<Number>(motion.angle, -most, most), motion.angle);
     }
@@ -125,8 +125,8 @@ class PlantMotion {
     since_direction += 1.0;
     since_direction = select<Number>(since_direction == kTurnsFromDirection, 0.0, since_direction);
   }
-  /// Parts of a period: as many as @p parts, or more where the shaft turns faster than the machine was made for: the
-  /// bursting speed bounds them.
+  /// Parts of a period: as many as @p parts, or more where the shaft turns faster than the machine was made for:
+  /// the bursting speed bounds them.
   Number needed(const Number& parts) const noexcept {
     const Number turning = abs(state.speed) * pole_pairs * kControlPeriod;
     return select<Number>(turning <= kElectricalStep * parts, parts,

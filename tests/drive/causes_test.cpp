@@ -45,8 +45,9 @@ class Causes : public testing::Test {
     power_unit.rest(seen_.lowest_dc_voltage);
     power_unit.begin_cycle();
     const double link = seen_.dc_voltage;
-    power_unit.watch({.periods = 1, .lowest_dc_voltage = link, .highest_dc_voltage = link, .last_dc_voltage = link}, {},
-                     signals, {});
+    power_unit.watch(
+        {.periods = 1, .lowest_dc_voltage = link, .highest_dc_voltage = link, .last_dc_voltage = link}, {},
+        signals, {});
     power_unit.observe(signals);
     std::get<MotorMonitoring>(blocks_).observe(signals);
     std::get<SpeedMessages>(blocks_).run({.duration = duration,

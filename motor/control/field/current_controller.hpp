@@ -56,9 +56,8 @@ class CurrentController {
     const Components given = both(scale) * wanted;
     const Components away = (wanted - given) * error;
     const Components next = integral_voltage_ + integral_ * error;
-    integral_voltage_ =
-        Components{select<Number>(!limited || away[0] <= 0.0, next[0], integral_voltage_[0]),
-                   select<Number>(!limited || away[1] <= 0.0, next[1], integral_voltage_[1])};
+    integral_voltage_ = Components{select<Number>(!limited || away[0] <= 0.0, next[0], integral_voltage_[0]),
+                                   select<Number>(!limited || away[1] <= 0.0, next[1], integral_voltage_[1])};
     return select(limited, given, wanted);
   }
 

@@ -48,7 +48,8 @@ class FieldControl {
   }
   /// And in that which has none.
   SpaceVectorOf<Number> without_encoder(const MeasurementOf<Number>& measured,
-                                        const DriveCommandOf<Number>& command, SignalsOf<Number>& signals) noexcept;
+                                        const DriveCommandOf<Number>& command,
+                                        SignalsOf<Number>& signals) noexcept;
 
   const Field& field() const noexcept { return field_; }
   Field& field() noexcept { return field_; }
@@ -67,7 +68,7 @@ class FieldControl {
   };
 
   [[gnu::always_inline]] Aim lead(const Situation& now, const Number& speed, const DriveCommandOf<Number>& command,
-           SignalsOf<Number>& signals) noexcept {
+                                  SignalsOf<Number>& signals) noexcept {
     const Number torque = torque_for(now, speed, command, signals);
     SpaceVectorOf<Number> setpoint = field_.currents(torque, now.frame.frequency);
     setpoint.re += surplus_;
@@ -149,7 +150,7 @@ class FieldControl {
   SpeedLoop<Number> loop_;
   FedStart<Number> fed_;
   Number changeover_ = 0.0;  // electrical rad/s
-  Number surplus_ = 0.0;  // current along the flux left over from feeding (A)
+  Number surplus_ = 0.0;     // current along the flux left over from feeding (A)
   Number frequency_ = 0.0;
   Number ticks_ = 0.0;
   Flag<Number> with_encoder_{Condition<Number>{true}};

@@ -2,8 +2,8 @@
 
 #include "motor/control/field/field_control.hpp"
 
-// FieldControl in the control mode without encoder. Of lanes some may be fed and others led, and each changes from one
-// to the other by itself.
+// FieldControl in the control mode without encoder. Of lanes some may be fed and others led, and each changes from
+// one to the other by itself.
 namespace motor {
 namespace sensorless {
 

@@ -80,9 +80,7 @@ class InductionField {
 
  private:
   Number usable_flux() const noexcept { return maximum<Number>(flux_, kLeastFlux * rated_flux_); }
-  Number slip(const Number& current) const noexcept {
-    return circuit_.rotor_resistance * current / usable_flux();
-  }
+  Number slip(const Number& current) const noexcept { return circuit_.rotor_resistance * current / usable_flux(); }
 
   static constexpr double kLeastFlux = 0.1;        // of the rated one
   static constexpr double kGone = 1e-3;            // of the rated one
@@ -141,8 +139,7 @@ auto InductionField<Type>::currents(const Number& torque, const Number& frequenc
   const Number across = circuit_.leakage * setpoint_.im;
   const Number room = reserve_.room();
   const Number needed = rated_flux_ * (1.0 + circuit_.leakage / inductance_);
-  const Condition<Number> weakening =
-      (needed * needed + across * across) * frequency * frequency > room * room;
+  const Condition<Number> weakening = (needed * needed + across * across) * frequency * frequency > room * room;
   weakening_ = weakening;
   goal_ = rated_flux_;
   if (any(weakening)) {
@@ -173,8 +170,7 @@ void InductionField<Type>::trim(double dt, const Number& demand, const Number& h
   // Breakdown: beyond it more current across takes more flux than it gives torque.
   const Number fastest = maximum<Number>(abs(frequency), 1e-3);
   const Number by_voltage = reserve_.room() / (fastest * circuit_.leakage * std::numbers::sqrt2);
-  reachable_ =
-      select<Number>(magnetised, torque_factor_ * flux_ * minimum<Number>(by_current, by_voltage), 0.0);
+  reachable_ = select<Number>(magnetised, torque_factor_ * flux_ * minimum<Number>(by_current, by_voltage), 0.0);
 }
 
 template <>

@@ -27,9 +27,8 @@ class SynchronousCurrents {
     const Number lowest = maximum<Number>(-current_limit_, -magnet_flux_ / d_inductance_);
     const Number d = bounded<Number>((along - magnet_flux_) / d_inductance_, lowest, wanted.re);
     const Number difference = d_inductance_ - q_inductance_;
-    const Number ratio =
-        select<Number>(salient_.holds(),
-                       (magnet_flux_ + difference * wanted.re) / (magnet_flux_ + difference * d), 1.0);
+    const Number ratio = select<Number>(
+        salient_.holds(), (magnet_flux_ + difference * wanted.re) / (magnet_flux_ + difference * d), 1.0);
     const Number room = sqrt(maximum<Number>(0.0, current_limit_ * current_limit_ - d * d));
     const Number q = minimum<Number>(abs(wanted.im) * ratio, room);
     return {d, copysign(q, wanted.im)};

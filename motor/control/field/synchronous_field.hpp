@@ -59,8 +59,7 @@ class SynchronousField {
   /// Current (A) across a fed one that damps the rotor's swinging about it; @p frame is that of the fed current.
   Number damping(const FrameOf<Number>& frame) noexcept {
     const Vector induced = observer_.induced();
-    const Number turning =
-        copysign(length(induced), cross(frame.direction, induced)) / observer_.followed_flux();
+    const Number turning = copysign(length(induced), cross(frame.direction, induced)) / observer_.followed_flux();
     swing_ += kControlPeriod / kSwingTime * (frame.frequency - turning - swing_);
     return damping_ * swing_;
   }
@@ -75,7 +74,8 @@ class SynchronousField {
     const Condition<Number> weakening =
         near_limit && norm(reference_.flux(wanted)) * frequency * frequency > room * room;
     weakening_ = weakening || (!near_limit && weakening_.holds());
-    setpoint_ = any(weakening) ? select(weakening, reference_.weakened(wanted, room / abs(frequency)), wanted) : wanted;
+    setpoint_ =
+        any(weakening) ? select(weakening, reference_.weakened(wanted, room / abs(frequency)), wanted) : wanted;
     return setpoint_;
   }
   /// Voltage that rotation takes with @p current in @p frame, and the torque that it makes.
@@ -108,7 +108,8 @@ class SynchronousField {
  private:
   template <class Other>
   friend class SynchronousField;
-  using Reference = std::conditional_t<std::is_same_v<Number, double>, SynchronousReference, SynchronousCurrents<Number>>;
+  using Reference =
+      std::conditional_t<std::is_same_v<Number, double>, SynchronousReference, SynchronousCurrents<Number>>;
 
   static constexpr double kSwingTime = 2e-3;  // s, the voltages of changing currents are not the rotor's
 

@@ -20,7 +20,8 @@ double synchronous_damping(const MachineData& machine, double inertia) noexcept 
 }  // namespace
 
 template <>
-void VoltageFrequencyControl<double>::configure(const MachineData& machine, const ControlSettings& settings) noexcept {
+void VoltageFrequencyControl<double>::configure(const MachineData& machine,
+                                                const ControlSettings& settings) noexcept {
   const VoltageFrequencySettings& curve = settings.voltage_frequency;
   rated_voltage_ = curve.rated_voltage;
   boost_ = curve.boost;

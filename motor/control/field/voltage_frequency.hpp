@@ -59,8 +59,8 @@ class VoltageFrequencyControl {
     const Number direction = copysign(Number{1.0}, command.speed_setpoint);
     const Number wanted = pole_pairs_ * abs(command.speed_setpoint) + direction * slip;
     const Number frequency = direction * maximum<Number>(0.0, wanted - reduction_ - damping);
-    const Condition<Number> free = vdc_max_ <= 0.0 || dc_voltage < vdc_max_ - kVdcBand ||
-                                   abs(frequency) > abs(frame_.frequency);
+    const Condition<Number> free =
+        vdc_max_ <= 0.0 || dc_voltage < vdc_max_ - kVdcBand || abs(frequency) > abs(frame_.frequency);
     if (all(free)) return frequency;
     const Number share = bounded<Number>((vdc_max_ - dc_voltage) / kVdcBand, 0.0, 1.0);
     return select<Number>(free, frequency, frame_.frequency + share * (frequency - frame_.frequency));
@@ -72,8 +72,8 @@ class VoltageFrequencyControl {
     const Number line = select<Number>(parabolic_.holds(), share * share, share) * rated_voltage_ +
                         (1.0 - share) * (boost_ + ramping);
     constexpr double kPhasePeak = 0.81649658092772603;  // sqrt(2/3)
-    return maximum<Number>(
-        0.0, kPhasePeak * line - kVirtualResistance * resistance_ * maximum<Number>(0.0, excess_));
+    return maximum<Number>(0.0,
+                           kPhasePeak * line - kVirtualResistance * resistance_ * maximum<Number>(0.0, excess_));
   }
   void report(const Vector& current, SignalsOf<Number>& signals) const noexcept {
     signals.measured_speed = (frame_.frequency - slip_rate_ * torque_) / pole_pairs_;
@@ -88,15 +88,16 @@ class VoltageFrequencyControl {
     signals.magnetised = Condition<Number>{true};
   }
 
-  static constexpr double kTorqueTime = 0.05;        // s, of the torque estimate
-  static constexpr double kSwingTime = 0.05;         // s, slower changes of the current are no resonance
-  static constexpr double kSlowShare = 0.05;         // of the rated frequency, below it the torque is not to be seen
-  static constexpr double kLargestSwing = 0.05;      // of the rated frequency
-  static constexpr double kVirtualResistance = 3.0;  // of the stator's: what the I_max controller takes off the voltage
-  static constexpr double kVdcBand = 20.0;           // V, over which the frequency is held
-  static constexpr double kRamping = 1.0;            // rad/s², from where on the acceleration boost counts
+  static constexpr double kTorqueTime = 0.05;    // s, of the torque estimate
+  static constexpr double kSwingTime = 0.05;     // s, slower changes of the current are no resonance
+  static constexpr double kSlowShare = 0.05;     // of the rated frequency, below it the torque is not to be seen
+  static constexpr double kLargestSwing = 0.05;  // of the rated frequency
+  static constexpr double kVirtualResistance =
+      3.0;                                  // of the stator's: what the I_max controller takes off the voltage
+  static constexpr double kVdcBand = 20.0;  // V, over which the frequency is held
+  static constexpr double kRamping = 1.0;   // rad/s², from where on the acceleration boost counts
 
-  Number rated_voltage_ = 400.0;    // V rms between lines, as the boosts
+  Number rated_voltage_ = 400.0;  // V rms between lines, as the boosts
   Number boost_ = 0.0;
   Number acceleration_boost_ = 0.0;
   Flag<Number> parabolic_{};
@@ -118,7 +119,8 @@ class VoltageFrequencyControl {
 };
 
 template <>
-void VoltageFrequencyControl<double>::configure(const MachineData& machine, const ControlSettings& settings) noexcept;
+void VoltageFrequencyControl<double>::configure(const MachineData& machine,
+                                                const ControlSettings& settings) noexcept;
 template <>
 void VoltageFrequencyControl<double>::start() noexcept;
 

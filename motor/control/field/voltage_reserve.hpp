@@ -19,9 +19,9 @@ class VoltageReserve {
     const Number goal = kShare * highest;
     const Number error = goal - sqrt(demand);
     // Without weakening the flux is not the voltage's, and the trim fades.
-    trim_ = select<Number>(weakening,
-                           bounded<Number>(trim_ + kRate * dt * error, -kTrim * highest, kTrim * highest),
-                           trim_ * (1.0 - kRate * dt));
+    trim_ =
+        select<Number>(weakening, bounded<Number>(trim_ + kRate * dt * error, -kTrim * highest, kTrim * highest),
+                       trim_ * (1.0 - kRate * dt));
     room_ = maximum<Number>(goal - drop + trim_, kLeast * highest);
   }
   /// Voltage that remains for the flux (V).

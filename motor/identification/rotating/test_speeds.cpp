@@ -27,7 +27,8 @@ constexpr double kUnlimited = 1e9;       // rad/s²
 TestSpeeds test_speeds(const RotatingTask& task, double dc_voltage, double flux_share) noexcept {
   const MachineData& machine = task.machine;
   const double flux = flux_share * rated_flux(machine);
-  const double by_voltage = kVoltageShare * VoltageReserve<double>::highest(dc_voltage) / (machine.pole_pairs * flux);
+  const double by_voltage =
+      kVoltageShare * VoltageReserve<double>::highest(dc_voltage) / (machine.pole_pairs * flux);
   const double high = std::min({kHigh * machine.rated_speed, kBelowMaximum * task.maximum_speed, by_voltage});
   if (high < kUseful * machine.rated_speed) return {};
   const bool observed = task.settings.mode == ControlMode::Sensorless;

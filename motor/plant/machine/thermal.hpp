@@ -48,10 +48,11 @@ class MotorThermal {
 
  private:
   ThermalData data_;
-  double step_ = 0.0;                                       // s, for which transition_ holds
-  std::array<double, 4> transition_{1.0, 0.0, 0.0, 1.0};  // of the deviations of winding and frame over a step, by rows
-  double winding_;                                          // °C
-  double frame_;                                            // °C
+  double step_ = 0.0;  // s, for which transition_ holds
+  std::array<double, 4> transition_{1.0, 0.0, 0.0,
+                                    1.0};  // of the deviations of winding and frame over a step, by rows
+  double winding_;                         // °C
+  double frame_;                           // °C
 };
 
 /// Settings of an overload model.

@@ -224,9 +224,8 @@ MotionOf<Number> ElasticShaftOf<Number>::finish(const Rate& sum, const Number& h
   const Number weight = stage_weight(h);
   const Number angle = weight * sum.speed;
   const Number load_angle = weight * sum.load_speed;
-  const MotionOf<Number> rotor =
-      settled(grip_, speed_, {speed_ + weight * sum.acceleration, angle, grip_.direction * angle},
-              inverse_inertia_, h);
+  const MotionOf<Number> rotor = settled(
+      grip_, speed_, {speed_ + weight * sum.acceleration, angle, grip_.direction * angle}, inverse_inertia_, h);
   const MotionOf<Number> load =
       settled(load_grip_, load_speed_,
               {load_speed_ + weight * sum.load_acceleration, load_angle, load_grip_.direction * load_angle},

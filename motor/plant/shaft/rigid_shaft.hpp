@@ -149,7 +149,8 @@ class RigidShaft {
   Number kinetic() const noexcept { return 0.5 * inertia_ * speed_ * speed_; }
   /// Energy in the springs with the rotor at @p angle (rad since power-on).
   double spring(double angle) const noexcept { return stops_.stored(angle); }
-  /// Whether it stands, and stays so without torque of the machine while the load stays as it is, with the rotor at
+  /// Whether it stands, and stays so without torque of the machine while the load stays as it is, with the rotor
+  /// at
   /// @p angle (rad since power-on).
   bool rests(double angle) const noexcept {
     if (speed_ != 0.0) return false;
