@@ -40,8 +40,8 @@ std::unique_ptr<Operation> make() {
   return std::make_unique<Repeated<Work>>();
 }
 
-/// The operations of the library, of the physics, of one axis of the whole unit, of a CiA 402 device and of the
-/// bus over several hosts.
+/// The operations of the library, of the physics, of one axis of the whole unit, of a CiA 402 device, of the hub of
+/// a user-space bus and of the bus over several hosts.
 std::vector<OperationRow> library_operations();
 std::vector<OperationRow> library_pdo_operations();
 std::vector<OperationRow> plant_operations();
@@ -50,6 +50,7 @@ std::vector<OperationRow> axis_operations();
 std::vector<OperationRow> positioning_operations();
 std::vector<OperationRow> device_operations();
 std::vector<OperationRow> cia402_operations();
+std::vector<OperationRow> hub_operations();
 std::vector<OperationRow> trunk_operations();
 
 /// All operations in the order of the printed table.

@@ -16,19 +16,32 @@ TransmitQueue::TransmitQueue(Port& port, std::size_t capacity, std::size_t margi
     : port_{port}, ring_(capacity), margin_{margin} {
   assert(capacity > 0 && margin <= capacity);
   held_.reserve(kMostHeld);
+  deliveries_.reserve(kMostHeld);
 }
 
 void TransmitQueue::send(const canopen::Frame& frame, canopen::Delivery delivery) noexcept {
-  if (holds_ && held_.size() < kMostHeld) return held_.push_back({frame, delivery, {}});
+  if (holds_ && held_.size() < kMostHeld) {
+    held_.push_back(frame);
+    return deliveries_.push_back(delivery);
+  }
   if (!held_.empty()) release();
   if (count_ > 0 || !settle(port_.send(frame))) keep({frame, delivery, {}});
 }
 
 void TransmitQueue::release() noexcept {
   holds_ = false;
-  for (const Waiting& waiting : held_)
-    if (count_ > 0 || !settle(port_.send(waiting.frame))) keep(waiting);
+  for (std::size_t i = send_held(); i < held_.size(); ++i)
+    if (count_ > 0 || !settle(port_.send(held_[i]))) keep({held_[i], deliveries_[i], {}});
   held_.clear();
+  deliveries_.clear();
+}
+
+/// As many of them as the bus takes; how many that are. What becomes of the next one is up to it alone.
+std::size_t TransmitQueue::send_held() noexcept {
+  if (count_ > 0 || held_.size() < 2) return 0;
+  const std::size_t sent = port_.send_all(held_).count;
+  counters_.sent += sent;
+  return sent;
 }
 
 void TransmitQueue::send_marked(const canopen::Frame& frame, const Mark& mark) noexcept {

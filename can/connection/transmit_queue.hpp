@@ -49,7 +49,8 @@ class TransmitQueue final : public canopen::FrameSink {
   /// From now on frames are held back, as far as there is room, until release(): those of several queues that go
   /// out together wake who hears them once.
   void hold() noexcept { holds_ = true; }
-  /// Sends what was held back.
+  [[nodiscard]] bool holds() const noexcept { return holds_; }
+  /// Sends what was held back, together.
   void release() noexcept;
   /// Tells the time, and sends what waits if its time has come; call it once every turn of the event loop.
   void retry(canopen::TimePoint now) noexcept;
@@ -71,6 +72,7 @@ class TransmitQueue final : public canopen::FrameSink {
     Mark mark;  ///< hub 0: sent without
   };
 
+  std::size_t send_held() noexcept;
   bool hand_over(const Waiting& waiting) noexcept;
   bool settle(SendStatus status) noexcept;
   void keep(const Waiting& waiting) noexcept;
@@ -80,7 +82,8 @@ class TransmitQueue final : public canopen::FrameSink {
 
   Port& port_;
   std::vector<Waiting> ring_;
-  std::vector<Waiting> held_;
+  std::vector<canopen::Frame> held_;
+  std::vector<canopen::Delivery> deliveries_;  ///< of those
   std::size_t margin_;
   std::size_t head_ = 0;
   std::size_t count_ = 0;

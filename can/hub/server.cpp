@@ -106,6 +106,7 @@ void Server::run() noexcept {
     if (!is_due) timer_.wake_at(next);
     now = core_.poll.turn(is_due);
     on_time(now);
+    core_.hand_over();
     if (core_.anyone_departed) sweep(now);
     end_if_lonely(now);
   }

@@ -20,6 +20,12 @@ enum class SendStatus : std::uint8_t {
   Failed,  ///< refused for good; trying again is of no use
 };
 
+/// What became of several frames that were handed over together.
+struct SentMany {
+  std::size_t count = 0;                 ///< that the bus has taken, from the first on
+  SendStatus status = SendStatus::Sent;  ///< of the one behind them; Sent: there is none
+};
+
 /// Error state of the CAN controller (ISO 11898-1: error active, error passive, bus-off; warning at 96 errors).
 enum class ErrorState : std::uint8_t { Active, Warning, Passive, BusOff };
 
@@ -89,8 +95,18 @@ class Port {
 
   /// Tries to send @p frame now.
   [[nodiscard]] virtual SendStatus send(const canopen::Frame& frame) noexcept = 0;
+  /// Tries to send all of @p frames now, in their order.
+  [[nodiscard]] virtual SentMany send_all(std::span<const canopen::Frame> frames) noexcept {
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      if (const SendStatus status = send(frames[i]); status != SendStatus::Sent) return {i, status};
+    return {frames.size(), SendStatus::Sent};
+  }
+  /// True if send_all() costs less than the frames would one by one.
+  [[nodiscard]] virtual bool sends_together() const noexcept { return false; }
   /// Takes one frame into @p frame, which is touched only when the answer is Received::Frame.
   [[nodiscard]] virtual Received receive(canopen::Frame& frame) noexcept = 0;
+  /// True if receive() has more to give without a look at the bus.
+  [[nodiscard]] virtual bool has_frames() const noexcept { return false; }
   /// When the frame that receive() has given last came from the bus (since the epoch of CLOCK_REALTIME), if the
   /// port can tell; may be a system call.
   [[nodiscard]] virtual std::optional<std::chrono::nanoseconds> frame_arrival() const noexcept {

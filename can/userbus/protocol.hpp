@@ -19,6 +19,8 @@
 /// or a frame with a Trailer behind that names the interface.
 /// From hub to member: a frame of 16 bytes and a Trailer; for a member of kind BroadcastManager a bcm_msg_head,
 /// its frames, and a Trailer. All numbers are in the byte order of the machine: the bus does not leave it.
+/// Where both ends have said in Hello that they take such, a message is several frames with a Trailer each, one
+/// behind the other.
 namespace userbus {
 
 /// How every member's own name begins, behind the zero byte of the abstract name space; the digit is the version.
@@ -68,6 +70,9 @@ struct FrameMessage {
 };
 static_assert(sizeof(FrameMessage) == 40 && offsetof(FrameMessage, trailer) == sizeof(can_frame));
 
+/// Most frames that the hub sends and takes in one message, where that is agreed upon (Operation::Hello).
+inline constexpr size_t kMostFrames = 32;
+
 /// Most frames in a message of the broadcast manager (the kernel's MAX_NFRAMES).
 inline constexpr size_t kMostBcmFrames = 256;
 /// Room that holds every message, trailer and header included.
@@ -75,8 +80,10 @@ inline constexpr size_t kLongestMessage = 8192;
 
 /// What a member asks of the hub. `value` and payload go in the Request, and come back in the Reply.
 enum class Operation : uint32_t {
-  Hello,       ///< the first request of a member; value 1: it is a bridge of another hub, whose frames carry where
-               ///< they came from in both directions; reply value: bit rate of the bus, 0 = none
+  Hello,  ///< the first request of a member; value 1: it is a bridge of another hub, whose frames carry where they
+          ///< came from in both directions; payload, if any: uint32_t, frames that a message to this member may
+          ///< have; reply value: bit rate of the bus, 0 = none; reply payload, if the request had one: uint32_t,
+          ///< frames that a message to the hub may have; without it, and from an older hub: 1 in both directions
   Bind,        ///< value: interface index, 0 = all; ENODEV if there is none
   ReadState,   ///< reply payload: MemberState
   SetOption,   ///< payload: Option

@@ -79,7 +79,16 @@ void BusTurn::tell_time(bool listens) noexcept {
   const canopen::TimePoint deadline = station_->next_deadline();
   if (deadline > now_) return;
   if (listens && now_ - deadline >= kLate) catch_up();
-  station_->on_time(now_);
+  together([&] { station_->on_time(now_); });
+}
+
+/// What the station sends in @p call goes out in one message, where there are such.
+template <class Call>
+void BusTurn::together(Call call) noexcept {
+  const bool holds = port_.sends_together() && !queue_.holds();
+  if (holds) queue_.hold();
+  call();
+  if (holds) queue_.release();
 }
 
 canopen::TimePoint BusTurn::frame_arrival() const noexcept {
@@ -96,7 +105,7 @@ void BusTurn::receive() noexcept {
   const bool probes = ++turns_with_frames_ % kBurstProbe == 0;
   const int most = in_burst_ || probes ? kBurst : 1;
   int frames = 0;
-  while (frames < most && listens() && receive_frame()) ++frames;
+  while ((frames < most || (frames < kBurst && port_.has_frames())) && listens() && receive_frame()) ++frames;
   in_burst_ = frames > 1;
   end_burst(frames);
 }
@@ -123,7 +132,7 @@ bool BusTurn::receive_frame() noexcept {
   switch (const bus::Received received = port_.receive(frame); received.kind) {
     case bus::Received::Frame:
       ++received_;
-      station_->on_frame(frame, now_);
+      together([&] { station_->on_frame(frame, now_); });
       return true;
     case bus::Received::Error:
       station_->on_error_state(received.state);

@@ -63,6 +63,8 @@ class BusTurn {
   void catch_up() noexcept;
   void end_burst(int frames) noexcept;
   bool receive_frame() noexcept;
+  template <class Call>
+  void together(Call call) noexcept;
 
   Station* station_;
   bus::Port& port_;

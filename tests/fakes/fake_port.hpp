@@ -23,9 +23,11 @@ class FakePort final : public bus::Port {
   std::vector<bus::Filter> filters;    ///< as last asked for
   std::size_t calls = 0;               ///< of send()
   bus::ErrorState state = bus::ErrorState::Active;
-  bool down = false;           ///< the next receive() tells so
-  int polled = -1;             ///< descriptor that tests make readable
-  std::uint64_t reopened = 0;  ///< calls of reopen()
+  bool down = false;                  ///< the next receive() tells so
+  int polled = -1;                    ///< descriptor that tests make readable
+  std::uint64_t reopened = 0;         ///< calls of reopen()
+  bool gathers = false;               ///< frames are sent together, and come so
+  std::vector<std::size_t> together;  ///< how many each call of send_all() was given
 
   std::optional<std::chrono::nanoseconds> arrival{};  ///< of what receive() delivers
 
@@ -35,6 +37,12 @@ class FakePort final : public bus::Port {
     if (status == bus::SendStatus::Sent) sent.push_back(frame);
     return status;
   }
+  bus::SentMany send_all(std::span<const canopen::Frame> frames) noexcept override {
+    together.push_back(frames.size());
+    return Port::send_all(frames);
+  }
+  bool sends_together() const noexcept override { return gathers; }
+  bool has_frames() const noexcept override { return gathers && !arrived.empty(); }
   bus::Received receive(canopen::Frame& frame) noexcept override {
     if (std::exchange(down, false)) return {bus::Received::Down, state};
     if (arrived.empty()) return {bus::Received::Nothing, state};

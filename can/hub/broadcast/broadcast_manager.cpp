@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "can/hub/broadcast/reception.hpp"
 #include "can/hub/broadcast/transmission.hpp"
@@ -79,6 +80,7 @@ struct BroadcastManager::Operation {
 
 BroadcastManager::BroadcastManager(Medium& medium, BroadcastSink& sink) : outlet_{medium, *this, sink} {
   medium.attach(*this);
+  hear_what_is_watched();
 }
 
 BroadcastManager::~BroadcastManager() {
@@ -124,7 +126,9 @@ int BroadcastManager::set_up_transmission(const Request& request) {
 int BroadcastManager::set_up_reception(const Request& request) {
   const Request normal = Reception::normal(request);
   if (const int error = Reception::check(normal); error != 0) return error;
-  return set_up_one(receptions_, outlet_, normal, has_room());
+  const int error = set_up_one(receptions_, outlet_, normal, has_room());
+  hear_what_is_watched();
+  return error;
 }
 
 int BroadcastManager::send_once(const Request& request) {
@@ -140,7 +144,9 @@ int BroadcastManager::delete_transmission(const Request& request) {
 }
 
 int BroadcastManager::delete_reception(const Request& request) {
-  return delete_one(receptions_, request);
+  const int error = delete_one(receptions_, request);
+  hear_what_is_watched();
+  return error;
 }
 
 int BroadcastManager::read_transmission(const Request& request) {
@@ -149,6 +155,16 @@ int BroadcastManager::read_transmission(const Request& request) {
 
 int BroadcastManager::read_reception(const Request& request) {
   return read_one(receptions_, request);
+}
+
+/// Most only send.
+void BroadcastManager::hear_what_is_watched() noexcept {
+  const bool hears = !receptions_.empty();
+  if (hears == std::exchange(hears_, hears)) return;
+  if (hears)
+    outlet_.medium.hear_all(*this);
+  else
+    outlet_.medium.hear_nothing(*this);
 }
 
 bool BroadcastManager::has_room() const noexcept {

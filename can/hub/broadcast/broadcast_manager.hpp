@@ -54,9 +54,11 @@ class BroadcastManager final : public Participant {
   int delete_reception(const broadcast::Request& request);
   int read_transmission(const broadcast::Request& request);
   int read_reception(const broadcast::Request& request);
+  void hear_what_is_watched() noexcept;
   [[nodiscard]] bool has_room() const noexcept;
 
   broadcast::Outlet outlet_;
+  bool hears_ = true;  ///< the frames of the medium
   std::vector<std::unique_ptr<broadcast::Transmission>> transmissions_;
   std::vector<std::unique_ptr<broadcast::Reception>> receptions_;
 };

@@ -1,6 +1,7 @@
 #include "can/hub/medium/medium.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <utility>
 
@@ -22,8 +23,28 @@ Medium::Medium(std::uint32_t bit_rate) : line_{bit_rate} {}
 Medium::~Medium() = default;
 
 void Medium::attach(Participant& participant) {
-  stations_.push_back(std::make_unique<Station>(participant, ++attached_));
-  participant.station_ = stations_.back().get();
+  auto station = std::make_unique<Station>(participant, attached_ + 1);
+  stations_.reserve(stations_.size() + 1);
+  waiting_.reserve(stations_.size() + 1);
+  at_place_.resize((hearers_.words() + 1) * FilterIndex::kPlacesOfWord);
+  station->place = hearers_.add();
+  ++attached_;
+  at_place_[station->place] = &participant;
+  participant.station_ = station.get();
+  stations_.push_back(std::move(station));
+  hear_all(participant);
+}
+
+void Medium::hear_all(Participant& participant) noexcept {
+  hearers_.take_all(participant.station_->place);
+}
+
+void Medium::hear(Participant& participant, const FilterSet& filters) noexcept {
+  hearers_.take(participant.station_->place, filters);
+}
+
+void Medium::hear_nothing(Participant& participant) noexcept {
+  hearers_.take_nothing(participant.station_->place);
 }
 
 void Medium::detach(Participant& participant) noexcept {
@@ -36,6 +57,8 @@ void Medium::detach(Participant& participant) noexcept {
   }
   if (carrier_ != nullptr) carrier_->on_detach(participant);
   station->participant = nullptr;
+  hearers_.take_nothing(station->place);
+  at_place_[station->place] = nullptr;
   if (current_.sender == &participant) current_.sender = nullptr;
   someone_left_ = true;
   if (!advancing_) forget_those_who_left();
@@ -43,8 +66,8 @@ void Medium::detach(Participant& participant) noexcept {
 
 void Medium::withdraw(Participant& participant) noexcept {
   Station& station = *participant.station_;
-  waiting_ -= station.frames.count();
   station.frames.clear();
+  std::erase(waiting_, &station);
 }
 
 bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
@@ -59,17 +82,17 @@ bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
     station.refused = true;
     return false;
   }
+  if (station.frames.empty()) waiting_.push_back(&station);
   station.frames.push({passage, now_, handed_over_++, arbitration_field(passage.frame)});
   Passage& kept = station.frames.last().content;
   kept.station = station.number;
   if (passage.mark.hub == 0) kept.mark = origins_.make();
-  ++waiting_;
   if (!advancing_) advance();
   return true;
 }
 
 canopen::TimePoint Medium::next_deadline() const noexcept {
-  canopen::TimePoint own = on_wire_ ? line_.end() : waiting_ > 0 ? now_ : canopen::kNever;
+  canopen::TimePoint own = on_wire_ ? line_.end() : waiting_.empty() ? canopen::kNever : now_;
   if (carrier_ != nullptr) own = canopen::kNever;
   return interference_ == nullptr ? own : std::min(own, interference_->next_deadline());
 }
@@ -102,8 +125,8 @@ void Medium::advance() noexcept {
 }
 
 void Medium::advance_without_rate() noexcept {
-  for (unsigned frames = 0; waiting_ > 0 && frames < kFramesOfTurn; ++frames) {
-    take(*earliest_of(stations_));
+  for (unsigned frames = 0; !waiting_.empty() && frames < kFramesOfTurn; ++frames) {
+    take(*earliest_of(waiting_));
     deliver(real_time());
   }
 }
@@ -116,14 +139,14 @@ void Medium::advance_with_rate() noexcept {
       deliver(line_.real_end());
       continue;  // a frame that is repeated is on the wire again
     }
-    if (waiting_ == 0) return;
-    begin(std::max(line_.end(), earliest_of(stations_)->frames.first().arrival));
+    if (waiting_.empty()) return;
+    begin(std::max(line_.end(), earliest_of(waiting_)->frames.first().arrival));
   }
 }
 
 void Medium::advance_with_carrier() noexcept {
   const auto may_send = [this](const Station& station) { return carrier_->has_room(station.number); };
-  while (Station* const next = waiting_ > 0 ? earliest_of(stations_, may_send) : nullptr) {
+  while (Station* const next = earliest_of(waiting_, may_send)) {
     take(*next);
     carrier_->take(current_, now_);
   }
@@ -150,9 +173,9 @@ void Medium::set_up(bool up) noexcept {
 
 /// Who was refused sends what it had kept, which is lost too.
 void Medium::lose_waiting() noexcept {
+  waiting_.clear();
   for (const auto& station : stations_) {
     lost_ += station->frames.count();
-    waiting_ -= station->frames.count();
     station->frames.clear();
     if (std::exchange(station->refused, false) && station->participant != nullptr) station->participant->on_room();
   }
@@ -165,14 +188,14 @@ void Medium::take(Station& station) noexcept {
   current_.sender = station.participant;
   if (station.participant == nullptr) left_ = station.left;
   station.frames.pop();
-  --waiting_;
+  if (station.frames.empty()) std::erase(waiting_, &station);
   if (std::exchange(station.refused, false) && station.participant != nullptr) station.participant->on_room();
 }
 
 /// Puts the frame that wins the arbitration at @p start on the wire.
 void Medium::begin(canopen::TimePoint start) noexcept {
   on_wire_ = true;
-  take(*winner_of(stations_, start));
+  take(*winner_of(waiting_, start));
   line_.begin(current_.frame, start);
 }
 
@@ -180,10 +203,20 @@ void Medium::deliver(std::int64_t time_ns) noexcept {
   current_.time_ns = time_ns;
   ++passed_;
   if (interference_ != nullptr) return interfere();
-  const std::size_t present = stations_.size();  // who comes while it passes does not see it
-  for (std::size_t i = 0; i < present; ++i)
-    if (Participant* const participant = stations_[i]->participant; participant != nullptr)
-      participant->receive(current_);
+  spread(current_, [](const Participant&) { return true; });
+}
+
+/// Who comes while it passes does not hear it: the words are of before, and nobody gets a place that is left.
+template <class Hears>
+void Medium::spread(const Passage& passage, Hears hears) noexcept {
+  hearers_.find(passage.frame.can_id);
+  const std::size_t words = hearers_.words();
+  for (std::size_t word = 0; word < words; ++word)
+    for (std::uint64_t left = hearers_.found(word); left != 0; left &= left - 1) {
+      const std::size_t place = word * FilterIndex::kPlacesOfWord + static_cast<std::size_t>(std::countr_zero(left));
+      Participant* const participant = at_place_[place];
+      if (participant != nullptr && hears(*participant)) participant->receive(passage);
+    }
 }
 
 void Medium::interfere() noexcept {
@@ -192,11 +225,7 @@ void Medium::interfere() noexcept {
 }
 
 void Medium::hand_out(const Passage& passage, const Audience& audience) noexcept {
-  const std::size_t present = stations_.size();
-  for (std::size_t i = 0; i < present; ++i)
-    if (Participant* const participant = stations_[i]->participant;
-        participant != nullptr && audience.hears(*participant))
-      participant->receive(passage);
+  spread(passage, [&audience](const Participant& participant) { return audience.hears(participant); });
 }
 
 void Medium::repeat() noexcept {
@@ -212,8 +241,12 @@ void Medium::set_bit_rate(std::uint32_t bit_rate) noexcept {
 }
 
 void Medium::forget_those_who_left() noexcept {
-  std::erase_if(stations_,
-                [](const auto& station) { return station->participant == nullptr && station->frames.empty(); });
+  const auto is_gone = [](const auto& station) {
+    return station->participant == nullptr && station->frames.empty();
+  };
+  for (const auto& station : stations_)
+    if (is_gone(station)) hearers_.remove(station->place);
+  std::erase_if(stations_, is_gone);
   someone_left_ = std::any_of(stations_.begin(), stations_.end(),
                               [](const auto& station) { return station->participant == nullptr; });
 }

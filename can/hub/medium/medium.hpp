@@ -8,6 +8,7 @@
 
 #include <linux/can.h>
 
+#include "can/hub/filter/filter_index.hpp"
 #include "can/hub/medium/carrier.hpp"
 #include "can/hub/medium/interference.hpp"
 #include "can/hub/medium/origins.hpp"
@@ -48,8 +49,8 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
   virtual ~Participant() = default;
 
-  /// A frame has passed, also one of this participant's own (passage.sender == this). Sending, attaching and
-  /// detaching from within are allowed.
+  /// A frame that this participant hears has passed, also one of its own (passage.sender == this). Sending,
+  /// attaching and detaching from within are allowed.
   virtual void receive(const Passage& passage) noexcept = 0;
   /// There is room again after a send() that was refused.
   virtual void on_room() noexcept {}
@@ -61,7 +62,7 @@ class Participant {
   Station* station_ = nullptr;
 };
 
-/// The one wire of a hub: every frame goes to all participants, in one order.
+/// The one wire of a hub: every frame goes to all participants who want to hear it, in one order.
 ///
 /// Without a bit rate a frame passes within send(). With one, frames take the time of their bits, stuffing
 /// included (ISO 11898-1, 10.5), and when the bus becomes idle the lowest identifier among the first frames of all
@@ -73,7 +74,7 @@ class Participant {
 /// is lost and counted.
 ///
 /// A frame that is sent from within receive() passes when the present one has reached all. Nothing but attach()
-/// allocates.
+/// and hear() allocates.
 class Medium {
  public:
   /// Frames of one participant that may wait for the bus.
@@ -85,9 +86,18 @@ class Medium {
   Medium& operator=(const Medium&) = delete;
   ~Medium();
 
+  /// @p participant takes part, and hears all at first; std::bad_alloc.
   void attach(Participant& participant);
   /// Its frames that wait pass nevertheless, as those of a closed socket do, but without a sender.
   void detach(Participant& participant) noexcept;
+
+  /// @p participant hears from now on every frame, error frames too.
+  void hear_all(Participant& participant) noexcept;
+  /// It hears what @p filters let pass, which stay where they are as long as it does; to be called anew when they
+  /// have changed.
+  void hear(Participant& participant, const FilterSet& filters) noexcept;
+  /// It hears nothing.
+  void hear_nothing(Participant& participant) noexcept;
 
   /// Takes back what waits of @p participant.
   void withdraw(Participant& participant) noexcept;
@@ -105,7 +115,7 @@ class Medium {
 
   /// What frames come to before anybody hears them, from now on; nullptr: all hear them at once.
   void set_interference(Interference* interference) noexcept { interference_ = interference; }
-  /// Gives @p passage to those of the participants who are in the @p audience. For an Interference.
+  /// Gives @p passage to those of the participants who hear it and are in the @p audience. For an Interference.
   void hand_out(const Passage& passage, const Audience& audience) noexcept;
   /// A mark for a frame that comes up here a second time.
   [[nodiscard]] bus::Mark new_mark() noexcept { return origins_.make(); }
@@ -152,6 +162,8 @@ class Medium {
   void take(Station& station) noexcept;
   void begin(canopen::TimePoint start) noexcept;
   void deliver(std::int64_t time_ns) noexcept;
+  template <class Hears>
+  void spread(const Passage& passage, Hears hears) noexcept;
   void interfere() noexcept;
   void forget_those_who_left() noexcept;
   /// Whether frames take time here, and not on the way that a carrier takes them.
@@ -163,7 +175,9 @@ class Medium {
   std::uint64_t handed_over_ = 0;
   std::uint32_t attached_ = 0;
   std::vector<std::unique_ptr<Station>> stations_;
-  std::size_t waiting_ = 0;  ///< frames of all stations
+  std::vector<Station*> waiting_;      ///< those of them whose frames wait
+  FilterIndex hearers_;                ///< who hears which frames, each at a place
+  std::vector<Participant*> at_place_; ///< nullptr: it has left
   canopen::TimePoint now_{};
   Passage current_;         ///< on the wire, or being delivered
   bool on_wire_ = false;    ///< current_ has not reached its end

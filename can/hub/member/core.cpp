@@ -8,4 +8,8 @@ Core::Core(std::uint32_t bit_rate) : medium{bit_rate}, faults{medium, interfaces
 
 Core::~Core() = default;
 
+void Core::hand_over() noexcept {
+  while (gathered != nullptr) gathered = gathered->hand_over();
+}
+
 }  // namespace hub

@@ -24,6 +24,10 @@ struct Core {
   Core& operator=(const Core&) = delete;
   ~Core();
 
+  /// Sends what was gathered for members: at the end of a turn of the loop, and around a request, whose answer
+  /// tells that what came before it has passed.
+  void hand_over() noexcept;
+
   Poll poll;
   Medium medium;
   Interfaces interfaces;
@@ -31,6 +35,7 @@ struct Core {
   Closer closer;
   LinkPage link_page;
   std::vector<std::unique_ptr<Member>> members;
+  Member* gathered = nullptr;    ///< the first of those for whom frames were gathered
   bool anyone_departed = false;  ///< some member may be destroyed
   std::vector<Source*> sources;
   faults::Faults faults;  // ends first: members and sources take part in the medium without it

@@ -13,8 +13,6 @@ namespace hub {
 
 namespace {
 
-constexpr std::size_t kAddressedFrame = sizeof(userbus::FrameMessage);
-
 pid_t process_of(int socket) noexcept {
   ucred peer{};
   socklen_t size = sizeof peer;
@@ -41,6 +39,7 @@ void Member::bind(int interface_index) noexcept {
   core_.interfaces.hold(interface_index);
   core_.interfaces.release(interface_index_);
   interface_index_ = interface_index;
+  bound();
   if (!core_.medium.is_up()) tell_link(false);
 }
 
@@ -107,20 +106,33 @@ bool Member::read(std::size_t most, canopen::TimePoint now) noexcept {
 
 void Member::take(Inbox::Message message, canopen::TimePoint now) noexcept {
   const bool taken = message.descriptor ? answer_request({core_, *this, now}, message)
-                                        : message.complete && take_frame_message(message.bytes, now);
+                                        : message.complete && take_frames(message.bytes, now);
   if (!taken) ++refused_;
 }
 
-bool Member::take_frame_message(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept {
+/// One frame, or one to most_taken_ with trailers; of several each counts by itself.
+bool Member::take_frames(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept {
   userbus::FrameMessage message{};
-  if (bytes.size() != sizeof message.frame && bytes.size() != kAddressedFrame) return false;
-  std::memcpy(&message, bytes.data(), bytes.size());
+  if (bytes.size() == sizeof message.frame) {
+    std::memcpy(&message.frame, bytes.data(), bytes.size());
+    return take_frame(message, now);
+  }
+  const std::size_t count = bytes.size() / sizeof message;
+  if (bytes.size() % sizeof message != 0 || count > most_taken_) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::memcpy(&message, &bytes[i * sizeof message], sizeof message);
+    if (!take_frame(message, now)) ++refused_;
+  }
+  return true;
+}
+
+bool Member::take_frame(const userbus::FrameMessage& message, canopen::TimePoint now) noexcept {
   const int named = message.trailer.interface_index;
   const int interface_index = named == 0 ? interface_index_ : named;
   if (message.frame.can_dlc > CAN_MAX_DLEN || core_.interfaces.name_of(interface_index).empty()) return false;
   bus::Mark mark;
   if (is_bridge_) mark = {.hub = message.trailer.origin, .number = message.trailer.flags >> userbus::kOriginShift};
-  if (!take_frame({message.frame, interface_index, mark}, now)) return false;
+  if (!take_frame(Sent{message.frame, interface_index, mark}, now)) return false;
   count_sent();
   return true;
 }
@@ -129,6 +141,30 @@ void Member::deliver(std::span<const std::byte> message) noexcept {
   const bool was_empty = outbox_.empty();
   outbox_.send(message);
   if (was_empty && !outbox_.empty()) update_watch();
+}
+
+userbus::FrameMessage& Member::gather() noexcept {
+  if (outbox_.is_full()) write_gathered();
+  if (!std::exchange(is_gathering_, true)) next_gathering_ = std::exchange(core_.gathered, this);
+  return outbox_.add();
+}
+
+Member* Member::hand_over() noexcept {
+  write_gathered();
+  is_gathering_ = false;
+  return next_gathering_;
+}
+
+void Member::write_gathered() noexcept {
+  const bool was_empty = outbox_.empty();
+  outbox_.hand_over();
+  if (was_empty && !outbox_.empty()) update_watch();
+}
+
+void Member::set_most_frames(std::size_t most, std::size_t most_taken) noexcept {
+  write_gathered();
+  outbox_.set_most_frames(most);
+  most_taken_ = most_taken;
 }
 
 void Member::go_on() noexcept {

@@ -33,6 +33,9 @@ class Member : public Watch {
   [[nodiscard]] int interface_index() const noexcept { return interface_index_; }
   /// Binds it to @p interface_index, which exists or is 0.
   void bind(int interface_index) noexcept;
+  /// Agrees with the program upon several frames in a message: it takes @p most of them (1..); how many the hub
+  /// takes from now on.
+  virtual std::size_t agree_on_frames(std::size_t) noexcept { return 1; }
   /// Whether it is a bridge of another hub, whose frames carry marks.
   [[nodiscard]] bool is_bridge() const noexcept { return is_bridge_; }
   void set_bridge(bool is_bridge) noexcept { is_bridge_ = is_bridge; }
@@ -51,6 +54,8 @@ class Member : public Watch {
   void tell_link(bool up) noexcept;
   /// Reads what the program has sent until now, and no more than a socket holds.
   void drain(canopen::TimePoint now) noexcept;
+  /// Sends the frames that were gathered for the program; the next member with such (Core::gathered).
+  Member* hand_over() noexcept;
 
   /// Filters of a raw socket; errno, 0 = done.
   virtual int set_filters(std::span<const can_filter> filters) noexcept;
@@ -73,6 +78,10 @@ class Member : public Watch {
   void count_sent() noexcept { ++sent_; }
   /// Sends @p message to the program.
   void deliver(std::span<const std::byte> message) noexcept;
+  /// A frame more for the program, to be filled in; it goes with Core::hand_over().
+  [[nodiscard]] userbus::FrameMessage& gather() noexcept;
+  /// Up to @p most frames go to the program in one message from now on, and up to @p most_taken come in one.
+  void set_most_frames(std::size_t most, std::size_t most_taken) noexcept;
   /// Counter of what was lost because the program did not read.
   [[nodiscard]] std::uint32_t dropped() const noexcept { return outbox_.dropped(); }
   /// To be called when something that may_read() or is_done() depends on has changed outside of take_frame().
@@ -85,7 +94,9 @@ class Member : public Watch {
   /// Puts @p sent on the bus; false if it is refused for good.
   virtual bool take_frame(const Sent& sent, canopen::TimePoint now) noexcept = 0;
   virtual void option_changed(userbus::OptionName, std::uint32_t) noexcept {}
-  /// Messages that take_frame() can be sure to find room for; 0: none is read at present.
+  /// It is bound to another interface.
+  virtual void bound() noexcept {}
+  /// Messages whose frames take_frame() can be sure to find room for; 0: none is read at present.
   [[nodiscard]] virtual std::size_t may_read() const noexcept { return Inbox::kBatch; }
   /// True if no frame of this member waits for the bus.
   [[nodiscard]] virtual bool is_done() const noexcept { return true; }
@@ -93,12 +104,17 @@ class Member : public Watch {
   void flush() noexcept;
   bool read(std::size_t most, canopen::TimePoint now) noexcept;
   void take(Inbox::Message message, canopen::TimePoint now) noexcept;
-  [[nodiscard]] bool take_frame_message(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
+  [[nodiscard]] bool take_frames(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
+  [[nodiscard]] bool take_frame(const userbus::FrameMessage& message, canopen::TimePoint now) noexcept;
+  void write_gathered() noexcept;
   void update_watch() noexcept;
 
   Core& core_;
   os::Descriptor socket_;
   Outbox outbox_;
+  bool is_gathering_ = false;             // it is among those of Core::gathered
+  Member* next_gathering_ = nullptr;      // behind this one
+  std::size_t most_taken_ = 1;            // frames in a message of the program
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;
   int interface_index_ = -1;

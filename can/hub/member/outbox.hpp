@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,41 +12,73 @@ namespace hub {
 
 /// What goes to one member, in order: into its socket, and if that is full into a ring of bounded size. What finds
 /// no room is dropped and counted. Nobody waits.
+///
+/// Frames are gathered, and go with one system call when they are handed over; in one message, if the member takes
+/// such.
 class Outbox {
  public:
-  /// Messages that may wait beside what the socket holds.
+  /// Messages that may wait beside what the socket holds; a frame counts as one, whatever it comes in.
   static constexpr std::size_t kMessages = 4096;
 
   /// Sends to @p descriptor, which must outlive this.
   explicit Outbox(int descriptor) noexcept : descriptor_{descriptor} {}
 
-  /// Takes @p message (at most userbus::kLongestMessage bytes); one for which there is no room counts as lost.
+  /// From now on up to @p most frames, 1 to userbus::kMostFrames, go in one message.
+  void set_most_frames(std::size_t most) noexcept { most_frames_ = most; }
+
+  /// A frame more that is to be handed over, for the caller to fill in; only if not is_full().
+  [[nodiscard]] userbus::FrameMessage& add() noexcept { return gathered_[count_++]; }
+  /// True if nothing can be gathered until hand_over().
+  [[nodiscard]] bool is_full() const noexcept { return count_ == most_at_once(); }
+  /// Sends what was gathered; frames for which there is no room count as lost.
+  void hand_over() noexcept;
+
+  /// Takes @p message (at most userbus::kLongestMessage bytes), behind what was gathered; one for which there is
+  /// no room counts as lost.
   void send(std::span<const std::byte> message) noexcept;
   /// Takes @p message likewise if there is room; false if there is none.
   [[nodiscard]] bool offer(std::span<const std::byte> message) noexcept;
   /// Puts what waits into the socket, as far as that has room.
   void flush() noexcept;
 
-  /// True if nothing waits.
+  /// True if nothing waits; what was gathered does not count.
   [[nodiscard]] bool empty() const noexcept { return messages_ == 0; }
-  /// Messages that were taken.
+  /// Messages and frames that were taken.
   [[nodiscard]] std::uint64_t taken() const noexcept { return taken_; }
-  /// Messages that were lost.
+  /// Messages and frames that were lost.
   [[nodiscard]] std::uint32_t dropped() const noexcept { return dropped_; }
 
  private:
-  /// What became of a message that was given to the socket.
-  enum class Outcome : std::uint8_t { Sent, Full, Lost };
   using Length = std::uint32_t;
+  /// Messages of one system call.
+  static constexpr std::size_t kAtOnce = userbus::kMostFrames;
   /// Of the ring (bytes): room for kMessages frames.
   static constexpr std::size_t kRoom = kMessages * (sizeof(Length) + sizeof(userbus::FrameMessage));
 
-  [[nodiscard]] Outcome write(std::span<const std::byte> message) const noexcept;
+  /// Messages one behind the other.
+  struct Batch {
+    std::span<const std::byte> bytes;
+    std::span<const Length> lengths;
+  };
+  /// What became of the messages of a Batch, from the first on; the others found no room.
+  struct Outcome {
+    std::size_t sent = 0;
+    std::size_t lost = 0;  ///< of those behind: nobody is there to read them
+  };
+
+  [[nodiscard]] std::size_t most_at_once() const noexcept { return most_frames_ > 1 ? most_frames_ : kAtOnce; }
+  [[nodiscard]] Outcome write(const Batch& batch) const noexcept;
+  [[nodiscard]] Outcome write_in_one(const Batch& batch) const noexcept;
+  [[nodiscard]] Outcome write_each(const Batch& batch) const noexcept;
   [[nodiscard]] bool keep(std::span<const std::byte> message) noexcept;
   void put(std::span<const std::byte> bytes) noexcept;
   void get(std::span<std::byte> bytes, std::size_t offset) const noexcept;
+  [[nodiscard]] Batch oldest(std::span<std::byte> bytes, std::span<Length> lengths) const noexcept;
 
   int descriptor_;
+  std::size_t most_frames_ = 1;
+  std::array<userbus::FrameMessage, userbus::kMostFrames> gathered_;
+  std::size_t count_ = 0;
   std::unique_ptr<std::byte[]> ring_;  // only members that fall behind have one
   std::size_t first_ = 0;              // where the oldest message begins
   std::size_t used_ = 0;

@@ -1,5 +1,6 @@
 #include "can/hub/member/raw_member.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <new>
 #include <utility>
@@ -11,8 +12,9 @@ namespace hub {
 using userbus::OptionName;
 
 RawMember::RawMember(Core& core, os::Descriptor socket, userbus::Kind kind)
-    : Member{core, std::move(socket), kind} {
+    : Member{core, std::move(socket), kind}, kept_(Inbox::kBatch) {
   core.medium.attach(*this);
+  core.medium.hear_nothing(*this);
 }
 
 RawMember::~RawMember() {
@@ -22,26 +24,26 @@ RawMember::~RawMember() {
 void RawMember::receive(const Passage& passage) noexcept {
   if (!wants(passage)) return;
   const bool own = passage.sender == this;
-  userbus::FrameMessage message{.frame = passage.frame, .trailer = {}};
-  message.trailer.flags =
-      static_cast<std::uint32_t>((passage.local ? MSG_DONTROUTE : 0) | (own ? MSG_CONFIRM : 0));
-  message.trailer.time_ns = passage.time_ns;
-  message.trailer.dropped = dropped();
-  message.trailer.interface_index = interface_index();
+  userbus::FrameMessage& message = gather();
+  message.frame = passage.frame;
+  message.trailer = {
+      .interface_index = interface_index(),
+      .flags = static_cast<std::uint32_t>((passage.local ? MSG_DONTROUTE : 0) | (own ? MSG_CONFIRM : 0)),
+      .time_ns = passage.time_ns,
+      .dropped = dropped(),
+      .origin = 0};
   if (interface_index() == 0)
     message.trailer.interface_index =
         passage.interface_index != 0 ? passage.interface_index : core().interfaces.common_index();
-  if (is_bridge()) {
-    message.trailer.flags |= passage.mark.number << userbus::kOriginShift;
-    message.trailer.origin = passage.mark.hub;
-  }
-  deliver(std::as_bytes(std::span{&message, 1}));
+  if (!is_bridge()) return;
+  message.trailer.flags |= passage.mark.number << userbus::kOriginShift;
+  message.trailer.origin = passage.mark.hub;
 }
 
+/// Beside its filters, which the medium looks at.
 bool RawMember::wants(const Passage& passage) const noexcept {
-  if (interface_index() < 0 || (passage.local && !passage.loopback)) return false;
-  if (passage.sender == this && option(OptionName::OwnMessages) == 0) return false;
-  return filters_.passes(passage.frame.can_id);
+  if (passage.local && !passage.loopback) return false;
+  return passage.sender != this || option(OptionName::OwnMessages) != 0;
 }
 
 bool RawMember::take_frame(const Sent& sent, canopen::TimePoint now) noexcept {
@@ -52,7 +54,20 @@ bool RawMember::take_frame(const Sent& sent, canopen::TimePoint now) noexcept {
                         .loopback = option(OptionName::Loopback) != 0,
                         .local = true,
                         .mark = sent.mark};
-  if (waiting_ == 0 && core().medium.send(passage, now)) return true;
+  return (waiting_ == 0 && core().medium.send(passage, now)) || keep(passage);
+}
+
+/// False if there is no memory for more than come with one system call in messages of one frame.
+bool RawMember::keep(const Passage& passage) noexcept {
+  if (waiting_ == kept_.size()) {
+    try {
+      kept_.reserve(2 * kept_.size());
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+    std::ranges::rotate(kept_, kept_.begin() + static_cast<std::ptrdiff_t>(std::exchange(next_, 0)));
+    kept_.resize(2 * kept_.size());
+  }
   kept_[(next_ + waiting_++) % kept_.size()] = passage;
   return true;
 }
@@ -72,6 +87,15 @@ std::size_t RawMember::may_read() const noexcept {
   return core().medium.bit_rate() == 0 ? Inbox::kBatch : 1;
 }
 
+/// Where sending has to wait for the bus the program sends one frame at a time: its room in the socket is what
+/// tells it that it is too fast.
+std::size_t RawMember::agree_on_frames(std::size_t most) noexcept {
+  const bool waits = core().medium.bit_rate() != 0 || core().medium.carrier() != nullptr;
+  const std::size_t taken = most > 1 && !waits ? userbus::kMostFrames : 1;
+  set_most_frames(std::min(most, userbus::kMostFrames), taken);
+  return taken;
+}
+
 int RawMember::set_filters(std::span<const can_filter> filters) noexcept {
   if (filters.size() > CAN_RAW_FILTER_MAX) return EINVAL;
   try {
@@ -79,12 +103,18 @@ int RawMember::set_filters(std::span<const can_filter> filters) noexcept {
   } catch (const std::bad_alloc&) {
     return ENOMEM;
   }
+  filters_changed();
   return 0;
 }
 
 void RawMember::option_changed(OptionName name, std::uint32_t value) noexcept {
   if (name == OptionName::ErrorFilter) filters_.set_error_mask(value);
   if (name == OptionName::JoinFilters) filters_.set_joined(value != 0);
+  if (name == OptionName::ErrorFilter || name == OptionName::JoinFilters) filters_changed();
+}
+
+void RawMember::filters_changed() noexcept {
+  if (interface_index() >= 0) core().medium.hear(*this, filters_);
 }
 
 }  // namespace hub

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
-#include "can/hub/member/filter_set.hpp"
+#include "can/hub/filter/filter_set.hpp"
 #include "can/hub/member/member.hpp"
 
 namespace hub {
@@ -20,19 +20,23 @@ class RawMember final : public Member, public Participant {
   void on_room() noexcept override;
   [[nodiscard]] Identity identity() const noexcept override { return who(); }
 
+  std::size_t agree_on_frames(std::size_t most) noexcept override;
   int set_filters(std::span<const can_filter> filters) noexcept override;
   [[nodiscard]] std::span<const can_filter> filters() const noexcept override { return filters_.filters(); }
 
  private:
   bool take_frame(const Sent& sent, canopen::TimePoint now) noexcept override;
   void option_changed(userbus::OptionName name, std::uint32_t value) noexcept override;
+  void bound() noexcept override { filters_changed(); }
+  void filters_changed() noexcept;
   [[nodiscard]] std::size_t may_read() const noexcept override;
   [[nodiscard]] bool is_done() const noexcept override { return waiting_ == 0; }
   [[nodiscard]] bool wants(const Passage& passage) const noexcept;
+  [[nodiscard]] bool keep(const Passage& passage) noexcept;
 
   FilterSet filters_;
-  std::array<Passage, Inbox::kBatch> kept_;  // the medium had no room for them; nothing is read until it has
-  std::size_t next_ = 0;                     // of kept_
+  std::vector<Passage> kept_;  // the medium had no room for them; nothing is read until it has
+  std::size_t next_ = 0;       // of kept_
   std::size_t waiting_ = 0;
 };
 

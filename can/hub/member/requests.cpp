@@ -71,7 +71,12 @@ bool is_interface(const Call& call, int index) noexcept {
 
 Result hello(const Call& call) noexcept {
   constexpr int kBridge = 1;
+  std::uint32_t most = 1;
+  const bool is_asked = read_as(call.payload, most);
+  if (!call.payload.empty() && (!is_asked || most == 0)) return {.error = EINVAL};
   call.asking.member.set_bridge(call.value == kBridge);
+  const auto taken = static_cast<std::uint32_t>(call.asking.member.agree_on_frames(most));
+  if (is_asked) call.reply.add(taken);
   return {.value = static_cast<int>(call.asking.core.medium.bit_rate())};
 }
 
@@ -208,8 +213,10 @@ bool answer_request(const Asking& asking, const Inbox::Message& message) noexcep
   const std::span payload = message.bytes.subspan(sizeof request);
   Payload reply;
   const bool fits = payload.size() == request.size;
+  asking.core.hand_over();
   const Result result =
       fits ? handle(request.operation, {asking, request.value, payload, reply}) : Result{.error = EINVAL};
+  asking.core.hand_over();
   send_reply(message.descriptor.get(), result, reply.bytes());
   return fits && static_cast<std::size_t>(request.operation) < kHandlers.size();
 }

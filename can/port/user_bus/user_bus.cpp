@@ -1,8 +1,10 @@
 #include "can/port/user_bus/user_bus.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,14 +37,11 @@ userbus::Path path_of(const std::string& text) {
   throw OpenError{fmt::format("{}: expected a path of at most {} bytes", text, userbus::kLongestPath)};
 }
 
-/// A hub that closes leaves one of these errors in the sockets of its members.
-bool means_no_hub(int error) noexcept {
-  return error == EPIPE || error == ECONNRESET || error == ENOTCONN || error == EBADF;
-}
-
 }  // namespace
 
 UserBus::UserBus(const std::string& path) : entry_{path_of(path), hub_program()} {
+  if (!pollable_.add(inbox_.descriptor(), EPOLLIN))
+    throw std::system_error{errno, std::generic_category(), "epoll_ctl"};
   using Progress = UserBusEntry::Progress;
   Progress progress = entry_.begin(wishes());
   while (progress == Progress::Waiting) {
@@ -84,10 +83,10 @@ void UserBus::look_at_link() noexcept {
 void UserBus::read_link() noexcept {
   userbus::FrameMessage message{};
   for (int i = 0; is_cut_ && i < kSkippedMessages; ++i) {
-    const ssize_t size = ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT);
-    if (size == 0 || (size < 0 && means_no_hub(errno))) return static_cast<void>(hub_lost());
-    if (size < 0) return;
-    if (size == sizeof message) static_cast<void>(note_link(message.trailer.flags));
+    const FrameInbox::Outcome outcome = inbox_.next(socket_.get(), message);
+    if (outcome == FrameInbox::Outcome::Gone) return static_cast<void>(hub_lost());
+    if (outcome == FrameInbox::Outcome::Nothing) return;
+    static_cast<void>(note_link(message.trailer.flags));
   }
 }
 
@@ -98,7 +97,8 @@ void UserBus::apply() noexcept {
       userbus::post(socket_.get(), Operation::SetFilters, 0, filters.data(), filters.size_bytes())};
   is_unapplied_ = !set;
   if (!is_bridge_ || is_unapplied_) return;
-  const os::Descriptor hello{userbus::post(socket_.get(), Operation::Hello, 1, nullptr, 0)};
+  const os::Descriptor hello{
+      userbus::post(socket_.get(), Operation::Hello, 1, &UserBusEntry::kMostFrames, sizeof(std::uint32_t))};
   is_unapplied_ = !hello;
 }
 
@@ -131,11 +131,8 @@ bool UserBus::try_again() noexcept {
 bool UserBus::reopen() noexcept {
   constexpr int kMost = 1 << 20;  // a bus that never stops must not hold the caller
   userbus::FrameMessage message{};
-  for (int i = 0; i < kMost; ++i) {
-    const ssize_t size = ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT);
-    if (size <= 0) break;
-    if (size == sizeof message) static_cast<void>(note_link(message.trailer.flags));
-  }
+  for (int i = 0; i < kMost && inbox_.next(socket_.get(), message) == FrameInbox::Outcome::Frame; ++i)
+    static_cast<void>(note_link(message.trailer.flags));
   error_state_ = ErrorState::Active;
   return is_up();
 }
@@ -166,6 +163,22 @@ SendStatus UserBus::send_marked(const canopen::Frame& frame, const Mark& mark) n
   return send(&message, sizeof message);
 }
 
+SentMany UserBus::send_all(std::span<const canopen::Frame> frames) noexcept {
+  if (!sends_together()) return Port::send_all(frames);
+  std::array<userbus::FrameMessage, userbus::kMostFrames> messages;
+  const std::size_t most = std::min(messages.size(), entry_.most_frames());
+  for (std::size_t sent = 0; sent < frames.size();) {
+    const auto some = frames.subspan(sent, std::min(most, frames.size() - sent));
+    std::ranges::transform(some, messages.begin(), [](const canopen::Frame& frame) {
+      return userbus::FrameMessage{.frame = to_wire(frame), .trailer = {}};
+    });
+    const SendStatus status = send(messages.data(), some.size() * sizeof messages[0]);
+    if (status != SendStatus::Sent) return {sent, status};
+    sent += some.size();
+  }
+  return {frames.size(), SendStatus::Sent};
+}
+
 SendStatus UserBus::send(const void* message, std::size_t size) noexcept {
   if (is_cut_) return SendStatus::Down;
   if (is_unapplied_ && is_member()) {
@@ -181,11 +194,10 @@ SendStatus UserBus::send(const void* message, std::size_t size) noexcept {
 Received UserBus::receive(canopen::Frame& frame) noexcept {
   if (is_unapplied_ && is_member()) apply();
   for (int i = 0; i < kSkippedMessages; ++i) {
-    userbus::FrameMessage message{};
-    const ssize_t size = ::recv(socket_.get(), &message, sizeof message, MSG_DONTWAIT);
-    if (size == 0 || (size < 0 && means_no_hub(errno))) return hub_lost();
-    if (size < 0) break;
-    if (size != sizeof message) continue;
+    userbus::FrameMessage message;
+    const FrameInbox::Outcome outcome = inbox_.next(socket_.get(), message);
+    if (outcome == FrameInbox::Outcome::Gone) return hub_lost();
+    if (outcome == FrameInbox::Outcome::Nothing) break;
     dropped_ = message.trailer.dropped;
     if (note_link(message.trailer.flags)) {
       if (is_cut_) return {Received::Down, std::exchange(error_state_, ErrorState::Active)};
@@ -208,6 +220,7 @@ Received UserBus::hub_lost() noexcept {
   if (!is_member()) return {Received::Nothing, error_state_};  // told before
   pollable_.remove(socket_.get());
   socket_ = os::Descriptor{};
+  inbox_.clear();
   is_cut_ = false;
   is_mended_ = false;
   is_unapplied_ = false;  // the next one is told all

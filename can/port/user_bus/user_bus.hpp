@@ -6,6 +6,7 @@
 #include "can/port/filter_list.hpp"
 #include "can/port/link.hpp"
 #include "can/port/port.hpp"
+#include "can/port/user_bus/frame_inbox.hpp"
 #include "can/port/user_bus/user_bus_entry.hpp"
 #include "os/pollable.hpp"
 
@@ -26,6 +27,10 @@ class UserBus final : public Port {
   explicit UserBus(const std::string& path);
 
   [[nodiscard]] SendStatus send(const canopen::Frame& frame) noexcept override;
+  [[nodiscard]] SentMany send_all(std::span<const canopen::Frame> frames) noexcept override;
+  /// As far as the hub takes such messages.
+  [[nodiscard]] bool sends_together() const noexcept override { return entry_.most_frames() > 1; }
+  [[nodiscard]] bool has_frames() const noexcept override { return inbox_.has_frames(); }
   [[nodiscard]] Received receive(canopen::Frame& frame) noexcept override;
   [[nodiscard]] ErrorState error_state() const noexcept override { return error_state_; }
   [[nodiscard]] Restart restart() noexcept override {
@@ -67,7 +72,8 @@ class UserBus final : public Port {
 
   UserBusEntry entry_;
   os::Descriptor socket_;
-  os::Pollable pollable_;  ///< stands for the socket while there is one
+  FrameInbox inbox_;
+  os::Pollable pollable_;  ///< stands for the socket while there is one, and for the inbox
   FilterList filters_;
   bool is_bridge_ = false;
   bool is_cut_ = false;        ///< the hub's bus is

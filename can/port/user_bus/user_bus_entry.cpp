@@ -1,5 +1,6 @@
 #include "can/port/user_bus/user_bus_entry.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <string_view>
 #include <system_error>
@@ -89,7 +90,8 @@ int UserBusEntry::post(Step step, const Wishes& wishes) const noexcept {
   const userbus::Option errors{userbus::OptionName::ErrorFilter, kErrorMask};
   switch (step) {
     case Step::Hello:
-      return userbus::post(socket_.get(), Operation::Hello, wishes.is_bridge ? 1 : 0, nullptr, 0);
+      return userbus::post(socket_.get(), Operation::Hello, wishes.is_bridge ? 1 : 0, &kMostFrames,
+                           sizeof kMostFrames);
     case Step::ErrorFilter:
       return userbus::post(socket_.get(), Operation::SetOption, 0, &errors, sizeof errors);
     case Step::Filters:
@@ -108,7 +110,8 @@ int UserBusEntry::post(Step step, const Wishes& wishes) const noexcept {
 }
 
 UserBusEntry::Progress UserBusEntry::on_answer(const Wishes& wishes) noexcept {
-  const userbus::Answer answer = userbus::take_reply(reply_.get(), nullptr, 0);
+  std::uint32_t most_frames = 1;
+  const userbus::Answer answer = userbus::take_reply(reply_.get(), &most_frames, sizeof most_frames);
   if (answer.error == EAGAIN) return Progress::Waiting;
   reply_ = os::Descriptor{};
   if (answer.error == ENETDOWN) return connect(wishes);  // it closes: the next one is ours
@@ -116,7 +119,10 @@ UserBusEntry::Progress UserBusEntry::on_answer(const Wishes& wishes) noexcept {
     errno = answer.error;
     return fail(JoinError::System);
   }
-  if (step_ == Step::Hello) userbus::set_queue(socket_.get(), userbus::Kind::Port, answer.value);
+  if (step_ == Step::Hello) {
+    userbus::set_queue(socket_.get(), userbus::Kind::Port, answer.value);
+    most_frames_ = answer.size == sizeof most_frames ? std::max(most_frames, 1U) : 1;
+  }
   if (step_ == Step::Interface) interface_index_ = answer.value;
   if (step_ != Step::Bind) return ask(static_cast<Step>(static_cast<std::uint8_t>(step_) + 1), wishes);
   step_ = Step::Idle;

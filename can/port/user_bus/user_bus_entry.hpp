@@ -32,6 +32,9 @@ class UserBusEntry {
   /// Time for one step (ms): a hub that says nothing has lost its member then.
   static constexpr std::chrono::milliseconds kPatience{userbus::kReplyPatience};
 
+  /// Frames that a message to this member may have.
+  static constexpr std::uint32_t kMostFrames = userbus::kMostFrames;
+
   /// To the bus at @p path, served by the program @p hub if it is to be started. Throws std::system_error without
   /// descriptors.
   UserBusEntry(const userbus::Path& path, std::string hub);
@@ -53,6 +56,8 @@ class UserBusEntry {
   /// The member that has come in, to be taken once.
   [[nodiscard]] os::Descriptor take_member() noexcept { return std::exchange(socket_, os::Descriptor{}); }
   [[nodiscard]] userbus::JoinError error() const noexcept { return error_; }
+  /// Frames that a message to the hub may have; 1 of one that knows no others.
+  [[nodiscard]] std::size_t most_frames() const noexcept { return most_frames_; }
 
  private:
   /// What is waited for: nothing, a hub that is being started, answers of the hub in this order.
@@ -73,6 +78,7 @@ class UserBusEntry {
   Step step_ = Step::Idle;
   int attempts_ = 0;  ///< to connect, since begin()
   int interface_index_ = 0;
+  std::uint32_t most_frames_ = 1;
   HubStart start_;
   os::Descriptor socket_;
   os::Descriptor reply_;

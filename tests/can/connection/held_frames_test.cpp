@@ -55,6 +55,7 @@ TEST_F(HeldFrames, GoOutInOrderWhenTheyAreReleased) {
   EXPECT_EQ(port.sent,
             (std::vector{numbered(0x581, 1), numbered(0x181, 2), numbered(0x181, 3), numbered(0x582, 4)}));
   EXPECT_EQ(queue.counters(), (TransmitQueue::Counters{.sent = 4}));
+  EXPECT_EQ(port.together, std::vector<std::size_t>{3});
 }
 
 TEST_F(HeldFrames, GoOutWhenThereAreMoreThanThereIsRoomFor) {
@@ -64,6 +65,21 @@ TEST_F(HeldFrames, GoOutWhenThereAreMoreThanThereIsRoomFor) {
 
   ASSERT_EQ(port.sent.size(), TransmitQueue::kMostHeld + 1);
   for (std::size_t i = 0; i < port.sent.size(); ++i) EXPECT_EQ(port.sent[i].data[0], i);
+}
+
+TEST_F(HeldFrames, WaitFromTheFirstOneOnThatTheBusHasNoRoomFor) {
+  port.rule = [](std::size_t call) { return call < 2 ? SendStatus::Sent : SendStatus::Full; };
+  queue.hold();
+  for (const std::uint8_t value : {1, 2, 3, 4}) ordered(0x581, value);
+
+  queue.release();
+
+  EXPECT_EQ(port.sent, (std::vector{numbered(0x581, 1), numbered(0x581, 2)}));
+  EXPECT_EQ(queue.waiting(), 2U);
+  port.rule = {};
+  queue.retry(kNow + 1ms);
+  EXPECT_EQ(port.sent.size(), 4U);
+  EXPECT_EQ(port.sent.back(), numbered(0x581, 4));
 }
 
 TEST_F(HeldFrames, WaitWhereTheBusIsFullWhenTheyAreReleased) {

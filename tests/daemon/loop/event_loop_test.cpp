@@ -107,6 +107,31 @@ TEST_F(EventLoopTest, HandsOverNothingThatWaitedWhenTheBusWent) {
   EXPECT_EQ(station.events, (Events{"link lost", "time"}));
 }
 
+TEST_F(EventLoopTest, HandsOverWhatHasComeInOneMessageInOneTurn) {
+  port.gathers = true;
+  arrive(4);
+
+  loop.turn();
+
+  EXPECT_EQ(station.events, (Events{"frame", "frame", "frame", "frame"}));
+}
+
+TEST_F(EventLoopTest, SendsTogetherWhatAFrameOrTheTimeLeadsTo) {
+  port.gathers = true;
+  const auto send_some = [&] {
+    for (int i = 0; i < 4; ++i) bus.queue().send({}, canopen::Delivery::Ordered);
+  };
+  station.told_frame = send_some;
+  station.told_time = send_some;
+  arrive(1);
+  station.deadline = canopen::TimePoint{};
+
+  loop.turn();
+
+  EXPECT_EQ(port.together, (std::vector<std::size_t>{4, 4}));
+  EXPECT_EQ(port.sent.size(), 8u);
+}
+
 TEST_F(EventLoopTest, GivesWhatIsRareOneEventATurn) {
   station.rare_events = 4;
   station.next = station.deadline = canopen::TimePoint{};  // a cycle is due in every turn

@@ -1,13 +1,8 @@
-#include <cerrno>
-#include <cstring>
-#include <thread>
-
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <sys/un.h>
 
 #include "can/bus_faults/bus_faults.hpp"
 #include "injection/kinds/bus_kinds.hpp"
+#include "tests/can/hub/old_hub.hpp"
 #include "tests/can/hub/running_hub.hpp"
 
 namespace hub_test {
@@ -51,52 +46,6 @@ TEST(BusFaultsClient, SaysWhatIsWrong) {
   EXPECT_FALSE(nobody.error().by_hub);
   EXPECT_EQ(nobody.error().text, hub.path() + "-none: is not served");
 }
-
-/// Answers one member as a hub that knows no operation but the first ones: Hello, and EINVAL to everything else.
-class OldHub {
- public:
-  OldHub() {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::strcpy(address.sun_path, path().c_str());
-    if (bind(listener_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
-        listen(listener_.get(), 1) != 0)
-      throw std::runtime_error{"no socket for an old hub"};
-    thread_ = std::thread{[this] { serve(); }};
-  }
-  OldHub(const OldHub&) = delete;
-  OldHub& operator=(const OldHub&) = delete;
-  ~OldHub() { thread_.join(); }
-
-  [[nodiscard]] std::string path() const { return folder_.path("bus"); }
-
- private:
-  void serve() const {
-    const os::Descriptor member{accept(listener_.get(), nullptr, nullptr)};
-    userbus::Request request{};
-    std::array<char, userbus::kLongestMessage> payload{};
-    std::array parts{iovec{&request, sizeof request}, iovec{payload.data(), payload.size()}};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
-    for (;;) {
-      msghdr message{};
-      message.msg_iov = parts.data();
-      message.msg_iovlen = parts.size();
-      message.msg_control = control.data();
-      message.msg_controllen = control.size();
-      if (recvmsg(member.get(), &message, 0) <= 0) return;
-      int answering = -1;
-      std::memcpy(&answering, CMSG_DATA(CMSG_FIRSTHDR(&message)), sizeof answering);
-      const os::Descriptor socket{answering};
-      const bool is_known = request.operation == userbus::Operation::Hello;
-      const userbus::Reply reply{.error = is_known ? 0 : EINVAL, .value = 0, .size = 0};
-      send(socket.get(), &reply, sizeof reply, MSG_NOSIGNAL);
-    }
-  }
-
-  fakes::TemporaryDirectory folder_;
-  os::Descriptor listener_{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)};
-  std::thread thread_;
-};
 
 TEST(BusFaultsClient, TellsAHubThatHasNoFaultsYet) {
   const OldHub hub;

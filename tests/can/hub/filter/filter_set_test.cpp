@@ -1,4 +1,4 @@
-#include "can/hub/member/filter_set.hpp"
+#include "can/hub/filter/filter_set.hpp"
 
 #include <ostream>
 #include <string>

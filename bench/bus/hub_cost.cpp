@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "bench/bus/fan_out.hpp"
+#include "bench/number.hpp"
+
+/// What the hub of a user-space bus costs beside a program that reads a message from one socket and writes it to
+/// all others.
+namespace {
+
+using bench::FanOut;
+using Clock = std::chrono::steady_clock;
+
+constexpr unsigned kDeliveries = 20'000;  // of one slice, about
+constexpr std::size_t kBurst = userbus::kMostFrames;
+constexpr std::size_t kMany = 127;
+
+/// Of a frame, in ns: processor time of who hands it on, and the time until the last one has it.
+struct Cost {
+  double processor = 0;
+  double elapsed = 0;
+};
+
+/// How frames are sent.
+struct Traffic {
+  std::size_t frames = 1;  ///< back to back, before everybody is waited for
+  bool in_one = false;     ///< in one message
+};
+
+Cost measure(const FanOut& fan_out, const Traffic& traffic, std::size_t times) {
+  const std::int64_t processor = fan_out.processor_time();
+  const Clock::time_point before = Clock::now();
+  for (std::size_t i = 0; i < times; ++i) fan_out.pass(traffic.frames, traffic.in_one);
+  const double elapsed = std::chrono::duration<double, std::nano>(Clock::now() - before).count();
+  const double frames = static_cast<double>(times * traffic.frames);
+  return {static_cast<double>(fan_out.processor_time() - processor) / frames, elapsed / frames};
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+/// Two that are measured in turns, slice by slice: medians of both, and of the ratios of slices.
+struct Comparison {
+  Cost one;
+  Cost other;
+  Cost ratio;
+};
+
+double median_of(const std::vector<Cost>& costs, double Cost::*part) {
+  std::vector<double> values;
+  for (const Cost& cost : costs) values.push_back(cost.*part);
+  return median(std::move(values));
+}
+
+Cost medians(const std::vector<Cost>& costs) {
+  return {median_of(costs, &Cost::processor), median_of(costs, &Cost::elapsed)};
+}
+
+Comparison compare(const FanOut& one, const FanOut& other, const Traffic& traffic, std::size_t times,
+                   unsigned slices) {
+  std::vector<Cost> of_one, of_other, ratios;
+  measure(one, traffic, times / 4 + 1);
+  measure(other, traffic, times / 4 + 1);
+  for (unsigned i = 0; i < slices; ++i) {
+    const Cost a = measure(one, traffic, times);
+    const Cost b = measure(other, traffic, times);
+    of_one.push_back(a);
+    of_other.push_back(b);
+    ratios.push_back({a.processor / b.processor, a.elapsed / b.elapsed});
+  }
+  return {medians(of_one), medians(of_other), medians(ratios)};
+}
+
+void print(const std::string& name, const Comparison& comparison) {
+  constexpr double kMicrosecond = 1000;
+  std::printf("| %s | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", name.c_str(),
+              comparison.one.processor / kMicrosecond, comparison.other.processor / kMicrosecond,
+              comparison.ratio.processor, comparison.one.elapsed / kMicrosecond,
+              comparison.other.elapsed / kMicrosecond, comparison.ratio.elapsed);
+  std::fflush(stdout);
+}
+
+std::size_t times_of(std::size_t deliveries) {
+  return std::max<std::size_t>(10, kDeliveries / std::max<std::size_t>(10, deliveries));
+}
+
+void measure_all(const bench::Hub& hub, unsigned slices) {
+  const auto hub_of = [&](const bench::Wishes& wishes) { return FanOut::of_hub(hub.path(), hub.process(), wishes); };
+  for (const std::size_t members : {2UL, 8UL, 32UL, kMany}) {
+    const std::string text = std::to_string(members) + " members, all hear";
+    for (const bool waits : {true, false})
+      print(text + (waits ? ", floor with poll" : ", floor without"),
+            compare(hub_of({.members = members}), FanOut::plain(members, waits), {}, times_of(members), slices));
+  }
+  const auto plain = FanOut::plain(kMany, true);
+  const Traffic together{.frames = kBurst, .in_one = true};
+  const Traffic apart{.frames = kBurst, .in_one = false};
+  const std::size_t times = times_of(kBurst * kMany);
+  print("127 members, 32 frames in one message", compare(hub_of({.members = kMany, .most_frames = kBurst}), plain, together, times, slices));
+  print("127 members, 32 frames sent one by one", compare(hub_of({.members = kMany, .most_frames = kBurst}), plain, apart, times, slices));
+  print("127 members that take one at a time, 32 frames sent one by one", compare(hub_of({.members = kMany}), plain, apart, times, slices));
+  print("a frame that one hears of 127, and of 2 members", compare(hub_of({.members = kMany, .one_hears = true}), hub_of({.members = 2, .one_hears = true}), {}, times_of(2), slices));
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  constexpr int kUsage = 2;
+  unsigned slices = 0;
+  if (count != 3 || !bench::parse(words[2], 1U, 10'000U, slices)) {
+    std::fputs("usage: hub_cost CANHUB SLICES\n", stderr);
+    return kUsage;
+  }
+  try {
+    const bench::Hub hub{words[1]};
+    std::puts("| | CPU (us) | CPU of the other | ratio | to the last (us) | of the other | ratio |");
+    std::puts("|---|---:|---:|---:|---:|---:|---:|");
+    measure_all(hub, slices);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "hub_cost: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
