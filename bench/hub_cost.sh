@@ -7,14 +7,14 @@
 # that what else the machine does counts for both. Then the instructions of the hub in user space, from callgrind.
 #
 # --build   the build with the programs (build/release, built first if it is this one)
-# --slices  of each row (15)
+# --slices  of each row (101)
 # --hub     another canhub than that of the build
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "$0")/../scripts/common.sh"
 cd "$root"
 
-build=build/release slices=15 hub=''
+build=build/release slices=101 hub=''
 while (($#)); do
   case $1 in
     --build) build=${2:-}; [[ $build ]] || misuse "--build needs a folder"; shift 2 ;;

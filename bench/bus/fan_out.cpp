@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <poll.h>
+#include <sched.h>
 #include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -42,12 +43,20 @@ can_frame some_frame() {
   return frame;
 }
 
+/// Whoever hands frames on runs on a processor of its own, if there are several: where the kernel puts it would
+/// decide on the figures otherwise.
+void run_on(pid_t process, std::size_t processor) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  CPU_SET(processor, &set);
+  sched_setaffinity(process, sizeof set, &set);
+}
+
 /// Asks the hub of @p member, which must do it; the value of the reply.
-template <class Payload>
-int ask(int member, Operation operation, int value, std::span<Payload> payload) {
+int request(int member, Operation operation, int value, std::span<const std::byte> payload = {}) {
   std::array<std::byte, userbus::kLongestMessage> reply;
   const userbus::Answer answer =
-      userbus::ask(member, operation, value, payload.data(), payload.size_bytes(), reply.data(), reply.size());
+      userbus::ask(member, operation, value, payload.data(), payload.size(), reply.data(), reply.size());
   errno = answer.error;
   require(answer.error == 0, "the hub refuses a request");
   return answer.value;
@@ -60,13 +69,13 @@ os::Descriptor join(const std::string& path, const Wishes& wishes, bool hears) {
   if (joined.descriptor < 0) throw std::runtime_error{userbus::text_of(joined.error)};
   os::Descriptor socket{joined.descriptor};
   const std::array most{wishes.most_frames};
-  if (wishes.most_frames > 1) ask(socket.get(), Operation::Hello, 0, std::span{most});
+  if (wishes.most_frames > 1) request(socket.get(), Operation::Hello, 0, std::as_bytes(std::span{most}));
   const canid_t identifier = hears ? kIdentifier : kOther;
   const std::array filters{can_filter{identifier, CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG}};
-  if (wishes.one_hears) ask(socket.get(), Operation::SetFilters, 0, std::span{filters});
+  if (wishes.one_hears) request(socket.get(), Operation::SetFilters, 0, std::as_bytes(std::span{filters}));
   const std::string_view name{"vcan0"};
-  const int index = ask(socket.get(), Operation::InterfaceIndex, 0, std::span{name});
-  ask(socket.get(), Operation::Bind, index, std::span<const char>{});
+  const int index = request(socket.get(), Operation::InterfaceIndex, 0, std::as_bytes(std::span{name}));
+  request(socket.get(), Operation::Bind, index);
   return socket;
 }
 
@@ -111,6 +120,7 @@ FanOut FanOut::plain(std::size_t members, bool waits) {
     made.sockets_.clear();
     hand_on(far, waits);
   }
+  run_on(made.process_, 1);
   return made;
 }
 
@@ -155,8 +165,10 @@ Hub::Hub(const std::string& program) {
   std::string name = program;
   std::string option = "--path";
   std::array<char*, 4> words{name.data(), option.data(), path.data(), nullptr};
+  run_on(0, 0);
   errno = posix_spawn(&process_, program.c_str(), nullptr, nullptr, words.data(), environ);
   require(errno == 0, program.c_str());
+  run_on(process_, 1);
   constexpr int kTries = 2000;
   for (int i = 0; !std::filesystem::exists(path); ++i) {
     if (i == kTries) throw std::runtime_error{program + " does not serve " + path};

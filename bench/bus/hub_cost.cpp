@@ -16,7 +16,7 @@ namespace {
 using bench::FanOut;
 using Clock = std::chrono::steady_clock;
 
-constexpr unsigned kDeliveries = 20'000;  // of one slice, about
+constexpr std::size_t kDeliveries = 2000;  // of one slice, about
 constexpr std::size_t kBurst = userbus::kMostFrames;
 constexpr std::size_t kMany = 127;
 
@@ -87,27 +87,55 @@ void print(const std::string& name, const Comparison& comparison) {
   std::fflush(stdout);
 }
 
+/// How often a slice has messages with @p deliveries: as often as takes a few milliseconds.
 std::size_t times_of(std::size_t deliveries) {
-  return std::max<std::size_t>(10, kDeliveries / std::max<std::size_t>(10, deliveries));
+  constexpr std::size_t kAtLeast = 10;  // a message costs something, whoever hears it
+  return std::max<std::size_t>(1, kDeliveries / std::max(kAtLeast, deliveries));
 }
 
-void measure_all(const bench::Hub& hub, unsigned slices) {
-  const auto hub_of = [&](const bench::Wishes& wishes) { return FanOut::of_hub(hub.path(), hub.process(), wishes); };
-  for (const std::size_t members : {2UL, 8UL, 32UL, kMany}) {
-    const std::string text = std::to_string(members) + " members, all hear";
-    for (const bool waits : {true, false})
-      print(text + (waits ? ", floor with poll" : ", floor without"),
-            compare(hub_of({.members = members}), FanOut::plain(members, waits), {}, times_of(members), slices));
+class Rows {
+ public:
+  Rows(const bench::Hub& hub, unsigned slices) : hub_{hub}, slices_{slices} {}
+
+  /// A frame that all of @p members hear, sent when the last one has the one before.
+  void one_at_a_time(std::size_t members) const {
+    const FanOut hub = hub_of({.members = members});
+    const std::string text = std::to_string(members) + " members, all hear a frame";
+    row(text, hub, FanOut::plain(members, true), {}, members);
+    row(text + "; floor without poll", hub, FanOut::plain(members, false), {}, members);
   }
-  const auto plain = FanOut::plain(kMany, true);
-  const Traffic together{.frames = kBurst, .in_one = true};
-  const Traffic apart{.frames = kBurst, .in_one = false};
-  const std::size_t times = times_of(kBurst * kMany);
-  print("127 members, 32 frames in one message", compare(hub_of({.members = kMany, .most_frames = kBurst}), plain, together, times, slices));
-  print("127 members, 32 frames sent one by one", compare(hub_of({.members = kMany, .most_frames = kBurst}), plain, apart, times, slices));
-  print("127 members that take one at a time, 32 frames sent one by one", compare(hub_of({.members = kMany}), plain, apart, times, slices));
-  print("a frame that one hears of 127, and of 2 members", compare(hub_of({.members = kMany, .one_hears = true}), hub_of({.members = 2, .one_hears = true}), {}, times_of(2), slices));
-}
+  /// Frames without a pause, to members that take one in a message, and many.
+  void back_to_back(std::size_t members) const {
+    const FanOut plain = FanOut::plain(members, false);
+    const std::string text = std::to_string(members) + " members, 32 frames back to back";
+    const Traffic apart{.frames = kBurst, .in_one = false};
+    row(text + ", one in a message", hub_of({.members = members}), plain, apart, kBurst * members);
+    row(text + ", several in a message to members", hub_of({.members = members, .most_frames = kBurst}), plain,
+        apart, kBurst * members);
+  }
+  void in_one_message(std::size_t members) const {
+    row(std::to_string(members) + " members, 32 frames in one message",
+        hub_of({.members = members, .most_frames = kBurst}), FanOut::plain(members, true),
+        {.frames = kBurst, .in_one = true}, members);
+  }
+  /// The other one is a hub likewise.
+  void that_one_hears(std::size_t members) const {
+    row("a frame that one hears: of " + std::to_string(members) + " members, and of 2",
+        hub_of({.members = members, .one_hears = true}), hub_of({.members = 2, .one_hears = true}), {}, 2);
+  }
+
+ private:
+  [[nodiscard]] FanOut hub_of(const bench::Wishes& wishes) const {
+    return FanOut::of_hub(hub_.path(), hub_.process(), wishes);
+  }
+  void row(const std::string& text, const FanOut& one, const FanOut& other, const Traffic& traffic,
+           std::size_t deliveries) const {
+    print(text, compare(one, other, traffic, times_of(deliveries), slices_));
+  }
+
+  const bench::Hub& hub_;
+  unsigned slices_;
+};
 
 }  // namespace
 
@@ -122,7 +150,11 @@ int main(int count, char** words) {
     const bench::Hub hub{words[1]};
     std::puts("| | CPU (us) | CPU of the other | ratio | to the last (us) | of the other | ratio |");
     std::puts("|---|---:|---:|---:|---:|---:|---:|");
-    measure_all(hub, slices);
+    const Rows rows{hub, slices};
+    for (const std::size_t members : {2UL, 8UL, 32UL, kMany}) rows.one_at_a_time(members);
+    for (const std::size_t members : {2UL, 8UL, 32UL, kMany}) rows.back_to_back(members);
+    rows.in_one_message(kMany);
+    rows.that_one_hears(kMany);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "hub_cost: %s\n", error.what());
     return 1;

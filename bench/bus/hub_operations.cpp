@@ -72,7 +72,8 @@ class Spreading {
     for (std::size_t i = 0; i < kShape.members; ++i) add_member(index, i == 0 || i > kShape.hearers);
     step();
     for (std::size_t i = 0; i < programs_.size(); ++i)
-      check(programs_[i]->read() == (i > 0 && i <= kShape.hearers ? kShape.frames : 0), "frames that members hear");
+      check(programs_[i]->read() == (i > 0 && i <= kShape.hearers ? kShape.frames : 0),
+            "frames that members hear");
   }
   void step() {
     programs_.front()->send(message_);

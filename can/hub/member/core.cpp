@@ -9,7 +9,8 @@ Core::Core(std::uint32_t bit_rate) : medium{bit_rate}, faults{medium, interfaces
 Core::~Core() = default;
 
 void Core::hand_over() noexcept {
-  while (gathered != nullptr) gathered = gathered->hand_over();
+  for (Member* const member : gathering) member->hand_over();
+  gathering.clear();
 }
 
 }  // namespace hub

@@ -35,8 +35,8 @@ struct Core {
   Closer closer;
   LinkPage link_page;
   std::vector<std::unique_ptr<Member>> members;
-  Member* gathered = nullptr;    ///< the first of those for whom frames were gathered
-  bool anyone_departed = false;  ///< some member may be destroyed
+  std::vector<Member*> gathering;  ///< for whom frames were gathered; has room for all members
+  bool anyone_departed = false;    ///< some member may be destroyed
   std::vector<Source*> sources;
   faults::Faults faults;  // ends first: members and sources take part in the medium without it
 };

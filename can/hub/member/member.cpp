@@ -28,6 +28,7 @@ Member::Member(Core& core, os::Descriptor socket, userbus::Kind kind)
       kind_{kind},
       process_{process_of(socket_.get())} {
   options_[static_cast<std::size_t>(userbus::OptionName::Loopback)] = 1;
+  core_.gathering.reserve(core_.members.size() + 1);
 }
 
 Member::~Member() {
@@ -145,14 +146,13 @@ void Member::deliver(std::span<const std::byte> message) noexcept {
 
 userbus::FrameMessage& Member::gather() noexcept {
   if (outbox_.is_full()) write_gathered();
-  if (!std::exchange(is_gathering_, true)) next_gathering_ = std::exchange(core_.gathered, this);
+  if (!std::exchange(is_gathering_, true)) core_.gathering.push_back(this);
   return outbox_.add();
 }
 
-Member* Member::hand_over() noexcept {
+void Member::hand_over() noexcept {
   write_gathered();
   is_gathering_ = false;
-  return next_gathering_;
 }
 
 void Member::write_gathered() noexcept {

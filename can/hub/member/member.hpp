@@ -17,7 +17,7 @@ namespace hub {
 /// What becomes of its frames is up to the kind of the member.
 class Member : public Watch {
  public:
-  /// Takes over @p socket, which accept(2) gave.
+  /// Takes over @p socket, which accept(2) gave; std::bad_alloc.
   Member(Core& core, os::Descriptor socket, userbus::Kind kind);
   Member(const Member&) = delete;
   Member& operator=(const Member&) = delete;
@@ -54,8 +54,8 @@ class Member : public Watch {
   void tell_link(bool up) noexcept;
   /// Reads what the program has sent until now, and no more than a socket holds.
   void drain(canopen::TimePoint now) noexcept;
-  /// Sends the frames that were gathered for the program; the next member with such (Core::gathered).
-  Member* hand_over() noexcept;
+  /// Sends the frames that were gathered for the program.
+  void hand_over() noexcept;
 
   /// Filters of a raw socket; errno, 0 = done.
   virtual int set_filters(std::span<const can_filter> filters) noexcept;
@@ -112,9 +112,8 @@ class Member : public Watch {
   Core& core_;
   os::Descriptor socket_;
   Outbox outbox_;
-  bool is_gathering_ = false;             // it is among those of Core::gathered
-  Member* next_gathering_ = nullptr;      // behind this one
-  std::size_t most_taken_ = 1;            // frames in a message of the program
+  bool is_gathering_ = false;   // it is in Core::gathering
+  std::size_t most_taken_ = 1;  // frames in a message of the program
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;
   int interface_index_ = -1;
