@@ -144,10 +144,9 @@ void Member::deliver(std::span<const std::byte> message) noexcept {
   if (was_empty && !outbox_.empty()) update_watch();
 }
 
-userbus::FrameMessage& Member::gather() noexcept {
+void Member::begin_gathering() noexcept {
   if (outbox_.is_full()) write_gathered();
   if (!std::exchange(is_gathering_, true)) core_.gathering.push_back(this);
-  return outbox_.add();
 }
 
 void Member::hand_over() noexcept {

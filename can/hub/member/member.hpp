@@ -79,7 +79,10 @@ class Member : public Watch {
   /// Sends @p message to the program.
   void deliver(std::span<const std::byte> message) noexcept;
   /// A frame more for the program, to be filled in; it goes with Core::hand_over().
-  [[nodiscard]] userbus::FrameMessage& gather() noexcept;
+  [[nodiscard]] userbus::FrameMessage& gather() noexcept {
+    if (outbox_.has_none() || outbox_.is_full()) begin_gathering();
+    return outbox_.add();
+  }
   /// Up to @p most frames go to the program in one message from now on, and up to @p most_taken come in one.
   void set_most_frames(std::size_t most, std::size_t most_taken) noexcept;
   /// Counter of what was lost because the program did not read.
@@ -106,6 +109,7 @@ class Member : public Watch {
   void take(Inbox::Message message, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frames(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frame(const userbus::FrameMessage& message, canopen::TimePoint now) noexcept;
+  void begin_gathering() noexcept;
   void write_gathered() noexcept;
   void update_watch() noexcept;
 

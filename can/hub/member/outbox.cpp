@@ -23,6 +23,11 @@ constexpr auto kFrameLengths = [] {
 
 }  // namespace
 
+void Outbox::set_most_frames(std::size_t most) noexcept {
+  in_one_ = most > 1;
+  most_at_once_ = in_one_ ? most : kAtOnce;
+}
+
 void Outbox::hand_over() noexcept {
   const std::span frames = std::span{gathered_}.first(std::exchange(count_, 0));
   if (frames.empty()) return;
@@ -67,7 +72,7 @@ void Outbox::flush() noexcept {
 }
 
 Outbox::Outcome Outbox::write(const Batch& batch) const noexcept {
-  return batch.lengths.size() == 1 || most_frames_ > 1 ? write_in_one(batch) : write_each(batch);
+  return batch.lengths.size() == 1 || in_one_ ? write_in_one(batch) : write_each(batch);
 }
 
 Outbox::Outcome Outbox::write_in_one(const Batch& batch) const noexcept {
@@ -95,7 +100,7 @@ Outbox::Outcome Outbox::write_each(const Batch& batch) const noexcept {
 Outbox::Batch Outbox::oldest(std::span<std::byte> bytes, std::span<Length> lengths) const noexcept {
   std::size_t size = 0;
   std::size_t count = 0;
-  for (std::size_t offset = 0; count < std::min(messages_, most_at_once()); ++count) {
+  for (std::size_t offset = 0; count < std::min(messages_, most_at_once_); ++count) {
     Length length = 0;
     get(std::as_writable_bytes(std::span{&length, 1}), offset);
     if (length > bytes.size() - size) break;

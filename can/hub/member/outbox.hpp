@@ -24,12 +24,14 @@ class Outbox {
   explicit Outbox(int descriptor) noexcept : descriptor_{descriptor} {}
 
   /// From now on up to @p most frames, 1 to userbus::kMostFrames, go in one message.
-  void set_most_frames(std::size_t most) noexcept { most_frames_ = most; }
+  void set_most_frames(std::size_t most) noexcept;
 
   /// A frame more that is to be handed over, for the caller to fill in; only if not is_full().
   [[nodiscard]] userbus::FrameMessage& add() noexcept { return gathered_[count_++]; }
   /// True if nothing can be gathered until hand_over().
-  [[nodiscard]] bool is_full() const noexcept { return count_ == most_at_once(); }
+  [[nodiscard]] bool is_full() const noexcept { return count_ == most_at_once_; }
+  /// True if nothing was gathered since hand_over().
+  [[nodiscard]] bool has_none() const noexcept { return count_ == 0; }
   /// Sends what was gathered; frames for which there is no room count as lost.
   void hand_over() noexcept;
 
@@ -50,7 +52,7 @@ class Outbox {
 
  private:
   using Length = std::uint32_t;
-  /// Messages of one system call.
+  /// Messages of one system call, at most.
   static constexpr std::size_t kAtOnce = userbus::kMostFrames;
   /// Of the ring (bytes): room for kMessages frames.
   static constexpr std::size_t kRoom = kMessages * (sizeof(Length) + sizeof(userbus::FrameMessage));
@@ -66,7 +68,6 @@ class Outbox {
     std::size_t lost = 0;  ///< of those behind: nobody is there to read them
   };
 
-  [[nodiscard]] std::size_t most_at_once() const noexcept { return most_frames_ > 1 ? most_frames_ : kAtOnce; }
   [[nodiscard]] Outcome write(const Batch& batch) const noexcept;
   [[nodiscard]] Outcome write_in_one(const Batch& batch) const noexcept;
   [[nodiscard]] Outcome write_each(const Batch& batch) const noexcept;
@@ -76,7 +77,8 @@ class Outbox {
   [[nodiscard]] Batch oldest(std::span<std::byte> bytes, std::span<Length> lengths) const noexcept;
 
   int descriptor_;
-  std::size_t most_frames_ = 1;
+  bool in_one_ = false;                 ///< several frames go in one message
+  std::size_t most_at_once_ = kAtOnce;  ///< frames of one system call
   std::array<userbus::FrameMessage, userbus::kMostFrames> gathered_;
   std::size_t count_ = 0;
   std::unique_ptr<std::byte[]> ring_;  // only members that fall behind have one

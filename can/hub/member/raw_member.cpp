@@ -21,9 +21,10 @@ RawMember::~RawMember() {
   core().medium.detach(*this);
 }
 
+/// Its filters have let the frame pass.
 void RawMember::receive(const Passage& passage) noexcept {
-  if (!wants(passage)) return;
   const bool own = passage.sender == this;
+  if ((passage.local && !passage.loopback) || (own && option(OptionName::OwnMessages) == 0)) return;
   userbus::FrameMessage& message = gather();
   message.frame = passage.frame;
   message.trailer = {
@@ -38,12 +39,6 @@ void RawMember::receive(const Passage& passage) noexcept {
   if (!is_bridge()) return;
   message.trailer.flags |= passage.mark.number << userbus::kOriginShift;
   message.trailer.origin = passage.mark.hub;
-}
-
-/// Beside its filters, which the medium looks at.
-bool RawMember::wants(const Passage& passage) const noexcept {
-  if (passage.local && !passage.loopback) return false;
-  return passage.sender != this || option(OptionName::OwnMessages) != 0;
 }
 
 bool RawMember::take_frame(const Sent& sent, canopen::TimePoint now) noexcept {

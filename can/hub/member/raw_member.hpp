@@ -31,7 +31,6 @@ class RawMember final : public Member, public Participant {
   void filters_changed() noexcept;
   [[nodiscard]] std::size_t may_read() const noexcept override;
   [[nodiscard]] bool is_done() const noexcept override { return waiting_ == 0; }
-  [[nodiscard]] bool wants(const Passage& passage) const noexcept;
   [[nodiscard]] bool keep(const Passage& passage) noexcept;
 
   FilterSet filters_;
