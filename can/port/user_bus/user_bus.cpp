@@ -142,13 +142,18 @@ bool UserBus::note_link(std::uint32_t flags) noexcept {
   if ((flags & (userbus::kLinkDown | userbus::kLinkUp)) == 0) return false;
   is_cut_ = (flags & userbus::kLinkDown) != 0;
   is_mended_ = !is_cut_;
-  if (is_mended_) {
-    entry_.watch_no_longer(socket_.get());
-    entry_.ring();
-  } else {
-    entry_.watch(socket_.get());
-  }
+  watch_link(is_cut_);
+  if (is_mended_) entry_.ring();
   return true;
+}
+
+/// That the bus is whole again comes as a message, perhaps in one that was read already.
+void UserBus::watch_link(bool watches) noexcept {
+  for (const int descriptor : {socket_.get(), inbox_.descriptor()})
+    if (watches)
+      entry_.watch(descriptor);
+    else
+      entry_.watch_no_longer(descriptor);
 }
 
 SendStatus UserBus::send(const canopen::Frame& frame) noexcept {
@@ -219,6 +224,7 @@ Received UserBus::hub_lost() noexcept {
   error_state_ = ErrorState::Active;
   if (!is_member()) return {Received::Nothing, error_state_};  // told before
   pollable_.remove(socket_.get());
+  watch_link(false);
   socket_ = os::Descriptor{};
   inbox_.clear();
   is_cut_ = false;

@@ -67,6 +67,7 @@ class UserBus final : public Port {
   SendStatus send(const void* message, std::size_t size) noexcept;
   Received hub_lost() noexcept;
   [[nodiscard]] bool note_link(std::uint32_t flags) noexcept;
+  void watch_link(bool watches) noexcept;
   void look_at_link() noexcept;
   void read_link() noexcept;
 

@@ -70,7 +70,7 @@ TEST_F(HeldFrames, GoOutWhenThereAreMoreThanThereIsRoomFor) {
 TEST_F(HeldFrames, WaitFromTheFirstOneOnThatTheBusHasNoRoomFor) {
   port.rule = [](std::size_t call) { return call < 2 ? SendStatus::Sent : SendStatus::Full; };
   queue.hold();
-  for (const std::uint8_t value : {1, 2, 3, 4}) ordered(0x581, value);
+  for (std::uint8_t value = 1; value <= 4; ++value) ordered(0x581, value);
 
   queue.release();
 

@@ -12,9 +12,11 @@ namespace {
 using bus::LinkState;
 using bus::Received;
 
-bool is_readable(int descriptor) {
+constexpr int kPatience = 20'000;  // ms
+
+bool is_readable(int descriptor, int patience = 0) {
   pollfd wanted{descriptor, POLLIN, 0};
-  return poll(&wanted, 1, 0) == 1;
+  return poll(&wanted, 1, patience) == 1;
 }
 
 /// What the port receives next.
@@ -56,6 +58,29 @@ TEST_F(PortOfACutBus, TellsTheSameToWhoReceives) {
   ASSERT_TRUE(is_readable(link_.descriptor()));
   EXPECT_EQ(link_.read(), LinkState::Up);
   EXPECT_FALSE(is_readable(link_.descriptor()));
+}
+
+TEST_F(PortOfACutBus, LearnsOfACutThatIsOverBehindWhatItHadNotRead) {
+  constexpr int kFrames = 2000;  // more than its socket holds
+  const hub_test::BusClient sender{hub_.path()};
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 0; i < kFrames + round; ++i) sender.send("123#");
+    sender.settle();
+    hub_.set_link(false);
+    hub_.set_link(true);
+
+    int frames = 0;
+    Received::Kind last = Received::Frame;
+    while (last != Received::Down && is_readable(port_.descriptor(), kPatience)) {
+      last = next(port_);
+      frames += last == Received::Frame ? 1 : 0;
+    }
+    ASSERT_EQ(last, Received::Down);
+    EXPECT_EQ(frames, kFrames + round);
+    ASSERT_TRUE(is_readable(link_.descriptor(), kPatience));
+    EXPECT_EQ(link_.read(), LinkState::Up);
+    EXPECT_TRUE(port_.reopen());
+  }
 }
 
 TEST_F(PortOfACutBus, KnowsThatItIsCutWhenItComesIn) {
