@@ -40,8 +40,8 @@ std::unique_ptr<Operation> make() {
   return std::make_unique<Repeated<Work>>();
 }
 
-/// The operations of the library, of the physics, of one axis of the whole unit, of a CiA 402 device, of the hub of
-/// a user-space bus and of the bus over several hosts.
+/// The operations of the library, of the physics, of one axis of the whole unit, of a CiA 402 device, of the hub
+/// of a user-space bus and of the bus over several hosts.
 std::vector<OperationRow> library_operations();
 std::vector<OperationRow> library_pdo_operations();
 std::vector<OperationRow> plant_operations();

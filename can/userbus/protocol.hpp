@@ -84,10 +84,10 @@ enum class Operation : uint32_t {
           ///< came from in both directions; payload, if any: uint32_t, frames that a message to this member may
           ///< have; reply value: bit rate of the bus, 0 = none; reply payload, if the request had one: uint32_t,
           ///< frames that a message to the hub may have; without it, and from an older hub: 1 in both directions
-  Bind,        ///< value: interface index, 0 = all; ENODEV if there is none
-  ReadState,   ///< reply payload: MemberState
-  SetOption,   ///< payload: Option
-  SetFilters,  ///< payload: 0 to CAN_RAW_FILTER_MAX struct can_filter
+  Bind,   ///< value: interface index, 0 = all; ENODEV if there is none
+  ReadState,       ///< reply payload: MemberState
+  SetOption,       ///< payload: Option
+  SetFilters,      ///< payload: 0 to CAN_RAW_FILTER_MAX struct can_filter
   ReadFilters,     ///< reply payload: the filters
   InterfaceIndex,  ///< payload: name without final zero; reply value: its index; ENODEV if it is no name of a CAN
   InterfaceName,   ///< value: index; reply payload: the name without final zero; ENODEV

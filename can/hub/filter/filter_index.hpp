@@ -67,7 +67,9 @@ class FilterIndex {
     canid_t id;
     std::uint32_t place;
 
-    friend constexpr auto operator<=>(const Exact&, const Exact&) = default;
+    friend constexpr bool operator<(const Exact& one, const Exact& other) noexcept {
+      return one.id != other.id ? one.id < other.id : one.place < other.place;
+    }
   };
 
   [[nodiscard]] Block& block_of(Place place) noexcept { return *blocks_[place / kPlacesOfWord]; }

@@ -12,7 +12,7 @@ namespace hub {
 
 /// Data and remote frames of the standard format, a bit each, at their standard_number().
 using StandardFrames = std::array<std::uint64_t, 64>;
-inline constexpr std::size_t kStandardFrames = 2 * (CAN_SFF_MASK + 1);
+inline constexpr std::size_t kStandardFrames = std::size_t{2} * (CAN_SFF_MASK + 1);
 
 /// The number of a data or remote frame of the standard format, below kStandardFrames: its identifier, remote
 /// frames behind the others.

@@ -213,7 +213,8 @@ void Medium::spread(const Passage& passage, Hears hears) noexcept {
   const std::size_t words = hearers_.words();
   for (std::size_t word = 0; word < words; ++word)
     for (std::uint64_t left = hearers_.found(word); left != 0; left &= left - 1) {
-      const std::size_t place = word * FilterIndex::kPlacesOfWord + static_cast<std::size_t>(std::countr_zero(left));
+      const std::size_t place =
+          word * FilterIndex::kPlacesOfWord + static_cast<std::size_t>(std::countr_zero(left));
       Participant* const participant = at_place_[place];
       if (participant != nullptr && hears(*participant)) participant->receive(passage);
     }

@@ -175,9 +175,9 @@ class Medium {
   std::uint64_t handed_over_ = 0;
   std::uint32_t attached_ = 0;
   std::vector<std::unique_ptr<Station>> stations_;
-  std::vector<Station*> waiting_;      ///< those of them whose frames wait
-  FilterIndex hearers_;                ///< who hears which frames, each at a place
-  std::vector<Participant*> at_place_; ///< nullptr: it has left
+  std::vector<Station*> waiting_;       ///< those of them whose frames wait
+  FilterIndex hearers_;                 ///< who hears which frames, each at a place
+  std::vector<Participant*> at_place_;  ///< nullptr: it has left
   canopen::TimePoint now_{};
   Passage current_;         ///< on the wire, or being delivered
   bool on_wire_ = false;    ///< current_ has not reached its end

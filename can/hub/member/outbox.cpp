@@ -56,7 +56,7 @@ bool Outbox::offer(std::span<const std::byte> message) noexcept {
 }
 
 void Outbox::flush() noexcept {
-  std::array<std::byte, userbus::kLongestMessage> room;
+  std::array<std::byte, userbus::kLongestMessage> room{};
   std::array<Length, kAtOnce> lengths{};
   while (!empty()) {
     const Batch batch = oldest(room, lengths);
@@ -83,10 +83,11 @@ Outbox::Outcome Outbox::write_in_one(const Batch& batch) const noexcept {
 
 Outbox::Outcome Outbox::write_each(const Batch& batch) const noexcept {
   const std::size_t count = batch.lengths.size();
-  std::array<iovec, kAtOnce> parts;
+  std::array<iovec, kAtOnce> parts{};
   std::array<mmsghdr, kAtOnce> headers{};
   std::size_t offset = 0;
   for (std::size_t i = 0; i < count; offset += batch.lengths[i++]) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): an iovec is for both directions
     parts[i] = {const_cast<std::byte*>(&batch.bytes[offset]), batch.lengths[i]};
     headers[i].msg_hdr.msg_iov = &parts[i];
     headers[i].msg_hdr.msg_iovlen = 1;

@@ -79,7 +79,7 @@ class Outbox {
   int descriptor_;
   bool in_one_ = false;                 ///< several frames go in one message
   std::size_t most_at_once_ = kAtOnce;  ///< frames of one system call
-  std::array<userbus::FrameMessage, userbus::kMostFrames> gathered_;
+  std::array<userbus::FrameMessage, userbus::kMostFrames> gathered_{};
   std::size_t count_ = 0;
   std::unique_ptr<std::byte[]> ring_;  // only members that fall behind have one
   std::size_t first_ = 0;              // where the oldest message begins

@@ -60,7 +60,7 @@ bool RawMember::keep(const Passage& passage) noexcept {
     } catch (const std::bad_alloc&) {
       return false;
     }
-    std::ranges::rotate(kept_, kept_.begin() + static_cast<std::ptrdiff_t>(std::exchange(next_, 0)));
+    std::rotate(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(std::exchange(next_, 0)), kept_.end());
     kept_.resize(2 * kept_.size());
   }
   kept_[(next_ + waiting_++) % kept_.size()] = passage;

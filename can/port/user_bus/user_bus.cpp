@@ -170,7 +170,7 @@ SendStatus UserBus::send_marked(const canopen::Frame& frame, const Mark& mark) n
 
 SentMany UserBus::send_all(std::span<const canopen::Frame> frames) noexcept {
   if (!sends_together()) return Port::send_all(frames);
-  std::array<userbus::FrameMessage, userbus::kMostFrames> messages;
+  std::array<userbus::FrameMessage, userbus::kMostFrames> messages{};
   const std::size_t most = std::min(messages.size(), entry_.most_frames());
   for (std::size_t sent = 0; sent < frames.size();) {
     const auto some = frames.subspan(sent, std::min(most, frames.size() - sent));
@@ -199,7 +199,7 @@ SendStatus UserBus::send(const void* message, std::size_t size) noexcept {
 Received UserBus::receive(canopen::Frame& frame) noexcept {
   if (is_unapplied_ && is_member()) apply();
   for (int i = 0; i < kSkippedMessages; ++i) {
-    userbus::FrameMessage message;
+    userbus::FrameMessage message{};
     const FrameInbox::Outcome outcome = inbox_.next(socket_.get(), message);
     if (outcome == FrameInbox::Outcome::Gone) return hub_lost();
     if (outcome == FrameInbox::Outcome::Nothing) break;

@@ -138,7 +138,7 @@ class Dice {
   bool in(unsigned so_many) { return number(so_many) == 0; }
   canid_t frame() {
     if (in(16)) return static_cast<canid_t>(random_());
-    const canid_t flags[]{0, 0, 0, CAN_RTR_FLAG, CAN_EFF_FLAG, CAN_EFF_FLAG, CAN_EFF_FLAG | CAN_RTR_FLAG,
+    const canid_t flags[]{0,           0, 0, CAN_RTR_FLAG, CAN_EFF_FLAG, CAN_EFF_FLAG, CAN_EFF_FLAG | CAN_RTR_FLAG,
                           CAN_ERR_FLAG};
     const canid_t flag = flags[number(std::size(flags))];
     const bool is_short = flag == 0 || flag == CAN_RTR_FLAG;
@@ -206,7 +206,8 @@ TEST(FilterIndex, FindsExactlyThoseWhoseFiltersTheKernelWouldLetTheFramePass) {
       for (const auto& [place, taker] : takers_of)
         if (taker && taker->takes(frame)) expected.push_back(place);
       met += expected.size();
-      ASSERT_EQ(takers(index, frame), expected) << "frame " << std::hex << frame << " in round " << std::dec << round;
+      ASSERT_EQ(takers(index, frame), expected)
+          << "frame " << std::hex << frame << " in round " << std::dec << round;
     }
   }
   EXPECT_GT(met, 10'000u) << "frames and filters that do not meet show nothing";

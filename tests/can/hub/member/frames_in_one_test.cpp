@@ -48,7 +48,8 @@ class Gatherer {
     std::vector<std::vector<FrameMessage>> messages;
     for (;;) {
       std::vector<FrameMessage> frames(2 * userbus::kMostFrames);
-      const ssize_t size = recv(client_.descriptor(), frames.data(), frames.size() * sizeof frames[0], MSG_DONTWAIT);
+      const ssize_t size =
+          recv(client_.descriptor(), frames.data(), frames.size() * sizeof frames[0], MSG_DONTWAIT);
       if (size <= 0) return messages;
       EXPECT_EQ(static_cast<std::size_t>(size) % sizeof frames[0], 0u);
       frames.resize(static_cast<std::size_t>(size) / sizeof frames[0]);
@@ -91,7 +92,8 @@ Frames numbered(unsigned count, unsigned first = 0) {
 std::uint64_t refused(const BusClient& client, std::size_t row) {
   EXPECT_EQ(client.ask(Operation::Statistics).error, 0);
   userbus::MemberStatistics member{};
-  std::memcpy(&member, client.reply().data() + sizeof(userbus::BusStatistics) + row * sizeof member, sizeof member);
+  std::memcpy(&member, client.reply().data() + sizeof(userbus::BusStatistics) + row * sizeof member,
+              sizeof member);
   return member.refused;
 }
 
@@ -158,9 +160,8 @@ TEST(FramesInOne, AreNoMoreThanAMemberTakes) {
   sender.send(messages_of(frames));
   sender.settle();
 
-  EXPECT_EQ(receiver.take_texts(), (Messages{{frames[0], frames[1], frames[2]},
-                                             {frames[3], frames[4], frames[5]},
-                                             {frames[6]}}));
+  EXPECT_EQ(receiver.take_texts(),
+            (Messages{{frames[0], frames[1], frames[2]}, {frames[3], frames[4], frames[5]}, {frames[6]}}));
 }
 
 TEST(FramesInOne, AreRefusedFromWhoHasNotAgreed) {
