@@ -52,24 +52,28 @@ void run_on(pid_t process, std::size_t processor) {
   sched_setaffinity(process, sizeof set, &set);
 }
 
-/// Asks the hub of @p member, which must do it; the value of the reply.
-int request(int member, Operation operation, int value, std::span<const std::byte> payload = {}) {
-  std::array<std::byte, userbus::kLongestMessage> reply;
+/// Asks the hub of @p member, which must do it; @p number is what its reply has for a payload.
+int request(int member, Operation operation, int value, std::span<const std::byte> payload = {},
+            std::uint32_t* number = nullptr) {
+  std::uint32_t reply = 0;
   const userbus::Answer answer =
-      userbus::ask(member, operation, value, payload.data(), payload.size(), reply.data(), reply.size());
+      userbus::ask(member, operation, value, payload.data(), payload.size(), &reply, sizeof reply);
   errno = answer.error;
   require(answer.error == 0, "the hub refuses a request");
+  if (number != nullptr && answer.size == sizeof reply) *number = reply;
   return answer.value;
 }
 
-os::Descriptor join(const std::string& path, const Wishes& wishes, bool hears) {
+/// @p most_frames: that a message to the hub may have.
+os::Descriptor join(const std::string& path, const Wishes& wishes, bool hears, std::uint32_t& most_frames) {
   userbus::Path at{};
   if (!userbus::copy_path(path.c_str(), at)) throw std::runtime_error{path};
   const userbus::Joined joined = userbus::join(at, nullptr, userbus::Kind::Port, SOCK_CLOEXEC);
   if (joined.descriptor < 0) throw std::runtime_error{userbus::text_of(joined.error)};
   os::Descriptor socket{joined.descriptor};
   const std::array most{wishes.most_frames};
-  if (wishes.most_frames > 1) request(socket.get(), Operation::Hello, 0, std::as_bytes(std::span{most}));
+  if (wishes.most_frames > 1)
+    request(socket.get(), Operation::Hello, 0, std::as_bytes(std::span{most}), &most_frames);
   const canid_t identifier = hears ? kIdentifier : kOther;
   const std::array filters{can_filter{identifier, CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG}};
   if (wishes.one_hears) request(socket.get(), Operation::SetFilters, 0, std::as_bytes(std::span{filters}));
@@ -99,7 +103,8 @@ os::Descriptor join(const std::string& path, const Wishes& wishes, bool hears) {
 
 FanOut FanOut::of_hub(const std::string& path, pid_t hub, const Wishes& wishes) {
   FanOut made{hub, false};
-  for (std::size_t i = 0; i < wishes.members; ++i) made.sockets_.push_back(join(path, wishes, i == 1));
+  for (std::size_t i = 0; i < wishes.members; ++i)
+    made.sockets_.push_back(join(path, wishes, i == 1, made.most_frames_));
   made.hearers_ = wishes.one_hears ? 1 : wishes.members - 1;
   return made;
 }
@@ -107,6 +112,7 @@ FanOut FanOut::of_hub(const std::string& path, pid_t hub, const Wishes& wishes) 
 FanOut FanOut::plain(std::size_t members, bool waits) {
   std::vector<os::Descriptor> far;
   FanOut made{0, true};
+  made.most_frames_ = userbus::kMostFrames;
   for (std::size_t i = 0; i < members; ++i) {
     std::array<int, 2> ends{};
     require(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) == 0, "socketpair");
@@ -127,6 +133,7 @@ FanOut FanOut::plain(std::size_t members, bool waits) {
 FanOut::FanOut(FanOut&& other) noexcept
     : process_{other.process_},
       is_own_{std::exchange(other.is_own_, false)},
+      most_frames_{other.most_frames_},
       sockets_{std::move(other.sockets_)},
       hearers_{other.hearers_} {}
 
@@ -139,8 +146,9 @@ void FanOut::pass(std::size_t frames, bool in_one) const {
   std::array<FrameMessage, userbus::kMostFrames> room{};
   room.fill({.frame = some_frame(), .trailer = {}});
   const int from = sockets_.front().get();
-  const std::size_t size = in_one ? frames * sizeof room[0] : sizeof(can_frame);
-  for (std::size_t i = 0; i < (in_one ? 1 : frames); ++i)
+  const bool is_one = in_one && frames <= most_frames_;
+  const std::size_t size = is_one ? frames * sizeof room[0] : sizeof(can_frame);
+  for (std::size_t i = 0; i < (is_one ? 1 : frames); ++i)
     require(send(from, room.data(), size, MSG_NOSIGNAL) == static_cast<ssize_t>(size), "sending");
   for (const os::Descriptor& hearer : std::span{sockets_}.subspan(1, hearers_))
     for (std::size_t left = frames; left > 0;) {

@@ -36,7 +36,8 @@ class FanOut {
   /// Ends the process of plain().
   ~FanOut();
 
-  /// Sends @p frames, in one message or each in its own, and returns when everybody who hears has them all.
+  /// Sends @p frames, in one message if that is taken (@p in_one) or each in its own, and returns when everybody
+  /// who hears has them all.
   void pass(std::size_t frames, bool in_one) const;
   /// Processor time of the process so far (ns).
   [[nodiscard]] std::int64_t processor_time() const;
@@ -46,6 +47,7 @@ class FanOut {
 
   pid_t process_;
   bool is_own_;
+  std::uint32_t most_frames_ = 1;  ///< that are taken in one message
   std::vector<os::Descriptor> sockets_;
   std::size_t hearers_ = 0;  ///< behind the first one
 };

@@ -115,13 +115,13 @@ class Member : public Watch {
 
   Core& core_;
   os::Descriptor socket_;
+  int interface_index_ = -1;
+  bool is_bridge_ = false;
+  bool is_gathering_ = false;  // it is in Core::gathering
   Outbox outbox_;
-  bool is_gathering_ = false;   // it is in Core::gathering
   std::size_t most_taken_ = 1;  // frames in a message of the program
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;
-  int interface_index_ = -1;
-  bool is_bridge_ = false;
   bool is_cut_untold_ = false;  // there was no room to tell that the bus is cut, or whole again
   std::array<std::uint32_t, userbus::kOptionCount> options_{};
   std::uint32_t watched_ = 0;  // events; 0 = the socket is not watched

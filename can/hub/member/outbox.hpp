@@ -76,17 +76,19 @@ class Outbox {
   void get(std::span<std::byte> bytes, std::size_t offset) const noexcept;
   [[nodiscard]] Batch oldest(std::span<std::byte> bytes, std::span<Length> lengths) const noexcept;
 
+  // What every frame touches lies together, up to the first one that is gathered: of many members little is in the
+  // processor's cache.
   int descriptor_;
   bool in_one_ = false;                 ///< several frames go in one message
   std::size_t most_at_once_ = kAtOnce;  ///< frames of one system call
-  std::array<userbus::FrameMessage, userbus::kMostFrames> gathered_{};
-  std::size_t count_ = 0;
-  std::unique_ptr<std::byte[]> ring_;  // only members that fall behind have one
-  std::size_t first_ = 0;              // where the oldest message begins
-  std::size_t used_ = 0;
-  std::size_t messages_ = 0;
+  std::size_t count_ = 0;               ///< of gathered_
+  std::size_t messages_ = 0;            ///< in ring_
   std::uint64_t taken_ = 0;
   std::uint32_t dropped_ = 0;
+  std::array<userbus::FrameMessage, userbus::kMostFrames> gathered_{};
+  std::unique_ptr<std::byte[]> ring_;  ///< only members that fall behind have one
+  std::size_t first_ = 0;              ///< where the oldest message begins
+  std::size_t used_ = 0;
 };
 
 }  // namespace hub

@@ -9,7 +9,7 @@ namespace hub {
 
 /// A CAN_RAW socket: what it sends goes to the medium, and of what passes there it gets what the rules of such a
 /// socket let through (net/can/raw.c).
-class RawMember final : public Member, public Participant {
+class RawMember final : public Participant, public Member {
  public:
   RawMember(Core& core, os::Descriptor socket, userbus::Kind kind);
   RawMember(const RawMember&) = delete;
