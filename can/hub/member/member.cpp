@@ -149,17 +149,6 @@ void Member::begin_gathering() noexcept {
   if (!std::exchange(is_gathering_, true)) core_.gathering.push_back(this);
 }
 
-void Member::hand_over() noexcept {
-  write_gathered();
-  is_gathering_ = false;
-}
-
-void Member::write_gathered() noexcept {
-  const bool was_empty = outbox_.empty();
-  outbox_.hand_over();
-  if (was_empty && !outbox_.empty()) update_watch();
-}
-
 void Member::set_most_frames(std::size_t most, std::size_t most_taken) noexcept {
   write_gathered();
   outbox_.set_most_frames(most);

@@ -55,7 +55,10 @@ class Member : public Watch {
   /// Reads what the program has sent until now, and no more than a socket holds.
   void drain(canopen::TimePoint now) noexcept;
   /// Sends the frames that were gathered for the program.
-  void hand_over() noexcept;
+  void hand_over() noexcept {
+    is_gathering_ = false;
+    write_gathered();
+  }
 
   /// Filters of a raw socket; errno, 0 = done.
   virtual int set_filters(std::span<const can_filter> filters) noexcept;
@@ -110,7 +113,11 @@ class Member : public Watch {
   [[nodiscard]] bool take_frames(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frame(const userbus::FrameMessage& message, canopen::TimePoint now) noexcept;
   void begin_gathering() noexcept;
-  void write_gathered() noexcept;
+  void write_gathered() noexcept {
+    const bool was_empty = outbox_.empty();
+    outbox_.hand_over();
+    if (was_empty && !outbox_.empty()) update_watch();
+  }
   void update_watch() noexcept;
 
   Core& core_;

@@ -12,8 +12,6 @@ namespace hub {
 
 namespace {
 
-constexpr int kFlags = MSG_DONTWAIT | MSG_NOSIGNAL;
-
 /// Of as many frames as may be gathered.
 constexpr auto kFrameLengths = [] {
   std::array<std::uint32_t, userbus::kMostFrames> lengths{};
@@ -28,9 +26,9 @@ void Outbox::set_most_frames(std::size_t most) noexcept {
   most_at_once_ = in_one_ ? most : kAtOnce;
 }
 
-void Outbox::hand_over() noexcept {
+/// What goes with several messages, or has found no room at once.
+void Outbox::hand_over_rest() noexcept {
   const std::span frames = std::span{gathered_}.first(std::exchange(count_, 0));
-  if (frames.empty()) return;
   const Batch batch{std::as_bytes(frames), std::span{kFrameLengths}.first(frames.size())};
   const Outcome outcome = empty() ? write(batch) : Outcome{};
   taken_ += outcome.sent;
@@ -77,7 +75,7 @@ Outbox::Outcome Outbox::write(const Batch& batch) const noexcept {
 
 Outbox::Outcome Outbox::write_in_one(const Batch& batch) const noexcept {
   const std::size_t count = batch.lengths.size();
-  if (::send(descriptor_, batch.bytes.data(), batch.bytes.size(), kFlags) >= 0) return {.sent = count};
+  if (write_message(batch.bytes.data(), batch.bytes.size())) return {.sent = count};
   return errno == EAGAIN ? Outcome{} : Outcome{.lost = count};
 }
 

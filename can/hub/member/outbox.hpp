@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
+
+#include <sys/socket.h>
 
 #include "can/userbus/protocol.hpp"
 
@@ -32,8 +35,16 @@ class Outbox {
   [[nodiscard]] bool is_full() const noexcept { return count_ == most_at_once_; }
   /// True if nothing was gathered since hand_over().
   [[nodiscard]] bool has_none() const noexcept { return count_ == 0; }
-  /// Sends what was gathered; frames for which there is no room count as lost.
-  void hand_over() noexcept;
+  /// Sends what was gathered; frames for which there is no room count as lost. Here, so that handing over to many
+  /// members is one loop around a system call: after each one the processor has to find again what it touches.
+  void hand_over() noexcept {
+    if (count_ == 0) return;
+    const bool is_one_message = in_one_ || count_ == 1;
+    if (is_one_message && empty() && write_message(gathered_.data(), count_ * sizeof gathered_[0]))
+      taken_ += std::exchange(count_, 0);
+    else
+      hand_over_rest();
+  }
 
   /// Takes @p message (at most userbus::kLongestMessage bytes), behind what was gathered; one for which there is
   /// no room counts as lost.
@@ -52,6 +63,7 @@ class Outbox {
 
  private:
   using Length = std::uint32_t;
+  static constexpr int kFlags = MSG_DONTWAIT | MSG_NOSIGNAL;
   /// Messages of one system call, at most.
   static constexpr std::size_t kAtOnce = userbus::kMostFrames;
   /// Of the ring (bytes): room for kMessages frames.
@@ -68,6 +80,11 @@ class Outbox {
     std::size_t lost = 0;  ///< of those behind: nobody is there to read them
   };
 
+  /// False with errno if the socket does not take it.
+  [[nodiscard]] bool write_message(const void* message, std::size_t size) const noexcept {
+    return ::send(descriptor_, message, size, kFlags) >= 0;
+  }
+  void hand_over_rest() noexcept;
   [[nodiscard]] Outcome write(const Batch& batch) const noexcept;
   [[nodiscard]] Outcome write_in_one(const Batch& batch) const noexcept;
   [[nodiscard]] Outcome write_each(const Batch& batch) const noexcept;

@@ -93,13 +93,56 @@ TEST_F(OutboxTest, WrapsMessagesOfAllSizes) {
   for (std::uint32_t i = 0; i < sent; ++i) ASSERT_EQ(numbers[i], i);
 }
 
+TEST_F(OutboxTest, HandsOverWhatWasGatheredAndNothingElse) {
+  Outbox outbox{hub_end_.get()};
+  outbox.set_most_frames(userbus::kMostFrames);
+  outbox.hand_over();
+  ASSERT_EQ(read_all().size(), 0u) << "a message without bytes would be the end";
+
+  for (canid_t id = 1; id <= 3; ++id) outbox.add().frame.can_id = id;
+  outbox.send(message(4));
+  outbox.hand_over();
+
+  std::vector<std::byte> room(userbus::kLongestMessage);
+  EXPECT_EQ(recv(program_end_.get(), room.data(), room.size(), 0), ssize_t{3 * sizeof(userbus::FrameMessage)});
+  EXPECT_EQ(recv(program_end_.get(), room.data(), room.size(), 0), ssize_t{sizeof(userbus::FrameMessage)});
+  EXPECT_EQ(recv(program_end_.get(), room.data(), room.size(), 0), -1);
+  EXPECT_EQ(outbox.taken(), 4u);
+}
+
+TEST_F(OutboxTest, KeepsWhatWasGatheredInItsOrderAndDropsTheRest) {
+  for (const std::size_t most : {std::size_t{1}, userbus::kMostFrames}) {
+    Outbox outbox{hub_end_.get()};
+    outbox.set_most_frames(most);
+    canid_t sent = 0;
+    while (outbox.dropped() == 0) {
+      while (!outbox.is_full()) outbox.add().frame.can_id = sent++;
+      outbox.hand_over();
+    }
+    EXPECT_EQ(outbox.taken() + outbox.dropped(), sent);
+
+    canid_t seen = 0;
+    std::vector<userbus::FrameMessage> room(userbus::kMostFrames);
+    for (bool is_over = false; !is_over; outbox.flush()) {
+      ssize_t size = 0;
+      is_over = outbox.empty();
+      while ((size = recv(program_end_.get(), room.data(), room.size() * sizeof room[0], 0)) > 0)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(size) / sizeof room[0]; ++i)
+          ASSERT_EQ(room[i].frame.can_id, seen++);
+    }
+    EXPECT_EQ(seen, outbox.taken());
+  }
+}
+
 TEST_F(OutboxTest, LosesWhatIsForAProgramThatHasGone) {
   Outbox outbox{hub_end_.get()};
   program_end_ = os::Descriptor{};
 
   outbox.send(message(1));
+  outbox.add() = {};
+  outbox.hand_over();
 
-  EXPECT_EQ(outbox.dropped(), 1u);
+  EXPECT_EQ(outbox.dropped(), 2u);
   EXPECT_TRUE(outbox.empty());
 }
 
