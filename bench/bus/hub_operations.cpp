@@ -14,7 +14,6 @@ namespace {
 
 using userbus::FrameMessage;
 
-constexpr canopen::TimePoint kNow{std::chrono::hours{1}};
 constexpr canid_t kIdentifier = 0x181;
 constexpr canid_t kOther = 0x182;
 
@@ -77,7 +76,7 @@ class Spreading {
   }
   void step() {
     programs_.front()->send(message_);
-    core_.members.front()->on_events(EPOLLIN, kNow);
+    core_.members.front()->on_events(EPOLLIN);
     core_.hand_over();
     if (++steps_ % Program::kMessages == 0)
       for (std::size_t i = 1; i <= kShape.hearers; ++i) programs_[i]->read();

@@ -41,6 +41,11 @@ std::size_t most_members() noexcept {
   return descriptors - std::min(descriptors / 2, kReserved);
 }
 
+/// Looks at the clock only if there is a deadline.
+bool has_passed(TimePoint deadline) noexcept {
+  return deadline != canopen::kNever && deadline <= monotonic_now();
+}
+
 }  // namespace
 
 /// Tells a source what its descriptor polls.
@@ -48,7 +53,7 @@ class Server::SourceWatch final : public Watch {
  public:
   explicit SourceWatch(Source& source) : source_{&source}, descriptor_{source.descriptor()} {}
 
-  void on_events(std::uint32_t, TimePoint now) noexcept override { source_->on_readable(now); }
+  void on_events(std::uint32_t) noexcept override { source_->on_readable(monotonic_now()); }
 
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
   [[nodiscard]] bool is_for(const Source* source) const noexcept { return source_ == source; }
@@ -91,29 +96,29 @@ void Server::remove(Source& source) noexcept {
   std::erase(core_.sources, &source);
 }
 
-void Server::set_link(bool up, TimePoint now) noexcept {
+void Server::set_link(bool up) noexcept {
   if (up)
-    for (const auto& member : core_.members) member->drain(now);
+    for (const auto& member : core_.members) member->drain();
   core_.medium.set_up(up);
   core_.link_page.set_up(up);
   for (const auto& member : core_.members) member->tell_link(up);
 }
 
 void Server::run() noexcept {
-  for (TimePoint now = monotonic_now(); !stopped_;) {
+  while (!stopped_) {
     const TimePoint next = next_deadline();
-    const bool is_due = next <= now;
+    const bool is_due = has_passed(next);
     if (!is_due) timer_.wake_at(next);
-    now = core_.poll.turn(is_due);
-    on_time(now);
+    core_.poll.turn(is_due);
+    if (has_passed(next_deadline())) on_time(monotonic_now());
     core_.hand_over();
-    if (core_.anyone_departed) sweep(now);
-    end_if_lonely(now);
+    if (core_.anyone_departed) sweep(monotonic_now());
+    end_if_lonely();
   }
 }
 
-void Server::on_events(std::uint32_t, TimePoint now) noexcept {
-  accept_members(now);
+void Server::on_events(std::uint32_t) noexcept {
+  accept_members(monotonic_now());
 }
 
 void Server::accept_members(TimePoint now) noexcept {
@@ -187,12 +192,14 @@ void Server::sweep(TimePoint now) noexcept {
   if (listen_again_ != canopen::kNever) listen_again_ = now;
 }
 
-void Server::end_if_lonely(TimePoint now) noexcept {
+void Server::end_if_lonely() noexcept {
   if (!settings_.on_demand) return;
-  if (!core_.members.empty())
+  if (!core_.members.empty()) {
     end_ = canopen::kNever;
-  else if (end_ == canopen::kNever)
-    end_ = now + kPatience;
+    return;
+  }
+  const TimePoint now = monotonic_now();
+  if (end_ == canopen::kNever) end_ = now + kPatience;
   if (end_ > now) return;
   accept_members(now);  // whoever came this very moment is served still
   stopped_ = core_.members.empty();

@@ -39,7 +39,7 @@ class Server final : public SourceList, private Watch {
   /// The wire goes on beyond this hub from now on, and is cut: to be called before a trunk is made.
   void lengthen() { core_.link_page.create(); }
   /// The wire is whole or cut: members are told. What they have sent while it was cut is lost.
-  void set_link(bool up, canopen::TimePoint now) noexcept;
+  void set_link(bool up) noexcept;
 
   /// What is wrong with the wire, likewise.
   faults::Faults& faults() noexcept { return core_.faults; }
@@ -52,7 +52,7 @@ class Server final : public SourceList, private Watch {
  private:
   class SourceWatch;
 
-  void on_events(std::uint32_t events, canopen::TimePoint now) noexcept override;
+  void on_events(std::uint32_t events) noexcept override;
   void accept_members(canopen::TimePoint now) noexcept;
   void admit(os::Descriptor socket, userbus::Kind kind) noexcept;
   std::unique_ptr<Member> make_member(os::Descriptor socket, userbus::Kind kind);
@@ -60,7 +60,7 @@ class Server final : public SourceList, private Watch {
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
   void on_time(canopen::TimePoint now) noexcept;
   void sweep(canopen::TimePoint now) noexcept;
-  void end_if_lonely(canopen::TimePoint now) noexcept;
+  void end_if_lonely() noexcept;
 
   Core core_;
   Timer timer_;

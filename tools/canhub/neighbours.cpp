@@ -51,7 +51,7 @@ void Neighbours::join(const nats::Bus& bus, std::uint32_t bit_rate) {
     lease = std::make_unique<nats::NatsLease>(
         bus, nats::NatsLease::Holder{.hub = hub, .name = settings.name, .bit_rate = bit_rate});
   }
-  const auto on_link = [this](bool up, canopen::TimePoint now) { server_.set_link(up, now); };
+  const auto on_link = [this](bool up, canopen::TimePoint) { server_.set_link(up); };
   sources_.push_back(std::make_unique<hub::trunk::Trunk>(server_.medium(), std::move(stream), std::move(settings),
                                                          on_link, print_notice, std::move(lease)));
 }

@@ -3,8 +3,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "can/hub/loop/clock.hpp"
-
 namespace hub {
 
 namespace {
@@ -39,15 +37,14 @@ void Poll::remove(int descriptor, const Watch& watch) noexcept {
       events_[static_cast<std::size_t>(i)].data.ptr = nullptr;
 }
 
-canopen::TimePoint Poll::turn(bool is_urgent) noexcept {
+void Poll::turn(bool is_urgent) noexcept {
   constexpr int kForEver = -1;
   found_ = epoll_wait(descriptor_.get(), events_.data(), kEvents, is_urgent ? 0 : kForEver);
   for (int i = 0; i < found_; ++i) {
     const epoll_event& event = events_[static_cast<std::size_t>(i)];
-    if (event.data.ptr != nullptr) static_cast<Watch*>(event.data.ptr)->on_events(event.events, monotonic_now());
+    if (event.data.ptr != nullptr) static_cast<Watch*>(event.data.ptr)->on_events(event.events);
   }
   found_ = 0;
-  return monotonic_now();
 }
 
 }  // namespace hub

@@ -5,7 +5,6 @@
 
 #include <sys/epoll.h>
 
-#include "libcanopen/base/time.hpp"
 #include "os/descriptor.hpp"
 
 namespace hub {
@@ -18,9 +17,9 @@ class Watch {
   Watch& operator=(const Watch&) = delete;
   virtual ~Watch() = default;
 
-  /// @p events as epoll(7) has them; @p now is the time of the call: the hub may have been stopped since the wait
-  /// ended.
-  virtual void on_events(std::uint32_t events, canopen::TimePoint now) noexcept = 0;
+  /// @p events as epoll(7) has them. Who needs the time looks at the clock: the hub may have been stopped since
+  /// the wait ended.
+  virtual void on_events(std::uint32_t events) noexcept = 0;
 };
 
 /// The descriptors of the hub, level-triggered.
@@ -37,9 +36,8 @@ class Poll {
   /// Nothing is told to @p watch any more, not even what this turn has found already.
   void remove(int descriptor, const Watch& watch) noexcept;
 
-  /// Waits until something happens, or does not wait at all (@p is_urgent), tells what there is, and returns the
-  /// time at the end.
-  canopen::TimePoint turn(bool is_urgent = false) noexcept;
+  /// Waits until something happens, or does not wait at all (@p is_urgent), and tells what there is.
+  void turn(bool is_urgent = false) noexcept;
 
  private:
   /// Of one turn; few, so that timers are looked at often when all members send at once.

@@ -16,7 +16,7 @@ void Timer::wake_at(canopen::TimePoint when) noexcept {
   timer_.ring_at(when.time_since_epoch());
 }
 
-void Timer::on_events(std::uint32_t, canopen::TimePoint) noexcept {
+void Timer::on_events(std::uint32_t) noexcept {
   if (timer_.take()) armed_ = canopen::kNever;
 }
 

@@ -15,7 +15,7 @@ class Timer final : public Watch {
   /// The wait shall end at @p when at the latest. Costs a system call only if @p when is earlier than what was
   /// wanted before: for a deadline that moves away at every frame the wait ends once too often instead.
   void wake_at(canopen::TimePoint when) noexcept;
-  void on_events(std::uint32_t events, canopen::TimePoint now) noexcept override;
+  void on_events(std::uint32_t events) noexcept override;
 
  private:
   os::Timer timer_;

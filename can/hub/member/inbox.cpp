@@ -1,5 +1,6 @@
 #include "can/hub/member/inbox.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace hub {
@@ -14,9 +15,11 @@ Inbox::Inbox() noexcept {
 }
 
 int Inbox::receive(int descriptor, std::size_t most) noexcept {
-  for (mmsghdr& header : headers_) header.msg_hdr.msg_controllen = sizeof(Room::control);
-  return recvmmsg(descriptor, headers_.data(), static_cast<unsigned>(most), MSG_DONTWAIT | MSG_CMSG_CLOEXEC,
-                  nullptr);
+  for (std::size_t i = 0; i < used_; ++i) headers_[i].msg_hdr.msg_controllen = sizeof(Room::control);
+  const int count =
+      recvmmsg(descriptor, headers_.data(), static_cast<unsigned>(most), MSG_DONTWAIT | MSG_CMSG_CLOEXEC, nullptr);
+  used_ = static_cast<std::size_t>(std::max(count, 0));
+  return count;
 }
 
 Inbox::Message Inbox::take(std::size_t number, Closer& closer) noexcept {

@@ -50,6 +50,7 @@ class Inbox {
 
   std::array<Room, kBatch> rooms_{};
   std::array<mmsghdr, kBatch> headers_{};
+  std::size_t used_ = kBatch;  ///< of headers_, from the first on
 };
 
 }  // namespace hub

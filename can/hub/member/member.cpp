@@ -7,6 +7,7 @@
 
 #include <linux/can/error.h>
 
+#include "can/hub/loop/clock.hpp"
 #include "can/hub/member/requests.hpp"
 
 namespace hub {
@@ -65,11 +66,11 @@ void Member::flush() noexcept {
   if (core_.medium.is_up()) tell_link(true);
 }
 
-void Member::drain(canopen::TimePoint now) noexcept {
+void Member::drain() noexcept {
   constexpr int kMost = 1024;  // turns: a program that sends on and on must not hold the hub
   for (int i = 0; i < kMost; ++i) {
     const std::size_t most = may_read();
-    if (most == 0 || !read(most, now)) break;
+    if (most == 0 || !read(most)) break;
   }
   go_on();
 }
@@ -79,15 +80,15 @@ bool Member::begin() noexcept {
   return core_.poll.add(socket_.get(), watched_, *this);
 }
 
-void Member::on_events(std::uint32_t events, canopen::TimePoint now) noexcept {
+void Member::on_events(std::uint32_t events) noexcept {
   if ((events & EPOLLOUT) != 0) flush();
   if (phase_ == Phase::Open && (events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0) phase_ = Phase::Closed;
-  if (const std::size_t most = may_read(); most > 0) read(most, now);
+  if (const std::size_t most = may_read(); most > 0) read(most);
   go_on();
 }
 
 /// False if there was nothing.
-bool Member::read(std::size_t most, canopen::TimePoint now) noexcept {
+bool Member::read(std::size_t most) noexcept {
   const int count = core_.inbox.receive(socket_.get(), most);
   if (count < 0) {
     // a program that leaves messages unread resets the connection; what it had sent before is still there
@@ -95,6 +96,7 @@ bool Member::read(std::size_t most, canopen::TimePoint now) noexcept {
     if (!again) phase_ = Phase::ReadOut;
     return false;
   }
+  const canopen::TimePoint now = monotonic_now();
   bool last_is_empty = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     Inbox::Message message = core_.inbox.take(i, core_.closer);

@@ -25,7 +25,7 @@ class Member : public Watch {
 
   /// Begins to read; false if the kernel has no memory for that.
   [[nodiscard]] bool begin() noexcept;
-  void on_events(std::uint32_t events, canopen::TimePoint now) noexcept final;
+  void on_events(std::uint32_t events) noexcept final;
   /// True if it has closed its socket and everything that it had sent is on the bus: it may be destroyed.
   [[nodiscard]] bool departed() const noexcept { return phase_ == Phase::Departed; }
 
@@ -53,7 +53,7 @@ class Member : public Watch {
   /// there is.
   void tell_link(bool up) noexcept;
   /// Reads what the program has sent until now, and no more than a socket holds.
-  void drain(canopen::TimePoint now) noexcept;
+  void drain() noexcept;
   /// Sends the frames that were gathered for the program.
   void hand_over() noexcept {
     is_gathering_ = false;
@@ -108,7 +108,7 @@ class Member : public Watch {
   [[nodiscard]] virtual bool is_done() const noexcept { return true; }
 
   void flush() noexcept;
-  bool read(std::size_t most, canopen::TimePoint now) noexcept;
+  bool read(std::size_t most) noexcept;
   void take(Inbox::Message message, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frames(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frame(const userbus::FrameMessage& message, canopen::TimePoint now) noexcept;

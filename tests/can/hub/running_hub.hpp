@@ -47,10 +47,10 @@ class RunningHub {
     }
     ~Link() override { server_.remove(*this); }
     [[nodiscard]] int descriptor() const noexcept override { return descriptor_.get(); }
-    void on_readable(canopen::TimePoint now) noexcept override {
+    void on_readable(canopen::TimePoint) noexcept override {
       eventfd_t asked = 0;
       eventfd_read(descriptor_.get(), &asked);
-      server_.set_link(up_, now);
+      server_.set_link(up_);
       done_.release();
     }
     void set(bool up) {
