@@ -74,6 +74,10 @@ class SdoClient {
   /// Sends @p request and gives the answer of the server that fits it (SdoMatch); if none comes in time, a frame
   /// that stands in for it, or nothing.
   std::optional<canopen::Frame> exchange(const canopen::Frame& request);
+  /// Asks for uploads of @p entries, several at a time of a server that is seen to answer requests which come
+  /// together: the answer to each. Nothing for an entry that has to be asked for alone, because the server does not
+  /// answer that way, or because of a frame that fits none of the requests.
+  [[nodiscard]] std::vector<std::optional<canopen::Frame>> ask_together(std::span<const Multiplexor> entries);
   /// Sends @p request and gives the next frame of the server, whether it fits or not.
   std::optional<canopen::Frame> exchange_any(const canopen::Frame& request);
   /// The next frame that answers the last request; for the segments of a block upload.
@@ -116,8 +120,14 @@ class SdoClient {
   /// it has gone, and further requests are not sent, so that a check of thousands of entries ends.
   static constexpr unsigned kMostSilent = 3;
 
+  /// Requests that are under way at a time, at most: as many as the queues of small controllers hold.
+  static constexpr std::size_t kMostTogether = 8;
+
   bool is_present();
   std::optional<TimedFrame> await();
+  void learn_to_ask_together();
+  std::vector<std::optional<canopen::Frame>> burst(std::span<const Multiplexor> entries,
+                                                   canopen::Duration patience);
   SdoAnswer upload_segments(std::uint16_t index, std::uint8_t sub_index, std::optional<std::uint32_t> announced);
   SdoAnswer malformed(std::uint16_t index, std::uint8_t sub_index, std::string problem);
   SdoAnswer endless(std::uint16_t index, std::uint8_t sub_index, std::string problem);
@@ -130,6 +140,7 @@ class SdoClient {
   bool absent_ = false;  ///< it did not even answer an upload of 1000h:00
   bool late_ = false;    ///< an answer to a request that was given up may still come
   bool aborts_are_named_ = true;
+  std::size_t together_ = 0;  ///< requests at a time that the server answers; 0: not known yet
   canopen::Frame last_{};                  ///< request
   std::optional<SdoMatch> awaited_{};      ///< what answers the last request
   std::optional<Multiplexor> transfer_{};  ///< that was initiated last
@@ -140,6 +151,9 @@ class SdoClient {
   std::vector<canopen::Duration> times_;
 };
 
+/// The answer to an upload that @p frame is as a whole: an abort, or data in one frame; nothing if segments follow,
+/// and for what is none.
+[[nodiscard]] std::optional<SdoAnswer> whole_answer(const canopen::Frame& frame);
 /// The abort code of @p frame, if it is an abort of the server.
 [[nodiscard]] std::optional<std::uint32_t> abort_code(const canopen::Frame& frame) noexcept;
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/read_ahead.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 #include "tools/canopen-check/core/standard_numbers.hpp"
 
@@ -88,10 +89,12 @@ void has_printable_names(Context& context) {
 void has_structures_of_the_eds(Context& context) {
   if (without_eds(context)) return;
   int found = 0, silent = 0;
-  for (const std::uint16_t index : all_objects(context)) {
-    if (context.eds().find(index, kStructure) != nullptr) continue;  // an element like the others
-    context.step();
-    const SdoAnswer answer = context.read(index, kStructure);
+  std::vector<Multiplexor> entries;
+  for (const std::uint16_t index : all_objects(context))  // else it is an element like the others
+    if (context.eds().find(index, kStructure) == nullptr) entries.push_back({index, kStructure});
+  ReadAhead answers{context, entries};
+  for (const auto& [index, sub_index] : entries) {
+    const SdoAnswer answer = answers.next(&SdoAnswer::aborted);
     silent = answer.kind == SdoAnswer::Kind::Silent ? silent + 1 : 0;
     if (silent == kMostSilent) break;
     if (!answer.done()) continue;
@@ -113,42 +116,64 @@ std::uint8_t highest_of(const Description& eds, std::uint16_t index) {
   return highest;
 }
 
-void judge_count(Context& context, const EntryFacts& count) {
+bool has_type_of_counts(const EntryFacts& count) {
   constexpr std::uint16_t kUnsigned8 = 0x0005;
+  return count.type != nullptr && count.type->number == kUnsigned8;
+}
+
+/// Sub-index 0 of every array and record.
+std::vector<const EntryFacts*> all_counts(const Context& context) {
+  std::vector<const EntryFacts*> counts;
+  for (const std::uint16_t index : all_objects(context)) {
+    const eds::ObjectCode code = context.eds().code_of(index);
+    if (code != eds::ObjectCode::Array && code != eds::ObjectCode::Record) continue;
+    if (const EntryFacts* const count = context.eds().find(index)) counts.push_back(count);
+  }
+  return counts;
+}
+
+void judge_count(Context& context, const EntryFacts& count, ReadAhead& answers) {
   const std::uint8_t highest = highest_of(context.eds(), count.index);
-  if (count.type == nullptr || count.type->number != kUnsigned8)
-    return context.fail(count.index, 0, "an UNSIGNED8 with the highest sub-index",
-                        count.type == nullptr ? "another type" : std::string{count.type->name});
-  context.step();
-  const SdoAnswer answer = context.read(count.index);
-  if (!answer.done()) return;  // device.readable
   // What can be written counts the entries in use: mapped objects, errors.
-  const bool right = count.writable() ? answer.number() <= highest : answer.number() == highest;
-  if (!right)
-    context.fail(
-        count.index, 0,
-        fmt::format("{}{:02X}h, the highest sub-index of the EDS", count.writable() ? "at most " : "", highest),
-        fmt::format("{:02X}h", answer.number()));
+  const auto is_right = [&](const SdoAnswer& answer) {
+    return answer.done() && (count.writable() ? answer.number() <= highest : answer.number() == highest);
+  };
+  const SdoAnswer answer = answers.next(is_right);
+  if (!answer.done() || is_right(answer)) return;  // what cannot be read is a matter of device.readable
+  context.fail(
+      count.index, 0,
+      fmt::format("{}{:02X}h, the highest sub-index of the EDS", count.writable() ? "at most " : "", highest),
+      fmt::format("{:02X}h", answer.number()));
 }
 
 void counts_sub_indices(Context& context) {
   if (without_eds(context)) return;
-  for (const std::uint16_t index : all_objects(context)) {
-    const eds::ObjectCode code = context.eds().code_of(index);
-    if (code != eds::ObjectCode::Array && code != eds::ObjectCode::Record) continue;
+  const std::vector<const EntryFacts*> counts = all_counts(context);
+  std::vector<Multiplexor> entries;
+  for (const EntryFacts* const count : counts)
+    if (has_type_of_counts(*count)) entries.push_back({count->index, 0});
+  ReadAhead answers{context, std::move(entries)};
+  for (const EntryFacts* const count : counts) {
     if (context.session().ended()) return;
-    if (const EntryFacts* const count = context.eds().find(index)) judge_count(context, *count);
+    if (has_type_of_counts(*count))
+      judge_count(context, *count, answers);
+    else
+      context.fail(count->index, 0, "an UNSIGNED8 with the highest sub-index",
+                   count->type == nullptr ? "another type" : std::string{count->type->name});
   }
 }
 
 void has_no_other_sub_indices(Context& context) {
   if (without_eds(context)) return;
-  int silent = 0;
+  std::vector<Multiplexor> entries;
   for (const std::uint16_t index : all_objects(context)) {
     const auto next = static_cast<std::uint8_t>(highest_of(context.eds(), index) + 1);
-    if (next == kStructure || next == 0) continue;
-    context.step();
-    const SdoAnswer answer = context.read(index, next);
+    if (next != kStructure && next != 0) entries.push_back({index, next});
+  }
+  int silent = 0;
+  ReadAhead answers{context, entries};
+  for (const auto& [index, next] : entries) {
+    const SdoAnswer answer = answers.next(&SdoAnswer::aborted);
     silent = answer.kind == SdoAnswer::Kind::Silent ? silent + 1 : 0;
     if (silent == kMostSilent) break;
     if (answer.done()) context.fail(index, next, "no sub-index that the EDS does not have", to_text(answer));
@@ -158,26 +183,26 @@ void has_no_other_sub_indices(Context& context) {
 /// Longest time that the scan of all indices may take; on slow buses it ends there.
 constexpr canopen::Duration kScanLimit = std::chrono::seconds{15};
 
-bool says_absent(std::uint32_t code) {
+bool says_absent(const SdoAnswer& answer) {
   constexpr std::array kAbsent{canopen::AbortCode::NoObject, canopen::AbortCode::NoSubIndex,
                                canopen::AbortCode::GeneralError};
-  return std::ranges::find(kAbsent, static_cast<canopen::AbortCode>(code)) != kAbsent.end();
+  return answer.aborted() &&
+         std::ranges::find(kAbsent, static_cast<canopen::AbortCode>(answer.abort_code)) != kAbsent.end();
 }
 
 /// Asks for every index from @p first to @p last that the EDS does not have; the first one that was not asked.
 unsigned scan(Context& context, unsigned first, unsigned last, canopen::TimePoint until) {
+  std::vector<Multiplexor> entries;
+  for (unsigned index = first; index <= last; ++index)
+    if (!context.eds().has(static_cast<std::uint16_t>(index))) entries.push_back({static_cast<std::uint16_t>(index), 0});
   int silent = 0;
-  for (unsigned index = first; index <= last; ++index) {
-    const auto object = static_cast<std::uint16_t>(index);
-    if (context.eds().has(object)) continue;
-    if (context.session().now() > until || silent == kMostSilent || context.session().ended()) return index;
-    context.session().forget();
-    context.step();
-    const SdoAnswer answer = context.read(object);
+  ReadAhead answers{context, entries};
+  for (const auto& [object, sub_index] : entries) {
+    if (context.session().now() > until || silent == kMostSilent || context.session().ended()) return object;
+    const SdoAnswer answer = answers.next(says_absent);
     silent = answer.kind == SdoAnswer::Kind::Silent ? silent + 1 : 0;
     // Which code a node has for what does not exist is a matter of the SDO checks.
-    const bool there = answer.done() || (answer.aborted() && !says_absent(answer.abort_code));
-    if (there)
+    if (answer.done() || (answer.aborted() && !says_absent(answer)))
       context.fail(Subject{object, std::nullopt}, "no object that the EDS does not have", to_text(answer));
   }
   return last + 1;

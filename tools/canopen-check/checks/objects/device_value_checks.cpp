@@ -4,6 +4,7 @@
 
 #include "eds/sheet/object_lists.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/read_ahead.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 #include "tools/canopen-check/core/run/protected_entries.hpp"
 #include "tools/canopen-check/core/standard_numbers.hpp"
@@ -15,20 +16,43 @@ using canopen::AbortCode;
 
 constexpr int kMostSilent = 3;
 
-/// Uploads every entry that the EDS calls readable and @p concerns, and hands entry and answer to @p judge. Stops
-/// when the node has become silent.
+/// What is wrong with a value.
+struct Complaint {
+  std::string expected, found;
+};
+using Complaints = std::vector<Complaint>;
+
+/// The entries that the EDS calls readable and @p concerns.
+template <class Concerns>
+std::vector<const EntryFacts*> readable_entries(const Context& context, Concerns concerns) {
+  std::vector<const EntryFacts*> entries;
+  for (const EntryFacts& entry : context.eds().entries())
+    if (entry.readable() && !entry.no_read && concerns(entry)) entries.push_back(&entry);
+  return entries;
+}
+
+/// Skips the check without @p entries, or without an EDS.
+bool any(Context& context, const std::vector<const EntryFacts*>& entries) {
+  if (entries.empty()) context.skip(context.eds().empty() ? "there is no EDS" : "the EDS has no such entry");
+  return !entries.empty();
+}
+
+/// Uploads every entry that the EDS calls readable and @p concerns; what @p judge complains about in its answer is a
+/// finding. Stops when the node has become silent.
 template <class Concerns, class Judge>
 void for_each_value(Context& context, Concerns concerns, Judge judge) {
-  if (context.eds().empty()) return context.skip("there is no EDS");
+  const std::vector<const EntryFacts*> entries = readable_entries(context, concerns);
+  if (!any(context, entries)) return;
+  std::vector<Multiplexor> asked;
+  for (const EntryFacts* const entry : entries) asked.push_back({entry->index, entry->sub_index});
+  ReadAhead answers{context, std::move(asked)};
   int silent = 0, read = 0;
-  for (const EntryFacts& entry : context.eds().entries()) {
-    if (!entry.readable() || entry.no_read || !concerns(entry)) continue;
-    context.session().forget();
-    context.step();
-    const SdoAnswer answer = context.read(entry.index, entry.sub_index);
+  for (const EntryFacts* const entry : entries) {
+    const SdoAnswer answer = answers.next([&](const SdoAnswer& early) { return judge(*entry, early).empty(); });
     silent = answer.kind == SdoAnswer::Kind::Silent ? silent + 1 : 0;
     if (context.session().ended() || silent > kMostSilent) break;
-    judge(entry, answer);
+    for (Complaint& complaint : judge(*entry, answer))
+      context.fail(entry->index, entry->sub_index, std::move(complaint.expected), std::move(complaint.found));
     ++read;
   }
   if (read == 0) return context.skip("the EDS has no such entry");
@@ -38,26 +62,27 @@ void for_each_value(Context& context, Concerns concerns, Judge judge) {
 void reads_every_object(Context& context) {
   for_each_value(
       context, [](const EntryFacts&) { return true; },
-      [&](const EntryFacts& entry, const SdoAnswer& answer) {
+      [&](const EntryFacts& entry, const SdoAnswer& answer) -> Complaints {
         // An entry without data, such as one of an empty error history.
         const bool empty = answer.aborted() && answer.abort_code == number_of(AbortCode::NoData);
         // What is no answer of the protocol is a matter of the SDO checks.
         const bool none =
             answer.aborted() || answer.kind == SdoAnswer::Kind::Silent || answer.kind == SdoAnswer::Kind::Endless;
-        if (none && !empty) context.fail(entry.index, entry.sub_index, "a value", to_text(answer));
         if (answer.kind == SdoAnswer::Kind::Cut)
           context.note(fmt::format("{}: {}", to_text(Subject{entry.index, entry.sub_index}), to_text(answer)));
+        if (none && !empty) return {{"a value", to_text(answer)}};
+        return {};
       });
 }
 
 void has_the_length_of_its_type(Context& context) {
   for_each_value(
       context, [](const EntryFacts& entry) { return entry.numeric(); },
-      [&](const EntryFacts& entry, const SdoAnswer& answer) {
+      [](const EntryFacts& entry, const SdoAnswer& answer) -> Complaints {
         const std::size_t size = answer.announced.value_or(static_cast<std::uint32_t>(answer.data.size()));
-        if (answer.done() && size != entry.bytes())
-          context.fail(entry.index, entry.sub_index, fmt::format("{} bytes ({})", entry.bytes(), entry.type->name),
-                       fmt::format("{}: {}", size, hexadecimal(answer.data)));
+        if (!answer.done() || size == entry.bytes()) return {};
+        return {{fmt::format("{} bytes ({})", entry.bytes(), entry.type->name),
+                 fmt::format("{}: {}", size, hexadecimal(answer.data))}};
       });
 }
 
@@ -73,22 +98,25 @@ void lies_within_its_limits(Context& context) {
   for_each_value(
       context, [](const EntryFacts& entry) { return entry.numeric() && (entry.low || entry.high); },
       [&](const EntryFacts& entry, const SdoAnswer& answer) {
-        if (!answer.done() || answer.data.size() != entry.bytes()) return;
+        Complaints complaints;
+        if (!answer.done() || answer.data.size() != entry.bytes()) return complaints;
         const eds::Value value = decode(answer.data, *entry.type);
         if (entry.low && !ordered_on(node_id, *entry.low, value))
-          context.fail(entry.index, entry.sub_index, "a value from LowLimit on", hexadecimal(answer.data));
+          complaints.push_back({"a value from LowLimit on", hexadecimal(answer.data)});
         if (entry.high && !ordered_on(node_id, value, *entry.high))
-          context.fail(entry.index, entry.sub_index, "a value up to HighLimit", hexadecimal(answer.data));
+          complaints.push_back({"a value up to HighLimit", hexadecimal(answer.data)});
+        return complaints;
       });
 }
 
-void expect_initial(Context& context, const EntryFacts& entry, const SdoAnswer& answer) {
+/// Complains if @p answer is another value than the EDS states.
+Complaints judge_initial(const Context& context, const EntryFacts& entry, const SdoAnswer& answer) {
   const auto initial = encode(*entry.initial, *entry.type, context.eds().node_id());
   // The length of a number is a matter of device.length.
   const bool other_length = initial && entry.numeric() && answer.data.size() != initial->size();
-  if (!answer.done() || !initial || other_length || answer.data == *initial) return;
-  context.fail(entry.index, entry.sub_index, hexadecimal(*initial) + ", the DefaultValue of the EDS",
-               answer.data.empty() ? "nothing" : hexadecimal(answer.data));
+  if (!answer.done() || !initial || other_length || answer.data == *initial) return {};
+  return {{hexadecimal(*initial) + ", the DefaultValue of the EDS",
+           answer.data.empty() ? "nothing" : hexadecimal(answer.data)}};
 }
 
 bool has_initial(const EntryFacts& entry) {
@@ -107,7 +135,7 @@ void keeps_its_constants(Context& context) {
       [&](const EntryFacts& entry) {
         return has_initial(entry) && entry.access == canopen::Access::Constant && !counts(context, entry);
       },
-      [&](const EntryFacts& entry, const SdoAnswer& answer) { expect_initial(context, entry, answer); });
+      [&](const EntryFacts& entry, const SdoAnswer& answer) { return judge_initial(context, entry, answer); });
 }
 
 void has_the_defaults_of_the_eds(Context& context) {
@@ -124,7 +152,7 @@ void has_the_defaults_of_the_eds(Context& context) {
         return has_initial(entry) && entry.writable() && entry.index != object::kStoreParameters &&
                entry.index != object::kRestoreParameters;
       },
-      [&](const EntryFacts& entry, const SdoAnswer& answer) { expect_initial(context, entry, answer); });
+      [&](const EntryFacts& entry, const SdoAnswer& answer) { return judge_initial(context, entry, answer); });
   context.note("values that the node had stored are replaced by the defaults; save the ones wanted again");
 }
 
@@ -134,25 +162,34 @@ bool written_by_procedure(std::uint16_t index) {
          eds::is_mapping_parameter(index);
 }
 
+bool takes_at_any_time(const EntryFacts& entry, const Settings& settings) {
+  return entry.writable() && entry.numeric() && !written_by_procedure(entry.index) &&
+         write_refusal(entry, settings) == nullptr;
+}
+
 void takes_its_own_values(Context& context) {
-  int refused_now = 0;
-  for_each_value(
-      context,
-      [&](const EntryFacts& entry) {
-        return entry.writable() && entry.numeric() && !written_by_procedure(entry.index) &&
-               write_refusal(entry, context.settings()) == nullptr;
-      },
-      [&](const EntryFacts& entry, const SdoAnswer& value) {
-        if (!value.done()) return;
-        const SdoAnswer answer = context.write(entry.index, entry.sub_index, value.data);
-        const bool not_now = answer.aborted() && (answer.abort_code == number_of(AbortCode::DeviceState) ||
-                                                  answer.abort_code == number_of(AbortCode::LocalControl));
-        if (not_now) ++refused_now;
-        const bool refused = answer.aborted() || answer.kind == SdoAnswer::Kind::Silent;
-        if (refused && !not_now)
-          context.fail(entry.index, entry.sub_index, "its own value " + hexadecimal(value.data) + " is taken",
-                       to_text(answer));
-      });
+  const std::vector<const EntryFacts*> entries = readable_entries(
+      context, [&](const EntryFacts& entry) { return takes_at_any_time(entry, context.settings()); });
+  if (!any(context, entries)) return;
+  int refused_now = 0, silent = 0, read = 0;
+  for (const EntryFacts* const entry : entries) {
+    context.session().forget();
+    context.step();
+    const SdoAnswer value = context.undo().keep(entry->index, entry->sub_index);
+    silent = value.kind == SdoAnswer::Kind::Silent ? silent + 1 : 0;
+    if (context.session().ended() || silent > kMostSilent) break;
+    ++read;
+    if (!value.done()) continue;
+    const SdoAnswer answer = context.sdo().download(entry->index, entry->sub_index, value.data);
+    const bool not_now = answer.aborted() && (answer.abort_code == number_of(AbortCode::DeviceState) ||
+                                              answer.abort_code == number_of(AbortCode::LocalControl));
+    if (not_now) ++refused_now;
+    const bool refused = answer.aborted() || answer.kind == SdoAnswer::Kind::Silent;
+    if (refused && !not_now)
+      context.fail(entry->index, entry->sub_index, "its own value " + hexadecimal(value.data) + " is taken",
+                   to_text(answer));
+  }
+  context.note(fmt::format("{} entries", read));
   if (refused_now > 0)
     context.note(fmt::format("{} entries cannot be written in the present state of the node", refused_now));
 }

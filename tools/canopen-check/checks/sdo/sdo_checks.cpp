@@ -42,9 +42,9 @@ void refuses_to_write_constants(Context& context) {
                write_refusal(entry, context.settings()) == nullptr;
       },
       [&](const EntryFacts& entry) {
-        const SdoAnswer value = context.read(entry.index, entry.sub_index);
+        const SdoAnswer value = context.undo().keep(entry.index, entry.sub_index);
         if (!value.done()) return value.kind;
-        const SdoAnswer answer = context.write(entry.index, entry.sub_index, value.data);
+        const SdoAnswer answer = context.sdo().download(entry.index, entry.sub_index, value.data);
         context.expect_abort(answer, {number_of(AbortCode::ReadOnly), number_of(AbortCode::UnsupportedAccess)},
                              entry.index, entry.sub_index, "writing it");
         return answer.kind;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/read_ahead.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 #include "tools/canopen-check/core/standard_numbers.hpp"
 
@@ -32,11 +33,15 @@ void has_the_servers_of_the_eds(Context& context) {
     if (entry.index < kFirst || entry.index > kLast || !entry.readable()) continue;
     (void)context.number(entry.index, entry.sub_index);
   }
-  for (std::uint16_t index = kFirst; index <= kLast && !context.session().ended(); ++index) {
-    if (context.eds().has(index)) continue;
-    context.step();
-    const SdoAnswer answer = context.read(index, 1);
-    context.expect_abort(answer, {number_of(AbortCode::NoObject)}, index, 1, "reading it");
+  std::vector<Multiplexor> absent;
+  for (std::uint16_t index = kFirst; index <= kLast; ++index)
+    if (!context.eds().has(index)) absent.push_back({index, 1});
+  ReadAhead answers{context, absent};
+  for (const auto& [index, sub_index] : absent) {
+    if (context.session().ended()) break;
+    const SdoAnswer answer = answers.next(
+        [](const SdoAnswer& early) { return early.aborted() && early.abort_code == number_of(AbortCode::NoObject); });
+    context.expect_abort(answer, {number_of(AbortCode::NoObject)}, index, sub_index, "reading it");
     if (answer.kind == SdoAnswer::Kind::Silent) break;
   }
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/read_ahead.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 #include "tools/canopen-check/core/standard_numbers.hpp"
 
@@ -15,45 +16,63 @@ using canopen::AbortCode;
 constexpr std::size_t kExpedited = 4, kSegment = 7;
 constexpr const char* kNoLongEntry = "no entry that can be read has more than four bytes";
 
-/// Hands the raw answer to the upload of every number of at most four bytes to @p judge; without an EDS 1000h.
+/// What is wrong with an expedited answer.
+struct Complaint {
+  std::string expected, found;
+};
+
+/// The numbers of at most four bytes that can be uploaded; without an EDS 1000h.
+std::vector<Multiplexor> short_entries(const Context& context) {
+  if (context.eds().empty()) return {{object::kDeviceType, 0}};
+  std::vector<Multiplexor> entries;
+  for (const EntryFacts& entry : context.eds().entries())
+    if (entry.numeric() && entry.bytes() <= kExpedited && entry.readable() && !entry.no_read)
+      entries.push_back({entry.index, entry.sub_index});
+  return entries;
+}
+
+/// Uploads every number of at most four bytes; what @p judge complains about, given its length by the EDS and the
+/// raw answer, is a finding.
 template <class Judge>
 void for_each_expedited(Context& context, Judge judge) {
-  const auto ask_for = [&](std::uint16_t index, std::uint8_t sub_index, std::size_t bytes) {
-    context.session().forget();
-    context.step();
-    const SdoAnswer answer = ask(context, context.sdo().request(kInitiateUpload, index, sub_index));
-    if (answer.done() && answer.data.size() == 8) judge(Target{index, sub_index}, bytes, answer.data);
-    return answer.kind != SdoAnswer::Kind::Silent;
+  const auto complaint = [&](const Multiplexor& entry, const SdoAnswer& answer) -> std::optional<Complaint> {
+    const EntryFacts* const facts = context.eds().find(entry.index, entry.sub_index);
+    if (!answer.done() || answer.data.size() != 8) return std::nullopt;
+    return judge(facts != nullptr ? facts->bytes() : kExpedited, answer.data);
   };
-  if (context.eds().empty()) {
-    (void)ask_for(object::kDeviceType, 0, kExpedited);
-    return;
-  }
-  for (const EntryFacts& entry : context.eds().entries()) {
-    const bool fits = entry.numeric() && entry.bytes() <= kExpedited && entry.readable() && !entry.no_read;
-    if (fits && !ask_for(entry.index, entry.sub_index, entry.bytes())) return;
+  const std::vector<Multiplexor> entries = short_entries(context);
+  ReadAhead answers{context, entries};
+  for (const Multiplexor& entry : entries) {
+    if (const auto early = answers.next_frame(); early && !complaint(entry, answer_of(early))) continue;
+    answers.begin_step();
+    const SdoAnswer answer =
+        ask(context, context.sdo().request(kInitiateUpload, entry.index, entry.sub_index));
+    if (answer.kind == SdoAnswer::Kind::Silent) return;
+    if (auto found = complaint(entry, answer))
+      context.fail(entry.index, entry.sub_index, std::move(found->expected), std::move(found->found));
   }
 }
 
 void uploads_expedited(Context& context) {
-  for_each_expedited(context, [&](const Target& target, std::size_t bytes, const std::vector<std::uint8_t>& data) {
+  for_each_expedited(context, [](std::size_t bytes, const std::vector<std::uint8_t>& data) {
     const auto command = static_cast<std::uint8_t>(0x43U | (kExpedited - bytes) << 2U);
     // Four bytes need not be counted, and a number of another length is a matter of device.length.
     const bool uncounted = bytes == kExpedited && data[0] == 0x42;
     const bool other_length = (data[0] & 0xF3U) == 0x43;
-    if (!uncounted && !other_length)
-      context.fail(target.index, target.sub_index, fmt::format("command byte {:02X}h", command),
-                   fmt::format("{:02X}h", data[0]));
+    return uncounted || other_length
+               ? std::nullopt
+               : std::optional{Complaint{fmt::format("command byte {:02X}h", command),
+                                         fmt::format("{:02X}h", data[0])}};
   });
 }
 
 void clears_unused_bytes(Context& context) {
-  for_each_expedited(context, [&](const Target& target, std::size_t bytes, const std::vector<std::uint8_t>& data) {
+  for_each_expedited(context, [](std::size_t bytes, const std::vector<std::uint8_t>& data) {
     const std::size_t told = (data[0] & 0xF3U) == 0x43 ? kExpedited - (data[0] >> 2U & 3U) : bytes;
     const auto unused = std::span{data}.subspan(4 + std::max(bytes, told));
-    if (std::ranges::any_of(unused, [](std::uint8_t byte) { return byte != 0; }))
-      context.fail(target.index, target.sub_index, fmt::format("zeros behind {} bytes of data", bytes),
-                   hexadecimal(unused));
+    return std::ranges::all_of(unused, [](std::uint8_t byte) { return byte == 0; })
+               ? std::nullopt
+               : std::optional{Complaint{fmt::format("zeros behind {} bytes of data", bytes), hexadecimal(unused)}};
   });
 }
 

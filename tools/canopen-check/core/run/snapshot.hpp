@@ -27,6 +27,9 @@ class Snapshot {
   using Entry = std::pair<std::uint16_t, std::uint8_t>;
   using Bytes = std::vector<std::uint8_t>;
 
+  /// The whole answers to uploads of @p entries, asked for alone where they do not come together; fewer if the
+  /// node falls silent.
+  [[nodiscard]] std::vector<SdoAnswer> read(const std::vector<Multiplexor>& entries);
   [[nodiscard]] std::vector<Entry> changed();
   void restore_pdo(std::uint16_t parameters);
   void write_back(std::uint16_t index, std::uint8_t sub_index);

@@ -19,8 +19,8 @@ class UndoLog {
   /// Reads the entry, keeps its value, and writes @p bytes. An entry that cannot be read is written all the same,
   /// and cannot be restored.
   SdoAnswer write(std::uint16_t index, std::uint8_t sub_index, std::span<const std::uint8_t> bytes);
-  /// Reads the entry and keeps its value: something else is about to change it.
-  void keep(std::uint16_t index, std::uint8_t sub_index);
+  /// Reads the entry and keeps its value, which is given: something else is about to change it.
+  SdoAnswer keep(std::uint16_t index, std::uint8_t sub_index);
 
   /// Puts everything back and reads it again: a line for each entry that does not hold its value now,
   /// "1017h:00 holds 0A00, held 0000 before".
@@ -28,11 +28,15 @@ class UndoLog {
   [[nodiscard]] bool empty() const noexcept { return steps_.empty(); }
 
  private:
+  using Entry = std::pair<std::uint16_t, std::uint8_t>;
   struct Step {
-    std::uint16_t index;
-    std::uint8_t sub_index;
+    Entry entry;
     std::vector<std::uint8_t> before;
   };
+  using Values = std::map<Entry, std::vector<std::uint8_t>>;
+
+  /// Those of @p wanted that the node does not hold, as far as answers in one frame tell.
+  [[nodiscard]] Values others(const Values& wanted);
 
   SdoClient* sdo_;
   std::vector<Step> steps_;
