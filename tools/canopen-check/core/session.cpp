@@ -51,12 +51,20 @@ std::optional<TimedFrame> Session::wait_for(const Condition& condition, canopen:
   return std::nullopt;
 }
 
-std::vector<TimedFrame> Session::collect(const Condition& condition, canopen::Duration span) {
+std::vector<TimedFrame> Session::collect_first(std::size_t count, const Condition& condition,
+                                               canopen::Duration span) {
   std::vector<TimedFrame> found;
   Window window{*this, now() + span};
-  while (const std::optional<TimedFrame> frame = window.next())
+  while (found.size() < count) {
+    const std::optional<TimedFrame> frame = window.next();
+    if (!frame) break;
     if (condition(frame->frame)) found.push_back(*frame);
+  }
   return found;
+}
+
+std::vector<TimedFrame> Session::collect(const Condition& condition, canopen::Duration span) {
+  return collect_first(static_cast<std::size_t>(-1), condition, span);
 }
 
 void Session::pass(canopen::Duration span) {

@@ -39,6 +39,8 @@ class Session {
   std::optional<TimedFrame> next(canopen::TimePoint until);
   /// The first frame within @p patience that fulfils @p condition; others are passed over, but kept.
   std::optional<TimedFrame> wait_for(const Condition& condition, canopen::Duration patience);
+  /// The first @p count frames that fulfil @p condition, or fewer if @p span passes before.
+  std::vector<TimedFrame> collect_first(std::size_t count, const Condition& condition, canopen::Duration span);
   /// Every frame that fulfils @p condition during @p span.
   std::vector<TimedFrame> collect(const Condition& condition, canopen::Duration span);
   /// Lets @p span pass.
@@ -54,6 +56,8 @@ class Session {
   [[nodiscard]] std::size_t mark() const noexcept { return frames_.size(); }
   /// The traffic from @p mark on, at most kMostFrames of it.
   [[nodiscard]] std::span<const TimedFrame> since(std::size_t mark) const noexcept;
+  /// Takes up traffic of before once more, as evidence.
+  void recall(std::span<const TimedFrame> frames) { frames_.insert(frames_.end(), frames.begin(), frames.end()); }
   /// Forgets the traffic.
   void forget() noexcept { frames_.clear(); }
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
-#include "tools/canopen-check/checks/shared/provocation.hpp"
+#include "tools/canopen-check/checks/shared/told_error.hpp"
 #include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
@@ -44,20 +44,22 @@ bool move_to(Context& context, const Provoked& provoked, std::uint32_t cob_id) {
 
 void follows_its_cob_id(Context& context) {
   if (!context.need(object::kCobIdEmcy)) return;
-  std::optional<Provoked> provoked = provoke(context);
-  if (!provoked || !prepare_again(context, *provoked) || !move_to(context, *provoked, kFree)) return;
+  const ToldError* const told = told_error(context);
+  std::optional<Provoked> provoked = told != nullptr ? prepare_again(context, *told) : std::nullopt;
+  if (!provoked || !move_to(context, *provoked, kFree)) return;
   const std::uint32_t before = provoked->identifier;
   provoked->identifier = kFree;
-  if (!again(context, *provoked))
+  if (!bring_about(context, *provoked))
     context.fail(object::kCobIdEmcy, 0, fmt::format("an emergency message under {:X}h, which was written", kFree),
                  fmt::format("none when {}; it came under {:X}h before", provoked->how.name, before));
 }
 
 void is_silenced(Context& context) {
   if (!context.need(object::kCobIdEmcy)) return;
-  std::optional<Provoked> provoked = provoke(context);
-  if (!provoked || !prepare_again(context, *provoked) || !move_to(context, *provoked, 0)) return;
-  if (const auto emergency = again(context, *provoked))
+  const ToldError* const told = told_error(context);
+  const std::optional<Provoked> provoked = told != nullptr ? prepare_again(context, *told) : std::nullopt;
+  if (!provoked || !move_to(context, *provoked, 0)) return;
+  if (const auto emergency = bring_about(context, *provoked, context.quiet(kEmergencyPatience)))
     context.fail(object::kCobIdEmcy, 0, "no emergency message while bit 31 is set", to_text(*emergency));
 }
 
@@ -65,12 +67,13 @@ void keeps_inhibit_time(Context& context) {
   constexpr std::uint64_t kInhibit = 500;  // 100 us
   constexpr canopen::Duration kTime = std::chrono::milliseconds{50};
   if (!context.need(object::kInhibitTimeEmcy)) return;
-  std::optional<Provoked> provoked = provoke(context);
-  if (!provoked) return;
-  if (!provoked->how.end) return context.skip("no error can be ended, which would be told at once");
-  if (!prepare_again(context, *provoked) || !context.set(object::kInhibitTimeEmcy, 0, kInhibit)) return;
+  const ToldError* const told = told_error(context);
+  if (told == nullptr) return;
+  if (!told->ends) return context.skip("no error can be ended, which would be told at once");
+  const std::optional<Provoked> provoked = prepare_again(context, *told);
+  if (!provoked || !context.set(object::kInhibitTimeEmcy, 0, kInhibit)) return;
   context.session().pass(kTime);
-  const std::optional<Emergency> first = again(context, *provoked);
+  const std::optional<Emergency> first = bring_about(context, *provoked);
   if (!first) return context.skip("the error is not told once more");
   provoked->how.end();
   const auto second = wait_for_emergency(context, provoked->identifier, 3 * kTime / 2);
@@ -83,41 +86,40 @@ void keeps_inhibit_time(Context& context) {
 }
 
 void has_eight_bytes(Context& context) {
-  const std::optional<Provoked> provoked = provoke(context);
-  if (provoked && provoked->emergency.frame.frame.length != 8)
-    context.fail("an emergency message of eight bytes",
-                 fmt::format("{} bytes", provoked->emergency.frame.frame.length));
+  const ToldError* const told = told_error(context);
+  if (told != nullptr && told->message.length != 8)
+    context.fail("an emergency message of eight bytes", fmt::format("{} bytes", told->message.length));
 }
 
 void has_the_code(Context& context) {
-  const std::optional<Provoked> provoked = provoke(context);
-  if (provoked && provoked->emergency.code != provoked->how.code)
-    context.fail(fmt::format("error code {:04X}h when {}", provoked->how.code, provoked->how.name),
-                 fmt::format("{:04X}h", provoked->emergency.code));
+  const ToldError* const told = told_error(context);
+  if (told != nullptr && code_of(told->message) != told->code)
+    context.fail(fmt::format("error code {:04X}h when {}", told->code, told->name),
+                 fmt::format("{:04X}h", code_of(told->message)));
 }
 
 void shows_the_register(Context& context) {
-  const std::optional<Provoked> provoked = provoke(context, Ending::Later);
-  if (!provoked) return;
-  const std::uint8_t told = provoked->emergency.error_register;
-  const std::optional<std::uint64_t> now = context.number(object::kErrorRegister);
-  if (now && *now != told)
-    context.fail(object::kErrorRegister, 0, fmt::format("{:02X}h, as the emergency message says", told),
+  const ToldError* const told = told_error(context);
+  if (told == nullptr) return;
+  const std::uint8_t in_message = told->message.data[2];
+  const auto now = context.number_in(told->error_register, object::kErrorRegister);
+  if (now && *now != in_message)
+    context.fail(object::kErrorRegister, 0, fmt::format("{:02X}h, as the emergency message says", in_message),
                  fmt::format("{:02X}h", *now));
 }
 
 void has_the_bit(Context& context) {
   constexpr std::uint8_t kExpected = kGenericError | kCommunicationError;
-  const std::optional<Provoked> provoked = provoke(context);
-  if (provoked && (provoked->emergency.error_register & kExpected) != kExpected)
+  const ToldError* const told = told_error(context);
+  if (told != nullptr && (told->message.data[2] & kExpected) != kExpected)
     context.fail(object::kErrorRegister, 0,
-                 "bits 0 and 4, generic and communication error, when " + provoked->how.name,
-                 fmt::format("register {:02X}h", provoked->emergency.error_register));
+                 "bits 0 and 4, generic and communication error, when " + told->name,
+                 fmt::format("register {:02X}h", told->message.data[2]));
 }
 
 void tells_the_end(Context& context) {
-  const std::optional<Provoked> provoked =
-      provoke(context, Ending::Later, {sync_length, short_rpdo, heartbeat_loss, guarding_loss});
+  constexpr std::array<Way, 4> kQuickestFirst{sync_length, short_rpdo, heartbeat_loss, guarding_loss};
+  const std::optional<Provoked> provoked = provoke(context, kQuickestFirst);
   if (!provoked) return;
   if (!provoked->how.end) return context.skip("no error can be ended");
   context.session().drain();

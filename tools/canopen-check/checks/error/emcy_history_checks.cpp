@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
-#include "tools/canopen-check/checks/shared/provocation.hpp"
+#include "tools/canopen-check/checks/shared/told_error.hpp"
 #include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
@@ -14,24 +14,24 @@ constexpr std::uint64_t kCodeBits = 0xFFFF;
 
 void logs_the_newest_first(Context& context) {
   if (!context.need(object::kErrorField) || !context.need(object::kErrorField, 1)) return;
-  const std::optional<Provoked> provoked = provoke(context, Ending::Later);
-  if (!provoked) return;
-  const std::uint16_t code = provoked->emergency.code;
-  const std::optional<std::uint64_t> newest = context.number(object::kErrorField, 1);
+  const ToldError* const told = told_error(context);
+  if (told == nullptr) return;
+  const std::uint16_t code = code_of(told->message);
+  const std::optional<std::uint64_t> newest = context.number_in(told->history.at(1), object::kErrorField, 1);
   if (newest && (*newest & kCodeBits) != code)
     context.fail(object::kErrorField, 1, fmt::format("error code {:04X}h, the newest, in the low word", code),
                  fmt::format("{:08X}h", *newest));
 }
 
 void counts_its_entries(Context& context) {
-  constexpr std::size_t kMostFindings = 20;
   if (!context.need(object::kErrorField)) return;
-  if (!provoke(context, Ending::Later)) return;
-  const std::optional<std::uint64_t> count = context.number(object::kErrorField);
+  const ToldError* const told = told_error(context);
+  if (told == nullptr) return;
+  const std::optional<std::uint64_t> count = context.number_in(told->history.at(0), object::kErrorField);
   if (!count) return;
   if (*count == 0) return context.fail(object::kErrorField, 0, "1 or more after an error", "0");
-  for (std::uint64_t sub = 1; sub <= *count && context.findings().size() < kMostFindings; ++sub)
-    (void)context.number(object::kErrorField, static_cast<std::uint8_t>(sub));
+  for (std::size_t sub = 1; sub < told->history.size(); ++sub)
+    (void)context.number_in(told->history[sub], object::kErrorField, static_cast<std::uint8_t>(sub));
 }
 
 void refuses_empty_entries(Context& context) {
@@ -58,8 +58,9 @@ SdoAnswer order(Context& context, std::uint8_t value) {
 
 void is_deleted_by_0(Context& context) {
   if (!context.need(object::kErrorField)) return;
-  const std::optional<Provoked> provoked = provoke(context);
+  const std::optional<Provoked> provoked = provoke(context, kWays);
   if (!provoked) return;
+  end(context, *provoked);
   const SdoAnswer answer = order(context, 0);
   if (!answer.done()) return context.fail(object::kErrorField, 0, "0 can be written", to_text(answer));
   const std::optional<std::uint64_t> count = context.number(object::kErrorField);

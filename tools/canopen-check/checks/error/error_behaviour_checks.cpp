@@ -28,16 +28,22 @@ constexpr std::array kCases{
 };
 
 void leads_to(Context& context, const Provocation& how, const Case& row) {
-  constexpr canopen::Duration kReaction = std::chrono::milliseconds{100};
   context.enter(NmtState::PreOperational);
   // What ends the former event also begins the next.
   how.raise();
   if (!context.set(object::kErrorBehaviour, 1, row.behaviour)) return;
   context.enter(row.from);
+  constexpr canopen::Duration kReaction = std::chrono::milliseconds{100};
   context.step();
   how.raise();
-  context.session().pass(how.delay + kReaction);
-  const std::optional<NmtState> now = context.state();
+  const canopen::Duration quick = context.quiet(kReaction);
+  context.session().pass(how.delay + quick);
+  std::optional<NmtState> now = context.state();
+  if (now == row.to) return;
+  if (quick < kReaction) {  // it may be slow
+    context.session().pass(kReaction - quick);
+    now = context.state();
+  }
   if (now == row.to) return;
   context.fail(
       object::kErrorBehaviour, 1,
@@ -47,7 +53,8 @@ void leads_to(Context& context, const Provocation& how, const Case& row) {
 
 void follows_error_behaviour(Context& context) {
   if (!context.need(object::kErrorBehaviour, 1) || !context.observe_state()) return;
-  const std::optional<Provoked> provoked = provoke(context, Ending::Later, {heartbeat_loss, guarding_loss});
+  constexpr std::array<Way, 2> kWays{heartbeat_loss, guarding_loss};
+  const std::optional<Provoked> provoked = provoke(context, kWays);
   if (!provoked) return;
   for (const Case& row : kCases) leads_to(context, provoked->how, row);
 }

@@ -15,7 +15,7 @@ using canopen::NmtCommand;
 using canopen::NmtState;
 
 constexpr std::uint32_t kSegmentWithoutTransfer = 0x05040001;
-/// How long something must not come.
+/// How long something must not come, at most.
 constexpr canopen::Duration kQuiet = std::chrono::milliseconds{100};
 
 /// Findings for TPDOs that come in @p state, with SYNC and on request.
@@ -26,13 +26,14 @@ void no_tpdo_in(Context& context, NmtState state) {
   const std::uint32_t sync = sync_identifier(context);
   Session& session = context.session();
   context.enter(state);
-  session.pass(kQuiet);
+  session.pass(context.quiet(kQuiet));
   context.step();
   for (int i = 0; i < kSyncs; ++i) session.send({.id = sync});
   if (session.carries_remote_frames())
     for (const ValidPdo& tpdo : tpdos) session.send({.id = tpdo.identifier, .length = 8, .remote = true});
   const auto found =
-      session.collect([&](const canopen::Frame& frame) { return pdo_of(tpdos, frame) != nullptr; }, kQuiet);
+      session.collect([&](const canopen::Frame& frame) { return pdo_of(tpdos, frame) != nullptr; },
+                      context.quiet(kQuiet));
   for (const ValidPdo& tpdo : tpdos)
     if (std::ranges::any_of(found, [&](const TimedFrame& each) { return each.frame.id == tpdo.identifier; }))
       context.fail(Subject{.index = tpdo.parameters}, fmt::format("no TPDO in {}", name_of(state)),
@@ -49,7 +50,7 @@ void no_rpdo_in(Context& context, NmtState state) {
   context.enter(state);
   session.send(rpdo->frame);
   session.send({.id = sync});
-  session.pass(kQuiet);
+  session.pass(context.quiet(kQuiet));
   context.enter(NmtState::PreOperational);
   const SdoAnswer now = context.read(rpdo->index, rpdo->sub_index);
   if (now.done() && now.number() == rpdo->after)
@@ -88,7 +89,7 @@ void no_sdo_in_stopped(Context& context) {
   context.step();
   session.drain();
   session.send(context.sdo().request(0x40, object::kDeviceType));
-  if (const auto answer = context.sdo().listen(std::min(context.settings().patience, 2 * kQuiet)))
+  if (const auto answer = context.sdo().listen(std::min(context.settings().patience, context.quiet(2 * kQuiet))))
     context.fail("no answer to an upload of 1000h in Stopped",
                  "the answer " + hexadecimal(std::span{answer->data}.first(answer->length)));
 }

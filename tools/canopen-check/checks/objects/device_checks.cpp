@@ -36,7 +36,7 @@ std::size_t answers_to_one_request(Context& context) {
   context.step();
   session.send(context.sdo().request(kInitiateUpload, object::kDeviceType));
   if (!session.wait_for(belongs, context.sdo().patience())) return 0;
-  return 1 + session.collect(belongs, kQuiet).size();
+  return 1 + session.collect(belongs, context.quiet(kQuiet)).size();
 }
 
 void is_alone(Context& context) {

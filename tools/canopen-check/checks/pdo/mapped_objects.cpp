@@ -141,6 +141,12 @@ void SyncSource::send() {
   session_->send(frame);
 }
 
+std::optional<TimedFrame> SyncSource::next(std::uint32_t identifier, canopen::Duration patience) {
+  session_->drain();
+  send();
+  return session_->wait_for(under(identifier), patience);
+}
+
 std::vector<TimedFrame> SyncSource::run(int count, canopen::Duration period, std::uint32_t identifier) {
   std::vector<TimedFrame> frames;
   for (int i = 0; i < count; ++i) {

@@ -94,9 +94,9 @@ void compare(Context& context, FindingLimit& findings, const Pdo& pdo, const std
   context.step();
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const std::vector<SdoAnswer> before = read_all(context, objects);
-    const auto frames = sync.run(1, std::chrono::milliseconds{20}, identifier);
-    if (frames.empty()) return;  // others check that it comes
-    last = frames.front().frame;
+    const auto frame = sync.next(identifier, std::chrono::milliseconds{20});
+    if (!frame) return;  // others check that it comes
+    last = frame->frame;
     if (last->length != length)
       return findings.fail({pdo.mapping(), std::uint8_t{0}}, fmt::format("{} of {} bytes", pdo.name(), length),
                            fmt::format("{} bytes", last->length));

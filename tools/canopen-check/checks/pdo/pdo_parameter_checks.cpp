@@ -73,11 +73,14 @@ void uses_its_identifier(Context& context) {
   context.step();
   context.enter(canopen::NmtState::Operational);
   int old = 0, fresh = 0;
-  for (const TimedFrame& each : context.session().collect(
-           [](const canopen::Frame& frame) { return !frame.remote; }, std::chrono::milliseconds{6 * kPeriod})) {
-    old += each.frame.id == before ? 1 : 0;
-    fresh += each.frame.id == kOtherFree ? 1 : 0;
-  }
+  // With the third frame two periods are over in which one under the former identifier would have come.
+  (void)context.session().wait_for(
+      [&](const canopen::Frame& frame) {
+        old += !frame.remote && frame.id == before ? 1 : 0;
+        fresh += !frame.remote && frame.id == kOtherFree ? 1 : 0;
+        return old == 0 && fresh == 3;
+      },
+      std::chrono::milliseconds{6 * kPeriod});
   if (fresh == 0 && old == 0) return context.skip("the event timer makes no frame");
   if (old != 0 || fresh == 0)
     context.fail(pdo->parameters(), kCobIdSub, fmt::format("frames under {:03X}h only", kOtherFree),

@@ -10,6 +10,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
+/// How long a frame may take to be processed, and how often its value is looked at meanwhile.
+constexpr milliseconds kProcessed{50}, kSample{10};
+
 /// The RPDO of a check, which carries one object.
 struct Reception {
   Pdo pdo{};
@@ -32,7 +35,7 @@ std::optional<Reception> receive(Context& context, std::uint8_t type, std::uint1
   context.undo().keep(object.index, object.sub_index);
   Reception reception{*pdo, object, identifier_of(context, *pdo), 0};
   context.enter(canopen::NmtState::Operational);
-  context.session().pass(milliseconds{50});
+  context.session().pass(context.quiet(kProcessed));
   reception.before = context.read(object.index, object.sub_index).number();
   return reception;
 }
@@ -100,7 +103,7 @@ void takes_synchronous_values_with_sync(Context& context) {
   const std::uint64_t value = other_value(context, reception->object);
   context.step();
   send(context, *reception, value);
-  context.session().pass(milliseconds{50});
+  context.session().pass(context.quiet(kProcessed));
   const SdoAnswer early = context.read(reception->object.index, reception->object.sub_index);
   if (early.done() && early.number() == value)
     return context.fail(reception->pdo.parameters(), kTypeSub,
@@ -120,7 +123,7 @@ void ignores_short_frames(Context& context) {
   const std::uint64_t value = other_value(context, reception->object);
   context.step();
   send(context, *reception, value, -1);
-  context.session().pass(milliseconds{50});
+  context.session().pass(context.quiet(kProcessed));
   const SdoAnswer now = context.read(reception->object.index, reception->object.sub_index);
   if (now.done() && now.number() != reception->before)
     context.fail(reception->pdo.mapping(), 0,
@@ -136,10 +139,14 @@ void takes_the_first_bytes_of_long_frames(Context& context) {
   context.step();
   const std::size_t mark = context.session().mark();
   send(context, *reception, value, 1);
-  context.session().pass(milliseconds{50});
-  const std::uint64_t now = context.read(reception->object.index, reception->object.sub_index).number();
-  const bool told = !frames_since(context, mark, context.session().identifier(0x80)).empty();
-  if (now == value || (told && now == reception->before)) return;
+  const canopen::TimePoint until = context.session().now() + kProcessed;
+  bool told = false;
+  do {
+    const std::uint64_t now = context.read(reception->object.index, reception->object.sub_index).number();
+    told = !frames_since(context, mark, context.session().identifier(0x80)).empty();
+    if (now == value || (told && now == reception->before)) return;
+    context.session().pass(kSample);
+  } while (context.session().now() < until);
   context.fail(
       reception->pdo.mapping(), 0,
       fmt::format("the first bytes of a longer frame, {:X}h, are taken, or it is reported", value),

@@ -41,21 +41,32 @@ std::optional<Requested> requestable(Context& context, std::uint8_t type, std::v
   }
   const Requested requested{*pdo, identifier_of(context, *pdo)};
   context.enter(canopen::NmtState::Operational);
-  context.session().pass(kAnswer);
+  context.session().pass(context.quiet(kAnswer));
   return requested;
 }
 
-/// Requests the TPDO: what is sent under its identifier then.
-std::vector<TimedFrame> request(Context& context, const Requested& requested) {
-  context.session().drain();
-  context.step();
-  context.session().send({.id = requested.identifier, .length = 8, .remote = true});
-  return context.session().collect(under(requested.identifier), kAnswer);
+/// Requests the TPDO, which is expected to send @p expected frames: what is sent under its identifier then.
+std::vector<TimedFrame> request(Context& context, const Requested& requested, std::size_t expected) {
+  Session& session = context.session();
+  const Condition is_answer = under(requested.identifier);
+  const auto ask = [&] {
+    session.drain();
+    context.step();
+    session.send({.id = requested.identifier, .length = 8, .remote = true});
+  };
+  ask();
+  std::vector<TimedFrame> frames = session.collect_first(expected, is_answer, kAnswer);
+  if (frames.size() < expected) return frames;
+  for (const TimedFrame& frame : session.collect(is_answer, context.quiet(kAnswer))) frames.push_back(frame);
+  if (frames.size() == expected) return frames;
+  session.pass(kAnswer);  // what a slow node sends on entering Operational may have come between
+  ask();
+  return session.collect(is_answer, kAnswer);
 }
 
 /// A finding unless there is one answer; its bytes as a number.
 std::optional<std::uint64_t> expect_one(Context& context, const Requested& requested, std::uint8_t type) {
-  const auto frames = request(context, requested);
+  const auto frames = request(context, requested, 1);
   if (frames.size() == 1) return number_in(frames.front().frame);
   context.fail(requested.pdo.parameters(), kCobIdSub,
                fmt::format("one frame of {}, type {}, to a remote request", requested.pdo.name(), type),
@@ -96,7 +107,7 @@ void answers_with_present_values(Context& context) {
 }
 
 void expect_silence(Context& context, const Requested& requested, const std::string& where) {
-  if (const auto frames = request(context, requested); !frames.empty())
+  if (const auto frames = request(context, requested, 0); !frames.empty())
     context.fail(requested.pdo.parameters(), kCobIdSub, "no answer to a remote request " + where,
                  fmt::format("{} frames", frames.size()));
 }
@@ -121,7 +132,7 @@ void is_silent_with_bit_30(Context& context) {
   if (!set_up(context, *pdo, setup)) return;
   const Requested requested{*pdo, identifier_of(context, *pdo)};
   context.enter(canopen::NmtState::Operational);
-  context.session().pass(kAnswer);
+  context.session().pass(context.quiet(kAnswer));
   expect_silence(context, requested, "while bit 30 is set");
 }
 

@@ -97,6 +97,8 @@ class SyncSource {
   explicit SyncSource(Context& context);
 
   void send();
+  /// Sends a SYNC: the first frame under @p identifier within @p patience.
+  [[nodiscard]] std::optional<TimedFrame> next(std::uint32_t identifier, canopen::Duration patience);
   /// Sends @p count SYNCs, @p period apart: every frame under @p identifier, until one period after the last.
   [[nodiscard]] std::vector<TimedFrame> run(int count, canopen::Duration period, std::uint32_t identifier);
   /// The same, but how many frames came with each SYNC; the first one may take @p patience.

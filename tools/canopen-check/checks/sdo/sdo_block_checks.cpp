@@ -103,7 +103,7 @@ void survives_aborts(Context& context) {
   context.step();
   (void)ask(context, context.sdo().request(kRequest, object::kDeviceType, 0, 1));
   context.sdo().abort(object::kDeviceType, 0, number_of(AbortCode::GeneralError));
-  const auto frames = context.session().collect(under(context.sdo().response_identifier()), kQuiet);
+  const auto frames = context.session().collect(under(context.sdo().response_identifier()), context.quiet(kQuiet));
   if (!frames.empty())
     context.fail(object::kDeviceType, 0, "no answer to an abort of the client in a block upload",
                  to_text(answer_of(frames.front().frame)));

@@ -94,7 +94,7 @@ void survives_aborts(Context& context) {
 
   target->value = pattern(100);
   (void)block_download(context, *target, {.crc = false, .stop_after_segments = 2});
-  const auto frames = context.session().collect(under(context.sdo().response_identifier()), kQuiet);
+  const auto frames = context.session().collect(under(context.sdo().response_identifier()), context.quiet(kQuiet));
   if (!frames.empty())
     context.fail(target->index, target->sub_index, "no answer to an abort of the client in a block download",
                  to_text(answer_of(frames.front().frame)));

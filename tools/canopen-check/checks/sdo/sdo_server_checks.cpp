@@ -133,7 +133,7 @@ void falls_silent(Context& context) {
   if (channel.request == 0 || !context.set(server, 1, channel.request | kInvalid)) return;
   context.step();
   context.session().send(client_of(context, channel).request(kInitiateUpload, object::kDeviceType));
-  const auto frames = context.session().collect(under(channel.response), kQuiet);
+  const auto frames = context.session().collect(under(channel.response), context.quiet(kQuiet));
   if (!frames.empty())
     context.fail(server, 1, "no answer of a server that bit 31 switches off",
                  to_text(answer_of(frames.front().frame)));

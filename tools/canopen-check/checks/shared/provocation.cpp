@@ -27,11 +27,15 @@ bool answers_guarding(Context& context) {
   return session.wait_for(under(session.identifier(function_code::kErrorControl)), kLifeTime).has_value();
 }
 
-std::uint16_t code_of(const canopen::Frame& frame) noexcept {
-  return static_cast<std::uint16_t>(frame.data[0] | frame.data[1] << 8U);
+Emergency emergency_of(const TimedFrame& frame) noexcept {
+  return {.frame = frame, .code = code_of(frame.frame), .error_register = frame.frame.data[2]};
 }
 
 }  // namespace
+
+std::uint16_t code_of(const canopen::Frame& frame) noexcept {
+  return static_cast<std::uint16_t>(frame.data[0] | frame.data[1] << 8U);
+}
 
 std::optional<std::uint32_t> emcy_identifier(Context& context) {
   const SdoAnswer cob_id = context.read(object::kCobIdEmcy);
@@ -48,7 +52,7 @@ std::optional<Emergency> wait_for_emergency(Context& context, std::uint32_t iden
                                             canopen::Duration patience) {
   const std::optional<TimedFrame> frame = context.session().wait_for(under(identifier), patience);
   if (!frame) return std::nullopt;
-  return Emergency{.frame = *frame, .code = code_of(frame->frame), .error_register = frame->frame.data[2]};
+  return emergency_of(*frame);
 }
 
 std::optional<Emergency> wait_for_code(Context& context, std::uint32_t identifier, std::uint16_t code,
@@ -59,7 +63,7 @@ std::optional<Emergency> wait_for_code(Context& context, std::uint32_t identifie
       },
       patience);
   if (!frame) return std::nullopt;
-  return Emergency{.frame = *frame, .code = code, .error_register = frame->frame.data[2]};
+  return emergency_of(*frame);
 }
 
 std::string to_text(const Emergency& emergency) {
@@ -134,14 +138,33 @@ std::optional<Provocation> short_rpdo(Context& context) {
   return std::nullopt;
 }
 
+std::optional<Emergency> bring_about(Context& context, const Provoked& provoked, canopen::Duration patience) {
+  Session& session = context.session();
+  session.drain();
+  context.step();
+  provoked.how.raise();
+  const auto frame =
+      session.wait_for([is_emcy = under(provoked.identifier)](
+                           const canopen::Frame& each) { return is_emcy(each) && code_of(each) != 0; },
+                       provoked.how.delay + patience);
+  if (!frame) return std::nullopt;
+  return emergency_of(*frame);
+}
+
+void end(Context& context, const Provoked& provoked) {
+  if (!provoked.how.end) return;
+  provoked.how.end();
+  (void)wait_for_code(context, provoked.identifier, 0, kEmergencyPatience / 4);
+}
+
 namespace {
 
-std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std::initializer_list<Way> ways) {
+std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std::span<const Way> ways) {
   for (const Way way : ways) {
     const std::optional<Provocation> how = way(context);
     if (!how) continue;
     Provoked provoked{way, *how, identifier, {}};
-    const std::optional<Emergency> emergency = again(context, provoked);
+    const std::optional<Emergency> emergency = bring_about(context, provoked);
     if (!emergency) continue;
     provoked.emergency = *emergency;
     return provoked;
@@ -151,53 +174,26 @@ std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std:
 
 }  // namespace
 
-std::optional<Provoked> provoke(Context& context, Ending ending, std::initializer_list<Way> ways) {
+std::optional<Provoked> provoke(Context& context, std::span<const Way> ways) {
+  Manners& manners = context.manners();
   const std::optional<std::uint32_t> identifier = emcy_identifier(context);
   if (!identifier) {
     context.skip("1014h is not there or invalid: the node sends no emergency messages");
     return std::nullopt;
   }
-  bool& sends_none = context.manners().sends_no_emergency;
+  const bool resets = context.settings().allow_reset;
   std::optional<Provoked> provoked;
-  if (!sends_none) provoked = try_all(context, *identifier, ways);
-  const bool again = !provoked && !sends_none && context.settings().allow_reset;
-  if (again && !context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
-  if (again) {
+  if (!manners.sends_no_emergency && !(resets && manners.errors_last))
+    provoked = try_all(context, *identifier, ways);
+  if (!provoked && !manners.sends_no_emergency && resets) {
+    if (!context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
     context.enter(canopen::NmtState::PreOperational);
     provoked = try_all(context, *identifier, ways);
+    manners.errors_last = provoked.has_value();
   }
-  sends_none = !provoked && !context.session().ended();
+  manners.sends_no_emergency = !provoked && !context.session().ended();
   if (!provoked) context.skip("the node sends no emergency message for any error that the tester can bring about");
-  if (provoked && ending == Ending::Now && provoked->how.end) {
-    provoked->how.end();
-    (void)wait_for_code(context, *identifier, 0, kEmergencyPatience / 4);
-  }
   return provoked;
-}
-
-bool prepare_again(Context& context, Provoked& provoked) {
-  if (!context.restart(canopen::NmtCommand::ResetNode)) return false;
-  context.enter(canopen::NmtState::PreOperational);
-  const std::optional<Provocation> how = provoked.way(context);
-  if (how) {
-    provoked.how = *how;
-  } else {
-    context.skip("the error cannot be brought about once more");
-  }
-  return how.has_value();
-}
-
-std::optional<Emergency> again(Context& context, const Provoked& provoked) {
-  Session& session = context.session();
-  session.drain();
-  context.step();
-  provoked.how.raise();
-  const auto frame =
-      session.wait_for([is_emcy = under(provoked.identifier)](
-                           const canopen::Frame& each) { return is_emcy(each) && code_of(each) != 0; },
-                       provoked.how.delay + kEmergencyPatience);
-  if (!frame) return std::nullopt;
-  return Emergency{.frame = *frame, .code = code_of(frame->frame), .error_register = frame->frame.data[2]};
 }
 
 }  // namespace conformance

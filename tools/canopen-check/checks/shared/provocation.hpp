@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "tools/canopen-check/core/run/context.hpp"
@@ -27,6 +28,8 @@ struct Emergency {
 /// The next one with @p code; others are passed over.
 [[nodiscard]] std::optional<Emergency> wait_for_code(Context& context, std::uint32_t identifier,
                                                      std::uint16_t code, canopen::Duration patience);
+/// The error code in an emergency message.
+[[nodiscard]] std::uint16_t code_of(const canopen::Frame& message) noexcept;
 /// "8130h, register 11h".
 [[nodiscard]] std::string to_text(const Emergency& emergency);
 
@@ -51,9 +54,8 @@ struct Provocation {
 
 /// A way to provoke an error.
 using Way = std::optional<Provocation> (*)(Context&);
-
-/// Whether provoke() ends the cause of the error again, where that is possible.
-enum class Ending : std::uint8_t { Now, Later };
+/// Every way, in the order in which most checks try them.
+inline constexpr std::array<Way, 4> kWays{heartbeat_loss, guarding_loss, sync_length, short_rpdo};
 
 /// What has been seen to make the node send an emergency message, and that message.
 struct Provoked {
@@ -64,17 +66,16 @@ struct Provoked {
 };
 /// The first of @p ways for which the node sends an emergency message; the node is reset and they are tried once
 /// more if it sends none for any of them, since an error may last. Nothing, and the check is skipped, if that does
-/// not help.
-[[nodiscard]] std::optional<Provoked> provoke(Context& context, Ending ending = Ending::Now,
-                                              std::initializer_list<Way> ways = {heartbeat_loss, guarding_loss,
-                                                                                 sync_length, short_rpdo});
-/// Resets the node, which ends what lasts, and prepares the same error anew. False, and the check is skipped, if
-/// that is not possible.
-bool prepare_again(Context& context, Provoked& provoked);
-/// Does it once more: the emergency message, or nothing.
-[[nodiscard]] std::optional<Emergency> again(Context& context, const Provoked& provoked);
+/// not help. The error is not ended.
+[[nodiscard]] std::optional<Provoked> provoke(Context& context, std::span<const Way> ways);
 
 /// How long an emergency message may take after the error.
 inline constexpr canopen::Duration kEmergencyPatience = std::chrono::milliseconds{200};
+
+/// Ends the cause of the error where that is possible, and waits for the emergency message of it.
+void end(Context& context, const Provoked& provoked);
+/// Brings the error about: the emergency message, or nothing if none comes within @p patience after it.
+[[nodiscard]] std::optional<Emergency> bring_about(Context& context, const Provoked& provoked,
+                                                   canopen::Duration patience = kEmergencyPatience);
 
 }  // namespace conformance

@@ -39,7 +39,7 @@ struct Target {
 /// A finding unless the node still answers an upload of 1000h, after what @p after says.
 void expect_service(Context& context, const std::string& after);
 
-/// How long a second or unwanted answer is waited for.
+/// How long a second or unwanted answer is waited for, at most.
 inline constexpr canopen::Duration kQuiet = std::chrono::milliseconds{50};
 
 // Command bytes of the client (CiA 301, 7.2.4.3).

@@ -55,6 +55,8 @@ bool alone(Context& context, const char* command) {
 
 std::optional<std::uint8_t> unused_node_id(Context& context) {
   constexpr std::uint8_t kLowestCandidate = 112;
+  std::optional<std::uint8_t>& found = context.manners().free_node_id;
+  if (found) return found;
   Session& session = context.session();
   for (std::uint8_t id = kHighestNodeId; id >= kLowestCandidate; --id) {
     if (id == session.node_id()) continue;
@@ -62,7 +64,7 @@ std::optional<std::uint8_t> unused_node_id(Context& context) {
     ask(context, id);
     const auto answer = session.wait_for(
         [id](const canopen::Frame& frame) { return is_answer(frame) && (frame.id & kNodeIdBits) == id; }, kListen);
-    if (!answer) return id;
+    if (!answer && !session.ended()) return found = id;
   }
   return std::nullopt;
 }

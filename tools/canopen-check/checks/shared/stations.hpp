@@ -14,7 +14,7 @@ namespace conformance {
 /// False, and the check is skipped, if there are other stations: @p command is for them too.
 bool alone(Context& context, const char* command);
 
-/// A node-ID that no station has; nothing where every candidate is taken.
+/// A node-ID that no station has, the same throughout a run; nothing where every candidate is taken.
 [[nodiscard]] std::optional<std::uint8_t> unused_node_id(Context& context);
 
 }  // namespace conformance

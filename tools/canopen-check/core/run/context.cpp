@@ -81,7 +81,11 @@ bool Context::is_fixed(std::uint16_t index, std::uint8_t sub_index) const noexce
 
 std::optional<std::uint64_t> Context::number(std::uint16_t index, std::uint8_t sub_index) {
   step();
-  const SdoAnswer answer = read(index, sub_index);
+  return number_in(read(index, sub_index), index, sub_index);
+}
+
+std::optional<std::uint64_t> Context::number_in(const SdoAnswer& answer, std::uint16_t index,
+                                                std::uint8_t sub_index) {
   if (answer.done()) return answer.number();
   fail(index, sub_index, "a value", to_text(answer));
   return std::nullopt;
@@ -212,6 +216,18 @@ bool Context::about(canopen::Duration measured, canopen::Duration wanted) const 
   const double allowed =
       settings_->tolerance * static_cast<double>(wanted.count()) + static_cast<double>(settings_->slack.count());
   return std::abs(static_cast<double>((measured - wanted).count())) <= allowed;
+}
+
+canopen::Duration Context::quiet(canopen::Duration most) const {
+  constexpr std::ptrdiff_t kFew = 20, kLast = 100, kDisturbed = 20;  // one of so many may be late for other reasons
+  constexpr int kTimesAsLong = 10;
+  constexpr canopen::Duration kLeast = std::chrono::milliseconds{20};
+  const std::vector<canopen::Duration>& times = sdo_->response_times();
+  if (std::ssize(times) < kFew) return most;
+  std::vector<canopen::Duration> last(times.end() - std::min(std::ssize(times), kLast), times.end());
+  const auto slow = last.end() - 1 - std::ssize(last) / kDisturbed;
+  std::nth_element(last.begin(), slow, last.end());
+  return std::min(most, std::max(kLeast, kTimesAsLong * *slow));
 }
 
 }  // namespace conformance

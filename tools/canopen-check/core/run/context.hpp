@@ -47,6 +47,13 @@ class Context {
   // What it says.
   /// Begins a step: frames from here on belong to the next finding.
   void step() { mark_ = session_->mark(); }
+  /// Begins a step that rests on @p traffic of before.
+  void step(std::span<const TimedFrame> traffic) {
+    step();
+    session_->recall(traffic);
+  }
+  /// The traffic of the step so far.
+  [[nodiscard]] std::span<const TimedFrame> traffic() const noexcept { return session_->since(mark_); }
   /// A finding about @p subject.
   void fail(Subject subject, std::string expected, std::string found);
   /// A finding about an entry.
@@ -72,6 +79,8 @@ class Context {
   SdoAnswer read(std::uint16_t index, std::uint8_t sub_index = 0) { return sdo_->upload(index, sub_index); }
   /// The value of a numeric entry; nothing, and a finding, where it cannot be read.
   std::optional<std::uint64_t> number(std::uint16_t index, std::uint8_t sub_index = 0);
+  /// The number in @p answer, an upload of that entry; nothing, and a finding, where there is none.
+  std::optional<std::uint64_t> number_in(const SdoAnswer& answer, std::uint16_t index, std::uint8_t sub_index = 0);
   SdoAnswer write(std::uint16_t index, std::uint8_t sub_index, std::span<const std::uint8_t> bytes) {
     return undo_.write(index, sub_index, bytes);
   }
@@ -109,6 +118,10 @@ class Context {
   bool expect_state(canopen::NmtState expected, const std::string& after);
   /// True if @p measured is @p wanted within the tolerance and slack of the settings.
   [[nodiscard]] bool about(canopen::Duration measured, canopen::Duration wanted) const noexcept;
+  /// How long an answer or reaction is waited for that must not come: ten times as long as 95 of the last hundred
+  /// answers to SDO requests took at the most, but 20 ms at least; @p most where that is less, and while few answers
+  /// are known.
+  [[nodiscard]] canopen::Duration quiet(canopen::Duration most) const;
 
   // For the runner.
   [[nodiscard]] const std::optional<std::string>& skipped() const noexcept { return skipped_; }

@@ -1,15 +1,37 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "tools/canopen-check/core/sdo_client.hpp"
 
 namespace conformance {
 
 class Context;
 
+/// An error that the tester has brought about, the emergency message of it, and what the node said of the error while
+/// that lasted.
+struct ToldError {
+  std::size_t way = 0;               ///< in which it was brought about
+  std::string name{};                ///< "the heartbeat of node 127 is lost"
+  std::uint16_t code = 0;            ///< that CiA 301 has for it
+  bool ends = false;                 ///< the tester can end it
+  std::uint32_t identifier = 0;      ///< of emergency messages
+  canopen::Frame message{};          ///< the emergency message
+  SdoAnswer error_register{};        ///< 1001h
+  std::vector<SdoAnswer> history{};  ///< 1003h: its count, its newest entry, the others of the first twenty
+  std::vector<TimedFrame> traffic{};
+};
+
 /// What a run has found out about the node, so that no later check waits for it once more.
 struct Manners {
   bool boots_without_message = false;  ///< it came back from a reset without a boot-up message
   bool sends_no_emergency = false;     ///< none for any error that the tester can bring about
+  bool errors_last = false;            ///< an error is not told again until the node is reset
+  std::optional<ToldError> told_error{};       ///< what checks of emergency messages share
+  std::optional<std::uint8_t> free_node_id{};  ///< that no station has
   bool operational_asked = false;      ///< it is known whether it enters Operational
   std::string refuses_operational{};   ///< why it cannot be tested in Operational; empty if it enters it
 };
