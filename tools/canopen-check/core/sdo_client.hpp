@@ -120,9 +120,6 @@ class SdoClient {
   /// it has gone, and further requests are not sent, so that a check of thousands of entries ends.
   static constexpr unsigned kMostSilent = 3;
 
-  /// Requests that are under way at a time, at most: as many as the queues of small controllers hold.
-  static constexpr std::size_t kMostTogether = 8;
-
   bool is_present();
   std::optional<TimedFrame> await();
   void learn_to_ask_together();

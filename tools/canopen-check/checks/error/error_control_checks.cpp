@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "tools/canopen-check/checks/shared/check_table.hpp"
+#include "tools/canopen-check/checks/shared/silence.hpp"
 #include "tools/canopen-check/core/run/context.hpp"
 #include "tools/canopen-check/core/standard_numbers.hpp"
 
@@ -31,7 +32,7 @@ void heartbeat_keeps_its_period(Context& context) {
   if (!context.need(object::kHeartbeatTime) || !context.set(object::kHeartbeatTime, 0, kPeriod)) return;
   Session& session = context.session();
   const std::vector<TimedFrame> beats =
-      session.collect(heartbeats(session), kPeriodTime * kPeriods + kPeriodTime / 2);
+      listen_alone(context, heartbeats(session), kPeriodTime * kPeriods + kPeriodTime / 2);
   if (beats.size() < 2)
     return context.fail(object::kHeartbeatTime, 0, fmt::format("a heartbeat every {} ms", kPeriod),
                         fmt::format("{} in {} periods", beats.size(), kPeriods));

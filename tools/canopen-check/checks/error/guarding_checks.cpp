@@ -97,7 +97,7 @@ std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t
   if (!can_guard(context) || !context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
   context.enter(canopen::NmtState::PreOperational);
   emcy = emcy_identifier(context);
-  std::optional<Provocation> how = guarding_loss(context);
+  std::optional<Provocation> how = guarding_loss_after(context, kLife);
   if (!emcy) context.skip("1014h is invalid");
   if (!how) context.skip("life guarding cannot be switched on");
   return emcy ? how : std::nullopt;
@@ -129,8 +129,9 @@ void life_guarding_resumes(Context& context) {
   if (!wait_for_emergency(context, *emcy, how->delay + kEmergencyPatience))
     return context.skip("the loss of the guarding master is not told");
   how->end();
-  if (!wait_for_code(context, *emcy, 0, kLifeTime / 2))
-    context.fail("emergency message 0000h with the next request", "none");
+  if (wait_for_code(context, *emcy, 0, kLifeTime / 2)) return;
+  context.manners().errors_last = true;
+  context.fail("emergency message 0000h with the next request", "none");
 }
 
 /// Writes that would switch on the second protocol are taken; else the findings say which are refused.

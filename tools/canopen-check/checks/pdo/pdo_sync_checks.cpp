@@ -14,6 +14,7 @@
 namespace conformance {
 namespace {
 
+// A node that is quick gets SYNCs in quick succession; a finding rests on those of kPeriod and kPatience.
 constexpr canopen::Duration kPeriod = std::chrono::milliseconds{20}, kPatience = std::chrono::milliseconds{250};
 
 /// The TPDO of a check, with transmission type @p type.
@@ -39,8 +40,15 @@ void comes_with_every_sync(Context& context) {
   if (!pdo) return;
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
-  const std::vector<std::size_t> counts = sync.count_each(kSyncs, kPeriod, identifier, kPatience);
-  if (std::ranges::any_of(counts, [](std::size_t count) { return count != 1; }))
+  const auto is_right = [](const std::vector<std::size_t>& counts) {
+    return std::ranges::all_of(counts, [](std::size_t count) { return count == 1; });
+  };
+  std::vector<std::size_t> counts = sync.count_each(kSyncs, context.quiet(kPeriod), identifier, kPatience);
+  if (!is_right(counts)) {
+    context.step();
+    counts = sync.count_each(kSyncs, kPeriod, identifier, kPatience);
+  }
+  if (!is_right(counts))
     context.fail(pdo->parameters(), kTypeSub, fmt::format("a frame of {}, type 1, after each SYNC", pdo->name()),
                  fmt::format("{} frames after {} SYNCs", fmt::join(counts, ", "), kSyncs));
 }
@@ -60,8 +68,8 @@ void comes_with_every_nth_sync(Context& context) {
   if (!pdo) return;
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
-  std::vector<std::size_t> counts = sync.count_each(kSyncs, kPeriod, identifier);
-  if (!is_every_third(counts)) {  // it may be slow
+  std::vector<std::size_t> counts = sync.count_each(kSyncs, context.quiet(kPeriod), identifier);
+  if (!is_every_third(counts)) {
     context.step();
     counts = sync.count_each(kSyncs, 2 * kPeriod, identifier);
   }
@@ -122,17 +130,17 @@ void begins_with_the_start_value(Context& context) {
   if (const SdoAnswer answer = context.write_number(object::kSyncOverflow, 0, 10); !answer.done())
     return context.skip("1019h cannot be set: " + to_text(answer));
   const std::uint32_t identifier = identifier_of(context, *pdo);
-  const auto count = [&](canopen::Duration patience) {
+  const auto count = [&](canopen::Duration period, canopen::Duration patience) {
     SyncSource sync{context};
     context.enter(canopen::NmtState::PreOperational);
     context.enter(canopen::NmtState::Operational);
     context.session().pass(kPeriod);
     context.step();
-    return sync.count_each(5, kPeriod, identifier, patience);
+    return sync.count_each(5, period, identifier, patience);
   };
   const std::vector<std::size_t> expected{0, 0, 1, 1, 1};
-  std::vector<std::size_t> counts = count(canopen::Duration::zero());
-  if (counts != expected) counts = count(kPatience);  // it may be slow
+  std::vector<std::size_t> counts = count(context.quiet(kPeriod), {});
+  if (counts != expected) counts = count(kPeriod, kPatience);
   if (counts != expected)
     context.fail(pdo->parameters(), kSyncStartSub, "the first frame with the SYNC of counter 3",
                  fmt::format("{} frames with counters 1 to 5", fmt::join(counts, ", ")));
@@ -165,7 +173,7 @@ void all_come_with_every_sync(Context& context) {
   context.step();
   const std::size_t mark = context.session().mark();
   for (std::size_t i = 0; i < kSyncs; ++i) {
-    const canopen::TimePoint next = context.session().now() + kPeriod;
+    const canopen::TimePoint next = context.session().now() + context.quiet(kPeriod);
     std::set<std::uint32_t> missing{identifiers.begin(), identifiers.end()};
     sync.send();
     (void)context.session().wait_for(

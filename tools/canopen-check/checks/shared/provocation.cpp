@@ -13,6 +13,8 @@ constexpr std::uint32_t kEmcy = 0x80, kStandardBits = 0x7FF;
 /// Time that a heartbeat or a guarding request may be missing, in ms.
 constexpr std::uint64_t kLife = 100;
 constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kLife};
+/// Guarding requests that may be missing.
+constexpr std::uint64_t kFactor = 2;
 
 bool has(Context& context, std::uint16_t index, std::uint8_t sub_index = 0) {
   return context.eds().empty() ? context.read(index, sub_index).done()
@@ -87,12 +89,15 @@ std::optional<Provocation> heartbeat_loss(Context& context) {
 }
 
 std::optional<Provocation> guarding_loss(Context& context) {
-  constexpr std::uint64_t kFactor = 2;
+  return guarding_loss_after(context, kLife / kFactor);
+}
+
+std::optional<Provocation> guarding_loss_after(Context& context, std::uint64_t guard_time) {
   if (!has(context, object::kGuardTime) || !has(context, object::kLifeTimeFactor)) return std::nullopt;
   if (has(context, object::kHeartbeatTime) && context.read(object::kHeartbeatTime).number() != 0 &&
       !context.write_number(object::kHeartbeatTime, 0, 0).done())
     return std::nullopt;
-  if (!answers_guarding(context) || !context.write_number(object::kGuardTime, 0, kLife).done() ||
+  if (!answers_guarding(context) || !context.write_number(object::kGuardTime, 0, guard_time).done() ||
       !context.write_number(object::kLifeTimeFactor, 0, kFactor).done())
     return std::nullopt;
   const auto request = [session = &context.session()] {
@@ -100,7 +105,7 @@ std::optional<Provocation> guarding_loss(Context& context) {
   };
   return Provocation{.name = "the guarding master is lost",
                      .code = 0x8130,
-                     .delay = kLifeTime * kFactor,
+                     .delay = std::chrono::milliseconds{guard_time * kFactor},
                      .raise = request,
                      .end = request};
 }
@@ -154,7 +159,8 @@ std::optional<Emergency> bring_about(Context& context, const Provoked& provoked,
 void end(Context& context, const Provoked& provoked) {
   if (!provoked.how.end) return;
   provoked.how.end();
-  (void)wait_for_code(context, provoked.identifier, 0, kEmergencyPatience / 4);
+  // An error whose end is not told may go on.
+  if (!wait_for_code(context, provoked.identifier, 0, kEmergencyPatience / 4)) context.manners().errors_last = true;
 }
 
 namespace {
@@ -189,7 +195,7 @@ std::optional<Provoked> provoke(Context& context, std::span<const Way> ways) {
     if (!context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
     context.enter(canopen::NmtState::PreOperational);
     provoked = try_all(context, *identifier, ways);
-    manners.errors_last = provoked.has_value();
+    manners.errors_last = manners.errors_last || provoked.has_value();
   }
   manners.sends_no_emergency = !provoked && !context.session().ended();
   if (!provoked) context.skip("the node sends no emergency message for any error that the tester can bring about");

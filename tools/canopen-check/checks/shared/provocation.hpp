@@ -46,6 +46,8 @@ struct Provocation {
 [[nodiscard]] std::optional<Provocation> heartbeat_loss(Context& context);
 /// Loss of the guarding master; nothing where the node answers no guarding or 100Ch, 100Dh do not take it.
 [[nodiscard]] std::optional<Provocation> guarding_loss(Context& context);
+/// The same with @p guard_time in ms, twice which the master is silent.
+[[nodiscard]] std::optional<Provocation> guarding_loss_after(Context& context, std::uint64_t guard_time);
 /// A SYNC of unexpected length; nothing without 1019h.
 [[nodiscard]] std::optional<Provocation> sync_length(Context& context);
 /// An RPDO without data, in Operational; nothing without a valid RPDO. It can be ended if a good RPDO does no

@@ -98,7 +98,10 @@ canopen::Frame segment(Context& context, std::uint8_t command, std::span<const s
 }
 
 void expect_service(Context& context, const std::string& after) {
-  const SdoAnswer answer = context.read(object::kDeviceType);
+  expect_service(context, context.read(object::kDeviceType), after);
+}
+
+void expect_service(Context& context, const SdoAnswer& answer, const std::string& after) {
   if (!answer.done()) context.fail("an answer to an upload of 1000h:00 after " + after, to_text(answer));
 }
 

@@ -38,6 +38,8 @@ struct Target {
 
 /// A finding unless the node still answers an upload of 1000h, after what @p after says.
 void expect_service(Context& context, const std::string& after);
+/// A finding unless @p answer, to an upload of 1000h, is one.
+void expect_service(Context& context, const SdoAnswer& answer, const std::string& after);
 
 /// How long a second or unwanted answer is waited for, at most.
 inline constexpr canopen::Duration kQuiet = std::chrono::milliseconds{50};

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/canopen-check/core/sdo_client.hpp"
@@ -25,12 +27,23 @@ struct ToldError {
   std::vector<TimedFrame> traffic{};
 };
 
+/// What came of a while in which the client was silent in the middle of an upload in segments.
+struct Silence {
+  Multiplexor transfer{};
+  std::string without_transfer{};         ///< why none was begun; else empty
+  std::optional<canopen::Frame> answer{};  ///< of the server, in the middle of it
+  SdoAnswer service{};                    ///< the answer to an upload of 1000h behind it
+  std::vector<TimedFrame> traffic{};      ///< from the request for the upload on
+};
+
 /// What a run has found out about the node, so that no later check waits for it once more.
 struct Manners {
   bool boots_without_message = false;  ///< it came back from a reset without a boot-up message
   bool sends_no_emergency = false;     ///< none for any error that the tester can bring about
   bool errors_last = false;            ///< an error is not told again until the node is reset
   std::optional<ToldError> told_error{};       ///< what checks of emergency messages share
+  std::optional<Silence> silence{};            ///< shared with a check that listens meanwhile
+  std::set<std::string_view> ahead{};          ///< checks that are still to run
   std::optional<std::uint8_t> free_node_id{};  ///< that no station has
   bool operational_asked = false;      ///< it is known whether it enters Operational
   std::string refuses_operational{};   ///< why it cannot be tested in Operational; empty if it enters it

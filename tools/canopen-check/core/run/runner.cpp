@@ -91,12 +91,15 @@ RunReport Runner::run(std::span<const Check* const> checks, const Progress& prog
   if (changes) explore();
   Snapshot snapshot{sdo_, changes ? *eds_ : Description{}, *settings_};
   std::size_t number = 0;
+  for (const Check* check : checks)
+    if (why_not(*check).empty()) manners_.ahead.insert(check->id);
   for (const Check* check : checks) {
     if (!over_.empty()) {
       report.results.push_back({.check = check, .outcome = Outcome::Skipped, .reason = over_});
       continue;
     }
     progress.begin(*check, ++number, checks.size());
+    manners_.ahead.erase(check->id);
     report.results.push_back(run_check(*check));
     progress.end(report.results.back());
     over_ = consequence(*check, report);
