@@ -81,7 +81,7 @@ std::optional<TimedFrame> PortWire::receive(canopen::TimePoint until) {
     }
     if (what.kind == bus::Received::Down) up_ = false;
     if (what.kind != bus::Received::Nothing) continue;
-    if (!wait(until) && now() >= until) return std::nullopt;
+    if (until <= now() || (!wait(until) && now() >= until)) return std::nullopt;
     // The runner decides what an interruption means; nobody waits for the end of a long time then.
     if (signalled != 0 && now() + kLongestWait < until) until = now() + kLongestWait;
   }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint8_t kUpload = 0x40;
 /// Requests that are under way at a time, at most: as many as the queues of small controllers hold.
-constexpr std::size_t kMostTogether = 8;
+constexpr std::size_t kMostTogether = 16;
 /// After the first of two answers the second one is waited for that long, and for that many times as long as the
 /// first one took, whatever is more.
 constexpr canopen::Duration kSoon = std::chrono::milliseconds{50};

@@ -74,9 +74,9 @@ void leaves_others_alone(Context& context) {
   if (own) context.fail(fmt::format("no answer to a guarding request to node {}", *other), "an answer");
 }
 
-/// Sets the life time without a request.
-bool set_life_time(Context& context) {
-  return context.set(object::kGuardTime, 0, kLife) && context.set(object::kLifeTimeFactor, 0, kFactor);
+/// Sets the life time, kFactor times @p guard_time, without a request.
+bool set_life_time(Context& context, std::uint64_t guard_time = kLife) {
+  return context.set(object::kGuardTime, 0, guard_time) && context.set(object::kLifeTimeFactor, 0, kFactor);
 }
 
 void life_guarding_waits(Context& context) {
@@ -84,20 +84,20 @@ void life_guarding_waits(Context& context) {
   if (!emcy) return context.skip("1014h is invalid");
   if (!can_guard(context) || !context.restart(canopen::NmtCommand::ResetCommunication)) return;
   context.enter(canopen::NmtState::PreOperational);
-  if (!can_guard(context) || !set_life_time(context)) return;
+  if (!can_guard(context) || !set_life_time(context, kLife / kFactor)) return;
   context.step();
-  const auto emergency = wait_for_emergency(context, *emcy, kLifeTime + context.quiet(kEmergencyPatience));
+  const auto emergency = wait_for_emergency(context, *emcy, kLifeTime / kFactor + context.quiet(kEmergencyPatience));
   if (emergency && emergency->code != 0)
     context.fail("no life guarding event before the first request", "emergency message " + to_text(*emergency));
 }
 
 /// Life guarding that has begun on a node without an error, and where its event would be told; else the check is
 /// skipped.
-std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t>& emcy) {
+std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t>& emcy, Way lose_master) {
   if (!can_guard(context) || !context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
   context.enter(canopen::NmtState::PreOperational);
   emcy = emcy_identifier(context);
-  std::optional<Provocation> how = guarding_loss_after(context, kLife);
+  std::optional<Provocation> how = lose_master(context);
   if (!emcy) context.skip("1014h is invalid");
   if (!how) context.skip("life guarding cannot be switched on");
   return emcy ? how : std::nullopt;
@@ -105,7 +105,8 @@ std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t
 
 void life_guarding_expires(Context& context) {
   std::optional<std::uint32_t> emcy;
-  const std::optional<Provocation> how = guarded(context, emcy);
+  const std::optional<Provocation> how =
+      guarded(context, emcy, [](Context& each) { return guarding_loss_after(each, kLife); });
   if (!how) return;
   context.step();
   context.session().drain();
@@ -122,7 +123,7 @@ void life_guarding_expires(Context& context) {
 
 void life_guarding_resumes(Context& context) {
   std::optional<std::uint32_t> emcy;
-  const std::optional<Provocation> how = guarded(context, emcy);
+  const std::optional<Provocation> how = guarded(context, emcy, guarding_loss);
   if (!how) return;
   context.step();
   how->raise();
@@ -148,30 +149,41 @@ bool takes_both(Context& context) {
   return context.findings().size() == before;
 }
 
-void heartbeat_wins(Context& context) {
-  constexpr int kRequests = 10;
-  constexpr std::size_t kMostBeats = 7;
-  constexpr canopen::Duration kPause = std::chrono::milliseconds{50};
-  if (!context.need(object::kHeartbeatTime) || !can_guard(context)) return;
-  Session& session = context.session();
-  if (!guard(context, session.node_id())) return context.skip("the node answers no guarding request");
-  if (!takes_both(context)) return;
-  context.step();
-  session.drain();
+/// What comes under the identifier of error control.
+struct Heard {
   std::size_t frames = 0;
   bool toggled = false;
-  // Half of the requests are enough for a node that has answered none of them.
-  const auto is_clear = [&](int requests) {
-    return requests == kRequests / 2 && frames != 0 && 2 * frames <= kMostBeats && !toggled;
-  };
-  for (int i = 0; i < kRequests && !is_clear(i); ++i) {
-    session.send({.id = session.identifier(function_code::kErrorControl), .length = 1, .remote = true});
-    for (const TimedFrame& each :
-         session.collect(under(session.identifier(function_code::kErrorControl)), kPause)) {
-      ++frames;
-      toggled = toggled || (each.frame.data[0] & kToggle) != 0;
+};
+
+/// What comes with @p requests guarding requests, @p pause apart.
+Heard guard_beside_heartbeat(Context& context, int requests, canopen::Duration pause) {
+  Session& session = context.session();
+  const std::uint32_t identifier = session.identifier(function_code::kErrorControl);
+  Heard heard;
+  context.step();
+  session.drain();
+  for (int i = 0; i < requests; ++i) {
+    session.send({.id = identifier, .length = 1, .remote = true});
+    for (const TimedFrame& each : session.collect(under(identifier), pause)) {
+      ++heard.frames;
+      heard.toggled = heard.toggled || (each.frame.data[0] & kToggle) != 0;
     }
   }
+  return heard;
+}
+
+void heartbeat_wins(Context& context) {
+  constexpr int kRequests = 10, kQuickRequests = 12;
+  constexpr std::size_t kMostBeats = 7, kMostQuickBeats = 2;
+  constexpr canopen::Duration kPause = std::chrono::milliseconds{50};
+  if (!context.need(object::kHeartbeatTime) || !can_guard(context)) return;
+  if (!guard(context, context.session().node_id())) return context.skip("the node answers no guarding request");
+  if (!takes_both(context)) return;
+  if (const canopen::Duration quick = context.quiet(kPause); quick * kRequests <= kPause * 2) {
+    const Heard heard = guard_beside_heartbeat(context, kQuickRequests, quick);
+    if (heard.frames != 0 && heard.frames <= kMostQuickBeats && !heard.toggled) return;
+  }
+  const auto [frames, toggled] = guard_beside_heartbeat(context, kRequests, kPause);
   if (frames == 0) return context.fail("heartbeats while guarding is set too", "none");
   if (frames > kMostBeats || toggled)
     context.fail("heartbeats of 100 ms, and no answer to guarding requests",

@@ -17,6 +17,7 @@ using canopen::NmtCommand;
 using canopen::NmtState;
 
 constexpr std::uint32_t kEmcy = 0x80;
+/// How long what follows from frames may take, at most.
 constexpr canopen::Duration kSettle = std::chrono::milliseconds{100};
 
 bool is_boot_up(const Session& session, const canopen::Frame& frame) {
@@ -36,15 +37,20 @@ Health health(Context& context) {
 /// Findings if the node is not what it was: reset, in another state, or with another device type.
 void expect_health(Context& context, const Health& before, const char* after) {
   Session& session = context.session();
-  session.pass(kSettle);
-  const auto traffic = session.since(before.mark);
-  if (std::ranges::any_of(traffic,
-                          [&](const TimedFrame& each) { return !each.sent && is_boot_up(session, each.frame); }))
+  session.pass(context.quiet(kSettle));
+  bool was_reset = false;
+  const auto judge_reset = [&] {
+    const auto is_sign = [&](const TimedFrame& each) { return !each.sent && is_boot_up(session, each.frame); };
+    if (was_reset || std::ranges::none_of(session.since(before.mark), is_sign)) return;
+    was_reset = true;
     context.fail(fmt::format("no reset by {}", after), "a boot-up message");
+  };
+  judge_reset();
   if (!context.expect_state(NmtState::PreOperational, after)) return;
   context.sdo().abort(0, 0, 0x08000000);
   session.drain();
   const std::optional<std::uint64_t> now = context.number(object::kDeviceType);
+  judge_reset();  // which may take until the node answers again
   if (now && now != before.device_type)
     context.fail(object::kDeviceType, 0, fmt::format("{:X}h still after {}", *before.device_type, after),
                  fmt::format("{:X}h", *now));
@@ -143,7 +149,7 @@ void survives_all_identifiers(Context& context) {
       if (id % kAtOnce == 0) session.drain();
     }
   }
-  session.pass(kSettle);
+  session.pass(context.quiet(kSettle));
   std::size_t found = 0;
   for (const TimedFrame& each : session.since(before.mark)) {
     if (each.sent || may_answer(context, session, emcy, each.frame.id) || ++found > kMostFindings) continue;

@@ -195,15 +195,23 @@ void all_come_with_every_sync(Context& context) {
 
 void misses_no_sync(Context& context) {
   constexpr std::size_t kSyncs = 250;
-  constexpr canopen::Duration kFast = std::chrono::milliseconds{4};
+  constexpr canopen::Duration kFast = std::chrono::milliseconds{4}, kFaster = std::chrono::milliseconds{2};
   const auto pdo = started(context, 1);
   if (!pdo) return;
   const std::uint32_t identifier = identifier_of(context, *pdo);
   SyncSource sync{context};
-  std::size_t frames = sync.run(static_cast<int>(kSyncs), kFast, identifier).size();
-  if (frames < kSyncs)  // the last ones may be under way
-    frames += context.session().collect_first(kSyncs - frames, under(identifier), kPatience).size();
-  frames += context.session().collect(under(identifier), context.quiet(kPatience)).size();
+  const auto count = [&](canopen::Duration period) {
+    std::size_t found = sync.run(static_cast<int>(kSyncs), period, identifier).size();
+    if (found < kSyncs)  // the last ones may be under way
+      found += context.session().collect_first(kSyncs - found, under(identifier), kPatience).size();
+    return found + context.session().collect(under(identifier), context.quiet(kPatience)).size();
+  };
+  const bool quick = context.quiet(kPeriod) < kPeriod;
+  std::size_t frames = count(quick ? kFaster : kFast);
+  if (frames != kSyncs && quick) {
+    context.step();
+    frames = count(kFast);
+  }
   if (frames != kSyncs)
     context.fail(pdo->parameters(), kTypeSub,
                  fmt::format("{} frames of {} with {} SYNCs 4 ms apart", kSyncs, pdo->name(), kSyncs),

@@ -165,17 +165,29 @@ void end(Context& context, const Provoked& provoked) {
 
 namespace {
 
-std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std::span<const Way> ways) {
+/// The first of @p ways for which the node sends an emergency message within @p patience.
+std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std::span<const Way> ways,
+                                canopen::Duration patience) {
   for (const Way way : ways) {
     const std::optional<Provocation> how = way(context);
     if (!how) continue;
     Provoked provoked{way, *how, identifier, {}};
-    const std::optional<Emergency> emergency = bring_about(context, provoked);
+    // When a time is over is a matter of the node's clock; what follows at once is as quick as the node.
+    const std::optional<Emergency> emergency =
+        bring_about(context, provoked, how->delay != how->delay.zero() ? kEmergencyPatience : patience);
     if (!emergency) continue;
     provoked.emergency = *emergency;
     return provoked;
   }
   return std::nullopt;
+}
+
+/// The same of a node that was reset, first of one that is quick.
+std::optional<Provoked> try_all_anew(Context& context, std::uint32_t identifier, std::span<const Way> ways) {
+  const canopen::Duration quick = context.quiet(kEmergencyPatience);
+  std::optional<Provoked> provoked = try_all(context, identifier, ways, quick);
+  if (!provoked && quick < kEmergencyPatience) provoked = try_all(context, identifier, ways, kEmergencyPatience);
+  return provoked;
 }
 
 }  // namespace
@@ -190,11 +202,11 @@ std::optional<Provoked> provoke(Context& context, std::span<const Way> ways) {
   const bool resets = context.settings().allow_reset;
   std::optional<Provoked> provoked;
   if (!manners.sends_no_emergency && !(resets && manners.errors_last))
-    provoked = try_all(context, *identifier, ways);
+    provoked = try_all(context, *identifier, ways, context.quiet(kEmergencyPatience));
   if (!provoked && !manners.sends_no_emergency && resets) {
     if (!context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
     context.enter(canopen::NmtState::PreOperational);
-    provoked = try_all(context, *identifier, ways);
+    provoked = try_all_anew(context, *identifier, ways);
     manners.errors_last = manners.errors_last || provoked.has_value();
   }
   manners.sends_no_emergency = !provoked && !context.session().ended();

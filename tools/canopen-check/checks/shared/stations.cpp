@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint32_t kErrorControl = 0x700, kRequests = 0x600, kResponses = 0x580;
 constexpr std::uint8_t kHighestNodeId = 127, kNodeIdBits = 0x7F;
+/// Of the node-IDs among which a free one is looked for.
+constexpr std::uint8_t kLowestCandidate = 112;
 constexpr canopen::Duration kListen = std::chrono::milliseconds{50};
 
 /// Asks @p node_id for its state and its device type: whatever state it is in, it answers one of them.
@@ -43,6 +45,8 @@ std::vector<std::uint8_t> other_stations(Context& context) {
     listen(canopen::Duration::zero());
   }
   listen(kListen);
+  for (std::uint8_t id = kHighestNodeId; id >= kLowestCandidate && !context.manners().free_node_id; --id)
+    if (id != session.node_id() && !found.contains(id) && !session.ended()) context.manners().free_node_id = id;
   return {found.begin(), found.end()};
 }
 
@@ -54,7 +58,6 @@ bool alone(Context& context, const char* command) {
 }
 
 std::optional<std::uint8_t> unused_node_id(Context& context) {
-  constexpr std::uint8_t kLowestCandidate = 112;
   std::optional<std::uint8_t>& found = context.manners().free_node_id;
   if (found) return found;
   Session& session = context.session();
