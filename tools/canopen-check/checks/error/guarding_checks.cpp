@@ -86,8 +86,8 @@ void life_guarding_waits(Context& context) {
   context.enter(canopen::NmtState::PreOperational);
   if (!can_guard(context) || !set_life_time(context, kLife / kFactor)) return;
   context.step();
-  const auto emergency = wait_for_emergency(context, *emcy, kLifeTime / kFactor + context.quiet(kEmergencyPatience));
-  if (emergency && emergency->code != 0)
+  const auto emergency = wait_for_error(context, *emcy, kLifeTime / kFactor + context.quiet(kEmergencyPatience));
+  if (emergency)
     context.fail("no life guarding event before the first request", "emergency message " + to_text(*emergency));
 }
 
@@ -112,7 +112,7 @@ void life_guarding_expires(Context& context) {
   context.session().drain();
   how->raise();
   const canopen::TimePoint begin = context.session().now();
-  const auto emergency = wait_for_emergency(context, *emcy, how->delay + kEmergencyPatience);
+  const auto emergency = wait_for_error(context, *emcy, how->delay + kEmergencyPatience);
   const std::string expected = "an emergency message " + milliseconds(kLifeTime) + " after the last request";
   if (!emergency) return context.fail(expected, "none");
   const canopen::Duration time = emergency->frame.time - begin;
@@ -127,7 +127,7 @@ void life_guarding_resumes(Context& context) {
   if (!how) return;
   context.step();
   how->raise();
-  if (!wait_for_emergency(context, *emcy, how->delay + kEmergencyPatience))
+  if (!wait_for_error(context, *emcy, how->delay + kEmergencyPatience))
     return context.skip("the loss of the guarding master is not told");
   how->end();
   if (wait_for_code(context, *emcy, 0, kLifeTime / 2)) return;

@@ -43,8 +43,8 @@ void waits_for_the_first_heartbeat(Context& context) {
   const std::optional<Watched> watched = watch(context);
   if (!watched) return;
   context.step();
-  const auto emergency = wait_for_emergency(context, watched->emcy, watched->how.delay + context.quiet(kEmergencyPatience));
-  if (emergency && emergency->code != 0)
+  const auto emergency = wait_for_error(context, watched->emcy, watched->how.delay + context.quiet(kEmergencyPatience));
+  if (emergency)
     context.fail(object::kConsumerHeartbeatTime, 1, "no loss before the first heartbeat",
                  "emergency message " + to_text(*emergency));
 }
@@ -56,7 +56,7 @@ void tells_the_loss(Context& context) {
   context.step();
   const canopen::TimePoint begin = context.session().now();
   how.raise();
-  const auto emergency = wait_for_emergency(context, watched->emcy, how.delay + kEmergencyPatience);
+  const auto emergency = wait_for_error(context, watched->emcy, how.delay + kEmergencyPatience);
   if (!emergency)
     return context.fail(object::kConsumerHeartbeatTime, 1, "an emergency message when " + how.name,
                         "none within " + milliseconds(how.delay + kEmergencyPatience));
@@ -73,7 +73,7 @@ void tells_the_return(Context& context) {
   const Provocation& how = watched->how;
   context.step();
   how.raise();
-  if (!wait_for_emergency(context, watched->emcy, how.delay + kEmergencyPatience))
+  if (!wait_for_error(context, watched->emcy, how.delay + kEmergencyPatience))
     return context.skip("the loss of a heartbeat is not told");
   how.end();
   if (!wait_for_code(context, watched->emcy, 0, how.delay / 2))

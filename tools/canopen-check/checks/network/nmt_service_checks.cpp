@@ -18,22 +18,30 @@ constexpr std::uint32_t kSegmentWithoutTransfer = 0x05040001;
 /// How long something must not come, at most.
 constexpr canopen::Duration kQuiet = std::chrono::milliseconds{100};
 
-/// Findings for TPDOs that come in @p state, with SYNC and on request.
-void no_tpdo_in(Context& context, NmtState state) {
+/// TPDOs that come in @p state, with SYNC and on request, @p quiet after it was commanded and within the same time.
+std::vector<TimedFrame> tpdos_in(Context& context, NmtState state, const std::vector<ValidPdo>& tpdos,
+                                 canopen::Duration quiet) {
   constexpr int kSyncs = 3;
-  const std::vector<ValidPdo> tpdos = valid_pdos(context, object::kTpdoParameter);
-  if (tpdos.empty()) return context.skip("no TPDO is valid");
   const std::uint32_t sync = sync_identifier(context);
   Session& session = context.session();
   context.enter(state);
-  session.pass(context.quiet(kQuiet));
+  session.pass(quiet);
   context.step();
   for (int i = 0; i < kSyncs; ++i) session.send({.id = sync});
   if (session.carries_remote_frames())
     for (const ValidPdo& tpdo : tpdos) session.send({.id = tpdo.identifier, .length = 8, .remote = true});
-  const auto found =
-      session.collect([&](const canopen::Frame& frame) { return pdo_of(tpdos, frame) != nullptr; },
-                      context.quiet(kQuiet));
+  return session.collect([&](const canopen::Frame& frame) { return pdo_of(tpdos, frame) != nullptr; }, quiet);
+}
+
+/// Findings for TPDOs that come in @p state.
+void no_tpdo_in(Context& context, NmtState state) {
+  const std::vector<ValidPdo> tpdos = valid_pdos(context, object::kTpdoParameter);
+  if (tpdos.empty()) return context.skip("no TPDO is valid");
+  std::vector<TimedFrame> found = tpdos_in(context, state, tpdos, context.quiet(kQuiet));
+  if (!found.empty()) {  // of a slow node they may be those of before
+    context.enter(NmtState::PreOperational);
+    found = tpdos_in(context, state, tpdos, kQuiet);
+  }
   for (const ValidPdo& tpdo : tpdos)
     if (std::ranges::any_of(found, [&](const TimedFrame& each) { return each.frame.id == tpdo.identifier; }))
       context.fail(Subject{.index = tpdo.parameters}, fmt::format("no TPDO in {}", name_of(state)),

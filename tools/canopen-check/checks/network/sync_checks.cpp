@@ -81,7 +81,7 @@ void tells_unexpected_length(Context& context) {
   context.step();
   context.session().drain();
   how->raise();
-  if (!wait_for_emergency(context, *emcy, kEmergencyPatience))
+  if (!wait_for_error(context, *emcy, kEmergencyPatience))
     context.fail(object::kSyncOverflow, 0, "an emergency message for a SYNC of unexpected length", "none");
   how->end();
 }

@@ -140,28 +140,34 @@ void takes_the_first_bytes_of_long_frames(Context& context) {
   const std::size_t mark = context.session().mark();
   send(context, *reception, value, 1);
   const canopen::TimePoint until = context.session().now() + kProcessed;
-  bool told = false;
-  do {
+  bool told = false, is_over = false;
+  while (!is_over) {
+    is_over = context.session().now() >= until;
     const std::uint64_t now = context.read(reception->object.index, reception->object.sub_index).number();
     told = !frames_since(context, mark, context.session().identifier(0x80)).empty();
     if (now == value || (told && now == reception->before)) return;
     context.session().pass(kSample);
-  } while (context.session().now() < until);
+  }
   context.fail(
       reception->pdo.mapping(), 0,
       fmt::format("the first bytes of a longer frame, {:X}h, are taken, or it is reported", value),
       fmt::format("{}, {}", held(context, *reception), told ? "an emergency message" : "no emergency message"));
 }
 
-/// The error code of the first emergency message of @p span that is not 0000h.
-std::optional<std::uint32_t> emergency(Context& context, canopen::Duration span) {
-  const auto frame = context.session().wait_for(
-      [id = context.session().identifier(0x80)](const canopen::Frame& each) {
-        return each.id == id && !each.remote && each.length == 8 && (each.data[0] != 0 || each.data[1] != 0);
+/// The error code of the first emergency message of @p span that is not 0000h; of @p wanted, wherever it comes, if
+/// that is given.
+std::optional<std::uint32_t> emergency(Context& context, canopen::Duration span,
+                                       std::optional<std::uint32_t> wanted = {}) {
+  std::optional<std::uint32_t> first;
+  (void)context.session().wait_for(
+      [&, id = context.session().identifier(0x80)](const canopen::Frame& each) {
+        const auto code = static_cast<std::uint32_t>(number_in(each) & 0xFFFFU);
+        if (each.id != id || each.remote || each.length != 8 || code == 0) return false;
+        if (!first || code == wanted) first = code;
+        return !wanted || code == wanted;
       },
       span);
-  if (!frame) return std::nullopt;
-  return number_in(frame->frame) & 0xFFFFU;
+  return first;
 }
 
 void tells_of_a_missed_deadline(Context& context) {
@@ -179,7 +185,7 @@ void tells_of_a_missed_deadline(Context& context) {
     return context.skip("the node sends no emergency message, not even for a short RPDO");
   context.step();
   send(context, *reception, reception->before);
-  const auto code = emergency(context, milliseconds{4 * kDeadline});
+  const auto code = emergency(context, milliseconds{4 * kDeadline}, kMissed);
   if (code != kMissed)
     context.fail(reception->pdo.parameters(), kTimerSub, "emergency message 8250h for a missed event timer",
                  code ? fmt::format("{:04X}h", *code) : "none");

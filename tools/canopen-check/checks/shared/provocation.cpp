@@ -1,5 +1,7 @@
 #include "tools/canopen-check/checks/shared/provocation.hpp"
 
+#include <concepts>
+
 #include <fmt/format.h>
 
 #include "tools/canopen-check/checks/shared/process_data.hpp"
@@ -29,10 +31,6 @@ bool answers_guarding(Context& context) {
   return session.wait_for(under(session.identifier(function_code::kErrorControl)), kLifeTime).has_value();
 }
 
-Emergency emergency_of(const TimedFrame& frame) noexcept {
-  return {.frame = frame, .code = code_of(frame.frame), .error_register = frame.frame.data[2]};
-}
-
 }  // namespace
 
 std::uint16_t code_of(const canopen::Frame& frame) noexcept {
@@ -50,22 +48,31 @@ std::optional<std::uint32_t> emcy_identifier(Context& context) {
   return word & kStandardBits;
 }
 
+namespace {
+
+std::optional<Emergency> wait_for_any(Context& context, std::uint32_t identifier, canopen::Duration patience,
+                                      std::predicate<std::uint16_t> auto is_wanted) {
+  const auto frame = context.session().wait_for(
+      [&, is_emcy = under(identifier)](const canopen::Frame& each) { return is_emcy(each) && is_wanted(code_of(each)); },
+      patience);
+  if (!frame) return std::nullopt;
+  return Emergency{.frame = *frame, .code = code_of(frame->frame), .error_register = frame->frame.data[2]};
+}
+
+}  // namespace
+
 std::optional<Emergency> wait_for_emergency(Context& context, std::uint32_t identifier,
                                             canopen::Duration patience) {
-  const std::optional<TimedFrame> frame = context.session().wait_for(under(identifier), patience);
-  if (!frame) return std::nullopt;
-  return emergency_of(*frame);
+  return wait_for_any(context, identifier, patience, [](std::uint16_t) { return true; });
+}
+
+std::optional<Emergency> wait_for_error(Context& context, std::uint32_t identifier, canopen::Duration patience) {
+  return wait_for_any(context, identifier, patience, [](std::uint16_t code) { return code != 0; });
 }
 
 std::optional<Emergency> wait_for_code(Context& context, std::uint32_t identifier, std::uint16_t code,
                                        canopen::Duration patience) {
-  const auto frame = context.session().wait_for(
-      [is_emcy = under(identifier), code](const canopen::Frame& each) {
-        return is_emcy(each) && code_of(each) == code;
-      },
-      patience);
-  if (!frame) return std::nullopt;
-  return emergency_of(*frame);
+  return wait_for_any(context, identifier, patience, [code](std::uint16_t each) { return each == code; });
 }
 
 std::string to_text(const Emergency& emergency) {
@@ -144,16 +151,10 @@ std::optional<Provocation> short_rpdo(Context& context) {
 }
 
 std::optional<Emergency> bring_about(Context& context, const Provoked& provoked, canopen::Duration patience) {
-  Session& session = context.session();
-  session.drain();
+  context.session().drain();
   context.step();
   provoked.how.raise();
-  const auto frame =
-      session.wait_for([is_emcy = under(provoked.identifier)](
-                           const canopen::Frame& each) { return is_emcy(each) && code_of(each) != 0; },
-                       provoked.how.delay + patience);
-  if (!frame) return std::nullopt;
-  return emergency_of(*frame);
+  return wait_for_error(context, provoked.identifier, provoked.how.delay + patience);
 }
 
 void end(Context& context, const Provoked& provoked) {
@@ -165,29 +166,18 @@ void end(Context& context, const Provoked& provoked) {
 
 namespace {
 
-/// The first of @p ways for which the node sends an emergency message within @p patience.
-std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std::span<const Way> ways,
-                                canopen::Duration patience) {
+/// The first of @p ways for which the node sends an emergency message.
+std::optional<Provoked> try_all(Context& context, std::uint32_t identifier, std::span<const Way> ways) {
   for (const Way way : ways) {
     const std::optional<Provocation> how = way(context);
     if (!how) continue;
     Provoked provoked{way, *how, identifier, {}};
-    // When a time is over is a matter of the node's clock; what follows at once is as quick as the node.
-    const std::optional<Emergency> emergency =
-        bring_about(context, provoked, how->delay != how->delay.zero() ? kEmergencyPatience : patience);
+    const std::optional<Emergency> emergency = bring_about(context, provoked);
     if (!emergency) continue;
     provoked.emergency = *emergency;
     return provoked;
   }
   return std::nullopt;
-}
-
-/// The same of a node that was reset, first of one that is quick.
-std::optional<Provoked> try_all_anew(Context& context, std::uint32_t identifier, std::span<const Way> ways) {
-  const canopen::Duration quick = context.quiet(kEmergencyPatience);
-  std::optional<Provoked> provoked = try_all(context, identifier, ways, quick);
-  if (!provoked && quick < kEmergencyPatience) provoked = try_all(context, identifier, ways, kEmergencyPatience);
-  return provoked;
 }
 
 }  // namespace
@@ -202,11 +192,11 @@ std::optional<Provoked> provoke(Context& context, std::span<const Way> ways) {
   const bool resets = context.settings().allow_reset;
   std::optional<Provoked> provoked;
   if (!manners.sends_no_emergency && !(resets && manners.errors_last))
-    provoked = try_all(context, *identifier, ways, context.quiet(kEmergencyPatience));
+    provoked = try_all(context, *identifier, ways);
   if (!provoked && !manners.sends_no_emergency && resets) {
     if (!context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
     context.enter(canopen::NmtState::PreOperational);
-    provoked = try_all_anew(context, *identifier, ways);
+    provoked = try_all(context, *identifier, ways);
     manners.errors_last = manners.errors_last || provoked.has_value();
   }
   manners.sends_no_emergency = !provoked && !context.session().ended();

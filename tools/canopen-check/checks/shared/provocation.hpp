@@ -25,6 +25,9 @@ struct Emergency {
 /// The next emergency message of the node under @p identifier, or nothing.
 [[nodiscard]] std::optional<Emergency> wait_for_emergency(Context& context, std::uint32_t identifier,
                                                           canopen::Duration patience);
+/// The next one that tells an error; that a former one has ended may be under way.
+[[nodiscard]] std::optional<Emergency> wait_for_error(Context& context, std::uint32_t identifier,
+                                                      canopen::Duration patience);
 /// The next one with @p code; others are passed over.
 [[nodiscard]] std::optional<Emergency> wait_for_code(Context& context, std::uint32_t identifier,
                                                      std::uint16_t code, canopen::Duration patience);
