@@ -75,8 +75,8 @@ class SdoClient {
   /// that stands in for it, or nothing.
   std::optional<canopen::Frame> exchange(const canopen::Frame& request);
   /// Asks for uploads of @p entries, several at a time of a server that is seen to answer requests which come
-  /// together: the answer to each. Nothing for an entry that has to be asked for alone, because the server does not
-  /// answer that way, or because of a frame that fits none of the requests.
+  /// together: the answer to each. Nothing for an entry that has to be asked for alone, because the server does
+  /// not answer that way, or because of a frame that fits none of the requests.
   [[nodiscard]] std::vector<std::optional<canopen::Frame>> ask_together(std::span<const Multiplexor> entries);
   /// Sends @p request and gives the next frame of the server, whether it fits or not.
   std::optional<canopen::Frame> exchange_any(const canopen::Frame& request);
@@ -137,7 +137,7 @@ class SdoClient {
   bool absent_ = false;  ///< it did not even answer an upload of 1000h:00
   bool late_ = false;    ///< an answer to a request that was given up may still come
   bool aborts_are_named_ = true;
-  std::size_t together_ = 0;  ///< requests at a time that the server answers; 0: not known yet
+  std::size_t together_ = 0;               ///< requests at a time that the server answers; 0: not known yet
   canopen::Frame last_{};                  ///< request
   std::optional<SdoMatch> awaited_{};      ///< what answers the last request
   std::optional<Multiplexor> transfer_{};  ///< that was initiated last
@@ -148,8 +148,8 @@ class SdoClient {
   std::vector<canopen::Duration> times_;
 };
 
-/// The answer to an upload that @p frame is as a whole: an abort, or data in one frame; nothing if segments follow,
-/// and for what is none.
+/// The answer to an upload that @p frame is as a whole: an abort, or data in one frame; nothing if segments
+/// follow, and for what is none.
 [[nodiscard]] std::optional<SdoAnswer> whole_answer(const canopen::Frame& frame);
 /// The abort code of @p frame, if it is an abort of the server.
 [[nodiscard]] std::optional<std::uint32_t> abort_code(const canopen::Frame& frame) noexcept;

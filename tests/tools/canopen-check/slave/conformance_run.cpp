@@ -12,11 +12,12 @@ conformance::Settings full_settings() {
   return {.node_id = 5, .mode = conformance::Mode::Full, .allow_store = true, .allow_motion = true};
 }
 
-conformance::RunReport run_checks(const Defect& defect, std::string_view only,
-                                  const conformance::Settings& settings) {
-  Slave slave{defect};
+namespace {
+
+conformance::RunReport run_on(Station& station, const Defect& defect, std::string_view only,
+                              const conformance::Settings& settings) {
   SimulatedWire wire;
-  wire.add(slave);
+  wire.add(station);
   std::string text = eds_of(objects_of(defect));
   defect.eds(text);
   eds::Findings findings{"right.eds"};
@@ -28,6 +29,20 @@ conformance::RunReport run_checks(const Defect& defect, std::string_view only,
   std::erase_if(checks, [&](const conformance::Check* check) { return !check->id.starts_with(only); });
   conformance::Deviations deviations;
   return conformance::Runner{wire, description, settings, deviations}.run(checks, {});
+}
+
+}  // namespace
+
+conformance::RunReport run_checks(const Defect& defect, std::string_view only,
+                                  const conformance::Settings& settings) {
+  Slave slave{defect};
+  return run_on(slave, defect, only, settings);
+}
+
+conformance::RunReport run_checks(const Defect& defect, const Slowness& slowness) {
+  Slave slave{defect};
+  SlowStation slow{slave, slowness};
+  return run_on(slow, defect, {}, full_settings());
 }
 
 std::set<std::string> failed_checks(const conformance::RunReport& report) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/tools/canopen-check/slave/simulated_wire.hpp"
+#include "tests/tools/canopen-check/slave/slow_station.hpp"
 #include "tools/canopen-check/core/run/runner.hpp"
 #include "tools/canopen-zoo/wrong/wrong_slaves.hpp"
 
@@ -21,6 +22,9 @@ inline constexpr std::uint32_t kEmcyOf5 = 0x085, kResponseOf5 = 0x585, kRequestO
 /// Runs every check that needs the node, or those whose id begins with @p only, against a slave with @p defect.
 [[nodiscard]] conformance::RunReport run_checks(const Defect& defect, std::string_view only = {},
                                                 const conformance::Settings& settings = full_settings());
+
+/// The same against a slave that is right, or a right drive, but slow.
+[[nodiscard]] conformance::RunReport run_checks(const Defect& defect, const Slowness& slowness);
 
 /// The ids of checks that have a finding.
 [[nodiscard]] std::set<std::string> failed_checks(const conformance::RunReport& report);

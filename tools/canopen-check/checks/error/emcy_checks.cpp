@@ -112,8 +112,7 @@ void has_the_bit(Context& context) {
   constexpr std::uint8_t kExpected = kGenericError | kCommunicationError;
   const ToldError* const told = told_error(context);
   if (told != nullptr && (told->message.data[2] & kExpected) != kExpected)
-    context.fail(object::kErrorRegister, 0,
-                 "bits 0 and 4, generic and communication error, when " + told->name,
+    context.fail(object::kErrorRegister, 0, "bits 0 and 4, generic and communication error, when " + told->name,
                  fmt::format("register {:02X}h", told->message.data[2]));
 }
 

@@ -70,7 +70,8 @@ void leaves_others_alone(Context& context) {
   context.step();
   session.drain();
   session.send({.id = function_code::kErrorControl + *other, .length = 1, .remote = true});
-  const auto own = session.wait_for(under(session.identifier(function_code::kErrorControl)), context.quiet(kAnswer));
+  const auto own =
+      session.wait_for(under(session.identifier(function_code::kErrorControl)), context.quiet(kAnswer));
   if (own) context.fail(fmt::format("no answer to a guarding request to node {}", *other), "an answer");
 }
 

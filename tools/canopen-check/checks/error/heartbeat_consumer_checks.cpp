@@ -43,7 +43,8 @@ void waits_for_the_first_heartbeat(Context& context) {
   const std::optional<Watched> watched = watch(context);
   if (!watched) return;
   context.step();
-  const auto emergency = wait_for_error(context, watched->emcy, watched->how.delay + context.quiet(kEmergencyPatience));
+  const auto emergency =
+      wait_for_error(context, watched->emcy, watched->how.delay + context.quiet(kEmergencyPatience));
   if (emergency)
     context.fail(object::kConsumerHeartbeatTime, 1, "no loss before the first heartbeat",
                  "emergency message " + to_text(*emergency));

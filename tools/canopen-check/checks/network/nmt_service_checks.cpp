@@ -18,7 +18,8 @@ constexpr std::uint32_t kSegmentWithoutTransfer = 0x05040001;
 /// How long something must not come, at most.
 constexpr canopen::Duration kQuiet = std::chrono::milliseconds{100};
 
-/// TPDOs that come in @p state, with SYNC and on request, @p quiet after it was commanded and within the same time.
+/// TPDOs that come in @p state, with SYNC and on request, @p quiet after it was commanded and within the same
+/// time.
 std::vector<TimedFrame> tpdos_in(Context& context, NmtState state, const std::vector<ValidPdo>& tpdos,
                                  canopen::Duration quiet) {
   constexpr int kSyncs = 3;

@@ -194,7 +194,8 @@ bool says_absent(const SdoAnswer& answer) {
 unsigned scan(Context& context, unsigned first, unsigned last, canopen::TimePoint until) {
   std::vector<Multiplexor> entries;
   for (unsigned index = first; index <= last; ++index)
-    if (!context.eds().has(static_cast<std::uint16_t>(index))) entries.push_back({static_cast<std::uint16_t>(index), 0});
+    if (!context.eds().has(static_cast<std::uint16_t>(index)))
+      entries.push_back({static_cast<std::uint16_t>(index), 0});
   int silent = 0;
   ReadAhead answers{context, entries};
   for (const auto& [object, sub_index] : entries) {

@@ -37,8 +37,8 @@ bool any(Context& context, const std::vector<const EntryFacts*>& entries) {
   return !entries.empty();
 }
 
-/// Uploads every entry that the EDS calls readable and @p concerns; what @p judge complains about in its answer is a
-/// finding. Stops when the node has become silent.
+/// Uploads every entry that the EDS calls readable and @p concerns; what @p judge complains about in its answer is
+/// a finding. Stops when the node has become silent.
 template <class Concerns, class Judge>
 void for_each_value(Context& context, Concerns concerns, Judge judge) {
   const std::vector<const EntryFacts*> entries = readable_entries(context, concerns);

@@ -46,9 +46,9 @@ std::optional<Requested> requestable(Context& context, std::uint8_t type, std::v
   return requested;
 }
 
-/// What is sent under the identifier of the TPDO when it is requested, within kAnswer. What is right is looked at for
-/// as long as the node is seen to need only: what @p is_right does not say so of is asked for once more, when what a
-/// slow node sends on entering Operational has come.
+/// What is sent under the identifier of the TPDO when it is requested, within kAnswer. What is right is looked at
+/// for as long as the node is seen to need only: what @p is_right does not say so of is asked for once more, when
+/// what a slow node sends on entering Operational has come.
 std::vector<TimedFrame> request(Context& context, const Requested& requested, std::size_t expected,
                                 std::predicate<const std::vector<TimedFrame>&> auto is_right) {
   Session& session = context.session();
@@ -114,7 +114,8 @@ void answers_with_present_values(Context& context) {
 }
 
 void expect_silence(Context& context, const Requested& requested, const std::string& where) {
-  const auto frames = request(context, requested, 0, [](const std::vector<TimedFrame>& found) { return found.empty(); });
+  const auto frames =
+      request(context, requested, 0, [](const std::vector<TimedFrame>& found) { return found.empty(); });
   if (!frames.empty())
     context.fail(requested.pdo.parameters(), kCobIdSub, "no answer to a remote request " + where,
                  fmt::format("{} frames", frames.size()));

@@ -35,8 +35,8 @@ canopen::Duration mean_period(const std::vector<TimedFrame>& frames) {
   return (frames.back().time - frames.front().time) / static_cast<std::int64_t>(frames.size() - 1);
 }
 
-/// A finding unless frames under @p identifier come @p wanted apart on the average. Half of them are enough if they
-/// do.
+/// A finding unless frames under @p identifier come @p wanted apart on the average. Half of them are enough if
+/// they do.
 void expect_period(Context& context, const Pdo& pdo, std::uint32_t identifier, canopen::Duration wanted) {
   constexpr std::size_t kEnough = kPeriods / 2 + 1;
   const Subject subject{pdo.parameters(), kTimerSub};

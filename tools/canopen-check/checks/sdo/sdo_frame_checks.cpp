@@ -162,7 +162,8 @@ void bears_two_requests_at_once(Context& context) {
   context.session().send(request);
   context.session().send(request);
   int answers = 0;
-  while (answers < 2 && context.sdo().listen(answers == 0 ? context.sdo().patience() : context.quiet(kQuiet))) ++answers;
+  while (answers < 2 && context.sdo().listen(answers == 0 ? context.sdo().patience() : context.quiet(kQuiet)))
+    ++answers;
   if (answers == 0)
     context.fail(object::kDeviceType, 0, "an answer to the first or the second of two requests", "none");
   context.note(fmt::format("{} of two requests at once are answered", answers));

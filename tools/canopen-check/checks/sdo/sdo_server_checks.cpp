@@ -39,8 +39,9 @@ void has_the_servers_of_the_eds(Context& context) {
   ReadAhead answers{context, absent};
   for (const auto& [index, sub_index] : absent) {
     if (context.session().ended()) break;
-    const SdoAnswer answer = answers.next(
-        [](const SdoAnswer& early) { return early.aborted() && early.abort_code == number_of(AbortCode::NoObject); });
+    const SdoAnswer answer = answers.next([](const SdoAnswer& early) {
+      return early.aborted() && early.abort_code == number_of(AbortCode::NoObject);
+    });
     context.expect_abort(answer, {number_of(AbortCode::NoObject)}, index, sub_index, "reading it");
     if (answer.kind == SdoAnswer::Kind::Silent) break;
   }

@@ -45,8 +45,7 @@ void for_each_expedited(Context& context, Judge judge) {
   for (const Multiplexor& entry : entries) {
     if (const auto early = answers.next_frame(); early && !complaint(entry, answer_of(early))) continue;
     answers.begin_step();
-    const SdoAnswer answer =
-        ask(context, context.sdo().request(kInitiateUpload, entry.index, entry.sub_index));
+    const SdoAnswer answer = ask(context, context.sdo().request(kInitiateUpload, entry.index, entry.sub_index));
     if (answer.kind == SdoAnswer::Kind::Silent) return;
     if (auto found = complaint(entry, answer))
       context.fail(entry.index, entry.sub_index, std::move(found->expected), std::move(found->found));
@@ -59,10 +58,9 @@ void uploads_expedited(Context& context) {
     // Four bytes need not be counted, and a number of another length is a matter of device.length.
     const bool uncounted = bytes == kExpedited && data[0] == 0x42;
     const bool other_length = (data[0] & 0xF3U) == 0x43;
-    return uncounted || other_length
-               ? std::nullopt
-               : std::optional{Complaint{fmt::format("command byte {:02X}h", command),
-                                         fmt::format("{:02X}h", data[0])}};
+    return uncounted || other_length ? std::nullopt
+                                     : std::optional{Complaint{fmt::format("command byte {:02X}h", command),
+                                                               fmt::format("{:02X}h", data[0])}};
   });
 }
 
@@ -72,7 +70,8 @@ void clears_unused_bytes(Context& context) {
     const auto unused = std::span{data}.subspan(4 + std::max(bytes, told));
     return std::ranges::all_of(unused, [](std::uint8_t byte) { return byte == 0; })
                ? std::nullopt
-               : std::optional{Complaint{fmt::format("zeros behind {} bytes of data", bytes), hexadecimal(unused)}};
+               : std::optional{
+                     Complaint{fmt::format("zeros behind {} bytes of data", bytes), hexadecimal(unused)}};
   });
 }
 

@@ -53,7 +53,9 @@ namespace {
 std::optional<Emergency> wait_for_any(Context& context, std::uint32_t identifier, canopen::Duration patience,
                                       std::predicate<std::uint16_t> auto is_wanted) {
   const auto frame = context.session().wait_for(
-      [&, is_emcy = under(identifier)](const canopen::Frame& each) { return is_emcy(each) && is_wanted(code_of(each)); },
+      [&, is_emcy = under(identifier)](const canopen::Frame& each) {
+        return is_emcy(each) && is_wanted(code_of(each));
+      },
       patience);
   if (!frame) return std::nullopt;
   return Emergency{.frame = *frame, .code = code_of(frame->frame), .error_register = frame->frame.data[2]};
@@ -161,7 +163,8 @@ void end(Context& context, const Provoked& provoked) {
   if (!provoked.how.end) return;
   provoked.how.end();
   // An error whose end is not told may go on.
-  if (!wait_for_code(context, provoked.identifier, 0, kEmergencyPatience / 4)) context.manners().errors_last = true;
+  if (!wait_for_code(context, provoked.identifier, 0, kEmergencyPatience / 4))
+    context.manners().errors_last = true;
 }
 
 namespace {

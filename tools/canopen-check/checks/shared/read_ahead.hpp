@@ -9,9 +9,9 @@
 
 namespace conformance {
 
-/// Uploads of many entries in turn, for checks to which nearly every answer is right. They are asked for several at a
-/// time where the server bears it; what is not clearly right is asked for once more, alone, so that a finding rests on
-/// a transfer of its own.
+/// Uploads of many entries in turn, for checks to which nearly every answer is right. They are asked for several
+/// at a time where the server bears it; what is not clearly right is asked for once more, alone, so that a finding
+/// rests on a transfer of its own.
 class ReadAhead {
  public:
   ReadAhead(Context& context, std::vector<Multiplexor> entries)
@@ -41,8 +41,8 @@ class ReadAhead {
   std::size_t at_ = 0;                                 ///< the next one
 };
 
-/// True if the answer to an upload of @p entry is one frame, by the EDS: a number of at most four bytes, or an abort
-/// because it is not there.
+/// True if the answer to an upload of @p entry is one frame, by the EDS: a number of at most four bytes, or an
+/// abort because it is not there.
 [[nodiscard]] bool fits_one_frame(const Description& eds, const Multiplexor& entry) noexcept;
 
 }  // namespace conformance

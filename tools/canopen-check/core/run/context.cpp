@@ -219,7 +219,8 @@ bool Context::about(canopen::Duration measured, canopen::Duration wanted) const 
 }
 
 canopen::Duration Context::quiet(canopen::Duration most) const {
-  constexpr std::ptrdiff_t kFew = 20, kLast = 100, kDisturbed = 20;  // one of so many may be late for other reasons
+  constexpr std::ptrdiff_t kFew = 20, kLast = 100,
+                           kDisturbed = 20;  // one of so many may be late for other reasons
   constexpr int kTimesAsLong = 10;
   constexpr canopen::Duration kLeast = std::chrono::milliseconds{10};
   const std::vector<canopen::Duration>& times = sdo_->response_times();

@@ -119,8 +119,8 @@ class Context {
   /// True if @p measured is @p wanted within the tolerance and slack of the settings.
   [[nodiscard]] bool about(canopen::Duration measured, canopen::Duration wanted) const noexcept;
   /// How long an answer or reaction is waited for that must not come: ten times as long as 95 of the last hundred
-  /// answers to SDO requests took at the most, but 10 ms at least; @p most where that is less, and while few answers
-  /// are known.
+  /// answers to SDO requests took at the most, but 10 ms at least; @p most where that is less, and while few
+  /// answers are known.
   [[nodiscard]] canopen::Duration quiet(canopen::Duration most) const;
 
   // For the runner.

@@ -13,8 +13,8 @@ namespace conformance {
 
 class Context;
 
-/// An error that the tester has brought about, the emergency message of it, and what the node said of the error while
-/// that lasted.
+/// An error that the tester has brought about, the emergency message of it, and what the node said of the error
+/// while that lasted.
 struct ToldError {
   std::size_t way = 0;               ///< in which it was brought about
   std::string name{};                ///< "the heartbeat of node 127 is lost"
@@ -30,23 +30,23 @@ struct ToldError {
 /// What came of a while in which the client was silent in the middle of an upload in segments.
 struct Silence {
   Multiplexor transfer{};
-  std::string without_transfer{};         ///< why none was begun; else empty
+  std::string without_transfer{};          ///< why none was begun; else empty
   std::optional<canopen::Frame> answer{};  ///< of the server, in the middle of it
-  SdoAnswer service{};                    ///< the answer to an upload of 1000h behind it
-  std::vector<TimedFrame> traffic{};      ///< from the request for the upload on
+  SdoAnswer service{};                     ///< the answer to an upload of 1000h behind it
+  std::vector<TimedFrame> traffic{};       ///< from the request for the upload on
 };
 
 /// What a run has found out about the node, so that no later check waits for it once more.
 struct Manners {
-  bool boots_without_message = false;  ///< it came back from a reset without a boot-up message
-  bool sends_no_emergency = false;     ///< none for any error that the tester can bring about
-  bool errors_last = false;            ///< an error is not told again until the node is reset
+  bool boots_without_message = false;          ///< it came back from a reset without a boot-up message
+  bool sends_no_emergency = false;             ///< none for any error that the tester can bring about
+  bool errors_last = false;                    ///< an error is not told again until the node is reset
   std::optional<ToldError> told_error{};       ///< what checks of emergency messages share
   std::optional<Silence> silence{};            ///< shared with a check that listens meanwhile
   std::set<std::string_view> ahead{};          ///< checks that are still to run
   std::optional<std::uint8_t> free_node_id{};  ///< that no station has
-  bool operational_asked = false;      ///< it is known whether it enters Operational
-  std::string refuses_operational{};   ///< why it cannot be tested in Operational; empty if it enters it
+  bool operational_asked = false;              ///< it is known whether it enters Operational
+  std::string refuses_operational{};           ///< why it cannot be tested in Operational; empty if it enters it
 };
 
 /// Why the node does not enter Operational, with the error that it tells; empty if it does, or if it tells no

@@ -34,7 +34,8 @@ Snapshot::Snapshot(SdoClient& sdo, const Description& eds, const Settings& setti
   }
   std::vector<SdoAnswer> answers = read(entries);
   for (std::size_t i = 0; i < answers.size(); ++i)
-    if (answers[i].done()) values_.emplace(Entry{entries[i].index, entries[i].sub_index}, std::move(answers[i].data));
+    if (answers[i].done())
+      values_.emplace(Entry{entries[i].index, entries[i].sub_index}, std::move(answers[i].data));
 }
 
 std::vector<SdoAnswer> Snapshot::read(const std::vector<Multiplexor>& entries) {
