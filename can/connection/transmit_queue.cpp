@@ -20,16 +20,20 @@ TransmitQueue::TransmitQueue(Port& port, std::size_t capacity, std::size_t margi
 }
 
 void TransmitQueue::send(const canopen::Frame& frame, canopen::Delivery delivery) noexcept {
-  if (holds_ && held_.size() < kMostHeld) {
+  if (holds_) {
+    if (held_.size() == kMostHeld) send_what_is_held();
     held_.push_back(frame);
     return deliveries_.push_back(delivery);
   }
-  if (!held_.empty()) release();
   if (count_ > 0 || !settle(port_.send(frame))) keep({frame, delivery, {}});
 }
 
 void TransmitQueue::release() noexcept {
   holds_ = false;
+  send_what_is_held();
+}
+
+void TransmitQueue::send_what_is_held() noexcept {
   for (std::size_t i = send_held(); i < held_.size(); ++i)
     if (count_ > 0 || !settle(port_.send(held_[i]))) keep({held_[i], deliveries_[i], {}});
   held_.clear();

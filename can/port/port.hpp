@@ -51,6 +51,12 @@ struct Received {
   friend constexpr bool operator==(const Received&, const Received&) = default;
 };
 
+/// One of several that were received together.
+struct Arrival {
+  Received received;
+  canopen::Frame frame;  ///< of Received::Frame
+};
+
 /// What came of an attempt to bring a controller back from bus-off.
 enum class Restart : std::uint8_t {
   Done,     ///< the bus can be used
@@ -105,6 +111,16 @@ class Port {
   [[nodiscard]] virtual bool sends_together() const noexcept { return false; }
   /// Takes one frame into @p frame, which is touched only when the answer is Received::Frame.
   [[nodiscard]] virtual Received receive(canopen::Frame& frame) noexcept = 0;
+  /// As receive(), as often as @p arrivals has room and something waits, or as often as one look at the bus allows:
+  /// how many it has filled.
+  [[nodiscard]] virtual std::size_t receive_all(std::span<Arrival> arrivals) noexcept {
+    std::size_t count = 0;
+    for (; count < arrivals.size(); ++count) {
+      arrivals[count].received = receive(arrivals[count].frame);
+      if (arrivals[count].received.kind == Received::Nothing) break;
+    }
+    return count;
+  }
   /// True if receive() has more to give without a look at the bus.
   [[nodiscard]] virtual bool has_frames() const noexcept { return false; }
   /// When the frame that receive() has given last came from the bus (since the epoch of CLOCK_REALTIME), if the

@@ -13,7 +13,7 @@ constexpr std::size_t kMostSubscriptions = 2048;
 /// Frames taken in one turn while they come faster than turns, so that the timer still gets its turn.
 constexpr int kBurst = 32;
 /// Every so many single frames the socket is asked for a second one, which shows whether a burst is on.
-constexpr unsigned kBurstProbe = 64;
+constexpr unsigned kBurstProbe = 16;
 /// A turn that is late by this much may have left frames unread that came before its deadline.
 constexpr canopen::Duration kLate = std::chrono::milliseconds{1};
 /// More frames than the receive buffer holds: a bus that never stops must not keep the timer from its turn.
@@ -23,13 +23,14 @@ constexpr canopen::Duration kLongestCatchUp = std::chrono::milliseconds{20};
 
 }  // namespace
 
-BusTurn::BusTurn(bus::Port& port, Station& station) : station_{&station}, port_{port}, queue_{port_} {
+BusTurn::BusTurn(bus::Port& port, Station& station) : station_{&station}, port_{port}, arrivals_{port_}, queue_{port_} {
   filters_.reserve(kMostSubscriptions);
 }
 
 bool BusTurn::open() noexcept {
   if (!port_.reopen()) return false;
   is_open_ = true;
+  arrivals_.discard();
   queue_.discard();
   now_ = read_clock();
   queue_.retry(now_);
@@ -38,6 +39,7 @@ bool BusTurn::open() noexcept {
 
 void BusTurn::close() noexcept {
   is_open_ = false;
+  arrivals_.discard();
   queue_.discard();
 }
 
@@ -69,7 +71,7 @@ bool BusTurn::begin_turn(canopen::TimePoint now, bool readable) noexcept {
   const bool listened = listens();
   before_ = std::exchange(now_, now);
   queue_.retry(now_);
-  if (readable) receive();
+  if (readable || waits_ahead()) receive();
   return listened;
 }
 
@@ -94,7 +96,7 @@ void BusTurn::together(Call call) noexcept {
 canopen::TimePoint BusTurn::frame_arrival() const noexcept {
   const canopen::Duration slept = now_ - before_;
   if (slept < kLate) return now_;
-  const auto arrival = port_.frame_arrival();
+  const auto arrival = arrivals_.frame_arrival();
   if (!arrival) return now_;
   const canopen::Duration waited = std::chrono::system_clock::now().time_since_epoch() - *arrival;
   return now_ - std::clamp(waited, canopen::Duration{0}, slept);
@@ -103,14 +105,17 @@ canopen::TimePoint BusTurn::frame_arrival() const noexcept {
 /// Requests come one by one, and one read a turn is the cheapest way to serve them; a burst is read in one go.
 void BusTurn::receive() noexcept {
   const bool probes = ++turns_with_frames_ % kBurstProbe == 0;
-  const int most = in_burst_ || probes ? kBurst : 1;
+  const bool in_burst = in_burst_ || flooded_;
+  const int most = in_burst || probes ? kBurst : 1;
+  if (in_burst) arrivals_.read_ahead();
   int frames = 0;
-  while ((frames < most || (frames < kBurst && port_.has_frames())) && listens() && receive_frame()) ++frames;
+  while ((frames < most || (frames < kBurst && waits())) && listens() && receive_frame()) ++frames;
   in_burst_ = frames > 1;
   end_burst(frames);
 }
 
 void BusTurn::catch_up() noexcept {
+  arrivals_.read_ahead();
   int frames = 0;
   while (frames < kMostWaiting && listens() && receive_frame()) {
     ++frames;
@@ -123,13 +128,15 @@ void BusTurn::catch_up() noexcept {
 void BusTurn::end_burst(int frames) noexcept {
   const bool is_over = flooded_ && frames < kBurst;
   flooded_ = frames >= kBurst;
-  if (is_over) station_->on_burst_end();
+  if (!is_over) return;
+  arrivals_.rest();
+  station_->on_burst_end();
 }
 
 /// False if there was none.
 bool BusTurn::receive_frame() noexcept {
   canopen::Frame frame;
-  switch (const bus::Received received = port_.receive(frame); received.kind) {
+  switch (const bus::Received received = arrivals_.receive(frame); received.kind) {
     case bus::Received::Frame:
       ++received_;
       together([&] { station_->on_frame(frame, now_); });

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "can/connection/receive_queue.hpp"
 #include "can/connection/transmit_queue.hpp"
 #include "can/port/port.hpp"
 #include "daemon/instance/station.hpp"
@@ -12,9 +13,9 @@ namespace axisd {
 
 /// Carries frames and time between one CAN bus and a Station, a turn at a time; whoever owns the loop waits.
 ///
-/// A request that comes alone costs one read and one send; frames that come faster are read in bursts. A turn that
-/// comes late hands over all frames that wait before it tells the time: what they say is older than the deadlines
-/// that have passed.
+/// A request that comes alone costs one read and one send; frames that come faster are read in bursts, and ahead
+/// of what a turn handles: none is lost for that. A turn that comes late hands over all frames that wait before it
+/// tells the time: what they say is older than the deadlines that have passed.
 class BusTurn {
  public:
   /// Closed at first; @p port and @p station outlive it.
@@ -36,6 +37,7 @@ class BusTurn {
   int descriptor() const noexcept { return listens() ? port_.descriptor() : -1; }
   /// When the next turn is wanted, whether or not frames come.
   canopen::TimePoint next_deadline() const noexcept {
+    if (waits_ahead()) return now_;
     return std::min(station_->next_deadline(), queue_.next_retry());
   }
   /// Handles all that is due at @p now and waits for nothing; @p readable: descriptor() was polled so. Also
@@ -57,6 +59,10 @@ class BusTurn {
 
  private:
   bool listens() const noexcept { return is_open_ && queue_.accepts_input(); }
+  /// Something was read ahead that can be handled.
+  bool waits_ahead() const noexcept { return arrivals_.waiting() > 0 && listens(); }
+  /// More can be had without a look at the bus.
+  bool waits() const noexcept { return arrivals_.waiting() > 0 || port_.has_frames(); }
   bool begin_turn(canopen::TimePoint now, bool readable) noexcept;
   void tell_time(bool listens) noexcept;
   void receive() noexcept;
@@ -68,6 +74,7 @@ class BusTurn {
 
   Station* station_;
   bus::Port& port_;
+  bus::ReceiveQueue arrivals_;
   bus::TransmitQueue queue_;
   std::vector<bus::Filter> filters_;
   canopen::TimePoint now_{};     ///< of this turn

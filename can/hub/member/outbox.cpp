@@ -12,6 +12,11 @@ namespace hub {
 
 namespace {
 
+/// Whether the socket may take with errno @p error what it has refused: it is full, or memory is short.
+bool passes(int error) noexcept {
+  return error == EAGAIN || error == ENOBUFS || error == ENOMEM;
+}
+
 /// Of as many frames as may be gathered.
 constexpr auto kFrameLengths = [] {
   std::array<std::uint32_t, userbus::kMostFrames> lengths{};
@@ -60,6 +65,7 @@ void Outbox::flush() noexcept {
     const Batch batch = oldest(room, lengths);
     const Outcome outcome = write(batch);
     const std::size_t done = outcome.sent + outcome.lost;
+    dropped_ += static_cast<std::uint32_t>(outcome.lost);
     for (const Length length : batch.lengths.first(done)) {
       first_ = (first_ + sizeof length + length) % kRoom;
       used_ -= sizeof length + length;
@@ -76,7 +82,7 @@ Outbox::Outcome Outbox::write(const Batch& batch) const noexcept {
 Outbox::Outcome Outbox::write_in_one(const Batch& batch) const noexcept {
   const std::size_t count = batch.lengths.size();
   if (write_message(batch.bytes.data(), batch.bytes.size())) return {.sent = count};
-  return errno == EAGAIN ? Outcome{} : Outcome{.lost = count};
+  return passes(errno) ? Outcome{} : Outcome{.lost = count};
 }
 
 Outbox::Outcome Outbox::write_each(const Batch& batch) const noexcept {
@@ -92,7 +98,7 @@ Outbox::Outcome Outbox::write_each(const Batch& batch) const noexcept {
   }
   const int sent = sendmmsg(descriptor_, headers.data(), static_cast<unsigned>(count), kFlags);
   if (sent >= 0) return {.sent = static_cast<std::size_t>(sent)};
-  return errno == EAGAIN ? Outcome{} : Outcome{.lost = count};
+  return passes(errno) ? Outcome{} : Outcome{.lost = count};
 }
 
 /// As many of the messages that wait as go with one system call, in @p bytes and @p lengths.

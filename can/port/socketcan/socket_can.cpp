@@ -1,5 +1,7 @@
 #include "can/port/socketcan/socket_can.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -137,14 +139,49 @@ Received SocketCan::receive(canopen::Frame& frame) noexcept {
   for (int i = 0; i < kSkippedFrames; ++i) {
     can_frame wire{};
     if (take(wire) < 0) return failed(errno);
-    if ((wire.can_id & CAN_ERR_FLAG) == 0) {
-      frame = from_wire(wire);
-      return {Received::Frame, error_state_};
-    }
-    const ErrorState before = std::exchange(error_state_, decode_error_state(wire, error_state_));
-    if (error_state_ != before) return {Received::Error, error_state_};
+    if (const Received received = tell(wire, frame); received.kind != Received::Nothing) return received;
   }
   return {Received::Nothing, error_state_};
+}
+
+/// What @p wire tells; error frames may change nothing.
+Received SocketCan::tell(const can_frame& wire, canopen::Frame& frame) noexcept {
+  if ((wire.can_id & CAN_ERR_FLAG) == 0) {
+    frame = from_wire(wire);
+    return {Received::Frame, error_state_};
+  }
+  const ErrorState before = std::exchange(error_state_, decode_error_state(wire, error_state_));
+  return {error_state_ != before ? Received::Error : Received::Nothing, error_state_};
+}
+
+std::size_t SocketCan::receive_all(std::span<Arrival> arrivals) noexcept {
+  if (arrivals.empty()) return 0;
+  if (link_failure_ == LinkFailure::Untold) {
+    arrivals[0].received = failed(ENETDOWN);
+    return 1;
+  }
+  constexpr std::size_t kMost = 64;
+  std::array<can_frame, kMost> wires;
+  std::array<iovec, kMost> parts;
+  std::array<mmsghdr, kMost> headers{};
+  const std::size_t room = std::min(arrivals.size(), kMost);
+  for (std::size_t i = 0; i < room; ++i) {
+    parts[i] = {&wires[i], sizeof wires[i]};
+    headers[i].msg_hdr.msg_iov = &parts[i];
+    headers[i].msg_hdr.msg_iovlen = 1;
+  }
+  const int frames = ::recvmmsg(socket_.get(), headers.data(), static_cast<unsigned>(room), MSG_DONTWAIT, nullptr);
+  if (frames < 0) {
+    arrivals[0].received = failed(errno);
+    return arrivals[0].received.kind == Received::Nothing ? 0 : 1;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i) {
+    Arrival& arrival = arrivals[count];
+    arrival.received = tell(wires[i], arrival.frame);
+    if (arrival.received.kind != Received::Nothing) ++count;
+  }
+  return count;
 }
 
 /// recv takes fewer instructions than read, and far fewer than recvmsg.

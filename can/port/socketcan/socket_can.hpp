@@ -24,6 +24,8 @@ class SocketCan final : public Port {
 
   [[nodiscard]] SendStatus send(const canopen::Frame& frame) noexcept override;
   [[nodiscard]] Received receive(canopen::Frame& frame) noexcept override;
+  /// One system call for many frames.
+  [[nodiscard]] std::size_t receive_all(std::span<Arrival> arrivals) noexcept override;
   /// A system call; a control message with every frame would cost each of them.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> frame_arrival() const noexcept override;
   [[nodiscard]] ErrorState error_state() const noexcept override { return error_state_; }
@@ -46,6 +48,7 @@ class SocketCan final : public Port {
   bool bind_to(int index) noexcept;
   void apply_filters() noexcept;
   ssize_t take(can_frame& wire) noexcept;
+  Received tell(const can_frame& wire, canopen::Frame& frame) noexcept;
   void discard_received() noexcept;
   Received failed(int error) noexcept;
 

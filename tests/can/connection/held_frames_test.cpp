@@ -63,6 +63,8 @@ TEST_F(HeldFrames, GoOutWhenThereAreMoreThanThereIsRoomFor) {
   queue.hold();
   for (std::size_t i = 0; i <= TransmitQueue::kMostHeld; ++i) ordered(0x581, static_cast<std::uint8_t>(i));
 
+  EXPECT_EQ(port.sent.size(), TransmitQueue::kMostHeld) << "the last one is held back again";
+  queue.release();
   ASSERT_EQ(port.sent.size(), TransmitQueue::kMostHeld + 1);
   for (std::size_t i = 0; i < port.sent.size(); ++i) EXPECT_EQ(port.sent[i].data[0], i);
 }

@@ -99,6 +99,27 @@ TEST(Medium, LetsAParticipantLeaveFromWithinReceive) {
   EXPECT_EQ(third.seen, (Texts{"001#", "002#"}));
 }
 
+TEST(Medium, GivesNobodyThePlaceOfOneThatLeavesWhileAFramePasses) {
+  for (const std::size_t count : {3U, 70U, 200U}) {
+    Medium medium;
+    std::vector<Listener> all(count);
+    Listener guest;
+    for (Listener& each : all) medium.attach(each);
+    all.front().at_frame = [&](const Passage& seen) {
+      if (told::text_of(seen.frame) != "001#") return;
+      medium.detach(all.back());
+      medium.attach(guest);
+    };
+
+    medium.send(passage(all[1], "001#"), kStart);
+    medium.send(passage(all[1], "002#"), kStart);
+
+    EXPECT_EQ(guest.seen, Texts{"002#"}) << count;
+    EXPECT_EQ(all.back().seen, Texts{}) << count;
+    EXPECT_EQ(all[count - 2].seen, (Texts{"001#", "002#"})) << count;
+  }
+}
+
 TEST(Medium, NamesNoSenderThatHasLeftWhileItsFramePasses) {
   Medium medium;
   Listener sender, receiver;

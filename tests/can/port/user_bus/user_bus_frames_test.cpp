@@ -75,17 +75,23 @@ TEST_F(UserBusTest, DeliversTheRestOfAMessageBeforeItTellsThatTheHubHasGone) {
 TEST_F(UserBusTest, TakesNoMoreThanTheSocketHasRoomFor) {
   start_hub();
   UserBus master{path()};
+  UserBus drive{path()};
   hub_->signal(SIGSTOP);
-  const auto frames = frames_of(numbered(1000));
+  const Texts texts = numbered(1'000'000);
   SentMany sent;
   std::size_t all = 0;
-  while (sent.status == SendStatus::Sent && all < 1'000'000) {
-    sent = master.send_all(frames);
+  while (sent.status == SendStatus::Sent && all < texts.size()) {
+    const Texts some{texts.begin() + static_cast<std::ptrdiff_t>(all),
+                     texts.begin() + static_cast<std::ptrdiff_t>(all + 100)};
+    sent = master.send_all(frames_of(some));
     all += sent.count;
   }
   hub_->signal(SIGCONT);
 
   EXPECT_EQ(sent.status, SendStatus::Full);
+  ASSERT_GT(all, 0u);
+  for (std::size_t i = 0; i < all; ++i) ASSERT_EQ(next(drive), texts[i]) << "none is there twice, or missing";
+  EXPECT_TRUE(is_quiet(drive));
 }
 
 TEST_F(UserBusTest, SendsOneFrameAtATimeWhereFramesTakeTime) {
