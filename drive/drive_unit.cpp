@@ -8,7 +8,7 @@
 #include "drive/axis/axis_step.hpp"
 #include "drive/base/function_modules.hpp"
 #include "drive/wiring.hpp"
-#include "motor/lockstep/lockstep.hpp"
+#include "motor/data/control_period.hpp"
 
 namespace drive {
 namespace {
@@ -69,28 +69,35 @@ void DriveUnit::exchange_process_data() noexcept {
 }
 
 void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
+  begin_cycle(awake, duration);
+  make_steps();
+  finish_cycle();
+}
+
+void DriveUnit::begin_cycle(std::span<const bool> awake, double duration) noexcept {
   wiring_->connect();
   wiring_->convert_words();
-  Running running{};
-  for (std::size_t i = 0; i < axes_.size(); ++i) running.runs[i] = awake[i] || !has_nothing_to_do(axes_[i]);
-  collect(running);
-  for (Axis* const axis : running.all()) {
+  for (std::size_t i = 0; i < axes_.size(); ++i) running_.runs[i] = awake[i] || !has_nothing_to_do(axes_[i]);
+  run_for(duration);
+  for (Axis* const axis : running_.all()) {
     axis->start_cycle(duration);
     axis->take_image();
     take_inputs(*axis, Phase::Sequence);
   }
   follow_unit_inputs();
   run_infeed(duration);
-  for (Axis* const axis : running.all()) axis->run(Phase::Sequence);
+  for (Axis* const axis : running_.all()) axis->run(Phase::Sequence);
   for (const Phase phase : {Phase::Setpoint, Phase::Torque}) {
-    wake_for(phase, running, duration);
-    run_phase(phase, running);
+    wake_for(phase);
+    run_phase(phase);
   }
-  rest_others(running, duration);
-  move(running, duration);
+  rest_others();
+}
+
+void DriveUnit::finish_cycle() noexcept {
   for (const Phase phase : kAfterTheSteps) {
-    wake_for(phase, running, duration);
-    run_phase(phase, running);
+    wake_for(phase);
+    run_phase(phase);
   }
   end_cycle();
 }
@@ -98,51 +105,57 @@ void DriveUnit::cycle(std::span<const bool> awake, double duration) noexcept {
 void DriveUnit::cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept {
   wiring_->connect();
   run_infeed(duration);
-  Running running{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    running.runs[i] = setpoints[i].has_value();
-    if (!running.runs[i]) continue;
+    running_.runs[i] = setpoints[i].has_value();
+    if (!running_.runs[i]) continue;
     axes_[i].command(*setpoints[i]);
     axes_[i].begin_cycle(duration);
   }
-  collect(running);
-  rest_others(running, duration);
-  move(running, duration);
-  for (const Phase phase : kAfterTheSteps) run_phase(phase, running);
+  run_for(duration);
+  rest_others();
+  make_steps();
+  for (const Phase phase : kAfterTheSteps) run_phase(phase);
   end_cycle();
   wiring_->invalidate();  // the inputs do not hold what they are connected to
 }
 
-void DriveUnit::collect(Running& running) noexcept {
-  running.count = 0;
+/// A cycle of @p duration (s) of the axes that are said to run.
+void DriveUnit::run_for(double duration) noexcept {
+  running_.duration = duration;
+  running_.steps = std::lround(duration / motor::kControlPeriod);
+  collect_running();
+}
+
+void DriveUnit::collect_running() noexcept {
+  running_.count = 0;
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (running.runs[i]) running.axes[running.count++] = &axes_[i];
+    if (running_.runs[i]) running_.axes[running_.count++] = &axes_[i];
 }
 
 /// An axis at rest that @p phase brings something new goes on from there: what it has missed of the cycle would
 /// have changed nothing.
-void DriveUnit::wake_for(Phase phase, Running& running, double duration) noexcept {
-  if (running.count == axes_.size()) return;
+void DriveUnit::wake_for(Phase phase) noexcept {
+  if (running_.count == axes_.size()) return;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (running.runs[i] || !has_new_inputs(axes_[i], phase)) continue;
-    running.runs[i] = true;
-    axes_[i].start_cycle(duration);
+    if (running_.runs[i] || !has_new_inputs(axes_[i], phase)) continue;
+    running_.runs[i] = true;
+    axes_[i].start_cycle(running_.duration);
     for (const Phase missed : kBeforeTheSteps)
       if (missed < phase) axes_[i].run(missed);
   }
-  collect(running);
+  collect_running();
 }
 
 /// All axes see of each other what the phase before has led to.
-void DriveUnit::run_phase(Phase phase, const Running& running) noexcept {
+void DriveUnit::run_phase(Phase phase) noexcept {
   if (!Axis::inputs_of(phase).empty())
-    for (const Axis* const axis : running.all()) take_inputs(*axis, phase);
-  for (Axis* const axis : running.all()) axis->run(phase);
+    for (const Axis* const axis : running_.all()) take_inputs(*axis, phase);
+  for (Axis* const axis : running_.all()) axis->run(phase);
 }
 
-void DriveUnit::rest_others(const Running& running, double duration) noexcept {
+void DriveUnit::rest_others() noexcept {
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (!running.runs[i]) axes_[i].rest(duration, dc_link_.voltage());
+    if (!running_.runs[i]) axes_[i].rest(running_.duration, dc_link_.voltage());
 }
 
 /// What is made of bits, and what is put out.

@@ -90,7 +90,22 @@ class DriveUnit final : private Surroundings {
   /// into the process data of the axes. They run it step by step side by side on their DC link. An axis that is
   /// not @p awake rests while it is quiescent and its inputs stay as they are.
   void cycle(std::span<const bool> awake, double duration) noexcept;
-  /// The same with @p setpoints in place of the interconnections, for axes that are wired as new ones; an axis
+  /// The same in parts, for units that make their steps together (JointSteps): up to the steps,
+  void begin_cycle(std::span<const bool> awake, double duration) noexcept;
+  /// these,
+  void make_steps() noexcept;
+  /// and what comes of them.
+  void finish_cycle() noexcept;
+  /// Whether nothing happens between the steps of the cycle that has begun, so that they can be made with those of
+  /// other units.
+  bool shares_steps() const noexcept;
+  /// How many there are, and how many axes make them.
+  long steps() const noexcept { return running_.steps; }
+  std::size_t running_axes() const noexcept { return running_.count; }
+  /// Makes the steps of @p units together: of all the same number, and at most motor::kMostAxesInLockstep axes
+  /// that make them. All of them share them.
+  static void make_steps(std::span<DriveUnit* const> units) noexcept;
+  /// cycle() with @p setpoints in place of the interconnections, for axes that are wired as new ones; an axis
   /// without any must be quiescent and rests.
   void cycle(std::span<const std::optional<Setpoints>> setpoints, double duration) noexcept;
   /// Puts what is to be sent into the process data again, as it is now.
@@ -166,6 +181,8 @@ class DriveUnit final : private Surroundings {
     std::array<bool, kMostAxes> runs{};
     std::array<Axis*, kMostAxes> axes{};
     std::size_t count = 0;
+    double duration = 0.0;  // s
+    long steps = 0;         // in that
 
     std::span<Axis* const> all() const noexcept { return {axes.data(), count}; }
   };
@@ -195,15 +212,18 @@ class DriveUnit final : private Surroundings {
   void take_inputs(const Axis& axis, Phase phase) noexcept;
   bool has_new_inputs(const Axis& axis, Phase phase) const noexcept;
   bool has_nothing_to_do(const Axis& axis) const noexcept;
-  void collect(Running& running) noexcept;
-  void wake_for(Phase phase, Running& running, double duration) noexcept;
-  void run_phase(Phase phase, const Running& running) noexcept;
-  void rest_others(const Running& running, double duration) noexcept;
-  void move(const Running& running, double duration) noexcept;
+  void run_for(double duration) noexcept;
+  void collect_running() noexcept;
+  void wake_for(Phase phase) noexcept;
+  void run_phase(Phase phase) noexcept;
+  void rest_others() noexcept;
+  bool is_sliced() const noexcept;
+  bool goes_step_by_step() const noexcept;
   void fit_switches();
   void move_switches() noexcept;
-  void run_slice(const Running& running) noexcept;
-  void run_steps(std::span<Axis* const> moved, long steps) noexcept;
+  void run_slice() noexcept;
+  void run_steps(long steps) noexcept;
+  static long run_steps(std::span<DriveUnit* const> units, long steps) noexcept;
   void send_converted() noexcept;
   void end_cycle() noexcept;
 
@@ -221,6 +241,7 @@ class DriveUnit final : private Surroundings {
   std::unique_ptr<Wiring> wiring_;
   StepObserver* observer_ = nullptr;
   long steps_in_slice_ = 0;
+  Running running_;  // of the present cycle
 };
 
 }  // namespace drive

@@ -60,13 +60,19 @@ void Runner::ask_host() noexcept {
 /// The cycle of the axes that ends at @p end, with what has come; @p all of them, or those that something has come
 /// for.
 void Runner::run_cycle(bool all, TimePoint end) noexcept {
+  begin_cycle(all, end);
+  unit_.make_steps();
+  unit_.finish_cycle();
+}
+
+void Runner::begin_cycle(bool all, TimePoint end) noexcept {
   if (observer_ != nullptr) [[unlikely]]
     observer_->on_cycle_begin(end - clock_.period());
   for (Face* const face : faces_) face->bring();
   std::array<bool, drive::kMostAxes> awake{};
   const std::size_t axes = unit_.axes().size();
   for (std::size_t i = 0; i < axes; ++i) awake[i] = all || (idle_ >> i & 1U) == 0;
-  unit_.cycle({awake.data(), axes}, clock_.seconds());
+  unit_.begin_cycle({awake.data(), axes}, clock_.seconds());
 }
 
 void Runner::run_cycles() noexcept {
@@ -76,6 +82,28 @@ void Runner::run_cycles() noexcept {
   const Duration period = clock_.period();
   TimePoint end = clock_.last() - due.run * period;
   for (std::int64_t i = 0; i < due.run; ++i) run_cycle(false, end += period);
+  end_cycles();
+}
+
+/// Several cycles that are due are made up for at once, each by itself.
+drive::DriveUnit* Runner::begin_due() noexcept {
+  if (clock_.next() > now_) return nullptr;
+  if (now_ - clock_.next() >= clock_.period()) return run_cycles(), nullptr;
+  tell_time(now_);
+  static_cast<void>(clock_.take_due(now_));
+  begin_cycle(false, clock_.last());
+  if (unit_.shares_steps()) return &unit_;
+  unit_.make_steps();
+  finish_due();
+  return nullptr;
+}
+
+void Runner::finish_due() noexcept {
+  unit_.finish_cycle();
+  end_cycles();
+}
+
+void Runner::end_cycles() noexcept {
   see_what_rests();
   publish();
   const bool infeed_rests = unit_.infeed() == nullptr || unit_.infeed()->is_quiescent();

@@ -66,6 +66,11 @@ class Runner final : private drive::AccessListener {
   void run_due() noexcept {
     if (clock_.next() <= now_) run_cycles();
   }
+  /// run_due() in parts, for units that make the steps of their cycles together (drive::JointSteps): up to the
+  /// steps of the one cycle that is due. The unit, if it shares them: finish_due() is to follow when they are made,
+  /// and nothing before it. nullptr: all is done.
+  [[nodiscard]] drive::DriveUnit* begin_due() noexcept;
+  void finish_due() noexcept;
   /// Runs the first of the cycles that were missed, if any was: it takes what has come so far. What it leads to is
   /// shown after the last of them.
   bool make_up_cycle() noexcept;
@@ -191,6 +196,8 @@ class Runner final : private drive::AccessListener {
 
   void run_cycles() noexcept;
   void run_cycle(bool all, TimePoint end) noexcept;
+  void begin_cycle(bool all, TimePoint end) noexcept;
+  void end_cycles() noexcept;
   void wake_clock() noexcept;
   void see_what_rests() noexcept;
   void publish() noexcept;

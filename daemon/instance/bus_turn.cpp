@@ -55,14 +55,27 @@ void BusTurn::follow_subscriptions() noexcept {
 
 void BusTurn::turn(canopen::TimePoint now, bool readable) noexcept {
   const bool listened = begin_turn(now, readable);
-  tell_time(listened);
+  if (time_has_come(listened)) together([&] { station_->on_time(now_); });
   station_->on_turn_over();
 }
 
 void BusTurn::turn_and_hold(canopen::TimePoint now, bool readable) noexcept {
   const bool listened = begin_turn(now, readable);
   queue_.hold();
-  tell_time(listened);
+  if (time_has_come(listened)) station_->on_time(now_);
+  station_->on_turn_over();
+}
+
+drive::DriveUnit* BusTurn::begin_turn_and_hold(canopen::TimePoint now, bool readable) noexcept {
+  const bool listened = begin_turn(now, readable);
+  queue_.hold();
+  drive::DriveUnit* const unit = time_has_come(listened) ? station_->begin_time(now_) : nullptr;
+  if (unit == nullptr) station_->on_turn_over();
+  return unit;
+}
+
+void BusTurn::finish_turn() noexcept {
+  station_->finish_time(now_);
   station_->on_turn_over();
 }
 
@@ -77,11 +90,11 @@ bool BusTurn::begin_turn(canopen::TimePoint now, bool readable) noexcept {
 
 /// What waits is older than a deadline that has passed by so much, be it that a frame has shown it just now: the
 /// station was at rest when it came.
-void BusTurn::tell_time(bool listens) noexcept {
+bool BusTurn::time_has_come(bool listens) noexcept {
   const canopen::TimePoint deadline = station_->next_deadline();
-  if (deadline > now_) return;
+  if (deadline > now_) return false;
   if (listens && now_ - deadline >= kLate) catch_up();
-  together([&] { station_->on_time(now_); });
+  return true;
 }
 
 /// What the station sends in @p call goes out in one message, where there are such.

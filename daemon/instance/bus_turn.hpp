@@ -45,6 +45,10 @@ class BusTurn {
   void turn(canopen::TimePoint now, bool readable) noexcept;
   /// The same, but what the station sends because of the time goes out with release() only, which follows.
   void turn_and_hold(canopen::TimePoint now, bool readable) noexcept;
+  /// That up to the steps of a cycle that other units share. The unit whose steps these are: finish_turn() comes
+  /// before release(), when they are made. nullptr: all but that is done.
+  [[nodiscard]] drive::DriveUnit* begin_turn_and_hold(canopen::TimePoint now, bool readable) noexcept;
+  void finish_turn() noexcept;
   void release() noexcept { queue_.release(); }
 
   const bus::Port& port() const noexcept { return port_; }
@@ -64,7 +68,7 @@ class BusTurn {
   /// More can be had without a look at the bus.
   bool waits() const noexcept { return arrivals_.waiting() > 0 || port_.has_frames(); }
   bool begin_turn(canopen::TimePoint now, bool readable) noexcept;
-  void tell_time(bool listens) noexcept;
+  bool time_has_come(bool listens) noexcept;
   void receive() noexcept;
   void catch_up() noexcept;
   void end_burst(int frames) noexcept;

@@ -155,13 +155,6 @@ void Instance::link_down() noexcept {
   on_link_lost();
 }
 
-void Instance::on_time(canopen::TimePoint now) noexcept {
-  const canopen::TimePoint due = device_.next_cycle();
-  device_.on_time(now);
-  memory_.on_time(now);
-  if (due <= now) cycle_times_.note(due, now, read_clock(), device_.cycle());
-}
-
 void Instance::on_link_lost() noexcept {
   tell(record::EventKind::Link, false);
   log_.warning("{} is down: waiting until it is up", bus_name());
@@ -260,33 +253,6 @@ void Instance::set_bus_state(device::BusState state, canopen::TimePoint now) noe
 void Instance::load_faults() noexcept {
   for (const injection::Fault& fault : configuration_.inject)
     if (const auto loaded = faults_.add(fault); !loaded) log_.error("inject: {}", loaded.error());
-}
-
-void Instance::Heard::on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept {
-  instance_.frames_.on_frame(frame, now);
-  if (instance_.faults_.is_empty())
-    instance_.on_frame(frame, now);
-  else
-    instance_.faults_.on_frame(frame, now);
-  instance_.frames_.on_handled();
-}
-
-/// Also when nothing of the unit itself was due.
-void Instance::Heard::on_time(canopen::TimePoint now) noexcept {
-  instance_.frames_.on_time(now);
-  instance_.faults_.on_time(now);
-  instance_.on_time(now);
-  instance_.faults_.settle(now);
-  instance_.frames_.on_handled();
-}
-
-canopen::TimePoint Instance::Heard::next_deadline() const noexcept {
-  return std::min(
-      {instance_.next_deadline(), instance_.frames_.next_deadline(), instance_.faults_.next_deadline()});
-}
-
-std::span<const canopen::Subscription> Instance::Heard::subscriptions() const noexcept {
-  return instance_.faults_.is_empty() ? instance_.subscriptions() : instance_.faults_.subscriptions();
 }
 
 double Instance::uptime_s() const noexcept {

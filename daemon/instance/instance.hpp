@@ -199,6 +199,9 @@ class Instance final : private device::Listener,
     device_.on_frame(frame, now);
   }
   void on_time(canopen::TimePoint now) noexcept override;
+  drive::DriveUnit* begin_time(canopen::TimePoint now) noexcept override;
+  void finish_time(canopen::TimePoint now) noexcept override;
+  void end_time(canopen::TimePoint now) noexcept;
   canopen::TimePoint next_deadline() const noexcept override {
     return std::min(device_.next_deadline(), memory_.due());
   }
@@ -244,6 +247,7 @@ class Instance final : private device::Listener,
   UnitMemory memory_;
   BusReports reports_;
   CycleTimes cycle_times_;
+  canopen::TimePoint cycle_due_{};  ///< of the cycle of this turn, or of a later one
   Heard heard_{*this};
   FrameTap frames_{bus_.queue(), *this};
   injection::UnitFaults faults_{device_, frames_, *this};

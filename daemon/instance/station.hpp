@@ -8,6 +8,10 @@
 #include "libcanopen/base/time.hpp"
 #include "libcanopen/service/subscription.hpp"
 
+namespace drive {
+class DriveUnit;
+}
+
 namespace axisd {
 
 /// What a BusTurn moves: a CANopen node, or a unit around one. It is called from within BusTurn::turn() only.
@@ -19,6 +23,14 @@ class Station {
   virtual void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept = 0;
   /// next_deadline() has come.
   virtual void on_time(canopen::TimePoint now) noexcept = 0;
+  /// on_time() in parts, for stations whose units make the steps of a cycle together (drive::JointSteps). The unit,
+  /// if it shares them: finish_time() follows within the same turn of the loop, when they are made. nullptr: all is
+  /// done.
+  [[nodiscard]] virtual drive::DriveUnit* begin_time(canopen::TimePoint now) noexcept {
+    on_time(now);
+    return nullptr;
+  }
+  virtual void finish_time(canopen::TimePoint now) noexcept { (void)now; }
   /// When on_time() is wanted next; kNever if nothing is pending.
   virtual canopen::TimePoint next_deadline() const noexcept = 0;
   /// A turn is over.

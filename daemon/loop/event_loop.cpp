@@ -16,7 +16,8 @@ constexpr unsigned kMostRings = 16;
 
 }  // namespace
 
-EventLoop::EventLoop(Service& service) : service_{service}, ports_{others_.descriptor()} {
+EventLoop::EventLoop(Service& service, JointWork* joint)
+    : service_{service}, joint_{joint}, ports_{others_.descriptor()} {
   watch(wake_up_.descriptor());
 }
 
@@ -24,6 +25,7 @@ void EventLoop::add(BusTurn& bus) {
   buses_.push_back(&bus);
   due_.push_back(canopen::kNever);
   turned_.reserve(buses_.size());
+  begun_.reserve(buses_.size());
   ports_.resize(buses_.size());
   refresh(buses_.size() - 1);
 }
@@ -79,16 +81,37 @@ void EventLoop::give_turns_to_many() noexcept {
   for (std::size_t looked_at = 0; looked_at < buses_.size(); ++looked_at) {
     const std::size_t i = next_++ % buses_.size();
     if (due_[i] > now_ && !ports_.is_readable(i)) continue;
-    buses_[i]->turn_and_hold(now_, ports_.is_readable(i));
+    begin_turn(i);
     turned_.push_back(i);
     if (read_clock() - now_ >= kLongestTurn) break;
   }
+  finish_turns();
   next_ %= buses_.size();
   for (const std::size_t i : turned_) {
     buses_[i]->release();
     refresh(i);
   }
   turned_.clear();
+}
+
+/// Where the steps of a cycle are shared, what comes behind them waits until they are made.
+void EventLoop::begin_turn(std::size_t place) noexcept {
+  BusTurn& bus = *buses_[place];
+  if (joint_ == nullptr) return bus.turn_and_hold(now_, ports_.is_readable(place));
+  drive::DriveUnit* const unit = bus.begin_turn_and_hold(now_, ports_.is_readable(place));
+  if (unit == nullptr) return;
+  if (!joint_->add(*unit)) {
+    finish_turns();
+    static_cast<void>(joint_->add(*unit));
+  }
+  begun_.push_back(&bus);
+}
+
+void EventLoop::finish_turns() noexcept {
+  if (begun_.empty()) return;
+  joint_->make();
+  for (BusTurn* const bus : begun_) bus->finish_turn();
+  begun_.clear();
 }
 
 /// Which of the others is readable would be one system call more. The clock tells it nearly always: a timer whose

@@ -25,6 +25,17 @@ class Service {
   virtual canopen::TimePoint next_chores() const noexcept { return canopen::kNever; }
 };
 
+/// Where the steps of a cycle are made that units share (see Station::begin_time()).
+class JointWork {
+ public:
+  virtual ~JointWork() = default;
+
+  /// Adds those of @p unit; false if they do not go with what is there already: make() comes first.
+  [[nodiscard]] virtual bool add(drive::DriveUnit& unit) noexcept = 0;
+  /// Makes the steps of all that were added, and forgets them.
+  virtual void make() noexcept = 0;
+};
+
 /// The loop of a thread: waits for what any of its buses has to do, gives those a turn that have, and then looks
 /// after what is rare.
 ///
@@ -36,8 +47,8 @@ class EventLoop {
   /// than that and one bus.
   static constexpr canopen::Duration kLongestTurn = std::chrono::milliseconds{2};
 
-  /// @p service outlives it. Throws std::system_error.
-  explicit EventLoop(Service& service);
+  /// @p service and @p joint outlive it. Without the latter nothing is shared. Throws std::system_error.
+  explicit EventLoop(Service& service, JointWork* joint = nullptr);
 
   /// Gives @p bus, which outlives this or is removed, its turns. Throws std::system_error.
   void add(BusTurn& bus);
@@ -56,12 +67,16 @@ class EventLoop {
   canopen::TimePoint earliest() const noexcept;
   void give_turns() noexcept;
   void give_turns_to_many() noexcept;
+  void begin_turn(std::size_t place) noexcept;
+  void finish_turns() noexcept;
   void look_after_others() noexcept;
 
   Service& service_;
   std::vector<BusTurn*> buses_;
   std::size_t next_ = 0;                 ///< place of the one of many that is looked at first
   std::vector<std::size_t> turned_;      ///< places of those that have their turn
+  JointWork* joint_;                     ///< of some of them,
+  std::vector<BusTurn*> begun_;          ///< whose turns are not finished before that is done
   std::vector<canopen::TimePoint> due_;  ///< when each bus wants its next turn, as of the last one
   os::Pollable others_;                  ///< over the timer and what is watched
   PortWatch ports_;

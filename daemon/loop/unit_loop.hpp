@@ -5,10 +5,21 @@
 
 #include "daemon/instance/instance.hpp"
 #include "daemon/loop/event_loop.hpp"
+#include "drive/joint_steps.hpp"
 #include "service/log.hpp"
 #include "service/mailbox.hpp"
 
 namespace axisd {
+
+/// The steps of drive units, made in common lanes.
+class JointUnits final : public JointWork {
+ public:
+  bool add(drive::DriveUnit& unit) noexcept override { return steps_.add(unit); }
+  void make() noexcept override { steps_.make(); }
+
+ private:
+  drive::JointSteps steps_;
+};
 
 /// A thread with the units that it runs. Whoever else wants something of a unit posts a job, which the thread does
 /// between two turns; a turn does one job at most, so that no number of them keeps a drive from its cycles.
@@ -44,7 +55,8 @@ class UnitLoop final : private Service {
   os::Pollable rare_;
   std::list<Instance::RareSource> watched_;
   std::list<Instance*> instances_;
-  EventLoop loop_{*this};
+  JointUnits joint_;
+  EventLoop loop_{*this, &joint_};
   bool stopping_ = false;
   std::thread thread_;
 };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "motor/control/signals.hpp"
@@ -32,10 +31,10 @@ class LaneGroup {
   LaneGroup(const LaneGroup&) = delete;
   LaneGroup& operator=(const LaneGroup&) = delete;
 
-  /// Period @p period of the run, with the DC link at @p dc_voltage (V). The energies that its axes have drawn go
-  /// to
-  /// @p drawn, one after the other, with room for as many as there are lanes (J). False if a current has tripped.
-  virtual bool step(std::size_t period, double dc_voltage, double* drawn) noexcept = 0;
+  /// Period @p period of the run, with the DC link of each lane at @p dc_voltage (V); lanes without an axis have
+  /// that of the first one. The energies that its axes have drawn go to @p drawn, one after the other, with room
+  /// for as many as there are lanes (J). False if a current has tripped.
+  virtual bool step(std::size_t period, const double* dc_voltage, double* drawn) noexcept = 0;
   /// The axes are again by themselves.
   virtual void leave() noexcept = 0;
 
@@ -49,10 +48,8 @@ struct LaneVariant {
   std::size_t lanes;                ///< most axes of a group
   std::size_t size;                 ///< of a group (bytes)
   bool (*is_supported)() noexcept;  ///< by this processor
-  /// Puts those of @p axes that @p places tells (1 to @p lanes, all of @p kind) into lanes, at @p storage of @p
-  /// size bytes, aligned to 64.
-  LaneGroup* (*form)(void* storage, const LaneKind& kind, std::span<const AxisRun> axes,
-                     std::span<const std::uint8_t> places) noexcept;
+  /// Puts @p axes (1 to @p lanes, all of @p kind) into lanes, at @p storage of @p size bytes, aligned to 64.
+  LaneGroup* (*form)(void* storage, const LaneKind& kind, std::span<const AxisRun* const> axes) noexcept;
 };
 
 /// Those that this program has, the widest first; the last one is supported everywhere.

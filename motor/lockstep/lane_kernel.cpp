@@ -17,9 +17,9 @@ const LaneVariant MOTOR_LANES{.name = MOTOR_LANES_NAME,
                               .lanes = kLanes<NativeLanes>,
                               .size = sizeof(LaneTrain<NativeLanes>),
                               .is_supported = []() noexcept -> bool { return MOTOR_LANES_SUPPORTED; },
-                              .form = [](void* storage, const LaneKind& kind, std::span<const AxisRun> axes,
-                                         std::span<const std::uint8_t> places) noexcept -> LaneGroup* {
-                                return new (storage) LaneTrain<NativeLanes>{kind, axes, places};
+                              .form = [](void* storage, const LaneKind& kind,
+                                         std::span<const AxisRun* const> axes) noexcept -> LaneGroup* {
+                                return new (storage) LaneTrain<NativeLanes>{kind, axes};
                               }};
 
 }  // namespace motor

@@ -181,9 +181,9 @@ void LaneTrain<Number>::give_signals(std::size_t lane) noexcept {
 }
 
 template <class Number>
-void LaneTrain<Number>::take_commands(std::span<const AxisRun> axes) noexcept {
-  const auto command = [&](auto lane) -> const DriveCommand& { return axes[places_[lane]].command; };
-  trip_current_ = Number{[&](auto lane) { return axes[places_[lane]].trip_current; }};
+void LaneTrain<Number>::take_commands() noexcept {
+  const auto command = [&](auto lane) -> const DriveCommand& { return axes_[lane]->command; };
+  trip_current_ = Number{[&](auto lane) { return axes_[lane]->trip_current; }};
   command_.speed_setpoint = Number{[&](auto lane) { return command(lane).speed_setpoint; }};
   command_.acceleration_setpoint = Number{[&](auto lane) { return command(lane).acceleration_setpoint; }};
   command_.torque_control = Number{[&](auto lane) { return command(lane).torque_control ? 1.0 : 0.0; }} > 0.0;

@@ -25,23 +25,22 @@ namespace motor {
 template <class Number>
 class LaneTrain final : public LaneGroup {
  public:
-  LaneTrain(const LaneKind& kind, std::span<const AxisRun> axes, std::span<const std::uint8_t> places) noexcept
-      : kind_{kind}, count_{places.size()} {
+  LaneTrain(const LaneKind& kind, std::span<const AxisRun* const> axes) noexcept
+      : kind_{kind}, count_{axes.size()} {
     for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
-      places_[lane] = places[lane < count_ ? lane : 0];
-      const AxisRun& axis = axes[places_[lane]];
-      trains_[lane] = axis.train;
-      setpoints_[lane] = axis.setpoints;
-      led_ = led_ || !axis.setpoints.empty();
+      axes_[lane] = axes[lane < count_ ? lane : 0];
+      trains_[lane] = axes_[lane]->train;
+      setpoints_[lane] = axes_[lane]->setpoints;
+      led_ = led_ || !setpoints_[lane].empty();
     }
     enter_trains();
-    take_commands(axes);
+    take_commands();
   }
 
-  [[gnu::flatten]] bool step(std::size_t period, double dc_voltage, double* drawn) noexcept override {
+  [[gnu::flatten]] bool step(std::size_t period, const double* dc_voltage, double* drawn) noexcept override {
     if (led_) [[unlikely]]
       lead(period);
-    const Number link = dc_voltage;
+    const Number link{dc_voltage, std::experimental::element_aligned};
     const SpaceVectorOf<Number> wanted = control(link);
     move(link);
     state_.next = wanted;
@@ -72,7 +71,7 @@ class LaneTrain final : public LaneGroup {
   void enter_trains() noexcept;
   void show() noexcept;
   void give_signals(std::size_t lane) noexcept;
-  void take_commands(std::span<const AxisRun> axes) noexcept;
+  void take_commands() noexcept;
   [[gnu::noinline]] void warm() noexcept;
   [[gnu::noinline]] void pass_marks() noexcept;
   template <class Visitor>
@@ -101,7 +100,7 @@ class LaneTrain final : public LaneGroup {
   std::size_t count_;  // of the lanes that are axes; the others do what the first does
   bool led_ = false;
   bool shown_ = false;  // the plants, as they are now
-  std::array<std::size_t, kLanes<Number>> places_;
+  std::array<const AxisRun*, kLanes<Number>> axes_;  // while they enter
   std::array<DriveTrain*, kLanes<Number>> trains_;
   std::array<std::span<const SpeedStep>, kLanes<Number>> setpoints_;
   Number trip_current_;

@@ -21,11 +21,15 @@ constexpr std::size_t kMostLanes = 8;
 /// The axes of a run: in groups of one kind, or each by itself.
 class Lineup {
  public:
-  Lineup(std::span<const AxisRun> axes, bool in_lanes, const LaneVariant& variant) noexcept : axes_{axes} {
+  Lineup(std::span<const LinkedAxes> units, bool in_lanes, const LaneVariant& variant) noexcept : units_{units} {
     std::array<std::optional<LaneKind>, kMostAxesInLockstep> kinds{};
-    if (in_lanes)
-      for (std::size_t i = 0; i < axes.size(); ++i) kinds[i] = axes[i].train->lane_kind(axes[i].command);
-    for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t unit = 0; unit < units.size(); ++unit)
+      for (const AxisRun& axis : units[unit].axes) {
+        if (in_lanes) kinds[count_] = axis.train->lane_kind(axis.command);
+        link_of_[count_] = static_cast<std::uint8_t>(unit);
+        axes_[count_++] = &axis;
+      }
+    for (std::size_t i = 0; i < count_; ++i) {
       if (taken_[i]) continue;
       const Places alike = alike_from(i, kinds, variant.lanes);
       if (alike.count < 2 || variant.size > kGroupSize)
@@ -34,22 +38,24 @@ class Lineup {
         form(alike, *kinds[i], variant);
     }
   }
-  /// Period @p period with the link at @p dc_voltage (V); false if a current has tripped.
-  bool step(std::size_t period, double dc_voltage) noexcept {
+  /// Period @p period with the links as their results tell; false if a current has tripped.
+  bool step(std::size_t period) noexcept {
+    for (std::size_t slot = 0; slot < slots_; ++slot) voltage_[slot] = units_[fed_by_[slot]].result.last_dc_voltage;
     bool sound = true;
     for (std::size_t i = 0; i < groups_; ++i)
-      sound = group_[i]->step(period, dc_voltage, drawn_.data() + first_[i]) && sound;
+      sound = group_[i]->step(period, voltage_.data() + first_[i], drawn_.data() + first_[i]) && sound;
     for (std::size_t i = 0; i < singles_; ++i) {
-      const AxisRun& axis = axes_[single_[i]];
-      drawn_[slot_[single_[i]]] = axis.train->step(dc_voltage, command(axis, period));
+      const AxisRun& axis = *axes_[single_[i]];
+      const std::size_t slot = slot_[single_[i]];
+      drawn_[slot] = axis.train->step(voltage_[slot], command(axis, period));
       sound = sound && !(axis.train->signals().current > axis.trip_current);
     }
     return sound;
   }
-  /// Energy that all axes have drawn in that period (J), summed in their order.
-  double drawn() const noexcept {
+  /// Energy that the @p count axes from @p first on have drawn in that period (J), summed in their order.
+  double drawn(std::size_t first, std::size_t count) const noexcept {
     double sum = 0.0;
-    for (std::size_t i = 0; i < axes_.size(); ++i) sum += drawn_[slot_[i]];
+    for (std::size_t i = first; i < first + count; ++i) sum += drawn_[slot_[i]];
     return sum;
   }
   void leave() noexcept {
@@ -59,7 +65,7 @@ class Lineup {
  private:
   /// Of some axes.
   struct Places {
-    std::array<std::uint8_t, kMostAxesInLockstep> place{};
+    std::array<std::uint8_t, kMostAxesInLockstep> place;
     std::size_t count = 0;
   };
   using Kinds = std::array<std::optional<LaneKind>, kMostAxesInLockstep>;
@@ -75,64 +81,102 @@ class Lineup {
   Places alike_from(std::size_t first, const Kinds& kinds, std::size_t most) const noexcept {
     Places result;
     if (!kinds[first]) return result;
-    for (std::size_t i = first; i < axes_.size() && result.count < most; ++i)
+    for (std::size_t i = first; i < count_ && result.count < most; ++i)
       if (!taken_[i] && kinds[i] == kinds[first]) result.place[result.count++] = static_cast<std::uint8_t>(i);
     return result;
   }
   void leave_alone(std::size_t place) noexcept {
     single_[singles_++] = static_cast<std::uint8_t>(place);
+    take_slot(place);
+  }
+  void take_slot(std::size_t place) noexcept {
+    fed_by_[slots_] = link_of_[place];
     slot_[place] = slots_++;
   }
   void form(const Places& alike, const LaneKind& kind, const LaneVariant& variant) noexcept {
-    const std::span<const std::uint8_t> places{alike.place.data(), alike.count};
+    std::array<const AxisRun*, kMostAxesInLockstep> axes;
     first_[groups_] = slots_;
-    for (const std::uint8_t place : places) {
-      taken_[place] = true;
-      slot_[place] = slots_++;
+    for (std::size_t i = 0; i < alike.count; ++i) {
+      taken_[alike.place[i]] = true;
+      axes[i] = axes_[alike.place[i]];
+      take_slot(alike.place[i]);
     }
-    slots_ = first_[groups_] + variant.lanes;
-    group_[groups_] = variant.form(room_[groups_].bytes.data(), kind, axes_, places);
+    while (slots_ < first_[groups_] + variant.lanes) fed_by_[slots_++] = link_of_[alike.place[0]];
+    group_[groups_] = variant.form(room_[groups_].bytes.data(), kind, std::span{axes}.first(alike.count));
     ++groups_;
   }
 
   struct alignas(64) Room {
     std::array<std::byte, kGroupSize> bytes;
   };
+  static constexpr std::size_t kMostGroups = kMostAxesInLockstep / 2;
+  static constexpr std::size_t kMostSlots = kMostGroups * kMostLanes;
 
-  std::span<const AxisRun> axes_;
+  std::span<const LinkedAxes> units_;
+  std::array<const AxisRun*, kMostAxesInLockstep> axes_;
+  std::array<std::uint8_t, kMostAxesInLockstep> link_of_;  // by its place among the units
+  std::size_t count_ = 0;
   std::array<bool, kMostAxesInLockstep> taken_{};
-  std::array<std::uint8_t, kMostAxesInLockstep> single_{};
+  std::array<std::uint8_t, kMostAxesInLockstep> single_;
   std::size_t singles_ = 0;
-  std::array<LaneGroup*, kMostAxesInLockstep / 2> group_{};
+  std::array<LaneGroup*, kMostGroups> group_;
   std::size_t groups_ = 0;
-  // Of energies: a group has one for each of its lanes.
-  std::array<std::size_t, kMostAxesInLockstep / 2> first_{};
-  std::array<std::size_t, kMostAxesInLockstep> slot_{};
+  // Of voltages and energies: a group has one for each of its lanes.
+  std::array<std::size_t, kMostGroups> first_;
+  std::array<std::size_t, kMostAxesInLockstep> slot_;
   std::size_t slots_ = 0;
-  std::array<double, kMostAxesInLockstep / 2 * kMostLanes> drawn_;
-  std::array<Room, kMostAxesInLockstep / 2> room_;
+  std::array<std::uint8_t, kMostSlots> fed_by_;
+  std::array<double, kMostSlots> voltage_;
+  std::array<double, kMostSlots> drawn_;
+  std::array<Room, kMostGroups> room_;
 };
+
+/// Above which @p unit ends a run (V).
+double highest_allowed(const LinkedAxes& unit) noexcept {
+  const bool pulses = std::ranges::any_of(unit.axes, [](const AxisRun& axis) { return axis.command.pulses_enabled; });
+  return pulses ? unit.overvoltage : std::numeric_limits<double>::infinity();
+}
+
+void see_link(LinkedAxes& unit) noexcept {
+  const double voltage = unit.link->voltage();
+  unit.result.lowest_dc_voltage = std::min(unit.result.lowest_dc_voltage, voltage);
+  unit.result.highest_dc_voltage = std::max(unit.result.highest_dc_voltage, voltage);
+  unit.result.last_dc_voltage = voltage;
+}
 
 }  // namespace
 
-RunResult run(std::span<const AxisRun> axes, DcLink& link, long periods, double overvoltage,
-              const LaneVariant& variant) noexcept {
-  const bool pulses = std::ranges::any_of(axes, [](const AxisRun& axis) { return axis.command.pulses_enabled; });
-  Lineup lineup{axes, periods >= kFewestPeriods, variant};
-  const double most = pulses ? overvoltage : std::numeric_limits<double>::infinity();
-  double voltage = link.voltage();
-  double lowest = voltage;
-  double highest = voltage;
+long run_together(std::span<LinkedAxes> units, long periods, const LaneVariant& variant) noexcept {
+  std::array<double, kMostAxesInLockstep> highest;
+  std::ranges::transform(units, highest.begin(), highest_allowed);
+  for (LinkedAxes& unit : units) {
+    const double voltage = unit.link->voltage();
+    unit.result = {0, voltage, voltage, voltage};
+  }
+  Lineup lineup{units, periods >= kFewestPeriods, variant};
   long period = 0;
   for (bool sound = true; sound && period < periods; ++period) {
-    voltage = link.voltage();
-    sound = lineup.step(static_cast<std::size_t>(period), voltage) && !(voltage > most);
-    link.step(kControlPeriod, lineup.drawn());
-    lowest = std::min(lowest, voltage);
-    highest = std::max(highest, voltage);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      see_link(units[i]);
+      sound = sound && !(units[i].result.last_dc_voltage > highest[i]);
+    }
+    sound = lineup.step(static_cast<std::size_t>(period)) && sound;
+    std::size_t first = 0;
+    for (const LinkedAxes& unit : units) {
+      unit.link->step(kControlPeriod, lineup.drawn(first, unit.axes.size()));
+      first += unit.axes.size();
+    }
   }
   lineup.leave();
-  return {period, lowest, highest, voltage};
+  for (LinkedAxes& unit : units) unit.result.periods = period;
+  return period;
+}
+
+RunResult run(std::span<const AxisRun> axes, DcLink& link, long periods, double overvoltage,
+              const LaneVariant& variant) noexcept {
+  LinkedAxes unit{axes, &link, overvoltage};
+  run_together({&unit, 1}, periods, variant);
+  return unit.result;
 }
 
 }  // namespace motor

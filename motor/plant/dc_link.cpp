@@ -84,8 +84,9 @@ double DcLink::infeed_power() const noexcept {
 DcLink::Stretch DcLink::stretch(bool rising) const noexcept {
   Stretch result;
   if (connected_) {
-    const double highest = level_ - lowest_power_ / infeed_rate_;
-    const double lowest = level_ - highest_power_ / infeed_rate_;
+    // A diode infeed costs no division.
+    const double highest = lowest_power_ < 0.0 ? level_ - lowest_power_ / infeed_rate_ : level_;
+    const double lowest = highest_power_ < unlimited() ? level_ - highest_power_ / infeed_rate_ : -unlimited();
     const bool above = energy_ > highest || (rising && energy_ >= highest);
     const bool below = energy_ < lowest || (!rising && energy_ <= lowest);
     result.infeed_rate = above || below ? 0.0 : infeed_rate_;
