@@ -106,17 +106,8 @@ class Device final {
     face_->after_cycles();
   }
   /// The same in parts: see unit::Runner::begin_due().
-  [[nodiscard]] drive::DriveUnit* begin_time(canopen::TimePoint now) noexcept {
-    runner_.set_now(unit_time(now));
-    face_->before_cycles();
-    drive::DriveUnit* const unit = runner_.begin_due();
-    if (unit == nullptr) face_->after_cycles();
-    return unit;
-  }
-  void finish_time() noexcept {
-    runner_.finish_due();
-    face_->after_cycles();
-  }
+  [[nodiscard]] drive::DriveUnit* begin_time(canopen::TimePoint now) noexcept;
+  void finish_time() noexcept;
   /// When on_time() is wanted next; kNever while nothing moves and nothing is pending.
   canopen::TimePoint next_deadline() const noexcept {
     return std::min(face_->next_deadline(), node_time(runner_.next_deadline()));

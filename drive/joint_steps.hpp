@@ -18,7 +18,8 @@ class JointSteps {
   /// Adds @p unit, which has begun a cycle whose steps it shares. False if it does not go with those that are
   /// there: make() comes first.
   [[nodiscard]] bool add(DriveUnit& unit) noexcept {
-    if (count_ > 0 && (unit.steps() != units_[0]->steps() || axes_ + unit.running_axes() > kMostAxes)) return false;
+    if (count_ > 0 && (unit.steps() != units_[0]->steps() || axes_ + unit.running_axes() > kMostAxes))
+      return false;
     units_[count_++] = &unit;
     axes_ += unit.running_axes();
     return true;

@@ -67,8 +67,8 @@ class Runner final : private drive::AccessListener {
     if (clock_.next() <= now_) run_cycles();
   }
   /// run_due() in parts, for units that make the steps of their cycles together (drive::JointSteps): up to the
-  /// steps of the one cycle that is due. The unit, if it shares them: finish_due() is to follow when they are made,
-  /// and nothing before it. nullptr: all is done.
+  /// steps of the one cycle that is due. The unit, if it shares them: finish_due() is to follow when they are
+  /// made, and nothing before it. nullptr: all is done.
   [[nodiscard]] drive::DriveUnit* begin_due() noexcept;
   void finish_due() noexcept;
   /// Runs the first of the cycles that were missed, if any was: it takes what has come so far. What it leads to is

@@ -23,9 +23,9 @@ class Station {
   virtual void on_frame(const canopen::Frame& frame, canopen::TimePoint now) noexcept = 0;
   /// next_deadline() has come.
   virtual void on_time(canopen::TimePoint now) noexcept = 0;
-  /// on_time() in parts, for stations whose units make the steps of a cycle together (drive::JointSteps). The unit,
-  /// if it shares them: finish_time() follows within the same turn of the loop, when they are made. nullptr: all is
-  /// done.
+  /// on_time() in parts, for stations whose units make the steps of a cycle together (drive::JointSteps). The
+  /// unit, if it shares them: finish_time() follows within the same turn of the loop, when they are made. nullptr:
+  /// all is done.
   [[nodiscard]] virtual drive::DriveUnit* begin_time(canopen::TimePoint now) noexcept {
     on_time(now);
     return nullptr;

@@ -13,13 +13,13 @@ using NativeLanes = std::experimental::native_simd<double>;
 #endif
 
 extern const LaneVariant MOTOR_LANES;
-const LaneVariant MOTOR_LANES{.name = MOTOR_LANES_NAME,
-                              .lanes = kLanes<NativeLanes>,
-                              .size = sizeof(LaneTrain<NativeLanes>),
-                              .is_supported = []() noexcept -> bool { return MOTOR_LANES_SUPPORTED; },
-                              .form = [](void* storage, const LaneKind& kind,
-                                         std::span<const AxisRun* const> axes) noexcept -> LaneGroup* {
-                                return new (storage) LaneTrain<NativeLanes>{kind, axes};
-                              }};
+const LaneVariant MOTOR_LANES{
+    .name = MOTOR_LANES_NAME,
+    .lanes = kLanes<NativeLanes>,
+    .size = sizeof(LaneTrain<NativeLanes>),
+    .is_supported = []() noexcept -> bool { return MOTOR_LANES_SUPPORTED; },
+    .form = [](void* storage, const LaneKind& kind, std::span<const AxisRun* const> axes) noexcept -> LaneGroup* {
+      return new (storage) LaneTrain<NativeLanes>{kind, axes};
+    }};
 
 }  // namespace motor

@@ -99,7 +99,7 @@ class LaneTrain final : public LaneGroup {
   LaneKind kind_;
   std::size_t count_;  // of the lanes that are axes; the others do what the first does
   bool led_ = false;
-  bool shown_ = false;  // the plants, as they are now
+  bool shown_ = false;                               // the plants, as they are now
   std::array<const AxisRun*, kLanes<Number>> axes_;  // while they enter
   std::array<DriveTrain*, kLanes<Number>> trains_;
   std::array<std::span<const SpeedStep>, kLanes<Number>> setpoints_;

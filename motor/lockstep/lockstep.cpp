@@ -40,7 +40,8 @@ class Lineup {
   }
   /// Period @p period with the links as their results tell; false if a current has tripped.
   bool step(std::size_t period) noexcept {
-    for (std::size_t slot = 0; slot < slots_; ++slot) voltage_[slot] = units_[fed_by_[slot]].result.last_dc_voltage;
+    for (std::size_t slot = 0; slot < slots_; ++slot)
+      voltage_[slot] = units_[fed_by_[slot]].result.last_dc_voltage;
     bool sound = true;
     for (std::size_t i = 0; i < groups_; ++i)
       sound = group_[i]->step(period, voltage_.data() + first_[i], drawn_.data() + first_[i]) && sound;
@@ -133,7 +134,8 @@ class Lineup {
 
 /// Above which @p unit ends a run (V).
 double highest_allowed(const LinkedAxes& unit) noexcept {
-  const bool pulses = std::ranges::any_of(unit.axes, [](const AxisRun& axis) { return axis.command.pulses_enabled; });
+  const bool pulses =
+      std::ranges::any_of(unit.axes, [](const AxisRun& axis) { return axis.command.pulses_enabled; });
   return pulses ? unit.overvoltage : std::numeric_limits<double>::infinity();
 }
 

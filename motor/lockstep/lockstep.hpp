@@ -32,7 +32,8 @@ struct LinkedAxes {
 /// are on began with its link above the overvoltage, or ended with a current above its trip_current. Axes of one
 /// kind are calculated side by side, whatever their link, as @p variant can; the results are those of each by
 /// itself to the last bit.
-long run_together(std::span<LinkedAxes> units, long periods, const LaneVariant& variant = widest_variant()) noexcept;
+long run_together(std::span<LinkedAxes> units, long periods,
+                  const LaneVariant& variant = widest_variant()) noexcept;
 
 /// The same with @p axes, which share @p link, alone.
 RunResult run(std::span<const AxisRun> axes, DcLink& link, long periods, double overvoltage,
