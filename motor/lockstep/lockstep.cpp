@@ -14,9 +14,12 @@ namespace {
 
 /// A run of fewer periods is not worth the way into lanes and back.
 constexpr long kFewestPeriods = 4;
-/// Largest group of lanes (bytes), and most lanes of one.
-constexpr std::size_t kGroupSize = 32768;
+/// Largest group of lanes (bytes), and most lanes of one. The room for all groups is on the stack, every page of
+/// which costs a run something.
+constexpr std::size_t kGroupSize = 18432;
 constexpr std::size_t kMostLanes = 8;
+/// Axes of further kinds are calculated each by itself.
+constexpr std::size_t kMostGroups = 4;
 
 /// The axes of a run: in groups of one kind, or each by itself.
 class Lineup {
@@ -32,7 +35,7 @@ class Lineup {
     for (std::size_t i = 0; i < count_; ++i) {
       if (taken_[i]) continue;
       const Places alike = alike_from(i, kinds, variant.lanes);
-      if (alike.count < 2 || variant.size > kGroupSize)
+      if (alike.count < 2 || groups_ == kMostGroups || variant.size > kGroupSize)
         leave_alone(i);
       else
         form(alike, *kinds[i], variant);
@@ -110,8 +113,7 @@ class Lineup {
   struct alignas(64) Room {
     std::array<std::byte, kGroupSize> bytes;
   };
-  static constexpr std::size_t kMostGroups = kMostAxesInLockstep / 2;
-  static constexpr std::size_t kMostSlots = kMostGroups * kMostLanes;
+  static constexpr std::size_t kMostSlots = kMostGroups * kMostLanes + kMostAxesInLockstep;
 
   std::span<const LinkedAxes> units_;
   std::array<const AxisRun*, kMostAxesInLockstep> axes_;
