@@ -80,7 +80,7 @@ void SdoClient::learn_to_ask_together() {
 
 std::vector<std::optional<canopen::Frame>> SdoClient::ask_together(std::span<const Multiplexor> entries) {
   std::vector<std::optional<canopen::Frame>> answers(entries.size());
-  if (silent_ != 0) return answers;
+  if (entries.empty() || silent_ != 0) return answers;
   if (together_ == 0) learn_to_ask_together();
   std::size_t at = 0;
   while (at < entries.size() && together_ > 1) {

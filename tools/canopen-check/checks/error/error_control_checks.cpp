@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/canopen-check/checks/error/calm.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/silence.hpp"
 #include "tools/canopen-check/core/run/context.hpp"
@@ -27,18 +28,25 @@ bool silence(Context& context) {
   return context.set(object::kHeartbeatTime, 0, 0);
 }
 
+canopen::Duration mean_period(const std::vector<TimedFrame>& beats) {
+  return (beats.back().time - beats.front().time) / static_cast<canopen::Duration::rep>(beats.size() - 1);
+}
+
 void heartbeat_keeps_its_period(Context& context) {
   constexpr int kPeriods = 10;
+  constexpr canopen::Duration kSpan = kPeriodTime * kPeriods + kPeriodTime / 2;
   if (!context.need(object::kHeartbeatTime) || !context.set(object::kHeartbeatTime, 0, kPeriod)) return;
   Session& session = context.session();
-  const std::vector<TimedFrame> beats =
-      listen_alone(context, heartbeats(session), kPeriodTime * kPeriods + kPeriodTime / 2);
+  std::vector<TimedFrame> beats = listen_alone(context, heartbeats(session), kSpan);
+  if (beats.size() < 2 || !context.about(mean_period(beats), kPeriodTime)) {
+    if (!context.set(object::kHeartbeatTime, 0, kPeriod)) return;
+    beats = session.collect(heartbeats(session), kSpan);
+  }
   session.pass(kPeriodTime / 2);  // so that none is under way when another check begins
   if (beats.size() < 2)
     return context.fail(object::kHeartbeatTime, 0, fmt::format("a heartbeat every {} ms", kPeriod),
                         fmt::format("{} in {} periods", beats.size(), kPeriods));
-  const canopen::Duration mean =
-      (beats.back().time - beats.front().time) / static_cast<canopen::Duration::rep>(beats.size() - 1);
+  const canopen::Duration mean = mean_period(beats);
   canopen::Duration longest{};
   for (std::size_t i = 1; i < beats.size(); ++i) longest = std::max(longest, beats[i].time - beats[i - 1].time);
   context.note(fmt::format("{} ms: mean {}, longest {}", kPeriod, milliseconds(mean), milliseconds(longest)));
@@ -65,16 +73,15 @@ void heartbeat_begins(Context& context) {
 }
 
 void heartbeat_ends(Context& context) {
-  if (!context.need(object::kHeartbeatTime) || !context.set(object::kHeartbeatTime, 0, kPeriod)) return;
+  if (!context.need(object::kHeartbeatTime)) return;
+  Calm calm{context};
+  if (!context.set(object::kHeartbeatTime, 0, kPeriod)) return;
   Session& session = context.session();
   if (!session.wait_for(heartbeats(session), 3 * kPeriodTime))
     return context.skip("there is no heartbeat to be ended");
   if (!context.set(object::kHeartbeatTime, 0, 0)) return;
   session.drain();
-  // A heartbeat that goes on comes within a period; how many come is told of such a node only.
-  const canopen::TimePoint until = session.now() + 3 * kPeriodTime;
-  std::size_t beats = session.wait_for(heartbeats(session), 3 * kPeriodTime / 2) ? 1 : 0;
-  if (beats != 0) beats += session.collect(heartbeats(session), until - session.now()).size();
+  const std::size_t beats = calm.listen(heartbeats(session), 3 * kPeriodTime).size();
   if (beats != 0)
     context.fail(object::kHeartbeatTime, 0, "no heartbeat after 0 is written",
                  fmt::format("{} heartbeats", beats));

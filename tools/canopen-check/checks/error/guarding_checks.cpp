@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/canopen-check/checks/error/calm.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
 #include "tools/canopen-check/checks/shared/stations.hpp"
@@ -11,8 +12,6 @@ namespace conformance {
 namespace {
 
 constexpr std::uint8_t kToggle = 0x80, kStateBits = 0x7F;
-constexpr std::uint64_t kLife = 100, kFactor = 2;  // ms
-constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kLife * kFactor};
 constexpr canopen::Duration kAnswer = std::chrono::milliseconds{100};
 
 /// True if guarding can be asked for; the heartbeat, which would win, is off then.
@@ -70,35 +69,36 @@ void leaves_others_alone(Context& context) {
   context.step();
   session.drain();
   session.send({.id = function_code::kErrorControl + *other, .length = 1, .remote = true});
-  const auto own =
-      session.wait_for(under(session.identifier(function_code::kErrorControl)), context.quiet(kAnswer));
+  const auto own = session.wait_for(under(session.identifier(function_code::kErrorControl)), kAnswer);
   if (own) context.fail(fmt::format("no answer to a guarding request to node {}", *other), "an answer");
 }
 
-/// Sets the life time, kFactor times @p guard_time, without a request.
-bool set_life_time(Context& context, std::uint64_t guard_time = kLife) {
-  return context.set(object::kGuardTime, 0, guard_time) && context.set(object::kLifeTimeFactor, 0, kFactor);
+/// Sets the life time without a request.
+bool set_life_time(Context& context) {
+  return context.set(object::kGuardTime, 0, kGuardTime) &&
+         context.set(object::kLifeTimeFactor, 0, kLifeTimeFactor);
 }
 
 void life_guarding_waits(Context& context) {
+  if (context.manners().calm.guarding) return;
   const std::optional<std::uint32_t> emcy = emcy_identifier(context);
   if (!emcy) return context.skip("1014h is invalid");
   if (!can_guard(context) || !context.restart(canopen::NmtCommand::ResetCommunication)) return;
   context.enter(canopen::NmtState::PreOperational);
-  if (!can_guard(context) || !set_life_time(context, kLife / kFactor)) return;
+  if (!can_guard(context) || !set_life_time(context)) return;
   context.step();
-  const auto emergency = wait_for_error(context, *emcy, kLifeTime / kFactor + context.quiet(kEmergencyPatience));
+  const auto emergency = wait_for_error(context, *emcy, kLifeTime + kEmergencyPatience);
   if (emergency)
     context.fail("no life guarding event before the first request", "emergency message " + to_text(*emergency));
 }
 
 /// Life guarding that has begun on a node without an error, and where its event would be told; else the check is
 /// skipped.
-std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t>& emcy, Way lose_master) {
+std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t>& emcy) {
   if (!can_guard(context) || !context.restart(canopen::NmtCommand::ResetNode)) return std::nullopt;
   context.enter(canopen::NmtState::PreOperational);
   emcy = emcy_identifier(context);
-  std::optional<Provocation> how = lose_master(context);
+  std::optional<Provocation> how = guarding_loss(context);
   if (!emcy) context.skip("1014h is invalid");
   if (!how) context.skip("life guarding cannot be switched on");
   return emcy ? how : std::nullopt;
@@ -106,8 +106,7 @@ std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t
 
 void life_guarding_expires(Context& context) {
   std::optional<std::uint32_t> emcy;
-  const std::optional<Provocation> how =
-      guarded(context, emcy, [](Context& each) { return guarding_loss_after(each, kLife); });
+  const std::optional<Provocation> how = guarded(context, emcy);
   if (!how) return;
   context.step();
   context.session().drain();
@@ -124,7 +123,7 @@ void life_guarding_expires(Context& context) {
 
 void life_guarding_resumes(Context& context) {
   std::optional<std::uint32_t> emcy;
-  const std::optional<Provocation> how = guarded(context, emcy, guarding_loss);
+  const std::optional<Provocation> how = guarded(context, emcy);
   if (!how) return;
   context.step();
   how->raise();
@@ -145,8 +144,8 @@ bool takes_both(Context& context) {
   if (!context.set(object::kGuardTime, 0, 0) || !context.set(object::kLifeTimeFactor, 0, 0) ||
       !context.set(object::kHeartbeatTime, 0, kPeriod))
     return false;
-  (void)context.set(object::kGuardTime, 0, kLife);
-  (void)context.set(object::kLifeTimeFactor, 0, kFactor);
+  (void)context.set(object::kGuardTime, 0, kGuardTime);
+  (void)context.set(object::kLifeTimeFactor, 0, kLifeTimeFactor);
   return context.findings().size() == before;
 }
 
@@ -207,7 +206,7 @@ constexpr std::array kChecks{
           .clause = "CiA 301 7.2.8.3.2.1",
           .group = Group::ErrorControl,
           .run = leaves_others_alone},
-    Check{.id = "error-control.life-guarding-begins",
+    Check{.id = kLifeGuardingBegins,
           .name = "Life guarding begins with the first request",
           .clause = "CiA 301 7.2.8.2.2.1",
           .group = Group::ErrorControl,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/canopen-check/checks/error/calm.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/provocation.hpp"
 #include "tools/canopen-check/checks/shared/stations.hpp"
@@ -40,11 +41,11 @@ void refuses_a_node_twice(Context& context) {
 }
 
 void waits_for_the_first_heartbeat(Context& context) {
+  if (context.manners().calm.consumer) return;
   const std::optional<Watched> watched = watch(context);
   if (!watched) return;
   context.step();
-  const auto emergency =
-      wait_for_error(context, watched->emcy, watched->how.delay + context.quiet(kEmergencyPatience));
+  const auto emergency = wait_for_error(context, watched->emcy, watched->how.delay + kEmergencyPatience);
   if (emergency)
     context.fail(object::kConsumerHeartbeatTime, 1, "no loss before the first heartbeat",
                  "emergency message " + to_text(*emergency));
@@ -87,7 +88,7 @@ constexpr std::array kChecks{
           .clause = "CiA 301 7.5.2.19",
           .group = Group::ErrorControl,
           .run = refuses_a_node_twice},
-    Check{.id = "error-control.consumer-begins",
+    Check{.id = kConsumerBegins,
           .name = "A heartbeat is watched from its first frame on",
           .clause = "CiA 301 7.2.8.3.2.2",
           .group = Group::ErrorControl,

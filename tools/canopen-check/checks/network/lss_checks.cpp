@@ -33,12 +33,11 @@ std::uint32_t value_of(const canopen::Frame& frame) {
 }
 
 /// Sends @p frame and gives the answer of the slave.
-std::optional<canopen::Frame> ask(Context& context, const canopen::Frame& frame,
-                                  canopen::Duration patience = kPatience) {
+std::optional<canopen::Frame> ask(Context& context, const canopen::Frame& frame) {
   Session& session = context.session();
   session.drain();
   session.send(frame);
-  const auto answer = session.wait_for(under(kSlave), patience);
+  const auto answer = session.wait_for(under(kSlave), kPatience);
   if (!answer) return std::nullopt;
   return answer->frame;
 }
@@ -64,12 +63,11 @@ std::optional<Identity> identity(Context& context) {
 }
 
 /// The answer to the four requests of a selective switch.
-std::optional<canopen::Frame> select(Context& context, const Identity& numbers,
-                                     canopen::Duration patience = kPatience) {
+std::optional<canopen::Frame> select(Context& context, const Identity& numbers) {
   switch_to_waiting(context);
   for (std::size_t i = 0; i + 1 < kNumbers; ++i)
     context.session().send(request(static_cast<std::uint8_t>(kSwitchSelective + i), numbers[i]));
-  return ask(context, request(kSwitchSelective + kNumbers - 1, numbers[kNumbers - 1]), patience);
+  return ask(context, request(kSwitchSelective + kNumbers - 1, numbers[kNumbers - 1]));
 }
 
 /// Takes the node to the configuration state; else the check is skipped.
@@ -84,7 +82,7 @@ void is_silent_while_waiting(Context& context) {
   if (!identity(context)) return;
   switch_to_waiting(context);
   context.step();
-  if (const auto answer = ask(context, request(kInquireNodeId), context.quiet(kPatience)))
+  if (const auto answer = ask(context, request(kInquireNodeId)))
     context.fail("no answer in the waiting state", hexadecimal(answer->data));
 }
 
@@ -105,7 +103,7 @@ void is_not_selected(Context& context) {
     context.step();
     Identity other = *numbers;
     other[i] ^= 1U;
-    if (const auto answer = select(context, other, context.quiet(kPatience)))
+    if (const auto answer = select(context, other))
       context.fail(object::kIdentity, static_cast<std::uint8_t>(i + 1),
                    "no answer when another number is selected", hexadecimal(answer->data));
   }
@@ -161,7 +159,7 @@ void switches_with_all(Context& context) {
     context.fail("an answer in the configuration state, which all nodes were switched to", "none");
   switch_to_waiting(context);
   context.step();
-  if (ask(context, request(kInquireNodeId), context.quiet(kPatience)))
+  if (ask(context, request(kInquireNodeId)))
     context.fail("no answer in the waiting state, which all nodes were switched to", "an answer");
 }
 

@@ -14,31 +14,51 @@ namespace {
 using canopen::NmtCommand;
 using canopen::NmtState;
 
+constexpr std::string_view kNoRpdoInPreOperational = "nmt.no-rpdo-in-pre-operational",
+                           kNoRpdoInStopped = "nmt.no-rpdo-in-stopped";
 constexpr std::uint32_t kSegmentWithoutTransfer = 0x05040001;
-/// How long something must not come, at most.
+/// How long something must not come.
 constexpr canopen::Duration kQuiet = std::chrono::milliseconds{100};
 
-/// TPDOs that come in @p state, with SYNC and on request, @p quiet after it was commanded and within the same
-/// time.
+/// TPDOs that come in @p state within kQuiet, with SYNC and on request, @p pause after it was commanded. @p rpdo
+/// is sent too, if it is given.
 std::vector<TimedFrame> tpdos_in(Context& context, NmtState state, const std::vector<ValidPdo>& tpdos,
-                                 canopen::Duration quiet) {
+                                 canopen::Duration pause, const std::optional<HarmlessRpdo>& rpdo = {}) {
   constexpr int kSyncs = 3;
   const std::uint32_t sync = sync_identifier(context);
   Session& session = context.session();
   context.enter(state);
-  session.pass(quiet);
+  session.pass(pause);
   context.step();
+  if (rpdo) session.send(rpdo->frame);
   for (int i = 0; i < kSyncs; ++i) session.send({.id = sync});
   if (session.carries_remote_frames())
     for (const ValidPdo& tpdo : tpdos) session.send({.id = tpdo.identifier, .length = 8, .remote = true});
-  return session.collect([&](const canopen::Frame& frame) { return pdo_of(tpdos, frame) != nullptr; }, quiet);
+  return session.collect([&](const canopen::Frame& frame) { return pdo_of(tpdos, frame) != nullptr; }, kQuiet);
 }
 
-/// Findings for TPDOs that come in @p state.
-void no_tpdo_in(Context& context, NmtState state) {
+/// An RPDO that can be sent beside, for @p check if that is still to come; nothing else is made of it here.
+std::optional<HarmlessRpdo> rpdo_for(Context& context, std::string_view check) {
+  if (!context.manners().ahead.contains(check)) return std::nullopt;
+  std::optional<HarmlessRpdo> rpdo = working_rpdo(context);
+  context.unskip();
+  return rpdo;
+}
+
+/// Keeps that @p rpdo had no effect in @p state, if it had none.
+void remember(Context& context, NmtState state, const HarmlessRpdo& rpdo) {
+  context.enter(NmtState::PreOperational);
+  const SdoAnswer now = context.read(rpdo.index, rpdo.sub_index);
+  if (now.done() && now.number() != rpdo.after) context.manners().ignores_rpdos.insert(state);
+}
+
+/// Findings for TPDOs that come in @p state. What @p rpdo_check looks at is looked at too: both need a silence.
+void no_tpdo_in(Context& context, NmtState state, std::string_view rpdo_check) {
   const std::vector<ValidPdo> tpdos = valid_pdos(context, object::kTpdoParameter);
   if (tpdos.empty()) return context.skip("no TPDO is valid");
-  std::vector<TimedFrame> found = tpdos_in(context, state, tpdos, context.quiet(kQuiet));
+  const std::optional<HarmlessRpdo> rpdo = rpdo_for(context, rpdo_check);
+  std::vector<TimedFrame> found = tpdos_in(context, state, tpdos, context.quiet(kQuiet), rpdo);
+  if (found.empty() && rpdo) remember(context, state, *rpdo);
   if (!found.empty()) {  // of a slow node they may be those of before
     context.enter(NmtState::PreOperational);
     found = tpdos_in(context, state, tpdos, kQuiet);
@@ -51,6 +71,7 @@ void no_tpdo_in(Context& context, NmtState state) {
 
 /// A finding if an RPDO is processed in @p state.
 void no_rpdo_in(Context& context, NmtState state) {
+  if (context.manners().ignores_rpdos.contains(state)) return;
   const std::optional<HarmlessRpdo> rpdo = working_rpdo(context);
   if (!rpdo) return;
   Session& session = context.session();
@@ -59,7 +80,7 @@ void no_rpdo_in(Context& context, NmtState state) {
   context.enter(state);
   session.send(rpdo->frame);
   session.send({.id = sync});
-  session.pass(context.quiet(kQuiet));
+  session.pass(kQuiet);
   context.enter(NmtState::PreOperational);
   const SdoAnswer now = context.read(rpdo->index, rpdo->sub_index);
   if (now.done() && now.number() == rpdo->after)
@@ -68,11 +89,11 @@ void no_rpdo_in(Context& context, NmtState state) {
 }
 
 void no_tpdo_in_pre_operational(Context& context) {
-  no_tpdo_in(context, NmtState::PreOperational);
+  no_tpdo_in(context, NmtState::PreOperational, kNoRpdoInPreOperational);
 }
 
 void no_tpdo_in_stopped(Context& context) {
-  no_tpdo_in(context, NmtState::Stopped);
+  no_tpdo_in(context, NmtState::Stopped, kNoRpdoInStopped);
 }
 
 void no_rpdo_in_pre_operational(Context& context) {
@@ -209,7 +230,7 @@ constexpr std::array kChecks{
           .clause = "CiA 301 7.3.2.2.5",
           .group = Group::Nmt,
           .run = no_tpdo_in_pre_operational},
-    Check{.id = "nmt.no-rpdo-in-pre-operational",
+    Check{.id = kNoRpdoInPreOperational,
           .name = "No RPDO is processed in Pre-operational",
           .clause = "CiA 301 7.3.2.2.5",
           .group = Group::Nmt,
@@ -224,7 +245,7 @@ constexpr std::array kChecks{
           .clause = "CiA 301 7.3.2.2.5",
           .group = Group::Nmt,
           .run = no_tpdo_in_stopped},
-    Check{.id = "nmt.no-rpdo-in-stopped",
+    Check{.id = kNoRpdoInStopped,
           .name = "No RPDO is processed in Stopped",
           .clause = "CiA 301 7.3.2.2.5",
           .group = Group::Nmt,

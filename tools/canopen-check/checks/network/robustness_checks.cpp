@@ -17,7 +17,7 @@ using canopen::NmtCommand;
 using canopen::NmtState;
 
 constexpr std::uint32_t kEmcy = 0x80;
-/// How long what follows from frames may take, at most.
+/// How long what follows from frames may take.
 constexpr canopen::Duration kSettle = std::chrono::milliseconds{100};
 
 bool is_boot_up(const Session& session, const canopen::Frame& frame) {
@@ -34,10 +34,10 @@ Health health(Context& context) {
   return {.device_type = context.number(object::kDeviceType), .mark = context.session().mark()};
 }
 
-/// Findings if the node is not what it was: reset, in another state, or with another device type.
+/// Findings if the node is not what it was: reset, in another state, or with another device type. kSettle has
+/// passed since the frames.
 void expect_health(Context& context, const Health& before, const char* after) {
   Session& session = context.session();
-  session.pass(context.quiet(kSettle));
   bool was_reset = false;
   const auto judge_reset = [&] {
     const auto is_sign = [&](const TimedFrame& each) { return !each.sent && is_boot_up(session, each.frame); };
@@ -117,6 +117,7 @@ void survives_random_frames(Context& context) {
   }
   context.note(fmt::format("{} random frames, seed {}", kFrames, context.settings().seed));
   context.step();
+  session.pass(kSettle);
   expect_health(context, before, "random frames");
 }
 
@@ -149,7 +150,7 @@ void survives_all_identifiers(Context& context) {
       if (id % kAtOnce == 0) session.drain();
     }
   }
-  session.pass(context.quiet(kSettle));
+  session.pass(kSettle);
   std::size_t found = 0;
   for (const TimedFrame& each : session.since(before.mark)) {
     if (each.sent || may_answer(context, session, emcy, each.frame.id) || ++found > kMostFindings) continue;

@@ -35,7 +35,7 @@ std::optional<Reception> receive(Context& context, std::uint8_t type, std::uint1
   context.undo().keep(object.index, object.sub_index);
   Reception reception{*pdo, object, identifier_of(context, *pdo), 0};
   context.enter(canopen::NmtState::Operational);
-  context.session().pass(context.quiet(kProcessed));
+  context.session().pass(kProcessed);
   reception.before = context.read(object.index, object.sub_index).number();
   return reception;
 }
@@ -103,7 +103,7 @@ void takes_synchronous_values_with_sync(Context& context) {
   const std::uint64_t value = other_value(context, reception->object);
   context.step();
   send(context, *reception, value);
-  context.session().pass(context.quiet(kProcessed));
+  context.session().pass(kProcessed);
   const SdoAnswer early = context.read(reception->object.index, reception->object.sub_index);
   if (early.done() && early.number() == value)
     return context.fail(reception->pdo.parameters(), kTypeSub,
@@ -123,7 +123,7 @@ void ignores_short_frames(Context& context) {
   const std::uint64_t value = other_value(context, reception->object);
   context.step();
   send(context, *reception, value, -1);
-  context.session().pass(context.quiet(kProcessed));
+  context.session().pass(kProcessed);
   const SdoAnswer now = context.read(reception->object.index, reception->object.sub_index);
   if (now.done() && now.number() != reception->before)
     context.fail(reception->pdo.mapping(), 0,

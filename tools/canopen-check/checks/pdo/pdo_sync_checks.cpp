@@ -24,20 +24,26 @@ std::optional<Pdo> synchronous(Context& context, std::uint8_t type) {
   return pdo;
 }
 
-/// The same in Operational; a step begins.
-std::optional<Pdo> started(Context& context, std::uint8_t type) {
-  std::optional<Pdo> pdo = synchronous(context, type);
-  if (!pdo) return pdo;
+/// Goes to Operational; a step begins.
+void start(Context& context) {
   context.enter(canopen::NmtState::Operational);
   context.session().pass(kPeriod);
   context.step();
-  return pdo;
 }
 
-/// Lets pass what a slow node may still send, before it is looked at once more; a step begins.
-void settle(Context& context) {
+/// The same from Pre-operational, once a slow node has entered it and has sent what it may still send: it is
+/// looked at once more.
+void start_again(Context& context) {
+  context.enter(canopen::NmtState::PreOperational);
   context.session().pass(kPatience);
-  context.step();
+  start(context);
+}
+
+/// The same as synchronous(), in Operational; a step begins.
+std::optional<Pdo> started(Context& context, std::uint8_t type) {
+  std::optional<Pdo> pdo = synchronous(context, type);
+  if (pdo) start(context);
+  return pdo;
 }
 
 void comes_with_every_sync(Context& context) {
@@ -51,7 +57,7 @@ void comes_with_every_sync(Context& context) {
   };
   std::vector<std::size_t> counts = sync.count_each(kSyncs, context.quiet(kPeriod), identifier, kPatience);
   if (!is_right(counts)) {
-    settle(context);
+    start_again(context);
     counts = sync.count_each(kSyncs, kPeriod, identifier, kPatience);
   }
   if (!is_right(counts))
@@ -76,7 +82,7 @@ void comes_with_every_nth_sync(Context& context) {
   SyncSource sync{context};
   std::vector<std::size_t> counts = sync.count_each(kSyncs, context.quiet(kPeriod), identifier);
   if (!is_every_third(counts)) {
-    settle(context);
+    start_again(context);
     counts = sync.count_each(kSyncs, 2 * kPeriod, identifier);
   }
   if (!is_every_third(counts))
@@ -136,19 +142,12 @@ void begins_with_the_start_value(Context& context) {
   if (const SdoAnswer answer = context.write_number(object::kSyncOverflow, 0, 10); !answer.done())
     return context.skip("1019h cannot be set: " + to_text(answer));
   const std::uint32_t identifier = identifier_of(context, *pdo);
-  const auto count = [&](canopen::Duration period, canopen::Duration patience) {
-    SyncSource sync{context};
-    context.enter(canopen::NmtState::PreOperational);
-    context.enter(canopen::NmtState::Operational);
-    context.session().pass(kPeriod);
-    context.step();
-    return sync.count_each(5, period, identifier, patience);
-  };
   const std::vector<std::size_t> expected{0, 0, 1, 1, 1};
-  std::vector<std::size_t> counts = count(context.quiet(kPeriod), {});
+  start(context);
+  std::vector<std::size_t> counts = SyncSource{context}.count_each(5, context.quiet(kPeriod), identifier);
   if (counts != expected) {
-    settle(context);
-    counts = count(kPeriod, kPatience);
+    start_again(context);
+    counts = SyncSource{context}.count_each(5, kPeriod, identifier, kPatience);
   }
   if (counts != expected)
     context.fail(pdo->parameters(), kSyncStartSub, "the first frame with the SYNC of counter 3",
@@ -173,9 +172,7 @@ std::vector<std::size_t> count_with_syncs(Context& context, const std::vector<st
                                           std::size_t count) {
   Session& session = context.session();
   SyncSource sync{context};
-  context.enter(canopen::NmtState::Operational);
-  session.pass(kPeriod);
-  context.step();
+  start(context);
   const std::size_t mark = session.mark();
   for (std::size_t i = 0; i < count; ++i) {
     const canopen::TimePoint next = session.now() + context.quiet(kPeriod);
@@ -232,7 +229,7 @@ void misses_no_sync(Context& context) {
   const bool quick = context.quiet(kPeriod) < kPeriod;
   std::size_t frames = count(quick ? kFaster : kFast);
   if (frames != kSyncs && quick) {
-    settle(context);
+    start_again(context);
     frames = count(kFast);
   }
   if (frames != kSyncs)

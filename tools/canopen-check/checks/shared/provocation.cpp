@@ -12,11 +12,7 @@ namespace conformance {
 namespace {
 
 constexpr std::uint32_t kEmcy = 0x80, kStandardBits = 0x7FF;
-/// Time that a heartbeat or a guarding request may be missing, in ms.
-constexpr std::uint64_t kLife = 100;
-constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kLife};
-/// Guarding requests that may be missing.
-constexpr std::uint64_t kFactor = 2;
+constexpr canopen::Duration kGuardAnswer = std::chrono::milliseconds{100};
 
 bool has(Context& context, std::uint16_t index, std::uint8_t sub_index = 0) {
   return context.eds().empty() ? context.read(index, sub_index).done()
@@ -28,7 +24,7 @@ bool answers_guarding(Context& context) {
   if (!session.carries_remote_frames()) return false;
   session.drain();
   session.send({.id = session.identifier(function_code::kErrorControl), .length = 1, .remote = true});
-  return session.wait_for(under(session.identifier(function_code::kErrorControl)), kLifeTime).has_value();
+  return session.wait_for(under(session.identifier(function_code::kErrorControl)), kGuardAnswer).has_value();
 }
 
 }  // namespace
@@ -85,38 +81,32 @@ std::optional<Provocation> heartbeat_loss(Context& context) {
   if (!has(context, object::kConsumerHeartbeatTime, 1)) return std::nullopt;
   const std::optional<std::uint8_t> node = unused_node_id(context);
   if (!node ||
-      !context.write_number(object::kConsumerHeartbeatTime, 1, std::uint64_t{*node} << 16U | kLife).done())
+      !context.write_number(object::kConsumerHeartbeatTime, 1, std::uint64_t{*node} << 16U | kLossMilliseconds)
+           .done())
     return std::nullopt;
   const auto beat = [session = &context.session(), id = function_code::kErrorControl + *node] {
     session->send({.id = id, .length = 1, .data = {static_cast<std::uint8_t>(canopen::NmtState::Operational)}});
   };
   return Provocation{.name = fmt::format("the heartbeat of node {} is lost", *node),
                      .code = 0x8130,
-                     .delay = kLifeTime,
+                     .delay = kLossTime,
                      .raise = beat,
                      .end = beat};
 }
 
 std::optional<Provocation> guarding_loss(Context& context) {
-  return guarding_loss_after(context, kLife / kFactor);
-}
-
-std::optional<Provocation> guarding_loss_after(Context& context, std::uint64_t guard_time) {
   if (!has(context, object::kGuardTime) || !has(context, object::kLifeTimeFactor)) return std::nullopt;
   if (has(context, object::kHeartbeatTime) && context.read(object::kHeartbeatTime).number() != 0 &&
       !context.write_number(object::kHeartbeatTime, 0, 0).done())
     return std::nullopt;
-  if (!answers_guarding(context) || !context.write_number(object::kGuardTime, 0, guard_time).done() ||
-      !context.write_number(object::kLifeTimeFactor, 0, kFactor).done())
+  if (!answers_guarding(context) || !context.write_number(object::kGuardTime, 0, kGuardTime).done() ||
+      !context.write_number(object::kLifeTimeFactor, 0, kLifeTimeFactor).done())
     return std::nullopt;
   const auto request = [session = &context.session()] {
     session->send({.id = session->identifier(function_code::kErrorControl), .length = 1, .remote = true});
   };
-  return Provocation{.name = "the guarding master is lost",
-                     .code = 0x8130,
-                     .delay = std::chrono::milliseconds{guard_time * kFactor},
-                     .raise = request,
-                     .end = request};
+  return Provocation{
+      .name = "the guarding master is lost", .code = 0x8130, .delay = kLifeTime, .raise = request, .end = request};
 }
 
 std::optional<Provocation> sync_length(Context& context) {

@@ -45,12 +45,17 @@ struct Provocation {
   std::function<void()> end = {};    ///< ends its cause; empty if the tester cannot
 };
 
+/// After which time without it a heartbeat counts as lost.
+inline constexpr std::uint64_t kLossMilliseconds = 100;
+inline constexpr canopen::Duration kLossTime = std::chrono::milliseconds{kLossMilliseconds};
+/// Guard time (ms) and life time factor: a life time that a node which looks at it every 20 ms keeps.
+inline constexpr std::uint64_t kGuardTime = 100, kLifeTimeFactor = 2;
+inline constexpr canopen::Duration kLifeTime = std::chrono::milliseconds{kGuardTime * kLifeTimeFactor};
+
 /// Loss of the heartbeat of a node that the tester plays; nothing where 1016h does not take it.
 [[nodiscard]] std::optional<Provocation> heartbeat_loss(Context& context);
 /// Loss of the guarding master; nothing where the node answers no guarding or 100Ch, 100Dh do not take it.
 [[nodiscard]] std::optional<Provocation> guarding_loss(Context& context);
-/// The same with @p guard_time in ms, twice which the master is silent.
-[[nodiscard]] std::optional<Provocation> guarding_loss_after(Context& context, std::uint64_t guard_time);
 /// A SYNC of unexpected length; nothing without 1019h.
 [[nodiscard]] std::optional<Provocation> sync_length(Context& context);
 /// An RPDO without data, in Operational; nothing without a valid RPDO. It can be ended if a good RPDO does no

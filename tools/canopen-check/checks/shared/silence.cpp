@@ -43,14 +43,20 @@ const Silence& silence_of_client(Context& context) {
 
 std::vector<TimedFrame> listen_alone(Context& context, const Condition& condition, canopen::Duration span) {
   Session& session = context.session();
-  if (!context.manners().ahead.contains("sdo.silent-client")) return session.collect(condition, span);
+  const bool at_once = context.manners().ahead.contains("sdo.silent-client") && context.settings().allow_reset;
+  if (!at_once) return session.collect(condition, span);
   const std::size_t mark = session.mark();
   const canopen::TimePoint until = session.now() + span;
   Silence silence = keep_silence(context, span);
   std::vector<TimedFrame> frames;
   for (const TimedFrame& each : session.since(mark))
     if (!each.sent && each.time <= until && condition(each.frame)) frames.push_back(each);
-  if (!session.ended()) context.manners().silence = std::move(silence);
+  if (session.ended()) return frames;
+  if (silence.service.kind != SdoAnswer::Kind::Silent) {
+    context.manners().silence = std::move(silence);
+  } else {  // a matter of sdo.silent-client, for which it has to be there once more
+    (void)context.restart(canopen::NmtCommand::ResetNode);
+  }
   return frames;
 }
 

@@ -13,7 +13,8 @@ inline constexpr canopen::Duration kSilence = std::chrono::seconds{2};
 [[nodiscard]] const Silence& silence_of_client(Context& context);
 
 /// Every frame that fulfils @p condition during @p span, in which the node is asked for nothing. That is the
-/// beginning of the silence of sdo.silent-client if that check is still to come.
+/// beginning of the silence of sdo.silent-client if that check is still to come; a node that is gone behind it is
+/// reset. What is wrong then has to be looked at once more with Session::collect().
 [[nodiscard]] std::vector<TimedFrame> listen_alone(Context& context, const Condition& condition,
                                                    canopen::Duration span);
 

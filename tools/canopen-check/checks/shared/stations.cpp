@@ -45,8 +45,6 @@ std::vector<std::uint8_t> other_stations(Context& context) {
     listen(canopen::Duration::zero());
   }
   listen(kListen);
-  for (std::uint8_t id = kHighestNodeId; id >= kLowestCandidate && !context.manners().free_node_id; --id)
-    if (id != session.node_id() && !found.contains(id) && !session.ended()) context.manners().free_node_id = id;
   return {found.begin(), found.end()};
 }
 

@@ -7,12 +7,18 @@
 namespace conformance {
 namespace {
 
-/// What 1003h says: its count, and as many entries as it counts, the first one in any case.
+/// What 1003h says: its count, and all entries that it counts until twenty cannot be read, the first one in any
+/// case.
 std::vector<SdoAnswer> history(Context& context) {
-  constexpr std::uint64_t kMost = 20;
+  constexpr std::uint64_t kHighest = 254;
+  constexpr int kMostMissing = 20;
   std::vector<SdoAnswer> answers{context.read(object::kErrorField), context.read(object::kErrorField, 1)};
-  for (std::uint64_t sub = 2; sub <= std::min(answers.front().number(), kMost); ++sub)
+  int missing = answers.back().done() ? 0 : 1;
+  for (std::uint64_t sub = 2; sub <= std::min(answers.front().number(), kHighest) && missing < kMostMissing;
+       ++sub) {
     answers.push_back(context.read(object::kErrorField, static_cast<std::uint8_t>(sub)));
+    missing += answers.back().done() ? 0 : 1;
+  }
   return answers;
 }
 

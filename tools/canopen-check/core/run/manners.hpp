@@ -23,7 +23,7 @@ struct ToldError {
   std::uint32_t identifier = 0;      ///< of emergency messages
   canopen::Frame message{};          ///< the emergency message
   SdoAnswer error_register{};        ///< 1001h
-  std::vector<SdoAnswer> history{};  ///< 1003h: its count, its newest entry, the others of the first twenty
+  std::vector<SdoAnswer> history{};  ///< 1003h: its count, its newest entry, the others that it counts
   std::vector<TimedFrame> traffic{};
 };
 
@@ -36,17 +36,26 @@ struct Silence {
   std::vector<TimedFrame> traffic{};       ///< from the request for the upload on
 };
 
+/// Errors that a node was seen not to tell while nothing had begun whose loss they are.
+struct CalmNode {
+  bool consumer = false;  ///< of a heartbeat that is watched
+  bool guarding = false;  ///< of the guarding master
+};
+
 /// What a run has found out about the node, so that no later check waits for it once more.
 struct Manners {
-  bool boots_without_message = false;          ///< it came back from a reset without a boot-up message
-  bool sends_no_emergency = false;             ///< none for any error that the tester can bring about
-  bool errors_last = false;                    ///< an error is not told again until the node is reset
-  std::optional<ToldError> told_error{};       ///< what checks of emergency messages share
-  std::optional<Silence> silence{};            ///< shared with a check that listens meanwhile
-  std::set<std::string_view> ahead{};          ///< checks that are still to run
-  std::optional<std::uint8_t> free_node_id{};  ///< that no station has
-  bool operational_asked = false;              ///< it is known whether it enters Operational
-  std::string refuses_operational{};           ///< why it cannot be tested in Operational; empty if it enters it
+  bool boots_without_message = false;     ///< it came back from a reset without a boot-up message
+  bool sends_no_emergency = false;        ///< none for any error that the tester can bring about
+  bool errors_last = false;               ///< an error is not told again until the node is reset
+  std::optional<ToldError> told_error{};  ///< what checks of emergency messages share
+  std::optional<Silence> silence{};       ///< shared with a check that listens meanwhile
+  CalmNode calm{};
+  std::set<canopen::NmtState> ignores_rpdos{};         ///< states in which an RPDO had no effect
+  std::optional<canopen::Duration> request_latency{};  ///< the longest of an answer to a remote request
+  std::set<std::string_view> ahead{};                  ///< checks that are still to run
+  std::optional<std::uint8_t> free_node_id{};          ///< that no station has
+  bool operational_asked = false;                      ///< it is known whether it enters Operational
+  std::string refuses_operational{};  ///< why it cannot be tested in Operational; empty if it enters it
 };
 
 /// Why the node does not enter Operational, with the error that it tells; empty if it does, or if it tells no

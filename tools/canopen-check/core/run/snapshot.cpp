@@ -26,37 +26,22 @@ std::uint16_t parameters_of(std::uint16_t index) noexcept {
 }  // namespace
 
 Snapshot::Snapshot(SdoClient& sdo, const Description& eds, const Settings& settings) : sdo_{&sdo} {
-  std::vector<Multiplexor> entries;
   for (const EntryFacts& entry : eds.entries()) {
     const bool kept = entry.readable() && entry.writable() && !entry.no_read && entry.numeric() &&
                       write_refusal(entry, settings) == nullptr;
-    if (kept) entries.push_back({entry.index, entry.sub_index});
+    if (!kept) continue;
+    SdoAnswer answer = sdo.upload(entry.index, entry.sub_index);
+    if (answer.kind == SdoAnswer::Kind::Silent) break;
+    if (answer.done()) values_.emplace(Entry{entry.index, entry.sub_index}, std::move(answer.data));
   }
-  std::vector<SdoAnswer> answers = read(entries);
-  for (std::size_t i = 0; i < answers.size(); ++i)
-    if (answers[i].done())
-      values_.emplace(Entry{entries[i].index, entries[i].sub_index}, std::move(answers[i].data));
 }
 
-std::vector<SdoAnswer> Snapshot::read(const std::vector<Multiplexor>& entries) {
-  const auto frames = sdo_->ask_together(entries);
-  std::vector<SdoAnswer> answers;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto whole = frames[i] ? whole_answer(*frames[i]) : std::nullopt;
-    answers.push_back(whole && whole->done() ? *whole : sdo_->upload(entries[i].index, entries[i].sub_index));
-    if (answers.back().kind == SdoAnswer::Kind::Silent) break;
-  }
-  return answers;
-}
-
-std::vector<Snapshot::Entry> Snapshot::changed() {
-  std::vector<Multiplexor> entries;
-  for (const auto& [entry, before] : values_) entries.push_back({entry.first, entry.second});
-  const std::vector<SdoAnswer> answers = read(entries);
+std::vector<Entry> Snapshot::changed() {
   std::vector<Entry> others;
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    const Entry entry{entries[i].index, entries[i].sub_index};
-    if (!answers[i].done() || answers[i].data != values_.at(entry)) others.push_back(entry);
+  for (const auto& [entry, before] : not_seen_in(*sdo_, values_)) {
+    const SdoAnswer now = sdo_->upload(entry.first, entry.second);
+    if (!now.done() || now.data != before) others.push_back(entry);
+    if (now.kind == SdoAnswer::Kind::Silent) break;
   }
   return others;
 }

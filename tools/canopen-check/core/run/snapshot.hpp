@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tools/canopen-check/core/run/context.hpp"
+#include "tools/canopen-check/core/run/entry_values.hpp"
 
 namespace conformance {
 
@@ -15,7 +13,7 @@ namespace conformance {
 /// stored values back, and what was not stored would be lost.
 class Snapshot {
  public:
-  /// Reads every entry that the EDS calls writable, as long as the session lasts.
+  /// Reads every entry that the EDS calls writable, each by itself, as long as the session lasts.
   Snapshot(SdoClient& sdo, const Description& eds, const Settings& settings);
 
   /// Writes back what has changed, PDO parameters by their procedure; a line for each entry that does not hold its
@@ -24,18 +22,14 @@ class Snapshot {
   [[nodiscard]] std::size_t size() const noexcept { return values_.size(); }
 
  private:
-  using Entry = std::pair<std::uint16_t, std::uint8_t>;
   using Bytes = std::vector<std::uint8_t>;
 
-  /// The whole answers to uploads of @p entries, asked for alone where they do not come together; fewer if the
-  /// node falls silent.
-  [[nodiscard]] std::vector<SdoAnswer> read(const std::vector<Multiplexor>& entries);
   [[nodiscard]] std::vector<Entry> changed();
   void restore_pdo(std::uint16_t parameters);
   void write_back(std::uint16_t index, std::uint8_t sub_index);
 
   SdoClient* sdo_;
-  std::map<Entry, Bytes> values_;
+  EntryValues values_;
 };
 
 }  // namespace conformance

@@ -1,7 +1,5 @@
 #include "tools/canopen-check/core/run/undo_log.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace conformance {
@@ -17,31 +15,11 @@ SdoAnswer UndoLog::write(std::uint16_t index, std::uint8_t sub_index, std::span<
   return sdo_->download(index, sub_index, bytes);
 }
 
-UndoLog::Values UndoLog::others(const Values& wanted) {
-  constexpr std::size_t kExpedited = 4;
-  std::vector<Multiplexor> asked;
-  for (const auto& [entry, value] : wanted)
-    if (value.size() <= kExpedited) asked.push_back({entry.first, entry.second});
-  Values left = wanted;
-  const auto frames = sdo_->ask_together(asked);
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    const auto now = frames[i] ? whole_answer(*frames[i]) : std::nullopt;
-    const auto at = left.find({asked[i].index, asked[i].sub_index});
-    if (now && now->done() && now->data == at->second) left.erase(at);
-  }
-  return left;
-}
-
 std::vector<std::string> UndoLog::restore() {
-  Values first;
+  EntryValues first;
   for (const Step& step : steps_) first.try_emplace(step.entry, step.before);
-  const Values changed = others(first);
-  // An entry that was changed once, and holds its value, asks for nothing; others come back by the way they went.
-  std::map<Entry, unsigned> writes;
-  for (const Step& step : steps_) ++writes[step.entry];
-  std::erase_if(steps_, [&](const Step& step) {
-    return changed.empty() || (!changed.contains(step.entry) && writes[step.entry] == 1);
-  });
+  // Where anything has to go back, all of it goes: on that way an entry may lose the value that it holds now.
+  if (not_seen_in(*sdo_, first).empty()) steps_.clear();
   if (steps_.empty()) return {};
   bool silent = false;  // a node that has gone is not asked again
   for (; !steps_.empty() && !silent; steps_.pop_back()) {
@@ -52,7 +30,7 @@ std::vector<std::string> UndoLog::restore() {
   }
   steps_.clear();
   std::vector<std::string> left;
-  for (const auto& [entry, before] : others(first)) {
+  for (const auto& [entry, before] : not_seen_in(*sdo_, first)) {
     const SdoAnswer now = silent ? SdoAnswer{} : sdo_->upload(entry.first, entry.second);
     if (now.done() && now.data == before) continue;
     left.push_back(fmt::format("{:04X}h:{:02X} holds {}, held {} before", entry.first, entry.second, to_text(now),

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "tools/canopen-check/core/sdo_client.hpp"
+#include "tools/canopen-check/core/run/entry_values.hpp"
 
 namespace conformance {
 
@@ -28,15 +27,10 @@ class UndoLog {
   [[nodiscard]] bool empty() const noexcept { return steps_.empty(); }
 
  private:
-  using Entry = std::pair<std::uint16_t, std::uint8_t>;
   struct Step {
     Entry entry;
     std::vector<std::uint8_t> before;
   };
-  using Values = std::map<Entry, std::vector<std::uint8_t>>;
-
-  /// Those of @p wanted that the node does not hold, as far as answers in one frame tell.
-  [[nodiscard]] Values others(const Values& wanted);
 
   SdoClient* sdo_;
   std::vector<Step> steps_;
