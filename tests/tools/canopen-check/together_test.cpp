@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
 
 #include <gtest/gtest.h>
 
 #include "tests/tools/canopen-check/slave/conformance_run.hpp"
+#include "tools/canopen-check/core/run/snapshot.hpp"
+#include "tools/canopen-zoo/slave/defects.hpp"
 
 /// Uploads that are asked for several at a time.
 namespace conformance_test {
@@ -71,12 +74,21 @@ TEST(AskTogether, LeavesAServerAloneThatTakesOneRequestAtATime) {
   EXPECT_EQ(client.wire.sent(), sent);
 }
 
+TEST(AskTogether, OfNoEntryAsksNothing) {
+  Client client;
+  EXPECT_TRUE(client.sdo.ask_together({}).empty());
+  EXPECT_EQ(client.wire.sent(), 0U);
+}
+
 TEST(AskTogether, GivesNothingBesideAFrameThatAnswersNoRequest) {
-  Client client{{}, {.outgoing = [](Slave& slave, Frame& frame) {
-                  if (frame.id == kResponseOf5 && frame.data[1] == 0x18 && frame.data[3] == 1)
+  bool disturbs = false;
+  Client client{{}, {.outgoing = [&](Slave& slave, Frame& frame) {
+                  if (disturbs && frame.id == kResponseOf5 && frame.data[1] == 0x18 && frame.data[3] == 1)
                     slave.say({.id = kResponseOf5, .length = 8, .data = {0x80, 0, 0, 0, 0, 0, 0, 8}});
                   return true;
                 }}};
+  ASSERT_EQ(count(client.ask()), kEntries.size());
+  disturbs = true;
   EXPECT_EQ(count(client.ask()), 0U);
   EXPECT_TRUE(client.sdo.upload(0x1018, 1).done());
 }
@@ -86,6 +98,38 @@ TEST(AskTogether, AsksASilentServerNoFurther) {
   EXPECT_EQ(count(client.ask()), 0U);
   EXPECT_EQ(count(client.ask()), 0U);
   EXPECT_LT(client.wire.sent(), 3U);
+}
+
+TEST(Snapshot, IsReadWithoutOverlappingRequests) {
+  Client client{{.sdo = milliseconds{2}, .one_upload = true}};
+  const conformance::Description right = right_description();
+  conformance::Snapshot snapshot{client.sdo, right, full_settings()};
+  EXPECT_GT(snapshot.size(), 50U);
+  EXPECT_EQ(client.slow.overlapping(), 0U);
+  EXPECT_TRUE(snapshot.restore().empty());
+}
+
+TEST(UndoLog, PutsBackWhatTheWayBackChanges) {
+  // It forgets the objects of a mapping when their count is written to 0.
+  Client client{{}, {.incoming = [](Slave& slave, Frame& frame) {
+                  if (!writes(slave, frame, 0x1A00, 0) || value_of(frame) != 0) return true;
+                  pretend(slave, frame);
+                  slave.dictionary().set(*slave.dictionary().lookup(0x1A00, 1), 0);
+                  return false;
+                }}};
+  const auto write = [&](std::uint16_t index, std::uint8_t sub_index, std::uint64_t value, std::size_t size) {
+    ASSERT_TRUE(client.sdo.download(index, sub_index, conformance::little_endian(value, size)).done());
+  };
+  const std::uint64_t object = client.sdo.upload(0x1A00, 1).number();
+  write(0x1800, 1, client.sdo.upload(0x1800, 1).number() | conformance::kInvalid, 4);
+  write(0x1A00, 0, 0, 1);
+  write(0x1A00, 1, object, 4);
+  conformance::UndoLog undo{client.sdo};
+  EXPECT_TRUE(undo.write(0x1A00, 1, conformance::little_endian(object, 4)).done());
+  EXPECT_TRUE(undo.write(0x1A00, 0, std::array<std::uint8_t, 1>{1}).done());
+  EXPECT_EQ(undo.restore(), std::vector<std::string>{});
+  EXPECT_EQ(client.sdo.upload(0x1A00, 1).number(), object);
+  EXPECT_EQ(client.sdo.upload(0x1A00, 0).number(), 0U);
 }
 
 TEST(WholeAnswer, IsAnAbortOrDataInOneFrame) {

@@ -2,14 +2,6 @@
 
 #include "tests/tools/canopen-check/slave/conformance_run.hpp"
 
-namespace zoo {
-
-void PrintTo(const WrongSlave& slave, std::ostream* out) {
-  *out << slave.name;
-}
-
-}  // namespace zoo
-
 namespace conformance_test {
 namespace {
 

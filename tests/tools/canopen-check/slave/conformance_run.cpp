@@ -3,6 +3,14 @@
 #include "eds/document/document.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 
+namespace zoo {
+
+void PrintTo(const WrongSlave& slave, std::ostream* out) {
+  *out << slave.name;
+}
+
+}  // namespace zoo
+
 namespace conformance_test {
 
 using conformance::CheckResult;
@@ -14,17 +22,22 @@ conformance::Settings full_settings() {
 
 namespace {
 
-conformance::RunReport run_on(Station& station, const Defect& defect, std::string_view only,
-                              const conformance::Settings& settings) {
-  SimulatedWire wire;
-  wire.add(station);
+conformance::Description description_of(const Defect& defect, std::uint8_t node_id) {
   std::string text = eds_of(objects_of(defect));
   defect.eds(text);
   eds::Findings findings{"right.eds"};
   const eds::Document document = eds::read_document(text, findings);
   const eds::DataSheet sheet = eds::read_data_sheet(document, findings);
   conformance::Description description;
-  description.add(sheet, settings.node_id);
+  description.add(sheet, node_id);
+  return description;
+}
+
+conformance::RunReport run_on(Station& station, const Defect& defect, std::string_view only,
+                              const conformance::Settings& settings) {
+  SimulatedWire wire;
+  wire.add(station);
+  const conformance::Description description = description_of(defect, settings.node_id);
   std::vector<const conformance::Check*> checks = conformance::all_checks();
   std::erase_if(checks, [&](const conformance::Check* check) { return !check->id.starts_with(only); });
   conformance::Deviations deviations;
@@ -39,10 +52,14 @@ conformance::RunReport run_checks(const Defect& defect, std::string_view only,
   return run_on(slave, defect, only, settings);
 }
 
-conformance::RunReport run_checks(const Defect& defect, const Slowness& slowness) {
+conformance::RunReport run_checks(const Defect& defect, const Slowness& slowness, std::string_view only) {
   Slave slave{defect};
   SlowStation slow{slave, slowness};
-  return run_on(slow, defect, {}, full_settings());
+  return run_on(slow, defect, only, full_settings());
+}
+
+conformance::Description right_description() {
+  return description_of({}, full_settings().node_id);
 }
 
 std::set<std::string> failed_checks(const conformance::RunReport& report) {

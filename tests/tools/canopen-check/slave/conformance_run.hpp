@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ostream>
 #include <set>
 #include <string>
 
@@ -7,6 +8,13 @@
 #include "tests/tools/canopen-check/slave/slow_station.hpp"
 #include "tools/canopen-check/core/run/runner.hpp"
 #include "tools/canopen-zoo/wrong/wrong_slaves.hpp"
+
+namespace zoo {
+
+/// For the messages of tests.
+void PrintTo(const WrongSlave& slave, std::ostream* out);
+
+}  // namespace zoo
 
 namespace conformance_test {
 
@@ -23,8 +31,12 @@ inline constexpr std::uint32_t kEmcyOf5 = 0x085, kResponseOf5 = 0x585, kRequestO
 [[nodiscard]] conformance::RunReport run_checks(const Defect& defect, std::string_view only = {},
                                                 const conformance::Settings& settings = full_settings());
 
-/// The same against a slave that is right, or a right drive, but slow.
-[[nodiscard]] conformance::RunReport run_checks(const Defect& defect, const Slowness& slowness);
+/// The same against a slave that is slow.
+[[nodiscard]] conformance::RunReport run_checks(const Defect& defect, const Slowness& slowness,
+                                                std::string_view only = {});
+
+/// What the EDS of a slave that is right says.
+[[nodiscard]] conformance::Description right_description();
 
 /// The ids of checks that have a finding.
 [[nodiscard]] std::set<std::string> failed_checks(const conformance::RunReport& report);

@@ -28,7 +28,10 @@ bool SlowStation::take(std::vector<Due>& queue, canopen::TimePoint now, Due& due
 void SlowStation::on_frame(const canopen::Frame& frame, canopen::TimePoint now) {
   on_time(now);
   const auto waits = [](const Due& due) { return is_upload(due.frame); };
-  if (slowness_.one_upload && is_upload(frame) && std::ranges::any_of(incoming_, waits)) return;
+  if (is_upload(frame) && std::ranges::any_of(incoming_, waits)) {
+    ++overlapping_;
+    if (slowness_.one_upload) return;
+  }
   const canopen::TimePoint due = now + (frame.id == kRequest && !frame.remote ? slowness_.sdo : slowness_.others);
   insert(incoming_, incoming_.empty() ? due : std::max(due, incoming_.back().time), frame);
 }
@@ -40,7 +43,7 @@ void SlowStation::collect(canopen::TimePoint now) {
 
 void SlowStation::on_time(canopen::TimePoint now) {
   for (canopen::TimePoint next = now; next <= now;) {
-    const canopen::TimePoint timer = slave_->next_deadline();
+    const canopen::TimePoint timer = next_look();
     next = incoming_.empty() ? timer : std::min(timer, incoming_.front().time);
     if (next > now) break;
     if (Due due; take(incoming_, next, due)) {
@@ -53,8 +56,16 @@ void SlowStation::on_time(canopen::TimePoint now) {
   for (Due due; take(outgoing_, now, due);) sent_.push_back(due.frame);
 }
 
+canopen::TimePoint SlowStation::next_look() const {
+  const canopen::TimePoint due = slave_->next_deadline();
+  const canopen::Duration tick = slowness_.tick, since = due.time_since_epoch();
+  const bool never = due == canopen::TimePoint::max();
+  if (never || tick == tick.zero() || since % tick == tick.zero()) return due;
+  return due + (tick - since % tick);
+}
+
 canopen::TimePoint SlowStation::next_deadline() const {
-  canopen::TimePoint next = slave_->next_deadline();
+  canopen::TimePoint next = next_look();
   for (const std::vector<Due>* const queue : {&incoming_, &outgoing_})
     if (!queue->empty()) next = std::min(next, queue->front().time);
   return next;

@@ -13,6 +13,7 @@ struct Slowness {
   canopen::Duration others{};  ///< until it takes another frame
   canopen::Duration out{};     ///< until a frame that is no SDO answer leaves
   bool one_upload = false;     ///< an upload that is asked for while another one waits gets lost
+  canopen::Duration tick{};    ///< of the task that looks at its timers; 0: they are looked at when they are due
 };
 
 /// A slave with node-ID 5 that is right, but slow.
@@ -25,6 +26,8 @@ class SlowStation final : public zoo::Station {
   void on_time(canopen::TimePoint now) override;
   canopen::TimePoint next_deadline() const override;
   std::vector<canopen::Frame> take_frames() override { return std::exchange(sent_, {}); }
+  /// Uploads that were asked for while another one waited.
+  [[nodiscard]] std::size_t overlapping() const noexcept { return overlapping_; }
 
  private:
   struct Due {
@@ -36,11 +39,14 @@ class SlowStation final : public zoo::Station {
   /// What waits longest in @p queue, if it is due at @p now.
   static bool take(std::vector<Due>& queue, canopen::TimePoint now, Due& due);
   void collect(canopen::TimePoint now);
+  /// When the slave looks at its timers next.
+  [[nodiscard]] canopen::TimePoint next_look() const;
 
   zoo::Station* slave_;
   Slowness slowness_;
   std::vector<Due> incoming_, outgoing_;
   std::vector<canopen::Frame> sent_;
+  std::size_t overlapping_ = 0;
 };
 
 }  // namespace conformance_test

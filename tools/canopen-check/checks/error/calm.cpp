@@ -42,7 +42,9 @@ std::vector<TimedFrame> Calm::listen(const Condition& condition, canopen::Durati
   const bool told = emcy && std::ranges::any_of(traffic, [&](const TimedFrame& each) {
                       return !each.sent && under(*emcy)(each.frame) && code_of(each.frame) != 0;
                     });
-  context_->manners().calm = {.consumer = watches && !told, .guarding = guards && !told};
+  SeenRight& right = context_->manners().right;
+  right.consumer_begins = watches && !told;
+  right.life_guarding_begins = guards && !told;
   std::vector<TimedFrame> frames;
   for (const TimedFrame& each : traffic)
     if (!each.sent && each.time <= until && condition(each.frame)) frames.push_back(each);

@@ -12,7 +12,7 @@ inline constexpr std::string_view kConsumerBegins = "error-control.consumer-begi
 
 /// A silence in Pre-operational: nothing is sent to the node, and nothing must come of it. While a check listens
 /// for heartbeats, 1016h:01 watches a node that has sent none, and the life time is set without a guarding
-/// request; what was not told then is in Manners::calm.
+/// request; errors that were not told then are in Manners::right.
 class Calm {
  public:
   /// Resets the communication where life guarding may have begun before.

@@ -59,7 +59,7 @@ void is_silenced(Context& context) {
   const ToldError* const told = told_error(context);
   const std::optional<Provoked> provoked = told != nullptr ? prepare_again(context, *told) : std::nullopt;
   if (!provoked || !move_to(context, *provoked, 0)) return;
-  if (const auto emergency = bring_about(context, *provoked))
+  if (const auto emergency = bring_about(context, *provoked, emergency_silence(context)))
     context.fail(object::kCobIdEmcy, 0, "no emergency message while bit 31 is set", to_text(*emergency));
 }
 

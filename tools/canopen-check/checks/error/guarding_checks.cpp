@@ -80,7 +80,7 @@ bool set_life_time(Context& context) {
 }
 
 void life_guarding_waits(Context& context) {
-  if (context.manners().calm.guarding) return;
+  if (context.manners().right.life_guarding_begins) return;
   const std::optional<std::uint32_t> emcy = emcy_identifier(context);
   if (!emcy) return context.skip("1014h is invalid");
   if (!can_guard(context) || !context.restart(canopen::NmtCommand::ResetCommunication)) return;
@@ -104,6 +104,14 @@ std::optional<Provocation> guarded(Context& context, std::optional<std::uint32_t
   return emcy ? how : std::nullopt;
 }
 
+/// Ends @p how, which the node has told in the step: for the check of the end.
+void keep_end(Context& context, const Provocation& how, std::uint32_t emcy) {
+  how.end();
+  GuardingLoss loss{.end_is_told = wait_for_code(context, emcy, 0, kLifeTime / 2).has_value()};
+  loss.traffic.assign(context.traffic().begin(), context.traffic().end());
+  context.manners().guarding_loss = std::move(loss);
+}
+
 void life_guarding_expires(Context& context) {
   std::optional<std::uint32_t> emcy;
   const std::optional<Provocation> how = guarded(context, emcy);
@@ -116,21 +124,38 @@ void life_guarding_expires(Context& context) {
   const std::string expected = "an emergency message " + milliseconds(kLifeTime) + " after the last request";
   if (!emergency) return context.fail(expected, "none");
   const canopen::Duration time = emergency->frame.time - begin;
+  context.manners().at_work.tells_guarding_loss = true;
+  note_latency(context, time - how->delay);
+  keep_end(context, *how, *emcy);
   context.note(fmt::format("life time {}: told after {}", milliseconds(kLifeTime), milliseconds(time)));
   if (!context.about(time, kLifeTime))
     context.fail(expected, to_text(*emergency) + " after " + milliseconds(time));
 }
 
-void life_guarding_resumes(Context& context) {
+/// The loss of the guarding master and its end, of the check before or brought about for this one; nothing, and
+/// the check is skipped, where it is not told.
+const GuardingLoss* ended_loss(Context& context) {
+  std::optional<GuardingLoss>& loss = context.manners().guarding_loss;
+  if (loss) {
+    context.step(loss->traffic);
+    return &*loss;
+  }
   std::optional<std::uint32_t> emcy;
   const std::optional<Provocation> how = guarded(context, emcy);
-  if (!how) return;
+  if (!how) return nullptr;
   context.step();
   how->raise();
-  if (!wait_for_error(context, *emcy, how->delay + kEmergencyPatience))
-    return context.skip("the loss of the guarding master is not told");
-  how->end();
-  if (wait_for_code(context, *emcy, 0, kLifeTime / 2)) return;
+  if (wait_for_error(context, *emcy, how->delay + kEmergencyPatience)) {
+    keep_end(context, *how, *emcy);
+    return &*loss;
+  }
+  context.skip("the loss of the guarding master is not told");
+  return nullptr;
+}
+
+void life_guarding_resumes(Context& context) {
+  const GuardingLoss* const loss = ended_loss(context);
+  if (loss == nullptr || loss->end_is_told) return;
   context.manners().errors_last = true;
   context.fail("emergency message 0000h with the next request", "none");
 }

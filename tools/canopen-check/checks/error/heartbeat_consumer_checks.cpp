@@ -41,7 +41,7 @@ void refuses_a_node_twice(Context& context) {
 }
 
 void waits_for_the_first_heartbeat(Context& context) {
-  if (context.manners().calm.consumer) return;
+  if (context.manners().right.consumer_begins) return;
   const std::optional<Watched> watched = watch(context);
   if (!watched) return;
   context.step();
@@ -63,6 +63,10 @@ void tells_the_loss(Context& context) {
     return context.fail(object::kConsumerHeartbeatTime, 1, "an emergency message when " + how.name,
                         "none within " + milliseconds(how.delay + kEmergencyPatience));
   const canopen::Duration time = emergency->frame.time - begin;
+  context.manners().at_work.tells_heartbeat_loss = true;
+  note_latency(context, time - how.delay);
+  how.end();  // for the check of the return
+  context.manners().right.consumer_return = wait_for_code(context, watched->emcy, 0, how.delay / 2).has_value();
   context.note(fmt::format("{}: told after {}", how.name, milliseconds(time)));
   if (time < how.delay && !context.about(time, how.delay))
     context.fail(object::kConsumerHeartbeatTime, 1, "a loss not before " + milliseconds(how.delay),
@@ -70,6 +74,7 @@ void tells_the_loss(Context& context) {
 }
 
 void tells_the_return(Context& context) {
+  if (context.manners().right.consumer_return) return;
   const std::optional<Watched> watched = watch(context);
   if (!watched) return;
   const Provocation& how = watched->how;

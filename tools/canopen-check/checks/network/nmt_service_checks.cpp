@@ -49,7 +49,7 @@ std::optional<HarmlessRpdo> rpdo_for(Context& context, std::string_view check) {
 void remember(Context& context, NmtState state, const HarmlessRpdo& rpdo) {
   context.enter(NmtState::PreOperational);
   const SdoAnswer now = context.read(rpdo.index, rpdo.sub_index);
-  if (now.done() && now.number() != rpdo.after) context.manners().ignores_rpdos.insert(state);
+  if (now.done() && now.number() != rpdo.after) context.manners().right.no_rpdo_in.insert(state);
 }
 
 /// Findings for TPDOs that come in @p state. What @p rpdo_check looks at is looked at too: both need a silence.
@@ -71,7 +71,7 @@ void no_tpdo_in(Context& context, NmtState state, std::string_view rpdo_check) {
 
 /// A finding if an RPDO is processed in @p state.
 void no_rpdo_in(Context& context, NmtState state) {
-  if (context.manners().ignores_rpdos.contains(state)) return;
+  if (context.manners().right.no_rpdo_in.contains(state)) return;
   const std::optional<HarmlessRpdo> rpdo = working_rpdo(context);
   if (!rpdo) return;
   Session& session = context.session();

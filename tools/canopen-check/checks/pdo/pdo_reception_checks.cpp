@@ -10,8 +10,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// How long a frame may take to be processed, and how often its value is looked at meanwhile.
+/// How long a frame, or Start, may take to be processed, and how often a value is looked at meanwhile.
 constexpr milliseconds kProcessed{50}, kSample{10};
+/// How long Start takes of a node that was seen to take an RPDO directly behind it.
+constexpr milliseconds kStarted{20};
 
 /// The RPDO of a check, which carries one object.
 struct Reception {
@@ -35,7 +37,7 @@ std::optional<Reception> receive(Context& context, std::uint8_t type, std::uint1
   context.undo().keep(object.index, object.sub_index);
   Reception reception{*pdo, object, identifier_of(context, *pdo), 0};
   context.enter(canopen::NmtState::Operational);
-  context.session().pass(kProcessed);
+  context.session().pass(context.manners().at_work.takes_rpdo_at_once ? kStarted : kProcessed);
   reception.before = context.read(object.index, object.sub_index).number();
   return reception;
 }

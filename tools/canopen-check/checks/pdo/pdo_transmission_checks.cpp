@@ -64,13 +64,40 @@ void repeats_with_the_event_timer(Context& context) {
   expect_period(context, *pdo, identifier, milliseconds{kTime});
 }
 
+/// What comes under @p identifier within 400 ms of entering Operational.
+std::vector<TimedFrame> frames_from_start(Context& context, std::uint32_t identifier) {
+  context.step();
+  context.enter(canopen::NmtState::Operational);
+  return context.session().collect(under(identifier), milliseconds{400});
+}
+
+/// The same; half way the TPDO, which answers no remote request, is requested. pdo.remote-request-forbidden, which
+/// needs the same silence, is right if nothing comes then.
+std::vector<TimedFrame> frames_beside_a_request(Context& context, std::uint32_t identifier) {
+  constexpr milliseconds kHalf{200};
+  Session& session = context.session();
+  context.step();
+  context.enter(canopen::NmtState::Operational);
+  std::vector<TimedFrame> frames = session.collect(under(identifier), kHalf);
+  session.send({.id = identifier, .length = 8, .remote = true});
+  const std::vector<TimedFrame> late = session.collect(under(identifier), kHalf);
+  context.manners().right.remote_request_forbidden = late.empty();
+  frames.insert(frames.end(), late.begin(), late.end());
+  return frames;
+}
+
 void stops_without_event_timer(Context& context) {
   const auto pdo = event_driven(context, 0);
   if (!pdo) return;
   const std::uint32_t identifier = identifier_of(context, *pdo);
-  context.step();
-  context.enter(canopen::NmtState::Operational);
-  const auto frames = context.session().collect(under(identifier), milliseconds{400});
+  const bool may_request = context.session().carries_remote_frames() &&
+                           context.manners().ahead.contains("pdo.remote-request-forbidden");
+  if (may_request && frames_beside_a_request(context, identifier).size() <= 1) return;
+  if (may_request) {
+    context.enter(canopen::NmtState::PreOperational);
+    context.session().pass(kReaction);
+  }
+  const auto frames = frames_from_start(context, identifier);
   if (frames.size() > 1)
     context.fail(pdo->parameters(), kTimerSub, "one frame of " + pdo->name() + " at most without an event",
                  fmt::format("{} frames in 400 ms", frames.size()));

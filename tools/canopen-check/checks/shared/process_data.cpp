@@ -79,6 +79,7 @@ bool works(Context& context, const HarmlessRpdo& rpdo) {
   session.pass(kProcessed);
   context.enter(canopen::NmtState::PreOperational);
   const bool taken = context.read(rpdo.index, rpdo.sub_index).number() == rpdo.after;
+  context.manners().at_work.takes_rpdo_at_once = taken;
   (void)context.write_number(rpdo.index, rpdo.sub_index, rpdo.before);
   return taken && context.read(rpdo.index, rpdo.sub_index).number() == rpdo.before;
 }

@@ -1,5 +1,6 @@
 #include "tools/canopen-check/checks/shared/provocation.hpp"
 
+#include <algorithm>
 #include <concepts>
 
 #include <fmt/format.h>
@@ -145,8 +146,24 @@ std::optional<Provocation> short_rpdo(Context& context) {
 std::optional<Emergency> bring_about(Context& context, const Provoked& provoked, canopen::Duration patience) {
   context.session().drain();
   context.step();
+  const canopen::TimePoint error = context.session().now() + provoked.how.delay;
   provoked.how.raise();
-  return wait_for_error(context, provoked.identifier, provoked.how.delay + patience);
+  auto emergency = wait_for_error(context, provoked.identifier, provoked.how.delay + patience);
+  if (emergency) note_latency(context, emergency->frame.time - error);
+  return emergency;
+}
+
+void note_latency(Context& context, canopen::Duration latency) {
+  std::optional<canopen::Duration>& longest = context.manners().at_work.emergency_latency;
+  longest = std::max(longest.value_or(canopen::Duration::zero()), latency);
+}
+
+canopen::Duration emergency_silence(const Context& context) {
+  constexpr int kTimesAsLong = 10;
+  constexpr canopen::Duration kLeast = kEmergencyPatience / 4;
+  const std::optional<canopen::Duration>& longest = context.manners().at_work.emergency_latency;
+  return longest ? std::clamp<canopen::Duration>(kTimesAsLong * *longest, kLeast, kEmergencyPatience)
+                 : kEmergencyPatience;
 }
 
 void end(Context& context, const Provoked& provoked) {

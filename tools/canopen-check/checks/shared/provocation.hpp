@@ -82,6 +82,12 @@ struct Provoked {
 /// How long an emergency message may take after the error.
 inline constexpr canopen::Duration kEmergencyPatience = std::chrono::milliseconds{200};
 
+/// Keeps how long an emergency message took after its error.
+void note_latency(Context& context, canopen::Duration latency);
+/// How long an emergency message is waited for after the error that must not come: several times as long as one
+/// was seen to take, kEmergencyPatience at most and before one was seen.
+[[nodiscard]] canopen::Duration emergency_silence(const Context& context);
+
 /// Ends the cause of the error where that is possible, and waits for the emergency message of it.
 void end(Context& context, const Provoked& provoked);
 /// Brings the error about: the emergency message, or nothing if none comes within @p patience after it.

@@ -43,6 +43,7 @@ class Context {
   [[nodiscard]] UndoLog& undo() noexcept { return undo_; }
   /// What earlier checks have found out, and this one finds out for later ones.
   [[nodiscard]] Manners& manners() noexcept { return *manners_; }
+  [[nodiscard]] const Manners& manners() const noexcept { return *manners_; }
 
   // What it says.
   /// Begins a step: frames from here on belong to the next finding.
@@ -118,9 +119,10 @@ class Context {
   bool expect_state(canopen::NmtState expected, const std::string& after);
   /// True if @p measured is @p wanted within the tolerance and slack of the settings.
   [[nodiscard]] bool about(canopen::Duration measured, canopen::Duration wanted) const noexcept;
-  /// How long an answer or reaction is waited for that must not come: ten times as long as 95 of the last hundred
-  /// answers to SDO requests took at the most, but 10 ms at least; @p most where that is less, and while few
-  /// answers are known.
+  /// How long an answer of the SDO server is waited for that must not come, and how long a reaction is given at
+  /// first that is looked at once more where it has not come: ten times as long as 95 of the last hundred answers
+  /// to SDO requests took at the most, but 10 ms at least; @p most where that is less, and while few answers are
+  /// known. It tells nothing of other services of the node.
   [[nodiscard]] canopen::Duration quiet(canopen::Duration most) const;
 
   // For the runner.

@@ -36,10 +36,28 @@ struct Silence {
   std::vector<TimedFrame> traffic{};       ///< from the request for the upload on
 };
 
-/// Errors that a node was seen not to tell while nothing had begun whose loss they are.
-struct CalmNode {
-  bool consumer = false;  ///< of a heartbeat that is watched
-  bool guarding = false;  ///< of the guarding master
+/// What is right, as a check has seen beside its own matter; the check of it does not look once more then.
+struct SeenRight {
+  bool consumer_begins = false;              ///< error-control.consumer-begins
+  bool consumer_return = false;              ///< error-control.consumer-return
+  bool life_guarding_begins = false;         ///< error-control.life-guarding-begins
+  bool remote_request_forbidden = false;     ///< pdo.remote-request-forbidden
+  std::set<canopen::NmtState> no_rpdo_in{};  ///< nmt.no-rpdo-in-pre-operational, nmt.no-rpdo-in-stopped
+};
+
+/// A loss of the guarding master that the node has told, and what became of it with the next request.
+struct GuardingLoss {
+  bool end_is_told = false;
+  std::vector<TimedFrame> traffic{};
+};
+
+/// What the node was seen to do, and how long it took for it.
+struct SeenAtWork {
+  bool tells_heartbeat_loss = false;                     ///< by an emergency message
+  bool tells_guarding_loss = false;                      ///< likewise
+  bool takes_rpdo_at_once = false;                       ///< directly behind Start
+  std::optional<canopen::Duration> emergency_latency{};  ///< the longest of an emergency message after its error
+  std::optional<canopen::Duration> request_latency{};    ///< the longest of an answer to a remote request
 };
 
 /// What a run has found out about the node, so that no later check waits for it once more.
@@ -49,13 +67,13 @@ struct Manners {
   bool errors_last = false;               ///< an error is not told again until the node is reset
   std::optional<ToldError> told_error{};  ///< what checks of emergency messages share
   std::optional<Silence> silence{};       ///< shared with a check that listens meanwhile
-  CalmNode calm{};
-  std::set<canopen::NmtState> ignores_rpdos{};         ///< states in which an RPDO had no effect
-  std::optional<canopen::Duration> request_latency{};  ///< the longest of an answer to a remote request
-  std::set<std::string_view> ahead{};                  ///< checks that are still to run
-  std::optional<std::uint8_t> free_node_id{};          ///< that no station has
-  bool operational_asked = false;                      ///< it is known whether it enters Operational
-  std::string refuses_operational{};  ///< why it cannot be tested in Operational; empty if it enters it
+  SeenRight right{};
+  std::optional<GuardingLoss> guarding_loss{};
+  SeenAtWork at_work{};
+  std::set<std::string_view> ahead{};          ///< checks that are still to run
+  std::optional<std::uint8_t> free_node_id{};  ///< that no station has
+  bool operational_asked = false;              ///< it is known whether it enters Operational
+  std::string refuses_operational{};           ///< why it cannot be tested in Operational; empty if it enters it
 };
 
 /// Why the node does not enter Operational, with the error that it tells; empty if it does, or if it tells no
