@@ -29,7 +29,8 @@ class ReceiveQueue {
   [[nodiscard]] Received receive(canopen::Frame& frame) noexcept;
   /// Frames and news that were read ahead and wait.
   [[nodiscard]] std::size_t waiting() const noexcept { return written_ - read_; }
-  /// As Port::frame_arrival(), of the frame that receive() has given last; one that was read ahead had come by then.
+  /// As Port::frame_arrival(), of the frame that receive() has given last; one that was read ahead had come by
+  /// then.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> frame_arrival() const noexcept;
   /// Forgets what was read ahead.
   void discard() noexcept;
@@ -50,7 +51,7 @@ class ReceiveQueue {
   os::FreshPages room_;
   std::size_t read_ = 0;  ///< entries, from when nothing waited on; a ring holds the last ones
   std::size_t written_ = 0;
-  std::size_t most_ = 0;  ///< entries at once, since rest()
+  std::size_t most_ = 0;             ///< entries at once, since rest()
   std::chrono::nanoseconds time_{};  ///< of the frame given last, if it was read ahead
   bool is_ahead_ = false;            ///< it was
 };

@@ -46,8 +46,8 @@ class TransmitQueue final : public canopen::FrameSink {
   void send(const canopen::Frame& frame, canopen::Delivery delivery) noexcept override;
   /// The same for a bridge: @p frame with its mark, in order.
   void send_marked(const canopen::Frame& frame, const Mark& mark) noexcept;
-  /// From now on frames are held back until release(), or until as many wait as there is room for: those of several
-  /// queues that go out together wake who hears them once.
+  /// From now on frames are held back until release(), or until as many wait as there is room for: those of
+  /// several queues that go out together wake who hears them once.
   void hold() noexcept { holds_ = true; }
   [[nodiscard]] bool holds() const noexcept { return holds_; }
   /// Sends what was held back, together.

@@ -111,8 +111,8 @@ class Port {
   [[nodiscard]] virtual bool sends_together() const noexcept { return false; }
   /// Takes one frame into @p frame, which is touched only when the answer is Received::Frame.
   [[nodiscard]] virtual Received receive(canopen::Frame& frame) noexcept = 0;
-  /// As receive(), as often as @p arrivals has room and something waits, or as often as one look at the bus allows:
-  /// how many it has filled.
+  /// As receive(), as often as @p arrivals has room and something waits, or as often as one look at the bus
+  /// allows: how many it has filled.
   [[nodiscard]] virtual std::size_t receive_all(std::span<Arrival> arrivals) noexcept {
     std::size_t count = 0;
     for (; count < arrivals.size(); ++count) {

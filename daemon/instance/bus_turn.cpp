@@ -23,7 +23,8 @@ constexpr canopen::Duration kLongestCatchUp = std::chrono::milliseconds{20};
 
 }  // namespace
 
-BusTurn::BusTurn(bus::Port& port, Station& station) : station_{&station}, port_{port}, arrivals_{port_}, queue_{port_} {
+BusTurn::BusTurn(bus::Port& port, Station& station)
+    : station_{&station}, port_{port}, arrivals_{port_}, queue_{port_} {
   filters_.reserve(kMostSubscriptions);
 }
 

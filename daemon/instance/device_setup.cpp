@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cia402/face.hpp"
-#include "daemon/instance/unit_memory.hpp"
+#include "daemon/instance/memory/unit_memory.hpp"
 #include "device/process_data/positioner_wiring.hpp"
 
 namespace axisd {

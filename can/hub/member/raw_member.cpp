@@ -52,8 +52,8 @@ bool RawMember::take_frame(const Sent& sent, canopen::TimePoint now) noexcept {
   return (waiting_ == 0 && core().medium.send(passage, now)) || keep(passage);
 }
 
-/// False if there is no memory for more than come with one system call in messages of one frame, or in one message of
-/// many: with a bit rate that is all that can be kept.
+/// False if there is no memory for more than come with one system call in messages of one frame, or in one message
+/// of many: with a bit rate that is all that can be kept.
 bool RawMember::keep(const Passage& passage) noexcept {
   if (waiting_ == kept_.size()) {
     try {

@@ -1,73 +1,19 @@
-#include "daemon/loop/event_loop.hpp"
-
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <functional>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/eventfd.h>
 
 #include "service/clock.hpp"
-#include "tests/fakes/fake_port.hpp"
+#include "tests/daemon/loop/event_loop_fixture.hpp"
 
 namespace axisd {
 namespace {
 
-using Events = std::vector<std::string>;
-
-/// Notes what it is told, in order.
-struct RecordingStation : Station, Service {
-  void on_frame(const canopen::Frame&, canopen::TimePoint) noexcept override {
-    events.emplace_back("frame");
-    if (told_frame) told_frame();
-    deadline = std::min(deadline, deadline_of_a_frame);
-  }
-  void on_time(canopen::TimePoint) noexcept override {
-    events.emplace_back("time");
-    deadline = next;
-    if (told_time) told_time();
-  }
-  bool on_rare_event() noexcept override {
-    if (rare_events == 0) return false;
-    events.emplace_back("rare");
-    return --rare_events != 0;
-  }
-  canopen::TimePoint next_deadline() const noexcept override { return deadline; }
-  std::span<const canopen::Subscription> subscriptions() const noexcept override { return {}; }
-  void on_link_lost() noexcept override { events.emplace_back("link lost"); }
-  void on_burst_end() noexcept override { events.emplace_back("end of a burst"); }
-
-  canopen::TimePoint deadline = canopen::kNever;
-  canopen::TimePoint next = canopen::kNever;  ///< deadline after the one that has come
-  canopen::TimePoint deadline_of_a_frame = canopen::kNever;
-  int rare_events = 0;  ///< that wait
-  std::function<void()> told_frame;
-  std::function<void()> told_time;
-  Events events;
-};
-
 /// One whose deadline has come.
 struct DueStation : RecordingStation {
   DueStation() { deadline = canopen::TimePoint{}; }
-};
-
-class EventLoopTest : public testing::Test {
- protected:
-  EventLoopTest() {
-    port.polled = readable.get();
-    loop.add(bus);
-    EXPECT_TRUE(bus.open());
-  }
-  void arrive(std::size_t frames) { port.arrived.resize(port.arrived.size() + frames); }
-
-  os::Descriptor readable{::eventfd(1, EFD_CLOEXEC)};  ///< always
-  fakes::FakePort port;
-  RecordingStation station;
-  BusTurn bus{port, station};
-  EventLoop loop{station};
 };
 
 TEST_F(EventLoopTest, HandsOverWhatWaitsBeforeItTellsATimeThatIsLate) {
@@ -186,43 +132,6 @@ TEST_F(EventLoopTest, TellsThatABurstIsOver) {
   loop.turn();
 
   EXPECT_EQ(station.events.back(), "end of a burst");
-}
-
-/// Frames that come while a burst is on are out of the port before what they lead to is done.
-TEST_F(EventLoopTest, ReadsAheadWhatComesFasterThanItIsHandled) {
-  arrive(100);
-  station.deadline = canopen::TimePoint{};
-  loop.turn();  // late: all of them, and a burst is on
-  station.events.clear();
-  arrive(1000);
-
-  loop.turn();
-
-  EXPECT_TRUE(port.arrived.empty());
-  EXPECT_LT(station.events.size(), 100U);
-  port.polled = -1;  // the port itself wakes nobody
-  while (station.events.size() < 1000) loop.turn();
-  EXPECT_EQ(std::ranges::count(station.events, "frame"), 1000);
-}
-
-TEST_F(EventLoopTest, HandsOverNothingThatWasReadAheadWhenTheBusIsClosed) {
-  arrive(100);
-  station.deadline = canopen::TimePoint{};
-  loop.turn();
-  arrive(1000);
-  loop.turn();
-  port.polled = -1;
-
-  bus.close();
-  station.deadline = canopen::TimePoint{};
-  loop.turn();
-  const auto frames = std::ranges::count(station.events, "frame");
-  ASSERT_TRUE(bus.open());
-  station.deadline = canopen::TimePoint{};
-  loop.turn();
-
-  EXPECT_EQ(std::ranges::count(station.events, "frame"), frames);
-  EXPECT_LT(frames, 1100);
 }
 
 TEST_F(EventLoopTest, GivesEveryBusItsTurnAndWhatIsRareOneEventForAllOfThem) {

@@ -1,4 +1,4 @@
-#include "daemon/instance/state_files.hpp"
+#include "daemon/instance/memory/state_files.hpp"
 
 #include <cerrno>
 #include <cstdio>

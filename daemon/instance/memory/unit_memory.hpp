@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "daemon/instance/retention_schedule.hpp"
-#include "daemon/instance/state_files.hpp"
-#include "daemon/instance/state_writer.hpp"
+#include "daemon/instance/memory/retention_schedule.hpp"
+#include "daemon/instance/memory/state_files.hpp"
+#include "daemon/instance/memory/state_writer.hpp"
 #include "device/device.hpp"
 
 namespace axisd {

@@ -1,4 +1,4 @@
-#include "daemon/instance/retention_schedule.hpp"
+#include "daemon/instance/memory/retention_schedule.hpp"
 
 #include <gtest/gtest.h>
 

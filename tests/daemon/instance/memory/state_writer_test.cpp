@@ -1,4 +1,4 @@
-#include "daemon/instance/state_writer.hpp"
+#include "daemon/instance/memory/state_writer.hpp"
 
 #include <cerrno>
 #include <future>

@@ -1,4 +1,4 @@
-#include "daemon/instance/unit_memory.hpp"
+#include "daemon/instance/memory/unit_memory.hpp"
 
 #include <algorithm>
 #include <cerrno>

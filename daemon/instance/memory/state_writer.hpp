@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "daemon/instance/state_files.hpp"
+#include "daemon/instance/memory/state_files.hpp"
 #include "os/descriptor.hpp"
 
 namespace axisd {
