@@ -66,8 +66,8 @@ void leads_to(Context& context, const Provoked& provoked, const Case& row) {
                now ? std::string{name_of(*now)} : "no answer");
 }
 
-/// Half the life time for a node that takes no noticeable part of it for an answer: each row waits for its end. One
-/// that looks at it seldom is seen in the full look, which takes twice as long.
+/// Half the life time for a node that takes no noticeable part of it for an answer: each row waits for its end.
+/// One that looks at it seldom is seen in the full look, which takes twice as long.
 void shorten_life_time(Context& context, Provocation& how) {
   constexpr int kUnnoticed = 8;
   if (context.quiet(kLifeTime) > kLifeTime / kUnnoticed) return;
