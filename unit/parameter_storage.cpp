@@ -33,12 +33,16 @@ constinit const std::array<ParameterStorage::Command, 4> ParameterStorage::kComm
 
 ParameterStorage::ParameterStorage(drive::DriveUnit& unit, UnitParameters& parameters, ParameterKeeper& keeper,
                                    FollowUps<FollowUp>& follow_ups)
-    : unit_{unit},
-      keeper_{keeper},
-      follow_ups_{follow_ups},
-      image_(drive::storage_image::size(unit)),
-      spare_(image_.size()) {
+    : unit_{unit}, keeper_{keeper}, follow_ups_{follow_ups} {
+  const std::size_t size = drive::storage_image::size(unit);
+  for (std::vector<std::byte>* const room : {&image_, &spare_}) room->reserve(size);
   for (const Command& command : kCommands) parameters.answer(command.number, *this);
+}
+
+/// Of its whole length, and in memory that is taken with the first use.
+std::span<std::byte> ParameterStorage::spare() noexcept {
+  spare_.resize(spare_.capacity());
+  return spare_;
 }
 
 tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<const std::byte> image) noexcept {
@@ -49,7 +53,7 @@ tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<co
   std::size_t length = 0;
   for (std::uint8_t number = drive::kControlUnitNumber; unit_.object(number) != nullptr; ++number) {
     if (!drive::storage_image::has(unit_, image, number)) continue;
-    const auto written = drive::storage_image::update(unit_, std::span{image_}.first(length), spare_,
+    const auto written = drive::storage_image::update(unit_, std::span{image_}.first(length), spare(),
                                                       {.object = number, .kept = true});
     if (!written) return tl::unexpected{written.error()};
     length = written->size();
@@ -61,7 +65,7 @@ tl::expected<void, ParameterStorage::Error> ParameterStorage::adopt(std::span<co
 
 std::optional<Refusal> ParameterStorage::save(const Selection& selection) noexcept {
   if (is_saving()) return Refusal::NotNow;
-  const auto written = drive::storage_image::update(unit_, image(), spare_, selection);
+  const auto written = drive::storage_image::update(unit_, image(), spare(), selection);
   assert(written);
   if (!written) return Refusal::Failed;
   saving_ = written->size();

@@ -91,6 +91,7 @@ class ParameterStorage final : public ParameterOwner {
   static const std::array<Command, 4> kCommands;
 
   void tell_axes() noexcept;
+  std::span<std::byte> spare() noexcept;
   std::span<const std::byte> image() const noexcept { return std::span{image_}.first(length_); }
   std::optional<drive::Refusal> save(const drive::storage_image::Selection& selection) noexcept;
   std::optional<drive::Refusal> ask_for(FollowUp what, std::uint8_t argument = 0) noexcept;

@@ -13,8 +13,9 @@ bool same_identifier(const canopen::Frame& a, const canopen::Frame& b) noexcept 
 }  // namespace
 
 TransmitQueue::TransmitQueue(Port& port, std::size_t capacity, std::size_t margin)
-    : port_{port}, ring_(capacity), margin_{margin} {
+    : port_{port}, capacity_{capacity}, margin_{margin} {
   assert(capacity > 0 && margin <= capacity);
+  ring_.reserve(capacity);
   held_.reserve(kMostHeld);
   deliveries_.reserve(kMostHeld);
 }
@@ -58,8 +59,8 @@ void TransmitQueue::retry(canopen::TimePoint now) noexcept {
   // A frame that finds the link down takes all the others with it: count_ is then 0.
   while (count_ > 0 && hand_over(at(0))) {
     if (count_ == 0) return;
-    head_ = (head_ + 1) % ring_.size();
-    --count_;
+    head_ = (head_ + 1) % capacity_;
+    if (--count_ == 0) head_ = 0;
   }
 }
 
@@ -68,12 +69,13 @@ canopen::TimePoint TransmitQueue::next_retry() const noexcept {
 }
 
 bool TransmitQueue::accepts_input() const noexcept {
-  return ring_.size() - count_ >= margin_;
+  return capacity_ - count_ >= margin_;
 }
 
 void TransmitQueue::discard() noexcept {
   counters_.dropped += count_;
   count_ = 0;
+  head_ = 0;
 }
 
 bool TransmitQueue::hand_over(const Waiting& waiting) noexcept {
@@ -111,11 +113,15 @@ void TransmitQueue::keep(const Waiting& waiting) noexcept {
       return;
     }
   }
-  if (count_ == ring_.size() && !make_room()) {
+  if (count_ == capacity_ && !make_room()) {
     ++counters_.dropped;
     return;
   }
-  at(count_) = waiting;
+  const std::size_t place = (head_ + count_) % capacity_;
+  if (place < ring_.size())
+    ring_[place] = waiting;
+  else
+    ring_.push_back(waiting);
   ++count_;
   ++counters_.queued;
 }

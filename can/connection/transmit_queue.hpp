@@ -79,10 +79,11 @@ class TransmitQueue final : public canopen::FrameSink {
   void keep(const Waiting& waiting) noexcept;
   Waiting* last_of_identifier(const canopen::Frame& frame) noexcept;
   bool make_room() noexcept;
-  Waiting& at(std::size_t position) noexcept { return ring_[(head_ + position) % ring_.size()]; }
+  Waiting& at(std::size_t position) noexcept { return ring_[(head_ + position) % capacity_]; }
 
   Port& port_;
-  std::vector<Waiting> ring_;
+  std::vector<Waiting> ring_;  ///< as long as it was needed so far: what is reserved beyond takes no room
+  std::size_t capacity_;
   std::vector<canopen::Frame> held_;
   std::vector<canopen::Delivery> deliveries_;  ///< of those
   std::size_t margin_;

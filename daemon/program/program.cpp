@@ -1,6 +1,7 @@
 #include "daemon/program/program.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 #include <poll.h>
 
@@ -8,6 +9,12 @@
 #include "service/clock.hpp"
 
 namespace axisd {
+namespace {
+
+/// When the units have booted, and what only the start needs is not wanted any more.
+constexpr canopen::Duration kStart = std::chrono::seconds{1};
+
+}  // namespace
 
 /// The fleet before the signals are caught: whoever waits for a bus can be ended.
 Program::Program(const Assignment& assignment, const Log& log)
@@ -23,7 +30,7 @@ Program::Program(const Assignment& assignment, const Log& log)
 
 void Program::run() {
   fleet_.start();
-  os::give_back_clean_pages();
+  start_over_ = read_clock() + kStart;
   while (!stopping_) wait();
   Notification::on_stopping();
   fleet_.stop();
@@ -31,13 +38,16 @@ void Program::run() {
 
 /// Until something rare has happened, and handles it.
 void Program::wait() {
-  const canopen::TimePoint deadline = std::min(watchdog_.due(), log_.due());
+  const canopen::TimePoint deadline = std::min({watchdog_.due(), log_.due(), start_over_});
   pollfd rare{events_.descriptor(), POLLIN, 0};
   if (!more_) ::poll(&rare, 1, milliseconds_until(deadline));
   more_ = events_.dispatch();
   const canopen::TimePoint now = read_clock();
   watchdog_.on_time(now);
   if (log_.due() <= now) log_.tell_left_out(now);
+  if (start_over_ > now) return;
+  start_over_ = canopen::kNever;
+  os::give_back_clean_pages();
 }
 
 }  // namespace axisd

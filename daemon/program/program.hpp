@@ -55,6 +55,7 @@ class Program final : private InstanceListener {
   ServiceEvents events_;
   Watchdog watchdog_;
   std::optional<Dispatcher> dispatcher_;
+  canopen::TimePoint start_over_ = canopen::kNever;
   bool more_ = false;  ///< events wait, whatever the descriptor says
   bool stopping_ = false;
 };
