@@ -92,7 +92,7 @@ void run(const Options& options) {
       server.medium(), open(options.stream),
       hub::trunk::Trunk::Settings{
           .url = options.stream, .name = options.path, .frames_a_message = options.frames_a_message},
-      [&server](bool up, canopen::TimePoint now) { server.set_link(up, now); }, tell};
+      [&server](bool up, canopen::TimePoint /*now*/) { server.set_link(up); }, tell};
   server.add(trunk);
   bench::Load load{server.medium(), options.load, [] { tell("complete"); }};
   const Orders orders{server, load};
