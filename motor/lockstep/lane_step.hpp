@@ -37,7 +37,7 @@ SpaceVectorOf<Number> LaneTrain<Number>::control(const Number& dc_voltage) noexc
 
 template <class Number>
 template <class Control, bool WithEncoder>
-[[gnu::flatten, gnu::noinline]] SpaceVectorOf<Number> LaneTrain<Number>::control_by(
+MOTOR_IN_ONE [[gnu::noinline]] SpaceVectorOf<Number> LaneTrain<Number>::control_by(
     const Number& dc_voltage) noexcept {
   const MeasurementOf<Number> measured{plant_.state.current, state_.voltage, plant_.direction, encoder_.speed,
                                        dc_voltage};
@@ -91,7 +91,7 @@ void LaneTrain<Number>::turn(const SpaceVectorOf<Number>& voltage) noexcept {
 
 template <class Number>
 template <class Machine, class Shaft>
-[[gnu::flatten, gnu::noinline]] void LaneTrain<Number>::turn_shaft(const SpaceVectorOf<Number>& voltage) noexcept {
+MOTOR_IN_ONE [[gnu::noinline]] void LaneTrain<Number>::turn_shaft(const SpaceVectorOf<Number>& voltage) noexcept {
   plant_.drive(machine_.template as<Machine>(), shaft_.template as<Shaft>(), profiles_, voltage);
 }
 

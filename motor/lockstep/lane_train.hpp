@@ -37,7 +37,7 @@ class LaneTrain final : public LaneGroup {
     take_commands();
   }
 
-  [[gnu::flatten]] bool step(std::size_t period, const double* dc_voltage, double* drawn) noexcept override {
+  MOTOR_IN_ONE bool step(std::size_t period, const double* dc_voltage, double* drawn) noexcept override {
     if (led_) [[unlikely]]
       lead(period);
     const Number link{dc_voltage, std::experimental::element_aligned};

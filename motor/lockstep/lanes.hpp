@@ -11,6 +11,14 @@
 #include "motor/math/number.hpp"
 #include "motor/plant/shaft/load_torque.hpp"
 
+/// Compiles all that is called into one function, so that lanes stay in registers. Not where every access is
+/// checked, which takes a compiler minutes then.
+#ifdef __SANITIZE_ADDRESS__
+#define MOTOR_IN_ONE
+#else
+#define MOTOR_IN_ONE [[gnu::flatten]]
+#endif
+
 // Lanes: a number of each of several axes side by side, and what stands for curves and profiles there.
 namespace motor {
 
