@@ -6,7 +6,7 @@
 namespace conformance {
 namespace {
 
-constexpr std::uint8_t kUpload = 0x40;
+constexpr std::uint8_t kInitiateUpload = 0x40;
 /// Requests that are under way at a time, at most: as many as the queues of small controllers hold.
 constexpr std::size_t kMostTogether = 16;
 /// After the first of two answers the second one is waited for that long, and for that many times as long as the
@@ -34,7 +34,7 @@ std::vector<std::optional<canopen::Frame>> SdoClient::burst(std::span<const Mult
   std::vector<SdoMatch> awaited;
   session_->drain();
   for (const Multiplexor& entry : entries) {
-    last_ = request(kUpload, entry.index, entry.sub_index);
+    last_ = request(kInitiateUpload, entry.index, entry.sub_index);
     awaited.emplace_back(last_, std::nullopt);
     if (!session_->send(last_)) return answers;
   }
@@ -65,7 +65,7 @@ void SdoClient::learn_to_ask_together() {
   // The same entry each time: an answer that comes late does not harm what is asked next.
   constexpr Multiplexor kDeviceType{0x1000, 0};
   const canopen::TimePoint begin = session_->now();
-  const bool answers = aborts_are_named_ && exchange(request(kUpload, kDeviceType.index)).has_value();
+  const bool answers = aborts_are_named_ && exchange(request(kInitiateUpload, kDeviceType.index)).has_value();
   const canopen::Duration patience =
       std::min(patience_, std::max<canopen::Duration>(kSoon, kTimesAsLong * (session_->now() - begin)));
   together_ = 1;
