@@ -108,6 +108,8 @@ class Device final {
   /// The same in parts: see unit::Runner::begin_due().
   [[nodiscard]] drive::DriveUnit* begin_time(canopen::TimePoint now) noexcept;
   void finish_time() noexcept;
+  /// See drive::DriveUnit::let_in().
+  void let_in(drive::Interlude* interlude) noexcept { runner_.let_in(interlude); }
   /// When on_time() is wanted next; kNever while nothing moves and nothing is pending.
   canopen::TimePoint next_deadline() const noexcept {
     return std::min(face_->next_deadline(), node_time(runner_.next_deadline()));

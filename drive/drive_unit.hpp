@@ -11,6 +11,7 @@
 #include "drive/axis/axis.hpp"
 #include "drive/control_unit/control_unit.hpp"
 #include "drive/infeed/infeed.hpp"
+#include "drive/interlude.hpp"
 #include "drive/positioning/switches/travel_switches.hpp"
 #include "drive/step_observer.hpp"
 #include "motor/plant/dc_link.hpp"
@@ -121,6 +122,8 @@ class DriveUnit final : private Surroundings {
   void on_wiring_changed() noexcept override;
   /// From now on @p observer, which outlives that, looks at every step; nullptr: nobody does.
   void observe(StepObserver* observer) noexcept { observer_ = observer; }
+  /// From now on @p interlude, which outlives that, comes between some steps of every cycle; nullptr: nobody does.
+  void let_in(Interlude* interlude) noexcept { interlude_ = interlude; }
   /// Lets @p duration (s) pass while every axis is quiescent.
   void rest(double duration) noexcept;
   /// The DC link that the axes share.
@@ -240,6 +243,7 @@ class DriveUnit final : private Surroundings {
   std::vector<AxisSwitches> switches_;  // of the axes that have some
   std::unique_ptr<Wiring> wiring_;
   StepObserver* observer_ = nullptr;
+  Interlude* interlude_ = nullptr;
   long steps_in_slice_ = 0;
   Running running_;  // of the present cycle
 };

@@ -81,9 +81,13 @@ bool DriveUnit::goes_step_by_step() const noexcept {
 }
 
 void DriveUnit::run_steps(long steps) noexcept {
-  const long most = goes_step_by_step() ? 1 : static_cast<long>(kMostPlannedSteps);
+  const long at_once = interlude_ == nullptr ? static_cast<long>(kMostPlannedSteps) : kStepsInASlice;
+  const long most = goes_step_by_step() ? 1 : at_once;
   DriveUnit* const self = this;
-  for (long done = 0; done < steps;) done += run_steps({&self, 1}, std::min(steps - done, most));
+  for (long done = 0; done < steps;) {
+    done += run_steps({&self, 1}, std::min(steps - done, most));
+    if (interlude_ != nullptr) interlude_->between_steps();
+  }
   lowest_dc_voltage_ = std::min(lowest_dc_voltage_, dc_link_.voltage());
 }
 
@@ -111,7 +115,8 @@ void DriveUnit::make_steps() noexcept {
 }
 
 bool DriveUnit::shares_steps() const noexcept {
-  return running_.count > 0 && observer_ == nullptr && !is_sliced() && !goes_step_by_step();
+  return running_.count > 0 && observer_ == nullptr && interlude_ == nullptr && !is_sliced() &&
+         !goes_step_by_step();
 }
 
 /// Once one of them has tripped each goes on by itself: it may trip in every step.

@@ -80,6 +80,8 @@ class Runner final : private drive::AccessListener {
   /// From now on @p observer, which outlives that, looks at every cycle, and the unit does not rest; nullptr:
   /// nobody does.
   void observe(CycleObserver* observer) noexcept;
+  /// See drive::DriveUnit::let_in().
+  void let_in(drive::Interlude* interlude) noexcept { unit_.let_in(interlude); }
   /// Something has come for @p axes: the next cycle has to run them.
   void wake(AxisMask axes = kAllAxes) noexcept {
     if ((idle_ & axes) == 0) return;

@@ -140,9 +140,9 @@ void BusTurn::catch_up() noexcept {
 
 /// @p frames have been read at once; fewer than a burst are the last ones.
 void BusTurn::end_burst(int frames) noexcept {
-  const bool is_over = flooded_ && frames < kBurst;
-  flooded_ = frames >= kBurst;
-  if (!is_over) return;
+  const bool was_flooded = std::exchange(flooded_, frames >= kBurst);
+  if (flooded_ && !was_flooded) station_->on_flood();
+  if (flooded_ || !was_flooded) return;
   arrivals_.rest();
   station_->on_burst_end();
 }

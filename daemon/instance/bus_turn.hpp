@@ -51,6 +51,11 @@ class BusTurn {
   void finish_turn() noexcept;
   void release() noexcept { queue_.release(); }
 
+  /// Takes what has come meanwhile, from within Station::on_time().
+  void read_ahead() noexcept {
+    if (listens()) arrivals_.read_ahead();
+  }
+
   const bus::Port& port() const noexcept { return port_; }
   /// Where the station puts its frames.
   bus::TransmitQueue& queue() noexcept { return queue_; }

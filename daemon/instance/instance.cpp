@@ -201,6 +201,7 @@ void Instance::on_modbus() noexcept {
 }
 
 void Instance::on_burst_end() noexcept {
+  device_.let_in(nullptr);
   const std::uint64_t lost = bus_.port().dropped();
   if (lost == std::exchange(overflows_seen_, lost)) return;
   device_.on_frames_lost(read_clock());

@@ -62,7 +62,8 @@ class Instance final : private device::Listener,
                        private TapOwner,
                        private EventListener,
                        private injection::UnitHooks,
-                       private drive::WriteObserver {
+                       private drive::WriteObserver,
+                       private drive::Interlude {
  public:
   /// A descriptor that is readable when something rare is to be handled, and what handles it: one event at most.
   struct RareSource {
@@ -170,6 +171,7 @@ class Instance final : private device::Listener,
     void on_turn_over() noexcept override { instance_.on_turn_over(); }
     void on_link_lost() noexcept override { instance_.on_link_lost(); }
     void on_burst_end() noexcept override { instance_.on_burst_end(); }
+    void on_flood() noexcept override { instance_.on_flood(); }
     void on_error_state(bus::ErrorState state) noexcept override { instance_.on_error_state(state); }
 
    private:
@@ -211,6 +213,8 @@ class Instance final : private device::Listener,
   void on_turn_over() noexcept override { look_around(); }
   void on_link_lost() noexcept override;
   void on_burst_end() noexcept override;
+  void on_flood() noexcept override { device_.let_in(this); }
+  void between_steps() noexcept override { bus_.read_ahead(); }
   void on_error_state(bus::ErrorState state) noexcept override;
 
   void begin_recording() noexcept;

@@ -42,6 +42,9 @@ class Station {
   virtual void on_link_lost() noexcept {}
   /// Many frames have come at once, and all that waited were handed over: some may have been lost.
   virtual void on_burst_end() noexcept {}
+  /// Frames come faster than turns, until on_burst_end(): where on_time() takes long, BusTurn::read_ahead() is to
+  /// be called now and then.
+  virtual void on_flood() noexcept {}
   /// The error state of the CAN controller is now @p state.
   virtual void on_error_state(bus::ErrorState state) noexcept { (void)state; }
 };

@@ -116,6 +116,29 @@ UnitConfiguration vector_unit() {
   return {};
 }
 
+TEST_F(JointStepsTest, AUnitWithInterludesDoesTheSameByItself) {
+  struct Counter final : Interlude {
+    void between_steps() noexcept override { ++count; }
+    int count = 0;
+  } counter;
+  add(unit_of(1));
+  Twins& interrupted = add(unit_of(8));
+  add({.axes = {{.positioner = true}}, .node_id = 5}).together.let_in(&counter);
+  turn_all();
+  counter.count = 0;
+  cycles(1);
+  const int of_positioner = counter.count;
+  interrupted.together.let_in(&counter);
+  most_together = 0;
+
+  cycles(10);
+
+  EXPECT_EQ(most_together, 1u);
+  EXPECT_EQ(of_positioner, 4);
+  EXPECT_EQ(counter.count - of_positioner, 10 * (4 + 4));
+  for (const Twins& twins : units) twins.expect_same_parameters();
+}
+
 TEST_F(JointStepsTest, UnitsOfAllKindsInAllStatesDoTheSameTogetherAsAlone) {
   for (int i = 0; i < 4; ++i) add(unit_of(1));
   add(unit_of(2));

@@ -36,6 +36,7 @@ struct RecordingStation : Station, Service {
   std::span<const canopen::Subscription> subscriptions() const noexcept override { return {}; }
   void on_link_lost() noexcept override { events.emplace_back("link lost"); }
   void on_burst_end() noexcept override { events.emplace_back("end of a burst"); }
+  void on_flood() noexcept override { events.emplace_back("flood"); }
 
   canopen::TimePoint deadline = canopen::kNever;
   canopen::TimePoint next = canopen::kNever;  ///< deadline after the one that has come

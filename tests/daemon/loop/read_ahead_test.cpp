@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "service/clock.hpp"
 #include "tests/daemon/loop/event_loop_fixture.hpp"
 
 namespace axisd {
@@ -21,8 +22,25 @@ TEST_F(EventLoopTest, ReadsAheadWhatComesFasterThanItIsHandled) {
   EXPECT_TRUE(port.arrived.empty());
   EXPECT_LT(station.events.size(), 100U);
   port.polled = -1;  // the port itself wakes nobody
-  while (station.events.size() < 1000) loop.turn();
+  while (std::ranges::count(station.events, "frame") < 1000) loop.turn();
   EXPECT_EQ(std::ranges::count(station.events, "frame"), 1000);
+}
+
+TEST_F(EventLoopTest, ReadsAheadAlsoWithinATurnThatTakesLong) {
+  arrive(100);
+  station.deadline = canopen::TimePoint{};
+  loop.turn();  // a flood is on
+  station.told_time = [&] {
+    arrive(500);
+    bus.read_ahead();
+    EXPECT_TRUE(port.arrived.empty());
+  };
+  station.deadline = read_clock();
+  station.events.clear();
+
+  while (std::ranges::count(station.events, "frame") < 500) loop.turn();
+
+  EXPECT_EQ(std::ranges::count(station.events, "time"), 1);
 }
 
 TEST_F(EventLoopTest, HandsOverNothingThatWasReadAheadWhenTheBusIsClosed) {
