@@ -25,6 +25,7 @@
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
+#include "drive/interlude.hpp"
 #include "injection/wire/unit_faults.hpp"
 #include "profidrive/channel/parameter_channel.hpp"
 #include "profidrive/interface/interface.hpp"
