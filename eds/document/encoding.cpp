@@ -41,14 +41,17 @@ std::size_t utf8_length(std::string_view text) noexcept {
 }
 
 Encoding encoding_of(std::string_view text) noexcept {
+  const auto is_ascii = [](char c) { return (static_cast<unsigned char>(c) & 0x80U) == 0; };
   auto encoding = Encoding::Ascii;
-  while (!text.empty()) {
+  for (;;) {
+    const auto* const other = std::ranges::find_if_not(text, is_ascii);
+    if (other == text.end()) return encoding;
+    text.remove_prefix(static_cast<std::size_t>(other - text.begin()));
     const std::size_t length = utf8_length(text);
     if (length == 0) return Encoding::Latin1;
-    if (length > 1) encoding = Encoding::Utf8;
+    encoding = Encoding::Utf8;
     text.remove_prefix(length);
   }
-  return encoding;
 }
 
 std::string utf8_of_latin1(unsigned char byte) {
