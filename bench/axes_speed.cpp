@@ -1,10 +1,12 @@
 // How much faster than real time axes of motor/ run on one core: axes_speed [AXES [SECONDS]]. They are advanced
 // each by itself and side by side in the lanes of every kind of processor that this one is, in turns within one
-// run, over a common DC link.
+// run: as a unit of axes does it, over a common DC link and into lanes and back in every cycle, and their steps
+// alone.
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <span>
 #include <vector>
@@ -45,31 +47,91 @@ struct Unit {
     motor::run(std::span{runs}.first(trains.size()), link, kCycle, kOvervoltage, variant);
   }
 
+  /// @p periods of the axes alone, fed with an unchanging voltage, in the lanes of @p variant if there is one.
+  void steps(const motor::DriveCommand& command, long periods, const motor::LaneVariant* variant) {
+    const double voltage = link.voltage();
+    if (variant == nullptr) {
+      for (long period = 0; period < periods; ++period)
+        for (motor::DriveTrain& train : trains) train.step(voltage, command);
+      return;
+    }
+    std::array<motor::AxisRun, motor::kMostAxesInLockstep> runs;
+    std::array<motor::LaneAxis, motor::kMostAxesInLockstep> axes;
+    std::vector<motor::LaneGroup*> groups;
+    for (std::size_t i = 0; i < trains.size(); ++i)
+      axes[i] = {&(runs[i] = {&trains[i], command, {}, 1e9}), &voltage};
+    for (std::size_t i = 0; i < trains.size(); i += variant->lanes) {
+      const std::size_t count = std::min(variant->lanes, trains.size() - i);
+      groups.push_back(variant->form(room[groups.size()].bytes.data(), *trains[i].lane_kind(command),
+                                     std::span{axes}.subspan(i, count)));
+    }
+    std::array<double, motor::kMostAxesInLockstep> drawn;
+    for (long period = 0; period < periods; ++period)
+      for (motor::LaneGroup* const group : groups) group->step(static_cast<std::size_t>(period), drawn.data());
+    for (motor::LaneGroup* const group : groups) group->leave();
+  }
+
+  /// For a group of axes.
+  struct alignas(64) Room {
+    std::array<std::byte, 32768> bytes;
+  };
+
   motor::DcLink link;
   std::vector<motor::DriveTrain> trains;
+  std::vector<Room> room{motor::kMostAxesInLockstep};
 };
 
-/// Wall time of @p cycles of a unit of @p axes (s), in lanes if there is a @p variant.
+using Clock = std::chrono::steady_clock;
+
+motor::DriveCommand command_of(long cycle) {
+  return {.pulses_enabled = true, .speed_setpoint = (cycle & 128) != 0 ? 150.0 : 200.0, .limits = {35.0, -35.0}};
+}
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Wall time of @p cycles of @p unit (s), in the lanes of @p variant if there is one.
 double time_of(Unit& unit, long cycles, const motor::LaneVariant* variant) {
-  motor::DriveCommand command{.pulses_enabled = true, .speed_setpoint = 200.0, .limits = {35.0, -35.0}};
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   for (long i = 0; i < cycles; ++i) {
-    command.speed_setpoint = (i & 128) != 0 ? 150.0 : 200.0;
+    const motor::DriveCommand command = command_of(i);
     if (variant != nullptr) {
       unit.cycle(command, *variant);
     } else {
       for (long period = 0; period < kCycle; ++period) unit.step(command);
     }
   }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds_since(start);
+}
+
+/// The same of the steps of its axes alone.
+double time_of_steps(Unit& unit, long cycles, const motor::LaneVariant* variant) {
+  constexpr long kTogether = 64;  // cycles
+  const auto start = Clock::now();
+  for (long i = 0; i < cycles; i += kTogether) unit.steps(command_of(i * 2), kTogether * kCycle, variant);
+  return seconds_since(start) * static_cast<double>(cycles) /
+         static_cast<double>((cycles + kTogether - 1) / kTogether * kTogether);
 }
 
 /// One way to calculate, and what it took.
 struct Row {
   const motor::LaneVariant* variant = nullptr;
   Unit unit;
-  double best = 1e9;  // s
+  double best = 1e9;        // s
+  double best_steps = 1e9;  // s
 };
+
+/// A table of what @p time of each row (s) was for @p periods of @p axes.
+void print(const std::vector<Row>& rows, double Row::*time, long periods, int axes) {
+  std::puts("| lanes of | ns for an axis and period | times real time | times as fast as each by itself |");
+  std::puts("|---|---:|---:|---:|");
+  for (const Row& row : rows)
+    std::printf("| %s | %.1f | %.0f | %.2f |\n", row.variant != nullptr ? row.variant->name : "(each by itself)",
+                1e9 * row.*time / static_cast<double>(periods * axes),
+                static_cast<double>(periods) * motor::kControlPeriod / (row.*time),
+                rows.front().*time / (row.*time));
+}
 
 }  // namespace
 
@@ -88,13 +150,13 @@ int main(int argc, char** argv) {
     if (variant->is_supported()) rows.push_back({variant, Unit{axes}});
   const long cycles = std::lround(seconds / (motor::kControlPeriod * kCycle));
   for (int i = 0; i < kRuns; ++i)
-    for (Row& row : rows) row.best = std::min(row.best, time_of(row.unit, cycles, row.variant));
-  std::printf("%d axes, %d s simulated, best of %d runs in turns\n", axes, seconds, kRuns);
-  for (const Row& row : rows)
-    std::printf(
-        "%-10s %.4f s, %5.0f times real time, %6.1f ns for an axis and period, %.2f times as fast as each by "
-        "itself\n",
-        row.variant != nullptr ? row.variant->name : "scalar", row.best, seconds / row.best,
-        1e9 * row.best / (static_cast<double>(cycles * kCycle) * axes), rows.front().best / row.best);
+    for (Row& row : rows) {
+      row.best = std::min(row.best, time_of(row.unit, cycles, row.variant));
+      row.best_steps = std::min(row.best_steps, time_of_steps(row.unit, cycles, row.variant));
+    }
+  std::printf("A unit of %d axes: into lanes and back every 4 ms, and its DC link\n\n", axes);
+  print(rows, &Row::best, cycles * kCycle, axes);
+  std::puts("\nThe step of an axis alone\n");
+  print(rows, &Row::best_steps, cycles * kCycle, axes);
   return 0;
 }

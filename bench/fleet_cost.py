@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """What many units in one program cost, on buses in user space.
 
-usage: fleet_cost.py BIN [--units N] [--axes M] [--buses B] [--threads T] [--seconds S] [--sync MS] [--default-pdos] [--curve]
+usage: fleet_cost.py BIN [--units N] [--axes M] [--buses B] [--threads T] [--seconds S] [--sync MS] [--default-pdos]
+                         [--curve | --processes]
 
 BIN is the folder of axisd. Prints a Markdown table: seconds to the last boot-up message, and the processor time until then;
 memory; the share of one processor of axisd and of the hubs with all units Operational and a SYNC every 100 ms that every unit
@@ -9,16 +10,19 @@ answers with its statuswords, first with the axes off, then with all of them tur
 they would take on each bus; cycles skipped while all turned. Then what a further unit and a further axis take of memory.
 --curve does that for 1 to 127 units of 1 and of 8 axes on one bus. A share is CPU time over wall-clock time, with what skipped
 cycles would have cost: it survives other programs on the machine.
+--processes gives every unit a process of its own, and tells beside it the floor: as many processes that do nothing but wake in
+every cycle.
 """
 import argparse
 import pathlib
+import subprocess
 import sys
 import tempfile
 import threading
 import time
 
 from fleet.bus_master import BusMaster
-from fleet.daemon import Daemon, memory
+from fleet.daemon import Daemon, Processes
 from fleet.wire import mean_bits
 
 BIT_RATE = 1_000_000
@@ -94,12 +98,19 @@ def check(statuses, axes, masters):
               f"{lost} frames lost", file=sys.stderr)
 
 
+def started(words, name, units, axes):
+    """The units, in a folder called `name`, all of which have booted."""
+    counts, folder = counts_of(units, words.buses), pathlib.Path(name)
+    if words.processes:
+        return Processes(words.binaries.resolve(), folder, counts, axes)
+    return Daemon(words.binaries.resolve(), folder, counts, axes, words.threads)
+
+
 def measure(words, units, axes):
     """A row of the table, and RSS and PSS after the boot-up (MB)."""
     counts, period = counts_of(units, words.buses), words.sync / 1000
-    with tempfile.TemporaryDirectory() as name, \
-            Daemon(words.binaries.resolve(), pathlib.Path(name), counts, axes, words.threads) as daemon:
-        held = memory(daemon.process.pid)
+    with tempfile.TemporaryDirectory() as name, started(words, name, units, axes) as daemon:
+        held = daemon.memory()
         masters = [BusMaster(bus, count, axes) for bus, count in zip(daemon.buses, counts)]
         for master in masters:
             if not words.default_pdos:
@@ -123,9 +134,8 @@ def measure(words, units, axes):
 
 def memory_of(words, units, axes):
     """RSS and PSS of the program with so many units that have booted (MB)."""
-    with tempfile.TemporaryDirectory() as name, \
-            Daemon(words.binaries.resolve(), pathlib.Path(name), counts_of(units, words.buses), axes, words.threads) as daemon:
-        return memory(daemon.process.pid)
+    with tempfile.TemporaryDirectory() as name, started(words, name, units, axes) as daemon:
+        return daemon.memory()
 
 
 def print_further(words, held):
@@ -139,6 +149,14 @@ def print_further(words, held):
         single = memory_of(words, words.units, 1)
         axis = [(all_of - few) / (words.units * (words.axes - 1)) for all_of, few in zip(held, single)]
         print(f"a further axis: {axis[0]:.3f} MB RSS, {axis[1]:.3f} MB PSS")
+
+
+def print_floor(words):
+    """What as many processes take that only wake."""
+    wakers = words.binaries / "wakers"
+    answer = subprocess.run([wakers, str(words.units), str(round(1000 * CYCLE)), str(round(words.seconds))],
+                            stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+    print(f"\n{words.units} processes that only wake every {1000 * CYCLE:.0f} ms: {answer} %")
 
 
 def print_row(cells):
@@ -156,7 +174,9 @@ def arguments():
     parser.add_argument("--sync", type=float, default=100.0, metavar="MS")
     parser.add_argument("--default-pdos", action="store_true",
                         help="PDOs as in a new unit: event-driven TPDOs in every cycle of 4 ms that changes them")
-    parser.add_argument("--curve", action="store_true", help="1 to 127 units of 1 and of 8 axes")
+    how = parser.add_mutually_exclusive_group()
+    how.add_argument("--curve", action="store_true", help="1 to 127 units of 1 and of 8 axes")
+    how.add_argument("--processes", action="store_true", help="a process for each unit")
     words = parser.parse_args()
     if not words.buses <= words.units <= words.buses * MOST_NODES:
         parser.error(f"--units: expected {words.buses} to {words.buses * MOST_NODES} on {words.buses} buses")
@@ -173,6 +193,8 @@ def main():
         return
     row, held = measure(words, words.units, words.axes)
     print_row(row)
+    if words.processes:
+        print_floor(words)
     print_further(words, held)
 
 

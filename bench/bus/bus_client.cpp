@@ -150,6 +150,7 @@ bool take_option(Target& target, std::string_view name, std::string_view value) 
   if (name == "--axes") return parse(value, target.axes);
   if (name == "--process") return parse(value, target.process);
   if (name == "--pause") return parse(value, target.pause_us);
+  if (name == "--controlword") return parse(value, target.controlword, kHexadecimal);
   return name == "--object" && parse(value, target.written.index, kHexadecimal);
 }
 
@@ -183,7 +184,7 @@ std::optional<std::vector<Order>> orders_of(std::span<char*> words) {
 int usage() {
   std::fputs(
       "usage: bus_client INTERFACE NODE [--pdos N] [--axes N] [--process PID] [--object INDEX] [--pause US] "
-      "TEST[:COUNT]...\n"
+      "[--controlword WORD] TEST[:COUNT]...\n"
       "tests: upload download sync flood (COUNT of them), idle (seconds), start, synchronous, heartbeat (ms)\n",
       stderr);
   return kUsage;

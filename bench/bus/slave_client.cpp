@@ -100,6 +100,7 @@ void SlaveClient::sync() {
 void SlaveClient::send_rpdo(std::uint32_t number) {
   constexpr std::uint8_t kLength = 7;
   can_frame rpdo = frame(0x200 + target_.node, kLength);
+  std::memcpy(&rpdo.data[0], &target_.controlword, sizeof target_.controlword);
   std::memcpy(&rpdo.data[2], &number, sizeof number);
   send(answers_, rpdo);
 }

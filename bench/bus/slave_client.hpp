@@ -18,12 +18,13 @@ struct Object {
 /// The slave that is measured.
 struct Target {
   std::string interface;
-  unsigned node = 0;           ///< its RPDO 1 is 200h + node
-  unsigned pdos = 4;           ///< TPDOs that it sends on a SYNC
-  unsigned axes = 1;           ///< of a unit, which have four of them each; 1 also for a plain node
-  unsigned long process = 0;   ///< its process, 0 if its CPU time is of no interest
-  unsigned long pause_us = 0;  ///< rest in front of every request (µs)
-  Object written{0x2000, 0};   ///< an object of four bytes that may be written with any number
+  unsigned node = 0;              ///< its RPDO 1 is 200h + node
+  unsigned pdos = 4;              ///< TPDOs that it sends on a SYNC
+  unsigned axes = 1;              ///< of a unit, which have four of them each; 1 also for a plain node
+  unsigned long process = 0;      ///< its process, 0 if its CPU time is of no interest
+  unsigned long pause_us = 0;     ///< rest in front of every request (µs)
+  std::uint16_t controlword = 0;  ///< in front of what an RPDO carries
+  Object written{0x2000, 0};      ///< an object of four bytes that may be written with any number
 };
 
 /// A master with one request outstanding. Every function throws std::runtime_error if the slave does not do what

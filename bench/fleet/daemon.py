@@ -1,4 +1,4 @@
-"""axisd with many units, and the hubs of their buses: start, memory, processor time, status."""
+"""axisd with many units or many of it with one, and the hubs of their buses: start, memory, processor time, status."""
 import json
 import os
 import pathlib
@@ -95,3 +95,72 @@ class Daemon:
     def cpu(self):
         """Seconds of axisd, and those of the hubs together."""
         return cpu_seconds(self.process.pid), sum(cpu_seconds(hub) for hub in self.hubs)
+
+    def memory(self):
+        """RSS and PSS in MB."""
+        return memory(self.process.pid)
+
+
+class Processes:
+    """The same units with a process each."""
+
+    def __init__(self, binaries, folder, counts, axes):
+        self.buses = [folder / f"bus{number}" for number in range(len(counts))]
+        begun = time.monotonic()
+        self.units = [Unit(binaries, folder, bus, node, axes)
+                      for bus, count in zip(self.buses, counts) for node in range(1, count + 1)]
+        for unit in self.units:
+            unit.wait_until_ready()
+        self.booted = time.monotonic() - begun
+        self.boot_cpu = self.cpu_of_units()
+        self.hubs = [hub_of(bus) for bus in self.buses]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        for unit in self.units:
+            unit.process.terminate()
+        for unit in self.units:
+            unit.process.wait()
+
+    def cpu_of_units(self):
+        return sum(cpu_seconds(unit.process.pid) for unit in self.units)
+
+    def cpu(self):
+        """Seconds of all units, and those of the hubs together."""
+        return self.cpu_of_units(), sum(cpu_seconds(hub) for hub in self.hubs)
+
+    def statuses(self):
+        return [unit.status() for unit in self.units]
+
+    def memory(self):
+        """RSS and PSS of all, in MB."""
+        return tuple(sum(part) for part in zip(*(memory(unit.process.pid) for unit in self.units)))
+
+
+class Unit:
+    """One of them."""
+
+    def __init__(self, binaries, folder, bus, node, axes):
+        name = f"{bus.name}-{node}"
+        self.log, self.path = folder / f"{name}.log", folder / f"{name}.sock"
+        with self.log.open("w") as output:
+            self.process = subprocess.Popen(
+                [str(word) for word in (binaries / "axisd", "--interface", f"unix:{bus}", "--node-id", node, "--axes", axes,
+                                        "--state-directory", folder / name, "--control", self.path)],
+                env={**os.environ, "XDG_RUNTIME_DIR": str(folder)}, stderr=output)
+
+    def wait_until_ready(self):
+        while "ready: " not in self.log.read_text():
+            if self.process.poll() is not None:
+                sys.exit(f"axisd has ended: {self.log.read_text()}")
+            time.sleep(0.01)
+
+    def status(self):
+        with socket.socket(socket.AF_UNIX) as control:
+            control.connect(str(self.path))
+            lines = control.makefile("rw")
+            lines.write('{"id": 1, "method": "status"}\n')
+            lines.flush()
+            return json.loads(lines.readline())["result"]

@@ -25,10 +25,11 @@ namespace motor {
 template <class Number>
 class LaneTrain final : public LaneGroup {
  public:
-  LaneTrain(const LaneKind& kind, std::span<const AxisRun* const> axes) noexcept
-      : kind_{kind}, count_{axes.size()} {
+  LaneTrain(const LaneKind& kind, std::span<const LaneAxis> axes) noexcept : kind_{kind}, count_{axes.size()} {
     for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
-      axes_[lane] = axes[lane < count_ ? lane : 0];
+      const LaneAxis& axis = axes[lane < count_ ? lane : 0];
+      axes_[lane] = axis.run;
+      dc_voltage_[lane] = axis.dc_voltage;
       trains_[lane] = axes_[lane]->train;
       setpoints_[lane] = axes_[lane]->setpoints;
       led_ = led_ || !setpoints_[lane].empty();
@@ -37,10 +38,10 @@ class LaneTrain final : public LaneGroup {
     take_commands();
   }
 
-  MOTOR_IN_ONE bool step(std::size_t period, const double* dc_voltage, double* drawn) noexcept override {
+  MOTOR_IN_ONE bool step(std::size_t period, double* drawn) noexcept override {
     if (led_) [[unlikely]]
       lead(period);
-    const Number link{dc_voltage, std::experimental::element_aligned};
+    const Number link{[this](auto lane) { return *dc_voltage_[lane]; }};
     const SpaceVectorOf<Number> wanted = control(link);
     move(link);
     state_.next = wanted;
@@ -102,6 +103,7 @@ class LaneTrain final : public LaneGroup {
   bool shown_ = false;                               // the plants, as they are now
   std::array<const AxisRun*, kLanes<Number>> axes_;  // while they enter
   std::array<DriveTrain*, kLanes<Number>> trains_;
+  std::array<const double*, kLanes<Number>> dc_voltage_;
   std::array<std::span<const SpeedStep>, kLanes<Number>> setpoints_;
   Number trip_current_;
   DriveCommandOf<Number> command_;

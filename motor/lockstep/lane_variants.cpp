@@ -21,6 +21,11 @@ const std::array kVariants{
     &kBaselineLanes,
 };
 
+const LaneVariant*& used() noexcept {
+  static const LaneVariant* variant = &widest_variant();
+  return variant;
+}
+
 }  // namespace
 
 std::span<const LaneVariant* const> lane_variants() noexcept {
@@ -31,6 +36,14 @@ const LaneVariant& widest_variant() noexcept {
   static const LaneVariant& widest =
       **std::ranges::find_if(kVariants, [](const LaneVariant* variant) { return variant->is_supported(); });
   return widest;
+}
+
+const LaneVariant& variant_in_use() noexcept {
+  return *used();
+}
+
+void use(const LaneVariant& variant) noexcept {
+  used() = &variant;
 }
 
 }  // namespace motor

@@ -24,13 +24,12 @@ constexpr std::size_t kMostGroups = 4;
 /// The axes of a run: in groups of one kind, or each by itself.
 class Lineup {
  public:
-  Lineup(std::span<const LinkedAxes> units, bool in_lanes, const LaneVariant& variant) noexcept : units_{units} {
+  Lineup(std::span<const LinkedAxes> units, bool in_lanes, const LaneVariant& variant) noexcept {
     std::array<std::optional<LaneKind>, kMostAxesInLockstep> kinds{};
-    for (std::size_t unit = 0; unit < units.size(); ++unit)
-      for (const AxisRun& axis : units[unit].axes) {
+    for (const LinkedAxes& unit : units)
+      for (const AxisRun& axis : unit.axes) {
         if (in_lanes) kinds[count_] = axis.train->lane_kind(axis.command);
-        link_of_[count_] = static_cast<std::uint8_t>(unit);
-        axes_[count_++] = &axis;
+        axes_[count_++] = {&axis, &unit.result.last_dc_voltage};
       }
     for (std::size_t i = 0; i < count_; ++i) {
       if (taken_[i]) continue;
@@ -43,15 +42,11 @@ class Lineup {
   }
   /// Period @p period with the links as their results tell; false if a current has tripped.
   bool step(std::size_t period) noexcept {
-    for (std::size_t slot = 0; slot < slots_; ++slot)
-      voltage_[slot] = units_[fed_by_[slot]].result.last_dc_voltage;
     bool sound = true;
-    for (std::size_t i = 0; i < groups_; ++i)
-      sound = group_[i]->step(period, voltage_.data() + first_[i], drawn_.data() + first_[i]) && sound;
+    for (std::size_t i = 0; i < groups_; ++i) sound = group_[i]->step(period, drawn_.data() + first_[i]) && sound;
     for (std::size_t i = 0; i < singles_; ++i) {
-      const AxisRun& axis = *axes_[single_[i]];
-      const std::size_t slot = slot_[single_[i]];
-      drawn_[slot] = axis.train->step(voltage_[slot], command(axis, period));
+      const AxisRun& axis = *axes_[single_[i]].run;
+      drawn_[slot_[single_[i]]] = axis.train->step(*axes_[single_[i]].dc_voltage, command(axis, period));
       sound = sound && !(axis.train->signals().current > axis.trip_current);
     }
     return sound;
@@ -91,21 +86,17 @@ class Lineup {
   }
   void leave_alone(std::size_t place) noexcept {
     single_[singles_++] = static_cast<std::uint8_t>(place);
-    take_slot(place);
-  }
-  void take_slot(std::size_t place) noexcept {
-    fed_by_[slots_] = link_of_[place];
     slot_[place] = slots_++;
   }
   void form(const Places& alike, const LaneKind& kind, const LaneVariant& variant) noexcept {
-    std::array<const AxisRun*, kMostAxesInLockstep> axes;
+    std::array<LaneAxis, kMostAxesInLockstep> axes;
     first_[groups_] = slots_;
     for (std::size_t i = 0; i < alike.count; ++i) {
       taken_[alike.place[i]] = true;
       axes[i] = axes_[alike.place[i]];
-      take_slot(alike.place[i]);
+      slot_[alike.place[i]] = slots_ + i;
     }
-    while (slots_ < first_[groups_] + variant.lanes) fed_by_[slots_++] = link_of_[alike.place[0]];
+    slots_ += variant.lanes;
     group_[groups_] = variant.form(room_[groups_].bytes.data(), kind, std::span{axes}.first(alike.count));
     ++groups_;
   }
@@ -115,21 +106,17 @@ class Lineup {
   };
   static constexpr std::size_t kMostSlots = kMostGroups * kMostLanes + kMostAxesInLockstep;
 
-  std::span<const LinkedAxes> units_;
-  std::array<const AxisRun*, kMostAxesInLockstep> axes_;
-  std::array<std::uint8_t, kMostAxesInLockstep> link_of_;  // by its place among the units
+  std::array<LaneAxis, kMostAxesInLockstep> axes_;
   std::size_t count_ = 0;
   std::array<bool, kMostAxesInLockstep> taken_{};
   std::array<std::uint8_t, kMostAxesInLockstep> single_;
   std::size_t singles_ = 0;
   std::array<LaneGroup*, kMostGroups> group_;
   std::size_t groups_ = 0;
-  // Of voltages and energies: a group has one for each of its lanes.
+  // Of energies: a group has one for each of its lanes.
   std::array<std::size_t, kMostGroups> first_;
   std::array<std::size_t, kMostAxesInLockstep> slot_;
   std::size_t slots_ = 0;
-  std::array<std::uint8_t, kMostSlots> fed_by_;
-  std::array<double, kMostSlots> voltage_;
   std::array<double, kMostSlots> drawn_;
   std::array<Room, kMostGroups> room_;
 };

@@ -33,10 +33,10 @@ struct LinkedAxes {
 /// kind are calculated side by side, whatever their link, as @p variant can; the results are those of each by
 /// itself to the last bit.
 long run_together(std::span<LinkedAxes> units, long periods,
-                  const LaneVariant& variant = widest_variant()) noexcept;
+                  const LaneVariant& variant = variant_in_use()) noexcept;
 
 /// The same with @p axes, which share @p link, alone.
 RunResult run(std::span<const AxisRun> axes, DcLink& link, long periods, double overvoltage,
-              const LaneVariant& variant = widest_variant()) noexcept;
+              const LaneVariant& variant = variant_in_use()) noexcept;
 
 }  // namespace motor

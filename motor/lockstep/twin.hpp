@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
-#include <experimental/simd>
+#include "motor/math/number.hpp"
 
 // Two registers of lanes as one number: where one calculation has to wait for its last result, the other goes on.
 namespace motor {
@@ -60,12 +61,6 @@ struct Twin {
   double operator[](std::size_t lane) const noexcept {
     return lane < Half::size() ? first[lane] : second[lane - Half::size()];
   }
-  void set(std::size_t lane, double value) noexcept {
-    if (lane < Half::size())
-      first[lane] = value;
-    else
-      second[lane - Half::size()] = value;
-  }
 
   friend Twin operator+(const Twin& a, const Twin& b) noexcept { return {a.first + b.first, a.second + b.second}; }
   friend Twin operator-(const Twin& a, const Twin& b) noexcept { return {a.first - b.first, a.second - b.second}; }
@@ -98,11 +93,17 @@ struct Twin {
   }
   /// @p a where @p mask holds, @p b elsewhere.
   friend Twin chosen(const Mask& mask, const Twin& a, const Twin& b) noexcept {
-    Twin result = b;
-    where(mask.first, result.first) = a.first;
-    where(mask.second, result.second) = a.second;
-    return result;
+    return {select<Half>(mask.first, a.first, b.first), select<Half>(mask.second, a.second, b.second)};
   }
+  /// @p a where a < b, @p b elsewhere; @p a where a > b, @p b elsewhere.
+  friend Twin lesser(const Twin& a, const Twin& b) noexcept requires requires(const Half& half) {
+    lesser(half, half);
+  }
+  { return {lesser(a.first, b.first), lesser(a.second, b.second)}; }
+  friend Twin greater(const Twin& a, const Twin& b) noexcept requires requires(const Half& half) {
+    greater(half, half);
+  }
+  { return {greater(a.first, b.first), greater(a.second, b.second)}; }
 
   Half first;
   Half second;

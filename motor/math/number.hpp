@@ -61,16 +61,22 @@ template <class Mask>
 /// As std::min, std::max and std::clamp have them.
 template <class Number>
 [[gnu::always_inline]] inline Number minimum(const Number& a, const std::type_identity_t<Number>& b) noexcept {
-  return select<Number>(b < a, b, a);
+  if constexpr (requires { lesser(Number{b}, a); })
+    return lesser(Number{b}, a);
+  else
+    return select<Number>(b < a, b, a);
 }
 template <class Number>
 [[gnu::always_inline]] inline Number maximum(const Number& a, const std::type_identity_t<Number>& b) noexcept {
-  return select<Number>(a < b, b, a);
+  if constexpr (requires { greater(Number{b}, a); })
+    return greater(Number{b}, a);
+  else
+    return select<Number>(a < b, b, a);
 }
 template <class Number>
 [[gnu::always_inline]] inline Number bounded(const Number& a, const std::type_identity_t<Number>& lower,
                                              const std::type_identity_t<Number>& upper) noexcept {
-  return select<Number>(a < lower, lower, select<Number>(upper < a, upper, a));
+  return select<Number>(a < lower, lower, minimum<Number>(a, upper));
 }
 
 /// Where @p condition does not hold, @p now is again what it was @p before. @p Values consist of numbers only.

@@ -87,6 +87,14 @@ TEST(Lockstep, HasVariantsForWhatThisProcessorCan) {
   EXPECT_GE(lane_variants().back()->lanes, 2U);
 }
 
+TEST(Lockstep, TakesTheWidestVariantUntilToldOtherwise) {
+  EXPECT_EQ(&variant_in_use(), &widest_variant());
+  use(*lane_variants().back());
+  EXPECT_EQ(&variant_in_use(), lane_variants().back());
+  use(widest_variant());
+  EXPECT_EQ(&variant_in_use(), &widest_variant());
+}
+
 TEST(Lockstep, EndsAfterThePeriodInWhichACurrentTrips) {
   Unit unit;
   for (int i = 0; i < 4; ++i) unit.add(DriveTrain{MachineData{}, Load{.inertia = 0.0015}});
