@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a start of axisd costs, on a user-space bus of its own.
+"""What a start of axisd costs, on a user-space bus that is there already.
 
 usage: start_cost.py BIN [--runs N]
 
@@ -22,13 +22,21 @@ PATIENCE = 30.0  # s
 SETTLED = 3.0  # s after READY, when what only the start needs has been given back
 
 
-def started(binaries, folder, axes):
+def served(binaries, bus):
+    """The hub of `bus`, which is ready."""
+    hub = subprocess.Popen([binaries / "canhub", "--path", bus], stderr=subprocess.PIPE, text=True)
+    if "ready" not in hub.stderr.readline():
+        sys.exit("canhub has not started")
+    return hub
+
+
+def started(binaries, bus, folder, axes):
     """axisd in `folder`, and the seconds until it was ready."""
     folder.mkdir()
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
         manager.bind(str(folder / "notify"))
         manager.settimeout(PATIENCE)
-        words = (binaries / "axisd", "--interface", f"unix:{folder}/bus", "--node-id", 5, "--axes", axes,
+        words = (binaries / "axisd", "--interface", f"unix:{bus}", "--node-id", 5, "--axes", axes,
                  "--state-directory", folder / "state", "--control", folder / "control")
         environment = {**os.environ, "XDG_RUNTIME_DIR": str(folder), "NOTIFY_SOCKET": f"{folder}/notify"}
         begun = time.perf_counter()
@@ -46,15 +54,19 @@ def libraries(process):
 
 def measure(binaries, axes, runs):
     times = []
-    for run in range(runs):
-        with tempfile.TemporaryDirectory() as name:
-            process, seconds = started(binaries, pathlib.Path(name, "unit"), axes)
+    with tempfile.TemporaryDirectory() as name:
+        bus = pathlib.Path(name, "bus")
+        hub = served(binaries, bus)
+        for run in range(runs):
+            process, seconds = started(binaries, bus, pathlib.Path(name, str(run)), axes)
             times.append(1000 * seconds)
             if run == runs - 1:
                 time.sleep(SETTLED)
                 held, count = memory(process.pid), len(libraries(process.pid))
             process.terminate()
             process.wait()
+        hub.terminate()
+        hub.wait()
     print(f"| {axes} | {statistics.median(times):.1f} | {held[0]:.1f} | {held[1]:.1f} | {count} |", flush=True)
 
 
