@@ -52,6 +52,7 @@ start() {
     kill -0 "$slave" 2>/dev/null || { cat "$work/log" >&2; die "$1 ended before it was ready"; }
     sleep 0.1
   done
+  sleep 2  # a second after its start axisd gives back memory, and brings in again what it wants of that
 }
 
 # stop: ends the slave in order; what it said last is in the log.

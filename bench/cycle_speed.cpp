@@ -25,10 +25,9 @@ constexpr std::size_t kTimes = 500;  // of a slice
 constexpr motor::LaneVariant kEachByItself{
     .name = "(each by itself)", .lanes = 1, .size = 0, .is_supported = nullptr, .form = nullptr};
 
-/// The operation in one way.
+/// One way to do an operation.
 struct Way {
   const motor::LaneVariant* variant;
-  std::unique_ptr<bench::Operation> operation;
   std::vector<double> slices;  ///< ns each time
 };
 
@@ -37,24 +36,25 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void run_slice(Way& way) {
+void run_slice(bench::Operation& operation, Way& way) {
   motor::use(*way.variant);
   const auto start = Clock::now();
-  way.operation->run(kTimes);
+  operation.run(kTimes);
   const double elapsed = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
   way.slices.push_back(elapsed / kTimes);
 }
 
-/// Rows of the operation called @p name, in every way.
+/// Rows of the operation called @p name, in every way: the same unit in all, for its place in memory counts too.
 void measure(std::string_view name, int slices) {
   const auto all = bench::operations();
   const auto row = std::ranges::find(all, name, &bench::OperationRow::name);
+  const std::unique_ptr<bench::Operation> operation = row->make();
   std::vector<Way> ways;
-  ways.push_back({&kEachByItself, row->make(), {}});
+  ways.push_back({&kEachByItself, {}});
   for (const motor::LaneVariant* const variant : motor::lane_variants())
-    if (variant->is_supported()) ways.push_back({variant, row->make(), {}});
+    if (variant->is_supported()) ways.push_back({variant, {}});
   for (int i = 0; i < slices; ++i)
-    for (Way& way : ways) run_slice(way);
+    for (Way& way : ways) run_slice(*operation, way);
   for (const Way& way : ways) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < way.slices.size(); ++i) ratios.push_back(way.slices[i] / ways[0].slices[i]);
