@@ -141,13 +141,13 @@ int main(int argc, char** argv) {
   int seconds = 5;
   if (argc > 3 || (argc > 1 && !bench::parse(words[1], 1, static_cast<int>(motor::kMostAxesInLockstep), axes)) ||
       (argc > 2 && !bench::parse(words[2], 1, 3600, seconds))) {
-    std::fputs("usage: axes_speed [AXES (1..8) [SIMULATED SECONDS (1..3600)]]\n", stderr);
+    std::fputs("usage: axes_speed [AXES (1..16) [SIMULATED SECONDS (1..3600)]]\n", stderr);
     return 2;
   }
   std::vector<Row> rows;
   rows.push_back({nullptr, Unit{axes}});
   for (const motor::LaneVariant* const variant : motor::lane_variants())
-    if (variant->is_supported()) rows.push_back({variant, Unit{axes}});
+    if (variant->is_supported() && variant->size <= sizeof(Unit::Room)) rows.push_back({variant, Unit{axes}});
   const long cycles = std::lround(seconds / (motor::kControlPeriod * kCycle));
   for (int i = 0; i < kRuns; ++i)
     for (Row& row : rows) {

@@ -31,7 +31,7 @@ CURVE = [(units, axes) for axes in (1, 8) for units in (1, 8, 32, 64, 127)]
 CYCLE = 0.004  # s, p8848 of a new unit
 RAMPS = 8.0  # s, until all have the speed that was asked for
 TURNS = 100  # rpm
-HEAD = ("units", "axes", "buses", "threads", "boot-up (s)", "its CPU (s)", "RSS (MB)", "PSS (MB)", "off: axisd (%)",
+HEAD = ("units", "axes", "buses", "threads", "boot-up (s)", "its CPU (s)", "RSS, booted (MB)", "PSS, booted (MB)", "off: axisd (%)",
         "off: hubs (%)", "turning: axisd (%)", "turning: hubs (%)", "frames/s", "bus load (%)", "skipped")
 
 
@@ -154,9 +154,9 @@ def print_further(words, held):
 def print_floor(words):
     """What as many processes take that only wake."""
     wakers = words.binaries / "wakers"
-    answer = subprocess.run([wakers, str(words.units), str(round(1000 * CYCLE)), str(round(words.seconds))],
+    answer = subprocess.run([wakers, str(words.units), str(round(1000 * CYCLE)), str(max(1, round(words.seconds)))],
                             stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
-    print(f"\n{words.units} processes that only wake every {1000 * CYCLE:.0f} ms: {answer} %")
+    print(f"\n{words.units} processes that only wake every {1000 * CYCLE:.0f} ms: {answer} % of a processor")
 
 
 def print_row(cells):
@@ -178,6 +178,8 @@ def arguments():
     how.add_argument("--curve", action="store_true", help="1 to 127 units of 1 and of 8 axes")
     how.add_argument("--processes", action="store_true", help="a process for each unit")
     words = parser.parse_args()
+    if words.processes and words.threads > 1:
+        parser.error("--threads: a process has one unit, and one thread for it")
     if not words.buses <= words.units <= words.buses * MOST_NODES:
         parser.error(f"--units: expected {words.buses} to {words.buses * MOST_NODES} on {words.buses} buses")
     return words
@@ -195,7 +197,8 @@ def main():
     print_row(row)
     if words.processes:
         print_floor(words)
-    print_further(words, held)
+    else:
+        print_further(words, held)
 
 
 if __name__ == "__main__":

@@ -22,6 +22,11 @@ PATIENCE = 30.0  # s
 SETTLED = 3.0  # s after READY, when what only the start needs has been given back
 
 
+def end(process):
+    process.terminate()
+    process.wait()
+
+
 def served(binaries, bus):
     """The hub of `bus`, which is ready."""
     hub = subprocess.Popen([binaries / "canhub", "--path", bus], stderr=subprocess.PIPE, text=True)
@@ -41,8 +46,12 @@ def started(binaries, bus, folder, axes):
         environment = {**os.environ, "XDG_RUNTIME_DIR": str(folder), "NOTIFY_SOCKET": f"{folder}/notify"}
         begun = time.perf_counter()
         process = subprocess.Popen([str(word) for word in words], env=environment, stderr=subprocess.DEVNULL)
-        while b"READY=1" not in manager.recv(4096):
-            pass
+        try:
+            while b"READY=1" not in manager.recv(4096):
+                pass
+        except TimeoutError:
+            end(process)
+            sys.exit(f"axisd was not ready within {PATIENCE:.0f} s")
         return process, time.perf_counter() - begun
 
 
@@ -57,16 +66,16 @@ def measure(binaries, axes, runs):
     with tempfile.TemporaryDirectory() as name:
         bus = pathlib.Path(name, "bus")
         hub = served(binaries, bus)
-        for run in range(runs):
-            process, seconds = started(binaries, bus, pathlib.Path(name, str(run)), axes)
-            times.append(1000 * seconds)
-            if run == runs - 1:
-                time.sleep(SETTLED)
-                held, count = memory(process.pid), len(libraries(process.pid))
-            process.terminate()
-            process.wait()
-        hub.terminate()
-        hub.wait()
+        try:
+            for run in range(runs):
+                process, seconds = started(binaries, bus, pathlib.Path(name, str(run)), axes)
+                times.append(1000 * seconds)
+                if run == runs - 1:
+                    time.sleep(SETTLED)
+                    held, count = memory(process.pid), len(libraries(process.pid))
+                end(process)
+        finally:
+            end(hub)
     print(f"| {axes} | {statistics.median(times):.1f} | {held[0]:.1f} | {held[1]:.1f} | {count} |", flush=True)
 
 

@@ -106,19 +106,26 @@ class Processes:
 
     def __init__(self, binaries, folder, counts, axes):
         self.buses = [folder / f"bus{number}" for number in range(len(counts))]
-        begun = time.monotonic()
-        self.units = [Unit(binaries, folder, bus, node, axes)
-                      for bus, count in zip(self.buses, counts) for node in range(1, count + 1)]
-        for unit in self.units:
-            unit.wait_until_ready()
-        self.booted = time.monotonic() - begun
-        self.boot_cpu = self.cpu_of_units()
-        self.hubs = [hub_of(bus) for bus in self.buses]
+        self.units, begun = [], time.monotonic()
+        try:
+            for bus, count in zip(self.buses, counts):
+                self.units += (Unit(binaries, folder, bus, node, axes) for node in range(1, count + 1))
+            for unit in self.units:
+                unit.wait_until_ready()
+            self.booted = time.monotonic() - begun
+            self.boot_cpu = self.cpu_of_units()
+            self.hubs = [hub_of(bus) for bus in self.buses]
+        except BaseException:
+            self.end()
+            raise
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
+        self.end()
+
+    def end(self):
         for unit in self.units:
             unit.process.terminate()
         for unit in self.units:

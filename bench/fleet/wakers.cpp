@@ -1,8 +1,8 @@
 // The floor of many processes with a cycle each: wakers PROCESSES MILLISECONDS SECONDS. So many processes wake
 // once in every cycle, by a timer as the daemon has one, and do nothing. Prints the share of one processor that
 // they take (%).
-#include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
@@ -24,6 +24,7 @@ constexpr long kNsOfMs = 1'000'000;
 /// Wakes until @p seconds are over.
 void wake(long milliseconds, int seconds) {
   const int timer = timerfd_create(CLOCK_MONOTONIC, 0);
+  if (timer < 0) _exit(1);
   const itimerspec period{{0, milliseconds * kNsOfMs}, {0, milliseconds * kNsOfMs}};
   timerfd_settime(timer, 0, &period, nullptr);
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{seconds};
@@ -61,6 +62,7 @@ int main(int argc, char** argv) {
     const pid_t child = fork();
     if (child < 0) {
       std::perror("wakers: fork");
+      for (const pid_t other : children) kill(other, SIGKILL);
       return 1;
     }
     if (child == 0) {

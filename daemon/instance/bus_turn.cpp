@@ -85,7 +85,10 @@ bool BusTurn::begin_turn(canopen::TimePoint now, bool readable) noexcept {
   const bool listened = listens();
   before_ = std::exchange(now_, now);
   queue_.retry(now_);
-  if (readable || waits_ahead()) receive();
+  if (readable || waits_ahead())
+    receive();
+  else if (flooded_ && (listens() || !is_open_))
+    end_burst(0);  // nothing more has come
   return listened;
 }
 

@@ -135,6 +135,31 @@ TEST_F(EventLoopTest, TellsThatABurstIsOver) {
   EXPECT_EQ(station.events.back(), "end of a burst");
 }
 
+TEST_F(EventLoopTest, TellsThatABurstIsOverWhenNothingMoreComes) {
+  arrive(100);
+  station.deadline = canopen::TimePoint{};
+  loop.turn();
+  port.polled = -1;
+  station.deadline = canopen::TimePoint{};
+
+  loop.turn();
+
+  EXPECT_EQ(std::ranges::count(station.events, "end of a burst"), 1);
+  EXPECT_EQ(station.events.back(), "time");
+}
+
+TEST_F(EventLoopTest, TellsThatABurstIsOverWhenTheBusIsClosed) {
+  arrive(100);
+  station.deadline = canopen::TimePoint{};
+  loop.turn();
+  bus.close();
+  station.deadline = canopen::TimePoint{};
+
+  loop.turn();
+
+  EXPECT_EQ(std::ranges::count(station.events, "end of a burst"), 1);
+}
+
 TEST_F(EventLoopTest, GivesEveryBusItsTurnAndWhatIsRareOneEventForAllOfThem) {
   fakes::FakePort other_port;
   other_port.polled = readable.get();

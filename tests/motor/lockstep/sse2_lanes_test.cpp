@@ -35,7 +35,8 @@ std::vector<double> numbers() {
                              kWholeFrom,
                              kWholeFrom + 1.0,
                              std::numeric_limits<double>::denorm_min(),
-                             std::numeric_limits<double>::infinity()};
+                             std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()};
   lockstep_trial::Dice dice{1};
   for (int i = 0; i < kRandom; ++i)
     result.push_back(std::ldexp(dice.between(0.5, 1.0), static_cast<int>(dice.whole(-60, 60))));
