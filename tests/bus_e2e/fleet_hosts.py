@@ -84,6 +84,10 @@ class Fleet:
         def content(answer):
             return json.loads(base64.b64decode(json.loads(answer or "{}").get("message", {}).get("data", "")) or "{}")
 
+        # nats-server 2.9 crashes if it is asked for a message of a stream that it is just making.
+        held = json.loads(self.request_all([("$JS.API.STREAM.INFO.KV_axisd_lab_places", {})])[0] or "{}")
+        if not held.get("state", {}).get("messages"):
+            return {unit: {} for unit in units}
         subject = "$JS.API.STREAM.MSG.GET.KV_axisd_lab_places"
         answers = self.request_all([(subject, {"last_by_subj": f"$KV.axisd_lab_places.{unit}"}) for unit in units])
         return {unit: content(answer) for unit, answer in zip(units, answers)}

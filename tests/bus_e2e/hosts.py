@@ -62,7 +62,8 @@ class Server:
         self.file.write_text(f"listen: {self.address}\n{settings}\n{jetstream}\n")
 
     def begin(self):
-        self.process = self.bench.start("nats-server", "-c", self.file, stderr=subprocess.DEVNULL)
+        log = self.bench.folder / f"server-{self.address.split(':')[1]}.log"
+        self.process = self.bench.start("nats-server", "-c", self.file, stderr=log.open("a"))
 
     def kill(self):
         self.process.kill()
