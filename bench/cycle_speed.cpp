@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/median.hpp"
 #include "bench/number.hpp"
 #include "bench/operations/operation.hpp"
 #include "motor/lockstep/lockstep.hpp"
@@ -30,11 +31,6 @@ struct Way {
   const motor::LaneVariant* variant;
   std::vector<double> slices;  ///< ns each time
 };
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
-}
 
 void run_slice(bench::Operation& operation, Way& way) {
   motor::use(*way.variant);
@@ -59,7 +55,7 @@ void measure(std::string_view name, int slices) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < way.slices.size(); ++i) ratios.push_back(way.slices[i] / ways[0].slices[i]);
     std::printf("| %.*s | %s | %.2f | %.2f |\n", static_cast<int>(row->text.size()), row->text.data(),
-                way.variant->name, median(way.slices) / 1e3, median(ratios));
+                way.variant->name, bench::median(way.slices) / 1e3, bench::median(ratios));
   }
 }
 

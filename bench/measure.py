@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Measures everything that docs/explanation/performance.md tells of this machine, and writes it there.
+"""Measures what stands between marks of docs/explanation/performance.md, and writes it there.
 
 usage: measure.py [--build DIR] [--document FILE] [PART]...
 
 DIR has the programs (build/release); everything but the unit tests has to be built. Without a PART all are measured, one after
-the other, which takes an hour; a quiet machine tells more. The part `goals` alone measures nothing. What a part prints replaces what stands in the document between
+the other, which takes an hour; a quiet machine tells more. The part `goals` alone measures nothing. What a part prints replaces
+what stands in the document between
 `<!-- PART: command -->` and `<!-- end of PART -->`. Then the goals are judged by what stands there now, measured this time or
 before, and written into the part `goals`. Ends with 1 if a part could not be measured or a goal is not reached.
 """

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/bus/fan_out.hpp"
+#include "bench/median.hpp"
 #include "bench/number.hpp"
 
 /// What the hub of a user-space bus costs beside a program that reads a message from one socket and writes it to
@@ -41,11 +42,6 @@ Cost measure(const FanOut& fan_out, const Traffic& traffic, std::size_t times) {
   return {static_cast<double>(fan_out.processor_time() - processor) / frames, elapsed / frames};
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 /// Two that are measured in turns, slice by slice: medians of both, and of the ratios of slices.
 struct Comparison {
   Cost one;
@@ -56,7 +52,7 @@ struct Comparison {
 double median_of(const std::vector<Cost>& costs, double Cost::*part) {
   std::vector<double> values;
   for (const Cost& cost : costs) values.push_back(cost.*part);
-  return median(std::move(values));
+  return bench::median(std::move(values));
 }
 
 Cost medians(const std::vector<Cost>& costs) {

@@ -129,6 +129,7 @@ TEST_F(EventLoopTest, TellsThatABurstIsOver) {
   loop.turn();  // late: all of them
   EXPECT_EQ(std::ranges::count(station.events, "frame"), 100);
   EXPECT_EQ(std::ranges::count(station.events, "flood"), 1);
+  EXPECT_EQ(station.events.size(), 102U);
   arrive(1);
   loop.turn();
 
