@@ -5,18 +5,49 @@
 
 namespace os {
 
+/// A clock in place of the machine's: that of a bus with a time of its own.
+class OtherTime {
+ public:
+  OtherTime() = default;
+  OtherTime(const OtherTime&) = delete;
+  OtherTime& operator=(const OtherTime&) = delete;
+  virtual ~OtherTime() = default;
+
+  /// What stands for CLOCK_MONOTONIC, since its zero.
+  [[nodiscard]] virtual std::chrono::nanoseconds monotonic() const noexcept = 0;
+  /// What stands for CLOCK_REALTIME, since 1 January 1970, 0:00 UTC.
+  [[nodiscard]] virtual std::chrono::nanoseconds wall() const noexcept = 0;
+};
+
+/// The clock of the process, nullptr: the machine's.
+inline const OtherTime* other_time = nullptr;
+
+/// The process lives by @p time from now on, which outlives it; before it has threads.
+inline void use_time(const OtherTime& time) noexcept {
+  other_time = &time;
+}
+
+/// The present on a clock of the machine, whatever clock the process lives by, since the clock's zero.
+inline std::chrono::nanoseconds machine_time(clockid_t clock) noexcept {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec};
+}
+
 /// The present on CLOCK_MONOTONIC, since its zero.
 inline std::chrono::nanoseconds monotonic_time() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec};
+  return other_time == nullptr ? machine_time(CLOCK_MONOTONIC) : other_time->monotonic();
 }
 
 /// The present on CLOCK_REALTIME, since 1 January 1970, 0:00 UTC.
 inline std::chrono::nanoseconds wall_time() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec};
+  return other_time == nullptr ? machine_time(CLOCK_REALTIME) : other_time->wall();
+}
+
+/// @p time, not negative, as system calls take it.
+constexpr timespec to_timespec(std::chrono::nanoseconds time) noexcept {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
+  return {.tv_sec = seconds.count(), .tv_nsec = (time - seconds).count()};
 }
 
 }  // namespace os

@@ -34,10 +34,11 @@ inline constexpr size_t kLongestPath = 107;
 enum class Kind : uint8_t {
   Raw,               ///< "raw": CAN_RAW
   BroadcastManager,  ///< "bcm": CAN_BCM
-  Port,  ///< "port": as Raw, of a program that knows these messages; the preload library leaves it alone
-  Down,  ///< "down": no member any more; stands in for a socket whose hub has gone
+  Port,   ///< "port": as Raw, of a program that knows these messages; the preload library leaves it alone
+  Down,   ///< "down": no member any more; stands in for a socket whose hub has gone
+  Clock,  ///< "clock": a program's part in the time of the bus (can/userbus/time.hpp)
 };
-inline constexpr const char* kKindNames[] = {"raw", "bcm", "port", "down"};
+inline constexpr const char* kKindNames[] = {"raw", "bcm", "port", "down", "clock"};
 
 /// Behind every frame and every message of the broadcast manager.
 struct Trailer {
@@ -46,9 +47,10 @@ struct Trailer {
   uint32_t flags;       ///< MSG_DONTROUTE: sent on this machine; MSG_CONFIRM: sent by this very socket; kLinkDown,
                         ///< kLinkUp: the message is no frame but tells of the bus's link; for bridges
                         ///< from kOriginShift on the number that the frame got from hub `origin`
-  int64_t time_ns;      ///< end of the frame on the bus, CLOCK_REALTIME
-  uint32_t dropped;     ///< messages this member has lost so far because it did not read
-  uint32_t origin;      ///< for bridges: the hub on which the frame came up, 0 = that of the receiver; else 0
+  int64_t time_ns;   ///< end of the frame on the bus, CLOCK_REALTIME; to the hub of a bus with virtual time: when
+                     ///< it is sent, on the bus's CLOCK_MONOTONIC, 0 = now
+  uint32_t dropped;  ///< messages this member has lost so far because it did not read
+  uint32_t origin;   ///< for bridges: the hub on which the frame came up, 0 = that of the receiver; else 0
 };
 /// First bit of the number of a frame in Trailer::flags.
 inline constexpr unsigned kOriginShift = 12;
@@ -101,6 +103,10 @@ enum class Operation : uint32_t {
           ///< of memory to be mapped for reading; reply value: 1 = the bus is whole, 0 = it is cut; EOPNOTSUPP
           ///< from a hub whose bus ends with it
   Trunk,  ///< what is known of the way to other hosts; reply payload: JSON; EOPNOTSUPP likewise
+  Time,   ///< whose time the bus has; with the reply comes a descriptor of kTimePageSize bytes of memory to be
+         ///< mapped for reading, a TimePage; none if it is the machine's
+  Step,  ///< payload: int64_t, ns by which stepped time may go on; answered when it has, with the present
+         ///< (int64_t, ns) as payload; EOPNOTSUPP if the bus's time is not stepped
 };
 
 /// Options of a member that are numbers.
@@ -169,7 +175,7 @@ enum class StartStatus : int {
   Failed = 1,  ///< no socket, no memory, no such folder
   Usage = 2,
   InUse = 3,      ///< something that is no bus is at the path
-  Different = 4,  ///< a hub serves the path, but with another bit rate
+  Different = 4,  ///< a hub serves the path, but with another bit rate or another time
 };
 
 }  // namespace userbus
