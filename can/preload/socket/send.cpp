@@ -121,7 +121,8 @@ ssize_t send(int descriptor, const Name& name, const Parts& parts, int flags, co
       return send_frame(descriptor, name, parts, flags, to);
     case Kind::BroadcastManager:
       return send_broadcast(descriptor, name, parts, to);
-    case Kind::Port:  // never recognised as ours
+    case Kind::Port:  // these are never recognised as ours
+    case Kind::Clock:
     case Kind::Down:
       return failed(ENETDOWN);
   }
