@@ -105,6 +105,14 @@ void look_up_real() noexcept {
       {"closefrom", room_of(calls.closefrom)},
       {"dup2", room_of(calls.dup2)},
       {"dup3", room_of(calls.dup3)},
+      {"fgetc", room_of(calls.fgetc)},
+      {"getc_unlocked", room_of(calls.getc_unlocked)},
+      {"__uflow", room_of(calls.uflow)},
+      {"__underflow", room_of(calls.underflow)},
+      {"__isoc99_vfscanf", room_of(calls.vfscanf)},
+      {"fgets", room_of(calls.fgets)},
+      {"getdelim", room_of(calls.getdelim)},
+      {"fread", room_of(calls.fread)},
       {"syscall", room_of(calls.syscall)},
   };
   static_assert(sizeof entries / sizeof *entries == sizeof(Real) / sizeof(void*), "every call is looked up");

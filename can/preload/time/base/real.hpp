@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdarg>
+
 #include <poll.h>
 #include <pthread.h>
 #include <semaphore.h>
@@ -102,6 +104,14 @@ struct Real {
   void (*closefrom)(int);
   int (*dup2)(int, int);
   int (*dup3)(int, int, int);
+  int (*fgetc)(FILE*);
+  int (*getc_unlocked)(FILE*);
+  int (*uflow)(FILE*);
+  int (*underflow)(FILE*);
+  int (*vfscanf)(FILE*, const char*, va_list);
+  char* (*fgets)(char*, int, FILE*);
+  ssize_t (*getdelim)(char**, size_t*, int, FILE*);
+  size_t (*fread)(void*, size_t, size_t, FILE*);
   long (*syscall)(long, ...);
 };
 

@@ -47,6 +47,7 @@ void sleep_once(Thread& self, TimeLock& lock) noexcept {
   const int error = sleep_until_called(self, runnable ? &patience : nullptr);
   lock.take();
   if (self.go == kLook) self.go = 0;
+  self.wait.polled = false;  // others have run
   if (error == EINTR && self.place == Place::Waiting) {
     make_runnable(self, Ended::Signal);
     if (by_turns() && !has_turn()) want_turn();
