@@ -40,7 +40,8 @@ void look_at_entries(int folder) noexcept {
 }  // namespace
 
 bool is_can(int descriptor, userbus::Name& name) noexcept {
-  return expects_can_sockets() && userbus::name_of(descriptor, name) && name.kind != userbus::Kind::Port;
+  return expects_can_sockets() && userbus::name_of(descriptor, name) && name.kind != userbus::Kind::Port &&
+         name.kind != userbus::Kind::Clock;
 }
 
 void expect_can_sockets() noexcept {

@@ -28,7 +28,7 @@ class NotCancelled {
 };
 
 /// Where the bus of this process is at present; a program may change $CAN_BUS between its sockets.
-struct Place {
+struct BusPlace {
   bool fits;  ///< the path of the bus is not too long
   userbus::Path bus;
 };
@@ -50,14 +50,14 @@ void find_hub() noexcept {
   snprintf(hub_program, sizeof hub_program, "%.*s../../bin/canhub", folder, library.dli_fname);
 }
 
-Place present_place() noexcept {
-  Place place{};
+BusPlace present_place() noexcept {
+  BusPlace place{};
   place.fits = userbus::default_path(place.bus);
   return place;
 }
 
 /// Says once in a process why there is no bus.
-void report(const Place& at, const char* reason) noexcept {
+void report(const BusPlace& at, const char* reason) noexcept {
   static std::atomic<bool> reported;
   if (reported.exchange(true)) return;
   char line[512];
@@ -87,7 +87,7 @@ int errno_of(userbus::JoinError error) noexcept {
 
 int join_bus(userbus::Kind kind, int flags) noexcept {
   const NotCancelled not_cancelled;
-  const Place at = present_place();
+  const BusPlace at = present_place();
   if (!at.fits) {
     report(at, "has a path that is too long: 107 bytes are the most");
     errno = EAFNOSUPPORT;
@@ -104,9 +104,26 @@ int join_bus(userbus::Kind kind, int flags) noexcept {
 
 int join_served_bus() noexcept {
   const NotCancelled not_cancelled;
-  const Place at = present_place();
+  const BusPlace at = present_place();
   if (!at.fits) return -1;
   return userbus::join(at.bus, nullptr, userbus::Kind::Raw, SOCK_CLOEXEC).descriptor;
+}
+
+int join_time(int process) noexcept {
+  const NotCancelled not_cancelled;
+  const BusPlace at = present_place();
+  if (!at.fits) {
+    report(at, "has a path that is too long: 107 bytes are the most");
+    return -1;
+  }
+  pthread_once(&hub_is_known, find_hub);
+  const userbus::JoinedClock joined = userbus::join_clock(at.bus, hub_program, 0, process, process == 0);
+  if (joined.descriptor < 0) report(at, userbus::text_of(joined.error));
+  return joined.descriptor;
+}
+
+void report_bus(const char* reason) noexcept {
+  report(present_place(), reason);
 }
 
 int tell(int descriptor, userbus::Operation operation, int value, const void* payload, size_t size) noexcept {

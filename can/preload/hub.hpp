@@ -2,6 +2,7 @@
 
 #include "can/userbus/join.hpp"
 #include "can/userbus/request.hpp"
+#include "can/userbus/time.hpp"
 
 namespace preload {
 
@@ -11,6 +12,13 @@ int join_bus(userbus::Kind kind, int flags) noexcept;
 
 /// The same for a short question, quietly, and only if somebody serves the bus already.
 int join_served_bus() noexcept;
+
+/// Becomes a member of kind Clock of the process's present bus, for @p process (0: one that is to be started,
+/// which inherits the descriptor). -1, with a line on standard error the first time, if that fails.
+int join_time(int process) noexcept;
+
+/// Says once in a process why the bus does not do what it is to do: "libcan-preload: the CAN bus PATH REASON".
+void report_bus(const char* reason) noexcept;
 
 // userbus::ask for the calls of a program, whose threads cannot be cancelled meanwhile.
 

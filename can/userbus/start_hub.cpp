@@ -110,9 +110,17 @@ StartStatus run(Start& start) noexcept {
 
 }  // namespace
 
-StartStatus start_hub(const char* hub, const char* path, const char* bit_rate) noexcept {
-  const char* const words[] = {
-      hub, "--on-demand", "--path", path, bit_rate == nullptr ? nullptr : "--bitrate", bit_rate, nullptr};
+StartStatus start_hub(const char* hub, const char* path, const char* bit_rate, const char* time) noexcept {
+  const char* words[9] = {hub, "--on-demand", "--path", path};
+  size_t count = 4;
+  if (bit_rate != nullptr) {
+    words[count++] = "--bitrate";
+    words[count++] = bit_rate;
+  }
+  if (time != nullptr) {
+    words[count++] = "--time";
+    words[count++] = time;
+  }
   auto* const start = static_cast<Start*>(malloc(sizeof(Start) + (count_environment() + 1) * sizeof(char*)));
   if (start == nullptr) return StartStatus::Failed;
   start->words = const_cast<char* const*>(words);

@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include "can/userbus/bit_rate.hpp"
+#include "can/userbus/time.hpp"
 
 namespace with_can {
 
-const std::string_view kHelp = R"(usage: with-can [--bus PATH | --private] [--bitrate N] [--] COMMAND [ARGUMENT...]
+const std::string_view kHelp =
+    R"(usage: with-can [--bus PATH | --private] [--bitrate N] [--time T] [--] COMMAND [ARGUMENT...]
 
 Runs COMMAND with CAN sockets on a bus in user space, where the kernel needs no CAN. COMMAND is any program that
 uses SocketCAN and is linked with the C library dynamically; scripts are, as their interpreters are.
@@ -20,12 +22,14 @@ uses SocketCAN and is linked with the C library dynamically; scripts are, as the
   --private     a new bus for COMMAND and whatever that starts, which find its path in $CAN_BUS
   --bitrate N   frames take the time that they take at N bit/s, 1000 to 1000000, or 0: no time (default: as the
                 bus is; on a new one they take no time)
+  --time T      COMMAND lives by the time of the bus: virtual, stepped, scaled=K (K times as quick, 0.001 to 1000)
+                or real, the machine's (default: $CAN_TIME, else real)
   --help        this text
   --version     the version
 
 Exit status:
    -  that of COMMAND, if it ran
-   1  the bus runs at another bit rate, or cannot be started; the library is missing
+   1  the bus runs at another bit rate or by another time, or cannot be started; the library is missing
    2  wrong usage, a path over 107 bytes, or a program into which nothing can be preloaded
  126  COMMAND cannot be executed
  127  COMMAND is not found
@@ -49,13 +53,22 @@ std::optional<std::string> store_bit_rate(CommandLine& line, std::string_view va
   return std::nullopt;
 }
 
+std::optional<std::string> store_time(CommandLine& line, std::string_view value) {
+  userbus::TimeWish wish{};
+  if (!userbus::read_time(value.data(), value.size(), wish))
+    return fmt::format("--time: expected {}, got \"{}\"", userbus::kTimeRule, value);
+  line.time = value;
+  return std::nullopt;
+}
+
 /// An option that has a value; storing it may go wrong.
 struct ValueOption {
   std::string_view name;
   std::optional<std::string> (*store)(CommandLine& line, std::string_view value);
 };
 
-constexpr std::array kValueOptions{ValueOption{"--bus", store_bus}, ValueOption{"--bitrate", store_bit_rate}};
+constexpr std::array kValueOptions{ValueOption{"--bus", store_bus}, ValueOption{"--bitrate", store_bit_rate},
+                                   ValueOption{"--time", store_time}};
 
 /// The option that @p word is or begins, as "--bus=PATH".
 const ValueOption* value_option(std::string_view word) {

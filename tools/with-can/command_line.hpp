@@ -15,6 +15,7 @@ struct CommandLine {
   bool own_bus = false;              ///< a new bus, which nobody else knows yet
   std::string bus;                   ///< path of the bus; empty: the default
   std::string bit_rate;              ///< digits, bit/s, "0": frames take no time; empty: as the bus is
+  std::string time;                  ///< as userbus::read_time() takes it; empty: $CAN_TIME
   std::span<char* const> command{};  ///< the program and its arguments, as execvp(3) takes them but for the end
 };
 

@@ -64,15 +64,25 @@ void preload(const std::string& library) {
   ::setenv("LD_PRELOAD", (others.empty() ? library : library + ":" + others).c_str(), 1);
 }
 
-/// Starts the bus at its bit rate, or finds it running at that. Returns an exit status.
-int start_bus(const std::string& bus, const std::string& bit_rate, const std::string& folder) {
+/// How a bus differs from what was asked for.
+std::string difference(const CommandLine& line) {
+  const std::string rate = fmt::format("runs at another bit rate than {} bit/s", line.bit_rate);
+  const std::string time = fmt::format("goes by another time than {}", line.time);
+  if (line.time.empty()) return rate;
+  return line.bit_rate.empty() ? time : rate + ", or " + time;
+}
+
+/// Starts the bus with the bit rate and the time that are wanted, or finds it running so. Returns an exit status.
+int start_bus(const std::string& bus, const CommandLine& line, const std::string& folder) {
   const char* const chosen = std::getenv("CAN_HUB");
   const std::string hub = chosen != nullptr && *chosen != '\0' ? chosen : folder + "/canhub";
-  switch (userbus::start_hub(hub.c_str(), bus.c_str(), bit_rate.c_str())) {
+  const char* const bit_rate = line.bit_rate.empty() ? nullptr : line.bit_rate.c_str();
+  const char* const time = line.time.empty() ? nullptr : line.time.c_str();
+  switch (userbus::start_hub(hub.c_str(), bus.c_str(), bit_rate, time)) {
     case userbus::StartStatus::Served:
       return 0;
     case userbus::StartStatus::Different:
-      return fail(kFailure, fmt::format("the bus {} runs at another bit rate than {} bit/s", bus, bit_rate));
+      return fail(kFailure, fmt::format("the bus {} {}", bus, difference(line)));
     case userbus::StartStatus::InUse:
       return fail(kFailure, fmt::format("{}: is in use by something that is no CAN bus", bus));
     case userbus::StartStatus::Failed:
@@ -96,10 +106,10 @@ int run(const CommandLine& line) {
   const std::string library = (folder / "../lib/axisd/libcan-preload.so").lexically_normal().string();
   if (const char* const trouble = trouble_with(library)) return fail(kFailure, library + ": " + trouble);
   ::setenv("CAN_BUS", bus.c_str(), 1);
-  if (!line.bit_rate.empty()) {
-    ::setenv("CAN_BITRATE", line.bit_rate.c_str(), 1);
-    if (const int status = start_bus(bus, line.bit_rate, folder.string()); status != 0) return status;
-  }
+  if (!line.bit_rate.empty()) ::setenv("CAN_BITRATE", line.bit_rate.c_str(), 1);
+  if (!line.time.empty()) ::setenv("CAN_TIME", line.time.c_str(), 1);
+  if (!line.bit_rate.empty() || !line.time.empty())
+    if (const int status = start_bus(bus, line, folder.string()); status != 0) return status;
   preload(library);
   ::execv(program.path.c_str(), line.command.data());
   // execvp(3) gives what the kernel does not take to the shell: right for a script, not for a damaged program.
@@ -114,7 +124,7 @@ int main(int argc, char** argv) try {
   const auto line = with_can::read_command_line({argv + 1, static_cast<std::size_t>(argc - 1)});
   if (!line) {
     fail(kUsage, line.error());
-    std::cerr << "usage: with-can [--bus PATH | --private] [--bitrate N] [--] COMMAND [ARGUMENT...]\n";
+    std::cerr << "usage: with-can [--bus PATH | --private] [--bitrate N] [--time T] [--] COMMAND [ARGUMENT...]\n";
     return kUsage;
   }
   if (line->help) {

@@ -7,6 +7,7 @@
 #include "can/preload/next.hpp"
 #include "can/preload/socket/receive.hpp"
 #include "can/preload/socket/send.hpp"
+#include "can/preload/time/wait/readiness.hpp"
 
 namespace preload {
 
@@ -56,6 +57,7 @@ int receive_many(int descriptor, const Name& name, const iovec& room, int flags,
   int count = 0;
   while (static_cast<size_t>(count) < room.iov_len) {
     mmsghdr& message = messages[count];
+    if (!may_read(descriptor, flags)) return count > 0 ? count : -1;
     const ssize_t size = receive_message(descriptor, name, message.msg_hdr, flags & ~MSG_WAITFORONE);
     if (size < 0) return count > 0 ? count : -1;
     message.msg_len = static_cast<unsigned>(size);
@@ -90,6 +92,7 @@ constexpr unsigned kMostMessages = 1024;
 
 PRELOAD_EXPORT int recvmmsg(int descriptor, mmsghdr* messages, unsigned count, int flags, timespec* limit) {
   userbus::Name name{};
+  if (!preload::is_can(descriptor, name) && !preload::may_read(descriptor, flags)) return -1;
   if (!preload::is_can(descriptor, name))
     return preload::next().recvmmsg(descriptor, messages, count, flags, limit);
   return preload::receive_many(descriptor, name, {messages, count}, flags, limit);
@@ -97,7 +100,9 @@ PRELOAD_EXPORT int recvmmsg(int descriptor, mmsghdr* messages, unsigned count, i
 
 PRELOAD_EXPORT int sendmmsg(int descriptor, mmsghdr* messages, unsigned count, int flags) {
   userbus::Name name{};
-  if (!preload::is_can(descriptor, name)) return preload::next().sendmmsg(descriptor, messages, count, flags);
+  if (!preload::is_can(descriptor, name))
+    return preload::may_write_out(descriptor, flags) ? preload::next().sendmmsg(descriptor, messages, count, flags)
+                                                     : -1;
   const unsigned most = count < preload::kMostMessages ? count : preload::kMostMessages;
   return preload::send_many(descriptor, name, {messages, most}, flags);
 }

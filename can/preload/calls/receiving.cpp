@@ -6,6 +6,7 @@
 #include "can/preload/next.hpp"
 #include "can/preload/socket/address.hpp"
 #include "can/preload/socket/receive.hpp"
+#include "can/preload/time/wait/readiness.hpp"
 
 namespace preload {
 
@@ -44,15 +45,18 @@ void look_at_arrived(const msghdr& message) noexcept {
 }  // namespace preload
 
 using preload::is_can;
+using preload::may_read;
 using preload::next;
 
 PRELOAD_EXPORT ssize_t read(int descriptor, void* data, size_t size) {
+  if (!may_read(descriptor)) return -1;
   userbus::Name name{};
   if (size == 0 || !is_can(descriptor, name)) return next().read(descriptor, data, size);
   return preload::receive_into(descriptor, name, data, size, 0);
 }
 
 PRELOAD_EXPORT ssize_t readv(int descriptor, const iovec* parts, int count) {
+  if (!may_read(descriptor)) return -1;
   userbus::Name name{};
   if (count <= 0 || !is_can(descriptor, name)) return next().readv(descriptor, parts, count);
   const preload::Parts room{parts, static_cast<size_t>(count)};
@@ -61,6 +65,7 @@ PRELOAD_EXPORT ssize_t readv(int descriptor, const iovec* parts, int count) {
 }
 
 PRELOAD_EXPORT ssize_t recv(int descriptor, void* data, size_t size, int flags) {
+  if (!may_read(descriptor, flags)) return -1;
   userbus::Name name{};
   if (!is_can(descriptor, name)) return next().recv(descriptor, data, size, flags);
   return preload::receive_into(descriptor, name, data, size, flags);
@@ -68,6 +73,7 @@ PRELOAD_EXPORT ssize_t recv(int descriptor, void* data, size_t size, int flags) 
 
 PRELOAD_EXPORT ssize_t recvfrom(int descriptor, void* data, size_t size, int flags, sockaddr* address,
                                 socklen_t* length) {
+  if (!may_read(descriptor, flags)) return -1;
   userbus::Name name{};
   if (!is_can(descriptor, name)) return next().recvfrom(descriptor, data, size, flags, address, length);
   msghdr from{};
@@ -79,6 +85,7 @@ PRELOAD_EXPORT ssize_t recvfrom(int descriptor, void* data, size_t size, int fla
 }
 
 PRELOAD_EXPORT ssize_t recvmsg(int descriptor, msghdr* message, int flags) {
+  if (!may_read(descriptor, flags)) return -1;
   userbus::Name name{};
   if (is_can(descriptor, name)) return preload::receive_message(descriptor, name, *message, flags);
   const ssize_t result = next().recvmsg(descriptor, message, flags);

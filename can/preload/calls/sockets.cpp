@@ -11,6 +11,10 @@
 #include "can/preload/next.hpp"
 #include "can/preload/socket/address.hpp"
 #include "can/preload/socket/state.hpp"
+#include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/process/turn_descriptor.hpp"
+#include "can/preload/time/wait/descriptors.hpp"
+#include "can/preload/time/wait/timer.hpp"
 
 namespace preload {
 
@@ -90,6 +94,11 @@ PRELOAD_EXPORT int connect(int descriptor, const sockaddr* address, socklen_t le
 }
 
 PRELOAD_EXPORT int close(int descriptor) {
+  if (preload::is_hidden(descriptor)) return preload::failed(EBADF);
   if (preload::expects_can_sockets()) preload::forget(descriptor);
+  if (preload::by_turns()) {
+    preload::forget_descriptor(descriptor);
+    preload::forget_timer(descriptor);
+  }
   return next().close(descriptor);
 }

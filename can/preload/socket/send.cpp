@@ -13,6 +13,8 @@
 #include "can/preload/next.hpp"
 #include "can/preload/socket/address.hpp"
 #include "can/preload/socket/state.hpp"
+#include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/turn/turn.hpp"
 
 namespace preload {
 
@@ -67,12 +69,14 @@ void wait_for_room(int descriptor) noexcept {
 ssize_t send_to_hub(int descriptor, can_frame& frame, int index, bool wait) noexcept {
   Trailer trailer{};
   trailer.interface_index = index;
+  if (by_turns()) trailer.time_ns = present();
   iovec parts[] = {{&frame, sizeof frame}, {&trailer, sizeof trailer}};
   msghdr message{};
   message.msg_iov = parts;
-  message.msg_iovlen = index == 0 ? 1 : 2;
+  message.msg_iovlen = index == 0 && trailer.time_ns == 0 ? 1 : 2;
   const ssize_t size = next().sendmsg(descriptor, &message, MSG_NOSIGNAL | (wait ? 0 : MSG_DONTWAIT));
   if (size < 0) return failed(can_error(errno, descriptor, wait));
+  if (by_turns()) note_sent();
   if (wait) wait_for_room(descriptor);
   return sizeof frame;
 }
@@ -109,6 +113,8 @@ ssize_t send_broadcast(int descriptor, const Name& name, const Parts& parts, con
     if (index != 0 && !exists(index, descriptor)) return failed(ENODEV);
   }
   gather(parts, message, sizeof message);
+  tell_present();
+  if (by_turns()) note_sent();
   if (tell(descriptor, userbus::Operation::Broadcast, index, message, size) != 0) return -1;
   return static_cast<ssize_t>(size);
 }
@@ -121,7 +127,7 @@ ssize_t send(int descriptor, const Name& name, const Parts& parts, int flags, co
       return send_frame(descriptor, name, parts, flags, to);
     case Kind::BroadcastManager:
       return send_broadcast(descriptor, name, parts, to);
-    case Kind::Port:  // these are never recognised as ours
+    case Kind::Port:  // never recognised as ours
     case Kind::Clock:
     case Kind::Down:
       return failed(ENETDOWN);

@@ -77,6 +77,8 @@ TEST_F(WithCan, SaysWhatIsWrongWithItsOptions) {
       {{"--bus=", "env"}, "--bus: expected a path, got nothing"},
       {{"--bitrate", "999", "env"}, "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"999\""},
       {{"--bitrate", "125k", "env"}, "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"125k\""},
+      {{"--time", "quick", "env"},
+       "--time: expected real, scaled=K (0.001 to 1000), virtual or stepped, got \"quick\""},
       {{"--fast", "env"}, "unknown option --fast"},
   };
   for (const auto& [words, message] : cases) {
@@ -111,6 +113,21 @@ TEST_F(WithCan, TakesTheBitRatesOfCanhub) {
 
   EXPECT_EQ(other.status, 1);
   EXPECT_TRUE(is_one_line_with(other.errors, "runs at another bit rate than 0 bit/s"));
+}
+
+TEST_F(WithCan, StartsABusWithATime) {
+  const fakes::Finished result = run({"--bus", path("bus"), "--time", "virtual", "date", "-u", "+%F %T"});
+
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.output, "2025-01-01 00:00:00\n");
+}
+
+TEST_F(WithCan, SaysThatABusGoesByAnotherTime) {
+  const fakes::Finished other =
+      run({"--bus", path("bus"), "--time", "real", WITH_CAN, "--bus", path("bus"), "--time", "virtual", "true"});
+
+  EXPECT_EQ(other.status, 1);
+  EXPECT_TRUE(is_one_line_with(other.errors, "goes by another time than virtual"));
 }
 
 TEST_F(WithCan, SaysThatAPathIsInUse) {

@@ -1,0 +1,75 @@
+// accept, accept4, pipe; close_range, closefrom, dup2, dup3, which leave alone what is this library's.
+#include "can/preload/time/wait/descriptors.hpp"
+
+#include <cerrno>
+
+#include "can/preload/calls/exported.hpp"
+#include "can/preload/calls/failed.hpp"
+#include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/base/real.hpp"
+#include "can/preload/time/process/turn_descriptor.hpp"
+#include "can/preload/time/turn/turn.hpp"
+#include "can/preload/time/wait/readiness.hpp"
+#include "can/preload/time/wait/timer.hpp"
+
+namespace preload {
+
+namespace {
+
+/// Descriptors from @p first to @p last are closed, or are others from now on.
+void forget_range(unsigned first, unsigned last) noexcept {
+  constexpr unsigned kMost = 1024;
+  for (unsigned descriptor = first; descriptor <= last && descriptor < kMost; ++descriptor) {
+    forget_descriptor(static_cast<int>(descriptor));
+    forget_timer(static_cast<int>(descriptor));
+  }
+}
+
+int close_around(unsigned first, unsigned last, int flags) noexcept {
+  const auto hidden = static_cast<unsigned>(turn_socket());
+  if (hidden < first || hidden > last) return real().close_range(first, last, flags);
+  if (hidden > first && real().close_range(first, hidden - 1, flags) != 0) return -1;
+  return hidden < last ? real().close_range(hidden + 1, last, flags) : 0;
+}
+
+}  // namespace
+
+}  // namespace preload
+
+using preload::by_turns;
+using preload::failed;
+using preload::real;
+
+PRELOAD_EXPORT int accept(int descriptor, sockaddr* address, socklen_t* length) {
+  if (!preload::may_read(descriptor)) return -1;
+  return real().accept(descriptor, address, length);
+}
+
+PRELOAD_EXPORT int accept4(int descriptor, sockaddr* address, socklen_t* length, int flags) {
+  if (!preload::may_read(descriptor)) return -1;
+  return real().accept4(descriptor, address, length, flags);
+}
+
+PRELOAD_EXPORT int close_range(unsigned first, unsigned last, int flags) noexcept {
+  if (!by_turns()) return real().close_range(first, last, flags);
+  constexpr unsigned kClosedLater = 4;  // CLOSE_RANGE_CLOEXEC
+  if ((static_cast<unsigned>(flags) & kClosedLater) == 0) preload::forget_range(first, last);
+  return preload::close_around(first, last, flags);
+}
+
+PRELOAD_EXPORT void closefrom(int first) noexcept {
+  if (!by_turns()) return real().closefrom(first);
+  close_range(first < 0 ? 0 : static_cast<unsigned>(first), ~0U, 0);
+}
+
+PRELOAD_EXPORT int dup2(int from, int to) noexcept {
+  if (preload::is_hidden(to) || preload::is_hidden(from)) return failed(EBADF);
+  if (by_turns() && from != to) preload::forget_range(static_cast<unsigned>(to), static_cast<unsigned>(to));
+  return real().dup2(from, to);
+}
+
+PRELOAD_EXPORT int dup3(int from, int to, int flags) noexcept {
+  if (preload::is_hidden(to) || preload::is_hidden(from)) return failed(EBADF);
+  if (by_turns()) preload::forget_range(static_cast<unsigned>(to), static_cast<unsigned>(to));
+  return real().dup3(from, to, flags);
+}

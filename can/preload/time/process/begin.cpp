@@ -1,0 +1,100 @@
+// What happens at load: whose time the process lives by.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <dirent.h>
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "can/preload/hub.hpp"
+#include "can/preload/next.hpp"
+#include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/base/real.hpp"
+#include "can/preload/time/process/child.hpp"
+#include "can/preload/time/process/turn_descriptor.hpp"
+#include "can/preload/time/turn/touch.hpp"
+#include "can/preload/time/turn/turn.hpp"
+#include "can/preload/time/wait/scheduler.hpp"
+#include "can/userbus/name.hpp"
+
+namespace preload {
+
+namespace {
+
+/// The first descriptor from @p lowest on that is a connection of kind Clock; -1: there is none.
+int inherited_socket(int lowest) noexcept {
+  DIR* const folder = opendir("/proc/self/fd");
+  if (folder == nullptr) return -1;
+  int found = -1;
+  while (const dirent* const entry = readdir(folder)) {
+    const int descriptor = atoi(entry->d_name);
+    userbus::Name name{};
+    if (entry->d_name[0] == '.' || descriptor < lowest || !userbus::name_of(descriptor, name)) continue;
+    if (name.kind == userbus::Kind::Clock && (found < 0 || descriptor < found)) found = descriptor;
+  }
+  closedir(folder);
+  return found;
+}
+
+/// Leaves one at most: what the process was given by that which it was before, or which started it.
+int take_inherited_socket() noexcept {
+  const int socket = inherited_socket(0);
+  if (socket < 0) return -1;
+  for (int other = 0; (other = inherited_socket(socket + 1)) >= 0;) next().close(other);
+  return socket;
+}
+
+/// Programs that take part by themselves, as axisd does, have a symbol of this name.
+bool takes_part_by_itself() noexcept {
+  return dlsym(RTLD_DEFAULT, "can_bus_native_time") != nullptr;
+}
+
+bool is_wanted(userbus::TimeWish& wish) noexcept {
+  const char* const text = getenv("CAN_TIME");
+  return text != nullptr && userbus::read_time(text, strlen(text), wish) && wish.mode != userbus::TimeMode::Real;
+}
+
+void begin_by(int socket, const userbus::TimePage& page) noexcept {
+  if (page.mode == userbus::TimeMode::Scaled) {
+    next().close(socket);  // nobody takes turns
+    return go_scaled(page.scale, page.begin_ns, page.machine_begin_ns, page.wall_offset_ns);
+  }
+  {
+    const TimeLock lock;
+    this_thread();
+  }
+  go_by_turns(page.wall_offset_ns);
+  begin_to_see_writes();
+  watch_forks();
+  take_part(socket);
+}
+
+/// Behind the library's own begin, before the constructors of the program and of its libraries.
+[[gnu::constructor(102)]] void begin_time() {
+  userbus::TimeWish wish{};
+  if (!is_wanted(wish)) return;
+  real();
+  int socket = take_inherited_socket();
+  if (takes_part_by_itself()) {
+    if (socket >= 0) next().close(socket);
+    return;
+  }
+  if (socket < 0) socket = hide(join_time(getpid()));
+  if (socket < 0) return;
+  fcntl(socket, F_SETFD, FD_CLOEXEC);
+  const userbus::TimePage* const page = userbus::map_time(socket);
+  if (page != nullptr) return begin_by(socket, *page);
+  next().close(socket);
+  report_bus("goes by the machine's time, not by that of CAN_TIME");
+}
+
+[[gnu::destructor]] void end_time() {
+  tell_present();
+}
+
+}  // namespace
+
+}  // namespace preload

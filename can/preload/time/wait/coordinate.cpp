@@ -1,0 +1,155 @@
+// What the last thread that comes to wait does for all: it looks what is next, and ends and begins the turns.
+#include <cerrno>
+
+#include "can/preload/next.hpp"
+#include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/base/real.hpp"
+#include "can/preload/time/turn/turn.hpp"
+#include "can/preload/time/wait/poll_set.hpp"
+#include "can/preload/time/wait/scheduler.hpp"
+#include "can/preload/time/wait/timer.hpp"
+
+namespace preload {
+
+namespace {
+
+using userbus::TurnOutcome;
+
+PollSet poll_set;
+
+/// How often a parent looks for children that are not on the bus (ns of the machine).
+constexpr int64_t kLookForChildren = 50 * kNsOfMillisecond;
+
+bool waits_for_children(const Thread& thread) noexcept {
+  return thread.wait.for_children;
+}
+
+bool is_over(const Thread& thread) noexcept {
+  return thread.wait.is_over != nullptr && thread.wait.is_over(thread.wait.subject);
+}
+
+bool is_due(const Thread& thread) noexcept {
+  return thread.wait.deadline <= present();
+}
+
+Thread* first_waiting(bool (*fits)(const Thread&)) noexcept {
+  for (Thread* thread = threads().waiting.first(); thread != nullptr; thread = thread->following)
+    if (fits(*thread)) return thread;
+  return nullptr;
+}
+
+/// Makes @p thread go on, if there is one.
+bool end_wait_of(Thread* thread, Ended ended) noexcept {
+  if (thread != nullptr) make_runnable(*thread, ended);
+  return thread != nullptr;
+}
+
+bool end_ready_wait() noexcept {
+  if (end_wait_of(first_waiting(is_over), Ended::Ready)) return true;
+  poll_set.gather(threads().waiting);
+  if (poll_set.look() <= 0) return false;
+  return end_wait_of(poll_set.first_ready(threads().waiting), Ended::Ready);
+}
+
+/// Whether a child has ended that has not been waited for.
+bool has_ended_child() noexcept {
+  siginfo_t info{};
+  const int outcome = real().waitid(P_ALL, 0, &info, WEXITED | WSTOPPED | WCONTINUED | WNOHANG | WNOWAIT);
+  return outcome != 0 || info.si_pid != 0;
+}
+
+/// The hub tells when the sockets of a child are closed, which is a little before it can be waited for.
+void await_ended_child(TimeLock& lock) noexcept {
+  constexpr int kMostLooks = 250;
+  const timespec moment{.tv_sec = 0, .tv_nsec = kNsOfMillisecond};
+  lock.release();
+  for (int i = 0; i < kMostLooks && !has_ended_child(); ++i) real().nanosleep(&moment, nullptr);
+  lock.take();
+}
+
+void end_waits_for_children(TimeLock& lock) noexcept {
+  if (first_waiting(waits_for_children) == nullptr) return;
+  await_ended_child(lock);
+  while (end_wait_of(first_waiting(waits_for_children), Ended::Ready)) {
+  }
+}
+
+/// What ended a sleep of the coordinator.
+struct Awoken {
+  int count;
+  int error;
+};
+
+Awoken sleep_for_turn(const Thread& self, TimeLock& lock, bool looks_for_children) noexcept {
+  const timespec moment = timespec_of(kLookForChildren);
+  pollfd* const entries = poll_set.with_socket(turn_socket());
+  const nfds_t count = poll_set.count_with_socket();
+  lock.release();
+  const int ready = real().ppoll(entries, count, looks_for_children ? &moment : nullptr, self.wait.mask);
+  const int error = ready < 0 ? errno : 0;
+  lock.take();
+  return {ready, error};
+}
+
+/// Sleeps until the turn has come, and asks for it when something else comes first. False if the hub has gone.
+bool await_turn(Thread& self, TimeLock& lock) noexcept {
+  bool wanted = false;
+  for (;;) {
+    poll_set.clear();
+    if (!wanted) poll_set.gather(threads().waiting);
+    poll_set.leave_out_bus();
+    const bool looks_for_children = !wanted && first_waiting(waits_for_children) != nullptr;
+    const Awoken awoken = sleep_for_turn(self, lock, looks_for_children);
+    if (awoken.error == EINTR && self.place == Place::Waiting) make_runnable(self, Ended::Signal);
+    if (awoken.count > 0 && poll_set.is_socket_ready()) {
+      const TurnOutcome outcome = begin_turn(false);
+      if (outcome != TurnOutcome::None) return outcome == TurnOutcome::Turn;
+      continue;
+    }
+    const bool child = awoken.count == 0 && has_ended_child();
+    if (wanted || (awoken.error == 0 && !child && !poll_set.is_outside_ready())) continue;
+    if (child) end_wait_of(first_waiting(waits_for_children), Ended::Ready);
+    want_turn();
+    wanted = true;
+  }
+}
+
+int64_t earliest_instant() noexcept {
+  int64_t earliest = first_expiry();
+  for (const Thread* thread = threads().waiting.first(); thread != nullptr; thread = thread->following)
+    if (thread->wait.deadline < earliest) earliest = thread->wait.deadline;
+  return earliest;
+}
+
+void lose_hub() noexcept {
+  next().close(turn_socket());
+  use_turn_socket(-1);
+  const int64_t offset = wall_time(0);
+  go_scaled(1, present(), machine_present(), offset);
+  release_all();
+}
+
+}  // namespace
+
+void coordinate(Thread& self, TimeLock& lock) noexcept {
+  bool looked = self.wait.polled && threads().waiting.is_single();
+  while (threads().runnable.first() == nullptr) {
+    if (!has_turn()) {
+      if (!await_turn(self, lock)) return lose_hub();
+      if (take_child_ended()) end_waits_for_children(lock);
+      looked = false;
+      continue;
+    }
+    if (fire_due_timers(self, lock)) looked = false;
+    if (threads().runnable.first() != nullptr || (!looked && end_ready_wait())) return;
+    if (end_wait_of(first_waiting(is_due), Ended::Deadline)) return;
+    looked = true;  // what comes from now on comes by a turn
+    const int64_t earliest = earliest_instant();
+    if (earliest != kNoInstant && may_go_on_to(earliest))
+      show_present(earliest);
+    else if (!end_turn(earliest))
+      return lose_hub();
+  }
+}
+
+}  // namespace preload

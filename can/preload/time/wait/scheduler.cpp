@@ -1,0 +1,185 @@
+#include "can/preload/time/wait/scheduler.hpp"
+
+#include <cerrno>
+#include <climits>
+
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/base/real.hpp"
+#include "can/preload/time/turn/turn.hpp"
+#include "can/preload/time/wait/stuck.hpp"
+#include "can/preload/time/wait/wait.hpp"
+
+namespace preload {
+
+namespace {
+
+Threads all_threads;
+std::atomic<int> waits_for_addresses;
+
+// What a thread's `go` says.
+constexpr int kGo = 1;
+constexpr int kLook = 2;  ///< it may have to coordinate
+
+void call(Thread& thread, int word) noexcept {
+  thread.go.store(word, std::memory_order_release);
+  if (&thread == own_thread()) return;
+  real().syscall(SYS_futex, &thread.go, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
+}
+
+/// Returns the errno of it. With @p mask: looks now and then.
+int sleep_until_called(Thread& self, const timespec* limit) noexcept {
+  if (self.wait.mask != nullptr) {
+    const timespec moment{.tv_sec = 0, .tv_nsec = 2 * kNsOfMillisecond};
+    return real().ppoll(nullptr, 0, &moment, self.wait.mask) < 0 ? errno : 0;
+  }
+  return real().syscall(SYS_futex, &self.go, FUTEX_WAIT_PRIVATE, 0, limit, nullptr, 0) == 0 ? 0 : errno;
+}
+
+/// One sleep of @p self, after which it looks again. A signal ends its wait.
+void sleep_once(Thread& self, TimeLock& lock) noexcept {
+  const bool runnable = self.place == Place::Runnable;
+  const timespec patience{.tv_sec = 0, .tv_nsec = 5 * kNsOfMillisecond};
+  lock.release();
+  const int error = sleep_until_called(self, runnable ? &patience : nullptr);
+  lock.take();
+  if (self.go == kLook) self.go = 0;
+  self.wait.polled = false;  // others have run
+  if (error == EINTR && self.place == Place::Waiting) {
+    make_runnable(self, Ended::Signal);
+    if (by_turns() && !has_turn()) want_turn();
+  }
+  if (error == ETIMEDOUT && runnable && &self == all_threads.runnable.first() && are_runners_stuck())
+    release_first();
+}
+
+}  // namespace
+
+Threads& threads() noexcept {
+  return all_threads;
+}
+
+Thread& this_thread() noexcept {
+  if (Thread* const known = own_thread(); known != nullptr) return *known;
+  static Thread spare;  // without memory threads share one, and time is not right any more
+  Thread* thread = new_thread();
+  if (thread == nullptr) thread = &spare;
+  thread->handle = pthread_self();
+  thread->id = gettid();
+  ++all_threads.running;
+  set_own_thread(thread);
+  return *thread;
+}
+
+void make_runnable(Thread& thread, Ended ended) noexcept {
+  all_threads.waiting.remove(thread);
+  all_threads.runnable.append(thread);
+  thread.place = Place::Runnable;
+  thread.ended = ended;
+}
+
+void release_first() noexcept {
+  Thread& thread = *all_threads.runnable.first();
+  all_threads.runnable.remove(thread);
+  thread.place = Place::Running;
+  ++all_threads.running;
+  thread.patience = Patience{};
+  call(thread, kGo);
+}
+
+void release_all() noexcept {
+  while (all_threads.waiting.first() != nullptr) make_runnable(*all_threads.waiting.first(), Ended::Gone);
+  while (all_threads.runnable.first() != nullptr) release_first();
+}
+
+void begin_wait(Thread& self, const Wait& wait) noexcept {
+  self.wait = wait;
+  self.go = 0;
+  self.place = Place::Waiting;
+  all_threads.waiting.append(self);
+  if (wait.address != nullptr) ++waits_for_addresses;
+}
+
+void cancel_wait(Thread& self) noexcept {
+  (self.place == Place::Waiting ? all_threads.waiting : all_threads.runnable).remove(self);
+  self.place = Place::Running;
+  self.go = 0;
+  if (self.wait.address != nullptr) --waits_for_addresses;
+}
+
+int count_waits_for_addresses() noexcept {
+  return waits_for_addresses;
+}
+
+Ended finish_wait(Thread& self, TimeLock& lock) noexcept {
+  Threads& all = all_threads;
+  --all.running;
+  while (self.go != kGo) {
+    if (all.running == 0 && all.runnable.first() != nullptr) {
+      release_first();
+    } else if (all.running == 0 && !all.coordinated) {
+      all.coordinated = true;
+      coordinate(self, lock);
+      all.coordinated = false;
+    } else {
+      sleep_once(self, lock);
+    }
+  }
+  self.go = 0;
+  if (self.wait.address != nullptr) --waits_for_addresses;
+  return self.ended;
+}
+
+Thread* announce_thread() noexcept {
+  Thread* const thread = new_thread();
+  if (thread == nullptr) return nullptr;
+  thread->place = Place::Runnable;
+  thread->ended = Ended::Ready;
+  thread->wait = Wait{};
+  all_threads.runnable.append(*thread);
+  return thread;
+}
+
+void begin_thread(Thread& self) noexcept {
+  set_own_thread(&self);
+  TimeLock lock;
+  self.handle = pthread_self();
+  self.id = gettid();
+  ++all_threads.running;  // it is not, but finish_wait() takes one off
+  finish_wait(self, lock);
+}
+
+void end_thread(Thread& thread) noexcept {
+  Threads& all = all_threads;
+  if (thread.place == Place::Runnable) all.runnable.remove(thread);
+  if (thread.place == Place::Running) --all.running;
+  const pthread_t handle = thread.handle;
+  free_thread(thread);
+  wake_waiting(reinterpret_cast<const void*>(handle), INT_MAX, UINT32_MAX);  // who joins it
+  if (all.running > 0) return;
+  if (all.runnable.first() != nullptr)
+    release_first();
+  else if (!all.coordinated && all.waiting.first() != nullptr)
+    call(*all.waiting.first(), kLook);
+}
+
+void forget_other_threads() noexcept {
+  TimeLock::forget();
+  Thread* const self = own_thread();
+  for_each_thread(
+      [](Thread& thread, void* own) {
+        if (&thread != own) free_thread(thread);
+      },
+      self);
+  all_threads = Threads{};
+  waits_for_addresses = 0;
+  if (self == nullptr) return;
+  self->place = Place::Running;
+  self->id = gettid();
+  all_threads.running = 1;
+}
+
+}  // namespace preload

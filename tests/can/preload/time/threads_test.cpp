@@ -1,0 +1,188 @@
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <semaphore>
+#include <shared_mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <semaphore.h>
+
+#include "tests/can/preload/time/bus_clock.hpp"
+
+namespace preload_test {
+namespace {
+
+TEST(Threads, SleepSideBySide) {
+  const Stopwatch time;
+  std::vector<std::string> order;  // one thread runs at a time; at one instant the one that has waited longest
+  std::vector<std::thread> threads;
+  for (const int length : {30, 10, 20})
+    threads.emplace_back([length, &order, &time] {
+      for (int i = 0; i < 2; ++i) {
+        sleep_for(milliseconds{length});
+        order.push_back(std::to_string(length) + "@" + std::to_string(time.passed() / milliseconds{1}));
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+
+  const std::vector<std::string> expected{"10@10", "20@20", "10@20", "30@30", "20@40", "30@60"};
+  EXPECT_EQ(order, expected);
+}
+
+TEST(Condition, WakesAtTheInstantOfItsSignal) {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool ready = false;
+  const Stopwatch time;
+  std::thread other{[&] {
+    sleep_for(seconds{2});
+    const std::lock_guard lock{mutex};
+    ready = true;
+    changed.notify_one();
+  }};
+  std::unique_lock lock{mutex};
+
+  EXPECT_FALSE(changed.wait_for(lock, milliseconds{500}, [&] { return ready; }));
+  EXPECT_EQ(time.passed(), milliseconds{500});
+  EXPECT_TRUE(changed.wait_for(lock, seconds{60}, [&] { return ready; }));
+  EXPECT_EQ(time.passed(), seconds{2});
+  other.join();
+}
+
+TEST(Condition, TakesTheTimeOfItsClock) {
+  pthread_cond_t condition = PTHREAD_COND_INITIALIZER;
+  pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+  const Stopwatch time;
+  const timespec end = instant(milliseconds{30}, CLOCK_REALTIME);
+  pthread_mutex_lock(&mutex);
+
+  EXPECT_EQ(pthread_cond_timedwait(&condition, &mutex, &end), ETIMEDOUT);
+  EXPECT_EQ(time.passed(), milliseconds{30});
+  pthread_mutex_unlock(&mutex);
+}
+
+TEST(Mutex, IsWaitedForWhileItsOwnerSleeps) {
+  std::timed_mutex mutex;
+  const Stopwatch time;
+  std::thread owner{[&] {
+    const std::lock_guard lock{mutex};
+    sleep_for(seconds{1});
+  }};
+  sleep_for(milliseconds{1});
+
+  EXPECT_FALSE(mutex.try_lock_for(milliseconds{99}));
+  EXPECT_EQ(time.passed(), milliseconds{100});
+  mutex.lock();
+  EXPECT_EQ(time.passed(), seconds{1});
+  mutex.unlock();
+  owner.join();
+}
+
+TEST(Mutex, TellsItsOwnerThatItWouldWaitForItself) {
+  pthread_mutex_t mutex = PTHREAD_ERRORCHECK_MUTEX_INITIALIZER_NP;
+  ASSERT_EQ(pthread_mutex_lock(&mutex), 0);
+
+  EXPECT_EQ(pthread_mutex_lock(&mutex), EDEADLK);
+  EXPECT_EQ(pthread_mutex_unlock(&mutex), 0);
+}
+
+TEST(SharedMutex, LetsReadersInWhenItsWriterLeaves) {
+  std::shared_mutex mutex;
+  const Stopwatch time;
+  std::thread writer{[&] {
+    const std::lock_guard lock{mutex};
+    sleep_for(milliseconds{40});
+  }};
+  sleep_for(milliseconds{1});
+  const std::shared_lock reader{mutex};
+
+  EXPECT_EQ(time.passed(), milliseconds{40});
+  writer.join();
+}
+
+TEST(Semaphore, HasALimitOfTime) {
+  sem_t semaphore;
+  ASSERT_EQ(sem_init(&semaphore, 0, 0), 0);
+  const Stopwatch time;
+  std::thread other{[&] {
+    sleep_for(milliseconds{70});
+    sem_post(&semaphore);
+  }};
+  const timespec end = instant(milliseconds{50}, CLOCK_REALTIME);
+
+  EXPECT_EQ(sem_timedwait(&semaphore, &end), -1);
+  EXPECT_EQ(errno, ETIMEDOUT);
+  EXPECT_EQ(time.passed(), milliseconds{50});
+  EXPECT_EQ(sem_wait(&semaphore), 0);
+  EXPECT_EQ(time.passed(), milliseconds{70});
+  other.join();
+}
+
+/// By the kernel's futex itself, past the C library's threads.
+TEST(Futex, WaitsForAnAtomicWord) {
+  std::atomic<int> word{0};
+  const Stopwatch time;
+  std::thread other{[&] {
+    sleep_for(seconds{5});
+    word = 1;
+    word.notify_all();
+  }};
+
+  word.wait(0);
+  EXPECT_EQ(time.passed(), seconds{5});
+  other.join();
+}
+
+TEST(Join, HasALimitOfTime) {
+  const Stopwatch time;
+  pthread_t thread{};
+  ASSERT_EQ(pthread_create(
+                &thread, nullptr,
+                [](void*) -> void* {
+                  sleep_for(seconds{3});
+                  return nullptr;
+                },
+                nullptr),
+            0);
+  const timespec end = instant(seconds{1}, CLOCK_REALTIME);
+
+  EXPECT_EQ(pthread_timedjoin_np(thread, nullptr, &end), ETIMEDOUT);
+  EXPECT_EQ(time.passed(), seconds{1});
+  EXPECT_EQ(pthread_join(thread, nullptr), 0);
+  EXPECT_EQ(time.passed(), seconds{3});
+}
+
+TEST(Cancel, EndsASleepingThread) {
+  const Stopwatch time;
+  pthread_t thread{};
+  const auto sleep_for_ever = [](void*) -> void* {
+    for (;;) sleep(1000);
+  };
+  ASSERT_EQ(pthread_create(&thread, nullptr, sleep_for_ever, nullptr), 0);
+  sleep_for(seconds{1});
+  void* result = nullptr;
+
+  EXPECT_EQ(pthread_cancel(thread), 0);
+  EXPECT_EQ(pthread_join(thread, &result), 0);
+  EXPECT_EQ(result, PTHREAD_CANCELED);
+  EXPECT_EQ(time.passed(), seconds{1});
+}
+
+/// It sees nothing of another that waits for it in a loop: one of both has to get processor time.
+TEST(Threads, MayWaitForEachOtherInALoop) {
+  std::atomic<int> turn{0};
+  std::thread other{[&] {
+    while (turn != 1) continue;
+    turn = 2;
+  }};
+  turn = 1;
+  while (turn != 2) continue;
+  other.join();
+}
+
+}  // namespace
+}  // namespace preload_test
