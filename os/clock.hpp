@@ -19,6 +19,8 @@ class OtherTime {
   [[nodiscard]] virtual std::chrono::nanoseconds wall() const noexcept = 0;
   /// Whether it stands while this process does something: what another thread does meanwhile takes no time of it.
   [[nodiscard]] virtual bool stands_while_acting() const noexcept = 0;
+  /// Waits by it until @p descriptor is readable.
+  virtual void wait_readable(int descriptor) noexcept = 0;
   /// The process has sent a frame at the present.
   virtual void note_sent() noexcept = 0;
   /// It has done something else that others can notice.

@@ -6,7 +6,10 @@
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include "can/port/user_bus/user_bus.hpp"
@@ -41,6 +44,24 @@ int milliseconds_until(TimePoint when) noexcept {
   return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
 }
 
+/// The part that who has started this process has made for it, if it is of the bus at @p path.
+os::Descriptor inherited(const userbus::Path& path, std::uint32_t flags) noexcept {
+  os::Descriptor clock{userbus::inherited_clock()};
+  if (!clock) return {};
+  sockaddr_un peer{};
+  socklen_t length = sizeof peer;
+  if (::getpeername(clock.get(), reinterpret_cast<sockaddr*>(&peer), &length) != 0) return {};
+  if (std::string_view{peer.sun_path} != path.text) return {};
+  ::fcntl(clock.get(), F_SETFD, FD_CLOEXEC);
+  const userbus::TimeMessage join{.word = userbus::TimeMessage::Word::Join,
+                                  .flags = flags,
+                                  .now_ns = 0,
+                                  .until_ns = 0,
+                                  .process = ::getpid(),
+                                  .reserved = 0};
+  return userbus::tell_time(clock.get(), join) ? std::move(clock) : os::Descriptor{};
+}
+
 bool is_any_ready(std::span<pollfd> descriptors, int timeout) noexcept {
   return ::poll(descriptors.data(), descriptors.size(), timeout) > 0;
 }
@@ -52,16 +73,18 @@ std::unique_ptr<TimeShare> TimeShare::join(const Address& address, std::uint32_t
   if (place == nullptr) return nullptr;
   userbus::Path path{};
   if (!userbus::copy_path(place->path.c_str(), path)) return nullptr;  // who opens it says so
-  const std::string hub = hub_program();
-  const userbus::JoinedClock joined = userbus::join_clock(path, hub.c_str(), flags, ::getpid(), false);
-  os::Descriptor clock{joined.descriptor};
-  if (!clock) throw OpenError{fmt::format("unix:{}: {}", place->path, userbus::text_of(joined.error))};
+  os::Descriptor clock = inherited(path, flags);
+  if (!clock) {
+    const userbus::JoinedClock joined = userbus::join_clock(path, hub_program().c_str(), flags, ::getpid(), false);
+    clock = os::Descriptor{joined.descriptor};
+    if (!clock) throw OpenError{fmt::format("unix:{}: {}", place->path, userbus::text_of(joined.error))};
+  }
   const userbus::TimePage* const page = userbus::map_time(clock.get());
-  return page == nullptr ? nullptr : std::make_unique<TimeShare>(std::move(clock), *page);
+  return page == nullptr ? nullptr : std::make_unique<TimeShare>(path, std::move(clock), *page);
 }
 
-TimeShare::TimeShare(os::Descriptor clock, const userbus::TimePage& page)
-    : clock_{std::move(clock)}, page_{page}, is_told_{page.mode != userbus::TimeMode::Scaled} {
+TimeShare::TimeShare(const userbus::Path& path, os::Descriptor clock, const userbus::TimePage& page)
+    : path_{path}, clock_{std::move(clock)}, page_{page}, is_told_{page.mode != userbus::TimeMode::Scaled} {
   if (!is_told_) {
     clock_ = os::Descriptor{};
     return;
@@ -226,6 +249,22 @@ void TimeShare::take_turn(bool waits) noexcept {
   has_effect_ = has_touched_ = false;
   now_ns_ = std::max(now_ns_.load(), turn.now_ns);
   horizon_ = from_ns(turn.horizon_ns);
+}
+
+/// The hub knows the present before there is another process, and nobody goes on alone behind that.
+os::Descriptor TimeShare::prepare_child() noexcept {
+  const std::scoped_lock lock{mutex_};
+  if (!is_told_ || is_over_) return {};
+  give_back(now());
+  if (!is_over_) take_turn(/*waits=*/true);
+  if (is_over_) return {};
+  note_sent();
+  return os::Descriptor{userbus::join_clock(path_, nullptr, 0, 0, /*inherited=*/true).descriptor};
+}
+
+void TimeShare::wait_readable(int descriptor) noexcept {
+  pollfd wanted{descriptor, POLLIN, 0};
+  if (!parties_.empty()) wait(parties_.front(), {.descriptors = {&wanted, 1}});
 }
 
 void TimeShare::leave() noexcept {

@@ -25,8 +25,9 @@ class TimeShare final : public os::OtherTime {
   /// @p flags: userbus::kDevice. nullptr if the bus has the machine's time or is none in user space. Throws
   /// OpenError.
   static std::unique_ptr<TimeShare> join(const Address& address, std::uint32_t flags);
-  /// Over @p clock, a member that has joined, and its @p page (userbus::map_time()); waits for the first turn.
-  TimeShare(os::Descriptor clock, const userbus::TimePage& page);
+  /// Over @p clock, a member of the bus at @p path that has joined, and its @p page (userbus::map_time()); waits
+  /// for the first turn.
+  TimeShare(const userbus::Path& path, os::Descriptor clock, const userbus::TimePage& page);
   ~TimeShare() override;
 
   /// A thread takes part; it acts until it waits. Before that thread exists, or from within it.
@@ -35,12 +36,16 @@ class TimeShare final : public os::OtherTime {
   void remove(Party& party) noexcept;
   /// Waits until something of @p wanted is there; whether a descriptor is ready. Instead of poll(2).
   bool wait(Party& party, const Wanted& wanted) noexcept;
+  /// A part for a process that is about to be started, which inherits the descriptor: it is to be closed here when
+  /// there is one. Nothing if the bus goes by no turns, or without the hub.
+  [[nodiscard]] os::Descriptor prepare_child() noexcept;
   /// The process does not take part any more: all waits are those of the machine from now on.
   void leave() noexcept;
 
   [[nodiscard]] std::chrono::nanoseconds monotonic() const noexcept override;
   [[nodiscard]] std::chrono::nanoseconds wall() const noexcept override;
   [[nodiscard]] bool stands_while_acting() const noexcept override { return is_told_; }
+  void wait_readable(int descriptor) noexcept override;
   void note_sent() noexcept override { has_effect_.store(true, std::memory_order_relaxed); }
   void note_touched() noexcept override {
     has_touched_.store(true, std::memory_order_relaxed);
@@ -65,6 +70,7 @@ class TimeShare final : public os::OtherTime {
   void end() noexcept;
   [[nodiscard]] canopen::TimePoint now() const noexcept { return canopen::TimePoint{monotonic()}; }
 
+  userbus::Path path_;
   os::Descriptor clock_;
   const userbus::TimePage& page_;
   bool is_told_;  ///< virtual or stepped

@@ -1,12 +1,15 @@
 #include "can/userbus/time.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
+#include <dirent.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "can/userbus/name.hpp"
 #include "can/userbus/request.hpp"
 
 namespace userbus {
@@ -39,6 +42,21 @@ bool read_number(const char* text, size_t size, double& number) noexcept {
 
 bool equals(const char* text, size_t size, const char* word) noexcept {
   return strlen(word) == size && memcmp(text, word, size) == 0;
+}
+
+/// The first descriptor from @p lowest on that is a connection of kind Clock; -1: there is none.
+int first_clock(int lowest) noexcept {
+  DIR* const folder = opendir("/proc/self/fd");
+  if (folder == nullptr) return -1;
+  int found = -1;
+  while (const dirent* const entry = readdir(folder)) {
+    const int descriptor = atoi(entry->d_name);
+    Name name{};
+    if (entry->d_name[0] == '.' || descriptor < lowest || !name_of(descriptor, name)) continue;
+    if (name.kind == Kind::Clock && (found < 0 || descriptor < found)) found = descriptor;
+  }
+  closedir(folder);
+  return found;
 }
 
 }  // namespace
@@ -75,6 +93,13 @@ JoinedClock join_clock(const Path& path, const char* hub, uint32_t flags, int pr
   if (tell_time(joined.descriptor, message)) return {.descriptor = joined.descriptor, .error = JoinError::None};
   close(joined.descriptor);
   return {.descriptor = -1, .error = JoinError::NotServed};
+}
+
+int inherited_clock() noexcept {
+  const int clock = first_clock(0);
+  if (clock < 0) return -1;
+  for (int other = 0; (other = first_clock(clock + 1)) >= 0;) close(other);
+  return clock;
 }
 
 const TimePage* map_time(int descriptor) noexcept {

@@ -102,6 +102,10 @@ struct JoinedClock {
 /// exec unless @p inherited. It is owed a turn: take_turn() waits for it.
 JoinedClock join_clock(const Path& path, const char* hub, uint32_t flags, int process, bool inherited) noexcept;
 
+/// What the process was given by that which it was before exec, or which started it: a descriptor of kind Clock,
+/// open as long as that is not closed; others are closed. -1: there is none.
+int inherited_clock() noexcept;
+
 /// Maps the page of the bus that @p descriptor, a member of any kind, belongs to; nullptr if that has the
 /// machine's time, or with errno if it does not answer.
 const TimePage* map_time(int descriptor) noexcept;

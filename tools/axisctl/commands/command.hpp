@@ -48,6 +48,7 @@ void add_record(CLI::App& app, Run& run);
 void add_page(CLI::App& app, Run& run);
 void add_run(CLI::App& app, Run& run);
 void add_fleet(CLI::App& app, Run& run);
+void add_step(CLI::App& app, Run& run);
 
 /// A subcommand of @p app, or the one of that name that it has.
 CLI::App& subcommand(CLI::App& app, std::string_view name, std::string_view summary);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "can/port/address.hpp"
+#include "can/userbus/time.hpp"
 #include "os/regular_file.hpp"
 #include "tools/axisctl/commands/command.hpp"
 #include "tools/axisctl/page/files.hpp"
@@ -32,6 +33,7 @@ constexpr double kLargestSeed = 9007199254740991.0;
 struct RunWish {
   std::vector<std::string> files{};
   std::string bus{};
+  std::string time{};
   std::string junit{};
   std::optional<std::uint64_t> seed{};
   std::string html{}, blank{};
@@ -169,6 +171,12 @@ Expected<void> run_scenarios(const Settings& settings, const RunWish& wish) {
       return fail(ExitStatus::Usage, fmt::format("--bus: expected {}, got \"{}\"", address.error(), wish.bus));
     options.bus = wish.bus;
   }
+  userbus::TimeWish time{};
+  if (!wish.time.empty() && !userbus::read_time(wish.time.data(), wish.time.size(), time))
+    return fail(ExitStatus::Usage, fmt::format("--time: expected {}, got \"{}\"", userbus::kTimeRule, wish.time));
+  if (time.mode == userbus::TimeMode::Stepped)
+    return fail(ExitStatus::Usage, "--time: a run steps nobody: real, scaled=K or virtual");
+  if (time.mode != userbus::TimeMode::Real) options.time = wish.time;
   // Every file is checked before anything starts.
   std::vector<Ran> runs;
   for (const std::string& file : wish.files) {
@@ -208,8 +216,12 @@ void add_run(CLI::App& app, Run& run) {
   sub.add_option("--seed", wish->seed, "Seed of all faults, over that of the file")
       ->check(CLI::Range(0.0, kLargestSeed))
       ->type_name("N");
-  sub.add_option("--bus", wish->bus, "Use a bus that is there: an interface or a URL, not a private one")
-      ->type_name("IF");
+  CLI::Option* const bus =
+      sub.add_option("--bus", wish->bus, "Use a bus that is there: an interface or a URL, not a private one")
+          ->type_name("IF");
+  sub.add_option("--time", wish->time, "Whose time a private bus has: real (default), scaled=K or virtual")
+      ->excludes(bus)
+      ->type_name("TIME");
   sub.add_flag("--keep", wish->keep, "Keep the files of the run: configurations, logs, state");
   sub.add_option("--junit", wish->junit, "Write a JUnit report to FILE")->type_name("FILE");
   CLI::Option* const html =

@@ -11,6 +11,7 @@
 
 #include "control/discovery/trusted_server.hpp"
 #include "control/protocol.hpp"
+#include "os/clock.hpp"
 
 namespace axisctl {
 
@@ -67,6 +68,7 @@ Expected<std::string> Client::read_line() {
       input_.erase(0, end + 1);
       return line;
     }
+    if (os::other_time != nullptr) os::other_time->wait_readable(socket_.get());
     const ssize_t size = ::recv(socket_.get(), part.data(), part.size(), 0);
     if (size < 0 && errno == EINTR) continue;
     if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
@@ -81,6 +83,7 @@ Expected<std::string> Client::read_line() {
 Expected<int> Client::send(const Call& call) {
   control::set_patience(socket_, kPatience);
   const int id = ++last_id_;
+  if (os::other_time != nullptr) os::other_time->note_touched();
   // A daemon that closes the connection before it has read the request may have said why.
   if (send_all(control::request_line(id, call.method, call.params)) || errno == EPIPE) return id;
   return fail(ExitStatus::Failed, fmt::format("{}: {}", name_, reason()));

@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -18,34 +17,10 @@
 #include "can/preload/time/turn/touch.hpp"
 #include "can/preload/time/turn/turn.hpp"
 #include "can/preload/time/wait/scheduler.hpp"
-#include "can/userbus/name.hpp"
 
 namespace preload {
 
 namespace {
-
-/// The first descriptor from @p lowest on that is a connection of kind Clock; -1: there is none.
-int inherited_socket(int lowest) noexcept {
-  DIR* const folder = opendir("/proc/self/fd");
-  if (folder == nullptr) return -1;
-  int found = -1;
-  while (const dirent* const entry = readdir(folder)) {
-    const int descriptor = atoi(entry->d_name);
-    userbus::Name name{};
-    if (entry->d_name[0] == '.' || descriptor < lowest || !userbus::name_of(descriptor, name)) continue;
-    if (name.kind == userbus::Kind::Clock && (found < 0 || descriptor < found)) found = descriptor;
-  }
-  closedir(folder);
-  return found;
-}
-
-/// Leaves one at most: what the process was given by that which it was before, or which started it.
-int take_inherited_socket() noexcept {
-  const int socket = inherited_socket(0);
-  if (socket < 0) return -1;
-  for (int other = 0; (other = inherited_socket(socket + 1)) >= 0;) next().close(other);
-  return socket;
-}
 
 /// Programs that take part by themselves, as axisd does, have a symbol of this name.
 bool takes_part_by_itself() noexcept {
@@ -77,11 +52,8 @@ void begin_by(int socket, const userbus::TimePage& page) noexcept {
   userbus::TimeWish wish{};
   if (!is_wanted(wish)) return;
   real();
-  int socket = take_inherited_socket();
-  if (takes_part_by_itself()) {
-    if (socket >= 0) next().close(socket);
-    return;
-  }
+  if (takes_part_by_itself()) return;
+  int socket = userbus::inherited_clock();
   if (socket < 0) socket = hide(join_time(getpid()));
   if (socket < 0) return;
   fcntl(socket, F_SETFD, FD_CLOEXEC);

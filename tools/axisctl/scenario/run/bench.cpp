@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <ctime>
 
 #include <poll.h>
 
@@ -25,11 +24,6 @@ constexpr Duration kRoomPatience = std::chrono::seconds{1}, kRetry = std::chrono
 /// Frames that are kept; on a bus of 1 Mbit/s some minutes.
 constexpr std::size_t kMostFrames = 2'000'000;
 
-timespec timespec_of(Duration time) noexcept {
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
-  return {.tv_sec = static_cast<time_t>(seconds.count()), .tv_nsec = static_cast<long>((time - seconds).count())};
-}
-
 }  // namespace
 
 void take_signals() {
@@ -42,7 +36,8 @@ int taken_signal() noexcept {
   return signalled;
 }
 
-Bench::Bench(bus::Connection connection) : connection_{std::move(connection)} {
+Bench::Bench(bus::Connection connection, bus::TimeShare* time)
+    : connection_{std::move(connection)}, time_{time}, party_{time == nullptr ? nullptr : &time->add()} {
   next_look_ = now();
 }
 
@@ -54,8 +49,7 @@ bool Bench::send(const canopen::Frame& frame) {
   const TimePoint until = now() + kRoomPatience;
   bus::SendStatus status = connection_.port->send(frame);
   while (status == bus::SendStatus::Full && now() < until) {
-    const timespec pause = timespec_of(kRetry);
-    (void)::nanosleep(&pause, nullptr);
+    sleep({}, now() + kRetry);
     status = connection_.port->send(frame);
   }
   if (status != bus::SendStatus::Sent) return false;
@@ -109,10 +103,18 @@ std::optional<TimedFrame> Bench::receive(TimePoint until) {
     const TimePoint present = now();
     if (present >= until) break;
     pollfd descriptor{connection_.port->descriptor(), POLLIN, 0};
-    const timespec limit = timespec_of(std::max(std::min({until, due, next_look_}) - present, Duration::zero()));
-    (void)::ppoll(&descriptor, 1, &limit, nullptr);
+    sleep({&descriptor, 1}, std::min({until, due, next_look_}));
   }
   return std::nullopt;
+}
+
+void Bench::sleep(std::span<pollfd> descriptors, TimePoint until) {
+  if (time_ != nullptr) {
+    (void)time_->wait(*party_, {.descriptors = descriptors, .until = until});
+    return;
+  }
+  const timespec limit = os::to_timespec(std::max(until - now(), Duration::zero()));
+  (void)::ppoll(descriptors.data(), descriptors.size(), &limit, nullptr);
 }
 
 void Bench::pass(TimePoint until) {

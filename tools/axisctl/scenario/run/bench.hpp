@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "can/clock/time_share.hpp"
 #include "can/connection/connection.hpp"
 #include "tools/canopen-check/core/wire.hpp"
 
@@ -21,7 +22,8 @@ class Bench final : public conformance::Wire {
   /// Looks around; false: the run is to end.
   using Look = std::function<bool()>;
 
-  explicit Bench(bus::Connection connection);
+  /// Lives by @p time, which outlives it; nullptr: the machine's.
+  explicit Bench(bus::Connection connection, bus::TimeShare* time = nullptr);
 
   void on_look(Look look) { look_ = std::move(look); }
 
@@ -52,8 +54,11 @@ class Bench final : public conformance::Wire {
   /// Sends what is due; when the next is.
   canopen::TimePoint serve_cyclic();
   bool look();
+  void sleep(std::span<pollfd> descriptors, canopen::TimePoint until);
 
   bus::Connection connection_;
+  bus::TimeShare* time_;
+  bus::Party* party_;  ///< in that time
   Look look_{};
   std::map<std::string, Cyclic> cyclic_;
   std::vector<TimedFrame> frames_;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "can/port/address.hpp"
+#include "os/clock.hpp"
 #include "tools/axisctl/scenario/run/actions.hpp"
 #include "tools/axisctl/scenario/run/capture.hpp"
 #include "tools/axisctl/scenario/run/fault_load.hpp"
@@ -163,14 +164,14 @@ void take_notes(Context& context, RunResult& result) {
 tl::expected<void, std::string> run_on(Stations& stations, const Scenario& scenario, RunResult& result) {
   if (auto started = stations.start_bus(); !started) return started;
   result.bus = stations.bus();
-  Bench bench{bus::open(*bus::parse_address(stations.bus()))};
+  Bench bench{bus::open(*bus::parse_address(stations.bus())), stations.time()};
   Context context{.scenario = scenario, .bench = bench, .stations = stations};
   for (const nlohmann::json& fault : scenario.bus_faults)
     if (const auto loaded = load_fault(context, {}, fault); !loaded) return tl::unexpected{loaded.error()};
   if (auto started = stations.start_units(bench); !started) return started;
   if (auto started = stations.start_programs(); !started) return started;
   Course course{context, result};
-  result.begin = std::chrono::system_clock::now().time_since_epoch() - (bench.now() - course.begin());
+  result.begin = os::wall_time() - (bench.now() - course.begin());
   result.passed = course.run();
   result.seconds = seconds_of(bench.now() - course.begin());
   take_notes(context, result);
@@ -190,7 +191,10 @@ RunResult run(const Scenario& scenario, const RunOptions& options) {
   result.folder = workshop->folder();
   try {
     const bool is_recorded = options.captured != Captured::None;
-    Stations stations{scenario, *workshop, options.bus, is_recorded ? Recorded::Yes : Recorded::No};
+    Stations stations{scenario,
+                      *workshop,
+                      {.address = options.bus, .time = options.time},
+                      is_recorded ? Recorded::Yes : Recorded::No};
     const auto checked = stations.check_units();
     result.bad_input = !checked;
     const auto ran = checked ? run_on(stations, scenario, result) : checked;

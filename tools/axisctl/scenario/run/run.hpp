@@ -16,8 +16,9 @@ enum class Captured : std::uint8_t { None, Failed, All };
 
 /// How a run is done.
 struct RunOptions {
-  std::string bus{};  ///< address of a bus that is there; empty: a private one
-  bool keep = false;  ///< files of the run stay
+  std::string bus{};   ///< address of a bus that is there; empty: a private one
+  std::string time{};  ///< of a private bus, as canhub takes it; empty: the machine's
+  bool keep = false;   ///< files of the run stay
   Captured captured = Captured::None;
 };
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "os/clock.hpp"
 #include "tools/axisctl/page/files.hpp"
 
 namespace scenario {
@@ -47,6 +48,7 @@ int end_of(Process& process) {
 }  // namespace
 
 Stations::~Stations() {
+  if (time_) time_->leave();
   // Those that need the bus go first.
   for (auto& program : programs_) {
     const pid_t group = program->process ? program->process->identifier() : 0;
@@ -64,9 +66,11 @@ Stations::~Stations() {
     hub_.reset();
     workshop_.forget(group);
   }
+  os::other_time = nullptr;
 }
 
 tl::expected<Process, std::string> Stations::launch(const Command& command) const {
+  const os::Descriptor part = time_ ? time_->prepare_child() : os::Descriptor{};
   auto process = Process::start(command);
   if (process) workshop_.guard(process->identifier());
   return process;
@@ -75,9 +79,12 @@ tl::expected<Process, std::string> Stations::launch(const Command& command) cons
 Done Stations::start_bus() {
   if (!bus_.empty()) return {};
   const std::string path = bus_path();
-  auto hub = launch(
-      {.words = {program_folder() + "/canhub", "--path", path, "--bitrate", std::to_string(scenario_.bit_rate)},
-       .log = workshop_.path("canhub.log")});
+  std::vector<std::string> words{program_folder() + "/canhub", "--path", path};
+  // frames of a bus with a time of its own last
+  if (wish_.empty() || scenario_.bit_rate != 0)
+    words.insert(words.end(), {"--bitrate", std::to_string(scenario_.bit_rate)});
+  if (!wish_.empty()) words.insert(words.end(), {"--time", wish_});
+  auto hub = launch({.words = std::move(words), .log = workshop_.path("canhub.log")});
   if (!hub) return tl::unexpected{hub.error()};
   hub_ = std::make_unique<Process>(*std::move(hub));
   bus_ = "unix:" + path;
@@ -87,7 +94,15 @@ Done Stations::start_bus() {
       return tl::unexpected{"canhub does not serve the bus: " + hub_->last_line()};
     std::this_thread::sleep_for(kAskAgain);
   }
+  join_time();
   return {};
+}
+
+/// This program is the master of the run.
+void Stations::join_time() {
+  if (wish_.empty()) return;
+  time_ = bus::TimeShare::join(*bus::parse_address(bus_), 0);
+  if (time_) os::use_time(*time_);
 }
 
 std::string Stations::write_configuration(const UnitPlan& plan, Signals recorded) const {
@@ -186,6 +201,7 @@ Done Stations::start(Program& program) {
     command.environment.emplace_back("CAN_BUS", bus_.substr(kUserBus.size()));
     const std::filesystem::path library =
         std::filesystem::path{program_folder()} / "../lib/axisd/libcan-preload.so";
+    if (!wish_.empty()) command.environment.emplace_back("CAN_TIME", wish_);
     command.environment.emplace_back("LD_PRELOAD", library.lexically_normal().string());
   }
   auto process = launch(command);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "can/clock/time_share.hpp"
 #include "tools/axisctl/connection/client.hpp"
 #include "tools/axisctl/scenario/reader/scenario.hpp"
 #include "tools/axisctl/scenario/run/bench.hpp"
@@ -34,12 +35,22 @@ struct Program {
 /// Whether units are recorded from their start on.
 enum class Recorded : std::uint8_t { No, Yes };
 
+/// The bus of a run.
+struct BusWish {
+  std::string address{};  ///< of one that is there; empty: a private one is served
+  std::string time{};     ///< of a private one, as canhub takes it; empty: the machine's
+};
+
 /// Everything that takes part in a run: the hub of the bus, units and programs, as processes.
 class Stations {
  public:
-  /// @p bus: address of a bus that is there; empty: a private one is served at the bit rate of @p scenario.
-  Stations(const Scenario& scenario, const Workshop& workshop, std::string bus, Recorded recorded)
-      : scenario_{scenario}, workshop_{workshop}, bus_{std::move(bus)}, recorded_{recorded} {}
+  /// A private bus has the bit rate of @p scenario.
+  Stations(const Scenario& scenario, const Workshop& workshop, BusWish bus, Recorded recorded)
+      : scenario_{scenario},
+        workshop_{workshop},
+        bus_{std::move(bus.address)},
+        wish_{std::move(bus.time)},
+        recorded_{recorded} {}
   ~Stations();
   Stations(const Stations&) = delete;
   Stations& operator=(const Stations&) = delete;
@@ -58,6 +69,8 @@ class Stations {
   [[nodiscard]] bool has_private_bus() const noexcept { return hub_ != nullptr; }
   /// Address of the bus, for this program and its children.
   [[nodiscard]] const std::string& bus() const noexcept { return bus_; }
+  /// The time of the bus, if it is not the machine's; from start_bus() on.
+  [[nodiscard]] bus::TimeShare* time() const noexcept { return time_.get(); }
   /// Path of a private bus.
   [[nodiscard]] std::string bus_path() const { return workshop_.path("bus"); }
   /// The unit of that name; the only one if @p keys has none.
@@ -70,6 +83,7 @@ class Stations {
   [[nodiscard]] std::optional<std::string> find_lost();
 
  private:
+  void join_time();
   [[nodiscard]] tl::expected<void, std::string> start_unit(const UnitPlan& plan, Signals recorded, Bench& bench);
   /// Takes the boot-up message of a unit that has come up, so that no step sees it; it may be missing on purpose.
   static void see_boot_up(const UnitPlan& plan, Bench& bench);
@@ -80,8 +94,10 @@ class Stations {
   const Scenario& scenario_;
   const Workshop& workshop_;
   std::string bus_;
+  std::string wish_;  ///< whose time a private bus is to have
   Recorded recorded_;
   std::unique_ptr<Process> hub_{};
+  std::unique_ptr<bus::TimeShare> time_{};
   std::vector<std::unique_ptr<Unit>> units_{};
   std::vector<std::unique_ptr<Program>> programs_{};
 };
