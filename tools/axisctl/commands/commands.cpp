@@ -5,8 +5,9 @@
 namespace axisctl {
 
 std::span<const AddCommand> commands() noexcept {
-  static constexpr std::array<AddCommand, 9> kCommands{
-      &add_units, &add_wait, &add_watch, &add_monitor, &add_trace, &add_record, &add_page, &add_run, &add_fleet};
+  static constexpr std::array<AddCommand, 12> kCommands{&add_units,   &add_wait,   &add_watch, &add_monitor,
+                                                        &add_trace,   &add_record, &add_page,  &add_run,
+                                                        &add_compare, &add_replay, &add_twin,  &add_fleet};
   return kCommands;
 }
 
