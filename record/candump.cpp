@@ -13,7 +13,6 @@ namespace record {
 
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
 constexpr int kHexadecimal = 16;
 constexpr std::size_t kShortIdentifier = 3;  // digits
 constexpr std::size_t kLongIdentifier = 8;
@@ -21,11 +20,21 @@ constexpr std::size_t kLongIdentifier = 8;
 using Wrong = tl::unexpected<std::string_view>;
 constexpr std::string_view kFrame = "a frame as 123#1122, 12345678#1122 or 123#R behind the interface";
 
+constexpr bool is_blank(char letter) noexcept {
+  return letter == ' ' || letter == '\t' || letter == '\r';
+}
+
+/// Takes the blanks at the start of @p rest off it.
+void skip_blanks(std::string_view& rest) noexcept {
+  rest.remove_prefix(static_cast<std::size_t>(std::ranges::find_if_not(rest, is_blank) - rest.begin()));
+}
+
 /// Takes the word at the start of @p rest off it, and the blanks behind.
 std::string_view take_word(std::string_view& rest) noexcept {
-  const std::string_view word = rest.substr(0, rest.find_first_of(kBlanks));
+  const auto end = std::ranges::find_if(rest, is_blank);
+  const std::string_view word = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
   rest.remove_prefix(word.size());
-  rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
+  skip_blanks(rest);
   return word;
 }
 
@@ -152,7 +161,7 @@ std::string candump_line(const canopen::Frame& frame, std::chrono::nanoseconds w
 }
 
 tl::expected<CandumpLine, std::string_view> read_candump_line(std::string_view text) noexcept {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  skip_blanks(text);
   const auto at = take_time(text);
   if (!at) return Wrong{kTime};
   CandumpLine line{.at = *at, .interface = take_word(text)};
@@ -170,8 +179,8 @@ tl::expected<PrintedLine, std::string_view> read_printed_line(std::string_view t
     if (!line) return tl::unexpected{line.error()};
     return PrintedLine{.line = *line};
   }
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  while (text.ends_with(' ') || text.ends_with('\r')) text.remove_suffix(1);
+  skip_blanks(text);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   PrintedLine printed{.has_time = text.starts_with('(')};
   if (printed.has_time) {
     const auto at = take_time(text);

@@ -51,6 +51,11 @@ bool LogLines::next() {
   return true;
 }
 
+bool LogLines::is_blank() const noexcept {
+  return std::ranges::all_of(text(),
+                             [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; });
+}
+
 std::string LogLines::failure() const {
   return file_.bad() ? fmt::format("{}: {}", path_, std::strerror(errno)) : std::string{};
 }

@@ -22,7 +22,7 @@ class LogLines {
   /// The line without its end; of one that is too long, its beginning.
   [[nodiscard]] std::string_view text() const noexcept { return {line_.data(), length_}; }
   /// True for blanks alone.
-  [[nodiscard]] bool is_blank() const noexcept { return text().find_first_not_of(" \t\r") == std::string_view::npos; }
+  [[nodiscard]] bool is_blank() const noexcept;
   /// From 1.
   [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
   /// More characters than a line of candump can have.

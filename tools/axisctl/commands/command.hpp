@@ -22,8 +22,8 @@ namespace axisctl {
 /// What the options in front of a subcommand ask for.
 struct Settings {
   Address address;
-  std::string interface{};  ///< --interface as it was written; empty: not given
-  bool json = false;  ///< for programs
+  std::string interface {};  ///< --interface as it was written; empty: not given
+  bool json = false;         ///< for programs
   Style style{};
   farm::MirrorThread* farm = nullptr;  ///< whose units are meant; nullptr: those of this machine
 };

@@ -38,7 +38,9 @@ struct ExitRow {
 };
 inline constexpr std::array kExitRows{
     ExitRow{ExitStatus::Done, "done"},
-    ExitRow{ExitStatus::Failed, "failed otherwise: a file or standard output cannot be written; compare, replay, twin: there are differences"},
+    ExitRow{ExitStatus::Failed,
+            "failed otherwise: a file or standard output cannot be written; compare, replay, twin: there are "
+            "differences"},
     ExitRow{ExitStatus::Usage, "wrong usage: words, options, or they fit several units"},
     ExitRow{ExitStatus::Refused, "the unit refuses in its present state, or the value is read-only"},
     ExitRow{ExitStatus::NotThere, "no such axis, parameter, object, signal or file, or a value out of range"},

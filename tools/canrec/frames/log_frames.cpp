@@ -18,8 +18,7 @@ Expected<std::unique_ptr<LogFrames>> LogFrames::open(const std::string& path, st
                                                      OnDamage on_damage) {
   auto lines = record::LogLines::open(path);
   if (!lines) return fail(Status::Failed, lines.error());
-  return std::unique_ptr<LogFrames>{
-      new LogFrames{*std::move(lines), std::move(interface), std::move(on_damage)}};
+  return std::unique_ptr<LogFrames>{new LogFrames{*std::move(lines), std::move(interface), std::move(on_damage)}};
 }
 
 Expected<std::optional<TimedFrame>> LogFrames::next() {
@@ -37,8 +36,8 @@ Expected<std::optional<TimedFrame>> LogFrames::next() {
     if (line->interface == interface_) return TimedFrame{line->at, line->frame};
     if (!is_chosen_)
       return fail(Status::Usage,
-                  lines_.complaint(fmt::format("the interface {} of the lines before, unless --interface names one",
-                                               interface_)));
+                  lines_.complaint(fmt::format(
+                      "the interface {} of the lines before, unless --interface names one", interface_)));
   }
   if (std::string failure = lines_.failure(); !failure.empty()) return fail(Status::Failed, std::move(failure));
   return std::nullopt;

@@ -16,7 +16,7 @@ namespace {
 
 /// What the words of compare say.
 struct CompareWish {
-  std::string a{}, b{}, time{"ignore"}, eds{}, interface{};
+  std::string a{}, b{}, time{"ignore"}, eds{}, interface {};
   std::vector<std::string> identifiers{};
   std::size_t surroundings = 4;
 };
@@ -33,10 +33,11 @@ Expected<runs::CompareOptions> options_of(const CompareWish& wish) {
     const auto identifier = text::integer<std::uint32_t>(word, 16);
     const bool is_long = word.size() > kShort;
     if (!identifier || *identifier > (is_long ? canopen::cob_id::kLong : canopen::cob_id::kBase))
-      return fail(ExitStatus::Usage,
-                  fmt::format("--id: expected an identifier of up to 3 digits up to 7FF or of more up to 1FFFFFFF, "
-                              "got \"{}\"",
-                              word));
+      return fail(
+          ExitStatus::Usage,
+          fmt::format("--id: expected an identifier of up to 3 digits up to 7FF or of more up to 1FFFFFFF, "
+                      "got \"{}\"",
+                      word));
     options.identifiers.insert(is_long ? *identifier | canopen::cob_id::kExtended : *identifier);
   }
   return options;
@@ -58,7 +59,8 @@ Expected<void> compare_logs(const Settings& settings, const CompareWish& wish) {
     return fail(ExitStatus::Damaged, fmt::format("{} and {}: there is no frame to compare", wish.a, wish.b));
   if (settings.json) {
     const auto report = json_of(*compared, wish.a, wish.b);
-    if (auto printed = print_line(printable(report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
+    if (auto printed =
+            print_line(printable(report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
         !printed)
       return printed;
   } else {
@@ -87,8 +89,7 @@ void add_compare(CLI::App& app, Run& run) {
   sub.add_option("--context", wish->surroundings, "Frames shown before and after, 4 if not given")
       ->check(CLI::Range(0.0, kMostSurroundings))
       ->type_name("N");
-  sub.callback(
-      [&run, wish] { run = [wish](const Settings& settings) { return compare_logs(settings, *wish); }; });
+  sub.callback([&run, wish] { run = [wish](const Settings& settings) { return compare_logs(settings, *wish); }; });
 }
 
 }  // namespace axisctl

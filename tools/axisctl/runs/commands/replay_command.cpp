@@ -32,8 +32,7 @@ std::string log_of(const runs::Course& course, std::chrono::nanoseconds begin) {
 
 runs::ReplayOptions replay_options(const ReplayWish& wish) {
   runs::ReplayOptions options{.speed = wish.speed};
-  options.patience =
-      std::chrono::duration_cast<canopen::Duration>(std::chrono::duration<double>{wish.patience_s});
+  options.patience = std::chrono::duration_cast<canopen::Duration>(std::chrono::duration<double>{wish.patience_s});
   options.keeps_courses = wish.compares || !wish.record.empty();
   return options;
 }
@@ -56,11 +55,13 @@ Expected<void> conclude(const Settings& settings, const ReplayWish& wish, const 
 }
 
 Expected<void> replay_log(const Settings& settings, const ReplayWish& wish) {
-  if (auto done = expect_no_farm(settings, "replay", "it is a member of a bus of this machine"); !done) return done;
+  if (auto done = expect_no_farm(settings, "replay", "it is a member of a bus of this machine"); !done)
+    return done;
   const std::string name = wish.bus.empty() ? settings.interface : wish.bus;
   if (name.empty()) return fail(ExitStatus::Usage, "--bus: expected the bus of the unit, an interface or a URL");
   const auto address = bus::parse_address(name);
-  if (!address) return fail(ExitStatus::Usage, fmt::format("--bus: expected {}, got \"{}\"", address.error(), name));
+  if (!address)
+    return fail(ExitStatus::Usage, fmt::format("--bus: expected {}, got \"{}\"", address.error(), name));
   auto log = prepare(wish.common);
   if (!log) return tl::unexpected{log.error()};
   log->yardstick.speed = wish.speed;

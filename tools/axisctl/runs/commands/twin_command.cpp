@@ -26,7 +26,8 @@ Expected<nlohmann::json> read_configuration(const std::string& path) {
   if (path.empty()) return nlohmann::json::object();
   const auto text = os::read_regular_file(path, kLargestConfiguration);
   if (!text)
-    return fail(ExitStatus::NotThere, fmt::format("--config: {}: cannot be read: {}", path, text.error().reason()));
+    return fail(ExitStatus::NotThere,
+                fmt::format("--config: {}: cannot be read: {}", path, text.error().reason()));
   auto config = nlohmann::json::parse(*text, nullptr, false);
   if (!config.is_object())
     return fail(ExitStatus::Usage, fmt::format("--config: {}: expected a JSON object, as axisd --config", path));
@@ -35,8 +36,9 @@ Expected<nlohmann::json> read_configuration(const std::string& path) {
 
 Expected<runs::TwinPlan> plan_of(const TwinWish& wish, const PlayedLog& log) {
   if (log.nodes.size() != 1)
-    return fail(ExitStatus::Usage, fmt::format("{}: the nodes {} have answered in it: --node says which one is meant",
-                                               wish.common.log, fmt::join(log.nodes, ", ")));
+    return fail(ExitStatus::Usage,
+                fmt::format("{}: the nodes {} have answered in it: --node says which one is meant",
+                            wish.common.log, fmt::join(log.nodes, ", ")));
   auto config = read_configuration(wish.config);
   if (!config) return tl::unexpected{config.error()};
   runs::TwinPlan plan{.log = wish.common.log,
@@ -64,9 +66,9 @@ Expected<void> play_twin(const Settings& settings, const TwinWish& wish) {
                         {"replay", json_of(result->figures)},
                         {"fidelity", json_of(result->fidelity)},
                         {"remarks", log->remarks}};
-  const std::string text = fmt::format("{}, played to axisd as node {}: {}\n", wish.common.log, plan->node,
-                                       text_of(result->figures)) +
-                           text_of(result->fidelity, wish.common.most);
+  const std::string text =
+      fmt::format("{}, played to axisd as node {}: {}\n", wish.common.log, plan->node, text_of(result->figures)) +
+      text_of(result->fidelity, wish.common.most);
   if (!wish.report.empty())
     if (auto written = write_whole(wish.report, settings.json ? report.dump(2) + '\n' : text); !written)
       return written;

@@ -25,7 +25,8 @@ Expected<runs::KnownDifferences> read_known(const std::string& path) {
   const std::string chosen = path.empty() ? installed("eds/axisd-twin.json").string() : path;
   const auto text = os::read_regular_file(chosen, kLargestList);
   if (!text && path.empty() && text.error().is_missing()) return runs::KnownDifferences{};
-  if (!text) return fail(ExitStatus::NotThere, fmt::format("{}: cannot be read: {}", chosen, text.error().reason()));
+  if (!text)
+    return fail(ExitStatus::NotThere, fmt::format("{}: cannot be read: {}", chosen, text.error().reason()));
   auto known = runs::KnownDifferences::parse(*text);
   if (!known) return fail(ExitStatus::Usage, fmt::format("{}: {}", chosen, known.error()));
   return *std::move(known);
@@ -77,7 +78,8 @@ Expected<PlayedLog> prepare(const YardstickWish& wish) {
   const auto facts = runs::check_log(wish.log, wish.interface, wish.bit_rate.value_or(0), log.remarks);
   if (!facts) return tl::unexpected{facts.error()};
   for (unsigned node = 1; node < facts->nodes().size(); ++node)
-    if (wish.node ? *wish.node == node : facts->nodes().test(node)) log.nodes.push_back(static_cast<std::uint8_t>(node));
+    if (wish.node ? *wish.node == node : facts->nodes().test(node))
+      log.nodes.push_back(static_cast<std::uint8_t>(node));
   if (log.nodes.empty())
     return fail(ExitStatus::Usage,
                 fmt::format("{}: no node has answered in it: --node says which unit is meant", wish.log));

@@ -10,7 +10,8 @@ namespace axisctl {
 
 /// What the words of a command say of the yardstick, and of the log.
 struct YardstickWish {
-  std::string log{}, interface{}, eds{}, time{"20ms"}, deviations{};
+  std::string log{}, interface {
+  }, eds{}, time{"20ms"}, deviations{};
   std::vector<std::string> bands{};
   std::optional<std::uint8_t> node{};
   std::optional<std::uint32_t> bit_rate{};

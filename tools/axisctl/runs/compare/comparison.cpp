@@ -58,7 +58,8 @@ std::size_t place_in(const std::vector<FramePair>& after, std::optional<LoggedFr
 /// Two logs side by side.
 class SideBySide {
  public:
-  SideBySide(LogReader& a, LogReader& b, const CompareOptions& options, const conformance::Description& description)
+  SideBySide(LogReader& a, LogReader& b, const CompareOptions& options,
+             const conformance::Description& description)
       : a_{a}, b_{b}, options_{options}, history_{description, options.surroundings} {}
 
   Expected<Compared> run() {

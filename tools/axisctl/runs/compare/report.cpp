@@ -19,8 +19,8 @@ std::string bits_text(const ByteDifference& byte) {
   std::vector<unsigned> bits;
   for (unsigned bit = 0; bit < 8; ++bit)
     if ((byte.bits() >> bit & 1U) != 0) bits.push_back(bit);
-  return fmt::format("byte {}: {:02X} and {:02X}, bit{} {}", byte.byte, byte.a, byte.b, bits.size() == 1 ? "" : "s",
-                     fmt::join(bits, ", "));
+  return fmt::format("byte {}: {:02X} and {:02X}, bit{} {}", byte.byte, byte.a, byte.b,
+                     bits.size() == 1 ? "" : "s", fmt::join(bits, ", "));
 }
 
 /// "1.234567 605#40...", or nothing.

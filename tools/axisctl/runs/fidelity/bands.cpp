@@ -38,8 +38,8 @@ std::span<const BandRow> band_rows() noexcept {
 
 Bands::Bands() {
   for (const BandRow& row : kBandRows)
-    rows_.push_back({conformance::parse_objects(row.objects).value_or(std::vector<conformance::ObjectRange>{}),
-                     row.band});
+    rows_.push_back(
+        {conformance::parse_objects(row.objects).value_or(std::vector<conformance::ObjectRange>{}), row.band});
 }
 
 bool Bands::add(std::string_view text) {
@@ -52,8 +52,8 @@ bool Bands::add(std::string_view text) {
   const auto value = text::real(number);
   if (!objects || !value || !(*value >= 0)) return false;
   constexpr double kPercent = 100;
-  rows_.insert(rows_.begin(), Row{*std::move(objects), is_share ? Band{.share = *value / kPercent}
-                                                                : Band{.absolute = *value}});
+  rows_.insert(rows_.begin(),
+               Row{*std::move(objects), is_share ? Band{.share = *value / kPercent} : Band{.absolute = *value}});
   return true;
 }
 

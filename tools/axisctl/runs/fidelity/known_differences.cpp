@@ -16,7 +16,8 @@ tl::expected<KnownDifferences, std::string> KnownDifferences::parse(std::string_
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto text_at = [&item = list[i]](const char* key) {
       const auto found = item.is_object() ? item.find(key) : item.end();
-      return item.is_object() && found != item.end() && found->is_string() ? found->get<std::string>() : std::string{};
+      return item.is_object() && found != item.end() && found->is_string() ? found->get<std::string>()
+                                                                           : std::string{};
     };
     const auto nature = std::ranges::find(kNatures, text_at("difference"));
     auto objects = conformance::parse_objects(text_at("object"));

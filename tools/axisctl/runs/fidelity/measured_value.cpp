@@ -27,9 +27,11 @@ double measured_value(const canopen::sdo::Address& object, std::span<const std::
   std::array<std::uint8_t, 8> padded{};
   std::ranges::copy(bytes.first(std::min(bytes.size(), padded.size())), padded.begin());
   const bool is_parameter = object.index >= kFirstParameter && object.index <= kLastParameter;
-  if (is_parameter && bytes.size() == sizeof(float)) return static_cast<double>(canopen::load<float>(padded.data()));
+  if (is_parameter && bytes.size() == sizeof(float))
+    return static_cast<double>(canopen::load<float>(padded.data()));
   const auto bits = canopen::load<std::uint64_t>(padded.data());
-  return static_cast<double>(canopen::sign_extend(bits, static_cast<unsigned>(std::min<std::size_t>(bytes.size(), 8))));
+  return static_cast<double>(
+      canopen::sign_extend(bits, static_cast<unsigned>(std::min<std::size_t>(bytes.size(), 8))));
 }
 
 }  // namespace runs

@@ -90,8 +90,7 @@ PdoImages images_of(const Course& course, const Yardstick& yardstick) {
   for (const Passage& passage : course.passages) {
     if (passage.entry) mappings.learn(*passage.entry);
     if (passage.meaning.role != Role::Tpdo || passage.is_of_master) continue;
-    images[passage.meaning].push_back(
-        image_of(passage, mappings.of(passage.meaning, passage.frame), yardstick));
+    images[passage.meaning].push_back(image_of(passage, mappings.of(passage.meaning, passage.frame), yardstick));
   }
   return images;
 }

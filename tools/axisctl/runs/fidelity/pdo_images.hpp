@@ -17,8 +17,8 @@ struct PdoImage {
   };
   canopen::Duration at{};
   std::uint64_t place = 0;
-  std::vector<std::uint8_t> words{};               ///< all of it, with 0 in place of measured values
-  std::optional<canopen::sdo::Address> object{};   ///< what the words are of, if it is one object
+  std::vector<std::uint8_t> words{};              ///< all of it, with 0 in place of measured values
+  std::optional<canopen::sdo::Address> object{};  ///< what the words are of, if it is one object
   std::vector<Measured> measured{};
   canopen::Frame frame{};
 };

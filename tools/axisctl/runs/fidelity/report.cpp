@@ -61,11 +61,12 @@ std::string text_of(const Fidelity& fidelity, std::size_t most) {
   for (const AspectName& row : kAspects) {
     const Tally& tally = fidelity.tallies[static_cast<std::size_t>(row.aspect)];
     if (tally.compared == 0) continue;
-    text += fmt::format("{:<26}{:>9}{:>9}{:>9}{:>10}{:>8}{:>9}\n", row.text, tally.compared, tally.same, tally.within,
-                        tally.different, tally.known, tally.missing);
+    text += fmt::format("{:<26}{:>9}{:>9}{:>9}{:>10}{:>8}{:>9}\n", row.text, tally.compared, tally.same,
+                        tally.within, tally.different, tally.known, tally.missing);
   }
   if (fidelity.run_times) {
-    text += fmt::format("SDO answers came after (ms)\n  {:<8} {:>9} {:>9} {:>9}\n", "", "median", "99 %", "longest");
+    text +=
+        fmt::format("SDO answers came after (ms)\n  {:<8} {:>9} {:>9} {:>9}\n", "", "median", "99 %", "longest");
     text += times_text("the log", fidelity.log_times) + times_text("the run", fidelity.run_times);
   }
   if (!fidelity.findings.empty()) text += "differences:\n";
@@ -91,8 +92,9 @@ json json_of(const Fidelity& fidelity) {
 }
 
 std::string text_of(const ReplayFigures& figures) {
-  std::string text = fmt::format("{} frames sent in {:.3f} s; {} of {} answers came", figures.sent,
-                                 seconds_of(figures.length), figures.answers - figures.unanswered, figures.answers);
+  std::string text =
+      fmt::format("{} frames sent in {:.3f} s; {} of {} answers came", figures.sent, seconds_of(figures.length),
+                  figures.answers - figures.unanswered, figures.answers);
   if (figures.late > canopen::Duration::zero()) text += fmt::format("; {:.3f} s late", seconds_of(figures.late));
   if (figures.left_out > 0) text += fmt::format("; {} frames of others left out", figures.left_out);
   if (figures.refused > 0) text += fmt::format("; {} frames that the bus does not carry", figures.refused);
@@ -100,8 +102,12 @@ std::string text_of(const ReplayFigures& figures) {
 }
 
 json json_of(const ReplayFigures& figures) {
-  return {{"sent", figures.sent},         {"answers", figures.answers},       {"unanswered", figures.unanswered},
-          {"left_out", figures.left_out}, {"refused", figures.refused},       {"late_s", seconds_of(figures.late)},
+  return {{"sent", figures.sent},
+          {"answers", figures.answers},
+          {"unanswered", figures.unanswered},
+          {"left_out", figures.left_out},
+          {"refused", figures.refused},
+          {"late_s", seconds_of(figures.late)},
           {"length_s", seconds_of(figures.length)}};
 }
 

@@ -73,26 +73,29 @@ std::vector<std::string> LogFacts::remarks(const LogReader& log, std::uint32_t b
   const std::string& path = log.path();
   if (log.lost() > 0) remarks.push_back(fmt::format("{}: {} records are missing", path, log.lost()));
   if (!log.has_times()) {
-    remarks.push_back(fmt::format("{}: the log has no time stamps: each frame goes out behind the answers to those "
-                                  "before it, and no time is compared",
-                                  path));
+    remarks.push_back(
+        fmt::format("{}: the log has no time stamps: each frame goes out behind the answers to those "
+                    "before it, and no time is compared",
+                    path));
     return remarks;
   }
   if (gaps_ > 0)
-    remarks.push_back(fmt::format("{}:{}: {} of more than {} s without a frame, the longest of {:.3f} s before here",
-                                  path, longest_place_, gaps_ == 1 ? "a gap" : fmt::format("{} gaps", gaps_),
-                                  std::chrono::duration_cast<std::chrono::seconds>(kGap).count(),
-                                  seconds_of(longest_)));
+    remarks.push_back(
+        fmt::format("{}:{}: {} of more than {} s without a frame, the longest of {:.3f} s before here", path,
+                    longest_place_, gaps_ == 1 ? "a gap" : fmt::format("{} gaps", gaps_),
+                    std::chrono::duration_cast<std::chrono::seconds>(kGap).count(), seconds_of(longest_)));
   if (same_ > 0)
-    remarks.push_back(fmt::format("{}: {} of {} frames have the time stamp of the frame before", path, same_, frames_));
+    remarks.push_back(
+        fmt::format("{}: {} of {} frames have the time stamp of the frame before", path, same_, frames_));
   if (backward_ > 0)
-    remarks.push_back(fmt::format("{}:{}: the time goes back here{}: such frames go out right behind the one before",
-                                  path, backward_place_,
-                                  backward_ == 1 ? "" : fmt::format(", and {} times more", backward_ - 1)));
+    remarks.push_back(
+        fmt::format("{}:{}: the time goes back here{}: such frames go out right behind the one before", path,
+                    backward_place_, backward_ == 1 ? "" : fmt::format(", and {} times more", backward_ - 1)));
   if (bit_rate != 0 && densest_ > bit_rate * kLoadSlack)
-    remarks.push_back(fmt::format("{}:{}: the frames before here take {:.0f} kbit/s, more than the {:.0f} kbit/s of "
-                                  "the bus: the log is of another bit rate",
-                                  path, densest_place_, densest_ / kKilo, bit_rate / kKilo));
+    remarks.push_back(
+        fmt::format("{}:{}: the frames before here take {:.0f} kbit/s, more than the {:.0f} kbit/s of "
+                    "the bus: the log is of another bit rate",
+                    path, densest_place_, densest_ / kKilo, bit_rate / kKilo));
   return remarks;
 }
 

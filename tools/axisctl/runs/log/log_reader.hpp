@@ -41,7 +41,8 @@ struct LoggedFrame {
 class LogReader {
  public:
   /// Opens the file @p path. @p interface: the frames of that one; if it is empty, all have to be of one.
-  [[nodiscard]] static Expected<std::unique_ptr<LogReader>> open(const std::string& path, std::string interface = {});
+  [[nodiscard]] static Expected<std::unique_ptr<LogReader>> open(const std::string& path,
+                                                                 std::string interface = {});
 
   /// The next frame, nothing at the end. ExitStatus::Damaged with line, what was expected and what is there.
   [[nodiscard]] Expected<std::optional<LoggedFrame>> next();

@@ -21,11 +21,12 @@ struct Predefined {
   std::uint16_t number;
 };
 constexpr std::array kPredefined{
-    Predefined{0x080, Role::Emergency, 0}, Predefined{0x180, Role::Tpdo, 1},        Predefined{0x200, Role::Rpdo, 1},
-    Predefined{0x280, Role::Tpdo, 2},      Predefined{0x300, Role::Rpdo, 2},        Predefined{0x380, Role::Tpdo, 3},
-    Predefined{0x400, Role::Rpdo, 3},      Predefined{0x480, Role::Tpdo, 4},        Predefined{0x500, Role::Rpdo, 4},
-    Predefined{0x580, Role::SdoResponse, 1}, Predefined{0x600, Role::SdoRequest, 1},
-    Predefined{0x700, Role::ErrorControl, 0},
+    Predefined{0x080, Role::Emergency, 0},  Predefined{0x180, Role::Tpdo, 1},
+    Predefined{0x200, Role::Rpdo, 1},       Predefined{0x280, Role::Tpdo, 2},
+    Predefined{0x300, Role::Rpdo, 2},       Predefined{0x380, Role::Tpdo, 3},
+    Predefined{0x400, Role::Rpdo, 3},       Predefined{0x480, Role::Tpdo, 4},
+    Predefined{0x500, Role::Rpdo, 4},       Predefined{0x580, Role::SdoResponse, 1},
+    Predefined{0x600, Role::SdoRequest, 1}, Predefined{0x700, Role::ErrorControl, 0},
 };
 
 Meaning predefined(std::uint32_t identifier) noexcept {

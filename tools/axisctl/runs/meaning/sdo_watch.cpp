@@ -31,7 +31,8 @@ unsigned expedited_bytes(const canopen::Frame& response) noexcept {
 void SdoWatch::take_request(SdoChannel channel, const canopen::Frame& request) {
   const sdo::CommandByte command{request.data[0]};
   writes_.erase(channel);
-  if (request.length != 8 || command.request() != sdo::Request::InitiateDownload || !command.is_expedited()) return;
+  if (request.length != 8 || command.request() != sdo::Request::InitiateDownload || !command.is_expedited())
+    return;
   const unsigned bytes = command.has_size() ? command.expedited_size() : 4;
   writes_[channel] = {.node = channel.node, .at = sdo::address_in(request), .value = value_in(request, bytes)};
 }

@@ -38,8 +38,9 @@ std::string request_words(const canopen::Frame& frame, const conformance::Descri
   switch (command.request()) {
     case sdo::Request::InitiateDownload:
       if (!command.is_expedited()) return "write " + object + " in segments";
-      return fmt::format("write {} = {}", object,
-                         hex_value(std::span{frame.data}.subspan(4, command.has_size() ? command.expedited_size() : 4U)));
+      return fmt::format(
+          "write {} = {}", object,
+          hex_value(std::span{frame.data}.subspan(4, command.has_size() ? command.expedited_size() : 4U)));
     case sdo::Request::InitiateUpload:
       return "read " + object;
     case sdo::Request::Abort:
@@ -80,8 +81,8 @@ std::string response_words(const canopen::Frame& frame, const conformance::Descr
 }
 
 std::string emergency_words(const canopen::Frame& frame) {
-  return fmt::format("error code {:04X}h, error register {:02X}h",
-                     canopen::load<std::uint16_t>(frame.data.data()), frame.data[2]);
+  return fmt::format("error code {:04X}h, error register {:02X}h", canopen::load<std::uint16_t>(frame.data.data()),
+                     frame.data[2]);
 }
 
 /// "heartbeat Operational", "NMT start", as scenarios name them.

@@ -41,7 +41,8 @@ Expected<void> Replay::play(LogReader& log) {
                                .entry = judgement.entry});
   }
   if (!has_begun_)
-    return fail(ExitStatus::Damaged, fmt::format("{}: there is no frame of a master of this unit in it", log.path()));
+    return fail(ExitStatus::Damaged,
+                fmt::format("{}: there is no frame of a master of this unit in it", log.path()));
   if (auto done = await_answers(); !done) return done;
   if (auto done = pass(std::max(due(last_), wire_.now()) + options_.rest); !done) return done;
   figures_.late = begin_ - begun_;
@@ -50,7 +51,8 @@ Expected<void> Replay::play(LogReader& log) {
 }
 
 canopen::TimePoint Replay::due(std::chrono::nanoseconds at) const noexcept {
-  const std::chrono::duration<double, std::nano> behind{static_cast<double>((at - first_).count()) / options_.speed};
+  const std::chrono::duration<double, std::nano> behind{static_cast<double>((at - first_).count()) /
+                                                        options_.speed};
   return begin_ + std::chrono::duration_cast<canopen::Duration>(behind);
 }
 
@@ -113,10 +115,8 @@ void Replay::hear(const conformance::TimedFrame& frame) {
   const MasterSide::Judgement judgement = heard_.judge(heard);
   if (is_answer(frame.frame, judgement.meaning)) ++given_[judgement.meaning];
   if (!options_.keeps_courses || judgement.side != Side::Unit) return;
-  run_.passages.push_back({.at = frame.time - begun_,
-                           .frame = frame.frame,
-                           .meaning = judgement.meaning,
-                           .entry = judgement.entry});
+  run_.passages.push_back(
+      {.at = frame.time - begun_, .frame = frame.frame, .meaning = judgement.meaning, .entry = judgement.entry});
 }
 
 Expected<void> Replay::state() const {

@@ -50,7 +50,8 @@ Expected<TwinResult> play_to_twin(const TwinPlan& plan, const Yardstick& yardsti
     if (auto checked = stations.check_units(); !checked) {
       constexpr std::string_view kPlace = "/units/0/config";
       const std::string& error = checked.error();
-      return fail(ExitStatus::Usage, "--config: " + (error.starts_with(kPlace) ? error.substr(kPlace.size()) : error));
+      return fail(ExitStatus::Usage,
+                  "--config: " + (error.starts_with(kPlace) ? error.substr(kPlace.size()) : error));
     }
     if (auto started = stations.start_bus(); !started) return fail(ExitStatus::NotReachable, started.error());
     auto result = play(stations, plan, yardstick);

@@ -11,12 +11,12 @@ namespace runs {
 
 /// Whose twin is started, and what is played to it.
 struct TwinPlan {
-  std::string log{}, interface{};             ///< the file, and which interface of it is meant if it has several
-  std::uint8_t node = 1;                      ///< node-ID of the unit
-  nlohmann::json config = nlohmann::json::object();  ///< of axisd
-  std::uint32_t bit_rate = 1'000'000;         ///< of the bus (bit/s); 0: frames take no time
+  std::string log{}, interface {};  ///< the file, and which interface of it is meant if it has several
+  std::uint8_t node = 1;            ///< node-ID of the unit
+  nlohmann::json config = nlohmann::json::object();      ///< of axisd
+  std::uint32_t bit_rate = 1'000'000;                    ///< of the bus (bit/s); 0: frames take no time
   canopen::Duration patience = std::chrono::seconds{1};  ///< with an answer
-  bool keeps_files = false;                   ///< configuration and logs of the programs stay
+  bool keeps_files = false;                              ///< configuration and logs of the programs stay
 };
 
 /// What came of it.
