@@ -28,4 +28,14 @@ struct CandumpLine {
 /// Reads @p text, a line without its end; blanks around it do not count. The error says what was expected.
 [[nodiscard]] tl::expected<CandumpLine, std::string_view> read_candump_line(std::string_view text) noexcept;
 
+/// A line of what candump prints.
+struct PrintedLine {
+  CandumpLine line{};
+  bool has_time = true;  ///< else `at` means nothing
+};
+/// Reads @p text as candump prints it on a terminal, "(1700000000.123456)  can0  605   [8]  40 00 10 ...", with or
+/// without time (-t a, -t z), direction (-x) and letters (-a), or as `candump -l` writes it. The error says what
+/// was expected.
+[[nodiscard]] tl::expected<PrintedLine, std::string_view> read_printed_line(std::string_view text) noexcept;
+
 }  // namespace record

@@ -10,8 +10,8 @@
 
 #include "eds/writer/file_text.hpp"
 
-// Makes the list of deviations for canopen-check from the two tables of docs/reference/deviations.md: the
-// deviations, and which check meets which of them.
+// Makes lists from tables of docs/reference/deviations.md: for canopen-check the deviations from the standards and
+// which check meets which of them, for axisctl twin the differences of axisd from the unit.
 namespace {
 
 using Cells = std::vector<std::string>;
@@ -66,11 +66,20 @@ nlohmann::ordered_json list_of(const std::string& page) {
   return list;
 }
 
+nlohmann::ordered_json differences_of(const std::string& page) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Cells& row : table(page, "| difference |", 4))
+    list.push_back({{"difference", row[0]}, {"id", row[1]}, {"object", row[2]}, {"reason", row[3]}});
+  return list;
+}
+
 }  // namespace
 
 int main(int count, char** words) try {
-  if (count != 3) return std::fputs("usage: compile_deviations PAGE FILE\n", stderr), 2;
-  eds::write_file(words[2], list_of(eds::read_file(words[1])).dump(2) + "\n");
+  if (count != 4) return std::fputs("usage: compile_deviations PAGE DEVIATIONS DIFFERENCES\n", stderr), 2;
+  const std::string page = eds::read_file(words[1]);
+  eds::write_file(words[2], list_of(page).dump(2) + "\n");
+  eds::write_file(words[3], differences_of(page).dump(2) + "\n");
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s: %s\n", count > 1 ? words[1] : "compile_deviations", error.what());

@@ -61,6 +61,7 @@ Expected<void> complete(Invocation& invocation) {
     const auto label = label_of("--interface", *invocation.interface, in_farm);
     if (!label) return tl::unexpected{label.error()};
     address.label = *label;
+    invocation.settings.interface = *invocation.interface;
   }
   if (!invocation.unit) return {};
   if (address.label || address.node)

@@ -22,7 +22,8 @@ namespace axisctl {
 /// What the options in front of a subcommand ask for.
 struct Settings {
   Address address;
-  bool json = false;  ///< for programs
+  std::string interface {};  ///< --interface as it was written; empty: not given
+  bool json = false;         ///< for programs
   Style style{};
   farm::MirrorThread* farm = nullptr;  ///< whose units are meant; nullptr: those of this machine
 };
@@ -49,6 +50,9 @@ void add_page(CLI::App& app, Run& run);
 void add_run(CLI::App& app, Run& run);
 void add_fleet(CLI::App& app, Run& run);
 void add_step(CLI::App& app, Run& run);
+void add_compare(CLI::App& app, Run& run);
+void add_replay(CLI::App& app, Run& run);
+void add_twin(CLI::App& app, Run& run);
 
 /// A subcommand of @p app, or the one of that name that it has.
 CLI::App& subcommand(CLI::App& app, std::string_view name, std::string_view summary);

@@ -28,6 +28,7 @@ enum class ExitStatus : std::uint8_t {
   Busy = 9,
   NotUnderstood = 10,
   NotFulfilled = 11,
+  Damaged = 12,
 };
 
 /// A row of the help, and of the table in docs/reference/exit-statuses.md.
@@ -37,7 +38,9 @@ struct ExitRow {
 };
 inline constexpr std::array kExitRows{
     ExitRow{ExitStatus::Done, "done"},
-    ExitRow{ExitStatus::Failed, "failed otherwise: a file or standard output cannot be written"},
+    ExitRow{ExitStatus::Failed,
+            "failed otherwise: a file or standard output cannot be written; compare, replay, twin: there are "
+            "differences"},
     ExitRow{ExitStatus::Usage, "wrong usage: words, options, or they fit several units"},
     ExitRow{ExitStatus::Refused, "the unit refuses in its present state, or the value is read-only"},
     ExitRow{ExitStatus::NotThere, "no such axis, parameter, object, signal or file, or a value out of range"},
@@ -48,6 +51,7 @@ inline constexpr std::array kExitRows{
     ExitRow{ExitStatus::Busy, "something that is under way has to end first, or it is too much"},
     ExitRow{ExitStatus::NotUnderstood, "daemon and axisctl do not understand each other, as of another version"},
     ExitRow{ExitStatus::NotFulfilled, "run: a scenario has not gone as it says"},
+    ExitRow{ExitStatus::Damaged, "compare, replay, twin: a log is damaged, or has no frame that is meant"},
 };
 
 /// The status for an error of the daemon.

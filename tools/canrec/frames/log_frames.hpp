@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <fstream>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "record/log_lines.hpp"
 #include "tools/canrec/frames/frame_source.hpp"
 
 namespace canrec {
@@ -29,23 +28,12 @@ class LogFrames final : public FrameSource {
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
 
  private:
-  LogFrames(std::string path, std::string interface, OnDamage on_damage);
+  LogFrames(record::LogLines lines, std::string interface, OnDamage on_damage);
 
-  /// Longest line that is looked at (bytes): twice what a frame takes.
-  static constexpr std::size_t kLongestLine = 256;
-
-  bool read_line();
-  [[nodiscard]] std::string complaint(std::string_view expected) const;
-
-  std::string path_;
+  record::LogLines lines_;
   std::string interface_;  ///< empty: that of the first frame
   bool is_chosen_;         ///< somebody has named it
   OnDamage on_damage_;
-  std::ifstream file_;
-  std::array<char, kLongestLine + 1> line_{};
-  std::string_view text_;  ///< of the line
-  bool is_too_long_ = false;
-  std::uint64_t number_ = 0;  ///< of the line, from 1
   std::uint64_t damaged_ = 0;
 };
 

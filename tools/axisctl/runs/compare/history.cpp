@@ -1,0 +1,77 @@
+#include "tools/axisctl/runs/compare/history.hpp"
+
+#include <algorithm>
+
+#include "tools/axisctl/runs/meaning/words.hpp"
+
+namespace runs {
+namespace {
+
+struct ServiceRow {
+  std::string_view what;
+  bool (*contains)(Role role);
+};
+constexpr std::array<ServiceRow, 4> kServiceRows{
+    ServiceRow{"SDO request", [](Role role) { return role == Role::SdoRequest; }},
+    ServiceRow{"NMT", [](Role role) { return role == Role::Nmt; }},
+    ServiceRow{"SYNC", [](Role role) { return role == Role::Sync; }},
+    ServiceRow{"PDO", [](Role role) { return role == Role::Rpdo || role == Role::Tpdo; }},
+};
+
+std::uint32_t key_of(const LoggedFrame& logged) noexcept {
+  return canopen::identifier_of(logged.frame) | (logged.is_error ? 1U << 31U : 0U);
+}
+
+}  // namespace
+
+History::History(const conformance::Description& description, std::size_t surroundings)
+    : description_{description}, most_{surroundings}, ids_{description} {}
+
+void History::take(const FramePair& pair) {
+  const LoggedFrame& logged = *pair.a;
+  last_.push_back(pair);
+  if (last_.size() > most_) last_.pop_front();
+  const std::uint32_t key = key_of(logged);
+  if (const auto known = by_identifier_.find(key); known != by_identifier_.end())
+    known->second = logged;
+  else if (by_identifier_.size() < kMostIdentifiers)
+    by_identifier_.emplace(key, logged);
+  if (logged.is_error) return;
+  const Meaning meaning = ids_.meaning_of(logged.frame);
+  ids_.follow(logged.frame, meaning);
+  for (std::size_t i = 0; i < kServiceRows.size(); ++i)
+    if (kServiceRows[i].contains(meaning.role)) services_[i] = logged;
+  if (meaning.role == Role::SdoRequest) requests_[meaning.node] = logged;
+}
+
+std::string History::words_of(const std::optional<LoggedFrame>& logged) const {
+  if (!logged) return "";
+  if (logged->is_error) return "error frame";
+  return runs::words_of(logged->frame, ids_.meaning_of(logged->frame), description_);
+}
+
+void History::add_former(std::vector<Former>& formers, std::string_view what, const LoggedFrame& frame) const {
+  formers.push_back({std::string{what}, frame, words_of(frame)});
+}
+
+std::vector<Former> History::formers(const std::optional<LoggedFrame>& a,
+                                     const std::optional<LoggedFrame>& b) const {
+  std::vector<Former> formers;
+  for (const auto* const one : {&a, &b}) {
+    if (!*one || (one == &b && a && key_of(*a) == key_of(*b))) continue;
+    const auto known = by_identifier_.find(key_of(**one));
+    if (known != by_identifier_.end()) add_former(formers, "same identifier", known->second);
+  }
+  for (std::size_t i = 0; i < kServiceRows.size(); ++i) {
+    const std::optional<LoggedFrame>* last = &services_[i];
+    // The request that an answer belongs to, if it is one.
+    const auto& one = a ? a : b;
+    if (const Meaning meaning = one ? ids_.meaning_of(one->frame) : Meaning{};
+        kServiceRows[i].contains(Role::SdoRequest) && meaning.role == Role::SdoResponse && requests_[meaning.node])
+      last = &requests_[meaning.node];
+    if (*last) add_former(formers, kServiceRows[i].what, **last);
+  }
+  return formers;
+}
+
+}  // namespace runs

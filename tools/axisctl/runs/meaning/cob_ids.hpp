@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+
+#include "libcanopen/base/cob_id.hpp"
+#include "libcanopen/base/frame.hpp"
+#include "tools/axisctl/runs/meaning/sdo_watch.hpp"
+#include "tools/canopen-check/core/description.hpp"
+
+namespace runs {
+
+/// What a frame is for (CiA 301).
+enum class Role : std::uint8_t {
+  Unknown,
+  Nmt,
+  Sync,
+  Time,
+  Emergency,
+  Tpdo,
+  Rpdo,
+  SdoResponse,
+  SdoRequest,
+  ErrorControl,  ///< heartbeat, boot-up message, answer of node guarding
+  Guarding,      ///< the remote frame that asks for it
+  LssRequest,
+  LssResponse,
+};
+
+/// Whose frame it is, and which of several.
+struct Meaning {
+  Role role = Role::Unknown;
+  std::uint8_t node = 0;     ///< 0: of no one
+  std::uint16_t number = 0;  ///< of a PDO, or of an SDO server, from 1
+
+  friend constexpr auto operator<=>(const Meaning&, const Meaning&) = default;
+};
+
+/// Which identifier means what: that of the predefined connection set (CiA 301, 7.3.3), what an EDS says, and what
+/// was written since.
+class CobIds {
+ public:
+  CobIds() = default;
+  /// With the COB-IDs that @p description states for the node that it was read for.
+  explicit CobIds(const conformance::Description& description);
+
+  /// What @p frame means.
+  [[nodiscard]] Meaning meaning_of(const canopen::Frame& frame) const noexcept;
+  /// Follows @p frame, which means @p meaning: COB-IDs that are written, saved, and lost with a reset. The value
+  /// of an entry that it tells.
+  std::optional<EntryValue> follow(const canopen::Frame& frame, const Meaning& meaning);
+
+ private:
+  struct Given {
+    std::map<Meaning, canopen::Identifier> identifiers{};  ///< 0: none
+    friend bool operator==(const Given&, const Given&) = default;
+  };
+  void learn(const EntryValue& entry);
+  void give(const Meaning& service, canopen::Identifier identifier);
+  void reset(std::uint8_t node);
+  void index();
+
+  Given given_{}, saved_{};
+  std::unordered_map<canopen::Identifier, Meaning> services_;  ///< those of given_ by identifier
+  SdoWatch sdo_{};
+};
+
+}  // namespace runs
