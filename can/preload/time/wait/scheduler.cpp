@@ -20,6 +20,29 @@ namespace {
 Threads all_threads;
 std::atomic<int> waits_for_addresses;
 
+/// Its value tells a thread that ends that it has been known.
+pthread_key_t ending;
+pthread_once_t ending_is_made = PTHREAD_ONCE_INIT;
+
+void note_end(void* thread) noexcept {
+  set_own_thread(nullptr);
+  const TimeLock lock;
+  if (by_turns()) end_thread(*static_cast<Thread*>(thread));
+}
+
+void make_ending() noexcept {
+  pthread_key_create(&ending, note_end);
+}
+
+/// The calling thread is @p thread, until it ends.
+void become(Thread& thread) noexcept {
+  set_own_thread(&thread);
+  thread.handle = pthread_self();
+  thread.id = gettid();
+  pthread_once(&ending_is_made, make_ending);
+  pthread_setspecific(ending, &thread);
+}
+
 // What a thread's `go` says.
 constexpr int kGo = 1;
 constexpr int kLook = 2;  ///< it may have to coordinate
@@ -67,10 +90,8 @@ Thread& this_thread() noexcept {
   static Thread spare;  // without memory threads share one, and time is not right any more
   Thread* thread = new_thread();
   if (thread == nullptr) thread = &spare;
-  thread->handle = pthread_self();
-  thread->id = gettid();
   ++all_threads.running;
-  set_own_thread(thread);
+  become(*thread);
   return *thread;
 }
 
@@ -144,10 +165,8 @@ Thread* announce_thread() noexcept {
 }
 
 void begin_thread(Thread& self) noexcept {
-  set_own_thread(&self);
+  become(self);
   TimeLock lock;
-  self.handle = pthread_self();
-  self.id = gettid();
   ++all_threads.running;  // it is not, but finish_wait() takes one off
   finish_wait(self, lock);
 }
