@@ -103,6 +103,8 @@ void look_up_real() noexcept {
       {"wait4", room_of(calls.wait4)},
       {"waitid", room_of(calls.waitid)},
       {"_exit", room_of(calls._exit)},
+      {"siglongjmp", room_of(calls.longjmp)},
+      {"__longjmp_chk", room_of(calls.longjmp_chk)},
       {"close_range", room_of(calls.close_range)},
       {"closefrom", room_of(calls.closefrom)},
       {"dup2", room_of(calls.dup2)},

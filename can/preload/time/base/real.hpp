@@ -102,6 +102,8 @@ struct Real {
   pid_t (*wait4)(pid_t, int*, int, rusage*);
   int (*waitid)(idtype_t, id_t, siginfo_t*, int);
   void (*_exit)(int);
+  void (*longjmp)(__jmp_buf_tag*, int);
+  void (*longjmp_chk)(__jmp_buf_tag*, int);
   int (*close_range)(unsigned, unsigned, int);
   void (*closefrom)(int);
   int (*dup2)(int, int);

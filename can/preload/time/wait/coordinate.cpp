@@ -5,6 +5,7 @@
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/turn/turn.hpp"
+#include "can/preload/time/wait/children.hpp"
 #include "can/preload/time/wait/poll_set.hpp"
 #include "can/preload/time/wait/scheduler.hpp"
 #include "can/preload/time/wait/timer.hpp"
@@ -49,29 +50,6 @@ bool end_ready_wait() noexcept {
   poll_set.gather(threads().waiting);
   if (poll_set.look() <= 0) return false;
   return end_wait_of(poll_set.first_ready(threads().waiting), Ended::Ready);
-}
-
-/// Whether a child has ended that has not been waited for.
-bool has_ended_child() noexcept {
-  siginfo_t info{};
-  const int outcome = real().waitid(P_ALL, 0, &info, WEXITED | WSTOPPED | WCONTINUED | WNOHANG | WNOWAIT);
-  return outcome != 0 || info.si_pid != 0;
-}
-
-/// The hub tells when the sockets of a child are closed, which is a little before it can be waited for.
-void await_ended_child(TimeLock& lock) noexcept {
-  constexpr int kMostLooks = 250;
-  const timespec moment{.tv_sec = 0, .tv_nsec = kNsOfMillisecond};
-  lock.release();
-  for (int i = 0; i < kMostLooks && !has_ended_child(); ++i) real().nanosleep(&moment, nullptr);
-  lock.take();
-}
-
-void end_waits_for_children(TimeLock& lock) noexcept {
-  if (first_waiting(waits_for_children) == nullptr) return;
-  await_ended_child(lock);
-  while (end_wait_of(first_waiting(waits_for_children), Ended::Ready)) {
-  }
 }
 
 /// What ended a sleep of the coordinator.
@@ -133,10 +111,10 @@ void lose_hub() noexcept {
 
 void coordinate(Thread& self, TimeLock& lock) noexcept {
   bool looked = self.wait.polled && threads().waiting.is_single();
-  while (threads().runnable.first() == nullptr) {
+  while (!has_turn() || threads().runnable.first() == nullptr) {
     if (!has_turn()) {
       if (!await_turn(self, lock)) return lose_hub();
-      if (take_child_ended()) end_waits_for_children(lock);
+      if (take_child_ended()) take_end_of_child(self, lock);
       looked = false;
       continue;
     }

@@ -79,6 +79,27 @@ void sleep_once(Thread& self, TimeLock& lock) noexcept {
     release_first();
 }
 
+/// Whether the process acts: those who can go on may.
+bool may_act() noexcept {
+  return has_turn() || !by_turns();
+}
+
+void sleep_until_released(Thread& self, TimeLock& lock) noexcept {
+  Threads& all = all_threads;
+  while (self.go != kGo) {
+    if (all.running == 0 && may_act() && all.runnable.first() != nullptr) {
+      release_first();
+    } else if (all.running == 0 && all.coordinator == nullptr) {
+      all.coordinator = &self;
+      coordinate(self, lock);
+      all.coordinator = nullptr;
+    } else {
+      sleep_once(self, lock);
+    }
+  }
+  self.go = 0;
+}
+
 }  // namespace
 
 Threads& threads() noexcept {
@@ -136,22 +157,23 @@ int count_waits_for_addresses() noexcept {
 }
 
 Ended finish_wait(Thread& self, TimeLock& lock) noexcept {
-  Threads& all = all_threads;
-  --all.running;
-  while (self.go != kGo) {
-    if (all.running == 0 && all.runnable.first() != nullptr) {
-      release_first();
-    } else if (all.running == 0 && !all.coordinated) {
-      all.coordinated = true;
-      coordinate(self, lock);
-      all.coordinated = false;
-    } else {
-      sleep_once(self, lock);
-    }
-  }
-  self.go = 0;
+  --all_threads.running;
+  sleep_until_released(self, lock);
   if (self.wait.address != nullptr) --waits_for_addresses;
   return self.ended;
+}
+
+void abandon_wait() noexcept {
+  Thread* const self = own_thread();
+  if (self == nullptr || self->place == Place::Running) return;
+  if (TimeLock::is_mine()) TimeLock::forget();
+  TimeLock lock;
+  if (self->place == Place::Waiting) make_runnable(*self, Ended::Signal);
+  if (all_threads.coordinator == self) all_threads.coordinator = nullptr;
+  self->wait.mask = nullptr;
+  if (by_turns() && !has_turn()) want_turn();
+  sleep_until_released(*self, lock);
+  if (self->wait.address != nullptr) --waits_for_addresses;
 }
 
 Thread* announce_thread() noexcept {
@@ -179,10 +201,12 @@ void end_thread(Thread& thread) noexcept {
   free_thread(thread);
   wake_waiting(reinterpret_cast<const void*>(handle), INT_MAX, UINT32_MAX);  // who joins it
   if (all.running > 0) return;
-  if (all.runnable.first() != nullptr)
+  if (all.runnable.first() != nullptr && may_act())
     release_first();
-  else if (!all.coordinated && all.waiting.first() != nullptr)
+  else if (all.coordinator == nullptr && all.waiting.first() != nullptr)
     call(*all.waiting.first(), kLook);
+  else if (all.coordinator == nullptr && all.runnable.first() != nullptr)
+    call(*all.runnable.first(), kLook);
 }
 
 void forget_other_threads() noexcept {
