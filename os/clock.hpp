@@ -17,13 +17,19 @@ class OtherTime {
   [[nodiscard]] virtual std::chrono::nanoseconds monotonic() const noexcept = 0;
   /// What stands for CLOCK_REALTIME, since 1 January 1970, 0:00 UTC.
   [[nodiscard]] virtual std::chrono::nanoseconds wall() const noexcept = 0;
+  /// Whether it stands while this process does something: what another thread does meanwhile takes no time of it.
+  [[nodiscard]] virtual bool stands_while_acting() const noexcept = 0;
+  /// The process has sent a frame at the present.
+  virtual void note_sent() noexcept = 0;
+  /// It has done something else that others can notice.
+  virtual void note_touched() noexcept = 0;
 };
 
 /// The clock of the process, nullptr: the machine's.
-inline const OtherTime* other_time = nullptr;
+inline OtherTime* other_time = nullptr;
 
 /// The process lives by @p time from now on, which outlives it; before it has threads.
-inline void use_time(const OtherTime& time) noexcept {
+inline void use_time(OtherTime& time) noexcept {
   other_time = &time;
 }
 

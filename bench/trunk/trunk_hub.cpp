@@ -84,7 +84,7 @@ class Orders final : public hub::Source {
 void run(const Options& options) {
   userbus::Path path{};
   if (!userbus::copy_path(options.path.c_str(), path)) throw std::runtime_error{"the path is too long"};
-  auto owner = hub::PathOwner::take(path, std::nullopt);
+  auto owner = hub::PathOwner::take(path, {});
   if (!owner) throw std::runtime_error{owner.error().text};
   hub::Server server{owner->listener(), {}};
   server.lengthen();

@@ -64,18 +64,23 @@ class Server::SourceWatch final : public Watch {
 };
 
 Server::Server(int listener, Settings settings)
-    : core_{settings.bit_rate},
+    : core_{settings.bit_rate, settings.time},
       timer_{core_.poll},
       listener_{listener},
-      settings_{settings},
+      settings_{std::move(settings)},
       most_members_{most_members()},
       listen_again_{canopen::kNever},
-      end_{settings.on_demand ? monotonic_now() + kPatience : canopen::kNever} {
+      end_{settings_.on_demand ? monotonic_now() + kPatience : canopen::kNever} {
+  if (settings_.time.mode != userbus::TimeMode::Real) time_.emplace(core_, settings_.turns);
   if (!core_.poll.add(listener_, EPOLLIN, *this))
     throw std::system_error{errno, std::generic_category(), "cannot watch the bus's socket"};
 }
 
-Server::~Server() = default;
+/// Members leave the time of the bus, which ends first.
+Server::~Server() {
+  core_.gathering.clear();
+  core_.members.clear();
+}
 
 void Server::add(Source& source) {
   auto watch = std::make_unique<SourceWatch>(source);
@@ -106,15 +111,28 @@ void Server::set_link(bool up) noexcept {
 
 void Server::run() noexcept {
   while (!stopped_) {
-    const TimePoint next = next_deadline();
-    const bool is_due = has_passed(next);
-    if (!is_due) timer_.wake_at(next);
-    core_.poll.turn(is_due);
-    if (has_passed(next_deadline())) on_time(monotonic_now());
+    wait();
+    if (has_passed(next_machine_deadline())) on_machine_time(monotonic_now());
+    if (core_.clock.is_told())
+      goes_on_ = time_->go_on(*this);
+    else if (is_event_due())
+      have_events(core_.clock.now());
     core_.hand_over();
-    if (core_.anyone_departed) sweep(monotonic_now());
+    if (core_.anyone_departed) {
+      sweep(monotonic_now());
+      goes_on_ = core_.clock.is_told();  // it may have waited for one of them
+    }
     end_if_lonely();
   }
+}
+
+/// Until something has happened to a descriptor, or a deadline has come.
+void Server::wait() noexcept {
+  TimePoint next = next_machine_deadline();
+  if (!core_.clock.is_told()) next = std::min(next, core_.clock.machine_time(next_event()));
+  const bool is_due = goes_on_ || has_passed(next);
+  if (!is_due) timer_.wake_at(next);
+  core_.poll.turn(is_due);
 }
 
 void Server::on_events(std::uint32_t) noexcept {
@@ -154,6 +172,8 @@ std::unique_ptr<Member> Server::make_member(os::Descriptor socket, userbus::Kind
   if (kind == userbus::Kind::Raw || kind == userbus::Kind::Port)
     return std::make_unique<RawMember>(core_, std::move(socket), kind);
   if (kind == userbus::Kind::BroadcastManager) return std::make_unique<BroadcastMember>(core_, std::move(socket));
+  if (kind == userbus::Kind::Clock && time_) return time_->make_member(std::move(socket));
+  if (kind == userbus::Kind::Clock) return std::make_unique<ClockMember>(core_, std::move(socket), nullptr);
   return nullptr;
 }
 
@@ -163,14 +183,20 @@ void Server::pause_listening(TimePoint now) noexcept {
   listen_again_ = now + kPause;
 }
 
-TimePoint Server::next_deadline() const noexcept {
-  TimePoint next = std::min({core_.medium.next_deadline(), listen_again_, end_});
+TimePoint Server::next_event() const noexcept {
+  TimePoint next = core_.medium.next_deadline();
   for (const Member* const member : timed_) next = std::min(next, member->next_deadline());
   for (const Source* const source : core_.sources) next = std::min(next, source->next_deadline());
   return next;
 }
 
-void Server::on_time(TimePoint now) noexcept {
+/// Looks at the clock only if there is an event.
+bool Server::is_event_due() const noexcept {
+  const TimePoint next = next_event();
+  return next != canopen::kNever && next <= core_.clock.now();
+}
+
+void Server::have_events(TimePoint now) noexcept {
   if (core_.medium.next_deadline() <= now) core_.medium.on_time(now);
   for (Member* const member : timed_)
     if (member->next_deadline() <= now) member->on_time(now);
@@ -178,10 +204,18 @@ void Server::on_time(TimePoint now) noexcept {
     Source& source = *core_.sources[i++];  // by number, since a source may take itself out
     if (source.next_deadline() <= now) source.on_time(now);
   }
-  if (listen_again_ <= now) {
-    listen_again_ = canopen::kNever;
-    if (!core_.poll.add(listener_, EPOLLIN, *this)) listen_again_ = now + kPause;
-  }
+}
+
+TimePoint Server::next_machine_deadline() const noexcept {
+  const TimePoint next = std::min(listen_again_, end_);
+  return time_ ? std::min(next, time_->next_machine_deadline()) : next;
+}
+
+void Server::on_machine_time(TimePoint now) noexcept {
+  if (time_) time_->on_machine_time(now);
+  if (listen_again_ > now) return;
+  listen_again_ = canopen::kNever;
+  if (!core_.poll.add(listener_, EPOLLIN, *this)) listen_again_ = now + kPause;
 }
 
 void Server::sweep(TimePoint now) noexcept {

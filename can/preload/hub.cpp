@@ -77,6 +77,8 @@ int errno_of(userbus::JoinError error) noexcept {
     case userbus::JoinError::InUse:
     case userbus::JoinError::NoHub:
     case userbus::JoinError::BitRate:
+    case userbus::JoinError::Time:
+    case userbus::JoinError::Different:
     case userbus::JoinError::NotServed:
       return EAFNOSUPPORT;  // as on a kernel without CAN
   }

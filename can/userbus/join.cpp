@@ -12,6 +12,7 @@
 #include "can/userbus/name.hpp"
 #include "can/userbus/request.hpp"
 #include "can/userbus/start_hub.hpp"
+#include "can/userbus/time.hpp"
 #include "can/userbus/trust.hpp"
 
 namespace userbus {
@@ -97,12 +98,10 @@ bool serve(const char* hub, const Path& path, JoinError& error) noexcept {
     error = JoinError::NotServed;
     return false;
   }
-  const char* bit_rate = nullptr;
-  if (!wanted_bit_rate(bit_rate)) {
-    error = JoinError::BitRate;
-    return false;
-  }
-  const StartStatus status = start_hub(hub, path.text, bit_rate);
+  HubWishes wishes{};
+  error = wanted_hub(wishes);
+  if (error != JoinError::None) return false;
+  const StartStatus status = start_hub(hub, path.text, wishes.bit_rate, wishes.time);
   if (status == StartStatus::Failed && errno == EINTR) return true;  // ended while it started: another one is next
   error = error_of(status, status == StartStatus::Failed ? errno : 0);
   return error == JoinError::None;
@@ -148,10 +147,14 @@ void set_queue(int descriptor, Kind kind, int bit_rate) noexcept {
     lengthen_queue(descriptor);
 }
 
-bool wanted_bit_rate(const char*& text) noexcept {
-  text = getenv("CAN_BITRATE");
+JoinError wanted_hub(HubWishes& wishes) noexcept {
+  wishes = {.bit_rate = getenv("CAN_BITRATE"), .time = getenv("CAN_TIME")};
   uint32_t rate = 0;
-  return text == nullptr || read_bit_rate(text, strlen(text), rate);
+  if (wishes.bit_rate != nullptr && !read_bit_rate(wishes.bit_rate, strlen(wishes.bit_rate), rate))
+    return JoinError::BitRate;
+  TimeWish time{};
+  if (wishes.time != nullptr && !read_time(wishes.time, strlen(wishes.time), time)) return JoinError::Time;
+  return JoinError::None;
 }
 
 JoinError error_of(StartStatus status, int error) noexcept {
@@ -160,9 +163,10 @@ JoinError error_of(StartStatus status, int error) noexcept {
       return JoinError::None;
     case StartStatus::InUse:
       return JoinError::InUse;
+    case StartStatus::Different:
+      return JoinError::Different;
     case StartStatus::Failed:
     case StartStatus::Usage:
-    case StartStatus::Different:
       break;
   }
   return error == ENOENT || error == EACCES ? JoinError::NoHub : JoinError::NotServed;
@@ -184,6 +188,10 @@ const char* text_of(JoinError error) noexcept {
       return "is not served, and the program canhub was not found";
     case JoinError::BitRate:
       return "is not served, and CAN_BITRATE is no bit rate: expected 0 or 1000 to 1000000 (bit/s)";
+    case JoinError::Time:
+      return "is not served, and CAN_TIME is no time: expected real, scaled=K (0.001 to 1000), virtual or stepped";
+    case JoinError::Different:
+      return "is served, but with another bit rate or another time than CAN_BITRATE and CAN_TIME say";
     case JoinError::NotServed:
       return "cannot be served by canhub (run canhub --path to see why)";
   }

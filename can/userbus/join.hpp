@@ -13,6 +13,8 @@ enum class JoinError : uint8_t {
   InUse,      ///< something at the path is no bus
   NoHub,      ///< the program canhub was not found where it was looked for
   BitRate,    ///< nobody serves the path, and $CAN_BITRATE is no bit rate
+  Time,       ///< likewise $CAN_TIME is no time
+  Different,  ///< the path is served, but not as $CAN_BITRATE and $CAN_TIME say
   NotServed,  ///< canhub could not serve the path
 };
 
@@ -51,8 +53,14 @@ Connected connect_hub(const Path& path, Kind kind, int flags) noexcept;
 /// Gives @p descriptor, a member of a bus with @p bit_rate, the queue in the kernel that its frames shall have.
 void set_queue(int descriptor, Kind kind, int bit_rate) noexcept;
 
-/// $CAN_BITRATE in @p text, nullptr if there is none; false if it is no bit rate.
-bool wanted_bit_rate(const char*& text) noexcept;
+/// How a hub is to serve; nullptr: as the bus is.
+struct HubWishes {
+  const char* bit_rate = nullptr;  ///< digits as read_bit_rate() takes them
+  const char* time = nullptr;      ///< as read_time() takes it
+};
+
+/// $CAN_BITRATE and $CAN_TIME as wishes for start_hub(); JoinError::None if they are none or right.
+JoinError wanted_hub(HubWishes& wishes) noexcept;
 
 /// What it means for joining that the program canhub ended with @p status, or could not be started for errno @p
 /// error.

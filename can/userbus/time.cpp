@@ -90,6 +90,10 @@ const TimePage* map_time(int descriptor) noexcept {
   return page == MAP_FAILED ? nullptr : static_cast<const TimePage*>(page);
 }
 
+void unmap_time(const TimePage* page) noexcept {
+  munmap(const_cast<TimePage*>(page), kTimePageSize);
+}
+
 bool tell_time(int descriptor, const TimeMessage& message) noexcept {
   iovec part{const_cast<TimeMessage*>(&message), sizeof message};
   msghdr header{};

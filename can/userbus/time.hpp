@@ -106,6 +106,9 @@ JoinedClock join_clock(const Path& path, const char* hub, uint32_t flags, int pr
 /// machine's time, or with errno if it does not answer.
 const TimePage* map_time(int descriptor) noexcept;
 
+/// Gives back what map_time() gave.
+void unmap_time(const TimePage* page) noexcept;
+
 /// Tells the hub; false with errno if it has gone.
 bool tell_time(int descriptor, const TimeMessage& message) noexcept;
 

@@ -34,10 +34,11 @@ bool is_meant(const ServedUnit& unit, std::string_view name) {
 }  // namespace
 
 Fleet::Fleet(std::span<const Configuration> configurations, std::size_t threads,
-             const std::filesystem::path& state_root, const Log& log, InstanceListener& listener)
+             const std::filesystem::path& state_root, const Log& log, InstanceListener& listener,
+             bus::TimeShare* time)
     : configurations_{configurations} {
   for (std::size_t i = 0; i < std::clamp(threads, std::size_t{1}, configurations.size()); ++i)
-    loops_.emplace_back(log);
+    loops_.emplace_back(log, time);
   auto loop = loops_.begin();
   for (const Configuration& configuration : configurations) {
     const auto prefix = configurations.size() > 1 ? Log::Prefix::Name : Log::Prefix::None;

@@ -22,7 +22,8 @@ class Fleet {
   /// @p state_root. Lines of the log bear the name of their unit where there are several. Throws InstanceError,
   /// bus::OpenError or std::system_error.
   Fleet(std::span<const Configuration> configurations, std::size_t threads,
-        const std::filesystem::path& state_root, const Log& log, InstanceListener& listener);
+        const std::filesystem::path& state_root, const Log& log, InstanceListener& listener,
+        bus::TimeShare* time = nullptr);
 
   /// Power-on of all units. Throws std::system_error.
   void start();

@@ -115,7 +115,7 @@ canopen::TimePoint BusTurn::frame_arrival() const noexcept {
   if (slept < kLate) return now_;
   const auto arrival = arrivals_.frame_arrival();
   if (!arrival) return now_;
-  const canopen::Duration waited = std::chrono::system_clock::now().time_since_epoch() - *arrival;
+  const canopen::Duration waited = os::wall_time() - *arrival;
   return now_ - std::clamp(waited, canopen::Duration{0}, slept);
 }
 

@@ -16,8 +16,12 @@ constexpr unsigned kMostRings = 16;
 
 }  // namespace
 
-EventLoop::EventLoop(Service& service, JointWork* joint)
-    : service_{service}, joint_{joint}, ports_{others_.descriptor()} {
+EventLoop::EventLoop(Service& service, JointWork* joint, bus::TimeShare* time)
+    : service_{service},
+      joint_{joint},
+      ports_{others_.descriptor()},
+      time_{time},
+      party_{time == nullptr ? nullptr : &time->add()} {
   watch(wake_up_.descriptor());
 }
 
@@ -62,12 +66,26 @@ canopen::TimePoint EventLoop::earliest() const noexcept {
 void EventLoop::turn() noexcept {
   if (buses_.size() <= PortWatch::kFew)
     for (std::size_t i = 0; i < buses_.size(); ++i) refresh(i);
-  wake_up_.by(earliest(), now_);
-  if (!ports_.wait(!rare_waits_) && !rare_waits_) return;
+  if (!wait() && !rare_waits_) return;
   now_ = read_clock();
   buses_.size() <= PortWatch::kFew ? give_turns() : give_turns_to_many();
   if (service_.next_chores() <= now_) service_.on_chores(now_);
   if (rare_waits_ || ports_.others_wait()) look_after_others();
+}
+
+/// Whether something has come, or the time of a deadline.
+bool EventLoop::wait() noexcept {
+  if (time_ == nullptr) {
+    wake_up_.by(earliest(), now_);
+    return ports_.wait(!rare_waits_);
+  }
+  if (!rare_waits_) time_->wait(*party_, {.descriptors = ports_.descriptors(), .until = earliest()});
+  ports_.wait(/*sleeps=*/false);
+  return true;
+}
+
+void EventLoop::end() noexcept {
+  if (time_ != nullptr) time_->remove(*party_);
 }
 
 void EventLoop::give_turns() noexcept {

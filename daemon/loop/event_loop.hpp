@@ -3,6 +3,7 @@
 #include <chrono>
 #include <vector>
 
+#include "can/clock/time_share.hpp"
 #include "daemon/instance/bus_turn.hpp"
 #include "daemon/loop/port_watch.hpp"
 #include "daemon/loop/wake_up.hpp"
@@ -47,8 +48,9 @@ class EventLoop {
   /// than that and one bus.
   static constexpr canopen::Duration kLongestTurn = std::chrono::milliseconds{2};
 
-  /// @p service and @p joint outlive it. Without the latter nothing is shared. Throws std::system_error.
-  explicit EventLoop(Service& service, JointWork* joint = nullptr);
+  /// @p service, @p joint and @p time outlive it. Without the second nothing is shared, without the last it lives
+  /// by the machine's time. Throws std::system_error.
+  explicit EventLoop(Service& service, JointWork* joint = nullptr, bus::TimeShare* time = nullptr);
 
   /// Gives @p bus, which outlives this or is removed, its turns. Throws std::system_error.
   void add(BusTurn& bus);
@@ -61,10 +63,13 @@ class EventLoop {
   void watch(int descriptor);
   /// Waits for the next event and handles all that is due.
   void turn() noexcept;
+  /// The thread that takes the turns takes no further one.
+  void end() noexcept;
 
  private:
   void refresh(std::size_t place) noexcept;
   canopen::TimePoint earliest() const noexcept;
+  bool wait() noexcept;
   void give_turns() noexcept;
   void give_turns_to_many() noexcept;
   void begin_turn(std::size_t place) noexcept;
@@ -81,6 +86,8 @@ class EventLoop {
   os::Pollable others_;                  ///< over the timer and what is watched
   PortWatch ports_;
   WakeUp wake_up_;
+  bus::TimeShare* time_;
+  bus::Party* party_;         ///< in that time
   canopen::TimePoint now_{};  ///< of the last turn
   bool rare_waits_ = true;    ///< whatever the descriptors say; at first nobody has looked
   unsigned rings_in_a_row_ = 0;

@@ -32,6 +32,7 @@ void PortWatch::resize(std::size_t count) {
 void PortWatch::keep_track() {
   epoll_ = os::Descriptor{::epoll_create1(EPOLL_CLOEXEC)};
   if (!epoll_) throw std::system_error{errno, std::generic_category(), "epoll_create1"};
+  kept_.fd = epoll_.get();
   add(kOthers, others().fd);
   for (std::size_t place = 0; place + 1 < ports_.size(); ++place) add(place, ports_[place].fd);
 }

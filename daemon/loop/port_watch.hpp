@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <poll.h>
@@ -32,6 +33,8 @@ class PortWatch {
 
   /// Waits, if it @p sleeps, until something is readable; whether anything is.
   bool wait(bool sleeps) noexcept;
+  /// What wait() waits for, for who does so by another clock.
+  std::span<pollfd> descriptors() noexcept { return epoll_ ? std::span{&kept_, 1} : std::span{ports_}; }
   /// As of the last wait().
   bool is_readable(std::size_t place) const noexcept { return ports_[place].revents != 0; }
   bool others_wait() const noexcept { return others().revents != 0; }
@@ -44,8 +47,9 @@ class PortWatch {
   bool wait_for_many(bool sleeps) noexcept;
   void keep_track();
 
-  std::vector<pollfd> ports_;  ///< a port each, and the others
-  os::Descriptor epoll_;       ///< of many
+  std::vector<pollfd> ports_;   ///< a port each, and the others
+  os::Descriptor epoll_;        ///< of many
+  pollfd kept_{-1, POLLIN, 0};  ///< it
 };
 
 }  // namespace axisd

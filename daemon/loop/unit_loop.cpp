@@ -6,6 +6,8 @@
 
 #include <sys/epoll.h>
 
+#include "os/clock.hpp"
+
 namespace axisd {
 namespace {
 
@@ -19,7 +21,7 @@ void watch(int epoll, int descriptor, void* who) {
 
 }  // namespace
 
-UnitLoop::UnitLoop(const Log& log) : log_{log} {
+UnitLoop::UnitLoop(const Log& log, bus::TimeShare* time) : log_{log}, loop_{*this, &joint_, time} {
   watch(rare_.descriptor(), mailbox_.descriptor(), nullptr);
   loop_.watch(rare_.descriptor());
 }
@@ -69,6 +71,7 @@ bool UnitLoop::on_rare_event() noexcept {
   if (event.data.ptr == nullptr) return mailbox_.do_one();
   const Instance::RareSource source = *static_cast<const Instance::RareSource*>(event.data.ptr);
   (source.instance->*source.handle)();
+  if (os::other_time != nullptr) os::other_time->note_touched();  // it may have answered somebody
   look_after(*source.instance);
   return false;
 }
@@ -79,6 +82,7 @@ void UnitLoop::run() noexcept {
     look_after(*instance);
   }
   while (!stopping_) loop_.turn();
+  loop_.end();
 }
 
 }  // namespace axisd

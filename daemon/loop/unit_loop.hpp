@@ -25,8 +25,9 @@ class JointUnits final : public JointWork {
 /// between two turns; a turn does one job at most, so that no number of them keeps a drive from its cycles.
 class UnitLoop final : private Service {
  public:
-  /// Tells what @p log left out; it outlives this. Throws std::system_error.
-  explicit UnitLoop(const Log& log);
+  /// Tells what @p log left out; lives by @p time, nullptr: the machine's. Both outlive this. Throws
+  /// std::system_error.
+  explicit UnitLoop(const Log& log, bus::TimeShare* time = nullptr);
   ~UnitLoop() override { stop(); }
   UnitLoop(const UnitLoop&) = delete;
   UnitLoop& operator=(const UnitLoop&) = delete;
@@ -56,7 +57,7 @@ class UnitLoop final : private Service {
   std::list<Instance::RareSource> watched_;
   std::list<Instance*> instances_;
   JointUnits joint_;
-  EventLoop loop_{*this, &joint_};
+  EventLoop loop_;
   bool stopping_ = false;
   std::thread thread_;
 };

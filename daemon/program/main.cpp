@@ -10,6 +10,7 @@
 #include <sys/resource.h>
 
 #include "control/socket_name.hpp"
+#include "daemon/program/bus_time.hpp"
 #include "daemon/program/configuration_file.hpp"
 #include "daemon/program/options.hpp"
 #include "daemon/program/program.hpp"
@@ -61,7 +62,8 @@ int serve(const axisd::Options& options) {
   assignment.units = std::move(configuration.units);
   assignment.state_root = axisd::state_root(options.state_directory);
   const axisd::Log log{options.log_level};
-  axisd::Program program{assignment, log};
+  const auto time = axisd::join_bus_time(assignment.units);
+  axisd::Program program{assignment, log, time.get()};
   program.run();
   return axisd::kDone;
 }

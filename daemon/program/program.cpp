@@ -17,10 +17,12 @@ constexpr canopen::Duration kStart = std::chrono::seconds{1};
 }  // namespace
 
 /// The fleet before the signals are caught: whoever waits for a bus can be ended.
-Program::Program(const Assignment& assignment, const Log& log)
+Program::Program(const Assignment& assignment, const Log& log, bus::TimeShare* time)
     : log_{log},
+      time_{time},
+      party_{time == nullptr ? nullptr : &time->add()},
       notification_{assignment.units.size()},
-      fleet_{assignment.units, assignment.threads, assignment.state_root, log, *this},
+      fleet_{assignment.units, assignment.threads, assignment.state_root, log, *this, time},
       events_{[this] { stop(); }},
       watchdog_{fleet_} {
   if (!assignment.control.path.empty())
@@ -32,22 +34,33 @@ void Program::run() {
   fleet_.start();
   start_over_ = read_clock() + kStart;
   while (!stopping_) wait();
+  if (time_ != nullptr) time_->leave();  // what is still to be done is done at once
   Notification::on_stopping();
   fleet_.stop();
 }
 
 /// Until something rare has happened, and handles it.
 void Program::wait() {
-  const canopen::TimePoint deadline = std::min({watchdog_.due(), log_.due(), start_over_});
-  pollfd rare{events_.descriptor(), POLLIN, 0};
-  if (!more_) ::poll(&rare, 1, milliseconds_until(deadline));
+  if (!more_) sleep(std::min(log_.due(), start_over_));
   more_ = events_.dispatch();
   const canopen::TimePoint now = read_clock();
-  watchdog_.on_time(now);
+  watchdog_.on_time(machine_clock());
   if (log_.due() <= now) log_.tell_left_out(now);
   if (start_over_ > now) return;
   start_over_ = canopen::kNever;
   os::give_back_clean_pages();
+}
+
+/// The watchdog of systemd knows the machine's clock alone.
+void Program::sleep(canopen::TimePoint until) noexcept {
+  pollfd rare{events_.descriptor(), POLLIN, 0};
+  if (time_ == nullptr) {
+    ::poll(&rare, 1, milliseconds_until(std::min(until, watchdog_.due())));
+    return;
+  }
+  const bool is_ready =
+      time_->wait(*party_, {.descriptors = {&rare, 1}, .until = until, .machine_until = watchdog_.due()});
+  if (is_ready) time_->note_touched();  // somebody may be answered
 }
 
 }  // namespace axisd

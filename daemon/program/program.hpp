@@ -27,9 +27,9 @@ struct Assignment {
 /// units run on the threads of the fleet.
 class Program final : private InstanceListener {
  public:
-  /// Opens all that @p assignment names, which outlives this. Throws InstanceError, bus::OpenError or
-  /// std::system_error.
-  Program(const Assignment& assignment, const Log& log);
+  /// Opens all that @p assignment names, which outlives this, as @p time does, nullptr: the machine's. Throws
+  /// InstanceError, bus::OpenError or std::system_error.
+  Program(const Assignment& assignment, const Log& log, bus::TimeShare* time = nullptr);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   ~Program() override = default;
@@ -47,8 +47,11 @@ class Program final : private InstanceListener {
     queue_.add({&instance.configuration(), instance.started(), event});
   }
   void wait();
+  void sleep(canopen::TimePoint until) noexcept;
 
   const Log& log_;
+  bus::TimeShare* time_;
+  bus::Party* party_;  ///< in that time
   Notification notification_;
   EventQueue queue_;
   Fleet fleet_;

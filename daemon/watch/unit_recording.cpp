@@ -25,7 +25,7 @@ constexpr double kMegabyte = 1e6;
 
 /// Of the start of the unit, by the clock as it stands now.
 nanoseconds wall_clock_at(canopen::TimePoint started) {
-  return std::chrono::system_clock::now().time_since_epoch() - (read_clock() - started);
+  return os::wall_time() - (read_clock() - started);
 }
 
 /// UTC, to the second.
@@ -77,9 +77,7 @@ tl::expected<void, UnitRecording::Refusal> UnitRecording::start(const RecordSett
   auto signals = signals_of(settings);
   if (!signals) return tl::unexpected{Refusal{Why::NoSuchSignal, signals.error()}};
   const RecordSettings former = std::exchange(settings_, settings);
-  if (settings_.name.empty())
-    settings_.name =
-        fmt::format("{:%Y%m%d-%H%M%S}", calendar(std::chrono::system_clock::now().time_since_epoch()));
+  if (settings_.name.empty()) settings_.name = fmt::format("{:%Y%m%d-%H%M%S}", calendar(os::wall_time()));
   const auto signals_before = std::exchange(signals_, *std::move(signals));
   try {
     recorder_ = std::make_unique<record::Recorder>(plan(settings_), moment(now));

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "can/bus_faults/bus_faults.hpp"
-#include "can/hub/loop/clock.hpp"
 #include "can/userbus/protocol.hpp"
 
 namespace canhub {
@@ -71,7 +70,7 @@ int command_faults(const Options& options, std::ostream& out, std::ostream& erro
 
 void load_faults(hub::Server& server, const Options& options) {
   for (const std::string& fault : options.with)
-    if (const auto number = server.faults().inject(fault, hub::monotonic_now()); !number)
+    if (const auto number = server.faults().inject(fault, server.now()); !number)
       throw UsageError{fmt::format("--with: {}", number.error())};
 }
 

@@ -40,7 +40,13 @@ void raise_descriptor_limit() noexcept {
 
 /// Serves until a signal comes, or as long as the hub is wanted.
 void serve(hub::PathOwner& owner, const canhub::Options& options) {
-  hub::Server server{owner.listener(), {.bit_rate = options.bit_rate.value_or(0), .on_demand = options.on_demand}};
+  constexpr userbus::TimeWish kReal{userbus::TimeMode::Real, 1};
+  hub::Server server{
+      owner.listener(),
+      {.bit_rate = options.bit_rate.value_or(0),
+       .on_demand = options.on_demand,
+       .time = options.time.value_or(kReal),
+       .turns = {.notice = [](std::string_view line) { std::cerr << "canhub: " << line << std::endl; }}}};
   const canhub::Signals signals{server};
   const canhub::Neighbours neighbours{server, options};
   canhub::load_faults(server, options);
@@ -77,7 +83,7 @@ int run(const canhub::Options& options) {
   if (options.is_about_faults()) return canhub::command_faults(options, std::cout, std::cerr);
   raise_descriptor_limit();
   std::signal(SIGPIPE, SIG_IGN);  // a reader of standard error that goes does not end the bus
-  auto owner = hub::PathOwner::take(options.path, options.bit_rate);
+  auto owner = hub::PathOwner::take(options.path, {.bit_rate = options.bit_rate, .time = options.time});
   if (!owner) {
     const hub::Refusal& refusal = owner.error();
     if (refusal.status == StartStatus::Served && options.on_demand) return status_of(StartStatus::Served);

@@ -33,13 +33,35 @@ constexpr std::array kExitRows{
     cli::ExitRow{static_cast<int>(StartStatus::InUse),
                  "with --on-demand: something that is no hub is at the path"},
     cli::ExitRow{static_cast<int>(StartStatus::Different),
-                 "with --on-demand: a hub serves the path at another bit rate than --bitrate"},
+                 "with --on-demand: a hub serves the path at another bit rate than --bitrate, or with another "
+                 "time than --time"},
 };
 
 std::uint32_t bit_rate_of(const std::string& text) {
   std::uint32_t rate = 0;
   if (userbus::read_bit_rate(text.data(), text.size(), rate)) return rate;
   throw UsageError{fmt::format("--bitrate: expected {}, got \"{}\"", userbus::kBitRateRule, text)};
+}
+
+/// Where frames have to take time and nobody says how much (bit/s): the highest of ISO 11898-2.
+constexpr std::uint32_t kBitRateOfToldTime = 1'000'000;
+
+userbus::TimeWish time_of(const std::string& text) {
+  userbus::TimeWish time{};
+  if (userbus::read_time(text.data(), text.size(), time)) return time;
+  throw UsageError{fmt::format("--time: expected {}, got \"{}\"", userbus::kTimeRule, text)};
+}
+
+/// Of a bus with a time of its own: nobody else has that, and frames last.
+void check_time(Options& options, bool has_neighbours) {
+  if (!options.time || options.time->mode == userbus::TimeMode::Real) return;
+  if (has_neighbours)
+    throw UsageError{
+        "--time other than real goes with none of --bridge, --socketcand and --join, whose time is the machine's"};
+  if (options.time->mode == userbus::TimeMode::Scaled) return;
+  if (options.bit_rate == 0U)
+    throw UsageError{"--time virtual and stepped need frames that take time: --bitrate 1000 to 1000000"};
+  if (!options.bit_rate) options.bit_rate = kBitRateOfToldTime;
 }
 
 std::string length_error(std::string_view what, std::size_t length) {
@@ -119,8 +141,8 @@ void add_fault_options(CLI::App& app, Options& options, std::optional<std::strin
 
 /// Refuses what does not go together; @p has_neighbours: the bus is to be joined with others.
 void check(const Options& options, bool has_neighbours) {
-  if (options.is_about_faults() &&
-      (options.bit_rate || options.on_demand || options.status || has_neighbours || !options.with.empty()))
+  if (options.is_about_faults() && (options.bit_rate || options.time || options.on_demand || options.status ||
+                                    has_neighbours || !options.with.empty()))
     throw UsageError{
         "--inject, --injected and --take-back speak to a running hub: beside --path and --json they go with "
         "each other only"};
@@ -139,6 +161,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   CLI::App app{kDescription, "canhub"};
   std::optional<std::string> path;
   std::optional<std::string> bit_rate;
+  std::optional<std::string> time;
   std::vector<std::string> bridges;
   std::optional<std::string> take_back;
   JoinOptions join;
@@ -151,6 +174,8 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
       ->type_name("PATH");
   app.add_option("--bitrate", bit_rate, "bit rate of the bus in bit/s (default: 0, frames take no time)")
       ->type_name("N");
+  app.add_option("--time", time, "whose time the bus has: real, scaled=K, virtual or stepped (default: real)")
+      ->type_name("TIME");
   app.add_flag("--on-demand", options.on_demand,
                "return when the bus is served; the hub ends 1 s after its last member has left");
   app.add_option("--bridge", bridges, "another bus to be joined with this one; may be given several times")
@@ -170,7 +195,10 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
   options.path = path_of(path);
   if (bit_rate) options.bit_rate = bit_rate_of(*bit_rate);
   if (take_back) options.take_back = take_back_of(*take_back);
-  check(options, !bridges.empty() || !options.socketcand.empty() || join.url.has_value());
+  if (time) options.time = time_of(*time);
+  const bool has_neighbours = !bridges.empty() || !options.socketcand.empty() || join.url.has_value();
+  check(options, has_neighbours);
+  check_time(options, has_neighbours);
   options.join = bus_of(join);
   for (const std::string& bridge : bridges) options.bridges.push_back(bridge_of(bridge, options.path));
   return options;

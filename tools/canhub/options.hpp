@@ -8,6 +8,7 @@
 #include "can/nats/bus.hpp"
 #include "can/port/address.hpp"
 #include "can/userbus/path.hpp"
+#include "can/userbus/time.hpp"
 #include "cli/usage_error.hpp"
 
 namespace canhub {
@@ -21,6 +22,7 @@ struct TakeBack {
 struct Options {
   userbus::Path path{};
   std::optional<std::uint32_t> bit_rate;  ///< bit/s; 0 = frames take no time
+  std::optional<userbus::TimeWish> time;  ///< whose time the bus has
   bool on_demand = false;
   std::vector<bus::Address> bridges;
   std::string socketcand;         ///< HOST:PORT, empty = none

@@ -20,10 +20,6 @@ bool is_error_frame(const can_frame& frame) noexcept {
   return (frame.can_id & CAN_ERR_FLAG) != 0;
 }
 
-std::int64_t real_time() noexcept {
-  return std::chrono::nanoseconds{std::chrono::system_clock::now().time_since_epoch()}.count();
-}
-
 bool same_content(const can_frame& one, const can_frame& other) noexcept {
   return std::ranges::equal(one.data, other.data);
 }
@@ -147,7 +143,7 @@ void Faults::release(TimePoint now) noexcept {
     const LateFrames::Late late = late_.take();
     find_cuts(late.due);
     given_ = late.passage;
-    given_.time_ns = real_time();
+    given_.time_ns = medium_.clock().wall();
     give_others(late.sender);
   }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <utility>
 
 #include "can/hub/medium/bit_time.hpp"
@@ -10,15 +9,7 @@
 
 namespace hub {
 
-namespace {
-
-std::int64_t real_time() noexcept {
-  return std::chrono::nanoseconds{std::chrono::system_clock::now().time_since_epoch()}.count();
-}
-
-}  // namespace
-
-Medium::Medium(std::uint32_t bit_rate) : line_{bit_rate} {}
+Medium::Medium(std::uint32_t bit_rate, const Clock& clock) : clock_{clock}, line_{bit_rate, clock} {}
 
 Medium::~Medium() = default;
 
@@ -76,7 +67,7 @@ bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
     ++lost_;
     return true;
   }
-  if (!advancing_) advance();
+  if (goes_on()) advance();
   Station& station = *passage.sender->station_;
   if (station.frames.full()) {
     station.refused = true;
@@ -87,7 +78,7 @@ bool Medium::send(const Passage& passage, canopen::TimePoint now) noexcept {
   Passage& kept = station.frames.last().content;
   kept.station = station.number;
   if (passage.mark.hub == 0) kept.mark = origins_.make();
-  if (!advancing_) advance();
+  if (goes_on()) advance();
   return true;
 }
 
@@ -127,7 +118,7 @@ void Medium::advance() noexcept {
 void Medium::advance_without_rate() noexcept {
   for (unsigned frames = 0; !waiting_.empty() && frames < kFramesOfTurn; ++frames) {
     take(*earliest_of(waiting_));
-    deliver(real_time());
+    deliver(clock_.wall());
   }
 }
 
@@ -231,14 +222,14 @@ void Medium::hand_out(const Passage& passage, const Audience& audience) noexcept
 
 void Medium::repeat() noexcept {
   current_.mark = origins_.make();
-  if (!takes_time()) return deliver(real_time());
+  if (!takes_time()) return deliver(clock_.wall());
   on_wire_ = true;
   line_.occupy(current_.frame);
 }
 
 void Medium::set_bit_rate(std::uint32_t bit_rate) noexcept {
   line_.set_bit_rate(bit_rate);
-  if (bit_rate == 0 && std::exchange(on_wire_, false)) deliver(real_time());
+  if (bit_rate == 0 && std::exchange(on_wire_, false)) deliver(clock_.wall());
 }
 
 void Medium::forget_those_who_left() noexcept {

@@ -9,6 +9,7 @@
 #include <linux/can.h>
 
 #include "can/hub/filter/filter_index.hpp"
+#include "can/hub/loop/clock.hpp"
 #include "can/hub/medium/carrier.hpp"
 #include "can/hub/medium/interference.hpp"
 #include "can/hub/medium/origins.hpp"
@@ -80,8 +81,8 @@ class Medium {
   /// Frames of one participant that may wait for the bus.
   static constexpr std::size_t kQueue = kMostWaiting;
 
-  /// @p bit_rate in bit/s; 0: frames take no time.
-  explicit Medium(std::uint32_t bit_rate = 0);
+  /// @p bit_rate in bit/s; 0: frames take no time. On the time line of @p clock, which outlives this.
+  explicit Medium(std::uint32_t bit_rate = 0, const Clock& clock = machine_clock);
   Medium(const Medium&) = delete;
   Medium& operator=(const Medium&) = delete;
   ~Medium();
@@ -143,6 +144,7 @@ class Medium {
   /// This hub among those that frames pass through, as marks name it.
   [[nodiscard]] std::uint32_t number_of_hub() const noexcept { return origins_.self(); }
 
+  [[nodiscard]] const Clock& clock() const noexcept { return clock_; }
   /// The latest time that was told.
   [[nodiscard]] canopen::TimePoint now() const noexcept { return now_; }
   [[nodiscard]] std::uint32_t bit_rate() const noexcept { return line_.bit_rate(); }
@@ -166,9 +168,13 @@ class Medium {
   void spread(const Passage& passage, Hears hears) noexcept;
   void interfere() noexcept;
   void forget_those_who_left() noexcept;
+  /// Whether a frame that is sent may pass at once, or begin to. Where time is told, all that are sent at one
+  /// instant are there before the wire goes on, and compete for it.
+  [[nodiscard]] bool goes_on() const noexcept { return !advancing_ && !clock_.is_told(); }
   /// Whether frames take time here, and not on the way that a carrier takes them.
   [[nodiscard]] bool takes_time() const noexcept { return line_.bit_rate() != 0 && carrier_ == nullptr; }
 
+  const Clock& clock_;
   TimeLine line_;
   Origins origins_;
   std::uint64_t passed_ = 0;

@@ -10,12 +10,6 @@ namespace {
 
 constexpr std::uint64_t kNanosecondsOfSecond = 1'000'000'000;
 
-/// What makes a time of CLOCK_MONOTONIC one of CLOCK_REALTIME (ns).
-std::int64_t real_minus_monotonic() noexcept {
-  const auto count = [](auto time) { return std::chrono::nanoseconds{time.time_since_epoch()}.count(); };
-  return count(std::chrono::system_clock::now()) - count(std::chrono::steady_clock::now());
-}
-
 }  // namespace
 
 void TimeLine::set_bit_rate(std::uint32_t bit_rate) noexcept {
@@ -30,7 +24,7 @@ void TimeLine::begin(const can_frame& frame, canopen::TimePoint start) noexcept 
   if (start > end()) {
     since_ = start;
     bits_ = 0;
-    to_real_time_ = real_minus_monotonic();
+    to_real_time_ = clock_.wall_offset();
   }
   occupy(frame);
 }

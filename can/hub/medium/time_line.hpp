@@ -4,6 +4,7 @@
 
 #include <linux/can.h>
 
+#include "can/hub/loop/clock.hpp"
 #include "libcanopen/base/time.hpp"
 
 namespace hub {
@@ -12,8 +13,10 @@ namespace hub {
 /// it was handed over to an idle bus, however late anybody looks.
 class TimeLine {
  public:
-  /// @p bit_rate in bit/s; 0: frames take no time, and begin() and occupy() are not called.
-  explicit TimeLine(std::uint32_t bit_rate) noexcept : bit_rate_{bit_rate} {}
+  /// @p bit_rate in bit/s; 0: frames take no time, and begin() and occupy() are not called. On the time line of
+  /// @p clock, which outlives this.
+  explicit TimeLine(std::uint32_t bit_rate, const Clock& clock = machine_clock) noexcept
+      : bit_rate_{bit_rate}, clock_{clock} {}
 
   [[nodiscard]] std::uint32_t bit_rate() const noexcept { return bit_rate_; }
   /// The end of what is on the bus keeps its place.
@@ -30,6 +33,7 @@ class TimeLine {
 
  private:
   std::uint32_t bit_rate_;
+  const Clock& clock_;
   // The end is bits_ bit times after since_.
   canopen::TimePoint since_ = canopen::TimePoint::min();
   std::uint64_t bits_ = 0;

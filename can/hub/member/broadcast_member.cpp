@@ -2,19 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <utility>
 
 namespace hub {
-
-namespace {
-
-std::int64_t real_time() noexcept {
-  return std::chrono::nanoseconds{std::chrono::system_clock::now().time_since_epoch()}.count();
-}
-
-}  // namespace
 
 BroadcastMember::BroadcastMember(Core& core, os::Descriptor socket)
     : Member{core, std::move(socket), userbus::Kind::BroadcastManager}, manager_{core.medium, *this} {}
@@ -31,7 +22,7 @@ int BroadcastMember::broadcast(std::span<const std::byte> message, int interface
 void BroadcastMember::deliver(std::span<const std::byte> message, int interface_index) noexcept {
   userbus::Trailer trailer{};
   trailer.interface_index = interface_index;
-  trailer.time_ns = real_time();
+  trailer.time_ns = core().clock.wall();
   trailer.dropped = dropped();
   std::byte room[userbus::kLongestMessage];
   std::ranges::copy(message, room);

@@ -4,7 +4,8 @@
 
 namespace hub {
 
-Core::Core(std::uint32_t bit_rate) : medium{bit_rate}, faults{medium, interfaces} {}
+Core::Core(std::uint32_t bit_rate, const userbus::TimeWish& time)
+    : clock{time}, medium{bit_rate, clock}, faults{medium, interfaces} {}
 
 Core::~Core() = default;
 

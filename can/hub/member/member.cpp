@@ -7,7 +7,6 @@
 
 #include <linux/can/error.h>
 
-#include "can/hub/loop/clock.hpp"
 #include "can/hub/member/requests.hpp"
 
 namespace hub {
@@ -53,6 +52,7 @@ void Member::tell_link(bool up) noexcept {
   message.trailer.interface_index = interface_index_;
   message.trailer.flags = up ? userbus::kLinkUp : userbus::kLinkDown;
   message.trailer.dropped = dropped();
+  note_given();
   const bool was_empty = outbox_.empty();
   if (!outbox_.offer(std::as_bytes(std::span{&message, 1}))) is_cut_untold_ = true;
   if (was_empty && !outbox_.empty()) update_watch();
@@ -96,7 +96,7 @@ bool Member::read(std::size_t most) noexcept {
     if (!again) phase_ = Phase::ReadOut;
     return false;
   }
-  const canopen::TimePoint now = monotonic_now();
+  const canopen::TimePoint now = core_.clock.now();
   bool last_is_empty = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     Inbox::Message message = core_.inbox.take(i, core_.closer);
@@ -109,7 +109,7 @@ bool Member::read(std::size_t most) noexcept {
 
 void Member::take(Inbox::Message message, canopen::TimePoint now) noexcept {
   const bool taken = message.descriptor ? answer_request({core_, *this, now}, message)
-                                        : message.complete && take_frames(message.bytes, now);
+                                        : message.complete && take_message(message.bytes, now);
   if (!taken) ++refused_;
 }
 
@@ -130,6 +130,7 @@ bool Member::take_frames(std::span<const std::byte> bytes, canopen::TimePoint no
 }
 
 bool Member::take_frame(const userbus::FrameMessage& message, canopen::TimePoint now) noexcept {
+  if (core_.turns != nullptr) now = core_.turns->time_of_sending(process_, message.trailer.time_ns);
   const int named = message.trailer.interface_index;
   const int interface_index = named == 0 ? interface_index_ : named;
   if (message.frame.can_dlc > CAN_MAX_DLEN || core_.interfaces.name_of(interface_index).empty()) return false;
@@ -141,12 +142,14 @@ bool Member::take_frame(const userbus::FrameMessage& message, canopen::TimePoint
 }
 
 void Member::deliver(std::span<const std::byte> message) noexcept {
+  if (kind_ != userbus::Kind::Clock) note_given();
   const bool was_empty = outbox_.empty();
   outbox_.send(message);
   if (was_empty && !outbox_.empty()) update_watch();
 }
 
 void Member::begin_gathering() noexcept {
+  note_given();
   if (outbox_.is_full()) write_gathered();
   if (!std::exchange(is_gathering_, true)) core_.gathering.push_back(this);
 }
@@ -170,6 +173,7 @@ void Member::update_watch() noexcept {
   if (phase_ == Phase::Open) wanted = outbox_.empty() ? EPOLLRDHUP : EPOLLRDHUP | EPOLLOUT;
   if (phase_ <= Phase::Closed && may_read() > 0) wanted |= EPOLLIN;
   if (wanted == watched_) return;
+  if ((wanted & EPOLLIN) != 0 && (watched_ & EPOLLIN) == 0) note_given();
   // a hang-up would be told for ever: who is not to be read any more is not watched
   if (wanted == 0)
     core_.poll.remove(socket_.get(), *this);

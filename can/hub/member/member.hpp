@@ -46,6 +46,8 @@ class Member : public Watch {
   int set_option(const userbus::Option& option) noexcept;
   [[nodiscard]] userbus::MemberState state() const noexcept;
   [[nodiscard]] userbus::MemberStatistics statistics() const noexcept;
+  /// Who has connected it; 0: unknown.
+  [[nodiscard]] pid_t process() const noexcept { return process_; }
   /// Who it is on the medium.
   [[nodiscard]] Identity who() const noexcept;
 
@@ -97,6 +99,10 @@ class Member : public Watch {
   /// Reading; closed by the program, and not read to the end; read to the end; nothing of it left on the bus.
   enum class Phase : std::uint8_t { Open, Closed, ReadOut, Departed };
 
+  /// Takes what is no request; false if it is nothing that a member of this kind says.
+  [[nodiscard]] virtual bool take_message(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept {
+    return take_frames(bytes, now);
+  }
   /// Puts @p sent on the bus; false if it is refused for good.
   virtual bool take_frame(const Sent& sent, canopen::TimePoint now) noexcept = 0;
   virtual void option_changed(userbus::OptionName, std::uint32_t) noexcept {}
@@ -107,6 +113,10 @@ class Member : public Watch {
   /// True if no frame of this member waits for the bus.
   [[nodiscard]] virtual bool is_done() const noexcept { return true; }
 
+  /// The program gets something, or has room: it is owed a turn where the bus's time goes by turns.
+  void note_given() noexcept {
+    if (core_.turns != nullptr) core_.turns->on_given(process_);
+  }
   void flush() noexcept;
   bool read(std::size_t most) noexcept;
   void take(Inbox::Message message, canopen::TimePoint now) noexcept;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include <fcntl.h>
 #include <sys/socket.h>
 
 #include "can/hub/faults/answer.hpp"
@@ -48,12 +49,14 @@ struct Call {
   int value;
   std::span<const std::byte> payload;
   Payload& reply;
+  int reply_socket;  ///< where the reply goes; to be duplicated by who replies later
 };
 
 struct Result {
   int error = 0;
   int value = 0;
-  int descriptor = -1;  ///< that goes with the reply; the hub's own
+  int descriptor = -1;    ///< that goes with the reply; the hub's own
+  bool is_later = false;  ///< somebody else replies
 };
 
 /// The payload as one @p T; false if it has another size.
@@ -179,13 +182,30 @@ Result trunk(const Call& call) noexcept {
   }
 }
 
+Result time(const Call& call) noexcept {
+  const Turns* const turns = call.asking.core.turns;
+  return turns == nullptr ? Result{} : Result{.descriptor = turns->page()};
+}
+
+Result step(const Call& call) noexcept {
+  Turns* const turns = call.asking.core.turns;
+  std::int64_t step_ns = 0;
+  if (turns == nullptr) return {.error = EOPNOTSUPP};
+  if (!read_as(call.payload, step_ns) || step_ns <= 0) return {.error = EINVAL};
+  os::Descriptor socket{fcntl(call.reply_socket, F_DUPFD_CLOEXEC, 0)};
+  if (!socket) return {.error = errno};
+  const int error = turns->step(canopen::Duration{step_ns}, std::move(socket));
+  return {.error = error, .is_later = error == 0};
+}
+
 using Handler = Result (*)(const Call&) noexcept;
 
 /// By Operation.
-constexpr std::array<Handler, 14> kHandlers{
+constexpr std::array<Handler, 16> kHandlers{
     hello,          bind,       read_state, set_option, set_filters, read_filters, interface_index,
-    interface_name, interfaces, broadcast,  statistics, inject,      link,         trunk};
-static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Trunk) + 1);
+    interface_name, interfaces, broadcast,  statistics, inject,      link,         trunk,
+    time,           step};
+static_assert(kHandlers.size() == static_cast<std::size_t>(Operation::Step) + 1);
 
 Result handle(Operation operation, const Call& call) noexcept {
   const auto number = static_cast<std::size_t>(operation);
@@ -215,9 +235,10 @@ bool answer_request(const Asking& asking, const Inbox::Message& message) noexcep
   const bool fits = payload.size() == request.size;
   asking.core.hand_over();
   const Result result =
-      fits ? handle(request.operation, {asking, request.value, payload, reply}) : Result{.error = EINVAL};
+      fits ? handle(request.operation, {asking, request.value, payload, reply, message.descriptor.get()})
+           : Result{.error = EINVAL};
   asking.core.hand_over();
-  send_reply(message.descriptor.get(), result, reply.bytes());
+  if (!result.is_later) send_reply(message.descriptor.get(), result, reply.bytes());
   return fits && static_cast<std::size_t>(request.operation) < kHandlers.size();
 }
 

@@ -31,6 +31,21 @@ constexpr canopen::Duration kPatience = 5s;
 constexpr auto kPause = 5ms;
 constexpr mode_t kNotForOthers = 0177;
 
+/// As --time has it.
+std::string text_of(const userbus::TimeWish& time) {
+  switch (time.mode) {
+    case userbus::TimeMode::Real:
+      return "real";
+    case userbus::TimeMode::Scaled:
+      return fmt::format("scaled={:g}", time.scale);
+    case userbus::TimeMode::Virtual:
+      return "virtual";
+    case userbus::TimeMode::Stepped:
+      return "stepped";
+  }
+  return "unknown";
+}
+
 Refusal in_use(const std::string& path, std::string_view what) {
   return {.status = StartStatus::InUse, .text = fmt::format("{}: {}", path, what)};
 }
@@ -39,24 +54,39 @@ Refusal failed(const std::string& path, std::string_view what, int error) {
   return {.status = StartStatus::Failed, .text = fmt::format("{}: {}: {}", path, what, std::strerror(error))};
 }
 
-/// What a hub that runs at @p running bit/s is to one that was to run at @p wanted.
-Refusal already_served(const std::string& path, std::uint32_t running, std::optional<std::uint32_t> wanted) {
-  if (!wanted || *wanted == running)
-    return {.status = StartStatus::Served, .text = fmt::format("{}: is served by another canhub", path)};
-  const std::string rate = running == 0 ? "without a bit rate" : fmt::format("at {} bit/s", running);
-  return {.status = StartStatus::Different,
-          .text = fmt::format("{}: is served by another canhub, {}", path, rate)};
+Refusal different(const std::string& path, std::string_view how) {
+  return {.status = StartStatus::Different, .text = fmt::format("{}: is served by another canhub, {}", path, how)};
+}
+
+/// Whose time the bus of @p member has.
+userbus::TimeWish time_of(int member) noexcept {
+  const userbus::TimePage* const page = userbus::map_time(member);
+  if (page == nullptr) return {userbus::TimeMode::Real, 1};
+  const userbus::TimeWish time{page->mode, page->scale};
+  userbus::unmap_time(page);
+  return time;
+}
+
+/// What a hub at @p rate bit/s, of which @p member is one, is to one that was @p wanted.
+Refusal already_served(const std::string& path, int member, std::uint32_t rate, const Wanted& wanted) {
+  if (wanted.bit_rate.value_or(rate) != rate)
+    return different(path, rate == 0 ? "without a bit rate" : fmt::format("at {} bit/s", rate));
+  const userbus::TimeWish time = time_of(member);
+  const userbus::TimeWish as_wanted = wanted.time.value_or(time);
+  if (as_wanted.mode != time.mode || as_wanted.scale != time.scale)
+    return different(path, fmt::format("with the time {}", text_of(time)));
+  return {.status = StartStatus::Served, .text = fmt::format("{}: is served by another canhub", path)};
 }
 
 /// Asks who serves @p path.
-std::optional<Refusal> find_server(const userbus::Path& path, std::optional<std::uint32_t> wanted) {
+std::optional<Refusal> find_server(const userbus::Path& path, const Wanted& wanted) {
   const userbus::Joined joined = userbus::join(path, nullptr, userbus::Kind::Port, SOCK_CLOEXEC);
   const os::Descriptor member{joined.descriptor};
   if (!member && joined.error == userbus::JoinError::NotServed) return std::nullopt;
   if (!member) return in_use(path.text, userbus::text_of(joined.error));
   const userbus::Answer hello = userbus::ask(member.get(), userbus::Operation::Hello);
   if (hello.error != 0) return std::nullopt;
-  return already_served(path.text, static_cast<std::uint32_t>(hello.value), wanted);
+  return already_served(path.text, member.get(), static_cast<std::uint32_t>(hello.value), wanted);
 }
 
 /// 0 if there is nothing.
@@ -76,7 +106,7 @@ bool is_stale(const userbus::Path& path) noexcept {
 }
 
 /// Makes @p path free for a socket; the caller has the lock.
-std::optional<Refusal> clear(const userbus::Path& path, std::optional<std::uint32_t> wanted) {
+std::optional<Refusal> clear(const userbus::Path& path, const Wanted& wanted) {
   struct stat status {};
   if (lstat(path.text, &status) != 0)
     return errno == ENOENT ? std::nullopt : std::optional{failed(path.text, "cannot be looked at", errno)};
@@ -90,7 +120,7 @@ std::optional<Refusal> clear(const userbus::Path& path, std::optional<std::uint3
   return in_use(path.text, "is the socket of a program that is no canhub");
 }
 
-tl::expected<os::Descriptor, Refusal> listen_at(const userbus::Path& path, std::optional<std::uint32_t> wanted) {
+tl::expected<os::Descriptor, Refusal> listen_at(const userbus::Path& path, const Wanted& wanted) {
   if (auto refusal = clear(path, wanted)) return tl::unexpected{std::move(*refusal)};
   os::Descriptor listener{socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
   sockaddr_un address{};
@@ -108,25 +138,23 @@ tl::expected<os::Descriptor, Refusal> listen_at(const userbus::Path& path, std::
 
 }  // namespace
 
-tl::expected<PathOwner, Refusal> PathOwner::take(const userbus::Path& path,
-                                                 std::optional<std::uint32_t> bit_rate) {
+tl::expected<PathOwner, Refusal> PathOwner::take(const userbus::Path& path, const Wanted& wanted) {
   if (!userbus::own_folder(path))
     return tl::unexpected{failed(path.text, "its folder is not this user's alone (mode 0700)", errno)};
   const canopen::TimePoint end = monotonic_now() + kPatience;
   for (;;) {
-    if (os::Descriptor lock = try_lock(path.text)) return take_locked(path, bit_rate, std::move(lock));
+    if (os::Descriptor lock = try_lock(path.text)) return take_locked(path, wanted, std::move(lock));
     if (errno != EWOULDBLOCK) return tl::unexpected{failed(lock_path(path.text), "cannot be locked", errno)};
-    if (auto server = find_server(path, bit_rate)) return tl::unexpected{std::move(*server)};
+    if (auto server = find_server(path, wanted)) return tl::unexpected{std::move(*server)};
     if (monotonic_now() > end)
       return tl::unexpected{in_use(lock_path(path.text), "is locked by a process that does not serve the bus")};
     std::this_thread::sleep_for(kPause);
   }
 }
 
-tl::expected<PathOwner, Refusal> PathOwner::take_locked(const userbus::Path& path,
-                                                        std::optional<std::uint32_t> bit_rate,
+tl::expected<PathOwner, Refusal> PathOwner::take_locked(const userbus::Path& path, const Wanted& wanted,
                                                         os::Descriptor lock) {
-  auto listener = listen_at(path, bit_rate);
+  auto listener = listen_at(path, wanted);
   if (!listener) {
     remove_lock(path.text, lock);
     return tl::unexpected{std::move(listener.error())};

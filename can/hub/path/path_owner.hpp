@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "can/userbus/path.hpp"
+#include "can/userbus/time.hpp"
 #include "os/descriptor.hpp"
 
 namespace hub {
@@ -18,14 +19,20 @@ struct Refusal {
   std::string text;             ///< one line with the path
 };
 
+/// How a bus is wanted; what is not said may be as it is.
+struct Wanted {
+  std::optional<std::uint32_t> bit_rate;  ///< bit/s
+  std::optional<userbus::TimeWish> time;
+};
+
 /// Owner of the path of a bus: of its socket, which listens, and of the lock beside it, which is what decides who
 /// of several may replace a socket that a dead hub has left behind.
 class PathOwner {
  public:
   /// Takes @p path. If another hub serves it, the outcome is StartStatus::Served, or StartStatus::Different if
-  /// that runs at another bit rate than @p bit_rate. A hub that is starting or closing is waited for, some seconds
+  /// that is another than @p wanted. A hub that is starting or closing is waited for, some seconds
   /// at most.
-  static tl::expected<PathOwner, Refusal> take(const userbus::Path& path, std::optional<std::uint32_t> bit_rate);
+  static tl::expected<PathOwner, Refusal> take(const userbus::Path& path, const Wanted& wanted);
 
   PathOwner(PathOwner&& other) noexcept;
   PathOwner(const PathOwner&) = delete;
@@ -42,8 +49,8 @@ class PathOwner {
   void release() noexcept;
 
  private:
-  static tl::expected<PathOwner, Refusal> take_locked(const userbus::Path& path,
-                                                      std::optional<std::uint32_t> bit_rate, os::Descriptor lock);
+  static tl::expected<PathOwner, Refusal> take_locked(const userbus::Path& path, const Wanted& wanted,
+                                                      os::Descriptor lock);
   PathOwner(std::string path, os::Descriptor lock, os::Descriptor listener) noexcept;
 
   std::string path_;  // absolute: the hub may change its folder; empty = given up

@@ -69,21 +69,22 @@ int spawn(std::vector<std::string> words, pid_t& process) {
 }
 
 /// The command line of a hub that serves @p path.
-std::vector<std::string> words_of(const std::string& hub, const char* path, const char* bit_rate) {
+std::vector<std::string> words_of(const std::string& hub, const char* path, const userbus::HubWishes& wishes) {
   std::vector<std::string> words{hub, "--on-demand", "--path", path};
-  if (bit_rate != nullptr) words.insert(words.end(), {"--bitrate", bit_rate});
+  if (wishes.bit_rate != nullptr) words.insert(words.end(), {"--bitrate", wishes.bit_rate});
+  if (wishes.time != nullptr) words.insert(words.end(), {"--time", wishes.time});
   return words;
 }
 
 }  // namespace
 
 JoinError HubStart::begin(const std::string& hub, const userbus::Path& path) noexcept {
-  const char* bit_rate = nullptr;
-  if (!userbus::wanted_bit_rate(bit_rate)) return JoinError::BitRate;
+  userbus::HubWishes wishes{};
+  if (const JoinError wrong = userbus::wanted_hub(wishes); wrong != JoinError::None) return wrong;
   pid_t process = 0;
   int error = 0;
   try {
-    error = spawn(words_of(hub, path.text, bit_rate), process);
+    error = spawn(words_of(hub, path.text, wishes), process);
   } catch (const std::exception&) {
     error = ENOMEM;
   }

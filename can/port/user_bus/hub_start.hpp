@@ -11,7 +11,8 @@ namespace bus {
 /// The program canhub while it begins to serve a path. Nobody waits for it: it is a child whose end is seen.
 class HubStart {
  public:
-  /// Starts @p hub for @p path, with the bit rate of $CAN_BITRATE. JoinError::None if it runs now.
+  /// Starts @p hub for @p path, with the bit rate of $CAN_BITRATE and the time of $CAN_TIME. JoinError::None if it
+  /// runs now.
   [[nodiscard]] userbus::JoinError begin(const std::string& hub, const userbus::Path& path) noexcept;
   /// True from begin() until finish() has told.
   [[nodiscard]] bool is_running() const noexcept { return static_cast<bool>(process_); }

@@ -14,6 +14,7 @@
 
 #include "can/port/wire.hpp"
 #include "can/userbus/request.hpp"
+#include "os/clock.hpp"
 #include "os/own_program.hpp"
 
 namespace bus {
@@ -26,9 +27,9 @@ using userbus::Operation;
 // Messages that change nothing are skipped; this many a call, so that a burst of them cannot hold the caller.
 constexpr int kSkippedMessages = 16;
 
-std::string hub_program() {
-  if (const char* const named = std::getenv("CAN_HUB"); named != nullptr && *named != '\0') return named;
-  return os::program_folder() / "canhub";
+/// When a frame is sent, on a bus that has a time of its own; 0 = now.
+std::int64_t time_of_sending() noexcept {
+  return os::other_time == nullptr ? 0 : os::other_time->monotonic().count();
 }
 
 userbus::Path path_of(const std::string& text) {
@@ -38,6 +39,11 @@ userbus::Path path_of(const std::string& text) {
 }
 
 }  // namespace
+
+std::string hub_program() {
+  if (const char* const named = std::getenv("CAN_HUB"); named != nullptr && *named != '\0') return named;
+  return os::program_folder() / "canhub";
+}
 
 UserBus::UserBus(const std::string& path) : entry_{path_of(path), hub_program()} {
   if (!pollable_.add(inbox_.descriptor(), EPOLLIN))
@@ -157,8 +163,13 @@ void UserBus::watch_link(bool watches) noexcept {
 }
 
 SendStatus UserBus::send(const canopen::Frame& frame) noexcept {
-  const can_frame wire = to_wire(frame);
-  return send(&wire, sizeof wire);
+  if (os::other_time == nullptr) {
+    const can_frame wire = to_wire(frame);
+    return send(&wire, sizeof wire);
+  }
+  userbus::FrameMessage message{.frame = to_wire(frame), .trailer = {}};
+  message.trailer.time_ns = time_of_sending();
+  return send(&message, sizeof message);
 }
 
 SendStatus UserBus::send_marked(const canopen::Frame& frame, const Mark& mark) noexcept {
@@ -177,6 +188,7 @@ SentMany UserBus::send_all(std::span<const canopen::Frame> frames) noexcept {
     std::ranges::transform(some, messages.begin(), [](const canopen::Frame& frame) {
       return userbus::FrameMessage{.frame = to_wire(frame), .trailer = {}};
     });
+    messages[0].trailer.time_ns = time_of_sending();
     const SendStatus status = send(messages.data(), some.size() * sizeof messages[0]);
     if (status != SendStatus::Sent) return {sent, status};
     sent += some.size();
@@ -190,8 +202,10 @@ SendStatus UserBus::send(const void* message, std::size_t size) noexcept {
     apply();
     if (is_unapplied_) return SendStatus::Full;
   }
-  if (::send(socket_.get(), message, size, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(size))
+  if (::send(socket_.get(), message, size, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(size)) {
+    if (os::other_time != nullptr) os::other_time->note_sent();
     return SendStatus::Sent;
+  }
   // The socket of a hub that is gone polls readable, and receive() tells it.
   return means_no_hub(errno) ? SendStatus::Down : to_send_status(errno);
 }

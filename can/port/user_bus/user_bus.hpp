@@ -12,6 +12,9 @@
 
 namespace bus {
 
+/// Path of the program that serves a bus where nobody does: $CAN_HUB, else `canhub` in the folder of this one.
+[[nodiscard]] std::string hub_program();
+
 /// A member of a bus in user space: its frames go through the hub that serves the path, which is started if there
 /// is none.
 ///

@@ -8,6 +8,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include "os/clock.hpp"
 #include "os/no_signals.hpp"
 
 namespace axisd {
@@ -46,6 +47,9 @@ void StateWriter::begin(Place place, const StateFile& file, std::span<const std:
     job.content.assign(content.begin(), content.end());
     job.durability = durability;
     job.state = State::Waiting;
+    // it takes no time of the unit's, however long the disk needs
+    if (os::other_time != nullptr && os::other_time->stands_while_acting())
+      end(job, file.write(content, durability));
   }
   changed_.notify_all();
 }
@@ -79,11 +83,16 @@ void StateWriter::work() noexcept {
     lock.unlock();
     const auto outcome = job->file->write(job->content, job->durability);
     lock.lock();
-    job->outcome = outcome;
-    job->state = State::Ended;
-    changed_.notify_all();
-    ::eventfd_write(ended_.get(), 1);
+    end(*job, outcome);
   }
+}
+
+/// With the mutex.
+void StateWriter::end(Job& job, const tl::expected<void, WriteFailure>& outcome) noexcept {
+  job.outcome = outcome;
+  job.state = State::Ended;
+  changed_.notify_all();
+  ::eventfd_write(ended_.get(), 1);
 }
 
 }  // namespace axisd

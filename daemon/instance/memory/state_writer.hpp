@@ -56,6 +56,7 @@ class StateWriter {
     tl::expected<void, WriteFailure> outcome{};
   };
   void work() noexcept;
+  void end(Job& job, const tl::expected<void, WriteFailure>& outcome) noexcept;
   Job* next_job() noexcept;
 
   std::array<Job, kPlaces> jobs_{};

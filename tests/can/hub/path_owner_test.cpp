@@ -37,7 +37,7 @@ os::Descriptor socket_at(const std::string& path, int type) {
 class PathOwnerTest : public testing::Test {
  protected:
   tl::expected<PathOwner, hub::Refusal> take(std::optional<std::uint32_t> bit_rate = std::nullopt) const {
-    return PathOwner::take(path_of(bus_), bit_rate);
+    return PathOwner::take(path_of(bus_), {.bit_rate = bit_rate, .time = {}});
   }
   /// The reason why the path cannot be taken; nothing may have been changed by that.
   std::string refusal(StartStatus status) const {
@@ -111,7 +111,7 @@ TEST_F(PathOwnerTest, FindsAHubWhoseLockSomebodyRemoved) {
   const RunningHub hub;
   std::filesystem::remove(hub.path() + ".lock");
 
-  const auto owner = PathOwner::take(path_of(hub.path()), std::nullopt);
+  const auto owner = PathOwner::take(path_of(hub.path()), {});
 
   ASSERT_FALSE(owner);
   EXPECT_EQ(owner.error().status, StartStatus::Served);
@@ -121,7 +121,7 @@ TEST_F(PathOwnerTest, FindsAHubWhoseLockSomebodyRemoved) {
 TEST_F(PathOwnerTest, ComparesTheBitRateWithThatOfAHubThatServes) {
   const RunningHub hub{125'000};
   const auto status = [&hub](std::optional<std::uint32_t> rate) {
-    return PathOwner::take(path_of(hub.path()), rate).error().status;
+    return PathOwner::take(path_of(hub.path()), {.bit_rate = rate, .time = {}}).error().status;
   };
 
   EXPECT_EQ(status(std::nullopt), StartStatus::Served);
@@ -131,7 +131,7 @@ TEST_F(PathOwnerTest, ComparesTheBitRateWithThatOfAHubThatServes) {
 }
 
 TEST_F(PathOwnerTest, NeedsAFolder) {
-  const auto owner = PathOwner::take(path_of(folder_.path("none/bus")), std::nullopt);
+  const auto owner = PathOwner::take(path_of(folder_.path("none/bus")), {});
 
   ASSERT_FALSE(owner);
   EXPECT_EQ(owner.error().status, StartStatus::Failed);

@@ -83,7 +83,7 @@ class RunningHub {
   };
 
   static hub::PathOwner take(const std::string& path) {
-    auto owner = hub::PathOwner::take(path_of(path), std::nullopt);
+    auto owner = hub::PathOwner::take(path_of(path), {});
     if (!owner) throw std::runtime_error{owner.error().text};
     return std::move(*owner);
   }

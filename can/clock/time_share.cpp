@@ -1,0 +1,260 @@
+#include "can/clock/time_share.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "can/port/user_bus/user_bus.hpp"
+
+namespace bus {
+
+using canopen::kNever;
+using canopen::TimePoint;
+
+namespace {
+
+/// So often time goes on alone before somebody looks whether anything has come from outside of the bus's time.
+constexpr unsigned kMostUnlooked = 64;
+
+std::int64_t to_ns(TimePoint time) noexcept {
+  return time == kNever ? userbus::kNoInstant : time.time_since_epoch().count();
+}
+
+TimePoint from_ns(std::int64_t time_ns) noexcept {
+  return time_ns == userbus::kNoInstant ? kNever : TimePoint{canopen::Duration{time_ns}};
+}
+
+TimePoint machine_now() noexcept {
+  return TimePoint{os::machine_time(CLOCK_MONOTONIC)};
+}
+
+/// Milliseconds of poll(2) until @p when on the machine's clock.
+int milliseconds_until(TimePoint when) noexcept {
+  constexpr canopen::Duration kLongest = std::chrono::hours{1};
+  if (when == kNever) return -1;
+  const canopen::Duration left = std::clamp(when - machine_now(), canopen::Duration{0}, kLongest);
+  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
+}
+
+bool is_any_ready(std::span<pollfd> descriptors, int timeout) noexcept {
+  return ::poll(descriptors.data(), descriptors.size(), timeout) > 0;
+}
+
+}  // namespace
+
+std::unique_ptr<TimeShare> TimeShare::join(const Address& address, std::uint32_t flags) {
+  const auto* const place = std::get_if<UserBusPath>(&address.place);
+  if (place == nullptr) return nullptr;
+  userbus::Path path{};
+  if (!userbus::copy_path(place->path.c_str(), path)) return nullptr;  // who opens it says so
+  const std::string hub = hub_program();
+  const userbus::JoinedClock joined = userbus::join_clock(path, hub.c_str(), flags, ::getpid(), false);
+  os::Descriptor clock{joined.descriptor};
+  if (!clock) throw OpenError{fmt::format("unix:{}: {}", place->path, userbus::text_of(joined.error))};
+  const userbus::TimePage* const page = userbus::map_time(clock.get());
+  return page == nullptr ? nullptr : std::make_unique<TimeShare>(std::move(clock), *page);
+}
+
+TimeShare::TimeShare(os::Descriptor clock, const userbus::TimePage& page)
+    : clock_{std::move(clock)}, page_{page}, is_told_{page.mode != userbus::TimeMode::Scaled} {
+  if (!is_told_) {
+    clock_ = os::Descriptor{};
+    return;
+  }
+  now_ns_ = page_.now_ns.load();
+  take_turn(/*waits=*/true);
+}
+
+TimeShare::~TimeShare() {
+  userbus::unmap_time(&page_);
+}
+
+Party& TimeShare::add() {
+  const std::scoped_lock lock{mutex_};
+  Party& party = parties_.emplace_back();
+  party.takes_part_ = true;
+  ++up_;
+  return party;
+}
+
+void TimeShare::remove(Party& party) noexcept {
+  std::unique_lock lock{mutex_};
+  if (!std::exchange(party.takes_part_, false)) return;
+  if (--up_ == 0 && is_told_ && !is_over_) coordinate(lock);
+}
+
+bool TimeShare::wait(Party& party, const Wanted& wanted) noexcept {
+  if (!is_told_ || is_over_) return wait_by_machine(wanted);
+  std::unique_lock lock{mutex_};
+  party.wanted_ = wanted;
+  party.waits_ = true;
+  if (--up_ == 0) coordinate(lock);
+  party.woken_.wait(lock, [&] { return !party.waits_ || is_over_; });
+  if (std::exchange(party.waits_, false)) ++up_;  // nobody has woken it
+  return is_any_ready(wanted.descriptors, 0);
+}
+
+bool TimeShare::wait_by_machine(const Wanted& wanted) const noexcept {
+  return is_any_ready(wanted.descriptors, machine_timeout(wanted));
+}
+
+int TimeShare::machine_timeout(const Wanted& wanted) const noexcept {
+  if (wanted.until == kNever) return milliseconds_until(wanted.machine_until);
+  const auto left = wanted.until - now();
+  const auto scaled = std::chrono::duration<double, std::nano>{left} / page_.scale;
+  const TimePoint until = machine_now() + std::chrono::duration_cast<canopen::Duration>(scaled);
+  return milliseconds_until(std::min(until, wanted.machine_until));
+}
+
+/// All threads wait: finds out whose turn it is, with the one of the process if that is needed, and wakes it.
+void TimeShare::coordinate(std::unique_lock<std::mutex>& lock) noexcept {
+  while (up_ == 0 && !is_over_) {
+    if (has_turn_ && wake_next() == Found::Party) return;
+    if (!has_turn_) sleep(lock);
+  }
+}
+
+/// The party that has something to do at the present, or at the next instant up to which time may go on; if there
+/// is none, the turn is given back.
+TimeShare::Found TimeShare::wake_next() noexcept {
+  if (Party* const ready = ready_one()) {
+    wake(*ready);
+    return Found::Party;
+  }
+  const TimePoint next = earliest();
+  if (next > now() && !goes_on_alone(next)) {
+    give_back(next);
+    return Found::Nobody;
+  }
+  if (next > now()) now_ns_ = to_ns(next);
+  for (Party& party : parties_)
+    if (party.waits_ && party.wanted_.until <= now()) {
+      wake(party);
+      return Found::Party;
+    }
+  return Found::Nobody;
+}
+
+/// Nothing can have come while one thread goes on alone, but from outside of the bus's time.
+Party* TimeShare::ready_one() noexcept {
+  const bool is_alone = last_ != nullptr && last_->waits_ && goes_on_alone(last_->wanted_.until);
+  if (is_alone && last_->wanted_.until == earliest() && ++unlooked_ < kMostUnlooked) return nullptr;
+  unlooked_ = 0;
+  const TimePoint machine = machine_now();
+  for (Party& party : parties_) {
+    if (!party.waits_) continue;
+    if (party.wanted_.machine_until <= machine || is_any_ready(party.wanted_.descriptors, 0)) return &party;
+  }
+  return nullptr;
+}
+
+void TimeShare::wake(Party& party) noexcept {
+  if (&party != last_) unlooked_ = kMostUnlooked;  // what another one does may be for any
+  last_ = &party;
+  party.waits_ = false;
+  ++up_;
+  party.woken_.notify_one();
+}
+
+TimePoint TimeShare::earliest() const noexcept {
+  TimePoint earliest = kNever;
+  for (const Party& party : parties_)
+    if (party.waits_) earliest = std::min(earliest, party.wanted_.until);
+  return earliest;
+}
+
+bool TimeShare::goes_on_alone(TimePoint next) const noexcept {
+  return next <= horizon_ && next != kNever && !has_effect_.load(std::memory_order_relaxed);
+}
+
+void TimeShare::give_back(TimePoint next) noexcept {
+  has_turn_ = false;
+  const bool touched = has_touched_.exchange(false);
+  const userbus::TimeMessage message{.word = userbus::TimeMessage::Word::Wait,
+                                     .flags = touched ? userbus::kTouched : 0,
+                                     .now_ns = now_ns_,
+                                     .until_ns = to_ns(next),
+                                     .process = 0,
+                                     .reserved = 0};
+  if (!userbus::tell_time(clock_.get(), message)) end();
+}
+
+/// Until the hub gives a turn, or something comes from outside of the bus's time: then asks for one.
+void TimeShare::sleep(std::unique_lock<std::mutex>& lock) noexcept {
+  gather();
+  TimePoint machine_until = kNever;
+  for (const Party& party : parties_)
+    if (party.waits_ && !is_wanted_) machine_until = std::min(machine_until, party.wanted_.machine_until);
+  const auto count = is_wanted_ ? 1 : watched_.size();
+  lock.unlock();
+  const int ready = ::poll(watched_.data(), count, milliseconds_until(machine_until));
+  lock.lock();
+  if (is_over_) return;
+  if (watched_[0].revents != 0) return take_turn(/*waits=*/false);
+  if (ready < 0 || is_wanted_) return;
+  is_wanted_ = true;
+  const userbus::TimeMessage want{.word = userbus::TimeMessage::Word::Want,
+                                  .flags = 0,
+                                  .now_ns = 0,
+                                  .until_ns = 0,
+                                  .process = 0,
+                                  .reserved = 0};
+  if (!userbus::tell_time(clock_.get(), want)) end();
+}
+
+void TimeShare::gather() noexcept {
+  watched_.clear();
+  watched_.push_back({clock_.get(), POLLIN, 0});
+  for (const Party& party : parties_)
+    if (party.waits_)
+      watched_.insert(watched_.end(), party.wanted_.descriptors.begin(), party.wanted_.descriptors.end());
+}
+
+void TimeShare::take_turn(bool waits) noexcept {
+  userbus::TimeTurn turn{};
+  const userbus::TurnOutcome outcome = userbus::take_turn(clock_.get(), waits, turn);
+  if (outcome == userbus::TurnOutcome::None) return;
+  if (outcome == userbus::TurnOutcome::Gone) return end();
+  has_turn_ = true;
+  is_wanted_ = false;
+  unlooked_ = kMostUnlooked;
+  has_effect_ = has_touched_ = false;
+  now_ns_ = std::max(now_ns_.load(), turn.now_ns);
+  horizon_ = from_ns(turn.horizon_ns);
+}
+
+void TimeShare::leave() noexcept {
+  const std::scoped_lock lock{mutex_};
+  if (is_told_ && !is_over_) end();
+}
+
+/// From here on time is the machine's.
+void TimeShare::end() noexcept {
+  machine_end_ns_ = to_ns(machine_now());
+  is_over_ = true;
+  clock_ = os::Descriptor{};
+  for (Party& party : parties_) party.woken_.notify_one();
+}
+
+std::chrono::nanoseconds TimeShare::monotonic() const noexcept {
+  const auto since = [](std::int64_t begin_ns) {
+    return os::machine_time(CLOCK_MONOTONIC) - std::chrono::nanoseconds{begin_ns};
+  };
+  if (is_told_) {
+    const std::chrono::nanoseconds now{now_ns_.load(std::memory_order_relaxed)};
+    return is_over_.load(std::memory_order_acquire) ? now + since(machine_end_ns_) : now;
+  }
+  const double elapsed = static_cast<double>(since(page_.machine_begin_ns).count()) * page_.scale;
+  return std::chrono::nanoseconds{page_.begin_ns + static_cast<std::int64_t>(elapsed)};
+}
+
+std::chrono::nanoseconds TimeShare::wall() const noexcept {
+  return monotonic() + std::chrono::nanoseconds{page_.wall_offset_ns};
+}
+
+}  // namespace bus

@@ -1,0 +1,323 @@
+#include "can/hub/time/bus_time.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <new>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include "can/hub/time/leaver.hpp"
+#include "can/hub/time/silence.hpp"
+
+namespace hub {
+
+using canopen::kNever;
+using canopen::TimePoint;
+using userbus::TimeMessage;
+
+namespace {
+
+/// Events of the bus after which sockets are looked at again, so that time that goes on and on holds nobody up.
+constexpr unsigned kMostEvents = 64;
+
+TimePoint from_ns(std::int64_t time_ns) noexcept {
+  return time_ns == userbus::kNoInstant ? kNever : TimePoint{canopen::Duration{time_ns}};
+}
+
+std::int64_t to_ns(TimePoint time) noexcept {
+  return time == kNever ? userbus::kNoInstant : time.time_since_epoch().count();
+}
+
+}  // namespace
+
+BusTime::BusTime(Core& core, Settings settings)
+    : core_{core},
+      settings_{std::move(settings)},
+      memory_{"can-bus-time", userbus::kTimePageSize},
+      page_{new (memory_.begin()) userbus::TimePage{.mode = core.clock.mode(),
+                                                    .reserved = 0,
+                                                    .scale = core.clock.scale(),
+                                                    .begin_ns = to_ns(core.clock.begin()),
+                                                    .machine_begin_ns = to_ns(core.clock.machine_begin()),
+                                                    .wall_offset_ns = core.clock.wall_offset(),
+                                                    .now_ns = to_ns(core.clock.begin())}},
+      limit_{core.clock.begin()} {
+  core_.turns = this;
+}
+
+BusTime::~BusTime() {
+  core_.turns = nullptr;
+}
+
+std::unique_ptr<Member> BusTime::make_member(os::Descriptor socket) {
+  members_.reserve(members_.size() + 1);
+  Schedule* const schedule = core_.clock.is_told() ? this : nullptr;
+  return std::make_unique<ClockMember>(core_, std::move(socket), schedule);
+}
+
+bool BusTime::go_on(BusEvents& bus) noexcept {
+  for (unsigned events = 0; events < kMostEvents; ++events) {
+    if (turn_is_over_) end_turn();
+    if (actor_ != nullptr || !leavers_.empty()) return false;
+    core_.hand_over();
+    if (ClockMember* const next = next_owed()) {
+      give_turn(*next, bus);
+      return false;
+    }
+    if (bus.next_event() <= now())
+      bus.have_events(now());
+    else if (!go_to_next(bus))
+      return false;
+  }
+  return true;
+}
+
+/// Everything that the actor has written before it said that it waits belongs to its turn.
+void BusTime::end_turn() noexcept {
+  turn_is_over_ = false;
+  ClockMember* const actor = std::exchange(actor_, nullptr);
+  drain_sockets_of(actor->part());
+  if (std::exchange(has_touched_, false)) owe_all_but(actor);
+}
+
+void BusTime::drain_sockets_of(const Part& part) noexcept {
+  const auto is_of = [&part](pid_t process) {
+    return process == 0 || process == part.process || std::ranges::count(part.ancestors, process) != 0;
+  };
+  for (const auto& member : core_.members)
+    if (is_of(member->process())) member->drain();
+}
+
+void BusTime::owe_all_but(const ClockMember* member) noexcept {
+  for (ClockMember* const other : members_)
+    if (other != member && !other->part().is_left_out) other->part().is_owed_turn = true;
+}
+
+/// Round by round, so that nobody is kept from its turn by two who have ever more to tell each other.
+ClockMember* BusTime::next_owed() noexcept {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const std::size_t place = (next_ + i) % members_.size();
+    if (!members_[place]->part().is_owed_turn) continue;
+    next_ = place + 1;
+    return members_[place];
+  }
+  return nullptr;
+}
+
+void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
+  member.part().is_owed_turn = false;
+  actor_ = &member;
+  acts_since_ = monotonic_now();
+  horizon_ = horizon_of(member, bus);
+  const bool child_ended = std::exchange(member.part().child_ended, false);
+  member.give({.now_ns = to_ns(now()),
+               .horizon_ns = to_ns(horizon_),
+               .flags = child_ended ? userbus::kChildEnded : 0,
+               .reserved = 0});
+}
+
+TimePoint BusTime::horizon_of(const ClockMember& member, const BusEvents& bus) const noexcept {
+  const auto is_owed = [](const ClockMember* other) { return other->part().is_owed_turn; };
+  if (stands() || std::ranges::any_of(members_, is_owed)) return now();
+  TimePoint horizon = std::min(bus.next_event(), earliest_wait(&member));
+  if (core_.clock.mode() == userbus::TimeMode::Stepped) horizon = std::min(horizon, limit_);
+  return std::max(horizon, now());
+}
+
+TimePoint BusTime::earliest_wait(const ClockMember* except) const noexcept {
+  TimePoint earliest = kNever;
+  for (const ClockMember* const member : members_)
+    if (member != except) earliest = std::min(earliest, member->part().until);
+  return earliest;
+}
+
+/// A drive lives for its master: without a program there is nothing to go on for.
+bool BusTime::stands() const noexcept {
+  if (core_.clock.mode() == userbus::TimeMode::Stepped) return false;
+  return std::ranges::all_of(
+      members_, [](const ClockMember* member) { return member->part().is_device || member->part().is_left_out; });
+}
+
+/// False if there is nothing to go on to.
+bool BusTime::go_to_next(const BusEvents& bus) noexcept {
+  TimePoint next = bus.next_event();
+  if (next != kNever || !stands()) next = std::min(next, earliest_wait());
+  if (core_.clock.mode() == userbus::TimeMode::Stepped && next > limit_) {
+    set_present(limit_);
+    answer_steppers();
+    return false;
+  }
+  if (next == kNever) return false;
+  set_present(next);
+  for (ClockMember* const member : members_) {
+    Part& part = member->part();
+    if (part.until > now()) continue;
+    part.until = kNever;
+    part.is_owed_turn = true;
+  }
+  return true;
+}
+
+void BusTime::set_present(TimePoint now) noexcept {
+  if (now <= core_.clock.now()) return;
+  core_.clock.set(now);
+  page_->now_ns.store(to_ns(now), std::memory_order_release);
+}
+
+void BusTime::on_given(pid_t process) noexcept {
+  for (ClockMember* const member : members_)
+    if (member->may_have_sockets_of(process) && !member->part().is_left_out) member->part().is_owed_turn = true;
+}
+
+TimePoint BusTime::time_of_sending(pid_t process, std::int64_t time_ns) noexcept {
+  if (actor_ != nullptr && time_ns != 0 && actor_->may_have_sockets_of(process))
+    set_present(std::min(from_ns(time_ns), horizon_));
+  return now();
+}
+
+bool BusTime::hear(ClockMember& member, const TimeMessage& message) noexcept {
+  switch (message.word) {
+    case TimeMessage::Word::Join:
+      return join(member, message);
+    case TimeMessage::Word::Wait:
+      return wait(member, message);
+    case TimeMessage::Word::Want:
+      return want(member);
+  }
+  return false;
+}
+
+/// Said again by a child for which its parent has joined.
+bool BusTime::join(ClockMember& member, const TimeMessage& message) noexcept {
+  Part& part = member.part();
+  try {
+    const auto parent = std::ranges::find_if(
+        members_, [&](const ClockMember* other) { return other->part().process == member.process(); });
+    if (message.process != member.process() && part.ancestors.empty()) {
+      if (parent != members_.end()) part.ancestors = (*parent)->part().ancestors;
+      part.ancestors.push_back(member.process());
+    }
+    if (!part.has_joined) members_.push_back(&member);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  part.process = message.process;
+  part.is_device = (message.flags & userbus::kDevice) != 0;
+  part.end = os::Descriptor{static_cast<int>(syscall(SYS_pidfd_open, part.process, 0))};
+  if (!std::exchange(part.has_joined, true)) part.is_owed_turn = true;
+  return true;
+}
+
+bool BusTime::wait(ClockMember& member, const TimeMessage& message) noexcept {
+  Part& part = member.part();
+  if (!part.has_joined) return false;
+  part.until = from_ns(message.until_ns);
+  if (actor_ != &member) {
+    part.is_left_out = false;  // if it was: it is there again
+    return true;
+  }
+  set_present(std::min(from_ns(message.now_ns), horizon_));
+  turn_is_over_ = true;
+  has_touched_ = (message.flags & userbus::kTouched) != 0;
+  return true;
+}
+
+bool BusTime::want(ClockMember& member) noexcept {
+  Part& part = member.part();
+  if (!part.has_joined) return false;
+  part.is_left_out = false;
+  if (actor_ != &member || turn_is_over_) part.is_owed_turn = true;
+  return true;
+}
+
+int BusTime::step(canopen::Duration step, os::Descriptor reply) noexcept {
+  if (core_.clock.mode() != userbus::TimeMode::Stepped) return EOPNOTSUPP;
+  try {
+    steppers_.push_back({limit_ + step, std::move(reply)});
+  } catch (const std::bad_alloc&) {
+    return ENOMEM;
+  }
+  limit_ += step;
+  return 0;
+}
+
+void BusTime::answer_steppers() noexcept {
+  const userbus::Reply header{.error = 0, .value = 0, .size = sizeof(std::int64_t)};
+  struct [[gnu::packed]] {
+    userbus::Reply header;
+    std::int64_t now_ns;
+  } const reply{header, to_ns(now())};
+  for (const Stepper& stepper : steppers_)
+    if (stepper.until <= now()) send(stepper.reply.get(), &reply, sizeof reply, MSG_DONTWAIT | MSG_NOSIGNAL);
+  std::erase_if(steppers_, [this](const Stepper& stepper) { return stepper.until <= now(); });
+}
+
+void BusTime::forget(ClockMember& member) noexcept {
+  const auto found = std::ranges::find(members_, &member);
+  if (found == members_.end()) return;
+  const auto place = static_cast<std::size_t>(found - members_.begin());
+  members_.erase(found);
+  if (place < next_) --next_;
+  if (actor_ == &member) {
+    actor_ = nullptr;
+    turn_is_over_ = false;
+  }
+  try {
+    auto leaver = std::make_unique<Leaver>(member.process(), std::move(member.part()),
+                                           [this](Leaver& gone) { take_leave(gone); });
+    if (leaver->watch(core_.poll))
+      leavers_.push_back(std::move(leaver));
+    else
+      owe_all_but(nullptr);
+  } catch (const std::bad_alloc&) {
+    owe_all_but(nullptr);
+  }
+}
+
+/// Its process has ended: what it has written is read, and everybody looks at what that means to it.
+void BusTime::take_leave(Leaver& leaver) noexcept {
+  const auto found = std::ranges::find(leavers_, &leaver, &std::unique_ptr<Leaver>::get);
+  if (found == leavers_.end()) return;
+  const std::unique_ptr<Leaver> gone = std::move(*found);
+  leavers_.erase(found);
+  drain_sockets_of(gone->part());
+  for (ClockMember* const member : members_)
+    if (member->part().process == gone->parent()) member->part().child_ended = true;
+  owe_all_but(nullptr);
+}
+
+TimePoint BusTime::next_machine_deadline() const noexcept {
+  TimePoint next = actor_ == nullptr || turn_is_over_ ? kNever : acts_since_ + settings_.silence;
+  for (const auto& leaver : leavers_) next = std::min(next, leaver->due());
+  return next;
+}
+
+void BusTime::on_machine_time(TimePoint now) noexcept {
+  if (actor_ != nullptr && !turn_is_over_ && acts_since_ + settings_.silence <= now) leave_out(*actor_);
+  for (auto next = leavers_.begin(); next != leavers_.end();) {
+    Leaver& leaver = **next++;  // which ends
+    if (leaver.due() <= now) take_leave(leaver);
+  }
+}
+
+void BusTime::leave_out(ClockMember& member) noexcept {
+  actor_ = nullptr;
+  Part& part = member.part();
+  part.is_left_out = true;
+  part.is_owed_turn = false;
+  part.until = kNever;
+  if (!settings_.notice) return;
+  try {
+    const auto seconds = std::chrono::duration<double>{settings_.silence}.count();
+    settings_.notice(fmt::format("the time of the bus has waited {:g} s for {}: it goes on without it", seconds,
+                                 describe_silent(part.process)));
+  } catch (const std::exception&) {
+    return;  // no memory for a line
+  }
+}
+
+}  // namespace hub
