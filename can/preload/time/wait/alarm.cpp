@@ -71,11 +71,6 @@ void start_notification(const BusTimer& timer) noexcept {
 
 }  // namespace
 
-bool is_signal_taken(const sigset_t& mask) noexcept {
-  const timespec none{};
-  return real().ppoll(nullptr, 0, &none, &mask) < 0 && errno == EINTR;
-}
-
 void settle_signal(int number, bool taken, Thread& self, TimeLock& lock) noexcept {
   if (taken && self.place == Place::Waiting)
     make_runnable(self, Ended::Signal);
@@ -91,7 +86,7 @@ void raise_alarm(const BusTimer& timer, Thread& self, TimeLock& lock) noexcept {
     start_notification(copy);
     return lock.take();
   }
-  const bool taken = do_and_take_signals([&copy]() noexcept { send_signal(copy); }, self.wait.mask);
+  const bool taken = do_and_take_signals([&copy]() noexcept { send_signal(copy); }, self);
   lock.take();
   settle_signal(copy.signal, taken, self, lock);
 }

@@ -1,24 +1,17 @@
 #pragma once
 
+#include "can/preload/time/wait/signals.hpp"
 #include "can/preload/time/wait/timer.hpp"
 
 namespace preload {
 
-/// Lets signals come that @p mask does not block: whether a handler has run.
-bool is_signal_taken(const sigset_t& mask) noexcept;
-
-/// Does @p act with all signals blocked, and lets come then what @p mask (nullptr: the present one) lets come:
-/// whether a handler has run in this thread.
+/// Does @p act with all signals held by @p self, the calling thread, and lets come then what is open in its wait:
+/// whether a handler has run in it. They stay held.
 template <class Act>
-bool do_and_take_signals(Act act, const sigset_t* mask) noexcept {
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
+bool do_and_take_signals(Act act, Thread& self) noexcept {
+  hold_signals(self);
   act();
-  const bool taken = is_signal_taken(mask != nullptr ? *mask : before);
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return taken;
+  return take_signals(self);
 }
 
 /// Signal @p number has been sent: it ends the wait of @p self if that has @p taken it, else that of the thread

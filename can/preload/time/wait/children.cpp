@@ -42,7 +42,7 @@ void note_reaped() noexcept {
 
 void take_end_of_child(Thread& self, TimeLock& lock) noexcept {
   lock.release();
-  const bool taken = do_and_take_signals(await_ended_child, self.wait.mask);
+  const bool taken = do_and_take_signals(await_ended_child, self);
   lock.take();
   reaped = 0;
   end_waits_for_children();

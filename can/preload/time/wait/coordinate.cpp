@@ -1,13 +1,14 @@
 // What the last thread that comes to wait does for all: it looks what is next, and ends and begins the turns.
 #include <cerrno>
 
-#include "can/preload/next.hpp"
 #include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/base/hidden.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/turn/turn.hpp"
 #include "can/preload/time/wait/children.hpp"
 #include "can/preload/time/wait/poll_set.hpp"
 #include "can/preload/time/wait/scheduler.hpp"
+#include "can/preload/time/wait/signals.hpp"
 #include "can/preload/time/wait/timer.hpp"
 
 namespace preload {
@@ -58,12 +59,12 @@ struct Awoken {
   int error;
 };
 
-Awoken sleep_for_turn(const Thread& self, TimeLock& lock, bool looks_for_children) noexcept {
+Awoken sleep_for_turn(Thread& self, TimeLock& lock, bool looks_for_children) noexcept {
   const timespec moment = timespec_of(kLookForChildren);
   pollfd* const entries = poll_set.with_socket(turn_socket());
   const nfds_t count = poll_set.count_with_socket();
   lock.release();
-  const int ready = real().ppoll(entries, count, looks_for_children ? &moment : nullptr, self.wait.mask);
+  const int ready = real().ppoll(entries, count, looks_for_children ? &moment : nullptr, open_mask(self));
   const int error = ready < 0 ? errno : 0;
   lock.take();
   return {ready, error};
@@ -100,7 +101,7 @@ int64_t earliest_instant() noexcept {
 }
 
 void lose_hub() noexcept {
-  next().close(turn_socket());
+  close_hidden(turn_socket());
   use_turn_socket(-1);
   const int64_t offset = wall_time(0);
   go_scaled(1, present(), machine_present(), offset);
@@ -113,6 +114,7 @@ void coordinate(Thread& self, TimeLock& lock) noexcept {
   bool looked = self.wait.polled && threads().waiting.is_single();
   while (!has_turn() || threads().runnable.first() == nullptr) {
     if (!has_turn()) {
+      hold_signals(self);
       if (!await_turn(self, lock)) return lose_hub();
       if (take_child_ended()) take_end_of_child(self, lock);
       looked = false;
@@ -123,10 +125,12 @@ void coordinate(Thread& self, TimeLock& lock) noexcept {
     if (end_wait_of(first_waiting(is_due), Ended::Deadline)) return;
     looked = true;  // what comes from now on comes by a turn
     const int64_t earliest = earliest_instant();
-    if (earliest != kNoInstant && may_go_on_to(earliest))
+    if (earliest != kNoInstant && may_go_on_to(earliest)) {
       show_present(earliest);
-    else if (!end_turn(earliest))
-      return lose_hub();
+      continue;
+    }
+    hold_signals(self);  // as others act from now on
+    if (!end_turn(earliest)) return lose_hub();
   }
 }
 

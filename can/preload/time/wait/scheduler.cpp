@@ -3,13 +3,11 @@
 #include <cerrno>
 #include <climits>
 
-#include <linux/futex.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include "can/preload/time/base/clock.hpp"
-#include "can/preload/time/base/real.hpp"
 #include "can/preload/time/turn/turn.hpp"
+#include "can/preload/time/wait/signals.hpp"
 #include "can/preload/time/wait/stuck.hpp"
 #include "can/preload/time/wait/wait.hpp"
 
@@ -47,25 +45,11 @@ void become(Thread& thread) noexcept {
 constexpr int kGo = 1;
 constexpr int kLook = 2;  ///< it may have to coordinate
 
-void call(Thread& thread, int word) noexcept {
-  thread.go.store(word, std::memory_order_release);
-  if (&thread == own_thread()) return;
-  real().syscall(SYS_futex, &thread.go, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
-}
-
-/// Returns the errno of it. With @p mask: looks now and then.
-int sleep_until_called(Thread& self, const timespec* limit) noexcept {
-  if (self.wait.mask != nullptr) {
-    const timespec moment{.tv_sec = 0, .tv_nsec = 2 * kNsOfMillisecond};
-    return real().ppoll(nullptr, 0, &moment, self.wait.mask) < 0 ? errno : 0;
-  }
-  return real().syscall(SYS_futex, &self.go, FUTEX_WAIT_PRIVATE, 0, limit, nullptr, 0) == 0 ? 0 : errno;
-}
-
 /// One sleep of @p self, after which it looks again. A signal ends its wait.
 void sleep_once(Thread& self, TimeLock& lock) noexcept {
   const bool runnable = self.place == Place::Runnable;
   const timespec patience{.tv_sec = 0, .tv_nsec = 5 * kNsOfMillisecond};
+  hold_signals(self);
   lock.release();
   const int error = sleep_until_called(self, runnable ? &patience : nullptr);
   lock.take();
@@ -84,7 +68,7 @@ bool may_act() noexcept {
   return has_turn() || !by_turns();
 }
 
-void sleep_until_released(Thread& self, TimeLock& lock) noexcept {
+Ended sleep_until_released(Thread& self, TimeLock& lock) noexcept {
   Threads& all = all_threads;
   while (self.go != kGo) {
     if (all.running == 0 && may_act() && all.runnable.first() != nullptr) {
@@ -98,6 +82,12 @@ void sleep_until_released(Thread& self, TimeLock& lock) noexcept {
     }
   }
   self.go = 0;
+  const Ended ended = self.ended;  // a handler may wait, too
+  if (!self.holds_signals) return ended;
+  lock.release();
+  release_signals(self);  // those that have come since the sleep
+  lock.take();
+  return ended;
 }
 
 }  // namespace
@@ -129,7 +119,7 @@ void release_first() noexcept {
   thread.place = Place::Running;
   ++all_threads.running;
   thread.patience = Patience{};
-  call(thread, kGo);
+  call_thread(thread, kGo);
 }
 
 void release_all() noexcept {
@@ -157,10 +147,11 @@ int count_waits_for_addresses() noexcept {
 }
 
 Ended finish_wait(Thread& self, TimeLock& lock) noexcept {
+  const bool has_address = self.wait.address != nullptr;
   --all_threads.running;
-  sleep_until_released(self, lock);
-  if (self.wait.address != nullptr) --waits_for_addresses;
-  return self.ended;
+  const Ended ended = sleep_until_released(self, lock);
+  if (has_address) --waits_for_addresses;
+  return ended;
 }
 
 void abandon_wait() noexcept {
@@ -170,10 +161,12 @@ void abandon_wait() noexcept {
   TimeLock lock;
   if (self->place == Place::Waiting) make_runnable(*self, Ended::Signal);
   if (all_threads.coordinator == self) all_threads.coordinator = nullptr;
-  self->wait.mask = nullptr;
+  const bool has_address = self->wait.address != nullptr;
+  self->wait = Wait{};
+  self->holds_signals = false;  // the jump, or the end of the handler, says which are blocked
   if (by_turns() && !has_turn()) want_turn();
   sleep_until_released(*self, lock);
-  if (self->wait.address != nullptr) --waits_for_addresses;
+  if (has_address) --waits_for_addresses;
 }
 
 Thread* announce_thread() noexcept {
@@ -204,9 +197,9 @@ void end_thread(Thread& thread) noexcept {
   if (all.runnable.first() != nullptr && may_act())
     release_first();
   else if (all.coordinator == nullptr && all.waiting.first() != nullptr)
-    call(*all.waiting.first(), kLook);
+    call_thread(*all.waiting.first(), kLook);
   else if (all.coordinator == nullptr && all.runnable.first() != nullptr)
-    call(*all.runnable.first(), kLook);
+    call_thread(*all.runnable.first(), kLook);
 }
 
 void forget_other_threads() noexcept {
@@ -220,6 +213,8 @@ void forget_other_threads() noexcept {
   all_threads = Threads{};
   waits_for_addresses = 0;
   if (self == nullptr) return;
+  renew_bell(*self);
+  self->holds_signals = false;
   self->place = Place::Running;
   self->id = gettid();
   all_threads.running = 1;
