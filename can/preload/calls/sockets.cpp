@@ -12,7 +12,7 @@
 #include "can/preload/socket/address.hpp"
 #include "can/preload/socket/state.hpp"
 #include "can/preload/time/base/clock.hpp"
-#include "can/preload/time/process/turn_descriptor.hpp"
+#include "can/preload/time/base/hidden.hpp"
 #include "can/preload/time/wait/descriptors.hpp"
 #include "can/preload/time/wait/timer.hpp"
 

@@ -79,6 +79,7 @@ int64_t machine_duration(int64_t duration) noexcept {
 
 int64_t machine_instant(int64_t instant) noexcept {
   if (instant == kNoInstant) return kNoInstant;
+  if (by_turns()) return after(machine_present(), instant > present() ? instant - present() : 0);
   const int64_t duration = instant > course.begin_ns ? instant - course.begin_ns : 0;
   return after(course.machine_begin_ns, machine_duration(duration));
 }

@@ -57,6 +57,7 @@ struct Real {
   int (*sigsuspend)(const sigset_t*);
   int (*pause)();
   int (*kill)(pid_t, int);
+  int (*sigqueue)(pid_t, int, sigval);
   int (*pthread_create)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
   int (*pthread_join)(pthread_t, void**);
   int (*pthread_timedjoin_np)(pthread_t, void**, const timespec*);
@@ -78,6 +79,7 @@ struct Real {
   int (*pthread_rwlock_clockwrlock)(pthread_rwlock_t*, clockid_t, const timespec*);
   int (*pthread_rwlock_unlock)(pthread_rwlock_t*);
   int (*pthread_cancel)(pthread_t);
+  int (*pthread_barrier_wait)(pthread_barrier_t*);
   int (*sem_wait)(sem_t*);
   int (*sem_timedwait)(sem_t*, const timespec*);
   int (*sem_clockwait)(sem_t*, clockid_t, const timespec*);
@@ -100,10 +102,13 @@ struct Real {
   pid_t (*wait4)(pid_t, int*, int, rusage*);
   int (*waitid)(idtype_t, id_t, siginfo_t*, int);
   void (*_exit)(int);
+  void (*longjmp)(__jmp_buf_tag*, int);
+  void (*longjmp_chk)(__jmp_buf_tag*, int);
   int (*close_range)(unsigned, unsigned, int);
   void (*closefrom)(int);
   int (*dup2)(int, int);
   int (*dup3)(int, int, int);
+  FILE* (*fdopen)(int, const char*);
   int (*fgetc)(FILE*);
   int (*getc_unlocked)(FILE*);
   int (*uflow)(FILE*);

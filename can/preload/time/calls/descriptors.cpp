@@ -6,9 +6,8 @@
 #include "can/preload/calls/exported.hpp"
 #include "can/preload/calls/failed.hpp"
 #include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/base/hidden.hpp"
 #include "can/preload/time/base/real.hpp"
-#include "can/preload/time/process/turn_descriptor.hpp"
-#include "can/preload/time/turn/turn.hpp"
 #include "can/preload/time/wait/readiness.hpp"
 #include "can/preload/time/wait/timer.hpp"
 
@@ -25,11 +24,26 @@ void forget_range(unsigned first, unsigned last) noexcept {
   }
 }
 
+/// The part of a range from @p first on that has none of the library's own; its end is @p last at most.
+unsigned end_of_part(unsigned first, unsigned last) noexcept {
+  constexpr unsigned kMost = 4096;
+  for (unsigned descriptor = first; descriptor < last && descriptor < kMost; ++descriptor)
+    if (is_hidden(static_cast<int>(descriptor + 1))) return descriptor;
+  return last;
+}
+
 int close_around(unsigned first, unsigned last, int flags) noexcept {
-  const auto hidden = static_cast<unsigned>(turn_socket());
-  if (hidden < first || hidden > last) return real().close_range(first, last, flags);
-  if (hidden > first && real().close_range(first, hidden - 1, flags) != 0) return -1;
-  return hidden < last ? real().close_range(hidden + 1, last, flags) : 0;
+  while (first <= last) {
+    if (is_hidden(static_cast<int>(first))) {
+      ++first;
+      continue;
+    }
+    const unsigned end = end_of_part(first, last);
+    if (real().close_range(first, end, flags) != 0) return -1;
+    if (end == last) break;
+    first = end + 1;
+  }
+  return 0;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// sigtimedwait, sigwaitinfo, sigwait, sigsuspend, pause, kill.
+// sigtimedwait, sigwaitinfo, sigwait, sigsuspend, pause, kill, killpg, sigqueue.
 #include <cerrno>
 
 #include <sys/signalfd.h>
@@ -97,4 +97,13 @@ PRELOAD_EXPORT int pause() {
 PRELOAD_EXPORT int kill(pid_t process, int number) noexcept {
   if (by_turns() && number != 0) preload::note_touched();
   return real().kill(process, number);
+}
+
+PRELOAD_EXPORT int killpg(pid_t group, int number) noexcept {
+  return group < 0 ? preload::failed(EINVAL) : kill(-group, number);
+}
+
+PRELOAD_EXPORT int sigqueue(pid_t process, int number, const sigval value) noexcept {
+  if (by_turns() && number != 0) preload::note_touched();
+  return real().sigqueue(process, number, value);
 }

@@ -11,9 +11,9 @@
 #include "can/preload/hub.hpp"
 #include "can/preload/next.hpp"
 #include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/base/hidden.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/process/child.hpp"
-#include "can/preload/time/process/turn_descriptor.hpp"
 #include "can/preload/time/turn/touch.hpp"
 #include "can/preload/time/turn/turn.hpp"
 #include "can/preload/time/wait/scheduler.hpp"
@@ -34,7 +34,7 @@ bool is_wanted(userbus::TimeWish& wish) noexcept {
 
 void begin_by(int socket, const userbus::TimePage& page) noexcept {
   if (page.mode == userbus::TimeMode::Scaled) {
-    next().close(socket);  // nobody takes turns
+    close_hidden(socket);  // nobody takes turns
     return go_scaled(page.scale, page.begin_ns, page.machine_begin_ns, page.wall_offset_ns);
   }
   {
@@ -54,12 +54,12 @@ void begin_by(int socket, const userbus::TimePage& page) noexcept {
   real();
   if (takes_part_by_itself()) return;
   int socket = userbus::inherited_clock();
-  if (socket < 0) socket = hide(join_time(getpid()));
+  socket = hide(socket < 0 ? join_time(getpid()) : socket);
   if (socket < 0) return;
   fcntl(socket, F_SETFD, FD_CLOEXEC);
   const userbus::TimePage* const page = userbus::map_time(socket);
   if (page != nullptr) return begin_by(socket, *page);
-  next().close(socket);
+  close_hidden(socket);
   report_bus("goes by the machine's time, not by that of CAN_TIME");
 }
 

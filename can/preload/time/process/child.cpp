@@ -7,9 +7,8 @@
 #include <unistd.h>
 
 #include "can/preload/hub.hpp"
-#include "can/preload/next.hpp"
 #include "can/preload/time/base/clock.hpp"
-#include "can/preload/time/process/turn_descriptor.hpp"
+#include "can/preload/time/base/hidden.hpp"
 #include "can/preload/time/turn/touch.hpp"
 #include "can/preload/time/turn/turn.hpp"
 #include "can/preload/time/wait/scheduler.hpp"
@@ -35,7 +34,7 @@ void after_fork_in_child() noexcept {
   if (!by_turns()) return;
   forget_other_threads();
   forget_timers();
-  next().close(turn_socket());
+  close_hidden(turn_socket());
   const int socket = forked_socket >= 0 ? forked_socket : hide(join_time(getpid()));
   forked_socket = -1;
   if (socket < 0) return go_scaled(1, present(), machine_present(), wall_time(0));
@@ -45,6 +44,19 @@ void after_fork_in_child() noexcept {
 }
 
 }  // namespace
+
+void take_part(int socket) noexcept {
+  const TimeLock lock;
+  use_turn_socket(socket);
+  const userbus::TimeMessage message{.word = userbus::TimeMessage::Word::Join,
+                                     .flags = 0,
+                                     .now_ns = 0,
+                                     .until_ns = 0,
+                                     .process = getpid(),
+                                     .reserved = 0};
+  if (userbus::tell_time(socket, message) && begin_turn(true) == userbus::TurnOutcome::Turn) return;
+  go_scaled(1, present(), machine_present(), wall_time(0));
+}
 
 int prepare_child() noexcept {
   if (!acts()) return -1;
@@ -59,7 +71,7 @@ int prepare_child() noexcept {
 
 void leave_to_child(int socket) noexcept {
   const int error = errno;
-  if (socket >= 0) next().close(socket);
+  if (socket >= 0) close_hidden(socket);
   errno = error;
 }
 

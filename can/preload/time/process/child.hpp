@@ -9,6 +9,9 @@ int prepare_child() noexcept;
 /// In the parent, when there is the process or none.
 void leave_to_child(int socket) noexcept;
 
+/// Joins over @p socket as this process, and waits for the first turn.
+void take_part(int socket) noexcept;
+
 /// Has fork(2) do all that, whoever calls it.
 void watch_forks() noexcept;
 

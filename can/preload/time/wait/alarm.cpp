@@ -25,32 +25,19 @@ void send_signal(const BusTimer& timer) noexcept {
     real().syscall(SYS_rt_sigqueueinfo, getpid(), timer.signal, &info);
 }
 
-/// Sends it with all signals blocked, and lets it come then: whether a handler has run in this thread.
-bool send_and_take(const BusTimer& timer, const sigset_t* mask) noexcept {
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  send_signal(timer);
-  const timespec none{};
-  const bool taken = real().ppoll(nullptr, 0, &none, mask != nullptr ? mask : &before) < 0 && errno == EINTR;
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return taken;
-}
-
 bool has_handler(int number) noexcept {
   struct sigaction action {};
   return sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_DFL && action.sa_handler != SIG_IGN;
 }
 
 /// Another thread is to take the signal; it becomes runnable when it has.
-void await_taken(const BusTimer& timer, TimeLock& lock) noexcept {
+void await_taken(int number, TimeLock& lock) noexcept {
   constexpr int kMostLooks = 50;
   const timespec moment{.tv_sec = 0, .tv_nsec = kNsOfMillisecond / 2};
-  if (!has_handler(timer.signal)) return;
+  if (!has_handler(number)) return;
   for (int i = 0; i < kMostLooks && threads().runnable.first() == nullptr; ++i) {
     sigset_t pending;
-    if (sigpending(&pending) == 0 && sigismember(&pending, timer.signal) == 1) return;  // all block it
+    if (sigpending(&pending) == 0 && sigismember(&pending, number) == 1) return;  // all block it
     lock.release();
     real().nanosleep(&moment, nullptr);
     lock.take();
@@ -84,18 +71,24 @@ void start_notification(const BusTimer& timer) noexcept {
 
 }  // namespace
 
+void settle_signal(int number, bool taken, Thread& self, TimeLock& lock) noexcept {
+  if (taken && self.place == Place::Waiting)
+    make_runnable(self, Ended::Signal);
+  else if (!taken && !threads().waiting.is_single())
+    await_taken(number, lock);
+}
+
 void raise_alarm(const BusTimer& timer, Thread& self, TimeLock& lock) noexcept {
   if (timer.alarm == Alarm::None) return;
   const BusTimer copy = timer;
-  bool taken = false;
   lock.release();
-  if (copy.alarm == Alarm::Function)
+  if (copy.alarm == Alarm::Function) {
     start_notification(copy);
-  else
-    taken = send_and_take(copy, self.wait.mask);
+    return lock.take();
+  }
+  const bool taken = do_and_take_signals([&copy]() noexcept { send_signal(copy); }, self);
   lock.take();
-  if (taken && self.place == Place::Waiting) return make_runnable(self, Ended::Signal);
-  if (!taken && copy.alarm != Alarm::Function && !threads().waiting.is_single()) await_taken(copy, lock);
+  settle_signal(copy.signal, taken, self, lock);
 }
 
 }  // namespace preload

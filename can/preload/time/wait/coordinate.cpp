@@ -1,12 +1,14 @@
 // What the last thread that comes to wait does for all: it looks what is next, and ends and begins the turns.
 #include <cerrno>
 
-#include "can/preload/next.hpp"
 #include "can/preload/time/base/clock.hpp"
+#include "can/preload/time/base/hidden.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/turn/turn.hpp"
+#include "can/preload/time/wait/children.hpp"
 #include "can/preload/time/wait/poll_set.hpp"
 #include "can/preload/time/wait/scheduler.hpp"
+#include "can/preload/time/wait/signals.hpp"
 #include "can/preload/time/wait/timer.hpp"
 
 namespace preload {
@@ -51,41 +53,18 @@ bool end_ready_wait() noexcept {
   return end_wait_of(poll_set.first_ready(threads().waiting), Ended::Ready);
 }
 
-/// Whether a child has ended that has not been waited for.
-bool has_ended_child() noexcept {
-  siginfo_t info{};
-  const int outcome = real().waitid(P_ALL, 0, &info, WEXITED | WSTOPPED | WCONTINUED | WNOHANG | WNOWAIT);
-  return outcome != 0 || info.si_pid != 0;
-}
-
-/// The hub tells when the sockets of a child are closed, which is a little before it can be waited for.
-void await_ended_child(TimeLock& lock) noexcept {
-  constexpr int kMostLooks = 250;
-  const timespec moment{.tv_sec = 0, .tv_nsec = kNsOfMillisecond};
-  lock.release();
-  for (int i = 0; i < kMostLooks && !has_ended_child(); ++i) real().nanosleep(&moment, nullptr);
-  lock.take();
-}
-
-void end_waits_for_children(TimeLock& lock) noexcept {
-  if (first_waiting(waits_for_children) == nullptr) return;
-  await_ended_child(lock);
-  while (end_wait_of(first_waiting(waits_for_children), Ended::Ready)) {
-  }
-}
-
 /// What ended a sleep of the coordinator.
 struct Awoken {
   int count;
   int error;
 };
 
-Awoken sleep_for_turn(const Thread& self, TimeLock& lock, bool looks_for_children) noexcept {
+Awoken sleep_for_turn(Thread& self, TimeLock& lock, bool looks_for_children) noexcept {
   const timespec moment = timespec_of(kLookForChildren);
   pollfd* const entries = poll_set.with_socket(turn_socket());
   const nfds_t count = poll_set.count_with_socket();
   lock.release();
-  const int ready = real().ppoll(entries, count, looks_for_children ? &moment : nullptr, self.wait.mask);
+  const int ready = real().ppoll(entries, count, looks_for_children ? &moment : nullptr, open_mask(self));
   const int error = ready < 0 ? errno : 0;
   lock.take();
   return {ready, error};
@@ -122,7 +101,7 @@ int64_t earliest_instant() noexcept {
 }
 
 void lose_hub() noexcept {
-  next().close(turn_socket());
+  close_hidden(turn_socket());
   use_turn_socket(-1);
   const int64_t offset = wall_time(0);
   go_scaled(1, present(), machine_present(), offset);
@@ -133,10 +112,11 @@ void lose_hub() noexcept {
 
 void coordinate(Thread& self, TimeLock& lock) noexcept {
   bool looked = self.wait.polled && threads().waiting.is_single();
-  while (threads().runnable.first() == nullptr) {
+  while (!has_turn() || threads().runnable.first() == nullptr) {
     if (!has_turn()) {
+      hold_signals(self);
       if (!await_turn(self, lock)) return lose_hub();
-      if (take_child_ended()) end_waits_for_children(lock);
+      if (take_child_ended()) take_end_of_child(self, lock);
       looked = false;
       continue;
     }
@@ -145,10 +125,12 @@ void coordinate(Thread& self, TimeLock& lock) noexcept {
     if (end_wait_of(first_waiting(is_due), Ended::Deadline)) return;
     looked = true;  // what comes from now on comes by a turn
     const int64_t earliest = earliest_instant();
-    if (earliest != kNoInstant && may_go_on_to(earliest))
+    if (earliest != kNoInstant && may_go_on_to(earliest)) {
       show_present(earliest);
-    else if (!end_turn(earliest))
-      return lose_hub();
+      continue;
+    }
+    hold_signals(self);  // as others act from now on
+    if (!end_turn(earliest)) return lose_hub();
   }
 }
 

@@ -51,7 +51,22 @@ bool await_ready(pollfd& wanted, int option) noexcept {
   }
 }
 
+/// The kernel's limit of time of a socket is one of the machine: waits for that of the bus before.
+bool await_scaled(pollfd& wanted, int option) noexcept {
+  const int64_t limit = limit_of(wanted.fd, option);
+  if (limit == kNoInstant || (fcntl(wanted.fd, F_GETFL) & O_NONBLOCK) != 0) return true;
+  const timespec time = timespec_of(machine_duration(limit - present()));
+  const int ready = real().ppoll(&wanted, 1, &time, nullptr);
+  if (ready == 0) errno = EAGAIN;
+  return ready > 0;
+}
+
 bool may_go(int descriptor, int flags, short events, int option) noexcept {
+  if (by_machine()) return true;
+  if (!by_turns() && (flags & MSG_DONTWAIT) == 0) {
+    pollfd wanted{descriptor, events, 0};
+    return await_scaled(wanted, option);
+  }
   if (!by_turns() || (flags & MSG_DONTWAIT) != 0) return true;
   const int error = errno;
   pollfd wanted{descriptor, events, 0};

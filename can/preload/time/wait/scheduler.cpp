@@ -3,13 +3,11 @@
 #include <cerrno>
 #include <climits>
 
-#include <linux/futex.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include "can/preload/time/base/clock.hpp"
-#include "can/preload/time/base/real.hpp"
 #include "can/preload/time/turn/turn.hpp"
+#include "can/preload/time/wait/signals.hpp"
 #include "can/preload/time/wait/stuck.hpp"
 #include "can/preload/time/wait/wait.hpp"
 
@@ -20,29 +18,38 @@ namespace {
 Threads all_threads;
 std::atomic<int> waits_for_addresses;
 
+/// Its value tells a thread that ends that it has been known.
+pthread_key_t ending;
+pthread_once_t ending_is_made = PTHREAD_ONCE_INIT;
+
+void note_end(void* thread) noexcept {
+  set_own_thread(nullptr);
+  const TimeLock lock;
+  if (by_turns()) end_thread(*static_cast<Thread*>(thread));
+}
+
+void make_ending() noexcept {
+  pthread_key_create(&ending, note_end);
+}
+
+/// The calling thread is @p thread, until it ends.
+void become(Thread& thread) noexcept {
+  set_own_thread(&thread);
+  thread.handle = pthread_self();
+  thread.id = gettid();
+  pthread_once(&ending_is_made, make_ending);
+  pthread_setspecific(ending, &thread);
+}
+
 // What a thread's `go` says.
 constexpr int kGo = 1;
 constexpr int kLook = 2;  ///< it may have to coordinate
-
-void call(Thread& thread, int word) noexcept {
-  thread.go.store(word, std::memory_order_release);
-  if (&thread == own_thread()) return;
-  real().syscall(SYS_futex, &thread.go, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
-}
-
-/// Returns the errno of it. With @p mask: looks now and then.
-int sleep_until_called(Thread& self, const timespec* limit) noexcept {
-  if (self.wait.mask != nullptr) {
-    const timespec moment{.tv_sec = 0, .tv_nsec = 2 * kNsOfMillisecond};
-    return real().ppoll(nullptr, 0, &moment, self.wait.mask) < 0 ? errno : 0;
-  }
-  return real().syscall(SYS_futex, &self.go, FUTEX_WAIT_PRIVATE, 0, limit, nullptr, 0) == 0 ? 0 : errno;
-}
 
 /// One sleep of @p self, after which it looks again. A signal ends its wait.
 void sleep_once(Thread& self, TimeLock& lock) noexcept {
   const bool runnable = self.place == Place::Runnable;
   const timespec patience{.tv_sec = 0, .tv_nsec = 5 * kNsOfMillisecond};
+  hold_signals(self);
   lock.release();
   const int error = sleep_until_called(self, runnable ? &patience : nullptr);
   lock.take();
@@ -56,6 +63,33 @@ void sleep_once(Thread& self, TimeLock& lock) noexcept {
     release_first();
 }
 
+/// Whether the process acts: those who can go on may.
+bool may_act() noexcept {
+  return has_turn() || !by_turns();
+}
+
+Ended sleep_until_released(Thread& self, TimeLock& lock) noexcept {
+  Threads& all = all_threads;
+  while (self.go != kGo) {
+    if (all.running == 0 && may_act() && all.runnable.first() != nullptr) {
+      release_first();
+    } else if (all.running == 0 && all.coordinator == nullptr) {
+      all.coordinator = &self;
+      coordinate(self, lock);
+      all.coordinator = nullptr;
+    } else {
+      sleep_once(self, lock);
+    }
+  }
+  self.go = 0;
+  const Ended ended = self.ended;  // a handler may wait, too
+  if (!self.holds_signals) return ended;
+  lock.release();
+  release_signals(self);  // those that have come since the sleep
+  lock.take();
+  return ended;
+}
+
 }  // namespace
 
 Threads& threads() noexcept {
@@ -67,10 +101,8 @@ Thread& this_thread() noexcept {
   static Thread spare;  // without memory threads share one, and time is not right any more
   Thread* thread = new_thread();
   if (thread == nullptr) thread = &spare;
-  thread->handle = pthread_self();
-  thread->id = gettid();
   ++all_threads.running;
-  set_own_thread(thread);
+  become(*thread);
   return *thread;
 }
 
@@ -87,7 +119,7 @@ void release_first() noexcept {
   thread.place = Place::Running;
   ++all_threads.running;
   thread.patience = Patience{};
-  call(thread, kGo);
+  call_thread(thread, kGo);
 }
 
 void release_all() noexcept {
@@ -115,22 +147,26 @@ int count_waits_for_addresses() noexcept {
 }
 
 Ended finish_wait(Thread& self, TimeLock& lock) noexcept {
-  Threads& all = all_threads;
-  --all.running;
-  while (self.go != kGo) {
-    if (all.running == 0 && all.runnable.first() != nullptr) {
-      release_first();
-    } else if (all.running == 0 && !all.coordinated) {
-      all.coordinated = true;
-      coordinate(self, lock);
-      all.coordinated = false;
-    } else {
-      sleep_once(self, lock);
-    }
-  }
-  self.go = 0;
-  if (self.wait.address != nullptr) --waits_for_addresses;
-  return self.ended;
+  const bool has_address = self.wait.address != nullptr;
+  --all_threads.running;
+  const Ended ended = sleep_until_released(self, lock);
+  if (has_address) --waits_for_addresses;
+  return ended;
+}
+
+void abandon_wait() noexcept {
+  Thread* const self = own_thread();
+  if (self == nullptr || self->place == Place::Running) return;
+  if (TimeLock::is_mine()) TimeLock::forget();
+  TimeLock lock;
+  if (self->place == Place::Waiting) make_runnable(*self, Ended::Signal);
+  if (all_threads.coordinator == self) all_threads.coordinator = nullptr;
+  const bool has_address = self->wait.address != nullptr;
+  self->wait = Wait{};
+  self->holds_signals = false;  // the jump, or the end of the handler, says which are blocked
+  if (by_turns() && !has_turn()) want_turn();
+  sleep_until_released(*self, lock);
+  if (has_address) --waits_for_addresses;
 }
 
 Thread* announce_thread() noexcept {
@@ -144,10 +180,8 @@ Thread* announce_thread() noexcept {
 }
 
 void begin_thread(Thread& self) noexcept {
-  set_own_thread(&self);
+  become(self);
   TimeLock lock;
-  self.handle = pthread_self();
-  self.id = gettid();
   ++all_threads.running;  // it is not, but finish_wait() takes one off
   finish_wait(self, lock);
 }
@@ -160,10 +194,12 @@ void end_thread(Thread& thread) noexcept {
   free_thread(thread);
   wake_waiting(reinterpret_cast<const void*>(handle), INT_MAX, UINT32_MAX);  // who joins it
   if (all.running > 0) return;
-  if (all.runnable.first() != nullptr)
+  if (all.runnable.first() != nullptr && may_act())
     release_first();
-  else if (!all.coordinated && all.waiting.first() != nullptr)
-    call(*all.waiting.first(), kLook);
+  else if (all.coordinator == nullptr && all.waiting.first() != nullptr)
+    call_thread(*all.waiting.first(), kLook);
+  else if (all.coordinator == nullptr && all.runnable.first() != nullptr)
+    call_thread(*all.runnable.first(), kLook);
 }
 
 void forget_other_threads() noexcept {
@@ -177,6 +213,8 @@ void forget_other_threads() noexcept {
   all_threads = Threads{};
   waits_for_addresses = 0;
   if (self == nullptr) return;
+  renew_bell(*self);
+  self->holds_signals = false;
   self->place = Place::Running;
   self->id = gettid();
   all_threads.running = 1;

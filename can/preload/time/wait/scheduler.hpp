@@ -16,7 +16,7 @@ struct Threads {
   ThreadList waiting;
   ThreadList runnable;
   int running = 0;
-  bool coordinated = false;  ///< one of those that wait looks for what is next
+  const Thread* coordinator = nullptr;  ///< which of those that wait looks for what is next
 };
 Threads& threads() noexcept;
 
@@ -39,7 +39,10 @@ int count_waits_for_addresses() noexcept;
 /// Sleeps until the wait has ended.
 Ended finish_wait(Thread& self, TimeLock& lock) noexcept;
 
-/// Looks for what is next while all threads wait, until one is runnable. @p self does it for them.
+/// The calling thread, in a signal handler, jumps out of its wait: that is over. Sleeps until it may go on.
+void abandon_wait() noexcept;
+
+/// Looks for what is next while all threads wait, until one may go on. @p self does it for them.
 void coordinate(Thread& self, TimeLock& lock) noexcept;
 
 /// A thread of its own for the next pthread_create(3), runnable; nullptr if there is no memory.

@@ -2,6 +2,8 @@
 
 #include <sys/mman.h>
 
+#include "can/preload/time/base/hidden.hpp"
+
 namespace preload {
 
 namespace {
@@ -52,11 +54,14 @@ Thread* new_thread() noexcept {
   found->handle = 0;
   found->id = 0;
   found->go = 0;
+  found->bell = Thread::kNoBell;
+  found->holds_signals = false;
   found->patience = Patience{};
   return found;
 }
 
 void free_thread(Thread& thread) noexcept {
+  if (thread.bell >= 0) close_hidden(thread.bell);
   thread.place = Place::Free;
 }
 

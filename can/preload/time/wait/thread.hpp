@@ -44,13 +44,19 @@ struct Patience {
 
 /// A thread of the program that is known.
 struct Thread {
+  static constexpr int kNoBell = -1;
+  static constexpr int kNoBellToBeHad = -2;
+
   Thread* previous;  ///< in the list of its place
   Thread* following;
   Place place;
   Ended ended;
   pthread_t handle;
   std::atomic<int> id;  ///< of the kernel; 0 as long as it has not begun
-  std::atomic<int> go;  ///< futex: the thread sleeps while it is 0
+  std::atomic<int> go;  ///< the thread sleeps while it is 0
+  int bell;             ///< descriptor by which it is woken, kNoBell or kNoBellToBeHad
+  bool holds_signals;
+  sigset_t mask_before;  ///< while it does
   Patience patience;
   Wait wait;
 };

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <semaphore.h>
+#include <threads.h>
 
 #include "tests/can/preload/time/bus_clock.hpp"
 
@@ -120,6 +121,54 @@ TEST(Semaphore, HasALimitOfTime) {
   EXPECT_EQ(sem_wait(&semaphore), 0);
   EXPECT_EQ(time.passed(), milliseconds{70});
   other.join();
+}
+
+TEST(Barrier, LetsAllGoAtTheInstantOfTheLast) {
+  pthread_barrier_t barrier;
+  ASSERT_EQ(pthread_barrier_init(&barrier, nullptr, 3), 0);
+  const Stopwatch time;
+  std::vector<std::thread> threads;
+  for (const int length : {10, 30})
+    threads.emplace_back([&barrier, &time, length] {
+      sleep_for(milliseconds{length});
+      pthread_barrier_wait(&barrier);
+      EXPECT_EQ(time.passed(), milliseconds{30});
+    });
+  pthread_barrier_wait(&barrier);
+
+  EXPECT_EQ(time.passed(), milliseconds{30});
+  for (std::thread& thread : threads) thread.join();
+}
+
+TEST(StandardThreads, SleepAndWait) {
+  struct Shared {
+    mtx_t mutex;
+    cnd_t changed;
+    bool ready;
+  } shared{};
+  mtx_init(&shared.mutex, mtx_timed);
+  cnd_init(&shared.changed);
+  const Stopwatch time;
+  thrd_t thread{};
+  const auto work = [](void* argument) {
+    auto& both = *static_cast<Shared*>(argument);
+    const timespec length = timespec_of(seconds{2});
+    thrd_sleep(&length, nullptr);
+    mtx_lock(&both.mutex);
+    both.ready = true;
+    cnd_signal(&both.changed);
+    mtx_unlock(&both.mutex);
+    return 7;
+  };
+  ASSERT_EQ(thrd_create(&thread, work, &shared), thrd_success);
+  mtx_lock(&shared.mutex);
+  while (!shared.ready) cnd_wait(&shared.changed, &shared.mutex);
+  mtx_unlock(&shared.mutex);
+
+  EXPECT_EQ(time.passed(), seconds{2});
+  int result = 0;
+  EXPECT_EQ(thrd_join(thread, &result), thrd_success);
+  EXPECT_EQ(result, 7);
 }
 
 /// By the kernel's futex itself, past the C library's threads.

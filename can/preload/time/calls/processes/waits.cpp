@@ -5,6 +5,7 @@
 #include "can/preload/calls/failed.hpp"
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/real.hpp"
+#include "can/preload/time/wait/children.hpp"
 #include "can/preload/time/wait/readiness.hpp"
 #include "can/preload/time/wait/wait.hpp"
 
@@ -36,7 +37,11 @@ using preload::by_turns;
 using preload::real;
 
 PRELOAD_EXPORT pid_t wait4(pid_t process, int* status, int options, rusage* usage) noexcept {
-  const auto call = [=](int flags) noexcept { return real().wait4(process, status, options | flags, usage); };
+  const auto call = [=](int flags) noexcept {
+    const pid_t ended = real().wait4(process, status, options | flags, usage);
+    if (ended > 0) preload::note_reaped();
+    return ended;
+  };
   if (!by_turns()) return call(0);
   if ((options & WNOHANG) != 0) {
     const pid_t ended = call(0);
@@ -64,7 +69,9 @@ PRELOAD_EXPORT int waitid(idtype_t type, id_t identifier, siginfo_t* info, int o
   siginfo_t* const found = info != nullptr ? info : &unused;
   const auto look = [=]() noexcept -> pid_t {
     found->si_pid = 0;
-    return real().waitid(type, identifier, found, options | WNOHANG) != 0 ? -1 : found->si_pid;
+    if (real().waitid(type, identifier, found, options | WNOHANG) != 0) return -1;
+    if (found->si_pid != 0 && (options & WNOWAIT) == 0) preload::note_reaped();
+    return found->si_pid;
   };
   const auto block = [=]() noexcept -> pid_t { return real().waitid(type, identifier, found, options); };
   return preload::await_child(look, block) < 0 ? -1 : 0;

@@ -1,12 +1,15 @@
-// fgets, getline, getdelim, fread, their unlocked forms, and what a fortified program calls in their place.
+// fdopen, fgets, getline, getdelim, fread, their unlocked forms, and what a fortified program calls in their
+// place.
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 #include "can/preload/calls/exported.hpp"
+#include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/calls/streams/filling.hpp"
+#include "can/preload/time/turn/touch.hpp"
 
 namespace preload {
 
@@ -86,6 +89,12 @@ class StreamLock {
 using preload::may_wait_within;
 using preload::real;
 using preload::StreamLock;
+
+/// What is written to the stream goes past write(2).
+PRELOAD_EXPORT FILE* fdopen(int descriptor, const char* mode) noexcept {
+  if (preload::by_turns() && (mode[0] != 'r' || strchr(mode, '+') != nullptr)) preload::expect_unseen_writes();
+  return real().fdopen(descriptor, mode);
+}
 
 PRELOAD_EXPORT char* fgets(char* line, int room, FILE* stream) {
   if (room <= 0 || !may_wait_within(stream)) return real().fgets(line, room, stream);

@@ -16,25 +16,10 @@ struct Beginning {
   Thread* thread;
 };
 
-/// Its value tells a thread that ends that it has been known.
-pthread_key_t ending;
-pthread_once_t ending_is_made = PTHREAD_ONCE_INIT;
-
-void note_end(void* thread) noexcept {
-  set_own_thread(nullptr);
-  const TimeLock lock;
-  if (by_turns()) end_thread(*static_cast<Thread*>(thread));
-}
-
-void make_ending() noexcept {
-  pthread_key_create(&ending, note_end);
-}
-
 void* begin(void* argument) {
   const Beginning beginning = *static_cast<Beginning*>(argument);
   free(argument);
   begin_thread(*beginning.thread);
-  pthread_setspecific(ending, beginning.thread);
   return beginning.function(beginning.argument);
 }
 
@@ -99,7 +84,6 @@ using preload::real;
 PRELOAD_EXPORT int pthread_create(pthread_t* handle, const pthread_attr_t* attributes, void* (*function)(void*),
                                   void* argument) noexcept {
   if (!by_turns()) return real().pthread_create(handle, attributes, function, argument);
-  pthread_once(&preload::ending_is_made, preload::make_ending);
   return preload::create(handle, attributes, {function, argument, nullptr});
 }
 
