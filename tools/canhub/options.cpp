@@ -57,10 +57,11 @@ void check_time(Options& options, bool has_neighbours) {
   if (!options.time || options.time->mode == userbus::TimeMode::Real) return;
   if (has_neighbours)
     throw UsageError{
-        "--time other than real goes with none of --bridge, --socketcand and --join, whose time is the machine's"};
+        "--bridge, --socketcand and --join need --time real: what they lead to has the machine's time"};
   if (options.time->mode == userbus::TimeMode::Scaled) return;
   if (options.bit_rate == 0U)
-    throw UsageError{"--time virtual and stepped need frames that take time: --bitrate 1000 to 1000000"};
+    throw UsageError{
+        "--time virtual and stepped need a --bitrate above 0: only if frames take time does it go on"};
   if (!options.bit_rate) options.bit_rate = kBitRateOfToldTime;
 }
 

@@ -13,6 +13,7 @@
 
 #include "can/userbus/join.hpp"
 #include "can/userbus/request.hpp"
+#include "can/userbus/time.hpp"
 #include "os/descriptor.hpp"
 
 namespace canhub {
@@ -22,6 +23,7 @@ namespace {
 using userbus::MemberStatistics;
 using userbus::Operation;
 
+constexpr double kNanoseconds = 1e9;  // of a second
 constexpr std::string_view kRow = "{:<24} {:>8} {:<15} {:>10} {:>10} {:>8} {:>8}\n";
 
 std::string interface_of(int member, int index) {
@@ -85,6 +87,19 @@ void print_trunk(int member, std::ostream& out) {
                        hub.value("missed", std::uint64_t{0}));
 }
 
+/// Whose time the bus has; nothing if it is the machine's.
+void print_time(int member, std::ostream& out) {
+  const userbus::TimePage* const page = userbus::map_time(member);
+  if (page == nullptr) return;
+  const double seconds = static_cast<double>(page->now_ns.load() - page->begin_ns) / kNanoseconds;
+  if (page->mode == userbus::TimeMode::Scaled)
+    out << fmt::format("time: scaled, {:g} times as quick\n", page->scale);
+  else
+    out << fmt::format("time: {}, {:.9f} s since its start\n",
+                       page->mode == userbus::TimeMode::Stepped ? "stepped" : "virtual", seconds);
+  userbus::unmap_time(page);
+}
+
 }  // namespace
 
 bool print_status(const userbus::Path& path, std::ostream& out, std::ostream& errors) {
@@ -100,6 +115,7 @@ bool print_status(const userbus::Path& path, std::ostream& out, std::ostream& er
   }
   const std::string rate = bus.bit_rate == 0 ? "no bit rate" : fmt::format("{} bit/s", bus.bit_rate);
   out << fmt::format("bus {}: {}, {} frames\n", path.text, rate, bus.frames);
+  print_time(member.get(), out);
   out << fmt::format(kRow, "member", "pid", "interface", "sent", "received", "dropped", "refused");
   for (const MemberStatistics& row : rows) {
     if (row.process == getpid()) continue;  // who asks is a member too

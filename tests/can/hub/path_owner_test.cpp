@@ -130,6 +130,21 @@ TEST_F(PathOwnerTest, ComparesTheBitRateWithThatOfAHubThatServes) {
   EXPECT_EQ(status(0), StartStatus::Different);
 }
 
+TEST_F(PathOwnerTest, ComparesTheTimeWithThatOfAHubThatServes) {
+  using userbus::TimeMode;
+  const RunningHub hub{hub::Server::Settings{.time = {TimeMode::Scaled, 10}}};
+  const auto refusal = [&hub](std::optional<userbus::TimeWish> time) {
+    return PathOwner::take(path_of(hub.path()), {.bit_rate = {}, .time = time}).error();
+  };
+
+  EXPECT_EQ(refusal(std::nullopt).status, StartStatus::Served);
+  EXPECT_EQ(refusal({{TimeMode::Scaled, 10}}).status, StartStatus::Served);
+  EXPECT_EQ(refusal({{TimeMode::Scaled, 20}}).status, StartStatus::Different);
+  const hub::Refusal real = refusal({{TimeMode::Real, 1}});
+  EXPECT_EQ(real.status, StartStatus::Different);
+  EXPECT_EQ(real.text, hub.path() + ": is served by another canhub, with the time scaled=10");
+}
+
 TEST_F(PathOwnerTest, NeedsAFolder) {
   const auto owner = PathOwner::take(path_of(folder_.path("none/bus")), {});
 

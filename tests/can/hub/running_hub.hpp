@@ -21,12 +21,11 @@ namespace hub_test {
 /// A hub that serves a path of its own in a thread of the test.
 class RunningHub {
  public:
-  explicit RunningHub(std::uint32_t bit_rate = 0)
-      : owner_{take(path())},
-        server_{owner_.listener(), {.bit_rate = bit_rate, .on_demand = false}},
-        end_{server_},
-        link_{server_},
-        thread_{[this] { server_.run(); }} {}
+  explicit RunningHub(std::uint32_t bit_rate = 0) : RunningHub{hub::Server::Settings{.bit_rate = bit_rate}} {}
+  explicit RunningHub(const hub::Server::Settings& settings)
+      : owner_{take(path())}, server_{owner_.listener(), settings}, end_{server_}, link_{server_}, thread_{[this] {
+          server_.run();
+        }} {}
   RunningHub(const RunningHub&) = delete;
   RunningHub& operator=(const RunningHub&) = delete;
   ~RunningHub() {

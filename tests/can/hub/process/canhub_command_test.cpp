@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "can/userbus/time.hpp"
 #include "tests/can/hub/running_hub.hpp"
 #include "tests/fakes/child_process.hpp"
 #include "tests/fakes/temporary_directory.hpp"
@@ -22,7 +23,7 @@ TEST(CanhubCommand, PrintsHelpAndVersion) {
   const Finished help = canhub({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* const option : {"--path PATH", "--bitrate N", "--on-demand", "--bridge URL", "--status",
-                                   "--socketcand HOST:PORT", "$XDG_RUNTIME_DIR/can-bus"})
+                                   "--socketcand HOST:PORT", "--time TIME", "$XDG_RUNTIME_DIR/can-bus"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
 
   const Finished asked = canhub({"--version"});
@@ -66,6 +67,21 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"LowRate",
               {"--bitrate", "999"},
               "--bitrate: expected 0 or an integer 1000 to 1000000 (bit/s), got \"999\""},
+        Wrong{"Time",
+              {"--time", "scaled=0"},
+              "--time: expected real, scaled=K (0.001 to 1000), virtual or stepped, got \"scaled=0\""},
+        Wrong{"TimeAndNoBitRate",
+              {"--time", "stepped", "--bitrate", "0"},
+              "--time virtual and stepped need a --bitrate above 0: only if frames take time does it go on"},
+        Wrong{"TimeAndBridge",
+              {"--time", "virtual", "--bridge", "unix:/tmp/other"},
+              "--bridge, --socketcand and --join need --time real: what they lead to has the machine's time"},
+        Wrong{"TimeAndSocketcand",
+              {"--time", "scaled=2", "--socketcand", "127.0.0.1:0"},
+              "--bridge, --socketcand and --join need --time real: what they lead to has the machine's time"},
+        Wrong{"TimeAndJoin",
+              {"--time", "virtual", "--join", "nats://127.0.0.1/bus"},
+              "--bridge, --socketcand and --join need --time real: what they lead to has the machine's time"},
         Wrong{"TakeBack", {"--take-back", "x"}, "--take-back: expected the number of a fault or all, got \"x\""},
         Wrong{"InjectAndServe",
               {"--inject", "bus.drop", "--bitrate", "125000"},
@@ -106,6 +122,24 @@ TEST(CanhubCommand, PrintsTheStatusOfARunningHub) {
                 "member                        pid interface             sent   received  dropped  refused\n" +
                 "raw                      " + std::string(8 - process.size(), ' ') + process +
                 " vcan0                    1          1        0        0\n");
+}
+
+TEST(CanhubCommand, PrintsTheTimeOfARunningHub) {
+  RunningHub hub{hub::Server::Settings{.bit_rate = 1'000'000, .time = {userbus::TimeMode::Stepped, 1}}};
+  const userbus::JoinedClock clock = userbus::join_clock(path_of(hub.path()), nullptr, 0, getpid(), false);
+  const os::Descriptor program{clock.descriptor};
+  userbus::TimeTurn turn{};
+  ASSERT_EQ(userbus::take_turn(program.get(), true, turn), userbus::TurnOutcome::Turn);
+
+  const Finished acting = canhub({"--status", "--path", hub.path()});
+
+  EXPECT_NE(acting.output.find("\ntime: stepped, 0.000000000 s since its start\n"), std::string::npos)
+      << acting.output;
+  EXPECT_NE(acting.output.find("\nclock "), std::string::npos) << acting.output;
+
+  RunningHub scaled{hub::Server::Settings{.time = {userbus::TimeMode::Scaled, 2.5}}};
+  const Finished quick = canhub({"--status", "--path", scaled.path()});
+  EXPECT_NE(quick.output.find("\ntime: scaled, 2.5 times as quick\n"), std::string::npos) << quick.output;
 }
 
 TEST(CanhubCommand, InjectsListsAndTakesBackFaults) {

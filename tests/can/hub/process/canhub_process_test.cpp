@@ -21,6 +21,7 @@
 
 #include "can/userbus/name.hpp"
 #include "can/userbus/start_hub.hpp"
+#include "can/userbus/time.hpp"
 #include "tests/can/hub/bus_client.hpp"
 #include "tests/e2e/program.hpp"
 #include "tests/fakes/temporary_directory.hpp"
@@ -114,6 +115,42 @@ TEST_F(CanhubProcess, LeavesAPathThatIsServed) {
   EXPECT_EQ(second.output(), "canhub: " + bus_ + ": is served by another canhub\n");
   EXPECT_EQ(start_on_demand(), StartStatus::Served);
   EXPECT_EQ(userbus::start_hub(CANHUB, bus_.c_str(), "125000"), StartStatus::Different);
+}
+
+TEST_F(CanhubProcess, HasTheTimeOfTheEnvironmentAndNoOther) {
+  setenv("CAN_TIME", "virtual", 1);
+  userbus::JoinedClock program =
+      userbus::join_clock(path_of(bus_), CANHUB, userbus::kDevice, getpid(), /*inherited=*/false);
+  unsetenv("CAN_TIME");
+  os::Descriptor member{program.descriptor};
+  ASSERT_TRUE(member);
+  userbus::TimeTurn turn{};
+  EXPECT_EQ(userbus::take_turn(member.get(), true, turn), userbus::TurnOutcome::Turn);
+  EXPECT_EQ(turn.now_ns, userbus::kFirstInstant);
+
+  const auto status = [this](const char* rate, const char* time) {
+    return userbus::start_hub(CANHUB, bus_.c_str(), rate, time);
+  };
+  EXPECT_EQ(status(nullptr, "virtual"), StartStatus::Served);
+  EXPECT_EQ(status("1000000", "virtual"), StartStatus::Served);
+  EXPECT_EQ(status(nullptr, nullptr), StartStatus::Served);
+  EXPECT_EQ(status(nullptr, "stepped"), StartStatus::Different);
+  EXPECT_EQ(status(nullptr, "real"), StartStatus::Different);
+  EXPECT_EQ(status("500000", "virtual"), StartStatus::Different);
+
+  const pid_t served = hub();
+  member = os::Descriptor{};
+  EXPECT_TRUE(ends(served));
+}
+
+TEST_F(CanhubProcess, IsNotStartedForATimeThatIsNone) {
+  setenv("CAN_TIME", "soon", 1);
+  const userbus::Joined joined = userbus::join(path_of(bus_), CANHUB, userbus::Kind::Raw, SOCK_CLOEXEC);
+  unsetenv("CAN_TIME");
+  EXPECT_LT(joined.descriptor, 0);
+  EXPECT_STREQ(
+      userbus::text_of(joined.error),
+      "is not served, and CAN_TIME is no time: expected real, scaled=K (0.001 to 1000), virtual or stepped");
 }
 
 TEST_F(CanhubProcess, ServesOnceHoweverManyAreStartedAtOnce) {
