@@ -21,9 +21,10 @@ namespace hub_test {
 /// A hub that serves a path of its own in a thread of the test.
 class RunningHub {
  public:
-  explicit RunningHub(std::uint32_t bit_rate = 0)
+  explicit RunningHub(std::uint32_t bit_rate = 0) : RunningHub{hub::Server::Settings{.bit_rate = bit_rate}} {}
+  explicit RunningHub(hub::Server::Settings settings)
       : owner_{take(path())},
-        server_{owner_.listener(), {.bit_rate = bit_rate, .on_demand = false}},
+        server_{owner_.listener(), std::move(settings)},
         end_{server_},
         link_{server_},
         thread_{[this] { server_.run(); }} {}
