@@ -104,9 +104,9 @@ enum class Operation : uint32_t {
           ///< from a hub whose bus ends with it
   Trunk,  ///< what is known of the way to other hosts; reply payload: JSON; EOPNOTSUPP likewise
   Time,   ///< whose time the bus has; with the reply comes a descriptor of kTimePageSize bytes of memory to be
-         ///< mapped for reading, a TimePage; none if it is the machine's
-  Step,  ///< payload: int64_t, ns by which stepped time may go on; answered when it has, with the present
-         ///< (int64_t, ns) as payload; EOPNOTSUPP if the bus's time is not stepped
+          ///< mapped for reading, a TimePage; none if it is the machine's
+  Step,   ///< payload: int64_t, ns by which stepped time may go on; answered when it has, with the present
+          ///< (int64_t, ns) as payload; EOPNOTSUPP if the bus's time is not stepped
 };
 
 /// Options of a member that are numbers.

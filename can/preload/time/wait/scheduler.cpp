@@ -83,6 +83,7 @@ Ended sleep_until_released(Thread& self, TimeLock& lock) noexcept {
   }
   self.go = 0;
   const Ended ended = self.ended;  // a handler may wait, too
+  pthread_setcancelstate(self.cancel_state, nullptr);
   if (!self.holds_signals) return ended;
   lock.release();
   release_signals(self);  // those that have come since the sleep
@@ -148,6 +149,7 @@ int count_waits_for_addresses() noexcept {
 
 Ended finish_wait(Thread& self, TimeLock& lock) noexcept {
   const bool has_address = self.wait.address != nullptr;
+  pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &self.cancel_state);  // that ends a wait by interrupt()
   --all_threads.running;
   const Ended ended = sleep_until_released(self, lock);
   if (has_address) --waits_for_addresses;

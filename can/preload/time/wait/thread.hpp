@@ -57,6 +57,7 @@ struct Thread {
   int bell;             ///< descriptor by which it is woken, kNoBell or kNoBellToBeHad
   bool holds_signals;
   sigset_t mask_before;  ///< while it does
+  int cancel_state;      ///< of the program, while the thread waits
   Patience patience;
   Wait wait;
 };
