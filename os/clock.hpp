@@ -25,6 +25,8 @@ class OtherTime {
   virtual void note_sent() noexcept = 0;
   /// It has done something else that others can notice.
   virtual void note_touched() noexcept = 0;
+  /// A thread of it has left something for another one, which looks before time goes on.
+  virtual void note_handed_over() noexcept = 0;
 };
 
 /// The clock of the process, nullptr: the machine's.
@@ -33,6 +35,17 @@ inline OtherTime* other_time = nullptr;
 /// The process lives by @p time from now on, which outlives it; before it has threads.
 inline void use_time(OtherTime& time) noexcept {
   other_time = &time;
+}
+
+/// OtherTime::note_handed_over() where there is one.
+inline void note_handed_over() noexcept {
+  if (other_time != nullptr) other_time->note_handed_over();
+}
+
+/// Whether a thread that is waited for takes no time of the clock, so that what it does can as well be done at
+/// once.
+inline bool stands_while_acting() noexcept {
+  return other_time != nullptr && other_time->stands_while_acting();
 }
 
 /// The present on a clock of the machine, whatever clock the process lives by, since the clock's zero.

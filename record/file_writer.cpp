@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "os/clock.hpp"
 #include "os/no_signals.hpp"
 
 namespace record {
@@ -22,11 +23,13 @@ constexpr bool is_command(RecordType type) noexcept {
 
 FileWriter::FileWriter(Segments::Plan plan, Queue& queue, History& history)
     : by_faults_{plan.by_faults}, segments_{std::move(plan)}, queue_{queue}, history_{history} {
+  if (os::stands_while_acting()) return;
   const os::NoSignals none;
   thread_ = std::thread{[this] { work(); }};
 }
 
 FileWriter::~FileWriter() {
+  if (!thread_.joinable()) return write_out(/*is_last=*/true);
   {
     const std::scoped_lock lock{mutex_};
     stopping_ = true;
@@ -36,6 +39,7 @@ FileWriter::~FileWriter() {
 }
 
 void FileWriter::wake() noexcept {
+  keep_up();
   {
     const std::scoped_lock lock{mutex_};
     woken_ = true;
@@ -55,13 +59,18 @@ void FileWriter::work() noexcept {
     woken_ = false;
     const bool is_last = stopping_;
     lock.unlock();
-    const bool goes_on = empty_queue();
-    if (segments_.is_open())
-      if (const int error = segments_.flush()) fail(error);
+    write_out(is_last);
     lock.lock();
-    status_.bytes = finished_ + (segments_.is_open() ? segments_.size() : 0);
-    status_.is_over = is_last || !goes_on;
   }
+}
+
+void FileWriter::write_out(bool is_last) noexcept {
+  const bool goes_on = empty_queue();
+  if (segments_.is_open())
+    if (const int error = segments_.flush()) fail(error);
+  const std::scoped_lock lock{mutex_};
+  status_.bytes = finished_ + (segments_.is_open() ? segments_.size() : 0);
+  status_.is_over = status_.is_over || is_last || !goes_on;
 }
 
 /// False with Command::Quit.

@@ -34,7 +34,8 @@ struct WriterStatus {
 };
 
 /// Takes records out of a queue and writes them to files, on a thread of its own: the disk is waited for there,
-/// and nowhere else. With the first error it writes no more, and goes on emptying the queue.
+/// and nowhere else. With the first error it writes no more, and goes on emptying the queue. Where the time of the
+/// process stands while it acts, there is no such thread, and what is waited for takes none of it.
 class FileWriter {
  public:
   /// Both arguments outlive this; @p history is the writer's from Command::History on until it is given back.
@@ -47,6 +48,10 @@ class FileWriter {
 
   /// Does not wait for the next look at the queue, which is at most 50 ms away.
   void wake() noexcept;
+  /// Without a thread: empties the queue now.
+  void keep_up() noexcept {
+    if (!thread_.joinable()) write_out(/*is_last=*/false);
+  }
   /// Whether Command::History is being carried out, as far as has_history() was not yet asked.
   bool has_history() const noexcept { return has_history_.load(std::memory_order_acquire); }
   /// By the other thread, before it hands the history over.
@@ -57,6 +62,7 @@ class FileWriter {
 
  private:
   void work() noexcept;
+  void write_out(bool is_last) noexcept;
   bool empty_queue() noexcept;
   void carry_out(Command command, std::span<const std::byte> record) noexcept;
   void write_history() noexcept;

@@ -35,6 +35,7 @@ Recorder::Recorder(const Plan& plan, Moment now)
       writer_{plan.files, queue_, history_},
       last_{now} {
   if (!by_faults_) static_cast<void>(command(Command::Begin, now));
+  writer_.keep_up();
 }
 
 void Recorder::on_frame(const canopen::Frame& frame, bool sent, Moment at) noexcept {
@@ -66,6 +67,8 @@ void Recorder::keep(const RecordBytes& record, Moment at) noexcept {
 void Recorder::enqueue(std::span<const std::byte> record, Moment at) noexcept {
   if (lost_ != lost_told_ && queue_.push(lost_record(lost_ - lost_told_, at).bytes(), kSpareBytes))
     lost_told_ = lost_;
+  if (lost_ == lost_told_ && queue_.push(record, kSpareBytes)) return;
+  writer_.keep_up();
   if (lost_ != lost_told_ || !queue_.push(record, kSpareBytes)) ++lost_;
 }
 
@@ -86,6 +89,7 @@ void Recorder::begin_fault(Moment at) noexcept {
   writer_.hand_over_history();
   command(Command::Begin, at);
   command(Command::History, at);
+  writer_.keep_up();
 }
 
 void Recorder::end_fault(Moment now) noexcept {
@@ -103,7 +107,8 @@ void Recorder::stop(Moment now) noexcept {
   writer_.wake();
 }
 
-Recorder::Status Recorder::status() const {
+Recorder::Status Recorder::status() {
+  writer_.keep_up();
   Status status{.state = State::Recording, .files = writer_.status(), .lost = lost_, .faults = faults_};
   if (!status.files.error.empty()) {
     status.state = State::Failed;

@@ -63,7 +63,7 @@ class Recorder {
   bool is_stopped() const noexcept { return stopped_; }
   /// Whether the state is Failed.
   bool has_failed() const noexcept { return writer_.has_failed(); }
-  Status status() const;
+  Status status();
 
  private:
   void keep(const RecordBytes& record, Moment at) noexcept;

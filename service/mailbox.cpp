@@ -6,6 +6,8 @@
 
 #include <sys/eventfd.h>
 
+#include "os/clock.hpp"
+
 namespace axisd {
 
 Mailbox::Mailbox() : waiting_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)} {
@@ -16,6 +18,7 @@ void Mailbox::post(Job job) {
   const std::lock_guard guard{mutex_};
   jobs_.push_back(std::move(job));
   if (jobs_.size() == 1) ::eventfd_write(waiting_.get(), 1);
+  os::note_handed_over();
 }
 
 bool Mailbox::do_one() noexcept {

@@ -3,6 +3,8 @@
 #include <csignal>
 #include <system_error>
 
+#include "os/clock.hpp"
+
 namespace axisd {
 namespace {
 
@@ -51,6 +53,7 @@ int ServiceEvents::descriptor() const noexcept {
 
 bool ServiceEvents::dispatch() noexcept {
   sd_event* const event = event_.get();
+  if (timers_.due() != canopen::kNever) timers_.ring_one(canopen::TimePoint{os::monotonic_time()});
   if (sd_event_get_state(event) == SD_EVENT_ARMED) sd_event_wait(event, 0);
   if (sd_event_get_state(event) == SD_EVENT_PENDING) sd_event_dispatch(event);
   // sd-event wants to be prepared again before its descriptor means anything.
@@ -62,6 +65,10 @@ EventSource ServiceEvents::timer(sd_event_time_handler_t handler, void* userdata
   constexpr std::uint64_t kNever = UINT64_MAX;
   constexpr std::uint64_t kAccuracy = 1000;  // µs; a zero would mean 250 ms
   sd_event_source* source = nullptr;
+  if (os::other_time != nullptr) {
+    require(timers_.add(event_.get(), &source, handler, userdata), "cannot create a timer");
+    return EventSource{source};
+  }
   require(sd_event_add_time(event_.get(), &source, CLOCK_MONOTONIC, kNever, kAccuracy, handler, userdata),
           "cannot create a timer");
   sd_event_source_set_enabled(source, SD_EVENT_OFF);
@@ -69,6 +76,7 @@ EventSource ServiceEvents::timer(sd_event_time_handler_t handler, void* userdata
 }
 
 void ServiceEvents::start(const EventSource& timer, std::chrono::microseconds delay) noexcept {
+  if (os::other_time != nullptr) return ToldTimers::start(timer.get(), delay);
   sd_event_source_set_time_relative(timer.get(), static_cast<std::uint64_t>(delay.count()));
   sd_event_source_set_enabled(timer.get(), SD_EVENT_ONESHOT);
 }

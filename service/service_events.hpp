@@ -7,6 +7,8 @@
 
 #include <systemd/sd-event.h>
 
+#include "service/told_timers.hpp"
+
 namespace axisd {
 
 /// Releases one sd-event object.
@@ -29,8 +31,11 @@ class ServiceEvents {
 
   /// Readable when dispatch() has something to do.
   int descriptor() const noexcept;
-  /// Handles one of the events that are pending, the one that has waited longest. True if more of them wait: the
-  /// descriptor need not say so.
+  /// When dispatch() has something to do whatever the descriptor says: a timer of a process that does not live by
+  /// the machine's clock; kNever in one that does.
+  canopen::TimePoint due() const noexcept { return timers_.due(); }
+  /// Handles one of the events that are pending, the one that has waited longest, and one timer that is due. True
+  /// if more events wait: the descriptor need not say so.
   bool dispatch() noexcept;
   /// A timer that calls @p handler with @p userdata once for each start(); it has all that it needs for that.
   /// Throws std::system_error.
@@ -46,6 +51,7 @@ class ServiceEvents {
   void catch_signal(int signal);
 
   std::function<void()> on_stop_;
+  ToldTimers timers_{};
   std::unique_ptr<sd_event, EventDeleter> event_;
 };
 

@@ -21,8 +21,9 @@ using canopen::TimePoint;
 
 namespace {
 
-/// So often time goes on alone before somebody looks whether anything has come from outside of the bus's time.
-constexpr unsigned kMostUnlooked = 64;
+/// So often time goes on alone before the hub is asked whether somebody else has come, and descriptors are looked
+/// at for what has come from outside of the bus's time.
+constexpr unsigned kMostAlone = 64;
 
 std::int64_t to_ns(TimePoint time) noexcept {
   return time == kNever ? userbus::kNoInstant : time.time_since_epoch().count();
@@ -73,14 +74,23 @@ std::unique_ptr<TimeShare> TimeShare::join(const Address& address, std::uint32_t
   if (place == nullptr) return nullptr;
   userbus::Path path{};
   if (!userbus::copy_path(place->path.c_str(), path)) return nullptr;  // who opens it says so
-  os::Descriptor clock = inherited(path, flags);
-  if (!clock) {
-    const userbus::JoinedClock joined = userbus::join_clock(path, hub_program().c_str(), flags, ::getpid(), false);
-    clock = os::Descriptor{joined.descriptor};
-    if (!clock) throw OpenError{fmt::format("unix:{}: {}", place->path, userbus::text_of(joined.error))};
+  const auto failure = [&](userbus::JoinError error) {
+    return OpenError{fmt::format("unix:{}: {}", place->path, userbus::text_of(error))};
+  };
+  if (os::Descriptor clock = inherited(path, flags)) {
+    const userbus::TimePage* const page = userbus::map_time(clock.get());
+    return page == nullptr ? nullptr : std::make_unique<TimeShare>(path, std::move(clock), *page);
   }
-  const userbus::TimePage* const page = userbus::map_time(clock.get());
-  return page == nullptr ? nullptr : std::make_unique<TimeShare>(path, std::move(clock), *page);
+  // an older hub knows no clocks, but can be asked
+  const std::string hub = hub_program();
+  const userbus::Joined asking = userbus::join(path, hub.c_str(), userbus::Kind::Port, SOCK_CLOEXEC);
+  const os::Descriptor member{asking.descriptor};
+  if (!member) throw failure(asking.error);
+  const userbus::TimePage* const page = userbus::map_time(member.get());
+  if (page == nullptr) return nullptr;
+  const userbus::JoinedClock joined = userbus::join_clock(path, hub.c_str(), flags, ::getpid(), false);
+  if (joined.descriptor < 0) throw failure(joined.error);
+  return std::make_unique<TimeShare>(path, os::Descriptor{joined.descriptor}, *page);
 }
 
 TimeShare::TimeShare(const userbus::Path& path, os::Descriptor clock, const userbus::TimePage& page)
@@ -118,7 +128,8 @@ bool TimeShare::wait(Party& party, const Wanted& wanted) noexcept {
   party.waits_ = true;
   if (--up_ == 0) coordinate(lock);
   party.woken_.wait(lock, [&] { return !party.waits_ || is_over_; });
-  if (std::exchange(party.waits_, false)) ++up_;  // nobody has woken it
+  if (!std::exchange(party.waits_, false)) return party.is_ready_;
+  ++up_;  // the hub has gone
   return is_any_ready(wanted.descriptors, 0);
 }
 
@@ -146,7 +157,7 @@ void TimeShare::coordinate(std::unique_lock<std::mutex>& lock) noexcept {
 /// is none, the turn is given back.
 TimeShare::Found TimeShare::wake_next() noexcept {
   if (Party* const ready = ready_one()) {
-    wake(*ready);
+    wake(*ready, Why::Ready);
     return Found::Party;
   }
   const TimePoint next = earliest();
@@ -154,31 +165,42 @@ TimeShare::Found TimeShare::wake_next() noexcept {
     give_back(next);
     return Found::Nobody;
   }
-  if (next > now()) now_ns_ = to_ns(next);
+  if (next > now()) {
+    now_ns_ = to_ns(next);
+    ++alone_;
+  }
   for (Party& party : parties_)
     if (party.waits_ && party.wanted_.until <= now()) {
-      wake(party);
+      wake(party, Why::Time);
       return Found::Party;
     }
   return Found::Nobody;
 }
 
-/// Nothing can have come while one thread goes on alone, but from outside of the bus's time.
 Party* TimeShare::ready_one() noexcept {
-  const bool is_alone = last_ != nullptr && last_->waits_ && goes_on_alone(last_->wanted_.until);
-  if (is_alone && last_->wanted_.until == earliest() && ++unlooked_ < kMostUnlooked) return nullptr;
-  unlooked_ = 0;
+  if (goes_on_unlooked()) return nullptr;
   const TimePoint machine = machine_now();
   for (Party& party : parties_) {
     if (!party.waits_) continue;
     if (party.wanted_.machine_until <= machine || is_any_ready(party.wanted_.descriptors, 0)) return &party;
   }
+  must_look_ = false;
   return nullptr;
 }
 
-void TimeShare::wake(Party& party) noexcept {
-  if (&party != last_) unlooked_ = kMostUnlooked;  // what another one does may be for any
+/// What comes while one thread goes on alone has been noted, but for that from outside of the bus's time.
+bool TimeShare::goes_on_unlooked() noexcept {
+  if (must_look_.load(std::memory_order_relaxed) || last_ == nullptr || !last_->waits_) return false;
+  const TimePoint next = last_->wanted_.until;
+  return next > now() && next == earliest() && goes_on_alone(next);
+}
+
+void TimeShare::wake(Party& party, Why why) noexcept {
+  if (&party != last_) must_look_ = true;  // what another one does may be for any
   last_ = &party;
+  party.is_ready_ = why == Why::Ready;
+  if (!party.is_ready_)
+    for (pollfd& descriptor : party.wanted_.descriptors) descriptor.revents = 0;
   party.waits_ = false;
   ++up_;
   party.woken_.notify_one();
@@ -192,7 +214,7 @@ TimePoint TimeShare::earliest() const noexcept {
 }
 
 bool TimeShare::goes_on_alone(TimePoint next) const noexcept {
-  return next <= horizon_ && next != kNever && !has_effect_.load(std::memory_order_relaxed);
+  return next <= horizon_ && next != kNever && alone_ < kMostAlone && !has_effect_.load(std::memory_order_relaxed);
 }
 
 void TimeShare::give_back(TimePoint next) noexcept {
@@ -245,7 +267,8 @@ void TimeShare::take_turn(bool waits) noexcept {
   if (outcome == userbus::TurnOutcome::Gone) return end();
   has_turn_ = true;
   is_wanted_ = false;
-  unlooked_ = kMostUnlooked;
+  alone_ = 0;
+  must_look_ = true;
   has_effect_ = has_touched_ = false;
   now_ns_ = std::max(now_ns_.load(), turn.now_ns);
   horizon_ = from_ns(turn.horizon_ns);

@@ -51,16 +51,19 @@ class TimeShare final : public os::OtherTime {
     has_touched_.store(true, std::memory_order_relaxed);
     note_sent();
   }
+  void note_handed_over() noexcept override { must_look_.store(true, std::memory_order_relaxed); }
 
  private:
   enum class Found : std::uint8_t { Party, Nobody };
+  enum class Why : std::uint8_t { Ready, Time };
 
   bool wait_by_machine(const Wanted& wanted) const noexcept;
   [[nodiscard]] int machine_timeout(const Wanted& wanted) const noexcept;
   void coordinate(std::unique_lock<std::mutex>& lock) noexcept;
   [[nodiscard]] Found wake_next() noexcept;
   [[nodiscard]] Party* ready_one() noexcept;
-  void wake(Party& party) noexcept;
+  [[nodiscard]] bool goes_on_unlooked() noexcept;
+  void wake(Party& party, Why why) noexcept;
   [[nodiscard]] canopen::TimePoint earliest() const noexcept;
   [[nodiscard]] bool goes_on_alone(canopen::TimePoint next) const noexcept;
   void give_back(canopen::TimePoint next) noexcept;
@@ -85,7 +88,8 @@ class TimeShare final : public os::OtherTime {
   bool is_wanted_ = false;                ///< the hub was asked for a turn
   std::atomic<bool> has_effect_{false};   ///< others can notice what was done in this turn,
   std::atomic<bool> has_touched_{false};  ///< and that is not on the bus
-  unsigned unlooked_ = 0;                 ///< times that time went on without a look at descriptors
+  unsigned alone_ = 0;                    ///< times that time went on in this turn
+  std::atomic<bool> must_look_{true};     ///< they may have something from within the process
   std::atomic<bool> is_over_{false};      ///< the machine's time goes on from now_ns_
   std::int64_t machine_end_ns_ = 0;       ///< where it was on the machine's clock then
 };

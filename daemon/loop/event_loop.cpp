@@ -79,8 +79,10 @@ bool EventLoop::wait() noexcept {
     wake_up_.by(earliest(), now_);
     return ports_.wait(!rare_waits_);
   }
-  if (!rare_waits_) time_->wait(*party_, {.descriptors = ports_.descriptors(), .until = earliest()});
-  ports_.wait(/*sleeps=*/false);
+  if (rare_waits_)
+    ports_.wait(/*sleeps=*/false);
+  else
+    ports_.take(time_->wait(*party_, {.descriptors = ports_.descriptors(), .until = earliest()}));
   return true;
 }
 

@@ -69,6 +69,14 @@ bool PortWatch::wait(bool sleeps) noexcept {
   return ::ppoll(ports_.data(), ports_.size(), sleeps ? nullptr : &kNoSleep, nullptr) > 0;
 }
 
+void PortWatch::take(bool is_ready) noexcept {
+  if (!epoll_) return;
+  if (is_ready)
+    wait_for_many(/*sleeps=*/false);
+  else
+    for (pollfd& port : ports_) port.revents = 0;
+}
+
 bool PortWatch::wait_for_many(bool sleeps) noexcept {
   for (pollfd& port : ports_) port.revents = 0;
   std::array<epoll_event, kMostReady> ready;

@@ -33,9 +33,11 @@ class PortWatch {
 
   /// Waits, if it @p sleeps, until something is readable; whether anything is.
   bool wait(bool sleeps) noexcept;
-  /// What wait() waits for, for who does so by another clock.
+  /// What wait() waits for, for who does so by another clock and gives what came of that to take().
   std::span<pollfd> descriptors() noexcept { return epoll_ ? std::span{&kept_, 1} : std::span{ports_}; }
-  /// As of the last wait().
+  /// descriptors() were waited for, and one @p is_ready or none.
+  void take(bool is_ready) noexcept;
+  /// As of the last wait() or take().
   bool is_readable(std::size_t place) const noexcept { return ports_[place].revents != 0; }
   bool others_wait() const noexcept { return others().revents != 0; }
 

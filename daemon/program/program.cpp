@@ -41,7 +41,7 @@ void Program::run() {
 
 /// Until something rare has happened, and handles it.
 void Program::wait() {
-  if (!more_) sleep(std::min(log_.due(), start_over_));
+  if (!more_) sleep(std::min({log_.due(), start_over_, events_.due()}));
   more_ = events_.dispatch();
   const canopen::TimePoint now = read_clock();
   watchdog_.on_time(machine_clock());
@@ -60,7 +60,7 @@ void Program::sleep(canopen::TimePoint until) noexcept {
   }
   const bool is_ready =
       time_->wait(*party_, {.descriptors = {&rare, 1}, .until = until, .machine_until = watchdog_.due()});
-  if (is_ready) time_->note_touched();  // somebody may be answered
+  if (is_ready || events_.due() <= read_clock()) time_->note_touched();  // somebody may be told something
 }
 
 }  // namespace axisd

@@ -6,6 +6,8 @@
 
 #include <sys/eventfd.h>
 
+#include "os/clock.hpp"
+
 namespace axisd {
 
 EventQueue::EventQueue() : waiting_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)} {
@@ -21,6 +23,7 @@ void EventQueue::add(const Entry& entry) noexcept {
   }
   entries_.push_back(entry);
   if (entries_.size() == 1) ::eventfd_write(waiting_.get(), 1);
+  os::note_handed_over();
 }
 
 std::uint64_t EventQueue::take(std::vector<Entry>& taken) {

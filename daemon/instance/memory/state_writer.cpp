@@ -48,8 +48,7 @@ void StateWriter::begin(Place place, const StateFile& file, std::span<const std:
     job.durability = durability;
     job.state = State::Waiting;
     // it takes no time of the unit's, however long the disk needs
-    if (os::other_time != nullptr && os::other_time->stands_while_acting())
-      end(job, file.write(content, durability));
+    if (os::stands_while_acting()) end(job, file.write(content, durability));
   }
   changed_.notify_all();
 }
@@ -93,6 +92,7 @@ void StateWriter::end(Job& job, const tl::expected<void, WriteFailure>& outcome)
   job.state = State::Ended;
   changed_.notify_all();
   ::eventfd_write(ended_.get(), 1);
+  os::note_handed_over();
 }
 
 }  // namespace axisd

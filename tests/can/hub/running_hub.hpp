@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -22,10 +23,12 @@ namespace hub_test {
 class RunningHub {
  public:
   explicit RunningHub(std::uint32_t bit_rate = 0) : RunningHub{hub::Server::Settings{.bit_rate = bit_rate}} {}
-  explicit RunningHub(const hub::Server::Settings& settings)
-      : owner_{take(path())}, server_{owner_.listener(), settings}, end_{server_}, link_{server_}, thread_{[this] {
-          server_.run();
-        }} {}
+  explicit RunningHub(hub::Server::Settings settings)
+      : owner_{take(path())},
+        server_{owner_.listener(), std::move(settings)},
+        end_{server_},
+        link_{server_},
+        thread_{[this] { server_.run(); }} {}
   RunningHub(const RunningHub&) = delete;
   RunningHub& operator=(const RunningHub&) = delete;
   ~RunningHub() {
