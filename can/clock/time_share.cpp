@@ -1,18 +1,7 @@
 #include "can/clock/time_share.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <climits>
-#include <system_error>
 #include <utility>
-
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
-
-#include "can/port/user_bus/user_bus.hpp"
 
 namespace bus {
 
@@ -45,53 +34,11 @@ int milliseconds_until(TimePoint when) noexcept {
   return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
 }
 
-/// The part that who has started this process has made for it, if it is of the bus at @p path.
-os::Descriptor inherited(const userbus::Path& path, std::uint32_t flags) noexcept {
-  os::Descriptor clock{userbus::inherited_clock()};
-  if (!clock) return {};
-  sockaddr_un peer{};
-  socklen_t length = sizeof peer;
-  if (::getpeername(clock.get(), reinterpret_cast<sockaddr*>(&peer), &length) != 0) return {};
-  if (std::string_view{peer.sun_path} != path.text) return {};
-  ::fcntl(clock.get(), F_SETFD, FD_CLOEXEC);
-  const userbus::TimeMessage join{.word = userbus::TimeMessage::Word::Join,
-                                  .flags = flags,
-                                  .now_ns = 0,
-                                  .until_ns = 0,
-                                  .process = ::getpid(),
-                                  .reserved = 0};
-  return userbus::tell_time(clock.get(), join) ? std::move(clock) : os::Descriptor{};
-}
-
 bool is_any_ready(std::span<pollfd> descriptors, int timeout) noexcept {
   return ::poll(descriptors.data(), descriptors.size(), timeout) > 0;
 }
 
 }  // namespace
-
-std::unique_ptr<TimeShare> TimeShare::join(const Address& address, std::uint32_t flags) {
-  const auto* const place = std::get_if<UserBusPath>(&address.place);
-  if (place == nullptr) return nullptr;
-  userbus::Path path{};
-  if (!userbus::copy_path(place->path.c_str(), path)) return nullptr;  // who opens it says so
-  const auto failure = [&](userbus::JoinError error) {
-    return OpenError{fmt::format("unix:{}: {}", place->path, userbus::text_of(error))};
-  };
-  if (os::Descriptor clock = inherited(path, flags)) {
-    const userbus::TimePage* const page = userbus::map_time(clock.get());
-    return page == nullptr ? nullptr : std::make_unique<TimeShare>(path, std::move(clock), *page);
-  }
-  // an older hub knows no clocks, but can be asked
-  const std::string hub = hub_program();
-  const userbus::Joined asking = userbus::join(path, hub.c_str(), userbus::Kind::Port, SOCK_CLOEXEC);
-  const os::Descriptor member{asking.descriptor};
-  if (!member) throw failure(asking.error);
-  const userbus::TimePage* const page = userbus::map_time(member.get());
-  if (page == nullptr) return nullptr;
-  const userbus::JoinedClock joined = userbus::join_clock(path, hub.c_str(), flags, ::getpid(), false);
-  if (joined.descriptor < 0) throw failure(joined.error);
-  return std::make_unique<TimeShare>(path, os::Descriptor{joined.descriptor}, *page);
-}
 
 TimeShare::TimeShare(const userbus::Path& path, os::Descriptor clock, const userbus::TimePage& page)
     : path_{path}, clock_{std::move(clock)}, page_{page}, is_told_{page.mode != userbus::TimeMode::Scaled} {
