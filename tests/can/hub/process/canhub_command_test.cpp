@@ -142,6 +142,18 @@ TEST(CanhubCommand, PrintsTheTimeOfARunningHub) {
   EXPECT_NE(quick.output.find("\ntime: scaled, 2.5 times as quick\n"), std::string::npos) << quick.output;
 }
 
+TEST(CanhubCommand, IsNotStartedForATimeThatIsNone) {
+  const fakes::TemporaryDirectory folder;
+  setenv("CAN_TIME", "soon", 1);
+  const userbus::Joined joined =
+      userbus::join(path_of(folder.path("bus")), CANHUB, userbus::Kind::Raw, SOCK_CLOEXEC);
+  unsetenv("CAN_TIME");
+  EXPECT_LT(joined.descriptor, 0);
+  EXPECT_STREQ(
+      userbus::text_of(joined.error),
+      "is not served, and CAN_TIME is no time: expected real, scaled=K (0.001 to 1000), virtual or stepped");
+}
+
 TEST(CanhubCommand, InjectsListsAndTakesBackFaults) {
   RunningHub hub;
   const auto ask = [&hub](std::vector<std::string> words) {
