@@ -50,11 +50,10 @@ class ReplayTest : public testing::Test {
   runs::Course run{};
 };
 
-constexpr const char* kDialogue =
-    "000#0105 185#4002 605#4000100000000000 585#4300100092010200 205#0F00 080# 185#3702";
+constexpr const char* kTalk = "000#0105 185#4002 605#4000100000000000 585#4300100092010200 205#0F00 080# 185#3702";
 
 TEST_F(ReplayTest, SendsWhatTheMasterHasSentWhenItDid) {
-  play_frames(kDialogue, kDialogue);
+  play_frames(kTalk, kTalk);
   EXPECT_EQ(sent(), "0 000#0105, 2 605#4000100000000000, 4 205#0F00, 5 080#");
   EXPECT_EQ(figures.sent, 4U);
   EXPECT_EQ(figures.answers, 1U);
@@ -137,7 +136,7 @@ TEST_F(ReplayTest, PlaysALogWithoutTimesByItsAnswers) {
 
 TEST_F(ReplayTest, KeepsWhatHasPassed) {
   options.keeps_courses = true;
-  play_frames(kDialogue, kDialogue);
+  play_frames(kTalk, kTalk);
   ASSERT_EQ(run.passages.size(), 7U);
   EXPECT_TRUE(run.passages[0].is_of_master);
   EXPECT_EQ(run.passages[3].frame.id, 0x585U);

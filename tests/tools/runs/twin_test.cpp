@@ -214,6 +214,17 @@ TEST_F(TwinTest, ReadsBands) {
     EXPECT_TRUE(conformance::parse_objects(row.objects)) << row.objects;
 }
 
+TEST_F(TwinTest, HasTheBandsOfItsPage) {
+  std::ostringstream page;
+  page << std::ifstream{SOURCE_FOLDER "/docs/reference/runs.md"}.rdbuf();
+  constexpr double kPercent = 100;
+  for (const runs::BandRow& row : runs::band_rows()) {
+    const std::string line = fmt::format("| {} | {} | {:g} | {:g} % |\n", row.objects, row.what, row.band.absolute,
+                                         row.band.share * kPercent);
+    EXPECT_NE(page.str().find(line), std::string::npos) << line;
+  }
+}
+
 TEST_F(TwinTest, ComparesSegmentsByTheirBytes) {
   constexpr const char* kLog =
       "605#4008100000000000 585#4108100005000000 605#6000000000000000 585#0553313230000000";

@@ -20,7 +20,7 @@ struct ReplayWish {
   double speed = 1.0, patience_s = 1.0;
   bool compares = false;
 };
-constexpr double kSlowest = 0.001, kFastest = 1'000'000, kShortest = 0.001, kLongest = 3600;
+constexpr double kSlowest = 0.001, kFastest = 1'000'000, kShortestPatience = 0.001, kLongestPatience = 3600;
 
 /// What has passed, as a log of candump.
 std::string log_of(const runs::Course& course, std::chrono::nanoseconds begin) {
@@ -94,7 +94,7 @@ void add_replay(CLI::App& app, Run& run) {
       ->check(CLI::Range(kSlowest, kFastest))
       ->type_name("X");
   sub.add_option("--patience", wish->patience_s, "How long an answer of the log is waited for (s), 1 if not given")
-      ->check(CLI::Range(kShortest, kLongest))
+      ->check(CLI::Range(kShortestPatience, kLongestPatience))
       ->type_name("S");
   sub.add_flag("--compare", wish->compares, "Compare what the unit answers with the log");
   sub.add_option("--record", wish->record, "Write what passes to FILE, as candump does")->type_name("FILE");

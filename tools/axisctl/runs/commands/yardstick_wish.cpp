@@ -16,7 +16,7 @@
 namespace axisctl {
 namespace {
 
-constexpr double kHighestNode = 127;
+constexpr double kLastNode = 127;
 constexpr double kMostShown = 100'000;
 constexpr std::size_t kLargestList = std::size_t{1} << 20U;
 
@@ -52,7 +52,7 @@ Expected<runs::Yardstick> yardstick_of(const YardstickWish& wish) {
 void add_yardstick(CLI::App& sub, YardstickWish& wish) {
   sub.add_option("LOG", wish.log, "Log of candump, or recording")->required()->type_name("");
   sub.add_option("--node", wish.node, "Node-ID of the unit, that of the log if one has answered there")
-      ->check(CLI::Range(1.0, kHighestNode))
+      ->check(CLI::Range(1.0, kLastNode))
       ->type_name("N");
   sub.add_option("--of", wish.interface, "Frames of this interface, if the log has several")->type_name("NAME");
   sub.add_option("--eds", wish.eds, "EDS of the unit: names, types, COB-IDs and mappings")->type_name("FILE");

@@ -15,7 +15,7 @@ namespace {
 
 namespace sdo = canopen::sdo;
 
-constexpr std::uint8_t kSpecifier = 0xE0;
+constexpr std::uint8_t kResponseBits = 0xE0;
 
 std::string of_node(const Meaning& meaning) {
   return meaning.node == 0 ? std::string{} : fmt::format(" of node {}", meaning.node);
@@ -61,7 +61,7 @@ std::string response_words(const canopen::Frame& frame, const conformance::Descr
   const std::string object = name_of(sdo::address_in(frame), description);
   if (const unsigned bytes = expedited_bytes(frame); bytes != 0)
     return fmt::format("{} = {}", object, hex_value(std::span{frame.data}.subspan(4, bytes)));
-  switch (static_cast<sdo::Response>(frame.data[0] & kSpecifier)) {
+  switch (static_cast<sdo::Response>(frame.data[0] & kResponseBits)) {
     case sdo::Response::InitiateUpload:
       return object + " in segments";
     case sdo::Response::InitiateDownload:
