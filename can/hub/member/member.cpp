@@ -173,7 +173,10 @@ void Member::update_watch() noexcept {
   if (phase_ == Phase::Open) wanted = outbox_.empty() ? EPOLLRDHUP : EPOLLRDHUP | EPOLLOUT;
   if (phase_ <= Phase::Closed && may_read() > 0) wanted |= EPOLLIN;
   if (wanted == watched_) return;
-  if ((wanted & EPOLLIN) != 0 && (watched_ & EPOLLIN) == 0) note_given();
+  if ((wanted & EPOLLIN) != 0 && (watched_ & EPOLLIN) == 0) {
+    reads_again_ = true;
+    note_given();
+  }
   // a hang-up would be told for ever: who is not to be read any more is not watched
   if (wanted == 0)
     core_.poll.remove(socket_.get(), *this);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include <sys/types.h>
 
@@ -56,6 +57,8 @@ class Member : public Watch {
   void tell_link(bool up) noexcept;
   /// Reads what the program has sent until now, and no more than a socket holds.
   void drain() noexcept;
+  /// True, once, if it was not read for a while, as the medium had no room for its frames, and has room now.
+  [[nodiscard]] bool takes_up_reading() noexcept { return std::exchange(reads_again_, false); }
   /// Sends the frames that were gathered for the program.
   void hand_over() noexcept {
     is_gathering_ = false;
@@ -139,6 +142,7 @@ class Member : public Watch {
   std::size_t most_taken_ = 1;  // frames in a message of the program
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;
+  bool reads_again_ = false;    // since takes_up_reading()
   bool is_cut_untold_ = false;  // there was no room to tell that the bus is cut, or whole again
   std::array<std::uint32_t, userbus::kOptionCount> options_{};
   std::uint32_t watched_ = 0;  // events; 0 = the socket is not watched

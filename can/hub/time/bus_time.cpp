@@ -67,11 +67,18 @@ bool BusTime::go_on(BusEvents& bus) noexcept {
       return false;
     }
     if (bus.next_event() <= now())
-      bus.have_events(now());
+      have_events(bus);
     else if (!go_to_next(bus))
       return false;
   }
   return true;
+}
+
+/// What a program could not send before belongs to the instant at which there is room for it.
+void BusTime::have_events(BusEvents& bus) noexcept {
+  bus.have_events(now());
+  for (const auto& member : core_.members)
+    if (member->takes_up_reading()) member->drain();
 }
 
 /// Everything that the actor has written before it said that it waits belongs to its turn.

@@ -67,6 +67,7 @@ class BusTime final : public Turns, private Schedule {
   bool join(ClockMember& member, const userbus::TimeMessage& message) noexcept;
   bool wait(ClockMember& member, const userbus::TimeMessage& message) noexcept;
   bool want(ClockMember& member) noexcept;
+  void have_events(BusEvents& bus) noexcept;
   void end_turn() noexcept;
   void drain_sockets_of(const Part& part) noexcept;
   void owe_all_but(const ClockMember* member) noexcept;
