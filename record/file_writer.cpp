@@ -29,7 +29,10 @@ FileWriter::FileWriter(Segments::Plan plan, Queue& queue, History& history)
 }
 
 FileWriter::~FileWriter() {
-  if (!thread_.joinable()) return write_out(/*is_last=*/true);
+  if (!thread_.joinable()) {
+    write_out(/*is_last=*/true);
+    return;
+  }
   {
     const std::scoped_lock lock{mutex_};
     stopping_ = true;

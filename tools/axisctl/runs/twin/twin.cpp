@@ -20,7 +20,7 @@ scenario::Scenario scenario_of(const TwinPlan& plan) {
 }
 
 Expected<TwinResult> play(scenario::Stations& stations, const TwinPlan& plan, const Yardstick& yardstick) {
-  scenario::Bench bench{bus::open(*bus::parse_address(stations.bus()))};
+  scenario::Bench bench{bus::open(*bus::parse_address(stations.bus())), stations.time()};
   if (auto started = stations.start_units(bench); !started) return fail(ExitStatus::NotReachable, started.error());
   auto log = LogReader::open(plan.log, plan.interface);
   if (!log) return tl::unexpected{log.error()};
@@ -46,7 +46,7 @@ Expected<TwinResult> play_to_twin(const TwinPlan& plan, const Yardstick& yardsti
   const auto workshop = scenario::Workshop::open(plan.keeps_files);
   if (!workshop) return fail(ExitStatus::Failed, workshop.error());
   try {
-    scenario::Stations stations{scenario, *workshop, "", scenario::Recorded::No};
+    scenario::Stations stations{scenario, *workshop, {.address = "", .time = "virtual"}, scenario::Recorded::No};
     if (auto checked = stations.check_units(); !checked) {
       constexpr std::string_view kPlace = "/units/0/config";
       const std::string& error = checked.error();
