@@ -28,7 +28,8 @@ class Party {
 
   bool takes_part_ = false;
   bool waits_ = false;
-  bool is_ready_ = false;  ///< one of the descriptors was, when it was woken
+  bool coordinates_ = false;  ///< it is to find out whose turn it is
+  bool is_ready_ = false;     ///< one of the descriptors was, when it was woken
   Wanted wanted_{};
   std::condition_variable woken_;
 };

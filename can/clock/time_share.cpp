@@ -65,7 +65,11 @@ Party& TimeShare::add() {
 void TimeShare::remove(Party& party) noexcept {
   std::unique_lock lock{mutex_};
   if (!std::exchange(party.takes_part_, false)) return;
-  if (--up_ == 0 && is_told_ && !is_over_) coordinate(lock);
+  if (--up_ != 0 || !is_told_ || is_over_) return;
+  const auto other = std::ranges::find(parties_, true, &Party::waits_);
+  if (other == parties_.end()) return give_back(kNever);
+  other->coordinates_ = true;
+  other->woken_.notify_one();
 }
 
 bool TimeShare::wait(Party& party, const Wanted& wanted) noexcept {
@@ -73,8 +77,13 @@ bool TimeShare::wait(Party& party, const Wanted& wanted) noexcept {
   std::unique_lock lock{mutex_};
   party.wanted_ = wanted;
   party.waits_ = true;
-  if (--up_ == 0) coordinate(lock);
-  party.woken_.wait(lock, [&] { return !party.waits_ || is_over_; });
+  party.coordinates_ = --up_ == 0;
+  while (party.waits_ && !is_over_) {
+    if (std::exchange(party.coordinates_, false))
+      coordinate(lock);
+    else
+      party.woken_.wait(lock);
+  }
   if (!std::exchange(party.waits_, false)) return party.is_ready_;
   ++up_;  // the hub has gone
   return is_any_ready(wanted.descriptors, 0);
