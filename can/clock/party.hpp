@@ -29,7 +29,7 @@ class Party {
   bool takes_part_ = false;
   bool waits_ = false;
   bool coordinates_ = false;  ///< it is to find out whose turn it is
-  bool is_ready_ = false;     ///< one of the descriptors was, when it was woken
+  bool is_ready_ = false;     ///< one of the descriptors is, as of the last look
   Wanted wanted_{};
   std::condition_variable woken_;
 };

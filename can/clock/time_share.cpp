@@ -113,7 +113,7 @@ void TimeShare::coordinate(std::unique_lock<std::mutex>& lock) noexcept {
 /// is none, the turn is given back.
 TimeShare::Found TimeShare::wake_next() noexcept {
   if (Party* const ready = ready_one()) {
-    wake(*ready, Why::Ready);
+    wake(*ready, ready->is_ready_);
     return Found::Party;
   }
   const TimePoint next = earliest();
@@ -127,7 +127,7 @@ TimeShare::Found TimeShare::wake_next() noexcept {
   }
   for (Party& party : parties_)
     if (party.waits_ && party.wanted_.until <= now()) {
-      wake(party, Why::Time);
+      wake(party, /*is_ready=*/false);
       return Found::Party;
     }
   return Found::Nobody;
@@ -138,7 +138,8 @@ Party* TimeShare::ready_one() noexcept {
   const TimePoint machine = machine_now();
   for (Party& party : parties_) {
     if (!party.waits_) continue;
-    if (party.wanted_.machine_until <= machine || is_any_ready(party.wanted_.descriptors, 0)) return &party;
+    party.is_ready_ = is_any_ready(party.wanted_.descriptors, 0);
+    if (party.is_ready_ || party.wanted_.machine_until <= machine) return &party;
   }
   must_look_ = false;
   return nullptr;
@@ -151,11 +152,11 @@ bool TimeShare::goes_on_unlooked() noexcept {
   return next > now() && next == earliest() && goes_on_alone(next);
 }
 
-void TimeShare::wake(Party& party, Why why) noexcept {
+void TimeShare::wake(Party& party, bool is_ready) noexcept {
   if (&party != last_) must_look_ = true;  // what another one does may be for any
   last_ = &party;
-  party.is_ready_ = why == Why::Ready;
-  if (!party.is_ready_)
+  party.is_ready_ = is_ready;
+  if (!is_ready)
     for (pollfd& descriptor : party.wanted_.descriptors) descriptor.revents = 0;
   party.waits_ = false;
   ++up_;

@@ -55,7 +55,6 @@ class TimeShare final : public os::OtherTime {
 
  private:
   enum class Found : std::uint8_t { Party, Nobody };
-  enum class Why : std::uint8_t { Ready, Time };
 
   bool wait_by_machine(const Wanted& wanted) const noexcept;
   [[nodiscard]] int machine_timeout(const Wanted& wanted) const noexcept;
@@ -63,7 +62,7 @@ class TimeShare final : public os::OtherTime {
   [[nodiscard]] Found wake_next() noexcept;
   [[nodiscard]] Party* ready_one() noexcept;
   [[nodiscard]] bool goes_on_unlooked() noexcept;
-  void wake(Party& party, Why why) noexcept;
+  void wake(Party& party, bool is_ready) noexcept;
   [[nodiscard]] canopen::TimePoint earliest() const noexcept;
   [[nodiscard]] bool goes_on_alone(canopen::TimePoint next) const noexcept;
   void give_back(canopen::TimePoint next) noexcept;
