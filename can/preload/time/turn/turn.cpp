@@ -22,8 +22,12 @@ struct TurnState {
   bool child_ended = false;
   int64_t now = 0;  ///< of the hub
   int64_t horizon = 0;
+  unsigned alone = 0;  ///< times that the present has gone on by itself
 };
 TurnState turn_state;
+
+/// So often the present goes on by itself before the hub is asked whether somebody else has come.
+constexpr unsigned kMostAlone = 64;
 
 std::atomic<bool> sent_in_turn;
 std::atomic<bool> touched_in_turn;
@@ -65,6 +69,7 @@ TurnOutcome begin_turn(bool waits) noexcept {
   turn_state.now = turn.now_ns;
   turn_state.horizon = turn.horizon_ns;
   if ((turn.flags & userbus::kChildEnded) != 0) turn_state.child_ended = true;
+  turn_state.alone = 0;
   sent_in_turn = false;
   touched_in_turn = false;
   show_present(turn.now_ns);
@@ -92,9 +97,11 @@ void tell_present() noexcept {
 }
 
 bool may_go_on_to(int64_t instant) noexcept {
-  if (instant > turn_state.horizon || sent_in_turn) return false;
+  if (instant > turn_state.horizon || sent_in_turn || turn_state.alone >= kMostAlone) return false;
   if (has_unseen_writes()) touched_in_turn = true;
-  return !touched_in_turn;
+  if (touched_in_turn) return false;
+  ++turn_state.alone;
+  return true;
 }
 
 bool take_child_ended() noexcept {
