@@ -103,7 +103,7 @@ class Spreading {
   }
 
   std::vector<std::unique_ptr<Program>> programs_;
-  hub::Core core_{0};
+  hub::Core core_{0, {userbus::TimeMode::Real, 1}};
   std::vector<FrameMessage> message_ = message_of_frames();
   std::size_t steps_ = 0;
 };
