@@ -96,7 +96,7 @@ void Medium::on_time(canopen::TimePoint now) noexcept {
   advancing_ = true;  // what is sent in answer to a late frame passes behind it
   interference_->on_time(now_);
   advancing_ = false;
-  advance();
+  if (!clock_.is_told()) advance();
 }
 
 void Medium::tell(canopen::TimePoint now) noexcept {
@@ -128,7 +128,8 @@ void Medium::advance_with_rate() noexcept {
       if (line_.end() > now_) return;
       on_wire_ = false;
       deliver(line_.real_end());
-      continue;  // a frame that is repeated is on the wire again
+      if (clock_.is_told()) return;  // who hears it may answer at this instant
+      continue;                      // a frame that is repeated is on the wire again
     }
     if (waiting_.empty()) return;
     begin(std::max(line_.end(), earliest_of(waiting_)->frames.first().arrival));

@@ -108,7 +108,8 @@ class Medium {
   bool send(const Passage& passage, canopen::TimePoint now) noexcept;
   /// When on_time() is wanted; canopen::kNever if the bus is idle.
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
-  /// Delivers the frames whose end has come, and starts the next one.
+  /// Delivers the frames whose end has come, and starts the next one; where the clock is told, delivers one or
+  /// starts one, so that an answer competes with what has waited.
   void on_time(canopen::TimePoint now) noexcept;
 
   /// True if a frame with @p mark has not been here yet: a bridge asks before it sends.

@@ -22,6 +22,28 @@ int Inbox::receive(int descriptor, std::size_t most) noexcept {
   return count;
 }
 
+bool Inbox::prepare_to_look(int descriptor) noexcept {
+  constexpr int kFromTheBeginning = 0;
+  return setsockopt(descriptor, SOL_SOCKET, SO_PEEK_OFF, &kFromTheBeginning, sizeof kFromTheBeginning) == 0;
+}
+
+Inbox::Found Inbox::look(int descriptor) noexcept {
+  Found found;
+  std::array<std::byte, userbus::kLongestMessage> bytes;
+  for (;;) {
+    iovec part{bytes.data(), bytes.size()};
+    msghdr header{};
+    header.msg_iov = &part;
+    header.msg_iovlen = 1;
+    const ssize_t length = recvmsg(descriptor, &header, MSG_PEEK | MSG_DONTWAIT);
+    if (length < 0) return found;
+    ++found.messages;
+    // there is no room for a descriptor, and the kernel says that one was there
+    found.has_request = length == 0 || (header.msg_flags & MSG_CTRUNC) != 0;
+    if (found.has_request) return found;
+  }
+}
+
 Inbox::Message Inbox::take(std::size_t number, Closer& closer) noexcept {
   mmsghdr& header = headers_[number];
   Message message;

@@ -30,6 +30,17 @@ class Inbox {
   /// Takes up to @p most messages (1..kBatch) out of socket @p descriptor without waiting: their number, -1 with
   /// errno set if there is none. A socket whose far end is closed gives messages of no bytes.
   int receive(int descriptor, std::size_t most) noexcept;
+  /// Prepares socket @p descriptor for look(); false if it cannot be looked into.
+  [[nodiscard]] static bool prepare_to_look(int descriptor) noexcept;
+  /// What look() has found.
+  struct Found {
+    std::size_t messages = 0;
+    bool has_request = false;  ///< among them, or perhaps
+  };
+  /// Looks at the messages that have come into socket @p descriptor since it looked last, up to a request; nothing
+  /// is taken out.
+  [[nodiscard]] static Found look(int descriptor) noexcept;
+
   /// Message @p number of the last receive(); each is to be taken, since it may hold descriptors. @p closer gets
   /// those that are no sockets for replies.
   Message take(std::size_t number, Closer& closer) noexcept;

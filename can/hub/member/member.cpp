@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <linux/can/error.h>
+#include <poll.h>
 
 #include "can/hub/member/requests.hpp"
 
@@ -17,6 +18,12 @@ pid_t process_of(int socket) noexcept {
   ucred peer{};
   socklen_t size = sizeof peer;
   return getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 ? peer.pid : 0;
+}
+
+/// Whether the far end is closed: else a message of no bytes is one.
+bool has_hung_up(int socket) noexcept {
+  pollfd wanted{socket, POLLRDHUP, 0};
+  return poll(&wanted, 1, 0) != 0;
 }
 
 }  // namespace
@@ -66,35 +73,72 @@ void Member::flush() noexcept {
   if (core_.medium.is_up()) tell_link(true);
 }
 
-void Member::drain() noexcept {
-  constexpr int kMost = 1024;  // turns: a program that sends on and on must not hold the hub
-  for (int i = 0; i < kMost; ++i) {
-    const std::size_t most = may_read();
-    if (most == 0 || !read(most)) break;
+std::size_t Member::drain(bool is_asked) noexcept {
+  constexpr std::size_t kMost = 1024;  // a program that sends on and on must not hold the hub
+  std::size_t count = 0;
+  unread_ = 0;
+  while (count < kMost) {
+    const std::size_t most = std::max<std::size_t>(may_read(), is_asked ? 1 : 0);
+    const std::size_t taken = most == 0 ? 0 : read(most);
+    count += taken;
+    if (taken < most || taken == 0) break;  // fewer than there is room for: it is empty
   }
   go_on();
+  if (count >= kMost && core_.clock.is_told()) core_.poll.change(socket_.get(), watched_, *this);
+  return count;
+}
+
+bool Member::catch_up() noexcept {
+  if (outbox_.empty()) return false;
+  const std::size_t before = outbox_.waiting();
+  flush();
+  update_watch();
+  return outbox_.waiting() != before;
 }
 
 bool Member::begin() noexcept {
-  watched_ = EPOLLIN | EPOLLRDHUP;
+  watched_ = EPOLLIN | EPOLLRDHUP | (core_.clock.is_told() ? EPOLLET : 0U);
+  can_look_ = core_.clock.is_told() && Inbox::prepare_to_look(socket_.get());
   return core_.poll.add(socket_.get(), watched_, *this);
 }
 
+/// What a program sends in its turn is read when that ends, so that neither the order of frames nor the room in
+/// its sockets depends on how quick the hub is. Events are told once (EPOLLET): all that there is to be read or
+/// sent is, then or at the end of the turn.
+void Member::on_events_of_turns(std::uint32_t events) noexcept {
+  if (phase_ == Phase::Open && (events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0) phase_ = Phase::Closed;
+  if (core_.turns->defers(process_) && kind_ != userbus::Kind::Clock) return look();
+  if ((events & EPOLLOUT) != 0 && catch_up()) note_given();
+  drain();
+}
+
+void Member::look() noexcept {
+  constexpr std::size_t kNearlyFull = 12;  // of 16 (userbus::set_queue())
+  if (phase_ != Phase::Open) return;
+  const Inbox::Found found = can_look_ ? Inbox::look(socket_.get()) : Inbox::Found{.has_request = true};
+  unread_ += found.messages;
+  if (found.has_request)
+    drain(/*is_asked=*/true);
+  else if (unread_ >= kNearlyFull)
+    core_.turns->on_full();
+}
+
 void Member::on_events(std::uint32_t events) noexcept {
+  if (core_.clock.is_told()) return on_events_of_turns(events);
   if ((events & EPOLLOUT) != 0) flush();
   if (phase_ == Phase::Open && (events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0) phase_ = Phase::Closed;
   if (const std::size_t most = may_read(); most > 0) read(most);
   go_on();
 }
 
-/// False if there was nothing.
-bool Member::read(std::size_t most) noexcept {
+/// The number of messages; 0 if there was nothing, or a message of no bytes, as which the end is read.
+std::size_t Member::read(std::size_t most) noexcept {
   const int count = core_.inbox.receive(socket_.get(), most);
   if (count < 0) {
     // a program that leaves messages unread resets the connection; what it had sent before is still there
     const bool again = errno == EAGAIN || errno == EINTR || errno == ECONNRESET;
     if (!again) phase_ = Phase::ReadOut;
-    return false;
+    return 0;
   }
   const canopen::TimePoint now = core_.clock.now();
   bool last_is_empty = false;
@@ -103,11 +147,18 @@ bool Member::read(std::size_t most) noexcept {
     last_is_empty = message.bytes.empty();
     if (!last_is_empty) take(std::move(message), now);
   }
-  if (phase_ == Phase::Closed && last_is_empty) phase_ = Phase::ReadOut;
-  return !last_is_empty;
+  if (!last_is_empty) return static_cast<std::size_t>(count);
+  if (core_.clock.is_told() && phase_ == Phase::Open) {
+    if (!has_hung_up(socket_.get())) return static_cast<std::size_t>(count);
+    phase_ = Phase::Closed;
+  }
+  if (phase_ == Phase::Closed) phase_ = Phase::ReadOut;
+  return 0;
 }
 
-void Member::take(Inbox::Message message, canopen::TimePoint now) noexcept {
+void Member::take(Inbox::Message message, canopen::TimePoint read_at) noexcept {
+  // where the clock is told, a frame before this message may have had time go on
+  const canopen::TimePoint now = core_.clock.is_told() ? core_.clock.now() : read_at;
   const bool taken = message.descriptor ? answer_request({core_, *this, now}, message)
                                         : message.complete && take_message(message.bytes, now);
   if (!taken) ++refused_;
@@ -171,12 +222,16 @@ void Member::go_on() noexcept {
 void Member::update_watch() noexcept {
   std::uint32_t wanted = 0;
   if (phase_ == Phase::Open) wanted = outbox_.empty() ? EPOLLRDHUP : EPOLLRDHUP | EPOLLOUT;
-  if (phase_ <= Phase::Closed && may_read() > 0) wanted |= EPOLLIN;
-  if (wanted == watched_) return;
-  if ((wanted & EPOLLIN) != 0 && (watched_ & EPOLLIN) == 0) {
+  const bool can_be_read = phase_ <= Phase::Closed && may_read() > 0;
+  if (can_be_read && !can_be_read_) {
     reads_again_ = true;
     note_given();
   }
+  can_be_read_ = can_be_read;
+  if (can_be_read) wanted |= EPOLLIN;
+  if (core_.clock.is_told() && phase_ == Phase::Open) wanted |= EPOLLIN;  // a request is read in any case
+  if (core_.clock.is_told() && wanted != 0) wanted |= EPOLLET;
+  if (wanted == watched_) return;
   // a hang-up would be told for ever: who is not to be read any more is not watched
   if (wanted == 0)
     core_.poll.remove(socket_.get(), *this);

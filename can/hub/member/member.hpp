@@ -55,8 +55,11 @@ class Member : public Watch {
   /// Tells the program that the bus is cut, or whole again; if it has not read and there is no room, as soon as
   /// there is.
   void tell_link(bool up) noexcept;
-  /// Reads what the program has sent until now, and no more than a socket holds.
-  void drain() noexcept;
+  /// Reads what the program has sent until now, and no more than a socket holds: the number of messages. What the
+  /// bus has no room for stays where it is, unless @p is_asked: a request may be behind it.
+  std::size_t drain(bool is_asked = false) noexcept;
+  /// Sends what waits because the program had not read; true if some of it went out.
+  bool catch_up() noexcept;
   /// True, once, if it was not read for a while, as the medium had no room for its frames, and has room now.
   [[nodiscard]] bool takes_up_reading() noexcept { return std::exchange(reads_again_, false); }
   /// Sends the frames that were gathered for the program.
@@ -120,8 +123,10 @@ class Member : public Watch {
   void note_given() noexcept {
     if (core_.turns != nullptr) core_.turns->on_given(process_);
   }
+  void on_events_of_turns(std::uint32_t events) noexcept;
+  void look() noexcept;
   void flush() noexcept;
-  bool read(std::size_t most) noexcept;
+  std::size_t read(std::size_t most) noexcept;
   void take(Inbox::Message message, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frames(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frame(const userbus::FrameMessage& message, canopen::TimePoint now) noexcept;
@@ -137,11 +142,14 @@ class Member : public Watch {
   os::Descriptor socket_;
   int interface_index_ = -1;
   bool is_bridge_ = false;
+  bool can_look_ = false;      // into the socket, for requests; only where programs take turns
   bool is_gathering_ = false;  // it is in Core::gathering
   Outbox outbox_;
+  std::size_t unread_ = 0;      // messages that look() has seen and that were left in the socket
   std::size_t most_taken_ = 1;  // frames in a message of the program
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;
+  bool can_be_read_ = true;     // the medium has room
   bool reads_again_ = false;    // since takes_up_reading()
   bool is_cut_untold_ = false;  // there was no room to tell that the bus is cut, or whole again
   std::array<std::uint32_t, userbus::kOptionCount> options_{};

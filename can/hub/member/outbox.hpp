@@ -56,6 +56,8 @@ class Outbox {
 
   /// True if nothing waits; what was gathered does not count.
   [[nodiscard]] bool empty() const noexcept { return messages_ == 0; }
+  /// Messages that wait, what was gathered not counted.
+  [[nodiscard]] std::size_t waiting() const noexcept { return messages_; }
   /// Messages and frames that were taken.
   [[nodiscard]] std::uint64_t taken() const noexcept { return taken_; }
   /// Messages and frames that were lost.

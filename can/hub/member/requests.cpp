@@ -191,7 +191,7 @@ Result step(const Call& call) noexcept {
   Turns* const turns = call.asking.core.turns;
   std::int64_t step_ns = 0;
   if (turns == nullptr) return {.error = EOPNOTSUPP};
-  if (!read_as(call.payload, step_ns) || step_ns <= 0) return {.error = EINVAL};
+  if (!read_as(call.payload, step_ns) || step_ns < 0) return {.error = EINVAL};
   os::Descriptor socket{fcntl(call.reply_socket, F_DUPFD_CLOEXEC, 0)};
   if (!socket) return {.error = errno};
   const int error = turns->step(canopen::Duration{step_ns}, std::move(socket));

@@ -5,7 +5,6 @@
 #include <new>
 #include <utility>
 
-#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -21,6 +20,8 @@ namespace {
 
 /// Events of the bus after which sockets are looked at again, so that time that goes on and on holds nobody up.
 constexpr unsigned kMostEvents = 64;
+/// Messages in a socket from which on it polls not writable: when the hub has read as many there is room again.
+constexpr std::size_t kUnwritable = 4;
 
 TimePoint from_ns(std::int64_t time_ns) noexcept {
   return time_ns == userbus::kNoInstant ? kNever : TimePoint{canopen::Duration{time_ns}};
@@ -43,7 +44,7 @@ BusTime::BusTime(Core& core, Settings settings)
                                                     .machine_begin_ns = to_ns(core.clock.machine_begin()),
                                                     .wall_offset_ns = core.clock.wall_offset(),
                                                     .now_ns = to_ns(core.clock.begin())}},
-      limit_{core.clock.begin()} {
+      steppers_{core.poll} {
   core_.turns = this;
 }
 
@@ -62,13 +63,14 @@ bool BusTime::go_on(BusEvents& bus) noexcept {
     if (turn_is_over_) end_turn();
     if (actor_ != nullptr || !leavers_.empty()) return false;
     core_.hand_over();
+    owe_those_who_waited();
     if (ClockMember* const next = next_owed()) {
       give_turn(*next, bus);
       return false;
     }
     if (bus.next_event() <= now())
       have_events(bus);
-    else if (!go_to_next(bus))
+    else if (!go_to_next(bus) && !steppers_.answer(now()))
       return false;
   }
   return true;
@@ -86,15 +88,23 @@ void BusTime::end_turn() noexcept {
   turn_is_over_ = false;
   ClockMember* const actor = std::exchange(actor_, nullptr);
   drain_sockets_of(actor->part());
+  speaker_ = nullptr;
   if (std::exchange(has_touched_, false)) owe_all_but(actor);
 }
 
 void BusTime::drain_sockets_of(const Part& part) noexcept {
-  const auto is_of = [&part](pid_t process) {
-    return process == 0 || process == part.process || std::ranges::count(part.ancestors, process) != 0;
-  };
-  for (const auto& member : core_.members)
-    if (is_of(member->process())) member->drain();
+  for (const auto& member : core_.members) {
+    if (!may_have_sockets_of(part, member->process())) continue;
+    const bool has_room_again = member->drain() >= kUnwritable;
+    if (member->catch_up() || has_room_again) on_given(member->process());
+  }
+}
+
+/// Whoever acts says something: it is not silent, and is read when its turn ends.
+bool BusTime::defers(pid_t process) noexcept {
+  if (actor_ == nullptr || !actor_->may_have_sockets_of(process)) return false;
+  acts_since_ = monotonic_now();
+  return true;
 }
 
 void BusTime::owe_all_but(const ClockMember* member) noexcept {
@@ -102,7 +112,8 @@ void BusTime::owe_all_but(const ClockMember* member) noexcept {
     if (other != member && !other->part().is_left_out) other->part().is_owed_turn = true;
 }
 
-/// Round by round, so that nobody is kept from its turn by two who have ever more to tell each other.
+/// Round by round at one instant, so that nobody is kept from its turn by two who have ever more to tell each
+/// other.
 ClockMember* BusTime::next_owed() noexcept {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const std::size_t place = (next_ + i) % members_.size();
@@ -116,7 +127,9 @@ ClockMember* BusTime::next_owed() noexcept {
 void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
   member.part().is_owed_turn = false;
   actor_ = &member;
+  speaker_ = &member.part();
   acts_since_ = monotonic_now();
+  full_since_.reset();
   horizon_ = horizon_of(member, bus);
   const bool child_ended = std::exchange(member.part().child_ended, false);
   member.give({.now_ns = to_ns(now()),
@@ -128,9 +141,7 @@ void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
 TimePoint BusTime::horizon_of(const ClockMember& member, const BusEvents& bus) const noexcept {
   const auto is_owed = [](const ClockMember* other) { return other->part().is_owed_turn; };
   if (stands() || std::ranges::any_of(members_, is_owed)) return now();
-  TimePoint horizon = std::min(bus.next_event(), earliest_wait(&member));
-  if (core_.clock.mode() == userbus::TimeMode::Stepped) horizon = std::min(horizon, limit_);
-  return std::max(horizon, now());
+  return std::max(std::min({bus.next_event(), earliest_wait(&member), limit()}), now());
 }
 
 TimePoint BusTime::earliest_wait(const ClockMember* except) const noexcept {
@@ -147,29 +158,40 @@ bool BusTime::stands() const noexcept {
       members_, [](const ClockMember* member) { return member->part().is_device || member->part().is_left_out; });
 }
 
+/// How far time goes by itself; kNever: as far as there is something.
+TimePoint BusTime::limit() const noexcept {
+  if (core_.clock.mode() != userbus::TimeMode::Stepped) return kNever;
+  const TimePoint goal = steppers_.next_goal();
+  return goal == kNever ? now() : goal;
+}
+
 /// False if there is nothing to go on to.
 bool BusTime::go_to_next(const BusEvents& bus) noexcept {
   TimePoint next = bus.next_event();
   if (next != kNever || !stands()) next = std::min(next, earliest_wait());
-  if (core_.clock.mode() == userbus::TimeMode::Stepped && next > limit_) {
-    set_present(limit_);
-    answer_steppers();
-    return false;
-  }
-  if (next == kNever) return false;
+  next = std::min(next, limit());
+  if (next == kNever || next <= now()) return false;
   set_present(next);
+  return true;
+}
+
+void BusTime::owe_those_who_waited() noexcept {
   for (ClockMember* const member : members_) {
     Part& part = member->part();
     if (part.until > now()) continue;
     part.until = kNever;
     part.is_owed_turn = true;
   }
-  return true;
+}
+
+void BusTime::on_full() noexcept {
+  if (!full_since_) full_since_ = monotonic_now();
 }
 
 void BusTime::set_present(TimePoint now) noexcept {
   if (now <= core_.clock.now()) return;
   core_.clock.set(now);
+  next_ = 0;
   page_->now_ns.store(to_ns(now), std::memory_order_release);
 }
 
@@ -179,7 +201,7 @@ void BusTime::on_given(pid_t process) noexcept {
 }
 
 TimePoint BusTime::time_of_sending(pid_t process, std::int64_t time_ns) noexcept {
-  if (actor_ != nullptr && time_ns != 0 && actor_->may_have_sockets_of(process))
+  if (speaker_ != nullptr && time_ns != 0 && may_have_sockets_of(*speaker_, process))
     set_present(std::min(from_ns(time_ns), horizon_));
   return now();
 }
@@ -199,6 +221,7 @@ bool BusTime::hear(ClockMember& member, const TimeMessage& message) noexcept {
 /// Said again by a child for which its parent has joined.
 bool BusTime::join(ClockMember& member, const TimeMessage& message) noexcept {
   Part& part = member.part();
+  if (message.process < 0) return false;
   try {
     const auto parent = std::ranges::find_if(
         members_, [&](const ClockMember* other) { return other->part().process == member.process(); });
@@ -214,6 +237,7 @@ bool BusTime::join(ClockMember& member, const TimeMessage& message) noexcept {
   part.is_device = (message.flags & userbus::kDevice) != 0;
   part.end = os::Descriptor{static_cast<int>(syscall(SYS_pidfd_open, part.process, 0))};
   if (!std::exchange(part.has_joined, true)) part.is_owed_turn = true;
+  if (part.process != 0) wait_no_longer_for(part.process);
   return true;
 }
 
@@ -222,7 +246,7 @@ bool BusTime::wait(ClockMember& member, const TimeMessage& message) noexcept {
   if (!part.has_joined) return false;
   part.until = from_ns(message.until_ns);
   if (actor_ != &member) {
-    part.is_left_out = false;  // if it was: it is there again
+    if (std::exchange(part.is_left_out, false)) take_in_again(member, message);
     return true;
   }
   set_present(std::min(from_ns(message.now_ns), horizon_));
@@ -241,24 +265,8 @@ bool BusTime::want(ClockMember& member) noexcept {
 
 int BusTime::step(canopen::Duration step, os::Descriptor reply) noexcept {
   if (core_.clock.mode() != userbus::TimeMode::Stepped) return EOPNOTSUPP;
-  try {
-    steppers_.push_back({limit_ + step, std::move(reply)});
-  } catch (const std::bad_alloc&) {
-    return ENOMEM;
-  }
-  limit_ += step;
-  return 0;
-}
-
-void BusTime::answer_steppers() noexcept {
-  const userbus::Reply header{.error = 0, .value = 0, .size = sizeof(std::int64_t)};
-  struct [[gnu::packed]] {
-    userbus::Reply header;
-    std::int64_t now_ns;
-  } const reply{header, to_ns(now())};
-  for (const Stepper& stepper : steppers_)
-    if (stepper.until <= now()) send(stepper.reply.get(), &reply, sizeof reply, MSG_DONTWAIT | MSG_NOSIGNAL);
-  std::erase_if(steppers_, [this](const Stepper& stepper) { return stepper.until <= now(); });
+  const bool is_endless = step > kNever - now();
+  return steppers_.add(is_endless ? kNever : now() + step, reply) ? 0 : ENOMEM;
 }
 
 }  // namespace hub

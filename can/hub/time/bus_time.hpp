@@ -2,11 +2,13 @@
 
 #include <functional>
 #include <list>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "can/hub/member/core.hpp"
 #include "can/hub/time/clock_member.hpp"
+#include "can/hub/time/steppers.hpp"
 #include "os/shared_memory.hpp"
 
 namespace hub {
@@ -50,16 +52,14 @@ class BusTime final : public Turns, private Schedule {
   void on_machine_time(canopen::TimePoint now) noexcept;
 
   void on_given(pid_t process) noexcept override;
+  bool defers(pid_t process) noexcept override;
+  void on_full() noexcept override;
   canopen::TimePoint time_of_sending(pid_t process, std::int64_t time_ns) noexcept override;
   int step(canopen::Duration step, os::Descriptor reply) noexcept override;
   [[nodiscard]] int page() const noexcept override { return memory_.descriptor(); }
 
  private:
   class Leaver;
-  struct Stepper {
-    canopen::TimePoint until;
-    os::Descriptor reply;
-  };
 
   bool hear(ClockMember& member, const userbus::TimeMessage& message) noexcept override;
   void forget(ClockMember& member) noexcept override;
@@ -70,6 +70,8 @@ class BusTime final : public Turns, private Schedule {
   void have_events(BusEvents& bus) noexcept;
   void end_turn() noexcept;
   void drain_sockets_of(const Part& part) noexcept;
+  void owe_those_who_waited() noexcept;
+  [[nodiscard]] canopen::TimePoint limit() const noexcept;
   void owe_all_but(const ClockMember* member) noexcept;
   [[nodiscard]] ClockMember* next_owed() noexcept;
   void give_turn(ClockMember& member, const BusEvents& bus) noexcept;
@@ -78,9 +80,11 @@ class BusTime final : public Turns, private Schedule {
   [[nodiscard]] bool stands() const noexcept;
   bool go_to_next(const BusEvents& bus) noexcept;
   void set_present(canopen::TimePoint now) noexcept;
-  void answer_steppers() noexcept;
   void take_leave(Leaver& leaver) noexcept;
+  void wait_no_longer_for(pid_t process) noexcept;
+  void make_room() noexcept;
   void leave_out(ClockMember& member) noexcept;
+  void take_in_again(const ClockMember& member, const userbus::TimeMessage& message) noexcept;
   [[nodiscard]] canopen::TimePoint now() const noexcept { return core_.clock.now(); }
 
   Core& core_;
@@ -92,11 +96,12 @@ class BusTime final : public Turns, private Schedule {
   ClockMember* actor_ = nullptr;
   bool turn_is_over_ = false;  ///< that of actor_, whose sockets have to be read to the end
   bool has_touched_ = false;
-  canopen::TimePoint horizon_{};                ///< of the turn
-  canopen::TimePoint acts_since_{};             ///< on the machine's clock
-  std::list<std::unique_ptr<Leaver>> leavers_;  ///< processes that are about to end
-  canopen::TimePoint limit_;                    ///< of stepped time
-  std::vector<Stepper> steppers_;
+  canopen::TimePoint horizon_{};                  ///< of the turn
+  canopen::TimePoint acts_since_{};               ///< on the machine's clock
+  std::optional<canopen::TimePoint> full_since_;  ///< a socket of actor_, likewise
+  std::list<std::unique_ptr<Leaver>> leavers_;    ///< processes that are about to end
+  const Part* speaker_ = nullptr;                 ///< whose frames may be ahead of the clock
+  Steppers steppers_;
 };
 
 }  // namespace hub

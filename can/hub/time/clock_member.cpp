@@ -12,7 +12,7 @@ bool ClockMember::take_message(std::span<const std::byte> bytes, canopen::TimePo
   userbus::TimeMessage message{};
   if (bytes.size() != sizeof message) return false;
   std::memcpy(&message, bytes.data(), sizeof message);
-  return schedule_ == nullptr || schedule_->hear(*this, message);
+  return schedule_ != nullptr && schedule_->hear(*this, message);
 }
 
 }  // namespace hub

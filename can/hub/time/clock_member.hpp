@@ -37,19 +37,23 @@ struct Part {
   os::Descriptor end;                          ///< polls readable when the process has ended
 };
 
+/// Whether the process of @p part may have a socket that was connected by @p process; 0 = some process.
+[[nodiscard]] inline bool may_have_sockets_of(const Part& part, pid_t process) noexcept {
+  return process == 0 || process == part.process || std::ranges::count(part.ancestors, process) != 0;
+}
+
 /// A program's part in the time of the bus. It neither sends nor hears frames.
 class ClockMember final : public Member {
  public:
-  /// @p schedule outlives it; nullptr: the bus has the machine's time, and what the member says has no effect.
+  /// @p schedule outlives it; nullptr: the bus has the machine's time, and what the member says is refused.
   ClockMember(Core& core, os::Descriptor socket, Schedule* schedule)
       : Member{core, std::move(socket), userbus::Kind::Clock}, schedule_{schedule} {}
   ~ClockMember() override;
 
   [[nodiscard]] Part& part() noexcept { return part_; }
   [[nodiscard]] const Part& part() const noexcept { return part_; }
-  /// Whether it may have a socket that was connected by @p process; 0 = some process.
   [[nodiscard]] bool may_have_sockets_of(pid_t process) const noexcept {
-    return process == 0 || process == part_.process || std::ranges::count(part_.ancestors, process) != 0;
+    return hub::may_have_sockets_of(part_, process);
   }
   void give(const userbus::TimeTurn& turn) noexcept { deliver(std::as_bytes(std::span{&turn, 1})); }
 

@@ -1,5 +1,6 @@
 #include "tests/can/hub/time/clock_program.hpp"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstring>
@@ -77,8 +78,8 @@ namespace {
   _exit(0);
 }
 
-os::Descriptor second_connection(const std::string& path) {
-  return os::Descriptor{userbus::join_clock(path_of(path), nullptr, 0, getpid(), true).descriptor};
+os::Descriptor second_connection(const std::string& path, pid_t process) {
+  return os::Descriptor{userbus::join_clock(path_of(path), nullptr, 0, process, true).descriptor};
 }
 
 }  // namespace
@@ -117,7 +118,10 @@ void ClockProgram::obey(int orders, const std::string& path) {
         break;
       }
       case Order::Take:
-        for (const userbus::FrameMessage& message : raw->take()) answer.frames.at(answer.count++) = message;
+        for (const userbus::FrameMessage& message : raw->take()) {
+          if (answer.count < answer.frames.size()) answer.frames[answer.count] = message;
+          ++answer.count;
+        }
         answer.done = true;
         break;
       case Order::Settle:
@@ -125,7 +129,7 @@ void ClockProgram::obey(int orders, const std::string& path) {
         answer.done = true;
         break;
       case Order::Start: {
-        const os::Descriptor heir = second_connection(path);
+        const os::Descriptor heir = second_connection(path, 0);
         answer.process = fork();
         if (answer.process == 0) {
           clock = os::Descriptor{};
@@ -135,7 +139,7 @@ void ClockProgram::obey(int orders, const std::string& path) {
         break;
       }
       case Order::Replace: {
-        os::Descriptor next = second_connection(path);
+        os::Descriptor next = second_connection(path, getpid());
         clock = std::move(next);
         next = os::Descriptor{};
         command.message.word = userbus::TimeMessage::Word::Join;
@@ -155,6 +159,7 @@ ClockProgram::ClockProgram(std::string path) {
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw std::runtime_error{"socketpair"};
   process_ = fork();
+  if (process_ < 0) throw std::runtime_error{"fork"};
   if (process_ == 0) {
     close(ends[0]);
     try {
@@ -233,11 +238,15 @@ std::vector<std::string> ClockProgram::take_frames() const {
   constexpr std::int64_t kNanosecondsOfMicrosecond = 1000;
   std::vector<std::string> texts;
   const Answer answer = tell({.order = Order::Take});
-  for (std::size_t i = 0; i < answer.count; ++i)
+  for (std::size_t i = 0; i < std::min(answer.count, answer.frames.size()); ++i)
     texts.push_back(fmt::format(
         "{} {}", (answer.frames[i].trailer.time_ns - userbus::kFirstWallTime) / kNanosecondsOfMicrosecond,
         told::text_of(answer.frames[i].frame)));
   return texts;
+}
+
+std::size_t ClockProgram::count_frames() const {
+  return tell({.order = Order::Take}).count;
 }
 
 void ClockProgram::settle() const {

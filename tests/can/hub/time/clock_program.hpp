@@ -42,8 +42,11 @@ class ClockProgram {
   /// Sends the frame @p text, candump's notation, with @p time in its trailer (ns since the first instant; -1:
   /// now); false if the socket is full.
   bool send(const std::string& text, std::int64_t time = -1) const;
-  /// The frames that have come, candump's notation, each with the µs since the first instant of the wall clock.
+  /// The frames that have come, candump's notation, up to 64, each with the µs since the first instant
+  /// of the wall clock.
   [[nodiscard]] std::vector<std::string> take_frames() const;
+  /// The number of frames that have come and were not taken; takes them.
+  [[nodiscard]] std::size_t count_frames() const;
   /// Has the hub answer a request of the raw socket.
   void settle() const;
   /// What a child does that was started by this.

@@ -17,7 +17,7 @@ using userbus::TimeMessage;
 TEST(Silence, OfWhoActsEndsItsTurnUntilItSpeaksAgain) {
   HubWithTurns hub{userbus::TimeMode::Virtual, 100ms};
   ClockProgram silent{hub.path()}, other{hub.path()};
-  const std::string name = "time: process " + std::to_string(silent.process()) + " (hub_time_test) ";
+  const std::string number = std::to_string(silent.process());
   silent.join();
   ASSERT_EQ(silent.turn(), 0);
   other.join();
@@ -25,12 +25,14 @@ TEST(Silence, OfWhoActsEndsItsTurnUntilItSpeaksAgain) {
 
   ASSERT_EQ(other.turn(), 0);
   EXPECT_THAT(hub.notices(),
-              testing::StartsWith(name + "says nothing in its turn: it is stopped; time goes on without it\n"));
+              testing::StartsWith("the time of the bus has waited 0.1 s for hub_time_test (process " + number +
+                                  "), which is stopped: it goes on without it\n"));
   silent.signal(SIGCONT);
   silent.wait(0, 3000);
   other.wait(0, kNoInstant);
   EXPECT_GE(silent.turn(), 0);
-  EXPECT_THAT(hub.notices(), testing::HasSubstr(name + "takes part in the bus's time again\n"));
+  EXPECT_THAT(hub.notices(),
+              testing::HasSubstr("process " + number + " takes part in the time of the bus again\n"));
 }
 
 /// What @p client, a member of kind Clock, has been refused.
