@@ -97,6 +97,15 @@ struct JoinedClock {
   JoinError error;
 };
 
+/// Value of Operation::Time that asks for a TimeState as payload of the reply.
+inline constexpr int kAskState = 1;
+
+/// Who is waited for in virtual and stepped time.
+struct TimeState {
+  int32_t acting;   ///< process that has its turn, 0 = none
+  uint32_t stands;  ///< 1: time does not go on by itself, as no program is there but devices, or nobody steps
+};
+
 /// Becomes a member of kind Clock of the bus at @p path, which is served as by join() and with the time of
 /// $CAN_TIME where it is started; @p flags: kDevice, @p process: whose time it is. The descriptor is closed on
 /// exec unless @p inherited. It is owed a turn: take_turn() waits for it.

@@ -87,6 +87,14 @@ void print_trunk(int member, std::ostream& out) {
                        hub.value("missed", std::uint64_t{0}));
 }
 
+/// Who is waited for in virtual and stepped time.
+std::string waited_for(int member) {
+  userbus::TimeState state{};
+  userbus::ask(member, Operation::Time, userbus::kAskState, nullptr, 0, &state, sizeof state);
+  if (state.acting != 0) return fmt::format("process {} has its turn", state.acting);
+  return state.stands != 0 ? "it stands" : "all wait";
+}
+
 /// Whose time the bus has; nothing if it is the machine's.
 void print_time(int member, std::ostream& out) {
   const userbus::TimePage* const page = userbus::map_time(member);
@@ -95,8 +103,9 @@ void print_time(int member, std::ostream& out) {
   if (page->mode == userbus::TimeMode::Scaled)
     out << fmt::format("time: scaled, {:g} times as quick\n", page->scale);
   else
-    out << fmt::format("time: {}, {:.9f} s since its start\n",
-                       page->mode == userbus::TimeMode::Stepped ? "stepped" : "virtual", seconds);
+    out << fmt::format("time: {}, {:.9f} s since its start, {}\n",
+                       page->mode == userbus::TimeMode::Stepped ? "stepped" : "virtual", seconds,
+                       waited_for(member));
   userbus::unmap_time(page);
 }
 

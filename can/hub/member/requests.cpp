@@ -184,6 +184,7 @@ Result trunk(const Call& call) noexcept {
 
 Result time(const Call& call) noexcept {
   const Turns* const turns = call.asking.core.turns;
+  if (call.value == userbus::kAskState) call.reply.add(turns == nullptr ? userbus::TimeState{} : turns->state());
   return turns == nullptr ? Result{} : Result{.descriptor = turns->page()};
 }
 

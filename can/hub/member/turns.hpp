@@ -30,6 +30,8 @@ class Turns {
   /// Stepped time may go on by @p step, not negative; a userbus::Reply goes to @p reply when it has. errno, 0 =
   /// done.
   virtual int step(canopen::Duration step, os::Descriptor reply) noexcept = 0;
+  /// Who is waited for.
+  [[nodiscard]] virtual userbus::TimeState state() const noexcept = 0;
   /// What Operation::Time passes; the hub's own.
   [[nodiscard]] virtual int page() const noexcept = 0;
 };

@@ -269,4 +269,9 @@ int BusTime::step(canopen::Duration step, os::Descriptor reply) noexcept {
   return steppers_.add(is_endless ? kNever : now() + step, reply) ? 0 : ENOMEM;
 }
 
+userbus::TimeState BusTime::state() const noexcept {
+  return {.acting = actor_ == nullptr ? 0 : actor_->part().process,
+          .stands = stands() || limit() <= now() ? 1U : 0U};
+}
+
 }  // namespace hub

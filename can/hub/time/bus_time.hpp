@@ -56,6 +56,7 @@ class BusTime final : public Turns, private Schedule {
   void on_full() noexcept override;
   canopen::TimePoint time_of_sending(pid_t process, std::int64_t time_ns) noexcept override;
   int step(canopen::Duration step, os::Descriptor reply) noexcept override;
+  [[nodiscard]] userbus::TimeState state() const noexcept override;
   [[nodiscard]] int page() const noexcept override { return memory_.descriptor(); }
 
  private:
