@@ -70,7 +70,7 @@ bool BusTime::go_on(BusEvents& bus) noexcept {
     }
     if (bus.next_event() <= now())
       have_events(bus);
-    else if (!go_to_next(bus) && !steppers_.answer(now()))
+    else if (!owe_those_who_give_way() && !go_to_next(bus) && !steppers_.answer(now()))
       return false;
   }
   return true;
@@ -126,6 +126,7 @@ ClockMember* BusTime::next_owed() noexcept {
 
 void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
   member.part().is_owed_turn = false;
+  member.part().gives_way = false;
   actor_ = &member;
   speaker_ = &member.part();
   acts_since_ = monotonic_now();
@@ -139,7 +140,9 @@ void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
 }
 
 TimePoint BusTime::horizon_of(const ClockMember& member, const BusEvents& bus) const noexcept {
-  const auto is_owed = [](const ClockMember* other) { return other->part().is_owed_turn; };
+  const auto is_owed = [](const ClockMember* other) {
+    return other->part().is_owed_turn || other->part().gives_way;
+  };
   if (stands() || std::ranges::any_of(members_, is_owed)) return now();
   return std::max(std::min({bus.next_event(), earliest_wait(&member), limit()}), now());
 }
@@ -182,6 +185,17 @@ void BusTime::owe_those_who_waited() noexcept {
     part.until = kNever;
     part.is_owed_turn = true;
   }
+}
+
+/// False if nobody does.
+bool BusTime::owe_those_who_give_way() noexcept {
+  bool someone = false;
+  for (ClockMember* const member : members_) {
+    if (!std::exchange(member->part().gives_way, false)) continue;
+    member->part().is_owed_turn = true;
+    someone = true;
+  }
+  return someone;
 }
 
 void BusTime::on_full() noexcept {
@@ -250,6 +264,10 @@ bool BusTime::wait(ClockMember& member, const TimeMessage& message) noexcept {
     return true;
   }
   set_present(std::min(from_ns(message.now_ns), horizon_));
+  if (part.until <= now()) {
+    part.gives_way = true;
+    part.until = kNever;
+  }
   turn_is_over_ = true;
   has_touched_ = (message.flags & userbus::kTouched) != 0;
   return true;

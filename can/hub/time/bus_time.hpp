@@ -72,6 +72,7 @@ class BusTime final : public Turns, private Schedule {
   void end_turn() noexcept;
   void drain_sockets_of(const Part& part) noexcept;
   void owe_those_who_waited() noexcept;
+  bool owe_those_who_give_way() noexcept;
   [[nodiscard]] canopen::TimePoint limit() const noexcept;
   void owe_all_but(const ClockMember* member) noexcept;
   [[nodiscard]] ClockMember* next_owed() noexcept;

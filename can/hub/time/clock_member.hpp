@@ -29,8 +29,9 @@ struct Part {
   bool has_joined = false;
   bool is_device = false;
   bool is_owed_turn = false;
-  bool child_ended = false;                    ///< to be told with the next turn
-  bool is_left_out = false;                    ///< it has been silent for too long
+  bool gives_way = false;    ///< it waits for the present: its turn comes behind what happens on the bus
+  bool child_ended = false;  ///< to be told with the next turn
+  bool is_left_out = false;  ///< it has been silent for too long
   canopen::TimePoint until = canopen::kNever;  ///< what it waits for
   pid_t process = 0;                           ///< whose time it is; 0: not known yet
   std::vector<pid_t> ancestors;                ///< whose sockets that process may have inherited

@@ -42,11 +42,8 @@ TEST_F(FramesInTurns, LastAsLongAsTheirBits) {
 }
 
 TEST_F(FramesInTurns, CompeteByIdentifierAtOneInstant) {
-  first.send("300#");
-  first.wait(0, 0);
-  ASSERT_EQ(first.turn(), 0);
   second.want();
-  first.send("200#");
+  first.send("300#");
   first.wait(0, kNoInstant);
   ASSERT_EQ(second.turn(), 0);
   second.send("100#");
@@ -56,6 +53,30 @@ TEST_F(FramesInTurns, CompeteByIdentifierAtOneInstant) {
   first.wait(51'000, kNoInstant);
   ASSERT_EQ(second.turn(), 102'000);
   EXPECT_EQ(second.take_frames(), Frames{"102 300#"});
+}
+
+TEST_F(FramesInTurns, CompeteThoughTheFirstSenderCameToTheInstantByItself) {
+  second.want();
+  first.wait(0, 500'000);
+  ASSERT_EQ(second.turn(), 0);
+  EXPECT_EQ(second.last().horizon_ns, 500'000);
+  second.send("300#", 500'000);
+  second.wait(500'000, kNoInstant);
+  ASSERT_EQ(first.turn(), 500'000);
+  first.send("100#");
+  first.wait(500'000, kNoInstant);
+  ASSERT_EQ(second.turn(), 551'000);
+  EXPECT_EQ(second.take_frames(), Frames{"551 100#"});
+}
+
+TEST_F(FramesInTurns, BeginWhenTheirSenderGivesWay) {
+  first.send("300#");
+  first.wait(0, 0);
+  ASSERT_EQ(first.turn(), 0);
+  first.send("100#");
+  first.wait(0, kNoInstant);
+  ASSERT_EQ(second.turn(), 51'000);
+  EXPECT_EQ(second.take_frames(), Frames{"51 300#"});
 }
 
 TEST_F(FramesInTurns, BeginAtThePresentOfWhoSendsThem) {
