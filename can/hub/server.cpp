@@ -174,7 +174,6 @@ std::unique_ptr<Member> Server::make_member(os::Descriptor socket, userbus::Kind
   if (kind == userbus::Kind::BroadcastManager) return std::make_unique<BroadcastMember>(core_, std::move(socket));
   if (kind == userbus::Kind::Clock && time_) return time_->make_member(std::move(socket));
   if (kind == userbus::Kind::Clock) return std::make_unique<ClockMember>(core_, std::move(socket), nullptr);
-  if (kind == userbus::Kind::Clock) return std::make_unique<ClockMember>(core_, std::move(socket), nullptr);
   return nullptr;
 }
 

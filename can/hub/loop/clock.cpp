@@ -10,7 +10,8 @@ canopen::Duration times(canopen::Duration time, double factor) noexcept {
 
 }  // namespace
 
-Clock::Clock(const userbus::TimeWish& wish) noexcept : mode_{wish.mode}, scale_{wish.scale} {
+Clock::Clock(const userbus::TimeWish& wish) noexcept
+    : mode_{wish.mode}, is_told_{wish.mode >= userbus::TimeMode::Virtual}, scale_{wish.scale} {
   if (mode_ == userbus::TimeMode::Real) return;
   machine_begin_ = monotonic_now();
   // programs whose clock the machine's begins with see no jump; told time is the same in every run

@@ -26,9 +26,7 @@ class Clock {
   [[nodiscard]] userbus::TimeMode mode() const noexcept { return mode_; }
   [[nodiscard]] double scale() const noexcept { return scale_; }
   /// True in virtual and stepped time: set() tells what it is.
-  [[nodiscard]] bool is_told() const noexcept {
-    return mode_ == userbus::TimeMode::Virtual || mode_ == userbus::TimeMode::Stepped;
-  }
+  [[nodiscard]] bool is_told() const noexcept { return is_told_; }
   /// The present.
   [[nodiscard]] canopen::TimePoint now() const noexcept {
     return mode_ == userbus::TimeMode::Real ? monotonic_now() : other_now();
@@ -59,6 +57,7 @@ class Clock {
   [[nodiscard]] canopen::TimePoint unscaled(canopen::TimePoint time) const noexcept;
 
   userbus::TimeMode mode_ = userbus::TimeMode::Real;
+  bool is_told_ = false;
   double scale_ = 1;
   canopen::TimePoint begin_{};
   canopen::TimePoint machine_begin_{};

@@ -219,18 +219,24 @@ void Member::go_on() noexcept {
   update_watch();
 }
 
-void Member::update_watch() noexcept {
-  std::uint32_t wanted = 0;
-  if (phase_ == Phase::Open) wanted = outbox_.empty() ? EPOLLRDHUP : EPOLLRDHUP | EPOLLOUT;
-  const bool can_be_read = phase_ <= Phase::Closed && may_read() > 0;
-  if (can_be_read && !can_be_read_) {
+/// Where programs take turns: events are told once, and requests are read though the medium has no room for
+/// frames.
+std::uint32_t Member::watch_of_turns(std::uint32_t wanted) noexcept {
+  const bool can_be_read = (wanted & EPOLLIN) != 0;
+  if (can_be_read && !std::exchange(can_be_read_, can_be_read)) {
     reads_again_ = true;
     note_given();
   }
   can_be_read_ = can_be_read;
-  if (can_be_read) wanted |= EPOLLIN;
-  if (core_.clock.is_told() && phase_ == Phase::Open) wanted |= EPOLLIN;  // a request is read in any case
-  if (core_.clock.is_told() && wanted != 0) wanted |= EPOLLET;
+  if (phase_ == Phase::Open) wanted |= EPOLLIN;
+  return wanted == 0 ? 0 : wanted | EPOLLET;
+}
+
+void Member::update_watch() noexcept {
+  std::uint32_t wanted = 0;
+  if (phase_ == Phase::Open) wanted = outbox_.empty() ? EPOLLRDHUP : EPOLLRDHUP | EPOLLOUT;
+  if (phase_ <= Phase::Closed && may_read() > 0) wanted |= EPOLLIN;
+  if (core_.clock.is_told()) wanted = watch_of_turns(wanted);
   if (wanted == watched_) return;
   // a hang-up would be told for ever: who is not to be read any more is not watched
   if (wanted == 0)

@@ -136,6 +136,7 @@ class Member : public Watch {
     outbox_.hand_over();
     if (was_empty && !outbox_.empty()) update_watch();
   }
+  [[nodiscard]] std::uint32_t watch_of_turns(std::uint32_t wanted) noexcept;
   void update_watch() noexcept;
 
   Core& core_;
