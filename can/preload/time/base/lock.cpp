@@ -18,7 +18,7 @@ enum : uint32_t { kFree, kTaken, kWanted };
 std::atomic<uint32_t> word;
 std::atomic<const char*> owner;
 /// Its address is the thread's name.
-[[gnu::tls_model("initial-exec")]] thread_local char mark;
+[[gnu::tls_model("initial-exec")]] thread_local char own_mark;
 
 void sleep_while_wanted() noexcept {
   real().syscall(SYS_futex, &word, FUTEX_WAIT_PRIVATE, kWanted, nullptr, nullptr, 0);
@@ -38,7 +38,7 @@ void TimeLock::take() noexcept {
   uint32_t found = kFree;
   if (!word.compare_exchange_strong(found, kTaken, std::memory_order_acquire))
     while (word.exchange(kWanted, std::memory_order_acquire) != kFree) sleep_while_wanted();
-  owner.store(&mark, std::memory_order_relaxed);
+  owner.store(&own_mark, std::memory_order_relaxed);
 }
 
 void TimeLock::release() noexcept {
@@ -48,7 +48,7 @@ void TimeLock::release() noexcept {
 }
 
 bool TimeLock::is_mine() noexcept {
-  return owner.load(std::memory_order_relaxed) == &mark;
+  return owner.load(std::memory_order_relaxed) == &own_mark;
 }
 
 void TimeLock::forget() noexcept {
