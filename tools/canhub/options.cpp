@@ -173,7 +173,9 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
          "socket of the bus (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /run/can-bus for root and "
          "/tmp/can-bus-UID/can-bus for others)")
       ->type_name("PATH");
-  app.add_option("--bitrate", bit_rate, "bit rate of the bus in bit/s (default: 0, frames take no time)")
+  app.add_option(
+         "--bitrate", bit_rate,
+         "bit rate of the bus in bit/s (default: 0, frames take no time; 1000000 with --time virtual and stepped)")
       ->type_name("N");
   app.add_option("--time", time, "whose time the bus has: real, scaled=K, virtual or stepped (default: real)")
       ->type_name("TIME");

@@ -66,6 +66,6 @@ class Clock {
 };
 
 /// The clock of a bus that has the machine's time.
-inline const Clock machine_clock{};
+inline const Clock kMachineClock{};
 
 }  // namespace hub

@@ -82,7 +82,7 @@ class Medium {
   static constexpr std::size_t kQueue = kMostWaiting;
 
   /// @p bit_rate in bit/s; 0: frames take no time. On the time line of @p clock, which outlives this.
-  explicit Medium(std::uint32_t bit_rate = 0, const Clock& clock = machine_clock);
+  explicit Medium(std::uint32_t bit_rate = 0, const Clock& clock = kMachineClock);
   Medium(const Medium&) = delete;
   Medium& operator=(const Medium&) = delete;
   ~Medium();

@@ -15,7 +15,7 @@ class TimeLine {
  public:
   /// @p bit_rate in bit/s; 0: frames take no time, and begin() and occupy() are not called. On the time line of
   /// @p clock, which outlives this.
-  explicit TimeLine(std::uint32_t bit_rate, const Clock& clock = machine_clock) noexcept
+  explicit TimeLine(std::uint32_t bit_rate, const Clock& clock = kMachineClock) noexcept
       : bit_rate_{bit_rate}, clock_{clock} {}
 
   [[nodiscard]] std::uint32_t bit_rate() const noexcept { return bit_rate_; }

@@ -29,9 +29,9 @@ bool Inbox::prepare_to_look(int descriptor) noexcept {
 
 Inbox::Found Inbox::look(int descriptor) noexcept {
   Found found;
-  std::array<std::byte, userbus::kLongestMessage> bytes;
+  std::byte bytes[userbus::kLongestMessage];
   for (;;) {
-    iovec part{bytes.data(), bytes.size()};
+    iovec part{bytes, sizeof bytes};
     msghdr header{};
     header.msg_iov = &part;
     header.msg_iovlen = 1;

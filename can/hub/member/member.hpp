@@ -120,14 +120,14 @@ class Member : public Watch {
   [[nodiscard]] virtual bool is_done() const noexcept { return true; }
 
   /// The program gets something, or has room: it is owed a turn where the bus's time goes by turns.
-  void note_given() noexcept {
+  void note_given() const noexcept {
     if (core_.turns != nullptr) core_.turns->on_given(process_);
   }
   void on_events_of_turns(std::uint32_t events) noexcept;
   void look() noexcept;
   void flush() noexcept;
   std::size_t read(std::size_t most) noexcept;
-  void take(Inbox::Message message, canopen::TimePoint now) noexcept;
+  void take(Inbox::Message message, canopen::TimePoint read_at) noexcept;
   [[nodiscard]] bool take_frames(std::span<const std::byte> bytes, canopen::TimePoint now) noexcept;
   [[nodiscard]] bool take_frame(const userbus::FrameMessage& message, canopen::TimePoint now) noexcept;
   void begin_gathering() noexcept;

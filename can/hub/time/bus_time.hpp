@@ -40,6 +40,8 @@ class BusTime final : public Turns, private Schedule {
 
   /// The time of @p core, whose clock is not the machine's and which outlives this; std::system_error.
   BusTime(Core& core, Settings settings);
+  BusTime(const BusTime&) = delete;
+  BusTime& operator=(const BusTime&) = delete;
   ~BusTime() override;
 
   /// A program's part in it; std::bad_alloc.

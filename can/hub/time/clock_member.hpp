@@ -49,6 +49,8 @@ class ClockMember final : public Member {
   /// @p schedule outlives it; nullptr: the bus has the machine's time, and what the member says is refused.
   ClockMember(Core& core, os::Descriptor socket, Schedule* schedule)
       : Member{core, std::move(socket), userbus::Kind::Clock}, schedule_{schedule} {}
+  ClockMember(const ClockMember&) = delete;
+  ClockMember& operator=(const ClockMember&) = delete;
   ~ClockMember() override;
 
   [[nodiscard]] Part& part() noexcept { return part_; }

@@ -25,6 +25,8 @@ class BusTime::Leaver final : public Watch {
         had_turn_{had_turn},
         on_end_{std::move(on_end)},
         due_{monotonic_now() + (part_.end ? kPatience : kPatienceWithUnknown)} {}
+  Leaver(const Leaver&) = delete;
+  Leaver& operator=(const Leaver&) = delete;
   ~Leaver() override {
     if (poll_ != nullptr) poll_->remove(part_.end.get(), *this);
   }
