@@ -13,7 +13,7 @@ namespace architecture {
 /// An item that ends with a slash allows what lies below it; kSystem allows headers of Linux and of the C library.
 struct Layer {
   std::string_view folder;
-  std::array<std::string_view, 25> allowed;  ///< empty items allow nothing
+  std::array<std::string_view, 26> allowed;  ///< empty items allow nothing
 };
 
 /// Headers of Linux and of the C library: in angle brackets, ended by .h, of no library that is named in a layer.
@@ -105,6 +105,7 @@ inline constexpr std::array kLayers{
           {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "can/userbus/", "text/", "nlohmann/",
            "fmt/", kSystem}},
     Layer{"can/connection", {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "os/", "can/port/", "fmt/"}},
+    Layer{"can/clock", {"libcanopen/base/time.hpp", "os/", "can/userbus/", "can/port/", "fmt/", kSystem}},
     Layer{"can/bus_faults", {"can/userbus/", "os/", "nlohmann/", "fmt/", kSystem}},
     Layer{"can/hub",
           {"libcanopen/base/", "os/", "can/userbus/", "can/port/", "can/connection/", "injection/language/",
@@ -140,18 +141,19 @@ inline constexpr std::array kLayers{
            "modbus/",    "unit/",    "drive/",       "motor/",        "libcanopen/",      "can/",
            "text/",      "fmt/",     "nlohmann/"}},
     Layer{"daemon/loop",
-          {"service/", "daemon/base/", "daemon/instance/", "drive/joint_steps.hpp", "libcanopen/base/", "os/",
-           kSystem}},
+          {"service/", "daemon/base/", "daemon/instance/", "drive/joint_steps.hpp", "libcanopen/base/",
+           "can/clock/", "os/", kSystem}},
     Layer{"daemon/fleet",
           {"service/", "daemon/base/", "daemon/configuration/", "daemon/instance/", "daemon/loop/",
-           "control/error.hpp", "can/port/", "os/", "fmt/", kSystem}},
+           "control/error.hpp", "can/port/", "can/clock/", "os/", "fmt/", kSystem}},
     Layer{"daemon/server",
           {"service/", "daemon/base/", "daemon/configuration/", "daemon/watch/", "daemon/control/",
            "daemon/fleet/", "record/event.hpp", "control/", "os/", "fmt/", "nlohmann/", "systemd/", kSystem}},
-    Layer{"daemon/program",
-          {"cli/",   "version/", "service/", "service_options/", "daemon/",   "control/",  "libcanopen/",
-           "drive/", "motor/",   "unit/",    "device/",          "os/",       "can/port/", "can/connection/",
-           "text/",  "fmt/",     "CLI/",     "systemd/",         "nlohmann/", kSystem}},
+    Layer{"daemon/program", {"cli/",     "version/",    "service/",  "service_options/", "daemon/",
+                             "control/", "libcanopen/", "drive/",    "motor/",           "unit/",
+                             "device/",  "os/",         "can/port/", "can/connection/",  "can/clock/",
+                             "text/",    "fmt/",        "CLI/",      "systemd/",         "nlohmann/",
+                             kSystem}},
     Layer{"gateway/base", {"control/", "text/", "fmt/", "nlohmann/"}},
     Layer{"gateway/security", {"gateway/base/", "os/", "text/", "fmt/", "nlohmann/", kSystem}},
     Layer{"gateway/routes", {"gateway/base/", "control/", "text/", "fmt/", "nlohmann/"}},
@@ -214,6 +216,7 @@ inline constexpr std::array kLayers{
            "os/",
            "can/userbus/",
            "can/bus_faults/",
+           "can/clock/",
            "can/port/",
            "can/connection/",
            "can/hub/",
