@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 
@@ -69,6 +70,13 @@ inline std::chrono::nanoseconds wall_time() noexcept {
 constexpr timespec to_timespec(std::chrono::nanoseconds time) noexcept {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
   return {.tv_sec = seconds.count(), .tv_nsec = (time - seconds).count()};
+}
+
+/// What poll(2) takes for @p left: milliseconds, rounded up, an hour at most.
+constexpr int poll_limit(std::chrono::nanoseconds left) noexcept {
+  constexpr std::chrono::nanoseconds kLongest = std::chrono::hours{1};
+  const auto limit = std::clamp(left, std::chrono::nanoseconds{0}, kLongest);
+  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(limit).count());
 }
 
 }  // namespace os

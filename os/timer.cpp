@@ -7,6 +7,8 @@
 
 #include <sys/timerfd.h>
 
+#include "os/clock.hpp"
+
 namespace os {
 
 Timer::Timer() : timer_{::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)} {
@@ -23,10 +25,7 @@ bool Timer::take() noexcept {
 }
 
 void Timer::set(int flags, std::chrono::nanoseconds value) noexcept {
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(value);
-  itimerspec setting{};
-  setting.it_value.tv_sec = seconds.count();
-  setting.it_value.tv_nsec = (value - seconds).count();
+  const itimerspec setting{.it_interval = {}, .it_value = to_timespec(value)};
   ::timerfd_settime(timer_.get(), flags, &setting, nullptr);
 }
 

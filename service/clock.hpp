@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 
 #include "libcanopen/base/time.hpp"
@@ -20,10 +19,7 @@ inline canopen::TimePoint machine_clock() noexcept {
 
 /// From now until @p when, at most an hour, rounded up, for poll(2): negative = for ever.
 inline int milliseconds_until(canopen::TimePoint when) noexcept {
-  constexpr canopen::Duration kLongest = std::chrono::hours{1};
-  if (when == canopen::kNever) return -1;
-  const canopen::Duration left = std::clamp(when - read_clock(), canopen::Duration{0}, kLongest);
-  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
+  return when == canopen::kNever ? -1 : os::poll_limit(when - read_clock());
 }
 
 }  // namespace axisd

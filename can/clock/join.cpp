@@ -25,12 +25,7 @@ os::Descriptor inherited(const userbus::Path& path, std::uint32_t flags) noexcep
   if (::getpeername(clock.get(), reinterpret_cast<sockaddr*>(&peer), &length) != 0) return {};
   if (std::string_view{peer.sun_path} != path.text) return {};
   ::fcntl(clock.get(), F_SETFD, FD_CLOEXEC);
-  const userbus::TimeMessage join{.word = userbus::TimeMessage::Word::Join,
-                                  .flags = flags,
-                                  .now_ns = 0,
-                                  .until_ns = 0,
-                                  .process = ::getpid(),
-                                  .reserved = 0};
+  const userbus::TimeMessage join{.word = userbus::TimeMessage::Word::Join, .flags = flags, .process = ::getpid()};
   return userbus::tell_time(clock.get(), join) ? std::move(clock) : os::Descriptor{};
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "can/port/user_bus/instant.hpp"
+
 namespace bus {
 
 using canopen::kNever;
@@ -14,24 +16,13 @@ namespace {
 /// at for what has come from outside of the bus's time.
 constexpr unsigned kMostAlone = 64;
 
-std::int64_t to_ns(TimePoint time) noexcept {
-  return time == kNever ? userbus::kNoInstant : time.time_since_epoch().count();
-}
-
-TimePoint from_ns(std::int64_t time_ns) noexcept {
-  return time_ns == userbus::kNoInstant ? kNever : TimePoint{canopen::Duration{time_ns}};
-}
-
 TimePoint machine_now() noexcept {
   return TimePoint{os::machine_time(CLOCK_MONOTONIC)};
 }
 
-/// Milliseconds of poll(2) until @p when on the machine's clock.
-int milliseconds_until(TimePoint when) noexcept {
-  constexpr canopen::Duration kLongest = std::chrono::hours{1};
-  if (when == kNever) return -1;
-  const canopen::Duration left = std::clamp(when - machine_now(), canopen::Duration{0}, kLongest);
-  return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count());
+/// For poll(2), until @p when on the machine's clock.
+int poll_limit(TimePoint when) noexcept {
+  return when == kNever ? -1 : os::poll_limit(when - machine_now());
 }
 
 bool is_any_ready(std::span<pollfd> descriptors, int timeout) noexcept {
@@ -94,11 +85,11 @@ bool TimeShare::wait_by_machine(const Wanted& wanted) const noexcept {
 }
 
 int TimeShare::machine_timeout(const Wanted& wanted) const noexcept {
-  if (wanted.until == kNever) return milliseconds_until(wanted.machine_until);
+  if (wanted.until == kNever) return poll_limit(wanted.machine_until);
   const auto left = wanted.until - now();
   const auto scaled = std::chrono::duration<double, std::nano>{left} / page_.scale;
   const TimePoint until = machine_now() + std::chrono::duration_cast<canopen::Duration>(scaled);
-  return milliseconds_until(std::min(until, wanted.machine_until));
+  return poll_limit(std::min(until, wanted.machine_until));
 }
 
 /// All threads wait: finds out whose turn it is, with the one of the process if that is needed, and wakes it.
@@ -180,9 +171,7 @@ void TimeShare::give_back(TimePoint next) noexcept {
   const userbus::TimeMessage message{.word = userbus::TimeMessage::Word::Wait,
                                      .flags = touched ? userbus::kTouched : 0,
                                      .now_ns = now_ns_,
-                                     .until_ns = to_ns(next),
-                                     .process = 0,
-                                     .reserved = 0};
+                                     .until_ns = to_ns(next)};
   if (!userbus::tell_time(clock_.get(), message)) end();
 }
 
@@ -194,19 +183,13 @@ void TimeShare::sleep(std::unique_lock<std::mutex>& lock) noexcept {
     if (party.waits_ && !is_wanted_) machine_until = std::min(machine_until, party.wanted_.machine_until);
   const auto count = is_wanted_ ? 1 : watched_.size();
   lock.unlock();
-  const int ready = ::poll(watched_.data(), count, milliseconds_until(machine_until));
+  const int ready = ::poll(watched_.data(), count, poll_limit(machine_until));
   lock.lock();
   if (is_over_) return;
   if (watched_[0].revents != 0) return take_turn(/*waits=*/false);
   if (ready < 0 || is_wanted_) return;
   is_wanted_ = true;
-  const userbus::TimeMessage want{.word = userbus::TimeMessage::Word::Want,
-                                  .flags = 0,
-                                  .now_ns = 0,
-                                  .until_ns = 0,
-                                  .process = 0,
-                                  .reserved = 0};
-  if (!userbus::tell_time(clock_.get(), want)) end();
+  if (!userbus::tell_time(clock_.get(), {.word = userbus::TimeMessage::Word::Want})) end();
 }
 
 void TimeShare::gather() noexcept {

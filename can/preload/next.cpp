@@ -2,27 +2,15 @@
 
 #include <atomic>
 
-#include <dlfcn.h>
+#include "can/preload/look_up.hpp"
 
 namespace preload {
 
 namespace {
 
-/// A call and where its address goes. All pointers to functions are of one size, and dlsym(3) has but one for all.
-struct Entry {
-  const char* name;
-  void** address;
-};
-
 Next calls;
 std::atomic<bool> looked_up;
 
-template <class Function>
-void** address_of(Function*& call) noexcept {
-  return reinterpret_cast<void**>(&call);
-}
-
-/// Threads that come here at the same time write the same.
 void look_up() noexcept {
   const Entry entries[] = {
       {"socket", address_of(calls.socket)},
@@ -53,7 +41,7 @@ void look_up() noexcept {
       {"if_nameindex", address_of(calls.if_nameindex)},
   };
   static_assert(sizeof entries / sizeof *entries == sizeof(Next) / sizeof(void*), "every call is looked up");
-  for (const Entry& entry : entries) *entry.address = dlsym(RTLD_NEXT, entry.name);
+  look_up_all(entries);
   looked_up.store(true, std::memory_order_release);
 }
 

@@ -62,15 +62,9 @@ int first_clock(int lowest) noexcept {
 }  // namespace
 
 bool read_time(const char* text, size_t size, TimeWish& wish) noexcept {
-  struct Word {
-    const char* word;
-    TimeMode mode;
-  };
-  constexpr Word kWords[] = {
-      {"real", TimeMode::Real}, {"virtual", TimeMode::Virtual}, {"stepped", TimeMode::Stepped}};
-  for (const Word& word : kWords) {
-    if (!equals(text, size, word.word)) continue;
-    wish = {word.mode, 1};
+  for (const TimeMode mode : {TimeMode::Real, TimeMode::Virtual, TimeMode::Stepped}) {
+    if (!equals(text, size, kTimeNames[static_cast<size_t>(mode)])) continue;
+    wish = {mode, 1};
     return true;
   }
   constexpr size_t kPrefix = sizeof kScaled - 1;
@@ -84,12 +78,7 @@ bool read_time(const char* text, size_t size, TimeWish& wish) noexcept {
 JoinedClock join_clock(const Path& path, const char* hub, uint32_t flags, int process, bool inherited) noexcept {
   const Joined joined = join(path, hub, Kind::Clock, inherited ? 0 : SOCK_CLOEXEC);
   if (joined.descriptor < 0) return {.descriptor = -1, .error = joined.error};
-  const TimeMessage message{.word = TimeMessage::Word::Join,
-                            .flags = flags,
-                            .now_ns = 0,
-                            .until_ns = 0,
-                            .process = process,
-                            .reserved = 0};
+  const TimeMessage message{.word = TimeMessage::Word::Join, .flags = flags, .process = process};
   if (tell_time(joined.descriptor, message)) return {.descriptor = joined.descriptor, .error = JoinError::None};
   close(joined.descriptor);
   return {.descriptor = -1, .error = JoinError::NotServed};

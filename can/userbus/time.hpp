@@ -22,6 +22,9 @@ enum class TimeMode : uint32_t {
   Stepped,  ///< likewise, but only as far as Operation::Step has let it
 };
 
+/// As users write them.
+inline constexpr const char* kTimeNames[] = {"real", "scaled", "virtual", "stepped"};
+
 /// What is asked for with --time and $CAN_TIME.
 struct TimeWish {
   TimeMode mode;
@@ -38,7 +41,7 @@ bool read_time(const char* text, size_t size, TimeWish& wish) noexcept;
 /// What the memory of Operation::Time holds, for reading only.
 struct TimePage {
   TimeMode mode;
-  uint32_t reserved;
+  uint32_t reserved = 0;
   double scale;                 ///< of TimeMode::Scaled
   int64_t begin_ns;             ///< what the bus's clock showed when it began
   int64_t machine_begin_ns;     ///< what the machine's CLOCK_MONOTONIC showed then
@@ -63,11 +66,11 @@ struct TimeMessage {
     Want,  ///< something outside of the bus has happened to it while it waited: it is owed a turn
   };
   Word word;
-  uint32_t flags;    ///< of Join: kDevice; of Wait: kTouched
-  int64_t now_ns;    ///< of Wait: its present, in the horizon of its turn
-  int64_t until_ns;  ///< of Wait: kNoInstant = until something happens
-  int32_t process;   ///< of Join
-  int32_t reserved;
+  uint32_t flags = 0;    ///< of Join: kDevice; of Wait: kTouched
+  int64_t now_ns = 0;    ///< of Wait: its present, in the horizon of its turn
+  int64_t until_ns = 0;  ///< of Wait: kNoInstant = until something happens
+  int32_t process = 0;   ///< of Join
+  int32_t reserved = 0;
 };
 static_assert(sizeof(TimeMessage) == 32);
 
@@ -80,8 +83,8 @@ inline constexpr uint32_t kTouched = 1;
 struct TimeTurn {
   int64_t now_ns;      ///< the present
   int64_t horizon_ns;  ///< the member may go on by itself up to here, as long as it has sent and touched nothing
-  uint32_t flags;      ///< kChildEnded
-  uint32_t reserved;
+  uint32_t flags = 0;  ///< kChildEnded
+  uint32_t reserved = 0;
 };
 static_assert(sizeof(TimeTurn) == 24);
 

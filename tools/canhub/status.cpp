@@ -104,8 +104,7 @@ void print_time(int member, std::ostream& out) {
     out << fmt::format("time: scaled, {:g} times as quick\n", page->scale);
   else
     out << fmt::format("time: {}, {:.9f} s since its start, {}\n",
-                       page->mode == userbus::TimeMode::Stepped ? "stepped" : "virtual", seconds,
-                       waited_for(member));
+                       userbus::kTimeNames[static_cast<std::size_t>(page->mode)], seconds, waited_for(member));
   userbus::unmap_time(page);
 }
 

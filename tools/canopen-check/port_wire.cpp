@@ -21,11 +21,6 @@ constexpr canopen::Duration kRetry = std::chrono::milliseconds{1};
 /// A signal that comes just before the wait is seen after this time at the latest.
 constexpr canopen::Duration kLongestWait = std::chrono::milliseconds{200};
 
-timespec timespec_of(canopen::Duration time) noexcept {
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
-  return {.tv_sec = static_cast<time_t>(seconds.count()), .tv_nsec = static_cast<long>((time - seconds).count())};
-}
-
 }  // namespace
 
 void take_signals() {
@@ -52,7 +47,7 @@ bool PortWire::send(const canopen::Frame& frame) {
   const canopen::TimePoint until = now() + kRoomPatience;
   bus::SendStatus status = connection_.port->send(frame);
   while (status == bus::SendStatus::Full && now() < until) {
-    const timespec pause = timespec_of(kRetry);
+    const timespec pause = os::to_timespec(kRetry);
     (void)::nanosleep(&pause, nullptr);
     status = connection_.port->send(frame);
   }
@@ -64,7 +59,7 @@ bool PortWire::wait(canopen::TimePoint until) {
   std::array<pollfd, 2> descriptors{pollfd{connection_.port->descriptor(), POLLIN, 0},
                                     pollfd{connection_.link->descriptor(), POLLIN, 0}};
   const canopen::Duration left = std::clamp(until - now(), canopen::Duration::zero(), kLongestWait);
-  const timespec limit = timespec_of(left);
+  const timespec limit = os::to_timespec(left);
   (void)::ppoll(descriptors.data(), descriptors.size(), &limit, nullptr);
   if (descriptors[1].revents != 0 && connection_.link->read() && connection_.link->state() != bus::LinkState::Up)
     up_ = false;

@@ -69,9 +69,7 @@ class Berth {
     constexpr canopen::Duration kLongest = std::chrono::hours{1};
     const canopen::Duration left = std::clamp(std::min(slave_.next_deadline(), queue_.next_retry()) - read_clock(),
                                               canopen::Duration::zero(), kLongest);
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
-    const timespec limit{.tv_sec = static_cast<time_t>(seconds.count()),
-                         .tv_nsec = static_cast<long>((left - seconds).count())};
+    const timespec limit = os::to_timespec(left);
     const nfds_t heard = queue_.accepts_input() && up_ ? kCount : kPort;
     (void)::ppoll(descriptors.data(), heard, &limit, nullptr);
     if (descriptors[kLink].revents != 0) follow_link();

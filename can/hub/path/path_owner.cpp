@@ -33,17 +33,8 @@ constexpr mode_t kNotForOthers = 0177;
 
 /// As --time has it.
 std::string text_of(const userbus::TimeWish& time) {
-  switch (time.mode) {
-    case userbus::TimeMode::Real:
-      return "real";
-    case userbus::TimeMode::Scaled:
-      return fmt::format("scaled={:g}", time.scale);
-    case userbus::TimeMode::Virtual:
-      return "virtual";
-    case userbus::TimeMode::Stepped:
-      return "stepped";
-  }
-  return "unknown";
+  const char* const name = userbus::kTimeNames[static_cast<std::size_t>(time.mode)];
+  return time.mode == userbus::TimeMode::Scaled ? fmt::format("{}={:g}", name, time.scale) : name;
 }
 
 Refusal in_use(const std::string& path, std::string_view what) {

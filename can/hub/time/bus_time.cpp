@@ -9,9 +9,12 @@
 #include <unistd.h>
 
 #include "can/hub/time/leaver.hpp"
+#include "can/port/user_bus/instant.hpp"
 
 namespace hub {
 
+using bus::from_ns;
+using bus::to_ns;
 using canopen::kNever;
 using canopen::TimePoint;
 using userbus::TimeMessage;
@@ -23,14 +26,6 @@ constexpr unsigned kMostEvents = 64;
 /// Messages in a socket from which on it polls not writable: when the hub has read as many there is room again.
 constexpr std::size_t kUnwritable = 4;
 
-TimePoint from_ns(std::int64_t time_ns) noexcept {
-  return time_ns == userbus::kNoInstant ? kNever : TimePoint{canopen::Duration{time_ns}};
-}
-
-std::int64_t to_ns(TimePoint time) noexcept {
-  return time == kNever ? userbus::kNoInstant : time.time_since_epoch().count();
-}
-
 }  // namespace
 
 BusTime::BusTime(Core& core, Settings settings)
@@ -38,7 +33,6 @@ BusTime::BusTime(Core& core, Settings settings)
       settings_{std::move(settings)},
       memory_{"can-bus-time", userbus::kTimePageSize},
       page_{new (memory_.begin()) userbus::TimePage{.mode = core.clock.mode(),
-                                                    .reserved = 0,
                                                     .scale = core.clock.scale(),
                                                     .begin_ns = to_ns(core.clock.begin()),
                                                     .machine_begin_ns = to_ns(core.clock.machine_begin()),
@@ -133,10 +127,8 @@ void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
   full_since_.reset();
   horizon_ = horizon_of(member, bus);
   const bool child_ended = std::exchange(member.part().child_ended, false);
-  member.give({.now_ns = to_ns(now()),
-               .horizon_ns = to_ns(horizon_),
-               .flags = child_ended ? userbus::kChildEnded : 0,
-               .reserved = 0});
+  member.give(
+      {.now_ns = to_ns(now()), .horizon_ns = to_ns(horizon_), .flags = child_ended ? userbus::kChildEnded : 0});
 }
 
 TimePoint BusTime::horizon_of(const ClockMember& member, const BusEvents& bus) const noexcept {

@@ -88,6 +88,9 @@ class BusTime final : public Turns, private Schedule {
   void wait_no_longer_for(pid_t process) noexcept;
   void make_room() noexcept;
   void leave_out(ClockMember& member) noexcept;
+  /// Says what @p line makes to the operator.
+  template <class Line>
+  void notice(Line line) const noexcept;
   void take_in_again(const ClockMember& member, const userbus::TimeMessage& message) noexcept;
   [[nodiscard]] canopen::TimePoint now() const noexcept { return core_.clock.now(); }
 

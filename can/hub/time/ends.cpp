@@ -104,21 +104,23 @@ void BusTime::leave_out(ClockMember& member) noexcept {
   part.is_owed_turn = false;
   part.until = kNever;
   drain_sockets_of(part);
-  if (!settings_.notice) return;
-  try {
+  notice([&] {
     const auto seconds = std::chrono::duration<double>{settings_.silence}.count();
-    settings_.notice(fmt::format("the time of the bus has waited {:g} s for {}: it goes on without it", seconds,
-                                 describe_silent(part.process)));
-  } catch (const std::exception&) {
-    return;  // no memory for a line
-  }
+    return fmt::format("the time of the bus has waited {:g} s for {}: it goes on without it", seconds,
+                       describe_silent(part.process));
+  });
 }
 
 void BusTime::take_in_again(const ClockMember& member, const userbus::TimeMessage& message) noexcept {
   if ((message.flags & userbus::kTouched) != 0) owe_all_but(&member);
+  notice([&] { return fmt::format("process {} takes part in the time of the bus again", member.part().process); });
+}
+
+template <class Line>
+void BusTime::notice(Line line) const noexcept {
   if (!settings_.notice) return;
   try {
-    settings_.notice(fmt::format("process {} takes part in the time of the bus again", member.part().process));
+    settings_.notice(line());
   } catch (const std::exception&) {
     return;  // no memory for a line
   }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <ctime>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "os/clock.hpp"
 #include "record/format.hpp"
 
 namespace axisctl {
@@ -46,9 +46,7 @@ class HeldSignals {
     const auto until = steady_clock::now() + length;
     while (true) {
       const nanoseconds left = std::max<nanoseconds>(until - steady_clock::now(), nanoseconds{0});
-      const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
-      const timespec limit{.tv_sec = static_cast<time_t>(seconds.count()),
-                           .tv_nsec = static_cast<long>((left - seconds).count())};
+      const timespec limit = os::to_timespec(left);
       if (::sigtimedwait(&held_, nullptr, &limit) >= 0 || errno != EINTR) return;
     }
   }

@@ -1,10 +1,7 @@
-#include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +12,7 @@
 #include "can/userbus/request.hpp"
 #include "can/userbus/time.hpp"
 #include "os/descriptor.hpp"
+#include "text/duration.hpp"
 #include "tools/axisctl/commands/command.hpp"
 
 namespace axisctl {
@@ -28,24 +26,7 @@ struct StepWish {
   std::string path{};  ///< of the bus; empty: the default
 };
 
-/// A number of ns, us, ms, s, min or h, more than zero and at most a year; nothing if @p text is none.
-std::optional<Nanoseconds> read_duration(std::string_view text) {
-  struct Unit {
-    std::string_view name;
-    double nanoseconds;
-  };
-  constexpr Unit kUnits[] = {{"ns", 1}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}, {"min", 6e10}, {"h", 3.6e12}};
-  constexpr double kYear = 365 * 24 * 3.6e12;
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{}) return std::nullopt;
-  const std::string_view name = text.substr(static_cast<std::size_t>(end - text.data()));
-  for (const Unit& unit : kUnits) {
-    const double length = std::round(number * unit.nanoseconds);
-    if (name == unit.name && length >= 1 && length <= kYear) return Nanoseconds{static_cast<std::int64_t>(length)};
-  }
-  return std::nullopt;
-}
+constexpr Nanoseconds kLongest = std::chrono::hours{365 * 24};
 
 /// Lets the time of the bus of @p member go on by @p step; the present then, and errno of what went wrong.
 tl::expected<Nanoseconds, int> step_by(int member, Nanoseconds step) {
@@ -61,7 +42,7 @@ tl::expected<Nanoseconds, int> step_by(int member, Nanoseconds step) {
 }
 
 Expected<void> step(const StepWish& wish) {
-  const auto duration = read_duration(wish.duration);
+  const auto duration = text::duration(wish.duration, kLongest);
   if (!duration)
     return fail(ExitStatus::Usage,
                 fmt::format("DURATION: expected a number of ns, us, ms, s, min or h, at most a year, got \"{}\"",

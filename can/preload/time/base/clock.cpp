@@ -77,6 +77,11 @@ int64_t machine_duration(int64_t duration) noexcept {
   return machines >= static_cast<double>(kNoInstant) ? kNoInstant : static_cast<int64_t>(machines);
 }
 
+int64_t machine_left(int64_t deadline) noexcept {
+  const int64_t now = present();
+  return machine_duration(deadline > now ? deadline - now : 0);
+}
+
 int64_t machine_instant(int64_t instant) noexcept {
   if (instant == kNoInstant) return kNoInstant;
   if (by_turns()) return after(machine_present(), instant > present() ? instant - present() : 0);

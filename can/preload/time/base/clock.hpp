@@ -45,6 +45,8 @@ bool is_of_bus(clockid_t clock, int64_t& offset) noexcept;
 int64_t machine_present() noexcept;
 /// How long the machine takes for @p duration of the bus; for Pace::Scaled.
 int64_t machine_duration(int64_t duration) noexcept;
+/// How long the machine takes until the bus shows @p deadline; 0 if that has passed.
+int64_t machine_left(int64_t deadline) noexcept;
 /// When the machine's CLOCK_MONOTONIC shows what the bus shows as @p instant. For Pace::Turns, where a wait cannot
 /// be by turns: so far from now as the bus has it.
 int64_t machine_instant(int64_t instant) noexcept;

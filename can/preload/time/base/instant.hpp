@@ -29,6 +29,14 @@ constexpr int64_t ns_of(const timeval& time) noexcept {
   return ns_of(timespec{.tv_sec = time.tv_sec, .tv_nsec = time.tv_usec * kNsOfMicrosecond});
 }
 
+/// A limit of time of poll(2), which is none if it is negative, and of ppoll(2), which is none without @p limit.
+constexpr int64_t ns_of_limit(int milliseconds) noexcept {
+  return milliseconds < 0 ? kNoInstant : milliseconds * kNsOfMillisecond;
+}
+constexpr int64_t ns_of_limit(const timespec* limit) noexcept {
+  return limit == nullptr ? kNoInstant : ns_of(*limit);
+}
+
 constexpr timespec timespec_of(int64_t ns) noexcept {
   return {.tv_sec = ns / kNsOfSecond, .tv_nsec = ns % kNsOfSecond};
 }

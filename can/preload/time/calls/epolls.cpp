@@ -6,7 +6,7 @@
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/instant.hpp"
 #include "can/preload/time/base/real.hpp"
-#include "can/preload/time/wait/wait.hpp"
+#include "can/preload/time/wait/look.hpp"
 
 namespace preload {
 
@@ -25,48 +25,22 @@ struct Epoll {
 int epoll_by_machine(const Epoll& epoll, int64_t deadline) noexcept {
   if (deadline == kNoInstant)
     return real().epoll_pwait(epoll.descriptor, epoll.events, epoll.most, -1, epoll.mask);
-  const int64_t now = present();
-  const int64_t duration = machine_duration(deadline > now ? deadline - now : 0);
+  const int64_t duration = machine_left(deadline);
   const int64_t milliseconds = duration / kNsOfMillisecond + (duration % kNsOfMillisecond != 0 ? 1 : 0);
   return real().epoll_pwait(epoll.descriptor, epoll.events, epoll.most,
                             milliseconds < INT32_MAX ? static_cast<int>(milliseconds) : INT32_MAX, epoll.mask);
 }
 
-int epoll_until(const Epoll& epoll, int64_t deadline) noexcept {
+int epoll_for(const Epoll& epoll, int64_t duration) noexcept {
   const pollfd wanted{epoll.descriptor, POLLIN, 0};
   Wait wait{};
   wait.descriptors = &wanted;
   wait.count = 1;
-  wait.deadline = deadline;
+  wait.deadline = after(present(), duration);
   wait.mask = epoll.mask;
-  wait.polled = true;
-  for (;;) {
-    const int ready = epoll.look();
-    if (ready != 0) return ready;
-    switch (wait_for(wait)) {
-      case Ended::Ready:
-        break;
-      case Ended::Deadline:
-        return 0;
-      case Ended::Signal:
-        return failed(EINTR);
-      case Ended::Gone:
-        return epoll_by_machine(epoll, deadline);
-    }
-  }
-}
-
-int epoll_for(const Epoll& epoll, int64_t duration) noexcept {
-  const int64_t deadline = after(present(), duration);
-  if (!by_turns()) return epoll_by_machine(epoll, deadline);
-  if (duration != 0) return epoll_until(epoll, deadline);
-  const int ready = epoll.look();
-  if (ready == 0) note_idle();
-  return ready;
-}
-
-constexpr int64_t duration_of(int milliseconds) noexcept {
-  return milliseconds < 0 ? kNoInstant : milliseconds * kNsOfMillisecond;
+  return look_until(
+      wait, [&epoll] { return epoll.look(); },
+      [&epoll](int64_t deadline) { return epoll_by_machine(epoll, deadline); });
 }
 
 }  // namespace
@@ -78,19 +52,18 @@ using preload::real;
 
 PRELOAD_EXPORT int epoll_wait(int descriptor, epoll_event* events, int most, int milliseconds) {
   if (by_machine()) return real().epoll_wait(descriptor, events, most, milliseconds);
-  return preload::epoll_for({descriptor, events, most, nullptr}, preload::duration_of(milliseconds));
+  return preload::epoll_for({descriptor, events, most, nullptr}, preload::ns_of_limit(milliseconds));
 }
 
 PRELOAD_EXPORT int epoll_pwait(int descriptor, epoll_event* events, int most, int milliseconds,
                                const sigset_t* mask) {
   if (by_machine()) return real().epoll_pwait(descriptor, events, most, milliseconds, mask);
-  return preload::epoll_for({descriptor, events, most, mask}, preload::duration_of(milliseconds));
+  return preload::epoll_for({descriptor, events, most, mask}, preload::ns_of_limit(milliseconds));
 }
 
 PRELOAD_EXPORT int epoll_pwait2(int descriptor, epoll_event* events, int most, const timespec* limit,
                                 const sigset_t* mask) {
   if (by_machine()) return real().epoll_pwait2(descriptor, events, most, limit, mask);
   if (limit != nullptr && !preload::is_valid(*limit)) return preload::failed(EINVAL);
-  const int64_t duration = limit == nullptr ? preload::kNoInstant : preload::ns_of(*limit);
-  return preload::epoll_for({descriptor, events, most, mask}, duration);
+  return preload::epoll_for({descriptor, events, most, mask}, preload::ns_of_limit(limit));
 }

@@ -7,7 +7,7 @@
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/instant.hpp"
 #include "can/preload/time/base/real.hpp"
-#include "can/preload/time/wait/wait.hpp"
+#include "can/preload/time/wait/look.hpp"
 
 namespace preload {
 
@@ -61,42 +61,19 @@ class Asked {
 
 constexpr timespec kNoTimeToSelect{};
 
-int select_by_machine(Asked& asked, int64_t deadline, const sigset_t* mask) noexcept {
-  const int64_t now = present();
-  const timespec limit = timespec_of(machine_duration(deadline > now ? deadline - now : 0));
-  return asked.ask(deadline == kNoInstant ? nullptr : &limit, mask);
-}
-
-int select_until(Asked& asked, int64_t deadline, const sigset_t* mask) noexcept {
+int select_for(const Sets& sets, int64_t deadline, const sigset_t* mask) noexcept {
+  Asked asked{sets};
   Wait wait{};
   wait.descriptors = asked.descriptors();
   wait.count = asked.count();
   wait.deadline = deadline;
   wait.mask = mask;
-  wait.polled = true;
-  for (;;) {
-    const int ready = asked.ask(&kNoTimeToSelect, mask);
-    if (ready != 0) return ready;
-    switch (wait_for(wait)) {
-      case Ended::Ready:
-        break;
-      case Ended::Deadline:
-        return 0;  // the sets are empty
-      case Ended::Signal:
-        return failed(EINTR);
-      case Ended::Gone:
-        return select_by_machine(asked, deadline, mask);
-    }
-  }
-}
-
-int select_for(const Sets& sets, int64_t deadline, const sigset_t* mask) noexcept {
-  Asked asked{sets};
-  if (!by_turns()) return select_by_machine(asked, deadline, mask);
-  if (deadline > present()) return select_until(asked, deadline, mask);
-  const int ready = asked.ask(&kNoTimeToSelect, mask);
-  if (ready == 0) note_idle();
-  return ready;
+  return look_until(
+      wait, [&asked, mask] { return asked.ask(&kNoTimeToSelect, mask); },
+      [&asked, mask](int64_t until) {
+        const timespec limit = timespec_of(machine_left(until));
+        return asked.ask(until == kNoInstant ? nullptr : &limit, mask);
+      });
 }
 
 }  // namespace
@@ -124,7 +101,6 @@ PRELOAD_EXPORT int pselect(int end, fd_set* readable, fd_set* writable, fd_set* 
                            const sigset_t* mask) {
   if (by_machine() || end > FD_SETSIZE) return real().pselect(end, readable, writable, exceptional, limit, mask);
   if (limit != nullptr && !preload::is_valid(*limit)) return preload::failed(EINVAL);
-  const int64_t deadline =
-      limit == nullptr ? preload::kNoInstant : preload::after(present(), preload::ns_of(*limit));
+  const int64_t deadline = preload::after(present(), preload::ns_of_limit(limit));
   return preload::select_for({end, readable, writable, exceptional}, deadline, mask);
 }

@@ -73,8 +73,7 @@ PRELOAD_EXPORT int timerfd_settime(int descriptor, int flags, const itimerspec* 
     const itimerspec scaled = preload::machine_spec(*time, absolute);
     return real().timerfd_settime(descriptor, flags & TFD_TIMER_ABSTIME, &scaled, before);
   }
-  if (before != nullptr) *before = preload::time_left(*timer);
-  preload::set_timer(*timer, *time, absolute);
+  preload::set_timer(*timer, *time, absolute, before);
   preload::drain(descriptor);
   return 0;
 }

@@ -118,8 +118,7 @@ PRELOAD_EXPORT int timer_settime(timer_t identifier, int flags, const itimerspec
   BusTimer* const timer = timer_of(identifier);
   if (timer == nullptr) return real().timer_settime(identifier, flags, time, before);
   if (!preload::is_valid(time->it_value) || !preload::is_valid(time->it_interval)) return failed(EINVAL);
-  if (before != nullptr) *before = preload::time_left(*timer);
-  preload::set_timer(*timer, *time, (flags & TIMER_ABSTIME) != 0);
+  preload::set_timer(*timer, *time, (flags & TIMER_ABSTIME) != 0, before);
   return 0;
 }
 

@@ -48,12 +48,7 @@ void after_fork_in_child() noexcept {
 void take_part(int socket) noexcept {
   const TimeLock lock;
   use_turn_socket(socket);
-  const userbus::TimeMessage message{.word = userbus::TimeMessage::Word::Join,
-                                     .flags = 0,
-                                     .now_ns = 0,
-                                     .until_ns = 0,
-                                     .process = getpid(),
-                                     .reserved = 0};
+  const userbus::TimeMessage message{.word = userbus::TimeMessage::Word::Join, .process = getpid()};
   if (userbus::tell_time(socket, message) && begin_turn(true) == userbus::TurnOutcome::Turn) return;
   go_scaled(1, present(), machine_present(), wall_time(0));
 }

@@ -37,8 +37,7 @@ TimeMessage message_of(TimeMessage::Word word, int64_t until) noexcept {
           .flags = touched_in_turn ? userbus::kTouched : 0,
           .now_ns = present(),
           .until_ns = until,
-          .process = turn_state.process,
-          .reserved = 0};
+          .process = turn_state.process};
 }
 
 }  // namespace

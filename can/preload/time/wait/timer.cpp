@@ -79,12 +79,14 @@ void forget_timers() noexcept {
     if (timers[i].alarm != Alarm::Descriptor) timers[i] = BusTimer{};
 }
 
-void set_timer(BusTimer& timer, const itimerspec& time, bool absolute) noexcept {
+void set_timer(BusTimer& timer, const itimerspec& time, bool absolute, itimerspec* before) noexcept {
+  const itimerspec left = time_left(timer);
   const int64_t value = ns_of(time.it_value);
   timer.interval = ns_of(time.it_interval);
   timer.overruns = 0;
   timer.expiry = kNoInstant;
   if (value != 0) timer.expiry = absolute ? value - timer.offset : after(present(), value);
+  if (before != nullptr) *before = left;
 }
 
 itimerspec time_left(const BusTimer& timer) noexcept {

@@ -42,8 +42,8 @@ void forget_timer(int descriptor) noexcept;
 /// In a new process, which inherits none but timerfds.
 void forget_timers() noexcept;
 
-/// Sets @p timer as timer_settime(2) does.
-void set_timer(BusTimer& timer, const itimerspec& time, bool absolute) noexcept;
+/// Sets @p timer as timer_settime(2) does; what was left of it goes to @p before, if there is one.
+void set_timer(BusTimer& timer, const itimerspec& time, bool absolute, itimerspec* before = nullptr) noexcept;
 /// What is left of it.
 itimerspec time_left(const BusTimer& timer) noexcept;
 

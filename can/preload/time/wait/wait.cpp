@@ -29,14 +29,21 @@ void wake_missed() noexcept {
   }
 }
 
-Ended wait_in_turn(const Wait& wait) noexcept {
+/// Without @p is_done it is not asked.
+Ended wait_in_turn(const Wait& wait, bool (*is_done)(void*) = nullptr, void* argument = nullptr) noexcept {
   if (TimeLock::is_mine()) return Ended::Gone;
   TimeLock lock;
   Thread& self = this_thread();
   if (self.place != Place::Running || !by_turns()) return Ended::Gone;
   begin_wait(self, wait);
   wake_missed();
-  return finish_wait(self, lock);
+  if (is_done == nullptr) return finish_wait(self, lock);
+  lock.release();
+  const bool done = is_done(argument);
+  lock.take();
+  if (!done) return finish_wait(self, lock);
+  cancel_wait(self);
+  return Ended::Ready;
 }
 
 /// Whether nobody waits for an address; what the caller has done before is seen by those who begin to.
@@ -56,18 +63,7 @@ Ended wait_for(const Wait& wait) noexcept {
 
 Ended wait_unless(const Wait& wait, bool (*is_done)(void*), void* argument) noexcept {
   looks.store(0, std::memory_order_relaxed);
-  if (TimeLock::is_mine()) return Ended::Gone;
-  TimeLock lock;
-  Thread& self = this_thread();
-  if (self.place != Place::Running || !by_turns()) return Ended::Gone;
-  begin_wait(self, wait);
-  wake_missed();
-  lock.release();
-  const bool done = is_done(argument);
-  lock.take();
-  if (!done) return finish_wait(self, lock);
-  cancel_wait(self);
-  return Ended::Ready;
+  return wait_in_turn(wait, is_done, argument);
 }
 
 void interrupt(pthread_t handle) noexcept {

@@ -198,18 +198,11 @@ void ClockProgram::wait(std::int64_t now, std::int64_t until, std::uint32_t flag
   say({.word = userbus::TimeMessage::Word::Wait,
        .flags = flags,
        .now_ns = from_start(now),
-       .until_ns = from_start(until),
-       .process = 0,
-       .reserved = 0});
+       .until_ns = from_start(until)});
 }
 
 void ClockProgram::want() const {
-  say({.word = userbus::TimeMessage::Word::Want,
-       .flags = 0,
-       .now_ns = 0,
-       .until_ns = 0,
-       .process = 0,
-       .reserved = 0});
+  say({.word = userbus::TimeMessage::Word::Want});
 }
 
 std::int64_t ClockProgram::turn() {

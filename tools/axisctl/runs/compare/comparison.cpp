@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "text/number.hpp"
+#include "text/duration.hpp"
 #include "tools/axisctl/runs/compare/history.hpp"
 
 namespace runs {
@@ -143,20 +143,9 @@ class SideBySide {
 }  // namespace
 
 std::optional<nanoseconds> read_duration(std::string_view text) {
-  struct Unit {
-    std::string_view name;
-    double nanoseconds;
-  };
-  constexpr std::array kUnits{Unit{"us", 1e3}, Unit{"ms", 1e6}, Unit{"s", 1e9}};
-  constexpr double kLongest = 1e13;
-  for (const Unit& unit : kUnits) {
-    if (!text.ends_with(unit.name)) continue;
-    const auto number = text::real(text.substr(0, text.size() - unit.name.size()));
-    const double time = number.value_or(-1) * unit.nanoseconds;
-    if (!number || !(time >= 1) || time > kLongest) return std::nullopt;
-    return nanoseconds{static_cast<std::int64_t>(time)};
-  }
-  return std::nullopt;
+  constexpr nanoseconds kLongest = 10'000s;
+  constexpr std::size_t kMicroseconds = 1, kUnits = 3;  // us, ms, s
+  return text::duration(text, kLongest, std::span{text::kDurationUnits}.subspan(kMicroseconds, kUnits));
 }
 
 std::optional<TimeRule> read_time_rule(std::string_view text) {
