@@ -42,6 +42,7 @@ TimeShare::TimeShare(const userbus::Path& path, os::Descriptor clock, const user
 }
 
 TimeShare::~TimeShare() {
+  if (os::other_time == this) os::other_time = nullptr;
   userbus::unmap_time(&page_);
 }
 
@@ -166,13 +167,16 @@ bool TimeShare::goes_on_alone(TimePoint next) const noexcept {
 }
 
 void TimeShare::give_back(TimePoint next) noexcept {
+  if (!say_wait(next, 0)) end();
+}
+
+/// Ends the turn, if the process has it; false if the hub has gone.
+bool TimeShare::say_wait(TimePoint until, std::uint32_t flags) noexcept {
   has_turn_ = false;
-  const bool touched = has_touched_.exchange(false);
-  const userbus::TimeMessage message{.word = userbus::TimeMessage::Word::Wait,
-                                     .flags = touched ? userbus::kTouched : 0,
-                                     .now_ns = now_ns_,
-                                     .until_ns = to_ns(next)};
-  if (!userbus::tell_time(clock_.get(), message)) end();
+  if (has_touched_.exchange(false)) flags |= userbus::kTouched;
+  const userbus::TimeMessage message{
+      .word = userbus::TimeMessage::Word::Wait, .flags = flags, .now_ns = now_ns_, .until_ns = to_ns(until)};
+  return userbus::tell_time(clock_.get(), message);
 }
 
 /// Until the hub gives a turn, or something comes from outside of the bus's time: then asks for one.
@@ -227,12 +231,16 @@ os::Descriptor TimeShare::prepare_child() noexcept {
 
 void TimeShare::wait_readable(int descriptor) noexcept {
   pollfd wanted{descriptor, POLLIN, 0};
-  if (!parties_.empty()) wait(parties_.front(), {.descriptors = {&wanted, 1}});
+  if (parties_.empty()) return;
+  while (!wait(parties_.front(), {.descriptors = {&wanted, 1}})) {
+  }
 }
 
 void TimeShare::leave() noexcept {
   const std::scoped_lock lock{mutex_};
-  if (is_told_ && !is_over_) end();
+  if (!is_told_ || is_over_) return;
+  say_wait(kNever, userbus::kLeaves);
+  end();
 }
 
 /// From here on time is the machine's.

@@ -66,6 +66,7 @@ class TimeShare final : public os::OtherTime {
   [[nodiscard]] canopen::TimePoint earliest() const noexcept;
   [[nodiscard]] bool goes_on_alone(canopen::TimePoint next) const noexcept;
   void give_back(canopen::TimePoint next) noexcept;
+  bool say_wait(canopen::TimePoint until, std::uint32_t flags) noexcept;
   void sleep(std::unique_lock<std::mutex>& lock) noexcept;
   void gather() noexcept;
   void take_turn(bool waits) noexcept;

@@ -78,6 +78,8 @@ static_assert(sizeof(TimeMessage) == 32);
 inline constexpr uint32_t kDevice = 1;
 /// Of Wait: others may find something that is not on the bus (a pipe, a socket, a process that has ended).
 inline constexpr uint32_t kTouched = 1;
+/// Of Wait: the member is about to close the connection, and its process goes on without the bus's time.
+inline constexpr uint32_t kLeaves = 2;
 
 /// A turn: what the hub says to a member of kind Clock.
 struct TimeTurn {

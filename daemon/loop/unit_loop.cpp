@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <sys/epoll.h>
+#include <sys/eventfd.h>
 
 #include "os/clock.hpp"
 
@@ -21,7 +22,9 @@ void watch(int epoll, int descriptor, void* who) {
 
 }  // namespace
 
-UnitLoop::UnitLoop(const Log& log, bus::TimeShare* time) : log_{log}, loop_{*this, &joint_, time} {
+UnitLoop::UnitLoop(const Log& log, bus::TimeShare* time)
+    : log_{log}, loop_{*this, &joint_, time}, ended_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)} {
+  if (!ended_) throw std::system_error{errno, std::generic_category(), "eventfd"};
   watch(rare_.descriptor(), mailbox_.descriptor(), nullptr);
   loop_.watch(rare_.descriptor());
 }
@@ -49,6 +52,8 @@ void UnitLoop::start() {
 void UnitLoop::stop() noexcept {
   if (!thread_.joinable()) return;
   mailbox_.post([this] { stopping_ = true; });
+  if (os::other_time != nullptr)
+    os::other_time->wait_readable(ended_.get());  // by turns, the thread needs its own
   thread_.join();
 }
 
@@ -82,6 +87,7 @@ void UnitLoop::run() noexcept {
     look_after(*instance);
   }
   while (!stopping_) loop_.turn();
+  ::eventfd_write(ended_.get(), 1);
   loop_.end();
 }
 

@@ -59,6 +59,7 @@ class UnitLoop final : private Service {
   JointUnits joint_;
   EventLoop loop_;
   bool stopping_ = false;
+  os::Descriptor ended_;  ///< eventfd: the thread has nothing more to do
   std::thread thread_;
 };
 

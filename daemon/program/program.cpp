@@ -34,7 +34,6 @@ void Program::run() {
   fleet_.start();
   start_over_ = read_clock() + kStart;
   while (!stopping_) wait();
-  if (time_ != nullptr) time_->leave();  // what is still to be done is done at once
   Notification::on_stopping();
   fleet_.stop();
 }

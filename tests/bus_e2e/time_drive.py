@@ -4,6 +4,7 @@ In virtual time an hour under a master that is a script of the shell, twice: the
 axisctl lets it go on, and says what is wrong where it cannot.
 """
 
+import itertools
 import json
 import os
 import pathlib
@@ -52,8 +53,8 @@ def check_virtual():
     assert statusword & 0x6F == 0x27, f'not operation enabled: {statusword:04X}'
     begin, end = (float(line.split()[0].strip('()')) for line in (one[0], one[-1]))
     assert 3600 < end - begin < 3610, f'{end - begin} s'
-    first = next((i for i, pair in enumerate(zip(one, other)) if pair[0] != pair[1]), None)
-    assert first is None and len(one) == len(other), f'line {first}: {one[first]} and {other[first]}'
+    first = next((i for i, pair in enumerate(itertools.zip_longest(one, other)) if pair[0] != pair[1]), None)
+    assert first is None, f'line {first}: {one[first:first + 1]} and {other[first:first + 1]}'
     print(f'virtual: {len(one)} frames of {end - begin:.3f} s, twice the same')
 
 

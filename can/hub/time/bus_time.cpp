@@ -251,6 +251,7 @@ bool BusTime::wait(ClockMember& member, const TimeMessage& message) noexcept {
   Part& part = member.part();
   if (!part.has_joined) return false;
   part.until = from_ns(message.until_ns);
+  part.leaves = (message.flags & userbus::kLeaves) != 0;
   if (actor_ != &member) {
     if (std::exchange(part.is_left_out, false)) take_in_again(member, message);
     return true;

@@ -32,6 +32,7 @@ struct Part {
   bool gives_way = false;    ///< it waits for the present: its turn comes behind what happens on the bus
   bool child_ended = false;  ///< to be told with the next turn
   bool is_left_out = false;  ///< it has been silent for too long
+  bool leaves = false;       ///< its process goes on when it closes the connection
   canopen::TimePoint until = canopen::kNever;  ///< what it waits for
   pid_t process = 0;                           ///< whose time it is; 0: not known yet
   std::vector<pid_t> ancestors;                ///< whose sockets that process may have inherited

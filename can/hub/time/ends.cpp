@@ -37,11 +37,12 @@ void BusTime::forget(ClockMember& member) noexcept {
   const bool is_replaced = process != 0 && std::ranges::any_of(members_, [process](const ClockMember* other) {
                              return other->part().process == process;
                            });
+  const bool goes_on = is_replaced || member.part().leaves;
   try {
     auto leaver = std::make_unique<Leaver>(member.process(), std::move(member.part()), had_turn,
                                            [this](Leaver& gone) { take_leave(gone); });
     leaver->watch(core_.poll);
-    if (is_replaced) leaver->replace();
+    if (goes_on) leaver->replace();
     leavers_.push_back(std::move(leaver));
   } catch (const std::bad_alloc&) {
     owe_all_but(nullptr);

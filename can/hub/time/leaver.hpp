@@ -35,7 +35,7 @@ class BusTime::Leaver final : public Watch {
   void watch(Poll& poll) noexcept {
     if (part_.end && poll.add(part_.end.get(), EPOLLIN, *this)) poll_ = &poll;
   }
-  /// It goes on by another connection: there is nothing to wait for, and nobody is told.
+  /// It goes on, by another connection or without one: there is nothing to wait for, and nobody is told.
   void replace() noexcept {
     is_replaced_ = true;
     due_ = monotonic_now();

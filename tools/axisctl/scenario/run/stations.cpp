@@ -66,7 +66,6 @@ Stations::~Stations() {
     hub_.reset();
     workshop_.forget(group);
   }
-  os::other_time = nullptr;
 }
 
 tl::expected<Process, std::string> Stations::launch(const Command& command) const {
