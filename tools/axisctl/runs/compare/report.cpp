@@ -18,7 +18,7 @@ double seconds_since(nanoseconds begin, nanoseconds at) {
 std::string bits_text(const ByteDifference& byte) {
   std::vector<unsigned> bits;
   for (unsigned bit = 0; bit < 8; ++bit)
-    if ((byte.bits() >> bit & 1U) != 0) bits.push_back(bit);
+    if ((unsigned{byte.bits()} >> bit & 1U) != 0) bits.push_back(bit);
   return fmt::format("byte {}: {:02X} and {:02X}, bit{} {}", byte.byte, byte.a, byte.b,
                      bits.size() == 1 ? "" : "s", fmt::join(bits, ", "));
 }
