@@ -123,8 +123,9 @@ TEST_F(WithCan, StartsABusWithATime) {
 }
 
 TEST_F(WithCan, SaysThatABusGoesByAnotherTime) {
-  const fakes::Finished other =
-      run({"--bus", path("bus"), "--time", "real", WITH_CAN, "--bus", path("bus"), "--time", "virtual", "true"});
+  EXPECT_EQ(run({"--bus", path("bus"), "--time", "real", "true"}).status, 0);
+
+  const fakes::Finished other = run({"--bus", path("bus"), "--time", "virtual", "true"});
 
   EXPECT_EQ(other.status, 1);
   EXPECT_TRUE(is_one_line_with(other.errors, "goes by another time than virtual"));

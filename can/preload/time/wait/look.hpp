@@ -2,7 +2,6 @@
 
 #include <cerrno>
 
-#include "can/preload/calls/failed.hpp"
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/wait/wait.hpp"
 
@@ -29,7 +28,8 @@ int look_until(Wait wait, Look look, ByMachine by_machine) noexcept {
       case Ended::Deadline:
         return 0;
       case Ended::Signal:
-        return failed(EINTR);
+        errno = EINTR;
+        return -1;
       case Ended::Gone:
         return by_machine(wait.deadline);
     }
