@@ -44,7 +44,7 @@ class Background:
         self._selector = selectors.DefaultSelector()
         self._wake, self._woken = socket.socketpair()
         self._woken.setblocking(False)
-        self._selector.register(self._woken, selectors.EVENT_READ, self._drain)
+        self._selector.register(self._woken, selectors.EVENT_READ)
         self._jobs: collections.deque[Callable[[], None]] = collections.deque()
         self._thread = threading.Thread(target=self._serve, name='axisd', daemon=True)
         self._thread.start()
@@ -72,17 +72,24 @@ class Background:
         return result
 
     def watch(self, descriptor: int, readable: Callable[[], None]) -> None:
-        """Has `readable` called on the thread whenever there is something to read."""
-        self.run(lambda: self._selector.register(descriptor, selectors.EVENT_READ, readable))
+        """Has `readable` called under `changed`, on the thread or in read_all(), whenever there may be something to read."""
+        with changed:
+            self._selector.register(descriptor, selectors.EVENT_READ, readable)
 
     def unwatch(self, descriptor: int) -> None:
         """Ends watch(); of a descriptor that is not watched nothing."""
-        def forget() -> None:
+        with changed:
             try:
                 self._selector.unregister(descriptor)
             except (KeyError, ValueError):
                 pass
-        self.run(forget)
+
+    def read_all(self) -> None:
+        """Returns when nothing is left to read."""
+        with changed:
+            while ready := [key for key, _ in self._selector.select(0) if key.fileobj is not self._woken]:
+                for key in ready:
+                    self._read(key)
 
     def _drain(self) -> None:
         try:
@@ -96,12 +103,21 @@ class Background:
     def _serve(self) -> None:
         while True:
             for key, _ in self._selector.select():
-                try:
-                    key.data()
-                except Exception:  # pylint: disable=broad-except
-                    # The others go on; this descriptor would be ready for ever.
-                    threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), self._thread)))
-                    self.unwatch(key.fd)
+                if key.fileobj is self._woken:
+                    self._drain()
+                    continue
+                with changed:
+                    self._read(key)
+
+    def _read(self, key: selectors.SelectorKey) -> None:
+        if self._selector.get_map().get(key.fileobj) is not key:
+            return  # it is no longer watched
+        try:
+            key.data()
+        except Exception:  # pylint: disable=broad-except
+            # The others go on; this descriptor would be ready for ever.
+            threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), self._thread)))
+            self.unwatch(key.fd)
 
 
 _instance: Background | None = None

@@ -5,14 +5,12 @@ from __future__ import annotations
 import collections
 import json
 import os
-import select
 import shutil
 import socket
-import time
 from typing import Any, Callable, Iterator, Mapping, Sequence
 
-from . import hub_protocol, report
-from .background import await_change, background, changed
+from . import bus_clock, hub_protocol, report
+from .background import background, changed
 from .errors import Ended, Error, Refused, Timeout
 from .fault import Fault, to_fault
 from .frame import Frame
@@ -73,6 +71,7 @@ class Bus:
         self._process = os.getpid()
         try:
             self._member, self.bit_rate = join_or_start(self.path, interface)
+            self.clock = bus_clock.join(self.path, self._member)  #: what waits here are measured by
         except OSError as error:
             raise Error(f'{self.path}: the bus cannot be joined: {error.strerror}') from None
         self._member.setblocking(False)
@@ -80,11 +79,18 @@ class Bus:
         report.note(self)
 
     @classmethod
-    def private(cls, *, bit_rate: int = 0, interface: str = 'vcan0', timeout: float = 10.0,
+    def private(cls, *, bit_rate: int | None = None, time: str | None = None, interface: str = 'vcan0', timeout: float = 10.0,
                 hub_options: Sequence[str] = ()) -> Bus:
-        """A bus of its own in a new folder, which goes with it. `bit_rate` in bit/s, 0: frames take no time."""
+        """A bus of its own in a new folder, which goes with it.
+
+        bit_rate: in bit/s, 0: frames take no time, which is so in real time if it is not given. time: whose it has, as `canhub
+        --time` takes it: `real`, `scaled=K`, `virtual` or `stepped`.
+        """
         path = os.path.join(Session.current().new_folder(), 'bus')
-        hub = Program([find('canhub'), '--path', path, '--bitrate', str(bit_rate), *hub_options])
+        if bit_rate is None and time in (None, 'real'):
+            bit_rate = 0
+        hub = Program([find('canhub'), '--path', path, *(() if bit_rate is None else ('--bitrate', str(bit_rate))),
+                       *(() if time is None else ('--time', time)), *hub_options])
         try:
             hub.expect(r'^canhub: ready', _START_PATIENCE)
             bus = cls(path, interface=interface, timeout=timeout)
@@ -111,10 +117,28 @@ class Bus:
             return
         self._is_open = False
         background().unwatch(self._member.fileno())
+        self.clock.close()
         self._member.close()
         if self.hub:
             self.hub.end()
             shutil.rmtree(os.path.dirname(self.path), ignore_errors=True)
+
+    # Time.
+
+    @property
+    def now(self) -> float:
+        """s on the clock of the bus, from its beginning; in real time on CLOCK_MONOTONIC of the machine."""
+        return self.clock.now()
+
+    def step(self, seconds: float) -> float:
+        """Lets stepped time go on, and reads what has come; the present then. Refused where time is not stepped."""
+        self.clock.step(seconds)
+        return self.now
+
+    def pass_time(self, seconds: float) -> float:
+        """Lets so much time of the bus pass, whosever it is; the present then."""
+        self.clock.pass_time(seconds)
+        return self.now
 
     # Frames.
 
@@ -151,13 +175,13 @@ class Bus:
         elif isinstance(frame, int):
             frame = Frame(frame, to_bytes(data), extended=frame > 0x7FF if extended is None else extended, remote=remote)
         message = hub_protocol.encode(frame)
-        deadline = time.monotonic() + self.timeout
+        deadline = self.now + self.timeout
         while True:
             try:
                 self._member.send(message)
                 return
             except BlockingIOError:
-                if not select.select([], [self._member], [], max(0.0, deadline - time.monotonic()))[1]:
+                if not self.clock.await_room(self._member, max(0.0, deadline - self.now)):
                     raise Timeout(f'{frame} was not taken within {self.timeout:g} s: the bus is full') from None
             except OSError as error:
                 raise self._ended(error.strerror) from None
@@ -272,7 +296,7 @@ class Bus:
                     return [frame]
             place = self._count
             return [] if self._has_ended else None
-        found = await_change(look, timeout)
+        found = self.clock.await_change(look, timeout)
         if found == []:
             raise self._ended('the hub has gone')
         return (found[0] if found else None), place

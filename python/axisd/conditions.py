@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import operator
 import re
-import time
 from typing import TYPE_CHECKING, Any, Callable
 
-from .background import await_change
 from .control import Control, Event
 from .errors import Refused, Timeout
 
@@ -110,7 +108,7 @@ def wait_for_event(unit: Unit, kind: str, where: Callable[[Event], bool] | None,
             if event['kind'] == kind and (where is None or where(event)):
                 return event
         return unit if unit.event_source.has_ended else None
-    found = await_change(look, timeout)
+    found = unit.clock.await_change(look, timeout)
     if isinstance(found, dict):
         return found
     if found is not None:
@@ -131,22 +129,22 @@ def name_of(name: str | int) -> str:
 
 
 def _look_at_object(unit: Unit, name: str | int, holds: Callable[[Any], bool], what: str, timeout: float) -> Any:
-    deadline = time.monotonic() + timeout
+    deadline = unit.clock.now() + timeout
     while True:
         value = unit.read(name)
         if holds(value):
             return value
-        if time.monotonic() >= deadline:
+        if unit.clock.now() >= deadline:
             raise Timeout(f'{what} has not come within {timeout:g} s; it was {value} last{reason(unit)}')
-        await_change(lambda: None, _SAMPLE_MS / 1000)
+        unit.clock.await_change(lambda: None, _SAMPLE_MS / 1000)
 
 
 def _look_at_signal(unit: Unit, name: str | int, holds: Callable[[Any], bool], what: str, timeout: float) -> Any:
-    deadline = time.monotonic() + timeout
+    deadline = unit.clock.now() + timeout
     value = unit.signal(str(name))
     if holds(value):
         return value
-    samples = Control(unit.control_path, unit.timeout, unit.ended)
+    samples = Control(unit.control_path, unit.timeout, unit.ended, unit.clock)
     try:
         samples.call('samples.subscribe', {'signals': [str(name)], 'period_ms': _SAMPLE_MS})
         while True:
@@ -179,10 +177,10 @@ def _wait(unit: Unit, what: str, holds: Callable[[], bool], is_it: Callable[[Eve
             return True
         return None
 
-    deadline = time.monotonic() + timeout
+    deadline = unit.clock.now() + timeout
     pending: list[Event] = []
     while True:
-        if await_change(look, deadline - time.monotonic()) is None:
+        if unit.clock.await_change(look, deadline - unit.clock.now()) is None:
             raise Timeout(f'{what} has not come within {timeout:g} s; seen last: {seen()}{reason(unit, axis)}')
         if any(is_it(event) for event in pending):
             return

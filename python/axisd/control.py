@@ -6,10 +6,10 @@ import collections
 import json
 import socket
 import threading
-import time
 from typing import Any, Callable
 
 from .background import background, changed
+from .bus_clock import Clock
 from .errors import Error, Refused, Timeout
 
 __tracebackhide__ = True  # a failed test shows its own lines
@@ -21,9 +21,10 @@ Event = dict[str, Any]
 class Control:
     """A connection: requests one after the other, and lines that a subscription brings."""
 
-    def __init__(self, path: str, timeout: float, ended: Callable[[], Error]) -> None:
+    def __init__(self, path: str, timeout: float, ended: Callable[[], Error], clock: Clock) -> None:
         self._timeout = timeout
         self._ended = ended
+        self._clock = clock
         self._lock = threading.Lock()
         self._number = 0
         self._rest = b''
@@ -52,9 +53,9 @@ class Control:
                 raise Timeout(f'{method}: the unit has taken no request within {self._timeout:g} s') from None
             except OSError:
                 raise self._ended() from None
-            deadline = time.monotonic() + self._timeout
+            deadline = self._clock.now() + self._timeout
             while True:
-                answer = self.line(deadline)
+                answer = self.line(deadline, is_answer=True)
                 if answer is None:
                     raise Timeout(f'{method}: the unit has not answered within {self._timeout:g} s')
                 if answer.get('id') == number:
@@ -66,16 +67,15 @@ class Control:
                           {**details, **(details.get('details') or {})})
         return answer.get('result')
 
-    def line(self, deadline: float) -> dict[str, Any] | None:
-        """The next line; None if there is none before `deadline` (monotonic, s)."""
+    def line(self, deadline: float, is_answer: bool = False) -> dict[str, Any] | None:
+        """The next line; None if there is none before `deadline` of the clock (s)."""
         while b'\n' not in self._rest:
-            self._socket.settimeout(max(deadline - time.monotonic(), 1e-6))
             try:
-                part = self._socket.recv(65536)
-            except (TimeoutError, BlockingIOError):
-                return None
+                part = self._clock.receive(self._socket, max(deadline - self._clock.now(), 0.0), is_answer)
             except OSError:
                 part = b''
+            if part is None:
+                return None
             if not part:
                 raise self._ended()
             self._rest += part
@@ -87,12 +87,12 @@ class Control:
 class Events:
     """All events of a unit from the start of this on, read as they come; the last 10000 are kept."""
 
-    def __init__(self, path: str, timeout: float, ended: Callable[[], Error]) -> None:
+    def __init__(self, path: str, timeout: float, ended: Callable[[], Error], clock: Clock) -> None:
         self._events: collections.deque[Event] = collections.deque(maxlen=_KEPT_EVENTS)
         self._rest = b''
         self.count = 0  #: how many there have been, under `changed`
         self.has_ended = False
-        self._control = Control(path, timeout, ended)
+        self._control = Control(path, timeout, ended, clock)
         self._control.call('events.subscribe', {})
         self._socket = self._control._socket  # pylint: disable=protected-access
         self._rest = self._control._rest  # pylint: disable=protected-access

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import time
 from typing import Any, Callable, Mapping, Protocol
 
-from .background import await_change
+from .bus_clock import Clock
 from .errors import Error, Timeout
 
 __tracebackhide__ = True  # a failed test shows its own lines
@@ -28,6 +27,10 @@ def to_fault(kind: str | Mapping[str, Any], arguments: Mapping[str, Any], seed: 
 
 class Holder(Protocol):  # pylint: disable=too-few-public-methods
     """Who has faults: a unit or a bus."""
+
+    @property
+    def clock(self) -> Clock:
+        """That of its bus."""
 
     def fault_rows(self) -> list[dict[str, Any]]:
         """A row a fault, as `inject.list` has them."""
@@ -107,11 +110,11 @@ class Fault:
             self._is_removed = True
 
     def _wait(self, holds: Callable[[dict[str, Any]], bool], what: str, timeout: float) -> None:
-        deadline = time.monotonic() + timeout
+        deadline = self._holder.clock.now() + timeout
         while not holds(row := self.look()):
-            if time.monotonic() >= deadline:
+            if self._holder.clock.now() >= deadline:
                 raise Timeout(f'{what} of fault {self.id} has not come within {timeout:g} s; it is {describe(row)}')
-            await_change(lambda: None, _LOOK_AGAIN)
+            self._holder.clock.await_change(lambda: None, _LOOK_AGAIN)
 
 
 def describe(row: Mapping[str, Any]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import mmap
 import os
 import select
 import socket
@@ -11,13 +12,23 @@ import struct
 from .errors import Error
 from .frame import ERROR_FLAG, EXTENDED_FLAG, REMOTE_FLAG, Frame
 
-HELLO, BIND, SET_OPTION, INTERFACE_INDEX, INJECT = 0, 1, 3, 6, 11
+HELLO, BIND, SET_OPTION, INTERFACE_INDEX, INJECT, TIME, STEP = 0, 1, 3, 6, 11, 14, 15
 LOOPBACK, OWN_MESSAGES, ERROR_FILTER = 0, 1, 2
 LONGEST_MESSAGE = 8192
 LONGEST_PATH = 107  # bytes
 _FRAME = struct.Struct('=IB3x8s')
 _TRAILER = struct.Struct('=iIqII')
 _ALL_ERRORS = 0x1FFFFFFF
+# The time of a bus that has one of its own (can/userbus/time.hpp).
+JOIN, WAIT = 0, 1
+DEVICE, TOUCHED, LEAVES = 1, 1, 2
+REAL, SCALED, VIRTUAL, STEPPED = range(4)
+NO_INSTANT = 2**63 - 1
+FIRST_INSTANT = 1_000_000_000_000  # ns
+_TIME_MESSAGE = struct.Struct('=IIqqii')
+_TURN = struct.Struct('=qqII')
+_TIME_PAGE = struct.Struct('=IIdqqqq')
+_TIME_PAGE_SIZE = 4096
 _NS = 1_000_000_000
 
 
@@ -33,19 +44,28 @@ def default_path() -> str:
 _PATIENCE = 10.0  # s, for the answer of a hub
 
 
-def request(member: socket.socket, operation: int, value: int = 0, payload: bytes = b'') -> tuple[int, int, bytes]:
-    """The reply to a request: errno, value, payload; OSError if there is none."""
-    select.select([], [member], [], _PATIENCE)
+def _request(member: socket.socket, operation: int, value: int, payload: bytes,
+             patience: float | None) -> tuple[int, int, bytes, list[int]]:
+    select.select([], [member], [], patience)
     mine, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     with mine:
         with its:
             socket.send_fds(member, [struct.pack('=IiI', operation, value, len(payload)) + payload], [its.fileno()])
-        mine.settimeout(_PATIENCE)
-        reply = mine.recv(LONGEST_MESSAGE)
+        mine.settimeout(patience)
+        reply, passed, _, _ = socket.recv_fds(mine, LONGEST_MESSAGE, 1)
     if len(reply) < 12:
         raise ConnectionResetError(errno.ECONNRESET, 'the hub has gone')
     error, result, size = struct.unpack_from('=iiI', reply)
-    return error, result, reply[12:12 + size]
+    return error, result, reply[12:12 + size], passed
+
+
+def request(member: socket.socket, operation: int, value: int = 0, payload: bytes = b'', *,
+            patience: float | None = _PATIENCE) -> tuple[int, int, bytes]:
+    """The reply to a request: errno, value, payload; OSError if there is none."""
+    error, result, answer, passed = _request(member, operation, value, payload, patience)
+    for descriptor in passed:
+        os.close(descriptor)
+    return error, result, answer
 
 
 def ask(member: socket.socket, operation: int, value: int = 0, payload: bytes = b'') -> tuple[int, bytes]:
@@ -56,18 +76,13 @@ def ask(member: socket.socket, operation: int, value: int = 0, payload: bytes = 
     return result, answer
 
 
-def join(path: str, interface: str) -> tuple[socket.socket, int]:
-    """A member of the bus at `path` that hears itself and error frames, bound to `interface`; and the bit rate of the bus.
-
-    OSError where nobody serves, Error where somebody else does.
-    """
-    if len(os.fsencode(path)) > LONGEST_PATH:
-        raise Error(f'{path}: expected a path of at most {LONGEST_PATH} bytes, got {len(os.fsencode(path))}')
+def _greeted(path: str, kind: bytes) -> tuple[socket.socket, int]:
+    """A connection of a kind that the hub knows, and the bit rate."""
     member = socket.socket(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     try:
         while True:
             try:
-                member.bind(b'\0can-bus.1/port/' + os.urandom(8).hex().encode())
+                member.bind(b'\0can-bus.1/' + kind + b'/' + os.urandom(8).hex().encode())
                 break
             except OSError as taken:
                 if taken.errno != errno.EADDRINUSE:
@@ -77,6 +92,21 @@ def join(path: str, interface: str) -> tuple[socket.socket, int]:
         if user not in (os.geteuid(), 0):
             raise Error(f'{path}: the bus is served by user {user}, expected your own or root')
         bit_rate, _ = ask(member, HELLO)
+        return member, bit_rate
+    except BaseException:
+        member.close()
+        raise
+
+
+def join(path: str, interface: str) -> tuple[socket.socket, int]:
+    """A member of the bus at `path` that hears itself and error frames, bound to `interface`; and the bit rate of the bus.
+
+    OSError where nobody serves, Error where somebody else does.
+    """
+    if len(os.fsencode(path)) > LONGEST_PATH:
+        raise Error(f'{path}: expected a path of at most {LONGEST_PATH} bytes, got {len(os.fsencode(path))}')
+    member, bit_rate = _greeted(path, b'port')
+    try:
         ask(member, SET_OPTION, payload=struct.pack('=II', OWN_MESSAGES, 1))
         ask(member, SET_OPTION, payload=struct.pack('=II', ERROR_FILTER, _ALL_ERRORS))
         try:
@@ -109,3 +139,50 @@ def decode(message: bytes) -> Frame | None:
     return Frame(identifier & 0x1FFFFFFF, b'' if remote else data[:length], extended=bool(identifier & EXTENDED_FLAG),
                  remote=remote, error=bool(identifier & ERROR_FLAG), time=time_ns / _NS,
                  own=bool(flags & socket.MSG_CONFIRM), length=length, dropped=dropped)
+
+
+class TimePage:
+    """The memory in which a hub tells the time of its bus."""
+
+    def __init__(self, memory: mmap.mmap) -> None:
+        self._memory = memory
+        self.mode, _, self.scale, self.begin_ns, self.machine_begin_ns, _, _ = _TIME_PAGE.unpack_from(memory)
+
+    @property
+    def now_ns(self) -> int:
+        """The present of virtual and stepped time."""
+        return int(_TIME_PAGE.unpack_from(self._memory)[-1])
+
+
+def time_page(member: socket.socket) -> TimePage | None:
+    """The page of a bus that has a time of its own; None if it has the machine's."""
+    error, _, _, passed = _request(member, TIME, 0, b'', _PATIENCE)
+    if not passed:
+        if error and error not in (errno.EINVAL, errno.EOPNOTSUPP):  # an older hub knows nothing of time
+            raise OSError(error, os.strerror(error))
+        return None
+    try:
+        return TimePage(mmap.mmap(passed[0], _TIME_PAGE_SIZE, mmap.MAP_SHARED, mmap.PROT_READ))
+    finally:
+        os.close(passed[0])
+
+
+def join_clock(path: str, process: int) -> socket.socket:
+    """The part of a process in the time of the bus at `path`, 0: of one that is yet to be started. OSError, Error."""
+    clock, _ = _greeted(path, b'clock')
+    clock.send(_TIME_MESSAGE.pack(JOIN, 0, 0, 0, process, 0))
+    return clock
+
+
+def end_turn(clock: socket.socket, now_ns: int, until_ns: int, flags: int = 0) -> None:
+    """There is nothing to do before `until_ns`; OSError without a hub."""
+    clock.send(_TIME_MESSAGE.pack(WAIT, flags, now_ns, until_ns, 0, 0))
+
+
+def take_turn(clock: socket.socket) -> int:
+    """Waits for the next turn, and gives its present; OSError without a hub."""
+    message = clock.recv(_TURN.size)
+    if len(message) != _TURN.size:
+        raise ConnectionResetError(errno.ECONNRESET, 'the hub has gone')
+    now_ns: int = _TURN.unpack(message)[0]
+    return now_ns

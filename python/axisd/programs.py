@@ -10,6 +10,7 @@ import pathlib
 import re
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import threading
@@ -17,6 +18,7 @@ import warnings
 from typing import Mapping, Sequence
 
 from .background import await_change, background, changed
+from .bus_clock import Clock
 from .errors import Ended, Missing, Timeout
 
 __tracebackhide__ = True  # a failed test shows its own lines
@@ -27,7 +29,7 @@ _LOG_LINES = 200  # that are kept of a program
 _TOLD_LINES = 10  # of them, in an error
 _LONGEST_END = 5.0  # s, from SIGTERM to SIGKILL
 #: What would make a daemon take something of the caller for its own.
-_NOT_INHERITED = ('NOTIFY_SOCKET', 'WATCHDOG_USEC', 'WATCHDOG_PID', 'STATE_DIRECTORY', 'RUNTIME_DIRECTORY', 'CAN_BUS')
+_NOT_INHERITED = ('NOTIFY_SOCKET', 'WATCHDOG_USEC', 'WATCHDOG_PID', 'STATE_DIRECTORY', 'RUNTIME_DIRECTORY', 'CAN_BUS', 'CAN_TIME')
 
 
 def find(name: str) -> str:
@@ -95,11 +97,13 @@ class Program:
     It ends with this process, whatever ends that, and is left alone by the keys of the terminal.
     """
 
-    def __init__(self, words: Sequence[str], environment: Mapping[str, str] | None = None) -> None:
+    def __init__(self, words: Sequence[str], environment: Mapping[str, str] | None = None, clock: Clock | None = None) -> None:
+        """clock: that of the bus by whose time it lives."""
         self.name = os.path.basename(words[0])
         self.lines: collections.deque[str] = collections.deque(maxlen=_LOG_LINES)
         self.has_ended = False
         self._begun = ''
+        self._clock = clock or Clock()
         parent = os.getpid()
 
         def end_with_parent() -> None:
@@ -107,22 +111,27 @@ class Program:
             if os.getppid() != parent:
                 os._exit(1)
 
-        def start() -> subprocess.Popen[bytes]:
+        def start(part: socket.socket | None) -> subprocess.Popen[bytes]:
             # Newer versions warn of what another thread may hold; what is called in the child takes nothing.
             with warnings.catch_warnings():
                 warnings.simplefilter('ignore', DeprecationWarning)
                 return subprocess.Popen(  # pylint: disable=consider-using-with
                     list(words), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                    start_new_session=True, preexec_fn=end_with_parent,
+                    start_new_session=True, preexec_fn=end_with_parent, pass_fds=() if part is None else (part.fileno(),),
                     env={**{name: value for name, value in os.environ.items() if name not in _NOT_INHERITED},
                          **(environment or {})})
 
+        part = self._clock.part()
         try:
-            self.process = background().run(start)
+            self.process = background().run(lambda: start(part))
         except OSError as error:
             raise Missing(f'{words[0]}: {error.strerror}') from None
+        finally:
+            if part is not None:
+                part.close()
         assert self.process.stderr
         self._log = self.process.stderr.fileno()
+        os.set_blocking(self._log, False)
         background().watch(self._log, self._read)
 
     @property
@@ -131,13 +140,13 @@ class Program:
         return self.process.pid
 
     def expect(self, pattern: str, timeout: float) -> str:
-        """The first line that matches; Ended with the log if there will be none, Timeout after `timeout` s."""
+        """The first line that matches; Ended with the log if there will be none, Timeout after `timeout` s of its clock."""
         def look() -> str | None:
             for line in self.lines:
                 if re.search(pattern, line):
                     return line
             return '' if self.has_ended else None
-        found = await_change(look, timeout)
+        found = self._clock.await_change(look, timeout)
         if found:
             return found
         if found is None:
@@ -158,7 +167,7 @@ class Program:
         """Ends it by SIGTERM, by SIGKILL if it takes long; its exit status."""
         self.process.terminate()
         try:
-            status = self.process.wait(_LONGEST_END)
+            status = self._clock.await_end(self.process, _LONGEST_END)
         except subprocess.TimeoutExpired:
             self.process.kill()
             status = self.process.wait()
@@ -178,7 +187,10 @@ class Program:
         return 'its log: ' + '\n'.join(list(self.lines)[-_TOLD_LINES:])
 
     def _read(self) -> None:
-        part = os.read(self._log, 65536)
+        try:
+            part = os.read(self._log, 65536)
+        except BlockingIOError:
+            return
         with changed:
             if not part:
                 self.has_ended = True

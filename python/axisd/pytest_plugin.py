@@ -20,7 +20,7 @@ from .unit import Unit
 __tracebackhide__ = True  # a failed test shows its own lines
 
 _KEYS = [key for key in inspect.signature(Unit).parameters if key != 'bus']
-_OF_THE_BUS = ('bit_rate',)
+_OF_THE_BUS = ('bit_rate', 'time')
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -69,7 +69,8 @@ def _start(bus: Bus, keys: dict[str, Any]) -> tuple[Unit | None, str]:
 @pytest.fixture
 def can_bus(request: pytest.FixtureRequest) -> Iterator[Bus]:
     """A private bus, that of `drive_unit` where the test has one."""
-    with Bus.private(bit_rate=_keys(request).get('bit_rate', 0)) as bus:
+    keys = _keys(request)
+    with Bus.private(**{key: keys[key] for key in _OF_THE_BUS if key in keys}) as bus:
         yield bus
 
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING, Any, Sequence
 
-from .background import await_change
 from .errors import Timeout
 
 if TYPE_CHECKING:
@@ -33,12 +31,12 @@ class Trace:
     def wait(self, timeout: float | None = None) -> Trace:
         """Returns when it is done; Timeout."""
         limit = self._unit.timeout if timeout is None else timeout
-        deadline = time.monotonic() + limit
+        deadline = self._unit.clock.now() + limit
         while (status := self.status)['phase'] != 'done':
-            if time.monotonic() >= deadline:
+            if self._unit.clock.now() >= deadline:
                 raise Timeout(f'the trace is not done within {limit:g} s; it is {status["phase"]}, trigger {status["trigger"]}, '
                               f'{status["recorded"]} samples')
-            await_change(lambda: None, _LOOK_AGAIN)
+            self._unit.clock.await_change(lambda: None, _LOOK_AGAIN)
         return self
 
     def stop(self) -> Trace:

@@ -6,11 +6,11 @@ import json
 import os
 import re
 import shutil
-import time
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
 from . import conditions, pages, report
 from .bus import Bus, Data, to_bytes
+from .bus_clock import Clock
 from .control import Control, Event, Events
 from .errors import Ended, Error, Refused, Timeout
 from .fault import Fault, to_fault
@@ -38,15 +38,15 @@ class Unit:  # pylint: disable=too-many-public-methods
     axes: how many, or a list of what the configuration says of each. config: further keys of the configuration
     (docs/reference/configuration.md). inject: faults that are loaded at the start, as objects of JSON. seed: of faults with a
     probability that have none. bus: a Bus, the path of one, or another Unit whose bus it is; without it a private one.
-    bit_rate: of the private bus, 0: frames take no time. options: further words of the command line of axisd.
-    timeout: s that calls and waits take at most unless they are told.
+    bit_rate, time: of the private bus, as Bus.private() has them. options: further words of the command line of axisd.
+    timeout: s of the bus's time that calls and waits take at most unless they are told.
 
     Error with the one line of axisd if it does not take the configuration; Missing without the programs.
     """
 
     def __init__(self, axes: int | Sequence[Mapping[str, Any]] = 1, *, config: Mapping[str, Any] | None = None,
                  inject: Iterable[Mapping[str, Any]] = (), seed: int | None = None, node_id: int = 5,
-                 bus: Bus | Unit | str | os.PathLike[str] | None = None, bit_rate: int = 0,
+                 bus: Bus | Unit | str | os.PathLike[str] | None = None, bit_rate: int | None = None, time: str | None = None,
                  options: Sequence[str] = (), timeout: float = 10.0) -> None:
         self.node_id = node_id
         self.seed = seed
@@ -57,7 +57,7 @@ class Unit:  # pylint: disable=too-many-public-methods
         configuration = _configuration(axes, config, [to_fault(fault, {}, seed) for fault in inject])
         pages.add_recording(configuration)
         self._owns_bus = not isinstance(bus, (Bus, Unit))
-        self.bus = _bus(bus, bit_rate, timeout)  #: the bus that it is on
+        self.bus = _bus(bus, bit_rate, time, timeout)  #: the bus that it is on
         try:
             self.folder = Session.current().new_folder()
             self.control_path = os.path.join(self.folder, 'control')
@@ -65,7 +65,8 @@ class Unit:  # pylint: disable=too-many-public-methods
                 json.dump(configuration, file)
             self._program = Program([
                 program, '--config', file.name, '--interface', f'unix:{self.bus.path}', '--node-id', str(node_id),
-                '--control', self.control_path, '--state-directory', os.path.join(self.folder, 'state'), *options])
+                '--control', self.control_path, '--state-directory', os.path.join(self.folder, 'state'), *options],
+                clock=self.clock)
         except BaseException:
             if self._owns_bus:
                 self.bus.close()
@@ -76,8 +77,8 @@ class Unit:  # pylint: disable=too-many-public-methods
                 self._await_start(may_be_silent='inject' in configuration)
             except Ended as error:
                 raise self._start_error(error, file.name) from None
-            self._control = Control(self.control_path, timeout, self.ended)
-            self.event_source = Events(self.control_path, timeout, self.ended)
+            self._control = Control(self.control_path, timeout, self.ended, self.clock)
+            self.event_source = Events(self.control_path, timeout, self.ended, self.clock)
         except BaseException:
             self.close()
             raise
@@ -95,6 +96,11 @@ class Unit:  # pylint: disable=too-many-public-methods
 
     def __repr__(self) -> str:
         return f'<axisd.Unit {self.node_id} on {self.bus.path}{"" if self._is_open else ", closed"}>'
+
+    @property
+    def clock(self) -> Clock:
+        """That of its bus."""
+        return self.bus.clock
 
     @property
     def pid(self) -> int:
@@ -304,15 +310,15 @@ class Unit:  # pylint: disable=too-many-public-methods
         if not may_be_silent:
             self._program.expect(_READY, self.timeout)
             return
-        deadline = time.monotonic() + self.timeout
-        while time.monotonic() < deadline:
+        deadline = self.clock.now() + self.timeout
+        while self.clock.now() < deadline:
             try:
                 self._program.expect(_READY, _LOOK_AGAIN)
                 return
             except Timeout:
                 pass
             try:
-                control = Control(self.control_path, self.timeout, self.ended)
+                control = Control(self.control_path, self.timeout, self.ended, self.clock)
             except Error:
                 continue
             try:
@@ -342,12 +348,12 @@ def _configuration(axes: int | Sequence[Mapping[str, Any]], config: Mapping[str,
     return configuration
 
 
-def _bus(bus: Bus | Unit | str | os.PathLike[str] | None, bit_rate: int, timeout: float) -> Bus:
+def _bus(bus: Bus | Unit | str | os.PathLike[str] | None, bit_rate: int | None, time: str | None, timeout: float) -> Bus:
     if isinstance(bus, Unit):
         return bus.bus
     if isinstance(bus, Bus):
         return bus
-    return Bus.private(bit_rate=bit_rate, timeout=timeout) if bus is None else Bus(bus, timeout=timeout)
+    return Bus.private(bit_rate=bit_rate, time=time, timeout=timeout) if bus is None else Bus(bus, timeout=timeout)
 
 
 def _index(name: str | int) -> str:

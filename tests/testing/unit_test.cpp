@@ -42,6 +42,37 @@ TEST_F(Drive, AnswersOnItsBus) {
   EXPECT_STREQ(std::getenv("CAN_BUS"), drive.bus_path().c_str());
 }
 
+class SteppedDrive : public DriveTest {
+ protected:
+  static Settings settings() {
+    Settings settings;
+    settings.time = "stepped";
+    return settings;
+  }
+  SteppedDrive() : DriveTest{settings()} {}
+
+  std::size_t heartbeats() {
+    const auto frames = drive.bus().frames();
+    return static_cast<std::size_t>(
+        std::count_if(frames.begin(), frames.end(), [](const auto& frame) { return frame.text() == "705#7F"; }));
+  }
+};
+
+TEST_F(SteppedDrive, StandsUntilItIsStepped) {
+  drive.call("object.write", {{"index", "1017"}, {"value", 1000}});
+  const std::size_t before = heartbeats();
+  drive.step(std::chrono::minutes{1});
+  EXPECT_EQ(heartbeats() - before, 60U);
+}
+
+TEST_F(SteppedDrive, GoesOnWhileItIsWaitedFor) {
+  drive.call("object.write", {{"index", "1017"}, {"value", 2000}});
+  const double first = drive.wait_frame(0x705, {0x7F}).time;
+  EXPECT_NEAR(drive.wait_frame(0x705, {0x7F}).time - first, 2.0, 1e-6);
+  drive.nmt(1);
+  drive.wait_nmt("operational");
+}
+
 TEST_F(Drive, TurnsAndTrips) {
   drive.call("parameter.write", {{"axis", 1}, {"parameter", "p1120"}, {"value", 0.5}});
   drive.nmt(1);

@@ -38,8 +38,9 @@ struct Frame {
 /// A member of a user-space bus (docs/reference/user-space-bus-protocol.md), which reads all frames as they come.
 class Bus {
  public:
-  /// Joins the bus at @p path, which is served. Error.
-  explicit Bus(const std::string& path) : socket_{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0), "socket"} {
+  /// Joins the bus at @p path, which is served and whose time @p is_stepped or goes on by itself. Error.
+  explicit Bus(const std::string& path, bool is_stepped = false)
+      : socket_{::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0), "socket"}, is_stepped_{is_stepped} {
     take_name();
     const sockaddr_un address = address_of(path);
     if (::connect(socket_.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
@@ -77,29 +78,55 @@ class Bus {
   /// Asks the hub about the faults of the bus: @p text and the payload of the reply are JSON. Error without a hub.
   Reply ask_about_faults(const std::string& text) { return request(kInject, 0, {text.begin(), text.end()}); }
 
+  /// Lets stepped time go on, and reads what has come; Error if it is not stepped.
+  void step(std::chrono::nanoseconds time) {
+    const std::int64_t count = time.count();
+    std::vector<std::uint8_t> payload(sizeof count);
+    std::memcpy(payload.data(), &count, sizeof count);
+    ask(kStep, 0, payload);
+    const std::lock_guard lock{mutex_};
+    read_all();
+  }
+
   /// All frames so far, own ones among them.
   [[nodiscard]] std::vector<Frame> frames() const {
     const std::lock_guard lock{mutex_};
     return frames_;
   }
 
-  /// The next frame of another member for which @p accepts holds; those before it are passed over. Timeout.
+  /// The next frame of another member for which @p accepts holds; those before it are passed over. Timeout. Where
+  /// time is stepped it goes on meanwhile, and @p patience is of that.
   Frame wait_for(const std::function<bool(const Frame&)>& accepts, const std::string& what,
                  Milliseconds patience) {
     std::unique_lock lock{mutex_};
     const auto end = std::chrono::steady_clock::now() + patience;
+    Deadline steps{patience, [&] {
+                     lock.unlock();
+                     step(Milliseconds{1});
+                     lock.lock();
+                   }};
     while (true) {
       for (; next_ < frames_.size(); ++next_)
         if (!frames_[next_].own && accepts(frames_[next_])) return frames_[next_++];
       if (has_ended_) throw Error{"the hub has gone"};
-      if (changed_.wait_until(lock, end) == std::cv_status::timeout && next_ == frames_.size())
+      const bool is_late =
+          is_stepped_ ? !steps.step()
+                      : changed_.wait_until(lock, end) == std::cv_status::timeout && next_ == frames_.size();
+      if (is_late)
         throw Timeout{what + " has not come within " + std::to_string(patience.count()) +
                       " ms; seen last:" + seen()};
     }
   }
 
  private:
-  enum Operation : std::uint32_t { kHello = 0, kBind = 1, kSetOption = 3, kInterfaceIndex = 6, kInject = 11 };
+  enum Operation : std::uint32_t {
+    kHello = 0,
+    kBind = 1,
+    kSetOption = 3,
+    kInterfaceIndex = 6,
+    kInject = 11,
+    kStep = 15
+  };
   static constexpr std::size_t kLongestMessage = 8192;
   struct Message {
     can_frame frame;
@@ -167,19 +194,29 @@ class Bus {
   }
 
   void read() {
-    constexpr double kSecondsOfNanosecond = 1e-9;
+    constexpr Milliseconds kForEver{-1};
     while (true) {
-      Message message{};
-      const ssize_t size = ::recv(socket_.number(), &message, sizeof message, 0);
-      if (size < 0 && errno == EINTR) continue;
+      readable(socket_.number(), kForEver);
       const std::lock_guard lock{mutex_};
+      read_all();
+      if (has_ended_) return;
+    }
+  }
+
+  /// All that is there, with the mutex.
+  void read_all() {
+    constexpr double kSecondsOfNanosecond = 1e-9;
+    while (!has_ended_) {
+      Message message{};
+      const ssize_t size = ::recv(socket_.number(), &message, sizeof message, MSG_DONTWAIT);
+      if (size < 0 && errno == EINTR) continue;
+      if (size < 0 && errno == EAGAIN) break;
       if (size <= 0) has_ended_ = true;
       if (size == sizeof message)
         frames_.push_back({message.frame, static_cast<double>(message.time_ns) * kSecondsOfNanosecond,
                            (message.flags & MSG_CONFIRM) != 0});
-      changed_.notify_all();
-      if (has_ended_) return;
     }
+    changed_.notify_all();
   }
 
   [[nodiscard]] std::string seen() const {
@@ -191,6 +228,7 @@ class Bus {
   }
 
   Descriptor socket_;
+  bool is_stepped_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Frame> frames_;

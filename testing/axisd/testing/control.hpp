@@ -28,9 +28,9 @@ class Control {
     const std::string line = nlohmann::json{{"id", number}, {"method", method}, {"params", params}}.dump() + '\n';
     if (::send(socket_.number(), line.data(), line.size(), MSG_NOSIGNAL) < 0) throw Error{"axisd has ended"};
     constexpr Milliseconds kPatience{10000};
-    const auto end = std::chrono::steady_clock::now() + kPatience;
+    Deadline deadline{kPatience};
     while (true) {
-      nlohmann::json answer = read_line(end, method);
+      nlohmann::json answer = read_line(deadline, method);
       if (answer.value("id", 0) != number) continue;
       if (answer.contains("error"))
         throw Refused{method + ": " + answer["error"].value("message", ""), answer["error"].value("code", "")};
@@ -39,11 +39,10 @@ class Control {
   }
 
   /// The next line, of a subscription too; Timeout with @p what.
-  nlohmann::json read_line(std::chrono::steady_clock::time_point end, const std::string& what) {
+  nlohmann::json read_line(Deadline& deadline, const std::string& what) {
     std::size_t length = 0;
     while ((length = rest_.find('\n')) == std::string::npos) {
-      const auto left = std::chrono::duration_cast<Milliseconds>(end - std::chrono::steady_clock::now());
-      if (left.count() < 0 || !readable(socket_.number(), left)) throw Timeout{what + " has not come in time"};
+      if (!deadline.await(socket_.number())) throw Timeout{what + " has not come in time"};
       std::array<char, 4096> part{};
       const ssize_t size = ::recv(socket_.number(), part.data(), part.size(), 0);
       if (size <= 0) throw Error{"axisd has ended"};

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -76,6 +77,37 @@ inline bool readable(int descriptor, Milliseconds patience) {
   return ::poll(&one, 1, static_cast<int>(patience.count())) > 0;
 }
 
+/// How long something is waited for: by the machine's clock, or so many milliseconds of stepped time.
+class Deadline {
+ public:
+  /// @p step lets a millisecond of stepped time pass; nothing: the machine's counts.
+  explicit Deadline(Milliseconds patience, std::function<void()> step = {})
+      : step_{std::move(step)}, left_{patience}, end_{std::chrono::steady_clock::now() + patience} {}
+
+  /// Whether @p descriptor can be read before the time is over.
+  bool await(int descriptor) {
+    if (!step_) {
+      left_ = std::chrono::duration_cast<Milliseconds>(end_ - std::chrono::steady_clock::now());
+      return left_.count() >= 0 && readable(descriptor, left_);
+    }
+    while (!readable(descriptor, Milliseconds{0}))
+      if (!step()) return false;
+    return true;
+  }
+  /// Lets a millisecond of stepped time pass; false if the time is over.
+  bool step() {
+    if (left_.count() <= 0) return false;
+    --left_;
+    step_();
+    return true;
+  }
+
+ private:
+  std::function<void()> step_;
+  Milliseconds left_;
+  std::chrono::steady_clock::time_point end_;
+};
+
 /// The path of a program: in $AXISD_BIN_DIR, else as PATH finds it.
 inline std::string program_path(const std::string& name) {
   const char* const folder = std::getenv("AXISD_BIN_DIR");
@@ -132,7 +164,7 @@ class Process {
  private:
   static bool is_own(const char* entry) {
     constexpr const char* kNotInherited[] = {"NOTIFY_SOCKET=", "WATCHDOG_",
-                                             "STATE_DIRECTORY=", "RUNTIME_DIRECTORY="};
+                                             "STATE_DIRECTORY=", "RUNTIME_DIRECTORY=", "CAN_TIME="};
     return std::any_of(std::begin(kNotInherited), std::end(kNotInherited),
                        [entry](const char* name) { return std::strncmp(entry, name, std::strlen(name)) == 0; });
   }

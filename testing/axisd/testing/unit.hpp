@@ -6,34 +6,9 @@
 
 #include "axisd/testing/bus.hpp"
 #include "axisd/testing/control.hpp"
+#include "axisd/testing/fault.hpp"
 
 namespace axisd::testing {
-
-/// A fault that was injected (docs/reference/faults.md); it stays until it is over or removed.
-class Fault {
- public:
-  /// Calls a method of who has the fault: a unit, or the hub of its bus.
-  using Call = std::function<nlohmann::json(const std::string& method, const nlohmann::json& params)>;
-
-  Fault(Call call, int identifier) : call_{std::move(call)}, identifier_{identifier} {}
-  /// Its row of `inject.list`: state, hits, opportunities, hit_at. Error if it was removed.
-  [[nodiscard]] nlohmann::json row() const {
-    const nlohmann::json faults = call_("inject.list", nlohmann::json::object());
-    for (const nlohmann::json& row : faults.at("faults"))
-      if (row.at("id") == identifier_) return row;
-    throw Error{"fault " + std::to_string(identifier_) + " is no longer there"};
-  }
-  /// How often it has struck.
-  [[nodiscard]] int hits() const { return row().at("hits"); }
-  /// waiting, active or over.
-  [[nodiscard]] std::string state() const { return row().at("state"); }
-  /// Takes it back.
-  void remove() { call_("inject.remove", {{"id", identifier_}}); }
-
- private:
-  Call call_;
-  int identifier_;
-};
 
 /// How a unit is started.
 struct Settings {
@@ -41,8 +16,9 @@ struct Settings {
   int node_id = 5;
   nlohmann::json configuration = nlohmann::json::object();  ///< docs/reference/configuration.md
   nlohmann::json inject = nlohmann::json::array();          ///< faults that are loaded at the start
-  std::uint32_t bit_rate = 0;                               ///< bit/s, 0: frames take no time
-  Milliseconds patience{10000};                             ///< of everything that waits
+  std::uint32_t bit_rate = 0;    ///< bit/s, 0: frames take no time; in stepped time 1 Mbit/s
+  std::string time{};            ///< whose its bus has: "scaled=K", "stepped"; empty: the machine's
+  Milliseconds patience{10000};  ///< of everything that waits
   bool own_can =
       true;  ///< CAN sockets that this process opens from now on lead to its bus, if it runs under with-can
 };
@@ -52,8 +28,9 @@ class Unit {
  public:
   /// Starts it and waits until it is ready; Error with the last lines of its log.
   explicit Unit(Settings settings = {}) : settings_{std::move(settings)} {
+    if (settings_.time == "virtual") throw Error{"time: expected scaled=K or stepped, as a test takes no turns"};
     start_hub();
-    bus_ = std::make_unique<Bus>(bus_path());
+    bus_ = std::make_unique<Bus>(bus_path(), is_stepped());
     start_daemon();
     control_ = std::make_unique<Control>(folder_.path("control"));
     if (settings_.own_can) ::setenv("CAN_BUS", bus_path().c_str(), 1);
@@ -91,6 +68,8 @@ class Unit {
   }
   /// Sends an NMT command: 1 start, 2 stop, 128 Pre-operational, 129 reset node, 130 reset communication.
   void nmt(std::uint8_t command) { bus_->send(0, {command, static_cast<std::uint8_t>(settings_.node_id)}); }
+  /// Lets the stepped time of its bus go on; so does whatever waits, by a millisecond again and again. Error.
+  void step(std::chrono::nanoseconds time) { bus_->step(time); }
   /// Sends a frame.
   void send(std::uint32_t identifier, const std::vector<std::uint8_t>& data) { bus_->send(identifier, data); }
 
@@ -139,9 +118,9 @@ class Unit {
     constexpr int kPeriod = 5;  // ms
     Control samples{folder_.path("control")};
     samples.call("samples.subscribe", {{"signals", {signal}}, {"period_ms", kPeriod}});
-    const auto end = std::chrono::steady_clock::now() + settings_.patience;
+    Deadline deadline = patience();
     while (true) {
-      const nlohmann::json line = samples.read_line(end, signal + " of at least " + std::to_string(limit));
+      const nlohmann::json line = samples.read_line(deadline, signal + " of at least " + std::to_string(limit));
       if (!line.contains("sample") || !line["sample"]["values"][0].is_number()) continue;
       const double value = line["sample"]["values"][0];
       if (value >= limit) return value;
@@ -199,11 +178,11 @@ class Unit {
   void wait(const std::string& what, const std::string& kind, const IsIt& is_it, const Holds& holds) {
     Control events{folder_.path("control")};
     events.call("events.subscribe", {{"kinds", {kind}}});
-    const auto end = std::chrono::steady_clock::now() + settings_.patience;
+    Deadline deadline = patience();
     if (holds()) return;
     try {
       while (true) {
-        const nlohmann::json line = events.read_line(end, what);
+        const nlohmann::json line = events.read_line(deadline, what);
         if (line.contains("event") && is_it(line["event"])) return;
       }
     } catch (const Timeout& late) {
@@ -215,14 +194,23 @@ class Unit {
     }
   }
 
+  [[nodiscard]] bool is_stepped() const { return settings_.time == "stepped"; }
+
+  Deadline patience() {
+    if (!is_stepped()) return Deadline{settings_.patience};
+    return Deadline{settings_.patience, [this] { bus_->step(Milliseconds{1}); }};
+  }
+
   void start_hub() {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) throw Error{std::strerror(errno)};
     hub_log_ = Descriptor{ends[0], "pipe"};
     const Descriptor writing{ends[1], "pipe"};
-    hub_ = Process{{program_path("canhub"), "--path", bus_path(), "--bitrate", std::to_string(settings_.bit_rate)},
-                   {},
-                   writing.number()};
+    std::vector<std::string> words{program_path("canhub"), "--path", bus_path()};
+    if (settings_.bit_rate != 0 || !is_stepped())
+      words.insert(words.end(), {"--bitrate", std::to_string(settings_.bit_rate)});
+    if (!settings_.time.empty()) words.insert(words.end(), {"--time", settings_.time});
+    hub_ = Process{std::move(words), {}, writing.number()};
     std::string said;
     while (said.find("canhub: ready") == std::string::npos) {
       pollfd both[2] = {{hub_log_.number(), POLLIN, 0}, {hub_.exit_descriptor(), POLLIN, 0}};
@@ -258,7 +246,8 @@ class Unit {
     const auto end = std::chrono::steady_clock::now() + settings_.patience;
     while (std::chrono::steady_clock::now() < end) {
       pollfd both[2] = {{notices.number(), POLLIN, 0}, {daemon_.exit_descriptor(), POLLIN, 0}};
-      ::poll(both, 2, static_cast<int>((may_be_silent ? kLookAgain : settings_.patience).count()));
+      const bool looks_again = may_be_silent || is_stepped();
+      ::poll(both, 2, static_cast<int>((looks_again ? kLookAgain : settings_.patience).count()));
       std::array<char, 512> part{};
       const ssize_t size = ::recv(notices.number(), part.data(), part.size(), MSG_DONTWAIT);
       if (size > 0 &&
@@ -266,6 +255,8 @@ class Unit {
         return;
       if (both[1].revents != 0) break;
       if (may_be_silent && has_left_initialising()) return;
+      // who has a control socket has joined the time of the bus
+      if (is_stepped() && ::access(folder_.path("control").c_str(), F_OK) == 0) bus_->step(Milliseconds{1});
     }
     throw Error{"axisd has not started: " + last_lines(folder_.path("log"), 5)};
   }
