@@ -41,7 +41,7 @@ export interface Frame {
   toString(): string;
 }
 
-/** The private bus of a unit, read by candump. */
+/** The bus of a unit, read by candump. */
 export class Bus extends EventEmitter {
   readonly path: string;
   readonly frames: Frame[];
@@ -76,8 +76,12 @@ export interface UnitKeys {
   /** That of faults with a probability that have none. */
   seed?: number;
   nodeId?: number;
-  /** bit/s; 0: frames take no time. */
+  /** The path of a bus that is served already; without it the unit has a private one. */
+  bus?: string;
+  /** Of the private bus, bit/s; 0: frames take no time. */
   bitRate?: number;
+  /** Whose time the private bus has, as `canhub --time` takes it: 'scaled=10'. Timeouts are ms of this process. */
+  time?: string;
   /** Further words for the command line of axisd. */
   options?: string[];
   /** ms that calls and waits take at most unless they are told. */

@@ -1,5 +1,5 @@
 'use strict';
-// A private bus in user space: its hub, and candump, which reads it.
+// A bus in user space: its hub, unless that runs already, and candump, which reads it.
 const { execFile } = require('node:child_process');
 const { EventEmitter } = require('node:events');
 const { AxisdError, Refused } = require('./errors');
@@ -31,12 +31,14 @@ const hex = (id) => `${id.toString(16).toUpperCase().padStart(3, '0')}h`;
 
 /** The bus of a unit. Emits `frame`. */
 class Bus extends EventEmitter {
-  /** Starts hub and candump; ends with close(). */
-  static async start(path, bitRate, timeout) {
+  /** Starts candump, with `hubOptions` the hub before it; ends with close(). */
+  static async start(path, hubOptions, timeout) {
     const bus = new Bus(path, timeout);
     try {
-      bus.hub = new Program([find('canhub'), '--path', path, '--bitrate', `${bitRate}`]);
-      await bus.hub.expect(/^canhub: ready/, timeout);
+      if (hubOptions) {
+        bus.hub = new Program([find('canhub'), '--path', path, ...hubOptions]);
+        await bus.hub.expect(/^canhub: ready/, timeout);
+      }
       bus.reader = new Program([find('with-can'), '--bus', path, '--', find('candump'), '-L', 'vcan0']);
       bus.reader.on('output', (line) => LINE.test(line) && bus.take(new Frame(line)));
       await bus.readerHasJoined();
@@ -85,7 +87,8 @@ class Bus extends EventEmitter {
     const frame = new Promise((done, fail) => {
       take = () => { const got = look(); if (got) done(got); };
       this.on('frame', take);
-      this.hub.hasEnded.then(() => fail(this.hub.ended()));
+      const server = this.hub ?? this.reader;
+      server.hasEnded.then(() => fail(server.ended()));
     });
     return within(timeout, frame, () => {
       const seen = this.frames.slice(begin).slice(-TOLD_FRAMES).join(' ');

@@ -10,17 +10,24 @@ const NMT = { start: 1, stop: 2, 'pre-operational': 128, 'reset-node': 129, 'res
 const COMPARISONS = {
   lt: (a, b) => a < b, le: (a, b) => a <= b, eq: (a, b) => a === b, ne: (a, b) => a !== b, ge: (a, b) => a >= b, gt: (a, b) => a > b,
 };
-const KEYS = ['axes', 'config', 'inject', 'seed', 'nodeId', 'bitRate', 'options', 'timeout'];
+const KEYS = ['axes', 'config', 'inject', 'seed', 'nodeId', 'bus', 'bitRate', 'time', 'options', 'timeout'];
 const WISHES = ['state', 'nmt', 'message', 'gone', 'value', 'frame'];
 const STEPS = [[0x06, 'ready-to-switch-on'], [0x07, 'switched-on'], [0x0F, 'operation-enabled']];
 const SAMPLE_MS = 5;
 const LOOK_AGAIN = 5; // ms
 const AXIS_OBJECTS = 0x800;
+const HEARTBEAT = 0x700;
 const REASONS = 2;
 
 /** Letters and digits alone, so that 'operation-enabled' is 'Operation enabled'. */
 const essence = (text) => text.toLowerCase().replace(/[^a-z0-9]/g, '');
 const byte = (value) => value.toString(16).toUpperCase().padStart(2, '0');
+
+/** The options of the hub of a private bus; in a time of its own the hub has a bit rate itself. */
+function hubOptions({ bitRate, time }) {
+  const rate = bitRate ?? (time ? undefined : 0);
+  return [...(rate === undefined ? [] : ['--bitrate', `${rate}`]), ...(time ? ['--time', time] : [])];
+}
 
 /** A daemon and a bus of its own, from its boot-up to close(). */
 class Unit {
@@ -152,15 +159,15 @@ class Unit {
     await this.folder.remove();
   }
 
-  async begin({ axes = 1, config = {}, inject = [], bitRate = 0, options = [] }) {
-    this.bus = await Bus.start(this.folder.file('bus'), bitRate, this.timeout);
+  async begin({ axes = 1, config = {}, inject = [], bus, bitRate, time, options = [] }) {
+    this.bus = await Bus.start(bus ?? this.folder.file('bus'), bus ? undefined : hubOptions({ bitRate, time }), this.timeout);
     const configuration = { axes: Array.isArray(axes) ? axes : Array.from({ length: axes }, () => ({})), ...config };
     if (inject.length) configuration.inject = inject.map((fault) => this.withSeed(fault));
     fs.writeFileSync(this.folder.file('axisd.json'), JSON.stringify(configuration));
     this.controlPath = this.folder.file('control');
     this.daemon = new Program([find('axisd'), '--config', this.folder.file('axisd.json'), '--interface', `unix:${this.bus.path}`,
       '--node-id', `${this.nodeId}`, '--control', this.controlPath, '--state-directory', this.folder.file('state'), ...options]);
-    const bootUp = new Promise((done) => { this.bus.once('frame', done); });
+    const bootUp = this.bootUp();
     await this.started(inject.length > 0);
     // Written before the notice, but candump tells it in its own time.
     if (!inject.length) await within(this.timeout, bootUp, () => 'the boot-up has not come');
@@ -169,6 +176,18 @@ class Unit {
     this.eventSource.on('event', (event) => this.events.push(event));
     await this.eventSource.call('events.subscribe');
     process.env.CAN_BUS = this.bus.path; // where the CAN sockets of this process lead, if it runs under with-can
+  }
+
+  /** Resolves with the next boot-up message. */
+  bootUp() {
+    return new Promise((done) => {
+      const look = (frame) => {
+        if (frame.id !== HEARTBEAT + this.nodeId) return;
+        this.bus.off('frame', look);
+        done();
+      };
+      this.bus.on('frame', look);
+    });
   }
 
   /** Resolves when it is ready; where faults may keep the boot-up back, when its node has left Initialising. */
