@@ -48,11 +48,10 @@ void set_nonblocking(int descriptor) noexcept {
 
 /// On a bus with a bit rate frames wait for the bus, and a program shall learn soon that they do: the queue in the
 /// kernel becomes little longer than an interface's.
-void shorten_queue(int descriptor) noexcept {
-  constexpr int kFrames = 16;
-  constexpr int kFrameCost = 768;                  // what the kernel counts for a short message (bytes)
-  constexpr int kHalf = kFrames * kFrameCost / 2;  // it doubles what it is told
-  setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &kHalf, sizeof kHalf);
+void shorten_queue(int descriptor, int frames) noexcept {
+  constexpr int kFrameCost = 768;             // what the kernel counts for a short message (bytes)
+  const int half = frames * kFrameCost / 2;  // it doubles what it is told
+  setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &half, sizeof half);
 }
 
 /// Where frames take no time, a program that never waits shall have room for a burst of one frame a node (127). As
@@ -141,10 +140,15 @@ Joined join(const Path& path, const char* hub, Kind kind, int flags) noexcept {
 }
 
 void set_queue(int descriptor, Kind kind, int bit_rate) noexcept {
+  constexpr int kFrames = 16;
   if (bit_rate != 0)
-    shorten_queue(descriptor);
+    shorten_queue(descriptor, kFrames);
   else if (kind == Kind::Raw)
     lengthen_queue(descriptor);
+}
+
+void set_queue_of_turns(int descriptor) noexcept {
+  shorten_queue(descriptor, kQueueOfTurns);
 }
 
 JoinError wanted_hub(HubWishes& wishes) noexcept {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/e2e/test_bus.hpp"
+
 namespace e2e {
 namespace {
 
@@ -65,7 +67,7 @@ std::size_t DaemonProcess::log_lines(const std::string& text) {
 
 fakes::Finished DaemonProcess::axisctl(std::vector<std::string> words) const {
   words.insert(words.begin(), {AXISCTL_PROGRAM, "--socket", control_socket()});
-  return fakes::run_program(words);
+  return fakes::run_program(words, bus_environment());
 }
 
 nlohmann::json DaemonProcess::status() const {

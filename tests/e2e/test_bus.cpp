@@ -11,7 +11,7 @@ std::string served_interface() {
 
 std::vector<std::string> bus_environment() {
   std::vector<std::string> entries;
-  for (const char* const name : {"CAN_BUS", "LD_PRELOAD"}) {
+  for (const char* const name : {"CAN_BUS", "CAN_TIME", "LD_PRELOAD"}) {
     if (const char* const value = std::getenv(name)) entries.push_back(std::string{name} + '=' + value);
   }
   return entries;

@@ -9,6 +9,7 @@
 #include <poll.h>
 
 #include "can/hub/member/requests.hpp"
+#include "can/userbus/join.hpp"
 
 namespace hub {
 
@@ -113,7 +114,7 @@ void Member::on_events_of_turns(std::uint32_t events) noexcept {
 }
 
 void Member::look() noexcept {
-  constexpr std::size_t kNearlyFull = 12;  // of 16 (userbus::set_queue())
+  constexpr std::size_t kNearlyFull = userbus::kQueueOfTurns - 4;
   if (phase_ != Phase::Open) return;
   const Inbox::Found found = can_look_ ? Inbox::look(socket_.get()) : Inbox::Found{.has_request = true};
   unread_ += found.messages;

@@ -11,6 +11,7 @@
 
 #include "can/port/user_bus/user_bus.hpp"
 #include "can/port/wire.hpp"
+#include "os/clock.hpp"
 
 namespace bus {
 
@@ -120,7 +121,10 @@ UserBusEntry::Progress UserBusEntry::on_answer(const Wishes& wishes) noexcept {
     return fail(JoinError::System);
   }
   if (step_ == Step::Hello) {
-    userbus::set_queue(socket_.get(), userbus::Kind::Port, answer.value);
+    if (os::stands_while_acting())
+      userbus::set_queue_of_turns(socket_.get());
+    else
+      userbus::set_queue(socket_.get(), userbus::Kind::Port, answer.value);
     most_frames_ = answer.size == sizeof most_frames ? std::max(most_frames, 1U) : 1;
   }
   if (step_ == Step::Interface) interface_index_ = answer.value;

@@ -14,6 +14,7 @@
 #include "can/preload/time/base/hidden.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/process/child.hpp"
+#include "can/preload/time/process/environment.hpp"
 #include "can/preload/time/turn/touch.hpp"
 #include "can/preload/time/turn/turn.hpp"
 #include "can/preload/time/wait/scheduler.hpp"
@@ -41,6 +42,7 @@ void begin_by(int socket, const userbus::TimePage& page) noexcept {
     const TimeLock lock;
     this_thread();
   }
+  note_environment();
   go_by_turns(page.wall_offset_ns);
   begin_to_see_writes();
   watch_forks();

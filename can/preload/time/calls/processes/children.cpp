@@ -8,6 +8,7 @@
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/process/child.hpp"
+#include "can/preload/time/process/environment.hpp"
 
 namespace preload {
 
@@ -123,8 +124,9 @@ PRELOAD_EXPORT pid_t vfork() noexcept {
 
 PRELOAD_EXPORT int posix_spawn(pid_t* process, const char* path, const posix_spawn_file_actions_t* actions,
                                const posix_spawnattr_t* attributes, char* const* words, char* const* environment) {
+  const preload::ProgramEnvironment own{environment};
   const int socket = preload::prepare_child();
-  const int error = real().posix_spawn(process, path, actions, attributes, words, environment);
+  const int error = real().posix_spawn(process, path, actions, attributes, words, own.entries());
   preload::leave_to_child(socket);
   return error;
 }
@@ -132,8 +134,9 @@ PRELOAD_EXPORT int posix_spawn(pid_t* process, const char* path, const posix_spa
 PRELOAD_EXPORT int posix_spawnp(pid_t* process, const char* file, const posix_spawn_file_actions_t* actions,
                                 const posix_spawnattr_t* attributes, char* const* words,
                                 char* const* environment) {
+  const preload::ProgramEnvironment own{environment};
   const int socket = preload::prepare_child();
-  const int error = real().posix_spawnp(process, file, actions, attributes, words, environment);
+  const int error = real().posix_spawnp(process, file, actions, attributes, words, own.entries());
   preload::leave_to_child(socket);
   return error;
 }

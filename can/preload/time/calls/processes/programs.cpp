@@ -7,17 +7,19 @@
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/process/child.hpp"
+#include "can/preload/time/process/environment.hpp"
 #include "can/preload/time/turn/turn.hpp"
 
 namespace preload {
 
 namespace {
 
-/// Runs @p execute, which returns only if it fails.
+/// Runs @p execute with the environment that @p given becomes; it returns only if it fails.
 template <class Execute>
-int become(Execute execute) noexcept {
+int become(char* const* given, Execute execute) noexcept {
+  const ProgramEnvironment environment{given};
   const bool prepared = prepare_exec();
-  const int outcome = execute();
+  const int outcome = execute(environment.entries());
   if (prepared) resume_after_exec();
   return outcome;
 }
@@ -44,7 +46,7 @@ using preload::become;
 using preload::real;
 
 PRELOAD_EXPORT int execve(const char* path, char* const* words, char* const* environment) noexcept {
-  return become([=]() noexcept { return real().execve(path, words, environment); });
+  return become(environment, [=](char* const* own) noexcept { return real().execve(path, words, own); });
 }
 
 PRELOAD_EXPORT int execv(const char* path, char* const* words) noexcept {
@@ -52,7 +54,7 @@ PRELOAD_EXPORT int execv(const char* path, char* const* words) noexcept {
 }
 
 PRELOAD_EXPORT int execvpe(const char* file, char* const* words, char* const* environment) noexcept {
-  return become([=]() noexcept { return real().execvpe(file, words, environment); });
+  return become(environment, [=](char* const* own) noexcept { return real().execvpe(file, words, own); });
 }
 
 PRELOAD_EXPORT int execvp(const char* file, char* const* words) noexcept {
@@ -60,12 +62,13 @@ PRELOAD_EXPORT int execvp(const char* file, char* const* words) noexcept {
 }
 
 PRELOAD_EXPORT int fexecve(int file, char* const* words, char* const* environment) noexcept {
-  return become([=]() noexcept { return real().fexecve(file, words, environment); });
+  return become(environment, [=](char* const* own) noexcept { return real().fexecve(file, words, own); });
 }
 
 PRELOAD_EXPORT int execveat(int folder, const char* path, char* const* words, char* const* environment,
                             int flags) noexcept {
-  return become([=]() noexcept { return real().execveat(folder, path, words, environment, flags); });
+  return become(environment,
+                [=](char* const* own) noexcept { return real().execveat(folder, path, words, own, flags); });
 }
 
 PRELOAD_EXPORT int execl(const char* path, const char* first, ...) noexcept {
