@@ -10,7 +10,6 @@
 #include <pthread.h>
 
 #include "can/preload/next.hpp"
-#include "can/preload/time/base/clock.hpp"
 
 namespace preload {
 
@@ -98,10 +97,7 @@ int join_bus(userbus::Kind kind, int flags) noexcept {
   }
   pthread_once(&hub_is_known, find_hub);
   const userbus::Joined joined = userbus::join(at.bus, hub_program, kind, flags);
-  if (joined.descriptor >= 0) {
-    if (by_turns()) userbus::set_queue_of_turns(joined.descriptor);
-    return joined.descriptor;
-  }
+  if (joined.descriptor >= 0) return joined.descriptor;
   const int error = errno_of(joined.error);
   report(at, userbus::text_of(joined.error));
   errno = error;

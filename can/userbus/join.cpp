@@ -49,7 +49,7 @@ void set_nonblocking(int descriptor) noexcept {
 /// On a bus with a bit rate frames wait for the bus, and a program shall learn soon that they do: the queue in the
 /// kernel becomes little longer than an interface's.
 void shorten_queue(int descriptor, int frames) noexcept {
-  constexpr int kFrameCost = 768;             // what the kernel counts for a short message (bytes)
+  constexpr int kFrameCost = 768;            // what the kernel counts for a short message (bytes)
   const int half = frames * kFrameCost / 2;  // it doubles what it is told
   setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &half, sizeof half);
 }

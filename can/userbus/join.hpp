@@ -53,8 +53,9 @@ Connected connect_hub(const Path& path, Kind kind, int flags) noexcept;
 /// Gives @p descriptor, a member of a bus with @p bit_rate, the queue in the kernel that its frames shall have.
 void set_queue(int descriptor, Kind kind, int bit_rate) noexcept;
 
-/// Frames that the queue of a member has in whose turns nothing is read (docs/explanation/bus-time.md). It is ready for more
-/// while a quarter of it is taken: for as many as a burst has room for in real time, in this queue and the hub's.
+/// Frames that the queue of a member has in whose turns nothing is read (docs/explanation/bus-time.md). It is
+/// ready for more while a quarter of it is taken: for as many as a burst has room for in real time, in this queue
+/// and the hub's.
 inline constexpr int kQueueOfTurns = 80;
 /// Gives @p descriptor, a member of a process that takes turns, a queue of kQueueOfTurns frames.
 void set_queue_of_turns(int descriptor) noexcept;

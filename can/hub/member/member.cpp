@@ -77,13 +77,13 @@ void Member::flush() noexcept {
 std::size_t Member::drain(bool is_asked) noexcept {
   constexpr std::size_t kMost = 1024;  // a program that sends on and on must not hold the hub
   std::size_t count = 0;
-  unread_ = 0;
   while (count < kMost) {
     const std::size_t most = std::max<std::size_t>(may_read(), is_asked ? 1 : 0);
     const std::size_t taken = most == 0 ? 0 : read(most);
     count += taken;
     if (taken < most || taken == 0) break;  // fewer than there is room for: it is empty
   }
+  unread_ -= std::min(unread_, count);
   go_on();
   if (count >= kMost && core_.clock.is_told()) core_.poll.change(socket_.get(), watched_, *this);
   return count;

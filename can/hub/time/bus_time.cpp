@@ -23,7 +23,7 @@ namespace {
 
 /// Events of the bus after which sockets are looked at again, so that time that goes on and on holds nobody up.
 constexpr unsigned kMostEvents = 64;
-/// Messages in a socket from which on it polls not writable: when the hub has read as many there is room again.
+/// When the hub has read as many messages from a socket, its program may find room that it had not.
 constexpr std::size_t kUnwritable = 4;
 
 }  // namespace
@@ -58,6 +58,7 @@ bool BusTime::go_on(BusEvents& bus) noexcept {
     if (actor_ != nullptr || !leavers_.empty()) return false;
     core_.hand_over();
     owe_those_who_waited();
+    postpone_turns();
     if (ClockMember* const next = next_owed()) {
       give_turn(*next, bus);
       return false;
@@ -101,24 +102,8 @@ bool BusTime::defers(pid_t process) noexcept {
   return true;
 }
 
-void BusTime::owe_all_but(const ClockMember* member) noexcept {
-  for (ClockMember* const other : members_)
-    if (other != member && !other->part().is_left_out) other->part().is_owed_turn = true;
-}
-
-/// Round by round at one instant, so that nobody is kept from its turn by two who have ever more to tell each
-/// other.
-ClockMember* BusTime::next_owed() noexcept {
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    const std::size_t place = (next_ + i) % members_.size();
-    if (!members_[place]->part().is_owed_turn) continue;
-    next_ = place + 1;
-    return members_[place];
-  }
-  return nullptr;
-}
-
 void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
+  ++turns_;
   member.part().is_owed_turn = false;
   member.part().gives_way = false;
   actor_ = &member;
@@ -142,7 +127,7 @@ TimePoint BusTime::horizon_of(const ClockMember& member, const BusEvents& bus) c
 TimePoint BusTime::earliest_wait(const ClockMember* except) const noexcept {
   TimePoint earliest = kNever;
   for (const ClockMember* const member : members_)
-    if (member != except) earliest = std::min(earliest, member->part().until);
+    if (member != except) earliest = std::min(earliest, member->part().next_turn());
   return earliest;
 }
 
@@ -170,26 +155,6 @@ bool BusTime::go_to_next(const BusEvents& bus) noexcept {
   return true;
 }
 
-void BusTime::owe_those_who_waited() noexcept {
-  for (ClockMember* const member : members_) {
-    Part& part = member->part();
-    if (part.until > now()) continue;
-    part.until = kNever;
-    part.is_owed_turn = true;
-  }
-}
-
-/// False if nobody does.
-bool BusTime::owe_those_who_give_way() noexcept {
-  bool someone = false;
-  for (ClockMember* const member : members_) {
-    if (!std::exchange(member->part().gives_way, false)) continue;
-    member->part().is_owed_turn = true;
-    someone = true;
-  }
-  return someone;
-}
-
 void BusTime::on_full() noexcept {
   if (!full_since_) full_since_ = monotonic_now();
 }
@@ -198,6 +163,7 @@ void BusTime::set_present(TimePoint now) noexcept {
   if (now <= core_.clock.now()) return;
   core_.clock.set(now);
   next_ = 0;
+  turns_ = 0;
   page_->now_ns.store(to_ns(now), std::memory_order_release);
 }
 

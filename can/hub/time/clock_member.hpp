@@ -34,9 +34,15 @@ struct Part {
   bool is_left_out = false;  ///< it has been silent for too long
   bool leaves = false;       ///< its process goes on when it closes the connection
   canopen::TimePoint until = canopen::kNever;  ///< what it waits for
+  canopen::TimePoint pause_end{};              ///< no turn before, unless its wait is over
   pid_t process = 0;                           ///< whose time it is; 0: not known yet
   std::vector<pid_t> ancestors;                ///< whose sockets that process may have inherited
   os::Descriptor end;                          ///< polls readable when the process has ended
+
+  /// When it is to have a turn, if nothing happens meanwhile.
+  [[nodiscard]] canopen::TimePoint next_turn() const noexcept {
+    return is_owed_turn ? std::min(until, pause_end) : until;
+  }
 };
 
 /// Whether the process of @p part may have a socket that was connected by @p process; 0 = some process.

@@ -13,8 +13,10 @@
 #include "can/preload/socket/state.hpp"
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/hidden.hpp"
+#include "can/preload/time/turn/touch.hpp"
 #include "can/preload/time/wait/descriptors.hpp"
 #include "can/preload/time/wait/timer.hpp"
+#include "can/userbus/join.hpp"
 
 namespace preload {
 
@@ -40,7 +42,9 @@ int open_socket(int type, int number) noexcept {
     if (protocol.number != number) continue;
     if ((type & ~kTypeFlags) != protocol.type) return failed(EPROTOTYPE);
     const int descriptor = join_bus(protocol.kind, type & kTypeFlags);
-    if (descriptor >= 0) expect_can_sockets();
+    if (descriptor < 0) return descriptor;
+    if (by_turns()) userbus::set_queue_of_turns(descriptor);
+    expect_can_sockets();
     return descriptor;
   }
   return failed(EPROTONOSUPPORT);
@@ -97,6 +101,7 @@ PRELOAD_EXPORT int close(int descriptor) {
   if (preload::is_hidden(descriptor)) return preload::failed(EBADF);
   if (preload::expects_can_sockets()) preload::forget(descriptor);
   if (preload::by_turns()) {
+    preload::note_closing(descriptor);
     preload::forget_descriptor(descriptor);
     preload::forget_timer(descriptor);
   }

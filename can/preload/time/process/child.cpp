@@ -49,7 +49,8 @@ void take_part(int socket) noexcept {
   const TimeLock lock;
   use_turn_socket(socket);
   const userbus::TimeMessage message{.word = userbus::TimeMessage::Word::Join, .process = getpid()};
-  if (userbus::tell_time(socket, message) && begin_turn(true) == userbus::TurnOutcome::Turn) return;
+  if (userbus::tell_time(socket, message) && begin_turn(true) == userbus::TurnOutcome::Turn)
+    return note_touched();  // execve(2) has closed what somebody may wait for
   go_scaled(1, present(), machine_present(), wall_time(0));
 }
 

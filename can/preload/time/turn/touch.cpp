@@ -61,6 +61,10 @@ void note_writing(int descriptor) noexcept {
   if (is_seen_by_others(descriptor)) note_touched();
 }
 
+void note_closing(int descriptor) noexcept {
+  if (is_seen_by_others(descriptor)) note_touched();
+}
+
 bool has_unseen_writes() noexcept {
   if (!stdio_may_touch.load(std::memory_order_relaxed)) return false;
   const uint64_t unseen = count_writes() - seen_writes.load(std::memory_order_relaxed);

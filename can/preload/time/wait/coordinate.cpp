@@ -93,6 +93,14 @@ bool await_turn(Thread& self, TimeLock& lock) noexcept {
   }
 }
 
+/// A sleep that ends with the turn does not let in what signal has come before it.
+void let_signals_in(Thread& self, TimeLock& lock) noexcept {
+  lock.release();
+  const bool taken = take_signals(self);
+  lock.take();
+  if (taken && self.place == Place::Waiting) make_runnable(self, Ended::Signal);
+}
+
 int64_t earliest_instant() noexcept {
   int64_t earliest = first_expiry();
   for (const Thread* thread = threads().waiting.first(); thread != nullptr; thread = thread->following)
@@ -116,6 +124,7 @@ void coordinate(Thread& self, TimeLock& lock) noexcept {
     if (!has_turn()) {
       hold_signals(self);
       if (!await_turn(self, lock)) return lose_hub();
+      let_signals_in(self, lock);
       if (take_child_ended()) take_end_of_child(self, lock);
       looked = false;
       continue;

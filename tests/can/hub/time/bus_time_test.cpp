@@ -45,6 +45,29 @@ TEST(BusTime, LetsAProgramGoOnByItselfAsFarAsTheOthersWait) {
   EXPECT_EQ(first.turn(), 20'000);
 }
 
+TEST(BusTime, PausesThoseWhoTakeTurnAfterTurnAtOneInstant) {
+  constexpr int kMostTurns = 500;
+  constexpr std::int64_t kOwnTime = 5'000'000, kPause = 10'000'000;
+  const HubWithTurns hub;
+  ClockProgram first{hub.path()}, second{hub.path()};
+  first.join();
+  ASSERT_EQ(first.turn(), 0);
+  second.join();
+  for (int turns = 1; turns < kMostTurns; turns += 2) {
+    first.wait(0, kNoInstant, kTouched);
+    ASSERT_EQ(second.turn(), 0);
+    if (turns + 1 == kMostTurns) break;
+    second.wait(0, kOwnTime, kTouched);
+    ASSERT_EQ(first.turn(), 0);
+  }
+
+  second.wait(0, kOwnTime, kTouched);
+
+  EXPECT_EQ(second.turn(), kOwnTime);
+  second.wait(kOwnTime, kNoInstant);
+  EXPECT_EQ(first.turn(), kPause);
+}
+
 TEST(BusTime, StandsWhileOnlyDevicesAreThere) {
   const HubWithTurns hub;
   ClockProgram device{hub.path()}, program{hub.path()};

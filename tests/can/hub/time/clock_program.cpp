@@ -109,6 +109,7 @@ void ClockProgram::obey(int orders, const std::string& path) {
         break;
       case Order::Open:
         raw.emplace(path);
+        userbus::set_queue_of_turns(raw->descriptor());
         answer.done = true;
         break;
       case Order::Send: {

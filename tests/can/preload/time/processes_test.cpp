@@ -76,6 +76,54 @@ TEST(Child, TalksByAPipe) {
   close(ends[0]);
 }
 
+TEST(Child, ClosesAPipeAndLivesOn) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const Stopwatch time;
+  const pid_t child = start([&ends] {
+    sleep(1);
+    close(ends[1]);
+    sleep(1);
+    return 0;
+  });
+  close(ends[1]);
+  char byte = 0;
+
+  EXPECT_EQ(read(ends[0], &byte, 1), 0);
+  EXPECT_EQ(time.passed(), seconds{1});
+  EXPECT_EQ(status_of(child), 0);
+  close(ends[0]);
+}
+
+TEST(Child, ClosesAPipeWhenItBecomesAProgram) {
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  const Stopwatch time;
+  const pid_t child = start([] { return execl("/bin/sleep", "sleep", "5", nullptr); });
+  close(ends[1]);
+  char byte = 0;
+
+  EXPECT_EQ(read(ends[0], &byte, 1), 0);
+  EXPECT_EQ(time.passed(), seconds{0});
+  EXPECT_EQ(status_of(child), 0);
+  EXPECT_EQ(time.passed(), seconds{5});
+  close(ends[0]);
+}
+
+TEST(Child, TakesPartWhateverItsEnvironment) {
+  char name[] = "sleep", length[] = "5", own[] = "OWN=1";
+  char* const words[] = {name, length, nullptr};
+  char* const environment[] = {own, nullptr};
+  const Stopwatch time;
+  pid_t spawned = -1;
+  ASSERT_EQ(posix_spawn(&spawned, "/bin/sleep", nullptr, nullptr, words, environment), 0);
+  const pid_t executed = start([&] { return execve("/bin/sleep", words, environment); });
+
+  EXPECT_EQ(status_of(spawned), 0);
+  EXPECT_EQ(status_of(executed), 0);
+  EXPECT_EQ(time.passed(), seconds{5});
+}
+
 TEST(Child, IsEndedByASignal) {
   const Stopwatch time;
   const pid_t child = start([] {
