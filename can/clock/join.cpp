@@ -41,7 +41,10 @@ std::unique_ptr<TimeShare> TimeShare::join(const Address& address, std::uint32_t
   };
   if (os::Descriptor clock = inherited(path, flags)) {
     const userbus::TimePage* const page = userbus::map_time(clock.get());
-    return page == nullptr ? nullptr : std::make_unique<TimeShare>(path, std::move(clock), *page);
+    if (page == nullptr) return nullptr;
+    auto time = std::make_unique<TimeShare>(path, std::move(clock), *page);
+    time->note_touched();  // execve(2) has closed what somebody may wait for
+    return time;
   }
   // an older hub knows no clocks, but can be asked
   const std::string hub = hub_program();

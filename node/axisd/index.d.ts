@@ -80,7 +80,7 @@ export interface UnitKeys {
   bus?: string;
   /** Of the private bus, bit/s; 0: frames take no time. */
   bitRate?: number;
-  /** Whose time the private bus has, as `canhub --time` takes it: 'scaled=10'. Timeouts are ms of this process. */
+  /** Whose time the private bus has: 'real' or 'scaled=10'. Timeouts are ms of this process. */
   time?: string;
   /** Further words for the command line of axisd. */
   options?: string[];

@@ -107,7 +107,7 @@ class ToldClock(Clock):
         self._begin_to_wait()
         while self._page.now_ns < deadline_ns:
             self._go_on(deadline_ns, _LONGEST_STEP_NS)
-        background().read_all()
+            background().read_all()
 
     def receive(self, stream: socket.socket, timeout: float, is_answer: bool) -> bytes | None:
         stream.settimeout(0)
@@ -136,9 +136,9 @@ class ToldClock(Clock):
 class SteppedClock(ToldClock):
     """Stepped time, which goes on while something is waited for, but not for an answer."""
 
-    def __init__(self, path: str, page: hub_protocol.TimePage, member: socket.socket) -> None:
+    def __init__(self, path: str, page: hub_protocol.TimePage) -> None:
         super().__init__(path, page)
-        self._member = member
+        self._member = hub_protocol.join_asking(path)  # whose requests no frames of the bus are in the way of
 
     def receive(self, stream: socket.socket, timeout: float, is_answer: bool) -> bytes | None:
         return (Clock if is_answer else ToldClock).receive(self, stream, timeout, is_answer)
@@ -146,8 +146,16 @@ class SteppedClock(ToldClock):
     def step(self, seconds: float) -> None:
         self.pass_time(seconds)
 
+    def close(self) -> None:
+        self._member.close()
+
+    def _begin_to_wait(self) -> None:
+        self._step(0)  # answered when all has been done that is to be done at the present
+
     def _go_on(self, deadline_ns: int, longest_ns: int = _STEP_NS) -> None:
-        length_ns = min(longest_ns, deadline_ns - self._page.now_ns)
+        self._step(min(longest_ns, deadline_ns - self._page.now_ns))
+
+    def _step(self, length_ns: int) -> None:
         try:  # those who act in it may take their time
             error, _, _ = hub_protocol.request(self._member, hub_protocol.STEP, payload=struct.pack('=q', length_ns), patience=None)
         except OSError:
@@ -200,6 +208,20 @@ class VirtualClock(ToldClock):
             raise Ended(f'{self.path}: the hub has gone') from None
 
 
+class PreloadedClock(Clock):
+    """That of a bus by which this process lives already, under `with-can --time`."""
+
+    def __init__(self, page: hub_protocol.TimePage) -> None:
+        self._begin = page.begin_ns / _NS
+
+    def now(self) -> float:
+        return time.monotonic() - self._begin
+
+
+def _is_preloaded() -> bool:
+    return 'libcan-preload' in os.environ.get('LD_PRELOAD', '') and os.environ.get('CAN_TIME', 'real') != 'real'
+
+
 _virtual: dict[str, VirtualClock] = {}  # by path: a process has one part in the time of a bus
 
 
@@ -208,10 +230,13 @@ def join(path: str, member: socket.socket) -> Clock:
     page = hub_protocol.time_page(member)
     if page is None:
         return Clock()
+    if _is_preloaded():
+        return PreloadedClock(page)
     if page.mode == hub_protocol.SCALED:
         return ScaledClock(page)
     if page.mode == hub_protocol.STEPPED:
-        return SteppedClock(path, page, member)
+        return SteppedClock(path, page)
+    path = os.path.realpath(path)
     if path in _virtual:
         _virtual[path].users += 1
     else:

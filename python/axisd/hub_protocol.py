@@ -122,6 +122,11 @@ def join(path: str, interface: str) -> tuple[socket.socket, int]:
         raise
 
 
+def join_asking(path: str) -> socket.socket:
+    """A connection to the bus at `path` for requests alone; OSError, Error."""
+    return _greeted(path, b'port')[0]
+
+
 def encode(frame: Frame) -> bytes:
     """The message to the hub."""
     identifier = frame.id | (EXTENDED_FLAG if frame.extended else 0) | (REMOTE_FLAG if frame.remote else 0) | (

@@ -83,6 +83,8 @@ withUnit('tells what it has awaited and what it saw', {}, async (unit) => {
 test('says in one line why it does not start', async () => {
   await assert.rejects(Unit.start({ config: { axis: 1 } }), /^AxisdError: configuration: \/axis: unknown key, expected one of/);
   await assert.rejects(Unit.start({ axles: 1 }), /expected keys, some of axes, .* got axles/);
+  await assert.rejects(Unit.start({ time: 'stepped' }), /expected real or scaled=K, got stepped/);
+  await assert.rejects(Unit.start({ bus: '/nowhere', bitRate: 125000 }), /bitRate is that of a private bus/);
 });
 
 withUnit('tells the log of a daemon that has ended', {}, async (unit) => {

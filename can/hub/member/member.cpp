@@ -9,7 +9,6 @@
 #include <poll.h>
 
 #include "can/hub/member/requests.hpp"
-#include "can/userbus/join.hpp"
 
 namespace hub {
 
@@ -103,27 +102,6 @@ bool Member::begin() noexcept {
   return core_.poll.add(socket_.get(), watched_, *this);
 }
 
-/// What a program sends in its turn is read when that ends, so that neither the order of frames nor the room in
-/// its sockets depends on how quick the hub is. Events are told once (EPOLLET): all that there is to be read or
-/// sent is, then or at the end of the turn.
-void Member::on_events_of_turns(std::uint32_t events) noexcept {
-  if (phase_ == Phase::Open && (events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0) phase_ = Phase::Closed;
-  if (core_.turns->defers(process_) && kind_ != userbus::Kind::Clock) return look();
-  if ((events & EPOLLOUT) != 0 && catch_up()) note_given();
-  drain();
-}
-
-void Member::look() noexcept {
-  constexpr std::size_t kNearlyFull = userbus::kQueueOfTurns - 4;
-  if (phase_ != Phase::Open) return;
-  const Inbox::Found found = can_look_ ? Inbox::look(socket_.get()) : Inbox::Found{.has_request = true};
-  unread_ += found.messages;
-  if (found.has_request)
-    drain(/*is_asked=*/true);
-  else if (unread_ >= kNearlyFull)
-    core_.turns->on_full();
-}
-
 void Member::on_events(std::uint32_t events) noexcept {
   if (core_.clock.is_told()) return on_events_of_turns(events);
   if ((events & EPOLLOUT) != 0) flush();
@@ -160,9 +138,12 @@ std::size_t Member::read(std::size_t most) noexcept {
 void Member::take(Inbox::Message message, canopen::TimePoint read_at) noexcept {
   // where the clock is told, a frame before this message may have had time go on
   const canopen::TimePoint now = core_.clock.is_told() ? core_.clock.now() : read_at;
-  const bool taken = message.descriptor ? answer_request({core_, *this, now}, message)
-                                        : message.complete && take_message(message.bytes, now);
+  const bool is_request = static_cast<bool>(message.descriptor);
+  const bool taken = is_request ? answer_request({core_, *this, now}, message)
+                                : message.complete && take_message(message.bytes, now);
   if (!taken) ++refused_;
+  // its process waits for the answer as for anything else; a raw socket's does so at once
+  if (is_request && kind_ == userbus::Kind::Port) note_given();
 }
 
 /// One frame, or one to most_taken_ with trailers; of several each counts by itself.
@@ -218,19 +199,6 @@ void Member::go_on() noexcept {
     core_.anyone_departed = true;
   }
   update_watch();
-}
-
-/// Where programs take turns: events are told once, and requests are read though the medium has no room for
-/// frames.
-std::uint32_t Member::watch_of_turns(std::uint32_t wanted) noexcept {
-  const bool can_be_read = (wanted & EPOLLIN) != 0;
-  if (can_be_read && !std::exchange(can_be_read_, can_be_read)) {
-    reads_again_ = true;
-    note_given();
-  }
-  can_be_read_ = can_be_read;
-  if (phase_ == Phase::Open) wanted |= EPOLLIN;
-  return wanted == 0 ? 0 : wanted | EPOLLET;
 }
 
 void Member::update_watch() noexcept {

@@ -62,6 +62,8 @@ class Member : public Watch {
   bool catch_up() noexcept;
   /// True, once, if it was not read for a while, as the medium had no room for its frames, and has room now.
   [[nodiscard]] bool takes_up_reading() noexcept { return std::exchange(reads_again_, false); }
+  /// Messages that were left in its socket, as far as they have been looked at.
+  [[nodiscard]] std::size_t unread() const noexcept { return unread_; }
   /// Sends the frames that were gathered for the program.
   void hand_over() noexcept {
     is_gathering_ = false;
@@ -125,6 +127,7 @@ class Member : public Watch {
   }
   void on_events_of_turns(std::uint32_t events) noexcept;
   void look() noexcept;
+  bool has_request() noexcept;
   void flush() noexcept;
   std::size_t read(std::size_t most) noexcept;
   void take(Inbox::Message message, canopen::TimePoint read_at) noexcept;
@@ -146,7 +149,7 @@ class Member : public Watch {
   bool can_look_ = false;      // into the socket, for requests; only where programs take turns
   bool is_gathering_ = false;  // it is in Core::gathering
   Outbox outbox_;
-  std::size_t unread_ = 0;      // messages that look() has seen and that were left in the socket
+  std::size_t unread_ = 0;      // messages that has_request() has seen and that were left in the socket
   std::size_t most_taken_ = 1;  // frames in a message of the program
   userbus::Kind kind_;
   Phase phase_ = Phase::Open;

@@ -23,8 +23,8 @@ namespace {
 
 /// Events of the bus after which sockets are looked at again, so that time that goes on and on holds nobody up.
 constexpr unsigned kMostEvents = 64;
-/// When the hub has read as many messages from a socket, its program may find room that it had not.
-constexpr std::size_t kUnwritable = 4;
+/// Messages in a socket from which on it polls not writable.
+constexpr std::size_t kUnwritable = userbus::kQueueOfTurns / 4;
 
 }  // namespace
 
@@ -58,7 +58,6 @@ bool BusTime::go_on(BusEvents& bus) noexcept {
     if (actor_ != nullptr || !leavers_.empty()) return false;
     core_.hand_over();
     owe_those_who_waited();
-    postpone_turns();
     if (ClockMember* const next = next_owed()) {
       give_turn(*next, bus);
       return false;
@@ -90,7 +89,8 @@ void BusTime::end_turn() noexcept {
 void BusTime::drain_sockets_of(const Part& part) noexcept {
   for (const auto& member : core_.members) {
     if (!may_have_sockets_of(part, member->process())) continue;
-    const bool has_room_again = member->drain() >= kUnwritable;
+    const std::size_t taken = member->drain();
+    const bool has_room_again = member->unread() < kUnwritable && member->unread() + taken >= kUnwritable;
     if (member->catch_up() || has_room_again) on_given(member->process());
   }
 }
@@ -103,8 +103,8 @@ bool BusTime::defers(pid_t process) noexcept {
 }
 
 void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
-  ++turns_;
   member.part().is_owed_turn = false;
+  count_turn(member.part());
   member.part().gives_way = false;
   actor_ = &member;
   speaker_ = &member.part();
@@ -163,7 +163,6 @@ void BusTime::set_present(TimePoint now) noexcept {
   if (now <= core_.clock.now()) return;
   core_.clock.set(now);
   next_ = 0;
-  turns_ = 0;
   page_->now_ns.store(to_ns(now), std::memory_order_release);
 }
 

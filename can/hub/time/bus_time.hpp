@@ -74,7 +74,7 @@ class BusTime final : public Turns, private Schedule {
   void end_turn() noexcept;
   void drain_sockets_of(const Part& part) noexcept;
   void owe_those_who_waited() noexcept;
-  void postpone_turns() noexcept;
+  void count_turn(Part& part) const noexcept;
   bool owe_those_who_give_way() noexcept;
   [[nodiscard]] canopen::TimePoint limit() const noexcept;
   void owe_all_but(const ClockMember* member) noexcept;
@@ -101,7 +101,6 @@ class BusTime final : public Turns, private Schedule {
   userbus::TimePage* page_;
   std::vector<ClockMember*> members_;  ///< in the order of joining
   std::size_t next_ = 0;               ///< place of who is asked first whether it is owed a turn
-  unsigned turns_ = 0;                 ///< at the present
   ClockMember* actor_ = nullptr;
   bool turn_is_over_ = false;  ///< that of actor_, whose sockets have to be read to the end
   bool has_touched_ = false;

@@ -34,6 +34,8 @@ struct Part {
   bool is_left_out = false;  ///< it has been silent for too long
   bool leaves = false;       ///< its process goes on when it closes the connection
   canopen::TimePoint until = canopen::kNever;  ///< what it waits for
+  canopen::TimePoint last_turn{};              ///< when it had its last turn
+  unsigned turns = 0;                          ///< that it had at that instant
   canopen::TimePoint pause_end{};              ///< no turn before, unless its wait is over
   pid_t process = 0;                           ///< whose time it is; 0: not known yet
   std::vector<pid_t> ancestors;                ///< whose sockets that process may have inherited

@@ -10,8 +10,8 @@ using canopen::kNever;
 
 namespace {
 
-/// Turns at one instant, more than programs take that have something to do, and the pause that then is made.
-constexpr unsigned kMostTurns = 500;
+/// Turns of a program at one instant, and the pause that it then makes.
+constexpr unsigned kMostTurns = 200;
 constexpr canopen::Duration kPause = std::chrono::milliseconds{10};
 
 }  // namespace
@@ -42,13 +42,14 @@ bool BusTime::owe_those_who_give_way() noexcept {
   return someone;
 }
 
-/// Programs that ask again and again what has become of something, without a sleep, would keep time from going on.
-void BusTime::postpone_turns() noexcept {
-  if (turns_ < kMostTurns) return;
-  turns_ = 0;
-  if (core_.clock.mode() != userbus::TimeMode::Virtual || stands()) return;
-  for (ClockMember* const member : members_)
-    if (!member->part().is_device) member->part().pause_end = now() + kPause;
+/// A program that asks again and again what has become of something, without a sleep, would keep time from going
+/// on.
+void BusTime::count_turn(Part& part) const noexcept {
+  if (part.last_turn != now()) part.turns = 0;
+  part.last_turn = now();
+  if (++part.turns < kMostTurns || part.is_device || stands() || limit() <= now()) return;
+  part.turns = 0;
+  part.pause_end = now() + kPause;
 }
 
 /// Round by round at one instant, so that nobody is kept from its turn by two who have ever more to tell each

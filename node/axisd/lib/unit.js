@@ -35,6 +35,10 @@ class Unit {
   static async start(keys = {}) {
     const wrong = Object.keys(keys).find((key) => !KEYS.includes(key));
     if (wrong) throw new TypeError(`Unit.start: expected keys, some of ${KEYS.join(', ')}; got ${wrong}`);
+    const ofPrivateBus = ['bitRate', 'time'].find((key) => keys[key] !== undefined);
+    if (keys.bus !== undefined && ofPrivateBus) throw new TypeError(`Unit.start: ${ofPrivateBus} is that of a private bus; bus has its own`);
+    if (['virtual', 'stepped'].includes(keys.time))
+      throw new TypeError(`Unit.start: time: expected real or scaled=K, got ${keys.time}; by it a test lives under with-can --time virtual`);
     const unit = new Unit(keys);
     try {
       await unit.begin(keys);

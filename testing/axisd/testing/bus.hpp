@@ -98,6 +98,7 @@ class Bus {
   /// time is stepped it goes on meanwhile, and @p patience is of that.
   Frame wait_for(const std::function<bool(const Frame&)>& accepts, const std::string& what,
                  Milliseconds patience) {
+    if (is_stepped_) step(Milliseconds{0});  // what is to be done at the present has been done then
     std::unique_lock lock{mutex_};
     const auto end = std::chrono::steady_clock::now() + patience;
     Deadline steps{patience, [&] {

@@ -243,6 +243,7 @@ class Unit {
     // Faults may keep the boot-up back, which the notice tells; the node has left Initialising then.
     const bool may_be_silent = configuration.contains("inject");
     constexpr Milliseconds kLookAgain{5};
+    Milliseconds next_step{0};
     const auto end = std::chrono::steady_clock::now() + settings_.patience;
     while (std::chrono::steady_clock::now() < end) {
       pollfd both[2] = {{notices.number(), POLLIN, 0}, {daemon_.exit_descriptor(), POLLIN, 0}};
@@ -256,7 +257,8 @@ class Unit {
       if (both[1].revents != 0) break;
       if (may_be_silent && has_left_initialising()) return;
       // who has a control socket has joined the time of the bus
-      if (is_stepped() && ::access(folder_.path("control").c_str(), F_OK) == 0) bus_->step(Milliseconds{1});
+      if (is_stepped() && ::access(folder_.path("control").c_str(), F_OK) == 0)
+        bus_->step(std::exchange(next_step, Milliseconds{1}));
     }
     throw Error{"axisd has not started: " + last_lines(folder_.path("log"), 5)};
   }

@@ -8,6 +8,8 @@
 #include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/hidden.hpp"
 #include "can/preload/time/base/real.hpp"
+#include "can/preload/time/turn/touch.hpp"
+#include "can/preload/time/turn/turn.hpp"
 #include "can/preload/time/wait/readiness.hpp"
 #include "can/preload/time/wait/timer.hpp"
 
@@ -22,6 +24,13 @@ void forget_range(unsigned first, unsigned last) noexcept {
     forget_descriptor(static_cast<int>(descriptor));
     forget_timer(static_cast<int>(descriptor));
   }
+}
+
+/// @p descriptor is about to be another one.
+void replace(int descriptor) noexcept {
+  note_closing(descriptor);
+  forget_descriptor(descriptor);
+  forget_timer(descriptor);
 }
 
 /// The part of a range from @p first on that has none of the library's own; its end is @p last at most.
@@ -67,7 +76,10 @@ PRELOAD_EXPORT int accept4(int descriptor, sockaddr* address, socklen_t* length,
 PRELOAD_EXPORT int close_range(unsigned first, unsigned last, int flags) noexcept {
   if (!by_turns()) return real().close_range(first, last, flags);
   constexpr unsigned kClosedLater = 4;  // CLOSE_RANGE_CLOEXEC
-  if ((static_cast<unsigned>(flags) & kClosedLater) == 0) preload::forget_range(first, last);
+  if ((static_cast<unsigned>(flags) & kClosedLater) == 0) {
+    preload::note_touched();
+    preload::forget_range(first, last);
+  }
   return preload::close_around(first, last, flags);
 }
 
@@ -78,12 +90,12 @@ PRELOAD_EXPORT void closefrom(int first) noexcept {
 
 PRELOAD_EXPORT int dup2(int from, int to) noexcept {
   if (preload::is_hidden(to) || preload::is_hidden(from)) return failed(EBADF);
-  if (by_turns() && from != to) preload::forget_range(static_cast<unsigned>(to), static_cast<unsigned>(to));
+  if (by_turns() && from != to) preload::replace(to);
   return real().dup2(from, to);
 }
 
 PRELOAD_EXPORT int dup3(int from, int to, int flags) noexcept {
   if (preload::is_hidden(to) || preload::is_hidden(from)) return failed(EBADF);
-  if (by_turns()) preload::forget_range(static_cast<unsigned>(to), static_cast<unsigned>(to));
+  if (by_turns()) preload::replace(to);
   return real().dup3(from, to, flags);
 }

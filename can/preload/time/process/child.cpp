@@ -50,7 +50,7 @@ void take_part(int socket) noexcept {
   use_turn_socket(socket);
   const userbus::TimeMessage message{.word = userbus::TimeMessage::Word::Join, .process = getpid()};
   if (userbus::tell_time(socket, message) && begin_turn(true) == userbus::TurnOutcome::Turn)
-    return note_touched();  // execve(2) has closed what somebody may wait for
+    return note_touched();  // if by execve(2), that has closed what somebody may wait for
   go_scaled(1, present(), machine_present(), wall_time(0));
 }
 

@@ -1,8 +1,11 @@
 #include "can/preload/time/process/environment.hpp"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+
+#include <sys/mman.h>
 
 #include "can/preload/time/base/clock.hpp"
 
@@ -10,7 +13,7 @@ namespace preload {
 
 namespace {
 
-constexpr const char* kNames[] = {"LD_PRELOAD", "CAN_BUS", "CAN_TIME"};
+constexpr const char* kNames[] = {"LD_PRELOAD", "CAN_BUS", "CAN_TIME", "CAN_BITRATE"};
 constexpr std::size_t kNameCount = sizeof kNames / sizeof kNames[0];
 
 /// NAME=VALUE of each, empty where the process had none.
@@ -33,16 +36,26 @@ void note_environment() noexcept {
   }
 }
 
-ProgramEnvironment::ProgramEnvironment(char* const* given) noexcept : entries_{given} {
+ProgramEnvironment::ProgramEnvironment(char* const* given) noexcept : given_{given} {
+  static char* const kNone[] = {nullptr};
+  if (!by_turns()) return;
+  if (given_ == nullptr) given_ = kNone;
   std::size_t count = 0;
-  if (!by_turns() || given == nullptr) return;
-  while (given[count] != nullptr) ++count;
-  if (count + kNameCount >= kMost) return;
-  memcpy(added_, given, count * sizeof *given);
+  while (given_[count] != nullptr) ++count;
+  size_ = (count + kNameCount + 1) * sizeof *given_;
+  void* const room = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) return;
+  added_ = static_cast<char**>(room);
+  memcpy(added_, given_, count * sizeof *given_);
   for (std::size_t i = 0; i < kNameCount; ++i)
-    if (noted[i][0] != '\0' && !has(given, kNames[i])) added_[count++] = noted[i];
-  added_[count] = nullptr;
-  entries_ = added_;
+    if (noted[i][0] != '\0' && !has(given_, kNames[i])) added_[count++] = noted[i];
+}
+
+ProgramEnvironment::~ProgramEnvironment() {
+  if (added_ == nullptr) return;
+  const int error = errno;
+  munmap(added_, size_);
+  errno = error;
 }
 
 }  // namespace preload

@@ -11,17 +11,19 @@ void note_environment() noexcept;
 /// makes it take part, as else all would wait for it. Variables that it sets stay as they are.
 class ProgramEnvironment {
  public:
-  /// @p given, which outlives this, may be nullptr.
+  /// @p given, which outlives this; nullptr is one without variables.
   explicit ProgramEnvironment(char* const* given) noexcept;
+  ProgramEnvironment(const ProgramEnvironment&) = delete;
+  ProgramEnvironment& operator=(const ProgramEnvironment&) = delete;
+  ~ProgramEnvironment();
 
-  [[nodiscard]] char* const* entries() const noexcept { return entries_; }
+  [[nodiscard]] char* const* entries() const noexcept { return added_ == nullptr ? given_ : added_; }
 
  private:
-  /// Beyond that nothing is added.
-  static constexpr std::size_t kMost = 4096;
-
-  char* const* entries_;
-  char* added_[kMost];
+  char* const* given_;
+  char** added_ = nullptr;  ///< neither on a stack that may be short nor from malloc(3), which a child of fork(2)
+                            ///< must not call
+  std::size_t size_ = 0;    ///< of that (bytes)
 };
 
 }  // namespace preload

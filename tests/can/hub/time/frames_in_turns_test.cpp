@@ -121,7 +121,7 @@ TEST_F(FramesInTurns, FindTheSameRoomHoweverQuickTheHubIs) {
   EXPECT_EQ(fill(first), userbus::kQueueOfTurns);
   first.wait(0, kNoInstant);
   ASSERT_EQ(first.turn(), 0);
-  EXPECT_EQ(fill(first), 17);  // as many are on the bus now, or wait for it
+  EXPECT_EQ(fill(first), 18);  // as many are on the bus now, or wait for it
 }
 
 TEST_F(FramesInTurns, AreNotInTheWayOfRequests) {

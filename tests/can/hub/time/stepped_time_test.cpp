@@ -93,5 +93,13 @@ TEST_F(SteppedTime, RefusesStepsBackAndOfOtherBuses) {
   EXPECT_EQ((Step{usual, 1000}.answer()), -EOPNOTSUPP);
 }
 
+TEST_F(SteppedTime, GoesOnByARequestBehindFramesThatTheBusHasNoRoomFor) {
+  constexpr int kFrames = 40;
+  const BusClient sender{hub.path()};
+  for (int i = 0; i < kFrames; ++i) sender.send("123#");
+
+  EXPECT_EQ(Step(sender, 50'000'000).answer(), 50'000'000);
+}
+
 }  // namespace
 }  // namespace hub_test

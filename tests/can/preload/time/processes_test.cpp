@@ -124,6 +124,25 @@ TEST(Child, TakesPartWhateverItsEnvironment) {
   EXPECT_EQ(time.passed(), seconds{5});
 }
 
+TEST(Child, SeesASignalAtTheInstantAtWhichItIsSent) {
+  constexpr int kTimes = 100;
+  struct sigaction action {};
+  action.sa_handler = [](int) {};
+  ASSERT_EQ(sigaction(SIGUSR1, &action, nullptr), 0);
+  const Stopwatch time;
+  const pid_t child = start([&time] {
+    for (int i = 1; i <= kTimes; ++i)
+      if (sleep(1000) == 0 || time.passed() != milliseconds{i}) return i;
+    return 0;
+  });
+  for (int i = 0; i < kTimes; ++i) {
+    sleep_for(milliseconds{1});
+    kill(child, SIGUSR1);
+  }
+
+  EXPECT_EQ(status_of(child), 0);
+}
+
 TEST(Child, IsEndedByASignal) {
   const Stopwatch time;
   const pid_t child = start([] {

@@ -9,6 +9,7 @@
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/process/child.hpp"
 #include "can/preload/time/process/environment.hpp"
+#include "can/preload/time/turn/touch.hpp"
 
 namespace preload {
 
@@ -158,6 +159,7 @@ PRELOAD_EXPORT int pclose(FILE* stream) {
   if (known == nullptr) return real().pclose(stream);
   const pid_t process = known->process;
   known->stream = nullptr;
+  preload::note_closing(fileno(stream));
   fclose(stream);
   return preload::await_shell(process);
 }
