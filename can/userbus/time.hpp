@@ -65,7 +65,7 @@ struct TimeMessage {
     Wait,  ///< it has nothing to do before `until_ns`; ends its turn
     Want,  ///< something outside of the bus has happened to it while it waited: it is owed a turn
   };
-  Word word;
+  Word word = Word::Join;
   uint32_t flags = 0;    ///< of Join: kDevice; of Wait: kTouched
   int64_t now_ns = 0;    ///< of Wait: its present, in the horizon of its turn
   int64_t until_ns = 0;  ///< of Wait: kNoInstant = until something happens
@@ -83,8 +83,9 @@ inline constexpr uint32_t kLeaves = 2;
 
 /// A turn: what the hub says to a member of kind Clock.
 struct TimeTurn {
-  int64_t now_ns;      ///< the present
-  int64_t horizon_ns;  ///< the member may go on by itself up to here, as long as it has sent and touched nothing
+  int64_t now_ns = 0;  ///< the present
+  int64_t horizon_ns =
+      0;               ///< the member may go on by itself up to here, as long as it has sent and touched nothing
   uint32_t flags = 0;  ///< kChildEnded
   uint32_t reserved = 0;
 };

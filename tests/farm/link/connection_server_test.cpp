@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tests/farm/link/link_fixture.hpp"
 
 namespace farm {
@@ -83,7 +85,8 @@ TEST_F(ConnectionTest, SendsNothingLater) {
   link_.publish("a", "new");
   wait_until([&heard] { return !heard.empty() && heard.back() == "new"; });
 
-  EXPECT_EQ(heard.size(), 1);
+  // what the kernel had taken before the link was seen to be down may come behind
+  EXPECT_EQ(std::ranges::count(heard, "while it is down"), 0);
 }
 
 TEST_F(ConnectionTest, IsToldNothingAfterUnsubscribing) {

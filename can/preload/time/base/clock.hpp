@@ -2,8 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
-
-#include <time.h>
+#include <ctime>
 
 #include "can/userbus/time.hpp"
 

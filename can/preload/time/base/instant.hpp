@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <ctime>
 
 #include <sys/time.h>
-#include <time.h>
 
 #include "can/userbus/time.hpp"
 

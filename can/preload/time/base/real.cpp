@@ -91,7 +91,7 @@ void look_up_real() noexcept {
       {"waitpid", address_of(calls.waitpid)},
       {"wait4", address_of(calls.wait4)},
       {"waitid", address_of(calls.waitid)},
-      {"_exit", address_of(calls._exit)},
+      {"_exit", address_of(calls.exit_at_once)},
       {"siglongjmp", address_of(calls.longjmp)},
       {"__longjmp_chk", address_of(calls.longjmp_chk)},
       {"close_range", address_of(calls.close_range)},

@@ -1,21 +1,21 @@
 #pragma once
 
+#include <csignal>
 #include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 
 #include <poll.h>
 #include <pthread.h>
 #include <semaphore.h>
-#include <signal.h>
 #include <spawn.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <sys/epoll.h>
 #include <sys/select.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <sys/timerfd.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 namespace preload {
@@ -101,7 +101,7 @@ struct Real {
   pid_t (*waitpid)(pid_t, int*, int);
   pid_t (*wait4)(pid_t, int*, int, rusage*);
   int (*waitid)(idtype_t, id_t, siginfo_t*, int);
-  void (*_exit)(int);
+  void (*exit_at_once)(int);  // _exit(2)
   void (*longjmp)(__jmp_buf_tag*, int);
   void (*longjmp_chk)(__jmp_buf_tag*, int);
   int (*close_range)(unsigned, unsigned, int);

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
-
-#include <signal.h>
 
 namespace preload {
 

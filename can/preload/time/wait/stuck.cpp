@@ -1,9 +1,9 @@
 #include "can/preload/time/wait/stuck.hpp"
 
 #include <cstdio>
+#include <ctime>
 
 #include <fcntl.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "can/preload/next.hpp"

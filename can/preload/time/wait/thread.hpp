@@ -1,11 +1,11 @@
 #pragma once
 
 #include <atomic>
+#include <csignal>
 #include <cstdint>
 
 #include <poll.h>
 #include <pthread.h>
-#include <signal.h>
 
 #include "can/preload/time/base/instant.hpp"
 

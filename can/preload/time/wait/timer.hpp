@@ -1,9 +1,8 @@
 #pragma once
 
+#include <csignal>
 #include <cstdint>
-
-#include <signal.h>
-#include <time.h>
+#include <ctime>
 
 #include "can/preload/time/base/lock.hpp"
 #include "can/preload/time/wait/thread.hpp"

@@ -101,7 +101,7 @@ PRELOAD_EXPORT int execle(const char* path, const char* first, ...) noexcept {
 
 PRELOAD_EXPORT void _exit(int status) {
   preload::tell_present();
-  real()._exit(status);
+  real().exit_at_once(status);
   __builtin_unreachable();
 }
 
