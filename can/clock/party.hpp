@@ -22,6 +22,7 @@ class Party {
   Party() = default;
   Party(const Party&) = delete;
   Party& operator=(const Party&) = delete;
+  ~Party() = default;
 
  private:
   friend class TimeShare;

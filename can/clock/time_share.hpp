@@ -28,6 +28,8 @@ class TimeShare final : public os::OtherTime {
   /// Over @p clock, a member of the bus at @p path that has joined, and its @p page (userbus::map_time()); waits
   /// for the first turn.
   TimeShare(const userbus::Path& path, os::Descriptor clock, const userbus::TimePage& page);
+  TimeShare(const TimeShare&) = delete;
+  TimeShare& operator=(const TimeShare&) = delete;
   ~TimeShare() override;
 
   /// A thread takes part; it acts until it waits. Before that thread exists, or from within it.
