@@ -20,7 +20,7 @@ AXES = 8
 SECONDS, WAY = 2, 1  # revolutions, in one second: at most pi / 2 revolutions/s
 FASTEST = 4 * REVOLUTION
 WINDOW = REVOLUTION // 8  # the axes run out without torque
-PERIOD = 1 if 'CAN_BUS' in os.environ else 10  # ms
+PERIOD = 1 if 'CAN_BUS' in os.environ else 50  # ms
 NO_MONITORING = 0xFFFFFFFF  # of the following error, 6065h
 
 
