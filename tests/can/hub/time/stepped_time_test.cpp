@@ -94,7 +94,7 @@ TEST_F(SteppedTime, RefusesStepsBackAndOfOtherBuses) {
 }
 
 TEST_F(SteppedTime, GoesOnByARequestBehindFramesThatTheBusHasNoRoomFor) {
-  constexpr int kFrames = 40;
+  constexpr int kFrames = 30;  // of which the hub takes 18, and the socket has room for 16
   const BusClient sender{hub.path()};
   for (int i = 0; i < kFrames; ++i) sender.send("123#");
 
