@@ -84,8 +84,8 @@ inline constexpr uint32_t kLeaves = 2;
 /// A turn: what the hub says to a member of kind Clock.
 struct TimeTurn {
   int64_t now_ns = 0;  ///< the present
-  int64_t horizon_ns =
-      0;               ///< the member may go on by itself up to here, as long as it has sent and touched nothing
+  /// The member may go on by itself up to here, as long as it has sent and touched nothing.
+  int64_t horizon_ns = 0;
   uint32_t flags = 0;  ///< kChildEnded
   uint32_t reserved = 0;
 };

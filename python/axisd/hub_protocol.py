@@ -21,10 +21,9 @@ _TRAILER = struct.Struct('=iIqII')
 _ALL_ERRORS = 0x1FFFFFFF
 # The time of a bus that has one of its own (can/userbus/time.hpp).
 JOIN, WAIT = 0, 1
-DEVICE, TOUCHED, LEAVES = 1, 1, 2
+TOUCHED, LEAVES = 1, 2
 REAL, SCALED, VIRTUAL, STEPPED = range(4)
 NO_INSTANT = 2**63 - 1
-FIRST_INSTANT = 1_000_000_000_000  # ns
 _TIME_MESSAGE = struct.Struct('=IIqqii')
 _TURN = struct.Struct('=qqII')
 _TIME_PAGE = struct.Struct('=IIdqqqq')
