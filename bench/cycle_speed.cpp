@@ -70,7 +70,8 @@ int main(int argc, char** argv) try {
   }
   std::puts("| cycle | lanes of | us | of each by itself |");
   std::puts("|---|---|---:|---:|");
-  for (const std::string_view name : {"device/cycle_4ms", "device/cycle_1ms", "axis/turning"})
+  for (const std::string_view name :
+       {"device/cycle_4ms", "device/cycle_1ms", "device/cycle_quiet", "axis/turning"})
     measure(name, slices);
   return 0;
 } catch (const std::exception& error) {

@@ -2,15 +2,15 @@
 """What virtual time costs: time_cost.py BIN [--seconds N] [--axes M].
 
 BIN is the folder of axisd. Prints a Markdown table: an hour (--seconds) of a unit with eight turning axes (--axes) under a
-master of npm with a SYNC every 100 ms, and under a program that only sleeps; seconds of the machine, and what the processes
-have taken of its processors. Beside it what the cycles of the unit take by themselves, measured in the same run by
-BIN/cycle_speed if that is built. Needs the npm packages of the master: NODE_PATH, or build/master/node_modules.
+master of npm with a SYNC every 100 ms, and under a program that only sleeps, with its axes at rest and turning; seconds of
+the machine, and what the processes have taken of its processors. Beside it what the cycles of the unit take by themselves,
+measured before and after by BIN/cycle_speed if that is built. Needs the npm packages of the master: NODE_PATH, or
+build/master/node_modules.
 """
 import argparse
 import json
 import os
 import pathlib
-import resource
 import subprocess
 import sys
 import tempfile
@@ -18,7 +18,10 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 CYCLE = 0.004  # s, cycle of a unit with many axes: r0110
+QUIET_CYCLE = "unit: 8 axes at speed, a cycle of 4 ms, no PDO"  # a row of cycle_speed
+MASTER = ROOT / "bench" / "time" / "hour.js"
 PATIENCE = 600  # s
+TICK = os.sysconf("SC_CLK_TCK")  # of processor times, 1/s
 
 
 def parse_arguments():
@@ -46,59 +49,65 @@ class Bus:
                                      env={**os.environ, "XDG_RUNTIME_DIR": self.folder.name})
 
     def run(self, *command):
-        """Runs a program to its end; what it has printed, and the seconds that it took."""
+        """Runs a program to its end: what it has printed, seconds, and those of processor that unit and hub have taken."""
         modules = os.environ.get("NODE_PATH", str(ROOT / "build" / "master" / "node_modules"))
         words = [self.binaries / "with-can", "--bus", self.path, "--time", "virtual", "--", *command]
+        taken = self.processor_seconds()
         begin = time.perf_counter()
         done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, text=True, timeout=PATIENCE,
                               env={**os.environ, "NODE_PATH": modules}, check=True)
-        return done.stdout, time.perf_counter() - begin
+        seconds = time.perf_counter() - begin
+        return done.stdout, seconds, *(after - before for before, after in zip(taken, self.processor_seconds()))
+
+    def processor_seconds(self):
+        def of(process):
+            fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+            return (int(fields[11]) + int(fields[12])) / TICK  # utime, stime: proc(5)
+        return [of(process) for process in (self.unit, self.hub)]
 
     def end(self):
-        """Seconds of processor that the unit and the hub have taken."""
-        taken = [self.seconds_of(process) for process in (self.unit, self.hub)]
+        for process in (self.unit, self.hub):
+            process.terminate()
+            process.wait(PATIENCE)
         self.folder.cleanup()
-        return taken
-
-    @staticmethod
-    def seconds_of(process):
-        process.terminate()
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        process.wait(PATIENCE)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def measure(options, *command):
+def measure(options, *commands):
+    """What the last of @p commands has printed and needed, one after the other on one bus."""
     bus = Bus(options.binaries, options.axes)
-    printed, seconds = bus.run(*command)
-    unit, hub = bus.end()
-    return printed, seconds, unit, hub
+    found = [bus.run(*command) for command in commands]
+    bus.end()
+    return found[-1]
 
 
 def cycle_microseconds(binaries):
-    """Of a unit of eight axes, as it is run; None without cycle_speed."""
+    """Of a unit of eight turning axes, in the lanes that it takes by itself; None without cycle_speed."""
     program = binaries / "cycle_speed"
     if not program.exists():
         return None
-    rows = subprocess.run([program, "5"], stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()
-    return min(float(row.split("|")[3]) for row in rows if "4 ms" in row or "4ms" in row)
+    rows = subprocess.run([program, "11"], stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()
+    return min(float(row.split("|")[3]) for row in rows if QUIET_CYCLE in row)
 
 
 def main():
     options = parse_arguments()
-    alone = measure(options, "sleep", options.seconds)
-    under_master = measure(options, "node", ROOT / "bench" / "time" / "hour.js", options.axes, options.seconds)
+    before = cycle_microseconds(options.binaries)
+    at_rest = measure(options, ["sleep", options.seconds])
+    turning = measure(options, ["node", MASTER, options.axes, 0], ["sleep", options.seconds])
+    after = cycle_microseconds(options.binaries)
+    under_master = measure(options, ["node", MASTER, options.axes, options.seconds])
     print("| bus | s | processor: unit | hub |")
     print("|---|---:|---:|---:|")
-    for name, (_, seconds, unit, hub) in (("alone, at rest", alone), ("turning, SYNC every 100 ms", under_master)):
+    for name, (_, seconds, unit, hub) in (("alone, at rest", at_rest), ("alone, turning", turning),
+                                              ("turning, SYNC every 100 ms", under_master)):
         print(f"| {options.seconds} s, {options.axes} axes {name} | {seconds:.1f} | {unit:.1f} | {hub:.1f} |")
     heard = json.loads(under_master[0])
     print(f"\n{heard['syncs']} SYNC, {heard['pdos']} PDOs heard, {heard['milliseconds'] / 1000:.1f} s of the bus")
-    if options.axes == 8 and (cycle := cycle_microseconds(options.binaries)):
+    if options.axes == 8 and before is not None:
+        cycle = (before + after) / 2
         needed = options.seconds / CYCLE * cycle / 1e6
-        print(f"cycles of eight turning axes by themselves: {needed:.1f} s ({cycle:.2f} us each); unit: "
-              f"{under_master[2] / needed:.2f} times as much")
+        print(f"cycles of eight turning axes by themselves: {needed:.1f} s ({cycle:.2f} us each); unit alone, turning: "
+              f"{turning[2] / needed:.2f} times as much")
 
 
 main()

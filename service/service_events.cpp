@@ -28,6 +28,7 @@ ServiceEvents::ServiceEvents() {
 }
 
 ServiceEvents::ServiceEvents(std::function<void()> on_stop) : ServiceEvents{} {
+  // NOLINTNEXTLINE(cppcoreguidelines-prefer-member-initializer): the other constructor has made the loop
   on_stop_ = std::move(on_stop);
   for (const int signal : {SIGTERM, SIGINT}) catch_signal(signal);
   if (!is_ignored(SIGHUP)) catch_signal(SIGHUP);

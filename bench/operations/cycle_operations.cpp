@@ -15,6 +15,24 @@ using device::pdo::Direction;
 constexpr std::size_t kAxes = drive::kMostAxes;
 constexpr std::uint16_t kOfAnAxis = 4;  ///< PDOs of the predefined set
 
+/// A unit of eight axes that turn, without PDOs.
+struct QuietUnit {
+  QuietUnit() : bus{kAxes} {
+    bus.set_cycle(4.0F);
+    bus.turn_axes();
+    const std::uint64_t before = bus.sink.count;
+    step();
+    check(bus.sink.count == before, "no frame in a cycle");
+    for (const drive::Axis& axis : bus.unit.unit().axes()) check(axis.actual().speed > 50.0, "axes that turn");
+  }
+  void step() {
+    bus.now += bus.unit.cycle();
+    bus.unit.on_time(bus.now);
+  }
+
+  DeviceUnit bus;
+};
+
 /// A unit of eight axes that turn, with 25 valid RPDOs and as many TPDOs as its cycle allows: each TPDO has a
 /// position in it, so that every cycle sends it.
 struct FullUnit {
@@ -106,6 +124,7 @@ std::vector<OperationRow> cycle_operations() {
   return {
       {"device/cycle_4ms", "unit: 8 axes at speed, 25 RPDOs, a cycle of 4 ms, 32 TPDOs", make<Cycle<4>>},
       {"device/cycle_1ms", "unit: 8 axes at speed, 25 RPDOs, a cycle of 1 ms, 8 TPDOs", make<Cycle<1>>},
+      {"device/cycle_quiet", "unit: 8 axes at speed, a cycle of 4 ms, no PDO", make<QuietUnit>},
   };
 }
 

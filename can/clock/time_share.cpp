@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "can/port/user_bus/instant.hpp"
+#include "can/userbus/processor.hpp"
 
 namespace bus {
 
@@ -27,6 +28,14 @@ int poll_limit(TimePoint when) noexcept {
 
 bool is_any_ready(std::span<pollfd> descriptors, int timeout) noexcept {
   return ::poll(descriptors.data(), descriptors.size(), timeout) > 0;
+}
+
+int poll_on(int processor, std::span<pollfd> descriptors, int timeout) noexcept {
+  userbus::Stay stay;
+  userbus::begin_stay(stay, processor);
+  const int ready = ::poll(descriptors.data(), descriptors.size(), timeout);
+  userbus::end_stay(stay);
+  return ready;
 }
 
 }  // namespace
@@ -187,7 +196,7 @@ void TimeShare::sleep(std::unique_lock<std::mutex>& lock) noexcept {
     if (party.waits_ && !is_wanted_) machine_until = std::min(machine_until, party.wanted_.machine_until);
   const auto count = is_wanted_ ? 1 : watched_.size();
   lock.unlock();
-  const int ready = ::poll(watched_.data(), count, poll_limit(machine_until));
+  const int ready = poll_on(processor_, {watched_.data(), count}, poll_limit(machine_until));
   lock.lock();
   if (is_over_) return;
   if (watched_[0].revents != 0) return take_turn(/*waits=*/false);
@@ -216,6 +225,7 @@ void TimeShare::take_turn(bool waits) noexcept {
   has_effect_ = has_touched_ = false;
   now_ns_ = std::max(now_ns_.load(), turn.now_ns);
   horizon_ = from_ns(turn.horizon_ns);
+  processor_ = static_cast<int>(turn.processor) - 1;
 }
 
 /// The hub knows the present before there is another process, and nobody goes on alone behind that.

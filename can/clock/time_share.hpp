@@ -86,6 +86,7 @@ class TimeShare final : public os::OtherTime {
   std::vector<pollfd> watched_;          ///< the clock, and all that parties wait for
   std::atomic<std::int64_t> now_ns_{0};  ///< the present of this process
   canopen::TimePoint horizon_{};         ///< of the turn
+  int processor_ = -1;                   ///< where this process is best woken
   bool has_turn_ = false;
   bool is_wanted_ = false;                ///< the hub was asked for a turn
   std::atomic<bool> has_effect_{false};   ///< others can notice what was done in this turn,

@@ -86,8 +86,8 @@ struct TimeTurn {
   int64_t now_ns = 0;  ///< the present
   /// The member may go on by itself up to here, as long as it has sent and touched nothing.
   int64_t horizon_ns = 0;
-  uint32_t flags = 0;  ///< kChildEnded
-  uint32_t reserved = 0;
+  uint32_t flags = 0;      ///< kChildEnded
+  uint32_t processor = 0;  ///< where the hub runs, and would have the member woken, plus 1; 0: anywhere
 };
 static_assert(sizeof(TimeTurn) == 24);
 

@@ -33,16 +33,14 @@ bool is_meant(const ServedUnit& unit, std::string_view name) {
 
 }  // namespace
 
-Fleet::Fleet(std::span<const Configuration> configurations, std::size_t threads,
-             const std::filesystem::path& state_root, const Log& log, InstanceListener& listener,
-             bus::TimeShare* time)
-    : configurations_{configurations} {
-  for (std::size_t i = 0; i < std::clamp(threads, std::size_t{1}, configurations.size()); ++i)
+Fleet::Fleet(const FleetPlan& plan, const Log& log, InstanceListener& listener, bus::TimeShare* time)
+    : configurations_{plan.configurations} {
+  for (std::size_t i = 0; i < std::clamp(plan.threads, std::size_t{1}, configurations_.size()); ++i)
     loops_.emplace_back(log, time);
   auto loop = loops_.begin();
-  for (const Configuration& configuration : configurations) {
-    const auto prefix = configurations.size() > 1 ? Log::Prefix::Name : Log::Prefix::None;
-    units_.emplace_back(configuration, state_root, Log{log, name_of(configuration), prefix}, *loop, listener);
+  for (const Configuration& configuration : configurations_) {
+    const auto prefix = configurations_.size() > 1 ? Log::Prefix::Name : Log::Prefix::None;
+    units_.emplace_back(configuration, plan.state_root, Log{log, name_of(configuration), prefix}, *loop, listener);
     places_.push_back(&units_.back());
     names_.emplace(units_.back().name(), &units_.back());
     if (++loop == loops_.end()) loop = loops_.begin();

@@ -14,16 +14,19 @@
 
 namespace axisd {
 
+/// What a fleet is made of.
+struct FleetPlan {
+  std::span<const Configuration> configurations;  ///< of its units; they outlive it
+  std::size_t threads;                            ///< loops that run them, at least one
+  const std::filesystem::path& state_root;        ///< below which their states are
+};
+
 /// All units of the program, and the threads that run them. Its functions belong to the thread that has made it.
 class Fleet {
  public:
-  /// The units of @p configurations, which outlive this, on @p threads loops (at least one), with their states
-  /// below
-  /// @p state_root. Lines of the log bear the name of their unit where there are several. Throws InstanceError,
-  /// bus::OpenError or std::system_error.
-  Fleet(std::span<const Configuration> configurations, std::size_t threads,
-        const std::filesystem::path& state_root, const Log& log, InstanceListener& listener,
-        bus::TimeShare* time = nullptr);
+  /// Lines of the log bear the name of their unit where there are several. Throws InstanceError, bus::OpenError or
+  /// std::system_error.
+  Fleet(const FleetPlan& plan, const Log& log, InstanceListener& listener, bus::TimeShare* time = nullptr);
 
   /// Power-on of all units. Throws std::system_error.
   void start();

@@ -22,7 +22,7 @@ Program::Program(const Assignment& assignment, const Log& log, bus::TimeShare* t
       time_{time},
       party_{time == nullptr ? nullptr : &time->add()},
       notification_{assignment.units.size()},
-      fleet_{assignment.units, assignment.threads, assignment.state_root, log, *this, time},
+      fleet_{{assignment.units, assignment.threads, assignment.state_root}, log, *this, time},
       events_{[this] { stop(); }},
       watchdog_{fleet_} {
   if (!assignment.control.path.empty())

@@ -30,7 +30,7 @@ class Dispatcher final : private ControlServer::Requests {
   using ClientId = ControlServer::ClientId;
   /// A request on its way.
   struct Asked {
-    ClientId client;
+    ClientId client{};
     control::Request request;
   };
   /// Which unit a method of the program needs.

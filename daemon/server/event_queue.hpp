@@ -17,8 +17,8 @@ class EventQueue {
  public:
   /// An event, and whose it is.
   struct Entry {
-    const Configuration* unit;     ///< of the unit
-    canopen::TimePoint started{};  ///< zero of its times
+    const Configuration* unit = nullptr;  ///< of the unit
+    canopen::TimePoint started{};         ///< zero of its times
     UnitEvent event{};
   };
   static constexpr std::size_t kMost = 4096;

@@ -47,8 +47,8 @@ class Subscriptions {
 
  private:
   struct EventFilter {
-    ClientId client;
-    const ServedUnit* unit;  ///< nullptr: all
+    ClientId client{};
+    const ServedUnit* unit = nullptr;  ///< nullptr: all
     std::bitset<record::kEventKinds> kinds;
   };
   /// Samples of a client, which the unit is asked for one by one.

@@ -23,6 +23,9 @@ MASTER = """
 000#8105 705#00 605#4000100000000000 585#43 605#4018100300000000 585#43 605#4008100000000000 585#41 605#4010300000000000 585#80
 605#2317100000000000 585#60 000#0105 605#4041600000000000 585#4B 205#0600 605#4041600000000000 585#4B 605#406C600000000000 585#43
 """.split()
+# A master that starts the unit, switches its axis on, lets it turn for a second, and looks at it.
+TURNS = [(0, "000#0105"), (0.1, "605#2B40600006000000"), (0.2, "605#2B40600007000000"), (0.3, "605#2B4060000F000000"),
+         (0.8, "605#23FF600000004001"), (1.8, "605#406C600000000000"), (1.9, "605#4041600000000000")]
 
 
 class Runs(unittest.TestCase):
@@ -141,6 +144,39 @@ class Runs(unittest.TestCase):
         status, report = self.twin(self.log, "--eds", PROGRAMS + "/../share/axisd/eds/axisd.eds")
         self.assertEqual((status, report["fidelity"]["differences"]), (0, []))
         self.assertGreater(report["fidelity"]["aspects"]["pdo_values"]["same"], 0)
+
+    def unit_that_turns(self, **config):
+        """A log of a unit with the configuration @p config whose axis turns, and the tallies when axisd as delivered is held against it."""
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        bus = f"unix:{folder}/bus"
+        master = self.write("turns.log", "".join(f"({100 + at:.6f}) can0 {frame}\n" for at, frame in TURNS))
+        log = str(folder / "unit.log")
+        self.start("canhub", "--path", bus[5:], "--time", "virtual")
+        self.start("axisd", "--interface", bus, "--node-id", "5", "--control", str(folder / "unit.sock"), "--config",
+                   self.write("turning.json", json.dumps(config)), "--state-directory", str(folder / "state"))
+        played = self.axisctl("replay", master, "--node", "5", "--bus", bus, "--record", log)
+        self.assertEqual(played.returncode, 0, played.stderr)
+        done = self.axisctl("--json", "twin", log, "--eds", PROGRAMS + "/../share/axisd/eds/axisd.eds")
+        report = json.loads(done.stdout.splitlines()[0])["fidelity"]
+        self.assertEqual(done.returncode, DIFFERENT if report["differences"] else 0, done.stderr)
+        return {name: tally["different"] for name, tally in report["aspects"].items() if tally["different"]}, report["differences"]
+
+    def test_a_unit_that_turns_as_axisd_does_has_no_differences(self):
+        self.assertEqual(self.unit_that_turns(axes=[{}]), ({}, []))
+
+    def test_another_inertia_is_found_in_measured_values(self):
+        different, found = self.unit_that_turns(axes=[{"load": {"inertia": 0.05}}])
+        self.assertGreater(different["pdo_values"], 10)
+        self.assertTrue({"6077h:00", "606Ch:00"} & {difference["object"] for difference in found})
+
+    def test_answers_that_are_late_are_found_one_by_one(self):
+        different, found = self.unit_that_turns(axes=[{}], inject=[{"kind": "sdo.late", "delay_ms": 80, "times": 3}])
+        self.assertEqual(different["sdo_times"], 3, found)
+
+    def test_a_pdo_that_stands_still_is_found(self):
+        different, found = self.unit_that_turns(axes=[{}], inject=[{"kind": "tpdo.frozen", "pdo": 2, "after": 40}])
+        self.assertGreater(different["pdo_values"], 10, found)
+        self.assertEqual({difference["object"] for difference in found if difference["aspect"] == "pdo_values"}, {"606Ch:00"})
 
     def test_a_report_is_written(self):
         report = str(self.folder / "report.txt")

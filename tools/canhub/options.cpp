@@ -124,7 +124,19 @@ std::optional<nats::Bus> bus_of(const JoinOptions& join) {
   return *std::move(bus);
 }
 
-void add_fault_options(CLI::App& app, Options& options, std::optional<std::string>& take_back) {
+/// What is not taken as it stands.
+struct Words {
+  std::optional<std::string> path, bit_rate, time, take_back;
+  std::vector<std::string> bridges;
+  JoinOptions join;
+
+  /// Whether the bus is to be joined with others.
+  [[nodiscard]] bool have_neighbours(const Options& options) const {
+    return !bridges.empty() || !options.socketcand.empty() || join.url.has_value();
+  }
+};
+
+void add_fault_options(CLI::App& app, Options& options, Words& words) {
   app.add_option("--with", options.with,
                  "a fault that the bus has from the start, in words or JSON; may be given several times")
       ->type_name("FAULT");
@@ -135,7 +147,7 @@ void add_fault_options(CLI::App& app, Options& options, std::optional<std::strin
       ->type_name("FAULT");
   app.add_flag("--injected", options.injected,
                "print the faults of a running hub and what they have hit, and exit");
-  app.add_option("--take-back", take_back, "take back fault ID of a running hub, or all, and exit")
+  app.add_option("--take-back", words.take_back, "take back fault ID of a running hub, or all, and exit")
       ->type_name("ID");
   app.add_flag("--json", options.json, "print --injected as JSON");
 }
@@ -155,38 +167,51 @@ void check(const Options& options, bool has_neighbours) {
         "--on-demand goes with none of --bridge, --socketcand and --join, whose failure nobody would see"};
 }
 
-}  // namespace
-
-std::optional<Options> parse_command_line(int count, const char* const* words) {
-  Options options;
-  CLI::App app{kDescription, "canhub"};
-  std::optional<std::string> path;
-  std::optional<std::string> bit_rate;
-  std::optional<std::string> time;
-  std::vector<std::string> bridges;
-  std::optional<std::string> take_back;
-  JoinOptions join;
-  app.footer(cli::exit_footer(kExitRows));
-  app.set_version_flag("--version", version::line("canhub"));
+void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_option(
-         "--path", path,
+         "--path", words.path,
          "socket of the bus (default: $CAN_BUS, else $XDG_RUNTIME_DIR/can-bus, else /run/can-bus for root and "
          "/tmp/can-bus-UID/can-bus for others)")
       ->type_name("PATH");
   app.add_option(
-         "--bitrate", bit_rate,
+         "--bitrate", words.bit_rate,
          "bit rate of the bus in bit/s (default: 0, frames take no time; 1000000 with --time virtual and stepped)")
       ->type_name("N");
-  app.add_option("--time", time, "whose time the bus has: real, scaled=K, virtual or stepped (default: real)")
+  app.add_option("--time", words.time,
+                 "whose time the bus has: real, scaled=K, virtual or stepped (default: real)")
       ->type_name("TIME");
   app.add_flag("--on-demand", options.on_demand,
                "return when the bus is served; the hub ends 1 s after its last member has left");
-  app.add_option("--bridge", bridges, "another bus to be joined with this one; may be given several times")
+  app.add_option("--bridge", words.bridges, "another bus to be joined with this one; may be given several times")
       ->type_name("URL");
   app.add_option("--socketcand", options.socketcand, "serve clients of socketcand too")->type_name("HOST:PORT");
-  add_join_options(app, join);
+  add_join_options(app, words.join);
   app.add_flag("--status", options.status, "print what a running hub knows of its members, and exit");
-  add_fault_options(app, options, take_back);
+  add_fault_options(app, options, words);
+}
+
+/// Throws UsageError.
+void take(const Words& words, Options& options) {
+  options.path = path_of(words.path);
+  if (words.bit_rate) options.bit_rate = bit_rate_of(*words.bit_rate);
+  if (words.take_back) options.take_back = take_back_of(*words.take_back);
+  if (words.time) options.time = time_of(*words.time);
+  const bool has_neighbours = words.have_neighbours(options);
+  check(options, has_neighbours);
+  check_time(options, has_neighbours);
+  options.join = bus_of(words.join);
+  for (const std::string& bridge : words.bridges) options.bridges.push_back(bridge_of(bridge, options.path));
+}
+
+}  // namespace
+
+std::optional<Options> parse_command_line(int count, const char* const* words) {
+  Options options;
+  Words given;
+  CLI::App app{kDescription, "canhub"};
+  app.footer(cli::exit_footer(kExitRows));
+  app.set_version_flag("--version", version::line("canhub"));
+  add_options(app, options, given);
   cli::add_completion(app);
   try {
     app.parse(count, words);
@@ -195,15 +220,7 @@ std::optional<Options> parse_command_line(int count, const char* const* words) {
     app.exit(error);
     return std::nullopt;
   }
-  options.path = path_of(path);
-  if (bit_rate) options.bit_rate = bit_rate_of(*bit_rate);
-  if (take_back) options.take_back = take_back_of(*take_back);
-  if (time) options.time = time_of(*time);
-  const bool has_neighbours = !bridges.empty() || !options.socketcand.empty() || join.url.has_value();
-  check(options, has_neighbours);
-  check_time(options, has_neighbours);
-  options.join = bus_of(join);
-  for (const std::string& bridge : bridges) options.bridges.push_back(bridge_of(bridge, options.path));
+  take(given, options);
   return options;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <ctime>
 
 #include <poll.h>
 
@@ -29,7 +28,8 @@ void take_signals() {
   for (const int signal : {SIGINT, SIGTERM}) (void)::sigaction(signal, &action, nullptr);
 }
 
-PortWire::PortWire(const bus::Address& address) : connection_{bus::open(address)} {
+PortWire::PortWire(const bus::Address& address, bus::TimeShare* time)
+    : connection_{bus::open(address)}, sleeper_{time} {
   if (connection_.link->state() == bus::LinkState::Up) return;
   throw bus::OpenError{address.text +
                        (connection_.link->state() == bus::LinkState::Gone ? " is not there" : " is down")};
@@ -47,8 +47,7 @@ bool PortWire::send(const canopen::Frame& frame) {
   const canopen::TimePoint until = now() + kRoomPatience;
   bus::SendStatus status = connection_.port->send(frame);
   while (status == bus::SendStatus::Full && now() < until) {
-    const timespec pause = os::to_timespec(kRetry);
-    (void)::nanosleep(&pause, nullptr);
+    sleeper_.sleep({}, now() + kRetry);
     status = connection_.port->send(frame);
   }
   if (status == bus::SendStatus::Down) up_ = false;
@@ -58,9 +57,7 @@ bool PortWire::send(const canopen::Frame& frame) {
 bool PortWire::wait(canopen::TimePoint until) {
   std::array<pollfd, 2> descriptors{pollfd{connection_.port->descriptor(), POLLIN, 0},
                                     pollfd{connection_.link->descriptor(), POLLIN, 0}};
-  const canopen::Duration left = std::clamp(until - now(), canopen::Duration::zero(), kLongestWait);
-  const timespec limit = os::to_timespec(left);
-  (void)::ppoll(descriptors.data(), descriptors.size(), &limit, nullptr);
+  sleeper_.sleep(descriptors, std::min(until, now() + kLongestWait));
   if (descriptors[1].revents != 0 && connection_.link->read() && connection_.link->state() != bus::LinkState::Up)
     up_ = false;
   return descriptors[0].revents != 0;

@@ -1,15 +1,17 @@
 #pragma once
 
+#include "can/clock/sleeper.hpp"
 #include "can/connection/connection.hpp"
 #include "tools/canopen-check/core/wire.hpp"
 
 namespace conformance {
 
-/// A bus that was opened, in the time of the machine. Frames carry the time at which they were read.
+/// A bus that was opened. Frames carry the time at which they were read.
 class PortWire final : public Wire {
  public:
-  /// Opens the bus at @p address. Throws bus::OpenError if it is not there or down.
-  explicit PortWire(const bus::Address& address);
+  /// Opens the bus at @p address and lives by its @p time, which outlives it; nullptr: by the machine's. Throws
+  /// bus::OpenError if it is not there or down.
+  explicit PortWire(const bus::Address& address, bus::TimeShare* time = nullptr);
 
   bool send(const canopen::Frame& frame) override;
   std::optional<TimedFrame> receive(canopen::TimePoint until) override;
@@ -23,6 +25,7 @@ class PortWire final : public Wire {
   bool wait(canopen::TimePoint until);
 
   bus::Connection connection_;
+  bus::Sleeper sleeper_;
   bool up_ = true;
 };
 

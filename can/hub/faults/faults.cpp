@@ -165,9 +165,10 @@ void Faults::on_detach(const Participant& participant) noexcept {
 
 /// That of the fault that came last; else the bus's own.
 std::uint32_t Faults::wanted_bit_rate() const noexcept {
-  for (const auto& fault : faults_ | std::views::reverse)
-    if (const std::uint32_t rate = fault->bit_rate(); rate != 0) return rate;
-  return own_bit_rate_;
+  std::uint32_t wanted = own_bit_rate_;
+  for (const auto& fault : faults_)
+    if (const std::uint32_t rate = fault->bit_rate(); rate != 0) wanted = rate;
+  return wanted;
 }
 
 TimePoint Faults::next_deadline() const noexcept {

@@ -112,8 +112,10 @@ void BusTime::give_turn(ClockMember& member, const BusEvents& bus) noexcept {
   full_since_.reset();
   horizon_ = horizon_of(member, bus);
   const bool child_ended = std::exchange(member.part().child_ended, false);
-  member.give(
-      {.now_ns = to_ns(now()), .horizon_ns = to_ns(horizon_), .flags = child_ended ? userbus::kChildEnded : 0});
+  member.give({.now_ns = to_ns(now()),
+               .horizon_ns = to_ns(horizon_),
+               .flags = child_ended ? userbus::kChildEnded : 0,
+               .processor = processor_.choose(acts_since_)});
 }
 
 TimePoint BusTime::horizon_of(const ClockMember& member, const BusEvents& bus) const noexcept {

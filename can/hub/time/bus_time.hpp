@@ -8,6 +8,7 @@
 
 #include "can/hub/member/core.hpp"
 #include "can/hub/time/clock_member.hpp"
+#include "can/hub/time/processor.hpp"
 #include "can/hub/time/steppers.hpp"
 #include "os/shared_memory.hpp"
 
@@ -110,6 +111,7 @@ class BusTime final : public Turns, private Schedule {
   std::list<std::unique_ptr<Leaver>> leavers_;    ///< processes that are about to end
   const Part* speaker_ = nullptr;                 ///< whose frames may be ahead of the clock
   Steppers steppers_;
+  Processor processor_;
 };
 
 }  // namespace hub

@@ -173,9 +173,14 @@ TEST_F(TwinTest, FindsAnotherWordOfAPdo) {
 TEST_F(TwinTest, FindsWordsThatAreMissingAndMore) {
   EXPECT_EQ(only(judge("205#0F00 185#3102 185#3302 185#3702", "205#0F00 185#3102 185#3702")).nature,
             Nature::Missing);
-  EXPECT_EQ(
-      only(judge("205#0F00 185#3102 185#3702 +5 705#05", "205#0F00 185#3102 185#3302 185#3702 +5 705#05")).nature,
-      Nature::Extra);
+  EXPECT_EQ(only(judge("205#0F00 185#3102 185#3702 +30 705#05", "205#0F00 185#3102 185#3302 185#3702 +30 705#05"))
+                .nature,
+            Nature::Extra);
+}
+
+TEST_F(TwinTest, MissesNothingBehindTheEndOfTheLog) {
+  EXPECT_TRUE(judge("205#0F00 185#3102 +5 185#3302", "205#0F00 185#3102 185#3302 185#3702").findings.empty())
+      << "the run is earlier by what is within the band";
 }
 
 TEST_F(TwinTest, FindsAnotherEmergencyAndState) {

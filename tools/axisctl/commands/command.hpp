@@ -10,7 +10,7 @@
 #include "tools/axisctl/connection/target.hpp"
 #include "tools/axisctl/print/printer.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's
 class App;
 }
 namespace farm {

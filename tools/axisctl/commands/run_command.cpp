@@ -156,14 +156,8 @@ Expected<void> conclude(const Settings& settings, const RunWish& wish, const std
   return fail(ExitStatus::NotFulfilled, fmt::format("{} of {} scenarios failed", failed, runs.size()));
 }
 
-Expected<void> run_scenarios(const Settings& settings, const RunWish& wish) {
-  if (wish.schema) return print_line(scenario::schema().dump(2));
-  if (wish.list) return list_installed(settings);
-  if (!wish.check)
-    if (auto done = expect_no_farm(settings, "run", "a scenario has units and a bus of its own, on this machine");
-        !done)
-      return done;
-  if (wish.files.empty()) return fail(ExitStatus::Usage, "SCENARIO: expected a file or a name; see --list");
+/// What the words say of the bus of the runs.
+Expected<scenario::RunOptions> options_of(const RunWish& wish) {
   scenario::RunOptions options{.keep = wish.keep};
   if (!wish.bus.empty()) {
     const auto address = bus::parse_address(wish.bus);
@@ -177,30 +171,49 @@ Expected<void> run_scenarios(const Settings& settings, const RunWish& wish) {
   if (time.mode == userbus::TimeMode::Stepped)
     return fail(ExitStatus::Usage, "--time: a run steps nobody: real, scaled=K or virtual");
   if (time.mode != userbus::TimeMode::Real) options.time = wish.time;
-  // Every file is checked before anything starts.
+  return options;
+}
+
+/// Every file is checked before anything starts.
+Expected<std::vector<Ran>> read_all(const RunWish& wish) {
+  if (wish.files.empty()) return fail(ExitStatus::Usage, "SCENARIO: expected a file or a name; see --list");
   std::vector<Ran> runs;
   for (const std::string& file : wish.files) {
     auto scenario = read(file, wish);
     if (!scenario) return tl::unexpected{scenario.error()};
     runs.push_back({.scenario = *std::move(scenario), .result = {}});
   }
+  return runs;
+}
+
+Expected<void> run_scenarios(const Settings& settings, const RunWish& wish) {
+  if (wish.schema) return print_line(scenario::schema().dump(2));
+  if (wish.list) return list_installed(settings);
+  if (!wish.check)
+    if (auto done = expect_no_farm(settings, "run", "a scenario has units and a bus of its own, on this machine");
+        !done)
+      return done;
+  auto options = options_of(wish);
+  if (!options) return tl::unexpected{options.error()};
+  auto runs = read_all(wish);
+  if (!runs) return tl::unexpected{runs.error()};
   if (wish.check) return {};
   auto pages = Pages::open(wish);
   if (!pages) return tl::unexpected{pages.error()};
-  options.captured = pages->captured();
+  options->captured = pages->captured();
   scenario::take_signals();
   Expected<void> pages_written{};
   std::size_t done = 0;
-  for (Ran& ran : runs) {
-    ran.result = scenario::run(ran.scenario, options);
+  for (Ran& ran : *runs) {
+    ran.result = scenario::run(ran.scenario, *options);
     ++done;
     if (wish.keep) std::cerr << "axisctl: files are kept in " << ran.result.folder << '\n';
     if (!settings.json && !ran.result.bad_input) std::cout << text_of(ran.scenario, ran.result) << std::flush;
     if (auto written = pages->write(ran); !written) pages_written = written;
     if (ran.result.interrupted || ran.result.bad_input) break;
   }
-  runs.resize(done);
-  const auto concluded = conclude(settings, wish, runs);
+  runs->resize(done);
+  const auto concluded = conclude(settings, wish, *runs);
   return pages_written ? concluded : pages_written;
 }
 

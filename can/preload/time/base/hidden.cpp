@@ -19,10 +19,10 @@ std::atomic<int> count_hidden;
 
 /// Where they begin where a process may not have so many.
 int lowest_hidden() noexcept {
-  constexpr int kReserve = 64;
+  constexpr rlim_t kReserve = 64, kWanted = kFirstHidden;
   rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur > kFirstHidden + kReserve) return kFirstHidden;
-  return limit.rlim_cur > 2 * kReserve ? static_cast<int>(limit.rlim_cur) - kReserve : 0;
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur > kWanted + kReserve) return kFirstHidden;
+  return limit.rlim_cur > 2 * kReserve ? static_cast<int>(limit.rlim_cur - kReserve) : 0;
 }
 
 void mark(int descriptor, bool is_ours) noexcept {

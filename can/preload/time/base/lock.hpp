@@ -15,6 +15,9 @@ class TimeLock {
   void release() noexcept;
   void take() noexcept;
 
+  /// Under the lock: @p call is made with @p subject when it is given up, so that who is woken finds it free.
+  static void call_later(void (*call)(void*), void* subject) noexcept;
+
   /// Whether this thread has it already: a signal handler has come in between.
   static bool is_mine() noexcept;
   /// In the only thread of a new process.

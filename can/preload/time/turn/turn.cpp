@@ -18,6 +18,7 @@ using userbus::TurnOutcome;
 struct TurnState {
   int socket = -1;
   int process = 0;
+  int processor = -1;
   bool held = false;
   bool child_ended = false;
   int64_t now = 0;  ///< of the hub
@@ -65,6 +66,7 @@ TurnOutcome begin_turn(bool waits) noexcept {
   const TurnOutcome outcome = userbus::take_turn(turn_state.socket, waits, turn);
   if (outcome != TurnOutcome::Turn) return outcome;
   turn_state.held = true;
+  turn_state.processor = static_cast<int>(turn.processor) - 1;
   turn_state.now = turn.now_ns;
   turn_state.horizon = turn.horizon_ns;
   if ((turn.flags & userbus::kChildEnded) != 0) turn_state.child_ended = true;
@@ -73,6 +75,10 @@ TurnOutcome begin_turn(bool waits) noexcept {
   touched_in_turn = false;
   show_present(turn.now_ns);
   return outcome;
+}
+
+int processor_of_turns() noexcept {
+  return turn_state.processor;
 }
 
 bool end_turn(int64_t until) noexcept {

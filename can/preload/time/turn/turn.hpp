@@ -19,6 +19,8 @@ int turn_process() noexcept;
 bool has_turn() noexcept;
 /// Takes the turn that has come, or waits for it: the present is that of the turn.
 userbus::TurnOutcome begin_turn(bool waits) noexcept;
+/// Where the thread that waits for the turn is best woken, for userbus::begin_stay().
+int processor_of_turns() noexcept;
 /// Ends the turn: there is nothing to do before @p until. False if the hub has gone.
 bool end_turn(int64_t until) noexcept;
 /// Asks for a turn, as something from outside has happened.

@@ -63,11 +63,15 @@ Awoken sleep_for_turn(Thread& self, TimeLock& lock, bool looks_for_children) noe
   const timespec moment = timespec_of(kLookForChildren);
   pollfd* const entries = poll_set.with_socket(turn_socket());
   const nfds_t count = poll_set.count_with_socket();
+  const int processor = processor_of_turns();
   lock.release();
-  const int ready = real().ppoll(entries, count, looks_for_children ? &moment : nullptr, open_mask(self));
-  const int error = ready < 0 ? errno : 0;
+  Awoken awoken{};
+  userbus::begin_stay(self.stay, processor);
+  awoken.count = real().ppoll(entries, count, looks_for_children ? &moment : nullptr, open_mask(self));
+  awoken.error = awoken.count < 0 ? errno : 0;
   lock.take();
-  return {ready, error};
+  userbus::end_stay(self.stay);
+  return awoken;
 }
 
 /// Sleeps until the turn has come, and asks for it when something else comes first. False if the hub has gone.

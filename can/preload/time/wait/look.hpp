@@ -16,11 +16,13 @@ int look_until(Wait wait, Look look, ByMachine by_machine) noexcept {
   if (wait.deadline <= present()) {
     const int ready = look();
     if (ready == 0) note_idle();
+    if (ready >= 0) note_poll();
     return ready;
   }
   wait.polled = true;
   for (;;) {
     const int ready = look();
+    if (ready > 0) note_poll();
     if (ready != 0) return ready;
     switch (wait_for(wait)) {
       case Ended::Ready:

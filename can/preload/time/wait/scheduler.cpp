@@ -49,10 +49,13 @@ constexpr int kLook = 2;  ///< it may have to coordinate
 void sleep_once(Thread& self, TimeLock& lock) noexcept {
   const bool runnable = self.place == Place::Runnable;
   const timespec patience{.tv_sec = 0, .tv_nsec = 5 * kNsOfMillisecond};
+  const int processor = processor_of_turns();
   hold_signals(self);
   lock.release();
+  userbus::begin_stay(self.stay, processor);
   const int error = sleep_until_called(self, runnable ? &patience : nullptr);
   lock.take();
+  userbus::end_stay(self.stay);
   if (self.go == kLook) self.go = 0;
   self.wait.polled = false;  // others have run
   if (error == EINTR && self.place == Place::Waiting) {
@@ -165,6 +168,7 @@ void abandon_wait() noexcept {
   if (all_threads.coordinator == self) all_threads.coordinator = nullptr;
   const bool has_address = self->wait.address != nullptr;
   self->wait = Wait{};
+  userbus::end_stay(self->stay);
   self->holds_signals = false;  // the jump, or the end of the handler, says which are blocked
   if (by_turns() && !has_turn()) want_turn();
   sleep_until_released(*self, lock);
@@ -207,15 +211,11 @@ void end_thread(Thread& thread) noexcept {
 void forget_other_threads() noexcept {
   TimeLock::forget();
   Thread* const self = own_thread();
-  for_each_thread(
-      [](Thread& thread, void* own) {
-        if (&thread != own) free_thread(thread);
-      },
-      self);
+  forget_threads_but(self);
   all_threads = Threads{};
   waits_for_addresses = 0;
   if (self == nullptr) return;
-  renew_bell(*self);
+  userbus::end_stay(self->stay);  // a handler of signals may have forked in a sleep
   self->holds_signals = false;
   self->place = Place::Running;
   self->id = gettid();

@@ -9,6 +9,7 @@
 
 #include "can/preload/next.hpp"
 #include "can/preload/time/base/hidden.hpp"
+#include "can/preload/time/base/lock.hpp"
 #include "can/preload/time/base/real.hpp"
 
 namespace preload {
@@ -26,6 +27,14 @@ int bell_of(Thread& self) noexcept {
 
 int sleep_on_futex(Thread& self, const timespec* limit) noexcept {
   return real().syscall(SYS_futex, &self.go, FUTEX_WAIT_PRIVATE, 0, limit, nullptr, 0) == 0 ? 0 : errno;
+}
+
+void ring(void* called) noexcept {
+  constexpr uint64_t kOnce = 1;
+  Thread& thread = *static_cast<Thread*>(called);
+  const int bell = thread.bell;
+  if (bell > 0 && next().write(bell, &kOnce, sizeof kOnce) == sizeof kOnce) return;
+  real().syscall(SYS_futex, &thread.go, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
 }
 
 }  // namespace
@@ -52,11 +61,11 @@ bool take_signals(const Thread& self) noexcept {
 
 int sleep_until_called(Thread& self, const timespec* limit) noexcept {
   const int bell = bell_of(self);
-  if (bell < 0) {
+  if (bell <= 0) {
     release_signals(self);
     return sleep_on_futex(self, limit);
   }
-  if (self.go.load(std::memory_order_acquire) != 0) return 0;
+  if (self.go != 0) return 0;
   pollfd called{bell, POLLIN, 0};
   const int ready = real().ppoll(&called, 1, limit, open_mask(self));
   if (ready < 0) return errno;
@@ -66,16 +75,8 @@ int sleep_until_called(Thread& self, const timespec* limit) noexcept {
 }
 
 void call_thread(Thread& thread, int word) noexcept {
-  constexpr uint64_t kOnce = 1;
-  thread.go.store(word, std::memory_order_release);
-  if (&thread == own_thread()) return;
-  if (thread.bell >= 0 && next().write(thread.bell, &kOnce, sizeof kOnce) == sizeof kOnce) return;
-  real().syscall(SYS_futex, &thread.go, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
-}
-
-void renew_bell(Thread& self) noexcept {
-  if (self.bell >= 0) close_hidden(self.bell);
-  self.bell = Thread::kNoBell;
+  thread.go = word;
+  if (&thread != own_thread()) TimeLock::call_later(ring, &thread);
 }
 
 }  // namespace preload

@@ -26,9 +26,8 @@ bool take_signals(const Thread& self) noexcept;
 /// Sleeps until call_thread() or for @p limit (nullptr: no limit) of the machine's time. An errno: EINTR,
 /// ETIMEDOUT, or 0.
 int sleep_until_called(Thread& self, const timespec* limit) noexcept;
-/// Ends the sleep of @p thread, or the next one, which then sees @p word in its `go`.
+/// Ends the sleep of @p thread, or the next one, which then sees @p word in its `go`. Under the TimeLock, and done
+/// when that is given up.
 void call_thread(Thread& thread, int word) noexcept;
-/// In a new process: the calling thread's means to be called are its own.
-void renew_bell(Thread& self) noexcept;
 
 }  // namespace preload

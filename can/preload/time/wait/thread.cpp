@@ -11,12 +11,12 @@ namespace {
 constexpr size_t kThreadsOfBlock = 64;
 
 struct Block {
-  Block* other;
+  Block* other = nullptr;
   Thread threads[kThreadsOfBlock];
 };
 
 /// There is always one, for programs of few threads.
-Block first_block;
+constinit Block first_block;
 
 [[gnu::tls_model("initial-exec")]] thread_local Thread* own;
 
@@ -54,15 +54,23 @@ Thread* new_thread() noexcept {
   found->handle = 0;
   found->id = 0;
   found->go = 0;
-  found->bell = Thread::kNoBell;
+  if (found->bell == Thread::kNoBellToBeHad) found->bell = Thread::kNoBell;
   found->holds_signals = false;
   found->patience = Patience{};
+  found->stay = userbus::Stay{};
   return found;
 }
 
 void free_thread(Thread& thread) noexcept {
-  if (thread.bell >= 0) close_hidden(thread.bell);
   thread.place = Place::Free;
+}
+
+void forget_threads_but(const Thread* self) noexcept {
+  for (Block* block = &first_block; block != nullptr; block = block->other)
+    for (Thread& thread : block->threads) {
+      if (&thread != self) thread.place = Place::Free;
+      if (const int bell = thread.bell.exchange(Thread::kNoBell); bell > 0) close_hidden(bell);
+    }
 }
 
 void for_each_thread(void (*visit)(Thread&, void*), void* argument) noexcept {

@@ -8,6 +8,7 @@
 #include <pthread.h>
 
 #include "can/preload/time/base/instant.hpp"
+#include "can/userbus/processor.hpp"
 
 namespace preload {
 
@@ -44,22 +45,23 @@ struct Patience {
 
 /// A thread of the program that is known.
 struct Thread {
-  static constexpr int kNoBell = -1;
-  static constexpr int kNoBellToBeHad = -2;
+  static constexpr int kNoBell = 0;
+  static constexpr int kNoBellToBeHad = -1;
 
-  Thread* previous;  ///< in the list of its place
-  Thread* following;
-  Place place;
-  Ended ended;
-  pthread_t handle;
-  std::atomic<int> id;  ///< of the kernel; 0 as long as it has not begun
-  std::atomic<int> go;  ///< the thread sleeps while it is 0
-  int bell;             ///< descriptor by which it is woken, kNoBell or kNoBellToBeHad
-  bool holds_signals;
-  sigset_t mask_before;  ///< while it does
-  int cancel_state;      ///< of the program, while the thread waits
+  Thread* previous = nullptr;  ///< in the list of its place
+  Thread* following = nullptr;
+  Place place = Place::Free;
+  Ended ended = Ended::Ready;
+  pthread_t handle = 0;
+  std::atomic<int> id = 0;          ///< of the kernel; 0 as long as it has not begun
+  std::atomic<int> go = 0;          ///< the thread sleeps while it is 0
+  std::atomic<int> bell = kNoBell;  ///< descriptor by which it is woken, or none; the next thread here has it
+  bool holds_signals = false;
+  sigset_t mask_before{};  ///< while it does
+  int cancel_state = 0;    ///< of the program, while the thread waits
   Patience patience;
   Wait wait;
+  userbus::Stay stay;  ///< while it sleeps
 };
 
 /// Threads in the order in which they came.
@@ -79,6 +81,8 @@ class ThreadList {
 Thread* new_thread() noexcept;
 /// Gives back its memory.
 void free_thread(Thread& thread) noexcept;
+/// In a new process: those of its parent but @p self are none of its threads, and their bells not its own.
+void forget_threads_but(const Thread* self) noexcept;
 /// Calls @p visit with @p argument for each thread that there is.
 void for_each_thread(void (*visit)(Thread&, void*), void* argument) noexcept;
 

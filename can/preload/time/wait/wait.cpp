@@ -16,6 +16,11 @@ constexpr int64_t kCreep = kNsOfMicrosecond;
 
 std::atomic<uint32_t> looks;
 
+/// Polls in a row after which other threads go on.
+constexpr uint32_t kMostPolls = 32;
+
+std::atomic<uint32_t> polls;
+
 /// A signal handler has wanted to wake somebody while its thread had the lock.
 std::atomic<bool> wake_was_missed;
 
@@ -46,6 +51,17 @@ Ended wait_in_turn(const Wait& wait, bool (*is_done)(void*) = nullptr, void* arg
   return Ended::Ready;
 }
 
+void note_wait() noexcept {
+  looks.store(0, std::memory_order_relaxed);
+  polls.store(0, std::memory_order_relaxed);
+}
+
+void wait_for_others() noexcept {
+  Wait moment{};
+  moment.deadline = present();
+  wait_in_turn(moment);
+}
+
 /// Whether nobody waits for an address; what the caller has done before is seen by those who begin to.
 bool nobody_waits_for_address() noexcept {
   std::atomic_thread_fence(std::memory_order_seq_cst);
@@ -55,14 +71,14 @@ bool nobody_waits_for_address() noexcept {
 }  // namespace
 
 Ended wait_for(const Wait& wait) noexcept {
-  looks.store(0, std::memory_order_relaxed);
+  note_wait();
   const Ended ended = wait_in_turn(wait);
   if (ended == Ended::Signal) pthread_testcancel();
   return ended;
 }
 
 Ended wait_unless(const Wait& wait, bool (*is_done)(void*), void* argument) noexcept {
-  looks.store(0, std::memory_order_relaxed);
+  note_wait();
   return wait_in_turn(wait, is_done, argument);
 }
 
@@ -103,11 +119,15 @@ void note_idle() noexcept {
   wait_in_turn(moment);
 }
 
+void note_poll() noexcept {
+  if (polls.fetch_add(1, std::memory_order_relaxed) < kMostPolls) return;
+  polls.store(0, std::memory_order_relaxed);
+  wait_for_others();
+}
+
 void let_others_go() noexcept {
   note_idle();
-  Wait moment{};
-  moment.deadline = present();
-  wait_in_turn(moment);
+  wait_for_others();
 }
 
 }  // namespace preload

@@ -26,6 +26,9 @@ int wake_waiting(const void* address, int most, uint32_t bits) noexcept;
 /// The program has looked at the clock, or whether something has come, without waiting. One that does nothing else
 /// gets some time now and then, so that it comes to an end.
 void note_idle() noexcept;
+/// The program has polled, and goes on at once. Now and then others of its threads that can go on do: it may poll
+/// for what one of them is about to do.
+void note_poll() noexcept;
 /// Other threads that can go on do; counts as such a look.
 void let_others_go() noexcept;
 

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 #include <pthread.h>
+#include <sched.h>
 #include <semaphore.h>
 #include <threads.h>
 
@@ -32,6 +33,27 @@ TEST(Threads, SleepSideBySide) {
 
   const std::vector<std::string> expected{"10@10", "20@20", "10@20", "30@30", "20@40", "30@60"};
   EXPECT_EQ(order, expected);
+}
+
+TEST(Threads, MayRunOnTheProcessorsOfTheirProgram) {
+  const auto processors = [] {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    sched_getaffinity(0, sizeof set, &set);
+    return CPU_COUNT(&set);
+  };
+  const int all = processors();
+  int of_thread = 0;
+  sleep_for(milliseconds{1});
+  std::thread other{[&] {
+    sleep_for(milliseconds{1});
+    of_thread = processors();
+  }};
+  sleep_for(milliseconds{2});
+
+  EXPECT_EQ(processors(), all);
+  EXPECT_EQ(of_thread, all);
+  other.join();
 }
 
 TEST(Condition, WakesAtTheInstantOfItsSignal) {

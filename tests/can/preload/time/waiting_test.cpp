@@ -1,4 +1,6 @@
+#include <atomic>
 #include <csignal>
+#include <semaphore>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -39,6 +41,25 @@ TEST(Poll, WaitsAsLongAsItIsAskedTo) {
   EXPECT_EQ(time.passed(), microseconds{1'500'300});
   EXPECT_EQ(poll(&wanted, 1, 0), 0);
   EXPECT_EQ(time.passed(), microseconds{1'500'300});
+}
+
+TEST(Poll, InALoopLetsAnotherThreadDoItsWork) {
+  const int always = eventfd(1, 0);
+  std::binary_semaphore begins{0};
+  std::atomic<bool> is_done = false;
+  std::thread worker{[&] {
+    begins.acquire();
+    is_done = true;
+  }};
+  const Stopwatch time;
+  begins.release();
+  int polls = 0;
+  for (pollfd wanted{always, POLLIN, 0}; !is_done && polls < 1'000'000; ++polls) poll(&wanted, 1, 0);
+
+  EXPECT_LT(polls, 100) << "it goes on as the loop does, not when that has computed for long";
+  EXPECT_EQ(time.passed(), milliseconds{0});
+  worker.join();
+  close(always);
 }
 
 TEST(Select, LeavesWhatIsLeftOfItsTime) {

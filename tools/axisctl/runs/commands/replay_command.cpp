@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "can/clock/time_share.hpp"
+#include "os/clock.hpp"
 #include "record/candump.hpp"
 #include "tools/axisctl/page/files.hpp"
 #include "tools/axisctl/runs/commands/yardstick_wish.hpp"
@@ -71,8 +73,10 @@ Expected<void> replay_log(const Settings& settings, const ReplayWish& wish) {
   if (!frames) return tl::unexpected{frames.error()};
   conformance::take_signals();
   try {
-    conformance::PortWire wire{*address};
-    const std::chrono::nanoseconds begin = std::chrono::system_clock::now().time_since_epoch();
+    const auto time = bus::TimeShare::join(*address, 0);
+    if (time) os::use_time(*time);
+    conformance::PortWire wire{*address, time.get()};
+    const std::chrono::nanoseconds begin = os::wall_time();
     runs::Replay replay{wire, nodes, runs::CobIds{log->yardstick.description}, replay_options(wish)};
     if (auto played = replay.play(**frames); !played) return played;
     if (!wish.record.empty())

@@ -23,8 +23,8 @@ class History {
   /// The last frames of the same identifier as @p a or @p b, and the last of each service.
   [[nodiscard]] std::vector<Former> formers(const std::optional<LoggedFrame>& a,
                                             const std::optional<LoggedFrame>& b) const;
-  /// What @p frame, which comes next, says.
-  [[nodiscard]] std::string words_of(const std::optional<LoggedFrame>& frame) const;
+  /// What @p logged, which comes next, says.
+  [[nodiscard]] std::string words_of(const std::optional<LoggedFrame>& logged) const;
 
  private:
   /// Identifiers of 29 bits that are remembered; those of 11 bits all are.

@@ -46,8 +46,11 @@ AnswerTimes times_of(std::vector<canopen::Duration> times) {
 /// Judges the exchanges of two courses one by one.
 class AnswerJudge {
  public:
-  AnswerJudge(const Yardstick& yardstick, const Extents& extents, const TimeMap& times, Verdict& verdict)
-      : yardstick_{yardstick}, extents_{extents}, times_{times}, verdict_{verdict} {}
+  explicit AnswerJudge(const Assessment& assessment)
+      : yardstick_{assessment.yardstick},
+        extents_{assessment.extents},
+        times_{assessment.times},
+        verdict_{assessment.verdict} {}
 
   /// The last request of a log may be answered behind its end.
   void judge(const Exchange& log, const Exchange& run, bool is_last) {
@@ -155,18 +158,18 @@ void note_answers(const Course& log, const Yardstick& yardstick, Extents& extent
   }
 }
 
-void judge_answers(const Course& log, const Course& run, const Yardstick& yardstick, const Extents& extents,
-                   const TimeMap& times, Verdict& verdict, std::vector<Milestone>& milestones) {
+void judge_answers(const Course& log, const Course& run, const Assessment& assessment) {
   const std::vector<Exchange> wanted = exchanges_of(log), found = exchanges_of(run);
-  AnswerJudge judge{yardstick, extents, times, verdict};
+  AnswerJudge judge{assessment};
   if (!log.has_times) judge.leave_out_times();
   for (std::size_t i = 0; i < std::min(wanted.size(), found.size()); ++i) {
     judge.judge(wanted[i], found[i], i + 1 == wanted.size());
     if (wanted[i].answers.empty() || found[i].answers.empty()) continue;
     const Passage& answer = *wanted[i].answers.front();
-    milestones.push_back({answer.at, found[i].answers.front()->at, answer.place,
-                          "the answer to " + words_of(wanted[i].request->frame, wanted[i].request->meaning,
-                                                      yardstick.description)});
+    const Passage& request = *wanted[i].request;
+    assessment.milestones.push_back(
+        {answer.at, found[i].answers.front()->at, answer.place,
+         "the answer to " + words_of(request.frame, request.meaning, assessment.yardstick.description)});
   }
   judge.conclude(log.has_times);
 }

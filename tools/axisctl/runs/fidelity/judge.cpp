@@ -75,7 +75,9 @@ class Judge {
         yardstick_{yardstick},
         times_{log, run, yardstick, 1 / yardstick.speed},
         verdict_{yardstick.known} {
-    if (!log.passages.empty()) end_ = times_.there(log.passages.back().at);
+    if (log.passages.empty()) return;
+    const canopen::Duration last = log.passages.back().at;
+    end_ = times_.there(last) - times_.band(last);
   }
 
   Fidelity judge() {
@@ -84,7 +86,7 @@ class Judge {
     for (const auto& [pdo, images] : log_pdos)
       for (const PdoImage& image : images)
         for (const PdoImage::Measured& measured : image.measured) extents_.note(measured.object, measured.value);
-    judge_answers(log_, run_, yardstick_, extents_, times_, verdict_, milestones_);
+    judge_answers(log_, run_, assessment());
     judge_events(Aspect::Emergency, "EMCY", emergencies_of(log_, yardstick_), emergencies_of(run_, yardstick_));
     judge_events(Aspect::State, "error control", states_of(log_, yardstick_), states_of(run_, yardstick_));
     judge_pdos(log_pdos, run_pdos);
@@ -119,15 +121,14 @@ class Judge {
                         .log = std::move(wanted[pdo]),
                         .run = std::move(found[pdo])};
       if (!images.empty()) sequence.object = images.front().object;
-      judge_values({sequence.what, images, in_run == run.end() ? kNone : in_run->second}, yardstick_, extents_,
-                   times_, back_, verdict_);
+      judge_values({sequence.what, images, in_run == run.end() ? kNone : in_run->second}, back_, assessment());
       judge_one(sequence);
     }
   }
 
-  void judge_one(const Sequence& sequence) {
-    judge_sequence(sequence, end_, log_.has_times, times_, verdict_, milestones_);
-  }
+  void judge_one(const Sequence& sequence) { judge_sequence(sequence, end_, log_.has_times, assessment()); }
+
+  [[nodiscard]] Assessment assessment() { return {yardstick_, extents_, times_, verdict_, milestones_}; }
 
   const Course &log_, &run_;
   const Yardstick& yardstick_;
@@ -135,7 +136,7 @@ class Judge {
   Verdict verdict_;
   Extents extents_{};
   std::vector<Milestone> milestones_{};
-  canopen::Duration end_{};
+  canopen::Duration end_{};  ///< what the run has later, the log may have had behind its last frame
 };
 
 }  // namespace

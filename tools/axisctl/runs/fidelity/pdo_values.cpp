@@ -120,10 +120,9 @@ class ValueJudge {
 
 }  // namespace
 
-void judge_values(const PdoPair& pdo, const Yardstick& yardstick, const Extents& extents, const TimeMap& times,
-                  const TimeMap& back, Verdict& verdict) {
-  ValueJudge judge{pdo, yardstick, extents, verdict};
-  if (judge.judge_log(times)) judge.judge_run(back);
+void judge_values(const PdoPair& pdo, const TimeMap& back, const Assessment& assessment) {
+  ValueJudge judge{pdo, assessment.yardstick, assessment.extents, assessment.verdict};
+  if (judge.judge_log(assessment.times)) judge.judge_run(back);
 }
 
 }  // namespace runs

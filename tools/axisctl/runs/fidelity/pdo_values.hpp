@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/axisctl/runs/fidelity/milestones.hpp"
 #include "tools/axisctl/runs/fidelity/pdo_images.hpp"
-#include "tools/axisctl/runs/fidelity/time_map.hpp"
 
 namespace runs {
 
@@ -15,9 +15,8 @@ struct PdoPair {
   const std::vector<PdoImage>& run;
 };
 
-/// Judges the measured values of a TPDO: those of the log against what the run has about that time, by @p times;
-/// and if there is no difference, those of the run against what the log has, by @p back.
-void judge_values(const PdoPair& pdo, const Yardstick& yardstick, const Extents& extents, const TimeMap& times,
-                  const TimeMap& back, Verdict& verdict);
+/// Judges the measured values of a TPDO: those of the log against what the run has about that time, and if there
+/// is no difference, those of the run against what the log has, by the times of @p back.
+void judge_values(const PdoPair& pdo, const TimeMap& back, const Assessment& assessment);
 
 }  // namespace runs

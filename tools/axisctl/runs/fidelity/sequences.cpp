@@ -28,14 +28,13 @@ Step step_to_next_pair(const Sequence& sequence, std::size_t i, std::size_t j) {
 
 class SequenceJudge {
  public:
-  SequenceJudge(const Sequence& sequence, canopen::Duration end, bool has_times, const TimeMap& times,
-                Verdict& verdict, std::vector<Milestone>& milestones)
+  SequenceJudge(const Sequence& sequence, canopen::Duration end, bool has_times, const Assessment& assessment)
       : sequence_{sequence},
         end_{end},
         has_times_{has_times},
-        times_{times},
-        verdict_{verdict},
-        milestones_{milestones} {}
+        times_{assessment.times},
+        verdict_{assessment.verdict},
+        milestones_{assessment.milestones} {}
 
   void run() {
     std::size_t i = 0, j = 0;
@@ -108,9 +107,9 @@ class SequenceJudge {
 
 }  // namespace
 
-void judge_sequence(const Sequence& sequence, canopen::Duration end, bool has_times, const TimeMap& times,
-                    Verdict& verdict, std::vector<Milestone>& milestones) {
-  SequenceJudge{sequence, end, has_times, times, verdict, milestones}.run();
+void judge_sequence(const Sequence& sequence, canopen::Duration end, bool has_times,
+                    const Assessment& assessment) {
+  SequenceJudge{sequence, end, has_times, assessment}.run();
 }
 
 }  // namespace runs

@@ -22,9 +22,8 @@ struct Sequence {
   std::vector<Event> log{}, run{};
 };
 
-/// Judges the events of @p sequence one by one, with their times, and adds those that both have to @p milestones.
-/// What the run has behind @p end, where the log ends, does not count.
-void judge_sequence(const Sequence& sequence, canopen::Duration end, bool has_times, const TimeMap& times,
-                    Verdict& verdict, std::vector<Milestone>& milestones);
+/// Judges the events of @p sequence one by one, with their times; those that both have are milestones.
+/// What the run has more behind @p end does not count.
+void judge_sequence(const Sequence& sequence, canopen::Duration end, bool has_times, const Assessment& assessment);
 
 }  // namespace runs

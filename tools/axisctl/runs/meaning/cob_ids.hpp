@@ -36,6 +36,7 @@ struct Meaning {
   std::uint8_t node = 0;     ///< 0: of no one
   std::uint16_t number = 0;  ///< of a PDO, or of an SDO server, from 1
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison with 0 for one with a pointer
   friend constexpr auto operator<=>(const Meaning&, const Meaning&) = default;
 };
 

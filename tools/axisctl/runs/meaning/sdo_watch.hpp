@@ -14,6 +14,7 @@ struct SdoChannel {
   std::uint8_t node = 0;
   std::uint16_t server = 1;  ///< 1: that of 1200h
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison with 0 for one with a pointer
   friend constexpr auto operator<=>(const SdoChannel&, const SdoChannel&) = default;
 };
 

@@ -23,7 +23,7 @@ std::string of_node(const Meaning& meaning) {
 
 std::string hex_value(std::span<const std::uint8_t> bytes) {
   std::string digits;
-  for (auto byte = bytes.rbegin(); byte != bytes.rend(); ++byte) digits += fmt::format("{:02X}", *byte);
+  for (std::size_t i = bytes.size(); i > 0; --i) digits += fmt::format("{:02X}", bytes[i - 1]);
   return digits + 'h';
 }
 

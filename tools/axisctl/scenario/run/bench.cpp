@@ -37,7 +37,7 @@ int taken_signal() noexcept {
 }
 
 Bench::Bench(bus::Connection connection, bus::TimeShare* time)
-    : connection_{std::move(connection)}, time_{time}, party_{time == nullptr ? nullptr : &time->add()} {
+    : connection_{std::move(connection)}, sleeper_{time} {
   next_look_ = now();
 }
 
@@ -49,7 +49,7 @@ bool Bench::send(const canopen::Frame& frame) {
   const TimePoint until = now() + kRoomPatience;
   bus::SendStatus status = connection_.port->send(frame);
   while (status == bus::SendStatus::Full && now() < until) {
-    sleep({}, now() + kRetry);
+    sleeper_.sleep({}, now() + kRetry);
     status = connection_.port->send(frame);
   }
   if (status != bus::SendStatus::Sent) return false;
@@ -103,18 +103,9 @@ std::optional<TimedFrame> Bench::receive(TimePoint until) {
     const TimePoint present = now();
     if (present >= until) break;
     pollfd descriptor{connection_.port->descriptor(), POLLIN, 0};
-    sleep({&descriptor, 1}, std::min({until, due, next_look_}));
+    sleeper_.sleep({&descriptor, 1}, std::min({until, due, next_look_}));
   }
   return std::nullopt;
-}
-
-void Bench::sleep(std::span<pollfd> descriptors, TimePoint until) {
-  if (time_ != nullptr) {
-    (void)time_->wait(*party_, {.descriptors = descriptors, .until = until});
-    return;
-  }
-  const timespec limit = os::to_timespec(std::max(until - now(), Duration::zero()));
-  (void)::ppoll(descriptors.data(), descriptors.size(), &limit, nullptr);
 }
 
 void Bench::pass(TimePoint until) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "can/clock/time_share.hpp"
+#include "can/clock/sleeper.hpp"
 #include "can/connection/connection.hpp"
 #include "tools/canopen-check/core/wire.hpp"
 
@@ -54,11 +54,9 @@ class Bench final : public conformance::Wire {
   /// Sends what is due; when the next is.
   canopen::TimePoint serve_cyclic();
   bool look();
-  void sleep(std::span<pollfd> descriptors, canopen::TimePoint until);
 
   bus::Connection connection_;
-  bus::TimeShare* time_;
-  bus::Party* party_;  ///< in that time
+  bus::Sleeper sleeper_;
   Look look_{};
   std::map<std::string, Cyclic> cyclic_;
   std::vector<TimedFrame> frames_;
