@@ -29,6 +29,10 @@ canopen::TimePoint Clock::other_now() const noexcept {
   return is_told() ? now_ : begin_ + times(monotonic_now() - machine_begin_, scale_);
 }
 
+std::int64_t Clock::other_wall() const noexcept {
+  return wall(other_now());
+}
+
 canopen::TimePoint Clock::unscaled(canopen::TimePoint time) const noexcept {
   return machine_begin_ + times(time - begin_, 1 / scale_);
 }

@@ -37,11 +37,15 @@ class Clock {
   }
   /// The present on CLOCK_REALTIME of the bus (ns).
   [[nodiscard]] std::int64_t wall() const noexcept {
-    return mode_ == userbus::TimeMode::Real ? os::wall_time().count() : wall(now());
+    return mode_ == userbus::TimeMode::Real ? machine_wall() : other_wall();
   }
   /// When @p time of this clock is on that of the machine, kNever for kNever; not where it is told.
   [[nodiscard]] canopen::TimePoint machine_time(canopen::TimePoint time) const noexcept {
     return mode_ == userbus::TimeMode::Real || time == canopen::kNever ? time : unscaled(time);
+  }
+  /// The present where it is told, else @p otherwise.
+  [[nodiscard]] canopen::TimePoint told_or(canopen::TimePoint otherwise) const noexcept {
+    return is_told_ ? now_ : otherwise;
   }
   /// The present is @p now, which is not before what it was; where it is told.
   void set(canopen::TimePoint now) noexcept { now_ = now; }
@@ -54,6 +58,10 @@ class Clock {
 
  private:
   [[nodiscard]] canopen::TimePoint other_now() const noexcept;
+  [[nodiscard]] std::int64_t other_wall() const noexcept;
+  [[nodiscard]] static std::int64_t machine_wall() noexcept {
+    return std::chrono::nanoseconds{std::chrono::system_clock::now().time_since_epoch()}.count();
+  }
   [[nodiscard]] canopen::TimePoint unscaled(canopen::TimePoint time) const noexcept;
 
   userbus::TimeMode mode_ = userbus::TimeMode::Real;

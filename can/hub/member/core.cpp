@@ -10,6 +10,8 @@ Core::Core(std::uint32_t bit_rate, const userbus::TimeWish& time)
 Core::~Core() = default;
 
 void Core::hand_over() noexcept {
+  if (turns != nullptr)
+    for (const Member* const member : gathering) member->note_given();
   for (Member* const member : gathering) member->hand_over();
   gathering.clear();
 }

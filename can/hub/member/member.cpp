@@ -137,7 +137,7 @@ std::size_t Member::read(std::size_t most) noexcept {
 
 void Member::take(Inbox::Message message, canopen::TimePoint read_at) noexcept {
   // where the clock is told, a frame before this message may have had time go on
-  const canopen::TimePoint now = core_.clock.is_told() ? core_.clock.now() : read_at;
+  const canopen::TimePoint now = core_.clock.told_or(read_at);
   const bool is_request = static_cast<bool>(message.descriptor);
   const bool taken = is_request ? answer_request({core_, *this, now}, message)
                                 : message.complete && take_message(message.bytes, now);
@@ -182,7 +182,6 @@ void Member::deliver(std::span<const std::byte> message) noexcept {
 }
 
 void Member::begin_gathering() noexcept {
-  note_given();
   if (outbox_.is_full()) write_gathered();
   if (!std::exchange(is_gathering_, true)) core_.gathering.push_back(this);
 }

@@ -69,6 +69,10 @@ class Member : public Watch {
     is_gathering_ = false;
     write_gathered();
   }
+  /// The program gets something, or has room: it is owed a turn where the bus's time goes by turns.
+  void note_given() const noexcept {
+    if (core_.turns != nullptr) core_.turns->on_given(process_);
+  }
 
   /// Filters of a raw socket; errno, 0 = done.
   virtual int set_filters(std::span<const can_filter> filters) noexcept;
@@ -121,10 +125,6 @@ class Member : public Watch {
   /// True if no frame of this member waits for the bus.
   [[nodiscard]] virtual bool is_done() const noexcept { return true; }
 
-  /// The program gets something, or has room: it is owed a turn where the bus's time goes by turns.
-  void note_given() const noexcept {
-    if (core_.turns != nullptr) core_.turns->on_given(process_);
-  }
   void on_events_of_turns(std::uint32_t events) noexcept;
   void look() noexcept;
   bool has_request() noexcept;
