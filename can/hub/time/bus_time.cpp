@@ -26,6 +26,13 @@ constexpr unsigned kMostEvents = 64;
 /// Messages in a socket from which on it polls not writable.
 constexpr std::size_t kUnwritable = userbus::kQueueOfTurns / 4;
 
+constexpr TimePoint kLast = from_ns(userbus::kLastInstant);
+
+/// What is waited for until @p until_ns, which is never if it is beyond the last instant.
+constexpr TimePoint instant_of(std::int64_t until_ns) noexcept {
+  return until_ns > userbus::kLastInstant ? kNever : from_ns(until_ns);
+}
+
 }  // namespace
 
 BusTime::BusTime(Core& core, Settings settings)
@@ -123,7 +130,7 @@ TimePoint BusTime::horizon_of(const ClockMember& member, const BusEvents& bus) c
     return other->part().is_owed_turn || other->part().gives_way;
   };
   if (stands() || std::ranges::any_of(members_, is_owed)) return now();
-  return std::max(std::min({bus.next_event(), earliest_wait(&member), limit()}), now());
+  return std::max(std::min({bus.next_event(), earliest_wait(&member), limit(), kLast}), now());
 }
 
 TimePoint BusTime::earliest_wait(const ClockMember* except) const noexcept {
@@ -152,7 +159,7 @@ bool BusTime::go_to_next(const BusEvents& bus) noexcept {
   TimePoint next = bus.next_event();
   if (next != kNever || !stands()) next = std::min(next, earliest_wait());
   next = std::min(next, limit());
-  if (next == kNever || next <= now()) return false;
+  if (next > kLast || next <= now()) return false;
   set_present(next);
   return true;
 }
@@ -217,7 +224,7 @@ bool BusTime::join(ClockMember& member, const TimeMessage& message) noexcept {
 bool BusTime::wait(ClockMember& member, const TimeMessage& message) noexcept {
   Part& part = member.part();
   if (!part.has_joined) return false;
-  part.until = from_ns(message.until_ns);
+  part.until = instant_of(message.until_ns);
   part.leaves = (message.flags & userbus::kLeaves) != 0;
   if (actor_ != &member) {
     if (std::exchange(part.is_left_out, false)) take_in_again(member, message);
@@ -243,8 +250,7 @@ bool BusTime::want(ClockMember& member) noexcept {
 
 int BusTime::step(canopen::Duration step, os::Descriptor reply) noexcept {
   if (core_.clock.mode() != userbus::TimeMode::Stepped) return EOPNOTSUPP;
-  const bool is_endless = step > kNever - now();
-  return steppers_.add(is_endless ? kNever : now() + step, reply) ? 0 : ENOMEM;
+  return steppers_.add(now() + std::min<canopen::Duration>(step, kLast - now()), reply) ? 0 : ENOMEM;
 }
 
 userbus::TimeState BusTime::state() const noexcept {

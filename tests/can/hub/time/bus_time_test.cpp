@@ -35,7 +35,7 @@ TEST(BusTime, LetsAProgramGoOnByItselfAsFarAsTheOthersWait) {
   ClockProgram first{hub.path()}, second{hub.path()};
   first.join();
   ASSERT_EQ(first.turn(), 0);
-  EXPECT_EQ(first.last().horizon_ns, kNoInstant);
+  EXPECT_EQ(first.last().horizon_ns, kLast);
   first.wait(7000, 9000);
   ASSERT_EQ(first.turn(), 9000);
   second.join();
@@ -43,6 +43,20 @@ TEST(BusTime, LetsAProgramGoOnByItselfAsFarAsTheOthersWait) {
   ASSERT_EQ(second.turn(), 9000);
   second.wait(20'000, kNoInstant);
   EXPECT_EQ(first.turn(), 20'000);
+}
+
+TEST(BusTime, GoesNoFurtherThanItsLastInstant) {
+  const HubWithTurns hub;
+  ClockProgram first{hub.path()}, second{hub.path()};
+  first.join();
+  ASSERT_EQ(first.turn(), 0);
+  second.join();
+  first.wait(0, kLast + 1);
+  ASSERT_EQ(second.turn(), 0);
+  second.wait(kLast + 1, kLast);  // its present is later than it may be
+  EXPECT_EQ(second.turn(), kLast);
+  second.wait(kLast, kNoInstant);
+  EXPECT_FALSE(first.has_turn());
 }
 
 TEST(BusTime, PausesWhoTakesTurnAfterTurnAtOneInstant) {

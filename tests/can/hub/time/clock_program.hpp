@@ -11,6 +11,9 @@
 
 namespace hub_test {
 
+/// The last instant, since the first one.
+inline constexpr std::int64_t kLast = userbus::kLastInstant - userbus::kFirstInstant;
+
 /// A process of its own that lives by the time of a bus, and does what the test tells it.
 class ClockProgram {
  public:

@@ -27,7 +27,7 @@ class EndedPrograms : public testing::Test {
 TEST_F(EndedPrograms, LoseTheirTurnAndEverybodyLooks) {
   first.exit();
   ASSERT_EQ(second.turn(), 0);
-  EXPECT_EQ(second.last().horizon_ns, kNoInstant);
+  EXPECT_EQ(second.last().horizon_ns, kLast);
   EXPECT_EQ(second.last().flags, 0U);
 }
 
