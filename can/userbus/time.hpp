@@ -57,7 +57,8 @@ inline constexpr int64_t kFirstInstant = 1'000'000'000'000;  // 1000 s after the
 inline constexpr int64_t kFirstWallTime = 1'735'689'600'000'000'000;
 /// Somebody who waits for no instant.
 inline constexpr int64_t kNoInstant = INT64_MAX;
-/// Beyond it told time does not go (146 years; on CLOCK_REALTIME a number still): later is the same as never.
+/// Nobody waits longer (146 years): later is the same as never. What is on the bus then still has an end, and
+/// CLOCK_REALTIME a number.
 inline constexpr int64_t kLastInstant = INT64_MAX / 2;
 
 /// What a member of kind Clock says. Of who is silent for kSilence while it acts, the bus goes on without it.

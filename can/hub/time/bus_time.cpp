@@ -159,7 +159,7 @@ bool BusTime::go_to_next(const BusEvents& bus) noexcept {
   TimePoint next = bus.next_event();
   if (next != kNever || !stands()) next = std::min(next, earliest_wait());
   next = std::min(next, limit());
-  if (next > kLast || next <= now()) return false;
+  if (next == kNever || next <= now()) return false;
   set_present(next);
   return true;
 }

@@ -45,7 +45,7 @@ TEST(BusTime, LetsAProgramGoOnByItselfAsFarAsTheOthersWait) {
   EXPECT_EQ(first.turn(), 20'000);
 }
 
-TEST(BusTime, GoesNoFurtherThanItsLastInstant) {
+TEST(BusTime, HasNobodyWaitBeyondItsLastInstant) {
   const HubWithTurns hub;
   ClockProgram first{hub.path()}, second{hub.path()};
   first.join();
