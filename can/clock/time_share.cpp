@@ -195,8 +195,9 @@ void TimeShare::sleep(std::unique_lock<std::mutex>& lock) noexcept {
   for (const Party& party : parties_)
     if (party.waits_ && !is_wanted_) machine_until = std::min(machine_until, party.wanted_.machine_until);
   const auto count = is_wanted_ ? 1 : watched_.size();
+  const int processor = processor_;
   lock.unlock();
-  const int ready = poll_on(processor_, {watched_.data(), count}, poll_limit(machine_until));
+  const int ready = poll_on(processor, {watched_.data(), count}, poll_limit(machine_until));
   lock.lock();
   if (is_over_) return;
   if (watched_[0].revents != 0) return take_turn(/*waits=*/false);

@@ -1,5 +1,7 @@
 #include "can/userbus/processor.hpp"
 
+#include <cerrno>
+
 namespace userbus {
 
 namespace {
@@ -11,9 +13,7 @@ bool is_one_of_several(int processor, const cpu_set_t& processors) noexcept {
   return CPU_ISSET(static_cast<unsigned>(processor), &processors) && CPU_COUNT(&processors) > 1;
 }
 
-}  // namespace
-
-void begin_stay(Stay& stay, int processor) noexcept {
+void begin(Stay& stay, int processor) noexcept {
   if (sched_getaffinity(kThisThread, sizeof stay.before, &stay.before) != 0) return;
   if (!is_one_of_several(processor, stay.before)) return;
   CPU_ZERO(&stay.one);
@@ -21,12 +21,27 @@ void begin_stay(Stay& stay, int processor) noexcept {
   stay.is_on = sched_setaffinity(kThisThread, sizeof stay.one, &stay.one) == 0;
 }
 
-void end_stay(Stay& stay) noexcept {
-  if (!stay.is_on) return;
-  stay.is_on = false;
+void end(const Stay& stay) noexcept {
   cpu_set_t now;
   if (sched_getaffinity(kThisThread, sizeof now, &now) != 0 || !CPU_EQUAL(&now, &stay.one)) return;
   sched_setaffinity(kThisThread, sizeof stay.before, &stay.before);
+}
+
+}  // namespace
+
+void begin_stay(Stay& stay, int processor) noexcept {
+  if (stay.is_on) return;
+  const int error = errno;
+  begin(stay, processor);
+  errno = error;
+}
+
+void end_stay(Stay& stay) noexcept {
+  if (!stay.is_on) return;
+  stay.is_on = false;
+  const int error = errno;
+  end(stay);
+  errno = error;
 }
 
 }  // namespace userbus

@@ -13,10 +13,11 @@ struct Stay {
   bool is_on = false;
 };
 
-/// The calling thread runs on @p processor until end_stay(). Does nothing if it may not run there, or on no other
-/// one, or processors are more than cpu_set_t holds.
+/// The calling thread runs on @p processor until end_stay(). Does nothing if it stays already, may not run there,
+/// or on no other one, or processors are more than cpu_set_t holds. errno stays.
 void begin_stay(Stay& stay, int processor) noexcept;
-/// It may run again where it could before; but what others have set meanwhile, as taskset(1), stays.
+/// It may run again where it could before; but what others have set meanwhile, as taskset(1), stays, unless it is
+/// just that one processor. errno stays.
 void end_stay(Stay& stay) noexcept;
 
 }  // namespace userbus
