@@ -45,15 +45,28 @@ void become(Thread& thread) noexcept {
 constexpr int kGo = 1;
 constexpr int kLook = 2;  ///< it may have to coordinate
 
+/// Whether @p thread waits only for its turn among the threads: one that spins may not let it have that.
+bool waits_for_threads(const Thread& thread) noexcept {
+  return thread.place == Place::Runnable || (thread.place == Place::Waiting && thread.wait.deadline <= present());
+}
+
+/// Lets @p self go on beside those that run, if they spin or are blocked.
+void pass_stuck_runners(Thread& self) noexcept {
+  const bool is_next = self.place == Place::Waiting || &self == all_threads.runnable.first();
+  if (!is_next || !are_runners_stuck()) return;
+  if (self.place == Place::Waiting) make_runnable(self, Ended::Deadline);
+  release_first();
+}
+
 /// One sleep of @p self, after which it looks again. A signal ends its wait.
 void sleep_once(Thread& self, TimeLock& lock) noexcept {
-  const bool runnable = self.place == Place::Runnable;
+  const bool is_patient = !waits_for_threads(self);
   const timespec patience{.tv_sec = 0, .tv_nsec = 5 * kNsOfMillisecond};
   const int processor = processor_of_turns();
   hold_signals(self);
   lock.release();
   userbus::begin_stay(self.stay, processor);
-  const int error = sleep_until_called(self, runnable ? &patience : nullptr);
+  const int error = sleep_until_called(self, is_patient ? nullptr : &patience);
   lock.take();
   userbus::end_stay(self.stay);
   if (self.go == kLook) self.go = 0;
@@ -62,8 +75,7 @@ void sleep_once(Thread& self, TimeLock& lock) noexcept {
     make_runnable(self, Ended::Signal);
     if (by_turns() && !has_turn()) want_turn();
   }
-  if (error == ETIMEDOUT && runnable && &self == all_threads.runnable.first() && are_runners_stuck())
-    release_first();
+  if (error == ETIMEDOUT && waits_for_threads(self)) pass_stuck_runners(self);
 }
 
 /// Whether the process acts: those who can go on may.
@@ -75,6 +87,7 @@ Ended sleep_until_released(Thread& self, TimeLock& lock) noexcept {
   Threads& all = all_threads;
   while (self.go != kGo) {
     if (all.running == 0 && may_act() && all.runnable.first() != nullptr) {
+      if (all.runnable.first() != &self) hold_signals(self);  // a handler that jumps would not call it
       release_first();
     } else if (all.running == 0 && all.coordinator == nullptr) {
       all.coordinator = &self;
@@ -161,14 +174,15 @@ Ended finish_wait(Thread& self, TimeLock& lock) noexcept {
 
 void abandon_wait() noexcept {
   Thread* const self = own_thread();
-  if (self == nullptr || self->place == Place::Running) return;
+  if (self == nullptr) return;
+  userbus::end_stay(self->stay);
+  if (self->place == Place::Running) return;
   if (TimeLock::is_mine()) TimeLock::forget();
   TimeLock lock;
   if (self->place == Place::Waiting) make_runnable(*self, Ended::Signal);
   if (all_threads.coordinator == self) all_threads.coordinator = nullptr;
   const bool has_address = self->wait.address != nullptr;
   self->wait = Wait{};
-  userbus::end_stay(self->stay);
   self->holds_signals = false;  // the jump, or the end of the handler, says which are blocked
   if (by_turns() && !has_turn()) want_turn();
   sleep_until_released(*self, lock);

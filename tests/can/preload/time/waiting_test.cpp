@@ -62,6 +62,29 @@ TEST(Poll, InALoopLetsAnotherThreadDoItsWork) {
   close(always);
 }
 
+TEST(Poll, InALoopGoesOnBesideAThreadThatSpins) {
+  constexpr int kPolls = 100;
+  const int always = eventfd(1, 0);
+  std::binary_semaphore begins{0};
+  std::atomic<bool> is_done = false;
+  std::thread spinner{[&] {
+    begins.acquire();
+    while (!is_done) {
+    }
+  }};
+  begins.release();
+  int ready = 0;
+  for (int i = 0; i < kPolls; ++i) {
+    pollfd wanted{always, POLLIN, 0};
+    ready += poll(&wanted, 1, 0);
+  }
+  is_done = true;
+
+  EXPECT_EQ(ready, kPolls);
+  spinner.join();
+  close(always);
+}
+
 TEST(Select, LeavesWhatIsLeftOfItsTime) {
   const Pipe pipe;
   std::thread writer{[&pipe] {
