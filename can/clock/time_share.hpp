@@ -22,8 +22,8 @@ class TimeShare final : public os::OtherTime {
  public:
   /// Takes part in the time of the bus at @p address, with a hub that is started if there is none, and has the
   /// turn.
-  /// @p flags: userbus::kDevice. nullptr if the bus has the machine's time or is none in user space. Throws
-  /// OpenError.
+  /// @p flags: userbus::kDevice. nullptr if the bus has the machine's time or is none in user space, or if
+  /// with-can has the program live by it already. Throws OpenError.
   static std::unique_ptr<TimeShare> join(const Address& address, std::uint32_t flags);
   /// Over @p clock, a member of the bus at @p path that has joined, and its @p page (userbus::map_time()); waits
   /// for the first turn.

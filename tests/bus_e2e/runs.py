@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -177,6 +178,48 @@ class Runs(unittest.TestCase):
         different, found = self.unit_that_turns(axes=[{}], inject=[{"kind": "tpdo.frozen", "pdo": 2, "after": 40}])
         self.assertGreater(different["pdo_values"], 10, found)
         self.assertEqual({difference["object"] for difference in found if difference["aspect"] == "pdo_values"}, {"606Ch:00"})
+
+    def replay_under(self, mode):
+        """What a replay under with-can has recorded; the unit is there before it begins."""
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        master = self.write("turns.log", "".join(f"({100 + at:.6f}) can0 {frame}\n" for at, frame in TURNS))
+        script = (f"axisd --interface unix:$CAN_BUS --node-id 5 --control {folder}/unit.sock --state-directory {folder}/state & unit=$!; "
+                  f"axisctl --socket {folder}/unit.sock wait ready --timeout 30 && "
+                  f"axisctl replay {master} --node 5 --bus unix:$CAN_BUS --record {folder}/run.log; status=$?; kill $unit; wait $unit; exit $status")
+        process = subprocess.Popen([f"{PROGRAMS}/with-can", "--private", "--time", mode, "--", "sh", "-c", script], stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, text=True, start_new_session=True,
+                                   env={**self.environment, "PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
+        try:
+            said = process.communicate(timeout=PATIENCE_S)[0]
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
+        self.assertEqual(process.returncode, 0, said)
+        return (folder / "run.log").read_text()
+
+    def test_a_replay_under_with_can_is_the_same_every_time(self):
+        log = self.replay_under("virtual")
+        self.assertGreater(len(log.splitlines()), 400)
+        self.assertEqual(self.replay_under("virtual"), log)
+
+    def test_a_replay_under_with_can_lives_by_scaled_time(self):
+        lines = self.replay_under("scaled=5").splitlines()
+        begin, end = (float(re.match(r"\((\S+)\)", line)[1]) for line in (lines[0], lines[-1]))
+        self.assertGreaterEqual(end - begin, TURNS[-1][0] - TURNS[0][0])
+        self.assertEqual(sum("605#" in line for line in lines), len(TURNS) - 1)
+
+    def test_a_replay_ends_by_a_signal_though_time_stands(self):
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        bus = f"unix:{folder}/bus"
+        self.start("canhub", "--path", bus[5:], "--time", "stepped")
+        with subprocess.Popen([f"{PROGRAMS}/axisctl", "replay", self.log, "--bus", bus], stderr=subprocess.PIPE, text=True,
+                              env=self.environment) as replay:
+            state = [f"{PROGRAMS}/canhub", "--path", bus[5:], "--status"]
+            deadline = time.monotonic() + PATIENCE_S
+            while "port " not in (said := subprocess.run(state, capture_output=True, text=True, check=False).stdout):
+                self.assertLess(time.monotonic(), deadline, said)
+            replay.send_signal(signal.SIGINT)
+            self.assertEqual((replay.wait(PATIENCE_S), "interrupted" in replay.stderr.read()), (DIFFERENT, True))
 
     def test_a_report_is_written(self):
         report = str(self.folder / "report.txt")

@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include <poll.h>
+#include <sys/eventfd.h>
 
 #include "os/clock.hpp"
 
@@ -13,6 +14,8 @@ namespace {
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler has no other place
 volatile std::sig_atomic_t signalled = 0;
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): polls readable from then on
+int signal_bell = -1;
 
 /// A queue that is full for that long belongs to a bus on which nobody confirms.
 constexpr canopen::Duration kRoomPatience = std::chrono::seconds{1};
@@ -24,7 +27,11 @@ constexpr canopen::Duration kLongestWait = std::chrono::milliseconds{200};
 
 void take_signals() {
   struct sigaction action {};
-  action.sa_handler = [](int) { signalled = 1; };
+  signal_bell = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  action.sa_handler = [](int) {
+    signalled = 1;
+    (void)::eventfd_write(signal_bell, 1);
+  };
   for (const int signal : {SIGINT, SIGTERM}) (void)::sigaction(signal, &action, nullptr);
 }
 
@@ -55,8 +62,9 @@ bool PortWire::send(const canopen::Frame& frame) {
 }
 
 bool PortWire::wait(canopen::TimePoint until) {
-  std::array<pollfd, 2> descriptors{pollfd{connection_.port->descriptor(), POLLIN, 0},
-                                    pollfd{connection_.link->descriptor(), POLLIN, 0}};
+  std::array<pollfd, 3> descriptors{pollfd{connection_.port->descriptor(), POLLIN, 0},
+                                    pollfd{connection_.link->descriptor(), POLLIN, 0},
+                                    pollfd{sleeper_.lives_by_bus() ? signal_bell : -1, POLLIN, 0}};
   sleeper_.sleep(descriptors, std::min(until, now() + kLongestWait));
   if (descriptors[1].revents != 0 && connection_.link->read() && connection_.link->state() != bus::LinkState::Up)
     up_ = false;
@@ -74,6 +82,7 @@ std::optional<TimedFrame> PortWire::receive(canopen::TimePoint until) {
     if (what.kind == bus::Received::Down) up_ = false;
     if (what.kind != bus::Received::Nothing) continue;
     if (until <= now() || (!wait(until) && now() >= until)) return std::nullopt;
+    if (signalled != 0 && sleeper_.lives_by_bus()) return std::nullopt;  // whose time may stand
     // The runner decides what an interruption means; nobody waits for the end of a long time then.
     if (signalled != 0 && now() + kLongestWait < until) until = now() + kLongestWait;
   }
