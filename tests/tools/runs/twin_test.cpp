@@ -183,6 +183,14 @@ TEST_F(TwinTest, MissesNothingBehindTheEndOfTheLog) {
       << "the run is earlier by what is within the band";
 }
 
+TEST_F(TwinTest, FindsMoreThanALogWithoutTimesHas) {
+  constexpr const char* kRun = "205#0F00 185#3102 185#3302 185#3702 205#0F00";
+  runs::Course log = course_of("205#0F00 185#3102 185#3702 205#0F00");
+  log.has_times = false;
+  for (runs::Passage& passage : log.passages) passage.at = {};
+  EXPECT_EQ(only(runs::judge(log, course_of(kRun), yardstick)).nature, Nature::Extra);
+}
+
 TEST_F(TwinTest, FindsAnotherEmergencyAndState) {
   EXPECT_EQ(only(judge("205#00 085#1030810000000000", "205#00 085#1031810000000000")).aspect, Aspect::Emergency);
   EXPECT_EQ(only(judge("000#0105 705#7F 705#05", "000#0105 705#7F 705#04")).aspect, Aspect::State);

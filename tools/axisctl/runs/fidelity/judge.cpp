@@ -76,8 +76,8 @@ class Judge {
         times_{log, run, yardstick, 1 / yardstick.speed},
         verdict_{yardstick.known} {
     if (log.passages.empty()) return;
-    const canopen::Duration last = log.passages.back().at;
-    end_ = times_.there(last) - times_.band(last);
+    end_ = times_.there(log.passages.back().at);
+    if (log.has_times) end_ -= yardstick.time;
   }
 
   Fidelity judge() {
