@@ -176,7 +176,6 @@ Expected<scenario::RunOptions> options_of(const RunWish& wish) {
 
 /// Every file is checked before anything starts.
 Expected<std::vector<Ran>> read_all(const RunWish& wish) {
-  if (wish.files.empty()) return fail(ExitStatus::Usage, "SCENARIO: expected a file or a name; see --list");
   std::vector<Ran> runs;
   for (const std::string& file : wish.files) {
     auto scenario = read(file, wish);
@@ -193,6 +192,7 @@ Expected<void> run_scenarios(const Settings& settings, const RunWish& wish) {
     if (auto done = expect_no_farm(settings, "run", "a scenario has units and a bus of its own, on this machine");
         !done)
       return done;
+  if (wish.files.empty()) return fail(ExitStatus::Usage, "SCENARIO: expected a file or a name; see --list");
   auto options = options_of(wish);
   if (!options) return tl::unexpected{options.error()};
   auto runs = read_all(wish);
