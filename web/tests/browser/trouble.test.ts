@@ -64,3 +64,26 @@ test("a slow network makes no pile of requests", async () => {
   assert.equal(most, 1);
   await page.unroute("**/api/v1/overview");
 });
+
+test("what is written before the last answer has come is written after it, and what is typed stays", async () => {
+  const { page } = bench;
+  await bench.show("#/overview");
+  await bench.giveToken();
+  await bench.show("#/parameters?place=1&text=p1120&show=1/p1120");
+  await page.route("**/api/v1/**/parameters/**", async (route) => {
+    if (route.request().method() === "PUT") await new Promise((done) => setTimeout(done, 1000));
+    await route.continue();
+  });
+  const value = page.getByRole("textbox", { name: /^Value/ });
+  for (const text of ["2.5", "3.5"]) {
+    await value.fill(text);
+    await value.press("Enter");
+  }
+  await value.fill("4.5");
+  await page.getByText("2.5 was written.").waitFor();
+  assert.equal(await value.inputValue(), "4.5");
+  await page.getByText("3.5 was written.").waitFor();
+  bench.axisctl("wait", "value", "1/p1120", "eq", "3.5", "--timeout", "30");
+  assert.equal(await value.inputValue(), "4.5");
+  await page.unroute("**/api/v1/**/parameters/**");
+});

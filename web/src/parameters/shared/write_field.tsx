@@ -1,4 +1,4 @@
-import { useId, useState } from "preact/hooks";
+import { useId, useRef, useState } from "preact/hooks";
 
 import { usePage } from "../../app/context";
 import { refusalLines } from "../text/refusal_text";
@@ -25,13 +25,17 @@ interface Outcome {
   isRefused: boolean;
 }
 
-/** A field whose text is written with Enter or its button; a refusal is said below, and what was typed stays. */
+/**
+ * A field whose text is written with Enter or its button; a refusal is said below, and what was typed stays. What is
+ * written before the last answer has come is written after it.
+ */
 export function WriteField(props: Props) {
   const { permission } = usePage();
   const id = useId();
   const [typed, setTyped] = useState<string | null>(null);
   const [outcome, setOutcome] = useState<Outcome | null>(null);
-  const [isBusy, setIsBusy] = useState(false);
+  const [waiting, setWaiting] = useState(0);
+  const last = useRef<Promise<void>>(Promise.resolve());
   const mayNot = permission.refusal.value;
   const text = typed ?? props.present;
   const type = (value: string): void => {
@@ -43,15 +47,18 @@ export function WriteField(props: Props) {
     setTyped(null);
     setOutcome(null);
   };
-  const write = async (event: Event): Promise<void> => {
+  const forgetWritten = (written: string): void => setTyped((now) => (now?.trim() === written ? null : now));
+  const write = async (written: string): Promise<void> => {
+    setOutcome(await outcomeOf(props.write, written, (error) => permission.note(error), () => forgetWritten(written)));
+    setWaiting((count) => count - 1);
+  };
+  const submit = (event: Event): void => {
     event.preventDefault();
-    if (isBusy) return;
-    setIsBusy(true);
-    setOutcome(await outcomeOf(props.write, text.trim(), (error) => permission.note(error), () => setTyped(null)));
-    setIsBusy(false);
+    setWaiting((count) => count + 1);
+    last.current = last.current.then(() => write(text.trim()));
   };
   return (
-    <form class="write-field" onSubmit={(event) => void write(event)}>
+    <form class="write-field" onSubmit={submit}>
       <label for={id}>
         {props.label}
         {props.unit ? ` (${props.unit})` : ""}
@@ -69,8 +76,8 @@ export function WriteField(props: Props) {
           onInput={(event) => type(event.currentTarget.value)}
           onKeyDown={(event) => event.key === "Escape" && setTyped(null)}
         />
-        <button type="submit" class="primary" disabled={mayNot !== "" || isBusy}>
-          {isBusy ? "Writing …" : "Write"}
+        <button type="submit" class="primary" disabled={mayNot !== ""}>
+          {waiting > 0 ? "Writing …" : "Write"}
         </button>
         {typed !== null && typed !== props.present && (
           <button type="button" onClick={forget}>
