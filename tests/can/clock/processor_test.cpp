@@ -59,6 +59,26 @@ TEST_F(Stay, LeavesWhatOthersHaveSetMeanwhile) {
   EXPECT_TRUE(CPU_EQUAL(&there, &wanted));
 }
 
+TEST_F(Stay, IsOneWhereItBegan) {
+  userbus::begin_stay(stay, last_processor());
+  userbus::begin_stay(stay, first_processor());
+  EXPECT_EQ(sched_getcpu(), last_processor());
+  userbus::end_stay(stay);
+  const cpu_set_t there = processors();
+  EXPECT_TRUE(CPU_EQUAL(&there, &before));
+}
+
+TEST_F(Stay, IsNotOutsideOfTheProcessorsGiven) {
+  const int last = last_processor();
+  cpu_set_t given;
+  CPU_ZERO(&given);
+  CPU_SET(static_cast<unsigned>(first_processor()), &given);
+  sched_setaffinity(0, sizeof given, &given);
+  userbus::begin_stay(stay, last);
+  const cpu_set_t there = processors();
+  EXPECT_TRUE(CPU_EQUAL(&there, &given));
+}
+
 TEST_F(Stay, IsNowhereTheThreadMayNotRun) {
   for (const int processor : {-1, CPU_SETSIZE}) {
     userbus::begin_stay(stay, processor);

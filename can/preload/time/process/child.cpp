@@ -76,6 +76,8 @@ void watch_forks() noexcept {
 }
 
 bool prepare_exec() noexcept {
+  if (Thread* const self = own_thread())
+    userbus::end_stay(self->stay);  // a handler of signals may do it in a sleep
   if (!acts()) return false;
   const TimeLock lock;
   end_turn(present());
