@@ -13,6 +13,7 @@ namespace drive {
 inline constexpr std::size_t kMostPlannedSteps = 32;
 
 /// Setpoints of an axis for some steps, and where its ramp was before them.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): count says how many setpoints there are
 struct StepPlan {
   std::array<motor::SpeedStep, kMostPlannedSteps> setpoints;
   std::size_t count = 0;                               // of them

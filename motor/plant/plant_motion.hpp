@@ -151,6 +151,7 @@ class PlantMotion {
   static constexpr double kTurnsFromDirection = 16.0;
 
   template <class M, class S>
+  // NOLINTNEXTLINE(readability-function-size): each is in registers of its own
   [[gnu::always_inline]] Spent drive_part(M& machine, S& shaft, ProfileOf<Number>& profile,
                                           const SpaceVectorOf<Number>& voltage, const Number& since,
                                           const Number& h) noexcept {

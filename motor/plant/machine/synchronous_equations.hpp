@@ -129,7 +129,7 @@ auto SynchronousEquations<Number>::saturation(const Number& i_q) const noexcept 
   }
   if (const Condition<Number> end = square > saturation_end_; any(end)) {
     const Number tail = saturation_end_ - line;
-    const Number beyond = minimum<Number>(square - saturation_end_, tail);
+    const auto beyond = minimum<Number>(square - saturation_end_, tail);
     share = select<Number>(end, tail + beyond - 0.5 * beyond * beyond / tail, share);
     slope = select<Number>(end, 1.0 - beyond / tail, slope);
     curvature = select<Number>(end, select<Number>(beyond < tail, -1.0 / tail, 0.0), curvature);
