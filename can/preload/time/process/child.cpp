@@ -43,6 +43,11 @@ void after_fork_in_child() noexcept {
   take_part(socket);
 }
 
+/// A handler of signals may begin a program in a sleep of its thread.
+void leave_processor() noexcept {
+  if (Thread* const self = own_thread()) userbus::end_stay(self->stay);
+}
+
 }  // namespace
 
 void take_part(int socket) noexcept {
@@ -55,6 +60,7 @@ void take_part(int socket) noexcept {
 }
 
 int prepare_child() noexcept {
+  leave_processor();
   if (!acts()) return -1;
   const int error = errno;
   tell_present();
@@ -76,8 +82,7 @@ void watch_forks() noexcept {
 }
 
 bool prepare_exec() noexcept {
-  if (Thread* const self = own_thread())
-    userbus::end_stay(self->stay);  // a handler of signals may do it in a sleep
+  leave_processor();
   if (!acts()) return false;
   const TimeLock lock;
   end_turn(present());

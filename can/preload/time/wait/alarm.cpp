@@ -8,6 +8,7 @@
 
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/wait/scheduler.hpp"
+#include "can/preload/time/wait/signals.hpp"
 
 namespace preload {
 
@@ -30,14 +31,23 @@ bool has_handler(int number) noexcept {
   return sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_DFL && action.sa_handler != SIG_IGN;
 }
 
-/// Another thread is to take the signal; it becomes runnable when it has.
-void await_taken(int number, TimeLock& lock) noexcept {
-  constexpr int kMostLooks = 50;
+/// Whether a thread that sleeps beside @p self takes signal @p number.
+bool can_be_taken(int number, const Thread& self) noexcept {
+  for (const Thread* thread = threads().waiting.first(); thread != nullptr; thread = thread->following) {
+    const sigset_t* const blocked = open_mask(*thread);
+    if (thread != &self && (blocked == nullptr || sigismember(blocked, number) == 0)) return true;
+  }
+  return false;
+}
+
+/// Another thread is to take the signal: its wait is interrupted then, as @p interruptions were before.
+void await_taken(int number, unsigned interruptions, const Thread& self, TimeLock& lock) noexcept {
+  constexpr int kMostLooks = 400;
   const timespec moment{.tv_sec = 0, .tv_nsec = kNsOfMillisecond / 2};
   if (!has_handler(number)) return;
-  for (int i = 0; i < kMostLooks && threads().runnable.first() == nullptr; ++i) {
-    sigset_t pending;
-    if (sigpending(&pending) == 0 && sigismember(&pending, number) == 1) return;  // all block it
+  const Threads& all = threads();
+  for (int i = 0; i < kMostLooks && all.interruptions == interruptions; ++i) {
+    if (all.running > 0 || all.runnable.first() != nullptr || !can_be_taken(number, self)) return;
     lock.release();
     real().nanosleep(&moment, nullptr);
     lock.take();
@@ -71,16 +81,17 @@ void start_notification(const BusTimer& timer) noexcept {
 
 }  // namespace
 
-void settle_signal(int number, bool taken, Thread& self, TimeLock& lock) noexcept {
+void settle_signal(int number, bool taken, unsigned interruptions, Thread& self, TimeLock& lock) noexcept {
   if (taken && self.place == Place::Waiting)
     make_runnable(self, Ended::Signal);
   else if (!taken && !threads().waiting.is_single())
-    await_taken(number, lock);
+    await_taken(number, interruptions, self, lock);
 }
 
 void raise_alarm(const BusTimer& timer, Thread& self, TimeLock& lock) noexcept {
   if (timer.alarm == Alarm::None) return;
   const BusTimer copy = timer;
+  const unsigned interruptions = threads().interruptions;
   lock.release();
   if (copy.alarm == Alarm::Function) {
     start_notification(copy);
@@ -88,7 +99,7 @@ void raise_alarm(const BusTimer& timer, Thread& self, TimeLock& lock) noexcept {
   }
   const bool taken = do_and_take_signals([&copy]() noexcept { send_signal(copy); }, self);
   lock.take();
-  settle_signal(copy.signal, taken, self, lock);
+  settle_signal(copy.signal, taken, interruptions, self, lock);
 }
 
 }  // namespace preload

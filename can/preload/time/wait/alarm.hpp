@@ -15,8 +15,8 @@ bool do_and_take_signals(Act act, Thread& self) noexcept {
 }
 
 /// Signal @p number has been sent: it ends the wait of @p self if that has @p taken it, else that of the thread
-/// that takes it, which is waited for.
-void settle_signal(int number, bool taken, Thread& self, TimeLock& lock) noexcept;
+/// that takes it, which is waited for. @p interruptions: Threads::interruptions before it was sent.
+void settle_signal(int number, bool taken, unsigned interruptions, Thread& self, TimeLock& lock) noexcept;
 
 /// Does what @p timer, which has expired, does but for a descriptor: a signal, or a function in a thread of its
 /// own. The signal ends the wait of @p self, which coordinates, if it comes to that.

@@ -41,12 +41,13 @@ void note_reaped() noexcept {
 }
 
 void take_end_of_child(Thread& self, TimeLock& lock) noexcept {
+  const unsigned interruptions = threads().interruptions;
   lock.release();
   const bool taken = do_and_take_signals(await_ended_child, self);
   lock.take();
   reaped = 0;
   end_waits_for_children();
-  settle_signal(SIGCHLD, taken, self, lock);
+  settle_signal(SIGCHLD, taken, interruptions, self, lock);
 }
 
 }  // namespace preload

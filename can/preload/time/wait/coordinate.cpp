@@ -120,11 +120,16 @@ void lose_hub() noexcept {
   release_all();
 }
 
+/// Whether a thread goes on: one that takes a signal in its sleep does so by itself.
+bool goes_on() noexcept {
+  return threads().running > 0 || (has_turn() && threads().runnable.first() != nullptr);
+}
+
 }  // namespace
 
 void coordinate(Thread& self, TimeLock& lock) noexcept {
   bool looked = self.wait.polled && threads().waiting.is_single();
-  while (!has_turn() || threads().runnable.first() == nullptr) {
+  while (!goes_on()) {
     if (!has_turn()) {
       hold_signals(self);
       if (!await_turn(self, lock)) return lose_hub();
@@ -134,7 +139,7 @@ void coordinate(Thread& self, TimeLock& lock) noexcept {
       continue;
     }
     if (fire_due_timers(self, lock)) looked = false;
-    if (threads().runnable.first() != nullptr || (!looked && end_ready_wait())) return;
+    if (goes_on() || (!looked && end_ready_wait())) return;
     if (end_wait_of(first_waiting(is_due), Ended::Deadline)) return;
     looked = true;  // what comes from now on comes by a turn
     const int64_t earliest = earliest_instant();

@@ -50,32 +50,58 @@ bool waits_for_threads(const Thread& thread) noexcept {
   return thread.place == Place::Runnable || (thread.place == Place::Waiting && thread.wait.deadline <= present());
 }
 
-/// Lets @p self go on beside those that run, if they spin or are blocked.
-void pass_stuck_runners(Thread& self) noexcept {
-  const bool is_next = self.place == Place::Waiting || &self == all_threads.runnable.first();
-  if (!is_next || !are_runners_stuck()) return;
-  if (self.place == Place::Waiting) make_runnable(self, Ended::Deadline);
+/// Who goes on next: a thread that is runnable, or one whose time has come.
+Thread* next_thread() noexcept {
+  if (all_threads.runnable.first() != nullptr) return all_threads.runnable.first();
+  for (Thread* thread = all_threads.waiting.first(); thread != nullptr; thread = thread->following)
+    if (waits_for_threads(*thread)) return thread;
+  return nullptr;
+}
+
+/// Lets who is next go on beside those that run, if they spin or are blocked.
+void pass_stuck_runners() noexcept {
+  Thread* const next = next_thread();
+  if (all_threads.running == 0 || next == nullptr || !are_runners_stuck()) return;
+  if (next->place == Place::Waiting) make_runnable(*next, Ended::Deadline);
   release_first();
+}
+
+// Threads that sleep are not told that one which runs has made them runnable: they would go on when it waits, and
+// it may never do so. Some of them watch; two, as one of those may be the next to run.
+constexpr int kMostWatchmen = 2;
+constexpr int64_t kWatch = 25 * kNsOfMillisecond;
+constexpr int64_t kPatience = 5 * kNsOfMillisecond;
+
+void begin_watch(Thread& self) noexcept {
+  self.watches = all_threads.watchmen < kMostWatchmen;
+  if (self.watches) ++all_threads.watchmen;
+}
+
+void end_watch(Thread& self) noexcept {
+  if (self.watches) --all_threads.watchmen;
+  self.watches = false;
 }
 
 /// One sleep of @p self, after which it looks again. A signal ends its wait.
 void sleep_once(Thread& self, TimeLock& lock) noexcept {
-  const bool is_patient = !waits_for_threads(self);
-  const timespec patience{.tv_sec = 0, .tv_nsec = 5 * kNsOfMillisecond};
+  const bool is_next = waits_for_threads(self);
+  if (!is_next) begin_watch(self);
+  const timespec limit = timespec_of(is_next ? kPatience : kWatch);
   const int processor = processor_of_turns();
   hold_signals(self);
   lock.release();
   userbus::begin_stay(self.stay, processor);
-  const int error = sleep_until_called(self, is_patient ? nullptr : &patience);
+  const int error = sleep_until_called(self, is_next || self.watches ? &limit : nullptr);
   lock.take();
   userbus::end_stay(self.stay);
+  end_watch(self);
   if (self.go == kLook) self.go = 0;
   self.wait.polled = false;  // others have run
   if (error == EINTR && self.place == Place::Waiting) {
     make_runnable(self, Ended::Signal);
     if (by_turns() && !has_turn()) want_turn();
   }
-  if (error == ETIMEDOUT && waits_for_threads(self)) pass_stuck_runners(self);
+  if (error == ETIMEDOUT) pass_stuck_runners();
 }
 
 /// Whether the process acts: those who can go on may.
@@ -128,6 +154,7 @@ void make_runnable(Thread& thread, Ended ended) noexcept {
   all_threads.runnable.append(thread);
   thread.place = Place::Runnable;
   thread.ended = ended;
+  if (ended == Ended::Signal) ++all_threads.interruptions;
 }
 
 void release_first() noexcept {
@@ -167,7 +194,9 @@ Ended finish_wait(Thread& self, TimeLock& lock) noexcept {
   const bool has_address = self.wait.address != nullptr;
   pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &self.cancel_state);  // that ends a wait by interrupt()
   --all_threads.running;
+  self.has_stopped = true;
   const Ended ended = sleep_until_released(self, lock);
+  self.has_stopped = false;
   if (has_address) --waits_for_addresses;
   return ended;
 }
@@ -176,16 +205,24 @@ void abandon_wait() noexcept {
   Thread* const self = own_thread();
   if (self == nullptr) return;
   userbus::end_stay(self->stay);
-  if (self->place == Place::Running) return;
   if (TimeLock::is_mine()) TimeLock::forget();
+  if (!self->has_stopped && self->place == Place::Running) return;
   TimeLock lock;
+  if (!self->has_stopped) return cancel_wait(*self);
+  end_watch(*self);
   if (self->place == Place::Waiting) make_runnable(*self, Ended::Signal);
   if (all_threads.coordinator == self) all_threads.coordinator = nullptr;
   const bool has_address = self->wait.address != nullptr;
   self->wait = Wait{};
   self->holds_signals = false;  // the jump, or the end of the handler, says which are blocked
-  if (by_turns() && !has_turn()) want_turn();
-  sleep_until_released(*self, lock);
+  if (self->place == Place::Runnable) {
+    if (by_turns() && !has_turn()) want_turn();
+    sleep_until_released(*self, lock);
+  } else {
+    self->go = 0;
+    pthread_setcancelstate(self->cancel_state, nullptr);
+  }
+  self->has_stopped = false;
   if (has_address) --waits_for_addresses;
 }
 
@@ -229,11 +266,18 @@ void forget_other_threads() noexcept {
   all_threads = Threads{};
   waits_for_addresses = 0;
   if (self == nullptr) return;
-  userbus::end_stay(self->stay);  // a handler of signals may have forked in a sleep
+  userbus::end_stay(self->stay);
   self->holds_signals = false;
-  self->place = Place::Running;
+  self->watches = false;
   self->id = gettid();
-  all_threads.running = 1;
+  if (self->has_stopped && self->wait.address != nullptr) waits_for_addresses = 1;
+  if (self->place == Place::Running) {
+    all_threads.running = 1;
+  } else {  // a handler of signals has forked in a sleep, which is over when it returns
+    self->place = Place::Runnable;
+    self->ended = Ended::Signal;
+    all_threads.runnable.append(*self);
+  }
 }
 
 }  // namespace preload

@@ -16,6 +16,8 @@ struct Threads {
   ThreadList waiting;
   ThreadList runnable;
   int running = 0;
+  int watchmen = 0;                     ///< who sleep and look every while whether those that run let others go on
+  unsigned interruptions = 0;           ///< how many waits signals have ended
   const Thread* coordinator = nullptr;  ///< which of those that wait looks for what is next
 };
 Threads& threads() noexcept;

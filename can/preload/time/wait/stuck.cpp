@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "can/preload/next.hpp"
+#include "can/preload/time/base/clock.hpp"
 #include "can/preload/time/base/real.hpp"
 #include "can/preload/time/wait/thread.hpp"
 
@@ -18,6 +19,8 @@ namespace {
 constexpr int64_t kLongComputation = 20 * kNsOfMillisecond;
 /// Who is seen asleep so many times in a row is blocked.
 constexpr int kBlockedLooks = 4;
+/// Between two of those looks (ns), however many threads ask.
+constexpr int64_t kBetweenLooks = 4 * kNsOfMillisecond;
 
 /// The kernel's clock of a thread's processor time.
 constexpr clockid_t clock_of(int id) noexcept {
@@ -46,7 +49,10 @@ int64_t processor_time_of(const Thread& thread) noexcept {
 bool is_busy(Thread& thread) noexcept {
   if (thread.place != Place::Running || thread.id == 0) return false;
   Patience& patience = thread.patience;
-  patience.blocked = is_blocked(thread) ? patience.blocked + 1 : 0;
+  if (const int64_t now = machine_present(); now - patience.looked_ns >= kBetweenLooks) {
+    patience.looked_ns = now;
+    patience.blocked = is_blocked(thread) ? patience.blocked + 1 : 0;
+  }
   const int64_t used = processor_time_of(thread);
   if (patience.processor_ns < 0) patience.processor_ns = used;
   return patience.blocked < kBlockedLooks && used - patience.processor_ns < kLongComputation;

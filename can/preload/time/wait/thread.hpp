@@ -40,7 +40,8 @@ enum class Place : uint8_t {
 /// What those that come next have seen of a running thread.
 struct Patience {
   int64_t processor_ns = -1;  ///< processor time that it had used when it was first looked at
-  int blocked = 0;            ///< how often in a row it was asleep
+  int64_t looked_ns = 0;      ///< when it was looked at whether it is asleep, by the machine's clock
+  int blocked = 0;            ///< how often in a row it was
 };
 
 /// A thread of the program that is known.
@@ -56,6 +57,8 @@ struct Thread {
   std::atomic<int> id = 0;          ///< of the kernel; 0 as long as it has not begun
   std::atomic<int> go = 0;          ///< the thread sleeps while it is 0
   std::atomic<int> bell = kNoBell;  ///< descriptor by which it is woken, or none; the next thread here has it
+  bool has_stopped = false;  ///< it is in a wait, and none of those that run unless it has been released since
+  bool watches = false;      ///< it sleeps as a watchman
   bool holds_signals = false;
   sigset_t mask_before{};  ///< while it does
   int cancel_state = 0;    ///< of the program, while the thread waits

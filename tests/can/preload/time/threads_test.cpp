@@ -255,5 +255,39 @@ TEST(Threads, MayWaitForEachOtherInALoop) {
   other.join();
 }
 
+TEST(Threads, MayWaitInALoopForOneThatSleeps) {
+  constexpr int kSleepers = 4;
+  std::counting_semaphore<kSleepers> ends{0};
+  std::vector<std::thread> sleepers;
+  for (int i = 0; i < kSleepers; ++i) sleepers.emplace_back([&] { ends.acquire(); });
+  std::binary_semaphore begins{0};
+  std::atomic<bool> is_done = false;
+  std::thread worker{[&] {
+    begins.acquire();
+    is_done = true;
+  }};
+  std::this_thread::sleep_for(milliseconds{1});
+
+  begins.release();
+  while (!is_done) continue;
+  worker.join();
+  ends.release(kSleepers);
+  for (std::thread& sleeper : sleepers) sleeper.join();
+}
+
+TEST(Threads, MayMeetInALoopAfterTheirSleeps) {
+  std::atomic<int> there = 0;
+  const auto meet = [&] {
+    std::this_thread::sleep_for(milliseconds{1});
+    ++there;
+    while (there != 2) continue;
+  };
+  const Stopwatch time;
+  std::thread other{meet};
+  meet();
+  other.join();
+  EXPECT_EQ(time.passed(), milliseconds{1});
+}
+
 }  // namespace
 }  // namespace preload_test

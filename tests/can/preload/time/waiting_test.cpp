@@ -1,4 +1,5 @@
 #include <atomic>
+#include <csetjmp>
 #include <csignal>
 #include <semaphore>
 #include <thread>
@@ -254,6 +255,41 @@ TEST(Alarm, ComesAfterItsSeconds) {
   EXPECT_EQ(sigsuspend(&none), -1);
   EXPECT_EQ(time.passed(), seconds{20});
   EXPECT_EQ(alarms, 1);
+}
+
+sigjmp_buf out_of_sleep;
+
+TEST(Alarm, MayJumpOutOfASleep) {
+  constexpr unsigned kTimes = 20;
+  struct sigaction action {};
+  action.sa_handler = [](int) { siglongjmp(out_of_sleep, 1); };
+  sigaction(SIGALRM, &action, nullptr);
+  sigset_t alarm_only;
+  sigemptyset(&alarm_only);
+  sigaddset(&alarm_only, SIGALRM);
+  pthread_sigmask(SIG_BLOCK, &alarm_only, nullptr);  // of the other thread, which is not who jumps
+  std::binary_semaphore ends{0};
+  std::thread other{[&] { ends.acquire(); }};
+  pthread_sigmask(SIG_UNBLOCK, &alarm_only, nullptr);
+  const Stopwatch time;
+  std::atomic<unsigned> jumps = 0;
+  if (sigsetjmp(out_of_sleep, 1) != 0) ++jumps;
+  if (jumps < kTimes) {
+    alarm(1);
+    sleep(10);
+    ADD_FAILURE() << "it has not jumped";
+  }
+  EXPECT_EQ(time.passed(), seconds{kTimes});
+
+  action.sa_handler = [](int) {};
+  sigaction(SIGALRM, &action, nullptr);
+  alarm(1);
+  EXPECT_EQ(sleep(10), 9u) << "signals come as before";
+  sleep(1);
+  ends.release();
+  other.join();
+  EXPECT_EQ(time.passed(), seconds{kTimes + 2});
+  signal(SIGALRM, SIG_DFL);
 }
 
 TEST(PosixTimer, SendsItsSignal) {
