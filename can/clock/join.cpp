@@ -1,6 +1,4 @@
 // How a process comes into the time of its bus.
-#include <cstdlib>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,17 +30,10 @@ os::Descriptor inherited(const userbus::Path& path, std::uint32_t flags) noexcep
   return userbus::tell_time(clock.get(), join) ? std::move(clock) : os::Descriptor{};
 }
 
-/// Whether with-can has the calls of this program go by the time of the bus at @p path already. A program that
-/// takes part by itself has the symbol that the preload library looks for (can/preload/time).
-bool is_wrapped(const userbus::Path& path) noexcept {
-  const char* const wish = std::getenv("CAN_TIME");
-  userbus::Path own{};
-  userbus::TimeWish time{};
-  return wish != nullptr && userbus::read_time(wish, std::strlen(wish), time) &&
-         time.mode != userbus::TimeMode::Real && userbus::default_path(own) &&
-         std::string_view{own.text} == path.text &&
-         ::dlopen("libcan-preload.so", RTLD_LAZY | RTLD_NOLOAD) != nullptr &&
-         ::dlsym(RTLD_DEFAULT, "can_bus_native_time") == nullptr;
+/// Whether with-can has the calls of this program go by the time of a bus already: its library says so.
+bool is_wrapped() noexcept {
+  void* const keeps_time = ::dlsym(RTLD_DEFAULT, "can_bus_keeps_time");
+  return keeps_time != nullptr && reinterpret_cast<int (*)()>(keeps_time)() != 0;
 }
 
 }  // namespace
@@ -52,7 +43,7 @@ std::unique_ptr<TimeShare> TimeShare::join(const Address& address, std::uint32_t
   if (place == nullptr) return nullptr;
   userbus::Path path{};
   if (!userbus::copy_path(place->path.c_str(), path)) return nullptr;  // who opens it says so
-  if (is_wrapped(path)) return nullptr;
+  if (is_wrapped()) return nullptr;
   const auto failure = [&](userbus::JoinError error) {
     return OpenError{fmt::format("unix:{}: {}", place->path, userbus::text_of(error))};
   };

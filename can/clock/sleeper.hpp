@@ -16,7 +16,6 @@ class Sleeper {
   /// By @p time, which outlives this; nullptr: by the machine's. From within the thread, or before there is one.
   explicit Sleeper(TimeShare* time);
 
-  [[nodiscard]] bool lives_by_bus() const noexcept { return time_ != nullptr; }
   /// Until one of @p descriptors is ready, @p until the latest; on return their `revents` tell. By the machine's
   /// time a signal ends it, too.
   void sleep(std::span<pollfd> descriptors, canopen::TimePoint until) noexcept;

@@ -34,7 +34,7 @@ TEST(PreloadLibrary, NeedsTheCLibraryOnly) {
   EXPECT_EQ(words_behind(result.output, "Shared library: "), (std::vector<std::string>{"[libc.so.6]"}));
 }
 
-TEST(PreloadLibrary, ShowsNothingButTheCallsItWraps) {
+TEST(PreloadLibrary, ShowsWhatItWrapsAndWhetherItKeepsTimeOnly) {
   const fakes::Finished result = fakes::run_program({"/usr/bin/nm", "-D", "--defined-only", LIBRARY});
 
   const std::vector<std::string> calls{"_Exit",
@@ -57,6 +57,7 @@ TEST(PreloadLibrary, ShowsNothingButTheCallsItWraps) {
                                        "accept4",
                                        "alarm",
                                        "bind",
+                                       "can_bus_keeps_time",
                                        "clock_gettime",
                                        "clock_nanosleep",
                                        "close",

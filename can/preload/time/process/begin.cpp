@@ -8,6 +8,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "can/preload/calls/exported.hpp"
 #include "can/preload/hub.hpp"
 #include "can/preload/next.hpp"
 #include "can/preload/time/base/clock.hpp"
@@ -72,3 +73,8 @@ void begin_by(int socket, const userbus::TimePage& page) noexcept {
 }  // namespace
 
 }  // namespace preload
+
+/// 1 if the clocks of the process go by the time of a bus: a program that could join it by itself does not then.
+PRELOAD_EXPORT int can_bus_keeps_time() noexcept {
+  return preload::by_machine() ? 0 : 1;
+}
