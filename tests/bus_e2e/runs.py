@@ -209,17 +209,29 @@ class Runs(unittest.TestCase):
         self.assertEqual(sum("605#" in line for line in lines), len(TURNS) - 1)
 
     def test_a_replay_ends_by_a_signal_though_time_stands(self):
+        self.expect_interrupted_replay()
+
+    def test_a_replay_under_with_can_ends_by_a_signal_though_time_stands(self):
+        self.expect_interrupted_replay(f"{PROGRAMS}/with-can", "--time", "stepped")
+
+    def expect_interrupted_replay(self, *wrapper):
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
-        bus = f"unix:{folder}/bus"
-        self.start("canhub", "--path", bus[5:], "--time", "stepped")
-        with subprocess.Popen([f"{PROGRAMS}/axisctl", "replay", self.log, "--bus", bus], stderr=subprocess.PIPE, text=True,
-                              env=self.environment) as replay:
-            state = [f"{PROGRAMS}/canhub", "--path", bus[5:], "--status"]
+        bus = f"{folder}/bus"
+        self.start("canhub", "--path", bus, "--time", "stepped")
+        wrapped = [*wrapper, "--bus", bus, "--"] if wrapper else []
+        replay = subprocess.Popen([*wrapped, f"{PROGRAMS}/axisctl", "replay", self.log, "--bus", f"unix:{bus}"],
+                                  stderr=subprocess.PIPE, text=True, env=self.environment)
+        try:
+            state = [f"{PROGRAMS}/canhub", "--path", bus, "--status"]
             deadline = time.monotonic() + PATIENCE_S
             while "port " not in (said := subprocess.run(state, capture_output=True, text=True, check=False).stdout):
                 self.assertLess(time.monotonic(), deadline, said)
             replay.send_signal(signal.SIGINT)
-            self.assertEqual((replay.wait(PATIENCE_S), "interrupted" in replay.stderr.read()), (DIFFERENT, True))
+            said = replay.communicate(timeout=PATIENCE_S)[1]
+            self.assertEqual((replay.returncode, "interrupted" in said), (DIFFERENT, True), said)
+        finally:
+            replay.kill()
+            replay.communicate()
 
     def test_a_report_is_written(self):
         report = str(self.folder / "report.txt")

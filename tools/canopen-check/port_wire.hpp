@@ -1,17 +1,26 @@
 #pragma once
 
+#include <cstdint>
+
 #include "can/clock/sleeper.hpp"
 #include "can/connection/connection.hpp"
 #include "tools/canopen-check/core/wire.hpp"
 
 namespace conformance {
 
+/// When a wait for frames ends after take_signals() if a signal comes.
+enum class SignalEnds : std::uint8_t {
+  WaitsAfterAWhile,  ///< for who has something to clean up on the bus
+  WaitsAtOnce,       ///< though the bus's time stands
+};
+
 /// A bus that was opened. Frames carry the time at which they were read.
 class PortWire final : public Wire {
  public:
   /// Opens the bus at @p address and lives by its @p time, which outlives it; nullptr: by the machine's. Throws
   /// bus::OpenError if it is not there or down.
-  explicit PortWire(const bus::Address& address, bus::TimeShare* time = nullptr);
+  explicit PortWire(const bus::Address& address, bus::TimeShare* time = nullptr,
+                    SignalEnds signal = SignalEnds::WaitsAfterAWhile);
 
   bool send(const canopen::Frame& frame) override;
   std::optional<TimedFrame> receive(canopen::TimePoint until) override;
@@ -23,9 +32,11 @@ class PortWire final : public Wire {
  private:
   /// Waits until something can be read, @p until the latest; false if nothing can.
   bool wait(canopen::TimePoint until);
+  [[nodiscard]] bool is_over() const;
 
   bus::Connection connection_;
   bus::Sleeper sleeper_;
+  SignalEnds signal_;
   bool up_ = true;
 };
 

@@ -75,7 +75,7 @@ Expected<void> replay_log(const Settings& settings, const ReplayWish& wish) {
   try {
     const auto time = bus::TimeShare::join(*address, 0);
     if (time) os::use_time(*time);
-    conformance::PortWire wire{*address, time.get()};
+    conformance::PortWire wire{*address, time.get(), conformance::SignalEnds::WaitsAtOnce};
     const std::chrono::nanoseconds begin = os::wall_time();
     runs::Replay replay{wire, nodes, runs::CobIds{log->yardstick.description}, replay_options(wish)};
     if (auto played = replay.play(**frames); !played) return played;
