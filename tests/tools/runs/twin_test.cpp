@@ -181,6 +181,8 @@ TEST_F(TwinTest, FindsWordsThatAreMissingAndMore) {
 TEST_F(TwinTest, MissesNothingBehindTheEndOfTheLog) {
   EXPECT_TRUE(judge("205#0F00 185#3102 +5 185#3302", "205#0F00 185#3102 185#3302 185#3702").findings.empty())
       << "the run is earlier by what is within the band";
+  EXPECT_TRUE(judge("205#0F00 +10000 185#3102", "205#0F00 +9700 185#3302 +300 185#3102").findings.empty())
+      << "which has a share of the time since the master said something";
 }
 
 TEST_F(TwinTest, FindsMoreThanALogWithoutTimesHas) {

@@ -76,8 +76,9 @@ class Judge {
         times_{log, run, yardstick, 1 / yardstick.speed},
         verdict_{yardstick.known} {
     if (log.passages.empty()) return;
-    end_ = times_.there(log.passages.back().at);
-    if (log.has_times) end_ -= yardstick.time;
+    const canopen::Duration last = log.passages.back().at;
+    end_ = times_.there(last);
+    if (log.has_times) end_ -= times_.band(last);
   }
 
   Fidelity judge() {
