@@ -70,13 +70,18 @@ test("what is written before the last answer has come is written after it, and w
   await bench.show("#/overview");
   await bench.giveToken();
   await bench.show("#/parameters?place=1&text=p1120&show=1/p1120");
+  let writes = 0;
   await page.route("**/api/v1/**/parameters/**", async (route) => {
-    if (route.request().method() === "PUT") await new Promise((done) => setTimeout(done, 1000));
+    if (route.request().method() === "PUT") {
+      ++writes;
+      await new Promise((done) => setTimeout(done, 1000));
+    }
     await route.continue();
   });
   const value = page.getByRole("textbox", { name: /^Value/ });
   for (const text of ["2.5", "3.5"]) {
     await value.fill(text);
+    await value.press("Enter");
     await value.press("Enter");
   }
   await value.fill("4.5");
@@ -85,5 +90,6 @@ test("what is written before the last answer has come is written after it, and w
   await page.getByText("3.5 was written.").waitFor();
   bench.axisctl("wait", "value", "1/p1120", "eq", "3.5", "--timeout", "30");
   assert.equal(await value.inputValue(), "4.5");
+  assert.equal(writes, 2);
   await page.unroute("**/api/v1/**/parameters/**");
 });

@@ -2,6 +2,7 @@ import { useId, useRef, useState } from "preact/hooks";
 
 import { usePage } from "../../app/context";
 import { refusalLines } from "../text/refusal_text";
+import { WriteQueue } from "./write_queue";
 
 interface Props {
   label: string;
@@ -27,15 +28,15 @@ interface Outcome {
 
 /**
  * A field whose text is written with Enter or its button; a refusal is said below, and what was typed stays. What is
- * written before the last answer has come is written after it.
+ * written before the last answer has come is written after it (WriteQueue).
  */
 export function WriteField(props: Props) {
   const { permission } = usePage();
   const id = useId();
   const [typed, setTyped] = useState<string | null>(null);
   const [outcome, setOutcome] = useState<Outcome | null>(null);
-  const [waiting, setWaiting] = useState(0);
-  const last = useRef<Promise<void>>(Promise.resolve());
+  const [isBusy, setIsBusy] = useState(false);
+  const queue = useRef(new WriteQueue());
   const mayNot = permission.refusal.value;
   const text = typed ?? props.present;
   const type = (value: string): void => {
@@ -48,14 +49,16 @@ export function WriteField(props: Props) {
     setOutcome(null);
   };
   const forgetWritten = (written: string): void => setTyped((now) => (now?.trim() === written ? null : now));
-  const write = async (written: string): Promise<void> => {
-    setOutcome(await outcomeOf(props.write, written, (error) => permission.note(error), () => forgetWritten(written)));
-    setWaiting((count) => count - 1);
+  const write = async (wanted: string): Promise<boolean> => {
+    setIsBusy(true);
+    const outcome = await outcomeOf(props.write, wanted, (error) => permission.note(error), () => forgetWritten(wanted));
+    setOutcome(outcome);
+    setIsBusy(false);
+    return !outcome.isRefused;
   };
   const submit = (event: Event): void => {
     event.preventDefault();
-    setWaiting((count) => count + 1);
-    last.current = last.current.then(() => write(text.trim()));
+    void queue.current.add(text.trim(), write);
   };
   return (
     <form class="write-field" onSubmit={submit}>
@@ -77,7 +80,7 @@ export function WriteField(props: Props) {
           onKeyDown={(event) => event.key === "Escape" && setTyped(null)}
         />
         <button type="submit" class="primary" disabled={mayNot !== ""}>
-          {waiting > 0 ? "Writing …" : "Write"}
+          {isBusy ? "Writing …" : "Write"}
         </button>
         {typed !== null && typed !== props.present && (
           <button type="button" onClick={forget}>
