@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -15,41 +14,22 @@
 #include "tools/canopen-check/options.hpp"
 #include "tools/canopen-check/port_wire.hpp"
 #include "tools/canopen-check/report/report.hpp"
-#include "tools/sheet_file.hpp"
+#include "tools/user_file.hpp"
 #include "version/version.hpp"
 
 namespace {
 
 using namespace conformance;
 
-std::string read_file(const std::string& path) {
-  auto text = tools::read_sheet_file(path);
-  if (!text) throw UsageError{text.error()};
-  return *std::move(text);
-}
-
-/// Throws UsageError unless a report can be written to @p path: at once, not after the run that it is about.
-void expect_writable(const std::string& path) {
-  if (path.empty()) return;
-  if (!std::ofstream{path, std::ios::binary | std::ios::app}) throw UsageError{path + ": cannot be written"};
-}
-
-void write_file(const std::string& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text;
-  file.flush();
-  if (!file) throw UsageError{path + ": cannot be written"};
-}
-
 /// The EDS files: what they say, and what is wrong with them.
 struct Sheets {
-  Description description;
+  eds::Description description;
   std::vector<eds::Finding> findings;
   std::string names;
 
   explicit Sheets(const Options& options) {
     for (const std::string& path : options.eds_files) {
-      const std::string text = read_file(path);
+      const std::string text = tools::read_user_file(path);
       for (const eds::Finding& finding : eds::lint(text, path).all()) findings.push_back(finding);
       eds::Findings of_reading{path};
       const eds::Document document = eds::read_document(text, of_reading);
@@ -66,7 +46,7 @@ std::string hexadecimal_of(const std::optional<std::uint64_t>& number) {
 }
 
 RunInfo info_of(const Options& options, const Sheets& sheets) {
-  const DeviceFacts& device = sheets.description.device();
+  const eds::DeviceFacts& device = sheets.description.device();
   return {.version = std::string{version::number()},
           .interface = options.interface ? options.interface->text : "",
           .node_id = options.interface ? options.settings.node_id : 0U,
@@ -151,13 +131,13 @@ RunReport test_node(const Options& options, const Sheets& sheets, Deviations& de
 int run(const Options& options) {
   Deviations deviations;
   if (!options.deviations.empty()) {
-    tl::expected<Deviations, std::string> read = Deviations::parse(read_file(options.deviations));
+    tl::expected<Deviations, std::string> read = Deviations::parse(tools::read_user_file(options.deviations));
     if (!read) throw UsageError{options.deviations + ": " + read.error()};
     deviations = std::move(*read);
   }
   const Sheets sheets{options};
-  expect_writable(options.junit);
-  expect_writable(options.json);
+  tools::expect_writable(options.junit);
+  tools::expect_writable(options.json);
   const RunInfo info = info_of(options, sheets);
   const Printer printer{options, info};
   RunReport report;
@@ -173,10 +153,10 @@ int run(const Options& options) {
     }
   if (options.interface) report = test_node(options, sheets, deviations, printer);
   report.results.insert(report.results.begin(), of_files.begin(), of_files.end());
-  if (!options.junit.empty()) write_file(options.junit, junit_of(report, info));
+  if (!options.junit.empty()) tools::write_user_file(options.junit, junit_of(report, info));
   if (!options.json.empty())
-    write_file(options.json,
-               json_of(report, info).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    tools::write_user_file(
+        options.json, json_of(report, info).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   std::cout << summary_of(report);
   if (!report.problem.empty()) std::cerr << "canopen-check: " << report.problem << '\n';
   if (options.interface && !report.reached) return kNotReached;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 
 #include "can/clock/sleeper.hpp"
 #include "can/connection/connection.hpp"
@@ -25,6 +27,10 @@ class PortWire final : public Wire {
   bool send(const canopen::Frame& frame) override;
   std::optional<TimedFrame> receive(canopen::TimePoint until) override;
   canopen::TimePoint now() override;
+  /// When the frame that receive() gave last came from the bus (since 1970), if the bus can tell.
+  [[nodiscard]] std::optional<std::chrono::nanoseconds> arrival() const noexcept {
+    return connection_.port->frame_arrival();
+  }
   bool up() const override { return up_; }
   bool interrupted() const override;
   bool carries_remote_frames() const override { return connection_.port->carries_remote_frames(); }

@@ -20,7 +20,7 @@ struct DriveRun {
     wire.add(slave);
     eds::Findings findings{"right.eds"};
     const eds::Document document = eds::read_document(eds_of(objects_of({.drive = DriveFlaws{}})), findings);
-    conformance::Description description;
+    eds::Description description;
     const conformance::Settings settings = full_settings();
     description.add(eds::read_data_sheet(document, findings), settings.node_id);
     std::vector<const conformance::Check*> checks = conformance::all_checks();

@@ -24,7 +24,7 @@ struct TestRun {
     wire.add(slave);
     eds::Findings findings{"right.eds"};
     const eds::Document document = eds::read_document(eds, findings);
-    conformance::Description description;
+    eds::Description description;
     description.add(eds::read_data_sheet(document, findings), settings.node_id);
     const std::vector<const conformance::Check*> checks = conformance::all_checks();
     return conformance::Runner{wire, description, settings, deviations}.run(checks, {});

@@ -102,7 +102,7 @@ TEST(AskTogether, AsksASilentServerNoFurther) {
 
 TEST(Snapshot, IsReadWithoutOverlappingRequests) {
   Client client{{.sdo = milliseconds{2}, .one_upload = true}};
-  const conformance::Description right = right_description();
+  const eds::Description right = right_description();
   conformance::Snapshot snapshot{client.sdo, right, full_settings()};
   EXPECT_GT(snapshot.size(), 50U);
   EXPECT_EQ(client.slow.overlapping(), 0U);
@@ -118,14 +118,14 @@ TEST(UndoLog, PutsBackWhatTheWayBackChanges) {
                   return false;
                 }}};
   const auto write = [&](std::uint16_t index, std::uint8_t sub_index, std::uint64_t value, std::size_t size) {
-    ASSERT_TRUE(client.sdo.download(index, sub_index, conformance::little_endian(value, size)).done());
+    ASSERT_TRUE(client.sdo.download(index, sub_index, eds::little_endian(value, size)).done());
   };
   const std::uint64_t object = client.sdo.upload(0x1A00, 1).number();
   write(0x1800, 1, client.sdo.upload(0x1800, 1).number() | conformance::kInvalid, 4);
   write(0x1A00, 0, 0, 1);
   write(0x1A00, 1, object, 4);
   conformance::UndoLog undo{client.sdo};
-  EXPECT_TRUE(undo.write(0x1A00, 1, conformance::little_endian(object, 4)).done());
+  EXPECT_TRUE(undo.write(0x1A00, 1, eds::little_endian(object, 4)).done());
   EXPECT_TRUE(undo.write(0x1A00, 0, std::array<std::uint8_t, 1>{1}).done());
   EXPECT_EQ(undo.restore(), std::vector<std::string>{});
   EXPECT_EQ(client.sdo.upload(0x1A00, 1).number(), object);

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "checksum/crc32.hpp"
 #include "record/format.hpp"
+#include "tests/fakes/recording_bytes.hpp"
 #include "tests/tools/runs/log_file.hpp"
 #include "tools/axisctl/runs/log/log_facts.hpp"
 
@@ -82,29 +82,13 @@ TEST_F(LogReaderTest, TakesOneInterfaceOfSeveral) {
             "\"(2.0) can1 002#\"");
 }
 
-/// @p number as @p size bytes, the least significant first.
-std::string bytes_of(std::uint64_t number, unsigned size) {
-  std::string bytes;
-  for (unsigned i = 0; i < size; ++i) bytes += static_cast<char>(number >> 8 * i & 0xFF);
-  return bytes;
-}
-
-/// @p bytes with their checksum behind them.
-std::string checked(std::span<const std::byte> bytes) {
-  std::string text;
-  for (const std::byte byte : bytes) text += static_cast<char>(byte);
-  return text + bytes_of(checksum::crc32(bytes), record::kChecksumBytes);
-}
-
 TEST_F(LogReaderTest, ReadsRecordingsWithWhoHasSent) {
-  const std::string head = R"({"wall_clock_ns": 1000000000})";
-  std::string bytes = std::string{record::kMagic} + bytes_of(record::kVersion, 2) + bytes_of(0, 2) +
-                      bytes_of(head.size(), 4) + checked(std::as_bytes(std::span{head}));
+  fakes::RecordingBytes recording{R"({"wall_clock_ns": 1000000000})"};
   const canopen::Frame frame{.id = 0x585, .length = 1, .data = {0x43}};
-  bytes += checked(record::frame_record(frame, true, std::chrono::milliseconds{5}).bytes());
-  bytes += checked(record::lost_record(12, std::chrono::milliseconds{6}).bytes());
-  bytes += checked(record::frame_record(frame, false, std::chrono::milliseconds{7}).bytes());
-  auto log = *LogReader::open(logs.write("x.axrec", bytes));
+  recording.add(record::frame_record(frame, true, std::chrono::milliseconds{5}).bytes());
+  recording.add(record::lost_record(12, std::chrono::milliseconds{6}).bytes());
+  recording.add(record::frame_record(frame, false, std::chrono::milliseconds{7}).bytes());
+  auto log = *LogReader::open(logs.write("x.axrec", recording.bytes()));
   const auto first = *log->next(), second = *log->next();
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->sender, runs::Sender::Unit);

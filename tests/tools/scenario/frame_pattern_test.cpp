@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/axisctl/scenario/report/report.hpp"
+#include "meaning/words.hpp"
 
 namespace scenario {
 namespace {
@@ -40,18 +40,18 @@ INSTANTIATE_TEST_SUITE_P(
                     Fit{"705#R", "705#7F", false}, Fit{"705#7F", "705#R1", false}));
 
 TEST(ServiceOfAFrame, IsThatOfThePredefinedConnectionSet) {
-  EXPECT_EQ(service_of(frame("000#0105")), "NMT start");
-  EXPECT_EQ(service_of(frame("080#")), "SYNC");
-  EXPECT_EQ(service_of(frame("085#0000000000000000")), "EMCY");
-  EXPECT_EQ(service_of(frame("100#")), "TIME");
-  EXPECT_EQ(service_of(frame("185#3716")), "TPDO1");
-  EXPECT_EQ(service_of(frame("505#00")), "RPDO4");
-  EXPECT_EQ(service_of(frame("605#4000100000000000")), "SDO request");
-  EXPECT_EQ(service_of(frame("585#8000100000000208")), "SDO abort");
-  EXPECT_EQ(service_of(frame("705#00")), "boot-up");
-  EXPECT_EQ(service_of(frame("705#05")), "heartbeat Operational");
-  EXPECT_EQ(service_of(frame("705#R1")), "node guarding");
-  EXPECT_EQ(service_of(frame("00000705#00")), "");
+  EXPECT_EQ(meaning::service_of(frame("000#0105")), "NMT start");
+  EXPECT_EQ(meaning::service_of(frame("080#")), "SYNC");
+  EXPECT_EQ(meaning::service_of(frame("085#0000000000000000")), "EMCY");
+  EXPECT_EQ(meaning::service_of(frame("100#")), "TIME");
+  EXPECT_EQ(meaning::service_of(frame("185#3716")), "TPDO1");
+  EXPECT_EQ(meaning::service_of(frame("505#00")), "RPDO4");
+  EXPECT_EQ(meaning::service_of(frame("605#4000100000000000")), "SDO request");
+  EXPECT_EQ(meaning::service_of(frame("585#8000100000000208")), "SDO abort");
+  EXPECT_EQ(meaning::service_of(frame("705#00")), "boot-up");
+  EXPECT_EQ(meaning::service_of(frame("705#05")), "heartbeat Operational");
+  EXPECT_EQ(meaning::service_of(frame("705#R1")), "node guarding");
+  EXPECT_EQ(meaning::service_of(frame("00000705#00")), "");
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "eds/description/description.hpp"
 #include "libcanopen/od/abort_code.hpp"
-#include "tools/canopen-check/core/description.hpp"
 
 namespace conformance {
 namespace {

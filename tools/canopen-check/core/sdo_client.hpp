@@ -47,8 +47,6 @@ inline constexpr std::size_t kMostUnannounced = 64;
 [[nodiscard]] constexpr std::uint32_t number_of(canopen::AbortCode code) noexcept {
   return static_cast<std::uint32_t>(code);
 }
-/// "06090011h (no such sub-index)".
-[[nodiscard]] std::string abort_text(std::uint32_t code);
 /// Bytes as candump prints them: "0102FF"; the first ones of many, "0102FF... (1000 bytes)".
 [[nodiscard]] std::string hexadecimal(std::span<const std::uint8_t> bytes);
 /// A frame as candump prints it: "585#4300100000000000".

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "libcanopen/od/abort_text.hpp"
+#include "meaning/words.hpp"
 #include "tools/canopen-check/core/sdo_client.hpp"
 
 namespace conformance {
@@ -12,11 +12,6 @@ namespace {
 constexpr std::size_t kMostShown = 32;
 
 }  // namespace
-
-std::string abort_text(std::uint32_t code) {
-  const std::string_view text = canopen::text_of(canopen::AbortCode{code});
-  return text.empty() ? fmt::format("{:08X}h", code) : fmt::format("{:08X}h ({})", code, text);
-}
 
 std::string to_text(const canopen::Frame& frame) {
   return fmt::format("{:03X}#{}", frame.id,
@@ -33,7 +28,7 @@ std::string to_text(const SdoAnswer& answer) {
     case SdoAnswer::Kind::Done:
       return answer.data.empty() ? "done" : hexadecimal(answer.data);
     case SdoAnswer::Kind::Aborted:
-      return "abort " + abort_text(answer.abort_code);
+      return "abort " + meaning::abort_text(answer.abort_code);
     case SdoAnswer::Kind::Silent:
       return "no answer" + answer.problem;
     case SdoAnswer::Kind::Malformed:

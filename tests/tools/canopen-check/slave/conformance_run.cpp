@@ -22,13 +22,13 @@ conformance::Settings full_settings() {
 
 namespace {
 
-conformance::Description description_of(const Defect& defect, std::uint8_t node_id) {
+eds::Description description_of(const Defect& defect, std::uint8_t node_id) {
   std::string text = eds_of(objects_of(defect));
   defect.eds(text);
   eds::Findings findings{"right.eds"};
   const eds::Document document = eds::read_document(text, findings);
   const eds::DataSheet sheet = eds::read_data_sheet(document, findings);
-  conformance::Description description;
+  eds::Description description;
   description.add(sheet, node_id);
   return description;
 }
@@ -37,7 +37,7 @@ conformance::RunReport run_on(Station& station, const Defect& defect, std::strin
                               const conformance::Settings& settings) {
   SimulatedWire wire;
   wire.add(station);
-  const conformance::Description description = description_of(defect, settings.node_id);
+  const eds::Description description = description_of(defect, settings.node_id);
   std::vector<const conformance::Check*> checks = conformance::all_checks();
   std::erase_if(checks, [&](const conformance::Check* check) { return !check->id.starts_with(only); });
   conformance::Deviations deviations;
@@ -58,7 +58,7 @@ conformance::RunReport run_checks(const Defect& defect, const Slowness& slowness
   return run_on(slow, defect, only, full_settings());
 }
 
-conformance::Description right_description() {
+eds::Description right_description() {
   return description_of({}, full_settings().node_id);
 }
 

@@ -36,7 +36,7 @@ inline constexpr std::uint32_t kEmcyOf5 = 0x085, kResponseOf5 = 0x585, kRequestO
                                                 std::string_view only = {});
 
 /// What the EDS of a slave that is right says.
-[[nodiscard]] conformance::Description right_description();
+[[nodiscard]] eds::Description right_description();
 
 /// The ids of checks that have a finding.
 [[nodiscard]] std::set<std::string> failed_checks(const conformance::RunReport& report);

@@ -9,7 +9,7 @@
 #include "tools/axisctl/print/printable.hpp"
 #include "tools/axisctl/runs/compare/comparison.hpp"
 #include "tools/axisctl/runs/compare/report.hpp"
-#include "tools/axisctl/runs/meaning/words.hpp"
+#include "tools/axisctl/runs/log/eds_file.hpp"
 
 namespace axisctl {
 namespace {
@@ -46,7 +46,7 @@ Expected<runs::CompareOptions> options_of(const CompareWish& wish) {
 Expected<void> compare_logs(const Settings& settings, const CompareWish& wish) {
   const auto options = options_of(wish);
   if (!options) return tl::unexpected{options.error()};
-  const auto description = runs::read_description(wish.eds, 1);
+  const auto description = runs::read_eds(wish.eds, 1);
   if (!description) return tl::unexpected{description.error()};
   auto a = runs::LogReader::open(wish.a, wish.interface);
   if (!a) return tl::unexpected{a.error()};

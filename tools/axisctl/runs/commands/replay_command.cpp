@@ -77,7 +77,7 @@ Expected<void> replay_log(const Settings& settings, const ReplayWish& wish) {
     if (time) os::use_time(*time);
     conformance::PortWire wire{*address, time.get(), conformance::SignalEnds::WaitsAtOnce};
     const std::chrono::nanoseconds begin = os::wall_time();
-    runs::Replay replay{wire, nodes, runs::CobIds{log->yardstick.description}, replay_options(wish)};
+    runs::Replay replay{wire, nodes, meaning::CobIds{log->yardstick.description}, replay_options(wish)};
     if (auto played = replay.play(**frames); !played) return played;
     if (!wish.record.empty())
       if (auto written = write_whole(wish.record, log_of(replay.run(), begin)); !written) return written;

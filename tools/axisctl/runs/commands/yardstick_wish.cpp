@@ -10,8 +10,8 @@
 #include "tools/axisctl/page/files.hpp"
 #include "tools/axisctl/print/printable.hpp"
 #include "tools/axisctl/runs/compare/comparison.hpp"
+#include "tools/axisctl/runs/log/eds_file.hpp"
 #include "tools/axisctl/runs/log/log_facts.hpp"
-#include "tools/axisctl/runs/meaning/words.hpp"
 
 namespace axisctl {
 namespace {
@@ -83,7 +83,7 @@ Expected<PlayedLog> prepare(const YardstickWish& wish) {
   if (log.nodes.empty())
     return fail(ExitStatus::Usage,
                 fmt::format("{}: no node has answered in it: --node says which unit is meant", wish.log));
-  auto description = runs::read_description(wish.eds, log.nodes.front());
+  auto description = runs::read_eds(wish.eds, log.nodes.front());
   if (!description) return tl::unexpected{description.error()};
   log.yardstick = *std::move(yardstick);
   log.yardstick.description = *std::move(description);

@@ -58,8 +58,7 @@ std::size_t place_in(const std::vector<FramePair>& after, std::optional<LoggedFr
 /// Two logs side by side.
 class SideBySide {
  public:
-  SideBySide(LogReader& a, LogReader& b, const CompareOptions& options,
-             const conformance::Description& description)
+  SideBySide(LogReader& a, LogReader& b, const CompareOptions& options, const eds::Description& description)
       : a_{a}, b_{b}, options_{options}, history_{description, options.surroundings} {}
 
   Expected<Compared> run() {
@@ -157,7 +156,7 @@ std::optional<TimeRule> read_time_rule(std::string_view text) {
 }
 
 Expected<Compared> compare(LogReader& a, LogReader& b, const CompareOptions& options,
-                           const conformance::Description& description) {
+                           const eds::Description& description) {
   return SideBySide{a, b, options, description}.run();
 }
 

@@ -27,6 +27,6 @@ struct CompareOptions {
 /// Looks for the first difference of the frames of @p a and @p b. It keeps a few of them only, so that logs may be
 /// of any length. Names are those of @p description.
 [[nodiscard]] Expected<Compared> compare(LogReader& a, LogReader& b, const CompareOptions& options,
-                                         const conformance::Description& description);
+                                         const eds::Description& description);
 
 }  // namespace runs

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "meaning/cob_ids.hpp"
 #include "tools/axisctl/runs/log/log_reader.hpp"
-#include "tools/axisctl/runs/meaning/cob_ids.hpp"
 
 namespace runs {
 

@@ -2,20 +2,21 @@
 
 #include <algorithm>
 
-#include "tools/axisctl/runs/meaning/words.hpp"
+#include "meaning/words.hpp"
 
 namespace runs {
 namespace {
 
 struct ServiceRow {
   std::string_view what;
-  bool (*contains)(Role role);
+  bool (*contains)(meaning::Role role);
 };
 constexpr std::array<ServiceRow, 4> kServiceRows{
-    ServiceRow{"SDO request", [](Role role) { return role == Role::SdoRequest; }},
-    ServiceRow{"NMT", [](Role role) { return role == Role::Nmt; }},
-    ServiceRow{"SYNC", [](Role role) { return role == Role::Sync; }},
-    ServiceRow{"PDO", [](Role role) { return role == Role::Rpdo || role == Role::Tpdo; }},
+    ServiceRow{"SDO request", [](meaning::Role role) { return role == meaning::Role::SdoRequest; }},
+    ServiceRow{"NMT", [](meaning::Role role) { return role == meaning::Role::Nmt; }},
+    ServiceRow{"SYNC", [](meaning::Role role) { return role == meaning::Role::Sync; }},
+    ServiceRow{"PDO",
+               [](meaning::Role role) { return role == meaning::Role::Rpdo || role == meaning::Role::Tpdo; }},
 };
 
 std::uint32_t key_of(const LoggedFrame& logged) noexcept {
@@ -24,7 +25,7 @@ std::uint32_t key_of(const LoggedFrame& logged) noexcept {
 
 }  // namespace
 
-History::History(const conformance::Description& description, std::size_t surroundings)
+History::History(const eds::Description& description, std::size_t surroundings)
     : description_{description}, most_{surroundings}, ids_{description} {}
 
 void History::take(const FramePair& pair) {
@@ -37,17 +38,17 @@ void History::take(const FramePair& pair) {
   else if (by_identifier_.size() < kMostIdentifiers)
     by_identifier_.emplace(key, logged);
   if (logged.is_error) return;
-  const Meaning meaning = ids_.meaning_of(logged.frame);
+  const meaning::Meaning meaning = ids_.meaning_of(logged.frame);
   ids_.follow(logged.frame, meaning);
   for (std::size_t i = 0; i < kServiceRows.size(); ++i)
     if (kServiceRows[i].contains(meaning.role)) services_[i] = logged;
-  if (meaning.role == Role::SdoRequest) requests_[meaning.node] = logged;
+  if (meaning.role == meaning::Role::SdoRequest) requests_[meaning.node] = logged;
 }
 
 std::string History::words_of(const std::optional<LoggedFrame>& logged) const {
   if (!logged) return "";
   if (logged->is_error) return "error frame";
-  return runs::words_of(logged->frame, ids_.meaning_of(logged->frame), description_);
+  return meaning::words_of(logged->frame, ids_.meaning_of(logged->frame), description_);
 }
 
 void History::add_former(std::vector<Former>& formers, std::string_view what, const LoggedFrame& frame) const {
@@ -66,8 +67,9 @@ std::vector<Former> History::formers(const std::optional<LoggedFrame>& a,
     const std::optional<LoggedFrame>* last = &services_[i];
     // The request that an answer belongs to, if it is one.
     const auto& one = a ? a : b;
-    if (const Meaning meaning = one ? ids_.meaning_of(one->frame) : Meaning{};
-        kServiceRows[i].contains(Role::SdoRequest) && meaning.role == Role::SdoResponse && requests_[meaning.node])
+    if (const meaning::Meaning meaning = one ? ids_.meaning_of(one->frame) : meaning::Meaning{};
+        kServiceRows[i].contains(meaning::Role::SdoRequest) && meaning.role == meaning::Role::SdoResponse &&
+        requests_[meaning.node])
       last = &requests_[meaning.node];
     if (*last) add_former(formers, kServiceRows[i].what, **last);
   }

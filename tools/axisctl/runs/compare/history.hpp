@@ -14,7 +14,7 @@ namespace runs {
 class History {
  public:
   /// @p surroundings: frames that are kept; @p description, which outlives this, has the names.
-  History(const conformance::Description& description, std::size_t surroundings);
+  History(const eds::Description& description, std::size_t surroundings);
 
   /// Both logs have this frame.
   void take(const FramePair& pair);
@@ -33,9 +33,9 @@ class History {
 
   void add_former(std::vector<Former>& formers, std::string_view what, const LoggedFrame& frame) const;
 
-  const conformance::Description& description_;
+  const eds::Description& description_;
   std::size_t most_;
-  CobIds ids_;
+  meaning::CobIds ids_;
   std::deque<FramePair> last_;
   std::unordered_map<std::uint32_t, LoggedFrame> by_identifier_;
   std::array<std::optional<LoggedFrame>, kServices> services_{};

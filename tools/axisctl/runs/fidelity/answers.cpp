@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "meaning/words.hpp"
 #include "tools/axisctl/runs/fidelity/measured_value.hpp"
-#include "tools/axisctl/runs/meaning/words.hpp"
 #include "tools/canopen-check/core/sdo_client.hpp"
 
 namespace runs {
@@ -24,13 +24,13 @@ struct Exchange {
 
 std::vector<Exchange> exchanges_of(const Course& course) {
   std::vector<Exchange> exchanges;
-  std::map<SdoChannel, std::size_t> open;
+  std::map<meaning::SdoChannel, std::size_t> open;
   for (const Passage& passage : course.passages) {
-    const SdoChannel channel{passage.meaning.node, passage.meaning.number};
-    if (passage.meaning.role == Role::SdoRequest && passage.is_of_master) {
+    const meaning::SdoChannel channel{passage.meaning.node, passage.meaning.number};
+    if (passage.meaning.role == meaning::Role::SdoRequest && passage.is_of_master) {
       open[channel] = exchanges.size();
       exchanges.push_back({.request = &passage});
-    } else if (passage.meaning.role == Role::SdoResponse && open.contains(channel)) {
+    } else if (passage.meaning.role == meaning::Role::SdoResponse && open.contains(channel)) {
       exchanges[open[channel]].answers.push_back(&passage);
     }
   }
@@ -85,10 +85,10 @@ class AnswerJudge {
 
   /// True if both tell values of one object that is measured, close enough to each other.
   [[nodiscard]] bool is_within(const canopen::Frame& wanted, const canopen::Frame& found) const {
-    const unsigned bytes = expedited_bytes(wanted);
+    const unsigned bytes = meaning::expedited_bytes(wanted);
     const sdo::Address at = sdo::address_in(wanted), there = sdo::address_in(found);
     const auto band = yardstick_.bands.of(at);
-    if (!band || bytes == 0 || bytes != expedited_bytes(found) || at.index != there.index ||
+    if (!band || bytes == 0 || bytes != meaning::expedited_bytes(found) || at.index != there.index ||
         at.sub_index != there.sub_index)
       return false;
     const double one = measured_value(at, std::span{wanted.data}.subspan(4, bytes), yardstick_.description);
@@ -114,7 +114,7 @@ class AnswerJudge {
 
   [[nodiscard]] std::string text_of(const Exchange& exchange) const {
     const Passage& first = *exchange.answers.front();
-    std::string text = words_of(first.frame, first.meaning, yardstick_.description);
+    std::string text = meaning::words_of(first.frame, first.meaning, yardstick_.description);
     if (const std::size_t colon = text.find(": "); colon != std::string::npos) text.erase(0, colon + 2);
     for (std::size_t i = 1; i < exchange.answers.size() && i < 4; ++i)
       text += ' ' + conformance::to_text(exchange.answers[i]->frame);
@@ -127,7 +127,7 @@ class AnswerJudge {
     const auto kind = sdo::CommandByte{request.frame.data[0]}.request();
     if (kind == sdo::Request::InitiateDownload || kind == sdo::Request::InitiateUpload)
       finding.object = sdo::address_in(request.frame);
-    finding.what = words_of(request.frame, request.meaning, yardstick_.description);
+    finding.what = meaning::words_of(request.frame, request.meaning, yardstick_.description);
     return finding;
   }
 
@@ -150,7 +150,8 @@ class AnswerJudge {
 
 void note_answers(const Course& log, const Yardstick& yardstick, Extents& extents) {
   for (const Passage& passage : log.passages) {
-    const unsigned bytes = passage.meaning.role == Role::SdoResponse ? expedited_bytes(passage.frame) : 0;
+    const unsigned bytes =
+        passage.meaning.role == meaning::Role::SdoResponse ? meaning::expedited_bytes(passage.frame) : 0;
     if (bytes == 0) continue;
     const sdo::Address at = sdo::address_in(passage.frame);
     if (yardstick.bands.of(at))
@@ -169,7 +170,7 @@ void judge_answers(const Course& log, const Course& run, const Assessment& asses
     const Passage& request = *wanted[i].request;
     assessment.milestones.push_back(
         {answer.at, found[i].answers.front()->at, answer.place,
-         "the answer to " + words_of(request.frame, request.meaning, assessment.yardstick.description)});
+         "the answer to " + meaning::words_of(request.frame, request.meaning, assessment.yardstick.description)});
   }
   judge.conclude(log.has_times);
 }

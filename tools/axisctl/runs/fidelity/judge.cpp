@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "meaning/words.hpp"
 #include "tools/axisctl/runs/fidelity/answers.hpp"
 #include "tools/axisctl/runs/fidelity/pdo_values.hpp"
 #include "tools/axisctl/runs/fidelity/sequences.hpp"
-#include "tools/axisctl/runs/meaning/words.hpp"
 #include "tools/canopen-check/core/sdo_client.hpp"
 
 namespace runs {
@@ -18,11 +18,11 @@ namespace {
 constexpr std::uint8_t kToggle = 0x80;
 
 /// A source of events: an identifier's meaning, in the log and in the run.
-using Events = std::map<Meaning, std::vector<Event>>;
+using Events = std::map<meaning::Meaning, std::vector<Event>>;
 
 /// Words without whose they are.
 std::string short_words(const Passage& passage, const Yardstick& yardstick) {
-  std::string words = words_of(passage.frame, passage.meaning, yardstick.description);
+  std::string words = meaning::words_of(passage.frame, passage.meaning, yardstick.description);
   if (const std::size_t colon = words.find(": "); colon != std::string::npos) return words.substr(colon + 2);
   return words.substr(0, words.find(" of node"));
 }
@@ -31,7 +31,7 @@ std::string short_words(const Passage& passage, const Yardstick& yardstick) {
 Events emergencies_of(const Course& course, const Yardstick& yardstick) {
   Events events;
   for (const Passage& passage : course.passages) {
-    if (passage.meaning.role != Role::Emergency || passage.is_of_master) continue;
+    if (passage.meaning.role != meaning::Role::Emergency || passage.is_of_master) continue;
     const auto& data = passage.frame.data;
     events[passage.meaning].push_back(
         {.at = passage.at,
@@ -46,7 +46,8 @@ Events emergencies_of(const Course& course, const Yardstick& yardstick) {
 Events states_of(const Course& course, const Yardstick& yardstick) {
   Events events;
   for (const Passage& passage : course.passages) {
-    if (passage.meaning.role != Role::ErrorControl || passage.is_of_master || passage.frame.length != 1) continue;
+    if (passage.meaning.role != meaning::Role::ErrorControl || passage.is_of_master || passage.frame.length != 1)
+      continue;
     const auto state = static_cast<std::uint8_t>(passage.frame.data[0] & ~kToggle);
     std::vector<Event>& former = events[passage.meaning];
     if (state != 0 && !former.empty() && former.back().bytes.front() == state) continue;
@@ -98,10 +99,10 @@ class Judge {
 
  private:
   void judge_events(Aspect aspect, std::string_view what, Events log, Events run) {
-    std::set<Meaning> sources;
+    std::set<meaning::Meaning> sources;
     for (const Events* const events : {&log, &run})
       for (const auto& [source, ignored] : *events) sources.insert(source);
-    for (const Meaning& source : sources)
+    for (const meaning::Meaning& source : sources)
       judge_one({.aspect = aspect,
                  .what = fmt::format("{} of node {}", what, source.node),
                  .log = std::move(log[source]),
@@ -110,11 +111,11 @@ class Judge {
 
   void judge_pdos(const PdoImages& log, const PdoImages& run) {
     Events wanted = words_of_pdos(log), found = words_of_pdos(run);
-    std::set<Meaning> pdos;
+    std::set<meaning::Meaning> pdos;
     for (const PdoImages* const images : {&log, &run})
       for (const auto& [pdo, ignored] : *images) pdos.insert(pdo);
     static const std::vector<PdoImage> kNone;
-    for (const Meaning& pdo : pdos) {
+    for (const meaning::Meaning& pdo : pdos) {
       const auto in_log = log.find(pdo), in_run = run.find(pdo);
       const std::vector<PdoImage>& images = in_log == log.end() ? kNone : in_log->second;
       Sequence sequence{.aspect = Aspect::PdoWord,

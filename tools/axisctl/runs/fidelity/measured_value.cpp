@@ -18,10 +18,10 @@ double as_number(const eds::Integer& integer) noexcept {
 }  // namespace
 
 double measured_value(const canopen::sdo::Address& object, std::span<const std::uint8_t> bytes,
-                      const conformance::Description& description) {
-  const conformance::EntryFacts* const entry = description.find(object.index, object.sub_index);
+                      const eds::Description& description) {
+  const eds::EntryFacts* const entry = description.find(object.index, object.sub_index);
   if (entry != nullptr && entry->numeric() && entry->bytes() == bytes.size()) {
-    const eds::Value value = conformance::decode(bytes, *entry->type);
+    const eds::Value value = eds::decode(bytes, *entry->type);
     return value.kind == eds::ValueKind::Real ? value.real : as_number(value.integer);
   }
   std::array<std::uint8_t, 8> padded{};

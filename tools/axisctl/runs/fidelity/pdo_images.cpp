@@ -26,8 +26,8 @@ Mapped mapped(std::uint32_t entry) noexcept {
 /// The mappings of TPDOs as they are told.
 class Mappings {
  public:
-  explicit Mappings(const conformance::Description& description) {
-    for (const conformance::EntryFacts& entry : description.entries()) {
+  explicit Mappings(const eds::Description& description) {
+    for (const eds::EntryFacts& entry : description.entries()) {
       const auto value = entry.initial ? entry.initial->at(description.node_id()) : std::nullopt;
       if (value && !value->negative)
         learn({.node = description.node_id(),
@@ -36,16 +36,16 @@ class Mappings {
     }
   }
 
-  void learn(const EntryValue& entry) {
+  void learn(const meaning::EntryValue& entry) {
     if (entry.at.index < object::kTpdoMapping || entry.at.index >= object::kPdosEnd ||
         entry.at.sub_index > kMostMapped)
       return;
     const auto number = static_cast<std::uint16_t>(entry.at.index - object::kTpdoMapping + 1);
-    mappings_[{Role::Tpdo, entry.node, number}][entry.at.sub_index] = entry.value;
+    mappings_[{meaning::Role::Tpdo, entry.node, number}][entry.at.sub_index] = entry.value;
   }
 
   /// What @p frame, TPDO @p pdo, is made of; nothing if that is not known, or does not fit.
-  [[nodiscard]] std::vector<Mapped> of(const Meaning& pdo, const canopen::Frame& frame) const {
+  [[nodiscard]] std::vector<Mapped> of(const meaning::Meaning& pdo, const canopen::Frame& frame) const {
     const auto known = mappings_.find(pdo);
     if (known == mappings_.end()) return {};
     std::vector<Mapped> fields;
@@ -59,7 +59,7 @@ class Mappings {
   }
 
  private:
-  std::map<Meaning, std::array<std::uint32_t, kMostMapped + 1>> mappings_;
+  std::map<meaning::Meaning, std::array<std::uint32_t, kMostMapped + 1>> mappings_;
 };
 
 PdoImage image_of(const Passage& passage, const std::vector<Mapped>& fields, const Yardstick& yardstick) {
@@ -89,7 +89,7 @@ PdoImages images_of(const Course& course, const Yardstick& yardstick) {
   Mappings mappings{yardstick.description};
   for (const Passage& passage : course.passages) {
     if (passage.entry) mappings.learn(*passage.entry);
-    if (passage.meaning.role != Role::Tpdo || passage.is_of_master) continue;
+    if (passage.meaning.role != meaning::Role::Tpdo || passage.is_of_master) continue;
     images[passage.meaning].push_back(image_of(passage, mappings.of(passage.meaning, passage.frame), yardstick));
   }
   return images;

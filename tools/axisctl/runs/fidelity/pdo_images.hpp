@@ -24,7 +24,7 @@ struct PdoImage {
 };
 
 /// The TPDOs of a course by their numbers.
-using PdoImages = std::map<Meaning, std::vector<PdoImage>>;
+using PdoImages = std::map<meaning::Meaning, std::vector<PdoImage>>;
 
 /// Takes the TPDOs of @p course apart: by the mapping of the EDS, and by what was written and read since. Without
 /// a mapping a TPDO is words alone.

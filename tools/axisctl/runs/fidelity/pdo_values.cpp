@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/axisctl/runs/meaning/words.hpp"
+#include "meaning/words.hpp"
 
 namespace runs {
 namespace {
@@ -109,7 +109,7 @@ class ValueJudge {
             .nature = Nature::Value,
             .object = value.object,
             .at = at,
-            .what = fmt::format("{}, {}", pdo_.what, name_of(value.object, yardstick_.description))};
+            .what = fmt::format("{}, {}", pdo_.what, meaning::name_of(value.object, yardstick_.description))};
   }
 
   const PdoPair& pdo_;

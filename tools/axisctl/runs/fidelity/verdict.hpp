@@ -1,15 +1,15 @@
 #pragma once
 
+#include "eds/description/description.hpp"
 #include "tools/axisctl/runs/fidelity/bands.hpp"
 #include "tools/axisctl/runs/fidelity/finding.hpp"
 #include "tools/axisctl/runs/fidelity/known_differences.hpp"
-#include "tools/canopen-check/core/description.hpp"
 
 namespace runs {
 
 /// By what a course is judged.
 struct Yardstick {
-  conformance::Description description{};
+  eds::Description description{};
   Bands bands{};
   KnownDifferences known{};
   canopen::Duration time = std::chrono::milliseconds{20};  ///< by which times may differ

@@ -42,7 +42,7 @@ std::string text_of(const LoggedFrame& logged) {
 Expected<std::unique_ptr<LogReader>> LogReader::open(const std::string& path, std::string interface) {
   std::unique_ptr<LogReader> reader{new LogReader{path, std::move(interface)}};
   reader->is_chosen_ = !reader->interface_.empty();
-  if (is_recording(path)) {
+  if (runs::is_recording(path)) {
     if (auto opened = reader->open_recording(); !opened) return tl::unexpected{opened.error()};
     return reader;
   }

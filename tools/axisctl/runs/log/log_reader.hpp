@@ -48,6 +48,8 @@ class LogReader {
   [[nodiscard]] Expected<std::optional<LoggedFrame>> next();
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// A recording, whose places are those of records; else of lines.
+  [[nodiscard]] bool is_recording() const noexcept { return recording_.has_value(); }
   /// False if lines have no time: LoggedFrame::at is 0 then. Known with the first frame.
   [[nodiscard]] bool has_times() const noexcept { return has_times_; }
   /// Frames that are missing, as far as a recording says so.

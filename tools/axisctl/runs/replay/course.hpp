@@ -12,10 +12,10 @@ namespace runs {
 struct Passage {
   canopen::Duration at{};  ///< since the first frame of the master
   canopen::Frame frame{};
-  Meaning meaning{};
+  meaning::Meaning meaning{};
   bool is_of_master = false;
-  std::uint64_t place = 0;            ///< in the log; of a frame of the master in a run, too
-  std::optional<EntryValue> entry{};  ///< that the frame tells
+  std::uint64_t place = 0;                     ///< in the log; of a frame of the master in a run, too
+  std::optional<meaning::EntryValue> entry{};  ///< that the frame tells
 };
 
 /// What has passed between a master and a unit, from the first frame of the master on. Two courses of one log have

@@ -10,33 +10,33 @@ MasterSide::Judgement MasterSide::judge(const LoggedFrame& logged) {
   return judgement;
 }
 
-Side MasterSide::side_of(const LoggedFrame& logged, const Meaning& meaning) const noexcept {
+Side MasterSide::side_of(const LoggedFrame& logged, const meaning::Meaning& meaning) const noexcept {
   const bool is_of_unit = units_.test(meaning.node);
   if (logged.sender == Sender::Unit) return Side::Unit;
   if (logged.sender == Sender::Others) return Side::Master;
   switch (meaning.role) {
-    case Role::Unknown:
+    case meaning::Role::Unknown:
       return Side::Other;
-    case Role::Nmt: {
+    case meaning::Role::Nmt: {
       const std::uint8_t node = logged.frame.data[1];
       return node == 0 || (node < units_.size() && units_.test(node)) ? Side::Master : Side::Other;
     }
-    case Role::Sync:
-    case Role::Time:
-    case Role::LssRequest:
+    case meaning::Role::Sync:
+    case meaning::Role::Time:
+    case meaning::Role::LssRequest:
       return Side::Master;
-    case Role::Rpdo:
-    case Role::SdoRequest:
-    case Role::Guarding:
+    case meaning::Role::Rpdo:
+    case meaning::Role::SdoRequest:
+    case meaning::Role::Guarding:
       return is_of_unit ? Side::Master : Side::Other;
-    case Role::Emergency:
-    case Role::Tpdo:
-    case Role::SdoResponse:
+    case meaning::Role::Emergency:
+    case meaning::Role::Tpdo:
+    case meaning::Role::SdoResponse:
       return is_of_unit ? Side::Unit : Side::Other;
-    case Role::ErrorControl:
+    case meaning::Role::ErrorControl:
       // That of another node may be the heartbeat that the unit consumes.
       return is_of_unit ? Side::Unit : Side::Master;
-    case Role::LssResponse:
+    case meaning::Role::LssResponse:
       return Side::Unit;
   }
   return Side::Other;

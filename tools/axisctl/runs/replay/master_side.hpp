@@ -3,8 +3,8 @@
 #include <bitset>
 #include <optional>
 
+#include "meaning/cob_ids.hpp"
 #include "tools/axisctl/runs/log/log_reader.hpp"
-#include "tools/axisctl/runs/meaning/cob_ids.hpp"
 
 namespace runs {
 
@@ -23,21 +23,21 @@ enum class Side : std::uint8_t {
 class MasterSide {
  public:
   /// @p units: nodes whose master's side is meant.
-  MasterSide(Nodes units, CobIds ids) : units_{units}, ids_{std::move(ids)} {}
+  MasterSide(Nodes units, meaning::CobIds ids) : units_{units}, ids_{std::move(ids)} {}
 
   struct Judgement {
     Side side = Side::Other;
-    Meaning meaning{};
-    std::optional<EntryValue> entry{};  ///< that the frame has told
+    meaning::Meaning meaning{};
+    std::optional<meaning::EntryValue> entry{};  ///< that the frame has told
   };
   /// Judges the next frame of the log.
   [[nodiscard]] Judgement judge(const LoggedFrame& logged);
 
  private:
-  [[nodiscard]] Side side_of(const LoggedFrame& logged, const Meaning& meaning) const noexcept;
+  [[nodiscard]] Side side_of(const LoggedFrame& logged, const meaning::Meaning& meaning) const noexcept;
 
   Nodes units_;
-  CobIds ids_;
+  meaning::CobIds ids_;
 };
 
 }  // namespace runs

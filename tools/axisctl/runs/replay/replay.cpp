@@ -8,9 +8,9 @@ namespace runs {
 namespace {
 
 /// True for what the unit sends only because it was asked: the next frame of the master is not before it.
-bool is_answer(const canopen::Frame& frame, const Meaning& meaning) noexcept {
-  const bool is_boot_up = meaning.role == Role::ErrorControl && frame.length == 1 && frame.data[0] == 0;
-  return is_boot_up || meaning.role == Role::SdoResponse;
+bool is_answer(const canopen::Frame& frame, const meaning::Meaning& meaning) noexcept {
+  const bool is_boot_up = meaning.role == meaning::Role::ErrorControl && frame.length == 1 && frame.data[0] == 0;
+  return is_boot_up || meaning.role == meaning::Role::SdoResponse;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct ReplayFigures {
 class Replay {
  public:
   /// Time and frames are those of @p wire, which outlives this.
-  Replay(conformance::Wire& wire, Nodes units, const CobIds& ids, const ReplayOptions& options)
+  Replay(conformance::Wire& wire, Nodes units, const meaning::CobIds& ids, const ReplayOptions& options)
       : wire_{wire}, side_{units, ids}, heard_{units, ids}, options_{options} {}
 
   /// Plays @p log from its beginning to its end. ExitStatus::CutOff if the bus goes down, ExitStatus::Failed after
@@ -59,10 +59,10 @@ class Replay {
   ReplayFigures figures_{};
   Course log_{}, run_{};
   bool has_begun_ = false;
-  std::chrono::nanoseconds first_{}, last_{};      ///< of the log: the first frame of the master, the last frame
-  canopen::TimePoint begin_{};                     ///< of the run, less what it was late
-  canopen::TimePoint begun_{};                     ///< of the run
-  std::map<Meaning, std::uint64_t> owed_, given_;  ///< answers of the log, and of the unit
+  std::chrono::nanoseconds first_{}, last_{};  ///< of the log: the first frame of the master, the last frame
+  canopen::TimePoint begin_{};                 ///< of the run, less what it was late
+  canopen::TimePoint begun_{};                 ///< of the run
+  std::map<meaning::Meaning, std::uint64_t> owed_, given_;  ///< answers of the log, and of the unit
 };
 
 }  // namespace runs

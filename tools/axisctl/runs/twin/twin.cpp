@@ -26,7 +26,8 @@ Expected<TwinResult> play(scenario::Stations& stations, const TwinPlan& plan, co
   if (!log) return tl::unexpected{log.error()};
   Nodes units;
   units.set(plan.node);
-  Replay replay{bench, units, CobIds{yardstick.description}, {.patience = plan.patience, .keeps_courses = true}};
+  Replay replay{
+      bench, units, meaning::CobIds{yardstick.description}, {.patience = plan.patience, .keeps_courses = true}};
   std::optional<std::string> lost;
   bench.on_look([&] {
     lost = stations.find_lost();

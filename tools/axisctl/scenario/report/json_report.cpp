@@ -1,3 +1,4 @@
+#include "meaning/words.hpp"
 #include "tools/axisctl/scenario/report/report.hpp"
 #include "tools/canopen-check/core/sdo_client.hpp"
 
@@ -34,7 +35,7 @@ json json_of(const Scenario& scenario, const RunResult& result) {
     frames.push_back({{"t", std::chrono::duration<double>(frame.time.time_since_epoch()).count()},
                       {"sent", frame.sent},
                       {"frame", conformance::to_text(frame.frame)},
-                      {"service", service_of(frame.frame)}});
+                      {"service", meaning::service_of(frame.frame)}});
   return {{"scenario", scenario.name}, {"title", scenario.title}, {"file", scenario.file},
           {"seed", scenario.seed},     {"bus", result.bus},       {"passed", result.passed},
           {"problem", result.problem}, {"steps", steps},          {"faults", result.faults},

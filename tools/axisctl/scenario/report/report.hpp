@@ -8,10 +8,6 @@
 
 namespace scenario {
 
-/// What @p frame is in the predefined connection set (CiA 301, 7.3.3): "SDO response", "NMT start"; empty:
-/// unknown.
-[[nodiscard]] std::string service_of(const canopen::Frame& frame);
-
 /// The report for people: a line a step, and what there is to know of a failure.
 [[nodiscard]] std::string text_of(const Scenario& scenario, const RunResult& result);
 /// The same for programs; docs/reference/scenarios.md says what is in it.

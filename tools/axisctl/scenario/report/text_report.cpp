@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "meaning/words.hpp"
 #include "tools/axisctl/print/printable.hpp"
 #include "tools/axisctl/scenario/report/report.hpp"
 #include "tools/canopen-check/core/sdo_client.hpp"
@@ -36,9 +37,9 @@ std::string line_of(const StepResult& result) {
 std::string frames_of(const RunResult& result) {
   std::string text = "last frames (-> sent by the scenario):\n";
   for (const conformance::TimedFrame& frame : result.frames)
-    text += fmt::format("  {:9.3f} {} {:<24} {}\n",
-                        std::chrono::duration<double>(frame.time.time_since_epoch()).count(),
-                        frame.sent ? "->" : "<-", conformance::to_text(frame.frame), service_of(frame.frame));
+    text += fmt::format(
+        "  {:9.3f} {} {:<24} {}\n", std::chrono::duration<double>(frame.time.time_since_epoch()).count(),
+        frame.sent ? "->" : "<-", conformance::to_text(frame.frame), meaning::service_of(frame.frame));
   return text;
 }
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "eds/description/description.hpp"
 #include "tools/axisctl/scenario/run/observation.hpp"
-#include "tools/canopen-check/core/description.hpp"
 #include "tools/canopen-check/core/sdo_client.hpp"
 
 namespace scenario {
@@ -130,7 +130,7 @@ Outcome write_entry(Context& context, const json& keys) {
   std::vector<std::uint8_t> bytes;
   constexpr std::size_t kUsualBytes = 4;
   if (number)
-    bytes = conformance::little_endian(static_cast<std::uint64_t>(*number), keys.value("bytes", kUsualBytes));
+    bytes = eds::little_endian(static_cast<std::uint64_t>(*number), keys.value("bytes", kUsualBytes));
   else if (keys.at("value").is_string())
     bytes.assign(keys.at("value").get_ref<const std::string&>().begin(),
                  keys.at("value").get_ref<const std::string&>().end());

@@ -110,7 +110,7 @@ bool Axis::set_if_there(std::uint16_t object, std::int64_t value, std::uint8_t s
 }
 
 void Axis::command(std::uint16_t word) {
-  (void)context_->sdo().download(at(kControlword), 0, little_endian(word, 2));
+  (void)context_->sdo().download(at(kControlword), 0, eds::little_endian(word, 2));
 }
 
 std::uint16_t Axis::status() {

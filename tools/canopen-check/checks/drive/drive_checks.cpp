@@ -92,7 +92,7 @@ void has_generic_pdos(Context& context) {
   int tried = 0;
   for (const GenericPdo& pdo : kGenericPdos) {
     std::vector<std::uint64_t> objects;
-    for (const EntryFacts& entry : context.eds().entries_of(pdo.mapping)) {
+    for (const eds::EntryFacts& entry : context.eds().entries_of(pdo.mapping)) {
       const auto mapped = entry.initial ? entry.initial->at(context.session().node_id()) : std::nullopt;
       if (entry.sub_index != 0 && mapped && mapped->magnitude != 0) objects.push_back(mapped->magnitude >> 16U);
     }

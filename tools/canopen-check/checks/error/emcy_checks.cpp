@@ -18,7 +18,7 @@ void emcy_has_default(Context& context) {
   constexpr std::uint32_t kEmcy = 0x80;
   if (!context.need(object::kCobIdEmcy)) return;
   const std::uint32_t expected = context.session().identifier(kEmcy);
-  const EntryFacts* const facts = context.eds().find(object::kCobIdEmcy);
+  const eds::EntryFacts* const facts = context.eds().find(object::kCobIdEmcy);
   if (facts == nullptr || !facts->initial) return context.skip("the EDS states no default of 1014h");
   const std::optional<eds::Integer> value = facts->initial->at(context.eds().node_id());
   if (value && (value->magnitude & kIdentifierBits) != expected)

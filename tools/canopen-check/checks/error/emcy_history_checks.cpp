@@ -40,7 +40,7 @@ void refuses_empty_entries(Context& context) {
   const std::optional<std::uint64_t> count = context.number(object::kErrorField);
   if (!count) return;
   int tried = 0;
-  for (const EntryFacts& entry : context.eds().entries_of(object::kErrorField)) {
+  for (const eds::EntryFacts& entry : context.eds().entries_of(object::kErrorField)) {
     if (entry.sub_index <= *count) continue;
     if (++tried > kMostTried) break;
     context.step();

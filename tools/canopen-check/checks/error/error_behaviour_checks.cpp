@@ -100,7 +100,7 @@ void follows_error_behaviour(Context& context) {
 }
 
 void has_default_0(Context& context) {
-  const EntryFacts* const facts = context.eds().find(object::kErrorBehaviour, 1);
+  const eds::EntryFacts* const facts = context.eds().find(object::kErrorBehaviour, 1);
   if (facts == nullptr || !facts->initial) return context.skip("the EDS states no default of 1029h:01");
   const std::optional<eds::Integer> value = facts->initial->at(context.eds().node_id());
   if (value && value->magnitude != kToPreOperational)

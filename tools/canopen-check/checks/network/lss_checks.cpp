@@ -22,7 +22,7 @@ using Identity = std::array<std::uint32_t, kNumbers>;
 
 canopen::Frame request(std::uint8_t command, std::uint32_t value = 0) {
   canopen::Frame frame{.id = kMaster, .length = 8, .data = {command}};
-  std::ranges::copy(little_endian(value, 4), frame.data.begin() + 1);
+  std::ranges::copy(eds::little_endian(value, 4), frame.data.begin() + 1);
   return frame;
 }
 

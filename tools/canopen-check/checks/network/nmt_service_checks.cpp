@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "meaning/words.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/process_data.hpp"
 #include "tools/canopen-check/core/run/protected_entries.hpp"
@@ -145,7 +146,7 @@ void reset_ends_transfers(Context& context) {
   // Which code refuses a segment without a transfer is a matter of the SDO checks.
   const auto answer = context.sdo().exchange(context.sdo().request(kUploadSegment));
   if (answer && !abort_code(*answer))
-    context.fail("abort " + abort_text(kSegmentWithoutTransfer) + " for a segment after the reset",
+    context.fail("abort " + meaning::abort_text(kSegmentWithoutTransfer) + " for a segment after the reset",
                  "the transfer goes on: " + hexadecimal(std::span{answer->data}.first(answer->length)));
   (void)context.number(object::kDeviceType);
 }
@@ -175,23 +176,23 @@ struct Changed {
 };
 
 /// Objects of profiles first: what they mean is known. Others of the maker may be orders.
-std::vector<const EntryFacts*> candidates(const Context& context) {
+std::vector<const eds::EntryFacts*> candidates(const Context& context) {
   constexpr std::uint16_t kApplication = 0x2000, kProfiles = 0x6000, kEnd = 0xA000;
-  std::vector<const EntryFacts*> found;
-  for (const EntryFacts& entry : context.eds().entries())
+  std::vector<const eds::EntryFacts*> found;
+  for (const eds::EntryFacts& entry : context.eds().entries())
     if (entry.index >= kApplication && entry.index < kEnd && entry.readable() && entry.writable() &&
         entry.numeric() && !entry.no_read && entry.type->kind != eds::ValueKind::Real &&
         write_refusal(entry, context.settings()) == nullptr)
       found.push_back(&entry);
   std::stable_partition(found.begin(), found.end(),
-                        [](const EntryFacts* each) { return each->index >= kProfiles; });
+                        [](const eds::EntryFacts* each) { return each->index >= kProfiles; });
   return found;
 }
 
 std::optional<Changed> change_one(Context& context) {
   constexpr std::size_t kMostTried = 10;
   std::size_t tried = 0;
-  for (const EntryFacts* entry : candidates(context)) {
+  for (const eds::EntryFacts* entry : candidates(context)) {
     if (++tried > kMostTried) break;
     const SdoAnswer before = context.read(entry->index, entry->sub_index);
     if (!before.done()) continue;

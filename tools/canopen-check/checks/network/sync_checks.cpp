@@ -19,7 +19,7 @@ constexpr std::uint32_t kFree = 0x6C1, kOtherFree = 0x6C2;
 void sync_has_default_80(Context& context) {
   constexpr std::uint64_t kDefault = 0x80;
   if (!context.need(object::kCobIdSync)) return;
-  const EntryFacts* const facts = context.eds().find(object::kCobIdSync);
+  const eds::EntryFacts* const facts = context.eds().find(object::kCobIdSync);
   if (facts == nullptr || !facts->initial) return context.skip("the EDS states no default of 1005h");
   const std::optional<eds::Integer> value = facts->initial->at(context.eds().node_id());
   if (value && (value->magnitude & kIdentifierBits) != kDefault)

@@ -51,7 +51,7 @@ void is_alone(Context& context) {
 
 void has_the_identity_of_the_eds(Context& context) {
   if (without_eds(context)) return;
-  const DeviceFacts& facts = context.eds().device();
+  const eds::DeviceFacts& facts = context.eds().device();
   struct Part {
     std::uint8_t sub_index = 0;
     const char* name = nullptr;
@@ -109,30 +109,30 @@ void has_structures_of_the_eds(Context& context) {
 }
 
 /// Highest sub-index of @p index in the EDS, the structure FFh left out.
-std::uint8_t highest_of(const Description& eds, std::uint16_t index) {
+std::uint8_t highest_of(const eds::Description& eds, std::uint16_t index) {
   std::uint8_t highest = 0;
-  for (const EntryFacts& entry : eds.entries_of(index))
+  for (const eds::EntryFacts& entry : eds.entries_of(index))
     if (entry.sub_index != kStructure) highest = entry.sub_index;
   return highest;
 }
 
-bool has_type_of_counts(const EntryFacts& count) {
+bool has_type_of_counts(const eds::EntryFacts& count) {
   constexpr std::uint16_t kUnsigned8 = 0x0005;
   return count.type != nullptr && count.type->number == kUnsigned8;
 }
 
 /// Sub-index 0 of every array and record.
-std::vector<const EntryFacts*> all_counts(const Context& context) {
-  std::vector<const EntryFacts*> counts;
+std::vector<const eds::EntryFacts*> all_counts(const Context& context) {
+  std::vector<const eds::EntryFacts*> counts;
   for (const std::uint16_t index : all_objects(context)) {
     const eds::ObjectCode code = context.eds().code_of(index);
     if (code != eds::ObjectCode::Array && code != eds::ObjectCode::Record) continue;
-    if (const EntryFacts* const count = context.eds().find(index)) counts.push_back(count);
+    if (const eds::EntryFacts* const count = context.eds().find(index)) counts.push_back(count);
   }
   return counts;
 }
 
-void judge_count(Context& context, const EntryFacts& count, ReadAhead& answers) {
+void judge_count(Context& context, const eds::EntryFacts& count, ReadAhead& answers) {
   const std::uint8_t highest = highest_of(context.eds(), count.index);
   // What can be written counts the entries in use: mapped objects, errors.
   const auto is_right = [&](const SdoAnswer& answer) {
@@ -148,12 +148,12 @@ void judge_count(Context& context, const EntryFacts& count, ReadAhead& answers) 
 
 void counts_sub_indices(Context& context) {
   if (without_eds(context)) return;
-  const std::vector<const EntryFacts*> counts = all_counts(context);
+  const std::vector<const eds::EntryFacts*> counts = all_counts(context);
   std::vector<Multiplexor> entries;
-  for (const EntryFacts* const count : counts)
+  for (const eds::EntryFacts* const count : counts)
     if (has_type_of_counts(*count)) entries.push_back({count->index, 0});
   ReadAhead answers{context, std::move(entries)};
-  for (const EntryFacts* const count : counts) {
+  for (const eds::EntryFacts* const count : counts) {
     if (context.session().ended()) return;
     if (has_type_of_counts(*count))
       judge_count(context, *count, answers);

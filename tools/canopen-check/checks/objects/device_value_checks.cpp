@@ -24,15 +24,15 @@ using Complaints = std::vector<Complaint>;
 
 /// The entries that the EDS calls readable and @p concerns.
 template <class Concerns>
-std::vector<const EntryFacts*> readable_entries(const Context& context, Concerns concerns) {
-  std::vector<const EntryFacts*> entries;
-  for (const EntryFacts& entry : context.eds().entries())
+std::vector<const eds::EntryFacts*> readable_entries(const Context& context, Concerns concerns) {
+  std::vector<const eds::EntryFacts*> entries;
+  for (const eds::EntryFacts& entry : context.eds().entries())
     if (entry.readable() && !entry.no_read && concerns(entry)) entries.push_back(&entry);
   return entries;
 }
 
 /// Skips the check without @p entries, or without an EDS.
-bool any(Context& context, const std::vector<const EntryFacts*>& entries) {
+bool any(Context& context, const std::vector<const eds::EntryFacts*>& entries) {
   if (entries.empty()) context.skip(context.eds().empty() ? "there is no EDS" : "the EDS has no such entry");
   return !entries.empty();
 }
@@ -41,13 +41,13 @@ bool any(Context& context, const std::vector<const EntryFacts*>& entries) {
 /// a finding. Stops when the node has become silent.
 template <class Concerns, class Judge>
 void for_each_value(Context& context, Concerns concerns, Judge judge) {
-  const std::vector<const EntryFacts*> entries = readable_entries(context, concerns);
+  const std::vector<const eds::EntryFacts*> entries = readable_entries(context, concerns);
   if (!any(context, entries)) return;
   std::vector<Multiplexor> asked;
-  for (const EntryFacts* const entry : entries) asked.push_back({entry->index, entry->sub_index});
+  for (const eds::EntryFacts* const entry : entries) asked.push_back({entry->index, entry->sub_index});
   ReadAhead answers{context, std::move(asked)};
   int silent = 0, read = 0;
-  for (const EntryFacts* const entry : entries) {
+  for (const eds::EntryFacts* const entry : entries) {
     const SdoAnswer answer = answers.next([&](const SdoAnswer& early) { return judge(*entry, early).empty(); });
     silent = answer.kind == SdoAnswer::Kind::Silent ? silent + 1 : 0;
     if (context.session().ended() || silent > kMostSilent) break;
@@ -61,8 +61,8 @@ void for_each_value(Context& context, Concerns concerns, Judge judge) {
 
 void reads_every_object(Context& context) {
   for_each_value(
-      context, [](const EntryFacts&) { return true; },
-      [&](const EntryFacts& entry, const SdoAnswer& answer) -> Complaints {
+      context, [](const eds::EntryFacts&) { return true; },
+      [&](const eds::EntryFacts& entry, const SdoAnswer& answer) -> Complaints {
         // An entry without data, such as one of an empty error history.
         const bool empty = answer.aborted() && answer.abort_code == number_of(AbortCode::NoData);
         // What is no answer of the protocol is a matter of the SDO checks.
@@ -77,8 +77,8 @@ void reads_every_object(Context& context) {
 
 void has_the_length_of_its_type(Context& context) {
   for_each_value(
-      context, [](const EntryFacts& entry) { return entry.numeric(); },
-      [](const EntryFacts& entry, const SdoAnswer& answer) -> Complaints {
+      context, [](const eds::EntryFacts& entry) { return entry.numeric(); },
+      [](const eds::EntryFacts& entry, const SdoAnswer& answer) -> Complaints {
         const std::size_t size = answer.announced.value_or(static_cast<std::uint32_t>(answer.data.size()));
         if (!answer.done() || size == entry.bytes()) return {};
         return {{fmt::format("{} bytes ({})", entry.bytes(), entry.type->name),
@@ -96,8 +96,8 @@ bool ordered_on(std::uint8_t node_id, const eds::Value& low, const eds::Value& h
 void lies_within_its_limits(Context& context) {
   const std::uint8_t node_id = context.eds().node_id();
   for_each_value(
-      context, [](const EntryFacts& entry) { return entry.numeric() && (entry.low || entry.high); },
-      [&](const EntryFacts& entry, const SdoAnswer& answer) {
+      context, [](const eds::EntryFacts& entry) { return entry.numeric() && (entry.low || entry.high); },
+      [&](const eds::EntryFacts& entry, const SdoAnswer& answer) {
         Complaints complaints;
         if (!answer.done() || answer.data.size() != entry.bytes()) return complaints;
         const eds::Value value = decode(answer.data, *entry.type);
@@ -110,7 +110,7 @@ void lies_within_its_limits(Context& context) {
 }
 
 /// Complains if @p answer is another value than the EDS states.
-Complaints judge_initial(const Context& context, const EntryFacts& entry, const SdoAnswer& answer) {
+Complaints judge_initial(const Context& context, const eds::EntryFacts& entry, const SdoAnswer& answer) {
   const auto initial = encode(*entry.initial, *entry.type, context.eds().node_id());
   // The length of a number is a matter of device.length.
   const bool other_length = initial && entry.numeric() && answer.data.size() != initial->size();
@@ -119,12 +119,12 @@ Complaints judge_initial(const Context& context, const EntryFacts& entry, const 
            answer.data.empty() ? "nothing" : hexadecimal(answer.data)}};
 }
 
-bool has_initial(const EntryFacts& entry) {
+bool has_initial(const eds::EntryFacts& entry) {
   return entry.type != nullptr && entry.initial.has_value();
 }
 
 /// Sub-index 0 that counts the others.
-bool counts(const Context& context, const EntryFacts& entry) {
+bool counts(const Context& context, const eds::EntryFacts& entry) {
   const eds::ObjectCode code = context.eds().code_of(entry.index);
   return entry.sub_index == 0 && (code == eds::ObjectCode::Array || code == eds::ObjectCode::Record);
 }
@@ -132,27 +132,31 @@ bool counts(const Context& context, const EntryFacts& entry) {
 void keeps_its_constants(Context& context) {
   for_each_value(
       context,
-      [&](const EntryFacts& entry) {
+      [&](const eds::EntryFacts& entry) {
         return has_initial(entry) && entry.access == canopen::Access::Constant && !counts(context, entry);
       },
-      [&](const EntryFacts& entry, const SdoAnswer& answer) { return judge_initial(context, entry, answer); });
+      [&](const eds::EntryFacts& entry, const SdoAnswer& answer) {
+        return judge_initial(context, entry, answer);
+      });
 }
 
 void has_the_defaults_of_the_eds(Context& context) {
   constexpr std::uint64_t kLoad = 0x64616F6C;  // "load"
   if (!context.need(object::kRestoreParameters, 1)) return;
   context.step();
-  const SdoAnswer loaded = context.sdo().download(object::kRestoreParameters, 1, little_endian(kLoad, 4));
+  const SdoAnswer loaded = context.sdo().download(object::kRestoreParameters, 1, eds::little_endian(kLoad, 4));
   if (!loaded.done()) return context.fail(object::kRestoreParameters, 1, "\"load\" is taken", to_text(loaded));
   if (!context.restart(canopen::NmtCommand::ResetNode)) return;
   // Entries that are read only change by themselves: inputs, states.
   for_each_value(
       context,
-      [](const EntryFacts& entry) {
+      [](const eds::EntryFacts& entry) {
         return has_initial(entry) && entry.writable() && entry.index != object::kStoreParameters &&
                entry.index != object::kRestoreParameters;
       },
-      [&](const EntryFacts& entry, const SdoAnswer& answer) { return judge_initial(context, entry, answer); });
+      [&](const eds::EntryFacts& entry, const SdoAnswer& answer) {
+        return judge_initial(context, entry, answer);
+      });
   context.note("values that the node had stored are replaced by the defaults; save the ones wanted again");
 }
 
@@ -162,17 +166,17 @@ bool written_by_procedure(std::uint16_t index) {
          eds::is_mapping_parameter(index);
 }
 
-bool takes_at_any_time(const EntryFacts& entry, const Settings& settings) {
+bool takes_at_any_time(const eds::EntryFacts& entry, const Settings& settings) {
   return entry.writable() && entry.numeric() && !written_by_procedure(entry.index) &&
          write_refusal(entry, settings) == nullptr;
 }
 
 void takes_its_own_values(Context& context) {
-  const std::vector<const EntryFacts*> entries = readable_entries(
-      context, [&](const EntryFacts& entry) { return takes_at_any_time(entry, context.settings()); });
+  const std::vector<const eds::EntryFacts*> entries = readable_entries(
+      context, [&](const eds::EntryFacts& entry) { return takes_at_any_time(entry, context.settings()); });
   if (!any(context, entries)) return;
   int refused_now = 0, silent = 0, read = 0;
-  for (const EntryFacts* const entry : entries) {
+  for (const eds::EntryFacts* const entry : entries) {
     context.session().forget();
     context.step();
     const SdoAnswer value = context.undo().keep(entry->index, entry->sub_index);

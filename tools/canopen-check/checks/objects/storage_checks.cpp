@@ -20,7 +20,7 @@ constexpr std::uint32_t number_of(canopen::AbortCode code) noexcept {
 std::vector<std::uint8_t> groups_of(Context& context, std::uint16_t index) {
   if (context.eds().empty()) return {kAll};
   std::vector<std::uint8_t> groups;
-  for (const EntryFacts& entry : context.eds().entries_of(index))
+  for (const eds::EntryFacts& entry : context.eds().entries_of(index))
     if (entry.sub_index != 0) groups.push_back(entry.sub_index);
   return groups;
 }

@@ -11,23 +11,23 @@ namespace {
 
 constexpr std::uint16_t kManufacturer = 0x2000, kEndOfManufacturer = 0x6000;
 
-bool mappable_size(const EntryFacts& entry) noexcept {
+bool mappable_size(const eds::EntryFacts& entry) noexcept {
   return entry.mappable && entry.numeric() &&
          (entry.type->bits == 8 || entry.type->bits == 16 || entry.type->bits == 32);
 }
 
-MappedObject object_of(const EntryFacts& entry) {
+MappedObject object_of(const eds::EntryFacts& entry) {
   return {entry.index, entry.sub_index, static_cast<std::uint8_t>(entry.type->bits)};
 }
 
 /// Objects of the manufacturer first: those of a profile tell what moves.
-std::vector<MappedObject> mapped(std::vector<const EntryFacts*> entries) {
-  std::stable_partition(entries.begin(), entries.end(), [](const EntryFacts* entry) {
+std::vector<MappedObject> mapped(std::vector<const eds::EntryFacts*> entries) {
+  std::stable_partition(entries.begin(), entries.end(), [](const eds::EntryFacts* entry) {
     return entry->index >= kManufacturer && entry->index < kEndOfManufacturer;
   });
   std::vector<MappedObject> objects;
   objects.reserve(entries.size());
-  for (const EntryFacts* const entry : entries) objects.push_back(object_of(*entry));
+  for (const eds::EntryFacts* const entry : entries) objects.push_back(object_of(*entry));
   return objects;
 }
 
@@ -50,20 +50,20 @@ std::uint32_t MappedObject::entry() const noexcept {
 }
 
 std::vector<MappedObject> transmittable(Context& context) {
-  std::vector<const EntryFacts*> entries;
-  for (const EntryFacts& entry : context.eds().entries())
+  std::vector<const eds::EntryFacts*> entries;
+  for (const eds::EntryFacts& entry : context.eds().entries())
     if (mappable_size(entry) && entry.readable() && entry.access != canopen::Access::ReadWriteWrite)
       entries.push_back(&entry);
   return mapped(std::move(entries));
 }
 
 std::vector<MappedObject> receivable(Context& context) {
-  std::vector<const EntryFacts*> entries;
-  for (const EntryFacts& entry : context.eds().entries()) {
+  std::vector<const eds::EntryFacts*> entries;
+  for (const eds::EntryFacts& entry : context.eds().entries()) {
     const bool takes = mappable_size(entry) && entry.writable() && entry.readable() &&
                        entry.access != canopen::Access::ReadWriteRead;
     // ObjFlags is about downloads of a configuration; an RPDO is none.
-    EntryFacts by_rpdo = entry;
+    eds::EntryFacts by_rpdo = entry;
     by_rpdo.no_write = false;
     if (takes && write_refusal(by_rpdo, context.settings()) == nullptr) entries.push_back(&entry);
   }
@@ -74,7 +74,7 @@ std::vector<MappedObject> receivable(Context& context) {
 }
 
 std::vector<MappedObject> calm_mapping(Context& context, const Pdo& pdo) {
-  const EntryFacts* const count = context.eds().find(pdo.mapping(), 0);
+  const eds::EntryFacts* const count = context.eds().find(pdo.mapping(), 0);
   const std::vector<MappedObject> objects = transmittable(context);
   if (count == nullptr || !count->writable() || objects.empty()) return {};
   return {objects.front()};
@@ -82,7 +82,7 @@ std::vector<MappedObject> calm_mapping(Context& context, const Pdo& pdo) {
 
 std::optional<MappedObject> changeable(Context& context) {
   for (const MappedObject& object : transmittable(context)) {
-    const EntryFacts* const entry = context.eds().find(object.index, object.sub_index);
+    const eds::EntryFacts* const entry = context.eds().find(object.index, object.sub_index);
     if (entry->writable() && write_refusal(*entry, context.settings()) == nullptr) return object;
   }
   context.skip(context.eds().empty() ? "without an EDS no object is known that makes an event"
@@ -93,18 +93,18 @@ std::optional<MappedObject> changeable(Context& context) {
 std::uint64_t other_value(Context& context, const MappedObject& object) {
   const std::uint64_t mask = (std::uint64_t{1} << object.bits) - 1;
   const std::uint64_t now = context.read(object.index, object.sub_index).number();
-  const EntryFacts* const facts = context.eds().find(object.index, object.sub_index);
+  const eds::EntryFacts* const facts = context.eds().find(object.index, object.sub_index);
   const std::uint64_t next = (now + 1) & mask;
   if (facts == nullptr || !facts->high) return next;
   const std::uint8_t node_id = context.session().node_id();
   const auto high = signed_of(*facts->high, 0, node_id);
-  const auto present = signed_of(decode(little_endian(now, object.bytes()), *facts->type), 0, node_id);
+  const auto present = signed_of(decode(eds::little_endian(now, object.bytes()), *facts->type), 0, node_id);
   return present < high ? next : (now - 1) & mask;
 }
 
 std::uint64_t change(Context& context, const MappedObject& object) {
   const std::uint64_t value = other_value(context, object);
-  (void)context.write(object.index, object.sub_index, little_endian(value, object.bytes()));
+  (void)context.write(object.index, object.sub_index, eds::little_endian(value, object.bytes()));
   return value;
 }
 

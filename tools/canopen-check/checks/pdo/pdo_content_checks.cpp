@@ -21,7 +21,7 @@ std::optional<std::string> objection(Context& context, const Pdo& pdo, const Map
     if (allowed && pdo.direction == PdoDirection::Receive) return std::nullopt;
     return fmt::format("the dummy object {:04X}h", object.index);
   }
-  const EntryFacts* const facts = context.eds().find(object.index, object.sub_index);
+  const eds::EntryFacts* const facts = context.eds().find(object.index, object.sub_index);
   if (facts == nullptr) return fmt::format("{}, which is not in the EDS", to_text(subject));
   if (!facts->mappable) return fmt::format("{}, which is not mappable", to_text(subject));
   const canopen::Access forbidden =

@@ -129,7 +129,7 @@ void refuses_missing_objects(Context& context) {
 
 void refuses_unmappable_objects(Context& context) {
   const auto entries = context.eds().entries();
-  const auto entry = std::ranges::find_if(entries, [](const EntryFacts& each) {
+  const auto entry = std::ranges::find_if(entries, [](const eds::EntryFacts& each) {
     return !each.mappable && each.numeric() && each.bytes() <= 4 && each.type->bits % 8 == 0 &&
            each.access == canopen::Access::ReadWrite;
   });
@@ -143,7 +143,7 @@ void refuses_unmappable_objects(Context& context) {
 /// A mappable object that cannot go the way of @p pdo.
 std::optional<MappedObject> of_other_direction(Context& context, const Pdo& pdo) {
   const bool receive = pdo.direction == PdoDirection::Receive;
-  for (const EntryFacts& entry : context.eds().entries()) {
+  for (const eds::EntryFacts& entry : context.eds().entries()) {
     if (!entry.mappable || !entry.numeric()) continue;
     const bool wrong =
         receive ? entry.access == canopen::Access::ReadOnly || entry.access == canopen::Access::ReadWriteRead

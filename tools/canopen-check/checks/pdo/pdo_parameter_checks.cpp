@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "meaning/words.hpp"
 #include "tools/canopen-check/checks/pdo/pdo_tools.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/finding_limit.hpp"
@@ -25,7 +26,7 @@ void has_no_reserved_entry(Context& context) {
       const SdoAnswer answer = context.read(pdo.parameters(), kReservedSub);
       if (answer.aborted() && answer.abort_code == number_of(NoSubIndex)) continue;
       findings.fail({pdo.parameters(), kReservedSub},
-                    abort_text(number_of(NoSubIndex)) + ": the entry is reserved", to_text(answer));
+                    meaning::abort_text(number_of(NoSubIndex)) + ": the entry is reserved", to_text(answer));
     }
   if (tried == 0) context.skip("the node has no PDO");
 }
@@ -143,8 +144,8 @@ void refuses_restricted_identifiers(Context& context) {
       if (!refused && refused_as_empty(context, pdo, answer)) break;
       if (!refused)
         findings.fail({pdo.parameters(), kCobIdSub},
-                      fmt::format("{} for the restricted identifier {:03X}h", abort_text(number_of(InvalidValue)),
-                                  identifier),
+                      fmt::format("{} for the restricted identifier {:03X}h",
+                                  meaning::abort_text(number_of(InvalidValue)), identifier),
                       to_text(answer));
       if (answer.done() && !disable(context, pdo)) return;
     }
@@ -155,7 +156,7 @@ void keeps_to_its_limits(Context& context) {
   bool any = false;
   FindingLimit findings{context};
   for (const Pdo& pdo : test_pdos(context)) {
-    const EntryFacts* const facts = context.eds().find(pdo.parameters(), kCobIdSub);
+    const eds::EntryFacts* const facts = context.eds().find(pdo.parameters(), kCobIdSub);
     const auto high =
         facts != nullptr && facts->high ? facts->high->at(context.session().node_id()) : std::nullopt;
     if (!high || high->negative || high->magnitude < kInvalid || high->magnitude >= 0xFFFF'FFFF) continue;

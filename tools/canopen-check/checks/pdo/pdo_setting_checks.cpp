@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "meaning/words.hpp"
 #include "tools/canopen-check/checks/pdo/pdo_tools.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/finding_limit.hpp"
@@ -35,13 +36,15 @@ void judge_type(Context& context, FindingLimit& findings, const Pdo& pdo, std::u
   const Subject subject{pdo.parameters(), kTypeSub};
   if (is_reserved(type, pdo.direction)) {
     if (!refused)
-      findings.fail(subject, fmt::format("{} for the reserved type {}", abort_text(number_of(InvalidValue)), type),
+      findings.fail(subject,
+                    fmt::format("{} for the reserved type {}", meaning::abort_text(number_of(InvalidValue)), type),
                     to_text(answer));
     return;
   }
   if (!answer.done()) {
     if (!refused)
-      findings.fail(subject, fmt::format("type {} is taken, or {}", type, abort_text(number_of(InvalidValue))),
+      findings.fail(subject,
+                    fmt::format("type {} is taken, or {}", type, meaning::abort_text(number_of(InvalidValue))),
                     to_text(answer));
     return context.note(fmt::format("{} does not support type {}", pdo.name(), type));
   }

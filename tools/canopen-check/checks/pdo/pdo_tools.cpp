@@ -73,7 +73,7 @@ std::optional<Pdo> test_pdo(Context& context, PdoDirection direction) {
   std::vector<Pdo> pdos = all_pdos(context, direction);
   if (!context.eds().empty())
     std::erase_if(pdos, [&](const Pdo& pdo) {
-      const EntryFacts* const facts = context.eds().find(pdo.parameters(), kCobIdSub);
+      const eds::EntryFacts* const facts = context.eds().find(pdo.parameters(), kCobIdSub);
       return write_refusal(*facts, context.settings()) != nullptr || !facts->writable();
     });
   if (pdos.empty()) {

@@ -144,7 +144,7 @@ SdoAnswer Download::end() {
   const std::size_t unused = (kSegment - entry.value.size() % kSegment) % kSegment;
   std::uint16_t sum = crc ? canopen::sdo::crc(entry.value) : std::uint16_t{0};
   if (options.wrong_crc) sum ^= 0xFFFFU;
-  const auto bytes = little_endian(sum, 2);
+  const auto bytes = eds::little_endian(sum, 2);
   SdoAnswer answer = ask(context, segment(context, static_cast<std::uint8_t>(kDownloadEnd | unused << 2U), bytes));
   if (!answer.done()) return answer;
   if (!begins_with(answer, kDownloadDone))

@@ -22,7 +22,7 @@ template <class Concerns, class Judge>
 void for_each_entry(Context& context, Concerns concerns, Judge judge) {
   if (context.eds().empty()) return context.skip("there is no EDS");
   int asked = 0, silent = 0;
-  for (const EntryFacts& entry : context.eds().entries()) {
+  for (const eds::EntryFacts& entry : context.eds().entries()) {
     if (context.session().ended() || silent == kMostSilent) break;
     if (!concerns(entry)) continue;
     ++asked;
@@ -37,11 +37,11 @@ void for_each_entry(Context& context, Concerns concerns, Judge judge) {
 void refuses_to_write_constants(Context& context) {
   for_each_entry(
       context,
-      [&](const EntryFacts& entry) {
+      [&](const eds::EntryFacts& entry) {
         return !entry.writable() && entry.numeric() && !entry.no_read &&
                write_refusal(entry, context.settings()) == nullptr;
       },
-      [&](const EntryFacts& entry) {
+      [&](const eds::EntryFacts& entry) {
         const SdoAnswer value = context.undo().keep(entry.index, entry.sub_index);
         if (!value.done()) return value.kind;
         const SdoAnswer answer = context.sdo().download(entry.index, entry.sub_index, value.data);
@@ -53,8 +53,8 @@ void refuses_to_write_constants(Context& context) {
 
 void refuses_to_read_write_only(Context& context) {
   for_each_entry(
-      context, [](const EntryFacts& entry) { return !entry.readable() && !entry.no_read; },
-      [&](const EntryFacts& entry) {
+      context, [](const eds::EntryFacts& entry) { return !entry.readable() && !entry.no_read; },
+      [&](const eds::EntryFacts& entry) {
         const SdoAnswer answer = context.read(entry.index, entry.sub_index);
         context.expect_abort(answer, {number_of(AbortCode::WriteOnly), number_of(AbortCode::UnsupportedAccess)},
                              entry.index, entry.sub_index, "reading it");
@@ -111,7 +111,7 @@ void refuses_too_little(Context& context) {
 }
 
 /// The value next to @p limit, above it or below; nothing where the type has none.
-std::optional<eds::Value> beyond(const eds::Value& limit, const EntryFacts& entry, bool above) {
+std::optional<eds::Value> beyond(const eds::Value& limit, const eds::EntryFacts& entry, bool above) {
   if (limit.kind != eds::ValueKind::Signed && limit.kind != eds::ValueKind::Unsigned) return std::nullopt;
   eds::Value value = limit;
   eds::Integer& integer = value.integer;
@@ -131,16 +131,16 @@ std::optional<eds::Value> beyond(const eds::Value& limit, const EntryFacts& entr
 /// Writes the number next to each limit. COB-IDs and PDO parameters have limits of their own (pdo checks).
 void expect_limit_abort(Context& context, bool above) {
   const AbortCode code = above ? AbortCode::ValueTooHigh : AbortCode::ValueTooLow;
-  const auto limit = [above](const EntryFacts& entry) { return above ? entry.high : entry.low; };
+  const auto limit = [above](const eds::EntryFacts& entry) { return above ? entry.high : entry.low; };
   for_each_entry(
       context,
-      [&](const EntryFacts& entry) {
+      [&](const eds::EntryFacts& entry) {
         return entry.writable() && entry.numeric() && limit(entry) && beyond(*limit(entry), entry, above) &&
                eds::find_cob_id(entry.index, entry.sub_index) == nullptr &&
                (entry.index < object::kRpdoParameter || entry.index >= object::kPdosEnd) &&
                write_refusal(entry, context.settings()) == nullptr;
       },
-      [&](const EntryFacts& entry) {
+      [&](const eds::EntryFacts& entry) {
         const auto value = encode(*beyond(*limit(entry), entry, above), *entry.type, context.eds().node_id());
         if (!value) return SdoAnswer::Kind::Done;
         const SdoAnswer answer = context.write(entry.index, entry.sub_index, *value);
@@ -167,7 +167,7 @@ void has_its_own_identifiers(Context& context) {
     if (value && *value != wanted[sub - 1U])
       context.fail(object::kSdoServer, sub, fmt::format("{:08X}h", wanted[sub - 1U]),
                    fmt::format("{:08X}h", *value));
-    const EntryFacts* const facts = context.eds().find(object::kSdoServer, sub);
+    const eds::EntryFacts* const facts = context.eds().find(object::kSdoServer, sub);
     if (facts != nullptr && facts->writable())
       context.fail(object::kSdoServer, sub, "an EDS that calls it ro or const", "one that calls it writable");
   }

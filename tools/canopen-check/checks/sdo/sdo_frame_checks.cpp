@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "meaning/words.hpp"
 #include "tools/canopen-check/checks/shared/check_table.hpp"
 #include "tools/canopen-check/checks/shared/sdo_targets.hpp"
 #include "tools/canopen-check/checks/shared/silence.hpp"
@@ -27,7 +28,7 @@ void refuses_segments_of_no_transfer(Context& context) {
     const bool refused = answer.aborted() && answer.abort_code == number_of(AbortCode::CommandSpecifierInvalid);
     if (!refused)
       context.fail(fmt::format("abort {} for a segment {:02X}h without initiation",
-                               abort_text(number_of(AbortCode::CommandSpecifierInvalid)), command),
+                               meaning::abort_text(number_of(AbortCode::CommandSpecifierInvalid)), command),
                    to_text(answer));
   }
 }

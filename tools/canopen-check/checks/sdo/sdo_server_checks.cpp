@@ -19,8 +19,8 @@ constexpr std::uint32_t kFreeRequest = 0x6A0, kFreeResponse = 0x6A1;
 /// The first further server of the EDS whose COB-IDs can be written; 0, and the check is skipped, without one.
 std::uint16_t further_server(Context& context) {
   for (const std::uint16_t index : context.eds().objects_within(kFirst, kLast)) {
-    const EntryFacts* const request = context.eds().find(index, 1);
-    const EntryFacts* const response = context.eds().find(index, 2);
+    const eds::EntryFacts* const request = context.eds().find(index, 1);
+    const eds::EntryFacts* const response = context.eds().find(index, 2);
     if (request != nullptr && response != nullptr && request->writable() && response->writable()) return index;
   }
   context.skip("objects 1201h to 127Fh with COB-IDs that can be written are not in the EDS");
@@ -29,7 +29,7 @@ std::uint16_t further_server(Context& context) {
 
 void has_the_servers_of_the_eds(Context& context) {
   if (context.eds().empty()) return context.skip("there is no EDS");
-  for (const EntryFacts& entry : context.eds().entries()) {
+  for (const eds::EntryFacts& entry : context.eds().entries()) {
     if (entry.index < kFirst || entry.index > kLast || !entry.readable()) continue;
     (void)context.number(entry.index, entry.sub_index);
   }

@@ -25,7 +25,7 @@ struct Complaint {
 std::vector<Multiplexor> short_entries(const Context& context) {
   if (context.eds().empty()) return {{object::kDeviceType, 0}};
   std::vector<Multiplexor> entries;
-  for (const EntryFacts& entry : context.eds().entries())
+  for (const eds::EntryFacts& entry : context.eds().entries())
     if (entry.numeric() && entry.bytes() <= kExpedited && entry.readable() && !entry.no_read)
       entries.push_back({entry.index, entry.sub_index});
   return entries;
@@ -36,7 +36,7 @@ std::vector<Multiplexor> short_entries(const Context& context) {
 template <class Judge>
 void for_each_expedited(Context& context, Judge judge) {
   const auto complaint = [&](const Multiplexor& entry, const SdoAnswer& answer) -> std::optional<Complaint> {
-    const EntryFacts* const facts = context.eds().find(entry.index, entry.sub_index);
+    const eds::EntryFacts* const facts = context.eds().find(entry.index, entry.sub_index);
     if (!answer.done() || answer.data.size() != 8) return std::nullopt;
     return judge(facts != nullptr ? facts->bytes() : kExpedited, answer.data);
   };
@@ -105,7 +105,7 @@ std::optional<Target> begin_any_upload(Context& context) {
   };
   for (std::uint16_t index = object::kDeviceName; index <= object::kSoftwareVersion; ++index)
     if (begun(index, 0)) return Target{index, 0};
-  for (const EntryFacts& entry : context.eds().entries()) {
+  for (const eds::EntryFacts& entry : context.eds().entries()) {
     const bool text = entry.type != nullptr && !entry.numeric() && entry.readable() && !entry.no_read;
     if (text && begun(entry.index, entry.sub_index)) return Target{entry.index, entry.sub_index};
   }

@@ -40,7 +40,7 @@ std::vector<Mapped> mapping_of(Context& context, std::uint16_t parameters) {
 
 bool may_write(const Context& context, const Mapped& mapped) {
   if (mapped.dummy()) return true;
-  const EntryFacts* const facts = context.eds().find(mapped.index, mapped.sub_index);
+  const eds::EntryFacts* const facts = context.eds().find(mapped.index, mapped.sub_index);
   Settings still = context.settings();
   still.allow_motion = false;  // values that are made up are for no drive
   return facts != nullptr && write_refusal(*facts, still) == nullptr;
@@ -62,7 +62,7 @@ std::optional<HarmlessRpdo> frame_for(Context& context, const ValidPdo& rpdo, st
       made.before = value;
       made.after = value ^= change;
     }
-    std::ranges::copy(little_endian(value, size), made.frame.data.begin() + made.frame.length);
+    std::ranges::copy(eds::little_endian(value, size), made.frame.data.begin() + made.frame.length);
     made.frame.length = static_cast<std::uint8_t>(made.frame.length + size);
     if (!mapped.dummy()) context.undo().keep(mapped.index, mapped.sub_index);
   }

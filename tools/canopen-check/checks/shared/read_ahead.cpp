@@ -4,9 +4,9 @@
 
 namespace conformance {
 
-bool fits_one_frame(const Description& eds, const Multiplexor& entry) noexcept {
+bool fits_one_frame(const eds::Description& eds, const Multiplexor& entry) noexcept {
   constexpr std::size_t kExpedited = 4;
-  const EntryFacts* const facts = eds.find(entry.index, entry.sub_index);
+  const eds::EntryFacts* const facts = eds.find(entry.index, entry.sub_index);
   return facts == nullptr || (facts->numeric() && facts->bytes() <= kExpedited);
 }
 

@@ -43,6 +43,6 @@ class ReadAhead {
 
 /// True if the answer to an upload of @p entry is one frame, by the EDS: a number of at most four bytes, or an
 /// abort because it is not there.
-[[nodiscard]] bool fits_one_frame(const Description& eds, const Multiplexor& entry) noexcept;
+[[nodiscard]] bool fits_one_frame(const eds::Description& eds, const Multiplexor& entry) noexcept;
 
 }  // namespace conformance

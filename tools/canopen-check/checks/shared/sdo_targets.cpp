@@ -16,7 +16,7 @@ constexpr int kMostAsked = 30;
 template <class Fits, class Takes>
 std::optional<Target> first_entry(Context& context, Fits fits, Takes takes) {
   int asked = 0;
-  for (const EntryFacts& entry : context.eds().entries()) {
+  for (const eds::EntryFacts& entry : context.eds().entries()) {
     if (asked == kMostAsked || context.session().ended()) break;
     if (!fits(entry)) continue;
     ++asked;
@@ -28,7 +28,7 @@ std::optional<Target> first_entry(Context& context, Fits fits, Takes takes) {
 
 }  // namespace
 
-bool harmless(const EntryFacts& entry, const Settings& settings) noexcept {
+bool harmless(const eds::EntryFacts& entry, const Settings& settings) noexcept {
   Settings calm = settings;
   calm.allow_motion = calm.allow_store = false;
   const bool pdo = entry.index >= object::kRpdoParameter && entry.index < object::kPdosEnd;
@@ -45,7 +45,7 @@ std::optional<Target> writable_number(Context& context, std::size_t bytes) {
   }
   return first_entry(
       context,
-      [&](const EntryFacts& entry) {
+      [&](const eds::EntryFacts& entry) {
         return entry.numeric() && entry.bytes() == bytes && entry.type->bits != 1 && entry.readable() &&
                !entry.no_read && harmless(entry, context.settings());
       },
@@ -56,7 +56,7 @@ std::optional<Target> writable_text(Context& context, bool domain) {
   constexpr std::uint16_t kDomain = 0x000F;
   return first_entry(
       context,
-      [&](const EntryFacts& entry) {
+      [&](const eds::EntryFacts& entry) {
         return entry.type != nullptr && !entry.numeric() && entry.readable() && !entry.no_read &&
                (entry.type->number == kDomain) == domain && harmless(entry, context.settings());
       },
@@ -72,7 +72,7 @@ std::optional<Target> long_entry(Context& context, std::size_t bytes) {
   }
   return first_entry(
       context,
-      [&](const EntryFacts& entry) {
+      [&](const eds::EntryFacts& entry) {
         return entry.readable() && !entry.no_read && entry.type != nullptr &&
                (!entry.numeric() || entry.bytes() > bytes);
       },

@@ -27,7 +27,7 @@ struct Target {
 
 /// True where @p entry may be written with its own value in any state: no order, no COB-ID, no PDO parameter,
 /// nothing that is stored by it or that moves a drive.
-[[nodiscard]] bool harmless(const EntryFacts& entry, const Settings& settings) noexcept;
+[[nodiscard]] bool harmless(const eds::EntryFacts& entry, const Settings& settings) noexcept;
 
 /// A frame of the server as an answer: an abort, silence, or the eight bytes as they are.
 [[nodiscard]] SdoAnswer answer_of(const std::optional<canopen::Frame>& frame);

@@ -23,7 +23,7 @@ std::array<std::uint64_t, 2> beside(std::uint64_t number, std::size_t bytes) noe
 }
 
 bool is_writable(Context& context, const StoredValue& value) {
-  const EntryFacts* const facts = context.eds().find(value.index, value.sub_index);
+  const eds::EntryFacts* const facts = context.eds().find(value.index, value.sub_index);
   if (facts == nullptr) return context.eds().empty() && context.read(value.index, value.sub_index).done();
   return facts->writable() && facts->readable() && write_refusal(*facts, context.settings()) == nullptr;
 }
@@ -44,7 +44,7 @@ SdoAnswer order(Context& context, std::uint16_t index, std::uint8_t group, std::
       std::max<canopen::Duration>(context.settings().patience, std::chrono::seconds{5});
   SdoClient client{context.session(), context.sdo().request_identifier(), context.sdo().response_identifier(),
                    patience};
-  return client.download(index, group, little_endian(signature, 4));
+  return client.download(index, group, eds::little_endian(signature, 4));
 }
 
 std::optional<StoredValue> communication_value(Context& context) {
@@ -58,7 +58,7 @@ std::optional<StoredValue> application_value(Context& context) {
     if (takes(context, value)) return value;
   constexpr int kMost = 20;  // tries: most parameters of a manufacturer are none to play with
   int tried = 0;
-  for (const EntryFacts& entry : context.eds().entries()) {
+  for (const eds::EntryFacts& entry : context.eds().entries()) {
     const bool plain = entry.index >= 0x2000 && entry.index < 0x6000 && entry.numeric() && !entry.mappable &&
                        entry.low && entry.high;
     if (!plain || !is_writable(context, {entry.index, entry.sub_index})) continue;
@@ -73,7 +73,7 @@ SdoAnswer alter(Context& context, const StoredValue& value) {
   if (!before.done()) return before;
   SdoAnswer written;
   for (const std::uint64_t number : beside(before.number(), before.data.size())) {
-    written = context.write(value.index, value.sub_index, little_endian(number, before.data.size()));
+    written = context.write(value.index, value.sub_index, eds::little_endian(number, before.data.size()));
     if (written.done()) return context.read(value.index, value.sub_index);
   }
   return written;

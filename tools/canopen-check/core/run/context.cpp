@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "meaning/words.hpp"
 #include "tools/canopen-check/core/standard_numbers.hpp"
 
 namespace conformance {
@@ -75,7 +76,7 @@ bool Context::need(std::uint16_t index, std::uint8_t sub_index) {
 }
 
 bool Context::is_fixed(std::uint16_t index, std::uint8_t sub_index) const noexcept {
-  const EntryFacts* const facts = eds_->find(index, sub_index);
+  const eds::EntryFacts* const facts = eds_->find(index, sub_index);
   return facts != nullptr && !facts->writable();
 }
 
@@ -92,10 +93,10 @@ std::optional<std::uint64_t> Context::number_in(const SdoAnswer& answer, std::ui
 }
 
 SdoAnswer Context::write_number(std::uint16_t index, std::uint8_t sub_index, std::uint64_t value) {
-  const EntryFacts* const facts = eds_->find(index, sub_index);
+  const eds::EntryFacts* const facts = eds_->find(index, sub_index);
   std::size_t size = facts != nullptr ? facts->bytes() : 0;
   if (size == 0) size = std::clamp<std::size_t>(read(index, sub_index).data.size(), 1, 8);
-  return write(index, sub_index, little_endian(value, size));
+  return write(index, sub_index, eds::little_endian(value, size));
 }
 
 bool Context::set(std::uint16_t index, std::uint8_t sub_index, std::uint64_t value) {
@@ -117,7 +118,8 @@ void Context::expect_abort(const SdoAnswer& answer, std::initializer_list<std::u
     return note(
         fmt::format("{}: {} is refused with the general code", to_text(Subject{index, sub_index}), request));
   std::string expected;
-  for (const std::uint32_t code : codes) expected += (expected.empty() ? "abort " : " or ") + abort_text(code);
+  for (const std::uint32_t code : codes)
+    expected += (expected.empty() ? "abort " : " or ") + meaning::abort_text(code);
   fail(index, sub_index, fmt::format("{} for {}", expected, request), to_text(answer));
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "eds/description/description.hpp"
 #include "tools/canopen-check/core/check.hpp"
-#include "tools/canopen-check/core/description.hpp"
 #include "tools/canopen-check/core/run/manners.hpp"
 #include "tools/canopen-check/core/run/undo_log.hpp"
 
@@ -32,13 +32,14 @@ struct Settings {
 /// What one check works with, and what it says.
 class Context {
  public:
-  Context(Session& session, SdoClient& sdo, const Description& eds, const Settings& settings, Manners& manners)
+  Context(Session& session, SdoClient& sdo, const eds::Description& eds, const Settings& settings,
+          Manners& manners)
       : session_{&session}, sdo_{&sdo}, eds_{&eds}, settings_{&settings}, manners_{&manners}, undo_{sdo} {}
 
   // What it works with.
   [[nodiscard]] Session& session() noexcept { return *session_; }
   [[nodiscard]] SdoClient& sdo() noexcept { return *sdo_; }
-  [[nodiscard]] const Description& eds() const noexcept { return *eds_; }
+  [[nodiscard]] const eds::Description& eds() const noexcept { return *eds_; }
   [[nodiscard]] const Settings& settings() const noexcept { return *settings_; }
   [[nodiscard]] UndoLog& undo() noexcept { return undo_; }
   /// What earlier checks have found out, and this one finds out for later ones.
@@ -138,7 +139,7 @@ class Context {
 
   Session* session_;
   SdoClient* sdo_;
-  const Description* eds_;
+  const eds::Description* eds_;
   const Settings* settings_;
   Manners* manners_;
   UndoLog undo_;

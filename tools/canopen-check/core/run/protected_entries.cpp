@@ -36,7 +36,7 @@ constexpr std::array kOrders{
 
 }  // namespace
 
-const char* write_refusal(const EntryFacts& entry, const Settings& settings) noexcept {
+const char* write_refusal(const eds::EntryFacts& entry, const Settings& settings) noexcept {
   if (entry.no_write) return "ObjFlags asks not to write it";
   if (!settings.allow_store &&
       (entry.index == object::kStoreParameters || entry.index == object::kRestoreParameters))

@@ -20,7 +20,7 @@ std::size_t RunReport::count(Outcome outcome) const noexcept {
   return static_cast<std::size_t>(std::ranges::count(results, outcome, &CheckResult::outcome));
 }
 
-Runner::Runner(Wire& wire, const Description& eds, const Settings& settings, Deviations& deviations)
+Runner::Runner(Wire& wire, const eds::Description& eds, const Settings& settings, Deviations& deviations)
     : session_{wire, settings.node_id},
       sdo_{session_, session_.identifier(function_code::kSdoRequest),
            session_.identifier(function_code::kSdoResponse), settings.patience},
@@ -52,7 +52,7 @@ bool Runner::reach(RunReport& report) {
 }
 
 std::string Runner::foreign_device() {
-  const DeviceFacts& device = eds_->device();
+  const eds::DeviceFacts& device = eds_->device();
   std::uint8_t sub = 0;
   for (const std::optional<std::uint64_t>& stated : {device.vendor, device.product}) {
     ++sub;
@@ -89,7 +89,7 @@ RunReport Runner::run(std::span<const Check* const> checks, const Progress& prog
   sdo_.learn_aborts();
   const bool changes = settings_->mode == Mode::Full && foreign_.empty();
   if (changes) explore();
-  Snapshot snapshot{sdo_, changes ? *eds_ : Description{}, *settings_};
+  Snapshot snapshot{sdo_, changes ? *eds_ : eds::Description{}, *settings_};
   std::size_t number = 0;
   for (const Check* check : checks)
     if (why_not(*check).empty()) manners_.ahead.insert(check->id);

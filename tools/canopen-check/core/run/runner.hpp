@@ -35,7 +35,7 @@ struct RunReport {
 class Runner {
  public:
   /// @p wire, @p eds, @p settings and @p deviations must outlive it.
-  Runner(Wire& wire, const Description& eds, const Settings& settings, Deviations& deviations);
+  Runner(Wire& wire, const eds::Description& eds, const Settings& settings, Deviations& deviations);
 
   /// Runs @p checks in their order; those that settings or mode do not allow are skipped.
   RunReport run(std::span<const Check* const> checks, const Progress& progress);
@@ -72,7 +72,7 @@ class Runner {
 
   Session session_;
   SdoClient sdo_;
-  const Description* eds_;
+  const eds::Description* eds_;
   const Settings* settings_;
   Deviations* deviations_;
   Manners manners_{};

@@ -25,8 +25,8 @@ std::uint16_t parameters_of(std::uint16_t index) noexcept {
 
 }  // namespace
 
-Snapshot::Snapshot(SdoClient& sdo, const Description& eds, const Settings& settings) : sdo_{&sdo} {
-  for (const EntryFacts& entry : eds.entries()) {
+Snapshot::Snapshot(SdoClient& sdo, const eds::Description& eds, const Settings& settings) : sdo_{&sdo} {
+  for (const eds::EntryFacts& entry : eds.entries()) {
     const bool kept = entry.readable() && entry.writable() && !entry.no_read && entry.numeric() &&
                       write_refusal(entry, settings) == nullptr;
     if (!kept) continue;

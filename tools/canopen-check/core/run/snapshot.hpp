@@ -14,7 +14,7 @@ namespace conformance {
 class Snapshot {
  public:
   /// Reads every entry that the EDS calls writable, each by itself, as long as the session lasts.
-  Snapshot(SdoClient& sdo, const Description& eds, const Settings& settings);
+  Snapshot(SdoClient& sdo, const eds::Description& eds, const Settings& settings);
 
   /// Writes back what has changed, PDO parameters by their procedure; a line for each entry that does not hold its
   /// value then.

@@ -1,10 +1,12 @@
-#include "tools/canopen-check/core/description.hpp"
+#include "eds/description/description.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <tuple>
 
-namespace conformance {
+#include "eds/document/document.hpp"
+
+namespace eds {
 namespace {
 
 auto key_of(const EntryFacts& entry) {
@@ -12,11 +14,11 @@ auto key_of(const EntryFacts& entry) {
 }
 
 template <class T>
-std::optional<T> optional_of(const eds::Stated<T>& stated) {
+std::optional<T> optional_of(const Stated<T>& stated) {
   return stated.value;
 }
 
-EntryFacts facts_of(std::uint16_t index, const eds::SheetEntry& entry) {
+EntryFacts facts_of(std::uint16_t index, const SheetEntry& entry) {
   constexpr std::uint64_t kNoWrite = 1, kNoRead = 2;
   return {.index = index,
           .sub_index = entry.sub_index,
@@ -31,7 +33,7 @@ EntryFacts facts_of(std::uint16_t index, const eds::SheetEntry& entry) {
           .initial = optional_of(entry.effective())};
 }
 
-std::uint64_t bits_of(const eds::Integer& integer) noexcept {
+std::uint64_t bits_of(const Integer& integer) noexcept {
   return integer.negative ? std::uint64_t{0} - integer.magnitude : integer.magnitude;
 }
 
@@ -45,10 +47,10 @@ constexpr std::uint8_t kSingle = 32;
 
 }  // namespace
 
-void Description::add(const eds::DataSheet& sheet, std::uint8_t node_id) {
+void Description::add(const DataSheet& sheet, std::uint8_t node_id) {
   node_id_ = node_id;
   if (entries_.empty()) {
-    const eds::DeviceInfo& info = sheet.device_info;
+    const DeviceInfo& info = sheet.device_info;
     device_ = {.vendor = optional_of(info.vendor_number),
                .product = optional_of(info.product_number),
                .revision = optional_of(info.revision_number),
@@ -60,12 +62,14 @@ void Description::add(const eds::DataSheet& sheet, std::uint8_t node_id) {
   }
   for (const auto& [index, object] : sheet.objects) {
     objects_.try_emplace(index, object.code());
-    for (const eds::SheetEntry& entry : object.entries)
-      if (find(index, entry.sub_index) == nullptr) {
-        EntryFacts facts = facts_of(index, entry);
-        entries_.insert(std::ranges::upper_bound(entries_, key_of(facts), {}, key_of), std::move(facts));
-      }
+    for (const SheetEntry& entry : object.entries) add(facts_of(index, entry));
   }
+}
+
+void Description::add(EntryFacts entry) {
+  if (find(entry.index, entry.sub_index) != nullptr) return;
+  objects_.try_emplace(entry.index, ObjectCode::Null);
+  entries_.insert(std::ranges::upper_bound(entries_, key_of(entry), {}, key_of), std::move(entry));
 }
 
 const EntryFacts* Description::find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
@@ -79,9 +83,9 @@ std::span<const EntryFacts> Description::entries_of(std::uint16_t index) const n
   return {first, last};
 }
 
-eds::ObjectCode Description::code_of(std::uint16_t index) const noexcept {
+ObjectCode Description::code_of(std::uint16_t index) const noexcept {
   const auto at = objects_.find(index);
-  return at == objects_.end() ? eds::ObjectCode::Null : at->second;
+  return at == objects_.end() ? ObjectCode::Null : at->second;
 }
 
 std::vector<std::uint16_t> Description::objects_within(std::uint16_t first, std::uint16_t last) const {
@@ -97,38 +101,37 @@ std::vector<std::uint8_t> little_endian(std::uint64_t number, std::size_t size) 
   return bytes;
 }
 
-std::optional<std::vector<std::uint8_t>> encode(const eds::Value& value, const eds::DataTypeRow& type,
+std::optional<std::vector<std::uint8_t>> encode(const Value& value, const DataTypeRow& type,
                                                 std::uint8_t node_id) {
   const std::size_t size = (static_cast<std::size_t>(type.bits) + 7) / 8;
   switch (type.kind) {
-    case eds::ValueKind::Signed:
-    case eds::ValueKind::Unsigned:
-      if (const std::optional<eds::Integer> integer = value.at(node_id))
-        return little_endian(bits_of(*integer), size);
+    case ValueKind::Signed:
+    case ValueKind::Unsigned:
+      if (const std::optional<Integer> integer = value.at(node_id)) return little_endian(bits_of(*integer), size);
       return std::nullopt;
-    case eds::ValueKind::Real:
+    case ValueKind::Real:
       return little_endian(type.bits == kSingle ? std::bit_cast<std::uint32_t>(static_cast<float>(value.real))
                                                 : std::bit_cast<std::uint64_t>(value.real),
                            size);
-    case eds::ValueKind::Text:
+    case ValueKind::Text:
       return std::vector<std::uint8_t>{value.text.begin(), value.text.end()};
-    case eds::ValueKind::Bytes:
+    case ValueKind::Bytes:
       break;
   }
   return std::nullopt;
 }
 
-eds::Value decode(std::span<const std::uint8_t> bytes, const eds::DataTypeRow& type) {
-  eds::Value value{.kind = type.kind};
+Value decode(std::span<const std::uint8_t> bytes, const DataTypeRow& type) {
+  Value value{.kind = type.kind};
   const std::uint64_t number = number_of(bytes);
-  if (type.kind == eds::ValueKind::Real) {
+  if (type.kind == ValueKind::Real) {
     value.real = type.bits == kSingle ? double{std::bit_cast<float>(static_cast<std::uint32_t>(number))}
                                       : std::bit_cast<double>(number);
-  } else if (type.kind == eds::ValueKind::Text || type.kind == eds::ValueKind::Bytes) {
+  } else if (type.kind == ValueKind::Text || type.kind == ValueKind::Bytes) {
     value.text = {bytes.begin(), bytes.end()};
   } else {
     const bool negative =
-        type.kind == eds::ValueKind::Signed && !bytes.empty() && bytes.size() <= 8 && (bytes.back() & 0x80U) != 0;
+        type.kind == ValueKind::Signed && !bytes.empty() && bytes.size() <= 8 && (bytes.back() & 0x80U) != 0;
     std::uint64_t magnitude = number;
     if (negative) {
       magnitude = std::uint64_t{0} - number;
@@ -139,4 +142,12 @@ eds::Value decode(std::span<const std::uint8_t> bytes, const eds::DataTypeRow& t
   return value;
 }
 
-}  // namespace conformance
+Description read_description(const std::string& text, const std::string& name, std::uint8_t node_id) {
+  Findings findings{name};
+  const Document document = read_document(text, findings);
+  Description description;
+  description.add(read_data_sheet(document, findings), node_id);
+  return description;
+}
+
+}  // namespace eds

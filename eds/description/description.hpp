@@ -10,19 +10,19 @@
 #include "eds/sheet/data_sheet.hpp"
 #include "eds/sheet/names.hpp"
 
-namespace conformance {
+namespace eds {
 
-/// What the EDS says of an entry, for the node-ID that is tested.
+/// What the EDS says of an entry, for the node-ID of the description.
 struct EntryFacts {
   std::uint16_t index = 0;
   std::uint8_t sub_index = 0;
   std::string name{};
-  const eds::DataTypeRow* type = nullptr;  ///< null where the data type is none of CiA 301's simple ones
+  const DataTypeRow* type = nullptr;  ///< null where the data type is none of CiA 301's simple ones
   canopen::Access access = canopen::Access::ReadWrite;
   bool mappable = false;
   bool no_write = false;  ///< ObjFlags bit 0: is not to be written on download
   bool no_read = false;   ///< ObjFlags bit 1: is not to be read on scan
-  std::optional<eds::Value> low{}, high{}, initial{};
+  std::optional<Value> low{}, high{}, initial{};
 
   [[nodiscard]] bool readable() const noexcept { return access != canopen::Access::WriteOnly; }
   [[nodiscard]] bool writable() const noexcept {
@@ -46,13 +46,17 @@ struct DeviceFacts {
   std::uint8_t dummy_types = 0;  ///< bit n: DummyUsage allows the type 000nh
 };
 
-/// Everything the EDS files say, for the checks.
+/// Everything the EDS files of a device say, to be looked up.
 class Description {
  public:
   /// Nothing is known of the node.
   Description() = default;
+  /// Nothing is known of the node @p node_id but that.
+  explicit Description(std::uint8_t node_id) noexcept : node_id_{node_id} {}
   /// Takes over @p sheet for the node @p node_id; what an earlier file has said of an entry stays.
-  void add(const eds::DataSheet& sheet, std::uint8_t node_id);
+  void add(const DataSheet& sheet, std::uint8_t node_id);
+  /// Takes over @p entry, unless it is known, of an object whose code is not.
+  void add(EntryFacts entry);
 
   [[nodiscard]] bool empty() const noexcept { return entries_.empty(); }
   [[nodiscard]] const DeviceFacts& device() const noexcept { return device_; }
@@ -65,7 +69,7 @@ class Description {
   /// Every entry of an object.
   [[nodiscard]] std::span<const EntryFacts> entries_of(std::uint16_t index) const noexcept;
   /// Object code of @p index; Null where there is no such object.
-  [[nodiscard]] eds::ObjectCode code_of(std::uint16_t index) const noexcept;
+  [[nodiscard]] ObjectCode code_of(std::uint16_t index) const noexcept;
   /// Indices from @p first to @p last that exist.
   [[nodiscard]] std::vector<std::uint16_t> objects_within(std::uint16_t first, std::uint16_t last) const;
 
@@ -73,15 +77,19 @@ class Description {
   std::uint8_t node_id_ = 1;
   DeviceFacts device_{};
   std::vector<EntryFacts> entries_;
-  std::map<std::uint16_t, eds::ObjectCode> objects_;
+  std::map<std::uint16_t, ObjectCode> objects_;
 };
 
+/// What the EDS or DCF @p text says, called @p name in findings, of the node @p node_id; empty if it has no
+/// object.
+[[nodiscard]] Description read_description(const std::string& text, const std::string& name, std::uint8_t node_id);
+
 /// @p value as the bytes of @p type on the node @p node_id; nothing for a value that the type cannot hold.
-[[nodiscard]] std::optional<std::vector<std::uint8_t>> encode(const eds::Value& value,
-                                                              const eds::DataTypeRow& type, std::uint8_t node_id);
+[[nodiscard]] std::optional<std::vector<std::uint8_t>> encode(const Value& value, const DataTypeRow& type,
+                                                              std::uint8_t node_id);
 /// Bytes of an integer or REAL type as the value that an EDS would state.
-[[nodiscard]] eds::Value decode(std::span<const std::uint8_t> bytes, const eds::DataTypeRow& type);
+[[nodiscard]] Value decode(std::span<const std::uint8_t> bytes, const DataTypeRow& type);
 /// The low @p size bytes of @p number, least significant first.
 [[nodiscard]] std::vector<std::uint8_t> little_endian(std::uint64_t number, std::size_t size);
 
-}  // namespace conformance
+}  // namespace eds

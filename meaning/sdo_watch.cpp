@@ -1,8 +1,8 @@
-#include "tools/axisctl/runs/meaning/sdo_watch.hpp"
+#include "meaning/sdo_watch.hpp"
 
 #include "libcanopen/base/little_endian.hpp"
 
-namespace runs {
+namespace meaning {
 
 namespace sdo = canopen::sdo;
 
@@ -50,4 +50,4 @@ std::optional<EntryValue> SdoWatch::take_response(SdoChannel channel, const cano
   return value;
 }
 
-}  // namespace runs
+}  // namespace meaning

@@ -1,4 +1,4 @@
-#include "tools/axisctl/runs/meaning/words.hpp"
+#include "meaning/words.hpp"
 
 #include <algorithm>
 #include <span>
@@ -6,11 +6,9 @@
 #include <fmt/format.h>
 
 #include "libcanopen/base/little_endian.hpp"
-#include "tools/axisctl/scenario/report/report.hpp"
-#include "tools/canopen-check/core/sdo_client.hpp"
-#include "tools/sheet_file.hpp"
+#include "libcanopen/od/abort_text.hpp"
 
-namespace runs {
+namespace meaning {
 namespace {
 
 namespace sdo = canopen::sdo;
@@ -28,11 +26,10 @@ std::string hex_value(std::span<const std::uint8_t> bytes) {
 }
 
 std::string abort_words(const canopen::Frame& frame, const std::string& object) {
-  return fmt::format("{} aborted: {}", object,
-                     conformance::abort_text(canopen::load<std::uint32_t>(&frame.data[4])));
+  return fmt::format("{} aborted: {}", object, abort_text(canopen::load<std::uint32_t>(&frame.data[4])));
 }
 
-std::string request_words(const canopen::Frame& frame, const conformance::Description& description) {
+std::string request_words(const canopen::Frame& frame, const eds::Description& description) {
   const sdo::CommandByte command{frame.data[0]};
   const std::string object = name_of(sdo::address_in(frame), description);
   switch (command.request()) {
@@ -57,7 +54,7 @@ std::string request_words(const canopen::Frame& frame, const conformance::Descri
   return "";
 }
 
-std::string response_words(const canopen::Frame& frame, const conformance::Description& description) {
+std::string response_words(const canopen::Frame& frame, const eds::Description& description) {
   const std::string object = name_of(sdo::address_in(frame), description);
   if (const unsigned bytes = expedited_bytes(frame); bytes != 0)
     return fmt::format("{} = {}", object, hex_value(std::span{frame.data}.subspan(4, bytes)));
@@ -90,19 +87,18 @@ std::string service_words(const canopen::Frame& frame, std::uint32_t function, s
   canopen::Frame plain = frame;
   plain.id = function + node;
   plain.extended = false;
-  return scenario::service_of(plain);
+  return service_of(plain);
 }
 
 }  // namespace
 
-std::string name_of(const sdo::Address& at, const conformance::Description& description) {
+std::string name_of(const sdo::Address& at, const eds::Description& description) {
   std::string text = fmt::format("{:04X}h:{:02X}", at.index, at.sub_index);
-  const conformance::EntryFacts* const entry = description.find(at.index, at.sub_index);
+  const eds::EntryFacts* const entry = description.find(at.index, at.sub_index);
   return entry == nullptr || entry->name.empty() ? text : fmt::format("{} ({})", text, entry->name);
 }
 
-std::string words_of(const canopen::Frame& frame, const Meaning& meaning,
-                     const conformance::Description& description) {
+std::string words_of(const canopen::Frame& frame, const Meaning& meaning, const eds::Description& description) {
   switch (meaning.role) {
     case Role::Unknown:
       return "";
@@ -134,17 +130,9 @@ std::string words_of(const canopen::Frame& frame, const Meaning& meaning,
   return "";
 }
 
-axisctl::Expected<conformance::Description> read_description(const std::string& path, std::uint8_t node) {
-  conformance::Description description;
-  if (path.empty()) return description;
-  const auto text = tools::read_sheet_file(path);
-  if (!text) return axisctl::fail(axisctl::ExitStatus::NotThere, text.error());
-  eds::Findings findings{path};
-  const eds::Document document = eds::read_document(*text, findings);
-  description.add(eds::read_data_sheet(document, findings), node);
-  if (description.empty())
-    return axisctl::fail(axisctl::ExitStatus::Usage, fmt::format("--eds: {}: there is no object in it", path));
-  return description;
+std::string abort_text(std::uint32_t code) {
+  const std::string_view text = canopen::text_of(canopen::AbortCode{code});
+  return text.empty() ? fmt::format("{:08X}h", code) : fmt::format("{:08X}h ({})", code, text);
 }
 
-}  // namespace runs
+}  // namespace meaning

@@ -1,9 +1,9 @@
 #include <array>
 
 #include "libcanopen/base/nmt_state.hpp"
-#include "tools/axisctl/scenario/report/report.hpp"
+#include "meaning/words.hpp"
 
-namespace scenario {
+namespace meaning {
 namespace {
 
 struct Service {
@@ -58,4 +58,4 @@ std::string service_of(const canopen::Frame& frame) {
   return "";
 }
 
-}  // namespace scenario
+}  // namespace meaning

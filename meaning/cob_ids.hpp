@@ -6,12 +6,12 @@
 #include <map>
 #include <unordered_map>
 
+#include "eds/description/description.hpp"
 #include "libcanopen/base/cob_id.hpp"
 #include "libcanopen/base/frame.hpp"
-#include "tools/axisctl/runs/meaning/sdo_watch.hpp"
-#include "tools/canopen-check/core/description.hpp"
+#include "meaning/sdo_watch.hpp"
 
-namespace runs {
+namespace meaning {
 
 /// What a frame is for (CiA 301).
 enum class Role : std::uint8_t {
@@ -46,7 +46,9 @@ class CobIds {
  public:
   CobIds() = default;
   /// With the COB-IDs that @p description states for the node that it was read for.
-  explicit CobIds(const conformance::Description& description);
+  explicit CobIds(const eds::Description& description) { describe(description); }
+  /// Takes those of one more node.
+  void describe(const eds::Description& description);
 
   /// What @p frame means.
   [[nodiscard]] Meaning meaning_of(const canopen::Frame& frame) const noexcept;
@@ -69,4 +71,4 @@ class CobIds {
   SdoWatch sdo_{};
 };
 
-}  // namespace runs
+}  // namespace meaning

@@ -7,7 +7,7 @@
 #include "libcanopen/base/frame.hpp"
 #include "libcanopen/sdo/command.hpp"
 
-namespace runs {
+namespace meaning {
 
 /// A channel of SDO: which server of which node.
 struct SdoChannel {
@@ -40,4 +40,4 @@ class SdoWatch {
 /// The bytes of an expedited upload that @p response brings, 1..4; 0 if it brings none.
 [[nodiscard]] unsigned expedited_bytes(const canopen::Frame& response) noexcept;
 
-}  // namespace runs
+}  // namespace meaning

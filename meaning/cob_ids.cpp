@@ -1,4 +1,4 @@
-#include "tools/axisctl/runs/meaning/cob_ids.hpp"
+#include "meaning/cob_ids.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -6,7 +6,7 @@
 #include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/base/object_index.hpp"
 
-namespace runs {
+namespace meaning {
 namespace {
 
 namespace object = canopen::object;
@@ -77,8 +77,8 @@ canopen::Identifier identifier_of(Role role, std::uint32_t cob_id) noexcept {
 
 }  // namespace
 
-CobIds::CobIds(const conformance::Description& description) {
-  for (const conformance::EntryFacts& entry : description.entries()) {
+void CobIds::describe(const eds::Description& description) {
+  for (const eds::EntryFacts& entry : description.entries()) {
     const auto service = service_at(description.node_id(), {entry.index, entry.sub_index});
     if (!service || !entry.initial) continue;
     const auto value = entry.initial->at(description.node_id());
@@ -138,7 +138,9 @@ void CobIds::learn(const EntryValue& entry) {
 }
 
 void CobIds::give(const Meaning& service, canopen::Identifier identifier) {
-  given_.identifiers[service] = identifier;
+  const auto [given, is_new] = given_.identifiers.try_emplace(service, identifier);
+  if (!is_new && given->second == identifier) return;
+  given->second = identifier;
   index();
 }
 
@@ -151,4 +153,4 @@ void CobIds::reset(std::uint8_t node) {
   index();
 }
 
-}  // namespace runs
+}  // namespace meaning
