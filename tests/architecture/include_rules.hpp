@@ -13,7 +13,7 @@ namespace architecture {
 /// An item that ends with a slash allows what lies below it; kSystem allows headers of Linux and of the C library.
 struct Layer {
   std::string_view folder;
-  std::array<std::string_view, 26> allowed;  ///< empty items allow nothing
+  std::array<std::string_view, 28> allowed;  ///< empty items allow nothing
 };
 
 /// Headers of Linux and of the C library: in angle brackets, ended by .h, of no library that is named in a layer.
@@ -96,6 +96,10 @@ inline constexpr std::array kLayers{
            "cia402/objects/", "libcanopen/", "drive/base/", "motor/data/", "version/"}},
     Layer{"cia402/storage", {"cia402/objects/", "drive/images/", "drive/drive_unit.hpp", "libcanopen/"}},
     Layer{"eds", {"libcanopen/od/", "text/", "nlohmann/", "fmt/"}},
+    Layer{"meaning", {"libcanopen/", "eds/description/", "fmt/"}},
+    Layer{"audit", {"libcanopen/", "eds/description/", "meaning/", "fmt/"}},
+    Layer{"audit/base", {"libcanopen/base/", "libcanopen/sdo/", "meaning/"}},
+    Layer{"audit/network", {"audit/base/", "libcanopen/", "eds/description/", "fmt/"}},
     Layer{"injection", {"libcanopen/", "drive/", "unit/", "device/", "text/", "nlohmann/", "fmt/"}},
     Layer{"injection/language", {"libcanopen/base/time.hpp", "text/", "fmt/"}},
     Layer{"injection/kinds", {"injection/language/"}},
@@ -128,7 +132,8 @@ inline constexpr std::array kLayers{
            "fmt/", kSystem}},
     Layer{"daemon/watch",
           {"service/", "daemon/base/", "daemon/configuration/", "version/", "libcanopen/", "drive/", "unit/",
-           "device/", "can/port/", "record/", "trace/", "os/", "fmt/", "nlohmann/", kSystem}},
+           "device/", "can/port/", "record/", "trace/", "audit/", "eds/description/", "os/", "fmt/", "nlohmann/",
+           kSystem}},
     Layer{"daemon/instance",
           {"injection/", "service/",       "daemon/base/", "daemon/watch/", "daemon/configuration/",
            "record/",    "trace/",         "version/",     "libcanopen/",   "drive/",
@@ -139,7 +144,7 @@ inline constexpr std::array kLayers{
           {"injection/", "service/", "daemon/base/", "daemon/watch/", "daemon/instance/", "daemon/configuration/",
            "version/",   "control/", "record/",      "trace/",        "device/",          "profidrive/",
            "modbus/",    "unit/",    "drive/",       "motor/",        "libcanopen/",      "can/",
-           "text/",      "fmt/",     "nlohmann/"}},
+           "audit/",     "text/",    "fmt/",         "nlohmann/"}},
     Layer{"daemon/loop",
           {"service/", "daemon/base/", "daemon/instance/", "drive/joint_steps.hpp", "libcanopen/base/",
            "can/clock/", "os/", kSystem}},
@@ -213,6 +218,8 @@ inline constexpr std::array kLayers{
     Layer{"tools",
           {"libcanopen/",
            "eds/",
+           "meaning/",
+           "audit/",
            "os/",
            "can/userbus/",
            "can/bus_faults/",

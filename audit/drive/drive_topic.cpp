@@ -1,0 +1,38 @@
+#include "audit/drive/drive_topic.hpp"
+
+#include "audit/base/transfer.hpp"
+#include "libcanopen/base/object_index.hpp"
+
+namespace audit {
+
+using meaning::Role;
+
+void DriveTopic::on_frame(const Passage& passage, const Scene& scene) {
+  if (passage.heard.is_error || passage.frame().remote) return;
+  const Role role = passage.meaning.role;
+  if (role == Role::Sync)
+    for (auto& [place, axis] : axes_) axis.take_sync(passage.heard);
+  if (role == Role::Nmt)
+    for (auto& [place, axis] : axes_)
+      if (passage.frame().data[1] == 0 || passage.frame().data[1] == place.first) axis.leave_pdos();
+  if (role != Role::Rpdo && role != Role::Tpdo) return;
+  for (const DriveValue& value : values_.in_pdo(passage, scene.network))
+    axes_[{value.node, value.axis}].take(value, scene);
+}
+
+void DriveTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
+  for (const DriveValue& value : values_.in_transfer(transfer)) {
+    AxisCourse& axis = axes_[{value.node, value.axis}];
+    if (transfer.is_done())
+      axis.take(value, scene);
+    else if (transfer.is_write && transfer.end == Transfer::End::AbortedByServer)
+      axis.take_refused(value, scene.findings);
+  }
+  const bool looks =
+      transfer.at.index == canopen::object::kErrorField || transfer.at.index == canopen::object::kErrorRegister;
+  if (!looks || transfer.is_write) return;
+  for (auto& [place, axis] : axes_)
+    if (place.first == transfer.channel.node) axis.look();
+}
+
+}  // namespace audit

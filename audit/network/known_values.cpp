@@ -1,0 +1,34 @@
+#include "audit/network/known_values.hpp"
+
+namespace audit {
+
+namespace {
+
+constexpr std::uint32_t kCommunicationBegin = 0x1000'00, kCommunicationEnd = 0x2000'00;
+
+constexpr std::uint32_t key_of(std::uint16_t index, std::uint8_t sub_index) noexcept {
+  return std::uint32_t{index} << 8 | sub_index;
+}
+
+}  // namespace
+
+void KnownValues::learn(const canopen::sdo::Address& at, std::uint64_t value) {
+  const std::uint32_t key = key_of(at.index, at.sub_index);
+  if (values_.size() < kMostValues || values_.contains(key)) values_[key] = value;
+}
+
+std::optional<std::uint64_t> KnownValues::find(std::uint16_t index, std::uint8_t sub_index) const noexcept {
+  const auto found = values_.find(key_of(index, sub_index));
+  return found == values_.end() ? std::nullopt : std::optional{found->second};
+}
+
+void KnownValues::reset(bool communication_only) {
+  const auto is_reset = [communication_only](const auto& item) {
+    return !communication_only || (item.first >= kCommunicationBegin && item.first < kCommunicationEnd);
+  };
+  std::erase_if(values_, is_reset);
+  for (const auto& item : saved_)
+    if (is_reset(item) && values_.size() < kMostValues) values_.insert(item);
+}
+
+}  // namespace audit

@@ -1,0 +1,261 @@
+#include "audit/sdo/dialogue.hpp"
+
+#include <fmt/format.h>
+
+#include "audit/bus/bus_rules.hpp"
+#include "audit/nmt/nmt_rules.hpp"
+#include "audit/sdo/requests.hpp"
+#include "audit/sdo/sdo_rules.hpp"
+#include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/od/abort_text.hpp"
+#include "meaning/words.hpp"
+
+namespace audit {
+
+namespace sdo = canopen::sdo;
+namespace rules = sdo_rules;
+
+using sdo::CommandByte;
+using sdo::Request;
+using sdo::Response;
+
+namespace {
+
+constexpr std::uint8_t kAbortByte = 0x80;   // a segment would have the number 0
+constexpr std::uint32_t kMostRefusals = 3;  // of the same request, which the master may not have looked at yet
+/// Who asks again so soon has not waited at all.
+constexpr canopen::Duration kImpatience = std::chrono::milliseconds{20};
+/// Time after which a master may give up.
+constexpr canopen::Duration kLongWait = std::chrono::milliseconds{50};
+/// Two answers that come so close are those of one request.
+constexpr canopen::Duration kTwice = std::chrono::milliseconds{100};
+/// A transfer that goes on so late was forgotten.
+constexpr canopen::Duration kForgotten = std::chrono::seconds{1};
+
+bool is_same(const sdo::Address& a, const sdo::Address& b) noexcept {
+  return a.index == b.index && a.sub_index == b.sub_index;
+}
+
+std::uint32_t word_in(const canopen::Frame& frame) noexcept {
+  return canopen::load<std::uint32_t>(&frame.data[4]);
+}
+
+double milliseconds(canopen::Duration time) noexcept {
+  return std::chrono::duration<double, std::milli>{time}.count();
+}
+
+}  // namespace
+
+std::optional<Transfer> Dialogue::take_request(const Heard& heard, Findings& findings) {
+  const canopen::Frame& frame = heard.frame;
+  if (frame.length != kSdoBytes || frame.remote) {
+    findings.add(rules::kLength, channel_.node, {heard}, [&] {
+      return frame.remote ? std::string{"a remote frame"} : fmt::format("{} bytes", frame.length);
+    });
+    return std::nullopt;
+  }
+  const std::uint8_t byte = frame.data[0];
+  if (phase_ == Phase::Unknown && !begins_transfer(byte)) return std::nullopt;
+  if (phase_ == Phase::BlockSent && byte != kAbortByte) {
+    take_block_segment(heard, findings);
+    return std::nullopt;
+  }
+  if (!is_request(byte)) {
+    findings.add(rules::kCommand, channel_.node, {heard},
+                 [&] { return fmt::format("command byte {:02X}h", byte); });
+    return std::nullopt;
+  }
+  if (CommandByte{byte}.request() == Request::Abort) return take_abort(heard, findings);
+  if (phase_ == Phase::BlockConfirm || phase_ == Phase::BlockReady || phase_ == Phase::BlockHeard)
+    if (!begins_transfer(byte)) return take_block_upload(heard, findings);
+  if (awaits_server()) note_unanswered(heard, findings);
+  if (begins_transfer(byte)) {
+    begin(heard, findings);
+  } else if (CommandByte{byte}.request() == Request::DownloadSegment) {
+    take_download_segment(heard, findings);
+  } else if (CommandByte{byte}.request() == Request::UploadSegment) {
+    take_upload_segment_request(heard, findings);
+  } else if (aborted_) {
+    findings.add(rules::kAfterAbort, channel_.node, {*aborted_, heard}, [&] { return object(); });
+  }
+  return std::nullopt;
+}
+
+/// The client sends something else while the server has not answered.
+void Dialogue::note_unanswered(const Heard& heard, Findings& findings) {
+  const canopen::Duration waited = heard.at - asked_.at;
+  const bool has_waited = waited >= kImpatience;
+  findings.add(has_waited ? rules::kUnaborted : rules::kOverlap, channel_.node, {asked_, heard}, [&] {
+    const std::string told = object() + " was not answered yet";
+    return waited.count() == 0 ? told : fmt::format("{}, after {:.1f} ms", told, milliseconds(waited));
+  });
+  if (has_waited && phase_ == Phase::Initiated) given_up_ = asked_;
+  phase_ = Phase::Idle;
+}
+
+void Dialogue::begin(const Heard& heard, Findings& findings) {
+  if (is_open())
+    findings.add(rules::kLeftOpen, channel_.node, {transfer_.request, heard}, [&] {
+      return fmt::format("{} of {}", transfer_.is_write ? "the download" : "the upload", object());
+    });
+  const CommandByte command{heard.frame.data[0]};
+  const bool is_write =
+      command.request() == Request::InitiateDownload || command.request() == Request::BlockDownload;
+  transfer_ = {.channel = channel_, .at = sdo::address_in(heard.frame), .is_write = is_write, .request = heard};
+  told_size_.reset();
+  aborted_.reset();
+  toggle_ = 0;
+  is_last_ = false;
+  asked_ = heard;
+  has_gap_ = false;
+  phase_ = Phase::Initiated;
+  const bool is_block = command.request() == Request::BlockUpload || command.request() == Request::BlockDownload;
+  kind_ = is_block ? Kind::Block : Kind::Normal;
+  if (is_block)
+    begin_block(heard, is_write, findings);
+  else if (is_write)
+    begin_download(heard, findings);
+}
+
+/// Whether an abort was under way when the answer came, after a long wait for it.
+bool Dialogue::has_crossed(const Heard& abort) const noexcept {
+  return transfer_.last.at - asked_.at >= kLongWait && abort.at - transfer_.last.at < kImpatience;
+}
+
+std::optional<Transfer> Dialogue::take_abort(const Heard& heard, Findings& findings) {
+  const std::uint32_t code = word_in(heard.frame);
+  if (canopen::text_of(canopen::AbortCode{code}).empty())
+    findings.add(rules::kAbortCode, channel_.node, {heard}, [&] { return fmt::format("{:08X}h", code); });
+  if (phase_ == Phase::Idle) {
+    if (!has_crossed(heard))
+      findings.add(rules::kAbortAlone, channel_.node, {transfer_.last, heard},
+                   [&] { return meaning::abort_text(code); });
+    return std::nullopt;
+  }
+  if (awaits_server()) given_up_ = asked_;
+  return finished(Transfer::End::AbortedByClient, heard, code);
+}
+
+std::optional<Transfer> Dialogue::take_response(const Heard& heard, Findings& findings) {
+  const canopen::Frame& frame = heard.frame;
+  if (frame.length != kSdoBytes || frame.remote || phase_ == Phase::Unknown) return std::nullopt;
+  if (phase_ == Phase::BlockHeard && frame.data[0] != kAbortByte) {
+    take_block_upload_segment(heard);
+    return std::nullopt;
+  }
+  const sdo::Address at = sdo::address_in(frame);
+  const bool is_expected = phase_ != Phase::Idle && (phase_ != Phase::Initiated || is_same(at, transfer_.at));
+  if (!is_expected) {
+    note_late(heard, findings);
+    return std::nullopt;
+  }
+  if (response_of(frame) == Response::Abort) {
+    aborted_ = heard;
+    note_repetition(heard, findings);
+    return finished(Transfer::End::AbortedByServer, heard, word_in(frame));
+  }
+  if (phase_ == Phase::Initiated) return take_initiated(heard);
+  if (phase_ == Phase::SegmentAsked) return take_segment_answer(heard);
+  if (phase_ == Phase::BlockEnding || phase_ == Phase::BlockSent) return take_block_answer(heard);
+  return std::nullopt;
+}
+
+std::optional<Transfer> Dialogue::take_initiated(const Heard& heard) {
+  const canopen::Frame& frame = heard.frame;
+  switch (response_of(frame)) {
+    case Response::InitiateUpload:
+      if (transfer_.is_write) return std::nullopt;
+      kind_ = Kind::Normal;
+      if (const unsigned bytes = meaning::expedited_bytes(frame); bytes != 0) {
+        add_bytes(&frame.data[4], bytes);
+        return finished(Transfer::End::Done, heard);
+      }
+      phase_ = Phase::Segments;
+      return std::nullopt;
+    case Response::InitiateDownload:
+      if (!transfer_.is_write) return std::nullopt;
+      if (is_last_) return finished(Transfer::End::Done, heard);
+      phase_ = Phase::Segments;
+      return std::nullopt;
+    case Response::BlockDownload:
+      start_block_download(frame);
+      return std::nullopt;
+    case Response::BlockUpload:
+      phase_ = Phase::BlockReady;
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// An answer that nobody waits for any more, or a second one.
+void Dialogue::note_late(const Heard& heard, Findings& findings) {
+  const bool is_second = phase_ == Phase::Idle && !given_up_ && transfer_.end != Transfer::End::AbortedByClient &&
+                         heard.at - transfer_.last.at < kTwice &&
+                         is_same(sdo::address_in(heard.frame), transfer_.at);
+  if (is_second && response_of(heard.frame) != Response::Abort)
+    findings.add(bus_rules::kAnsweredTwice, channel_.node, {transfer_.request, transfer_.last, heard},
+                 [&] { return object(); });
+  if (!given_up_) return;
+  const bool is_its_answer = is_same(sdo::address_in(heard.frame), sdo::address_in(given_up_->frame)) ||
+                             !begins_transfer(given_up_->frame.data[0]);
+  if (!is_its_answer) return;
+  findings.add(rules::kTimeOutShort, channel_.node, {*given_up_, heard},
+               [&] { return fmt::format("it comes after {:.1f} ms", milliseconds(heard.at - given_up_->at)); });
+  given_up_.reset();
+}
+
+/// The server has refused what it was asked for.
+void Dialogue::note_repetition(const Heard& heard, Findings& findings) {
+  if (transfer_.request.frame != refused_.frame) {
+    refused_ = transfer_.request;
+    refusals_ = 0;
+  }
+  if (++refusals_ == kMostRefusals)
+    findings.add(rules::kRepeated, channel_.node, {refused_, transfer_.request, heard}, [&] {
+      return fmt::format("{}: {} times {}", object(), refusals_, meaning::abort_text(word_in(heard.frame)));
+    });
+}
+
+void Dialogue::reset(const Heard& heard, Findings& findings) {
+  if (awaits_server())
+    findings.add(nmt_rules::kResetInTransfer, channel_.node, {asked_, heard}, [&] { return object(); });
+  phase_ = Phase::Idle;
+  given_up_.reset();
+  aborted_.reset();
+}
+
+void Dialogue::end(canopen::Duration at, Findings& findings) {
+  const bool is_forgotten = is_open() && !awaits_server() && at - asked_.at >= kForgotten;
+  if (is_forgotten)
+    findings.add(rules::kLeftOpen, channel_.node, {transfer_.request, asked_}, [&] {
+      return fmt::format("{} of {}", transfer_.is_write ? "the download" : "the upload", object());
+    });
+}
+
+Transfer Dialogue::finished(Transfer::End end, const Heard& last, std::uint32_t code) {
+  transfer_.end = end;
+  transfer_.abort_code = code;
+  transfer_.last = last;
+  phase_ = Phase::Idle;
+  return transfer_;
+}
+
+void Dialogue::add_bytes(const std::uint8_t* data, std::size_t size) noexcept {
+  for (std::size_t i = 0; i < size && transfer_.bytes + i < sizeof transfer_.value; ++i)
+    transfer_.value |= std::uint64_t{data[i]} << 8 * (transfer_.bytes + i);
+  transfer_.bytes += size;
+}
+
+std::string Dialogue::object() const {
+  return fmt::format("{:04X}h:{:02X}", transfer_.at.index, transfer_.at.sub_index);
+}
+
+/// The client has broken @p rule within its transfer.
+void Dialogue::blame(const Rule& rule, const Heard& heard, Findings& findings, const std::string& text) {
+  transfer_.is_malformed = true;
+  findings.add(rule, channel_.node, {transfer_.request, heard},
+               [&] { return fmt::format("{}: {}", object(), text); });
+}
+
+}  // namespace audit
