@@ -46,7 +46,8 @@ debian_package(canopen-tools SECTION utils
   SUGGESTS axisd axisd-doc
   DESCRIPTION "tools for CANopen devices and their EDS files
 canopen-check tests any CANopen slave against CiA 301 and its EDS, and writes
-reports in JSON and JUnit XML. canopen-zoo is a slave that is wrong in one
+reports in JSON and JUnit XML. canopen-audit judges CANopen masters by the
+frames of a bus or of a log. canopen-zoo is a slave that is wrong in one
 thing, for those who test masters and tools. edstool reads, checks, compares
 and makes EDS and DCF files (CiA 306).")
 

@@ -39,6 +39,9 @@ axisctl wait value r0021 lt 1 --timeout 60
 edstool lint /usr/share/axisd/eds/axisd.eds
 canopen-check --interface unix: --node 5 --eds /usr/share/axisd/eds/axisd.eds --deviations /usr/share/axisd/eds/axisd-deviations.json \
   --read-only | tail -n 2
+printf '(1.0) can0 605#4000100000000000\n(1.0) can0 605#4001100000000000\n' >/run/try/overlap.log
+said=$(canopen-audit /run/try/overlap.log) && fail "canopen-audit has nothing against a request before the answer to the last one: $said"
+[[ $said == *sdo.overlap* ]] || fail "canopen-audit has not found sdo.overlap: $said"
 axisctl store >/dev/null
 within 20 is_stored || fail "nothing was stored: $(axisctl storage status)"
 end_unit

@@ -15,9 +15,9 @@ namespace {
 
 using fakes::Finished;
 
-constexpr const char* kPrograms[] = {"axisctl",     "axisd",   "axisd-http", "axisd-nats",
-                                     "axisd-agent", "canhub",  "canrec",     "canopen-check",
-                                     "canopen-zoo", "edstool", "with-can"};
+constexpr const char* kPrograms[] = {"axisctl",       "axisd",       "axisd-http", "axisd-nats",
+                                     "axisd-agent",   "canhub",      "canrec",     "canopen-audit",
+                                     "canopen-check", "canopen-zoo", "edstool",    "with-can"};
 
 /// What a real bash offers for the last of @p words, the first of which is the program; with blanks between.
 std::string offered(const std::vector<std::string>& words) {

@@ -113,7 +113,7 @@ struct Printer {
   void (*print)(std::ostream& out, const json& result, Style style);
 };
 constexpr std::array kPrinters{Printer{"status", print_status}, Printer{"explain", print_explanation},
-                               Printer{"state.machine", print_state_machine}};
+                               Printer{"state.machine", print_state_machine}, Printer{"audit.get", print_audit}};
 
 /// A beginning of a state, and the colour it is shown in (ECMA-48).
 struct StateColour {

@@ -27,6 +27,9 @@ void print_status(std::ostream& out, const nlohmann::json& result, Style style);
 /// Prints the present state and the ways out of it, with what they need unless it is to be brief.
 void print_state_machine(std::ostream& out, const nlohmann::json& result, Style style);
 
+/// Prints the rules that were broken with their frames, or one line a rule if it is to be brief, and how many.
+void print_audit(std::ostream& out, const nlohmann::json& result, Style style);
+
 /// @p value in one line.
 [[nodiscard]] std::string text_of(const nlohmann::json& value);
 /// @p state of a drive in its colour.
