@@ -139,9 +139,9 @@ std::vector<AxisConfiguration> default_axes(std::size_t count) {
 
 namespace {
 
-constexpr std::array<std::string_view, 16> kKeysOfUnit{
-    "interface", "bus",    "profile", "node_id", "axes",   "parameters", "supply", "infeed",
-    "sdo_block", "f08701", "record",  "trace",   "modbus", "inject",     "serial", "missed_setpoints"};
+constexpr std::array<std::string_view, 17> kKeysOfUnit{
+    "interface", "bus",    "profile", "node_id", "axes",   "parameters", "supply", "infeed",          "sdo_block",
+    "f08701",    "record", "trace",   "audit",   "modbus", "inject",     "serial", "missed_setpoints"};
 /// Units of a program, and threads that run them.
 constexpr std::size_t kMostUnits = 1024;
 constexpr int kMostThreads = 64;
@@ -173,6 +173,7 @@ Configuration read_unit(const JsonReader& json, const MotorSource& motors, std::
   if (json.has("axes")) configuration.axes = read_axes(json.at("axes"), motors, configuration.cia402.has_value());
   if (json.has("record")) configuration.record = read_record(json.at("record"));
   if (json.has("trace")) configuration.trace = read_trace(json.at("trace"));
+  if (json.has("audit")) configuration.audit = json.at("audit").boolean();
   if (json.has("modbus")) configuration.modbus = read_modbus(json.at("modbus"));
   if (json.has("inject")) configuration.inject = read_faults(json.at("inject"));
   read_parameters(json, configuration);

@@ -79,6 +79,7 @@ struct Configuration {
   bool fault_on_leaving_operational = true;               ///< key "f08701"
   std::optional<trace::Settings> trace{};                 ///< key "trace": begins with the unit
   std::optional<RecordSettings> record{};                 ///< key "record": begins with the unit
+  bool audit = false;                                     ///< key "audit": what masters do is judged
   std::optional<ModbusSettings> modbus{};                 ///< key "modbus"; none: Modbus TCP is not served
   std::vector<injection::Fault> inject{};                 ///< key "inject": loaded when the unit begins
 

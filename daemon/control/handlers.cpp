@@ -23,6 +23,7 @@ constexpr auto kGroups = std::to_array<Group>({
     &pdo_handlers,
     &nmt_handlers,
     &storage_handlers,
+    &audit_handlers,
     &signal_handlers,
     &trace_handlers,
     &if1_handlers,

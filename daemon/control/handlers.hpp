@@ -23,6 +23,7 @@ std::span<const Handler> pdo_handlers() noexcept;
 std::span<const Handler> nmt_handlers() noexcept;
 std::span<const Handler> storage_handlers() noexcept;
 std::span<const Handler> message_handlers() noexcept;
+std::span<const Handler> audit_handlers() noexcept;
 std::span<const Handler> signal_handlers() noexcept;
 std::span<const Handler> trace_handlers() noexcept;
 std::span<const Handler> if1_handlers() noexcept;

@@ -1,7 +1,10 @@
 #include <array>
+#include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "audit/auditor.hpp"
 #include "daemon/control/handlers.hpp"
 #include "daemon/instance/instance.hpp"
 #include "daemon/instance/metrics.hpp"
@@ -33,11 +36,21 @@ json bus_reasons_of(const Instance& instance) {
   return reasons;
 }
 
+/// What masters have done against the rules is no cause by itself, and worth a look. Empty: nothing.
+std::string audit_reason_of(const Instance& instance) {
+  const audit::Auditor* const auditor = instance.audit().auditor();
+  const std::uint64_t errors = auditor == nullptr ? 0 : auditor->findings().count(audit::Severity::Error);
+  if (errors == 0) return {};
+  return fmt::format("The master has broken rules of CANopen {} since the start: axisctl audit shows which.",
+                     errors == 1 ? "once" : fmt::format("{} times", errors));
+}
+
 json reasons_of(const Instance& instance, std::size_t axis) {
   const std::vector<std::string> if1 = profidrive::reasons(instance.if1(), instance.device().axis(axis).number());
   const bool by_hand = instance.device().axis(axis).block<drive::OperatorPanel>().is_active();
   json reasons = if1.empty() && !by_hand ? bus_reasons_of(instance) : json::array();
   for (const std::string& reason : instance.device().explain(axis, if1)) reasons.push_back(reason);
+  if (const std::string reason = audit_reason_of(instance); !reason.empty()) reasons.push_back(reason);
   return reasons;
 }
 

@@ -22,6 +22,7 @@
 #include "daemon/watch/pdo_watch.hpp"
 #include "daemon/watch/streams/frame_stream.hpp"
 #include "daemon/watch/streams/sample_stream.hpp"
+#include "daemon/watch/unit_audit.hpp"
 #include "daemon/watch/unit_recording.hpp"
 #include "daemon/watch/unit_trace.hpp"
 #include "device/device.hpp"
@@ -129,6 +130,8 @@ class Instance final : private device::Listener,
   injection::UnitFaults& faults() noexcept { return faults_; }
   /// What is kept of both in files.
   UnitRecording& recording() noexcept { return recording_; }
+  /// What is judged of the frames, with key "audit".
+  const UnitAudit& audit() const noexcept { return audit_; }
   /// What of both goes to other threads.
   FrameStream& frame_stream() noexcept { return frame_stream_; }
   SampleStream& sample_stream() noexcept { return sample_stream_; }
@@ -258,6 +261,7 @@ class Instance final : private device::Listener,
   injection::UnitFaults faults_{device_, frames_, *this};
   EventWatch events_{device_, frames_};
   UnitRecording recording_;
+  UnitAudit audit_{device_, frames_, started_};
   PdoWatch pdo_watch_{frames_};
   FrameStream frame_stream_{frames_, started_};
   CycleTap cycles_{device_.runner()};

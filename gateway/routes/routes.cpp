@@ -135,6 +135,8 @@ constexpr std::array kRoutes{
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/terminals/outputs", .method = "output.list"},
     Route{.verb = "PUT", .path = "/api/v1/units/{bus}/{node}/terminals/analog", .method = "input.analog"},
 
+    Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/audit", .method = "audit.get"},
+
     Route{.verb = "GET", .path = "/api/v1/units/{bus}/{node}/pdos", .method = "pdo.list", .without = "watch"},
     Route{.verb = "POST",
           .path = "/api/v1/units/{bus}/{node}/pdos/watch",

@@ -12,6 +12,7 @@ import sys
 
 import jsonschema
 import programs
+from masters import can_master
 
 # What every method is asked for, in an order in which all can be answered.
 REQUESTS = [
@@ -34,6 +35,7 @@ REQUESTS = [
     ('parameter.search', {'text': 'ramp', 'axis': 1}), ('parameter.diff', {}), ('parameter.diff', {'against': 'stored'}),
     ('object.read', {'index': '6041'}), ('object.write', {'index': '6083', 'value': 5000}), ('object.list', {'count': 20}),
     ('pdo.list', {'all': True}), ('pdo.list', {'watch': True}), ('pdo.list', {}), ('nmt.get', {}),
+    ('audit.get', {}), ('audit.get', {'rule': 'object.read-only'}),
     ('signal.list', {'search': 'speed'}), ('signal.read', {'signals': ['1/speed', '1/r0063']}),
     ('trace.start', {'signals': ['1/speed'], 'every': 'cycle', 'samples': 5}), ('trace.status', {}), ('trace.stop', {}),
     ('trace.read', {}), ('trace.read', {'part': 'frames'}), ('trace.read', {'part': 'events'}),
@@ -139,7 +141,8 @@ def main():
     asked = {request[0] for request in REQUESTS + REFUSED}
     assert methods == asked, f'not asked for: {methods - asked}, not in the schema: {asked - methods}'
     with programs.Folder(bin_folder) as folder:
-        programs.start_unit(folder)
+        programs.start_unit(folder, audit=True)
+        can_master.CanMaster().try_to_write(5, 0x1000, 0, 0, 4)  # something for audit.get
         path = next(pathlib.Path(folder.folder.name).glob('axisd*.sock'))
         talk = Conversation(str(path), closed(schema))
         for line, code in WRONG:

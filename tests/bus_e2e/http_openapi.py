@@ -41,6 +41,7 @@ REQUESTS = [
     ('input.list', {}, {}, None), ('input.set', {'input': 3}, {}, {'state': True}), ('output.list', {}, {}, None),
     ('input.analog', {}, {}, {'voltage_V': 1}),
     ('pdo.list', {}, {'all': True}, None), ('pdo.list.post', {}, {}, {'watch': True}), ('nmt.get', {}, {}, None),
+    ('audit.get', {}, {'rule': 'sdo.overlap'}, None),
     ('if1.exchange', {'do': 2}, {}, None), ('if1.exchange.put', {'do': 2}, {}, {'received': [1150, '0000']}),
     ('parameter.record', {}, {}, {'request': '25010201100803B10000'}),
     ('pkw.exchange', {}, {}, {'do': 2, 'request': '1000008000000000'}),
@@ -140,7 +141,7 @@ def main():
     there = set(description.operations)
     assert asked == there, f'not asked for: {there - asked}, not in the file: {asked - there}'
     with programs.Folder(bin_folder) as folder:
-        programs.start_unit(folder)
+        programs.start_unit(folder, audit=True)
         gateway = http_client.Gateway(folder)
         unit = gateway.unit().rsplit('/', 2)[1:]
         assert gateway.request('GET', '/api/v1/openapi.json')[2] == json.loads(text)

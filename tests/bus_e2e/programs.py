@@ -14,10 +14,10 @@ PATIENCE = 20  # s, for what should come at once: machines of others are slow
 class Program:
     """A program and what it has written so far to standard error."""
 
-    def __init__(self, words, environment):
+    def __init__(self, words, environment, output=subprocess.DEVNULL):
         self.words = words
         self.text = ''
-        self.process = subprocess.Popen(words, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+        self.process = subprocess.Popen(words, env=environment, stdin=subprocess.DEVNULL, stdout=output,
                                         stderr=subprocess.PIPE)
 
     def expect(self, pattern):
@@ -33,6 +33,10 @@ class Program:
             if not part:
                 raise AssertionError(f'{self.words[0]} has not written "{pattern}", only: {self.text}')
             self.text += part.decode()
+
+    def rest(self):
+        """What it has written until its end behind what was expected."""
+        return self.text + self.process.stderr.read().decode()
 
     def kill(self):
         self.process.kill()
@@ -85,10 +89,10 @@ class Folder:
                               capture_output=True, text=True, timeout=PATIENCE).stdout
 
 
-def start_unit(folder, axis=None):
-    """axisd as node 5 with short ramps, ready on the bus of with-can; `axis` adds to its axis."""
+def start_unit(folder, axis=None, **keys):
+    """axisd as node 5 with short ramps, ready on the bus of with-can; `axis` adds to its axis, `keys` to its configuration."""
     with open(folder.path('axisd.json'), 'w', encoding='ascii') as file:
-        json.dump({'axes': [{'parameters': {'p1120': 0.5, 'p1121': 0.5}, **(axis or {})}]}, file)
+        json.dump({'axes': [{'parameters': {'p1120': 0.5, 'p1121': 0.5}, **(axis or {})}], **keys}, file)
     unit = folder.start('axisd', '--interface', f'unix:{os.environ["CAN_BUS"]}', '--node-id', '5',
                         '--config', folder.path('axisd.json'))
     unit.expect('ready: node 5 on')

@@ -23,6 +23,7 @@ TEST(Configuration, OfNothingIsOneServoAtNode2OfVcan0) {
   EXPECT_EQ(configuration.address.text, "vcan0");
   EXPECT_EQ(configuration.node_id, 2);
   EXPECT_FALSE(configuration.sdo_block);
+  EXPECT_FALSE(configuration.audit);
   EXPECT_TRUE(configuration.fault_on_leaving_operational);
   ASSERT_EQ(configuration.axes.size(), 1U);
   EXPECT_EQ(configuration.axes[0].name, "X");
@@ -39,13 +40,14 @@ TEST(Configuration, OfAnEmptyObjectIsTheDefault) {
 }
 
 TEST(Configuration, TakesEveryKeyOfTheUnit) {
-  const Configuration configuration =
-      parse(R"({"interface": "can1", "node_id": 127, "sdo_block": true, "f08701": false, "axes": [{}],
+  const Configuration configuration = parse(
+      R"({"interface": "can1", "node_id": 127, "sdo_block": true, "f08701": false, "audit": true, "axes": [{}],
                 "parameters": {"p8848": 1, "p8609[1]": 2}})");
 
   EXPECT_EQ(configuration.address.text, "can1");
   EXPECT_EQ(configuration.node_id, 127);
   EXPECT_TRUE(configuration.sdo_block);
+  EXPECT_TRUE(configuration.audit);
   EXPECT_FALSE(configuration.fault_on_leaving_operational);
   ASSERT_EQ(configuration.parameters.size(), 2U);
   EXPECT_EQ(configuration.parameters[0].number, 8609);

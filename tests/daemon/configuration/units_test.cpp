@@ -114,11 +114,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"({"units": []})", "units.json: /units: expected an array of 1 to 1024, got []"},
         Refused{R"({"units": [{}], "node_id": 5})",
                 "units.json: /node_id: unknown key, expected one of: units, threads, control_group"},
-        Refused{
-            R"({"units": [{"control_group": "axisd"}]})",
-            "units.json: /units/0/control_group: unknown key, expected one of: interface, bus, profile, "
-            "node_id, axes, parameters, supply, infeed, sdo_block, f08701, record, trace, modbus, inject, serial, "
-            "missed_setpoints"},
+        Refused{R"({"units": [{"control_group": "axisd"}]})",
+                "units.json: /units/0/control_group: unknown key, expected one of: interface, bus, profile, "
+                "node_id, axes, parameters, supply, infeed, sdo_block, f08701, record, trace, audit, modbus, "
+                "inject, serial, "
+                "missed_setpoints"},
         Refused{R"({"units": [{}], "control_group": ""})",
                 "units.json: /control_group: expected the name of a group, got \"\""},
         Refused{R"({"control_group": 7})", "units.json: /control_group: expected a string, got 7"},

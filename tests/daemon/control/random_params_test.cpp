@@ -19,8 +19,9 @@ constexpr std::array kMethods{"parameter.read", "parameter.write", "parameter.li
                               "plant.set",      "supply.get",      "panel.get",      "panel.take",
                               "panel.set",      "panel.release",   "state.machine",  "identification.get",
                               "encoder.get",    "pdo.list",        "nmt.get",        "store.status",
-                              "restore"};
+                              "restore",        "audit.get"};
 constexpr std::array kKeys{"axis",
+                           "rule",
                            "parameter",
                            "parameters",
                            "value",
