@@ -23,6 +23,7 @@ SCRIPTS = {
     'npm': 'node "$SLAVE" vcan0 "$EDS" 2>/dev/null & sleep 2; node "$PARTS/master.js" "$EDS"; kill $!',
     'pytest': '/usr/bin/python3 -m pytest -q -p no:cacheprovider "$PARTS/frames_test.py" >&2',
 }
+CANOPEN = ('npm',)
 AROUND = 'candump -L vcan0 >"$LOG" & dump=$!; sleep 1; {}; sleep 1; kill $dump; wait $dump; true'
 
 
@@ -53,10 +54,23 @@ def frames(log):
     return [Frame(line) for line in log.splitlines()]
 
 
+def check_masters(bin_folder, eds, log):
+    """canopen-audit finds nothing in a log of frames that are CANopen."""
+    with tempfile.NamedTemporaryFile('w', encoding='ascii', suffix='.log') as file:
+        file.write(log)
+        file.flush()
+        judged = subprocess.run([os.path.join(bin_folder, 'canopen-audit'), file.name, '--strict', '--eds', f'5:{eds}'],
+                                stdout=subprocess.PIPE, text=True, timeout=PATIENCE, check=False)
+        assert judged.returncode == 0, judged.stdout
+
+
 def check_programs(bin_folder, eds):
     for name, script in SCRIPTS.items():
         real = frames(run(bin_folder, eds, 'real', script))
-        virtual = frames(run(bin_folder, eds, 'virtual', script))
+        log = run(bin_folder, eds, 'virtual', script)
+        virtual = frames(log)
+        if name in CANOPEN:
+            check_masters(bin_folder, eds, log)
         print(f'{name}: {len(virtual)} frames in {virtual[-1].time / 1e6:.6f} s')
         assert len(real) > 10, f'{name}: {len(real)} frames'
         assert [frame.text for frame in virtual] == [frame.text for frame in real], \

@@ -6,6 +6,7 @@ gives PDOs as they were configured.
 
 import struct
 import sys
+import time
 
 import cia402_unit as unit
 from bus_file import configure, slaves_of, writes_of
@@ -14,6 +15,7 @@ from cia402_unit import ENABLED, HEARTBEAT, HOMING, NO_MODE, OPERATIONAL, PRE_OP
 from master import NODE
 
 LSS_REQUEST, LSS_ANSWER = 0x7E5, 0x7E4
+LSS_TIME_OUT = 0.1  # s
 WAITING = 0
 SERIAL = 7
 PROFILE_VELOCITY = 3
@@ -29,6 +31,14 @@ def lss(master, service, value=0, size=4, answer=None):
     return int.from_bytes(data[1:5], 'little')
 
 
+def expect_silence(master, identifier):
+    """As long as an LSS master waits."""
+    deadline = time.monotonic() + LSS_TIME_OUT
+    while (left := deadline - time.monotonic()) > 0:
+        message = master.bus.recv(left)
+        assert message is None or message.arbitration_id != identifier, message
+
+
 def find_by_lss(master):
     """Switch selective by the identity, then what can be inquired."""
     identity = [master.get(0x1018, sub_index) for sub_index in (1, 2, 3, 4)]
@@ -39,7 +49,8 @@ def find_by_lss(master):
     assert [lss(master, service, answer=service) for service in (0x5A, 0x5B, 0x5C, 0x5D)] == identity
     assert lss(master, 0x5E, answer=0x5E) == NODE
     lss(master, 0x04, WAITING, 1)
-    lss(master, 0x5E)  # has no answer, or the next one is wrong
+    lss(master, 0x5E)
+    expect_silence(master, LSS_ANSWER)
     for service, value in zip((0x46, 0x47, 0x48, 0x49, 0x4A), (*identity[:3], identity[2], identity[3])):
         lss(master, service, value)
     lss(master, 0x4B, identity[3], answer=0x4F)

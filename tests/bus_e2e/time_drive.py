@@ -42,6 +42,8 @@ def log_of_an_hour():
     with tempfile.TemporaryDirectory(prefix='axisd-test-') as folder:
         done = run('with-can', '--private', '--time', 'virtual', '--', 'sh', '-c', MASTER, folder=folder)
         assert done.returncode == 0, done.stderr
+        judged = run('canopen-audit', 'log', '--strict', '--eds', f'5:{BIN.parent}/share/axisd/eds/axisd.eds', folder=folder)
+        assert judged.returncode == 0, judged.stdout
         return pathlib.Path(folder, 'log').read_text(encoding='ascii').splitlines()
 
 

@@ -24,7 +24,8 @@ FRAME = struct.Struct('=IB3x8s')  # struct can_frame
 COMMAND, ANSWER = struct.Struct('<Hi'), struct.Struct('<ii')
 SYNC = FRAME.pack(0x80, 0, b'')
 INVALID, NO_RTR = 0x80000000, 0x40000000
-ENABLE, HALT, CYCLIC_POSITION = 0x0F, 0x100, 8
+SHUTDOWN, SWITCH_ON, ENABLE, HALT = 0x06, 0x07, 0x0F, 0x100
+CYCLIC_POSITION = 8
 FAULT, FOLLOWS = 1 << 3, 1 << 12
 REVOLUTION = 65536  # position units, as delivered
 SPIN = 150e-6  # s before a deadline that are not slept, for a sleep ends late
@@ -107,7 +108,9 @@ class Axis:
         if self.node.read(0x6041 + self.object, 'H') & FAULT:
             self.node.write(0x6040 + self.object, 0, 'H', 0x80)
         self.node.write(0x6060 + self.object, 0, 'b', CYCLIC_POSITION)
-        for controlword, state in (0x06, 0x21), (0x07, 0x23), (ENABLE, 0x27):
+        if (mode := self.node.read(0x6061 + self.object, 'b')) != CYCLIC_POSITION:
+            raise Failed(f'axis {self.number + 1}: mode {mode}')
+        for controlword, state in (SHUTDOWN, 0x21), (SWITCH_ON, 0x23), (ENABLE, 0x27):
             self.node.write(0x6040 + self.object, 0, 'H', controlword)
             if (word := self.node.read(0x6041 + self.object, 'H')) & 0x6F != state:
                 raise Failed(f'axis {self.number + 1}: {controlword:04X}h led to {word:04X}h')
@@ -158,6 +161,7 @@ class Cycle:
         self.due = None  # when the next SYNC is
         self.resting = self.frames([0] * REST)  # made now: later there is no time
         self.halting = self.frames([0], ENABLE | HALT)
+        self.ending = self.frames([0], SHUTDOWN)
 
     def frames(self, table, controlword=ENABLE):
         """RPDOs of all axes for each place of the table."""
@@ -279,13 +283,13 @@ def follow(node, options):
         cycle.settle()
         cycle.run(cycle.halting, [0])  # with halt no set-point is missed any more
         seconds, used = time.monotonic() - began, options.pid and processor_time(options.pid) - used
+        cycle.run(cycle.ending, [0])
         cycle.finish()
     except Failed:
         report(cycle, time.monotonic() - began, None, None)
         raise
     for axis in axes:
         axis.losses -= 1  # the halt
-        node.write(0x6040 + axis.object, 0, 'H', 0x06)
     report(cycle, seconds, options.pid, used)
 
 
