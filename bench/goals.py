@@ -38,6 +38,8 @@ GOALS = (
     Goal("hub, 127 members, bursts of 32, us a frame", "hub", ("127 members, 32 frames in one message",), "CPU (us)", AT_MOST, 30),
     Goal("hub, a frame that one of 127 hears, of one of 2", "hub", ("a frame that one hears",), "ratio", AT_MOST, 1.5),
     Goal("canopen-check against axisd, s", "check", ("^axisd$", "^this$"), "real time (s)", AT_MOST, 10),
+    Goal("canopen-audit, a million frames, s", "audit", ("^1,000,000$",), "real time (s)", AT_MOST, 2, rows=2),
+    Goal("canopen-audit, memory, MB", "audit", (), "RSS (MB)", AT_MOST, 16, rows=3),
     Goal("flood of 50,000, lost", "flood", ("^50000$",), "lost", AT_MOST, 0, rows=6),
     Goal("memory of one axis, RSS, MB", "start", ("^1$",), "RSS (MB)", AT_MOST, 4.5),
     Goal("SDO upload on a bus, of poll, read and write", "bus", ("^SDO upload, CPU$",), "axisd", AT_MOST, 1.10),

@@ -28,6 +28,7 @@ PARTS = {
     "cycles": "{bin}/cycle_speed",
     "start": "bench/start_cost.py {bin}",
     "check": "bench/check_cost.py {bin} --checks 0",
+    "audit": "bench/audit_cost.py {bin}",
     "hub": "bench/hub_cost.sh --build {build}",
     "units": "bench/fleet_cost.py {bin} --curve",
     "many": "bench/fleet_cost.py {bin} --units 127",
