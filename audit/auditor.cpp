@@ -6,7 +6,8 @@
 
 namespace audit {
 
-Auditor::Auditor(Circumstances circumstances) : topics_{make_topics(circumstances)} {
+Auditor::Auditor(Circumstances circumstances)
+    : dialogues_{circumstances.has_times}, topics_{make_topics(circumstances)} {
   for (eds::Description& description : circumstances.descriptions) describe(std::move(description));
 }
 

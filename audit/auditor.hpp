@@ -16,6 +16,7 @@ struct Circumstances {
   std::vector<eds::Description> descriptions{};  ///< of nodes, each for its own
   std::uint32_t bit_rate = 0;                    ///< of the bus (bit/s); 0: not known
   bool has_times = true;                         ///< frames have times; else no rule of time is judged
+  bool hears_all = true;  ///< else what one node hears: its own frames and what is sent to it
 };
 
 /// Judges what masters do by the frames of a bus, as they come. The memory that it takes is bounded.

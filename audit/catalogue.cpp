@@ -64,13 +64,13 @@ std::vector<std::unique_ptr<Topic>> make_topics(const Circumstances& circumstanc
   std::vector<std::unique_ptr<Topic>> topics;
   topics.push_back(std::make_unique<PdoSettingTopic>());
   topics.push_back(std::make_unique<PdoFrameTopic>());
-  topics.push_back(std::make_unique<NmtTopic>());
+  topics.push_back(std::make_unique<NmtTopic>(circumstances.hears_all));
   topics.push_back(std::make_unique<SyncTopic>(has_times));
   topics.push_back(std::make_unique<ErrorControlTopic>(has_times));
   topics.push_back(std::make_unique<EmcyTopic>());
   topics.push_back(std::make_unique<DriveTopic>());
-  topics.push_back(std::make_unique<StorageTopic>());
-  topics.push_back(std::make_unique<LssTopic>());
+  topics.push_back(std::make_unique<StorageTopic>(has_times));
+  if (circumstances.hears_all) topics.push_back(std::make_unique<LssTopic>(has_times));
   topics.push_back(std::make_unique<BusTopic>(has_times ? circumstances.bit_rate : 0));
   topics.push_back(std::make_unique<ObjectTopic>());  // behind those that know more of a transfer
   return topics;

@@ -83,7 +83,8 @@ void CobIds::describe(const eds::Description& description) {
     if (!service || !entry.initial) continue;
     const auto value = entry.initial->at(description.node_id());
     if (value && !value->negative)
-      given_.identifiers[*service] = identifier_of(service->role, static_cast<std::uint32_t>(value->magnitude));
+      given_.identifiers[*service] = described_.identifiers[*service] =
+          identifier_of(service->role, static_cast<std::uint32_t>(value->magnitude));
   }
   saved_ = given_;
   index();
@@ -92,7 +93,8 @@ void CobIds::describe(const eds::Description& description) {
 void CobIds::index() {
   services_.clear();
   for (const auto& [service, identifier] : given_.identifiers)
-    if (identifier != 0) services_[identifier] = service;
+    if (identifier != 0)
+      services_.try_emplace(identifier, service);  // a TPDO before the RPDO of who listens to it
 }
 
 Meaning CobIds::meaning_of(const canopen::Frame& frame) const noexcept {
@@ -104,6 +106,11 @@ Meaning CobIds::meaning_of(const canopen::Frame& frame) const noexcept {
     // What an EDS has as invalid and is on the bus all the same was made valid before the log begins.
     const auto moved = given_.identifiers.find(meaning);
     if (moved != given_.identifiers.end() && moved->second != 0) meaning = {};
+  }
+  if (meaning.role == Role::Rpdo && !frame.extended) {  // of a node that listens to the TPDO of another one
+    const Meaning sent = predefined(frame.id);
+    const bool is_of_node = sent.role == Role::Tpdo || sent.role == Role::Emergency;
+    if (is_of_node && !given_.identifiers.contains(sent)) meaning = sent;
   }
   if (meaning.role == Role::ErrorControl && frame.remote) meaning.role = Role::Guarding;
   return meaning;
@@ -133,6 +140,8 @@ std::optional<EntryValue> CobIds::follow(const canopen::Frame& frame, const Mean
 
 void CobIds::learn(const EntryValue& entry) {
   if (entry.at.index == object::kStoreParameters && entry.at.sub_index != 0) saved_ = given_;
+  if (entry.at.index == object::kRestoreParameters && entry.at.sub_index != 0)
+    copy(described_, saved_, entry.node);
   if (const auto service = service_at(entry.node, entry.at))
     give(*service, identifier_of(service->role, entry.value));
 }
@@ -144,12 +153,16 @@ void CobIds::give(const Meaning& service, canopen::Identifier identifier) {
   index();
 }
 
+void CobIds::copy(const Given& from, Given& to, std::uint8_t node) {
+  const auto is_of_node = [node](const auto& item) { return node == 0 || item.first.node == node; };
+  std::erase_if(to.identifiers, is_of_node);
+  for (const auto& item : from.identifiers)
+    if (is_of_node(item)) to.identifiers.insert(item);
+}
+
 void CobIds::reset(std::uint8_t node) {
   if (given_ == saved_) return;
-  const auto is_reset = [node](const auto& item) { return node == 0 || item.first.node == node; };
-  std::erase_if(given_.identifiers, is_reset);
-  for (const auto& item : saved_.identifiers)
-    if (is_reset(item)) given_.identifiers.insert(item);
+  copy(saved_, given_, node);
   index();
 }
 

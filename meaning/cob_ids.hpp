@@ -64,9 +64,11 @@ class CobIds {
   void learn(const EntryValue& entry);
   void give(const Meaning& service, canopen::Identifier identifier);
   void reset(std::uint8_t node);
+  /// @p to has what @p from has of @p node; 0: of all.
+  static void copy(const Given& from, Given& to, std::uint8_t node);
   void index();
 
-  Given given_{}, saved_{};
+  Given given_{}, saved_{}, described_{};
   std::unordered_map<canopen::Identifier, Meaning> services_;  ///< those of given_ by identifier
   SdoWatch sdo_{};
 };

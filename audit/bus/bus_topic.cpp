@@ -43,7 +43,7 @@ bool is_sending_entry(const canopen::sdo::Address& at) noexcept {
          at.sub_index == kCobIdSub;
 }
 
-/// The object of @p node by which it sends with @p identifier, other than @p own; nothing if there is none.
+/// The object of @p node by which it sends with @p identifier; nothing if there is none.
 std::optional<canopen::sdo::Address> sender_with(const Node& node, canopen::Identifier identifier) {
   for (std::uint16_t number = 1; number <= kLastRecord + 1; ++number) {
     const PdoRecord record{.is_receive = false, .number = number};

@@ -22,6 +22,11 @@ constexpr unsigned kMostResets = 3;
 constexpr unsigned kMostHalted = 5;
 constexpr unsigned kSureCycles = 3;
 
+/// @p to - @p from of positions that overflow (32 bits).
+constexpr std::int64_t difference(std::int64_t to, std::int64_t from) noexcept {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
+}
+
 bool rises(std::int64_t before, std::int64_t now, std::uint16_t bit) noexcept {
   return (before & bit) == 0 && (now & bit) != 0;
 }
@@ -130,6 +135,9 @@ void AxisCourse::judge_set_point_bit(const Told& word, Findings& findings) {
   const std::int64_t before = controlword_ ? controlword_->value : 0;
   if (!rises(before, word.value, object::kNewSetPoint)) return;
   unstarted_.reset();
+  const auto target = targets_.find(object::kTargetPosition);
+  const bool is_absolute = is_in(object::kProfilePosition) && (word.value & object::kRelative) == 0;
+  if (is_absolute && target != targets_.end()) judge_limits(target->second, findings);
   if (!is_in(object::kProfilePosition) || !is_enabled() || (statusword_->value & object::kSetPointTaken) == 0)
     return;
   findings.add(rules::kHandshake, node_, {statusword_->heard, word.heard},
@@ -145,8 +153,8 @@ void AxisCourse::judge_enabling(const Told& word, Findings& findings) {
   const auto target = targets_.find(object::kTargetPosition);
   if (!is_in(object::kCyclicPosition) || target == targets_.end() || !actual_ || !window_) return;
   if (word.heard.at - actual_->heard.at > kFresh) return;
-  const std::int64_t way = target->second.value - actual_->value;
-  if (std::llabs(way) > window_->value)
+  const std::int64_t way = difference(target->second.value, actual_->value);
+  if (window_->value > 0 && std::llabs(way) > window_->value)
     findings.add(rules::kStartJump, node_, {actual_->heard, target->second.heard, word.heard},
                  [&] { return name(fmt::format("{} increments, 6065h has {}", way, window_->value).c_str()); });
 }
@@ -228,8 +236,8 @@ void AxisCourse::judge_limits(const Told& target, Findings& findings) const {
 }
 
 void AxisCourse::judge_position(const Told& target, Findings& findings) {
-  judge_limits(target, findings);
-  if (!is_in(object::kProfilePosition) || !is_enabled()) return;
+  if (!is_in(object::kProfilePosition)) return judge_limits(target, findings);
+  if (!is_enabled()) return;
   if (unstarted_ && target.heard.at - unstarted_->heard.at >= kPatience)
     findings.add(rules::kNoNewSetPoint, node_, {unstarted_->heard, target.heard},
                  [&] { return name(fmt::format("{} was not gone to", unstarted_->value).c_str()); });
@@ -250,9 +258,9 @@ void AxisCourse::judge_gap(const Told& target, const Told& before, Findings& fin
 
 /// A set-point that is far from where the last ones lead to.
 void AxisCourse::judge_step(const Told& target, const Told& before, Findings& findings) {
-  const std::int64_t step = target.value - before.value;
+  const std::int64_t step = difference(target.value, before.value);
   const std::int64_t last = step_.value_or(0);
-  const bool is_jump = window_ && window_->value > 0 && std::llabs(step - last) > window_->value;
+  const bool is_jump = window_ && window_->value > 0 && std::llabs(difference(step, last)) > window_->value;
   if (is_cyclic() && step_ && is_jump)
     findings.add(rules::kJump, node_, {before.heard, target.heard}, [&] {
       return name(fmt::format("{} increments, {} before, 6065h has {}", step, last, window_->value).c_str());

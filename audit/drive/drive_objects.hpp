@@ -55,8 +55,8 @@ constexpr bool is_signed(std::uint16_t object) noexcept {
 }
 
 // Controlword.
-inline constexpr std::uint16_t kSwitchOn = 0x01, kEnableAll = 0x0F, kNewSetPoint = 0x10, kFaultReset = 0x80,
-                               kHalt = 0x100;
+inline constexpr std::uint16_t kSwitchOn = 0x01, kEnableAll = 0x0F, kNewSetPoint = 0x10, kRelative = 0x40,
+                               kFaultReset = 0x80, kHalt = 0x100;
 inline constexpr std::uint16_t kCommandBits = 0x8F;
 // Statusword.
 inline constexpr std::uint16_t kFault = 0x08, kTargetReached = 0x400, kSetPointTaken = 0x1000,

@@ -1,5 +1,7 @@
 #include "audit/drive/drive_values.hpp"
 
+#include <algorithm>
+
 #include "audit/base/transfer.hpp"
 #include "audit/drive/drive_objects.hpp"
 #include "libcanopen/base/little_endian.hpp"
@@ -10,6 +12,7 @@ namespace {
 
 constexpr std::uint16_t kFirst = 0x6000, kLast = 0x9FFF, kOfAnAxis = 0x800;
 constexpr unsigned kFrameBits = 64;
+constexpr unsigned kMostBits = 32;  // of an object that is judged
 
 bool is_of_axis(std::uint16_t index) noexcept {
   return index >= kFirst && index <= kLast;
@@ -56,8 +59,7 @@ std::span<const DriveValue> DriveValues::in_pdo(const Passage& passage, const Ne
 
 std::span<const DriveValue> DriveValues::in_transfer(const Transfer& transfer) {
   found_.clear();
-  if (!is_of_axis(transfer.at.index) || transfer.bytes == 0 || transfer.bytes > sizeof transfer.value)
-    return found_;
+  if (!is_of_axis(transfer.at.index) || transfer.bytes == 0 || 8 * transfer.bytes > kMostBits) return found_;
   const std::uint16_t object = object_of(transfer.at.index);
   if (!drive_object::is_judged(object)) return found_;
   found_.push_back({.node = transfer.channel.node,
@@ -78,9 +80,13 @@ const DriveValues::Known& DriveValues::known(const Node& node, const PdoRecord& 
   const auto objects = mapping_of(node, record);
   if (!objects) return pdo;
   for (const MappedObject& mapped : *objects)
-    if (is_of_axis(mapped.at.index) && drive_object::is_judged(object_of(mapped.at.index)) &&
-        mapped.first_bit + mapped.bits <= kFrameBits)
+    if (is_of_axis(mapped.at.index) && drive_object::is_judged(object_of(mapped.at.index)) && mapped.bits != 0 &&
+        mapped.bits <= kMostBits && mapped.first_bit + mapped.bits <= kFrameBits)
       pdo.objects.push_back(mapped);
+  // The set-points of a frame are there when its command is carried out.
+  std::ranges::stable_partition(pdo.objects, [](const MappedObject& mapped) {
+    return object_of(mapped.at.index) != drive_object::kControlword;
+  });
   return pdo;
 }
 

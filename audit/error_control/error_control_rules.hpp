@@ -46,7 +46,7 @@ inline constexpr Rule kGuardsHeartbeat{
 
 inline constexpr Rule kLifeTime{.id = "error-control.life-time",
                                 .text = "node guarding comes later than the life time of the node",
-                                .clause = "CiA 301 7.2.8.2.1",
+                                .clause = "CiA 301 7.2.8.3.2.1",
                                 .why = "The node takes the master for lost: EMCY 8130h, and a drive stops.",
                                 .mend = "Ask within the guard time (100Ch); the life time is that times 100Dh.",
                                 .example = R"((0.0000) can0 605#2B0C100064000000
@@ -76,7 +76,7 @@ inline constexpr Rule kHeartbeatLate{
 inline constexpr Rule kNobody{
     .id = "error-control.nobody",
     .text = "a node is told to wait for the heartbeat of a node that sends none",
-    .clause = "CiA 301 7.5.2.17",
+    .clause = "CiA 301 7.5.2.19",
     .severity = Severity::Warning,
     .why = "Supervision begins with the first heartbeat: it never does, and a loss is never noticed.",
     .mend = "Write the node-ID of the master to 1016h, and have the master send heartbeats.",

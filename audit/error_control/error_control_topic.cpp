@@ -61,6 +61,7 @@ void ErrorControlTopic::take_heartbeat(const Passage& passage, const Scene& scen
   if (is_boot_up) {
     course.forget_period();
     course.guarding.reset();
+    std::erase_if(waits_, [&](const Wait& wait) { return wait.consumer == passage.meaning.node; });
   }
   if (!last || !judges_times_ || is_boot_up) return;
   const canopen::Duration interval = passage.at() - last->at;
@@ -81,7 +82,10 @@ void ErrorControlTopic::take_command(const Passage& passage) {
   if (command != canopen::NmtCommand::ResetNode && command != canopen::NmtCommand::ResetCommunication) return;
   const std::uint8_t node = passage.frame().data[1];
   for (std::size_t i = 1; i < courses_.size(); ++i)
-    if (node == 0 || node == i) courses_[i].guarding.reset();
+    if (node == 0 || node == i) {
+      courses_[i].guarding.reset();
+      courses_[i].forget_period();
+    }
   std::erase_if(waits_, [node](const Wait& wait) { return node == 0 || wait.consumer == node; });
 }
 

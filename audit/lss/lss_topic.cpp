@@ -76,7 +76,7 @@ void LssTopic::take_command(const Heard& heard, const Scene& scene) {
     return scene.findings.add(rules::kLength, 0, {heard},
                               [&] { return fmt::format("{} bytes", heard.frame.length); });
   const std::uint8_t command = heard.frame.data[0];
-  if (asked_ && heard.at - asked_->at < kImpatience)
+  if (judges_times_ && asked_ && heard.at - asked_->at < kImpatience)
     scene.findings.add(rules::kOverlap, 0, {*asked_, heard},
                        [&] { return fmt::format("{:02X}h behind {:02X}h", command, asked_->frame.data[0]); });
   report_unanswered(scene);

@@ -9,10 +9,13 @@ namespace audit {
 /// How a master gives nodes their node-IDs.
 class LssTopic final : public Topic {
  public:
+  explicit LssTopic(bool judges_times) noexcept : judges_times_{judges_times} {}
+
   void on_frame(const Passage& passage, const Scene& scene) override;
   void on_end(canopen::Duration at, const Scene& scene) override;
 
  private:
+  bool judges_times_;
   void take_command(const Heard& heard, const Scene& scene);
   void take_switch(const Heard& heard);
   void take_answer(const Heard& heard);

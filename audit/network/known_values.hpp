@@ -23,6 +23,9 @@ class KnownValues {
   [[nodiscard]] std::size_t size() const noexcept { return values_.size(); }
   /// The node has stored what it has.
   void save() { saved_ = values_; }
+  /// The node was told to restore defaults by @p sub_index of 1011h: all of them (1), those of communication (2),
+  /// or others.
+  void forget_saved(std::uint8_t sub_index);
   /// It has what was stored; @p communication_only: objects 1000h to 1FFFh alone.
   void reset(bool communication_only);
 

@@ -89,6 +89,7 @@ Network::Network() {
 void Network::describe(eds::Description description) {
   Node& node = nodes_[description.node_id() & (kNodes - 1)];
   node.description = std::move(description);
+  node.values = {};
   ++node.changes;
 }
 
@@ -97,6 +98,11 @@ void Network::follow(const Passage& passage, const Transfer* transfer) {
   if (role == Role::Nmt) return follow_command(passage.heard);
   Node& node = nodes_[passage.meaning.node & (kNodes - 1)];
   if (is_of_node(role)) node.is_there = true;
+  const bool has_answered = role == Role::SdoResponse || role == Role::Tpdo;
+  if (has_answered && node.resets && node.told && passage.at() > node.told->at + kUnderWay) {
+    node.resets = false;  // its boot-up message was not heard
+    node.state.reset();
+  }
   if (role == Role::Tpdo && !passage.frame().remote) follow_tpdo(node, passage);
   if (role == Role::ErrorControl) follow_error_control(node, passage.heard);
   if (transfer != nullptr) follow_transfer(node, *transfer);
@@ -159,6 +165,8 @@ void Network::follow_transfer(Node& node, const Transfer& transfer) {
   if (!transfer.is_done()) return;
   if (transfer.is_write && transfer.at.index == object::kStoreParameters && transfer.at.sub_index != 0)
     node.values.save();
+  if (transfer.is_write && transfer.at.index == object::kRestoreParameters && transfer.at.sub_index != 0)
+    node.values.forget_saved(transfer.at.sub_index);
   if (transfer.bytes == 0 || transfer.bytes > sizeof transfer.value) return;
   node.values.learn(transfer.at, transfer.value);
   ++node.changes;

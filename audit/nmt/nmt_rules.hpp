@@ -22,14 +22,15 @@ inline constexpr Rule kSdoBeforeBootUp{
     .id = "nmt.sdo-before-boot-up",
     .text = "an SDO request is sent to a node that has not booted yet",
     .clause = "CiA 301 7.3.2.2.1",
+    .severity = Severity::Warning,
     .why = "Nobody answers; the master runs into its time-out, or takes a late answer for another one.",
-    .mend = "Wait for the boot-up message after each reset.",
+    .mend = "Wait for the boot-up message after each reset, or ask again and again with a time-out.",
     .example = R"((0.0000) can0 000#8105
 (0.0100) can0 605#4000100000000000)"};
 
 inline constexpr Rule kSdoWhenStopped{.id = "nmt.sdo-when-stopped",
                                       .text = "an SDO request is sent to a node that is stopped",
-                                      .clause = "CiA 301 7.3.2.2.3",
+                                      .clause = "CiA 301 7.3.2.2.4",
                                       .why = "A stopped node has NMT and error control only.",
                                       .mend = "Bring it to Pre-operational first.",
                                       .example = R"((0.0000) can0 705#7F

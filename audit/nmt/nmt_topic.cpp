@@ -89,7 +89,7 @@ void NmtTopic::take_command(const Passage& passage, const Scene& scene) {
   const bool is_of_use =
       std::ranges::any_of(nodes, [state](const Node& node) { return node.is_there && node.state != state; });
   for (const Node& node : nodes)
-    if (node.is_there) command(node, passage, scene, node.resets ? is_too_early : !is_of_use);
+    if (node.is_there) command(node, passage, scene, hears_all_ && (node.resets ? is_too_early : !is_of_use));
 }
 
 /// @p is_judged: a command to all nodes that some are ready for and need is right.
@@ -110,7 +110,7 @@ void NmtTopic::command(const Node& node, const Passage& passage, const Scene& sc
     scene.findings.add(rules::kBeforeBootUp, node.id, {*node.told, passage.heard}, words);
     return;
   }
-  const bool is_of_use = !state || node.state != state;
+  const bool is_of_use = !state || node.state != state || !node.is_there;
   course.repetitions = is_of_use ? 0 : course.repetitions + 1;
   if (course.repetitions == kMostRepetitions)
     scene.findings.add(rules::kRepeated, node.id, {node.told.value_or(passage.heard), passage.heard}, words);
@@ -136,6 +136,11 @@ void NmtTopic::take_error_control(const Passage& passage, const Scene& scene) {
   const bool is_boot_up = passage.frame().length == 1 && passage.frame().data[0] == 0;
   const bool is_other = !node.state || passage.frame().data[0] % kToggle != static_cast<std::uint8_t>(*node.state);
   if (is_other || is_boot_up) scene.time_lines[node.id].add(passage.heard, error_control_words(passage.frame()));
+  const bool runs = passage.frame().data[0] % kToggle == static_cast<std::uint8_t>(NmtState::Operational);
+  if (runs && courses_[node.id].rebooted) {  // it starts by itself
+    courses_[node.id].rebooted.reset();
+    --rebooted_;
+  }
   const bool was_started = courses_[node.id].was_started && node.state == NmtState::Operational;
   if (!is_boot_up || node.resets || !was_started || courses_[node.id].rebooted) return;
   courses_[node.id].rebooted = passage.heard;

@@ -11,6 +11,9 @@ namespace audit {
 /// How a master leads nodes through their states.
 class NmtTopic final : public Topic {
  public:
+  /// @p hears_all: nodes that are not heard are not there; else commands to all nodes are not judged.
+  explicit NmtTopic(bool hears_all) noexcept : hears_all_{hears_all} {}
+
   void on_frame(const Passage& passage, const Scene& scene) override;
   void on_end(canopen::Duration at, const Scene& scene) override;
 
@@ -28,6 +31,7 @@ class NmtTopic final : public Topic {
   void take_error_control(const Passage& passage, const Scene& scene);
   void look_for_unnoticed(const Passage& passage, const Scene& scene);
 
+  bool hears_all_;
   std::array<Course, Network::kNodes> courses_{};
   unsigned rebooted_ = 0;  ///< how many have Course::rebooted
 };

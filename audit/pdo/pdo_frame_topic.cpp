@@ -11,6 +11,19 @@ namespace rules = pdo_rules;
 using canopen::NmtState;
 using meaning::Role;
 
+namespace {
+
+/// Time that a master has to notice what has become of a node.
+constexpr canopen::Duration kTimeToNotice = std::chrono::milliseconds{100};
+
+/// Whether at @p at the node has just booted, or was just told to change its state.
+bool is_news(const Node& node, canopen::Duration at) noexcept {
+  const bool has_just_booted = node.boot_up && at - node.boot_up->at < kTimeToNotice;
+  return has_just_booted || (node.told && at - node.told->at < kTimeToNotice);
+}
+
+}  // namespace
+
 void PdoFrameTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (passage.heard.is_error) return;
   if (passage.meaning.role == Role::Rpdo && !passage.frame().remote) take_rpdo(passage, scene);
@@ -20,6 +33,7 @@ void PdoFrameTopic::on_frame(const Passage& passage, const Scene& scene) {
 void PdoFrameTopic::take_rpdo(const Passage& passage, const Scene& scene) {
   const Node& node = scene.network.node(passage.meaning.node);
   const bool is_asleep = node.is_there && node.state && *node.state != NmtState::Operational;
+  if (is_asleep && is_news(node, passage.at())) return;
   if (is_asleep) {
     const Heard& sign = node.error_control ? *node.error_control : node.told.value_or(passage.heard);
     return scene.findings.add(rules::kBeforeOperational, node.id, {sign, passage.heard}, [&] {

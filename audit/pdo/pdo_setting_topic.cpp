@@ -136,8 +136,9 @@ void PdoSettingTopic::take_mapping(const Transfer& transfer, const PdoRecord& re
 
 void PdoSettingTopic::take_count(const Transfer& transfer, const PdoRecord& record, const Scene& scene) {
   const Node& node = scene.network.node(transfer.channel.node);
+  if (transfer.value > kMostBits) return;  // a multiplexed PDO
   unsigned bits = 0;
-  for (std::uint64_t i = 1; i <= std::min<std::uint64_t>(transfer.value, kMostBits); ++i) {
+  for (std::uint64_t i = 1; i <= transfer.value; ++i) {
     const auto entry = node.value(record.mapping(), static_cast<std::uint8_t>(i));
     if (entry == 0)
       return add(rules::kMappingBeyond, transfer, scene,
@@ -146,7 +147,8 @@ void PdoSettingTopic::take_count(const Transfer& transfer, const PdoRecord& reco
   }
   if (bits > kMostBits)
     return add(rules::kMappingLong, transfer, scene, fmt::format("{}: {} bits", name_of(record), bits));
-  if (transfer.is_done() && transfer.value != 0) in_work_[{node.id, record}] = transfer.request;
+  if (transfer.is_done() && transfer.value != 0 && is_valid(node, record) == false)
+    in_work_[{node.id, record}] = transfer.request;
 }
 
 }  // namespace audit

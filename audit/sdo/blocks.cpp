@@ -119,7 +119,10 @@ std::optional<Transfer> Dialogue::take_block_answer(const Heard& heard) {
   }
   if (is_end) return finished(Transfer::End::Done, heard);
   const bool has_all = frame.data[kConfirmedPlace] >= block_.number();
-  if (!has_all) block_.set_crc(false);
+  if (!has_all) {  // what is sent again was counted already
+    block_.set_crc(false);
+    told_size_.reset();
+  }
   if (is_last_ && has_all) {
     phase_ = Phase::BlockReady;
   } else {

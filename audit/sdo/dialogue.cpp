@@ -21,8 +21,9 @@ using sdo::Response;
 
 namespace {
 
-constexpr std::uint8_t kAbortByte = 0x80;   // a segment would have the number 0
-constexpr std::uint32_t kMostRefusals = 3;  // of the same request, which the master may not have looked at yet
+constexpr std::uint8_t kAbortByte = 0x80;      // a segment would have the number 0
+constexpr std::uint8_t kSegmentNumber = 0x7F;  // bits of a segment of a block
+constexpr std::uint32_t kMostRefusals = 3;     // of the same request, which the master may not have looked at yet
 /// Who asks again so soon has not waited at all.
 constexpr canopen::Duration kImpatience = std::chrono::milliseconds{20};
 /// Time after which a master may give up.
@@ -60,6 +61,7 @@ std::optional<Transfer> Dialogue::take_request(const Heard& heard, Findings& fin
     take_block_segment(heard, findings);
     return std::nullopt;
   }
+  if (is_behind_abort(heard)) return std::nullopt;
   if (!is_request(byte)) {
     findings.add(rules::kCommand, channel_.node, {heard},
                  [&] { return fmt::format("command byte {:02X}h", byte); });
@@ -81,10 +83,17 @@ std::optional<Transfer> Dialogue::take_request(const Heard& heard, Findings& fin
   return std::nullopt;
 }
 
+/// Whether @p heard is a segment of a block download that was on its way when the server aborted it.
+bool Dialogue::is_behind_abort(const Heard& heard) {
+  const bool is_download = kind_ == Kind::Block && transfer_.is_write;
+  if (phase_ != Phase::Idle || !aborted_ || !is_download || heard.at - aborted_->at >= kImpatience) return false;
+  return block_.take(static_cast<std::uint8_t>(heard.frame.data[0] & kSegmentNumber), &heard.frame.data[1]);
+}
+
 /// The client sends something else while the server has not answered.
 void Dialogue::note_unanswered(const Heard& heard, Findings& findings) {
   const canopen::Duration waited = heard.at - asked_.at;
-  const bool has_waited = waited >= kImpatience;
+  const bool has_waited = !has_times_ || waited >= kImpatience;
   findings.add(has_waited ? rules::kUnaborted : rules::kOverlap, channel_.node, {asked_, heard}, [&] {
     const std::string told = object() + " was not answered yet";
     return waited.count() == 0 ? told : fmt::format("{}, after {:.1f} ms", told, milliseconds(waited));
@@ -119,7 +128,8 @@ void Dialogue::begin(const Heard& heard, Findings& findings) {
 
 /// Whether an abort was under way when the answer came, after a long wait for it.
 bool Dialogue::has_crossed(const Heard& abort) const noexcept {
-  return transfer_.last.at - asked_.at >= kLongWait && abort.at - transfer_.last.at < kImpatience;
+  const bool was_long = aborted_.has_value() && kind_ == Kind::Block;
+  return (was_long || transfer_.last.at - asked_.at >= kLongWait) && abort.at - transfer_.last.at < kImpatience;
 }
 
 std::optional<Transfer> Dialogue::take_abort(const Heard& heard, Findings& findings) {
@@ -127,7 +137,8 @@ std::optional<Transfer> Dialogue::take_abort(const Heard& heard, Findings& findi
   if (canopen::text_of(canopen::AbortCode{code}).empty())
     findings.add(rules::kAbortCode, channel_.node, {heard}, [&] { return fmt::format("{:08X}h", code); });
   if (phase_ == Phase::Idle) {
-    if (!has_crossed(heard))
+    const bool was_reset = transfer_.last.place == 0;
+    if (!was_reset && !has_crossed(heard))
       findings.add(rules::kAbortAlone, channel_.node, {transfer_.last, heard},
                    [&] { return meaning::abort_text(code); });
     return std::nullopt;
@@ -220,9 +231,15 @@ void Dialogue::note_repetition(const Heard& heard, Findings& findings) {
 void Dialogue::reset(const Heard& heard, Findings& findings) {
   if (awaits_server())
     findings.add(nmt_rules::kResetInTransfer, channel_.node, {asked_, heard}, [&] { return object(); });
+  forget();
+}
+
+void Dialogue::forget() {
   phase_ = Phase::Idle;
+  transfer_ = {};
   given_up_.reset();
   aborted_.reset();
+  refusals_ = 0;
 }
 
 void Dialogue::end(canopen::Duration at, Findings& findings) {
@@ -238,6 +255,7 @@ Transfer Dialogue::finished(Transfer::End end, const Heard& last, std::uint32_t 
   transfer_.abort_code = code;
   transfer_.last = last;
   phase_ = Phase::Idle;
+  if (end == Transfer::End::Done) refusals_ = 0;
   return transfer_;
 }
 

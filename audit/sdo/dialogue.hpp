@@ -13,7 +13,8 @@ namespace audit {
 /// What passes on one channel of SDO, with the eyes of somebody who knows what the client may send next.
 class Dialogue {
  public:
-  explicit Dialogue(meaning::SdoChannel channel) : channel_{channel} {}
+  /// @p has_times: frames have times; else any pause may be between two of them.
+  Dialogue(meaning::SdoChannel channel, bool has_times) : channel_{channel}, has_times_{has_times} {}
 
   /// Takes a request of the client; the transfer that it ends, as an abort does.
   std::optional<Transfer> take_request(const Heard& heard, Findings& findings);
@@ -21,6 +22,8 @@ class Dialogue {
   std::optional<Transfer> take_response(const Heard& heard, Findings& findings);
   /// The node is reset by @p heard: its server forgets what it was doing.
   void reset(const Heard& heard, Findings& findings);
+  /// The node has booted: its server has forgotten what it was doing.
+  void forget();
   /// There are no more frames; @p at: when the last one of the bus came.
   void end(canopen::Duration at, Findings& findings);
 
@@ -43,6 +46,7 @@ class Dialogue {
   void begin(const Heard& heard, Findings& findings);
   std::optional<Transfer> take_abort(const Heard& heard, Findings& findings);
   std::optional<Transfer> take_initiated(const Heard& heard);
+  [[nodiscard]] bool is_behind_abort(const Heard& heard);
   [[nodiscard]] bool has_crossed(const Heard& abort) const noexcept;
   void note_unanswered(const Heard& heard, Findings& findings);
   void note_repetition(const Heard& heard, Findings& findings);
@@ -74,6 +78,7 @@ class Dialogue {
   void add_bytes(const std::uint8_t* data, std::size_t size) noexcept;
 
   meaning::SdoChannel channel_;
+  bool has_times_;
   Phase phase_ = Phase::Unknown;
   Kind kind_ = Kind::Normal;
   Transfer transfer_{};
@@ -86,7 +91,7 @@ class Dialogue {
   std::optional<Heard> aborted_;   ///< by the server: the last frame of the channel
   std::optional<Heard> given_up_;  ///< the request whose answer was not awaited
   Heard refused_{};                ///< the initiate request that the server aborted last
-  std::uint32_t refusals_ = 0;     ///< of it in a row
+  std::uint32_t refusals_ = 0;     ///< of it without a success between
 };
 
 }  // namespace audit

@@ -17,6 +17,9 @@ bool is_reset(const canopen::Frame& frame) noexcept {
 std::optional<Transfer> Dialogues::take(const Passage& passage, Findings& findings) {
   if (passage.heard.is_error) return std::nullopt;
   if (passage.meaning.role == meaning::Role::Nmt && is_reset(passage.frame())) reset(passage.heard, findings);
+  const bool has_booted = passage.meaning.role == meaning::Role::ErrorControl && passage.frame().length == 1 &&
+                          passage.frame().data[0] == 0;
+  if (has_booted) forget(passage.meaning.node);
   if (passage.meaning.role == meaning::Role::SdoRequest)
     return dialogue(passage.meaning).take_request(passage.heard, findings);
   if (passage.meaning.role == meaning::Role::SdoResponse)
@@ -34,9 +37,14 @@ void Dialogues::reset(const Heard& heard, Findings& findings) {
     if (node == 0 || node == channel.node) dialogue.reset(heard, findings);
 }
 
+void Dialogues::forget(std::uint8_t node) {
+  for (auto& [channel, dialogue] : dialogues_)
+    if (node == channel.node) dialogue.forget();
+}
+
 Dialogue& Dialogues::dialogue(const meaning::Meaning& meaning) {
   const meaning::SdoChannel channel{meaning.node, meaning.number};
-  return dialogues_.try_emplace(channel, channel).first->second;
+  return dialogues_.try_emplace(channel, channel, has_times_).first->second;
 }
 
 }  // namespace audit

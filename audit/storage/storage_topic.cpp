@@ -38,7 +38,8 @@ void StorageTopic::take_save(const Transfer& transfer, const Scene& scene) {
   Stores& stores = stores_[node.id];
   std::rotate(stores.begin(), stores.begin() + 1, stores.end());
   stores.back() = transfer.request.at;
-  const bool is_often = ++counts_[node.id] >= kMostStores && stores.back() - stores.front() <= kWhile;
+  const bool is_often =
+      judges_times_ && ++counts_[node.id] >= kMostStores && stores.back() - stores.front() <= kWhile;
   if (is_often)
     scene.findings.add(rules::kOften, node.id, {transfer.request},
                        [&] { return fmt::format("{} times within a minute", kMostStores); });

@@ -10,6 +10,8 @@ namespace audit {
 /// When and how a master has parameters stored and restored.
 class StorageTopic final : public Topic {
  public:
+  explicit StorageTopic(bool judges_times) noexcept : judges_times_{judges_times} {}
+
   void on_transfer(const Transfer& transfer, const Scene& scene) override;
 
  private:
@@ -19,6 +21,7 @@ class StorageTopic final : public Topic {
   static constexpr std::size_t kMostStores = 5;
   /// When the last ones were, the oldest first.
   using Stores = std::array<canopen::Duration, kMostStores>;
+  bool judges_times_;
   std::array<Stores, Network::kNodes> stores_{};
   std::array<std::uint64_t, Network::kNodes> counts_{};
 };

@@ -49,10 +49,10 @@ inline constexpr Rule kLength{
 inline constexpr Rule kWindow{
     .id = "sync.window",
     .text = "a synchronous RPDO is sent behind the window after SYNC",
-    .clause = "CiA 301 7.5.2.6",
+    .clause = "CiA 301 7.5.2.7",
     .severity = Severity::Warning,
     .why = "Behind the time of 1007h the node may drop it; the set-point then acts a cycle later.",
-    .mend = "Send the set-points before the SYNC with which they shall act, or within the window.",
+    .mend = "Send the set-points within the window behind SYNC, or write 0 to 1007h.",
     .example = R"((0.0000) can0 605#23071000E8030000
 (0.0010) can0 585#6007100000000000
 (0.0020) can0 605#2F00140201000000
@@ -62,7 +62,7 @@ inline constexpr Rule kWindow{
 
 inline constexpr Rule kPeriod{.id = "sync.period",
                               .text = "SYNC has not the period that a node was told",
-                              .clause = "CiA 301 7.5.2.5",
+                              .clause = "CiA 301 7.5.2.6",
                               .severity = Severity::Warning,
                               .why =
                                   "A node that supervises SYNC by 1006h reports its loss; a drive that "

@@ -82,7 +82,7 @@ void Instance::on_write(const drive::FoundParameter& parameter, double before, d
 
 void Instance::start() noexcept {
   if (configuration_.record) begin_recording();
-  if (configuration_.audit) static_cast<void>(audit_.begin());  // nobody else listens yet
+  if (configuration_.audit) static_cast<void>(audit_.begin());  // there is room for it
   tell(record::EventKind::Power, true);
   load_faults();
   reports_.on_open(*connection_.port);

@@ -51,6 +51,7 @@ RunInfo info_of(const Options& options, Hearing& hearing) {
                .begin = hearing.begin,
                .end = hearing.end,
                .has_times = hearing.has_times,
+               .strict = options.strict,
                .place_word = hearing.place_word};
   for (std::string& remark : sheet_remarks(hearing.auditor->network())) info.remarks.push_back(std::move(remark));
   return info;

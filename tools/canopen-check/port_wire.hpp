@@ -27,6 +27,8 @@ class PortWire final : public Wire {
   bool send(const canopen::Frame& frame) override;
   std::optional<TimedFrame> receive(canopen::TimePoint until) override;
   canopen::TimePoint now() override;
+  /// Frames that were lost because they were not read in time.
+  [[nodiscard]] std::uint64_t dropped() const noexcept { return connection_.port->dropped(); }
   /// When the frame that receive() gave last came from the bus (since 1970), if the bus can tell.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> arrival() const noexcept {
     return connection_.port->frame_arrival();

@@ -247,6 +247,7 @@ def sends_more_than_is_mapped(bus):
 def sends_set_points_to_a_node_that_waits(bus):
     bus.write(NODE, 0x1017, 0, 100, 2)
     bus.expect(0x705, lambda data: data == b'\x7F')
+    bus.wait(0.2)
     bus.send(0x205, '0600')
     bus.wait(0.1)
 

@@ -79,7 +79,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "node.json: /modbus/address: expected an IPv4 or IPv6 address, got \"localhost\""},
         BadFile{R"({"modbus": {"port": 65536}})",
                 "node.json: /modbus/port: expected an integer 0 to 65535, got 65536"},
-        BadFile{R"({"audit": "yes"})", "node.json: /audit: expected true or false, got \"yes\""},
         BadFile{R"({"sdo_block": 1})", "node.json: /sdo_block: expected true or false, got 1"},
         BadFile{R"({"f08701": "no"})", "node.json: /f08701: expected true or false, got \"no\""},
         BadFile{R"({"record": true})", "node.json: /record: expected an object, got true"},

@@ -84,6 +84,17 @@ TEST_F(AuditedUnit, JudgesByTheMappingThatWasNeverReadOverTheBus) {
   EXPECT_EQ(broken(), (std::map<std::string, int>{{"pdo.short", 1}}));
 }
 
+TEST_F(AuditedUnit, DoesNotJudgeWhatIsSaidToOtherNodesWhichItDoesNotHear) {
+  answer("000#8109");
+  answer("000#0109");
+  answer("000#0109");
+  for (int i = 0; i < 5; ++i) answer("000#0100");  // as further nodes boot
+  answer("000#8100");
+  answer("000#0109");
+  run(std::chrono::seconds{3});
+  EXPECT_EQ(broken(), (std::map<std::string, int>{}));
+}
+
 TEST_F(AuditedUnit, MentionsItInWhatItExplains) {
   const auto last_reason = [this] {
     return result_of("explain", {{"axis", 1}}).at("reasons").back().get<std::string>();

@@ -17,7 +17,8 @@ std::string text_in(const json& object, const char* key) {
 }
 
 void print_finding(std::ostream& out, const json& finding) {
-  out << fmt::format("    node {}: {}\n", text_in(finding, "node"), text_in(finding, "text"));
+  const std::string node = text_in(finding, "node");
+  out << fmt::format("    {}: {}\n", node == "0" ? "the bus" : "node " + node, text_in(finding, "text"));
   for (const json& frame : finding.value("frames", json::array())) out << "      " << text_of(frame) << '\n';
 }
 

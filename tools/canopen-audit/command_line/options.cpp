@@ -41,7 +41,9 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_option("--interface", words.interface, "CAN interface, or the URL of a bus as axisd takes it: live")
       ->type_name("IF");
   app.add_option("--of", options.of, "the interface that is meant in a log of several")->type_name("IF");
-  app.add_option("--eds", words.sheets, "EDS or DCF of a node; one a node")->type_name("NODE:FILE");
+  app.add_option("--eds", words.sheets, "EDS or DCF of a node; one a node, several times")
+      ->type_name("NODE:FILE")
+      ->allow_extra_args(false);
   app.add_option("--bit-rate", options.bit_rate, "of the bus in bit/s, for its load")
       ->check(CLI::Range(userbus::kLowestBitRate, userbus::kHighestBitRate))
       ->type_name("N");

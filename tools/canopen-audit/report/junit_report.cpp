@@ -30,7 +30,7 @@ junit::Case case_of(const audit::Rule& rule, const Verdict& verdict) {
     if (judged.finding->rule == &rule) (judged.known.empty() ? found : known).push_back(&judged);
   result.output = details_of(known, verdict);
   if (found.empty()) return result;
-  if (rule.severity == audit::Severity::Warning) {
+  if (rule.severity == audit::Severity::Warning && !verdict.info.strict) {
     result.output += details_of(found, verdict);
     return result;
   }
@@ -39,6 +39,18 @@ junit::Case case_of(const audit::Rule& rule, const Verdict& verdict) {
   result.type = std::string{rule.clause};
   result.text = details_of(found, verdict);
   return result;
+}
+
+/// What is known and was not found: the list is out of date.
+junit::Suite unseen_suite(const Verdict& verdict) {
+  junit::Suite suite{.name = "Known findings", .properties = {{"source", verdict.info.source}}};
+  for (const std::string& unseen : verdict.unseen)
+    suite.cases.push_back({.class_name = "known",
+                           .name = unseen,
+                           .outcome = junit::Case::Outcome::Failed,
+                           .message = unseen,
+                           .type = "known and not found"});
+  return suite;
 }
 
 }  // namespace
@@ -53,6 +65,7 @@ std::string junit_of(const Verdict& verdict) {
     for (const audit::Rule* const rule : group.rules) suite.cases.push_back(case_of(*rule, verdict));
     suites.push_back(std::move(suite));
   }
+  if (!verdict.unseen.empty()) suites.push_back(unseen_suite(verdict));
   return junit::xml_of("canopen-audit", suites);
 }
 

@@ -91,20 +91,15 @@ tl::expected<KnownFindings, std::string> KnownFindings::parse(std::string_view t
 }
 
 const std::string* KnownFindings::find(const audit::Finding& finding) {
+  const std::string* reason = nullptr;
   for (KnownFinding& known : all_) {
     const bool is_meant = known.rule == finding.rule->id && known.node.value_or(finding.node) == finding.node &&
                           finding.text.find(known.text) != std::string::npos;
     if (!is_meant) continue;
     known.seen = true;
-    return &known.reason;
+    if (reason == nullptr) reason = &known.reason;
   }
-  return nullptr;
-}
-
-bool KnownFindings::covers(const audit::Rule& rule, std::uint8_t node) const {
-  return std::ranges::any_of(all_, [&](const KnownFinding& known) {
-    return known.rule == rule.id && known.node.value_or(node) == node && known.text.empty();
-  });
+  return reason;
 }
 
 std::vector<const KnownFinding*> KnownFindings::unseen() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +28,8 @@ class KnownFindings {
   /// node and text. The error says what was wrong, where, and what was expected.
   [[nodiscard]] static tl::expected<KnownFindings, std::string> parse(std::string_view text);
 
-  /// The reason why @p finding is known; nullptr if it is not. Notes that it was seen.
+  /// The first reason why @p finding is known; nullptr if it is not. Notes that it was seen.
   [[nodiscard]] const std::string* find(const audit::Finding& finding);
-  /// Whether every finding of @p rule on @p node is known, whatever its words.
-  [[nodiscard]] bool covers(const audit::Rule& rule, std::uint8_t node) const;
   /// Those that no finding has shown.
   [[nodiscard]] std::vector<const KnownFinding*> unseen() const;
 

@@ -19,6 +19,7 @@ struct RunInfo {
   std::vector<std::string> remarks{};  ///< gaps, damaged lines, an EDS that does not fit: a line each
   canopen::Duration begin{}, end{};    ///< of the first and the last frame
   bool has_times = true;
+  bool strict = false;                    ///< a warning is a failure, too
   std::string_view place_word = "frame";  ///< what the place of a frame counts
 };
 

@@ -35,16 +35,22 @@ void count(Verdict& verdict, const audit::Rule& rule, bool is_known, std::uint64
 
 Verdict judge(const audit::Auditor& auditor, RunInfo info, KnownFindings& known) {
   Verdict verdict{.auditor = &auditor, .info = std::move(info)};
-  std::map<std::pair<const audit::Rule*, std::uint8_t>, std::uint64_t> kept;
+  struct Kept {
+    std::uint64_t number = 0;
+    bool are_known = true;  ///< all of them: then the others are, too
+  };
+  std::map<std::pair<const audit::Rule*, std::uint8_t>, Kept> kept;
   for (const audit::Finding& finding : auditor.findings().kept()) {
     const std::string* const reason = known.find(finding);
     verdict.findings.push_back({&finding, reason == nullptr ? std::string{} : *reason});
     count(verdict, *finding.rule, reason != nullptr, 1);
-    ++kept[{finding.rule, finding.node}];
+    Kept& of_rule = kept[{finding.rule, finding.node}];
+    ++of_rule.number;
+    of_rule.are_known = of_rule.are_known && reason != nullptr;
   }
-  for (const auto& [key, number] : kept) {
+  for (const auto& [key, of_rule] : kept) {
     const auto& [rule, node] = key;
-    count(verdict, *rule, known.covers(*rule, node), auditor.findings().count(*rule, node) - number);
+    count(verdict, *rule, of_rule.are_known, auditor.findings().count(*rule, node) - of_rule.number);
   }
   std::ranges::stable_sort(verdict.findings, {},
                            [](const Judged& judged) { return place_of(judged.finding->rule); });

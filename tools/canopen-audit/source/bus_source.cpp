@@ -56,6 +56,9 @@ class Ear {
     order_.flush();
     hearing_.begin = order_.begin();
     hearing_.end = order_.end();
+    if (const std::uint64_t lost = wire_.dropped(); lost > 0)
+      hearing_.remarks.push_back(
+          fmt::format("{} frames were lost, as they were not read in time: a finding may come of that", lost));
     if (!wire_.up()) hearing_.problem = options_.interface->text + " has gone down";
   }
 

@@ -13,7 +13,8 @@ constexpr std::size_t kFew = 32;
 void InOrder::add(const audit::Heard& heard) {
   audit::Heard placed = heard;
   placed.at += offset_;
-  const canopen::Duration back = kept_.empty() ? canopen::Duration{} : kept_.back().at - placed.at;
+  if (kept_.empty() && auditor_.frames() == 0) end_ = placed.at;
+  const canopen::Duration back = (kept_.empty() ? end_ : kept_.back().at) - placed.at;
   if (back > kWindow) {  // the clock was set back, or the time before was wrong
     offset_ += back;
     placed.at += back;

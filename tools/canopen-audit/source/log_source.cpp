@@ -55,7 +55,9 @@ Hearing hear_log(const Options& options, audit::Circumstances circumstances) {
   hearing.end = order.end();
   hearing.auditor->end();
   hearing.remarks = reading.remarks();
-  if (hearing.auditor->frames() == 0) hearing.problem = options.log + ": there is no frame in it";
+  if (hearing.auditor->frames() == 0)
+    hearing.problem =
+        fmt::format("{}: there is no frame{} in it", options.log, options.of.empty() ? "" : " of " + options.of);
   return hearing;
 }
 
