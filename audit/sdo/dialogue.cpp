@@ -92,6 +92,10 @@ bool Dialogue::is_behind_abort(const Heard& heard) {
 
 /// The client sends something else while the server has not answered.
 void Dialogue::note_unanswered(const Heard& heard, Findings& findings) {
+  if (has_rebooted_) {
+    phase_ = Phase::Idle;
+    return;
+  }
   const canopen::Duration waited = heard.at - asked_.at;
   const bool has_waited = !has_times_ || waited >= kImpatience;
   findings.add(has_waited ? rules::kUnaborted : rules::kOverlap, channel_.node, {asked_, heard}, [&] {
@@ -117,6 +121,7 @@ void Dialogue::begin(const Heard& heard, Findings& findings) {
   is_last_ = false;
   asked_ = heard;
   has_gap_ = false;
+  has_rebooted_ = false;
   phase_ = Phase::Initiated;
   const bool is_block = command.request() == Request::BlockUpload || command.request() == Request::BlockDownload;
   kind_ = is_block ? Kind::Block : Kind::Normal;
@@ -128,8 +133,7 @@ void Dialogue::begin(const Heard& heard, Findings& findings) {
 
 /// Whether an abort was under way when the answer came, after a long wait for it.
 bool Dialogue::has_crossed(const Heard& abort) const noexcept {
-  const bool was_long = aborted_.has_value() && kind_ == Kind::Block;
-  return (was_long || transfer_.last.at - asked_.at >= kLongWait) && abort.at - transfer_.last.at < kImpatience;
+  return transfer_.last.at - asked_.at >= kLongWait && abort.at - transfer_.last.at < kImpatience;
 }
 
 std::optional<Transfer> Dialogue::take_abort(const Heard& heard, Findings& findings) {
@@ -232,6 +236,13 @@ void Dialogue::reset(const Heard& heard, Findings& findings) {
   if (awaits_server())
     findings.add(nmt_rules::kResetInTransfer, channel_.node, {asked_, heard}, [&] { return object(); });
   forget();
+}
+
+void Dialogue::take_boot_up() {
+  if (phase_ == Phase::Initiated)
+    has_rebooted_ = true;
+  else
+    forget();
 }
 
 void Dialogue::forget() {

@@ -22,8 +22,8 @@ class Dialogue {
   std::optional<Transfer> take_response(const Heard& heard, Findings& findings);
   /// The node is reset by @p heard: its server forgets what it was doing.
   void reset(const Heard& heard, Findings& findings);
-  /// The node has booted: its server has forgotten what it was doing.
-  void forget();
+  /// The node has booted: its server has forgotten what it was doing, but may have heard a first request already.
+  void take_boot_up();
   /// There are no more frames; @p at: when the last one of the bus came.
   void end(canopen::Duration at, Findings& findings);
 
@@ -44,6 +44,7 @@ class Dialogue {
   enum class Kind : std::uint8_t { Normal, Block };
 
   void begin(const Heard& heard, Findings& findings);
+  void forget();
   std::optional<Transfer> take_abort(const Heard& heard, Findings& findings);
   std::optional<Transfer> take_initiated(const Heard& heard);
   [[nodiscard]] bool is_behind_abort(const Heard& heard);
@@ -85,8 +86,9 @@ class Dialogue {
   Heard asked_{};                           ///< the request that awaits its answer
   std::optional<std::uint64_t> told_size_;  ///< of the transfer
   std::uint8_t toggle_ = 0;
-  bool is_last_ = false;  ///< the last segment is sent, or asked for
-  bool has_gap_ = false;  ///< a segment of a block did not follow the one before
+  bool is_last_ = false;       ///< the last segment is sent, or asked for
+  bool has_rebooted_ = false;  ///< since the request that awaits its answer
+  bool has_gap_ = false;       ///< a segment of a block did not follow the one before
   BlockData block_{};
   std::optional<Heard> aborted_;   ///< by the server: the last frame of the channel
   std::optional<Heard> given_up_;  ///< the request whose answer was not awaited

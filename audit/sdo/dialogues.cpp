@@ -39,7 +39,7 @@ void Dialogues::reset(const Heard& heard, Findings& findings) {
 
 void Dialogues::forget(std::uint8_t node) {
   for (auto& [channel, dialogue] : dialogues_)
-    if (node == channel.node) dialogue.forget();
+    if (node == channel.node) dialogue.take_boot_up();
 }
 
 Dialogue& Dialogues::dialogue(const meaning::Meaning& meaning) {
