@@ -7,10 +7,6 @@ namespace {
 
 using nlohmann::json;
 
-double seconds(canopen::Duration time) {
-  return std::chrono::duration<double>{time}.count();
-}
-
 json frame_of(const audit::Finding& finding, std::size_t position, const Verdict& verdict) {
   const RunInfo& info = verdict.info;
   const audit::Heard& heard = finding.evidence[position];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <map>
+#include <chrono>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +42,10 @@ struct Verdict {
 /// Judges what @p auditor has found; it outlives the verdict.
 [[nodiscard]] Verdict judge(const audit::Auditor& auditor, RunInfo info, KnownFindings& known);
 
+/// @p time in seconds.
+[[nodiscard]] constexpr double seconds(canopen::Duration time) noexcept {
+  return std::chrono::duration<double>{time}.count();
+}
 /// "(0012.345678) can0 605#4000100000000000": with the time since @p begin.
 [[nodiscard]] std::string frame_text(const audit::Heard& heard, canopen::Duration begin);
 /// What the frame at @p position of the evidence of @p finding says: "SDO request to node 5: read 1000h:00".

@@ -10,10 +10,6 @@ std::string node_words(std::uint8_t node) {
   return node == 0 ? std::string{"the bus"} : fmt::format("node {}", node);
 }
 
-double seconds(canopen::Duration time) {
-  return std::chrono::duration<double>{time}.count();
-}
-
 /// "(12.345678) 605#4000100000000000": without the interface, and without a time where there is none.
 std::string short_frame(const audit::Heard& heard, const RunInfo& info) {
   const std::string text = frame_text(heard, info.begin);

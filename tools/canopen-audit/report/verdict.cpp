@@ -64,8 +64,7 @@ std::string frame_text(const audit::Heard& heard, canopen::Duration begin) {
   if (heard.is_error) wire.can_id = (heard.frame.id & CAN_ERR_MASK) | CAN_ERR_FLAG;
   std::string line = record::candump_line({.interface = "can0", .frame = wire});
   line.pop_back();
-  const double at = std::chrono::duration<double>{heard.at - begin}.count();
-  return fmt::format("({:011.6f}) {}", at, line.substr(line.find(' ') + 1));
+  return fmt::format("({:011.6f}) {}", seconds(heard.at - begin), line.substr(line.find(' ') + 1));
 }
 
 std::string frame_words(const audit::Finding& finding, std::size_t position, const audit::Network& network) {
