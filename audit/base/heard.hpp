@@ -1,12 +1,19 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 
 #include "libcanopen/base/frame.hpp"
+#include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/base/time.hpp"
 #include "meaning/cob_ids.hpp"
 
 namespace audit {
+
+/// @p time in milliseconds.
+[[nodiscard]] constexpr double milliseconds(canopen::Duration time) noexcept {
+  return std::chrono::duration<double, std::milli>{time}.count();
+}
 
 /// A frame as it was on the bus.
 struct Heard {
@@ -23,6 +30,16 @@ struct Passage {
 
   [[nodiscard]] const canopen::Frame& frame() const noexcept { return heard.frame; }
   [[nodiscard]] canopen::Duration at() const noexcept { return heard.at; }
+  /// A boot-up message (CiA 301, 7.2.8.3.3).
+  [[nodiscard]] bool is_boot_up() const noexcept {
+    return meaning.role == meaning::Role::ErrorControl && frame().length == 1 && frame().data[0] == 0;
+  }
+  /// An NMT command that resets nodes, or their communication.
+  [[nodiscard]] bool is_reset() const noexcept {
+    const auto command = static_cast<canopen::NmtCommand>(frame().data[0]);
+    return meaning.role == meaning::Role::Nmt && frame().length == 2 &&
+           (command == canopen::NmtCommand::ResetNode || command == canopen::NmtCommand::ResetCommunication);
+  }
 };
 
 }  // namespace audit

@@ -15,9 +15,8 @@ void DriveTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (role == Role::Nmt)
     for (auto& [place, axis] : axes_)
       if (passage.frame().data[1] == 0 || passage.frame().data[1] == place.first) axis.leave_pdos();
-  const bool has_booted =
-      role == Role::ErrorControl && passage.frame().length == 1 && passage.frame().data[0] == 0;
-  if (has_booted) std::erase_if(axes_, [&](const auto& axis) { return axis.first.first == passage.meaning.node; });
+  if (passage.is_boot_up())
+    std::erase_if(axes_, [&](const auto& axis) { return axis.first.first == passage.meaning.node; });
   if (role != Role::Rpdo && role != Role::Tpdo) return;
   for (const DriveValue& value : values_.in_pdo(passage, scene.network))
     axes_[{value.node, value.axis}].take(value, scene);

@@ -24,7 +24,7 @@ constexpr canopen::Duration kTimeToNotice = std::chrono::seconds{1};
 /// Time after which a heartbeat that is waited for should have come.
 constexpr canopen::Duration kPatience = std::chrono::seconds{5};
 
-std::int64_t milliseconds(canopen::Duration time) noexcept {
+std::int64_t whole_milliseconds(canopen::Duration time) noexcept {
   return std::chrono::duration_cast<std::chrono::milliseconds>(time).count();
 }
 
@@ -54,7 +54,7 @@ void ErrorControlTopic::on_frame(const Passage& passage, const Scene& scene) {
 
 void ErrorControlTopic::take_heartbeat(const Passage& passage, const Scene& scene) {
   Course& course = courses_[passage.meaning.node];
-  const bool is_boot_up = passage.frame().data[0] == 0;
+  const bool is_boot_up = passage.is_boot_up();
   if (std::exchange(course.is_guarded, false) && !is_boot_up) return;  // an answer is no heartbeat
   const std::optional<Heard> last = std::exchange(course.heartbeat, passage.heard);
   course.is_lost = false;
@@ -71,15 +71,14 @@ void ErrorControlTopic::take_heartbeat(const Passage& passage, const Scene& scen
     if (wait.producer != passage.meaning.node || interval <= wait.time) continue;
     scene.findings.add(rules::kHeartbeatLate, wait.consumer, {*last, passage.heard}, [&] {
       return fmt::format("that of node {} comes after {} ms, node {} waits {} ms", wait.producer,
-                         milliseconds(interval), wait.consumer, milliseconds(wait.time));
+                         whole_milliseconds(interval), wait.consumer, whole_milliseconds(wait.time));
     });
   }
 }
 
 /// A reset takes away what was told.
 void ErrorControlTopic::take_command(const Passage& passage) {
-  const auto command = static_cast<canopen::NmtCommand>(passage.frame().data[0]);
-  if (command != canopen::NmtCommand::ResetNode && command != canopen::NmtCommand::ResetCommunication) return;
+  if (!passage.is_reset()) return;
   const std::uint8_t node = passage.frame().data[1];
   for (std::size_t i = 1; i < courses_.size(); ++i)
     if (node == 0 || node == i) {
@@ -101,8 +100,8 @@ void ErrorControlTopic::take_guarding(const Passage& passage, const Scene& scene
   const canopen::Duration life = life_time(node);
   if (!last || !judges_times_ || life == canopen::Duration{} || passage.at() - last->at <= life) return;
   scene.findings.add(rules::kLifeTime, node.id, {*last, passage.heard}, [&] {
-    return fmt::format("after {} ms, the life time is {} ms", milliseconds(passage.at() - last->at),
-                       milliseconds(life));
+    return fmt::format("after {} ms, the life time is {} ms", whole_milliseconds(passage.at() - last->at),
+                       whole_milliseconds(life));
   });
 }
 
@@ -116,8 +115,8 @@ void ErrorControlTopic::take_sending(const Passage& passage, const Scene& scene)
   if (silence < course.period * kPeriodsOfLoss + kTimeToNotice) return;
   course.is_lost = true;
   scene.findings.add(rules::kLost, node.id, {*course.heartbeat, passage.heard}, [&] {
-    return fmt::format("no heartbeat for {} ms, before each {} ms", milliseconds(silence),
-                       milliseconds(course.period));
+    return fmt::format("no heartbeat for {} ms, before each {} ms", whole_milliseconds(silence),
+                       whole_milliseconds(course.period));
   });
 }
 
@@ -150,21 +149,21 @@ void ErrorControlTopic::take_consumer(const Transfer& transfer, const Scene& sce
   if (wait.time == canopen::Duration{} || wait.producer == 0) return;
   waits_.push_back(wait);
   const auto produced = scene.network.node(wait.producer).value(object::kHeartbeatTime, 0);
-  if (produced.value_or(0) == 0 || milliseconds(wait.time) > static_cast<std::int64_t>(*produced)) return;
+  if (produced.value_or(0) == 0 || whole_milliseconds(wait.time) > static_cast<std::int64_t>(*produced)) return;
   scene.findings.add(rules::kConsumerShorter, wait.consumer, {transfer.request, transfer.last}, [&] {
     return fmt::format("node {} sends each {} ms, node {} waits {} ms", wait.producer, *produced, wait.consumer,
-                       milliseconds(wait.time));
+                       whole_milliseconds(wait.time));
   });
 }
 
 void ErrorControlTopic::take_producer(const Transfer& transfer, const Scene& scene) const {
   for (const Wait& wait : waits_) {
     const bool is_shorter = wait.producer == transfer.channel.node &&
-                            milliseconds(wait.time) <= static_cast<std::int64_t>(transfer.value);
+                            whole_milliseconds(wait.time) <= static_cast<std::int64_t>(transfer.value);
     if (!is_shorter) continue;
     scene.findings.add(rules::kConsumerShorter, wait.consumer, {wait.told, transfer.request}, [&] {
       return fmt::format("node {} sends each {} ms, node {} waits {} ms", wait.producer, transfer.value,
-                         wait.consumer, milliseconds(wait.time));
+                         wait.consumer, whole_milliseconds(wait.time));
     });
   }
 }

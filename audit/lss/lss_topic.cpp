@@ -39,18 +39,13 @@ bool is_configuration(std::uint8_t command) noexcept {
          command == kStore;
 }
 
-bool is_reset(const canopen::Frame& frame) noexcept {
-  const auto command = static_cast<canopen::NmtCommand>(frame.data[0]);
-  return command == canopen::NmtCommand::ResetNode || command == canopen::NmtCommand::ResetCommunication;
-}
-
 }  // namespace
 
 void LssTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (passage.heard.is_error) return;
   if (passage.meaning.role == meaning::Role::LssRequest) return take_command(passage.heard, scene);
   if (passage.meaning.role == meaning::Role::LssResponse) return take_answer(passage.heard);
-  if (passage.meaning.role == meaning::Role::Nmt && is_reset(passage.frame())) switched_.reset();
+  if (passage.is_reset()) switched_.reset();
 }
 
 void LssTopic::take_answer(const Heard& heard) {

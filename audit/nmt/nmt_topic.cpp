@@ -133,7 +133,7 @@ void NmtTopic::take_request(const Passage& passage, const Scene& scene) {
 
 void NmtTopic::take_error_control(const Passage& passage, const Scene& scene) {
   const Node& node = scene.network.node(passage.meaning.node);
-  const bool is_boot_up = passage.frame().length == 1 && passage.frame().data[0] == 0;
+  const bool is_boot_up = passage.is_boot_up();
   const bool is_other = !node.state || passage.frame().data[0] % kToggle != static_cast<std::uint8_t>(*node.state);
   if (is_other || is_boot_up) scene.time_lines[node.id].add(passage.heard, error_control_words(passage.frame()));
   const bool runs = passage.frame().data[0] % kToggle == static_cast<std::uint8_t>(NmtState::Operational);

@@ -30,13 +30,11 @@ void add(const Rule& rule, const Transfer& transfer, const Scene& scene, const s
 
 void PdoSettingTopic::on_frame(const Passage& passage, const Scene& scene) {
   const canopen::Frame& frame = passage.frame();
-  if (passage.meaning.role == meaning::Role::ErrorControl && frame.data[0] == 0)
-    return forget(passage.meaning.node);
+  if (passage.is_boot_up()) return forget(passage.meaning.node);
   if (passage.meaning.role != meaning::Role::Nmt || frame.length != 2) return;
   const auto command = static_cast<canopen::NmtCommand>(frame.data[0]);
   if (command == canopen::NmtCommand::Start) start(frame.data[1], passage.heard, scene);
-  if (command == canopen::NmtCommand::ResetNode || command == canopen::NmtCommand::ResetCommunication)
-    forget(frame.data[1]);
+  if (passage.is_reset()) forget(frame.data[1]);
 }
 
 /// @p node (0: each) is started.

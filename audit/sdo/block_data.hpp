@@ -24,6 +24,8 @@ class BlockData {
     size_ = size;
     number_ = 0;
   }
+  /// The number of the segment whose first byte is @p byte.
+  [[nodiscard]] static constexpr std::uint8_t number_in(std::uint8_t byte) noexcept { return byte & 0x7FU; }
   /// Takes the segment with @p number and seven bytes at @p data; false if it does not follow the one before.
   bool take(std::uint8_t number, const std::uint8_t* data) noexcept {
     if (number != number_ + 1) return false;

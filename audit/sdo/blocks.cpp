@@ -17,7 +17,6 @@ using sdo::Request;
 
 namespace {
 
-constexpr std::uint8_t kNumberBits = 0x7F;   // of a segment
 constexpr std::uint8_t kBlockPlace = 4;      // of the number of segments in an initiate request or response
 constexpr std::uint8_t kConfirmedPlace = 1;  // of the number of the last segment in a confirmation
 constexpr std::uint8_t kNextBlockPlace = 2;  // of the number of segments in it
@@ -46,7 +45,7 @@ void Dialogue::start_block_download(const canopen::Frame& answer) {
 
 void Dialogue::take_block_segment(const Heard& heard, Findings& findings) {
   const std::uint8_t byte = heard.frame.data[0];
-  const auto number = static_cast<std::uint8_t>(byte & kNumberBits);
+  const std::uint8_t number = BlockData::number_in(byte);
   const std::uint8_t before = block_.number();
   asked_ = heard;
   is_last_ = (byte & sdo::kLastOfBlock) != 0;
@@ -135,7 +134,7 @@ std::optional<Transfer> Dialogue::take_block_answer(const Heard& heard) {
 
 void Dialogue::take_block_upload_segment(const Heard& heard) {
   const std::uint8_t byte = heard.frame.data[0];
-  if (!block_.take(static_cast<std::uint8_t>(byte & kNumberBits), &heard.frame.data[1])) return;
+  if (!block_.take(BlockData::number_in(byte), &heard.frame.data[1])) return;
   add_bytes(&heard.frame.data[1], sdo::kSegmentBytes);
   is_last_ = (byte & sdo::kLastOfBlock) != 0;
   if (is_last_ || block_.is_full()) phase_ = Phase::BlockConfirm;

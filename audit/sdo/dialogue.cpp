@@ -21,9 +21,8 @@ using sdo::Response;
 
 namespace {
 
-constexpr std::uint8_t kAbortByte = 0x80;      // a segment would have the number 0
-constexpr std::uint8_t kSegmentNumber = 0x7F;  // bits of a segment of a block
-constexpr std::uint32_t kMostRefusals = 3;     // of the same request, which the master may not have looked at yet
+constexpr std::uint8_t kAbortByte = 0x80;   // a segment would have the number 0
+constexpr std::uint32_t kMostRefusals = 3;  // of the same request, which the master may not have looked at yet
 /// Who asks again so soon has not waited at all.
 constexpr canopen::Duration kImpatience = std::chrono::milliseconds{20};
 /// Time after which a master may give up.
@@ -39,10 +38,6 @@ bool is_same(const sdo::Address& a, const sdo::Address& b) noexcept {
 
 std::uint32_t word_in(const canopen::Frame& frame) noexcept {
   return canopen::load<std::uint32_t>(&frame.data[4]);
-}
-
-double milliseconds(canopen::Duration time) noexcept {
-  return std::chrono::duration<double, std::milli>{time}.count();
 }
 
 }  // namespace
@@ -87,7 +82,7 @@ std::optional<Transfer> Dialogue::take_request(const Heard& heard, Findings& fin
 bool Dialogue::is_behind_abort(const Heard& heard) {
   const bool is_download = kind_ == Kind::Block && transfer_.is_write;
   if (phase_ != Phase::Idle || !aborted_ || !is_download || heard.at - aborted_->at >= kImpatience) return false;
-  return block_.take(static_cast<std::uint8_t>(heard.frame.data[0] & kSegmentNumber), &heard.frame.data[1]);
+  return block_.take(BlockData::number_in(heard.frame.data[0]), &heard.frame.data[1]);
 }
 
 /// The client sends something else while the server has not answered.
@@ -107,10 +102,7 @@ void Dialogue::note_unanswered(const Heard& heard, Findings& findings) {
 }
 
 void Dialogue::begin(const Heard& heard, Findings& findings) {
-  if (is_open())
-    findings.add(rules::kLeftOpen, channel_.node, {transfer_.request, heard}, [&] {
-      return fmt::format("{} of {}", transfer_.is_write ? "the download" : "the upload", object());
-    });
+  if (is_open()) report_left_open(heard, findings);
   const CommandByte command{heard.frame.data[0]};
   const bool is_write =
       command.request() == Request::InitiateDownload || command.request() == Request::BlockDownload;
@@ -255,10 +247,13 @@ void Dialogue::forget() {
 
 void Dialogue::end(canopen::Duration at, Findings& findings) {
   const bool is_forgotten = is_open() && !awaits_server() && at - asked_.at >= kForgotten;
-  if (is_forgotten)
-    findings.add(rules::kLeftOpen, channel_.node, {transfer_.request, asked_}, [&] {
-      return fmt::format("{} of {}", transfer_.is_write ? "the download" : "the upload", object());
-    });
+  if (is_forgotten) report_left_open(asked_, findings);
+}
+
+void Dialogue::report_left_open(const Heard& last, Findings& findings) const {
+  findings.add(rules::kLeftOpen, channel_.node, {transfer_.request, last}, [&] {
+    return fmt::format("{} of {}", transfer_.is_write ? "the download" : "the upload", object());
+  });
 }
 
 Transfer Dialogue::finished(Transfer::End end, const Heard& last, std::uint32_t code) {

@@ -49,6 +49,7 @@ class Dialogue {
   std::optional<Transfer> take_initiated(const Heard& heard);
   [[nodiscard]] bool is_behind_abort(const Heard& heard);
   [[nodiscard]] bool has_crossed(const Heard& abort) const noexcept;
+  void report_left_open(const Heard& last, Findings& findings) const;
   void note_unanswered(const Heard& heard, Findings& findings);
   void note_repetition(const Heard& heard, Findings& findings);
   void note_late(const Heard& heard, Findings& findings);

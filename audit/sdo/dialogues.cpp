@@ -1,25 +1,11 @@
 #include "audit/sdo/dialogues.hpp"
 
-#include "libcanopen/base/nmt_state.hpp"
-
 namespace audit {
-
-namespace {
-
-bool is_reset(const canopen::Frame& frame) noexcept {
-  const auto command = static_cast<canopen::NmtCommand>(frame.data[0]);
-  return frame.length == 2 &&
-         (command == canopen::NmtCommand::ResetNode || command == canopen::NmtCommand::ResetCommunication);
-}
-
-}  // namespace
 
 std::optional<Transfer> Dialogues::take(const Passage& passage, Findings& findings) {
   if (passage.heard.is_error) return std::nullopt;
-  if (passage.meaning.role == meaning::Role::Nmt && is_reset(passage.frame())) reset(passage.heard, findings);
-  const bool has_booted = passage.meaning.role == meaning::Role::ErrorControl && passage.frame().length == 1 &&
-                          passage.frame().data[0] == 0;
-  if (has_booted) forget(passage.meaning.node);
+  if (passage.is_reset()) reset(passage.heard, findings);
+  if (passage.is_boot_up()) forget(passage.meaning.node);
   if (passage.meaning.role == meaning::Role::SdoRequest)
     return dialogue(passage.meaning).take_request(passage.heard, findings);
   if (passage.meaning.role == meaning::Role::SdoResponse)

@@ -30,10 +30,6 @@ constexpr canopen::Duration kPause = std::chrono::seconds{1};
 /// A node that was started so long ago should have heard SYNC.
 constexpr canopen::Duration kPatience = std::chrono::seconds{3};
 
-double milliseconds(canopen::Duration time) noexcept {
-  return std::chrono::duration<double, std::milli>{time}.count();
-}
-
 bool is_near(canopen::Duration time, canopen::Duration wanted, std::int64_t share) noexcept {
   return std::llabs((time - wanted).count()) <= wanted.count() / share;
 }

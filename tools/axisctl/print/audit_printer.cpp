@@ -11,11 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string text_in(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found == object.end() ? std::string{} : text_of(*found);
-}
-
 void print_finding(std::ostream& out, const json& finding) {
   const std::string node = text_in(finding, "node");
   out << fmt::format("    {}: {}\n", node == "0" ? "the bus" : "node " + node, text_in(finding, "text"));

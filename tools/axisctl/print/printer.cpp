@@ -152,6 +152,11 @@ std::string text_of(const json& value) {
   return text.empty() ? "none" : text;
 }
 
+std::string text_in(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found == object.end() ? std::string{} : text_of(*found);
+}
+
 void print_result(std::ostream& out, const control::Method& method, const json& result, Style style) {
   const auto* const row = std::ranges::find(kPrinters, method.name, &Printer::method);
   if (row != kPrinters.end()) return row->print(out, result, style);

@@ -32,6 +32,8 @@ void print_audit(std::ostream& out, const nlohmann::json& result, Style style);
 
 /// @p value in one line.
 [[nodiscard]] std::string text_of(const nlohmann::json& value);
+/// The member @p key of @p object in one line; empty if it has none.
+[[nodiscard]] std::string text_in(const nlohmann::json& object, const char* key);
 /// @p state of a drive in its colour.
 [[nodiscard]] std::string coloured_state(const std::string& state, Style style);
 
