@@ -53,10 +53,12 @@ void print_table(std::ostream& out, const json& rows, const control::Method& met
     if (std::ranges::any_of(rows, [&](const json& row) { return row.contains(key); })) keys.emplace_back(key);
   if (keys.empty()) keys = keys_of(rows, method.keys);
   std::vector<std::string> heads;
+  heads.reserve(keys.size());
   for (const std::string& key : keys) heads.push_back(words_of(key));
   Table table{std::move(heads)};
   for (const json& row : rows) {
     std::vector<std::string> cells;
+    cells.reserve(keys.size());
     for (const std::string& key : keys) cells.push_back(row.contains(key) ? text_of(row[key]) : "");
     table.add(std::move(cells));
   }
