@@ -1,17 +1,17 @@
 #include "audit/network/known_values.hpp"
 
+#include "libcanopen/base/object_index.hpp"
+
 namespace audit {
 
 namespace {
-
-constexpr std::uint32_t kCommunicationBegin = 0x1000'00, kCommunicationEnd = 0x2000'00;
 
 constexpr std::uint32_t key_of(std::uint16_t index, std::uint8_t sub_index) noexcept {
   return std::uint32_t{index} << 8 | sub_index;
 }
 
 constexpr bool is_of_communication(std::uint32_t key) noexcept {
-  return key >= kCommunicationBegin && key < kCommunicationEnd;
+  return canopen::object::is_of_communication(static_cast<std::uint16_t>(key >> 8));
 }
 
 }  // namespace

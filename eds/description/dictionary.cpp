@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "libcanopen/base/object_index.hpp"
+
 namespace eds {
 namespace {
 
@@ -13,14 +15,9 @@ Value value_of(std::int64_t number, const DataTypeRow& type) {
   return decode(little_endian(static_cast<std::uint64_t>(number), type.bits / 8U), type);
 }
 
-bool is_communication(const canopen::Entry& entry) noexcept {
-  constexpr std::uint16_t kFirst = 0x1000, kLast = 0x1FFF;
-  return entry.index >= kFirst && entry.index <= kLast;
-}
-
 /// What the number @p entry begins with.
 Value initial_of(const canopen::Dictionary& dictionary, const canopen::Entry& entry, const DataTypeRow& type) {
-  if (!is_communication(entry)) return value_of(dictionary.initial(entry), type);
+  if (!canopen::object::is_of_communication(entry.index)) return value_of(dictionary.initial(entry), type);
   return value_of(dictionary.read(entry).value_or(dictionary.initial(entry)), type);
 }
 

@@ -5,6 +5,12 @@
 /// Indices of the communication profile's objects (CiA 301, 7.5.2; 1F80h: CiA 302).
 namespace canopen::object {
 
+/// The communication profile's range, which a reset of the communication takes back (7.4.1, 7.3.2.2.1).
+inline constexpr std::uint16_t kFirstOfCommunication = 0x1000, kLastOfCommunication = 0x1FFF;
+[[nodiscard]] constexpr bool is_of_communication(std::uint16_t index) noexcept {
+  return index >= kFirstOfCommunication && index <= kLastOfCommunication;
+}
+
 inline constexpr std::uint16_t kDeviceType = 0x1000;
 inline constexpr std::uint16_t kErrorRegister = 0x1001;
 inline constexpr std::uint16_t kErrorField = 0x1003;

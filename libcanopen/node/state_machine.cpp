@@ -1,10 +1,10 @@
 #include "libcanopen/node/state_machine.hpp"
 
+#include "libcanopen/base/object_index.hpp"
+
 namespace canopen {
 namespace {
 
-constexpr std::uint16_t kFirstCommunicationObject = 0x1000;
-constexpr std::uint16_t kLastCommunicationObject = 0x1FFF;
 constexpr std::uint16_t kFirstApplicationObject = 0x2000;
 constexpr std::uint16_t kLastApplicationObject = 0x9FFF;
 
@@ -27,7 +27,7 @@ void StateMachine::reload() noexcept {
 void StateMachine::reset(NmtCommand command) noexcept {
   enter(NmtState::Initialising);
   context_.dictionary.set_node_id(context_.pending_node_id);
-  context_.dictionary.restore(kFirstCommunicationObject, kLastCommunicationObject);
+  context_.dictionary.restore(object::kFirstOfCommunication, object::kLastOfCommunication);
   if (command == NmtCommand::ResetNode) {
     context_.dictionary.restore(kFirstApplicationObject, kLastApplicationObject);
   }
