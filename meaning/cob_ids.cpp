@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "libcanopen/base/nmt_state.hpp"
 #include "libcanopen/base/object_index.hpp"
@@ -28,18 +29,6 @@ constexpr std::array kPredefined{
     Predefined{0x500, Role::Rpdo, 4},       Predefined{0x580, Role::SdoResponse, 1},
     Predefined{0x600, Role::SdoRequest, 1}, Predefined{0x700, Role::ErrorControl, 0},
 };
-
-Meaning predefined(std::uint32_t identifier) noexcept {
-  if (identifier == 0) return {Role::Nmt};
-  if (identifier == canopen::function_code::kSync) return {Role::Sync};
-  if (identifier == canopen::function_code::kTime) return {Role::Time};
-  if (identifier == kLssRequest) return {Role::LssRequest};
-  if (identifier == kLssResponse) return {Role::LssResponse};
-  const auto row = std::ranges::find(kPredefined, identifier & ~kNodeBits, &Predefined::function);
-  const auto node = static_cast<std::uint8_t>(identifier & kNodeBits);
-  if (row == kPredefined.end() || node == 0) return {};
-  return {row->role, node, row->number};
-}
 
 /// Entries that hold COB-IDs: objects from `first` to `last`, one of a PDO or server each.
 struct CobIdEntry {
@@ -77,6 +66,18 @@ canopen::Identifier identifier_of(Role role, std::uint32_t cob_id) noexcept {
 
 }  // namespace
 
+Meaning predefined(canopen::Identifier identifier) noexcept {
+  if (identifier == 0) return {Role::Nmt};
+  if (identifier == canopen::function_code::kSync) return {Role::Sync};
+  if (identifier == canopen::function_code::kTime) return {Role::Time};
+  if (identifier == kLssRequest) return {Role::LssRequest};
+  if (identifier == kLssResponse) return {Role::LssResponse};
+  const auto row = std::ranges::find(kPredefined, identifier & ~kNodeBits, &Predefined::function);
+  const auto node = static_cast<std::uint8_t>(identifier & kNodeBits);
+  if (row == kPredefined.end() || node == 0) return {};
+  return {row->role, node, row->number};
+}
+
 void CobIds::describe(const eds::Description& description) {
   for (const eds::EntryFacts& entry : description.entries()) {
     const auto service = service_at(description.node_id(), {entry.index, entry.sub_index});
@@ -93,8 +94,13 @@ void CobIds::describe(const eds::Description& description) {
 void CobIds::index() {
   services_.clear();
   for (const auto& [service, identifier] : given_.identifiers)
-    if (identifier != 0)
-      services_.try_emplace(identifier, service);  // a TPDO before the RPDO of who listens to it
+    if (identifier != 0) take_in(service, identifier);
+}
+
+/// Of services with one identifier the first is meant: a TPDO before the RPDO of who listens to it.
+void CobIds::take_in(const Meaning& service, canopen::Identifier identifier) {
+  const auto [row, is_new] = services_.try_emplace(identifier, service);
+  if (!is_new) row->second = std::min(row->second, service);
 }
 
 Meaning CobIds::meaning_of(const canopen::Frame& frame) const noexcept {
@@ -147,10 +153,10 @@ void CobIds::learn(const EntryValue& entry) {
 }
 
 void CobIds::give(const Meaning& service, canopen::Identifier identifier) {
-  const auto [given, is_new] = given_.identifiers.try_emplace(service, identifier);
-  if (!is_new && given->second == identifier) return;
-  given->second = identifier;
-  index();
+  const canopen::Identifier before = std::exchange(given_.identifiers[service], identifier);
+  if (before == identifier) return;
+  if (before != 0) return index();
+  take_in(service, identifier);
 }
 
 void CobIds::copy(const Given& from, Given& to, std::uint8_t node) {

@@ -40,6 +40,9 @@ struct Meaning {
   friend constexpr auto operator<=>(const Meaning&, const Meaning&) = default;
 };
 
+/// What @p identifier (11 bits) means by the predefined connection set alone.
+[[nodiscard]] Meaning predefined(canopen::Identifier identifier) noexcept;
+
 /// Which identifier means what: that of the predefined connection set (CiA 301, 7.3.3), what an EDS says, and what
 /// was written since.
 class CobIds {
@@ -67,6 +70,7 @@ class CobIds {
   /// @p to has what @p from has of @p node; 0: of all.
   static void copy(const Given& from, Given& to, std::uint8_t node);
   void index();
+  void take_in(const Meaning& service, canopen::Identifier identifier);
 
   Given given_{}, saved_{}, described_{};
   std::unordered_map<canopen::Identifier, Meaning> services_;  ///< those of given_ by identifier
