@@ -68,7 +68,7 @@ std::vector<std::unique_ptr<Topic>> make_topics(const Circumstances& circumstanc
   topics.push_back(std::make_unique<SyncTopic>(has_times));
   topics.push_back(std::make_unique<ErrorControlTopic>(has_times));
   topics.push_back(std::make_unique<EmcyTopic>());
-  topics.push_back(std::make_unique<DriveTopic>());
+  topics.push_back(std::make_unique<DriveTopic>(has_times));
   topics.push_back(std::make_unique<StorageTopic>(has_times));
   if (circumstances.hears_all) topics.push_back(std::make_unique<LssTopic>(has_times));
   topics.push_back(std::make_unique<BusTopic>(has_times ? circumstances.bit_rate : 0));

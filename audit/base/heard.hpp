@@ -34,6 +34,11 @@ struct Passage {
   [[nodiscard]] bool is_boot_up() const noexcept {
     return meaning.role == meaning::Role::ErrorControl && frame().length == 1 && frame().data[0] == 0;
   }
+  /// An NMT command that starts nodes.
+  [[nodiscard]] bool is_start() const noexcept {
+    return meaning.role == meaning::Role::Nmt && frame().length == 2 &&
+           frame().data[0] == static_cast<std::uint8_t>(canopen::NmtCommand::Start);
+  }
   /// An NMT command that resets nodes, or their communication.
   [[nodiscard]] bool is_reset() const noexcept {
     const auto command = static_cast<canopen::NmtCommand>(frame().data[0]);

@@ -25,8 +25,7 @@ struct Rule {
   std::string_view why;   ///< what comes of it
   std::string_view mend;  ///< what the master should do instead
   std::string_view
-      example;             ///< frames, a line each as `candump -L` writes them, that break this rule and no other
-  bool needs_eds = false;  ///< the example does: the EDS of the unit for node 5
+      example;  ///< frames, a line each as `candump -L` writes them, that break this rule and no other
 };
 
 }  // namespace audit

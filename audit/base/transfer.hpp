@@ -18,6 +18,7 @@ struct Transfer {
   End end = End::Done;
   bool is_malformed = false;     ///< the client has sent frames that no transfer has: an abort is for that
   std::uint32_t abort_code = 0;  ///< of End::AbortedByServer and End::AbortedByClient
+  bool is_size_told = true;      ///< else it is expedited, and how many of its four bytes count is not said
   std::uint64_t bytes = 0;       ///< of the value, as far as it was transferred
   std::uint64_t value = 0;       ///< its first eight bytes, least significant first
   Heard request{}, last{};       ///< the frame that began it, and the one that ended it

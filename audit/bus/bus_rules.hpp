@@ -46,7 +46,7 @@ inline constexpr Rule kUnknown{
     .clause = "CiA 301 7.3.5",
     .severity = Severity::Warning,
     .why = "Nobody takes it: often a PDO that was moved in one place only, or bytes in the wrong order.",
-    .mend = "Send with the COB-ID that the node has (1400h); leave 001h to 07Fh and 101h to 180h alone.",
+    .mend = "Send with the COB-ID that the node has (1400h); leave 002h to 070h and 077h to 07Fh alone.",
     .example = R"((0.0000) can0 050#01)"};
 
 inline constexpr Rule kExtended{

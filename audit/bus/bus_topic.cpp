@@ -1,5 +1,6 @@
 #include "audit/bus/bus_topic.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -28,6 +29,18 @@ constexpr std::uint16_t kLastRecord = 0x1FF;
 constexpr std::uint16_t kServers = 0x1200, kLastServer = 0x127F;
 constexpr std::uint8_t kToClientSub = 2;
 
+/// Identifiers of services beside CiA 301: GFC and SRDO (CiA 304), flying master (CiA 302-2).
+struct Identifiers {
+  canopen::Identifier first, last;
+};
+constexpr std::array kOfOtherServices{Identifiers{0x001, 0x001}, Identifiers{0x071, 0x076},
+                                      Identifiers{0x101, 0x180}};
+bool is_of_other_service(canopen::Identifier identifier) noexcept {
+  return std::ranges::any_of(kOfOtherServices, [identifier](const Identifiers& row) {
+    return identifier >= row.first && identifier <= row.last;
+  });
+}
+
 /// Bits of @p frame on the line with stuff bits in the middle of what is possible (ISO 11898-1).
 std::uint64_t bits_of(const canopen::Frame& frame) noexcept {
   const std::uint64_t data = frame.remote ? 0 : std::uint64_t{8} * frame.length;
@@ -43,6 +56,16 @@ bool is_sending_entry(const canopen::sdo::Address& at) noexcept {
          at.sub_index == kCobIdSub;
 }
 
+/// The TPDO of @p node that was heard with @p identifier, which is its own by default, and was not told another
+/// one.
+std::optional<canopen::sdo::Address> heard_with(const Node& node, canopen::Identifier identifier) {
+  const meaning::Meaning sent = meaning::predefined(identifier);
+  if (sent.role != Role::Tpdo || sent.node != node.id || !node.has_sent_tpdo(sent.number)) return std::nullopt;
+  const PdoRecord record{.is_receive = false, .number = sent.number};
+  if (node.values.find(record.communication(), kCobIdSub)) return std::nullopt;
+  return canopen::sdo::Address{.index = record.communication(), .sub_index = kCobIdSub};
+}
+
 /// The object of @p node by which it sends with @p identifier; nothing if there is none.
 std::optional<canopen::sdo::Address> sender_with(const Node& node, canopen::Identifier identifier) {
   for (std::uint16_t number = 1; number <= kLastRecord + 1; ++number) {
@@ -54,7 +77,7 @@ std::optional<canopen::sdo::Address> sender_with(const Node& node, canopen::Iden
   const auto emcy = node.values.find(object::kCobIdEmcy, 0);
   if (emcy && canopen::valid_identifier(static_cast<std::uint32_t>(*emcy)) == identifier)
     return canopen::sdo::Address{.index = object::kCobIdEmcy, .sub_index = 0};
-  return std::nullopt;
+  return heard_with(node, identifier);
 }
 
 }  // namespace
@@ -72,7 +95,8 @@ void BusTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (passage.meaning.role != Role::Unknown) return;
   if (frame.extended)
     return findings.add(rules::kExtended, 0, {passage.heard}, [&] { return fmt::format("{:08X}h", frame.id); });
-  if (canopen::is_assignable(frame.id, false)) return;  // a PDO may have got it before the log begins
+  const bool may_be_of_pdo = canopen::is_assignable(frame.id, false);  // that has got it before the log begins
+  if (may_be_of_pdo || is_of_other_service(frame.id)) return;
   findings.add(rules::kUnknown, 0, {passage.heard}, [&] { return fmt::format("{:03X}h", frame.id); });
 }
 

@@ -15,6 +15,8 @@ namespace object = drive_object;
 namespace {
 
 constexpr canopen::Duration kOneWay = std::chrono::seconds{1};
+/// A fault that an RPDO has not had time to be noticed in: bit 7 in it may be that of the fault before.
+constexpr canopen::Duration kTimeToNotice = std::chrono::seconds{1};
 constexpr canopen::Duration kPatience = std::chrono::milliseconds{100};
 /// A position that was read longer ago may be another one now.
 constexpr canopen::Duration kFresh = std::chrono::seconds{1};
@@ -82,11 +84,11 @@ void AxisCourse::take_controlword(const DriveValue& value, Findings& findings) {
   const Told word{value.value, value.heard};
   if (value.way == DriveValue::Way::Rpdo) {
     by_rpdo_ = value.heard;
-  } else if (by_rpdo_ && value.heard.at - by_rpdo_->at < kOneWay) {
+  } else if (has_times_ && by_rpdo_ && value.heard.at - by_rpdo_->at < kOneWay) {
     return findings.add(rules::kTwoSources, node_, {*by_rpdo_, value.heard}, [&] { return name("controlword"); });
   }
   const std::int64_t before = controlword_ ? controlword_->value : 0;
-  judge_reset(word, rises(before, word.value, object::kFaultReset), findings);
+  judge_reset(value, findings);
   if (!controlword_ || before != word.value) {
     judge_command(word, findings);
     judge_set_point_bit(word, findings);
@@ -94,7 +96,8 @@ void AxisCourse::take_controlword(const DriveValue& value, Findings& findings) {
                              (before & object::kEnableAll) != object::kEnableAll;
     if (is_enabling) judge_enabling(word, findings);
   }
-  if (((before ^ word.value) & object::kCommandBits) != 0) status_since_command_ = false;
+  if (((before ^ word.value) & object::kCommandBits) != 0)
+    status_since_command_ = statusword_ && object::is_led_to(word.value, statusword_->value);
   controlword_ = word;
 }
 
@@ -114,12 +117,16 @@ void AxisCourse::judge_command(const Told& word, Findings& findings) {
   }
 }
 
-void AxisCourse::judge_reset(const Told& word, bool rises, Findings& findings) {
+void AxisCourse::judge_reset(const DriveValue& value, Findings& findings) {
   if (!statusword_ || !object::is_fault(statusword_->value)) return;
-  reset_rose_ = reset_rose_ || rises;
-  if (rises) ++resets_;
+  const Told word{value.value, value.heard};
+  const bool is_edge = rises(controlword_ ? controlword_->value : 0, word.value, object::kFaultReset);
+  reset_rose_ = reset_rose_ || is_edge;
+  if (is_edge) ++resets_;
   if (reset_said_ || (word.value & object::kFaultReset) == 0) return;
   if (!reset_rose_) {
+    const bool is_cyclic = value.way == DriveValue::Way::Rpdo;
+    if (is_cyclic && fault_ && word.heard.at - fault_->at < kTimeToNotice) return;
     reset_said_ = true;
     findings.add(rules::kResetWithoutEdge, node_,
                  {controlword_.value_or(word).heard, statusword_->heard, word.heard},
@@ -168,6 +175,7 @@ void AxisCourse::take_statusword(const Told& word, const Scene& scene) {
   if (object::is_fault(word.value) && !was_fault) {
     reset_rose_ = reset_said_ = has_looked_ = false;
     resets_ = 0;
+    fault_ = word.heard;
   }
   statusword_ = word;
 }

@@ -12,6 +12,9 @@ namespace audit {
 /// What a master does with one axis.
 class AxisCourse {
  public:
+  /// @p has_times: frames have times.
+  explicit AxisCourse(bool has_times) : has_times_{has_times} {}
+
   /// Takes a value of the axis.
   void take(const DriveValue& value, const Scene& scene);
   /// A value of the axis is to be written, and the drive refuses it.
@@ -33,7 +36,7 @@ class AxisCourse {
 
   void take_controlword(const DriveValue& value, Findings& findings);
   void judge_command(const Told& word, Findings& findings);
-  void judge_reset(const Told& word, bool rises, Findings& findings);
+  void judge_reset(const DriveValue& value, Findings& findings);
   void judge_set_point_bit(const Told& word, Findings& findings);
   void judge_enabling(const Told& word, Findings& findings);
   void take_statusword(const Told& word, const Scene& scene);
@@ -50,12 +53,14 @@ class AxisCourse {
   [[nodiscard]] bool is_cyclic() const noexcept;
   [[nodiscard]] std::string name(const char* what) const;
 
+  bool has_times_;
   std::uint8_t node_ = 0, axis_ = 0;
   Known controlword_, statusword_, mode_, shown_mode_, actual_, window_, low_limit_, high_limit_, modes_;
   std::map<std::uint16_t, Told> targets_;
   std::optional<Heard> by_rpdo_;      ///< the last controlword that an RPDO has brought
   bool status_since_command_ = true;  ///< a statusword has come since the controlword changed
   bool mode_unread_ = false;          ///< the mode was written, and not read since
+  std::optional<Heard> fault_;        ///< the statusword that has told the fault
   bool reset_rose_ = false;           ///< bit 7 has risen since the fault
   bool has_looked_ = false;           ///< at the cause of the fault
   bool reset_said_ = false;           ///< that a reset is of no use, for this fault

@@ -89,6 +89,21 @@ constexpr std::string_view state_in(std::int64_t statusword) noexcept {
   return "";
 }
 
+/// Whether @p statusword shows the state to which @p controlword leads from below (CiA 402-2, 8.4).
+constexpr bool is_led_to(std::int64_t controlword, std::int64_t statusword) noexcept {
+  struct Command {
+    std::int64_t mask, value, state_mask, state;
+  };
+  constexpr std::array kCommands{
+      Command{0x87, 0x06, 0x6F, 0x21},  // shutdown: Ready to switch on
+      Command{0x8F, 0x07, 0x6F, 0x23},  // switch on: Switched on
+      Command{0x8F, 0x0F, 0x6F, 0x27},  // enable operation: Operation enabled
+  };
+  return std::ranges::any_of(kCommands, [=](const Command& command) {
+    return (controlword & command.mask) == command.value && (statusword & command.state_mask) == command.state;
+  });
+}
+
 // Modes of operation.
 inline constexpr std::int64_t kProfilePosition = 1, kProfileVelocity = 3, kHoming = 6, kCyclicPosition = 8;
 

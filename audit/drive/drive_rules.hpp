@@ -97,6 +97,7 @@ inline constexpr Rule kHandshake{.id = "drive.set-point-handshake",
 inline constexpr Rule kNoNewSetPoint{.id = "drive.no-new-set-point",
                                      .text = "a position is written, and bit 4 of the controlword does not change",
                                      .clause = "CiA 402-2 10.2",
+                                     .severity = Severity::Warning,
                                      .why =
                                          "In profile position mode the drive takes a position with the change of "
                                          "bit 4 from 0 to 1 alone: it does not move.",

@@ -18,13 +18,16 @@ void DriveTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (passage.is_boot_up())
     std::erase_if(axes_, [&](const auto& axis) { return axis.first.first == passage.meaning.node; });
   if (role != Role::Rpdo && role != Role::Tpdo) return;
-  for (const DriveValue& value : values_.in_pdo(passage, scene.network))
-    axes_[{value.node, value.axis}].take(value, scene);
+  for (const DriveValue& value : values_.in_pdo(passage, scene.network)) course_of(value).take(value, scene);
+}
+
+AxisCourse& DriveTopic::course_of(const DriveValue& value) {
+  return axes_.try_emplace({value.node, value.axis}, has_times_).first->second;
 }
 
 void DriveTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
   for (const DriveValue& value : values_.in_transfer(transfer)) {
-    AxisCourse& axis = axes_[{value.node, value.axis}];
+    AxisCourse& axis = course_of(value);
     if (transfer.is_done())
       axis.take(value, scene);
     else if (transfer.is_write && transfer.end == Transfer::End::AbortedByServer)

@@ -1,5 +1,8 @@
 #include "audit/emcy/emcy_topic.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include <fmt/format.h>
 
 #include "audit/emcy/emcy_rules.hpp"
@@ -16,6 +19,9 @@ namespace {
 
 constexpr unsigned kMostRepetitions = 5;
 constexpr canopen::Duration kPatience = std::chrono::seconds{2};
+/// Errors of the communication that stop nothing (CiA 301, 7.2.7.1): CAN overrun, error passive, back from
+/// bus-off.
+constexpr std::array<std::uint16_t, 3> kPassing{0x8110, 0x8120, 0x8140};
 
 }  // namespace
 
@@ -39,11 +45,11 @@ void EmcyTopic::take_emergency(const Passage& passage, const Scene& scene) {
   const Node& node = scene.network.node(passage.meaning.node);
   scene.time_lines[node.id].add(passage.heard,
                                 meaning::words_of(passage.frame(), passage.meaning, node.description));
-  const bool is_gone = canopen::load<std::uint16_t>(passage.frame().data.data()) == 0;
+  const auto code = canopen::load<std::uint16_t>(passage.frame().data.data());
   std::optional<Open>& open = open_[passage.meaning.node];
-  if (is_gone)
+  if (code == 0)
     open.reset();
-  else if (!open)
+  else if (!open && std::ranges::find(kPassing, code) == kPassing.end())
     open = Open{.emergency = passage.heard};
 }
 

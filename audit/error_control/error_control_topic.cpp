@@ -43,7 +43,7 @@ void ErrorControlTopic::on_frame(const Passage& passage, const Scene& scene) {
     case Role::Guarding:
       return take_guarding(passage, scene);
     case Role::Nmt:
-      return take_command(passage);
+      return take_command(passage, scene);
     case Role::Rpdo:
     case Role::SdoRequest:
       return take_sending(passage, scene);
@@ -76,10 +76,11 @@ void ErrorControlTopic::take_heartbeat(const Passage& passage, const Scene& scen
   }
 }
 
-/// A reset takes away what was told.
-void ErrorControlTopic::take_command(const Passage& passage) {
-  if (!passage.is_reset()) return;
+/// A start judges what was told, a reset takes it away.
+void ErrorControlTopic::take_command(const Passage& passage, const Scene& scene) {
   const std::uint8_t node = passage.frame().data[1];
+  if (passage.is_start()) judge_waits(node, scene);
+  if (!passage.is_reset()) return;
   for (std::size_t i = 1; i < courses_.size(); ++i)
     if (node == 0 || node == i) {
       courses_[i].guarding.reset();
@@ -131,13 +132,11 @@ void ErrorControlTopic::on_transfer(const Transfer& transfer, const Scene& scene
     scene.findings.add(rules::kBoth, node.id, {transfer.request, transfer.last},
                        [] { return std::string{"1017h and 100Ch are not 0"}; });
   if (!transfer.is_done()) return;
-  if (heartbeat) courses_[node.id].forget_period();
-  if (transfer.at.index == object::kConsumerHeartbeatTime && transfer.at.sub_index != 0)
-    take_consumer(transfer, scene);
-  if (heartbeat && transfer.value != 0) take_producer(transfer, scene);
+  if (heartbeat) take_producer(transfer);
+  if (transfer.at.index == object::kConsumerHeartbeatTime && transfer.at.sub_index != 0) take_consumer(transfer);
 }
 
-void ErrorControlTopic::take_consumer(const Transfer& transfer, const Scene& scene) {
+void ErrorControlTopic::take_consumer(const Transfer& transfer) {
   const Wait wait{.consumer = transfer.channel.node,
                   .producer = static_cast<std::uint8_t>(transfer.value >> 16 & 0x7F),
                   .sub_index = transfer.at.sub_index,
@@ -146,29 +145,39 @@ void ErrorControlTopic::take_consumer(const Transfer& transfer, const Scene& sce
   std::erase_if(waits_, [&](const Wait& each) {
     return each.consumer == wait.consumer && each.sub_index == wait.sub_index;
   });
-  if (wait.time == canopen::Duration{} || wait.producer == 0) return;
-  waits_.push_back(wait);
-  const auto produced = scene.network.node(wait.producer).value(object::kHeartbeatTime, 0);
-  if (produced.value_or(0) == 0 || whole_milliseconds(wait.time) > static_cast<std::int64_t>(*produced)) return;
-  scene.findings.add(rules::kConsumerShorter, wait.consumer, {transfer.request, transfer.last}, [&] {
-    return fmt::format("node {} sends each {} ms, node {} waits {} ms", wait.producer, *produced, wait.consumer,
-                       whole_milliseconds(wait.time));
-  });
+  if (wait.time != canopen::Duration{} && wait.producer != 0) waits_.push_back(wait);
 }
 
-void ErrorControlTopic::take_producer(const Transfer& transfer, const Scene& scene) const {
-  for (const Wait& wait : waits_) {
-    const bool is_shorter = wait.producer == transfer.channel.node &&
-                            whole_milliseconds(wait.time) <= static_cast<std::int64_t>(transfer.value);
-    if (!is_shorter) continue;
-    scene.findings.add(rules::kConsumerShorter, wait.consumer, {wait.told, transfer.request}, [&] {
-      return fmt::format("node {} sends each {} ms, node {} waits {} ms", wait.producer, transfer.value,
-                         wait.consumer, whole_milliseconds(wait.time));
-    });
+void ErrorControlTopic::take_producer(const Transfer& transfer) {
+  Course& producer = courses_[transfer.channel.node];
+  producer.forget_period();
+  producer.produces = transfer.request;
+  for (Wait& wait : waits_)
+    if (wait.producer == transfer.channel.node) wait.is_judged = false;
+}
+
+/// Times are set in any order: they are judged when @p consumer (0: each) is started, and at the end.
+void ErrorControlTopic::judge_waits(std::uint8_t consumer, const Scene& scene) {
+  for (Wait& wait : waits_) {
+    if ((consumer != 0 && consumer != wait.consumer) || std::exchange(wait.is_judged, true)) continue;
+    const auto produced = scene.network.node(wait.producer).value(object::kHeartbeatTime, 0).value_or(0);
+    if (produced == 0 || whole_milliseconds(wait.time) > static_cast<std::int64_t>(produced)) continue;
+    const auto words = [&] {
+      return fmt::format("node {} sends each {} ms, node {} waits {} ms", wait.producer, produced, wait.consumer,
+                         whole_milliseconds(wait.time));
+    };
+    const auto& produces = courses_[wait.producer].produces;
+    if (!produces)
+      scene.findings.add(rules::kConsumerShorter, wait.consumer, {wait.told}, words);
+    else if (produces->place < wait.told.place)
+      scene.findings.add(rules::kConsumerShorter, wait.consumer, {*produces, wait.told}, words);
+    else
+      scene.findings.add(rules::kConsumerShorter, wait.consumer, {wait.told, *produces}, words);
   }
 }
 
 void ErrorControlTopic::on_end(canopen::Duration at, const Scene& scene) {
+  judge_waits(0, scene);
   if (!judges_times_) return;
   for (const Wait& wait : waits_)
     if (!courses_[wait.producer].heartbeat && at - wait.told.at >= kPatience)

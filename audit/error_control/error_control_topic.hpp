@@ -28,6 +28,7 @@ class ErrorControlTopic final : public Topic {
     std::optional<Heard> guarding{};   ///< the last remote frame
     bool is_guarded = false;           ///< it was not answered yet
     bool is_lost = false;              ///< said already
+    std::optional<Heard> produces{};   ///< the request that has written 1017h last
 
     void forget_period() noexcept {
       period = {};
@@ -41,14 +42,16 @@ class ErrorControlTopic final : public Topic {
     std::uint8_t sub_index = 0;  ///< of 1016h
     canopen::Duration time{};
     Heard told{};
+    bool is_judged = false;  ///< since the time of consumer or producer was written
   };
 
   void take_heartbeat(const Passage& passage, const Scene& scene);
-  void take_command(const Passage& passage);
+  void take_command(const Passage& passage, const Scene& scene);
   void take_guarding(const Passage& passage, const Scene& scene);
   void take_sending(const Passage& passage, const Scene& scene);
-  void take_consumer(const Transfer& transfer, const Scene& scene);
-  void take_producer(const Transfer& transfer, const Scene& scene) const;
+  void take_consumer(const Transfer& transfer);
+  void take_producer(const Transfer& transfer);
+  void judge_waits(std::uint8_t consumer, const Scene& scene);
 
   bool judges_times_;
   std::array<Course, Network::kNodes> courses_{};

@@ -26,7 +26,8 @@ inline constexpr Rule kGlobal{
     .id = "lss.global",
     .text = "LSS configures all nodes at once",
     .clause = "CiA 305 3.8.1.1",
-    .why = "With more than one node on the bus all get the same node-ID.",
+    .severity = Severity::Warning,
+    .why = "All nodes on the bus that know LSS get the same node-ID.",
     .mend = "Switch one node by its LSS address (vendor, product, revision, serial number).",
     .example = R"((0.0000) can0 705#7F
 (0.0010) can0 706#7F

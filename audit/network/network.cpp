@@ -19,7 +19,6 @@ using meaning::Role;
 
 constexpr std::uint8_t kCommandBytes = 2;
 constexpr std::uint8_t kToggle = 0x80;
-constexpr std::uint16_t kHeldTpdos = 64;  // the first ones, which are held against the EDS
 /// A heartbeat that comes so soon after a command may have been under way before it.
 constexpr canopen::Duration kUnderWay = std::chrono::milliseconds{20};
 
@@ -111,8 +110,8 @@ void Network::follow(const Passage& passage, const Transfer* transfer) {
 void Network::follow_tpdo(Node& node, const Passage& passage) {
   if (was_started(node)) node.state = NmtState::Operational;
   const PdoRecord record{.is_receive = false, .number = passage.meaning.number};
-  const std::uint64_t bit = record.number <= kHeldTpdos ? std::uint64_t{1} << (record.number - 1) : 0;
-  if ((node.seen_tpdos & bit) != 0 || bit == 0) return;
+  const std::uint64_t bit = Node::bit_of(record.number);
+  if (node.has_sent_tpdo(record.number) || bit == 0) return;
   node.seen_tpdos |= bit;
   if (node.values.find(record.mapping(), 0)) return;
   const auto objects = mapping_of(node, record);

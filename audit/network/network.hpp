@@ -31,10 +31,19 @@ struct Node {
   bool resets = false;                       ///< it was told to reset, and there was no boot-up message since
   bool is_there = false;                     ///< it has sent something
   bool has_default_pdos = true;              ///< as far as is known its PDOs are those of the EDS at first
-  std::uint64_t seen_tpdos = 0;              ///< those that were held against the EDS, a bit each
+  std::uint64_t seen_tpdos = 0;              ///< those of the first 64 that it has sent, a bit each
   KnownValues values{};
   std::optional<Misfit> misfit{};  ///< the first one
   std::uint32_t changes = 0;       ///< how often `values` may have changed
+
+  /// Whether it has sent TPDO @p number, from 1; of the first 64 alone.
+  [[nodiscard]] bool has_sent_tpdo(std::uint16_t number) const noexcept {
+    return (seen_tpdos & bit_of(number)) != 0;
+  }
+  /// Its bit in seen_tpdos; 0: none.
+  [[nodiscard]] static constexpr std::uint64_t bit_of(std::uint16_t number) noexcept {
+    return number - 1U < 64 ? std::uint64_t{1} << (number - 1U) : 0;
+  }
 
   /// The value of an entry: as it was told; or the default value of the EDS, if the node was heard to boot: one
   /// that ran before may have been told anything.

@@ -39,7 +39,9 @@ constexpr std::array kCodes{
 const Rule* rule_by_eds(const Transfer& transfer, const eds::EntryFacts& entry, std::uint8_t node) {
   if (!transfer.is_write) return nullptr;
   if (!entry.numeric()) return nullptr;
-  if (transfer.bytes != entry.bytes()) return &rules::kLength;
+  const bool is_of_length =
+      transfer.is_size_told ? transfer.bytes == entry.bytes() : transfer.bytes >= entry.bytes();
+  if (!is_of_length) return &rules::kLength;
   std::array<std::uint8_t, sizeof transfer.value> bytes{};
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(transfer.value >> 8 * i);
   const auto number = eds::decode(std::span{bytes}.first(entry.bytes()), *entry.type).at(node);

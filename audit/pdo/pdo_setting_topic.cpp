@@ -22,6 +22,11 @@ bool is_aborted_by(const Transfer& transfer, canopen::AbortCode code) noexcept {
   return transfer.end == Transfer::End::AbortedByServer && transfer.abort_code == static_cast<std::uint32_t>(code);
 }
 
+/// Whether @p at decides whose frames a PDO is, when it acts, or what is in it.
+bool is_essential(const canopen::sdo::Address& at, const PdoRecord& record) noexcept {
+  return at.index == record.mapping() || at.sub_index == kCobIdSub || at.sub_index == kTypeSub;
+}
+
 void add(const Rule& rule, const Transfer& transfer, const Scene& scene, const std::string& text) {
   scene.findings.add(rule, transfer.channel.node, {transfer.request, transfer.last}, [&] { return text; });
 }
@@ -31,9 +36,7 @@ void add(const Rule& rule, const Transfer& transfer, const Scene& scene, const s
 void PdoSettingTopic::on_frame(const Passage& passage, const Scene& scene) {
   const canopen::Frame& frame = passage.frame();
   if (passage.is_boot_up()) return forget(passage.meaning.node);
-  if (passage.meaning.role != meaning::Role::Nmt || frame.length != 2) return;
-  const auto command = static_cast<canopen::NmtCommand>(frame.data[0]);
-  if (command == canopen::NmtCommand::Start) start(frame.data[1], passage.heard, scene);
+  if (passage.is_start()) start(frame.data[1], passage.heard, scene);
   if (passage.is_reset()) forget(frame.data[1]);
 }
 
@@ -59,7 +62,7 @@ void PdoSettingTopic::on_transfer(const Transfer& transfer, const Scene& scene) 
   const auto record = pdo_at(transfer.at.index);
   if (!record || !transfer.is_write) return;
   const Node& node = scene.network.node(transfer.channel.node);
-  if (node.state == canopen::NmtState::Operational)
+  if (node.state == canopen::NmtState::Operational && is_essential(transfer.at, *record))
     add(rules::kInOperational, transfer, scene, meaning::name_of(transfer.at, node.description));
   if (transfer.at.index == record->communication())
     take_communication(transfer, *record, scene);
@@ -136,15 +139,20 @@ void PdoSettingTopic::take_count(const Transfer& transfer, const PdoRecord& reco
   const Node& node = scene.network.node(transfer.channel.node);
   if (transfer.value > kMostBits) return;  // a multiplexed PDO
   unsigned bits = 0;
+  bool is_known = true;
   for (std::uint64_t i = 1; i <= transfer.value; ++i) {
     const auto entry = node.value(record.mapping(), static_cast<std::uint8_t>(i));
     if (entry == 0)
       return add(rules::kMappingBeyond, transfer, scene,
                  fmt::format("{}: {} entries, and none at sub-index {}", name_of(record), transfer.value, i));
+    is_known = is_known && entry;
     bits += static_cast<unsigned>(entry.value_or(0) & 0xFF);
   }
   if (bits > kMostBits)
     return add(rules::kMappingLong, transfer, scene, fmt::format("{}: {} bits", name_of(record), bits));
+  if (!is_known && is_aborted_by(transfer, canopen::AbortCode::PdoLengthExceeded))
+    return add(rules::kMappingLong, transfer, scene,
+               fmt::format("{}: {} entries", name_of(record), transfer.value));
   if (transfer.is_done() && transfer.value != 0 && is_valid(node, record) == false)
     in_work_[{node.id, record}] = transfer.request;
 }

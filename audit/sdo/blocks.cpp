@@ -80,6 +80,7 @@ std::optional<Transfer> Dialogue::take_block_upload(const Heard& heard, Findings
         blame(rules::kBlockConfirmation, heard, findings, fmt::format("{} of {}", confirmed, sent));
       else if (!sdo::is_block_size(next))
         blame(rules::kBlockSize, heard, findings, fmt::format("{} segments are asked for", next));
+      if (confirmed < sent) drop_segments(confirmed);
       phase_ = is_last_ && confirmed >= sent ? Phase::BlockEnding : Phase::BlockHeard;
       block_.begin_block(next);
       break;
@@ -97,7 +98,7 @@ void Dialogue::take_block_end(const Heard& heard, Findings& findings) {
   const CommandByte command{frame.data[0]};
   if (command.request() != Request::BlockDownload || !command.is_block_end()) return;
   phase_ = Phase::BlockEnding;
-  transfer_.bytes -= std::min<std::uint64_t>(transfer_.bytes, sdo::kSegmentBytes - command.end_size());
+  drop_bytes(sdo::kSegmentBytes - command.end_size());
   if (block_.has_crc() && !has_gap_) {
     const auto told = canopen::load<std::uint16_t>(&frame.data[kCrcPlace]);
     const std::uint16_t crc = block_.crc(command.end_size());
@@ -113,15 +114,14 @@ std::optional<Transfer> Dialogue::take_block_answer(const Heard& heard) {
   const canopen::Frame& frame = heard.frame;
   const bool is_end = (frame.data[0] & sdo::kBlockEnd) != 0;
   if (!transfer_.is_write) {
+    drop_bytes(sdo::kSegmentBytes - CommandByte{frame.data[0]}.end_size());
     phase_ = Phase::BlockConfirm;
     return std::nullopt;
   }
   if (is_end) return finished(Transfer::End::Done, heard);
-  const bool has_all = frame.data[kConfirmedPlace] >= block_.number();
-  if (!has_all) {  // what is sent again was counted already
-    block_.set_crc(false);
-    told_size_.reset();
-  }
+  const std::uint8_t confirmed = frame.data[kConfirmedPlace];
+  const bool has_all = confirmed >= block_.number();
+  if (!has_all) drop_segments(confirmed);
   if (is_last_ && has_all) {
     phase_ = Phase::BlockReady;
   } else {
@@ -130,6 +130,12 @@ std::optional<Transfer> Dialogue::take_block_answer(const Heard& heard) {
     block_.begin_block(frame.data[kNextBlockPlace]);
   }
   return std::nullopt;
+}
+
+/// What is behind segment @p confirmed of the block will be sent again.
+void Dialogue::drop_segments(std::uint8_t confirmed) {
+  drop_bytes(std::uint64_t{sdo::kSegmentBytes} * (block_.number() - confirmed));
+  block_.set_crc(false);  // it has them already
 }
 
 void Dialogue::take_block_upload_segment(const Heard& heard) {

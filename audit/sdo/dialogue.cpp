@@ -1,5 +1,7 @@
 #include "audit/sdo/dialogue.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "audit/bus/bus_rules.hpp"
@@ -269,6 +271,12 @@ void Dialogue::add_bytes(const std::uint8_t* data, std::size_t size) noexcept {
   for (std::size_t i = 0; i < size && transfer_.bytes + i < sizeof transfer_.value; ++i)
     transfer_.value |= std::uint64_t{data[i]} << 8 * (transfer_.bytes + i);
   transfer_.bytes += size;
+}
+
+/// The last @p size bytes do not count.
+void Dialogue::drop_bytes(std::uint64_t size) noexcept {
+  transfer_.bytes -= std::min(transfer_.bytes, size);
+  if (transfer_.bytes < sizeof transfer_.value) transfer_.value &= (std::uint64_t{1} << 8 * transfer_.bytes) - 1;
 }
 
 std::string Dialogue::object() const {

@@ -69,6 +69,7 @@ class Dialogue {
   std::optional<Transfer> take_block_upload(const Heard& heard, Findings& findings);
   std::optional<Transfer> take_block_answer(const Heard& heard);
   void take_block_upload_segment(const Heard& heard);
+  void drop_segments(std::uint8_t confirmed);
 
   [[nodiscard]] bool awaits_server() const noexcept {
     return phase_ == Phase::Initiated || phase_ == Phase::SegmentAsked || phase_ == Phase::BlockEnding;
@@ -78,6 +79,7 @@ class Dialogue {
   void blame(const Rule& rule, const Heard& heard, Findings& findings, const std::string& text);
   Transfer finished(Transfer::End end, const Heard& last, std::uint32_t code = 0);
   void add_bytes(const std::uint8_t* data, std::size_t size) noexcept;
+  void drop_bytes(std::uint64_t size) noexcept;
 
   meaning::SdoChannel channel_;
   bool has_times_;

@@ -19,6 +19,7 @@ void Dialogue::begin_download(const Heard& heard, Findings& findings) {
   is_last_ = true;
   const std::size_t size = command.has_size() ? command.expedited_size() : 4U;
   add_bytes(&heard.frame.data[4], size);
+  transfer_.is_size_told = command.has_size();
   if (!command.has_size()) findings.add(rules::kSizeUntold, channel_.node, {heard}, [&] { return object(); });
 }
 

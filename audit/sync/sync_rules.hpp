@@ -29,7 +29,7 @@ inline constexpr Rule kJitter{
 
 inline constexpr Rule kCounter{
     .id = "sync.counter",
-    .text = "the counter of SYNC does not go on by one",
+    .text = "the counter of SYNC does not go on by one, or goes beyond 1019h",
     .clause = "CiA 301 7.2.5.3",
     .why = "Nodes that begin with a certain count, or send with each n-th SYNC, get out of step with the others.",
     .mend = "Count from 1 to the value of 1019h, then from 1 again.",
@@ -95,7 +95,7 @@ inline constexpr Rule kTwoProducers{
 (0.2020) can0 585#6005100000000000)"};
 
 inline constexpr Rule kMissing{.id = "sync.missing",
-                               .text = "a node with synchronous PDOs is started, and there is no SYNC",
+                               .text = "a node with synchronous PDOs is Operational, and there is no SYNC",
                                .clause = "CiA 301 7.2.2.2",
                                .severity = Severity::Warning,
                                .why = "Its synchronous TPDOs are never sent, and its RPDOs never act.",

@@ -39,10 +39,15 @@ bool is_synchronous(const Node& node, const PdoRecord& record) {
   return type && *type <= kLastSynchronousType;
 }
 
+bool is_of_master(meaning::Role role) noexcept {
+  return role == meaning::Role::Nmt || role == meaning::Role::SdoRequest || role == meaning::Role::Rpdo;
+}
+
 }  // namespace
 
 void SyncTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (passage.heard.is_error) return;
+  if (is_of_master(passage.meaning.role)) last_of_master_ = passage.heard;
   if (passage.meaning.role == meaning::Role::Sync && !passage.frame().remote) take_sync(passage.heard, scene);
   if (passage.meaning.role == meaning::Role::Rpdo && last_ && judges_times_) take_rpdo(passage, scene);
 }
@@ -56,9 +61,21 @@ void SyncTopic::take_sync(const Heard& heard, const Scene& scene) {
   else if (last_ && frame.length == 1 && frame.data[0] != last_->frame.data[0] + 1 && frame.data[0] != 1)
     scene.findings.add(rules::kCounter, 0, {*last_, heard},
                        [&] { return fmt::format("{} behind {}", frame.data[0], last_->frame.data[0]); });
+  if (frame.length == 1 && frame.data[0] > highest_count_) judge_count(heard, scene);
   if (last_ && judges_times_) take_interval({*last_, heard}, scene);
   last_ = heard;
   ++count_;
+}
+
+/// A count that is higher than each before.
+void SyncTopic::judge_count(const Heard& heard, const Scene& scene) {
+  highest_count_ = heard.frame.data[0];
+  for (const Node& node : scene.network.nodes()) {
+    const auto overflow = node.value(object::kSyncOverflow, 0).value_or(0);
+    if (overflow != 0 && highest_count_ > overflow)
+      scene.findings.add(rules::kCounter, node.id, {last_.value_or(heard), heard},
+                         [&] { return fmt::format("{}, 1019h has {}", highest_count_, overflow); });
+  }
 }
 
 void SyncTopic::take_interval(const Interval& interval, const Scene& scene) {
@@ -135,6 +152,7 @@ void SyncTopic::take_rpdo(const Passage& passage, const Scene& scene) {
 }
 
 void SyncTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
+  if (transfer.is_done() && transfer.at.index == object::kSyncOverflow) highest_count_ = 0;
   if (!transfer.is_written(object::kCobIdSync, 0) || (transfer.value & canopen::cob_id::kProduce) == 0) return;
   const Node* other = nullptr;
   for (const Node& node : scene.network.nodes())
@@ -154,7 +172,11 @@ void SyncTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
 
 void SyncTopic::on_end(canopen::Duration at, const Scene& scene) {
   if (odd_.size() < kFew || !are_alike(odd_)) report_odd_intervals(scene);
-  if (last_ || !judges_times_) return;
+  if (!judges_times_) return;
+  // Who ends and lets the nodes run has stopped SYNC rightly.
+  const bool has_stopped = last_ && period_ != canopen::Duration{} && last_of_master_ &&
+                           last_of_master_->at - last_->at >= kPatience + period_ * kPausePeriods;
+  if (last_ && !has_stopped) return;
   for (const Node& node : scene.network.nodes()) {
     const bool runs = node.is_there && node.state == canopen::NmtState::Operational && node.told;
     if (runs && at - node.told->at >= kPatience) report_missing(node, scene);
@@ -162,12 +184,16 @@ void SyncTopic::on_end(canopen::Duration at, const Scene& scene) {
 }
 
 /// Synchronous PDOs that @p node has in use.
-void SyncTopic::report_missing(const Node& node, const Scene& scene) {
+void SyncTopic::report_missing(const Node& node, const Scene& scene) const {
   for (std::uint16_t number = 1; number <= object::kRpdoMapping - object::kRpdoParameter; ++number)
     for (const bool is_receive : {true, false}) {
       const PdoRecord record{.is_receive = is_receive, .number = number};
       if (is_valid(node, record) != true || !is_synchronous(node, record)) continue;
-      scene.findings.add(rules::kMissing, node.id, {*node.told}, [&] { return name_of(record); });
+      if (last_ && last_->place > node.told->place)
+        scene.findings.add(rules::kMissing, node.id, {*node.told, *last_},
+                           [&] { return name_of(record) + ", and SYNC has stopped"; });
+      else
+        scene.findings.add(rules::kMissing, node.id, {*node.told}, [&] { return name_of(record); });
     }
 }
 

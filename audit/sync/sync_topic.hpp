@@ -35,11 +35,14 @@ class SyncTopic final : public Topic {
   void judge_period(const Interval& last, const Scene& scene) const;
   static canopen::Duration median(std::vector<Interval> intervals);
   static bool are_alike(const std::vector<Interval>& intervals);
-  static void report_missing(const Node& node, const Scene& scene);
+  void judge_count(const Heard& heard, const Scene& scene);
+  void report_missing(const Node& node, const Scene& scene) const;
   void take_rpdo(const Passage& passage, const Scene& scene);
 
   bool judges_times_;
   std::optional<Heard> last_;
+  std::optional<Heard> last_of_master_;  ///< NMT command, SDO request or RPDO
+  std::uint8_t highest_count_ = 0;       ///< that was held against 1019h
   std::uint64_t count_ = 0;
   canopen::Duration period_{};   ///< 0: not known yet
   std::vector<Interval> first_;  ///< the last ones, while the period is not known

@@ -136,5 +136,40 @@ TEST(Eds, IsNotWhatANodeHasWhosePdosAreOthers) {
       Rules{});
 }
 
+/// 1017h (UNSIGNED16, 100 ms to 1 s) of node 5 is written with the command byte @p command and @p value.
+Rules rules_of_write(const char* command, const char* value) {
+  eds::Description description{5};
+  description.add({.index = 0x1017,
+                   .type = eds::find_data_type(6),
+                   .low = eds::Value{.integer = {.magnitude = 100}},
+                   .high = eds::Value{.integer = {.magnitude = 1000}}});
+  const std::string log =
+      fmt::format("(0.0) can0 605#{}171000{}\n(0.1) can0 585#6017100000000000", command, value);
+  return rules_of(findings_of(log, {.descriptions = {description}}));
+}
+
+TEST(Eds, TellsTheLengthOfValues) {
+  EXPECT_EQ(rules_of_write("2B", "64000000"), Rules{});
+  EXPECT_EQ(rules_of_write("23", "64000000"), Rules{"object.length"});
+}
+
+TEST(Eds, TellsHowMuchCountsOfAValueWithoutASize) {
+  EXPECT_EQ(rules_of_write("22", "64000000"), Rules{"sdo.size-untold"});
+  EXPECT_EQ(rules_of_write("22", "E9030000"), (Rules{"sdo.size-untold", "object.limits"}));
+}
+
+TEST(Controlword, IsOfTwoSourcesOnlyAsTimesTell) {
+  constexpr std::string_view kLog = R"((0.0) can0 605#4000160000000000
+(0.0) can0 585#4F00160001000000
+(0.0) can0 605#4000160100000000
+(0.0) can0 585#4300160110004060
+(0.0) can0 705#05
+(0.0) can0 205#0600
+(0.0) can0 605#2B40600006000000
+(0.0) can0 585#6040600000000000)";
+  EXPECT_EQ(rules_of(findings_of(kLog, {.has_times = true})), Rules{"drive.two-sources"});
+  EXPECT_EQ(rules_of(findings_of(kLog, {.has_times = false})), Rules{});
+}
+
 }  // namespace
 }  // namespace audit_test
