@@ -84,7 +84,7 @@ const DriveValues::Known& DriveValues::known(const Node& node, const PdoRecord& 
         mapped.bits <= kMostBits && mapped.first_bit + mapped.bits <= kFrameBits)
       pdo.objects.push_back(mapped);
   // The set-points of a frame are there when its command is carried out.
-  std::ranges::stable_partition(pdo.objects, [](const MappedObject& mapped) {
+  std::stable_partition(pdo.objects.begin(), pdo.objects.end(), [](const MappedObject& mapped) {
     return object_of(mapped.at.index) != drive_object::kControlword;
   });
   return pdo;
