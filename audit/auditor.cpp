@@ -21,7 +21,7 @@ void Auditor::describe(eds::Description description) {
 void Auditor::take(const Heard& heard) {
   ++frames_;
   last_ = heard.at;
-  const Passage passage{heard, heard.is_error ? meaning::Meaning{} : ids_.meaning_of(heard.frame)};
+  const Passage passage = passage_of(heard);
   const auto transfer = dialogues_.take(passage, findings_);
   const Scene scene{network_, findings_, time_lines_};
   for (const auto& topic : topics_) topic->on_frame(passage, scene);
@@ -30,6 +30,13 @@ void Auditor::take(const Heard& heard) {
   if (heard.is_error) return;
   network_.follow(passage, transfer ? &*transfer : nullptr);
   (void)ids_.follow(heard.frame, passage.meaning);
+}
+
+Passage Auditor::passage_of(const Heard& heard) const {
+  if (heard.is_error) return {heard};
+  Passage passage{heard, ids_.meaning_of(heard.frame)};
+  passage.is_shared = passage.meaning.role == meaning::Role::Rpdo && ids_.is_shared(heard.frame);
+  return passage;
 }
 
 void Auditor::judge(const Transfer& transfer) {

@@ -40,6 +40,7 @@ class Auditor {
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
 
  private:
+  [[nodiscard]] Passage passage_of(const Heard& heard) const;
   void judge(const Transfer& transfer);
 
   meaning::CobIds ids_;

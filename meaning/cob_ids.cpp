@@ -30,6 +30,18 @@ constexpr std::array kPredefined{
     Predefined{0x600, Role::SdoRequest, 1}, Predefined{0x700, Role::ErrorControl, 0},
 };
 
+Meaning predefined(std::uint32_t identifier) noexcept {
+  if (identifier == 0) return {Role::Nmt};
+  if (identifier == canopen::function_code::kSync) return {Role::Sync};
+  if (identifier == canopen::function_code::kTime) return {Role::Time};
+  if (identifier == kLssRequest) return {Role::LssRequest};
+  if (identifier == kLssResponse) return {Role::LssResponse};
+  const auto row = std::ranges::find(kPredefined, identifier & ~kNodeBits, &Predefined::function);
+  const auto node = static_cast<std::uint8_t>(identifier & kNodeBits);
+  if (row == kPredefined.end() || node == 0) return {};
+  return {row->role, node, row->number};
+}
+
 /// Entries that hold COB-IDs: objects from `first` to `last`, one of a PDO or server each.
 struct CobIdEntry {
   std::uint16_t first, last;
@@ -66,16 +78,10 @@ canopen::Identifier identifier_of(Role role, std::uint32_t cob_id) noexcept {
 
 }  // namespace
 
-Meaning predefined(canopen::Identifier identifier) noexcept {
-  if (identifier == 0) return {Role::Nmt};
-  if (identifier == canopen::function_code::kSync) return {Role::Sync};
-  if (identifier == canopen::function_code::kTime) return {Role::Time};
-  if (identifier == kLssRequest) return {Role::LssRequest};
-  if (identifier == kLssResponse) return {Role::LssResponse};
-  const auto row = std::ranges::find(kPredefined, identifier & ~kNodeBits, &Predefined::function);
-  const auto node = static_cast<std::uint8_t>(identifier & kNodeBits);
-  if (row == kPredefined.end() || node == 0) return {};
-  return {row->role, node, row->number};
+canopen::Identifier predefined_tpdo(std::uint8_t node, std::uint16_t number) noexcept {
+  for (const Predefined& row : kPredefined)
+    if (row.role == Role::Tpdo && row.number == number) return row.function + node;
+  return 0;
 }
 
 void CobIds::describe(const eds::Description& description) {
@@ -99,14 +105,17 @@ void CobIds::index() {
 
 /// Of services with one identifier the first is meant: a TPDO before the RPDO of who listens to it.
 void CobIds::take_in(const Meaning& service, canopen::Identifier identifier) {
-  const auto [row, is_new] = services_.try_emplace(identifier, service);
-  if (!is_new) row->second = std::min(row->second, service);
+  const auto [row, is_new] = services_.try_emplace(identifier, Service{service});
+  if (is_new) return;
+  Service& known = row->second;
+  known.is_shared = known.is_shared || (known.meaning.role == Role::Rpdo && service.role == Role::Rpdo);
+  known.meaning = std::min(known.meaning, service);
 }
 
 Meaning CobIds::meaning_of(const canopen::Frame& frame) const noexcept {
   Meaning meaning;
   if (const auto found = services_.find(canopen::identifier_of(frame)); found != services_.end()) {
-    meaning = found->second;
+    meaning = found->second.meaning;
   } else if (!frame.extended) {
     meaning = predefined(frame.id);
     // What an EDS has as invalid and is on the bus all the same was made valid before the log begins.
@@ -120,6 +129,11 @@ Meaning CobIds::meaning_of(const canopen::Frame& frame) const noexcept {
   }
   if (meaning.role == Role::ErrorControl && frame.remote) meaning.role = Role::Guarding;
   return meaning;
+}
+
+bool CobIds::is_shared(const canopen::Frame& frame) const noexcept {
+  const auto found = services_.find(canopen::identifier_of(frame));
+  return found != services_.end() && found->second.is_shared;
 }
 
 std::optional<EntryValue> CobIds::follow(const canopen::Frame& frame, const Meaning& meaning) {

@@ -40,8 +40,8 @@ struct Meaning {
   friend constexpr auto operator<=>(const Meaning&, const Meaning&) = default;
 };
 
-/// What @p identifier (11 bits) means by the predefined connection set alone.
-[[nodiscard]] Meaning predefined(canopen::Identifier identifier) noexcept;
+/// The identifier that TPDO @p number of @p node has by the predefined connection set; 0: none.
+[[nodiscard]] canopen::Identifier predefined_tpdo(std::uint8_t node, std::uint16_t number) noexcept;
 
 /// Which identifier means what: that of the predefined connection set (CiA 301, 7.3.3), what an EDS says, and what
 /// was written since.
@@ -55,6 +55,8 @@ class CobIds {
 
   /// What @p frame means.
   [[nodiscard]] Meaning meaning_of(const canopen::Frame& frame) const noexcept;
+  /// Whether RPDOs of several nodes, or of one, have the identifier of @p frame.
+  [[nodiscard]] bool is_shared(const canopen::Frame& frame) const noexcept;
   /// Follows @p frame, which means @p meaning: COB-IDs that are written, saved, and lost with a reset. The value
   /// of an entry that it tells.
   std::optional<EntryValue> follow(const canopen::Frame& frame, const Meaning& meaning);
@@ -73,7 +75,12 @@ class CobIds {
   void take_in(const Meaning& service, canopen::Identifier identifier);
 
   Given given_{}, saved_{}, described_{};
-  std::unordered_map<canopen::Identifier, Meaning> services_;  ///< those of given_ by identifier
+  /// What an identifier means.
+  struct Service {
+    Meaning meaning{};
+    bool is_shared = false;  ///< by several RPDOs
+  };
+  std::unordered_map<canopen::Identifier, Service> services_;  ///< those of given_
   SdoWatch sdo_{};
 };
 

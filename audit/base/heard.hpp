@@ -27,6 +27,7 @@ struct Heard {
 struct Passage {
   Heard heard{};
   meaning::Meaning meaning{};
+  bool is_shared = false;  ///< an RPDO of further nodes, too
 
   [[nodiscard]] const canopen::Frame& frame() const noexcept { return heard.frame; }
   [[nodiscard]] canopen::Duration at() const noexcept { return heard.at; }

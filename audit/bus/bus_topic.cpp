@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "audit/base/transfer.hpp"
 #include "audit/bus/bus_rules.hpp"
 #include "audit/network/pdo_record.hpp"
 
@@ -25,6 +25,7 @@ constexpr canopen::Duration kSecond = std::chrono::seconds{1};
 constexpr canopen::Duration kLongestBurst = std::chrono::milliseconds{50};
 /// Time without a frame that ends a burst.
 constexpr canopen::Duration kGap = std::chrono::milliseconds{1};
+constexpr std::size_t kMostGiven = 1000;
 constexpr std::uint16_t kLastRecord = 0x1FF;
 constexpr std::uint16_t kServers = 0x1200, kLastServer = 0x127F;
 constexpr std::uint8_t kToClientSub = 2;
@@ -56,28 +57,21 @@ bool is_sending_entry(const canopen::sdo::Address& at) noexcept {
          at.sub_index == kCobIdSub;
 }
 
-/// The TPDO of @p node that was heard with @p identifier, which is its own by default, and was not told another
-/// one.
-std::optional<canopen::sdo::Address> heard_with(const Node& node, canopen::Identifier identifier) {
-  const meaning::Meaning sent = meaning::predefined(identifier);
-  if (sent.role != Role::Tpdo || sent.node != node.id || !node.has_sent_tpdo(sent.number)) return std::nullopt;
-  const PdoRecord record{.is_receive = false, .number = sent.number};
-  if (node.values.find(record.communication(), kCobIdSub)) return std::nullopt;
-  return canopen::sdo::Address{.index = record.communication(), .sub_index = kCobIdSub};
-}
-
-/// The object of @p node by which it sends with @p identifier; nothing if there is none.
-std::optional<canopen::sdo::Address> sender_with(const Node& node, canopen::Identifier identifier) {
+/// Calls @p take(identifier, entry) with each identifier that @p node sends with, and the entry that has it.
+template <class Take>
+void for_each_sender(const Node& node, Take take) {
+  const auto take_known = [&](const canopen::sdo::Address& at) {
+    const auto cob_id = node.value(at.index, at.sub_index);
+    if (cob_id) take(canopen::valid_identifier(static_cast<std::uint32_t>(*cob_id)), at);
+    return cob_id.has_value();
+  };
   for (std::uint16_t number = 1; number <= kLastRecord + 1; ++number) {
     const PdoRecord record{.is_receive = false, .number = number};
-    const auto cob_id = node.values.find(record.communication(), kCobIdSub);
-    if (cob_id && canopen::valid_identifier(static_cast<std::uint32_t>(*cob_id)) == identifier)
-      return canopen::sdo::Address{.index = record.communication(), .sub_index = kCobIdSub};
+    const canopen::sdo::Address at{.index = record.communication(), .sub_index = kCobIdSub};
+    const auto by_default = meaning::predefined_tpdo(node.id, number);
+    if (!take_known(at) && by_default != 0 && node.has_sent_tpdo(number)) take(by_default, at);
   }
-  const auto emcy = node.values.find(object::kCobIdEmcy, 0);
-  if (emcy && canopen::valid_identifier(static_cast<std::uint32_t>(*emcy)) == identifier)
-    return canopen::sdo::Address{.index = object::kCobIdEmcy, .sub_index = 0};
-  return heard_with(node, identifier);
+  (void)take_known({.index = object::kCobIdEmcy, .sub_index = 0});
 }
 
 }  // namespace
@@ -89,6 +83,7 @@ void BusTopic::on_frame(const Passage& passage, const Scene& scene) {
     return findings.add(rules::kErrors, 0, {passage.heard},
                         [&] { return fmt::format("class {:08X}h", frame.id); });
   if (bit_rate_ != 0) take_bits(passage, scene);
+  if (passage.is_start()) judge_given(scene);
   if (passage.meaning.role == Role::Time && frame.length != kTimeBytes)
     return findings.add(rules::kTimeLength, 0, {passage.heard},
                         [&] { return fmt::format("{} bytes", frame.length); });
@@ -148,15 +143,37 @@ void BusTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
   if (!is_of_pdo && !canopen::is_assignable(cob_id, true))  // of PDOs: pdo.restricted
     return scene.findings.add(rules::kRestricted, transfer.channel.node, {transfer.request, transfer.last},
                               [&] { return fmt::format("{:04X}h = {:03X}h", transfer.at.index, identifier); });
-  if (!transfer.is_done()) return;
-  for (const Node& node : scene.network.nodes()) {
-    if (node.id == transfer.channel.node || !node.is_there) continue;
-    const auto other = sender_with(node, identifier);
-    if (!other) continue;
-    scene.findings.add(rules::kIdentifierTwice, transfer.channel.node, {transfer.request, transfer.last}, [&] {
-      return fmt::format("{:03X}h is that of {:04X}h of node {}, too", identifier, other->index, node.id);
-    });
-  }
+  if (transfer.is_done()) given_.push_back(transfer);
+  if (given_.size() > kMostGiven) given_.erase(given_.begin());
+}
+
+/// Identifiers are given and taken in any order: they are judged when nodes are started, and at the end.
+void BusTopic::judge_given(const Scene& scene) {
+  std::erase_if(given_, [&scene](const Transfer& transfer) {
+    const Node& node = scene.network.node(transfer.channel.node);
+    return node.values.find(transfer.at.index, transfer.at.sub_index) != transfer.value;
+  });
+  if (given_.empty()) return;
+  for (const Node& node : scene.network.nodes())
+    if (node.is_there) judge_given(node, scene);
+  given_.clear();
+}
+
+/// Identifiers that others were given, and @p other sends with, too.
+void BusTopic::judge_given(const Node& other, const Scene& scene) const {
+  for_each_sender(other, [&](canopen::Identifier identifier, const canopen::sdo::Address& at) {
+    for (const Transfer& transfer : given_) {
+      const bool is_same = canopen::valid_identifier(static_cast<std::uint32_t>(transfer.value)) == identifier;
+      if (!is_same || transfer.channel.node == other.id) continue;
+      scene.findings.add(rules::kIdentifierTwice, transfer.channel.node, {transfer.request, transfer.last}, [&] {
+        return fmt::format("{:03X}h is that of {:04X}h of node {}, too", identifier, at.index, other.id);
+      });
+    }
+  });
+}
+
+void BusTopic::on_end(canopen::Duration, const Scene& scene) {
+  judge_given(scene);
 }
 
 }  // namespace audit

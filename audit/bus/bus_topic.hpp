@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "audit/base/topic.hpp"
+#include "audit/base/transfer.hpp"
+#include "audit/network/network.hpp"
 
 namespace audit {
 
@@ -15,13 +18,19 @@ class BusTopic final : public Topic {
 
   void on_frame(const Passage& passage, const Scene& scene) override;
   void on_transfer(const Transfer& transfer, const Scene& scene) override;
+  void on_end(canopen::Duration at, const Scene& scene) override;
 
  private:
   void take_bits(const Passage& passage, const Scene& scene);
   void take_load(const Heard& heard, std::uint64_t bits, const Scene& scene);
   void take_burst(const Heard& heard, std::uint64_t bits, const Scene& scene);
 
+  void judge_given(const Scene& scene);
+  void judge_given(const Node& other, const Scene& scene) const;
+
   std::uint32_t bit_rate_;
+  std::vector<Transfer>
+      given_;                   ///< those that have given a node an identifier to send with, until they are judged
   std::optional<Heard> begin_;  ///< of the second whose load is counted
   std::uint64_t bits_ = 0;      ///< in it
   std::optional<Heard> burst_;  ///< the first of the frames without a gap

@@ -17,17 +17,13 @@ namespace {
 constexpr canopen::Duration kOneWay = std::chrono::seconds{1};
 /// A fault that an RPDO has not had time to be noticed in: bit 7 in it may be that of the fault before.
 constexpr canopen::Duration kTimeToNotice = std::chrono::seconds{1};
+/// In this time a statusword follows a controlword.
 constexpr canopen::Duration kPatience = std::chrono::milliseconds{100};
+/// A reset may have been sent so long before a PDO has told the fault that EMCY has told already.
+constexpr canopen::Duration kUnderWay = std::chrono::milliseconds{200};
 /// A position that was read longer ago may be another one now.
 constexpr canopen::Duration kFresh = std::chrono::seconds{1};
 constexpr unsigned kMostResets = 3;
-constexpr unsigned kMostHalted = 5;
-constexpr unsigned kSureCycles = 3;
-
-/// @p to - @p from of positions that overflow (32 bits).
-constexpr std::int64_t difference(std::int64_t to, std::int64_t from) noexcept {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
-}
 
 bool rises(std::int64_t before, std::int64_t now, std::uint16_t bit) noexcept {
   return (before & bit) == 0 && (now & bit) != 0;
@@ -53,7 +49,7 @@ void AxisCourse::take(const DriveValue& value, const Scene& scene) {
       if (value.is_of_master()) take_controlword(value, findings);
       return;
     case object::kStatusword:
-      return take_statusword(told, scene);
+      return take_statusword(value, scene);
     case object::kErrorCode:
       return look();
     case object::kMode:
@@ -109,8 +105,9 @@ void AxisCourse::judge_command(const Told& word, Findings& findings) {
     return name(fmt::format("controlword {:04X}h, statusword {:04X}h", word.value, statusword_->value).c_str());
   };
   if (!status_since_command_) {
-    const bool only_clears = (word.value & ~before & object::kCommandBits) == 0;  // nobody waits to stop
-    if (only_clears) return;
+    const bool leads_on =
+        (word.value & ~before & object::kEnableAll) != 0;  // nobody waits to stop, or with a reset
+    if (!leads_on) return;
     findings.add(rules::kTooFast, node_, {controlword_->heard, word.heard}, words);
   } else if (object::is_switch_on_disabled(statusword_->value) && (word.value & object::kSwitchOn) != 0) {
     findings.add(rules::kStepSkipped, node_, {statusword_->heard, word.heard}, words);
@@ -118,9 +115,10 @@ void AxisCourse::judge_command(const Told& word, Findings& findings) {
 }
 
 void AxisCourse::judge_reset(const DriveValue& value, Findings& findings) {
+  const bool is_edge = rises(controlword_ ? controlword_->value : 0, value.value, object::kFaultReset);
+  if (is_edge) edge_ = value.heard;
   if (!statusword_ || !object::is_fault(statusword_->value)) return;
   const Told word{value.value, value.heard};
-  const bool is_edge = rises(controlword_ ? controlword_->value : 0, word.value, object::kFaultReset);
   reset_rose_ = reset_rose_ || is_edge;
   if (is_edge) ++resets_;
   if (reset_said_ || (word.value & object::kFaultReset) == 0) return;
@@ -140,12 +138,15 @@ void AxisCourse::judge_reset(const DriveValue& value, Findings& findings) {
 
 void AxisCourse::judge_set_point_bit(const Told& word, Findings& findings) {
   const std::int64_t before = controlword_ ? controlword_->value : 0;
+  if (rises(word.value, before, object::kNewSetPoint)) let_go_ = word.heard;
   if (!rises(before, word.value, object::kNewSetPoint)) return;
   unstarted_.reset();
   const auto target = targets_.find(object::kTargetPosition);
   const bool is_absolute = is_in(object::kProfilePosition) && (word.value & object::kRelative) == 0;
   if (is_absolute && target != targets_.end()) judge_limits(target->second, findings);
-  if (!is_in(object::kProfilePosition) || !is_enabled() || (statusword_->value & object::kSetPointTaken) == 0)
+  const bool is_old = let_go_ && word.heard.at - let_go_->at >= kPatience;  // bit 12 will have followed since
+  if (!is_in(object::kProfilePosition) || !is_enabled() || (statusword_->value & object::kSetPointTaken) == 0 ||
+      is_old)
     return;
   findings.add(rules::kHandshake, node_, {statusword_->heard, word.heard},
                [&] { return name(fmt::format("statusword {:04X}h", statusword_->value).c_str()); });
@@ -158,22 +159,28 @@ void AxisCourse::judge_enabling(const Told& word, Findings& findings) {
                  [&] { return name(fmt::format("mode {}", mode_->value).c_str()); });
   }
   const auto target = targets_.find(object::kTargetPosition);
-  if (!is_in(object::kCyclicPosition) || target == targets_.end() || !actual_ || !window_) return;
+  if (!is_in(object::kCyclicPosition) || target == targets_.end()) return;
+  judge_limits(target->second, findings);
+  if (!actual_ || !window_) return;
   if (word.heard.at - actual_->heard.at > kFresh) return;
-  const std::int64_t way = difference(target->second.value, actual_->value);
+  const std::int64_t way = object::difference(target->second.value, actual_->value);
   if (window_->value > 0 && std::llabs(way) > window_->value)
     findings.add(rules::kStartJump, node_, {actual_->heard, target->second.heard, word.heard},
                  [&] { return name(fmt::format("{} increments, 6065h has {}", way, window_->value).c_str()); });
 }
 
-void AxisCourse::take_statusword(const Told& word, const Scene& scene) {
+void AxisCourse::take_statusword(const DriveValue& value, const Scene& scene) {
+  const Told word{value.value, value.heard};
   status_since_command_ = true;
+  let_go_.reset();
   const std::string_view state = object::state_in(word.value);
   if (!statusword_ || object::state_in(statusword_->value) != state)
     scene.time_lines[node_].add(word.heard, name(std::string{state}.c_str()));
   const bool was_fault = statusword_ && object::is_fault(statusword_->value);
   if (object::is_fault(word.value) && !was_fault) {
-    reset_rose_ = reset_said_ = has_looked_ = false;
+    const bool was_told_late = value.way == DriveValue::Way::Tpdo;
+    reset_rose_ = was_told_late && edge_ && word.heard.at - edge_->at < kUnderWay;
+    reset_said_ = has_looked_ = false;
     resets_ = 0;
     fault_ = word.heard;
   }
@@ -205,89 +212,6 @@ void AxisCourse::take_refused(const DriveValue& value, Findings& findings) const
   const Told told{value.value, value.heard};
   if (value.object == object::kMode) (void)judge_support(told, findings);
   if (value.object == object::kTargetPosition) judge_limits(told, findings);
-}
-
-void AxisCourse::take_target(const DriveValue& value, Findings& findings) {
-  const Told target{value.value, value.heard};
-  if (value.object == object::kTargetPosition && value.way == DriveValue::Way::Rpdo) has_set_point_ = true;
-  const auto [before, is_new] = targets_.try_emplace(value.object, target);
-  if (!is_new && before->second.value == target.value) {
-    missed_.reset();
-    if (value.object == object::kTargetPosition) step_ = 0;
-    return;
-  }
-  judge_target(target, value.object, findings);
-  if (value.object == object::kTargetPosition && value.way == DriveValue::Way::Rpdo && !is_new) {
-    judge_gap(target, before->second, findings);
-    judge_step(target, before->second, findings);
-  }
-  before->second = target;
-}
-
-/// A set-point that is another one than before.
-void AxisCourse::judge_target(const Told& target, std::uint16_t index, Findings& findings) {
-  const bool is_halted = controlword_ && (controlword_->value & object::kHalt) != 0 && is_enabled();
-  halted_ = is_halted ? halted_ + 1 : 0;
-  if (halted_ == kMostHalted)
-    findings.add(rules::kHalt, node_, {controlword_->heard, target.heard},
-                 [&] { return name(fmt::format("{:04X}h has changed {} times", index, halted_).c_str()); });
-  if (index == object::kTargetPosition) judge_position(target, findings);
-}
-
-void AxisCourse::judge_limits(const Told& target, Findings& findings) const {
-  const std::int64_t low = low_limit_ ? low_limit_->value : 0, high = high_limit_ ? high_limit_->value : 0;
-  const bool has_limits = low != 0 || high != 0;
-  const bool is_beyond = (high_limit_ && target.value > high) || (low_limit_ && target.value < low);
-  if (has_limits && is_beyond)
-    findings.add(rules::kBeyondLimits, node_, {target.heard},
-                 [&] { return name(fmt::format("{}, 607Dh has {} to {}", target.value, low, high).c_str()); });
-}
-
-void AxisCourse::judge_position(const Told& target, Findings& findings) {
-  if (!is_in(object::kProfilePosition)) return judge_limits(target, findings);
-  if (!is_enabled()) return;
-  if (unstarted_ && target.heard.at - unstarted_->heard.at >= kPatience)
-    findings.add(rules::kNoNewSetPoint, node_, {unstarted_->heard, target.heard},
-                 [&] { return name(fmt::format("{} was not gone to", unstarted_->value).c_str()); });
-  unstarted_ = target;
-}
-
-bool AxisCourse::is_cyclic() const noexcept {
-  return is_in(object::kCyclicPosition) && is_enabled();
-}
-
-/// A movement that goes on behind a SYNC without a set-point has stood still for it.
-void AxisCourse::judge_gap(const Told& target, const Told& before, Findings& findings) {
-  const auto missed = std::exchange(missed_, std::nullopt);
-  if (!missed || !is_cyclic() || step_.value_or(0) == 0) return;
-  findings.add(rules::kSetPointMissing, node_, {before.heard, *missed, target.heard},
-               [&] { return name("607Ah"); });
-}
-
-/// A set-point that is far from where the last ones lead to.
-void AxisCourse::judge_step(const Told& target, const Told& before, Findings& findings) {
-  const std::int64_t step = difference(target.value, before.value);
-  const std::int64_t last = step_.value_or(0);
-  const bool is_jump = window_ && window_->value > 0 && std::llabs(difference(step, last)) > window_->value;
-  if (is_cyclic() && step_ && is_jump)
-    findings.add(rules::kJump, node_, {before.heard, target.heard}, [&] {
-      return name(fmt::format("{} increments, {} before, 6065h has {}", step, last, window_->value).c_str());
-    });
-  step_ = step;
-}
-
-void AxisCourse::take_sync(const Heard& heard) {
-  const bool had = std::exchange(has_set_point_, false);
-  if (!is_cyclic()) {
-    cycles_ = 0;
-    missed_.reset();
-    step_.reset();
-  } else if (had) {
-    ++cycles_;
-  } else {
-    if (cycles_ >= kSureCycles) missed_ = heard;
-    cycles_ = 0;
-  }
 }
 
 }  // namespace audit

@@ -39,7 +39,7 @@ class AxisCourse {
   void judge_reset(const DriveValue& value, Findings& findings);
   void judge_set_point_bit(const Told& word, Findings& findings);
   void judge_enabling(const Told& word, Findings& findings);
-  void take_statusword(const Told& word, const Scene& scene);
+  void take_statusword(const DriveValue& value, const Scene& scene);
   bool judge_support(const Told& mode, Findings& findings) const;
   void judge_limits(const Told& target, Findings& findings) const;
   void judge_step(const Told& target, const Told& before, Findings& findings);
@@ -60,6 +60,8 @@ class AxisCourse {
   std::optional<Heard> by_rpdo_;      ///< the last controlword that an RPDO has brought
   bool status_since_command_ = true;  ///< a statusword has come since the controlword changed
   bool mode_unread_ = false;          ///< the mode was written, and not read since
+  std::optional<Heard> let_go_;       ///< the controlword that has cleared bit 4, until a statusword comes
+  std::optional<Heard> edge_;         ///< the last controlword in which bit 7 has risen
   std::optional<Heard> fault_;        ///< the statusword that has told the fault
   bool reset_rose_ = false;           ///< bit 7 has risen since the fault
   bool has_looked_ = false;           ///< at the cause of the fault

@@ -54,6 +54,11 @@ constexpr bool is_signed(std::uint16_t object) noexcept {
   return row != nullptr && row->is_signed;
 }
 
+/// @p to - @p from of positions that overflow (32 bits).
+constexpr std::int64_t difference(std::int64_t to, std::int64_t from) noexcept {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
+}
+
 // Controlword.
 inline constexpr std::uint16_t kSwitchOn = 0x01, kEnableAll = 0x0F, kNewSetPoint = 0x10, kRelative = 0x40,
                                kFaultReset = 0x80, kHalt = 0x100;

@@ -1,11 +1,23 @@
 #include "audit/drive/drive_topic.hpp"
 
 #include "audit/base/transfer.hpp"
+#include "audit/network/pdo_record.hpp"
 #include "libcanopen/base/object_index.hpp"
 
 namespace audit {
 
 using meaning::Role;
+
+namespace {
+
+/// Whether @p transfer takes an RPDO out of use.
+bool takes_rpdo_away(const Transfer& transfer) {
+  const auto record = pdo_at(transfer.at.index);
+  return record && record->is_receive && transfer.is_written(record->communication(), kCobIdSub) &&
+         (transfer.value & canopen::cob_id::kInvalid) != 0;
+}
+
+}  // namespace
 
 void DriveTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (passage.heard.is_error || passage.frame().remote) return;
@@ -33,6 +45,9 @@ void DriveTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
     else if (transfer.is_write && transfer.end == Transfer::End::AbortedByServer)
       axis.take_refused(value, scene.findings);
   }
+  if (takes_rpdo_away(transfer))
+    for (auto& [place, axis] : axes_)
+      if (place.first == transfer.channel.node) axis.leave_pdos();
   const bool looks =
       transfer.at.index == canopen::object::kErrorField || transfer.at.index == canopen::object::kErrorRegister;
   if (!looks || transfer.is_write) return;

@@ -18,11 +18,13 @@ class EmcyTopic final : public Topic {
   /// An error that was reported, and what has come since.
   struct Open {
     Heard emergency{};
-    unsigned repetitions = 0;  ///< RPDOs with what they had before
+    unsigned repetitions = 0;  ///< RPDOs that go on as before
   };
 
   void take_emergency(const Passage& passage, const Scene& scene);
   void take_rpdo(const Passage& passage, const Scene& scene);
+  bool reacts(const canopen::Frame& before, const Passage& passage, const Network& network) const;
+  [[nodiscard]] bool has_controlword(const Node& node) const;
 
   std::array<std::optional<Open>, Network::kNodes> open_{};
   std::map<meaning::Meaning, canopen::Frame> rpdos_;  ///< the last one of each

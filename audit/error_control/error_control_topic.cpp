@@ -19,13 +19,20 @@ using meaning::Role;
 namespace {
 
 constexpr std::int64_t kPeriodsOfLoss = 3;  // of silence, behind which a node is lost
-constexpr unsigned kSureIntervals = 3;      // of heartbeats, which tell their period
+constexpr std::uint64_t kUnsigned16 = 0xFFFF;
+constexpr unsigned kSureIntervals = 3;  // of heartbeats, which tell their period
 constexpr canopen::Duration kTimeToNotice = std::chrono::seconds{1};
 /// Time after which a heartbeat that is waited for should have come.
 constexpr canopen::Duration kPatience = std::chrono::seconds{5};
 
 std::int64_t whole_milliseconds(canopen::Duration time) noexcept {
   return std::chrono::duration_cast<std::chrono::milliseconds>(time).count();
+}
+
+/// Whether @p frame begins a transfer that writes.
+bool is_download(const canopen::Frame& frame) noexcept {
+  const auto request = canopen::sdo::CommandByte{frame.data[0]}.request();
+  return request == canopen::sdo::Request::InitiateDownload || request == canopen::sdo::Request::BlockDownload;
 }
 
 canopen::Duration life_time(const Node& node) {
@@ -61,6 +68,7 @@ void ErrorControlTopic::take_heartbeat(const Passage& passage, const Scene& scen
   if (is_boot_up) {
     course.forget_period();
     course.guarding.reset();
+    course.both.reset();
     std::erase_if(waits_, [&](const Wait& wait) { return wait.consumer == passage.meaning.node; });
   }
   if (!last || !judges_times_ || is_boot_up) return;
@@ -68,7 +76,8 @@ void ErrorControlTopic::take_heartbeat(const Passage& passage, const Scene& scen
   course.period = std::max(course.period, interval);
   ++course.intervals;
   for (const Wait& wait : waits_) {
-    if (wait.producer != passage.meaning.node || interval <= wait.time) continue;
+    const bool has_begun = last->place > wait.told.place && last->frame.data[0] != 0;  // with a heartbeat
+    if (wait.producer != passage.meaning.node || interval <= wait.time || !has_begun) continue;
     scene.findings.add(rules::kHeartbeatLate, wait.consumer, {*last, passage.heard}, [&] {
       return fmt::format("that of node {} comes after {} ms, node {} waits {} ms", wait.producer,
                          whole_milliseconds(interval), wait.consumer, whole_milliseconds(wait.time));
@@ -79,11 +88,12 @@ void ErrorControlTopic::take_heartbeat(const Passage& passage, const Scene& scen
 /// A start judges what was told, a reset takes it away.
 void ErrorControlTopic::take_command(const Passage& passage, const Scene& scene) {
   const std::uint8_t node = passage.frame().data[1];
-  if (passage.is_start()) judge_waits(node, scene);
+  if (passage.is_start()) judge_settings(node, scene);
   if (!passage.is_reset()) return;
   for (std::size_t i = 1; i < courses_.size(); ++i)
     if (node == 0 || node == i) {
       courses_[i].guarding.reset();
+      courses_[i].both.reset();
       courses_[i].forget_period();
     }
   std::erase_if(waits_, [node](const Wait& wait) { return node == 0 || wait.consumer == node; });
@@ -106,8 +116,11 @@ void ErrorControlTopic::take_guarding(const Passage& passage, const Scene& scene
   });
 }
 
-/// The master sends something to a node.
+/// The master tells a node something.
 void ErrorControlTopic::take_sending(const Passage& passage, const Scene& scene) {
+  const bool only_asks = passage.meaning.role == Role::SdoRequest && !is_download(passage.frame());
+  if (only_asks) return;  // whether it is there
+  if (judges_times_) look_for_end(passage, scene);
   Course& course = courses_[passage.meaning.node];
   const Node& node = scene.network.node(passage.meaning.node);
   const bool is_silent_by_order = node.values.find(object::kHeartbeatTime, 0) == 0;
@@ -121,19 +134,52 @@ void ErrorControlTopic::take_sending(const Passage& passage, const Scene& scene)
   });
 }
 
+/// A heartbeat of the master, or its node guarding, that has ended while it goes on.
+void ErrorControlTopic::look_for_end(const Passage& passage, const Scene& scene) {
+  const Node& node = scene.network.node(passage.meaning.node);
+  Course& course = courses_[node.id];
+  const canopen::Duration life = life_time(node);
+  const bool has_ended =
+      course.guarding && life != canopen::Duration{} && passage.at() - course.guarding->at > life + kTimeToNotice;
+  if (has_ended)
+    scene.findings.add(
+        rules::kLifeTime, node.id, {*std::exchange(course.guarding, std::nullopt), passage.heard},
+        [&] { return fmt::format("it has ended, the life time is {} ms", whole_milliseconds(life)); });
+  for (Wait& wait : waits_) {
+    const Node& producer = scene.network.node(wait.producer);
+    const auto& last = courses_[wait.producer].heartbeat;
+    const bool is_slave = producer.values.size() != 0 || producer.seen_tpdos != 0;  // its loss is no mistake
+    if (wait.consumer != node.id || is_slave || wait.is_end_said || !last || last->place < wait.told.place)
+      continue;
+    wait.is_end_said = passage.at() - last->at > wait.time + kTimeToNotice;
+    if (wait.is_end_said)
+      scene.findings.add(rules::kHeartbeatLate, node.id, {*last, passage.heard}, [&] {
+        return fmt::format("that of node {} has ended, node {} waits {} ms", wait.producer, node.id,
+                           whole_milliseconds(wait.time));
+      });
+  }
+}
+
 void ErrorControlTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
   if (!transfer.is_write || transfer.end == Transfer::End::AbortedByClient) return;
-  const Node& node = scene.network.node(transfer.channel.node);
-  const bool heartbeat = transfer.at.index == object::kHeartbeatTime;
-  const bool guarding = transfer.at.index == object::kGuardTime || transfer.at.index == object::kLifeTimeFactor;
-  const bool has_heartbeat = heartbeat || node.value(object::kHeartbeatTime, 0).value_or(0) != 0;
-  const bool has_guarding = guarding || life_time(node) != canopen::Duration{};
-  if ((heartbeat || guarding) && transfer.value != 0 && has_heartbeat && has_guarding)
-    scene.findings.add(rules::kBoth, node.id, {transfer.request, transfer.last},
-                       [] { return std::string{"1017h and 100Ch are not 0"}; });
+  take_both(transfer, scene);
   if (!transfer.is_done()) return;
-  if (heartbeat) take_producer(transfer);
+  if (transfer.at.index == object::kHeartbeatTime) take_producer(transfer);
   if (transfer.at.index == object::kConsumerHeartbeatTime && transfer.at.sub_index != 0) take_consumer(transfer);
+}
+
+/// Whether heartbeat and node guarding are set, once @p transfer has its effect. A node may refuse that.
+void ErrorControlTopic::take_both(const Transfer& transfer, const Scene& scene) {
+  const Node& node = scene.network.node(transfer.channel.node);
+  const std::array objects{object::kHeartbeatTime, object::kGuardTime, object::kLifeTimeFactor};
+  if (std::ranges::find(objects, transfer.at.index) == objects.end()) return;
+  const bool has_all = std::ranges::all_of(objects, [&](std::uint16_t index) {
+    return (index == transfer.at.index ? transfer.value : node.value(index, 0).value_or(0)) != 0;
+  });
+  Course& course = courses_[node.id];
+  course.both = has_all && transfer.is_done() ? std::optional{transfer} : std::nullopt;
+  if (has_all && !transfer.is_done()) report_both(transfer, scene);
+  if (transfer.is_done() && transfer.at.index != object::kHeartbeatTime) course.guarding.reset();  // begins anew
 }
 
 void ErrorControlTopic::take_consumer(const Transfer& transfer) {
@@ -156,11 +202,27 @@ void ErrorControlTopic::take_producer(const Transfer& transfer) {
     if (wait.producer == transfer.channel.node) wait.is_judged = false;
 }
 
-/// Times are set in any order: they are judged when @p consumer (0: each) is started, and at the end.
+/// Times are set in any order: they are judged when @p node (0: each) is started, and at the end.
+void ErrorControlTopic::judge_settings(std::uint8_t node, const Scene& scene) {
+  judge_waits(node, scene);
+  for (Course& course : courses_) {
+    const auto id = static_cast<std::uint8_t>(&course - courses_.data());
+    if (!course.both || (node != 0 && node != id)) continue;
+    report_both(*std::exchange(course.both, std::nullopt), scene);
+  }
+}
+
+void ErrorControlTopic::report_both(const Transfer& transfer, const Scene& scene) {
+  scene.findings.add(rules::kBoth, transfer.channel.node, {transfer.request, transfer.last},
+                     [] { return std::string{"1017h and 100Ch are not 0"}; });
+}
+
+/// The times of heartbeats that @p consumer (0: each) is started, and at the end.
 void ErrorControlTopic::judge_waits(std::uint8_t consumer, const Scene& scene) {
   for (Wait& wait : waits_) {
     if ((consumer != 0 && consumer != wait.consumer) || std::exchange(wait.is_judged, true)) continue;
-    const auto produced = scene.network.node(wait.producer).value(object::kHeartbeatTime, 0).value_or(0);
+    const auto produced =
+        scene.network.node(wait.producer).value(object::kHeartbeatTime, 0).value_or(0) & kUnsigned16;
     if (produced == 0 || whole_milliseconds(wait.time) > static_cast<std::int64_t>(produced)) continue;
     const auto words = [&] {
       return fmt::format("node {} sends each {} ms, node {} waits {} ms", wait.producer, produced, wait.consumer,
@@ -177,7 +239,7 @@ void ErrorControlTopic::judge_waits(std::uint8_t consumer, const Scene& scene) {
 }
 
 void ErrorControlTopic::on_end(canopen::Duration at, const Scene& scene) {
-  judge_waits(0, scene);
+  judge_settings(0, scene);
   if (!judges_times_) return;
   for (const Wait& wait : waits_)
     if (!courses_[wait.producer].heartbeat && at - wait.told.at >= kPatience)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "audit/base/topic.hpp"
+#include "audit/base/transfer.hpp"
 #include "audit/network/network.hpp"
 
 namespace audit {
@@ -29,6 +30,7 @@ class ErrorControlTopic final : public Topic {
     bool is_guarded = false;           ///< it was not answered yet
     bool is_lost = false;              ///< said already
     std::optional<Heard> produces{};   ///< the request that has written 1017h last
+    std::optional<Transfer> both{};    ///< has set heartbeat beside node guarding, or the other way round
 
     void forget_period() noexcept {
       period = {};
@@ -42,7 +44,8 @@ class ErrorControlTopic final : public Topic {
     std::uint8_t sub_index = 0;  ///< of 1016h
     canopen::Duration time{};
     Heard told{};
-    bool is_judged = false;  ///< since the time of consumer or producer was written
+    bool is_judged = false;    ///< since the time of consumer or producer was written
+    bool is_end_said = false;  ///< that the heartbeat has ended
   };
 
   void take_heartbeat(const Passage& passage, const Scene& scene);
@@ -51,7 +54,11 @@ class ErrorControlTopic final : public Topic {
   void take_sending(const Passage& passage, const Scene& scene);
   void take_consumer(const Transfer& transfer);
   void take_producer(const Transfer& transfer);
+  void take_both(const Transfer& transfer, const Scene& scene);
+  void judge_settings(std::uint8_t node, const Scene& scene);
   void judge_waits(std::uint8_t consumer, const Scene& scene);
+  static void report_both(const Transfer& transfer, const Scene& scene);
+  void look_for_end(const Passage& passage, const Scene& scene);
 
   bool judges_times_;
   std::array<Course, Network::kNodes> courses_{};

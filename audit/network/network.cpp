@@ -64,6 +64,14 @@ std::optional<Misfit> misfit_of(const Node& node, const Transfer& transfer) {
   return Misfit{.at = transfer.at, .value = transfer.value};
 }
 
+/// The value of @p transfer; @p description says how much of it counts if that was not told.
+std::uint64_t value_in(const Transfer& transfer, const eds::Description& description) noexcept {
+  const eds::EntryFacts* const entry = description.find(transfer.at.index, transfer.at.sub_index);
+  if (transfer.is_size_told || entry == nullptr || !entry->numeric()) return transfer.value;
+  const std::size_t bytes = entry->bytes();
+  return bytes >= sizeof transfer.value ? transfer.value : transfer.value & ((std::uint64_t{1} << 8 * bytes) - 1);
+}
+
 /// Whether a frame of @p role comes from the node that it belongs to.
 bool is_of_node(Role role) noexcept {
   return role == Role::Tpdo || role == Role::SdoResponse || role == Role::Emergency || role == Role::ErrorControl;
@@ -167,7 +175,7 @@ void Network::follow_transfer(Node& node, const Transfer& transfer) {
   if (transfer.is_write && transfer.at.index == object::kRestoreParameters && transfer.at.sub_index != 0)
     node.values.forget_saved(transfer.at.sub_index);
   if (transfer.bytes == 0 || transfer.bytes > sizeof transfer.value) return;
-  node.values.learn(transfer.at, transfer.value);
+  node.values.learn(transfer.at, value_in(transfer, node.description));
   ++node.changes;
 }
 

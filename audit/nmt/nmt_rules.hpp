@@ -81,6 +81,7 @@ inline constexpr Rule kForgotten{
 (0.0100) can0 706#00
 (0.0200) can0 000#0105
 (0.0300) can0 705#05
+(1.0100) can0 706#7F
 (9.0000) can0 705#05)"};
 
 inline constexpr Rule kResetInTransfer{

@@ -169,7 +169,8 @@ void NmtTopic::on_end(canopen::Duration at, const Scene& scene) {
   for (const Node& node : nodes) {
     const bool waits = node.is_there && node.boot_up && node.state == NmtState::PreOperational && !node.resets &&
                        at - node.boot_up->at >= kPatience;
-    if (waits && is_left(node))
+    const bool is_slave = node.values.size() != 0 || node.error_control;  // else the boot-up may be the master's
+    if (waits && is_slave && is_left(node))
       scene.findings.add(rules::kForgotten, node.id, {*node.boot_up, *started->told},
                          [&] { return fmt::format("node {} was started", started->id); });
   }

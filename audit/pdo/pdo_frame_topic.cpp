@@ -33,7 +33,7 @@ void PdoFrameTopic::on_frame(const Passage& passage, const Scene& scene) {
 void PdoFrameTopic::take_rpdo(const Passage& passage, const Scene& scene) {
   const Node& node = scene.network.node(passage.meaning.node);
   const bool is_asleep = node.is_there && node.state && *node.state != NmtState::Operational;
-  if (is_asleep && is_news(node, passage.at())) return;
+  if (is_asleep && (passage.is_shared || is_news(node, passage.at()))) return;
   if (is_asleep) {
     const Heard& sign = node.error_control ? *node.error_control : node.told.value_or(passage.heard);
     return scene.findings.add(rules::kBeforeOperational, node.id, {sign, passage.heard}, [&] {

@@ -4,11 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "audit/bus/bus_rules.hpp"
 #include "audit/nmt/nmt_rules.hpp"
 #include "audit/sdo/requests.hpp"
 #include "audit/sdo/sdo_rules.hpp"
-#include "libcanopen/base/little_endian.hpp"
 #include "libcanopen/od/abort_text.hpp"
 #include "meaning/words.hpp"
 
@@ -19,28 +17,15 @@ namespace rules = sdo_rules;
 
 using sdo::CommandByte;
 using sdo::Request;
-using sdo::Response;
 
 namespace {
 
-constexpr std::uint8_t kAbortByte = 0x80;   // a segment would have the number 0
-constexpr std::uint32_t kMostRefusals = 3;  // of the same request, which the master may not have looked at yet
 /// Who asks again so soon has not waited at all.
 constexpr canopen::Duration kImpatience = std::chrono::milliseconds{20};
 /// Time after which a master may give up.
 constexpr canopen::Duration kLongWait = std::chrono::milliseconds{50};
-/// Two answers that come so close are those of one request.
-constexpr canopen::Duration kTwice = std::chrono::milliseconds{100};
 /// A transfer that goes on so late was forgotten.
 constexpr canopen::Duration kForgotten = std::chrono::seconds{1};
-
-bool is_same(const sdo::Address& a, const sdo::Address& b) noexcept {
-  return a.index == b.index && a.sub_index == b.sub_index;
-}
-
-std::uint32_t word_in(const canopen::Frame& frame) noexcept {
-  return canopen::load<std::uint32_t>(&frame.data[4]);
-}
 
 }  // namespace
 
@@ -54,6 +39,8 @@ std::optional<Transfer> Dialogue::take_request(const Heard& heard, Findings& fin
   }
   const std::uint8_t byte = frame.data[0];
   if (phase_ == Phase::Unknown && !begins_transfer(byte)) return std::nullopt;
+  const bool is_anew = has_rebooted_ && BlockData::number_in(byte) != block_.number() + 1;
+  if (phase_ == Phase::BlockSent && is_anew) forget();
   if (phase_ == Phase::BlockSent && byte != kAbortByte) {
     take_block_segment(heard, findings);
     return std::nullopt;
@@ -104,7 +91,7 @@ void Dialogue::note_unanswered(const Heard& heard, Findings& findings) {
 }
 
 void Dialogue::begin(const Heard& heard, Findings& findings) {
-  if (is_open()) report_left_open(heard, findings);
+  if (is_open() && !has_rebooted_) report_left_open(heard, findings);
   const CommandByte command{heard.frame.data[0]};
   const bool is_write =
       command.request() == Request::InitiateDownload || command.request() == Request::BlockDownload;
@@ -130,13 +117,18 @@ bool Dialogue::has_crossed(const Heard& abort) const noexcept {
   return transfer_.last.at - asked_.at >= kLongWait && abort.at - transfer_.last.at < kImpatience;
 }
 
+/// Whether an abort refuses the last answer of an upload, whose end the client has not seen so.
+bool Dialogue::refuses_answer(const Heard& abort) const noexcept {
+  return !transfer_.is_write && transfer_.is_done() && abort.at - transfer_.last.at < kImpatience;
+}
+
 std::optional<Transfer> Dialogue::take_abort(const Heard& heard, Findings& findings) {
-  const std::uint32_t code = word_in(heard.frame);
+  const std::uint32_t code = abort_code_in(heard.frame);
   if (canopen::text_of(canopen::AbortCode{code}).empty())
     findings.add(rules::kAbortCode, channel_.node, {heard}, [&] { return fmt::format("{:08X}h", code); });
   if (phase_ == Phase::Idle) {
     const bool was_reset = transfer_.last.place == 0;
-    if (!was_reset && !has_crossed(heard))
+    if (!was_reset && !has_crossed(heard) && !refuses_answer(heard))
       findings.add(rules::kAbortAlone, channel_.node, {transfer_.last, heard},
                    [&] { return meaning::abort_text(code); });
     return std::nullopt;
@@ -145,95 +137,16 @@ std::optional<Transfer> Dialogue::take_abort(const Heard& heard, Findings& findi
   return finished(Transfer::End::AbortedByClient, heard, code);
 }
 
-std::optional<Transfer> Dialogue::take_response(const Heard& heard, Findings& findings) {
-  const canopen::Frame& frame = heard.frame;
-  if (frame.length != kSdoBytes || frame.remote || phase_ == Phase::Unknown) return std::nullopt;
-  if (phase_ == Phase::BlockHeard && frame.data[0] != kAbortByte) {
-    take_block_upload_segment(heard);
-    return std::nullopt;
-  }
-  const sdo::Address at = sdo::address_in(frame);
-  const bool is_expected = phase_ != Phase::Idle && (phase_ != Phase::Initiated || is_same(at, transfer_.at));
-  if (!is_expected) {
-    note_late(heard, findings);
-    return std::nullopt;
-  }
-  if (response_of(frame) == Response::Abort) {
-    aborted_ = heard;
-    note_repetition(heard, findings);
-    return finished(Transfer::End::AbortedByServer, heard, word_in(frame));
-  }
-  if (phase_ == Phase::Initiated) return take_initiated(heard);
-  if (phase_ == Phase::SegmentAsked) return take_segment_answer(heard);
-  if (phase_ == Phase::BlockEnding || phase_ == Phase::BlockSent) return take_block_answer(heard);
-  return std::nullopt;
-}
-
-std::optional<Transfer> Dialogue::take_initiated(const Heard& heard) {
-  const canopen::Frame& frame = heard.frame;
-  switch (response_of(frame)) {
-    case Response::InitiateUpload:
-      if (transfer_.is_write) return std::nullopt;
-      kind_ = Kind::Normal;
-      if (const unsigned bytes = meaning::expedited_bytes(frame); bytes != 0) {
-        add_bytes(&frame.data[4], bytes);
-        return finished(Transfer::End::Done, heard);
-      }
-      phase_ = Phase::Segments;
-      return std::nullopt;
-    case Response::InitiateDownload:
-      if (!transfer_.is_write) return std::nullopt;
-      if (is_last_) return finished(Transfer::End::Done, heard);
-      phase_ = Phase::Segments;
-      return std::nullopt;
-    case Response::BlockDownload:
-      start_block_download(frame);
-      return std::nullopt;
-    case Response::BlockUpload:
-      phase_ = Phase::BlockReady;
-      return std::nullopt;
-    default:
-      return std::nullopt;
-  }
-}
-
-/// An answer that nobody waits for any more, or a second one.
-void Dialogue::note_late(const Heard& heard, Findings& findings) {
-  const bool is_second = phase_ == Phase::Idle && !given_up_ && transfer_.end != Transfer::End::AbortedByClient &&
-                         heard.at - transfer_.last.at < kTwice &&
-                         is_same(sdo::address_in(heard.frame), transfer_.at);
-  if (is_second && response_of(heard.frame) != Response::Abort)
-    findings.add(bus_rules::kAnsweredTwice, channel_.node, {transfer_.request, transfer_.last, heard},
-                 [&] { return object(); });
-  if (!given_up_) return;
-  const bool is_its_answer = is_same(sdo::address_in(heard.frame), sdo::address_in(given_up_->frame)) ||
-                             !begins_transfer(given_up_->frame.data[0]);
-  if (!is_its_answer) return;
-  findings.add(rules::kTimeOutShort, channel_.node, {*given_up_, heard},
-               [&] { return fmt::format("it comes after {:.1f} ms", milliseconds(heard.at - given_up_->at)); });
-  given_up_.reset();
-}
-
-/// The server has refused what it was asked for.
-void Dialogue::note_repetition(const Heard& heard, Findings& findings) {
-  if (transfer_.request.frame != refused_.frame) {
-    refused_ = transfer_.request;
-    refusals_ = 0;
-  }
-  if (++refusals_ == kMostRefusals)
-    findings.add(rules::kRepeated, channel_.node, {refused_, transfer_.request, heard}, [&] {
-      return fmt::format("{}: {} times {}", object(), refusals_, meaning::abort_text(word_in(heard.frame)));
-    });
-}
-
 void Dialogue::reset(const Heard& heard, Findings& findings) {
-  if (awaits_server())
+  const bool is_for_all = heard.frame.data[1] == 0;
+  const bool is_there = has_answered_ || !is_for_all;  // who looks for nodes waits for nobody
+  if (awaits_server() && is_there)
     findings.add(nmt_rules::kResetInTransfer, channel_.node, {asked_, heard}, [&] { return object(); });
   forget();
 }
 
 void Dialogue::take_boot_up() {
-  if (phase_ == Phase::Initiated)
+  if (phase_ == Phase::Initiated || is_open())  // the client cannot know
     has_rebooted_ = true;
   else
     forget();
@@ -248,7 +161,7 @@ void Dialogue::forget() {
 }
 
 void Dialogue::end(canopen::Duration at, Findings& findings) {
-  const bool is_forgotten = is_open() && !awaits_server() && at - asked_.at >= kForgotten;
+  const bool is_forgotten = is_open() && !awaits_server() && !has_rebooted_ && at - asked_.at >= kForgotten;
   if (is_forgotten) report_left_open(asked_, findings);
 }
 

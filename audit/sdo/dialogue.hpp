@@ -22,7 +22,7 @@ class Dialogue {
   std::optional<Transfer> take_response(const Heard& heard, Findings& findings);
   /// The node is reset by @p heard: its server forgets what it was doing.
   void reset(const Heard& heard, Findings& findings);
-  /// The node has booted: its server has forgotten what it was doing, but may have heard a first request already.
+  /// The node has booted: its server has forgotten what it was doing, which the client does not know.
   void take_boot_up();
   /// There are no more frames; @p at: when the last one of the bus came.
   void end(canopen::Duration at, Findings& findings);
@@ -46,11 +46,14 @@ class Dialogue {
   void begin(const Heard& heard, Findings& findings);
   void forget();
   std::optional<Transfer> take_abort(const Heard& heard, Findings& findings);
-  std::optional<Transfer> take_initiated(const Heard& heard);
   [[nodiscard]] bool is_behind_abort(const Heard& heard);
   [[nodiscard]] bool has_crossed(const Heard& abort) const noexcept;
+  [[nodiscard]] bool refuses_answer(const Heard& abort) const noexcept;
   void report_left_open(const Heard& last, Findings& findings) const;
   void note_unanswered(const Heard& heard, Findings& findings);
+
+  // answers.cpp: what the server answers
+  std::optional<Transfer> take_initiated(const Heard& heard);
   void note_repetition(const Heard& heard, Findings& findings);
   void note_late(const Heard& heard, Findings& findings);
 
@@ -90,7 +93,8 @@ class Dialogue {
   std::optional<std::uint64_t> told_size_;  ///< of the transfer
   std::uint8_t toggle_ = 0;
   bool is_last_ = false;       ///< the last segment is sent, or asked for
-  bool has_rebooted_ = false;  ///< since the request that awaits its answer
+  bool has_answered_ = false;  ///< the server, at any time
+  bool has_rebooted_ = false;  ///< since the transfer began
   bool has_gap_ = false;       ///< a segment of a block did not follow the one before
   BlockData block_{};
   std::optional<Heard> aborted_;   ///< by the server: the last frame of the channel

@@ -1,5 +1,7 @@
 #include "audit/sdo/requests.hpp"
 
+#include "libcanopen/base/little_endian.hpp"
+
 namespace audit {
 
 namespace sdo = canopen::sdo;
@@ -56,6 +58,10 @@ bool begins_transfer(std::uint8_t byte) noexcept {
 
 sdo::Response response_of(const canopen::Frame& frame) noexcept {
   return static_cast<sdo::Response>(frame.data[0] & kResponseBits);
+}
+
+std::uint32_t abort_code_in(const canopen::Frame& frame) noexcept {
+  return canopen::load<std::uint32_t>(&frame.data[4]);
 }
 
 }  // namespace audit

@@ -143,9 +143,9 @@ inline constexpr Rule kAbortAlone{
     .severity = Severity::Warning,
     .why = "The master believes to be in a transfer that has ended: it counts answers wrongly.",
     .mend = "Abort only what is open; an abort of the server needs no answer.",
-    .example = R"((0.0000) can0 605#4001100000000000
-(0.0010) can0 585#4F01100000000000
-(0.0020) can0 605#8001100000000405)"};
+    .example = R"((0.0000) can0 605#2B17100064000000
+(0.0010) can0 585#6017100000000000
+(0.0020) can0 605#8017100000000405)"};
 
 inline constexpr Rule kSize{
     .id = "sdo.size",

@@ -35,11 +35,11 @@ void StorageTopic::take_save(const Transfer& transfer, const Scene& scene) {
   if (node.state == canopen::NmtState::Operational)
     scene.findings.add(rules::kOperational, node.id, {transfer.request},
                        [&] { return fmt::format("1010h:{:02X}", transfer.at.sub_index); });
-  Stores& stores = stores_[node.id];
-  std::rotate(stores.begin(), stores.begin() + 1, stores.end());
-  stores.back() = transfer.request.at;
+  Stores& stores = stores_[{node.id, transfer.at.sub_index}];
+  std::rotate(stores.times.begin(), stores.times.begin() + 1, stores.times.end());
+  stores.times.back() = transfer.request.at;
   const bool is_often =
-      judges_times_ && ++counts_[node.id] >= kMostStores && stores.back() - stores.front() <= kWhile;
+      judges_times_ && ++stores.count >= kMostStores && stores.times.back() - stores.times.front() <= kWhile;
   if (is_often)
     scene.findings.add(rules::kOften, node.id, {transfer.request},
                        [&] { return fmt::format("{} times within a minute", kMostStores); });

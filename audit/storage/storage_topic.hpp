@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <utility>
 
 #include "audit/base/topic.hpp"
 #include "audit/network/network.hpp"
@@ -19,11 +21,13 @@ class StorageTopic final : public Topic {
 
   /// Stores that a master may need in a minute.
   static constexpr std::size_t kMostStores = 5;
-  /// When the last ones were, the oldest first.
-  using Stores = std::array<canopen::Duration, kMostStores>;
+  /// Stores of one set.
+  struct Stores {
+    std::array<canopen::Duration, kMostStores> times{};  ///< of the last ones, the oldest first
+    std::uint64_t count = 0;
+  };
   bool judges_times_;
-  std::array<Stores, Network::kNodes> stores_{};
-  std::array<std::uint64_t, Network::kNodes> counts_{};
+  std::map<std::pair<std::uint8_t, std::uint8_t>, Stores> stores_;  ///< by node and sub-index of 1010h
 };
 
 }  // namespace audit

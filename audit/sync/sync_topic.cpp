@@ -48,13 +48,15 @@ bool is_of_master(meaning::Role role) noexcept {
 void SyncTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (passage.heard.is_error) return;
   if (is_of_master(passage.meaning.role)) last_of_master_ = passage.heard;
+  if (passage.meaning.role == meaning::Role::Nmt) last_setting_ = passage.heard.place;
   if (passage.meaning.role == meaning::Role::Sync && !passage.frame().remote) take_sync(passage.heard, scene);
   if (passage.meaning.role == meaning::Role::Rpdo && last_ && judges_times_) take_rpdo(passage, scene);
 }
 
 void SyncTopic::take_sync(const Heard& heard, const Scene& scene) {
   const canopen::Frame& frame = heard.frame;
-  const bool is_other = last_ && last_->frame.length != frame.length && heard.at - last_->at < kPause;
+  const bool is_other = last_ && last_->frame.length != frame.length && heard.at - last_->at < kPause &&
+                        last_->place > last_setting_;
   if (frame.length > 1 || is_other)
     scene.findings.add(rules::kLength, 0, {last_.value_or(heard), heard},
                        [&] { return fmt::format("{} bytes", frame.length); });
@@ -62,9 +64,40 @@ void SyncTopic::take_sync(const Heard& heard, const Scene& scene) {
     scene.findings.add(rules::kCounter, 0, {*last_, heard},
                        [&] { return fmt::format("{} behind {}", frame.data[0], last_->frame.data[0]); });
   if (frame.length == 1 && frame.data[0] > highest_count_) judge_count(heard, scene);
+  if (frame.length == 1 && frame.data[0] == 1) judge_wrap(heard, scene);
   if (last_ && judges_times_) take_interval({*last_, heard}, scene);
+  judge_settings(heard, scene);
   last_ = heard;
   ++count_;
+}
+
+/// What was set before the last SYNC, when there were enough since.
+void SyncTopic::judge_settings(const Heard& heard, const Scene& scene) {
+  if (until_length_ != 0 && --until_length_ == 0) judge_length(heard, scene);
+  if (until_period_ != 0 && --until_period_ == 0 && last_ && period_ != canopen::Duration{})
+    judge_period({*last_, heard}, scene);
+}
+
+/// With a counter, or without.
+void SyncTopic::judge_length(const Heard& heard, const Scene& scene) {
+  for (const Node& node : scene.network.nodes()) {
+    const auto overflow = node.values.find(object::kSyncOverflow, 0);
+    const bool is_wanted = heard.frame.length == (overflow.value_or(0) == 0 ? 0 : 1);
+    if (overflow && !is_wanted && heard.frame.length <= 1)
+      scene.findings.add(rules::kLength, node.id, {heard},
+                         [&] { return fmt::format("{} bytes, 1019h has {}", heard.frame.length, *overflow); });
+  }
+}
+
+/// A count of 1. One that comes early begins anew, and does not do so each time.
+void SyncTopic::judge_wrap(const Heard& heard, const Scene& scene) {
+  constexpr unsigned kTwice = 2;
+  if (!last_ || last_->frame.length != 1 || overflow_ == 0) return;
+  const std::uint8_t before = last_->frame.data[0];
+  early_wraps_ = before < overflow_ ? early_wraps_ + 1 : 0;
+  if (early_wraps_ == kTwice)
+    scene.findings.add(rules::kCounter, 0, {*last_, heard},
+                       [&] { return fmt::format("1 behind {}, 1019h has {}", before, overflow_); });
 }
 
 /// A count that is higher than each before.
@@ -79,9 +112,11 @@ void SyncTopic::judge_count(const Heard& heard, const Scene& scene) {
 }
 
 void SyncTopic::take_interval(const Interval& interval, const Scene& scene) {
+  if (interval.begin.place < last_setting_) return;  // it was stopped, or set anew
   if (period_ == canopen::Duration{}) return take_first_interval(interval, scene);
   if (is_near(interval.length(), period_, kJitterShare)) return report_odd_intervals(scene);
-  if (interval.length() < period_ * kPausePeriods) take_odd_interval(interval, scene);
+  const bool begins_anew = interval.end.frame.length == 1 && interval.end.frame.data[0] == 1;
+  if (interval.length() < period_ * kPausePeriods && !begins_anew) take_odd_interval(interval, scene);
 }
 
 /// Whoever sends SYNC now and then, by hand or in a burst, has no period.
@@ -126,7 +161,8 @@ bool SyncTopic::are_alike(const std::vector<Interval>& intervals) {
       intervals, [middle](const Interval& interval) { return is_near(interval.length(), middle, kJitterShare); });
 }
 
-void SyncTopic::judge_period(const Interval& last, const Scene& scene) const {
+void SyncTopic::judge_period(const Interval& last, const Scene& scene) {
+  until_period_ = 0;
   for (const Node& node : scene.network.nodes()) {
     const auto told = node.is_there ? node.value(object::kCyclePeriod, 0) : std::nullopt;
     if (!told || *told == 0) continue;
@@ -151,8 +187,27 @@ void SyncTopic::take_rpdo(const Passage& passage, const Scene& scene) {
     });
 }
 
+/// What SYNC is to be like, as @p transfer has told it.
+void SyncTopic::take_setting(const Transfer& transfer) {
+  if (!transfer.is_done() || transfer.at.sub_index != 0) return;
+  const std::uint16_t index = transfer.at.index;
+  if (index == object::kSyncOverflow) {
+    overflow_ = transfer.value;
+    highest_count_ = 0;
+    early_wraps_ = 0;
+    until_length_ = kSettled;
+  }
+  if (index == object::kCyclePeriod) until_period_ = kSettled;
+  const bool is_of_sync =
+      index == object::kCobIdSync || index == object::kCyclePeriod || index == object::kSyncOverflow;
+  if (transfer.is_write && is_of_sync) last_setting_ = transfer.request.place;
+  const bool stops =
+      transfer.is_written(object::kCobIdSync, 0) && (transfer.value & canopen::cob_id::kProduce) == 0;
+  if (stops) count_ = 0;
+}
+
 void SyncTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
-  if (transfer.is_done() && transfer.at.index == object::kSyncOverflow) highest_count_ = 0;
+  take_setting(transfer);
   if (!transfer.is_written(object::kCobIdSync, 0) || (transfer.value & canopen::cob_id::kProduce) == 0) return;
   const Node* other = nullptr;
   for (const Node& node : scene.network.nodes())

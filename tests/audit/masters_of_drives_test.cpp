@@ -158,6 +158,20 @@ TEST(Eds, TellsHowMuchCountsOfAValueWithoutASize) {
   EXPECT_EQ(rules_of_write("22", "E9030000"), (Rules{"sdo.size-untold", "object.limits"}));
 }
 
+TEST(Eds, TellsTheIdentifierOfATpdoThatWasNotHeard) {
+  eds::Description description{6};
+  description.add({.index = 0x1800,
+                   .sub_index = 1,
+                   .type = eds::find_data_type(7),
+                   .initial = eds::Value{.integer = {.magnitude = 0x186}}});
+  constexpr std::string_view kLog = R"((0.0) can0 705#00
+(0.1) can0 706#00
+(0.2) can0 605#2300180186010000
+(0.3) can0 585#6000180100000000
+(0.4) can0 000#0100)";
+  EXPECT_EQ(rules_of(findings_of(kLog, {.descriptions = {description}})), Rules{"bus.identifier-twice"});
+}
+
 TEST(Controlword, IsOfTwoSourcesOnlyAsTimesTell) {
   constexpr std::string_view kLog = R"((0.0) can0 605#4000160000000000
 (0.0) can0 585#4F00160001000000

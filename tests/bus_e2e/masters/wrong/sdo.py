@@ -63,8 +63,8 @@ def aborts_with_the_bytes_in_the_wrong_order(bus):
 
 @breaks('sdo.abort-alone')
 def aborts_what_has_ended(bus):
-    bus.read(NODE, 0x1000)
-    bus.send(0x605, '8000100000000405')
+    bus.request(NODE, '2B171000F4010000')
+    bus.send(0x605, '8017100000000405')
     bus.wait(0.1)
 
 
