@@ -57,6 +57,11 @@ bool is_sending_entry(const canopen::sdo::Address& at) noexcept {
          at.sub_index == kCobIdSub;
 }
 
+/// The identifier that @p transfer gives a service; 0: none.
+canopen::Identifier identifier_in(const Transfer& transfer) noexcept {
+  return canopen::valid_identifier(static_cast<std::uint32_t>(transfer.value));
+}
+
 /// Calls @p take(identifier, entry) with each identifier that @p node sends with, and the entry that has it.
 template <class Take>
 void for_each_sender(const Node& node, Take take) {
@@ -162,13 +167,17 @@ void BusTopic::judge_given(const Scene& scene) {
 /// Identifiers that others were given, and @p other sends with, too.
 void BusTopic::judge_given(const Node& other, const Scene& scene) const {
   for_each_sender(other, [&](canopen::Identifier identifier, const canopen::sdo::Address& at) {
-    for (const Transfer& transfer : given_) {
-      const bool is_same = canopen::valid_identifier(static_cast<std::uint32_t>(transfer.value)) == identifier;
-      if (!is_same || transfer.channel.node == other.id) continue;
-      scene.findings.add(rules::kIdentifierTwice, transfer.channel.node, {transfer.request, transfer.last}, [&] {
-        return fmt::format("{:03X}h is that of {:04X}h of node {}, too", identifier, at.index, other.id);
-      });
-    }
+    for (const Transfer& transfer : given_)
+      if (transfer.channel.node != other.id && identifier_in(transfer) == identifier)
+        report_twice(transfer, other, at, scene);
+  });
+}
+
+/// @p at of @p other has the identifier that @p transfer has given.
+void BusTopic::report_twice(const Transfer& transfer, const Node& other, const canopen::sdo::Address& at,
+                            const Scene& scene) {
+  scene.findings.add(rules::kIdentifierTwice, transfer.channel.node, {transfer.request, transfer.last}, [&] {
+    return fmt::format("{:03X}h is that of {:04X}h of node {}, too", identifier_in(transfer), at.index, other.id);
   });
 }
 

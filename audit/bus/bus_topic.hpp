@@ -27,6 +27,8 @@ class BusTopic final : public Topic {
 
   void judge_given(const Scene& scene);
   void judge_given(const Node& other, const Scene& scene) const;
+  static void report_twice(const Transfer& transfer, const Node& other, const canopen::sdo::Address& at,
+                           const Scene& scene);
 
   std::uint32_t bit_rate_;
   std::vector<Transfer>

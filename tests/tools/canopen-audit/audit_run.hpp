@@ -25,9 +25,9 @@ inline constexpr const char* kOverlap =
     "(1.000200) can0 605#4001100000000000\n";
 /// sdo.abort-alone, a warning.
 inline constexpr const char* kAbortAlone =
-    "(1.000000) can0 605#4001100000000000\n"
-    "(1.000500) can0 585#4F01100000000000\n"
-    "(1.001000) can0 605#8001100000000405\n";
+    "(1.000000) can0 605#2B17100064000000\n"
+    "(1.000500) can0 585#6017100000000000\n"
+    "(1.001000) can0 605#8017100000000405\n";
 
 /// A transfer and @p count aborts behind it, each of which is one too many.
 inline std::string aborts(int count) {

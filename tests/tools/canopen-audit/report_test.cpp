@@ -97,7 +97,7 @@ TEST_F(CanopenAuditReport, AsJunitHasAFailureForAnErrorAndNoneForAWarning) {
       << error;
   const std::string warning = junit(kAbortAlone);
   EXPECT_EQ(warning.find("<failure"), std::string::npos) << warning;
-  EXPECT_NE(warning.find("605#8001100000000405"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("605#8017100000000405"), std::string::npos) << warning;
 }
 
 }  // namespace
