@@ -95,7 +95,7 @@ inline constexpr std::array kLayers{
           {"cia402/axis/", "cia402/base/", "cia402/inputs/", "cia402/modes/", "cia402/drive/", "cia402/setup/",
            "cia402/objects/", "libcanopen/", "drive/base/", "motor/data/", "version/"}},
     Layer{"cia402/storage", {"cia402/objects/", "drive/images/", "drive/drive_unit.hpp", "libcanopen/"}},
-    Layer{"eds", {"libcanopen/od/", "text/", "nlohmann/", "fmt/"}},
+    Layer{"eds", {"libcanopen/od/", "libcanopen/base/object_index.hpp", "text/", "nlohmann/", "fmt/"}},
     Layer{"meaning", {"libcanopen/", "eds/description/", "fmt/"}},
     Layer{"audit", {"libcanopen/", "eds/description/", "meaning/", "fmt/"}},
     Layer{"audit/base", {"libcanopen/base/", "libcanopen/sdo/", "meaning/"}},
