@@ -152,6 +152,9 @@ std::optional<EntryValue> CobIds::follow(const canopen::Frame& frame, const Mean
           frame.data[0] == static_cast<std::uint8_t>(canopen::NmtCommand::ResetCommunication))
         reset(frame.data[1]);
       break;
+    case Role::ErrorControl:
+      if (frame.length == 1 && frame.data[0] == 0) reset(meaning.node);  // a boot-up message: it may have been off
+      break;
     default:
       break;
   }
@@ -159,9 +162,9 @@ std::optional<EntryValue> CobIds::follow(const canopen::Frame& frame, const Mean
 }
 
 void CobIds::learn(const EntryValue& entry) {
-  if (entry.at.index == object::kStoreParameters && entry.at.sub_index != 0) saved_ = given_;
-  if (entry.at.index == object::kRestoreParameters && entry.at.sub_index != 0)
-    copy(described_, saved_, entry.node);
+  const bool is_order = entry.is_write && entry.at.sub_index != 0;
+  if (is_order && entry.at.index == object::kStoreParameters) copy(given_, saved_, entry.node);
+  if (is_order && entry.at.index == object::kRestoreParameters) copy(described_, saved_, entry.node);
   if (const auto service = service_at(entry.node, entry.at))
     give(*service, identifier_of(service->role, entry.value));
 }

@@ -34,7 +34,8 @@ void SdoWatch::take_request(SdoChannel channel, const canopen::Frame& request) {
   if (request.length != 8 || command.request() != sdo::Request::InitiateDownload || !command.is_expedited())
     return;
   const unsigned bytes = command.has_size() ? command.expedited_size() : 4;
-  writes_[channel] = {.node = channel.node, .at = sdo::address_in(request), .value = value_in(request, bytes)};
+  writes_[channel] = {
+      .node = channel.node, .at = sdo::address_in(request), .value = value_in(request, bytes), .is_write = true};
 }
 
 std::optional<EntryValue> SdoWatch::take_response(SdoChannel channel, const canopen::Frame& response) {

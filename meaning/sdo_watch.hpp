@@ -23,6 +23,7 @@ struct EntryValue {
   std::uint8_t node = 0;
   canopen::sdo::Address at{};
   std::uint32_t value = 0;
+  bool is_write = false;  ///< else it was read
 };
 
 /// Follows expedited transfers: what has been written, and what was read.

@@ -76,7 +76,10 @@ void for_each_sender(const Node& node, Take take) {
     const auto by_default = meaning::predefined_tpdo(node.id, number);
     if (!take_known(at) && by_default != 0 && node.has_sent_tpdo(number)) take(by_default, at);
   }
-  (void)take_known({.index = object::kCobIdEmcy, .sub_index = 0});
+  for (std::uint16_t server = kServers + 1; server <= kLastServer; ++server)
+    (void)take_known({.index = server, .sub_index = kToClientSub});
+  const canopen::sdo::Address emcy{.index = object::kCobIdEmcy, .sub_index = 0};
+  if (!take_known(emcy) && node.has_sent_emcy) take(canopen::function_code::kEmcy + node.id, emcy);
 }
 
 }  // namespace

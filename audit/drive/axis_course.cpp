@@ -21,7 +21,7 @@ constexpr canopen::Duration kTimeToNotice = std::chrono::seconds{1};
 constexpr canopen::Duration kPatience = std::chrono::milliseconds{100};
 /// A reset may have been sent so long before a PDO has told the fault that EMCY has told already.
 constexpr canopen::Duration kUnderWay = std::chrono::milliseconds{200};
-/// A position that was read longer ago may be another one now.
+/// What was read longer ago may be another value now.
 constexpr canopen::Duration kFresh = std::chrono::seconds{1};
 constexpr unsigned kMostResets = 3;
 
@@ -37,6 +37,10 @@ std::string AxisCourse::name(const char* what) const {
 
 bool AxisCourse::is_enabled() const noexcept {
   return statusword_ && object::is_enabled(statusword_->value);
+}
+
+bool AxisCourse::is_of_shown_mode() const noexcept {
+  return !shown_since_ || (statusword_ && statusword_->heard.place >= shown_since_->place);
 }
 
 void AxisCourse::take(const DriveValue& value, const Scene& scene) {
@@ -57,6 +61,7 @@ void AxisCourse::take(const DriveValue& value, const Scene& scene) {
       return;
     case object::kModeDisplay:
       mode_unread_ = false;
+      if (shown_mode_ && shown_mode_->value != told.value) shown_since_ = told.heard;
       shown_mode_ = told;
       return;
     case object::kActualPosition:
@@ -146,7 +151,7 @@ void AxisCourse::judge_set_point_bit(const Told& word, Findings& findings) {
   if (is_absolute && target != targets_.end()) judge_limits(target->second, findings);
   const bool is_old = let_go_ && word.heard.at - let_go_->at >= kPatience;  // bit 12 will have followed since
   if (!is_in(object::kProfilePosition) || !is_enabled() || (statusword_->value & object::kSetPointTaken) == 0 ||
-      is_old)
+      is_old || !is_of_shown_mode())
     return;
   findings.add(rules::kHandshake, node_, {statusword_->heard, word.heard},
                [&] { return name(fmt::format("statusword {:04X}h", statusword_->value).c_str()); });
@@ -172,14 +177,14 @@ void AxisCourse::judge_enabling(const Told& word, Findings& findings) {
 void AxisCourse::take_statusword(const DriveValue& value, const Scene& scene) {
   const Told word{value.value, value.heard};
   status_since_command_ = true;
+  is_by_pdo_ = value.way == DriveValue::Way::Tpdo;
   let_go_.reset();
   const std::string_view state = object::state_in(word.value);
   if (!statusword_ || object::state_in(statusword_->value) != state)
     scene.time_lines[node_].add(word.heard, name(std::string{state}.c_str()));
   const bool was_fault = statusword_ && object::is_fault(statusword_->value);
   if (object::is_fault(word.value) && !was_fault) {
-    const bool was_told_late = value.way == DriveValue::Way::Tpdo;
-    reset_rose_ = was_told_late && edge_ && word.heard.at - edge_->at < kUnderWay;
+    reset_rose_ = is_by_pdo_ && edge_ && word.heard.at - edge_->at < kUnderWay;
     reset_said_ = has_looked_ = false;
     resets_ = 0;
     fault_ = word.heard;
@@ -193,7 +198,10 @@ void AxisCourse::take_mode(const Told& mode, Findings& findings) {
   if (!is_other) return;
   mode_unread_ = true;
   if (!judge_support(mode, findings)) return;
-  const bool moves = is_enabled() && shown_mode_ && object::moves(shown_mode_->value, statusword_->value);
+  const bool is_known =
+      is_of_shown_mode() && (is_by_pdo_ || (statusword_ && mode.heard.at - statusword_->heard.at < kFresh));
+  const bool moves =
+      is_known && is_enabled() && shown_mode_ && object::moves(shown_mode_->value, statusword_->value);
   if (moves && shown_mode_->value != mode.value)
     findings.add(rules::kModeMoving, node_, {statusword_->heard, mode.heard},
                  [&] { return name(fmt::format("mode {}", mode.value).c_str()); });

@@ -51,6 +51,8 @@ class AxisCourse {
   [[nodiscard]] bool is_in(std::int64_t mode) const noexcept { return shown_mode_ && shown_mode_->value == mode; }
   [[nodiscard]] bool is_enabled() const noexcept;
   [[nodiscard]] bool is_cyclic() const noexcept;
+  /// Whether the bits of the statusword that depend on the mode are those of the mode that is shown.
+  [[nodiscard]] bool is_of_shown_mode() const noexcept;
   [[nodiscard]] std::string name(const char* what) const;
 
   bool has_times_;
@@ -59,6 +61,8 @@ class AxisCourse {
   std::map<std::uint16_t, Told> targets_;
   std::optional<Heard> by_rpdo_;      ///< the last controlword that an RPDO has brought
   bool status_since_command_ = true;  ///< a statusword has come since the controlword changed
+  bool is_by_pdo_ = false;            ///< the statusword: it tells when it becomes another one
+  std::optional<Heard> shown_since_;  ///< what has told that the shown mode has become another one
   bool mode_unread_ = false;          ///< the mode was written, and not read since
   std::optional<Heard> let_go_;       ///< the controlword that has cleared bit 4, until a statusword comes
   std::optional<Heard> edge_;         ///< the last controlword in which bit 7 has risen

@@ -18,7 +18,7 @@ namespace {
 constexpr unsigned kMostHalted = 5;
 constexpr unsigned kSureCycles = 3;
 /// A position that was not gone to for so long is not part of a command.
-constexpr canopen::Duration kPatience = std::chrono::milliseconds{100};
+constexpr canopen::Duration kPause = std::chrono::milliseconds{100};
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void AxisCourse::judge_position(const Told& target, Findings& findings) {
     return;
   }
   if (!is_enabled()) return;
-  if (unstarted_ && target.heard.at - unstarted_->heard.at >= kPatience)
+  if (unstarted_ && target.heard.at - unstarted_->heard.at >= kPause)
     findings.add(rules::kNoNewSetPoint, node_, {unstarted_->heard, target.heard},
                  [&] { return name(fmt::format("{} was not gone to", unstarted_->value).c_str()); });
   unstarted_ = target;

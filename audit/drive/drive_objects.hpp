@@ -94,12 +94,14 @@ constexpr std::string_view state_in(std::int64_t statusword) noexcept {
   return "";
 }
 
-/// Whether @p statusword shows the state to which @p controlword leads from below (CiA 402-2, 8.4).
+/// Whether @p statusword shows the state to which @p controlword leads (CiA 402-2, 8.4).
 constexpr bool is_led_to(std::int64_t controlword, std::int64_t statusword) noexcept {
   struct Command {
     std::int64_t mask, value, state_mask, state;
   };
   constexpr std::array kCommands{
+      Command{0x82, 0x00, 0x4F, 0x40},  // disable voltage: Switch on disabled
+      Command{0x86, 0x02, 0x4F, 0x40},  // quick stop, which is of no effect there
       Command{0x87, 0x06, 0x6F, 0x21},  // shutdown: Ready to switch on
       Command{0x8F, 0x07, 0x6F, 0x23},  // switch on: Switched on
       Command{0x8F, 0x0F, 0x6F, 0x27},  // enable operation: Operation enabled

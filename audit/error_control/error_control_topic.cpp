@@ -62,12 +62,17 @@ void ErrorControlTopic::on_frame(const Passage& passage, const Scene& scene) {
 void ErrorControlTopic::take_heartbeat(const Passage& passage, const Scene& scene) {
   Course& course = courses_[passage.meaning.node];
   const bool is_boot_up = passage.is_boot_up();
-  if (std::exchange(course.is_guarded, false) && !is_boot_up) return;  // an answer is no heartbeat
+  course.unanswered = 0;
+  if (std::exchange(course.is_guarded, false) && !is_boot_up) {  // an answer is no heartbeat
+    course.answer = passage.heard;
+    course.is_lost = false;
+    return;
+  }
   const std::optional<Heard> last = std::exchange(course.heartbeat, passage.heard);
   course.is_lost = false;
   if (is_boot_up) {
     course.forget_period();
-    course.guarding.reset();
+    course.forget_guarding();
     course.both.reset();
     std::erase_if(waits_, [&](const Wait& wait) { return wait.consumer == passage.meaning.node; });
   }
@@ -92,7 +97,7 @@ void ErrorControlTopic::take_command(const Passage& passage, const Scene& scene)
   if (!passage.is_reset()) return;
   for (std::size_t i = 1; i < courses_.size(); ++i)
     if (node == 0 || node == i) {
-      courses_[i].guarding.reset();
+      courses_[i].forget_guarding();
       courses_[i].both.reset();
       courses_[i].forget_period();
     }
@@ -103,7 +108,7 @@ void ErrorControlTopic::take_guarding(const Passage& passage, const Scene& scene
   const Node& node = scene.network.node(passage.meaning.node);
   Course& course = courses_[node.id];
   const std::optional<Heard> last = std::exchange(course.guarding, passage.heard);
-  course.is_guarded = true;
+  if (std::exchange(course.is_guarded, true)) ++course.unanswered;
   if (node.value(object::kHeartbeatTime, 0).value_or(0) != 0)
     return scene.findings.add(
         rules::kGuardsHeartbeat, node.id, {course.heartbeat.value_or(passage.heard), passage.heard},
@@ -124,7 +129,14 @@ void ErrorControlTopic::take_sending(const Passage& passage, const Scene& scene)
   Course& course = courses_[passage.meaning.node];
   const Node& node = scene.network.node(passage.meaning.node);
   const bool is_silent_by_order = node.values.find(object::kHeartbeatTime, 0) == 0;
-  if (course.is_lost || course.intervals < kSureIntervals || is_silent_by_order) return;
+  if (course.is_lost) return;
+  if (course.answer && course.unanswered >= kPeriodsOfLoss && passage.at() - course.answer->at > kTimeToNotice) {
+    course.is_lost = true;
+    return scene.findings.add(rules::kLost, node.id, {*course.answer, passage.heard}, [&] {
+      return fmt::format("{} times no answer of node guarding", course.unanswered);
+    });
+  }
+  if (course.intervals < kSureIntervals || is_silent_by_order) return;
   const canopen::Duration silence = passage.at() - course.heartbeat->at;
   if (silence < course.period * kPeriodsOfLoss + kTimeToNotice) return;
   course.is_lost = true;
@@ -179,7 +191,7 @@ void ErrorControlTopic::take_both(const Transfer& transfer, const Scene& scene) 
   Course& course = courses_[node.id];
   course.both = has_all && transfer.is_done() ? std::optional{transfer} : std::nullopt;
   if (has_all && !transfer.is_done()) report_both(transfer, scene);
-  if (transfer.is_done() && transfer.at.index != object::kHeartbeatTime) course.guarding.reset();  // begins anew
+  if (transfer.is_done() && transfer.at.index != object::kHeartbeatTime) course.forget_guarding();  // begins anew
 }
 
 void ErrorControlTopic::take_consumer(const Transfer& transfer) {

@@ -28,10 +28,17 @@ class ErrorControlTopic final : public Topic {
     unsigned intervals = 0;            ///< how many that are
     std::optional<Heard> guarding{};   ///< the last remote frame
     bool is_guarded = false;           ///< it was not answered yet
+    std::optional<Heard> answer{};     ///< the last one
+    unsigned unanswered = 0;           ///< remote frames since it
     bool is_lost = false;              ///< said already
     std::optional<Heard> produces{};   ///< the request that has written 1017h last
     std::optional<Transfer> both{};    ///< has set heartbeat beside node guarding, or the other way round
 
+    void forget_guarding() noexcept {
+      guarding.reset();
+      answer.reset();
+      unanswered = 0;
+    }
     void forget_period() noexcept {
       period = {};
       intervals = 0;

@@ -43,6 +43,9 @@ bool is_configuration(std::uint8_t command) noexcept {
 
 void LssTopic::on_frame(const Passage& passage, const Scene& scene) {
   if (passage.heard.is_error) return;
+  const bool is_lss =
+      passage.meaning.role == meaning::Role::LssRequest || passage.meaning.role == meaning::Role::LssResponse;
+  if (is_lss) last_at_ = passage.at();
   if (passage.meaning.role == meaning::Role::LssRequest) return take_command(passage.heard, scene);
   if (passage.meaning.role == meaning::Role::LssResponse) return take_answer(passage.heard);
   if (passage.is_reset()) switched_.reset();
@@ -106,7 +109,7 @@ void LssTopic::judge_configuration(const Heard& heard, const Scene& scene) {
 
 void LssTopic::on_end(canopen::Duration at, const Scene& scene) {
   report_unanswered(scene);
-  if (switched_ && at - switched_->at >= kPatience)
+  if (switched_ && at - last_at_ >= kPatience)
     scene.findings.add(rules::kLeftOpen, 0, {*switched_},
                        [] { return std::string{"nothing has switched them back"}; });
 }

@@ -22,6 +22,7 @@ class LssTopic final : public Topic {
   void report_unanswered(const Scene& scene);
   void judge_configuration(const Heard& heard, const Scene& scene);
 
+  canopen::Duration last_at_{};     ///< the last frame of LSS
   std::optional<Heard> switched_;   ///< the command that has switched nodes to configuration
   bool is_global_ = false;          ///< it was for all
   canopen::Frame last_{};           ///< the last command

@@ -18,6 +18,7 @@ using canopen::NmtState;
 using meaning::Role;
 
 constexpr std::uint8_t kCommandBytes = 2;
+constexpr std::uint16_t kVerifyConfiguration = 0x1020;  // date and time of the configuration (CiA 301, 7.5.2.22)
 constexpr std::uint8_t kToggle = 0x80;
 /// A heartbeat that comes so soon after a command may have been under way before it.
 constexpr canopen::Duration kUnderWay = std::chrono::milliseconds{20};
@@ -104,8 +105,10 @@ void Network::follow(const Passage& passage, const Transfer* transfer) {
   const Role role = passage.meaning.role;
   if (role == Role::Nmt) return follow_command(passage.heard);
   Node& node = nodes_[passage.meaning.node & (kNodes - 1)];
-  if (is_of_node(role)) node.is_there = true;
-  const bool has_answered = role == Role::SdoResponse || role == Role::Tpdo;
+  const bool is_sent = is_of_node(role) && !passage.frame().remote;
+  if (is_sent) node.is_there = true;
+  if (is_sent && role == Role::Emergency) node.has_sent_emcy = true;
+  const bool has_answered = is_sent && (role == Role::SdoResponse || role == Role::Tpdo);
   if (has_answered && node.resets && node.told && passage.at() > node.told->at + kUnderWay) {
     node.resets = false;  // its boot-up message was not heard
     node.state.reset();
@@ -174,6 +177,8 @@ void Network::follow_transfer(Node& node, const Transfer& transfer) {
     node.values.save();
   if (transfer.is_write && transfer.at.index == object::kRestoreParameters && transfer.at.sub_index != 0)
     node.values.forget_saved(transfer.at.sub_index);
+  if (transfer.at.index == kVerifyConfiguration && transfer.at.sub_index != 0 && transfer.value != 0)
+    node.has_default_pdos = false;  // it was configured, and has stored that
   if (transfer.bytes == 0 || transfer.bytes > sizeof transfer.value) return;
   node.values.learn(transfer.at, value_in(transfer, node.description));
   ++node.changes;

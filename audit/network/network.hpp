@@ -31,7 +31,8 @@ struct Node {
   bool resets = false;                       ///< it was told to reset, and there was no boot-up message since
   bool is_there = false;                     ///< it has sent something
   bool has_default_pdos = true;              ///< as far as is known its PDOs are those of the EDS at first
-  std::uint64_t seen_tpdos = 0;              ///< those of the first 64 that it has sent, a bit each
+  bool has_sent_emcy = false;
+  std::uint64_t seen_tpdos = 0;  ///< those of the first 64 that it has sent, a bit each
   KnownValues values{};
   std::optional<Misfit> misfit{};  ///< the first one
   std::uint32_t changes = 0;       ///< how often `values` may have changed

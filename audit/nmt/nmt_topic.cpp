@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "audit/nmt/nmt_rules.hpp"
+#include "libcanopen/base/object_index.hpp"
+#include "libcanopen/sdo/command.hpp"
 #include "meaning/words.hpp"
 
 namespace audit {
@@ -22,6 +24,8 @@ constexpr std::uint8_t kToggle = 0x80;
 constexpr unsigned kMostRepetitions = 3;
 /// Time that a master has to notice that a node has booted, or to start the last one.
 constexpr canopen::Duration kPatience = std::chrono::seconds{3};
+/// A master may look from then on whether a node is there that it has reset.
+constexpr canopen::Duration kLookFirst = std::chrono::milliseconds{500};
 /// A node that has not booted within this time is not there.
 constexpr canopen::Duration kLongestBoot = std::chrono::seconds{10};
 
@@ -34,6 +38,19 @@ bool is_of_master(Role role) noexcept {
 /// Whether no master has led @p node anywhere since it booted.
 bool is_left(const Node& node) noexcept {
   return !node.told || (node.told->frame.data[1] == 0 && node.told->at <= node.boot_up->at);
+}
+
+bool is_abort(const canopen::Frame& frame) noexcept {
+  return canopen::sdo::CommandByte{frame.data[0]}.request() == canopen::sdo::Request::Abort;
+}
+
+/// Whether @p passage looks whether a node is there that was reset by @p told, as the boot slave of CiA 302-2
+/// does.
+bool looks(const Passage& passage, const Heard& told) noexcept {
+  const auto command = canopen::sdo::CommandByte{passage.frame().data[0]};
+  return command.request() == canopen::sdo::Request::InitiateUpload &&
+         canopen::sdo::address_in(passage.frame()).index == canopen::object::kDeviceType &&
+         passage.at() - told.at >= kLookFirst;
 }
 
 bool is_command(std::uint8_t byte) noexcept {
@@ -123,6 +140,7 @@ void NmtTopic::take_request(const Passage& passage, const Scene& scene) {
   course.rebooted.reset();
   const bool boots = node.resets && (node.is_there || node.told->frame.data[1] == node.id) &&
                      passage.at() - node.told->at < kLongestBoot;
+  if (is_abort(passage.frame()) || (boots && !node.is_there && looks(passage, *node.told))) return;
   const Rule* const rule = boots                             ? &rules::kSdoBeforeBootUp
                            : node.state == NmtState::Stopped ? &rules::kSdoWhenStopped
                                                              : nullptr;

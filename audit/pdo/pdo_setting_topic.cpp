@@ -56,6 +56,7 @@ void PdoSettingTopic::forget(std::uint8_t node) {
   const auto is_meant = [node](const auto& item) { return node == 0 || node == item.first.first; };
   std::erase_if(in_work_, is_meant);
   std::erase_if(refused_, is_meant);
+  std::erase_if(changed_, [node](const Place& place) { return node == 0 || node == place.first; });
 }
 
 void PdoSettingTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
@@ -120,7 +121,9 @@ void PdoSettingTopic::take_cob_id(const Transfer& transfer, const PdoRecord& rec
   if (is_in_use && refused != refused_.end())
     scene.findings.add(rules::kRefused, node.id, {refused->second, transfer.request},
                        [&] { return name_of(record); });
-  if (is_in_use) in_work_.erase({node.id, record});
+  in_work_.erase({node.id, record});  // not in use is decided, too
+  if (is_in_use) changed_.erase({node.id, record});
+  if (!is_in_use && is_valid(node, record) == true) changed_.insert({node.id, record});
   if (refused != refused_.end()) refused_.erase(refused);
 }
 
@@ -131,6 +134,8 @@ void PdoSettingTopic::take_mapping(const Transfer& transfer, const PdoRecord& re
   if (transfer.at.sub_index == 0) return take_count(transfer, record, scene);
   const auto count = node.value(record.mapping(), 0);
   if (count.value_or(0) != 0) return add(rules::kMappingCounted, transfer, scene, object);
+  if (transfer.is_done() && node.value(record.mapping(), transfer.at.sub_index) != transfer.value)
+    changed_.insert({node.id, record});
   if (is_aborted_by(transfer, canopen::AbortCode::NotMappable))
     return add(rules::kNotMappable, transfer, scene, fmt::format("{}: {:08X}h", name_of(record), transfer.value));
 }
@@ -153,7 +158,8 @@ void PdoSettingTopic::take_count(const Transfer& transfer, const PdoRecord& reco
   if (!is_known && is_aborted_by(transfer, canopen::AbortCode::PdoLengthExceeded))
     return add(rules::kMappingLong, transfer, scene,
                fmt::format("{}: {} entries", name_of(record), transfer.value));
-  if (transfer.is_done() && transfer.value != 0 && is_valid(node, record) == false)
+  const bool is_other = changed_.contains({node.id, record});
+  if (transfer.is_done() && transfer.value != 0 && is_other && is_valid(node, record) == false)
     in_work_[{node.id, record}] = transfer.request;
 }
 

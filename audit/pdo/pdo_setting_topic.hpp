@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "audit/base/topic.hpp"
@@ -28,6 +29,8 @@ class PdoSettingTopic final : public Topic {
 
   /// PDOs that are being configured: the transfer that has mapped something since they were taken out of use.
   std::map<Place, Heard> in_work_;
+  /// PDOs that were in use, or are mapped otherwise than before.
+  std::set<Place> changed_;
   /// PDOs of whose mapping a step was refused since they were taken out of use: the abort.
   std::map<Place, Heard> refused_;
 };

@@ -217,7 +217,8 @@ void SyncTopic::on_transfer(const Transfer& transfer, const Scene& scene) {
   // A node that is not known to have been silent may be the producer itself.
   const auto before = scene.network.node(transfer.channel.node).value(object::kCobIdSync, 0);
   const bool is_heard = count_ >= kSeveral && transfer.request.at - last_->at < kPause;
-  if (!before || (*before & canopen::cob_id::kProduce) != 0 || (other == nullptr && !is_heard)) return;
+  const bool may_be_itself = !before || (*before & canopen::cob_id::kProduce) != 0;
+  if (other == nullptr && (may_be_itself || !is_heard)) return;
   scene.findings.add(rules::kTwoProducers, transfer.channel.node,
                      {last_.value_or(transfer.request), transfer.request}, [&] {
                        return other == nullptr ? std::string{"SYNC comes already"}

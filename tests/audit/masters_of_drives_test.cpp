@@ -136,6 +136,12 @@ TEST(Eds, IsNotWhatANodeHasWhosePdosAreOthers) {
       Rules{});
 }
 
+TEST(Eds, IsNotWhatANodeHasThatWasConfiguredBefore) {
+  EXPECT_EQ(rules_by_pdos("(0.0) can0 705#00\n(0.1) can0 605#4020100100000000\n(0.2) can0 585#43201001B0360000\n"
+                          "(0.3) can0 000#0105\n(0.4) can0 185#0102\n(0.5) can0 205#060000000000"),
+            Rules{});
+}
+
 /// 1017h (UNSIGNED16, 100 ms to 1 s) of node 5 is written with the command byte @p command and @p value.
 Rules rules_of_write(const char* command, const char* value) {
   eds::Description description{5};
