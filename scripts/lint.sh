@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # lint.sh [--format-only | --tidy-only | --tidy-changed [SECONDS]]: checks the form of every source file (clang-format) and looks for
-# faults in those of the product (clang-tidy, with the compile commands of build/release). Changes nothing; ends with 1 on a
-# finding.
+# faults in those of the product (clang-tidy; headers that are generated are those of build/release). Changes nothing; ends with 1
+# on a finding.
 #
 # --tidy-changed: clang-tidy over the files that the last commit changed, or that were changed since, those with the most
 # changes first. With SECONDS none is begun after that time, and how many were left out is said. All of the tree take half an
@@ -43,18 +43,26 @@ changed() {
 tidy() {
   [[ -z $last_start || $EPOCHSECONDS -lt $last_start ]] || { echo "$1" >>"$left_out"; return 0; }
   # g++ alone knows some of the warning options in the compile commands.
-  clang-tidy -p build/release --quiet --extra-arg=-Wno-unknown-warning-option "$1"
+  clang-tidy -p build/tidy --quiet --extra-arg=-Wno-unknown-warning-option "$1"
+}
+
+# compile_each_alone: the compile commands of a release build that compiles each source by itself and takes generated headers
+# from build/release: build/tidy, which is configured and never built.
+compile_each_alone() {
+  [[ -e build/release/CMakeCache.txt ]] || die "build/release is not configured: cmake --preset release"
+  cmake --preset release -B build/tidy -DAXISD_FAST_COMPILE=OFF >/dev/null || die "build/tidy cannot be configured"
+  sed -i "s,$root/build/tidy,$root/build/release,g" build/tidy/compile_commands.json
 }
 
 # check_tidy SECONDS COMMAND...: over the files that it prints; SECONDS may be empty.
 check_tidy() {
   local files status=0 last_start=${1:+$((EPOCHSECONDS + $1))} left_out
   shift
-  [[ -e build/release/compile_commands.json ]] || die "build/release is not configured: cmake --preset release"
+  compile_each_alone
   # Tests and benchmarks are left out: GoogleTest's macros would need more exceptions than checks remain. A source without
   # a compile command (another operating system's, or a program built elsewhere) cannot be checked.
   mapfile -t files < <("$@" | grep -Ev '^(tests|bench)/' | while read -r file; do
-    grep -qF "\"file\": \"$root/$file\"" build/release/compile_commands.json && echo "$file"
+    grep -qF "\"file\": \"$root/$file\"" build/tidy/compile_commands.json && echo "$file"
   done)
   ((${#files[@]})) || return 0
   say "clang-tidy: ${#files[@]} files"

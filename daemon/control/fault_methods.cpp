@@ -33,7 +33,7 @@ Outcome acknowledge_fault(const Call& call, const json& params) {
   return json::object();
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kFaultHandlers{
     Handler{"fault.inject", &inject_fault},
     Handler{"fault.ack", &acknowledge_fault},
 };
@@ -41,7 +41,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> fault_handlers() noexcept {
-  return kHandlers;
+  return kFaultHandlers;
 }
 
 }  // namespace axisd

@@ -89,14 +89,14 @@ Outcome exchange(const Call& call, const json& params) {
               {"text", text_of(sent)}};
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kIf1Handlers{
     Handler{"if1.exchange", &exchange},
 };
 
 }  // namespace
 
 std::span<const Handler> if1_handlers() noexcept {
-  return kHandlers;
+  return kIf1Handlers;
 }
 
 }  // namespace axisd

@@ -50,7 +50,7 @@ Outcome list_kinds(const Call&, const json&) {
   return json{{"kinds", std::move(kinds)}};
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kInjectHandlers{
     Handler{"inject.add", &add_fault},
     Handler{"inject.list", &list_faults},
     Handler{"inject.remove", &remove_faults},
@@ -60,7 +60,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> inject_handlers() noexcept {
-  return kHandlers;
+  return kInjectHandlers;
 }
 
 }  // namespace axisd

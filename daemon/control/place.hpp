@@ -6,9 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/control/arguments.hpp"
+#include "daemon/control/handler.hpp"
 #include "daemon/instance/instance.hpp"
 
 namespace axisd {
+
+/// The drives that @p call acts on.
+inline drive::DriveUnit& unit_of(const Call& call) noexcept {
+  return call.instance.device().runner().unit();
+}
 
 /// How the control socket names drive object @p object: 0 = control unit, 1.. = axis, "infeed".
 nlohmann::json place_of(const drive::DriveObject& object);

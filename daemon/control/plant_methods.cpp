@@ -46,7 +46,7 @@ Outcome fail_encoder(const Call& call, const json& params) {
   return json::object();
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kPlantHandlers{
     Handler{"load.set", &set_load},
     Handler{"supply.set", &set_supply},
     Handler{"encoder.fail", &fail_encoder},
@@ -55,7 +55,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> plant_handlers() noexcept {
-  return kHandlers;
+  return kPlantHandlers;
 }
 
 }  // namespace axisd

@@ -114,7 +114,7 @@ Outcome stop(const Call& call, const json&) {
   return status_of(call.instance.recording().status());
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kRecordHandlers{
     Handler{"record.start", &start},
     Handler{"record.stop", &stop},
     Handler{"record.status", &show_status},
@@ -123,7 +123,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> record_handlers() noexcept {
-  return kHandlers;
+  return kRecordHandlers;
 }
 
 }  // namespace axisd

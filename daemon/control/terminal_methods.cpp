@@ -34,14 +34,14 @@ Outcome set_input(const Call& call, const json& params) {
   return json::object();
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kTerminalHandlers{
     Handler{"input.set", &set_input},
 };
 
 }  // namespace
 
 std::span<const Handler> terminal_handlers() noexcept {
-  return kHandlers;
+  return kTerminalHandlers;
 }
 
 }  // namespace axisd

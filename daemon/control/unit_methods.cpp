@@ -70,7 +70,7 @@ Outcome restart_bus(const Call& call, const json&) {
   return json::object();
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kUnitHandlers{
     Handler{"status", &status},
     Handler{"metrics", &metrics},
     Handler{"explain", &explain},
@@ -80,7 +80,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> unit_handlers() noexcept {
-  return kHandlers;
+  return kUnitHandlers;
 }
 
 }  // namespace axisd

@@ -39,12 +39,12 @@ Outcome show_identification(const Call& call, const json& params) {
               {"results", std::move(results)}};
 }
 
-constexpr std::array kHandlers{Handler{"identification.get", &show_identification}};
+constexpr std::array kIdentificationHandlers{Handler{"identification.get", &show_identification}};
 
 }  // namespace
 
 std::span<const Handler> identification_handlers() noexcept {
-  return kHandlers;
+  return kIdentificationHandlers;
 }
 
 }  // namespace axisd

@@ -92,7 +92,7 @@ Outcome give_back(const Call& call, const json& params) {
   return panel_json(call, *axis);
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kPanelHandlers{
     Handler{"panel.get", &show_panel},
     Handler{"panel.take", &take_control},
     Handler{"panel.set", &command},
@@ -102,7 +102,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> panel_handlers() noexcept {
-  return kHandlers;
+  return kPanelHandlers;
 }
 
 }  // namespace axisd

@@ -55,12 +55,12 @@ Outcome show_state_machine(const Call& call, const json& params) {
               {"transitions", std::move(transitions)}};
 }
 
-constexpr std::array kHandlers{Handler{"state.machine", &show_state_machine}};
+constexpr std::array kStateMachineHandlers{Handler{"state.machine", &show_state_machine}};
 
 }  // namespace
 
 std::span<const Handler> state_machine_handlers() noexcept {
-  return kHandlers;
+  return kStateMachineHandlers;
 }
 
 }  // namespace axisd

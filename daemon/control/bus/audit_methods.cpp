@@ -84,14 +84,14 @@ Outcome show_audit(const Call& call, const json& params) {
   return result;
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kAuditHandlers{
     Handler{"audit.get", &show_audit},
 };
 
 }  // namespace
 
 std::span<const Handler> audit_handlers() noexcept {
-  return kHandlers;
+  return kAuditHandlers;
 }
 
 }  // namespace axisd

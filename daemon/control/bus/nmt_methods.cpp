@@ -57,14 +57,14 @@ Outcome show_node(const Call& call, const json&) {
                 {"counters", counters_json(instance)}}}};
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kNmtHandlers{
     Handler{"nmt.get", &show_node},
 };
 
 }  // namespace
 
 std::span<const Handler> nmt_handlers() noexcept {
-  return kHandlers;
+  return kNmtHandlers;
 }
 
 }  // namespace axisd

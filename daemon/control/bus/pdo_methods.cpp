@@ -92,14 +92,14 @@ Outcome list_pdos(const Call& call, const json& params) {
   return result;
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kPdoHandlers{
     Handler{"pdo.list", &list_pdos},
 };
 
 }  // namespace
 
 std::span<const Handler> pdo_handlers() noexcept {
-  return kHandlers;
+  return kPdoHandlers;
 }
 
 }  // namespace axisd

@@ -151,7 +151,7 @@ Outcome clear_buffers(const Call& call, const json& params) {
   return json::object();
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kMessageHandlers{
     Handler{"fault.list", &list_messages},
     Handler{"fault.buffer", &show_buffers},
     Handler{"fault.clear", &clear_buffers},
@@ -160,7 +160,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> message_handlers() noexcept {
-  return kHandlers;
+  return kMessageHandlers;
 }
 
 }  // namespace axisd

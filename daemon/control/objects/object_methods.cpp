@@ -219,7 +219,7 @@ Outcome list_objects(const Call& call, const json& params) {
   return result;
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kObjectHandlers{
     Handler{"object.read", &read_object},
     Handler{"object.write", &write_object},
     Handler{"object.list", &list_objects},
@@ -228,7 +228,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> object_handlers() noexcept {
-  return kHandlers;
+  return kObjectHandlers;
 }
 
 }  // namespace axisd

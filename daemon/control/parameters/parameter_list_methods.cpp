@@ -24,10 +24,6 @@ constexpr std::int64_t kMostDifferences = 200;
 constexpr std::size_t kMostLookedAt = 2000;
 constexpr std::int64_t kLastPlace = 1'000'000;
 
-drive::DriveUnit& unit_of(const Call& call) noexcept {
-  return call.instance.device().runner().unit();
-}
-
 Taken<Page> page_of(const json& params, std::int64_t most) {
   return Arguments{params}.page({.last = kLastPlace, .most = most, .usual = most});
 }
@@ -165,7 +161,7 @@ Outcome differences(const Call& call, const json& params) {
   return result;
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kParameterListHandlers{
     Handler{"parameter.list", &list_parameters},
     Handler{"parameter.search", &search_parameters},
     Handler{"parameter.diff", &differences},
@@ -174,7 +170,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> parameter_list_handlers() noexcept {
-  return kHandlers;
+  return kParameterListHandlers;
 }
 
 }  // namespace axisd

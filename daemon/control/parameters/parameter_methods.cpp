@@ -19,10 +19,6 @@ using nlohmann::json;
 constexpr std::size_t kMostAtOnce = 32;
 constexpr std::string_view kNames = "parameters";
 
-drive::DriveUnit& unit_of(const Call& call) noexcept {
-  return call.instance.device().runner().unit();
-}
-
 /// A list of texts, or a single one.
 Taken<std::vector<std::string>> names_of(const json& params) {
   const json* const names = Arguments{params}.find(kNames);
@@ -96,7 +92,7 @@ Outcome write_parameter(const Call& call, const json& params) {
   return written_json(unit_of(call), *target);
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kParameterHandlers{
     Handler{"parameter.read", &read_parameters},
     Handler{"parameter.write", &write_parameter},
 };
@@ -104,7 +100,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> parameter_handlers() noexcept {
-  return kHandlers;
+  return kParameterHandlers;
 }
 
 }  // namespace axisd

@@ -78,7 +78,7 @@ Outcome restore(const Call& call, const json& params) {
   return json::object();
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kStorageHandlers{
     Handler{"store", &store},
     Handler{"store.status", &storage_status},
     Handler{"restore", &restore},
@@ -87,7 +87,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> storage_handlers() noexcept {
-  return kHandlers;
+  return kStorageHandlers;
 }
 
 }  // namespace axisd

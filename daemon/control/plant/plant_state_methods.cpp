@@ -135,7 +135,7 @@ Outcome show_encoder(const Call& call, const json& params) {
               {"true_speed_rpm", of.signals().true_speed / motor::kRpm}};
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kPlantStateHandlers{
     Handler{"load.get", &show_load},     Handler{"plant.get", &show_plant},     Handler{"plant.set", &set_plant},
     Handler{"supply.get", &show_supply}, Handler{"encoder.get", &show_encoder},
 };
@@ -143,7 +143,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> plant_state_handlers() noexcept {
-  return kHandlers;
+  return kPlantStateHandlers;
 }
 
 }  // namespace axisd

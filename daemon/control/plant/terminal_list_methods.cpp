@@ -73,7 +73,7 @@ Outcome set_analog_input(const Call& call, const json& params) {
   return json::object();
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kTerminalListHandlers{
     Handler{"input.list", &list_inputs},
     Handler{"output.list", &list_outputs},
     Handler{"input.analog", &set_analog_input},
@@ -82,7 +82,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> terminal_list_handlers() noexcept {
-  return kHandlers;
+  return kTerminalListHandlers;
 }
 
 }  // namespace axisd

@@ -63,7 +63,7 @@ Outcome exchange_channel(const Call& call, const json& params) {
   return response_json(response);
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kAcyclicHandlers{
     Handler{"parameter.record", &exchange_record},
     Handler{"pkw.exchange", &exchange_channel},
 };
@@ -71,7 +71,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> acyclic_handlers() noexcept {
-  return kHandlers;
+  return kAcyclicHandlers;
 }
 
 }  // namespace axisd

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 constexpr std::int64_t kMostListed = 200;
 constexpr std::int64_t kListed = 100;
-constexpr std::int64_t kMostFrom = 1'000'000;
+constexpr std::int64_t kLastSignal = 1'000'000;
 constexpr std::size_t kMostRead = 32;
 
 json listed(const trace::ListedSignal& signal) {
@@ -31,7 +31,7 @@ Outcome list_signals(const Call& call, const json& params) {
   const Arguments arguments{params};
   const auto text = arguments.text("search", "");
   if (!text) return tl::unexpected{text.error()};
-  const auto asked = arguments.page({.last = kMostFrom, .most = kMostListed, .usual = kListed});
+  const auto asked = arguments.page({.last = kLastSignal, .most = kMostListed, .usual = kListed});
   if (!asked) return tl::unexpected{asked.error()};
   const trace::SignalPage page = trace::list_signals(std::as_const(call.instance).device().unit(),
                                                      {.text = *text, .from = asked->from, .count = asked->count});
@@ -65,7 +65,7 @@ Outcome read_signals(const Call& call, const json& params) {
               {"signals", std::move(signals)}};
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kSignalHandlers{
     Handler{"signal.list", &list_signals},
     Handler{"signal.read", &read_signals},
 };
@@ -73,7 +73,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> signal_handlers() noexcept {
-  return kHandlers;
+  return kSignalHandlers;
 }
 
 }  // namespace axisd

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 /// Items of a page: a line of the protocol has room for so many samples of eight signals.
 constexpr std::int64_t kMostItems = 200;
-constexpr std::int64_t kMostFrom = 10'000'000;
+constexpr std::int64_t kLastItem = 10'000'000;
 constexpr std::int64_t kMostResults = 1'000'000'000;
 
 Outcome start_trace(const Call& call, const json& params) {
@@ -61,7 +61,7 @@ Outcome read_trace(const Call& call, const json& params) {
   if (!result) return tl::unexpected{result.error()};
   const auto part = arguments.choice("part", kTraceParts, 0);
   if (!part) return tl::unexpected{part.error()};
-  const auto asked = arguments.page({.last = kMostFrom, .most = kMostItems, .usual = kMostItems});
+  const auto asked = arguments.page({.last = kLastItem, .most = kMostItems, .usual = kMostItems});
   if (!asked) return tl::unexpected{asked.error()};
   const std::size_t total = part_size(**result, *part);
   const std::size_t first = std::min(asked->from, total);
@@ -81,7 +81,7 @@ Outcome read_trace(const Call& call, const json& params) {
   return page;
 }
 
-constexpr std::array kHandlers{
+constexpr std::array kTraceHandlers{
     Handler{"trace.start", &start_trace},
     Handler{"trace.stop", &stop_trace},
     Handler{"trace.status", &show_status},
@@ -91,7 +91,7 @@ constexpr std::array kHandlers{
 }  // namespace
 
 std::span<const Handler> trace_handlers() noexcept {
-  return kHandlers;
+  return kTraceHandlers;
 }
 
 }  // namespace axisd

@@ -1,16 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 
-#include <Eigen/QR>
-
 namespace motor {
 
-/// Linear least squares of y = sum of c_i x_i over observations that are taken in one by one and not kept.
+/// Linear least squares of y = sum of c_i x_i over observations that are taken in one by one and not kept. N is 1
+/// to 5: least_squares.cpp, which keeps the linear algebra to itself, has these.
 template <std::size_t N>
 class LeastSquares {
  public:
@@ -19,63 +16,26 @@ class LeastSquares {
   using Wanted = std::array<bool, N>;
 
   /// Takes in that @p x gave @p y.
-  void add(const Values& x, double y) noexcept {
-    Extended observation;
-    observation << Eigen::Map<const Coefficients>{x.data()}, y;
-    group_.sum += observation;
-    group_.square.noalias() += observation * observation.transpose();
-    ++group_.count;
-  }
+  void add(const Values& x, double y) noexcept;
   /// What was added since the last call had an unknown constant of its own.
-  void end_group() noexcept {
-    if (group_.count > 0) {
-      square_ += group_.square;
-      square_.noalias() -= (1.0 / group_.count) * group_.sum * group_.sum.transpose();
-      count_ += group_.count - 1;
-    }
-    group_ = {};
-  }
+  void end_group() noexcept;
   /// Observations that count.
   int count() const noexcept { return count_ + group_.count; }
   /// The coefficients, unless what was observed does not tell them: the normal equations, scaled to a diagonal of
   /// 1, have to be of full rank.
-  std::optional<Values> solve(const Wanted& wanted = all()) const noexcept {
-    const Matrix sums = square_ + group_.square;
-    Coefficients scale = Coefficients::Zero();
-    for (Eigen::Index i = 0; i < kCount; ++i) {
-      if (!wanted[static_cast<std::size_t>(i)]) continue;
-      if (!(sums(i, i) > 0.0)) return std::nullopt;
-      scale[i] = 1.0 / std::sqrt(sums(i, i));
-    }
-    Equations equations = scale.asDiagonal() * sums.template topLeftCorner<kCount, kCount>() * scale.asDiagonal();
-    for (Eigen::Index i = 0; i < kCount; ++i)
-      if (!wanted[static_cast<std::size_t>(i)]) equations(i, i) = 1.0;
-    Eigen::ColPivHouseholderQR<Equations> decomposition;
-    decomposition.setThreshold(kSingular);
-    decomposition.compute(equations);
-    if (!decomposition.isInvertible()) return std::nullopt;
-    const Coefficients right = scale.cwiseProduct(sums.template topRightCorner<kCount, 1>());
-    const Coefficients found = scale.cwiseProduct(decomposition.solve(right));
-    Values result{};
-    std::copy(found.begin(), found.end(), result.begin());
-    return result;
-  }
+  std::optional<Values> solve(const Wanted& wanted = all()) const noexcept;
 
  private:
-  static constexpr Eigen::Index kCount = N;
-  using Coefficients = Eigen::Matrix<double, kCount, 1>;
-  using Equations = Eigen::Matrix<double, kCount, kCount>;
-  using Extended = Eigen::Matrix<double, kCount + 1, 1>;  // y last
-  using Matrix = Eigen::Matrix<double, kCount + 1, kCount + 1>;
+  static constexpr std::size_t kExtended = N + 1;  // the coefficients, and y last
+  using Extended = std::array<double, kExtended>;
+  using Matrix = std::array<double, kExtended * kExtended>;
 
   /// Observations with a constant in common.
   struct Group {
-    Extended sum = Extended::Zero();
-    Matrix square = Matrix::Zero();
+    Extended sum{};
+    Matrix square{};
     int count = 0;
   };
-
-  static constexpr double kSingular = 1e-10;  // share of the largest pivot that counts as none
 
   static constexpr Wanted all() noexcept {
     Wanted wanted{};
@@ -84,8 +44,14 @@ class LeastSquares {
   }
 
   Group group_{};
-  Matrix square_ = Matrix::Zero();
+  Matrix square_{};
   int count_ = 0;
 };
+
+extern template class LeastSquares<1>;
+extern template class LeastSquares<2>;
+extern template class LeastSquares<3>;
+extern template class LeastSquares<4>;
+extern template class LeastSquares<5>;
 
 }  // namespace motor

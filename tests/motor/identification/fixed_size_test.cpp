@@ -9,6 +9,7 @@ int& broken_assertions() {
 }  // namespace
 #define eigen_assert(condition) ((condition) ? void() : void(++broken_assertions()))
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 #include "motor/identification/model/least_squares.hpp"
@@ -78,4 +79,5 @@ TEST(FixedSizes, AreToldFromOthers) {
 }  // namespace motor
 
 // With the assertions of this file.
+#include "motor/identification/model/least_squares.cpp"
 #include "motor/plant/machine/thermal.cpp"
