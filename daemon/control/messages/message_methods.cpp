@@ -39,10 +39,6 @@ double seconds(drive::Uptime milliseconds) noexcept {
   return static_cast<double>(milliseconds) / kMillisecondsPerSecond;
 }
 
-drive::DriveUnit& unit_of(const Call& call) noexcept {
-  return call.instance.device().runner().unit();
-}
-
 /// Tells under @p key when @p stamp was by the clock of the unit, if that ran.
 void tell_utc(json& told, std::string_view key, const drive::TimeStamp& stamp) {
   if (stamp.utc) told[std::string{key}] = utc_text(*stamp.utc);
