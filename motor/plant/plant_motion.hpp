@@ -149,6 +149,8 @@ class PlantMotion {
   static constexpr double kTurn = 2.0 * std::numbers::pi;
   /// Control periods until the direction of the rotor is calculated from its angle again.
   static constexpr double kTurnsFromDirection = 16.0;
+  /// Parts of a step that is too wide for saturation.
+  static constexpr int kFineParts = 16;
 
   template <class M, class S>
   // NOLINTNEXTLINE(readability-function-size): each is in registers of its own
@@ -157,7 +159,35 @@ class PlantMotion {
                                           const Number& h) noexcept {
     const Condition<Number> stands = shaft.stands();
     begin(shaft, profile, since, any(stands) ? select<Number>(stands, machine.torque(), 0.0) : Number{0.0});
-    return advance(held_rates(machine, shaft, voltage, direction, h), machine, shaft, h);
+    const auto sum = held_rates(machine, shaft, voltage, direction, h);
+    if constexpr (M::kHasBend)
+      if (const Condition<Number> wide = machine.is_wide(sum.circuit, stage_weight(h)); any(wide)) [[unlikely]]
+        return drive_finely(machine, shaft, profile, voltage, since, h, sum, wide);
+    return advance(sum, machine, shaft, h);
+  }
+  /// A step of @p h with the summed rates @p sum, of the lanes @p wide in parts, each of which is bent by
+  /// saturation less.
+  template <class M, class S, class Rates>
+  // NOLINTNEXTLINE(readability-function-size): as drive_part()
+  [[gnu::noinline]] Spent drive_finely(M& machine, S& shaft, ProfileOf<Number>& profile,
+                                       const SpaceVectorOf<Number>& voltage, const Number& since, const Number& h,
+                                       const Rates& sum, const Condition<Number>& wide) noexcept {
+    const auto before = std::tuple{*this, machine, shaft};
+    Spent whole = advance(sum, machine, shaft, h);
+    const auto after = std::tuple{*this, machine, shaft};
+    std::tie(*this, machine, shaft) = before;
+    const Number part = h * (1.0 / kFineParts);
+    Spent fine;
+    for (int i = 0; i < kFineParts; ++i) {
+      const Condition<Number> stands = shaft.stands();
+      begin(shaft, profile, since + i * part, select<Number>(stands, machine.torque(), 0.0));
+      fine += advance(held_rates(machine, shaft, voltage, direction, part), machine, shaft, part);
+    }
+    keep<Number>(wide, *this, std::get<0>(after));
+    keep<Number>(wide, machine, std::get<1>(after));
+    keep<Number>(wide, shaft, std::get<2>(after));
+    keep<Number>(wide, fine, whole);
+    return fine;
   }
   /// A control period in parts, of a lane as many as it needs.
   template <class M, class S>

@@ -46,6 +46,8 @@ class InductionEquations {
   static constexpr std::size_t kChanging = 4;
   /// Its voltages and currents are those of the stator frame.
   static constexpr bool kTurnsWithRotor = false;
+  /// Its saturation grows without a bend.
+  static constexpr bool kHasBend = false;
 
   const CircuitState& state() const noexcept { return state_; }
   void set_state(const CircuitState& state) noexcept { state_ = state; }

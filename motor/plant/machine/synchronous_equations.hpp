@@ -42,6 +42,8 @@ class SynchronousEquations {
   static constexpr std::size_t kChanging = 2;
   /// Its voltages and currents are those of the rotor frame.
   static constexpr bool kTurnsWithRotor = true;
+  /// Its saturation begins with a bend (see is_wide()).
+  static constexpr bool kHasBend = true;
 
   const CircuitState& state() const noexcept { return state_; }
   void set_state(const CircuitState& state) noexcept { state_ = state; }
@@ -67,6 +69,15 @@ class SynchronousEquations {
   Condition<Number> is_saturated(const CircuitState& y) const noexcept {
     return y.current[1] * y.current[1] > saturation_start_;
   }
+  /// Whether a step with the summed rates @p sum, @p weight from stage_weight(), is too wide for the bend of
+  /// saturation.
+  Condition<Number> is_wide(const Rate& sum, const Number& weight) const noexcept {
+    const Number change = weight * sum.current[1];
+    const Condition<Number> wide = change * change > kWidestChange * saturation_start_;
+    if (!any(wide)) [[likely]]
+      return wide;
+    return wide && (is_saturated(state_) || is_saturated(state_.moved(sum, weight)));
+  }
   /// Rates under the voltage @p u of the rotor frame (V) at the mechanical speed @p w (rad/s).
   template <bool Saturated = true>
   Rate rate(const CircuitState& y, const Components& u, const Number& w) const noexcept {
@@ -85,10 +96,15 @@ class SynchronousEquations {
     Number curvature = 0.0;
   };
   Saturation saturation(const Number& i_q) const noexcept;
+  /// Area below the first @p x of the smooth step 3x² - 2x³, 0..1.
+  static Number bent(const Number& x) noexcept { return x * x * x * (1.0 - 0.5 * x); }
   Rate saturated_rate(const CircuitState& y, const Components& u, const Number& w) const noexcept;
 
   /// Least share of L_q that saturation leaves.
   static constexpr double kLeastInductance = 0.25;
+  /// Square of the most that i_q changes in a step while saturation counts, as a share of that where it starts:
+  /// half of the bend.
+  static constexpr double kWidestChange = 0.13;
 
   CircuitState state_{};
   Components inductance_{};          // d, q
@@ -114,25 +130,26 @@ auto SynchronousEquations<Number>::saturation(const Number& i_q) const noexcept 
   const Number square = i_q * i_q;
   const Condition<Number> none = square <= saturation_start_;
   if (all(none)) return {};
-  // Share of the flux over i_q²: a parabola through the bend, a line, and a parabola that ends level, because no
-  // more can be lost than all.
+  // Share of the flux over i_q²: a bend, a line, and a bend that ends level, because no more can be lost than all.
+  // The slope of a bend is a smooth step, so that no inductance jumps: a jump within an integration step costs
+  // energy.
   const Number width = saturation_knee_ - saturation_start_;
   const Number line = 0.5 * (saturation_start_ + saturation_knee_);
   Number share = square - line;
   Number slope = 1.0;
   Number curvature = 0.0;
   if (const Condition<Number> bend = square < saturation_knee_; any(bend)) {
-    const Number into = square - saturation_start_;
-    share = select<Number>(bend, 0.5 * into * into / width, share);
-    slope = select<Number>(bend, into / width, slope);
-    curvature = select<Number>(bend, 1.0 / width, curvature);
+    const Number x = (square - saturation_start_) / width;
+    share = select<Number>(bend, width * bent(x), share);
+    slope = select<Number>(bend, x * x * (3.0 - 2.0 * x), slope);
+    curvature = select<Number>(bend, 6.0 * x * (1.0 - x) / width, curvature);
   }
   if (const Condition<Number> end = square > saturation_end_; any(end)) {
     const Number tail = saturation_end_ - line;
-    const auto beyond = minimum<Number>(square - saturation_end_, tail);
-    share = select<Number>(end, tail + beyond - 0.5 * beyond * beyond / tail, share);
-    slope = select<Number>(end, 1.0 - beyond / tail, slope);
-    curvature = select<Number>(end, select<Number>(beyond < tail, -1.0 / tail, 0.0), curvature);
+    const auto x = minimum<Number>((square - saturation_end_) / tail, 1.0);
+    share = select<Number>(end, tail * (1.0 + x - bent(x)), share);
+    slope = select<Number>(end, 1.0 - x * x * (3.0 - 2.0 * x), slope);
+    curvature = select<Number>(end, -6.0 * x * (1.0 - x) / tail, curvature);
   }
   const Number gain = saturation_gain_ * magnets_[0];
   return {select<Number>(none, 0.0, gain * share), select<Number>(none, 0.0, 2.0 * gain * slope * i_q),

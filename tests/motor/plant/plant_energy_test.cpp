@@ -1,4 +1,6 @@
 #include <cmath>
+#include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -129,6 +131,27 @@ TEST(PlantEnergyFlow, SaturationNeitherMakesNorLosesEnergyAtTheMaximumCurrent) {
   runner.run(-300.0, 0.5);
 
   EXPECT_NEAR(runner.missing() / runner.taken(), 0.0, 1e-4);
+}
+
+/// Where a control hunts, the current jumps through the bend of saturation, with and against the field.
+TEST(PlantEnergyFlow, SaturationNeitherMakesNorLosesEnergyWhileTheCurrentJumps) {
+  const MachineData machine{};
+  Plant plant{machine, {.inertia = 0.008}};
+  plant.set_brake(false);
+  const double gain = 0.7 * machine.synchronous.d_inductance / kControlPeriod;
+  std::mt19937 random{5};
+  std::uniform_real_distribution<double> angle{0.0, 2.0 * std::numbers::pi};
+  double missing = plant.stored().sum();
+  double taken = 0.0;
+  for (int step = 0; step < 16000; ++step) {
+    const double towards = angle(random);
+    plant.step(gain * (35.0 * SpaceVector{std::cos(towards), std::sin(towards)} - plant.state().current));
+    const PlantEnergies& e = plant.energies();
+    missing += e.electrical - e.copper - e.iron - e.friction - e.load;
+    taken += std::abs(e.electrical);
+  }
+
+  EXPECT_NEAR((missing - plant.stored().sum()) / taken, 0.0, 1e-4) << taken << " J taken";
 }
 
 }  // namespace
