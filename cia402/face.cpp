@@ -178,6 +178,7 @@ void Face::show_messages(bool) noexcept {
     for (const drive::FaultEntry& fault : drive.messages().faults()) {
       if (fault.sequence <= seen_sequence_) continue;
       newest = std::max(newest, fault.sequence);
+      tell_time();  // what the node sends now has its time from that
       wake_for(i);
       axes_[i].axis().fault(error_code_of(fault.row->number), drive.actual().pulses_enabled);
     }
