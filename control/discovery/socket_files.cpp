@@ -5,13 +5,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
-#include <system_error>
 
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "control/discovery/server_trust.hpp"
 #include "control/socket_name.hpp"
+#include "os/folder.hpp"
 
 namespace control {
 namespace {
@@ -25,15 +25,6 @@ constexpr std::array<std::string_view, 2> kFoldersOfServices{"/run/axisd", "/run
 std::string environment(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? "" : value;
-}
-
-/// The entries of @p folder; none of one that cannot be read.
-std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
-  std::vector<fs::directory_entry> entries;
-  std::error_code error;
-  for (fs::directory_iterator entry{folder, error}, end; !error && entry != end; entry.increment(error))
-    entries.push_back(*entry);
-  return entries;
 }
 
 std::vector<fs::path> folders() {
@@ -51,7 +42,7 @@ std::vector<fs::path> folders() {
   }
   found.insert(found.end(), {"/run", "/tmp"});
   for (const fs::path& folder : above)
-    for (const fs::directory_entry& entry : entries_of(folder)) found.push_back(entry.path());
+    for (const std::string& name : os::names_in(folder)) found.push_back(folder / name);
   return found;
 }
 
@@ -67,12 +58,12 @@ bool is_trusted(const fs::path& path) {
 std::vector<SocketFile> socket_files() {
   std::vector<SocketFile> files;
   for (const fs::path& folder : folders())
-    for (const fs::directory_entry& entry : entries_of(folder)) {
-      const std::string name = entry.path().filename().string();
+    for (const std::string& name : os::names_in(folder)) {
+      const fs::path path = folder / name;
       const auto unit = parse_socket_name(name);
-      if ((!unit && name != kSocketOfMany) || !is_trusted(entry.path())) continue;
+      if ((!unit && name != kSocketOfMany) || !is_trusted(path)) continue;
       files.push_back(
-          {entry.path().string(),
+          {path.string(),
            unit ? std::optional{UnitName{std::string{unit->label}, std::string{unit->station}}} : std::nullopt});
     }
   std::ranges::sort(files, {}, &SocketFile::path);

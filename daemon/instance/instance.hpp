@@ -128,6 +128,7 @@ class Instance final : private device::Listener,
   bus::ErrorState bus_state() const noexcept { return held_bus_state_.value_or(bus_.port().error_state()); }
   /// What of them is wrong on demand.
   injection::UnitFaults& faults() noexcept { return faults_; }
+  const injection::UnitFaults& faults() const noexcept { return faults_; }
   /// What is kept of both in files.
   UnitRecording& recording() noexcept { return recording_; }
   /// What is judged of the frames, with key "audit".

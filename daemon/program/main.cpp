@@ -14,6 +14,7 @@
 #include "daemon/program/configuration_file.hpp"
 #include "daemon/program/options.hpp"
 #include "daemon/program/program.hpp"
+#include "os/missing_memory.hpp"
 #include "service/log.hpp"
 
 namespace {
@@ -76,6 +77,7 @@ int fail(const std::exception& error, int status) {
 }  // namespace
 
 int main(int count, char** words) {
+  os::end_if_memory_is_missing("axisd", axisd::kFailure);
   std::signal(SIGPIPE, SIG_IGN);  // a reader of the log that goes away must not take the drive with it
   std::signal(SIGXFSZ, SIG_IGN);  // nor must a limit on the size of files: it is an error of the write
   try {

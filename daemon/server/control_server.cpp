@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <sys/epoll.h>
@@ -121,7 +122,12 @@ void ControlServer::accept() {
   }
   if (clients_.size() >= kMostClients) make_room();
   Client& client = clients_.emplace_back(Client{this, ++last_id_, std::move(descriptor), nullptr});
-  client.source = events_.watch(client.descriptor.get(), EPOLLIN, &ControlServer::on_client, &client);
+  try {
+    client.source = events_.watch(client.descriptor.get(), EPOLLIN, &ControlServer::on_client, &client);
+  } catch (const std::system_error&) {  // the kernel has no memory for it: who has connected finds it closed
+    clients_.pop_back();
+    pause();
+  }
 }
 
 /// The connection stays in the queue of the listener and would wake the loop over and over.

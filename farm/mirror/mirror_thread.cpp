@@ -23,10 +23,10 @@ class MirrorThread::Work final : private Link::Listener {
   Work(const FarmUrl& farm, const std::string& place, const std::string& program)
       : mail_{events_.watch(mailbox_.descriptor(), EPOLLIN, &Work::on_mail, this)},
         link_{events_, farm.server, program, *this},
-        mirror_{events_, link_, farm.name, place} {
+        mirror_{events_, link_, farm.name, place},
+        farm_{farm.name} {
     const os::NoSignals none;
     thread_ = std::thread{[this] { run(); }};
-    farm_ = farm.name;
   }
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;

@@ -6,6 +6,7 @@
 
 #include "gateway/program/options.hpp"
 #include "gateway/program/program.hpp"
+#include "os/missing_memory.hpp"
 
 namespace {
 
@@ -33,6 +34,7 @@ int fail(const std::exception& error, int status) {
 }  // namespace
 
 int main(int count, char** words) {
+  os::end_if_memory_is_missing("axisd-http", gateway::kFailure);
   std::signal(SIGPIPE, SIG_IGN);  // a reader of the log that goes away
   try {
     const auto options = gateway::parse_command_line(count, words);

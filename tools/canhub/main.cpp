@@ -11,6 +11,7 @@
 
 #include "can/hub/path/path_owner.hpp"
 #include "can/hub/server.hpp"
+#include "os/missing_memory.hpp"
 #include "tools/canhub/faults.hpp"
 #include "tools/canhub/neighbours.hpp"
 #include "tools/canhub/options.hpp"
@@ -98,6 +99,7 @@ int run(const canhub::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  os::end_if_memory_is_missing("canhub", static_cast<int>(StartStatus::Failed));
   try {
     const auto options = canhub::parse_command_line(argc, argv);
     return options ? run(*options) : EXIT_SUCCESS;

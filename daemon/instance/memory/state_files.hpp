@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <tl/expected.hpp>
 
 #include "service/log.hpp"
@@ -40,6 +41,8 @@ class StateFile {
   /// Allocates nothing and logs nothing: any thread may do it, one at a time.
   [[nodiscard]] tl::expected<void, WriteFailure> write(std::span<const std::byte> content,
                                                        Durability durability) const noexcept;
+  /// Keeps what there is as NAME.old (see set_aside()) and logs where. Any thread may do it, as write().
+  [[nodiscard]] tl::expected<void, WriteFailure> make_room() const noexcept;
   /// Logs @p failure.
   void report(const WriteFailure& failure) const noexcept;
   /// Renames it to the first free one of NAME@p suffix, NAME@p suffix.1, ...; returns where it is now, or why it
@@ -49,6 +52,9 @@ class StateFile {
   const std::string& path() const noexcept { return path_; }
 
  private:
+  using Name = fmt::memory_buffer;  // on the stack, of a usual path
+
+  int move_aside(std::string_view suffix, Name& name) const noexcept;
   tl::expected<void, WriteFailure> replace_on_disk() const noexcept;
 
   const Log& log_;

@@ -38,7 +38,7 @@ StateWriter::~StateWriter() {
 }
 
 void StateWriter::begin(Place place, const StateFile& file, std::span<const std::byte> content,
-                        Durability durability) noexcept {
+                        Durability durability, bool makes_room) noexcept {
   {
     const std::scoped_lock lock{mutex_};
     Job& job = jobs_[static_cast<std::size_t>(place)];
@@ -46,9 +46,10 @@ void StateWriter::begin(Place place, const StateFile& file, std::span<const std:
     job.file = &file;
     job.content.assign(content.begin(), content.end());
     job.durability = durability;
+    job.makes_room = makes_room;
     job.state = State::Waiting;
     // it takes no time of the unit's, however long the disk needs
-    if (os::stands_while_acting()) end(job, file.write(content, durability));
+    if (os::stands_while_acting()) end(job, write(job));
   }
   changed_.notify_all();
 }
@@ -80,10 +81,16 @@ void StateWriter::work() noexcept {
     Job* const job = next_job();
     if (job == nullptr) return;
     lock.unlock();
-    const auto outcome = job->file->write(job->content, job->durability);
+    const auto outcome = write(*job);
     lock.lock();
     end(*job, outcome);
   }
+}
+
+tl::expected<void, WriteFailure> StateWriter::write(const Job& job) noexcept {
+  if (job.makes_room)
+    if (const auto room = job.file->make_room(); !room) return room;
+  return job.file->write(job.content, job.durability);
 }
 
 /// With the mutex.

@@ -34,10 +34,10 @@ class StateWriter {
   StateWriter(const StateWriter&) = delete;
   StateWriter& operator=(const StateWriter&) = delete;
 
-  /// Begins to write @p content, of which it keeps a copy, to @p file, which outlives this. Nothing has begun at
-  /// @p place, or its end has been taken.
-  void begin(Place place, const StateFile& file, std::span<const std::byte> content,
-             Durability durability) noexcept;
+  /// Begins to write @p content, of which it keeps a copy, to @p file, which outlives this and @p makes_room
+  /// before. Nothing has begun at @p place, or its end has been taken.
+  void begin(Place place, const StateFile& file, std::span<const std::byte> content, Durability durability,
+             bool makes_room = false) noexcept;
   /// Readable when there is something to take, and once at the beginning: whoever waits for it can provide for
   /// that then, and allocates nothing later.
   int descriptor() const noexcept { return ended_.get(); }
@@ -53,9 +53,11 @@ class StateWriter {
     const StateFile* file = nullptr;
     std::vector<std::byte> content{};
     Durability durability = Durability::OnDisk;
+    bool makes_room = false;
     tl::expected<void, WriteFailure> outcome{};
   };
   void work() noexcept;
+  static tl::expected<void, WriteFailure> write(const Job& job) noexcept;
   void end(Job& job, const tl::expected<void, WriteFailure>& outcome) noexcept;
   Job* next_job() noexcept;
 

@@ -108,23 +108,10 @@ void UnitMemory::raise_faults() noexcept {
   }
 }
 
-/// Whether @p part may be replaced; what has to make room for that has done so.
-bool UnitMemory::may_write(Part& part) noexcept {
-  if (part.stays) return false;
-  if (!part.makes_room) return true;
-  const auto aside = part.file.set_aside(".old");
-  if (aside) {
-    log_.notice("{}: kept as {}", part.file.path(), *aside);
-  } else {
-    log_.error("{}: cannot be set aside: {}", part.file.path(), aside.error());
-  }
-  part.makes_room = !aside;
-  return aside.has_value();
-}
-
 device::Keeping UnitMemory::store(std::span<const std::byte> image) noexcept {
-  if (!may_write(parameters_)) return parameters_.stays ? device::Keeping::Refused : device::Keeping::Failed;
-  writer_.begin(StateWriter::Place::Parameters, parameters_.file, image, Durability::OnDisk);
+  if (parameters_.stays) return device::Keeping::Refused;
+  writer_.begin(StateWriter::Place::Parameters, parameters_.file, image, Durability::OnDisk,
+                parameters_.makes_room);
   return device::Keeping::Begun;
 }
 
@@ -137,10 +124,11 @@ void UnitMemory::on_restore() noexcept {
 
 void UnitMemory::on_time(canopen::TimePoint now) noexcept {
   if (now < due()) return;
-  if (!may_write(retained_)) return schedule_.on_write(!retained_.makes_room, now);
+  if (retained_.stays) return schedule_.on_write(true, now);
   is_retaining_ = true;
   changes_kept_ = device_.message_changes();
-  writer_.begin(StateWriter::Place::Retained, retained_.file, device_.retained(now), Durability::InTheCache);
+  writer_.begin(StateWriter::Place::Retained, retained_.file, device_.retained(now), Durability::InTheCache,
+                retained_.makes_room);
 }
 
 void UnitMemory::look_at_unit() noexcept {
@@ -163,17 +151,21 @@ void UnitMemory::take_ended() noexcept {
   }
 }
 
+void UnitMemory::Part::on_written(const tl::expected<void, WriteFailure>& outcome) noexcept {
+  if (!outcome) return file.report(outcome.error());
+  in_use = true;
+  makes_room = false;
+}
+
 void UnitMemory::on_parameters_written(const tl::expected<void, WriteFailure>& outcome) noexcept {
-  if (!outcome) parameters_.file.report(outcome.error());
-  parameters_.in_use = parameters_.in_use || outcome.has_value();
+  parameters_.on_written(outcome);
   device_.on_stored(outcome.has_value(), read_clock());
 }
 
 void UnitMemory::on_retained_written(const tl::expected<void, WriteFailure>& outcome) noexcept {
   const canopen::TimePoint now = read_clock();
   is_retaining_ = false;
-  if (!outcome) retained_.file.report(outcome.error());
-  retained_.in_use = retained_.in_use || outcome.has_value();
+  retained_.on_written(outcome);
   schedule_.on_write(outcome.has_value(), now);
   if (device_.message_changes() != changes_kept_) schedule_.on_faults(now);
 }
@@ -182,8 +174,9 @@ void UnitMemory::begin_power_off() noexcept {
   is_powering_off_ = true;
   writer_.finish();
   take_ended();
-  if (!may_write(retained_)) return;
-  writer_.begin(StateWriter::Place::Retained, retained_.file, device_.retained(read_clock()), Durability::OnDisk);
+  if (retained_.stays) return;
+  writer_.begin(StateWriter::Place::Retained, retained_.file, device_.retained(read_clock()), Durability::OnDisk,
+                retained_.makes_room);
 }
 
 void UnitMemory::power_off() noexcept {

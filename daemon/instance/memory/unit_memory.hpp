@@ -63,12 +63,14 @@ class UnitMemory {
   /// A file and what is the matter with it.
   struct Part {
     StateFile file;
-    std::uint32_t number;  ///< hundreds of the fault value
-    bool in_use = false;   ///< it was read, or written
-    bool stays = false;    ///< it must not be replaced
-    bool makes_room = false;
+    std::uint32_t number;     ///< hundreds of the fault value
+    bool in_use = false;      ///< it was read, or written
+    bool stays = false;       ///< it must not be replaced
+    bool makes_room = false;  ///< it is kept under another name when it is replaced
     Misfit misfit = Misfit::None;
     std::string reason{};
+
+    void on_written(const tl::expected<void, WriteFailure>& outcome) noexcept;
   };
 
   template <class Take>
@@ -77,7 +79,6 @@ class UnitMemory {
   void tell(Part& part) const;
   static Misfit misfit_of(drive::image_format::Error error) noexcept;
   static std::string usage_of(const Part& part);
-  bool may_write(Part& part) noexcept;
   void on_parameters_written(const tl::expected<void, WriteFailure>& outcome) noexcept;
   void on_retained_written(const tl::expected<void, WriteFailure>& outcome) noexcept;
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "farm/agent/process/socket_server.hpp"
+#include "os/folder.hpp"
 #include "os/regular_file.hpp"
 
 namespace farm::agent {
@@ -55,8 +56,8 @@ std::vector<std::string> HubCommand::words(const HubStart& start, const std::str
 
 void HubPrograms::find() {
   std::error_code error;
-  for (fs::directory_iterator entry{folders_.runtime, error}, end; !error && entry != end; entry.increment(error))
-    if (fs::exists(entry->path() / "hub.json", error)) find(entry->path().filename().string());
+  for (const std::string& name : os::names_in(folders_.runtime))
+    if (fs::exists(fs::path{folders_.runtime} / name / "hub.json", error)) find(name);
 }
 
 void HubPrograms::find(const std::string& bus) {

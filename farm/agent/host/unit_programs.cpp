@@ -1,19 +1,16 @@
 #include "farm/agent/host/unit_programs.hpp"
 
 #include <chrono>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "control/socket_name.hpp"
 #include "farm/agent/process/socket_server.hpp"
+#include "os/folder.hpp"
 
 namespace farm::agent {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// For so long others wait for a unit that does not say that it is on its bus.
 constexpr std::chrono::seconds kPatience{5};
@@ -31,10 +28,7 @@ std::vector<std::string> UnitCommand::words(const Folders& folders, const UnitNa
 }
 
 void UnitPrograms::find() {
-  std::error_code error;
-  for (fs::directory_iterator entry{folders_.runtime, error}, end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string file = entry->path().filename().string();
+  for (const std::string& file : os::names_in(folders_.runtime)) {
     const auto socket = control::parse_socket_name(file);
     if (!socket) continue;
     const UnitName name{std::string{socket->label}, std::string{socket->station}};

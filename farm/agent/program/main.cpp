@@ -6,6 +6,7 @@
 
 #include "farm/agent/program/options.hpp"
 #include "farm/agent/program/program.hpp"
+#include "os/missing_memory.hpp"
 
 namespace {
 
@@ -34,6 +35,7 @@ int fail(const std::exception& error, int status) {
 }  // namespace
 
 int main(int count, char** words) {
+  os::end_if_memory_is_missing("axisd-agent", agent::kFailure);
   std::signal(SIGPIPE, SIG_IGN);  // a reader of the log that goes away
   try {
     const auto options = agent::parse_command_line(count, words);

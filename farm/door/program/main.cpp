@@ -6,6 +6,7 @@
 
 #include "farm/door/program/options.hpp"
 #include "farm/door/program/program.hpp"
+#include "os/missing_memory.hpp"
 
 namespace {
 
@@ -33,6 +34,7 @@ int fail(const std::exception& error, int status) {
 }  // namespace
 
 int main(int count, char** words) {
+  os::end_if_memory_is_missing("axisd-nats", farm::kFailure);
   std::signal(SIGPIPE, SIG_IGN);  // a reader of the log that goes away
   try {
     const auto options = farm::parse_command_line(count, words);
