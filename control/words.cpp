@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "control/bounds.hpp"
+#include "json/strict.hpp"
 
 namespace control {
 namespace {
@@ -135,8 +136,8 @@ tl::expected<json, std::string> parse_words(const Method& method, std::span<cons
     }
     Reading reading = read_word(parameter, words[i].front());
     if (!reading.value)
-      return tl::unexpected{
-          fmt::format("{}: expected {}, got \"{}\"", argument_of(parameter), reading.expected, words[i].front())};
+      return tl::unexpected{fmt::format("{}: expected {}, got {}", argument_of(parameter), reading.expected,
+                                        json_text::quote(words[i].front()))};
     value = *std::move(reading.value);
   }
   return params;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "json/strict.hpp"
+
 namespace axisd {
 namespace {
 
@@ -72,10 +74,10 @@ tl::expected<ServedUnit*, control::Error> Fleet::find(std::string_view name) {
   if (meant.size() == 1) return meant.front();
   if (meant.empty())
     return tl::unexpected{control::Error{ErrorCode::UnknownUnit,
-                                         fmt::format("unit: expected a unit of this daemon, got \"{}\"", name)}};
+                                         "unit: expected a unit of this daemon, got " + json_text::quote(name)}};
   return tl::unexpected{
       control::Error{ErrorCode::UnknownUnit, fmt::format("unit: expected one of {}, got {}", names_of(meant),
-                                                         name.empty() ? "nothing" : fmt::format("\"{}\"", name))}};
+                                                         name.empty() ? "nothing" : json_text::quote(name))}};
 }
 
 }  // namespace axisd

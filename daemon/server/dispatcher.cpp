@@ -16,6 +16,7 @@
 #include "control/units_page.hpp"
 #include "daemon/control/events/carry_out.hpp"
 #include "daemon/control/handlers.hpp"
+#include "json/strict.hpp"
 #include "service/clock.hpp"
 
 namespace axisd {
@@ -78,8 +79,8 @@ std::optional<Outcome> Dispatcher::carry_out(Asked& asked) {
   control::Request& request = asked.request;
   const control::Method* const method = control::find_method(request.method);
   if (method == nullptr)
-    return refuse(ErrorCode::UnknownMethod,
-                  fmt::format("method: expected one of {}, got \"{}\"", names_of_methods(), request.method));
+    return refuse(ErrorCode::UnknownMethod, fmt::format("method: expected one of {}, got {}", names_of_methods(),
+                                                        json_text::quote(request.method)));
   const ProgramHandler* const program = find_program_handler(method->name);
   const Handler* const handler = find_handler(method->name);
   const auto name = control::take_unit(request.params);

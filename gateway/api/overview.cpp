@@ -11,6 +11,7 @@
 #include "gateway/page/page_answer.hpp"
 #include "gateway/routes/routes.hpp"
 #include "gateway/units/unit_list.hpp"
+#include "json/strict.hpp"
 #include "text/number.hpp"
 #include "version/version.hpp"
 
@@ -75,9 +76,9 @@ void answer_axis(const std::shared_ptr<Exchange>& exchange, const std::string& a
     return number && each.is_object() && each.value("axis", 0U) == *number;
   });
   if (found != axes.end()) return exchange->answer(Response{.body = text_of(*found)});
-  exchange->answer(
-      refused_by_daemon(control::ErrorCode::NotFound,
-                        fmt::format("axis: expected an integer 1 to {}, got \"{}\"", axes.size(), axis), nullptr));
+  exchange->answer(refused_by_daemon(
+      control::ErrorCode::NotFound,
+      fmt::format("axis: expected an integer 1 to {}, got {}", axes.size(), json_text::quote(axis)), nullptr));
 }
 
 Response server_page(const AccessRules& rules, const Request& request) {

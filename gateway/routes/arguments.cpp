@@ -8,6 +8,7 @@
 #include "control/protocol.hpp"
 #include "gateway/base/percent.hpp"
 #include "gateway/routes/own_parameters.hpp"
+#include "json/strict.hpp"
 #include "text/number.hpp"
 
 namespace gateway {
@@ -17,14 +18,8 @@ using control::Form;
 using control::Parameter;
 using nlohmann::json;
 
-constexpr std::size_t kQuotedValue = 60;
-
 tl::unexpected<Error> bad(std::string message) {
   return tl::unexpected{refuse(Refused::BadRequest, std::move(message))};
-}
-
-std::string shown(std::string_view text) {
-  return fmt::format("\"{}\"", text.substr(0, kQuotedValue));
 }
 
 /// The parameter of @p route called @p key that comes from @p source; nullptr if there is none.
@@ -96,9 +91,9 @@ tl::expected<json, Error> arguments_of(const Match& match, const Query& query, s
     if (route.kind == Kind::Events && key == kUnitFilter) continue;
     const Parameter* const parameter = find(route, ArgumentSource::Query, key);
     if (parameter == nullptr)
-      return bad(
-          fmt::format("{}: no such parameter in the query, {}", shown(key), known(route, ArgumentSource::Query)));
-    if (params.contains(key)) return bad(fmt::format("{}: is there twice", shown(key)));
+      return bad(fmt::format("{}: no such parameter in the query, {}", json_text::quote(key),
+                             known(route, ArgumentSource::Query)));
+    if (params.contains(key)) return bad(fmt::format("{}: is there twice", json_text::quote(key)));
     params[key] = value_of(parameter->form, text);
   }
   if (body.empty()) return params;
@@ -106,8 +101,8 @@ tl::expected<json, Error> arguments_of(const Match& match, const Query& query, s
   if (!object.is_object()) return bad("the body: expected a JSON object, nested at most eight levels deep");
   for (const auto& [key, value] : object.items()) {
     if (find(route, ArgumentSource::Body, key) == nullptr)
-      return bad(
-          fmt::format("{}: no such member of the body, {}", shown(key), known(route, ArgumentSource::Body)));
+      return bad(fmt::format("{}: no such member of the body, {}", json_text::quote(key),
+                             known(route, ArgumentSource::Body)));
     params[key] = value;
   }
   return params;

@@ -7,11 +7,10 @@
 
 #include "gateway/base/percent.hpp"
 #include "gateway/routes/routes.hpp"
+#include "json/strict.hpp"
 
 namespace gateway {
 namespace {
-
-constexpr std::size_t kQuotedPath = 100;
 
 bool is_placeholder(std::string_view part) noexcept {
   return part.starts_with('{');
@@ -77,9 +76,9 @@ tl::expected<Match, Error> find_route(std::string_view verb, std::string_view pa
   const auto found = std::ranges::find(matches, wanted, [](const Match& match) { return match.route->verb; });
   if (found != matches.end()) return std::move(*found);
   if (matches.empty())
-    return tl::unexpected{
-        refuse(Refused::NoSuchPath, fmt::format("\"{}\": no such resource; GET /api/v1/openapi.json describes all",
-                                                path.substr(0, kQuotedPath)))};
+    return tl::unexpected{refuse(
+        Refused::NoSuchPath,
+        fmt::format("{}: no such resource; GET /api/v1/openapi.json describes all", json_text::quote(path)))};
   Error error = refuse(Refused::WrongVerb, fmt::format("this resource has {}", verbs_of(matches)));
   error.allow = verbs_of(matches);
   return tl::unexpected{std::move(error)};

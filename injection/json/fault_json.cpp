@@ -9,6 +9,7 @@
 
 #include "injection/json/choice.hpp"
 #include "injection/json/when_rows.hpp"
+#include "json/strict.hpp"
 
 namespace injection {
 namespace {
@@ -18,10 +19,9 @@ using nlohmann::json;
 constexpr auto kNatureNames = std::to_array<std::string_view>({"each", "moment", "lasting"});
 
 tl::unexpected<Problem> problem(std::string key, std::string expected, const json* got) {
-  constexpr std::size_t kLongestQuote = 60;
-  std::string quote = got != nullptr ? got->dump(-1, ' ', false, json::error_handler_t::replace) : std::string{};
-  if (quote.size() > kLongestQuote) quote = quote.substr(0, kLongestQuote) + "...";
-  return tl::unexpected{Problem{.key = std::move(key), .expected = std::move(expected), .got = std::move(quote)}};
+  return tl::unexpected{Problem{.key = std::move(key),
+                                .expected = std::move(expected),
+                                .got = got != nullptr ? json_text::quote(*got) : std::string{}}};
 }
 
 std::optional<std::uint32_t> argument_in(const json& value, const ArgumentRow& row) {
@@ -90,8 +90,9 @@ tl::expected<void, Problem> refuse_others(const json& value, const Kind& kind) {
   const std::vector<std::string_view> keys = keys_of(kind);
   for (const auto& item : value.items()) {
     if (std::ranges::count(keys, item.key()) == 0)
-      return tl::unexpected{Problem{
-          .key = item.key(), .expected = fmt::format("{}", fmt::join(keys, ", ")), .is_unknown_key = true}};
+      return tl::unexpected{Problem{.key = json_text::quoted_key(item.key()),
+                                    .expected = fmt::format("{}", fmt::join(keys, ", ")),
+                                    .is_unknown_key = true}};
   }
   return {};
 }

@@ -31,7 +31,7 @@ std::string_view text_of(drive::PanelRefusal refusal) noexcept {
 
 /// What the panel of axis @p number is and does.
 json panel_json(const Call& call, std::size_t number) {
-  drive::DriveUnit& unit = call.instance.device().runner().unit();
+  drive::DriveUnit& unit = unit_of(call);
   const drive::Axis& axis = call.instance.device().axis(number);
   const auto& panel = axis.block<drive::OperatorPanel>();
   json told{{"axis", number},

@@ -9,6 +9,7 @@
 #include "audit/catalogue.hpp"
 #include "daemon/control/handlers.hpp"
 #include "daemon/instance/instance.hpp"
+#include "json/strict.hpp"
 #include "record/candump.hpp"
 
 namespace axisd {
@@ -78,7 +79,7 @@ Outcome show_audit(const Call& call, const json& params) {
   const audit::Rule* const rule = audit::find_rule(id);
   if (rule == nullptr)
     return refuse(control::ErrorCode::NotFound,
-                  fmt::format("rule: expected one of those of canopen-audit --list, got \"{}\"", id));
+                  "rule: expected one of those of canopen-audit --list, got " + json_text::quote(id));
   result["rules"] = json::array();
   if (findings.count(*rule) != 0) result["rules"].push_back(rule_json(findings, *rule, kMostOfRule));
   return result;

@@ -12,7 +12,6 @@
 namespace axisd {
 namespace {
 
-using control::ErrorCode;
 using nlohmann::json;
 
 /// So many fit into a line with all that is told of them.

@@ -3,6 +3,7 @@
 
 #include "daemon/control/handlers.hpp"
 #include "daemon/control/parameters/parameter_write.hpp"
+#include "daemon/control/place.hpp"
 #include "daemon/instance/instance.hpp"
 #include "libcanopen/base/object_index.hpp"
 #include "libcanopen/storage/storage_objects.hpp"
@@ -28,7 +29,7 @@ json status_of_storage(const Instance& instance) {
 
 /// A command parameter of the control unit.
 Taken<void> command(const Call& call, std::string_view name) {
-  drive::DriveUnit& unit = call.instance.device().runner().unit();
+  drive::DriveUnit& unit = unit_of(call);
   const auto target = find_parameter_target(unit, &unit.control_unit(), name);
   if (!target) return tl::unexpected{target.error()};
   return write_and_tell(call, *target, 1.0);
