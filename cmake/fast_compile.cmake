@@ -74,9 +74,9 @@ function(axisd_unite target result)
   set(${result} ${united} PARENT_SCOPE)
 endfunction()
 
-# Sources with names in their unnamed namespaces that others of their folder have, too.
+# Sources with names in their unnamed namespaces that others of their folder have, too; coroutines with types of their own.
 set(AXISD_ALONE
-  axis_parameters.cpp bash_script.cpp completion.cpp fault_table.cpp fish_script.cpp inertia_test.cpp link_monitor.cpp lint_command.cpp magnet_flux_test.cpp
+  axis_parameters.cpp bash_script.cpp completion.cpp fault_table.cpp fish_script.cpp inertia_test.cpp leader.cpp link_monitor.cpp lint_command.cpp magnet_flux_test.cpp
   make_commands.cpp many_messages.cpp module_rules.cpp motor_file.cpp node_guarding.cpp object_reader.cpp
   parameter_reader.cpp plant_step.cpp predefined_connections.cpp provocation.cpp rotor_test.cpp
   runner_aftercare.cpp saturation_test.cpp script_tables.cpp sdo_match.cpp socket_can.cpp standard_rules.cpp standard_wiring.cpp

@@ -27,6 +27,10 @@ if(AXISD_SANITIZE)
     "$<$<BOOL:$<TARGET_PROPERTY:AXISD_EDGE>>:-O0;-fno-sanitize=null,alignment,object-size,vptr>")
   target_link_options(axisd_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(AXISD_SANITIZE_THREADS)
+  target_compile_options(axisd_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(axisd_options INTERFACE -fsanitize=thread)
+endif()
 
 # What makes a mistake in memory an end of the program and not the work of somebody else: for everything that is installed.
 # Executables are position independent, addresses are bound at the start, stacks and buffers are watched where the compiler
@@ -39,7 +43,7 @@ include(CheckCXXCompilerFlag)
 include(CheckPIESupported)
 check_pie_supported(LANGUAGES CXX C)
 add_library(axisd_hardening INTERFACE)
-if(NOT AXISD_SANITIZE AND NOT AXISD_FUZZ)
+if(NOT AXISD_SANITIZE AND NOT AXISD_SANITIZE_THREADS AND NOT AXISD_FUZZ)
   check_cxx_compiler_flag(-fstack-clash-protection AXISD_HAS_STACK_CLASH_PROTECTION)
   check_cxx_compiler_flag(-fcf-protection=full AXISD_HAS_CF_PROTECTION)
   target_compile_options(axisd_hardening INTERFACE

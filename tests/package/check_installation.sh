@@ -106,7 +106,7 @@ KEYS
   while read -r name; do
     page_of "$name" >/dev/null
   done < <(find "$prefix/share/man" -name '*.gz' -exec gzip -dc {} + | sed 's/\\f[A-Z]//g' |
-    grep -oE '(axisd|axisctl|axisd\.json|axisd-http|axisd-nats|axisd-agent|canhub|canrec|with-can|canopen-audit|canopen-check|canopen-zoo|edstool)\([158]\)' | sed 's/(.*//' | sort -u)
+    grep -oE '(axisd|axisctl|axisd-sim|axisd\.json|axisd-http|axisd-nats|axisd-agent|canhub|canrec|with-can|canopen-audit|canopen-check|canopen-zoo|edstool)\([158]\)' | sed 's/(.*//' | sort -u)
 }
 
 # The installed program knows the installed scenarios by their names, runs them with the installed programs, and says their schema.

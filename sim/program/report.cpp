@@ -1,0 +1,74 @@
+#include "sim/program/report.hpp"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "sim/judges/table.hpp"
+#include "sim/plan/fault_kinds.hpp"
+
+namespace sim {
+namespace {
+
+double seconds_since_begin(canopen::TimePoint time) {
+  return std::chrono::duration<double>(time - ToldTime::kBegin).count();
+}
+
+}  // namespace
+
+Outcome run_world(const WorldPlan& plan, const axisd::Log& log, std::ostream* frames) {
+  World world{plan, log};
+  if (frames != nullptr) world.wire().write_to(*frames);
+  Outcome outcome;
+  outcome.breach = world.run();
+  outcome.counts = world.counts();
+  outcome.digest = world.wire().digest();
+  outcome.seconds = world.seconds();
+  for (const WireRecorder::Heard& heard : world.wire().last())
+    outcome.last_frames += "  " + log_line(seconds_since_begin(heard.time), heard.frame) + "\n";
+  return outcome;
+}
+
+std::string list_text() {
+  std::string text;
+  for (const Invariant& each : invariants()) text += fmt::format("{:<22}{}\n", each.name, each.text);
+  text += "\n";
+  for (const FaultKind& each : fault_kinds()) text += fmt::format("{:<22}{}\n", each.name, each.summary);
+  return text;
+}
+
+std::string breach_text(const WorldPlan& plan, const Outcome& outcome) {
+  const Breach& breach = *outcome.breach;
+  return fmt::format("{}seed {}: {}\n  broken: {} at {:.6f} s, node {}: {}\n  again:  axisd-sim --seed {}\n",
+                     outcome.last_frames, plan.seed, summary_of(plan), breach.rule, outcome.seconds,
+                     breach.unit + 1, breach.text, plan.seed);
+}
+
+void Sums::add(const WorldPlan& plan, const Outcome& outcome) noexcept {
+  ++worlds;
+  if (outcome.breach) ++broken;
+  units += plan.units.size();
+  faults += plan.faults.size();
+  frames += outcome.counts.frames;
+  turns += outcome.counts.turns;
+  power_ons += outcome.counts.power_ons;
+  disk_operations += outcome.counts.disk_operations;
+  seconds += outcome.seconds;
+}
+
+std::string text_of(const Sums& sums) {
+  return fmt::format(
+      "{} worlds of {:.0f} s in all: {} units, {} faults, {} power-ons, {} frames, {} turns, {} operations of "
+      "disks; "
+      "broken {}\n",
+      sums.worlds, sums.seconds, sums.units, sums.faults, sums.power_ons, sums.frames, sums.turns,
+      sums.disk_operations, sums.broken);
+}
+
+nlohmann::json json_of(const Sums& sums) {
+  return {{"worlds", sums.worlds}, {"broken", sums.broken}, {"seconds", sums.seconds},
+          {"units", sums.units},   {"faults", sums.faults}, {"power_ons", sums.power_ons},
+          {"frames", sums.frames}, {"turns", sums.turns},   {"disk_operations", sums.disk_operations}};
+}
+
+}  // namespace sim
