@@ -2,6 +2,7 @@
 # fuzz.sh [--minutes N | --runs N] [--jobs N] [--fast] [--keep]: lets libFuzzer look for inputs that a node handles against its rules.
 # fuzz.sh --eds [--minutes N | --runs N] [--jobs N] [--fast]: likewise texts that the reader of EDS files handles against its rules.
 # fuzz.sh --records [--minutes N | --runs N] [--jobs N] [--fast] [--keep]: likewise records and parameter channels of PROFIdrive that a unit answers against the rules.
+# fuzz.sh --reader NAME [--minutes N | --runs N] [--jobs N] [--fast]: likewise inputs for one of the readers of tests/fuzz/readers.
 # fuzz.sh --modbus [--minutes N | --runs N] [--jobs N] [--fast]: likewise streams of Modbus TCP that a unit answers against the rules.
 #
 # Builds tests/fuzz with clang (build/fuzz; --fast: build/fuzz-fast, without the sanitizers) and runs it for N minutes (1), or
@@ -11,6 +12,7 @@
 #   build/fuzz/bin/tests/node_replay --trace build/fuzz/findings/crash-...
 # Records start from their kept inputs; one that breaks a rule is played again by build/fuzz/bin/tests/records_fuzz FILE.
 # Streams of Modbus TCP start from tests/data/modbus, where a test plays them; build/fuzz/bin/tests/modbus_fuzz FILE plays one again.
+# Readers start from what tests/fuzz/readers has for them; FUZZ_READER=NAME build/fuzz/bin/tests/readers_fuzz FILE reads one again.
 # Texts start from tests/data/eds; one that breaks a rule is read again by build/fuzz/bin/tests/eds_fuzz FILE.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -27,12 +29,15 @@ while (($#)); do
     --eds) target=eds ;;
     --records) target=records ;;
     --modbus) target=modbus ;;
-    *) misuse "unknown option $1; usage: fuzz.sh [--eds | --records | --modbus] [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
+    --reader) target=readers; FUZZ_READER=${2:-}; export FUZZ_READER; shift ;;
+    *) misuse "unknown option $1; usage: fuzz.sh [--eds | --records | --modbus | --reader NAME] [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
   esac
   shift
 done
-[[ $target != eds && $target != modbus || ! $keep ]] ||
-  misuse "--keep is not for texts and streams of Modbus TCP; one that shows something new goes into tests/data/$target"
+case $target in
+  eds | modbus) [[ ! $keep ]] || misuse "--keep is not for texts and streams of Modbus TCP; one that shows something new goes into tests/data/$target" ;;
+  readers) [[ ! $keep ]] || misuse "--keep is not for readers; an input that shows something new becomes one of those that a reader begins with" ;;
+esac
 
 need_packages clang libclang-rt-14-dev
 folder=$root/build/$preset
@@ -47,6 +52,12 @@ elif [[ $target == modbus ]]; then
   build "$preset" modbus_fuzz
   inputs=("$folder/found-modbus" "$root/tests/data/modbus")
   options=(-max_len=1500 -timeout=10)
+elif [[ $target == readers ]]; then
+  build "$preset" readers_fuzz write_inputs
+  mkdir -p "$folder"/{seeds,found}-"$FUZZ_READER"
+  "$folder/bin/tests/write_inputs" "$FUZZ_READER" "$folder/seeds-$FUZZ_READER" || exit 2
+  inputs=("$folder/found-$FUZZ_READER" "$folder/seeds-$FUZZ_READER")
+  options=(-max_len=8192 -timeout=10 -rss_limit_mb=4096)
 elif [[ $target == records ]]; then
   build "$preset" records_fuzz
   corpus=$root/tests/fuzz/records/corpus

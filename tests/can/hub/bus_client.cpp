@@ -1,5 +1,7 @@
 #include "tests/can/hub/bus_client.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -7,6 +9,7 @@
 
 #include <poll.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include "tests/can/hub/told.hpp"
 
@@ -73,6 +76,27 @@ void BusClient::send(const can_frame& frame) const {
 
 bool BusClient::send_bytes(std::span<const std::byte> bytes) const {
   return ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
+}
+
+void BusClient::send_with_descriptors(std::span<const std::byte> bytes, std::size_t count) const {
+  constexpr std::size_t kMost = 8;
+  alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(kMost * sizeof(int))> control{};
+  const std::vector<int> descriptors(std::min(count, kMost), STDERR_FILENO);
+  const std::size_t size = descriptors.size() * sizeof(int);
+  iovec part{const_cast<std::byte*>(bytes.data()), bytes.size()};
+  msghdr message{};
+  message.msg_iov = &part;
+  message.msg_iovlen = 1;
+  if (size > 0) {
+    message.msg_control = control.data();
+    message.msg_controllen = CMSG_SPACE(size);
+    cmsghdr* const header = CMSG_FIRSTHDR(&message);
+    header->cmsg_level = SOL_SOCKET;
+    header->cmsg_type = SCM_RIGHTS;
+    header->cmsg_len = CMSG_LEN(size);
+    std::memcpy(CMSG_DATA(header), descriptors.data(), size);
+  }
+  sendmsg(socket_.get(), &message, MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
 void BusClient::settle() const {

@@ -35,6 +35,9 @@ class BusClient {
   void send(const can_frame& frame) const;
   /// Sends @p bytes as they are; false if the socket is full.
   bool send_bytes(std::span<const std::byte> bytes) const;
+  /// Sends @p bytes with @p count descriptors of the standard error, at most 8; they are lost if the socket is
+  /// full.
+  void send_with_descriptors(std::span<const std::byte> bytes, std::size_t count) const;
   /// Returns when the hub has read everything that was sent before.
   void settle() const;
 

@@ -17,26 +17,6 @@
 namespace hub_test {
 namespace {
 
-/// Sends @p bytes with @p count descriptors of the standard error with them.
-void send_with_descriptors(int socket, std::span<const std::byte> bytes, std::size_t count) {
-  alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(8 * sizeof(int))> control{};
-  std::vector<int> descriptors(count, STDERR_FILENO);
-  iovec part{const_cast<std::byte*>(bytes.data()), bytes.size()};
-  msghdr message{};
-  message.msg_iov = &part;
-  message.msg_iovlen = 1;
-  if (count > 0) {
-    message.msg_control = control.data();
-    message.msg_controllen = CMSG_SPACE(count * sizeof(int));
-    cmsghdr* const header = CMSG_FIRSTHDR(&message);
-    header->cmsg_level = SOL_SOCKET;
-    header->cmsg_type = SCM_RIGHTS;
-    header->cmsg_len = CMSG_LEN(count * sizeof(int));
-    std::memcpy(CMSG_DATA(header), descriptors.data(), count * sizeof(int));
-  }
-  sendmsg(socket, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
-}
-
 /// Descriptors of this process, in which the hub is.
 std::ptrdiff_t open_descriptors() {
   return std::distance(std::filesystem::directory_iterator{"/proc/self/fd"}, {});
@@ -104,8 +84,8 @@ TEST_P(RandomMessages, HarmNobodyButTheirSender) {
   BusClient talker{hub.path()};
   BusClient listener{hub.path()};
   constexpr std::array kStray{std::byte{1}};
-  send_with_descriptors(talker.descriptor(), kStray,
-                        1);  // the hub has a pipe from now on, to close them elsewhere
+  talker.send_with_descriptors(kStray,
+                               1);  // the hub has a pipe from now on, to close them elsewhere
   talker.settle();
   const std::ptrdiff_t before = open_descriptors();
 
@@ -116,7 +96,7 @@ TEST_P(RandomMessages, HarmNobodyButTheirSender) {
     if (random() % 2 == 0)
       static_cast<void>(stranger.ask(userbus::Operation::Hello, 0, std::as_bytes(std::span{frames_in_one})));
     for (int i = 0; i < 100; ++i)
-      send_with_descriptors(stranger.descriptor(), broken_message(random), random() % 3 == 0 ? random() % 8 : 0);
+      stranger.send_with_descriptors(broken_message(random), random() % 3 == 0 ? random() % 8 : 0);
     if (random() % 2 == 0) continue;  // some close before they are read
     stranger.settle();
     stranger.take();
