@@ -58,10 +58,12 @@ compile_each_alone() {
 check_tidy() {
   local files status=0 last_start=${1:+$((EPOCHSECONDS + $1))} left_out
   shift
+  mapfile -t files < <("$@" | grep -Ev '^(tests|bench)/')
+  ((${#files[@]})) || return 0
   compile_each_alone
   # Tests and benchmarks are left out: GoogleTest's macros would need more exceptions than checks remain. A source without
   # a compile command (another operating system's, or a program built elsewhere) cannot be checked.
-  mapfile -t files < <("$@" | grep -Ev '^(tests|bench)/' | while read -r file; do
+  mapfile -t files < <(printf '%s\n' "${files[@]}" | while read -r file; do
     grep -qF "\"file\": \"$root/$file\"" build/tidy/compile_commands.json && echo "$file"
   done)
   ((${#files[@]})) || return 0

@@ -30,7 +30,7 @@ build_packages=(
 )
 test_packages=(
   # tests and benchmarks, and what links them faster
-  libgtest-dev libgmock-dev libbenchmark-dev lld
+  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev lld
   # ip, modprobe for the module vcan, and unshare for networks of their own
   iproute2 kmod util-linux
   # masters of the tests
