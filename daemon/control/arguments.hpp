@@ -34,13 +34,11 @@ struct PageLimits {
 /// absent.
 class Arguments {
  public:
-  using json = nlohmann::json;
-
   /// @p params outlive this.
-  explicit Arguments(const json& params) noexcept : params_{params} {}
+  explicit Arguments(const nlohmann::json& params) noexcept : params_{params} {}
 
   /// The value of @p key; nullptr if it is absent.
-  const json* find(std::string_view key) const noexcept;
+  const nlohmann::json* find(std::string_view key) const noexcept;
   bool has(std::string_view key) const noexcept { return find(key) != nullptr; }
 
   /// An integer @p low to @p high; @p absent if there is none.
@@ -61,7 +59,7 @@ class Arguments {
                             std::optional<std::size_t> absent = std::nullopt) const;
 
  private:
-  const json& params_;
+  const nlohmann::json& params_;
 };
 
 /// @p value for a message, cut to a length that a line has room for.

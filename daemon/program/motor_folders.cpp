@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "daemon/program/configuration_file.hpp"
+#include "os/folder.hpp"
 #include "os/own_program.hpp"
 
 namespace axisd {
@@ -43,9 +44,8 @@ std::optional<std::string> MotorFolders::find_preset(const std::string& name) co
 std::set<std::string> MotorFolders::presets() const {
   std::set<std::string> names;
   for (const std::filesystem::path& folder : preset_folders()) {
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator{folder, error}) {
-      const std::filesystem::path& file = entry.path();
+    for (const std::string& name : os::names_in(folder.string())) {
+      const std::filesystem::path file{name};
       if (file.extension() == ".json" && file.stem().extension().empty()) names.insert(file.stem().string());
     }
   }

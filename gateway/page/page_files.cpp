@@ -1,12 +1,12 @@
 #include "gateway/page/page_files.hpp"
 
 #include <span>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include "checksum/crc32.hpp"
 #include "gateway/base/content_type.hpp"
+#include "os/folder.hpp"
 #include "os/regular_file.hpp"
 
 namespace gateway {
@@ -38,12 +38,11 @@ PageFile file_at(const fs::path& path, std::string_view type) {
 
 PageFiles::PageFiles(const fs::path& folder) : start_{file_at(folder / "index.html", content_type_of(".html"))} {
   if (!start_.plain) return;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator{folder / "assets", error}) {
-    const std::string name = entry.path().filename().string();
+  const fs::path assets = folder / "assets";
+  for (const std::string& name : os::names_in(assets.string())) {
     const std::string_view type = content_type_of(name);
     if (type.empty() || assets_.size() >= kMost) continue;
-    if (PageFile file = file_at(entry.path(), type); file.plain) assets_.emplace(name, std::move(file));
+    if (PageFile file = file_at(assets / name, type); file.plain) assets_.emplace(name, std::move(file));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "libcanopen/base/cob_id.hpp"
 #include "libcanopen/base/nmt_state.hpp"
 #include "sim/unit/simulated_unit.hpp"
 
@@ -11,9 +12,9 @@ namespace sim {
 namespace {
 
 using canopen::NmtState;
+using namespace canopen::function_code;
 using record::EventKind;
 
-constexpr std::uint32_t kErrorControl = 0x700, kEmergency = 0x080;
 constexpr std::uint16_t kHeartbeatTime = 0x1017, kErrorRegister = 0x1001, kTpdo = 0x1800;
 constexpr std::int64_t kIdentifier = 0x7FF, kInvalid = 0x8000'0000;
 constexpr std::int64_t kFirstEventDriven = 254;
@@ -123,7 +124,7 @@ void EmergencyPairs::on_event(const SimulatedUnit& unit, const axisd::UnitEvent&
 }
 
 void EmergencyPairs::on_sent(const SimulatedUnit& unit, const canopen::Frame& frame, canopen::TimePoint now) {
-  if (frame.id != kEmergency + unit.node_id() || frame.length != 8 || is_tampered(unit)) return;
+  if (frame.id != kEmcy + unit.node_id() || frame.length != 8 || is_tampered(unit)) return;
   auto& seen = this->seen(unit);
   const bool is_error = frame.data[0] != 0 || frame.data[1] != 0;
   if (!is_error && frame.data[2] != 0) return;  // an error is gone, others are there

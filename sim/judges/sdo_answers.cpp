@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "libcanopen/base/cob_id.hpp"
 #include "sim/unit/simulated_unit.hpp"
 
 namespace sim {
 namespace {
 
-constexpr std::uint32_t kRequests = 0x600, kResponses = 0x580;
+using namespace canopen::function_code;
+
 constexpr std::uint8_t kAbort = 0x80;
 constexpr std::uint32_t kTimedOut = 0x0504'0000;
 constexpr unsigned kCommandAt = 5;
@@ -46,7 +48,7 @@ void SdoAnswers::on_event(const SimulatedUnit& unit, const axisd::UnitEvent& eve
 }
 
 void SdoAnswers::on_taken(const SimulatedUnit& unit, const canopen::Frame& frame, canopen::TimePoint now) {
-  if (frame.id != kRequests + unit.node_id() || frame.remote || frame.length != 8 ||
+  if (frame.id != kSdoRequest + unit.node_id() || frame.remote || frame.length != 8 ||
       !has_sdo(unit.instance().device().node().state()))
     return;
   SeenSdoServer& server = seen(unit);
@@ -60,7 +62,7 @@ void SdoAnswers::on_taken(const SimulatedUnit& unit, const canopen::Frame& frame
 }
 
 void SdoAnswers::on_sent(const SimulatedUnit& unit, const canopen::Frame& frame, canopen::TimePoint now) {
-  if (frame.id != kResponses + unit.node_id() || frame.extended) return;
+  if (frame.id != kSdoResponse + unit.node_id() || frame.extended) return;
   if (!unit.instance().faults().is_empty()) return forget(unit, now);
   SeenSdoServer& server = seen(unit);
   const bool ends_by_itself = frame.data[0] == kAbort && code_of(frame) == kTimedOut;

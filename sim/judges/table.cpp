@@ -24,7 +24,8 @@ constexpr auto kInvariants = std::to_array<Invariant>({
     {"heartbeat.in-time", "the heartbeat comes in its time", make<HeartbeatTimes>},
     {"emcy.pairs", "EMCY tells the end of errors once, and of all", make<EmergencyPairs>},
     {"storage.old-or-new", "saved parameters are the old or the new ones, whole", make<StoredSets>},
-    {"drive.enabled-again", "when the faults are over, every axis is enabled within 7 s", make<EnabledAgain>},
+    {"drive.enabled-again", "when the faults are over and the bus has room, every axis is enabled within 7 s",
+     make<EnabledAgain>},
     {"unit.no-allocation", "a unit that runs allocates nothing", make<NoAllocation>},
     {"energy.balance", "every joule from the line is somewhere", make<EnergyBalance>},
 });

@@ -21,7 +21,8 @@ class StoredSets final : public UnitJudge<SeenSets> {
   void on_event(const SimulatedUnit& unit, const axisd::UnitEvent& event) override;
 };
 
-/// When the faults are over, every axis comes to Operation enabled within kLongest.
+/// When the faults are over, every axis comes to Operation enabled within kLongest, in which the bus has room: one
+/// that is full gives none to those with high identifiers.
 class EnabledAgain final : public Judge {
  public:
   /// A guarded node has to be missed, the unit to start, faults to be acknowledged, up to eight motors to be
@@ -32,6 +33,9 @@ class EnabledAgain final : public Judge {
 
   void on_turn(const SimulatedUnit& unit, canopen::TimePoint now, std::uint64_t allocated) override;
   void on_calm(canopen::TimePoint now) override { calm_ = now; }
+  void on_full_bus(canopen::Duration lasting) override {
+    if (calm_ != canopen::kNever) calm_ += lasting;
+  }
   void on_end(canopen::TimePoint now) override;
 
  private:

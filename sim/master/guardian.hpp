@@ -16,10 +16,9 @@ class Guardian final : public Station {
 
  private:
   Task<Done> guard() {
-    constexpr std::uint32_t kErrorControl = 0x700;
     while (true) {
       co_await sleep(period_);
-      send({.id = kErrorControl + node_id_, .length = 1, .remote = true});
+      send({.id = canopen::function_code::kErrorControl + node_id_, .length = 1, .remote = true});
     }
   }
 

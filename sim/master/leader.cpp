@@ -3,6 +3,8 @@
 #include <array>
 #include <chrono>
 
+#include "libcanopen/base/cob_id.hpp"
+
 namespace sim {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr std::uint16_t kStateMask = 0x6F, kShortStateMask = 0x4F;
 constexpr std::uint16_t kReady = 0x21, kSwitchedOn = 0x23, kEnabled = 0x27, kFault = 0x08, kFaultReaction = 0x0F;
 constexpr std::uint8_t kProfileVelocity = 3;
 constexpr std::uint32_t kSave = 0x65766173, kLoad = 0x64616F6C;
-constexpr std::uint32_t kHeartbeats = 0x700, kRpdo2 = 0x300;
+constexpr std::uint32_t kRpdo2 = 0x300;
 constexpr std::uint16_t kTpdo2 = 0x1801;
 constexpr std::uint32_t kInvalid = 0x8000'0000;
 
@@ -37,7 +39,8 @@ Leader::Leader(hub::Medium& medium, std::string_view name, const LeaderPlan& pla
 }
 
 void Leader::on_frame(const canopen::Frame& frame) noexcept {
-  if (frame.id != kHeartbeats + plan_.node_id || frame.remote || frame.length != 1) return;
+  if (frame.id != canopen::function_code::kErrorControl + plan_.node_id || frame.remote || frame.length != 1)
+    return;
   heard_ = now();
   if (frame.data[0] == 0) has_restarted_ = true;
 }

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "libcanopen/base/cob_id.hpp"
+
 namespace sim {
 namespace {
 
-constexpr std::uint32_t kRequests = 0x600, kResponses = 0x580;
+using namespace canopen::function_code;
+
 constexpr unsigned kCommandAt = 5;
 constexpr std::uint8_t kAbort = 0x80, kToggle = 0x10;
 constexpr std::uint8_t kInitiateUpload = 0x40, kUploadSegment = 0x60;
@@ -46,10 +49,10 @@ std::array<std::uint8_t, 8> initiate_download(SdoObject object, const SdoClient:
 /// What is no answer to @p request, as one that comes late, is passed over.
 Task<SdoClient::Answer> SdoClient::exchange(Data request, canopen::Duration longest) {
   const bool initiates = (request[0] >> kCommandAt) != 0 && (request[0] >> kCommandAt) != 3;
-  station_.send({.id = kRequests + node_id_, .length = 8, .data = request});
+  station_.send({.id = kSdoRequest + node_id_, .length = 8, .data = request});
   Data answer{};
   const Station::Fits is_answer = [&](const canopen::Frame& frame) {
-    if (frame.id != kResponses + node_id_ || frame.remote || frame.extended || frame.length != 8) return false;
+    if (frame.id != kSdoResponse + node_id_ || frame.remote || frame.extended || frame.length != 8) return false;
     answer = frame.data;
     return !initiates || is_of(frame.data, request);
   };
@@ -63,7 +66,7 @@ void SdoClient::abort(SdoObject object) noexcept {
   Data data = request_of(kAbort, object);
   for (unsigned i = 0; i < 4; ++i)
     data[4 + i] = static_cast<std::uint8_t>(SdoFailure::kNoAnswer >> 8U * i & 0xFFU);
-  station_.send({.id = kRequests + node_id_, .length = 8, .data = data});
+  station_.send({.id = kSdoRequest + node_id_, .length = 8, .data = data});
 }
 
 Task<SdoClient::Read> SdoClient::read(SdoObject object, canopen::Duration longest) {

@@ -36,7 +36,7 @@ std::string shrunk(const WorldPlan& plan, std::string_view rule, const axisd::Lo
     const Outcome outcome = run_world(smaller, log);
     return outcome.breach && outcome.breach->rule == rule;
   });
-  return breach_text(small, run_world(small, log)) + json_of(small).dump(2) + "\n";
+  return breach_text(small, run_world(small, log), "--plan FILE, which is this:") + json_of(small).dump(2) + "\n";
 }
 
 /// Whether all is well with the world of @p plan.
@@ -46,7 +46,8 @@ bool run_one(const WorldPlan& plan, const Options& options, const axisd::Log& lo
   tools::write_user_file(options.log, frames.str());
   sums.add(plan, outcome);
   if (outcome.breach) {
-    print(breach_text(plan, outcome));
+    print(breach_text(plan, outcome,
+                      options.plan.empty() ? fmt::format("--seed {}", plan.seed) : "--plan " + options.plan));
     if (options.shrinks) print(shrunk(plan, outcome.breach->rule, log));
     return false;
   }

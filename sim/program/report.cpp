@@ -21,6 +21,7 @@ Outcome run_world(const WorldPlan& plan, const axisd::Log& log, std::ostream* fr
   if (frames != nullptr) world.wire().write_to(*frames);
   Outcome outcome;
   outcome.breach = world.run();
+  if (outcome.breach) outcome.node_id = world.unit(outcome.breach->unit).node_id();
   outcome.counts = world.counts();
   outcome.digest = world.wire().digest();
   outcome.seconds = world.seconds();
@@ -37,11 +38,11 @@ std::string list_text() {
   return text;
 }
 
-std::string breach_text(const WorldPlan& plan, const Outcome& outcome) {
+std::string breach_text(const WorldPlan& plan, const Outcome& outcome, std::string_view again) {
   const Breach& breach = *outcome.breach;
-  return fmt::format("{}seed {}: {}\n  broken: {} at {:.6f} s, node {}: {}\n  again:  axisd-sim --seed {}\n",
+  return fmt::format("{}seed {}: {}\n  broken: {} at {:.6f} s, node {}: {}\n  again:  axisd-sim {}\n",
                      outcome.last_frames, plan.seed, summary_of(plan), breach.rule, outcome.seconds,
-                     breach.unit + 1, breach.text, plan.seed);
+                     outcome.node_id, breach.text, again);
 }
 
 void Sums::add(const WorldPlan& plan, const Outcome& outcome) noexcept {
@@ -54,21 +55,28 @@ void Sums::add(const WorldPlan& plan, const Outcome& outcome) noexcept {
   power_ons += outcome.counts.power_ons;
   disk_operations += outcome.counts.disk_operations;
   seconds += outcome.seconds;
+  full_bus_seconds += outcome.counts.full_bus;
 }
 
 std::string text_of(const Sums& sums) {
   return fmt::format(
       "{} worlds of {:.0f} s in all: {} units, {} faults, {} power-ons, {} frames, {} turns, {} operations of "
-      "disks; "
-      "broken {}\n",
+      "disks; bus full for {:.0f} s; broken {}\n",
       sums.worlds, sums.seconds, sums.units, sums.faults, sums.power_ons, sums.frames, sums.turns,
-      sums.disk_operations, sums.broken);
+      sums.disk_operations, sums.full_bus_seconds, sums.broken);
 }
 
 nlohmann::json json_of(const Sums& sums) {
-  return {{"worlds", sums.worlds}, {"broken", sums.broken}, {"seconds", sums.seconds},
-          {"units", sums.units},   {"faults", sums.faults}, {"power_ons", sums.power_ons},
-          {"frames", sums.frames}, {"turns", sums.turns},   {"disk_operations", sums.disk_operations}};
+  return {{"worlds", sums.worlds},
+          {"broken", sums.broken},
+          {"seconds", sums.seconds},
+          {"units", sums.units},
+          {"faults", sums.faults},
+          {"power_ons", sums.power_ons},
+          {"frames", sums.frames},
+          {"turns", sums.turns},
+          {"disk_operations", sums.disk_operations},
+          {"full_bus_seconds", sums.full_bus_seconds}};
 }
 
 }  // namespace sim

@@ -51,6 +51,8 @@ class Judge {
   virtual void on_turn(const SimulatedUnit& unit, canopen::TimePoint now, std::uint64_t allocated) {
     static_cast<void>(unit), static_cast<void>(now), static_cast<void>(allocated);
   }
+  /// For @p lasting the bus had no room for what has a high identifier.
+  virtual void on_full_bus(canopen::Duration lasting) { static_cast<void>(lasting); }
   /// All faults are over.
   virtual void on_calm(canopen::TimePoint now) { static_cast<void>(now); }
   /// The world is at its end.

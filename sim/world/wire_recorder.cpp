@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "can/hub/medium/bit_time.hpp"
 #include "sim/base/allocations.hpp"
 
 namespace sim {
@@ -28,6 +29,7 @@ void WireRecorder::take(std::uint64_t word) noexcept {
 void WireRecorder::receive(const hub::Passage& passage) noexcept {
   const Uncounted uncounted;
   ++frames_;
+  bits_ += hub::bits_on_wire(passage.frame);
   std::uint64_t data = 0;
   std::memcpy(&data, passage.frame.data, passage.frame.can_dlc);
   take(static_cast<std::uint64_t>(time_.now().time_since_epoch().count()));

@@ -31,6 +31,8 @@ class WireRecorder final : private hub::Participant {
   void write_to(std::ostream& log) noexcept { log_ = &log; }
 
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
+  /// The bits of all of them on the wire.
+  [[nodiscard]] std::uint64_t bits() const noexcept { return bits_; }
   /// A number that the same frames at the same times give, and no others.
   [[nodiscard]] std::uint64_t digest() const noexcept { return digest_; }
   [[nodiscard]] const std::deque<Heard>& last() const noexcept { return last_; }
@@ -42,6 +44,7 @@ class WireRecorder final : private hub::Participant {
   hub::Medium& medium_;
   const ToldTime& time_;
   std::uint64_t frames_ = 0;
+  std::uint64_t bits_ = 0;
   std::uint64_t digest_ = 0xCBF2'9CE4'8422'2325;
   std::deque<Heard> last_;
   std::ostream* log_ = nullptr;

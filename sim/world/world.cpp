@@ -128,6 +128,7 @@ void World::go_to(canopen::TimePoint now) {
   clock_.set(now);
   step_faults();
   run_bus();
+  watch_load();
   run_stations();
   run_units();
 }
@@ -159,6 +160,18 @@ void World::run_bus() noexcept {
   while (medium_.next_deadline() <= time_.now()) medium_.on_time(time_.now());
 }
 
+void World::watch_load() {
+  constexpr canopen::Duration kWindow = std::chrono::milliseconds{100};
+  constexpr double kFull = 0.95;  // of all bits
+  const canopen::Duration lasting = time_.now() - window_.begin;
+  if (lasting < kWindow) return;
+  const auto bits = static_cast<double>(recorder_.bits() - window_.bits);
+  window_ = {.begin = time_.now(), .bits = recorder_.bits()};
+  if (bits < kFull * plan_.bit_rate * std::chrono::duration<double>(lasting).count()) return;
+  full_ += lasting;
+  for (const auto& judge : judges_) judge->on_full_bus(lasting);
+}
+
 void World::run_stations() {
   const auto run = [this](Station& station) {
     if (station.next_deadline() <= time_.now()) station.turn(time_.now());
@@ -185,7 +198,10 @@ std::optional<Breach> World::find_breach() const {
 }
 
 World::Counts World::counts() const noexcept {
-  Counts counts{.frames = recorder_.frames(), .turns = turns_, .power_ons = power_ons_};
+  Counts counts{.frames = recorder_.frames(),
+                .turns = turns_,
+                .power_ons = power_ons_,
+                .full_bus = std::chrono::duration<double>(full_).count()};
   for (const auto& unit : units_) counts.disk_operations += unit->disk().operations();
   return counts;
 }

@@ -38,6 +38,7 @@ class World {
     std::uint64_t turns = 0;  ///< of programs of units
     std::uint64_t power_ons = 0;
     std::uint64_t disk_operations = 0;
+    double full_bus = 0.0;  ///< seconds in which the bus had no room
   };
   [[nodiscard]] Counts counts() const noexcept;
   [[nodiscard]] WireRecorder& wire() noexcept { return recorder_; }
@@ -67,6 +68,7 @@ class World {
   void step_faults();
   void calm_down();
   void run_bus() noexcept;
+  void watch_load();
   void run_stations();
   void run_units();
   [[nodiscard]] std::optional<Breach> find_breach() const;
@@ -92,8 +94,15 @@ class World {
   bool is_calm_ = false;
   canopen::TimePoint calm_;
   canopen::TimePoint end_;
+  /// A time in which the load of the bus is looked at.
+  struct Window {
+    canopen::TimePoint begin = ToldTime::kBegin;
+    std::uint64_t bits = 0;  ///< that had passed by then
+  };
+  Window window_{};
   std::uint64_t turns_ = 0;
   std::uint64_t power_ons_ = 0;
+  canopen::Duration full_{};
 };
 
 }  // namespace sim

@@ -17,59 +17,13 @@ import json
 import os
 import random
 import signal
-import socket
-import struct
 import sys
 import time
 
 import programs
+from sdo_client import ANSWER, SAVE, Client
 
-SAVE = struct.unpack('<I', b'save')[0]
-ANSWER = 5  # s
 READY = r'ready: node \d+'
-
-
-class Client:
-    """A socket on a bus, with SDO requests to its nodes."""
-
-    def __init__(self):
-        self.socket = socket.socket(socket.AF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
-        self.socket.bind(('vcan0',))
-
-    def request(self, node, command, index, sub_index, value=0):
-        self.socket.send(struct.pack('<IB3xBHBI', 0x600 + node, 8, command, index, sub_index, value))
-
-    def answers(self, longest, count=1):
-        """The frames of SDO answers that come within LONGEST s: at most COUNT, as (node, data)."""
-        found = []
-        end = time.monotonic() + longest
-        while len(found) < count and (left := end - time.monotonic()) > 0:
-            self.socket.settimeout(left)
-            try:
-                frame = self.socket.recv(16)
-            except TimeoutError:
-                break
-            identifier = struct.unpack('<I', frame[:4])[0]
-            if 0x581 <= identifier <= 0x5FF:
-                found.append((identifier - 0x580, frame[8:]))
-        return found
-
-    def read(self, node):
-        """1017h of NODE in ms."""
-        self.request(node, 0x40, 0x1017, 0)
-        for answered, data in self.answers(ANSWER):
-            if answered == node and data[0] == 0x4B:
-                return struct.unpack('<H', data[4:6])[0]
-        raise AssertionError(f'node {node} does not answer')
-
-    def forget(self):
-        self.socket.setblocking(False)
-        try:
-            while True:
-                self.socket.recv(16)
-        except BlockingIOError:
-            pass
-        self.socket.setblocking(True)
 
 
 class Scene:
@@ -102,7 +56,7 @@ def save_and_kill(scene, client, nodes, options):
         unit = scene.unit(*options)
         for _ in nodes:
             unit.expect(READY)
-        client.forget()
+        client.drain()
         for node in nodes:
             found = client.read(node)
             if found not in allowed[node]:
@@ -116,25 +70,9 @@ def save_and_kill(scene, client, nodes, options):
             client.request(node, 0x23, 0x1010, 1, SAVE)
             allowed[node].add(value)
         scene.kill_after(unit, scene.random.choice([0.0005, 0.003, 0.02]))
-        for node, data in drain(client):
+        for node, data in client.drain():
             if data[0] == 0x60:
                 allowed[node] = {value}
-
-
-def drain(client):
-    """Answers that have come by now."""
-    client.socket.setblocking(False)
-    found = []
-    try:
-        while True:
-            frame = client.socket.recv(16)
-            identifier = struct.unpack('<I', frame[:4])[0]
-            if 0x581 <= identifier <= 0x5FF:
-                found.append((identifier - 0x580, frame[8:]))
-    except BlockingIOError:
-        pass
-    client.socket.setblocking(True)
-    return found
 
 
 def store(scene, client):
@@ -161,7 +99,7 @@ def load(scene, client):
         scene.kill_after(unit, 0.005)
     unit = scene.unit('--node-id', '5')
     unit.expect(READY)
-    client.forget()
+    client.drain()
     if client.read(5) != 0:
         scene.miss('the last unit does not answer as a new one')
 
@@ -204,7 +142,7 @@ def suspended(scene, client):
     for kill in range(scene.arguments.kills):
         unit = scene.unit('--node-id', '5')
         unit.expect(READY)
-        client.forget()
+        client.drain()
         for _ in range(3):
             unit.process.send_signal(signal.SIGSTOP)
             client.request(5, 0x40, 0x1017, 0)
