@@ -67,8 +67,8 @@ std::vector<SocketFile> socket_files() {
            unit ? std::optional{UnitName{std::string{unit->label}, std::string{unit->station}}} : std::nullopt});
     }
   std::ranges::sort(files, {}, &SocketFile::path);
-  const auto repeated = std::ranges::unique(files, {}, &SocketFile::path);
-  files.erase(repeated.begin(), repeated.end());
+  const auto is_repeated = [](const SocketFile& one, const SocketFile& other) { return one.path == other.path; };
+  files.erase(std::unique(files.begin(), files.end(), is_repeated), files.end());
   return files;
 }
 

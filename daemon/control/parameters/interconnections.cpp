@@ -32,8 +32,9 @@ Interconnections::Interconnections(const drive::DriveUnit& unit) {
 }
 
 std::span<const Input> Interconnections::inputs_of(std::uint8_t object, std::uint16_t number) const noexcept {
-  const auto range = std::ranges::equal_range(inputs_, std::pair{object, number}, {}, source_of);
-  return {range.begin(), range.end()};
+  const std::pair source{object, number};
+  return {std::ranges::lower_bound(inputs_, source, {}, source_of),
+          std::ranges::upper_bound(inputs_, source, {}, source_of)};
 }
 
 const drive::DriveObject* object_of(const drive::DriveUnit& unit, const drive::DriveObject& owner,
