@@ -104,8 +104,11 @@ def serve(bench):
 
 
 def use(fleet, bench):
-    for unit in UNITS:
-        fleet.want(unit, {'configuration': {'axes': [{}], 'record': {'name': 'run', 'signals': ['1/r0063'], 'every_s': 0.01}}})
+    wanted = [{'bus': unit.split('.')[0], 'node_id': int(unit.split('.')[1]), 'axes': [{}],
+               'record': {'name': 'run', 'signals': ['1/r0063'], 'every_s': 0.01}} for unit in UNITS]
+    file = bench.folder / 'fleet.json'
+    file.write_text(json.dumps({'units': wanted}))
+    fleet.axisctl('fleet', 'apply', '--unchecked', file)
     fleet.await_units(UNITS)
     assert fleet.place(UNITS[0])['host'] == 'a'
     assert 'result' in fleet.ask(UNITS[0], 'parameter.write', parameter='1/p1121', value=7.5)
