@@ -1,6 +1,6 @@
 """axisd, its hubs and axisd-http do all that they can in the sandbox of their units: sandboxed.py BIN-FOLDER UNITS-FOLDER SCENE
 
-To be run by own_network.sh and with-can. A system call that the unit refuses ends the program (tests/systemd/in_sandbox.py).
+To be run by with-can and, within that, own_network.sh. A system call that the unit refuses ends the program (tests/systemd/in_sandbox.py).
 
 unit       axisd@.service: one unit on the bus: SDO, PDO, a save that is there after the next start, heartbeat, trace, recording
 with_modbus, with_port_502: Modbus TCP, by the drop-ins in UNITS-FOLDER
