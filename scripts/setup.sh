@@ -45,8 +45,8 @@ test_packages=(
   clang-format clang-tidy
   # xmllint, which holds reports against a schema
   libxml2-utils
-  # systemd-analyze, which checks the units
-  systemd
+  # systemd-analyze, which checks the units, and what confines programs as these do
+  systemd python3-seccomp
   # the page of axisd-http in a browser
   chromium
   # certificates, and the driver of units for labgrid

@@ -4,10 +4,12 @@
 #include <new>
 
 #include "can/nats/nats_handles.hpp"
+#include "can/nats/openssl.hpp"
 
 namespace nats {
 
 std::string new_inbox() {
+  keep_openssl();
   natsInbox* made = nullptr;
   if (natsInbox_Create(&made) != NATS_OK) throw std::bad_alloc{};
   const std::unique_ptr<natsInbox, Destroyer<natsInbox_Destroy>> inbox{made};

@@ -9,6 +9,8 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 
+#include "can/nats/openssl.hpp"
+
 namespace nats {
 
 namespace {
@@ -89,6 +91,7 @@ std::string text_of(natsStatus status) {
 
 tl::expected<Options, std::string> options_for(const Server& server, const std::string& client,
                                                std::chrono::milliseconds patience) {
+  keep_openssl();
   natsOptions* made = nullptr;
   natsStatus status = natsOptions_Create(&made);
   Options options{made};

@@ -237,4 +237,5 @@ def main():
             assert master.read(DEVICE_TYPE) & 0xFFFF == 0x0192
 
 
-main()
+if __name__ == '__main__':
+    main()

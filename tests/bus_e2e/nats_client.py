@@ -13,14 +13,17 @@ class Refused(Exception):
 
 
 class Client:
-    """A connection to the server at ADDRESS, (host, port); OPTIONS go with CONNECT: user, pass, name."""
+    """A connection to the server at ADDRESS, (host, port), by TLS if a context is given; OPTIONS go with CONNECT: user, pass, name."""
 
-    def __init__(self, address, patience=20, **options):
+    def __init__(self, address, patience=20, tls=None, **options):
         self.socket = socket.create_connection(address, patience)
         self.stream = self.socket.makefile("rb")
         self.numbers = itertools.count(1)
         self.waiting = collections.deque()  # messages that have come while something else was waited for
         self.info = json.loads(self.stream.readline()[len("INFO "):])
+        if tls:
+            self.socket = tls.wrap_socket(self.socket, server_hostname="localhost")
+            self.stream = self.socket.makefile("rb")
         self._send(f"CONNECT {json.dumps({'verbose': False, 'headers': True, **options})}")
         self.flush()
 

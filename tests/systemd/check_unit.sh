@@ -2,7 +2,7 @@
 # check_unit.sh verify FOLDER UNIT            the unit has no error, and no warning either
 # check_unit.sh exposure FOLDER UNIT LIMIT    its exposure, times ten, is at most LIMIT; prints the exposure
 # check_unit.sh limits FOLDER UNIT            memory and tasks are bounded, and systemd understands the bounds
-# check_unit.sh loopback FOLDER UNIT          it may use the sockets of the network, but only with this machine
+# check_unit.sh says FOLDER UNIT TEXT...      systemd-analyze says each TEXT of it
 # check_unit.sh sharing FOLDER UNIT            its user is made at run time, its group is that of the control sockets, its own
 #                                            folders are within nobody else's
 # A template is checked as the instance vcan0.
@@ -26,9 +26,9 @@ case $mode in
       value=$(sed -n "s/^$limit=//p" "$folder/$unit")
       [[ $value =~ ^[0-9]+[MG]?$ ]] || { echo "$unit: expected $limit=NUMBER, got '$value'" >&2; exit 1; }
     done ;;
-  loopback)
+  says)
     answer=$(SYSTEMD_UNIT_PATH=$folder: systemd-analyze security --offline=true --threshold=100 --no-pager "$folder/$unit")
-    for wanted in 'may allocate Internet sockets' 'IP address allow list with only localhost entries'; do
+    for wanted in "${@:4}"; do
       grep -qF "$wanted" <<<"$answer" || { echo "$unit: systemd-analyze does not say '$wanted'" >&2; exit 1; }
     done ;;
   sharing)
