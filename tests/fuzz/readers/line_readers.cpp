@@ -57,7 +57,9 @@ std::string frame_rule(std::string_view line) {
   const std::string said = record::candump_line(*read);
   const auto again = record::read_candump_line(std::string_view{said}.substr(0, said.size() - 1));
   if (!again) return fmt::format("{} is not read again: {}", said, again.error());
-  const bool is_same = again->at == read->at && again->interface == read->interface &&
+  // A line has microseconds; those of others may have more.
+  const auto written = std::chrono::duration_cast<std::chrono::microseconds>(read->at);
+  const bool is_same = again->at == written && again->interface == read->interface &&
                        std::memcmp(&again->frame, &read->frame, sizeof read->frame) == 0;
   return is_same ? "" : fmt::format("{} is read as another one", said);
 }
