@@ -4,12 +4,13 @@
 #include <new>
 
 #include "can/nats/nats_handles.hpp"
+#include "can/nats/server.hpp"
 
 namespace nats {
 
 std::string new_inbox() {
   natsInbox* made = nullptr;
-  if (natsInbox_Create(&made) != NATS_OK) throw std::bad_alloc{};
+  if (!open_library() || natsInbox_Create(&made) != NATS_OK) throw std::bad_alloc{};
   const std::unique_ptr<natsInbox, Destroyer<natsInbox_Destroy>> inbox{made};
   return inbox.get();
 }

@@ -8,6 +8,7 @@
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
+#include <openssl/crypto.h>
 
 namespace nats {
 
@@ -87,8 +88,14 @@ std::string text_of(natsStatus status) {
   return fmt::format("{}: {}", text, told);
 }
 
+/// libcrypto does that once. If it has failed, RAND_bytes() goes on with what is not there (3.0).
+bool open_library() noexcept {
+  return OSSL_LIB_CTX_get0_global_default() != nullptr;
+}
+
 tl::expected<Options, std::string> options_for(const Server& server, const std::string& client,
                                                std::chrono::milliseconds patience) {
+  if (!open_library()) return tl::unexpected{std::string{"there is no memory left"}};
   natsOptions* made = nullptr;
   natsStatus status = natsOptions_Create(&made);
   Options options{made};

@@ -33,6 +33,10 @@ struct Server {
 /// Connects with @p options; the error is one line.
 [[nodiscard]] tl::expected<Connection, std::string> connect(const Options& options);
 
+/// Before anything of libnats is used: has libcrypto, from which that takes random numbers, ready. False: there is
+/// no memory for it, and libnats would crash in it.
+[[nodiscard]] bool open_library() noexcept;
+
 /// What the library says to @p status and what it said last in this thread.
 [[nodiscard]] std::string text_of(natsStatus status);
 
