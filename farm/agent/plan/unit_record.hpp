@@ -29,6 +29,7 @@ struct KnownPlace {
 struct Judgement {
   std::string configuration;
   std::string problem;  ///< empty: it can be used
+  canopen::TimePoint again = canopen::kNever;  ///< when it is to be judged again: it could not be
 };
 
 /// All that is known of one unit.
