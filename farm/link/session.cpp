@@ -110,8 +110,8 @@ bool Session::publish(const std::string& subject, const std::string& reply, std:
   return true;
 }
 
-/// Without one of its subscriptions a connection would never tell what comes for that: it is given up, not at once, for
-/// whoever subscribes is in the middle of something.
+/// Without one of its subscriptions a connection would never tell what comes for that: it is given up, not at
+/// once, for whoever subscribes is in the middle of something.
 nats::Subscription Session::subscribe(std::uint64_t id, const std::string& subject) {
   if (!contact_) return nullptr;
   auto made = contact_->subscribe(id, subject);

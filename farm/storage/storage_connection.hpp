@@ -26,8 +26,8 @@ class StorageConnection {
   ~StorageConnection() = default;
 
   [[nodiscard]] Storage storage() noexcept { return {keys_, objects_}; }
-  /// Whether it may be used on. One over which something has failed may not: libnats keeps one open whose subscription
-  /// for answers was never sent.
+  /// Whether it may be used on. One over which something has failed may not: libnats keeps one open whose
+  /// subscription for answers was never sent.
   [[nodiscard]] bool is_good() const noexcept {
     return !natsConnection_IsClosed(connection_.get()) && !keys_.has_failed() && !objects_.has_failed();
   }

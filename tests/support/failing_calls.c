@@ -11,7 +11,6 @@
 #include <pthread.h>
 #include <spawn.h>
 #include <stdarg.h>
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,7 +37,7 @@ static int failing_kind = -1;
 static int wanted_kind = -1; /* from main() on */
 static uint64_t failing_number;
 static int failing_error;
-static _Thread_local int spared; /* in what ends or hangs by itself if a call fails, and is foreign */
+static _Thread_local int spared; /* in a place that is nobody's here, see below */
 
 #define NAME_OF(name) #name,
 static const char* const kNames[] = {FAILING_CALLS(NAME_OF)};
@@ -89,13 +88,23 @@ int __libc_start_main(int (*begin_at)(int, char**, char**), int count, char** wo
               void (*)(void), void*)(counted_main, count, words, initialise, finish, finish_linker, stack_end);
 }
 
-/* libnats 3.4 opens itself again to tell that it has got no memory for its first lock, and waits for itself for ever. */
-bool nats_InitOnce(void** done, void (*open)(void)) {
-  spared = 1;
-  const bool is_open = REAL(bool, nats_InitOnce, void**, void (*)(void))(done, open);
-  spared = 0;
-  return is_open;
-}
+/* In these, libnats 3.4 ends the program by a null pointer if it gets no memory, or waits for itself for ever, and
+   no program that uses it can help that: natsMutex_Create() for the lock of the library, whose failure it tells by
+   opening itself again, or of a connection, which natsConn_release() locks; natsStrHash_Create() for an object of
+   JSON, which nats_JSONDestroy() walks through; natsHash_Set() for a subscription, which is freed and then
+   delivered to; natsLib_msgDeliveryAssignWorker() for a worker, whose members are destroyed. */
+#define SPARED(name, parameters, ...)                                             \
+  int name parameters {                                                           \
+    ++spared;                                                                     \
+    const int status = ((int(*) parameters)dlsym(RTLD_NEXT, #name))(__VA_ARGS__); \
+    --spared;                                                                     \
+    return status;                                                                \
+  }
+SPARED(natsMutex_Create, (void** mutex), mutex)
+SPARED(natsStrHash_Create, (void** hash, int size), hash, size)
+SPARED(natsHash_Set, (void* hash, int64_t key, void* value, void** before), hash, key, value, before)
+SPARED(natsLib_msgDeliveryAssignWorker, (void* subscription), subscription)
+#undef SPARED
 
 static int open_as(int folder, const char* path, int flags, mode_t mode) {
   if (fails(CALL_open)) return -1;

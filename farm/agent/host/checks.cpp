@@ -60,7 +60,8 @@ void Checks::finish(const Check& check, const ProcessEnd& end, std::string_view 
   if (end.is_good || !problem.empty())
     outcomes_.on_judged(check, problem);
   else
-    outcomes_.on_not_judged(check, fmt::format("the configuration cannot be judged: axisd --check-config: {}", end.how));
+    outcomes_.on_not_judged(check,
+                            fmt::format("the configuration cannot be judged: axisd --check-config: {}", end.how));
   begin_next();
 }
 

@@ -28,7 +28,8 @@ StoredState::StoredState(axisd::ServiceEvents& events, Link& link, const std::st
       this);
 }
 
-/// One that cannot be read now may be there the next time: what lies here may be newer than what lies on the server.
+/// One that cannot be read now may be there the next time: what lies here may be newer than what lies on the
+/// server.
 tl::expected<UnitNote*, std::string> StoredState::note_of(const UnitName& unit) {
   if (const auto known = notes_.find(unit); known != notes_.end()) return &known->second;
   auto note = read_note(folders_, unit);

@@ -57,8 +57,8 @@ enum class Write : bool { ToCache, ToDisk };
 /// Checksum of what @p unit has saved; nothing if it has saved nothing. The error as above.
 [[nodiscard]] tl::expected<std::optional<std::uint32_t>, std::string> checksum_of_parameters(
     const Folders& folders, const UnitName& unit);
-/// What is kept of @p unit, by its file; nothing that counts if there is none. The error is one line: there is one,
-/// and it cannot be read now.
+/// What is kept of @p unit, by its file; nothing that counts if there is none. The error is one line: there is
+/// one, and it cannot be read now.
 [[nodiscard]] tl::expected<UnitNote, std::string> read_note(const Folders& folders, const UnitName& unit);
 
 /// The configuration file of @p unit: @p configuration and what its name says. The error is one line.
